@@ -1,0 +1,64 @@
+# A room of lib/ is one CMake target that links only what it may use, so that a forbidden include does
+# not compile.  kov_room(exact LINKS flint::flint) makes the library kov::exact from lib/exact/*.cpp.
+
+add_library(kov_warnings INTERFACE)
+target_compile_options(kov_warnings INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  # g++ 12 sees overlaps in std::string operator+ that are not there (GCC PR105329)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>>)
+if(KOV_WERROR)
+  target_compile_options(kov_warnings INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Werror>)
+endif()
+if(KOV_SANITIZE)
+  add_compile_options(-fsanitize=${KOV_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${KOV_SANITIZE})
+endif()
+
+# Keeps the targets that exist: rooms may be named before they are furnished.
+function(kov_existing out)
+  set(kept)
+  foreach(target ${ARGN})
+    if(NOT target MATCHES "^kov::" OR TARGET ${target})
+      list(APPEND kept ${target})
+    endif()
+  endforeach()
+  set(${out} ${kept} PARENT_SCOPE)
+endfunction()
+
+function(kov_room name)
+  cmake_parse_arguments(ROOM "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
+  if(NOT IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${name})
+    return() # a room that the plan names and nobody has furnished yet
+  endif()
+  kov_existing(links ${ROOM_LINKS})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp
+       ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.c)
+  add_library(kov_${name} STATIC ${sources})
+  add_library(kov::${name} ALIAS kov_${name})
+  # Each room sees the headers of the rooms that it links, under include/<room>/, and no others.
+  set(view ${CMAKE_BINARY_DIR}/rooms/${name})
+  file(MAKE_DIRECTORY ${view})
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/${name} ${view}/${name} SYMBOLIC)
+  target_include_directories(kov_${name} PUBLIC ${view})
+  target_link_libraries(kov_${name} PUBLIC ${links} PRIVATE ${ROOM_PRIVATE_LINKS} kov_warnings)
+  set_target_properties(kov_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endfunction()
+
+# kov_tests(exact LINKS kov::exact) makes the test program of one room from tests/exact/*.cpp.
+function(kov_tests name)
+  cmake_parse_arguments(TESTS "" "" "LINKS;LABELS" ${ARGN})
+  if(NOT IS_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${name})
+    return()
+  endif()
+  kov_existing(links ${TESTS_LINKS})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  add_executable(test_${name} ${sources})
+  target_link_libraries(test_${name} PRIVATE ${links} kov_warnings GTest::gmock GTest::gtest_main)
+  target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  target_compile_definitions(test_${name} PRIVATE KOV_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(NOT TESTS_LABELS)
+    set(TESTS_LABELS quick)
+  endif()
+  gtest_discover_tests(test_${name} TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60
+                       PROPERTIES LABELS "${TESTS_LABELS}" TIMEOUT 600)
+endfunction()

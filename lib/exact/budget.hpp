@@ -1,0 +1,44 @@
+#pragma once
+// Every search takes a Budget; check() is called in each loop that can be long.
+
+#include "exact/error.hpp"
+
+#include <chrono>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+namespace kov {
+
+struct Budget {
+  using Clock = std::chrono::steady_clock;
+
+  long max_degree = 100000;    ///< largest degree of a polynomial unknown
+  long max_families = 1000000; ///< largest number of families that one case may look at
+  std::optional<Clock::time_point> deadline;
+  double seconds = 0; ///< what the deadline was made from, for the message
+  std::stop_token stop;
+
+  [[nodiscard]] static Budget of_seconds(double s) {
+    Budget b;
+    b.seconds = s;
+    b.deadline = Clock::now() +
+                 std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
+    return b;
+  }
+
+  /// Throws OutOfBudget when the time is over or the caller asked to stop.  Cost: one clock
+  /// reading.
+  void check() const {
+    if (stop.stop_requested()) throw OutOfBudget("stopped on request");
+    if (deadline && Clock::now() > *deadline)
+      throw OutOfBudget("time limit of " + std::to_string(seconds) + " s reached");
+  }
+  void check_degree(long degree) const {
+    if (degree > max_degree)
+      throw OutOfBudget("degree limit: a polynomial of degree up to " + std::to_string(degree) +
+                        " would be needed, the limit is " + std::to_string(max_degree));
+  }
+};
+
+} // namespace kov

@@ -1,0 +1,28 @@
+#pragma once
+// Factorisation in K[z]: squarefree parts, and irreducible factors by norms (Trager 1976) over
+// Q(a).
+
+#include "exact/budget.hpp"
+#include "exact/poly.hpp"
+
+#include <vector>
+
+namespace kov {
+
+struct Factor {
+  Poly base; ///< monic
+  long exponent = 1;
+};
+
+/// Yun's algorithm: f = lead(f) * prod base^exponent, bases squarefree and pairwise coprime,
+/// exponents increasing.  Requires f != 0.
+[[nodiscard]] std::vector<Factor> squarefree_factors(const Poly& f);
+
+/// Irreducible factors over the field of f, sorted by (exponent, degree, coefficients).
+/// Cost  rational roots are split off first (linear in their number), then FLINT's van Hoeij; over
+///       Q(a) one factorisation over Q of degree [K:Q] deg f.
+[[nodiscard]] std::vector<Factor> irreducible_factors(const Poly& f, const Budget& budget = {});
+
+[[nodiscard]] bool is_squarefree(const Poly& f);
+
+} // namespace kov

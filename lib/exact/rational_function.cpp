@@ -1,0 +1,99 @@
+#include "exact/rational_function.hpp"
+
+#include "exact/error.hpp"
+
+namespace kov {
+
+RationalFunction::RationalFunction(const Poly& num, const Poly& den) {
+  if (is_zero(den)) throw DomainError("division by the zero function");
+  const Field& k = common_field(num.field(), den.field());
+  if (is_zero(num)) {
+    num_ = Poly(k);
+    den_ = coerce(Poly(1), k);
+    return;
+  }
+  const Poly g = gcd(num, den);
+  num_ = coerce(degree(g) == 0 ? num : exact_div(num, g), k);
+  den_ = coerce(degree(g) == 0 ? den : exact_div(den, g), k);
+  const NfElem c = lead(den_);
+  if (!is_one(c)) {
+    num_ = scale(num_, inverse(c));
+    den_ = monic(den_);
+  }
+}
+
+RationalFunction operator+(const RationalFunction& a, const RationalFunction& b) {
+  if (a.den_ == b.den_) return {a.num_ + b.num_, a.den_};
+  return {a.num_ * b.den_ + b.num_ * a.den_, a.den_ * b.den_};
+}
+
+RationalFunction operator-(const RationalFunction& a, const RationalFunction& b) { return a + -b; }
+
+RationalFunction operator*(const RationalFunction& a, const RationalFunction& b) {
+  return {a.num_ * b.num_, a.den_ * b.den_};
+}
+
+RationalFunction operator/(const RationalFunction& a, const RationalFunction& b) {
+  return {a.num_ * b.den_, a.den_ * b.num_};
+}
+
+RationalFunction operator-(RationalFunction a) {
+  a.num_ = -a.num_;
+  return a;
+}
+
+RationalFunction derivative(const RationalFunction& f) {
+  return {derivative(f.num()) * f.den() - f.num() * derivative(f.den()), f.den() * f.den()};
+}
+
+RationalFunction pow(const RationalFunction& f, long e) {
+  if (e < 0) return pow(RationalFunction(1) / f, -e);
+  return {pow(f.num(), static_cast<unsigned long>(e)), pow(f.den(), static_cast<unsigned long>(e))};
+}
+
+RationalFunction compose(const RationalFunction& f, const RationalFunction& g) {
+  // f(g) = (sum n_i N^i D^(d-i)) / (sum d_i N^i D^(d-i)), homogenised to the larger degree
+  const long d = std::max(degree(f.num()), degree(f.den()));
+  const auto homogeneous = [&](const Poly& p) {
+    Poly sum(common_field(p.field(), g.field()));
+    Poly power(1); // D^(d-i)
+    for (long i = d; i >= 0; --i) {
+      sum = sum * g.num() + power * Poly(p.coeff(i));
+      power *= g.den();
+    }
+    return sum;
+  };
+  return {homogeneous(f.num()), homogeneous(f.den())};
+}
+
+RationalFunction coerce(const RationalFunction& f, const Field& k) {
+  if (f.field() == k) return f;
+  return {coerce(f.num(), k), coerce(f.den(), k)};
+}
+
+long order_at_infinity(const RationalFunction& f) {
+  KOV_ENSURE(!is_zero(f));
+  return degree(f.den()) - degree(f.num());
+}
+
+std::string to_string(const RationalFunction& f, const std::string& variable) {
+  // Clear the rational content so that coefficients are integers where K = Q.
+  Poly num = f.num();
+  Poly den = f.den();
+  Integer n(1);
+  Integer d(1);
+  fmpz_set(n.raw(), fmpq_poly_denref(num.raw()));
+  fmpz_set(d.raw(), fmpq_poly_denref(den.raw()));
+  const Rational common(lcm(n, d));
+  num = scale(num, NfElem(common));
+  den = scale(den, NfElem(common));
+  const std::string top = to_string(num, variable);
+  if (is_one(den)) return top;
+  const std::string bottom = to_string(den, variable);
+  const auto wrap = [](const std::string& s, const char* marks) {
+    return s.find_first_of(marks, 1) != std::string::npos ? "(" + s + ")" : s;
+  };
+  return wrap(top, " ") + "/" + wrap(bottom, " */");
+}
+
+} // namespace kov

@@ -1,0 +1,47 @@
+#pragma once
+// K(z): quotients num/den with coprime num, den and den monic (a canonical form).
+
+#include "exact/poly.hpp"
+
+namespace kov {
+
+class RationalFunction {
+public:
+  RationalFunction() : den_(1) {}
+  RationalFunction(Poly num) : num_(std::move(num)), den_(coerce(Poly(1), num_.field())) {}
+  RationalFunction(const Rational& c) : RationalFunction(Poly(c)) {}
+  RationalFunction(std::integral auto n) : RationalFunction(Poly(n)) {}
+  RationalFunction(const Poly& num, const Poly& den); ///< Throws DomainError for den = 0.
+
+  [[nodiscard]] const Poly& num() const noexcept { return num_; }
+  [[nodiscard]] const Poly& den() const noexcept { return den_; }
+  [[nodiscard]] const Field& field() const noexcept { return num_.field(); }
+
+  friend RationalFunction operator+(const RationalFunction& a, const RationalFunction& b);
+  friend RationalFunction operator-(const RationalFunction& a, const RationalFunction& b);
+  friend RationalFunction operator*(const RationalFunction& a, const RationalFunction& b);
+  friend RationalFunction operator/(const RationalFunction& a, const RationalFunction& b);
+  friend RationalFunction operator-(RationalFunction a);
+  RationalFunction& operator+=(const RationalFunction& b) { return *this = *this + b; }
+  RationalFunction& operator-=(const RationalFunction& b) { return *this = *this - b; }
+  RationalFunction& operator*=(const RationalFunction& b) { return *this = *this * b; }
+  friend bool operator==(const RationalFunction& a, const RationalFunction& b) {
+    return a.num_ == b.num_ && a.den_ == b.den_;
+  }
+
+private:
+  Poly num_;
+  Poly den_;
+};
+
+[[nodiscard]] inline bool is_zero(const RationalFunction& f) { return is_zero(f.num()); }
+[[nodiscard]] RationalFunction derivative(const RationalFunction& f);  ///< d/dz
+[[nodiscard]] RationalFunction pow(const RationalFunction& f, long e); ///< e may be negative
+[[nodiscard]] RationalFunction compose(const RationalFunction& f, const RationalFunction& g);
+[[nodiscard]] RationalFunction coerce(const RationalFunction& f, const Field& k);
+/// deg den - deg num, Kovacic's "order at infinity".  Requires f != 0.
+[[nodiscard]] long order_at_infinity(const RationalFunction& f);
+/// Text that the parser reads back.
+[[nodiscard]] std::string to_string(const RationalFunction& f, const std::string& variable = "z");
+
+} // namespace kov

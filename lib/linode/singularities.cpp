@@ -1,0 +1,1 @@
+#include "linode/singularities.hpp"
