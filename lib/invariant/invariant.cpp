@@ -165,32 +165,49 @@ std::optional<std::vector<Invariant>> verified_basis(const ChineseLift& lift, co
 
 } // namespace
 
+namespace {
+
+// Local data and one prime: a proof of absence, or the dimension modulo that prime.
+struct FirstLook {
+  std::optional<NoInvariant> none;
+  std::size_t dimension = 0;
+};
+
+FirstLook first_look(const Singularities& s, const InvariantShape& shape, const Budget& budget) {
+  if (!shape.possible)
+    return {NoInvariant{.m = shape.m, .combinatorial = true, .why = shape.why}, 0};
+  budget.check_degree(shape.degree);
+  const Search search{s, shape, shape.degree + 1 + shape.m + 1 + spare_columns};
+  PrimeIdeals primes = PrimeIdeals::large(s.r.field());
+  for (int tries = 0; tries < 50; ++tries) {
+    budget.check();
+    const PrimeIdeal prime = primes.next();
+    const auto kernel = search.kernel(prime);
+    if (!kernel) continue;
+    if (kernel->basis.empty()) return {rank_proof(search, prime, *kernel), 0};
+    return {std::nullopt, kernel->basis.size()};
+  }
+  throw OutOfBudget("no good prime found for Sym^" + std::to_string(shape.m));
+}
+
+} // namespace
+
+std::optional<NoInvariant> no_invariant(const Singularities& s, long m, const Budget& budget) {
+  return first_look(s, invariant_shape(s, m), budget).none;
+}
+
 InvariantSearch invariants(const Singularities& s, long m, const Budget& budget) {
   InvariantSearch answer;
   answer.m = m;
   const InvariantShape shape = invariant_shape(s, m);
-  if (!shape.possible) {
-    answer.none = NoInvariant{.m = m, .combinatorial = true, .why = shape.why};
+  const FirstLook look = first_look(s, shape, budget);
+  if (look.none) {
+    answer.none = look.none;
     return answer;
   }
-  budget.check_degree(shape.degree);
   const Search search{s, shape, shape.degree + 1 + m + 1 + spare_columns};
   const Field& k = s.r.field();
-  // One prime of degree one decides most questions with "none".
-  PrimeIdeals singles = PrimeIdeals::large(k);
-  std::size_t dimension = static_cast<std::size_t>(m) + 2;
-  for (int tries = 0; tries < 50; ++tries) {
-    const PrimeIdeal prime = singles.next();
-    const auto kernel = search.kernel(prime);
-    budget.check();
-    if (!kernel) continue;
-    if (kernel->basis.empty()) {
-      answer.none = rank_proof(search, prime, *kernel);
-      return answer;
-    }
-    dimension = kernel->basis.size();
-    break;
-  }
+  std::size_t dimension = look.dimension;
   PrimeIdeals primes = PrimeIdeals::large(k);
   std::optional<ChineseLift> lift;
   std::vector<long> pivots;

@@ -48,6 +48,11 @@ struct InvariantSearch {
 /// Throws    OutOfBudget
 [[nodiscard]] InvariantSearch invariants(const Singularities& s, long m, const Budget& budget = {});
 
+/// Absence alone: a proof that Sym^m has no rational solution, or nothing (which proves nothing).
+/// Cost  O(m (n + D_m)) modulo one prime
+[[nodiscard]] std::optional<NoInvariant> no_invariant(const Singularities& s, long m,
+                                                      const Budget& budget = {});
+
 /// The rational function v.
 [[nodiscard]] RationalFunction value(const Invariant& v, const Singularities& s);
 
