@@ -392,6 +392,7 @@ std::string to_string(const Poly& f, const std::string& variable) {
     std::string power = i == 0 ? "" : i == 1 ? variable : variable + "^" + std::to_string(i);
     if (!is_rational(c)) {
       const std::string text = to_string(c);
+      if (power.empty() && s.empty()) return text;
       const bool sum = text.find(' ') != std::string::npos;
       const bool minus = !sum && text.front() == '-';
       if (!s.empty()) s += minus ? " - " : " + ";
