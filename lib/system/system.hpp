@@ -5,7 +5,7 @@
 // line) put in at the leaves, so that nothing is computed with a parameter whose value is known.
 // docs/guide/system-files.md describes the format.
 
-#include "system/document.hpp"
+#include "symbol/document.hpp"
 #include "system/formula.hpp"
 #include "system/vector_field.hpp"
 
