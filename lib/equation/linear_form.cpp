@@ -228,20 +228,20 @@ SecondOrder second_order(const Expression& equation, const std::string& unknown,
                          const Reading& reading) {
   const LinearForm form = linear_form(equation, unknown, reading);
   const std::string pattern = "y'' + p y' + q y = 0 is expected";
+  const long order = static_cast<long>(form.c.size()) - 1;
+  if (order > 2)
+    throw equation.error("the equation has order " + std::to_string(order),
+                         "only second-order equations can be solved");
   if (!is_zero(form.rest)) {
     std::string term = to_string(form.rest, reading.variable);
     if (term.size() > 60) term = term.substr(0, 60) + "...";
     throw equation.error("the equation is not homogeneous: the term " + term + " has no " + unknown,
                          pattern);
   }
-  const long order = static_cast<long>(form.c.size()) - 1;
   if (order < 2)
     throw equation.error(order < 0 ? "everything cancels: there is no equation left"
                                    : "the coefficient of " + unknown + "'' is zero",
                          pattern);
-  if (order > 2)
-    throw equation.error("the equation has order " + std::to_string(order),
-                         "only second-order equations can be solved");
   const auto check = [&](const RationalFunction& a, const RationalFunction& b) {
     reading.budget.check_degree(std::max(degree(a.num()), 0L) + std::max(degree(b.den()), 0L));
     reading.budget.check_degree(std::max(degree(a.den()), 0L) + std::max(degree(b.num()), 0L));

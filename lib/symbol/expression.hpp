@@ -7,7 +7,7 @@
 //   *  /       left
 //   unary -    below ^:  -a^2 = -(a^2),  2^-3^2 = 2^(-(3^2))
 //   ^  **      right
-//   '          derivative of what stands before it:  y''
+//   '          derivative of what stands before it:  y'', y''(z)
 //   atoms      digits, names, name(args), (expression)
 //
 // Decimals and implied multiplication are refused with the text to write instead.

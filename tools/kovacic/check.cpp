@@ -13,9 +13,9 @@ std::string expectation_lines(const Settings& settings, const std::vector<Expect
   std::string s;
   for (const Expected& e : expected) {
     const std::string mark = e.met ? "ok" : "FAILED";
-    s += "  expect   " + (color ? (e.met ? "\033[32m" : "\033[1;31m") + mark + "\033[0m" : mark) +
-         "  " + wrapped(e.name, 13 + mark.size()) + "\n";
-    if (!e.met) s += "           found  " + wrapped(e.found, 18) + "\n";
+    s += "  expect    " + (color ? (e.met ? "\033[32m" : "\033[1;31m") + mark + "\033[0m" : mark) +
+         "  " + wrapped(e.name, 14 + mark.size()) + "\n";
+    if (!e.met) s += "            found  " + wrapped(e.found, 19) + "\n";
   }
   return s;
 }

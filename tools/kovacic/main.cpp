@@ -22,6 +22,9 @@ constexpr const char* footer =
     R"(Exit codes: 0 decided, 1 a "no" from test or verify, 2 usage or input error, 3 undecided,
 4 internal error, 130 interrupted.  More: kovacic COMMAND --help, kovacic explain)";
 
+// A check that does not add its own words to --help.
+CLI::Validator silent(CLI::Validator check) { return check.description(""); }
+
 struct CommandLine {
   Settings settings;
   SolveArguments solve_arguments;
@@ -35,28 +38,28 @@ struct CommandLine {
           ->expected(1)
           ->take_all();
       command.add_option("--case", settings.only_case, "look at one of Kovacic's cases only")
-          ->check(CLI::Range(1, 3))
+          ->check(silent(CLI::Range(1, 3)))
           ->type_name("1|2|3");
       command.add_option("--method", settings.method, "kovacic, engines, or all (compare)")
-          ->check(CLI::IsMember({"automatic", "kovacic", "engines", "all"}))
+          ->check(silent(CLI::IsMember({"automatic", "kovacic", "engines", "all"})))
           ->type_name("M");
       command.add_option("--timeout", settings.timeout, "seconds for each equation; 0 = no limit")
-          ->check(CLI::Range(0.0, 1e9))
+          ->check(silent(CLI::Range(0.0, 1e9)))
           ->type_name("S");
       command.add_option("--memory", settings.memory, "ceiling in MiB (default 4096); 0 = none")
-          ->check(CLI::Range(std::size_t{0}, std::size_t{1} << 30))
+          ->check(silent(CLI::Range(std::size_t{0}, std::size_t{1} << 30)))
           ->type_name("MIB");
       command.add_option("--max-degree", settings.max_degree, "largest degree of a polynomial")
-          ->check(CLI::Range(0L, 1L << 40))
+          ->check(silent(CLI::Range(0L, 1L << 40)))
           ->type_name("N");
       command.add_option("--max-families", settings.max_families, "largest number of families")
-          ->check(CLI::Range(0L, 1L << 60))
+          ->check(silent(CLI::Range(0L, 1L << 60)))
           ->type_name("N");
       command.add_flag("--trace", settings.trace, "show every step");
       command.add_option("--certificate", settings.certificate, "write the proof to a file")
           ->type_name("FILE");
       command.add_option("--format", settings.format, "text, json or tex")
-          ->check(CLI::IsMember({"text", "json", "tex"}))
+          ->check(silent(CLI::IsMember({"text", "json", "tex"})))
           ->type_name("F");
       command.add_flag("--exit-verdict", settings.exit_verdict,
                        "exit 10: not abelian, 20: abelian, 0: undecided");
@@ -65,7 +68,7 @@ struct CommandLine {
     command.add_flag("-q,--quiet", settings.quiet, "the answer only");
     command.add_flag("-v,--verbose", settings.verbose, "times as well");
     command.add_option("--color", settings.color, "auto, always or never (see also NO_COLOR)")
-        ->check(CLI::IsMember({"auto", "always", "never"}))
+        ->check(silent(CLI::IsMember({"auto", "always", "never"})))
         ->type_name("WHEN");
   }
 
@@ -160,7 +163,7 @@ int usage_error(const CLI::App& app, const Settings& settings, const CLI::ParseE
              near ? "did you mean " + *near + "?" : "commands: " + enumerate(commands));
     return exit_input;
   }
-  if (error.get_name() == "ExtrasError") {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
     const std::vector<std::string> extra = sub.remaining();
     const std::string first = extra.empty() ? std::string("?") : extra.front();
     const bool flag = first.starts_with('-');

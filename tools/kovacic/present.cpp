@@ -21,7 +21,7 @@ std::string presented(const Settings& settings, const Answer& answer, const std:
   std::string text = text_of_result(answer.result, title, settings.style());
   if (settings.verbose > 0 && answer.result.at("seconds").is_number()) {
     char line[64];
-    std::snprintf(line, sizeof line, "  time     %.1f ms\n",
+    std::snprintf(line, sizeof line, "  time      %.1f ms\n",
                   1000 * answer.result.at("seconds").get<double>());
     text += line;
   }

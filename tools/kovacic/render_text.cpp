@@ -52,11 +52,12 @@ std::string with_variable(std::string text, const std::string& variable) {
   return text;
 }
 
+// r y, with parentheses where r is more than a power.
 std::string right_side(const std::string& r) {
   if (r == "0") return "0";
-  const bool sum = r.find(' ') != std::string::npos;
-  const bool closed = !sum || (r.front() == '(' && r.back() == ')' && r.find('(', 1) == r.npos);
-  return (closed ? r : "(" + r + ")") + " y";
+  if (r == "1" || r == "-1") return r.substr(0, r.size() - 1) + "y";
+  const bool simple = r.find_first_of(" /") == std::string::npos;
+  return (simple ? r : "(" + r + ")") + " y";
 }
 
 std::string minimal_polynomial(const Json& coefficients) {
@@ -72,8 +73,8 @@ std::string minimal_polynomial(const Json& coefficients) {
 }
 
 void put(std::ostringstream& out, const std::string& label, const std::string& text) {
-  out << "  " << label << std::string(label.size() < 9 ? 9 - label.size() : 1, ' ')
-      << wrapped(text, 11) << '\n';
+  out << "  " << label << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ')
+      << wrapped(text, 12) << '\n';
 }
 
 void put_solutions(std::ostringstream& out, const Json& solutions) {
@@ -87,8 +88,8 @@ void put_solutions(std::ostringstream& out, const Json& solutions) {
       text = "y" + number + " = " + s.at("y").get<std::string>();
     else
       text = "w = y'/y satisfies " + minimal_polynomial(s.at("minimal_polynomial"));
+    if (s.contains("note")) text += "   [" + s.at("note").get<std::string>() + "]";
     put(out, i == 1 ? "solution" + std::string(solutions.size() > 1 ? "s" : "") : "", text);
-    if (s.contains("note")) put(out, "", "where " + s.at("note").get<std::string>());
   }
 }
 
