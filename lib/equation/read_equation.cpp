@@ -16,6 +16,15 @@ std::vector<Expression> formulas(const EquationText& text) {
   return all;
 }
 
+bool is_name(const std::string& s) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return !s.empty() && letter(s.front()) && std::all_of(s.begin(), s.end(), [&](char c) {
+    return letter(c) || (c >= '0' && c <= '9');
+  });
+}
+
 // Which of the three forms; an error for none and for two.
 ScalarEquation::Form form_of(const EquationText& text) {
   const auto refuse = [](const Expression& e, const std::string& message) {
@@ -105,6 +114,9 @@ private:
     }
     if (result_.variable.empty()) result_.variable = inferred_variable();
     const Expression& first = formulas_.front();
+    if (!is_name(result_.variable))
+      throw first.error("'" + result_.variable + "' cannot be the name of a variable",
+                        "a name has letters, digits and _ only");
     if (result_.variable == "I" || constants_.is_defined(result_.variable))
       throw first.error("'" + result_.variable + "' is a constant and cannot be the variable");
     if (is_parameter(result_.variable))

@@ -61,6 +61,7 @@ TEST(ReadEquation, LinearEquationsInAnyShape) {
       {"diff(diff(y,z),z) = z*y", "z"},
       {"diff(y(z), z, 2) - z*y(z) = 0", "z"},
       {"u'' = x*u", "x"},
+      {"y'' = root(y^2-2,1.4)^2*x*y", "2*x"},
       {"y''(x) = x*y(x)", "x"},
       {"x''=t*x", "t"},
       {"diff(w, s, 2) = s*w", "s"},

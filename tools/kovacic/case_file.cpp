@@ -1,5 +1,6 @@
 #include "case_file.hpp"
 
+#include "commands.hpp"
 #include "present.hpp"
 
 #include <algorithm>
@@ -104,9 +105,10 @@ std::string title_of(const EquationFile& file,
 void take(const Settings& settings, CaseReport& report, const Answer& answer,
           const std::string& title) {
   if (answer.error) throw *answer.error;
-  report.exit = std::max(report.exit, answer.exit);
+  report.exit = worse(report.exit, answer.exit);
   if (answer.exit >= exit_internal) report_failure(settings, answer);
   if (answer.result.is_null()) return;
+  if (!report.text.empty() && settings.format == "text") report.text += "\n";
   report.text += presented(settings, answer, title);
   report.json.push_back(answer.result);
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 
 namespace kov::cli {
 namespace {
@@ -25,6 +26,19 @@ constexpr const char* footer =
 // A check that does not add its own words to --help.
 CLI::Validator silent(CLI::Validator check) { return check.description(""); }
 
+// 0 to most.
+CLI::Validator number(double most, const std::string& what) {
+  return CLI::Validator(
+      [most, what](const std::string& text) {
+        std::istringstream in(text);
+        double value = -1;
+        in >> value;
+        const bool ok = in && in.eof() && value >= 0 && value <= most;
+        return ok ? std::string() : what + " is expected, not '" + text + "'";
+      },
+      "");
+}
+
 struct CommandLine {
   Settings settings;
   SolveArguments solve_arguments;
@@ -38,22 +52,22 @@ struct CommandLine {
           ->expected(1)
           ->take_all();
       command.add_option("--case", settings.only_case, "look at one of Kovacic's cases only")
-          ->check(silent(CLI::Range(1, 3)))
+          ->check(silent(CLI::IsMember({"1", "2", "3"})))
           ->type_name("1|2|3");
       command.add_option("--method", settings.method, "kovacic, engines, or all (compare)")
           ->check(silent(CLI::IsMember({"automatic", "kovacic", "engines", "all"})))
           ->type_name("M");
       command.add_option("--timeout", settings.timeout, "seconds for each equation; 0 = no limit")
-          ->check(silent(CLI::Range(0.0, 1e9)))
+          ->check(number(1e9, "a number of seconds"))
           ->type_name("S");
       command.add_option("--memory", settings.memory, "ceiling in MiB (default 4096); 0 = none")
-          ->check(silent(CLI::Range(std::size_t{0}, std::size_t{1} << 30)))
+          ->check(number(1L << 30, "a number of MiB"))
           ->type_name("MIB");
       command.add_option("--max-degree", settings.max_degree, "largest degree of a polynomial")
-          ->check(silent(CLI::Range(0L, 1L << 40)))
+          ->check(number(1e12, "a degree"))
           ->type_name("N");
       command.add_option("--max-families", settings.max_families, "largest number of families")
-          ->check(silent(CLI::Range(0L, 1L << 60)))
+          ->check(number(1e18, "a number of families"))
           ->type_name("N");
       command.add_flag("--trace", settings.trace, "show every step");
       command.add_option("--certificate", settings.certificate, "write the proof to a file")
@@ -173,6 +187,8 @@ int usage_error(const CLI::App& app, const Settings& settings, const CLI::ParseE
   }
   std::string message = error.what();
   std::replace(message.begin(), message.end(), '\n', ' ');
+  if (const auto at = message.find(": 1 required "); at != std::string::npos)
+    message = message.substr(0, at) + " needs a value";
   if (arguments.empty()) message = "a command is expected: " + enumerate(commands);
   complain(settings, message,
            "see: kovacic " + (sub.get_parent() != nullptr ? sub.get_name() + " " : "") + "--help");

@@ -59,7 +59,7 @@ void run(const Settings& settings, const std::string& file, Tally& tally) {
     if (report.exit >= exit_internal) tally.exit = report.exit;
   } catch (const InputError& e) {
     line(settings, tally, false, file + ": readable", render(e));
-    tally.exit = std::max<int>(tally.exit, exit_input);
+    tally.exit = worse(tally.exit, exit_input);
   }
 }
 
