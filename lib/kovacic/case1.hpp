@@ -24,8 +24,8 @@ namespace kov::kovacic {
 [[nodiscard]] std::optional<Outcome> case1(const Singularities& s, const Budget& budget,
                                            Trace* trace);
 
-/// v'^2 - 2 v v'' + 4 r v^2: for a solution v of the second symmetric power, the square of the
-/// Wronskian of its two factors.  Throws InternalError when it is not constant.
+/// v'^2 - 2 v v'' + 4 r v^2: for a solution v of the second symmetric power a constant, the square
+/// of the Wronskian of its two factors.  Requires v such a solution.
 [[nodiscard]] NfElem wronskian_squared(const RationalFunction& v, const RationalFunction& r);
 
 } // namespace kov::kovacic

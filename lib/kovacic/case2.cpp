@@ -15,8 +15,8 @@ namespace {
 Imprimitive verified(Imprimitive found, const RationalFunction& r) {
   const RationalFunction& phi = found.phi;
   const RationalFunction d = derivative(phi);
-  KOV_ENSURE(derivative(d) + RationalFunction(3) * phi * d + phi * phi * phi ==
-             RationalFunction(4) * r * phi + RationalFunction(2) * derivative(r));
+  KOV_ENSURE(is_zero(derivative(d) + RationalFunction(3) * phi * d + phi * phi * phi -
+                     RationalFunction(4) * r * phi - RationalFunction(2) * derivative(r)));
   return found;
 }
 

@@ -45,6 +45,7 @@ std::vector<RadicalProduct> four_lines(const Singularities& s, const Budget& bud
   ProductSearch search;
   search.kovacic_case = 3;
   search.m = 4;
+  search.N = 3;
   search.scale = 3;
   search.name = "n = 4";
   search.classes = [](const Singularity& place) {

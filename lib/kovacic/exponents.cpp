@@ -87,17 +87,13 @@ std::vector<Rational> classes(const Singularity& place, long m, long N) {
   return found;
 }
 
-std::string exponent_set_text(const Singularity& place, long m, long scale) {
+std::string exponent_set_text(const Singularity& place, long m, long N, long scale) {
   std::string text;
-  Rational last(-1);
-  bool first = true;
-  for (const Rational& e : exponents(place, m)) {
-    const Rational scaled = e * Rational(scale);
-    if (!is_integer(scaled) || (!first && scaled == last)) continue;
-    text += (first ? "" : ", ") + to_string(scaled);
-    last = scaled;
-    first = false;
-  }
+  std::vector<Rational> all = exponents(place, m);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (const Rational& e : all)
+    if (is_integer(e * Rational(N)))
+      text += (text.empty() ? "" : ", ") + to_string(e * Rational(scale));
   return "{" + text + "}";
 }
 

@@ -45,7 +45,8 @@ struct LocalForm {
 /// class, at infinity the greatest.
 [[nodiscard]] std::vector<Rational> classes(const Singularity& place, long m, long N);
 
-/// The set as the paper writes it, "{2, 3, 1}": `scale` times each exponent that is integral then.
-[[nodiscard]] std::string exponent_set_text(const Singularity& place, long m, long scale);
+/// The set as the paper writes it, "{2, 3, 1}": `scale` times those exponents that times N are
+/// integers.
+[[nodiscard]] std::string exponent_set_text(const Singularity& place, long m, long N, long scale);
 
 } // namespace kov::kovacic

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "kovacic/exponents.hpp"
+#include "kovacic/family_log.hpp"
 #include "linode/degree_bounds.hpp"
 
 namespace kov::kovacic {
@@ -10,20 +11,20 @@ namespace {
 std::string sets_text(const Singularities& s, const ProductSearch& search) {
   std::string text;
   for (const Singularity& place : s.finite)
-    text += "E = " + exponent_set_text(place, search.m, search.scale) + " at " + place_name(place) +
-            "; ";
-  return text + "E = " + exponent_set_text(s.infinity, search.m, search.scale) + " at infinity";
+    text += "E = " + exponent_set_text(place, search.m, search.N, search.scale) + " at " +
+            place_name(place) + "; ";
+  return text + "E = " + exponent_set_text(s.infinity, search.m, search.N, search.scale) +
+         " at infinity";
 }
 
-std::string family_text(const Singularities& s, const ProductSearch& search,
+std::string family_text(const ProductSearch& search,
                         const std::vector<std::vector<Rational>>& classes, const Family& family) {
-  std::string text = "e = (";
+  std::string text = search.name + ": e = (";
   for (std::size_t i = 0; i < classes.size(); ++i) {
     if (i > 0) text += i + 1 == classes.size() ? "; " : ", ";
     text += to_string(classes[i][family.choice[i]] * Rational(search.scale));
   }
-  return text + ") at the " + std::to_string(s.finite.size()) +
-         " finite places and infinity, degree of P at most " + std::to_string(family.degree);
+  return text + ") at the finite places and at infinity";
 }
 
 std::vector<std::vector<NfElem>> contributions(const Singularities& s,
@@ -66,12 +67,11 @@ std::vector<RadicalProduct> products(const Singularities& s, const ProductSearch
   classes.push_back(search.classes(s.infinity));
   if (trace != nullptr) note(trace, c, 1, search.name + ": " + sets_text(s, search) + ".");
   const Families families = admissible_families(contributions(s, classes), budget);
-  note(trace, c, 2,
-       search.name + ": " + std::to_string(families.admissible.size()) + " of " +
-           to_string(families.total) + " families (up to integers) give a natural number d.");
+  note_families(trace, c, search.name, families);
   std::vector<RadicalProduct> found;
   if (families.admissible.empty()) return found;
   PolynomialStep step(search.m, common_denominator(s), s.r);
+  FamilyLog log(trace, c);
   for (const Family& family : families.admissible) {
     budget.check();
     std::vector<Rational> e;
@@ -81,11 +81,7 @@ std::vector<RadicalProduct> products(const Singularities& s, const ProductSearch
     const RationalFunction theta = logarithmic_derivative(s, e);
     const Poly H = step.times_S(theta);
     const auto solutions = step.solutions(H, family.degree, budget);
-    if (trace != nullptr)
-      note(trace, c, 3,
-           search.name + ": " + family_text(s, search, classes, family) +
-               (solutions.empty() ? ": no polynomial."
-                                  : ": P = " + to_string(solutions.front()) + "."));
+    log.tried(solutions, family.degree, [&] { return family_text(search, classes, family); });
     for (const Poly& P : solutions) {
       found.push_back({e, theta, P, step.chain(P, H), step.S()});
       if (!search.all) return found;
@@ -100,6 +96,7 @@ std::vector<RadicalProduct> rational_products(const Singularities& s, long m, in
   ProductSearch search;
   search.kovacic_case = kovacic_case;
   search.m = m;
+  search.N = 1;
   search.scale = m == 2 ? 2 : 12 / m;
   search.classes = [m](const Singularity& place) { return kovacic::classes(place, m, 1); };
   search.all = true;

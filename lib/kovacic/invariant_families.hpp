@@ -28,10 +28,11 @@ struct ProductSearch {
   int kovacic_case = 2;
   long m = 2;
   long scale = 2; ///< the paper's e_c are scale times the exponents of v
+  long N = 2;     ///< v^N is rational
   /// One class of exponents for each entry, for a place: see exponents.hpp.
   std::function<std::vector<Rational>(const Singularity&)> classes;
   bool all = false; ///< all solutions, not the first one only
-  std::string name; ///< "n = 6, all e_c even", for the trace
+  std::string name; ///< "n = 6", for the trace
   std::function<bool(const std::vector<Rational>&)> wanted = {}; ///< on the exponents of a family
 };
 

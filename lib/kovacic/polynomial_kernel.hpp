@@ -30,24 +30,21 @@ public:
 
   /// Ascending coefficients of a basis of the solutions.
   [[nodiscard]] std::vector<std::vector<Elem>> basis() {
-    rows_.resize(static_cast<std::size_t>(d_ + 1));
     p_.resize(static_cast<std::size_t>(d_ + 1));
+    equations_.resize(static_cast<std::size_t>(std::max(0L, d_ + top_ + 1)));
     for (long j = d_; j >= 0; --j)
       descend(j);
-    for (long e = top_ - 1; e >= -order(); --e) {
-      budget_.check();
-      if (e >= 0) conditions_.push_back(equation(e));
-    }
+    for (Vector& rest : equations_)
+      if (!rest.empty()) conditions_.push_back(std::move(rest));
     return combine(parameter_kernel());
   }
 
 private:
   [[nodiscard]] long order() const { return static_cast<long>(a_.size()) - 1; }
-  [[nodiscard]] long width() const { return top_ + order(); }
 
   // c_s(j) for s = top, top-1, ..., -order
-  [[nodiscard]] std::vector<Elem> row(long j) const {
-    std::vector<Elem> c(static_cast<std::size_t>(width() + 1), A_.zero());
+  [[nodiscard]] std::vector<Elem> images(long j) const {
+    std::vector<Elem> c(static_cast<std::size_t>(top_ + order() + 1), A_.zero());
     Elem falling = A_.one();
     for (long k = 0; k <= std::min(order(), j); ++k) {
       const auto& a = a_[static_cast<std::size_t>(k)];
@@ -60,37 +57,31 @@ private:
     return c;
   }
 
-  // sum over i of c_(e-i)(i) p_i, for the p_i known so far, as a vector in the parameters
-  [[nodiscard]] Vector equation(long e) const {
-    Vector sum(parameters_, A_.zero());
-    const long first = std::max(0L, e - top_);
-    for (long i = first; i <= std::min(d_, e + order()); ++i) {
-      const Vector& p = p_[static_cast<std::size_t>(i)];
-      if (p.empty()) continue;
-      const Elem& c = rows_[static_cast<std::size_t>(i)][static_cast<std::size_t>(top_ - (e - i))];
-      if (A_.is_zero(c)) continue;
-      for (std::size_t l = 0; l < p.size(); ++l)
-        A_.add_product(sum[l], c, p[l]);
-    }
-    return sum;
-  }
-
+  // Finds p_j from the equation at z^(j+t), which all higher coefficients have entered by now, and
+  // lets it enter the lower ones.
   void descend(long j) {
     budget_.check();
-    rows_[static_cast<std::size_t>(j)] = row(j);
-    if (j + width() < d_) rows_[static_cast<std::size_t>(j + width() + 1)] = {}; // not needed again
-    Vector sum = equation(j + top_);
-    const Elem& pivot = rows_[static_cast<std::size_t>(j)].front();
+    const std::vector<Elem> c = images(j);
     Vector& p = p_[static_cast<std::size_t>(j)];
-    if (A_.is_zero(pivot)) {
-      conditions_.push_back(std::move(sum));
+    if (j + top_ >= 0) p = std::move(equations_[static_cast<std::size_t>(j + top_)]);
+    if (A_.is_zero(c.front())) {
+      if (!p.empty()) conditions_.push_back(std::move(p));
       p.assign(++parameters_, A_.zero());
       p.back() = A_.one();
     } else {
-      const Elem factor = A_.minus_inverse(pivot);
-      for (Elem& x : sum)
+      const Elem factor = A_.minus_inverse(c.front());
+      for (Elem& x : p)
         x = A_.product(x, factor);
-      p = std::move(sum);
+    }
+    if (p.empty()) return;
+    for (std::size_t i = 1; i < c.size(); ++i) {
+      const long e = j + top_ - static_cast<long>(i);
+      if (e < 0) break;
+      if (A_.is_zero(c[i])) continue;
+      Vector& sum = equations_[static_cast<std::size_t>(e)];
+      sum.resize(parameters_, A_.zero());
+      for (std::size_t l = 0; l < p.size(); ++l)
+        A_.add_product(sum[l], c[i], p[l]);
     }
   }
 
@@ -150,8 +141,8 @@ private:
   const Budget& budget_;
   long top_ = -1000000000;
   std::size_t parameters_ = 0;
-  std::vector<std::vector<Elem>> rows_;
-  std::vector<Vector> p_;
+  std::vector<Vector> p_;         // the coefficients of P; an empty vector is zero
+  std::vector<Vector> equations_; // at z^e: what is known of it so far
   std::vector<Vector> conditions_;
 };
 
