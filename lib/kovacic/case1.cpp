@@ -4,6 +4,7 @@
 #include "kovacic/invariant_families.hpp"
 #include "kovacic/lines.hpp"
 #include "kovacic/necessary.hpp"
+#include "kovacic/plug_back.hpp"
 
 namespace kov::kovacic {
 namespace {

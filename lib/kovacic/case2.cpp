@@ -4,21 +4,12 @@
 #include "kovacic/exponents.hpp"
 #include "kovacic/invariant_families.hpp"
 #include "kovacic/necessary.hpp"
+#include "kovacic/plug_back.hpp"
 
 #include <algorithm>
 
 namespace kov::kovacic {
 namespace {
-
-// The resultant of omega^2 - phi omega + phi'/2 + phi^2/2 - r with its derivation vanishes exactly
-// when phi'' + 3 phi phi' + phi^3 = 4 r phi + 2 r'.
-Imprimitive verified(Imprimitive found, const RationalFunction& r) {
-  const RationalFunction& phi = found.phi;
-  const RationalFunction d = derivative(phi);
-  KOV_ENSURE(is_zero(derivative(d) + RationalFunction(3) * phi * d + phi * phi * phi -
-                     RationalFunction(4) * r * phi - RationalFunction(2) * derivative(r)));
-  return found;
-}
 
 // The parities of e that differ from a rational v: not all exponents of v integral.
 bool is_not_rational(const std::vector<Rational>& e) {
@@ -36,33 +27,57 @@ bool may_be_three_conjugates(const Singularities& s) {
   });
 }
 
+Outcome quadratic(const RationalFunction& phi, const Singularities& s, Trace* trace) {
+  note(trace, 2, 3,
+       "omega^2 - phi omega + phi'/2 + phi^2/2 - r = 0 with phi = " + to_string(phi) + ".");
+  KOV_ENSURE(solves_second_power(phi, s.r));
+  return Imprimitive{phi};
+}
+
+// The quaternion group: v1 v2 v3 is rational.
+std::optional<Outcome> three_quadratics(const Singularities& s, const Budget& budget,
+                                        Trace* trace) {
+  const auto product = rational_products(s, 6, 2, "v1 v2 v3 rational", budget, trace);
+  if (product.empty()) return std::nullopt;
+  KOV_ENSURE(product.size() == 1);
+  note(trace, 2, 3,
+       "The group is the quaternion group; the product of its three quadratics is rational.");
+  return ImprimitiveTriple{riccati_polynomial(product.front().chain, product.front().S)};
+}
+
+// All parities at once: v^2 is a rational product of four solutions.  These form a space of
+// dimension 1, of dimension 2 for the quaternion group, 0 when the case does not hold.
+std::optional<Outcome> from_square(const Singularities& s, const Budget& budget, Trace* trace) {
+  const auto squares = rational_products(s, 4, 2, "v^2 rational", budget, trace);
+  if (squares.empty()) return std::nullopt;
+  KOV_ENSURE(squares.size() <= 2);
+  if (squares.size() == 2) return three_quadratics(s, budget, trace);
+  return quadratic(squares.front().phi() * RationalFunction(Rational(1, 2)), s, trace);
+}
+
+bool leaves_many_parities(const Singularities& s) {
+  long count = 0;
+  for_each_place(s, [&](const Singularity& p) {
+    if (has_denominator_dividing(p, 2) && !has_denominator_dividing(p, 1)) ++count;
+  });
+  return count > many_choices;
+}
+
 } // namespace
 
 std::optional<Outcome> case2(const Singularities& s, const Budget& budget, Trace* trace) {
+  if (leaves_many_parities(s)) return from_square(s, budget, trace);
   ProductSearch search;
   search.kovacic_case = 2;
   search.m = 2;
+  search.N = 2;
   search.scale = 2;
   search.classes = [](const Singularity& place) { return classes(place, 2, 2); };
   search.wanted = is_not_rational;
-  search.name = "Case 2";
+  search.name = "v^2 rational, v not";
   const auto found = products(s, search, budget, trace);
-  if (!found.empty()) {
-    const Imprimitive answer{found.front().phi()};
-    note(trace, 2, 3,
-         "omega^2 - phi omega + phi'/2 + phi^2/2 - r = 0 with phi = " + to_string(answer.phi) +
-             ".");
-    return verified(answer, s.r);
-  }
-  if (!may_be_three_conjugates(s)) return std::nullopt;
-  const auto triple =
-      rational_products(s, 6, 2, "three conjugate quadratics, v1 v2 v3 rational", budget, trace);
-  if (triple.empty()) return std::nullopt;
-  KOV_ENSURE(triple.size() == 1);
-  note(trace, 2, 3,
-       "The three quadratics of the quaternion group are conjugate over a cubic "
-       "extension; their product of degree 6 is rational.");
-  return ImprimitiveTriple{riccati_polynomial(triple.front().chain, triple.front().S)};
+  if (!found.empty()) return quadratic(found.front().phi(), s, trace);
+  return may_be_three_conjugates(s) ? three_quadratics(s, budget, trace) : std::nullopt;
 }
 
 } // namespace kov::kovacic

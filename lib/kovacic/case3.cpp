@@ -30,6 +30,15 @@ bool may_be_tetrahedral(const Singularities& s) {
   return roots >= 2 && orders_allowed(s, {1, 2, 3});
 }
 
+// How many places leave a choice when the denominator n does.
+long places_with_denominator(const Singularities& s, long n) {
+  long count = 0;
+  for_each_place(s, [&](const Singularity& place) {
+    if (place.delta->den() == Integer(n)) ++count;
+  });
+  return count;
+}
+
 Algebraic algebraic(Primitive group, const RadicalProduct& v) {
   return {group, riccati_polynomial(v.chain, v.S)};
 }
@@ -53,22 +62,19 @@ std::vector<RadicalProduct> four_lines(const Singularities& s, const Budget& bud
     if (place.delta->den() == Integer(3)) keep(found, false);
     return found;
   };
-  try {
-    return products(s, search, budget, trace);
-  } catch (const OutOfBudget& limit) { // the group is known already
-    note(trace, 3, 2, std::string("n = 4: ") + limit.what() + "; n = 6 is used instead.");
-    return {};
-  }
+  return products(s, search, budget, trace);
 }
 
 std::optional<Outcome> tetrahedral(const Singularities& s, const Budget& budget, Trace* trace) {
   const auto six = rational_products(s, 6, 3, "n = 6, all exponents integral", budget, trace);
   if (six.empty()) return std::nullopt;
   KOV_ENSURE(six.size() == 1);
-  const auto four = four_lines(s, budget, trace);
-  if (!four.empty()) return algebraic(Primitive::tetrahedral, four.front());
+  if (places_with_denominator(s, 3) <= many_choices) {
+    const auto four = four_lines(s, budget, trace);
+    if (!four.empty()) return algebraic(Primitive::tetrahedral, four.front());
+  }
   note(trace, 3, 3,
-       "The two orbits of four lines are not taken over the field of r; the orbit of "
+       "The two orbits of four lines are not taken apart over the field of r; the orbit of "
        "six lines gives a polynomial of degree 6.");
   return algebraic(Primitive::tetrahedral, six.front());
 }
@@ -94,54 +100,40 @@ std::vector<RadicalProduct> six_lines(const Singularities& s, const Budget& budg
   return products(s, search, budget, trace);
 }
 
-// The square of a polynomial up to a constant?
-std::optional<Poly> polynomial_root(const Poly& P) {
+// When the families of n = 6 are too many: v^2 of the octahedral group is the one rational product
+// of twelve solutions.  Is f = P prod q^(e_q) a square of that kind?  Factors of P of odd
+// multiplicity can only be places, where v branches.
+std::optional<Algebraic> octahedral_root(const Singularities& s, const RadicalProduct& f) {
+  const RationalFunction half(Rational(1, 2));
+  RationalFunction theta = f.theta * half;
   Poly root(Rational(1));
-  for (const Factor& factor : squarefree_factors(P)) {
-    if (factor.exponent % 2 != 0) return std::nullopt;
+  for (const Factor& factor : squarefree_factors(f.P)) {
     root *= pow(factor.base, static_cast<unsigned long>(factor.exponent / 2));
+    if (factor.exponent % 2 == 0) continue;
+    if (!divides(factor.base, f.S)) return std::nullopt;
+    theta += RationalFunction(derivative(factor.base), factor.base) * half;
   }
-  return root;
-}
-
-// When the families of n = 6 were too many: v^2 of the octahedral group is the one rational product
-// of twelve solutions.  Is f a square of that kind?
-std::optional<RadicalProduct> octahedral_root(const Singularities& s, const RadicalProduct& f) {
-  const auto root = polynomial_root(f.P);
-  if (!root) return std::nullopt;
-  RadicalProduct v = f;
-  for (Rational& e : v.exponent)
-    e *= Rational(1, 2);
-  v.theta = f.theta * RationalFunction(Rational(1, 2));
-  v.P = *root;
   const PolynomialStep step(6, f.S, s.r);
-  v.chain = step.chain(v.P, step.times_S(v.theta));
-  if (!is_zero(v.chain.back())) return std::nullopt;
-  return v;
+  const auto chain = step.chain(root, step.times_S(theta));
+  if (!is_zero(chain.back())) return std::nullopt;
+  return Algebraic{Primitive::octahedral, riccati_polynomial(chain, f.S)};
 }
 
 std::optional<Outcome> octahedral_or_icosahedral(const Singularities& s, const Budget& budget,
                                                  Trace* trace) {
   const bool octahedral = orders_allowed(s, {1, 2, 3, 4});
   const bool icosahedral = orders_allowed(s, {1, 2, 3, 5});
-  bool six_done = !octahedral;
-  if (octahedral) {
-    try {
-      const auto six = six_lines(s, budget, trace);
-      if (!six.empty()) return algebraic(Primitive::octahedral, six.front());
-      six_done = true;
-    } catch (const OutOfBudget& limit) {
-      budget.check(); // not the time
-      note(trace, 3, 2, std::string("n = 6: ") + limit.what() + "; n = 12 decides both groups.");
-    }
+  const bool by_families = octahedral && places_with_denominator(s, 2) <= many_choices;
+  if (by_families) {
+    const auto six = six_lines(s, budget, trace);
+    if (!six.empty()) return algebraic(Primitive::octahedral, six.front());
   }
-  if (six_done && !icosahedral) return std::nullopt;
+  if (!icosahedral && (by_families || !octahedral)) return std::nullopt;
   const auto twelve = rational_products(s, 12, 3, "n = 12", budget, trace);
   if (twelve.empty()) return std::nullopt;
   KOV_ENSURE(twelve.size() == 1);
-  if (!six_done)
-    if (const auto v = octahedral_root(s, twelve.front()))
-      return algebraic(Primitive::octahedral, *v);
+  if (octahedral && !by_families)
+    if (const auto found = octahedral_root(s, twelve.front())) return *found;
   KOV_ENSURE(icosahedral);
   return algebraic(Primitive::icosahedral, twelve.front());
 }

@@ -27,6 +27,10 @@ struct Families {
   Integer total;                  ///< how many there were before that condition
 };
 
+/// With more than this many places that leave a choice, a power of what is looked for is sought
+/// instead: its exponents at each place differ by integers, so that there is one family.
+inline constexpr long many_choices = 9;
+
 /// Shape   contributions[i][j]: what choice j at place i adds to d
 /// Throws  OutOfBudget("family limit: ...") when more than max_families families pass, or more
 ///         than that many partial sums are different

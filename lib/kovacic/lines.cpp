@@ -6,6 +6,7 @@
 #include "kovacic/family_log.hpp"
 #include "kovacic/invariant_families.hpp"
 #include "kovacic/necessary.hpp"
+#include "kovacic/plug_back.hpp"
 #include "kovacic/residue_field.hpp"
 #include "linode/degree_bounds.hpp"
 
@@ -86,7 +87,6 @@ bool is_rational_choice(const Singularity& place) {
 // The common denominator of the rational exponent differences, 1 when one family more or less does
 // not matter or N would be large.
 long useful_power(const Singularities& s) {
-  constexpr long many_places = 9; // 2^9 families
   constexpr long largest_power = 48;
   Integer N(1);
   long count = 0;
@@ -95,7 +95,7 @@ long useful_power(const Singularities& s) {
     ++count;
     N = lcm(N, place.delta->den());
   });
-  return count > many_places && N <= Integer(largest_power) ? to_long(N) : 1;
+  return count > many_choices && N <= Integer(largest_power) ? to_long(N) : 1;
 }
 
 // At the places with rational differences the least exponent (at infinity the greatest) of y^N

@@ -22,8 +22,4 @@ namespace kov::kovacic {
 [[nodiscard]] std::optional<Outcome> rational_lines(const Singularities& s, const Budget& budget,
                                                     Trace* trace);
 
-[[nodiscard]] inline bool solves_riccati(const RationalFunction& omega, const RationalFunction& r) {
-  return is_zero(derivative(omega) + omega * omega - r);
-}
-
 } // namespace kov::kovacic

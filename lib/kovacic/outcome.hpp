@@ -31,8 +31,8 @@ struct Imprimitive {
   RationalFunction phi;
 };
 
-/// Case 2 with the quaternion group, its three quadratics conjugate over a cubic extension of K:
-/// their product, of degree 6, has coefficients in K(z).
+/// Case 2 with the quaternion group: the product, of degree 6, of its three quadratics, when they
+/// are conjugate over a cubic extension of K (or too many families would separate them).
 struct ImprimitiveTriple {
   std::vector<RationalFunction> riccati; ///< monic, ascending
 };
