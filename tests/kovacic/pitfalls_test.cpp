@@ -3,8 +3,11 @@
 #include "kovacic/equations.hpp"
 #include "kovacic/reader.hpp"
 #include "kovacic/solve.hpp"
+#include "linode/normal_form.hpp"
 
 #include <gtest/gtest.h>
+
+#include <random>
 
 namespace kov::kovacic {
 namespace {
@@ -112,6 +115,65 @@ TEST(Pitfalls, EveryRow) {
     }
   }
 }
+
+// ----- what the answer does not depend on -------------------------------------------------------
+
+// Case, number of lines, primitive group.
+int shape(const Outcome& outcome) {
+  if (const auto* algebraic = std::get_if<Algebraic>(&outcome))
+    return 30 + static_cast<int>(algebraic->group);
+  if (const auto* pair = std::get_if<ExponentialPair>(&outcome)) return pair->every_line ? 12 : 11;
+  return 10 * case_of(outcome).value_or(0);
+}
+
+class Invariance : public ::testing::TestWithParam<unsigned> {
+protected:
+  std::mt19937 gen_{GetParam()};
+  Rational small() {
+    const auto uniform = [&](long a, long b) {
+      return std::uniform_int_distribution<long>(a, b)(gen_);
+    };
+    return Rational(uniform(-9, 9), uniform(1, 4));
+  }
+};
+
+TEST_P(Invariance, Moebius) {
+  for (const Row& row : table()) {
+    Rational a = small();
+    const Rational b = small();
+    const Rational c = small();
+    const Rational d = small();
+    if (is_zero(a * d - b * c)) continue;
+    const RationalFunction f(Poly::from_coefficients({b, a}), Poly::from_coefficients({d, c}));
+    SCOPED_TRACE("row " + std::to_string(row.number) + " at " + to_string(f));
+    EXPECT_EQ(shape(solve(testing::pull_back(row.r, f))), shape(solve(row.r)));
+  }
+}
+
+// u = (a y + y')/sqrt(r + a' - a^2): the same projective group, and apparent singularities.
+TEST_P(Invariance, Gauge) {
+  for (const Row& row : table()) {
+    const RationalFunction a(Poly::from_coefficients({small(), small()}));
+    SCOPED_TRACE("row " + std::to_string(row.number) + " with a = " + to_string(a));
+    const RationalFunction g = row.r + derivative(a) - a * a;
+    if (is_zero(g)) continue; // y' + a y = 0 for a solution y
+    // w = a y + y' satisfies w'' + p w' + q w = 0 with
+    const RationalFunction p = -derivative(g) / g;
+    const RationalFunction q = -(row.r + RationalFunction(2) * derivative(a)) - p * a;
+    const NormalForm form = normal_form(p, q);
+    EXPECT_EQ(shape(solve(form.r)), shape(solve(row.r)));
+  }
+}
+
+TEST_P(Invariance, LargerField) {
+  const Field k = make_field({-2 - 5 * static_cast<long>(GetParam()), 0, 1}, "s");
+  for (const Row& row : table()) {
+    SCOPED_TRACE("row " + std::to_string(row.number));
+    EXPECT_EQ(shape(solve(coerce(row.r, k))), shape(solve(row.r)));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Invariance, ::testing::Range(1u, 6u));
 
 } // namespace
 } // namespace kov::kovacic
