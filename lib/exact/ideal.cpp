@@ -158,9 +158,8 @@ KPoly Ideal::divide(KPoly f) const {
   KPoly rest(MonomialOrder{extra_});
   while (!f.empty()) {
     const auto top = f.begin();
-    const auto divisor = std::find_if(basis_.begin(), basis_.end(), [&](const KPoly& g) {
-      return divides(lead(g), top->first);
-    });
+    const auto divisor = std::find_if(basis_.begin(), basis_.end(),
+                                      [&](const KPoly& g) { return divides(lead(g), top->first); });
     if (divisor == basis_.end()) {
       rest.insert(f.extract(top));
       continue;
@@ -196,9 +195,8 @@ void Ideal::buchberger(std::vector<KPoly> generators, const Budget& budget) {
   while (!pairs.empty()) {
     budget.check();
     // normal strategy: the smallest least common multiple first
-    const auto next =
-        std::min_element(pairs.begin(), pairs.end(),
-                         [&](const Pair& a, const Pair& b) { return order(b.l, a.l); });
+    const auto next = std::min_element(
+        pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return order(b.l, a.l); });
     const Pair pair = *next;
     pairs.erase(next);
     KPoly s(order);

@@ -6,7 +6,8 @@
 // Q(parameters) holds for all parameter values at which none of inverted() vanishes.
 //
 //   membership         f in I                        normal form 0
-//   saturation         I : (g1 g2 ...)^infinity      one more variable t with t g1 g2 ... = 1, and an
+//   saturation         I : (g1 g2 ...)^infinity      one more variable t with t g1 g2 ... = 1, and
+//   an
 //                                                    order that eliminates t
 //   vanishing          f = 0 on V(I)                 1 in I + (1 - t f)
 //
@@ -47,7 +48,8 @@ public:
   [[nodiscard]] bool is_zero_ideal() const noexcept { return basis_.empty(); }
   [[nodiscard]] bool is_unit() const; ///< 1 in I: the variety is empty
 
-  /// The remainder of f; zero exactly when f is in I.  f may have denominators without main variables.
+  /// The remainder of f; zero exactly when f is in I.  f may have denominators without main
+  /// variables.
   [[nodiscard]] KPoly reduce(const MFraction& f) const;
   [[nodiscard]] bool contains(const MPoly& f) const;
   /// The remainder as one rational function (its denominator has no main variables).

@@ -46,7 +46,8 @@ std::vector<Claim> usable_integrals(const System& s, const std::vector<ClaimRepo
   return all;
 }
 
-/// Tries every change for every cyclic vector and keeps the equation with the fewest singular places.
+/// Tries every change for every cyclic vector and keeps the equation with the fewest singular
+/// places.
 void algebraize_block(const System& s, const InvariantManifold& m, const ReduceSpec* reduce,
                       const Budget& budget, BlockReport& block) {
   std::vector<MFraction> changes;
@@ -143,8 +144,8 @@ BlockReport study_block(const System& s, const InvariantManifold& m, const Linea
   const ReduceSpec* reduce = reduction_for(s, m.name);
   for (const std::size_t i : members) {
     if (reduce && reduce->unknown &&
-        std::find(block.unknowns.begin(), block.unknowns.end(),
-                  s.ring()->name(*reduce->unknown)) != block.unknowns.end() &&
+        std::find(block.unknowns.begin(), block.unknowns.end(), s.ring()->name(*reduce->unknown)) !=
+            block.unknowns.end() &&
         reduced.names[i] != s.ring()->name(*reduce->unknown))
       continue;
     if (auto e = scalar_equation(s.field, m, reduced, members, i))
@@ -171,8 +172,7 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
     if (!block.note.empty()) report.reasons.push_back("block (" + name + "): " + block.note);
     if (block.decision) report.reasons.push_back("block (" + name + "): " + block.decision->reason);
     for (const auto& e : block.energies)
-      if (e.decision)
-        report.reasons.push_back("at " + e.condition + ": " + e.decision->reason);
+      if (e.decision) report.reasons.push_back("at " + e.condition + ": " + e.decision->reason);
   }
   if (options.stop_at_r) return;
   report.verdict = all == Truth::no    ? VerdictKind::non_integrable
@@ -233,8 +233,7 @@ CheckReport check_system(const System& s, const CheckOptions& options) {
   for (const auto& spec : s.manifolds)
     if (options.only_manifold.empty() || options.only_manifold == spec.name)
       report.manifolds.push_back(check_manifold(s, spec, report.claims, options));
-  report.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }
 

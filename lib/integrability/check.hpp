@@ -9,7 +9,8 @@
 //   no obstruction   all blocks of the normal part have abelian ones: nothing follows,
 //   undecided        anything else, with the reason.
 //
-// Source  [MoralesRuizRamis2001] Theorem 7 (Hamiltonian systems, also on symplectic leaves of a Poisson
+// Source  [MoralesRuizRamis2001] Theorem 7 (Hamiltonian systems, also on symplectic leaves of a
+// Poisson
 //         manifold); [AyoulZung2010] (general vector fields)
 
 #include "algebraize/algebraize.hpp"
@@ -37,7 +38,7 @@ struct BlockReport {
   std::optional<AlgebraicOde> ode;    ///< the one chosen
   std::optional<NormalForm> equation; ///< without parameters
   std::optional<Decision> decision;
-  std::vector<MPoly> special;         ///< where singular places of r merge, in the energy parameter
+  std::vector<MPoly> special; ///< where singular places of r merge, in the energy parameter
   std::vector<EnergyResult> energies;
   Truth abelian = Truth::unknown;
   std::string note; ///< why something is missing
@@ -82,8 +83,8 @@ struct CheckOptions {
                                             const CheckOptions& options = {});
 
 /// The values of parameter `h` at which two singular places of r meet or one goes to infinity, as
-/// irreducible polynomials that use h: factors of the leading coefficients, the discriminants and the
-/// resultants of the factors of den(r).
+/// irreducible polynomials that use h: factors of the leading coefficients, the discriminants and
+/// the resultants of the factors of den(r).
 [[nodiscard]] std::vector<MPoly> merging_locus(const MFraction& r, std::size_t z, std::size_t h);
 
 /// "meromorphic", or the smaller class that an irregular place of r leaves.

@@ -20,8 +20,8 @@ std::pair<Field, NfElem> field_of_root(const Poly& f, const std::string& name) {
     fmpz_lcm(scale.raw(), scale.raw(), fmpq_denref(to_rational(m.coeff(i)).raw()));
   std::vector<Integer> minpoly;
   for (long i = 0; i <= d; ++i) {
-    const Rational c = to_rational(m.coeff(i)) *
-                       Rational(pow(scale, static_cast<unsigned long>(d - i)));
+    const Rational c =
+        to_rational(m.coeff(i)) * Rational(pow(scale, static_cast<unsigned long>(d - i)));
     minpoly.push_back(floor(c));
   }
   const Field k = make_field(minpoly, name);
@@ -43,8 +43,9 @@ ConstantField ConstantField::make(const VectorField& v) {
   }
   Ideal ideal(v.ring, v.constants, generators);
   if (ideal.dimension() != 0)
-    throw InvalidArgument("the algebraic constants are not determined by numbers; values are needed "
-                          "for the parameters in their relations");
+    throw InvalidArgument(
+        "the algebraic constants are not determined by numbers; values are needed "
+        "for the parameters in their relations");
   const FiniteAlgebra algebra(std::move(ideal));
   // A primitive element c_1 + k c_2 + k^2 c_3 + ... generates for all but finitely many k.
   for (long k = 1; k < 50; ++k) {

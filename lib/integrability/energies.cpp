@@ -74,8 +74,8 @@ void study_energies(const System& s, const ReduceSpec& reduce, const CheckOption
                     BlockReport& block) {
   const auto h = s.ring()->find(reduce.energy_parameter);
   if (!h || !uses(block.ode->r, *h)) {
-    block.note += (block.note.empty() ? "" : "; ") + std::string("r does not depend on the energy '") +
-                  reduce.energy_parameter + "'";
+    block.note += (block.note.empty() ? "" : "; ") +
+                  std::string("r does not depend on the energy '") + reduce.energy_parameter + "'";
     return;
   }
   block.special = merging_locus(block.ode->r, block.ode->z, *h);
@@ -96,7 +96,8 @@ void study_energies(const System& s, const ReduceSpec& reduce, const CheckOption
   for (const auto& f : block.special) {
     if (used_variables(f).size() != 1 || !constants.field()->is_rational()) continue;
     const Poly minimal = to_rational_function(MFraction(f), *h).num();
-    const auto [field, root] = field_of_root(minimal, unique_name(s.ring(), reduce.energy_parameter));
+    const auto [field, root] =
+        field_of_root(minimal, unique_name(s.ring(), reduce.energy_parameter));
     run(root, to_string(f) + " = 0", "singular places merge");
     if (block.abelian == Truth::no) return;
   }

@@ -28,9 +28,8 @@ void solve_linear_equations(const VectorField& v, InvariantManifold& m) {
     bool done = false;
     for (const std::size_t i : main) {
       const auto c = coefficients(f.num(), i);
-      if (c.size() != 2 || std::any_of(main.begin(), main.end(), [&](std::size_t k) {
-            return uses(c[1], k);
-          }))
+      if (c.size() != 2 ||
+          std::any_of(main.begin(), main.end(), [&](std::size_t k) { return uses(c[1], k); }))
         continue;
       const MFraction value = -MFraction(c[0], c[1]);
       for (auto& [k, old] : m.solved)

@@ -73,8 +73,8 @@ Expression Entry::expression(bool allow_equation) const {
     const std::size_t start =
         source_->lines[static_cast<std::size_t>(line_ - 1)] + static_cast<std::size_t>(column_) - 1;
     for (const std::size_t quotes : {1U, 3U, 4U})
-      if (source_->text.compare(std::min(start + quotes, source_->text.size()), text.size(), text) ==
-          0) {
+      if (source_->text.compare(std::min(start + quotes, source_->text.size()), text.size(),
+                                text) == 0) {
         origin.offset = start + quotes;
         return parse_expression(text, std::make_shared<const Origin>(std::move(origin)),
                                 allow_equation);
