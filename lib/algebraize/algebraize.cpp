@@ -24,10 +24,10 @@ namespace {
 std::string what_is_left(const FunctionField& f, const FunctionField::Element& r) {
   const auto minimal = f.algebra().minimal_polynomial(r);
   std::string text = "r is algebraic of degree " + std::to_string(minimal.size() - 1) +
-                     " over the rational functions of z: r = " + to_string(f.lift(r));
+                     " over the rational functions of z: r = " + brief(f.lift(r));
   if (minimal.size() == 3) {
     const MFraction discriminant = minimal[1] * minimal[1] - Rational(4) * minimal[0];
-    text += "; it lies in the quadratic extension by a square root of " + to_string(discriminant);
+    text += "; it lies in the quadratic extension by a square root of " + brief(discriminant);
   }
   return text;
 }

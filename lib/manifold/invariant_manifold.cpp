@@ -72,7 +72,7 @@ std::optional<ManifoldFailure> invariance_failure(const VectorField& v,
     const MFraction value = value_on(d, ideal);
     return ManifoldFailure{"the set is not invariant: on it the derivative of the left side minus "
                            "the right side of '" +
-                               e.text + "' is " + to_string(value) + ", not 0",
+                               e.text + "' is " + brief(value) + ", not 0",
                            e.text, value};
   }
   return std::nullopt;
@@ -86,7 +86,7 @@ std::optional<ManifoldFailure> level_failure(const VectorField& v, const Invaria
     if (zero_on(d, *m.ideal)) continue;
     const MFraction value = value_on(d, *m.ideal);
     return ManifoldFailure{"the level '" + e.text + "' is not one of a first integral: on the " +
-                               "manifold its derivative is " + to_string(value) + ", not 0",
+                               "manifold its derivative is " + brief(value) + ", not 0",
                            e.text, value};
   }
   return std::nullopt;

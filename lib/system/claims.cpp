@@ -25,7 +25,7 @@ MFraction reduced(const MFraction& f, const Ideal& level) {
 }
 
 ClaimResult refuted(const std::string& what, const MFraction& f) {
-  return {false, what + " = " + to_string(f), f, {}};
+  return {false, what + " = " + brief(f), f, {}};
 }
 
 // X(G) = K G: G divides X(G) modulo the relations, that is, X(G) is in the ideal of G.
@@ -34,7 +34,7 @@ ClaimResult check_darboux(const VectorField& v, const Claim& claim) {
   const MPoly g = claim.value.num();
   const MFraction cofactor = derivative / claim.value;
   if (!is_zero(gcd(cofactor.den(), g)) && is_constant(gcd(cofactor.den(), g)))
-    return {true, "X(G) = K G with K = " + to_string(cofactor), cofactor, {}};
+    return {true, "X(G) = K G with K = " + brief(cofactor), cofactor, {}};
   std::vector<Equation> on(claim.on);
   on.push_back({claim.value, claim.text});
   const Ideal level = level_ideal(v, on);

@@ -313,6 +313,11 @@ void read_dynamics(const Entry& system, SystemScope& scope, System& s) {
       s.lagrangian = scope.lagrangian;
       s.velocities = w;
       s.velocity_values = l.velocities;
+      Substitution velocities;
+      for (std::size_t i = 0; i < 3; ++i)
+        velocities[w[i]] = l.velocities[i];
+      for (auto& [name, value] : scope.named) // definitions that the Lagrangian has used already
+        value = substitute(value, velocities);
       for (std::size_t i = 0; i < 3; ++i)
         scope.named[scope.velocities[i]] = l.velocities[i];
     } catch (const DomainError& e) {
