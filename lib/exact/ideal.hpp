@@ -55,10 +55,14 @@ public:
   /// The remainder as one rational function (its denominator has no main variables).
   [[nodiscard]] MFraction normal_form(const MFraction& f) const;
   /// f = 0 at every point of V(I) (radical membership).
+  /// Cost  membership first; then one fibre over a random point of a largest independent set of
+  ///       variables, which usually decides "no"; the general test last
   [[nodiscard]] bool vanishes(const MPoly& f, const Budget& budget = {}) const;
 
   /// Dimension of V(I) over the algebraic closure of k; -1 if it is empty.
   [[nodiscard]] int dimension() const;
+  /// A largest set of main variables that is algebraically independent modulo I.
+  [[nodiscard]] std::vector<std::size_t> independent_variables() const;
   /// The monomials outside the leading ideal, ascending.  Requires dimension() == 0.
   [[nodiscard]] std::vector<Monomial> standard_monomials() const;
 
@@ -70,6 +74,7 @@ public:
 
 private:
   void note_inverted(const MFraction& c);
+  [[nodiscard]] bool nonzero_on_a_fibre(const MFraction& f, const Budget& budget) const;
   [[nodiscard]] KPoly divide(KPoly f) const;
   void buchberger(std::vector<KPoly> generators, const Budget& budget);
   void minimise();

@@ -114,6 +114,33 @@ void decide_block(const System& s, const CheckOptions& options, BlockReport& blo
   block.abelian = block.decision->abelian;
 }
 
+/// The diagonal blocks; two of order 1 that are coupled with each other and with nothing else are
+/// studied together, because a triangular system of order 2 may have a non-abelian group.
+std::vector<std::vector<std::size_t>> blocks_to_study(const LinearSystem& r,
+                                                      const InvariantManifold& m) {
+  auto parts = blocks(r, m);
+  const auto coupled = [&](std::size_t i, std::size_t j) {
+    return !m.vanishes_on_curve(r.a[i][j]) || !m.vanishes_on_curve(r.a[j][i]);
+  };
+  const auto neighbours = [&](std::size_t i) {
+    std::vector<std::size_t> all;
+    for (std::size_t j = 0; j < r.a.size(); ++j)
+      if (j != i && coupled(i, j)) all.push_back(j);
+    return all;
+  };
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (parts[k].size() != 1) continue;
+    const auto mine = neighbours(parts[k][0]);
+    if (mine.size() != 1 || neighbours(mine[0]) != parts[k]) continue;
+    const auto other = std::find(parts.begin(), parts.end(), mine);
+    if (other == parts.end()) continue;
+    parts[k] = {std::min(parts[k][0], mine[0]), std::max(parts[k][0], mine[0])};
+    parts.erase(other);
+    k = 0;
+  }
+  return parts;
+}
+
 Truth both(Truth a, Truth b) {
   if (a == Truth::no || b == Truth::no) return Truth::no;
   return a == Truth::yes && b == Truth::yes ? Truth::yes : Truth::unknown;
@@ -178,6 +205,8 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
   report.verdict = all == Truth::no    ? VerdictKind::non_integrable
                    : all == Truth::yes ? VerdictKind::no_obstruction
                                        : VerdictKind::undecided;
+  if (report.verdict == VerdictKind::no_obstruction && report.blocks.size() > 1)
+    report.reasons.emplace_back("the diagonal blocks of the normal part were studied, not what couples them");
   report.theorem = s.field.poisson ? "Morales-Ramis" : "Ayoul-Zung";
   report.function_class = "meromorphic";
   for (const auto& block : report.blocks) {
@@ -211,7 +240,7 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     std::vector<std::string> keep;
     if (reduce && reduce->unknown) keep.push_back(s.ring()->name(*reduce->unknown));
     report.reduced = reduce_by_integrals(s.field, m, report.normal, keep);
-    for (const auto& members : blocks(report.reduced.system, m))
+    for (const auto& members : blocks_to_study(report.reduced.system, m))
       report.blocks.push_back(study_block(s, m, report.reduced.system, members, options));
     conclude(s, options, report);
   } catch (const OutOfBudget& e) {

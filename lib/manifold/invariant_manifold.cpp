@@ -8,7 +8,8 @@ namespace kov {
 namespace {
 
 bool zero_on(const MFraction& f, const Ideal& ideal) {
-  return is_zero_modulo(f, ideal) || ideal.vanishes(f.num() * f.den());
+  return is_zero_modulo(f, ideal) || ideal.vanishes(f.num()) ||
+         ideal.vanishes(f.num() * ideal.normal_form(MFraction(f.den())).num());
 }
 
 // What f is on the manifold, for a message: numerator reduced, denominator kept.

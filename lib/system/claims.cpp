@@ -16,7 +16,8 @@ Ideal level_ideal(const VectorField& v, const std::vector<Equation>& on) {
 
 /// f = 0 on the level, where its denominator is not 0.
 bool holds_on(const MFraction& f, const Ideal& level) {
-  return is_zero_modulo(f, level) || level.vanishes(f.num() * f.den());
+  return is_zero_modulo(f, level) || level.vanishes(f.num()) ||
+         level.vanishes(f.num() * level.normal_form(MFraction(f.den())).num());
 }
 
 MFraction reduced(const MFraction& f, const Ideal& level) {
