@@ -24,20 +24,18 @@ namespace {
 std::string what_is_left(const FunctionField& f, const FunctionField::Element& r) {
   const auto minimal = f.algebra().minimal_polynomial(r);
   std::string text = "r is algebraic of degree " + std::to_string(minimal.size() - 1) +
-                     " over the rational functions of z: r = " + to_string(f.lift(r));
+                     " over the rational functions of z: r = " + brief(f.lift(r));
   if (minimal.size() == 3) {
-    const MFraction discriminant =
-        minimal[1] * minimal[1] - Rational(4) * minimal[0];
-    text += "; it lies in the quadratic extension by a square root of " + to_string(discriminant);
+    const MFraction discriminant = minimal[1] * minimal[1] - Rational(4) * minimal[0];
+    text += "; it lies in the quadratic extension by a square root of " + brief(discriminant);
   }
   return text;
 }
 
 } // namespace
 
-std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std::size_t z,
-                                                     const MFraction& phi,
-                                                     const ScalarEquation& e) {
+std::variant<AlgebraicOde, ChangeFailure>
+algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const ScalarEquation& e) {
   const auto a1 = f.evaluate(e.a1);
   const auto a0 = f.evaluate(e.a0);
   if (!a1 || !a0)
@@ -52,8 +50,8 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std
   const auto r = scale(algebra.multiply(p, p), quarter) + scale(f.derivative(p), half) - q;
   const auto r_in_z = f.in_z(r);
   if (!r_in_z)
-    return ChangeFailure{"z = " + to_string(phi) + " does not rationalize the equation: " +
-                         what_is_left(f, r)};
+    return ChangeFailure{"z = " + to_string(phi) +
+                         " does not rationalize the equation: " + what_is_left(f, r)};
   AlgebraicOde ode;
   ode.unknown = e.unknown;
   ode.change = algebra.ring()->name(z) + " = " + to_string(phi);

@@ -14,9 +14,9 @@
 namespace kov {
 
 struct AlgebraicOde {
-  std::string unknown;       ///< whose variation
-  std::string change;        ///< text of phi
-  std::size_t z = 0;         ///< the variable of the ring
+  std::string unknown; ///< whose variation
+  std::string change;  ///< text of phi
+  std::size_t z = 0;   ///< the variable of the ring
   std::optional<MFraction> z_dot_squared, z_ddot;
   std::optional<MFraction> p, q; ///< unset where only r is a function of z
   MFraction r;
@@ -31,12 +31,13 @@ algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, cons
            const ScalarEquation& e, const Budget& budget = {});
 
 /// The same, with the field of the curve made before.
-[[nodiscard]] std::variant<AlgebraicOde, ChangeFailure>
-algebraize(const FunctionField& field, std::size_t z, const MFraction& phi,
-           const ScalarEquation& e);
+[[nodiscard]] std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& field,
+                                                                   std::size_t z,
+                                                                   const MFraction& phi,
+                                                                   const ScalarEquation& e);
 
-/// Changes of variable worth trying, simplest first: coordinates and functions that are not constant
-/// on the curve, their squares, half-angles x/(1+y) where x^2 + y^2 = 1, quotients.
+/// Changes of variable worth trying, simplest first: coordinates and functions that are not
+/// constant on the curve, their squares, half-angles x/(1+y) where x^2 + y^2 = 1, quotients.
 [[nodiscard]] std::vector<MFraction> propose_changes(const VectorField& v,
                                                      const InvariantManifold& m);
 

@@ -16,15 +16,17 @@ std::vector<MPoly> curve_generators(const InvariantManifold& m) {
 
 } // namespace
 
-std::variant<FunctionField, ChangeFailure>
-FunctionField::make(const VectorField& v, const InvariantManifold& m, std::size_t z,
-                    const MFraction& phi, const std::vector<MPoly>& divisors,
-                    const Budget& budget) {
+std::variant<FunctionField, ChangeFailure> FunctionField::make(const VectorField& v,
+                                                               const InvariantManifold& m,
+                                                               std::size_t z, const MFraction& phi,
+                                                               const std::vector<MPoly>& divisors,
+                                                               const Budget& budget) {
   const MFraction zdot = lie_derivative(v, phi);
   if (m.vanishes_on_curve(zdot))
     return ChangeFailure{"z = " + to_string(phi) + " is constant along the curve"};
   auto generators = curve_generators(m);
-  const MFraction graph = MFraction(phi.den()) * MFraction::variable(v.ring, z) - MFraction(phi.num());
+  const MFraction graph =
+      MFraction(phi.den()) * MFraction::variable(v.ring, z) - MFraction(phi.num());
   generators.push_back(graph.num());
   std::vector<MPoly> nonzero(m.nonzero);
   nonzero.push_back(phi.den());
@@ -38,11 +40,10 @@ FunctionField::make(const VectorField& v, const InvariantManifold& m, std::size_
       return ChangeFailure{"z = " + to_string(phi) +
                            " is constant on a component of the curve; name it in 'nonzero'"};
     FunctionField f(FiniteAlgebra(std::move(ideal)), z);
-    const bool units =
-        std::all_of(divisors.begin(), divisors.end(), [&](const MPoly& d) {
-          const auto e = f.algebra_.evaluate(MFraction(d));
-          return e && f.algebra_.invert(*e).has_value();
-        });
+    const bool units = std::all_of(divisors.begin(), divisors.end(), [&](const MPoly& d) {
+      const auto e = f.algebra_.evaluate(MFraction(d));
+      return e && f.algebra_.invert(*e).has_value();
+    });
     if (!units && attempt == 0) {
       nonzero.insert(nonzero.end(), divisors.begin(), divisors.end());
       for (const auto& x : v.components)
@@ -102,8 +103,8 @@ std::optional<ChangeFailure> FunctionField::find_derivatives(const VectorField& 
 }
 
 std::size_t FunctionField::degree() const {
-  const auto constants = static_cast<std::size_t>(
-      std::count(constant_basis_.begin(), constant_basis_.end(), true));
+  const auto constants =
+      static_cast<std::size_t>(std::count(constant_basis_.begin(), constant_basis_.end(), true));
   return algebra_.dimension() / std::max<std::size_t>(constants, 1);
 }
 

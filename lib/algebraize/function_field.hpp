@@ -1,11 +1,11 @@
 #pragma once
 // The function field of a phase curve over K = Q(parameters)(z), z = phi(x), with d/dz.
 //
-// R = K[x]/(curve, den(phi) z - num(phi)), saturated by den(phi): of dimension 0 over K, because z is
-// not constant on the curve.  The field gives x_i' in R, z' = X(phi), and d/dz = (1/z') d/dt.  R is a
-// finite extension of K (a field if the curve is irreducible), which is the hypothesis of the theorem
-// that the identity component of the differential Galois group does not change when the equation is
-// written in z (THEORY 4; [MoralesRuizRamis2001] I, 2.2; [AcostaBlazquez2008]).
+// R = K[x]/(curve, den(phi) z - num(phi)), saturated by den(phi): of dimension 0 over K, because z
+// is not constant on the curve.  The field gives x_i' in R, z' = X(phi), and d/dz = (1/z') d/dt.  R
+// is a finite extension of K (a field if the curve is irreducible), which is the hypothesis of the
+// theorem that the identity component of the differential Galois group does not change when the
+// equation is written in z (THEORY 4; [MoralesRuizRamis2001] I, 2.2; [AcostaBlazquez2008]).
 
 #include "exact/finite_algebra.hpp"
 #include "manifold/invariant_manifold.hpp"
@@ -55,7 +55,7 @@ private:
 
   FiniteAlgebra algebra_;
   std::size_t z_;
-  std::vector<bool> constant_basis_;    ///< basis monomials in algebraic constants only
+  std::vector<bool> constant_basis_;      ///< basis monomials in algebraic constants only
   std::vector<Element> basis_derivative_; ///< d/dz of the basis
   Element z_dot_, z_ddot_, inverse_z_dot_;
 };

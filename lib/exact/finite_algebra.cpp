@@ -149,9 +149,9 @@ std::vector<std::size_t> row_reduce(std::vector<std::vector<MFraction>>& m, std:
     const std::size_t top = pivots.size();
     std::size_t best = m.size(); // the shortest pivot keeps the entries small
     for (std::size_t r = top; r < m.size(); ++r)
-      if (!is_zero(m[r][c]) && (best == m.size() || m[r][c].num().length() + m[r][c].den().length() <
-                                                        m[best][c].num().length() +
-                                                            m[best][c].den().length()))
+      if (!is_zero(m[r][c]) &&
+          (best == m.size() || m[r][c].num().length() + m[r][c].den().length() <
+                                   m[best][c].num().length() + m[best][c].den().length()))
         best = r;
     if (best == m.size()) continue;
     std::swap(m[top], m[best]);

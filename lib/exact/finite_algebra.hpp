@@ -1,10 +1,10 @@
 #pragma once
 // R = k[x1, ..., xm]/I for an ideal I of dimension 0 over k = Q(the other variables).
 //
-// Elements are vectors of length dim R over k, in the basis of standard monomials.  If I is prime, R
-// is a field; if not, R is a product of local rings and some elements are neither 0 nor invertible.
-// A computation in R that divides by units only holds on every component of the variety, so that
-// whoever works here asks invert() and handles its refusal.
+// Elements are vectors of length dim R over k, in the basis of standard monomials.  If I is prime,
+// R is a field; if not, R is a product of local rings and some elements are neither 0 nor
+// invertible. A computation in R that divides by units only holds on every component of the
+// variety, so that whoever works here asks invert() and handles its refusal.
 //
 // Source  [CoxLittleOShea2005] 2.4 (multiplication maps)
 
@@ -57,8 +57,8 @@ private:
 [[nodiscard]] FiniteAlgebra::Element scale(const FiniteAlgebra::Element& a, const MFraction& c);
 [[nodiscard]] bool is_zero(const FiniteAlgebra::Element& a);
 
-/// A solution x of the square or rectangular system m x = b over Q(x1, ..., xn); rows of equal length.
-/// Unset if there is none.  Free unknowns are 0.
+/// A solution x of the square or rectangular system m x = b over Q(x1, ..., xn); rows of equal
+/// length. Unset if there is none.  Free unknowns are 0.
 [[nodiscard]] std::optional<std::vector<MFraction>>
 solve_linear(std::vector<std::vector<MFraction>> m, std::vector<MFraction> b);
 /// A basis of {x : m x = 0}; `columns` is needed when m has no rows.

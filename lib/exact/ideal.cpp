@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 #include <set>
 
 namespace kov {
@@ -49,6 +50,13 @@ void subtract_multiple(KPoly& f, const MFraction& c, const Monomial& m, const KP
     place->second = place->second - c * coefficient;
     if (is_zero(place->second)) f.erase(place);
   }
+}
+
+std::vector<MPoly> numerators(const Ideal& ideal) {
+  std::vector<MPoly> all;
+  for (const auto& g : ideal.basis())
+    all.push_back(ideal.from_kpoly(g).num());
+  return all;
 }
 
 } // namespace
@@ -126,22 +134,28 @@ KPoly Ideal::to_kpoly(const MFraction& f) const {
       m[i] = static_cast<std::uint32_t>(e[main_[i]]);
       e[main_[i]] = 0;
     }
-    groups[std::move(m)] += MPoly::term(ring_, num.coefficient(t), e);
+    MPoly& group = groups.try_emplace(std::move(m), ring_).first->second;
+    fmpz_mpoly_push_term_fmpz_ui(group.raw(), num.coefficient(t).raw(), e.data(), group.ctx());
   }
-  for (auto& [m, c] : groups)
-    if (!is_zero(c)) result.emplace(m, MFraction(c, f.den()));
+  for (auto& [m, c] : groups) {
+    fmpz_mpoly_sort_terms(c.raw(), c.ctx());
+    result.emplace(m, MFraction(c, f.den()));
+  }
   return result;
 }
 
 MFraction Ideal::from_kpoly(const KPoly& f) const {
-  MFraction sum(ring_);
+  MPoly den(ring_, Integer(1)); // of all coefficients, so that there is one gcd at the end
+  for (const auto& [m, c] : f)
+    if (!divides(c.den(), den)) den = exact_div(den * c.den(), gcd(den, c.den()));
+  MPoly num(ring_);
   for (const auto& [m, c] : f) {
     std::vector<unsigned long> e(ring_->size());
     for (std::size_t i = 0; i < main_.size(); ++i)
       e[main_[i]] = m[i];
-    sum += c * MFraction(MPoly::term(ring_, Integer(1), e));
+    num += c.num() * exact_div(den, c.den()) * MPoly::term(ring_, Integer(1), e);
   }
-  return sum;
+  return {num, den};
 }
 
 void Ideal::note_inverted(const MFraction& c) {
@@ -158,9 +172,8 @@ KPoly Ideal::divide(KPoly f) const {
   KPoly rest(MonomialOrder{extra_});
   while (!f.empty()) {
     const auto top = f.begin();
-    const auto divisor = std::find_if(basis_.begin(), basis_.end(), [&](const KPoly& g) {
-      return divides(lead(g), top->first);
-    });
+    const auto divisor = std::find_if(basis_.begin(), basis_.end(),
+                                      [&](const KPoly& g) { return divides(lead(g), top->first); });
     if (divisor == basis_.end()) {
       rest.insert(f.extract(top));
       continue;
@@ -196,9 +209,8 @@ void Ideal::buchberger(std::vector<KPoly> generators, const Budget& budget) {
   while (!pairs.empty()) {
     budget.check();
     // normal strategy: the smallest least common multiple first
-    const auto next =
-        std::min_element(pairs.begin(), pairs.end(),
-                         [&](const Pair& a, const Pair& b) { return order(b.l, a.l); });
+    const auto next = std::min_element(
+        pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return order(b.l, a.l); });
     const Pair pair = *next;
     pairs.erase(next);
     KPoly s(order);
@@ -246,32 +258,72 @@ bool Ideal::contains(const MPoly& f) const { return reduce(f).empty(); }
 MFraction Ideal::normal_form(const MFraction& f) const { return from_kpoly(reduce(f)); }
 
 bool Ideal::vanishes(const MPoly& f, const Budget& budget) const {
-  if (contains(f)) return true;
+  const MFraction reduced = normal_form(MFraction(f));
+  if (is_zero(reduced)) return true;
   if (is_constant(f)) return is_unit();
-  std::vector<MPoly> generators;
-  for (const auto& g : basis_)
-    generators.push_back(from_kpoly(g).num());
-  return Ideal(ring_, main_, generators, {f}, budget).is_unit();
+  if (is_unit()) return true;
+  if (nonzero_on_a_fibre(reduced, budget)) return false;
+  return Ideal(ring_, main_, numerators(*this), {reduced.num()}, budget).is_unit();
 }
 
-// The largest set of variables that is independent modulo the leading ideal: no leading monomial
-// lies in the set alone.
+// Over K(U), U a largest independent set, the algebra A = K(U)[other variables]/I has finite
+// dimension.  Division by its (monic) Gröbner basis uses ring operations on the coefficients only, so
+// that at a point where these are defined A becomes an algebra over Q with the same basis, and a
+// nilpotent f becomes nilpotent.  So one point where f is not nilpotent shows that f does not vanish.
+bool Ideal::nonzero_on_a_fibre(const MFraction& f, const Budget& budget) const {
+  const auto independent = independent_variables();
+  std::vector<std::size_t> rest;
+  for (const std::size_t i : main_)
+    if (std::find(independent.begin(), independent.end(), i) == independent.end())
+      rest.push_back(i);
+  const Ideal generic(ring_, rest, numerators(*this), {}, budget);
+  if (generic.dimension() != 0) return false;
+  const MFraction g = generic.normal_form(MFraction(f.num()));
+  std::mt19937 generator(31);
+  std::uniform_int_distribution<int> number(2, 1000);
+  for (int attempt = 0; attempt < 3; ++attempt) {
+    Substitution point;
+    for (std::size_t i = 0; i < ring_->size(); ++i)
+      if (std::find(rest.begin(), rest.end(), i) == rest.end())
+        point[i] = MFraction(ring_, Rational(number(generator)));
+    try {
+      std::vector<MPoly> fibre;
+      for (const auto& b : generic.basis_)
+        fibre.push_back(substitute(generic.from_kpoly(b), point).num());
+      const Ideal special(ring_, rest, fibre, {}, budget);
+      MFraction power = special.normal_form(substitute(g, point));
+      const std::size_t size = special.standard_monomials().size();
+      for (std::size_t e = 1; e < size && !is_zero(power); e *= 2)
+        power = special.normal_form(power * power);
+      if (!is_zero(power)) return true;
+    } catch (const DomainError&) { // a denominator vanishes at this point: try another
+    }
+  }
+  return false;
+}
+
 int Ideal::dimension() const {
-  if (is_unit()) return -1;
+  return is_unit() ? -1 : static_cast<int>(independent_variables().size());
+}
+
+// The largest set of variables such that no leading monomial lies in the set alone.
+std::vector<std::size_t> Ideal::independent_variables() const {
   const std::size_t n = main_.size();
-  KOV_ENSURE(n < 24);
-  int best = 0;
+  KOV_ENSURE(n < 24 && !is_unit());
+  std::uint32_t best = 0;
   for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
-    const int size = __builtin_popcount(set);
-    if (size <= best) continue;
+    if (__builtin_popcount(set) <= __builtin_popcount(best)) continue;
     const bool independent = std::none_of(basis_.begin(), basis_.end(), [&](const KPoly& g) {
       for (std::size_t i = 0; i < n; ++i)
         if (lead(g)[i] > 0 && (set >> i & 1U) == 0) return false;
       return true;
     });
-    if (independent) best = size;
+    if (independent) best = set;
   }
-  return best;
+  std::vector<std::size_t> variables;
+  for (std::size_t i = 0; i < n; ++i)
+    if ((best >> i & 1U) != 0) variables.push_back(main_[i]);
+  return variables;
 }
 
 std::vector<Monomial> Ideal::standard_monomials() const {

@@ -6,7 +6,8 @@
 // Q(parameters) holds for all parameter values at which none of inverted() vanishes.
 //
 //   membership         f in I                        normal form 0
-//   saturation         I : (g1 g2 ...)^infinity      one more variable t with t g1 g2 ... = 1, and an
+//   saturation         I : (g1 g2 ...)^infinity      one more variable t with t g1 g2 ... = 1, and
+//   an
 //                                                    order that eliminates t
 //   vanishing          f = 0 on V(I)                 1 in I + (1 - t f)
 //
@@ -47,16 +48,21 @@ public:
   [[nodiscard]] bool is_zero_ideal() const noexcept { return basis_.empty(); }
   [[nodiscard]] bool is_unit() const; ///< 1 in I: the variety is empty
 
-  /// The remainder of f; zero exactly when f is in I.  f may have denominators without main variables.
+  /// The remainder of f; zero exactly when f is in I.  f may have denominators without main
+  /// variables.
   [[nodiscard]] KPoly reduce(const MFraction& f) const;
   [[nodiscard]] bool contains(const MPoly& f) const;
   /// The remainder as one rational function (its denominator has no main variables).
   [[nodiscard]] MFraction normal_form(const MFraction& f) const;
   /// f = 0 at every point of V(I) (radical membership).
+  /// Cost  membership first; then one fibre over a random point of a largest independent set of
+  ///       variables, which usually decides "no"; the general test last
   [[nodiscard]] bool vanishes(const MPoly& f, const Budget& budget = {}) const;
 
   /// Dimension of V(I) over the algebraic closure of k; -1 if it is empty.
   [[nodiscard]] int dimension() const;
+  /// A largest set of main variables that is algebraically independent modulo I.
+  [[nodiscard]] std::vector<std::size_t> independent_variables() const;
   /// The monomials outside the leading ideal, ascending.  Requires dimension() == 0.
   [[nodiscard]] std::vector<Monomial> standard_monomials() const;
 
@@ -68,6 +74,7 @@ public:
 
 private:
   void note_inverted(const MFraction& c);
+  [[nodiscard]] bool nonzero_on_a_fibre(const MFraction& f, const Budget& budget) const;
   [[nodiscard]] KPoly divide(KPoly f) const;
   void buchberger(std::vector<KPoly> generators, const Budget& budget);
   void minimise();

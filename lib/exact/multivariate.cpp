@@ -123,9 +123,7 @@ bool operator==(const MPoly& a, const MPoly& b) {
 
 bool is_zero(const MPoly& f) { return f.length() == 0; }
 bool is_one(const MPoly& f) { return f.ring() && fmpz_mpoly_is_one(f.raw(), f.ctx()) != 0; }
-bool is_constant(const MPoly& f) {
-  return !f.ring() || fmpz_mpoly_is_fmpz(f.raw(), f.ctx()) != 0;
-}
+bool is_constant(const MPoly& f) { return !f.ring() || fmpz_mpoly_is_fmpz(f.raw(), f.ctx()) != 0; }
 
 MPoly pow(const MPoly& f, unsigned long e) {
   MPoly r(f.ring());

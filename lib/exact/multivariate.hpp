@@ -94,7 +94,8 @@ private:
 [[nodiscard]] bool uses(const MPoly& f, std::size_t i);
 [[nodiscard]] std::vector<std::size_t> used_variables(const MPoly& f);
 [[nodiscard]] MPoly gcd(const MPoly& a, const MPoly& b);
-[[nodiscard]] MPoly exact_div(const MPoly& a, const MPoly& b); ///< the remainder must be 0 (checked)
+[[nodiscard]] MPoly exact_div(const MPoly& a,
+                              const MPoly& b); ///< the remainder must be 0 (checked)
 [[nodiscard]] std::optional<MPoly> divides(const MPoly& b, const MPoly& a); ///< a/b, if it exists
 /// Coefficients of f in x_i, ascending; empty for 0.
 [[nodiscard]] std::vector<MPoly> coefficients(const MPoly& f, std::size_t i);
@@ -105,7 +106,8 @@ struct MFactor {
   MPoly base; ///< primitive, positive leading coefficient
   long exponent = 1;
 };
-/// f = content * prod base^exponent with irreducible bases over Q, in a fixed order.  Requires f != 0.
+/// f = content * prod base^exponent with irreducible bases over Q, in a fixed order.  Requires f !=
+/// 0.
 [[nodiscard]] std::pair<Integer, std::vector<MFactor>> factor(const MPoly& f);
 /// Descending lexicographic order of terms; the expression parser reads it back.
 [[nodiscard]] std::string to_string(const MPoly& f);
@@ -154,7 +156,7 @@ private:
 [[nodiscard]] bool is_zero(const MFraction& f);
 [[nodiscard]] bool is_one(const MFraction& f);
 [[nodiscard]] bool is_constant(const MFraction& f);
-[[nodiscard]] Rational to_rational(const MFraction& f); ///< Requires is_constant(f).
+[[nodiscard]] Rational to_rational(const MFraction& f);  ///< Requires is_constant(f).
 [[nodiscard]] MFraction pow(const MFraction& f, long e); ///< Throws DomainError for 0 and e < 0.
 [[nodiscard]] MFraction derivative(const MFraction& f, std::size_t i);
 [[nodiscard]] bool uses(const MFraction& f, std::size_t i);
@@ -171,6 +173,9 @@ using Substitution = std::map<std::size_t, MFraction>;
 
 /// Text that the expression parser reads back.
 [[nodiscard]] std::string to_string(const MFraction& f);
+
+/// The same, cut in the middle of nowhere when it is long, with the number of terms: for messages.
+[[nodiscard]] std::string brief(const MFraction& f, std::size_t length = 300);
 
 /// A constant a with its field Q(a), for conversions out of the multivariate world.
 struct AlgebraicConstant {

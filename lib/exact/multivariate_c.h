@@ -1,5 +1,6 @@
 /* Calcium's fmpz_mpoly_q behind plain C declarations: calcium.h assigns void* without a cast and so
- * does not compile as C++.  The struct has the layout of fmpz_mpoly_q_struct (checked in the .c file). */
+ * does not compile as C++.  The struct has the layout of fmpz_mpoly_q_struct (checked in the .c
+ * file). */
 #ifndef KOV_MULTIVARIATE_C_H
 #define KOV_MULTIVARIATE_C_H
 

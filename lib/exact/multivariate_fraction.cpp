@@ -234,6 +234,13 @@ std::string to_string(const MFraction& f) {
   return wrap(top, " ") + "/" + wrap(to_string(f.den()), " */");
 }
 
+std::string brief(const MFraction& f, std::size_t length) {
+  const std::string text = to_string(f);
+  if (text.size() <= length) return text;
+  return text.substr(0, length) + " ... (" + std::to_string(f.num().length()) + " terms over " +
+         std::to_string(f.den().length()) + ")";
+}
+
 namespace {
 
 Poly to_poly(const MPoly& f, std::size_t z, const std::optional<AlgebraicConstant>& a) {

@@ -137,8 +137,8 @@ private:
     const std::string known = answer_.reason;
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
     KOV_ENSURE(!exponential.projectively_trivial);
-    if (!exponential.omega.empty()) {
-      answer_.omega = exponential.omega.front();
+    if (!exponential.solutions.empty()) {
+      answer_.exponential = exponential.solutions.front();
       settle({GroupType::Borel, {}}, known + "; there is exactly one exponential solution");
     } else {
       answer_.no_exponential = exponential.none;
@@ -147,17 +147,17 @@ private:
   }
 
   // One exponential solution y with y^m rational for some m, and no second one.
-  void one_radical_line(const RationalFunction& omega, const std::string& why) {
-    answer_.omega = omega;
-    const auto m = radical_order(logarithmic_parts(omega, budget_));
+  void one_radical_line(const ExponentialSolution& y, const std::string& why) {
+    answer_.exponential = y;
+    const auto m = radical_order(logarithmic_parts(y.theta, budget_)); // P does not matter
     KOV_ENSURE(m); // regular singular with rational exponents
     settle({GroupType::T, *m}, why);
   }
 
   void logarithmic() {
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
-    if (!exponential.omega.empty()) {
-      one_radical_line(exponential.omega.front(),
+    if (!exponential.solutions.empty()) {
+      one_radical_line(exponential.solutions.front(),
                        answer_.kind_reason + "; there is one exponential solution, a radical");
       return;
     }
@@ -209,10 +209,10 @@ private:
     const RationalFunction f = value(quartic.basis.front(), local());
     const NfElem w_squared = wronskian_squared(r_, f);
     if (is_zero(w_squared)) { // F = y^4
-      const RationalFunction omega = derivative(f) / (RationalFunction(4) * f);
-      KOV_ENSURE(derivative(omega) + omega * omega == r_);
-      one_radical_line(omega, "the rational solution of Sym^4 is the fourth power of a solution, "
-                              "the only exponential one");
+      const ExponentialSolution y{derivative(f) / (RationalFunction(4) * f), Poly(1)};
+      KOV_ENSURE(solves(y, r_));
+      one_radical_line(y, "the rational solution of Sym^4 is the fourth power of a solution, "
+                          "the only exponential one");
       return;
     }
     if (const auto v = square_root(f)) {
@@ -247,8 +247,8 @@ private:
 
   void without_quartic() {
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
-    if (!exponential.omega.empty()) {
-      one_radical_line(exponential.omega.front(),
+    if (!exponential.solutions.empty()) {
+      one_radical_line(exponential.solutions.front(),
                        "there is exactly one exponential solution, a radical");
       return;
     }

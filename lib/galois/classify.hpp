@@ -42,9 +42,9 @@ struct Classification {
   std::optional<Unable> undecided;
 
   // evidence: positive findings are verified, absences carry their proofs
-  std::optional<RationalFunction> omega;   ///< an exponential solution over K
-  std::optional<ExponentialPair> pair;     ///< two of them
-  std::vector<InvariantSearch> invariants; ///< every search that found something
+  std::optional<ExponentialSolution> exponential; ///< over K, the only one
+  std::optional<ExponentialPair> pair;            ///< two of them
+  std::vector<InvariantSearch> invariants;        ///< every search that found something
   std::vector<NoInvariant> no_invariants;
   std::optional<NoExponential> no_exponential;
   std::optional<DihedralCurve> curve;

@@ -8,7 +8,8 @@ namespace kov {
 namespace {
 
 bool zero_on(const MFraction& f, const Ideal& ideal) {
-  return is_zero_modulo(f, ideal) || ideal.vanishes(f.num() * f.den());
+  return is_zero_modulo(f, ideal) || ideal.vanishes(f.num()) ||
+         ideal.vanishes(f.num() * ideal.normal_form(MFraction(f.den())).num());
 }
 
 // What f is on the manifold, for a message: numerator reduced, denominator kept.
@@ -28,9 +29,8 @@ void solve_linear_equations(const VectorField& v, InvariantManifold& m) {
     bool done = false;
     for (const std::size_t i : main) {
       const auto c = coefficients(f.num(), i);
-      if (c.size() != 2 || std::any_of(main.begin(), main.end(), [&](std::size_t k) {
-            return uses(c[1], k);
-          }))
+      if (c.size() != 2 ||
+          std::any_of(main.begin(), main.end(), [&](std::size_t k) { return uses(c[1], k); }))
         continue;
       const MFraction value = -MFraction(c[0], c[1]);
       for (auto& [k, old] : m.solved)
@@ -73,7 +73,7 @@ std::optional<ManifoldFailure> invariance_failure(const VectorField& v,
     const MFraction value = value_on(d, ideal);
     return ManifoldFailure{"the set is not invariant: on it the derivative of the left side minus "
                            "the right side of '" +
-                               e.text + "' is " + to_string(value) + ", not 0",
+                               e.text + "' is " + brief(value) + ", not 0",
                            e.text, value};
   }
   return std::nullopt;
@@ -87,7 +87,7 @@ std::optional<ManifoldFailure> level_failure(const VectorField& v, const Invaria
     if (zero_on(d, *m.ideal)) continue;
     const MFraction value = value_on(d, *m.ideal);
     return ManifoldFailure{"the level '" + e.text + "' is not one of a first integral: on the " +
-                               "manifold its derivative is " + to_string(value) + ", not 0",
+                               "manifold its derivative is " + brief(value) + ", not 0",
                            e.text, value};
   }
   return std::nullopt;

@@ -16,7 +16,8 @@ Ideal level_ideal(const VectorField& v, const std::vector<Equation>& on) {
 
 /// f = 0 on the level, where its denominator is not 0.
 bool holds_on(const MFraction& f, const Ideal& level) {
-  return is_zero_modulo(f, level) || level.vanishes(f.num() * f.den());
+  return is_zero_modulo(f, level) || level.vanishes(f.num()) ||
+         level.vanishes(f.num() * level.normal_form(MFraction(f.den())).num());
 }
 
 MFraction reduced(const MFraction& f, const Ideal& level) {
@@ -25,7 +26,7 @@ MFraction reduced(const MFraction& f, const Ideal& level) {
 }
 
 ClaimResult refuted(const std::string& what, const MFraction& f) {
-  return {false, what + " = " + to_string(f), f, {}};
+  return {false, what + " = " + brief(f), f, {}};
 }
 
 // X(G) = K G: G divides X(G) modulo the relations, that is, X(G) is in the ideal of G.
@@ -34,7 +35,7 @@ ClaimResult check_darboux(const VectorField& v, const Claim& claim) {
   const MPoly g = claim.value.num();
   const MFraction cofactor = derivative / claim.value;
   if (!is_zero(gcd(cofactor.den(), g)) && is_constant(gcd(cofactor.den(), g)))
-    return {true, "X(G) = K G with K = " + to_string(cofactor), cofactor, {}};
+    return {true, "X(G) = K G with K = " + brief(cofactor), cofactor, {}};
   std::vector<Equation> on(claim.on);
   on.push_back({claim.value, claim.text});
   const Ideal level = level_ideal(v, on);
@@ -50,7 +51,8 @@ ClaimResult check_darboux(const VectorField& v, const Claim& claim) {
 ClaimResult check_claim(const VectorField& v, const Claim& claim) {
   if (claim.kind == Claim::Kind::darboux) return check_darboux(v, claim);
   const Ideal level = level_ideal(v, claim.on);
-  if (level.is_unit()) throw InvalidArgument("the level of the claim '" + claim.name + "' is empty");
+  if (level.is_unit())
+    throw InvalidArgument("the level of the claim '" + claim.name + "' is empty");
   const auto decide = [&](const MFraction& f, const std::string& what) -> ClaimResult {
     if (is_zero(f)) return {true, what + " = 0 identically", f, {}};
     if (holds_on(f, level))
@@ -63,7 +65,8 @@ ClaimResult check_claim(const VectorField& v, const Claim& claim) {
     // On a level set that is not itself invariant the statement would be empty: check it first.
     for (const auto& e : claim.on)
       if (const MFraction d = lie_derivative(v, e.difference); !holds_on(d, level))
-        return refuted("the level " + e.text + " is not invariant; its derivative", reduced(d, level));
+        return refuted("the level " + e.text + " is not invariant; its derivative",
+                       reduced(d, level));
     return decide(lie_derivative(v, claim.value), "d/dt " + claim.name);
   case Claim::Kind::casimir: {
     if (!v.poisson) throw InvalidArgument("this system has no Poisson structure");
@@ -97,10 +100,10 @@ ClaimResult check_euler_lagrange(const System& s) {
       return substitute(derivative(*s.lagrangian, v.coordinates[3 + j]), velocities);
     };
     const auto& w = s.velocity_values;
-    const MFraction expected =
-        i < 3 ? (x(a) - s.gyrostat[a]) * w[b] - (x(b) - s.gyrostat[b]) * w[a] +
-                    force(a) * x(3 + b) - force(b) * x(3 + a)
-              : x(3 + a) * w[b] - x(3 + b) * w[a];
+    const MFraction expected = i < 3
+                                   ? (x(a) - s.gyrostat[a]) * w[b] - (x(b) - s.gyrostat[b]) * w[a] +
+                                         force(a) * x(3 + b) - force(b) * x(3 + a)
+                                   : x(3 + a) * w[b] - x(3 + b) * w[a];
     if (const MFraction d = v.components[i] - expected; !is_zero_modulo(d, relations))
       return refuted("the component " + v.name(i) + "': Poisson form - Euler-Lagrange form", d);
   }
@@ -112,13 +115,12 @@ ClaimResult check_same_field(const VectorField& v, const VectorField& other) {
     return {false, "the other system has another number of coordinates", MFraction(v.ring), {}};
   const Ideal relations = relation_ideal(v);
   for (std::size_t j = 0; j < v.dimension(); ++j) {
-    const auto k = std::find_if(other.coordinates.begin(), other.coordinates.end(), [&](std::size_t i) {
-      return other.ring->name(i) == v.name(j);
-    });
+    const auto k = std::find_if(other.coordinates.begin(), other.coordinates.end(),
+                                [&](std::size_t i) { return other.ring->name(i) == v.name(j); });
     if (k == other.coordinates.end())
       return {false, "the other system has no coordinate " + v.name(j), MFraction(v.ring), {}};
-    const MFraction theirs = transfer(
-        other.components[static_cast<std::size_t>(k - other.coordinates.begin())], v.ring);
+    const MFraction theirs =
+        transfer(other.components[static_cast<std::size_t>(k - other.coordinates.begin())], v.ring);
     if (const MFraction d = v.components[j] - theirs; !is_zero_modulo(d, relations))
       return refuted("the difference of the two components " + v.name(j) + "'", d);
   }

@@ -1,11 +1,10 @@
 #pragma once
 // Claims about a system, proved or refuted exactly.
 //
-//   integral F      X(F) = 0                      modulo the relations, and on the level if one is named
-//   casimir  F      J grad F = 0
-//   darboux  G      X(G) = K G for a function K defined where G = 0 is
-//   poisson         {F, G} = value
-//   equal           left = right, or: this field equals another one (Euler-Lagrange form, other file)
+//   integral F      X(F) = 0                      modulo the relations, and on the level if one is
+//   named casimir  F      J grad F = 0 darboux  G      X(G) = K G for a function K defined where G
+//   = 0 is poisson         {F, G} = value equal           left = right, or: this field equals
+//   another one (Euler-Lagrange form, other file)
 //
 // A proof is an ideal membership; a refutation shows the function that is not zero.
 

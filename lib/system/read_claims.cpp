@@ -9,14 +9,14 @@
 namespace kov {
 namespace {
 
-constexpr std::array claim_sections{std::pair("integral", Claim::Kind::integral),
-                                    std::pair("casimir", Claim::Kind::casimir),
-                                    std::pair("darboux", Claim::Kind::darboux),
-                                    std::pair("poisson", Claim::Kind::poisson),
-                                    std::pair("equal", Claim::Kind::equal)};
+constexpr std::array claim_sections{
+    std::pair("integral", Claim::Kind::integral), std::pair("casimir", Claim::Kind::casimir),
+    std::pair("darboux", Claim::Kind::darboux), std::pair("poisson", Claim::Kind::poisson),
+    std::pair("equal", Claim::Kind::equal)};
 
 void read_claim(const Entry& e, Claim& claim, const SystemScope& scope) {
-  e.check_keys({"name", "value", "first", "second", "left", "right", "with", "on", "holds", "source"});
+  e.check_keys(
+      {"name", "value", "first", "second", "left", "right", "with", "on", "holds", "source"});
   claim.line = e.line();
   if (const Entry* on = e.find("on")) claim.on = scope.equations(*on);
   if (const Entry* holds = e.find("holds")) claim.holds = holds->boolean();
@@ -28,8 +28,8 @@ void read_claim(const Entry& e, Claim& claim, const SystemScope& scope) {
     return;
   }
   if (claim.kind == Claim::Kind::equal) {
-    claim.value = evaluate(e.at("left").expression(), scope) -
-                  evaluate(e.at("right").expression(), scope);
+    claim.value =
+        evaluate(e.at("left").expression(), scope) - evaluate(e.at("right").expression(), scope);
     claim.text = e.at("left").string() + " = " + e.at("right").string();
     return;
   }
@@ -46,8 +46,8 @@ void read_claim(const Entry& e, Claim& claim, const SystemScope& scope) {
   if (claim.kind == Claim::Kind::poisson) {
     claim.first = evaluate(e.at("first").expression(), scope);
     claim.second = evaluate(e.at("second").expression(), scope);
-    claim.text = "{" + e.at("first").string() + ", " + e.at("second").string() +
-                 "} = " + value->string();
+    claim.text =
+        "{" + e.at("first").string() + ", " + e.at("second").string() + "} = " + value->string();
   }
 }
 
@@ -90,9 +90,10 @@ void check_assumption(const Assumption& a, const Entry& entry) {
 
 Assumption read_condition(const Entry& entry, const SystemScope& scope) {
   const std::string& text = entry.string();
-  const std::array signs{std::pair(">=", Relation::nonnegative), std::pair("<=", Relation::nonnegative),
-                         std::pair("!=", Relation::nonzero),     std::pair(">", Relation::positive),
-                         std::pair("<", Relation::positive),     std::pair("=", Relation::zero)};
+  const std::array signs{
+      std::pair(">=", Relation::nonnegative), std::pair("<=", Relation::nonnegative),
+      std::pair("!=", Relation::nonzero),     std::pair(">", Relation::positive),
+      std::pair("<", Relation::positive),     std::pair("=", Relation::zero)};
   for (const auto& [sign, relation] : signs) {
     const std::size_t at = text.find(sign);
     if (at == std::string::npos) continue;
@@ -205,7 +206,8 @@ void read_manifolds(const Entry& document, const SystemScope& scope, System& s) 
       e->check_keys({"name", "equations", "level", "nonzero"});
       ManifoldSpec m;
       m.line = e->line();
-      m.name = e->find("name") ? e->at("name").string() : "manifold " + std::to_string(s.manifolds.size() + 1);
+      m.name = e->find("name") ? e->at("name").string()
+                               : "manifold " + std::to_string(s.manifolds.size() + 1);
       m.equations = scope.equations(e->at("equations"));
       if (const Entry* level = e->find("level")) m.levels = scope.equations(*level);
       if (const Entry* nonzero = e->find("nonzero"))
@@ -222,8 +224,8 @@ void read_expectations(const Entry& document, const SystemScope& scope, System& 
   const Entry* expect = document.find("expect");
   if (!expect) return;
   for (const Entry* e : expect->list()) {
-    e->check_keys({"where", "manifold", "verdict", "group", "identity_component", "abelian", "p", "q",
-                   "r", "source", "case", "requires", "outcome"});
+    e->check_keys({"where", "manifold", "verdict", "group", "identity_component", "abelian", "p",
+                   "q", "r", "source", "case", "requires", "outcome"});
     Expectation x;
     x.line = e->line();
     if (const Entry* where = e->find("where"))

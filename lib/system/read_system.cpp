@@ -1,5 +1,5 @@
-// [system], [set], [assume], [expansion]: the vector field.  Claims, manifolds and expectations are in
-// read_claims.cpp.
+// [system], [set], [assume], [expansion]: the vector field.  Claims, manifolds and expectations are
+// in read_claims.cpp.
 
 #include "system/read_system.hpp"
 
@@ -24,8 +24,7 @@ std::string independent_name(const Entry& document, const std::vector<std::strin
     for (const Entry* r : reduce->list())
       if (const Entry* change = r->find("change")) {
         const Expression e = change->expression(true);
-        if (e.kind() != Expression::Kind::equation ||
-            e.operand(0).kind() != Expression::Kind::name)
+        if (e.kind() != Expression::Kind::equation || e.operand(0).kind() != Expression::Kind::name)
           throw e.error("a change of variable was expected", "write it as 'z = Gamma3^2'");
         return e.operand(0).name();
       }
@@ -206,16 +205,19 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
     const std::size_t i = v.ring->index(name);
     if (std::none_of(v.relations.begin(), v.relations.end(),
                      [&](const MPoly& f) { return uses(f, i); }))
-      throw system.at("constants").error("the relation of the constant '" + name + "' is missing",
-                                         "for example relations = [\"" + name + "^2 = 2\"]");
+      throw system.at("constants")
+          .error("the relation of the constant '" + name + "' is missing",
+                 "for example relations = [\"" + name + "^2 = 2\"]");
   }
 }
 
 SystemKind read_kind(const Entry& system) {
   const Entry& kind = system.at("kind");
   const std::vector<std::pair<std::string, SystemKind>> kinds{
-      {"hamiltonian", SystemKind::hamiltonian},     {"vector-field", SystemKind::vector_field},
-      {"euler-poisson", SystemKind::euler_poisson}, {"lagrangian", SystemKind::lagrangian},
+      {"hamiltonian", SystemKind::hamiltonian},
+      {"vector-field", SystemKind::vector_field},
+      {"euler-poisson", SystemKind::euler_poisson},
+      {"lagrangian", SystemKind::lagrangian},
       {"poisson", SystemKind::poisson}};
   std::vector<std::string> names;
   for (const auto& [name, value] : kinds) {
@@ -244,7 +246,8 @@ Matrix read_bracket(const Entry& system, const SystemScope& scope, std::size_t n
     j.emplace_back();
     for (const Entry& entry : row.array())
       j.back().push_back(evaluate(entry.expression(), scope));
-    if (j.back().size() != n) throw row.error("a row of the bracket needs one entry per coordinate");
+    if (j.back().size() != n)
+      throw row.error("a row of the bracket needs one entry per coordinate");
   }
   if (j.size() != n) throw bracket.error("the bracket needs one row per coordinate");
   return j;
@@ -304,12 +307,17 @@ void read_dynamics(const Entry& system, SystemScope& scope, System& s) {
     const auto w = indices(v.ring, scope.velocities);
     scope.lagrangian = evaluate(lagrangian.expression(), scope);
     try {
-      const Legendre l = legendre(scope.lagrangian, w,
-                                  {v.coordinates[0], v.coordinates[1], v.coordinates[2]});
+      const Legendre l =
+          legendre(scope.lagrangian, w, {v.coordinates[0], v.coordinates[1], v.coordinates[2]});
       v.hamiltonian = l.hamiltonian;
       s.lagrangian = scope.lagrangian;
       s.velocities = w;
       s.velocity_values = l.velocities;
+      Substitution velocities;
+      for (std::size_t i = 0; i < 3; ++i)
+        velocities[w[i]] = l.velocities[i];
+      for (auto& [name, value] : scope.named) // definitions that the Lagrangian has used already
+        value = substitute(value, velocities);
       for (std::size_t i = 0; i < 3; ++i)
         scope.named[scope.velocities[i]] = l.velocities[i];
     } catch (const DomainError& e) {
@@ -345,10 +353,12 @@ void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
 }
 
 System read_system(const Entry& document, const Settings& settings) {
-  document.check_keys({"format", "title", "cite", "system", "set", "assume", "expansion", "manifold",
-                       "integral", "casimir", "darboux", "poisson", "equal", "reduce", "expect"});
+  document.check_keys({"format", "title", "cite", "system", "set", "assume", "expansion",
+                       "manifold", "integral", "casimir", "darboux", "poisson", "equal", "reduce",
+                       "expect"});
   if (const Entry* format = document.find("format"); format && format->string() != "equation/1")
-    throw format->error("unknown format '" + format->string() + "'", "this program reads equation/1");
+    throw format->error("unknown format '" + format->string() + "'",
+                        "this program reads equation/1");
   System s;
   s.file = document.file();
   if (const Entry* title = document.find("title")) s.title = title->string();

@@ -25,7 +25,7 @@ public:
   std::vector<std::string> coordinates, velocities, function_names, constants, parameters;
   std::string independent;
   std::vector<FunctionMeaning> meanings;
-  MFraction lagrangian; ///< kind lagrangian only
+  MFraction lagrangian;                            ///< kind lagrangian only
   mutable std::map<std::string, MFraction> values; ///< fixed parameters
   mutable std::map<std::string, MFraction> named;
 

@@ -15,7 +15,13 @@
 
 namespace kov {
 
-enum class SystemKind : std::uint8_t { hamiltonian, vector_field, euler_poisson, lagrangian, poisson };
+enum class SystemKind : std::uint8_t {
+  hamiltonian,
+  vector_field,
+  euler_poisson,
+  lagrangian,
+  poisson
+};
 
 /// left = right, kept as its difference and its text.
 struct Equation {
@@ -27,12 +33,12 @@ struct Claim {
   enum class Kind : std::uint8_t { integral, casimir, darboux, poisson, equal };
   Kind kind = Kind::integral;
   std::string name;
-  MFraction value;             ///< the function; poisson: the bracket claimed; equal: left - right
-  MFraction first, second;     ///< poisson: the two functions
-  std::string other;           ///< equal: "euler-lagrange", or the other system file
-  std::vector<Equation> on;    ///< the level on which it is claimed
-  bool holds = true;           ///< the file may also claim that it fails
-  std::string text;            ///< the formula as written
+  MFraction value;          ///< the function; poisson: the bracket claimed; equal: left - right
+  MFraction first, second;  ///< poisson: the two functions
+  std::string other;        ///< equal: "euler-lagrange", or the other system file
+  std::vector<Equation> on; ///< the level on which it is claimed
+  bool holds = true;        ///< the file may also claim that it fails
+  std::string text;         ///< the formula as written
   std::string source;
   long line = 0;
 };
@@ -47,20 +53,28 @@ struct ManifoldSpec {
 
 /// z = phi(x), or nothing: then it is proposed.
 struct ReduceSpec {
-  std::string manifold;                ///< empty: applies to all
-  std::string variable_name = "z";     ///< the new independent variable
-  std::optional<MFraction> change;     ///< phi
+  std::string manifold;            ///< empty: applies to all
+  std::string variable_name = "z"; ///< the new independent variable
+  std::optional<MFraction> change; ///< phi
   std::string change_text;
-  std::vector<std::string> normal;     ///< order of the normal variables, if given
-  std::optional<std::size_t> unknown;  ///< the coordinate whose variation the scalar equation is for
-  std::string energy;                  ///< "auto", or empty
+  std::vector<std::string> normal;    ///< order of the normal variables, if given
+  std::optional<std::size_t> unknown; ///< the coordinate whose variation the scalar equation is for
+  std::string energy;                 ///< "auto", or empty
   std::string energy_parameter = "h";
   long line = 0;
 };
 
 /// One condition on the parameters, as written and as a sign condition on `value`.
 struct Assumption {
-  enum class Relation : std::uint8_t { nonzero, positive, nonnegative, real, rational, integer, zero };
+  enum class Relation : std::uint8_t {
+    nonzero,
+    positive,
+    nonnegative,
+    real,
+    rational,
+    integer,
+    zero
+  };
   Relation relation = Relation::nonzero;
   MFraction value;
   std::string text;
@@ -85,7 +99,7 @@ struct System {
   std::vector<std::string> cite;
   SystemKind kind = SystemKind::vector_field;
   VectorField field;
-  std::map<std::string, MFraction> named; ///< H, definitions, integrals: usable in formulas
+  std::map<std::string, MFraction> named;  ///< H, definitions, integrals: usable in formulas
   std::map<std::string, MFraction> values; ///< fixed parameters
   std::vector<Claim> claims;
   std::vector<ManifoldSpec> manifolds;
@@ -94,11 +108,11 @@ struct System {
   std::vector<Expectation> expectations;
   std::map<std::size_t, long> weights; ///< [expansion] weights, by variable
   long expansion_terms = 2;
-  std::optional<MFraction> lagrangian;         ///< L(Omega, Gamma); kind lagrangian
-  std::vector<std::size_t> velocities;         ///< Omega as variables of the ring
-  std::vector<MFraction> velocity_values;      ///< Omega(M, Gamma)
-  std::vector<MFraction> gyrostat;             ///< B, for the systems on e(3)
-  std::size_t z = 0;                   ///< the variable that stands for the new independent one
+  std::optional<MFraction> lagrangian;    ///< L(Omega, Gamma); kind lagrangian
+  std::vector<std::size_t> velocities;    ///< Omega as variables of the ring
+  std::vector<MFraction> velocity_values; ///< Omega(M, Gamma)
+  std::vector<MFraction> gyrostat;        ///< B, for the systems on e(3)
+  std::size_t z = 0;                      ///< the variable that stands for the new independent one
 
   [[nodiscard]] const Ring& ring() const noexcept { return field.ring; }
 };

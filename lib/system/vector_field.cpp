@@ -71,12 +71,11 @@ Matrix e3_structure(const Ring& ring, const std::vector<std::size_t>& x,
                     const std::vector<MFraction>& gyrostat) {
   KOV_ENSURE(x.size() == 6 && gyrostat.size() == 3);
   Matrix j(6, std::vector<MFraction>(6, MFraction(ring)));
-  for (std::size_t i = 0; i < 3; ++i) { // hat(Z): row i, column i+1 is -Z_(i+2), column i+2 is Z_(i+1)
+  for (std::size_t i = 0; i < 3;
+       ++i) { // hat(Z): row i, column i+1 is -Z_(i+2), column i+2 is Z_(i+1)
     const std::size_t a = (i + 1) % 3;
     const std::size_t b = (i + 2) % 3;
-    const auto m = [&](std::size_t k) {
-      return MFraction::variable(ring, x[k]) - gyrostat[k];
-    };
+    const auto m = [&](std::size_t k) { return MFraction::variable(ring, x[k]) - gyrostat[k]; };
     const auto g = [&](std::size_t k) { return MFraction::variable(ring, x[3 + k]); };
     j[i][a] = -m(b);
     j[i][b] = m(a);

@@ -30,12 +30,12 @@ struct VectorField {
   Ring ring;
   std::vector<std::size_t> coordinates; ///< phase variables
   std::vector<std::size_t> parameters;
-  std::vector<std::size_t> constants;   ///< algebraic constants
+  std::vector<std::size_t> constants; ///< algebraic constants
   std::vector<FunctionSymbol> functions;
-  std::vector<MPoly> relations;         ///< between functions and constants; vanish identically
-  std::vector<MFraction> components;    ///< X_j, in the order of the coordinates
+  std::vector<MPoly> relations;      ///< between functions and constants; vanish identically
+  std::vector<MFraction> components; ///< X_j, in the order of the coordinates
   std::optional<MFraction> hamiltonian;
-  std::optional<Matrix> poisson;        ///< {x_i, x_j}
+  std::optional<Matrix> poisson; ///< {x_i, x_j}
 
   [[nodiscard]] const std::string& name(std::size_t j) const { return ring->name(coordinates[j]); }
   [[nodiscard]] std::size_t dimension() const noexcept { return coordinates.size(); }

@@ -39,8 +39,7 @@ std::optional<std::vector<MFraction>> combination(const InvariantManifold& m, co
     std::size_t best = system.size();
     for (std::size_t r = top; r < system.size(); ++r) {
       if (m.vanishes_on_curve(system[r][c])) continue;
-      if (best == system.size() ||
-          system[r][c].num().length() < system[best][c].num().length())
+      if (best == system.size() || system[r][c].num().length() < system[best][c].num().length())
         best = r;
     }
     if (best == system.size()) return std::nullopt;
@@ -152,7 +151,8 @@ NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
     const auto row = restricted_gradient(v, m, claim.value);
     auto c = combination(m, rows, row, n.divisors);
     if (!c) continue;
-    if (std::all_of(c->begin(), c->end(), [&](const MFraction& f) { return m.vanishes_on_curve(f); }))
+    if (std::all_of(c->begin(), c->end(),
+                    [&](const MFraction& f) { return m.vanishes_on_curve(f); }))
       continue;
     n.integrals.push_back({claim.name, *std::move(c)});
   }

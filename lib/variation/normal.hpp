@@ -4,12 +4,14 @@
 //   VE          xi' = J xi,  J = (d_j X_i) on the manifold
 //   normal      y_i = df_i . xi for the equations f_i = 0 of the manifold:  y' = C y, where
 //               (grad f)' + (grad f) J = C grad f  on the manifold (solved for C, then checked)
-//   integrals   dF . xi is a first integral of VE for each first integral F; where dF lies in the span
+//   integrals   dF . xi is a first integral of VE for each first integral F; where dF lies in the
+//   span
 //               of the df_i it is one of the normal part, and its zero level takes away one unknown
 //   blocks      the strongly connected parts of "y_i' uses y_j": C is block triangular
 //
-// The differential Galois group of a part (the zero level of a linear integral, a diagonal block) is a
-// quotient of the group of VE; a non-abelian identity component of a part is therefore one of VE.
+// The differential Galois group of a part (the zero level of a linear integral, a diagonal block)
+// is a quotient of the group of VE; a non-abelian identity component of a part is therefore one of
+// VE.
 //
 // Source  [MoralesRuiz1999] 4.1-4.3; [PrzybylskaMaciejewski2024] eq. (normal_sys), (norvariat)
 
@@ -71,15 +73,13 @@ struct ReducedSystem {
 /// y'' + a1 y' + a0 y = 0 for one unknown of a block of order 2 (cyclic vector).
 struct ScalarEquation {
   std::string unknown;
-  MFraction a1, a0;             ///< functions on the manifold
+  MFraction a1, a0; ///< functions on the manifold
   std::vector<MPoly> divisors;
 };
 
 /// Unset when that unknown is not a cyclic vector (the other one does not occur in its derivative).
-[[nodiscard]] std::optional<ScalarEquation> scalar_equation(const VectorField& v,
-                                                            const InvariantManifold& m,
-                                                            const LinearSystem& s,
-                                                            const std::vector<std::size_t>& block,
-                                                            std::size_t unknown);
+[[nodiscard]] std::optional<ScalarEquation>
+scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSystem& s,
+                const std::vector<std::size_t>& block, std::size_t unknown);
 
 } // namespace kov
