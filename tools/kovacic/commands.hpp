@@ -21,6 +21,9 @@ int solve(const Settings& settings, const SolveArguments& arguments);
 int batch(const Settings& settings, const std::string& path);
 int check(const Settings& settings, const std::vector<std::string>& files);
 int test(const Settings& settings, const std::vector<std::string>& paths);
+/// Stages of the way from a system to r(z).
+int show(const Settings& settings, const std::string& file, const std::string& stage);
+int find_manifolds(const Settings& settings, const std::string& file);
 int explain(const Settings& settings, const std::string& code);
 int make_new(const Settings& settings, const std::string& kind);
 int verify(const Settings& settings, const std::vector<std::string>& arguments);

@@ -44,6 +44,7 @@ struct CommandLine {
   SolveArguments solve_arguments;
   std::vector<std::string> files;
   std::string word;
+  std::string stage = "r";
 
   void shared_flags(CLI::App& command, bool solver) {
     if (solver) {
@@ -114,6 +115,21 @@ struct CommandLine {
     check->add_option("FILE", files, "equation or system files")->required()->type_name("");
     shared_flags(*check, true);
 
+    check->add_option("--manifold", settings.manifold, "system files: only this manifold")
+        ->type_name("NAME");
+
+    CLI::App* show = app.add_subcommand("show", "a system file up to a stage of the reduction");
+    show->add_option("FILE", word, "a system file")->required()->type_name("");
+    show->add_option("--stage", stage, "system, lowest, ve, nve, ode or r (default)")
+        ->check(silent(CLI::IsMember({"system", "lowest", "ve", "nve", "ode", "r"})))
+        ->type_name("STAGE");
+    show->add_option("--manifold", settings.manifold, "only this manifold")->type_name("NAME");
+    shared_flags(*show, true);
+
+    CLI::App* find = app.add_subcommand("find-manifolds", "invariant linear subspaces of a system");
+    find->add_option("FILE", word, "a system file")->required()->type_name("");
+    shared_flags(*find, true);
+
     CLI::App* test = app.add_subcommand("test", "run the [[expect]] blocks of files (TAP)");
     test->add_option("DIR|FILE", files, "default: cases")->type_name("");
     shared_flags(*test, true);
@@ -134,6 +150,8 @@ struct CommandLine {
   int run(const std::string& command) {
     if (command == "solve") return solve(settings, solve_arguments);
     if (command == "check") return check(settings, files);
+    if (command == "show") return show(settings, word, stage);
+    if (command == "find-manifolds") return find_manifolds(settings, word);
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
     if (command == "new") return make_new(settings, word);
