@@ -112,9 +112,20 @@ private:
     KOV_ENSURE(!is_zero(answer_.pair->w_squared));
   }
 
+  // The shortest proof there is, where the local data alone do not settle the question.
+  bool one_prime_says_sl2() {
+    answer_.p_curvature = sl2_by_p_curvature(local(), 3, budget_);
+    if (!answer_.p_curvature) return false;
+    settle({GroupType::SL2, {}},
+           "the p-curvature modulo p = " + std::to_string(answer_.p_curvature->prime.p) +
+               " has places of odd order that no solvable or finite group allows");
+    return true;
+  }
+
   void irregular_or_irrational() {
     const std::string because =
         answer_.kind_reason + ", so that the identity component contains a torus";
+    if (invariant_shape(local(), 4).possible && one_prime_says_sl2()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none) {
       answer_.abelian = Truth::yes;
@@ -135,6 +146,7 @@ private:
     answer_.reason = because + ", and Sym^4 has no rational solution" +
                      (quartic.none->combinatorial ? " (" + quartic.none->why + ")" : "");
     const std::string known = answer_.reason;
+    if (exponential_shape(local()).possible && one_prime_says_sl2()) return;
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
     KOV_ENSURE(!exponential.projectively_trivial);
     if (!exponential.solutions.empty()) {
@@ -155,6 +167,8 @@ private:
   }
 
   void logarithmic() {
+    if (exponential_shape(local()).possible && one_prime_says_sl2()) return;
+
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
     if (!exponential.solutions.empty()) {
       one_radical_line(exponential.solutions.front(),
@@ -184,6 +198,7 @@ private:
                            : ": all solutions are square roots of rational functions"));
       return;
     }
+    if (one_prime_says_sl2()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none)
       with_quartic(quartic);

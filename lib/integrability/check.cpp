@@ -206,7 +206,8 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
                    : all == Truth::yes ? VerdictKind::no_obstruction
                                        : VerdictKind::undecided;
   if (report.verdict == VerdictKind::no_obstruction && report.blocks.size() > 1)
-    report.reasons.emplace_back("the diagonal blocks of the normal part were studied, not what couples them");
+    report.reasons.emplace_back(
+        "the diagonal blocks of the normal part were studied, not what couples them");
   report.theorem = s.field.poisson ? "Morales-Ramis" : "Ayoul-Zung";
   report.function_class = "meromorphic";
   for (const auto& block : report.blocks) {
