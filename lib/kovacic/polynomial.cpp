@@ -21,6 +21,7 @@ struct PrimeField {
   void add_product(Elem& sum, Elem a, Elem b) const {
     sum = nmod_add(sum, nmod_mul(a, b, mod), mod);
   }
+  [[nodiscard]] long bits(Elem) const { return 0; }
   [[nodiscard]] Elem minus_inverse(Elem a) const { return nmod_neg(nmod_inv(a, mod), mod); }
 };
 
@@ -34,6 +35,10 @@ struct ConstantField {
   [[nodiscard]] Elem product(const Elem& a, const Elem& b) const { return a * b; }
   void add_product(Elem& sum, const Elem& a, const Elem& b) const {
     if (!kov::is_zero(a) && !kov::is_zero(b)) sum += a * b;
+  }
+  [[nodiscard]] long bits(const Elem& a) const {
+    const long num = _fmpz_vec_max_bits(a.raw()->coeffs, a.raw()->length);
+    return std::abs(num) + static_cast<long>(fmpz_bits(fmpq_poly_denref(a.raw())));
   }
   [[nodiscard]] Elem minus_inverse(const Elem& a) const { return -inverse(a); }
 };
