@@ -28,9 +28,9 @@ struct PrimeField {
 struct ConstantField {
   using Elem = NfElem;
 
-  [[nodiscard]] Elem zero() const { return NfElem(0); }
-  [[nodiscard]] Elem one() const { return NfElem(1); }
-  [[nodiscard]] Elem from(long n) const { return NfElem(n); }
+  [[nodiscard]] Elem zero() const { return {0}; }
+  [[nodiscard]] Elem one() const { return {1}; }
+  [[nodiscard]] Elem from(long n) const { return {n}; }
   [[nodiscard]] bool is_zero(const Elem& a) const { return kov::is_zero(a); }
   [[nodiscard]] Elem product(const Elem& a, const Elem& b) const { return a * b; }
   void add_product(Elem& sum, const Elem& a, const Elem& b) const {
@@ -55,7 +55,7 @@ std::vector<Polynomial> step_operator(long m, const Polynomial& S, const Polynom
   std::vector<Polynomial> now{times(one, -1)};
   for (long i = m; i >= 0; --i) {
     const Polynomial factor = times(dS, m - i) - H;
-    std::vector<Polynomial> below(now.size() + 1, one - one);
+    std::vector<Polynomial> below(now.size() + 1, times(one, 0));
     for (std::size_t k = 0; k < now.size(); ++k) {
       below[k] = below[k] + factor * now[k] - S * derivative(now[k]);
       below[k + 1] = below[k + 1] - S * now[k];
