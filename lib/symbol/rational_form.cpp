@@ -295,7 +295,7 @@ InputError unknown_name(const Expression& at, const Reading& reading) {
   if (const auto near = nearest(name, known))
     hint += "; did you mean " + *near + "?";
   else if (!reading.variable.empty())
-    hint += "; another name needs a value (--set " + name + "=...) or a minimal polynomial";
+    hint += "; another name needs a value (--set) or a minimal polynomial (--minpoly)";
   return at.error("unknown name '" + name + "'", hint);
 }
 

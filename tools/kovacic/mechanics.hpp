@@ -12,7 +12,7 @@ namespace kov::cli {
 
 struct MechanicsArguments {
   std::string file;
-  kov::Settings set;                ///< --set name=value
+  kov::Settings set;           ///< --set name=value
   std::string format = "text"; ///< text | json
   std::string stage = "r";     ///< show: system | lowest | ve | nve | ode | r
   std::string manifold;        ///< only this one
