@@ -68,9 +68,14 @@ Poly Poly::from_flat(Field k, const fmpq_poly_t flat) {
 NfElem Poly::coeff(long i) const {
   NfElem c(k_);
   if (i < 0) return c;
-  const long s = stride();
-  fmpq_poly_get_slice(c.raw(), v_, i * s, i * s + k_->degree());
-  fmpq_poly_shift_right(c.raw(), c.raw(), i * s);
+  const long first = i * stride();
+  const long n = std::min(k_->degree(), v_->length - first);
+  if (n <= 0) return c;
+  fmpq_poly_fit_length(c.raw(), n);
+  _fmpz_vec_set(c.raw()->coeffs, v_->coeffs + first, n);
+  fmpz_set(c.raw()->den, v_->den);
+  _fmpq_poly_set_length(c.raw(), n);
+  fmpq_poly_canonicalise(c.raw());
   return c;
 }
 
@@ -283,7 +288,8 @@ std::pair<long, Poly> remove_factor(const Poly& f, const Poly& q) {
 
 Poly gcd(const Poly& a0, const Poly& b0) {
   const Field& k = common_field(a0.field(), b0.field());
-  if (k->is_rational()) {
+  const bool small = degree(a0) + degree(b0) < 24;
+  if (k->is_rational() && (small || is_zero(a0) || is_zero(b0))) {
     Poly g(k);
     fmpq_poly_gcd(g.raw(), a0.raw(), b0.raw());
     return g;
@@ -292,7 +298,16 @@ Poly gcd(const Poly& a0, const Poly& b0) {
   Poly b = coerce(b0, k);
   if (is_zero(a)) return is_zero(b) ? b : monic(b);
   if (is_zero(b)) return monic(a);
-  if (provably_coprime(a, b)) return coerce(Poly(1), k);
+  if (degree(a) < degree(b)) std::swap(a, b);
+  // One prime bounds the degree of the gcd: that settles the two common cases, 1 and b itself.
+  const auto bound = gcd_degree_bound(a, b);
+  if (bound && *bound == 0) return coerce(Poly(1), k);
+  if (bound && *bound == degree(b) && divides(b, a)) return monic(b);
+  if (k->is_rational()) {
+    Poly g(k);
+    fmpq_poly_gcd(g.raw(), a.raw(), b.raw());
+    return g;
+  }
   a = monic(a);
   b = monic(b);
   while (!is_zero(b)) {
@@ -392,6 +407,7 @@ std::string to_string(const Poly& f, const std::string& variable) {
     std::string power = i == 0 ? "" : i == 1 ? variable : variable + "^" + std::to_string(i);
     if (!is_rational(c)) {
       const std::string text = to_string(c);
+      if (power.empty() && s.empty()) return text;
       const bool sum = text.find(' ') != std::string::npos;
       const bool minus = !sum && text.front() == '-';
       if (!s.empty()) s += minus ? " - " : " + ";
