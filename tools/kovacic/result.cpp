@@ -122,7 +122,7 @@ Json original_form(const ScalarEquation& e, const Budget& budget) {
     try {
       const LogarithmicParts parts =
           logarithmic_parts(e.p * RationalFunction(Rational(-1, 2)), budget);
-      factor = exponential_text(parts, e.variable);
+      factor = exponential_text(Poly(1), parts, e.variable);
       const auto order = radical_order(parts);
       kind = !order ? "transcendental" : *order == Integer(1) ? "rational" : "algebraic";
     } catch (const OutOfBudget&) { // the integral form is an answer, too
