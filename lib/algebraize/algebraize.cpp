@@ -35,7 +35,7 @@ std::string what_is_left(const FunctionField& f, const FunctionField::Element& r
 } // namespace
 
 std::variant<AlgebraicOde, ChangeFailure>
-algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const ScalarEquation& e) {
+algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const NormalVariationalEquation& e) {
   const auto a1 = f.evaluate(e.a1);
   const auto a0 = f.evaluate(e.a0);
   if (!a1 || !a0)
@@ -75,7 +75,7 @@ algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const Sc
 
 std::variant<AlgebraicOde, ChangeFailure> algebraize(const VectorField& v,
                                                      const InvariantManifold& m, std::size_t z,
-                                                     const MFraction& phi, const ScalarEquation& e,
+                                                     const MFraction& phi, const NormalVariationalEquation& e,
                                                      const Budget& budget) {
   auto field = FunctionField::make(v, m, z, phi, e.divisors, budget);
   if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);

@@ -17,7 +17,7 @@ public:
   NmodPoly(const NmodPoly& o) : NmodPoly(o.modulus()) { nmod_poly_set(v_, o.v_); }
   NmodPoly(NmodPoly&& o) noexcept : NmodPoly(o.modulus()) { nmod_poly_swap(v_, o.v_); }
   NmodPoly& operator=(NmodPoly o) noexcept {
-    nmod_poly_swap(v_, o.v_);
+    std::swap(*v_, *o.v_); // nmod_poly_swap of FLINT 2.9 leaves the moduli where they are
     return *this;
   }
   ~NmodPoly() { nmod_poly_clear(v_); }

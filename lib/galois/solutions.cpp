@@ -1,6 +1,7 @@
 #include "galois/solutions.hpp"
 
 #include "exact/error.hpp"
+#include "linode/polynomial_solution.hpp"
 
 #include <algorithm>
 
@@ -89,6 +90,36 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
   return found;
 }
 
+// All exponent differences are integers and nothing is logarithmic: y = P prod q^((1-Delta)/2), and
+// the growth exponents at infinity give the two degrees of P.
+std::vector<LiouvillianSolution> square_roots(const Singularities& s, const RationalFunction& r,
+                                              const std::string& variable, const Budget& budget) {
+  RationalFunction theta;
+  Rational total;
+  for (const Singularity& p : s.finite) {
+    const Rational alpha = (Rational(1) - *p.delta) * Rational(1, 2);
+    theta += RationalFunction(scale(derivative(p.place), NfElem(alpha)), p.place);
+    total += alpha * Rational(p.degree());
+  }
+  const RationalFunction c = derivative(theta) + theta * theta - r;
+  const Poly common = lcm(theta.den(), c.den());
+  const Poly c1 = scale(exact_div(common, theta.den()) * theta.num(), NfElem(2));
+  const Poly c0 = exact_div(common, c.den()) * c.num();
+  std::vector<LiouvillianSolution> found;
+  for (const int sign : {-1, 1}) {
+    const Rational d = (Rational(1) + Rational(sign) * *s.infinity.delta) * Rational(1, 2) - total;
+    KOV_ENSURE(is_integer(d) && fits_long(d.num()));
+    if (kov::sign(d) < 0) continue;
+    const auto p = polynomial_solution(common, c1, c0, to_long(d.num()), budget);
+    if (!p) continue;
+    const RationalFunction omega = theta + RationalFunction(derivative(*p), *p);
+    KOV_ENSURE(derivative(omega) + omega * omega == r);
+    found.push_back(exponential(omega, variable, budget));
+  }
+  KOV_ENSURE(found.size() == 2);
+  return found;
+}
+
 LiouvillianSolution algebraic(long m, const RationalFunction& u, const RationalFunction& r) {
   LiouvillianSolution s;
   s.minimal_polynomial = riccati_polynomial(m, u, r);
@@ -116,6 +147,8 @@ std::vector<LiouvillianSolution> solutions(const Classification& c, const Ration
     LiouvillianSolution z{RationalFunction(Poly(1), Poly::z()), {}, variable, ""};
     return {one, z};
   }
+  if (c.group && c.group->type == GroupType::cyclic && !c.pair)
+    return square_roots(*c.local, r, variable, budget);
   if (c.pair) return exponentials(*c.pair, r, variable, budget);
   if (c.omega) return {exponential(*c.omega, variable, budget)};
   if (!c.group) return {};

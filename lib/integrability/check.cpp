@@ -31,14 +31,14 @@ const ReduceSpec* reduction_for(const System& s, const std::string& manifold) {
   return nullptr;
 }
 
-std::vector<Claim> usable_integrals(const System& s, const std::vector<ClaimReport>& claims) {
-  std::vector<Claim> all;
+std::vector<SystemClaim> usable_integrals(const System& s, const std::vector<ClaimReport>& claims) {
+  std::vector<SystemClaim> all;
   for (const auto& c : claims)
     if (c.result.proved && c.claim.on.empty() &&
-        (c.claim.kind == Claim::Kind::casimir || c.claim.kind == Claim::Kind::integral))
+        (c.claim.kind == SystemClaim::Kind::casimir || c.claim.kind == SystemClaim::Kind::integral))
       all.push_back(c.claim);
   if (s.field.hamiltonian) {
-    Claim h;
+    SystemClaim h;
     h.name = "H";
     h.value = *s.field.hamiltonian;
     all.push_back(std::move(h));
@@ -206,7 +206,8 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
                    : all == Truth::yes ? VerdictKind::no_obstruction
                                        : VerdictKind::undecided;
   if (report.verdict == VerdictKind::no_obstruction && report.blocks.size() > 1)
-    report.reasons.emplace_back("the diagonal blocks of the normal part were studied, not what couples them");
+    report.reasons.emplace_back(
+        "the diagonal blocks of the normal part were studied, not what couples them");
   report.theorem = s.field.poisson ? "Morales-Ramis" : "Ayoul-Zung";
   report.function_class = "meromorphic";
   for (const auto& block : report.blocks) {

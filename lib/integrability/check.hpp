@@ -34,7 +34,7 @@ struct EnergyResult {
 /// A diagonal block of the reduced normal system.
 struct BlockReport {
   std::vector<std::string> unknowns;
-  std::vector<ScalarEquation> scalar; ///< for each cyclic vector
+  std::vector<NormalVariationalEquation> scalar; ///< for each cyclic vector
   std::optional<AlgebraicOde> ode;    ///< the one chosen
   std::optional<NormalForm> equation; ///< without parameters
   std::optional<Decision> decision;
@@ -59,7 +59,7 @@ struct ManifoldReport {
 };
 
 struct ClaimReport {
-  Claim claim;
+  SystemClaim claim;
   ClaimResult result;
 };
 

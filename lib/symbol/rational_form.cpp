@@ -285,7 +285,10 @@ InputError unknown_name(const Expression& at, const Reading& reading) {
   if (!reading.variable.empty()) known.push_back(reading.variable);
   std::string hint = reading.variable.empty() ? "a constant is expected here"
                                               : "the variable is " + reading.variable;
-  if (const auto near = nearest(name, known)) hint += "; did you mean " + *near + "?";
+  if (const auto near = nearest(name, known))
+    hint += "; did you mean " + *near + "?";
+  else if (!reading.variable.empty())
+    hint += "; another name needs a value (--set " + name + "=...) or a minimal polynomial";
   return at.error("unknown name '" + name + "'", hint);
 }
 

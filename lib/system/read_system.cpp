@@ -35,7 +35,7 @@ std::string independent_name(const Entry& document, const std::vector<std::strin
 
 } // namespace
 
-SystemScope::SystemScope(const Entry& document, const Settings& settings) : document_(&document) {
+SystemScope::SystemScope(const Entry& document, const ParameterValues& settings) : document_(&document) {
   const Entry& system = document.at("system");
   system.check_keys({"kind", "coordinates", "momenta", "parameters", "constants", "hamiltonian",
                      "lagrangian", "angular_velocity", "gyrostat", "bracket", "field", "relations",
@@ -82,7 +82,7 @@ void SystemScope::fix(const std::string& name, const Expression& e) {
   pending_.insert_or_assign(name, e);
 }
 
-void SystemScope::read_settings(const Settings& settings) {
+void SystemScope::read_settings(const ParameterValues& settings) {
   if (const Entry* set = section(*document_, "set"))
     for (const auto& [name, entry] : set->members())
       fix(name, entry.expression());
@@ -352,7 +352,7 @@ void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
     scope.named["H"] = *v.hamiltonian;
 }
 
-System read_system(const Entry& document, const Settings& settings) {
+System read_system(const Entry& document, const ParameterValues& settings) {
   document.check_keys({"format", "title", "cite", "system", "set", "assume", "expansion",
                        "manifold", "integral", "casimir", "darboux", "poisson", "equal", "reduce",
                        "expect"});
@@ -373,7 +373,7 @@ System read_system(const Entry& document, const Settings& settings) {
   return s;
 }
 
-System read_system(const std::string& path, const Settings& settings) {
+System read_system(const std::string& path, const ParameterValues& settings) {
   return read_system(read_document(path), settings);
 }
 

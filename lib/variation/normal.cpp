@@ -123,7 +123,7 @@ std::vector<std::vector<std::size_t>> blocks(const LinearSystem& s, const Invari
 }
 
 NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
-                           const std::vector<Claim>& integrals) {
+                           const std::vector<SystemClaim>& integrals) {
   NormalSystem n;
   Matrix rows;
   std::vector<MPoly> scratch;
@@ -216,7 +216,7 @@ ReducedSystem reduce_by_integrals(const VectorField& v, const InvariantManifold&
   return r;
 }
 
-std::optional<ScalarEquation> scalar_equation(const VectorField& v, const InvariantManifold& m,
+std::optional<NormalVariationalEquation> scalar_equation(const VectorField& v, const InvariantManifold& m,
                                               const LinearSystem& s,
                                               const std::vector<std::size_t>& block,
                                               std::size_t unknown) {
@@ -227,7 +227,7 @@ std::optional<ScalarEquation> scalar_equation(const VectorField& v, const Invari
   const MFraction& a12 = s.a[i][j];
   if (m.vanishes_on_curve(a12)) return std::nullopt;
   const auto dot = [&](const MFraction& f) { return m.restrict(lie_derivative(v, f)); };
-  ScalarEquation e;
+  NormalVariationalEquation e;
   e.unknown = s.names[i];
   note(e.divisors, a12);
   const MFraction log12 = dot(a12) / a12;

@@ -9,7 +9,7 @@ const std::string cases = std::string(KOV_SOURCE_DIR) + "/cases/sliding_top/";
 
 TEST(SlidingTop, Explore) {
   for (const char* set : {"sample", "symbolic"}) {
-    Settings settings;
+    ParameterValues settings;
     if (std::string(set) == "symbolic") settings = {{"A", "A"}};
     const System s = read_system(cases + "lemma3_sample.toml", {});
     const CheckReport report = check_system(s);

@@ -1,15 +1,15 @@
 // kovacic show FILE --stage system|lowest|ve|nve|ode|r: one stage as exact text.
 
+#include "commands.hpp"
 #include "mechanics.hpp"
-#include "mechanics_json.hpp"
 #include "system/weights.hpp"
 
-#include <ostream>
+#include <sstream>
 
 namespace kov::cli {
 namespace {
 
-void print_linear(const LinearSystem& s, std::ostream& out) {
+void print_linear(const LinearSystem& s, std::ostringstream& out) {
   for (std::size_t i = 0; i < s.a.size(); ++i) {
     out << "  d" << s.names[i] << "' =";
     bool any = false;
@@ -22,7 +22,7 @@ void print_linear(const LinearSystem& s, std::ostream& out) {
   }
 }
 
-void print_ode(const System& s, const AlgebraicOde& o, bool only_r, std::ostream& out) {
+void print_ode(const System& s, const AlgebraicOde& o, bool only_r, std::ostringstream& out) {
   const std::string z = s.ring()->name(o.z);
   out << "  " << o.change << "   (the variation of " << o.unknown << ")\n";
   if (o.z_dot_squared) out << "  z_dot_squared = " << to_string(*o.z_dot_squared) << "\n";
@@ -46,14 +46,9 @@ Json lowest_json(const System& s, const LowestSystem& low) {
   return j;
 }
 
-int show_lowest(const MechanicsArguments& a, const System& s, std::ostream& out) {
+Report show_lowest(const System& s) {
   const LowestSystem low = lowest_system(s, s.expansion_terms);
-  if (a.format == "json") {
-    Json j{{"format", "kovacic-stage/1"}, {"stage", "lowest"}, {"file", s.file}};
-    j.update(lowest_json(s, low));
-    out << j.dump(2) << "\n";
-    return 0;
-  }
+  std::ostringstream out;
   for (const auto& t : low.hamiltonian)
     out << "H_" << t.degree << " = " << to_string(t.value) << "\n";
   out << "lowest-order field, of degree " << low.degree
@@ -63,25 +58,20 @@ int show_lowest(const MechanicsArguments& a, const System& s, std::ostream& out)
   if (low.structure)
     out << "the bracket lowers degrees by " << *low.structure
         << ": lowest terms of first integrals are first integrals of this field\n";
-  return 0;
+  return {exit_decided, out.str(), lowest_json(s, low)};
 }
 
-int show_system(const MechanicsArguments& a, const System& s, std::ostream& out) {
-  if (a.format == "json") {
-    Json j{{"format", "kovacic-stage/1"}, {"stage", "system"}, {"file", s.file}};
-    j.update(json_of_field(s));
-    out << j.dump(2) << "\n";
-    return 0;
-  }
+Report show_system(const System& s) {
+  std::ostringstream out;
   if (s.field.hamiltonian) out << "H = " << to_string(*s.field.hamiltonian) << "\n";
   for (std::size_t j = 0; j < s.field.dimension(); ++j)
     out << s.field.name(j) << "' = " << to_string(s.field.components[j]) << "\n";
   for (const auto& f : s.field.relations)
     out << to_string(f) << " = 0\n";
-  return 0;
+  return {exit_decided, out.str(), json_of_field(s)};
 }
 
-Json stage_json(const MechanicsArguments& a, const System& s, const ManifoldReport& m) {
+Json stage_json(const ShowArguments& a, const System& s, const ManifoldReport& m) {
   Json one{{"name", m.name}};
   if (m.failure) {
     one["error"] = m.failure->message;
@@ -127,8 +117,8 @@ Json stage_json(const MechanicsArguments& a, const System& s, const ManifoldRepo
   return one;
 }
 
-void print_stage(const MechanicsArguments& a, const System& s, const ManifoldReport& m,
-                 std::ostream& out) {
+void print_stage(const ShowArguments& a, const System& s, const ManifoldReport& m,
+                 std::ostringstream& out) {
   out << s.file << "  [" << m.name << "]\n";
   if (m.failure) {
     out << "  " << m.failure->message << "\n";
@@ -153,40 +143,54 @@ void print_stage(const MechanicsArguments& a, const System& s, const ManifoldRep
     if (m.blocks.empty()) out << "  " << r << "\n";
 }
 
-} // namespace
-
-int run_show(const MechanicsArguments& a, std::ostream& out) {
-  const System s = read_system(a.file, a.set);
-  if (a.stage == "system") return show_system(a, s, out);
-  if (a.stage == "lowest") return show_lowest(a, s, out);
+Report show_manifolds(const Settings& settings, const ShowArguments& a, const System& s) {
   CheckOptions options;
-  options.decide = a.decide;
+  options.decide = settings.solver_options();
   options.only_manifold = a.manifold;
   options.stop_at_r = true;
-  const CheckReport report = check_system(s, options);
-  int code = 0;
+  const CheckReport report = kov::check_system(s, options);
+  const bool asks_for_r = a.stage == "r" || a.stage == "ode";
+  Report result;
+  result.json = Json::object();
+  std::ostringstream out;
   Json all = Json::array();
   for (const auto& m : report.manifolds) {
-    if (m.failure) code = 2;
-    if (a.format == "json")
-      all.push_back(stage_json(a, s, m));
-    else
-      print_stage(a, s, m, out);
-    const bool asks_for_r = a.stage == "r" || a.stage == "ode";
-    for (const auto& b : m.blocks)
-      if (code == 0 && asks_for_r && !b.ode && b.unknowns.size() > 1) code = 3;
+    if (m.failure) result.exit = exit_input;
+    all.push_back(stage_json(a, s, m));
+    print_stage(a, s, m, out);
+    for (const auto& b : m.blocks) {
+      if (result.exit == exit_decided && asks_for_r && !b.ode && b.unknowns.size() > 1)
+        result.exit = exit_undecided;
+      // The one equation of a file with one block stands at the top as well.
+      if (b.ode && asks_for_r && !result.json.contains("r")) result.json = json_of(s, *b.ode);
+    }
   }
-  if (a.format == "json") {
-    Json j{{"format", "kovacic-stage/1"}, {"stage", a.stage}, {"file", s.file}};
-    // The one equation of a file with one block stands at the top as well.
-    for (const auto& m : report.manifolds)
-      for (const auto& b : m.blocks)
-        if (b.ode && !j.contains("r") && (a.stage == "ode" || a.stage == "r"))
-          j.update(json_of(s, *b.ode));
-    j["manifolds"] = all;
-    out << j.dump(2) << "\n";
+  if (report.manifolds.empty()) {
+    out << s.file << "\n  no such manifold in this file (see kovacic find-manifolds)\n";
+    result.exit = exit_input;
   }
-  return code;
+  result.json["manifolds"] = all;
+  result.text = out.str();
+  return result;
+}
+
+} // namespace
+
+int show(const Settings& settings, const ShowArguments& a) {
+  const Report report = supervised(settings, [&] {
+    const System s = read_system(a.file, parameter_values(settings));
+    if (a.stage == "system") return show_system(s);
+    if (a.stage == "lowest") return show_lowest(s);
+    return show_manifolds(settings, a, s);
+  });
+  if (settings.format == "json" && !report.json.is_null()) {
+    Json j{{"format", "kovacic-stage/1"}, {"stage", a.stage}, {"file", a.file}};
+    j.update(report.json);
+    write_output(settings, j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  } else {
+    write_output(settings, report.text);
+  }
+  return report.exit;
 }
 
 } // namespace kov::cli

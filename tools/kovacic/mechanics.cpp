@@ -1,4 +1,6 @@
-#include "mechanics_json.hpp"
+#include "mechanics.hpp"
+
+#include "answer.hpp"
 
 #include <algorithm>
 
@@ -28,28 +30,103 @@ Json json_of(const GaloisGroup& g) {
   return Json{{"type", to_string(g.type)}, {"n", n}};
 }
 
-} // namespace
-
-std::string join(const std::vector<std::string>& words, const std::string& between) {
-  std::string s;
-  for (const auto& w : words)
-    s += (s.empty() ? "" : between) + w;
-  return s;
+Json json_of(const Decision& d) {
+  Json j;
+  j["group"] = d.group ? json_of(*d.group) : Json(nullptr);
+  j["identity_component"] = d.component ? Json(to_string(*d.component)) : Json(nullptr);
+  j["abelian"] = yes_no(d.abelian);
+  j["case"] = d.kovacic_case ? Json(*d.kovacic_case) : Json(nullptr);
+  j["reason"] = d.reason;
+  return j;
 }
 
-std::string claim_kind(Claim::Kind k) {
-  switch (k) {
-  case Claim::Kind::integral:
-    return "integral";
-  case Claim::Kind::casimir:
-    return "casimir";
-  case Claim::Kind::darboux:
-    return "darboux";
-  case Claim::Kind::poisson:
-    return "poisson";
-  default:
-    return "equal";
+} // namespace
+
+std::string title_of(const SystemClaim& claim) {
+  using Kind = SystemClaim::Kind;
+  const std::string kind = claim.kind == Kind::integral  ? "integral"
+                           : claim.kind == Kind::casimir ? "casimir"
+                           : claim.kind == Kind::darboux ? "darboux"
+                           : claim.kind == Kind::poisson ? "poisson"
+                                                         : "equal";
+  return kind + " " + (claim.name.empty() ? claim.text : claim.name);
+}
+
+ParameterValues parameter_values(const Settings& settings) {
+  ParameterValues values;
+  for (const auto& [name, e] : settings.settings())
+    values.emplace_back(name, std::string(e.text()));
+  return values;
+}
+
+namespace {
+
+// What the child sends: one JSON object with "exit", "text" and "json", or with "input" or
+// "internal".
+std::string answer_of(const std::function<Report()>& work) {
+  try {
+    const Report r = work();
+    return dump({{"exit", r.exit}, {"text", r.text}, {"json", r.json}});
+  } catch (const InputError& e) {
+    return dump({{"input",
+                  {{"file", e.file()},
+                   {"line", e.line()},
+                   {"column", e.column()},
+                   {"length", e.length()},
+                   {"message", e.message()},
+                   {"hint", e.hint()},
+                   {"source", e.source_line()}}}});
+  } catch (const std::bad_alloc&) {
+    return dump({{"limit", "the memory limit was reached"}});
+  } catch (const OutOfBudget& e) {
+    return dump({{"limit", e.what()}});
+  } catch (const InternalError& e) {
+    return dump({{"internal", e.what()}});
+  } catch (const Error& e) { // DomainError, InvalidArgument: about the input as a whole
+    return dump({{"undecided", e.what()}});
   }
+}
+
+Report stopped(const Settings& settings, int exit, const std::string& message) {
+  complain(settings, message);
+  Report r;
+  r.exit = exit;
+  return r;
+}
+
+} // namespace
+
+Report supervised(const Settings& settings, const std::function<Report()>& work) {
+  Worker worker([&](std::string_view, const Worker::Early&) { return answer_of(work); },
+                settings.process_limits());
+  const Reply reply = worker.ask("");
+  switch (reply.end) {
+  case Reply::End::answered:
+    break;
+  case Reply::End::timeout:
+    return stopped(settings, exit_undecided, "undecided: the time limit was reached");
+  case Reply::End::out_of_memory:
+    return stopped(settings, exit_undecided, "undecided: the memory limit was reached");
+  case Reply::End::interrupted:
+    return stopped(settings, exit_interrupted, "interrupted");
+  case Reply::End::crashed:
+    return stopped(settings, exit_internal,
+                   "internal error: the process ended with " + reply.detail);
+  }
+  const Json j = Json::parse(reply.answer);
+  if (j.contains("input")) {
+    const Json& e = j.at("input");
+    throw InputError(e.at("file"), e.at("line"), e.at("column"), e.at("length"), e.at("message"),
+                     e.at("hint"), e.at("source"));
+  }
+  if (j.contains("limit"))
+    return stopped(settings, exit_undecided, "undecided: " + j.at("limit").get<std::string>());
+  if (j.contains("undecided"))
+    return stopped(settings, exit_undecided, "undecided: " + j.at("undecided").get<std::string>());
+  if (j.contains("internal"))
+    return stopped(settings, exit_internal,
+                   "internal error: " + j.at("internal").get<std::string>());
+  return {j.at("exit"), j.at("text"), j.at("json")};
 }
 
 Json json_of(const LinearSystem& s) {
@@ -63,7 +140,7 @@ Json json_of(const LinearSystem& s) {
   return Json{{"unknowns", s.names}, {"matrix", rows}};
 }
 
-Json json_of(const ScalarEquation& e) {
+Json json_of(const NormalVariationalEquation& e) {
   return Json{{"unknown", e.unknown}, {"a1", to_string(e.a1)}, {"a0", to_string(e.a0)}};
 }
 
@@ -82,16 +159,6 @@ Json json_of(const System& s, const AlgebraicOde& ode) {
               {"r", to_string(ode.r)},
               {"generic", texts(ode.generic)},
               {"checks", ode.checks}};
-}
-
-Json json_of(const Decision& d) {
-  Json j;
-  j["group"] = d.group ? json_of(*d.group) : Json(nullptr);
-  j["identity_component"] = d.component ? Json(to_string(*d.component)) : Json(nullptr);
-  j["abelian"] = yes_no(d.abelian);
-  j["case"] = d.kovacic_case ? Json(*d.kovacic_case) : Json(nullptr);
-  j["reason"] = d.reason;
-  return j;
 }
 
 Json json_of(const System& s, const BlockReport& b) {
@@ -149,10 +216,10 @@ Json json_of(const System& s, const ManifoldReport& m) {
 }
 
 Json json_of(const ClaimReport& c) {
-  return Json{
-      {"kind", claim_kind(c.claim.kind)},  {"name", c.claim.name},     {"claim", c.claim.text},
-      {"proved", c.result.proved},         {"claimed", c.claim.holds}, {"detail", c.result.detail},
-      {"generic", texts(c.result.generic)}};
+  return Json{{"name", title_of(c.claim)},         {"claim", c.claim.text},
+              {"proved", c.result.proved},         {"claimed", c.claim.holds},
+              {"detail", c.result.detail},         {"value", to_string(c.result.witness)},
+              {"generic", texts(c.result.generic)}};
 }
 
 Json json_of_field(const System& s) {

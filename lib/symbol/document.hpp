@@ -32,6 +32,7 @@ public:
   void check_keys(std::initializer_list<std::string_view> known) const;
 
   [[nodiscard]] const std::string& string() const;        ///< InputError for anything else
+  [[nodiscard]] long integer() const;                     ///< InputError for anything else
   [[nodiscard]] bool boolean() const;                     ///< InputError for anything else
   [[nodiscard]] const std::vector<Entry>& array() const;  ///< InputError for anything else
   [[nodiscard]] std::vector<const Entry*> list() const;   ///< an array, or one value by itself
@@ -43,9 +44,13 @@ public:
   [[nodiscard]] long line() const noexcept { return line_; }
   [[nodiscard]] const std::string& file() const noexcept { return source_->file; }
   [[nodiscard]] InputError error(std::string message, std::string hint = {}) const;
+  /// The same, pointing at the key instead of its value.
+  [[nodiscard]] InputError key_error(std::string message, std::string hint = {}) const;
 
 private:
   friend class DocumentReader;
+  [[nodiscard]] InputError error_at(long line, long column, std::size_t length, std::string message,
+                                    std::string hint) const;
   struct Source {
     std::string file;
     std::string text;
@@ -60,6 +65,8 @@ private:
   std::string name_;
   long line_ = 0;
   long column_ = 0;
+  long key_line_ = 0;
+  long key_column_ = 0;
   std::shared_ptr<const Source> source_;
 };
 

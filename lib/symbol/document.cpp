@@ -1,4 +1,4 @@
-#include "system/document.hpp"
+#include "symbol/document.hpp"
 
 #include "symbol/suggest.hpp"
 
@@ -31,9 +31,9 @@ void Entry::check_keys(std::initializer_list<std::string_view> known) const {
   for (const auto& [key, entry] : members_) {
     if (std::find(names.begin(), names.end(), key) != names.end()) continue;
     const auto guess = nearest(key, names);
-    throw entry.error("unknown key '" + key + "'" +
-                          (name_.empty() ? std::string() : " in [" + name_ + "]"),
-                      guess ? "did you mean '" + *guess + "'?" : "known keys: " + enumerate(names));
+    throw entry.key_error(
+        "unknown key '" + key + "'" + (name_.empty() ? std::string() : " in [" + name_ + "]"),
+        guess ? "did you mean '" + *guess + "'?" : "known keys: " + enumerate(names));
   }
 }
 
@@ -41,6 +41,10 @@ const std::string& Entry::string() const {
   if (kind_ != Kind::string)
     throw error("'" + name_ + "' must be a string", "write the value between quotation marks");
   return text_;
+}
+long Entry::integer() const {
+  if (kind_ != Kind::integer) throw error("'" + name_ + "' must be an integer");
+  return number_;
 }
 bool Entry::boolean() const {
   if (kind_ != Kind::boolean) throw error("'" + name_ + "' must be true or false");
@@ -86,13 +90,25 @@ Expression Entry::expression(bool allow_equation) const {
   return parse_expression(text, std::make_shared<const Origin>(std::move(origin)), allow_equation);
 }
 
-InputError Entry::error(std::string message, std::string hint) const {
-  std::string line;
-  if (line_ > 0 && static_cast<std::size_t>(line_) <= source_->lines.size()) {
-    const std::size_t start = source_->lines[static_cast<std::size_t>(line_ - 1)];
-    line = source_->text.substr(start, source_->text.find('\n', start) - start);
+InputError Entry::error_at(long line, long column, std::size_t length, std::string message,
+                           std::string hint) const {
+  std::string text;
+  if (line > 0 && static_cast<std::size_t>(line) <= source_->lines.size()) {
+    const std::size_t start = source_->lines[static_cast<std::size_t>(line - 1)];
+    text = source_->text.substr(start, source_->text.find('\n', start) - start);
   }
-  return {source_->file, line_, column_, 1, std::move(message), std::move(hint), std::move(line)};
+  return {source_->file,   line,           column, static_cast<long>(length), std::move(message),
+          std::move(hint), std::move(text)};
+}
+
+InputError Entry::error(std::string message, std::string hint) const {
+  const std::size_t length = kind_ == Kind::string ? text_.size() + 2 : 1;
+  return error_at(line_, column_, length, std::move(message), std::move(hint));
+}
+
+InputError Entry::key_error(std::string message, std::string hint) const {
+  if (key_line_ == 0) return error(std::move(message), std::move(hint));
+  return error_at(key_line_, key_column_, name_.size(), std::move(message), std::move(hint));
 }
 
 /// Copies toml++'s tree; the only place that knows toml++.
@@ -142,9 +158,12 @@ private:
         e.items_.push_back(copy(item, name, source, depth + 1));
     } else if (const auto* t = node.as_table()) {
       e.kind_ = Entry::Kind::table;
-      for (const auto& [key, value] : *t)
-        e.members_.emplace_back(std::string(key.str()),
-                                copy(value, std::string(key.str()), source, depth + 1));
+      for (const auto& [key, value] : *t) {
+        Entry member = copy(value, std::string(key.str()), source, depth + 1);
+        member.key_line_ = static_cast<long>(key.source().begin.line);
+        member.key_column_ = static_cast<long>(key.source().begin.column);
+        e.members_.emplace_back(std::string(key.str()), std::move(member));
+      }
       std::stable_sort(e.members_.begin(), e.members_.end(), [](const auto& x, const auto& y) {
         return std::pair(x.second.line_, x.second.column_) <
                std::pair(y.second.line_, y.second.column_);
