@@ -20,6 +20,19 @@ long finite_singularities(const MFraction& r, std::size_t z) {
 
 namespace {
 
+// A polynomial in z and the parameters vanishes identically in z only where all its coefficients
+// do.
+std::vector<MPoly> conditions_on_parameters(const std::vector<MPoly>& inverted, std::size_t z) {
+  std::vector<MPoly> kept;
+  for (const auto& g : inverted) {
+    const auto c = coefficients(g, z);
+    if (std::none_of(c.begin(), c.end(),
+                     [](const MPoly& f) { return !is_zero(f) && is_constant(f); }))
+      kept.push_back(g);
+  }
+  return kept;
+}
+
 // What is left when p, q and r are not functions of z, in one sentence.
 std::string what_is_left(const FunctionField& f, const FunctionField::Element& r) {
   const auto minimal = f.algebra().minimal_polynomial(r);
@@ -34,8 +47,9 @@ std::string what_is_left(const FunctionField& f, const FunctionField::Element& r
 
 } // namespace
 
-std::variant<AlgebraicOde, ChangeFailure>
-algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const NormalVariationalEquation& e) {
+std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std::size_t z,
+                                                     const MFraction& phi,
+                                                     const NormalVariationalEquation& e) {
   const auto a1 = f.evaluate(e.a1);
   const auto a0 = f.evaluate(e.a0);
   if (!a1 || !a0)
@@ -63,7 +77,7 @@ algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const No
   if (!ode.p || !ode.q) ode.p = ode.q = std::nullopt;
   ode.r = *r_in_z;
   ode.field_degree = f.degree();
-  ode.generic = f.inverted();
+  ode.generic = conditions_on_parameters(f.inverted(), z);
   ode.singular_places = finite_singularities(ode.r, z);
   ode.checks = {"z is not constant along the curve",
                 "the function field of the curve is a finite extension of degree " +
@@ -73,10 +87,9 @@ algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const No
   return ode;
 }
 
-std::variant<AlgebraicOde, ChangeFailure> algebraize(const VectorField& v,
-                                                     const InvariantManifold& m, std::size_t z,
-                                                     const MFraction& phi, const NormalVariationalEquation& e,
-                                                     const Budget& budget) {
+std::variant<AlgebraicOde, ChangeFailure>
+algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, const MFraction& phi,
+           const NormalVariationalEquation& e, const Budget& budget) {
   auto field = FunctionField::make(v, m, z, phi, e.divisors, budget);
   if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
   return algebraize(std::get<FunctionField>(field), z, phi, e);

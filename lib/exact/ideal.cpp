@@ -267,9 +267,10 @@ bool Ideal::vanishes(const MPoly& f, const Budget& budget) const {
 }
 
 // Over K(U), U a largest independent set, the algebra A = K(U)[other variables]/I has finite
-// dimension.  Division by its (monic) Gröbner basis uses ring operations on the coefficients only, so
-// that at a point where these are defined A becomes an algebra over Q with the same basis, and a
-// nilpotent f becomes nilpotent.  So one point where f is not nilpotent shows that f does not vanish.
+// dimension.  Division by its (monic) Gröbner basis uses ring operations on the coefficients only,
+// so that at a point where these are defined A becomes an algebra over Q with the same basis, and a
+// nilpotent f becomes nilpotent.  So one point where f is not nilpotent shows that f does not
+// vanish.
 bool Ideal::nonzero_on_a_fibre(const MFraction& f, const Budget& budget) const {
   const auto independent = independent_variables();
   std::vector<std::size_t> rest;

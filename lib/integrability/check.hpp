@@ -35,8 +35,8 @@ struct EnergyResult {
 struct BlockReport {
   std::vector<std::string> unknowns;
   std::vector<NormalVariationalEquation> scalar; ///< for each cyclic vector
-  std::optional<AlgebraicOde> ode;    ///< the one chosen
-  std::optional<NormalForm> equation; ///< without parameters
+  std::optional<AlgebraicOde> ode;               ///< the one chosen
+  std::optional<NormalForm> equation;            ///< without parameters
   std::optional<Decision> decision;
   std::vector<MPoly> special; ///< where singular places of r merge, in the energy parameter
   std::vector<EnergyResult> energies;

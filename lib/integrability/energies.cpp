@@ -90,7 +90,10 @@ void study_energies(const System& s, const ReduceSpec& reduce, const CheckOption
     EnergyResult e = decide_at(*block.ode, *h, constants, value, options);
     e.condition = std::move(condition);
     e.why = std::move(why);
-    if (e.decision && e.decision->abelian == Truth::no) block.abelian = Truth::no;
+    if (e.decision && e.decision->abelian == Truth::no) {
+      block.abelian = Truth::no;
+      block.note.clear(); // one level is enough
+    }
     block.energies.push_back(std::move(e));
   };
   for (const auto& f : block.special) {
@@ -99,8 +102,8 @@ void study_energies(const System& s, const ReduceSpec& reduce, const CheckOption
     const auto [field, root] =
         field_of_root(minimal, unique_name(s.ring(), reduce.energy_parameter));
     run(root, to_string(f) + " = 0", "singular places merge");
-    if (block.abelian == Truth::no) return;
   }
+  if (block.abelian == Truth::no) return;
   for (const Rational& sample : {Rational(1), Rational(2), Rational(1, 2)}) {
     const NfElem value(sample, constants.field());
     run(value, reduce.energy_parameter + " = " + to_string(sample), "sample");

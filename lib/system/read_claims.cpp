@@ -9,10 +9,11 @@
 namespace kov {
 namespace {
 
-constexpr std::array claim_sections{
-    std::pair("integral", SystemClaim::Kind::integral), std::pair("casimir", SystemClaim::Kind::casimir),
-    std::pair("darboux", SystemClaim::Kind::darboux), std::pair("poisson", SystemClaim::Kind::poisson),
-    std::pair("equal", SystemClaim::Kind::equal)};
+constexpr std::array claim_sections{std::pair("integral", SystemClaim::Kind::integral),
+                                    std::pair("casimir", SystemClaim::Kind::casimir),
+                                    std::pair("darboux", SystemClaim::Kind::darboux),
+                                    std::pair("poisson", SystemClaim::Kind::poisson),
+                                    std::pair("equal", SystemClaim::Kind::equal)};
 
 void read_claim(const Entry& e, SystemClaim& claim, const SystemScope& scope) {
   e.check_keys(

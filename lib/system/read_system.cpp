@@ -35,7 +35,8 @@ std::string independent_name(const Entry& document, const std::vector<std::strin
 
 } // namespace
 
-SystemScope::SystemScope(const Entry& document, const ParameterValues& settings) : document_(&document) {
+SystemScope::SystemScope(const Entry& document, const ParameterValues& settings)
+    : document_(&document) {
   const Entry& system = document.at("system");
   system.check_keys({"kind", "coordinates", "momenta", "parameters", "constants", "hamiltonian",
                      "lagrangian", "angular_velocity", "gyrostat", "bracket", "field", "relations",
@@ -375,6 +376,38 @@ System read_system(const Entry& document, const ParameterValues& settings) {
 
 System read_system(const std::string& path, const ParameterValues& settings) {
   return read_system(read_document(path), settings);
+}
+
+namespace {
+
+/// The names of a system that has been read.
+class FinishedScope : public Scope {
+public:
+  explicit FinishedScope(const System& s) : s_(&s) {}
+  [[nodiscard]] const Ring& ring() const override { return s_->ring(); }
+  [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override {
+    if (const auto v = s_->values.find(name); v != s_->values.end()) return v->second;
+    if (const auto v = s_->named.find(name); v != s_->named.end()) return v->second;
+    if (const auto i = s_->ring()->find(name)) return MFraction::variable(s_->ring(), *i);
+    return std::nullopt;
+  }
+  [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override { return none_; }
+  [[nodiscard]] std::vector<std::string> known_names() const override {
+    std::vector<std::string> names(s_->ring()->names());
+    for (const auto& [name, value] : s_->named)
+      names.push_back(name);
+    return names;
+  }
+
+private:
+  const System* s_;
+  std::vector<FunctionMeaning> none_;
+};
+
+} // namespace
+
+MFraction formula(const System& s, const std::string& text) {
+  return evaluate(parse_expression(text, "formula"), FinishedScope(s));
 }
 
 bool is_system_document(const Entry& document) { return document.find("system") != nullptr; }

@@ -125,6 +125,10 @@ using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 [[nodiscard]] System read_system(const Entry& document, const ParameterValues& settings = {});
 [[nodiscard]] System read_system(const std::string& path, const ParameterValues& settings = {});
 
+/// A formula in the names of the system (variables, fixed values, definitions, integrals).
+/// Errors  InputError
+[[nodiscard]] MFraction formula(const System& s, const std::string& text);
+
 /// True if the document has a [system] table (and is not a scalar equation).
 [[nodiscard]] bool is_system_document(const Entry& document);
 

@@ -216,10 +216,9 @@ ReducedSystem reduce_by_integrals(const VectorField& v, const InvariantManifold&
   return r;
 }
 
-std::optional<NormalVariationalEquation> scalar_equation(const VectorField& v, const InvariantManifold& m,
-                                              const LinearSystem& s,
-                                              const std::vector<std::size_t>& block,
-                                              std::size_t unknown) {
+std::optional<NormalVariationalEquation>
+scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSystem& s,
+                const std::vector<std::size_t>& block, std::size_t unknown) {
   KOV_ENSURE(block.size() == 2);
   const std::size_t i = unknown;
   const std::size_t j = block[0] == unknown ? block[1] : block[0];

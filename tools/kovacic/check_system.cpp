@@ -44,7 +44,7 @@ void put_block(std::ostringstream& out, const System& s, const BlockReport& b) {
   if (b.ode) {
     const std::string z = s.ring()->name(b.ode->z);
     put(out, "change", b.ode->change + ", y the variation of " + b.ode->unknown);
-    put(out, "equation", "y'' = r(" + z + ") y,  r = " + brief(b.ode->r, 1000));
+    put(out, "equation", "y'' = r(" + z + ") y,  r = " + to_factored_string(b.ode->r));
   }
   if (b.decision) put_decision(out, *b.decision, 2);
   for (const auto& f : b.special)
@@ -155,15 +155,13 @@ private:
   }
 
   void claims(const CheckReport& report) {
-    std::ostringstream out;
     for (const auto& c : report.claims) {
-      put(out, "claim",
-          title_of(c.claim) + ": " + (c.result.proved ? "proved" : "REFUTED") +
-              (c.result.proved && !settings_.verbose ? "" : "; " + c.result.detail));
       const bool met = c.result.proved == c.claim.holds;
-      expect(title_of(c.claim) + (c.claim.holds ? "" : " fails"), met ? "" : c.result.detail);
+      expect(title_of(c.claim) + (c.claim.holds ? ": proved" : ": refuted"),
+             met ? "" : c.result.detail);
     }
-    if (!report.claims.empty()) report_.text += report.system.file + "\n" + out.str();
+    if (report.system.manifolds.empty() && !report.claims.empty())
+      report_.text += report.system.file + "  " + report.system.title + "\n";
   }
 
   void expect(const std::string& name, const std::string& found) {

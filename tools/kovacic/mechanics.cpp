@@ -8,7 +8,7 @@ namespace kov::cli {
 namespace {
 
 Json text_or_null(const std::optional<MFraction>& f) {
-  return f ? Json(to_string(*f)) : Json(nullptr);
+  return f ? Json(to_factored_string(*f)) : Json(nullptr);
 }
 
 Json texts(const std::vector<MPoly>& polys) {
@@ -156,7 +156,7 @@ Json json_of(const System& s, const AlgebraicOde& ode) {
               {"z_ddot", text_or_null(ode.z_ddot)},
               {"p", text_or_null(ode.p)},
               {"q", text_or_null(ode.q)},
-              {"r", to_string(ode.r)},
+              {"r", to_factored_string(ode.r)},
               {"generic", texts(ode.generic)},
               {"checks", ode.checks}};
 }

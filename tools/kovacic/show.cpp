@@ -25,10 +25,11 @@ void print_linear(const LinearSystem& s, std::ostringstream& out) {
 void print_ode(const System& s, const AlgebraicOde& o, bool only_r, std::ostringstream& out) {
   const std::string z = s.ring()->name(o.z);
   out << "  " << o.change << "   (the variation of " << o.unknown << ")\n";
-  if (o.z_dot_squared) out << "  z_dot_squared = " << to_string(*o.z_dot_squared) << "\n";
-  if (o.z_ddot) out << "  z_ddot = " << to_string(*o.z_ddot) << "\n";
-  if (!only_r && o.p) out << "  p = " << to_string(*o.p) << "\n  q = " << to_string(*o.q) << "\n";
-  out << "  r = " << to_string(o.r) << "\n";
+  if (o.z_dot_squared) out << "  z_dot_squared = " << to_factored_string(*o.z_dot_squared) << "\n";
+  if (o.z_ddot) out << "  z_ddot = " << to_factored_string(*o.z_ddot) << "\n";
+  if (!only_r && o.p)
+    out << "  p = " << to_factored_string(*o.p) << "\n  q = " << to_factored_string(*o.q) << "\n";
+  out << "  r = " << to_factored_string(o.r) << "\n";
   for (const auto& g : o.generic)
     out << "  where " << to_string(g) << " is not 0\n";
 }
