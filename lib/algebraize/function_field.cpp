@@ -16,11 +16,10 @@ std::vector<MPoly> curve_generators(const InvariantManifold& m) {
 
 } // namespace
 
-std::variant<FunctionField, ChangeFailure> FunctionField::make(const VectorField& v,
-                                                               const InvariantManifold& m,
-                                                               std::size_t z, const MFraction& phi,
-                                                               const std::vector<MPoly>& divisors,
-                                                               const Budget& budget) {
+std::variant<FunctionField, ChangeFailure>
+FunctionField::make(const VectorField& v, const InvariantManifold& m, std::size_t z,
+                    const MFraction& phi, const std::vector<MPoly>& divisors, const Budget& budget,
+                    std::size_t max_degree) {
   const MFraction zdot = lie_derivative(v, phi);
   if (m.vanishes_on_curve(zdot))
     return ChangeFailure{"z = " + to_string(phi) + " is constant along the curve"};
@@ -39,6 +38,8 @@ std::variant<FunctionField, ChangeFailure> FunctionField::make(const VectorField
     if (ideal.dimension() != 0)
       return ChangeFailure{"z = " + to_string(phi) +
                            " is constant on a component of the curve; name it in 'nonzero'"};
+    if (ideal.standard_monomials().size() > max_degree)
+      return ChangeFailure{"z = " + to_string(phi) + " takes each value too often on the curve"};
     FunctionField f(FiniteAlgebra(std::move(ideal)), z);
     const bool units = std::all_of(divisors.begin(), divisors.end(), [&](const MPoly& d) {
       const auto e = f.algebra_.evaluate(MFraction(d));
