@@ -98,6 +98,8 @@ private:
 /// a/b = c with |a|,|b| bounded by sqrt(m/2): Wang's rational reconstruction.
 [[nodiscard]] std::optional<Rational> rational_reconstruction(const Integer& c, const Integer& m);
 
+/// An upper bound of deg gcd(a, b), from one prime; nothing if that prime is not good.
+[[nodiscard]] std::optional<long> gcd_degree_bound(const Poly& a, const Poly& b);
 /// True only if gcd(a, b) = 1 is certain (tested modulo one prime); false says nothing.
 [[nodiscard]] bool provably_coprime(const Poly& a, const Poly& b);
 

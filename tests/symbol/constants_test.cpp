@@ -76,6 +76,8 @@ TEST(Constants, ZerosAreRecognised) {
            "root(x^3-2,-0.63+1.09*I)-root(x^3-2,1.26)*(-1+sqrt(-3))/2",
            "root(x^3-2,1.26)+root(x^3-2,-0.6+1.1*I)+root(x^3-2,-0.6-1.1*I)",
            "sqrt(-1)-I",
+           "sqrt(root(x^3-2,1.26))^6-2",
+           "root(x^2-2,1.4)*root(a^2-2,1.4)-2",
            "sqrt(I)-(1+I)/sqrt(2)",
            "sqrt(-I)-(1-I)/sqrt(2)",
            "sqrt(-2)-I*sqrt(2)",

@@ -82,8 +82,8 @@ TEST_P(Corpus, GroupAndIdentityComponent) {
   EXPECT_EQ(d.solutions.empty(), d.group->type == GroupType::SL2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Public, Corpus, testing::ValuesIn(corpus()), [](const auto& info) {
-  std::string name = info.param.at("id").template get<std::string>();
+INSTANTIATE_TEST_SUITE_P(Public, Corpus, testing::ValuesIn(corpus()), [](const auto& entry) {
+  std::string name = entry.param.at("id").template get<std::string>();
   std::replace_if(
       name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
   return name;

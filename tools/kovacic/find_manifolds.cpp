@@ -48,7 +48,7 @@ Json json_of(const FoundManifold& m) {
 } // namespace
 
 int find_manifolds(const Settings& settings, const std::string& file) {
-  const Report report = supervised(settings, [&] {
+  const Report report = supervised(settings, file, [&] {
     const System s = read_system(file, parameter_values(settings));
     const auto found =
         kov::find_manifolds(s.field, proved_integrals(s), settings.solver_options().budget);

@@ -1,8 +1,10 @@
 #include "mechanics.hpp"
 
 #include "answer.hpp"
+#include "present.hpp"
 
 #include <algorithm>
+#include <ostream>
 
 namespace kov::cli {
 namespace {
@@ -59,74 +61,41 @@ ParameterValues parameter_values(const Settings& settings) {
   return values;
 }
 
-namespace {
-
-// What the child sends: one JSON object with "exit", "text" and "json", or with "input" or
-// "internal".
-std::string answer_of(const std::function<Report()>& work) {
-  try {
-    const Report r = work();
-    return dump({{"exit", r.exit}, {"text", r.text}, {"json", r.json}});
-  } catch (const InputError& e) {
-    return dump({{"input",
-                  {{"file", e.file()},
-                   {"line", e.line()},
-                   {"column", e.column()},
-                   {"length", e.length()},
-                   {"message", e.message()},
-                   {"hint", e.hint()},
-                   {"source", e.source_line()}}}});
-  } catch (const std::bad_alloc&) {
-    return dump({{"limit", "the memory limit was reached"}});
-  } catch (const OutOfBudget& e) {
-    return dump({{"limit", e.what()}});
-  } catch (const InternalError& e) {
-    return dump({{"internal", e.what()}});
-  } catch (const Error& e) { // DomainError, InvalidArgument: about the input as a whole
-    return dump({{"undecided", e.what()}});
-  }
-}
-
-Report stopped(const Settings& settings, int exit, const std::string& message) {
-  complain(settings, message);
+Report supervised(const Settings& settings, const std::string& file,
+                  const std::function<Report()>& work) {
+  // The child has no standard input.
+  if (file == "-")
+    throw InputError(file, 0, 0, 1, "a system file is read by its name, not from standard input");
+  const TextAnswer a = limited(settings, [&](std::ostream& out) {
+    try {
+      const Report r = work();
+      out << dump({{"text", r.text}, {"json", r.json}});
+      return r.exit;
+    } catch (const DomainError& e) {
+      throw InputError(file, 0, 0, 1, e.what());
+    } catch (const InvalidArgument& e) {
+      throw InputError(file, 0, 0, 1, e.what());
+    }
+  });
+  if (a.error) throw *a.error;
   Report r;
-  r.exit = exit;
+  r.exit = a.exit;
+  if (!a.limit.empty()) {
+    r.json = Json{{"format", "kovacic-result/1"}, {"input", Json{{"file", file}}}};
+    set_undecided(r.json, "budget", a.limit);
+    r.text = file + "\n  UNDECIDED\n  open      " + wrapped(a.limit, 12) +
+             "\n  more      kovacic explain budget\n";
+  } else if (a.exit == exit_internal || a.exit == exit_interrupted) {
+    Answer failure;
+    failure.exit = a.exit;
+    failure.internal = a.internal;
+    report_failure(settings, failure);
+  } else {
+    const Json j = Json::parse(a.text);
+    r.text = j.at("text");
+    r.json = j.at("json");
+  }
   return r;
-}
-
-} // namespace
-
-Report supervised(const Settings& settings, const std::function<Report()>& work) {
-  Worker worker([&](std::string_view, const Worker::Early&) { return answer_of(work); },
-                settings.process_limits());
-  const Reply reply = worker.ask("");
-  switch (reply.end) {
-  case Reply::End::answered:
-    break;
-  case Reply::End::timeout:
-    return stopped(settings, exit_undecided, "undecided: the time limit was reached");
-  case Reply::End::out_of_memory:
-    return stopped(settings, exit_undecided, "undecided: the memory limit was reached");
-  case Reply::End::interrupted:
-    return stopped(settings, exit_interrupted, "interrupted");
-  case Reply::End::crashed:
-    return stopped(settings, exit_internal,
-                   "internal error: the process ended with " + reply.detail);
-  }
-  const Json j = Json::parse(reply.answer);
-  if (j.contains("input")) {
-    const Json& e = j.at("input");
-    throw InputError(e.at("file"), e.at("line"), e.at("column"), e.at("length"), e.at("message"),
-                     e.at("hint"), e.at("source"));
-  }
-  if (j.contains("limit"))
-    return stopped(settings, exit_undecided, "undecided: " + j.at("limit").get<std::string>());
-  if (j.contains("undecided"))
-    return stopped(settings, exit_undecided, "undecided: " + j.at("undecided").get<std::string>());
-  if (j.contains("internal"))
-    return stopped(settings, exit_internal,
-                   "internal error: " + j.at("internal").get<std::string>());
-  return {j.at("exit"), j.at("text"), j.at("json")};
 }
 
 Json json_of(const LinearSystem& s) {

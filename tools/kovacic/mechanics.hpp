@@ -21,8 +21,9 @@ struct Report {
 };
 
 /// Runs `work` in a child process under the limits of the settings.  Input errors are thrown here;
-/// a limit reached or an internal error is reported on standard error and gives the exit code.
-[[nodiscard]] Report supervised(const Settings& settings, const std::function<Report()>& work);
+/// a limit that was reached gives an undecided report, an internal error is printed.
+[[nodiscard]] Report supervised(const Settings& settings, const std::string& file,
+                                const std::function<Report()>& work);
 
 /// --set as the reader of system files wants it.
 [[nodiscard]] ParameterValues parameter_values(const Settings& settings);

@@ -72,13 +72,13 @@ Report show_system(const System& s) {
   return {exit_decided, out.str(), json_of_field(s)};
 }
 
-Json stage_json(const ShowArguments& a, const System& s, const ManifoldReport& m) {
+Json stage_json(const std::string& stage, const System& s, const ManifoldReport& m) {
   Json one{{"name", m.name}};
   if (m.failure) {
     one["error"] = m.failure->message;
     return one;
   }
-  if (a.stage == "ve") {
+  if (stage == "ve") {
     one["ve"] = json_of(m.variational);
     Json all = Json::array();
     for (const auto& block : m.variational_blocks) {
@@ -89,7 +89,7 @@ Json stage_json(const ShowArguments& a, const System& s, const ManifoldReport& m
     }
     one["blocks"] = all;
   }
-  if (a.stage == "nve") {
+  if (stage == "nve") {
     one["nve"] = json_of(m.normal.system);
     Json integrals = Json::array();
     for (const auto& i : m.normal.integrals) {
@@ -104,61 +104,61 @@ Json stage_json(const ShowArguments& a, const System& s, const ManifoldReport& m
   Json blocks = Json::array();
   for (const auto& b : m.blocks) {
     Json block{{"unknowns", b.unknowns}};
-    if (a.stage == "ode") {
+    if (stage == "ode") {
       Json scalar = Json::array();
       for (const auto& e : b.scalar)
         scalar.push_back(json_of(e));
       block["scalar"] = scalar;
     }
-    if (b.ode && (a.stage == "ode" || a.stage == "r")) block.update(json_of(s, *b.ode));
+    if (b.ode && (stage == "ode" || stage == "r")) block.update(json_of(s, *b.ode));
     if (!b.note.empty()) block["note"] = b.note;
     blocks.push_back(std::move(block));
   }
-  if (a.stage == "ode" || a.stage == "r") one["blocks"] = blocks;
+  if (stage == "ode" || stage == "r") one["blocks"] = blocks;
   return one;
 }
 
-void print_stage(const ShowArguments& a, const System& s, const ManifoldReport& m,
+void print_stage(const std::string& stage, const System& s, const ManifoldReport& m,
                  std::ostringstream& out) {
   out << s.file << "  [" << m.name << "]\n";
   if (m.failure) {
     out << "  " << m.failure->message << "\n";
     return;
   }
-  if (a.stage == "ve") print_linear(m.variational, out);
-  if (a.stage == "nve") {
+  if (stage == "ve") print_linear(m.variational, out);
+  if (stage == "nve") {
     print_linear(m.normal.system, out);
     for (const auto& e : m.reduced.eliminations)
       out << "  eliminated by d" << e.integral << " = 0: d" << e.unknown << "\n";
     if (!m.reduced.eliminations.empty()) print_linear(m.reduced.system, out);
   }
   for (const auto& b : m.blocks) {
-    if (a.stage == "ode")
+    if (stage == "ode")
       for (const auto& e : b.scalar)
         out << "  y = d" << e.unknown << ":  y'' + a1 y' + a0 y = 0\n    a1 = " << to_string(e.a1)
             << "\n    a0 = " << to_string(e.a0) << "\n";
-    if (b.ode && (a.stage == "ode" || a.stage == "r")) print_ode(s, *b.ode, false, out);
-    if (!b.note.empty() && (a.stage == "ode" || a.stage == "r")) out << "  " << b.note << "\n";
+    if (b.ode && (stage == "ode" || stage == "r")) print_ode(s, *b.ode, false, out);
+    if (!b.note.empty() && (stage == "ode" || stage == "r")) out << "  " << b.note << "\n";
   }
   for (const auto& r : m.reasons)
     if (m.blocks.empty()) out << "  " << r << "\n";
 }
 
-Report show_manifolds(const Settings& settings, const ShowArguments& a, const System& s) {
+Report show_manifolds(const Settings& settings, const std::string& stage, const System& s) {
   CheckOptions options;
   options.decide = settings.solver_options();
-  options.only_manifold = a.manifold;
+  options.only_manifold = settings.manifold;
   options.stop_at_r = true;
   const CheckReport report = kov::check_system(s, options);
-  const bool asks_for_r = a.stage == "r" || a.stage == "ode";
+  const bool asks_for_r = stage == "r" || stage == "ode";
   Report result;
   result.json = Json::object();
   std::ostringstream out;
   Json all = Json::array();
   for (const auto& m : report.manifolds) {
     if (m.failure) result.exit = exit_input;
-    all.push_back(stage_json(a, s, m));
-    print_stage(a, s, m, out);
+    all.push_back(stage_json(stage, s, m));
+    print_stage(stage, s, m, out);
     for (const auto& b : m.blocks) {
       if (result.exit == exit_decided && asks_for_r && !b.ode && b.unknowns.size() > 1)
         result.exit = exit_undecided;
@@ -177,15 +177,15 @@ Report show_manifolds(const Settings& settings, const ShowArguments& a, const Sy
 
 } // namespace
 
-int show(const Settings& settings, const ShowArguments& a) {
-  const Report report = supervised(settings, [&] {
-    const System s = read_system(a.file, parameter_values(settings));
-    if (a.stage == "system") return show_system(s);
-    if (a.stage == "lowest") return show_lowest(s);
-    return show_manifolds(settings, a, s);
+int show(const Settings& settings, const std::string& file, const std::string& stage) {
+  const Report report = supervised(settings, file, [&] {
+    const System s = read_system(file, parameter_values(settings));
+    if (stage == "system") return show_system(s);
+    if (stage == "lowest") return show_lowest(s);
+    return show_manifolds(settings, stage, s);
   });
   if (settings.format == "json" && !report.json.is_null()) {
-    Json j{{"format", "kovacic-stage/1"}, {"stage", a.stage}, {"file", a.file}};
+    Json j{{"format", "kovacic-stage/1"}, {"stage", stage}, {"file", file}};
     j.update(report.json);
     write_output(settings, j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   } else {
