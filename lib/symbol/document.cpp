@@ -1,5 +1,6 @@
 #include "symbol/document.hpp"
 
+#include "symbol/plain_toml.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -121,6 +122,10 @@ public:
     source->lines.push_back(0);
     for (std::size_t i = 0; i < source->text.size(); ++i)
       if (source->text[i] == '\n') source->lines.push_back(i + 1);
+    if (const auto stray = stray_character(source->text))
+      throw InputError(Origin{name, source->text, 0, 1, ""},
+                       {static_cast<std::uint32_t>(*stray), 1},
+                       "a character beyond ASCII outside of strings and comments");
     try {
       const toml::table table =
           toml::parse(std::string_view(source->text), std::string_view(source->file));
