@@ -139,7 +139,7 @@ algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, cons
 
 std::vector<MFraction> propose_changes(const VectorField& v, const InvariantManifold& m) {
   std::vector<std::size_t> moving;
-  for (const std::size_t i : v.main_variables())
+  for (const std::size_t i : m.curve->main())
     if (!m.vanishes_on_curve(lie_derivative(v, m.restrict(MFraction::variable(v.ring, i)))))
       moving.push_back(i);
   const auto x = [&](std::size_t i) { return MFraction::variable(v.ring, i); };

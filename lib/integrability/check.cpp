@@ -19,7 +19,7 @@ std::string first_integral_class(const RationalFunction& r) {
   if (!is_zero(r) && degree(r.den()) > 0)
     for (const auto& f : squarefree_factors(r.den()))
       if (f.exponent > 2) irregular = true;
-  return irregular ? "meromorphic, also at the points at infinity of the phase curve"
+  return irregular ? "meromorphic also at the points at infinity of the phase curve"
                    : "meromorphic";
 }
 
@@ -177,8 +177,10 @@ Truth both(Truth a, Truth b) {
 
 } // namespace
 
-void study_energies(const System& s, const ReduceSpec& reduce, const CheckOptions& options,
-                    BlockReport& block); // energies.cpp
+// energies.cpp
+void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec& reduce,
+                    const std::vector<ClaimReport>& claims, const CheckOptions& options,
+                    BlockReport& block);
 
 namespace {
 
@@ -214,7 +216,6 @@ BlockReport study_block(const System& s, const InvariantManifold& m, const Linea
     search.proposed(propose_changes(s.field, m));
   if (!block.ode) return block;
   decide_block(s, options, block);
-  if (reduce && reduce->energy == "auto") study_energies(s, *reduce, options, block);
   return block;
 }
 
@@ -246,6 +247,17 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
       if (e.r && e.decision && e.decision->abelian == Truth::no)
         report.function_class = first_integral_class(*e.r);
   }
+  if (report.verdict != VerdictKind::non_integrable) return;
+  std::string functions; // the class speaks of the variables of the file
+  for (const auto& f : s.field.functions)
+    functions += (functions.empty() ? "" : ", ") + s.ring()->name(f.variable);
+  if (!functions.empty()) report.function_class += " (in the coordinates and " + functions + ")";
+  report.statement =
+      s.field.poisson
+          ? "not integrable in Liouville's sense with first integrals that are " +
+                report.function_class
+          : "not integrable with first integrals and commuting vector fields that are " +
+                report.function_class;
 }
 
 } // namespace
@@ -272,6 +284,9 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     report.reduced = reduce_by_integrals(s.field, m, report.normal, keep);
     for (const auto& members : blocks_to_study(report.reduced.system, m))
       report.blocks.push_back(study_block(s, m, report.reduced.system, members, options));
+    if (reduce && reduce->energy == "auto")
+      for (auto& block : report.blocks)
+        if (block.ode) study_energies(s, spec, *reduce, claims, options, block);
     conclude(s, options, report);
   } catch (const OutOfBudget& e) {
     report.reasons.emplace_back(e.what());

@@ -55,6 +55,7 @@ struct ManifoldReport {
   std::vector<BlockReport> blocks;
   VerdictKind verdict = VerdictKind::undecided;
   std::string theorem, function_class;
+  std::string statement; ///< what the theorem says, where it says something
   std::vector<std::string> reasons;
 };
 
@@ -87,7 +88,8 @@ struct CheckOptions {
 /// the resultants of the factors of den(r).
 [[nodiscard]] std::vector<MPoly> merging_locus(const MFraction& r, std::size_t z, std::size_t h);
 
-/// "meromorphic", or the smaller class that an irregular place of r leaves.
+/// "meromorphic in a neighbourhood of the phase curve", or the smaller class that an irregular
+/// place of r leaves.
 [[nodiscard]] std::string first_integral_class(const RationalFunction& r);
 
 } // namespace kov

@@ -149,6 +149,48 @@ level = "H = h"
   EXPECT_THAT(m.failure->message, HasSubstr("not invariant"));
 }
 
+// q1 occurs through its sine and cosine only: the curve lives in (p1, s, c).  With z = cos q1 the
+// normal equation is Lame's with n(n+1) = 2a.
+ManifoldReport pendulum(const std::string& a, const std::string& reduce) {
+  return run(R"t([system]
+kind = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta = ["p1", "p2"]
+parameters = ["a", "E"]
+hamiltonian = "(p1^2 + p2^2)/2 - c + a*c*q2^2/2"
+relations = ["s^2 + c^2 = 1"]
+[[system.function]]
+name = "s"
+derivative = { q1 = "c" }
+[[system.function]]
+name = "c"
+derivative = { q1 = "-s" }
+[[manifold]]
+equations = ["q2 = 0", "p2 = 0"]
+level = "H = E"
+[set]
+a = ")t" + a +
+             "\"\n" + reduce);
+}
+
+TEST(Pipeline, AngularVariables) {
+  const std::string level = "E = \"2\"\n";
+  EXPECT_EQ(pendulum("1", level).verdict, VerdictKind::no_obstruction); // n = 1
+  EXPECT_EQ(pendulum("3", level).verdict, VerdictKind::no_obstruction); // n = 2
+  const ManifoldReport m = pendulum("2", level);
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << reasons(m); // n is not rational
+  EXPECT_EQ(pendulum("2", level + "[reduce]\nchange = \"z = s/(1 + c)\"").verdict,
+            VerdictKind::non_integrable);
+  EXPECT_THAT(reasons(pendulum("2", level + "[reduce]\nchange = \"z = q1\"")),
+              HasSubstr("not algebraic on the curve"));
+}
+
+TEST(Pipeline, TheEnergyParameterNeedNotBeCalledH) {
+  const ManifoldReport m = pendulum("2", "[reduce]\nchange = \"z = c\"\nenergy = \"auto\"");
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << reasons(m);
+  EXPECT_EQ(m.blocks.at(0).special.size(), 2U); // E = 1 and E = -1
+}
+
 TEST(Pipeline, GeneralVectorFields) {
   const ManifoldReport m = run(R"t([system]
 kind = "vector-field"

@@ -109,6 +109,23 @@ TEST_F(SpecialEnergy, Coefficients) { // eq. (pqspec)
   EXPECT_TRUE(equal(q, f("-2*(z^2-1)*(C-h^2+1)/(C*(z^2+1)^2*((h-1)*z^2+h+1))")));
 }
 
+TEST_F(SpecialEnergy, ReachedFromTheFile) { // the same equation, with h^2 = 3 put in at the beginning
+  CheckOptions options;
+  options.stop_at_r = true;
+  const CheckReport report =
+      check_system(sliding_top("gravity.toml", {{"A", "2"}, {"C", "1"}}), options);
+  bool seen = false;
+  for (const auto& e : report.manifolds.at(0).blocks.at(0).energies) {
+    if (e.condition != "h^2 - 3 = 0") continue;
+    seen = true;
+    const MFraction r = normal_form_of(substitute(p, {{s.ring()->index("C"), f("1")}}),
+                                       substitute(q, {{s.ring()->index("C"), f("1")}}), s.z);
+    const AlgebraicConstant h{s.ring()->index("h"), e.r->field()};
+    EXPECT_EQ(*e.r, to_rational_function(r, s.z, h));
+  }
+  EXPECT_TRUE(seen);
+}
+
 TEST_F(SpecialEnergy, BecomesLame) { // eq. (lamiak)
   // y = 1/(z^2+1) + (h-3)/6 and m'' + p m' + q m = 0 in z, so that in y
   // m_yy + (p y' + y'')/y'^2 m_y + q/y'^2 m = 0

@@ -20,8 +20,7 @@ void put(std::ostringstream& out, const std::string& label, const std::string& t
 std::string headline(const ManifoldReport& m) {
   switch (m.verdict) {
   case VerdictKind::non_integrable:
-    return "NON-INTEGRABLE  (" + m.theorem + ": no complete set of first integrals that are " +
-           m.function_class + ")";
+    return "NON-INTEGRABLE  (" + m.theorem + ": " + m.statement + ")";
   case VerdictKind::no_obstruction:
     return "NO OBSTRUCTION  (the first-order test of " + m.theorem +
            " passes; this does not prove integrability)";

@@ -161,6 +161,7 @@ Json json_of(const System& s, const ManifoldReport& m) {
   }
   j["theorem"] = m.theorem;
   j["function_class"] = m.function_class;
+  if (!m.statement.empty()) j["statement"] = m.statement;
   if (m.manifold) {
     Json equations = Json::array();
     for (const auto& e : m.manifold->equations)
