@@ -144,7 +144,9 @@ NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
       target.push_back(m.restrict(entry));
     }
     auto c = combination(m, rows, target, n.divisors);
-    KOV_ENSURE(c.has_value()); // the manifold is invariant
+    if (!c)
+      throw DomainError("the differentials of the equations do not span the normal directions of "
+                        "the manifold; write its equations without multiplicities");
     n.system.a.push_back(*std::move(c));
   }
   for (const auto& claim : integrals) {

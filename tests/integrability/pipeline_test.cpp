@@ -115,6 +115,15 @@ TEST(Pipeline, NonlinearManifoldEquations) {
   EXPECT_EQ(other.verdict, plain.verdict);
 }
 
+TEST(Pipeline, EquationsWithMultiplicities) {
+  std::string text = two_degrees + "[set]\na = \"1/4\"\nb = \"1\"\nh = \"1\"";
+  const std::string old = R"t(["q1 = 0", "p1 = 0"])t";
+  text.replace(text.find(old), old.size(), R"t(["q1^2 = 0", "p1 = 0"])t");
+  const ManifoldReport m = run(text);
+  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_THAT(reasons(m), HasSubstr("without multiplicities"));
+}
+
 TEST(Pipeline, NormalDirectionsOfAWholeCurve) {
   // all equations of the curve given: three normal variations, dH takes one away
   std::string text =
