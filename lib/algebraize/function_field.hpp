@@ -17,6 +17,9 @@ namespace kov {
 /// Why a change of variable cannot be used.
 struct ChangeFailure {
   std::string message;
+  /// Where r lies in K(z, w), w^2 of degree at most 2 in z with a point: a change that parametrizes
+  /// this extension, as a function on the phase space.
+  std::optional<MFraction> better{};
 };
 
 class FunctionField {
@@ -27,7 +30,7 @@ public:
   /// the curve on which it vanishes are left out.
   [[nodiscard]] static std::variant<FunctionField, ChangeFailure>
   make(const VectorField& v, const InvariantManifold& m, std::size_t z, const MFraction& phi,
-       const std::vector<MPoly>& divisors, const Budget& budget = {});
+       const std::vector<MPoly>& divisors, const Budget& budget = {}, std::size_t max_degree = 200);
 
   [[nodiscard]] const FiniteAlgebra& algebra() const noexcept { return algebra_; }
   /// [R : K], not counting algebraic constants.

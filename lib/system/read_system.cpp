@@ -35,7 +35,8 @@ std::string independent_name(const Entry& document, const std::vector<std::strin
 
 } // namespace
 
-SystemScope::SystemScope(const Entry& document, const Settings& settings) : document_(&document) {
+SystemScope::SystemScope(const Entry& document, const ParameterValues& settings)
+    : document_(&document) {
   const Entry& system = document.at("system");
   system.check_keys({"kind", "coordinates", "momenta", "parameters", "constants", "hamiltonian",
                      "lagrangian", "angular_velocity", "gyrostat", "bracket", "field", "relations",
@@ -82,7 +83,7 @@ void SystemScope::fix(const std::string& name, const Expression& e) {
   pending_.insert_or_assign(name, e);
 }
 
-void SystemScope::read_settings(const Settings& settings) {
+void SystemScope::read_settings(const ParameterValues& settings) {
   if (const Entry* set = section(*document_, "set"))
     for (const auto& [name, entry] : set->members())
       fix(name, entry.expression());
@@ -352,7 +353,7 @@ void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
     scope.named["H"] = *v.hamiltonian;
 }
 
-System read_system(const Entry& document, const Settings& settings) {
+System read_system(const Entry& document, const ParameterValues& settings) {
   document.check_keys({"format", "title", "cite", "system", "set", "assume", "expansion",
                        "manifold", "integral", "casimir", "darboux", "poisson", "equal", "reduce",
                        "expect"});
@@ -373,8 +374,40 @@ System read_system(const Entry& document, const Settings& settings) {
   return s;
 }
 
-System read_system(const std::string& path, const Settings& settings) {
+System read_system(const std::string& path, const ParameterValues& settings) {
   return read_system(read_document(path), settings);
+}
+
+namespace {
+
+/// The names of a system that has been read.
+class FinishedScope : public Scope {
+public:
+  explicit FinishedScope(const System& s) : s_(&s) {}
+  [[nodiscard]] const Ring& ring() const override { return s_->ring(); }
+  [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override {
+    if (const auto v = s_->values.find(name); v != s_->values.end()) return v->second;
+    if (const auto v = s_->named.find(name); v != s_->named.end()) return v->second;
+    if (const auto i = s_->ring()->find(name)) return MFraction::variable(s_->ring(), *i);
+    return std::nullopt;
+  }
+  [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override { return none_; }
+  [[nodiscard]] std::vector<std::string> known_names() const override {
+    std::vector<std::string> names(s_->ring()->names());
+    for (const auto& [name, value] : s_->named)
+      names.push_back(name);
+    return names;
+  }
+
+private:
+  const System* s_;
+  std::vector<FunctionMeaning> none_;
+};
+
+} // namespace
+
+MFraction formula(const System& s, const std::string& text) {
+  return evaluate(parse_expression(text, "formula"), FinishedScope(s));
 }
 
 bool is_system_document(const Entry& document) { return document.find("system") != nullptr; }
