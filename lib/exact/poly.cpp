@@ -68,9 +68,14 @@ Poly Poly::from_flat(Field k, const fmpq_poly_t flat) {
 NfElem Poly::coeff(long i) const {
   NfElem c(k_);
   if (i < 0) return c;
-  const long s = stride();
-  fmpq_poly_get_slice(c.raw(), v_, i * s, i * s + k_->degree());
-  fmpq_poly_shift_right(c.raw(), c.raw(), i * s);
+  const long first = i * stride();
+  const long n = std::min(k_->degree(), v_->length - first);
+  if (n <= 0) return c;
+  fmpq_poly_fit_length(c.raw(), n);
+  _fmpz_vec_set(c.raw()->coeffs, v_->coeffs + first, n);
+  fmpz_set(c.raw()->den, v_->den);
+  _fmpq_poly_set_length(c.raw(), n);
+  fmpq_poly_canonicalise(c.raw());
   return c;
 }
 
@@ -392,6 +397,7 @@ std::string to_string(const Poly& f, const std::string& variable) {
     std::string power = i == 0 ? "" : i == 1 ? variable : variable + "^" + std::to_string(i);
     if (!is_rational(c)) {
       const std::string text = to_string(c);
+      if (power.empty() && s.empty()) return text;
       const bool sum = text.find(' ') != std::string::npos;
       const bool minus = !sum && text.front() == '-';
       if (!s.empty()) s += minus ? " - " : " + ";

@@ -18,6 +18,7 @@ struct Options {
   Budget budget;
   Method method = Method::automatic;
   std::optional<int> only_case; ///< look at one of Kovacic's cases only (the answer may be partial)
+  std::string variable = "z";   ///< only for printing
   bool want_solutions = true;
   bool want_trace = false;
   bool want_certificate = false;

@@ -1,0 +1,293 @@
+#include "galois/classify.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+
+Trichotomy trichotomy(const Singularities& s, std::string& reason) {
+  std::vector<const Singularity*> places;
+  for (const Singularity& p : s.finite)
+    places.push_back(&p);
+  places.push_back(&s.infinity);
+  for (const Singularity* p : places) {
+    if (p->kind == PlaceKind::irregular || p->kind == PlaceKind::ramified) {
+      reason = "the equation is irregular at " + place_name(*p);
+      return Trichotomy::irregular_or_irrational;
+    }
+    if (p->kind == PlaceKind::regular && !p->delta) {
+      reason = "the exponent difference at " + place_name(*p) + " is not rational";
+      return Trichotomy::irregular_or_irrational;
+    }
+  }
+  for (const Singularity* p : places)
+    if (p->log == Truth::yes) {
+      reason = "the equation is regular singular with rational exponents and has a logarithm at " +
+               place_name(*p);
+      return Trichotomy::logarithmic;
+    }
+  for (const Singularity* p : places)
+    if (p->log == Truth::unknown) {
+      reason = "whether there is a logarithm at " + place_name(*p) + " is not known";
+      return Trichotomy::undetermined;
+    }
+  reason = "the equation is regular singular with rational exponents and without logarithms";
+  return Trichotomy::rational_without_log;
+}
+
+namespace {
+
+// Is F a square in Kbar(z)?  Then the square root with numerator and denominator monic.
+std::optional<RationalFunction> square_root(const RationalFunction& f) {
+  Poly top = coerce(Poly(1), f.field());
+  Poly bottom = top;
+  for (const bool numerator : {true, false})
+    for (const Factor& part : squarefree_factors(numerator ? f.num() : f.den())) {
+      if (part.exponent % 2 == 1) return std::nullopt;
+      Poly& side = numerator ? top : bottom;
+      side *= pow(part.base, static_cast<unsigned long>(part.exponent / 2));
+    }
+  return RationalFunction(top, bottom);
+}
+
+class Classifier {
+public:
+  Classifier(const RationalFunction& r, const Budget& budget) : r_(r), budget_(budget) {}
+
+  Classification run() {
+    if (is_zero(r_)) {
+      settle({GroupType::cyclic, Integer(1)}, "r = 0: the solutions are 1 and z");
+      answer_.pair.reset();
+      return answer_;
+    }
+    try {
+      answer_.local = singularities(r_, budget_);
+      answer_.kind = trichotomy(*answer_.local, answer_.kind_reason);
+      switch (answer_.kind) {
+      case Trichotomy::irregular_or_irrational:
+        irregular_or_irrational();
+        break;
+      case Trichotomy::logarithmic:
+        logarithmic();
+        break;
+      default:
+        rational_exponents();
+        break;
+      }
+    } catch (const OutOfBudget& limit) {
+      answer_.undecided = Unable{Unable::Why::budget, limit.what()};
+      if (!answer_.reason.empty()) answer_.reason += "; ";
+      answer_.reason += std::string("undecided: ") + limit.what();
+    }
+    return answer_;
+  }
+
+private:
+  [[nodiscard]] const Singularities& local() const { return *answer_.local; }
+
+  void settle(const GaloisGroup& g, const std::string& why) {
+    answer_.group = g;
+    answer_.component = identity_component(g);
+    answer_.abelian = truth(is_abelian(*answer_.component));
+    answer_.reason = why;
+  }
+
+  // The invariants of degree m, recorded either way.
+  InvariantSearch search(long m) {
+    InvariantSearch found = invariants(local(), m, budget_);
+    if (found.none)
+      answer_.no_invariants.push_back(*found.none);
+    else
+      answer_.invariants.push_back(found);
+    return found;
+  }
+
+  void found_pair(const RationalFunction& v) {
+    const RationalFunction dv = derivative(v);
+    const RationalFunction w =
+        dv * dv - RationalFunction(2) * v * derivative(dv) + RationalFunction(4) * r_ * v * v;
+    KOV_ENSURE(degree(w.num()) <= 0 && degree(w.den()) == 0);
+    answer_.pair = ExponentialPair{v, w.num().coeff(0)};
+    KOV_ENSURE(!is_zero(answer_.pair->w_squared));
+  }
+
+  void irregular_or_irrational() {
+    const std::string because =
+        answer_.kind_reason + ", so that the identity component contains a torus";
+    const InvariantSearch quartic = search(4);
+    if (!quartic.none) {
+      answer_.abelian = Truth::yes;
+      answer_.component = Connected::torus;
+      KOV_ENSURE(quartic.basis.size() == 1);
+      const RationalFunction f = value(quartic.basis.front(), local());
+      if (const auto v = square_root(f)) {
+        found_pair(*v);
+        settle({GroupType::Gm, {}},
+               because + "; y1*y2 is rational, so that there are two exponential solutions");
+      } else {
+        answer_.curve = dihedral_curve(r_, f);
+        settle({GroupType::Dinf, {}}, because + "; (y1*y2)^2 is rational and y1*y2 is not");
+      }
+      return;
+    }
+    answer_.abelian = Truth::no;
+    answer_.reason = because + ", and Sym^4 has no rational solution" +
+                     (quartic.none->combinatorial ? " (" + quartic.none->why + ")" : "");
+    const std::string known = answer_.reason;
+    const ExponentialSearch exponential = exponential_solutions(local(), budget_);
+    KOV_ENSURE(!exponential.projectively_trivial);
+    if (!exponential.omega.empty()) {
+      answer_.omega = exponential.omega.front();
+      settle({GroupType::Borel, {}}, known + "; there is exactly one exponential solution");
+    } else {
+      answer_.no_exponential = exponential.none;
+      settle({GroupType::SL2, {}}, known + "; there is no exponential solution");
+    }
+  }
+
+  // One exponential solution y with y^m rational for some m, and no second one.
+  void one_radical_line(const RationalFunction& omega, const std::string& why) {
+    answer_.omega = omega;
+    const auto m = radical_order(logarithmic_parts(omega, budget_));
+    KOV_ENSURE(m); // regular singular with rational exponents
+    settle({GroupType::T, *m}, why);
+  }
+
+  void logarithmic() {
+    const ExponentialSearch exponential = exponential_solutions(local(), budget_);
+    if (!exponential.omega.empty()) {
+      one_radical_line(exponential.omega.front(),
+                       answer_.kind_reason + "; there is one exponential solution, a radical");
+      return;
+    }
+    answer_.no_exponential = exponential.none;
+    settle({GroupType::SL2, {}},
+           answer_.kind_reason + ", and there is no exponential solution" +
+               (exponential.none->combinatorial ? " (" + exponential.none->why + ")" : ""));
+  }
+
+  [[nodiscard]] bool all_differences_integral() const {
+    const auto integral = [](const Singularity& p) { return p.delta && is_integer(*p.delta); };
+    return integral(local().infinity) &&
+           std::all_of(local().finite.begin(), local().finite.end(), integral);
+  }
+
+  void rational_exponents() {
+    if (all_differences_integral()) {
+      if (answer_.kind == Trichotomy::undetermined) throw OutOfBudget(answer_.kind_reason);
+      const auto odd = [](const Singularity& p) { return fmpz_is_odd(p.delta->num().raw()) != 0; };
+      const bool rational = std::all_of(local().finite.begin(), local().finite.end(), odd);
+      settle({GroupType::cyclic, Integer(rational ? 1 : 2)},
+             answer_.kind_reason + "; all exponent differences are integers" +
+                 (rational ? ", odd at every finite place: all solutions are rational"
+                           : ": all solutions are square roots of rational functions"));
+      return;
+    }
+    const InvariantSearch quartic = search(4);
+    if (!quartic.none)
+      with_quartic(quartic);
+    else
+      without_quartic();
+  }
+
+  void with_quartic(const InvariantSearch& quartic) {
+    answer_.abelian = Truth::yes; // a nonzero invariant: neither SL2 nor Borel
+    if (quartic.basis.size() == 2) {
+      const RationalFunction f = value(quartic.basis.front(), local());
+      (void)f;
+      settle({GroupType::D, Integer(2)},
+             "Sym^4 has exactly two independent rational solutions: the quaternion group");
+      return;
+    }
+    if (quartic.basis.size() > 2) { // cyclic of order 4: Sym^2 has one solution
+      const InvariantSearch square = search(2);
+      KOV_ENSURE(square.basis.size() == 1);
+      diagonal(value(square.basis.front(), local()));
+      return;
+    }
+    const RationalFunction f = value(quartic.basis.front(), local());
+    const NfElem w_squared = wronskian_squared(r_, f);
+    if (is_zero(w_squared)) { // F = y^4
+      const RationalFunction omega = derivative(f) / (RationalFunction(4) * f);
+      KOV_ENSURE(derivative(omega) + omega * omega == r_);
+      one_radical_line(omega, "the rational solution of Sym^4 is the fourth power of a solution, "
+                              "the only exponential one");
+      return;
+    }
+    if (const auto v = square_root(f)) {
+      diagonal(*v);
+      return;
+    }
+    dihedral(f);
+  }
+
+  void diagonal(const RationalFunction& v) {
+    found_pair(v);
+    const auto m = radical_order(*answer_.pair, budget_);
+    KOV_ENSURE(m);
+    settle({GroupType::cyclic, *m},
+           "two exponential solutions, both radicals of order " + to_string(*m));
+  }
+
+  void dihedral(const RationalFunction& f) {
+    answer_.curve = dihedral_curve(r_, f);
+    const std::string shape = "(y1*y2)^2 is rational and y1*y2 is not: a dihedral group";
+    answer_.kind_reason += "";
+    answer_.dihedral = decide_dihedral(*answer_.curve, budget_);
+    if (answer_.dihedral->finite == Truth::unknown) {
+      answer_.reason = shape + "; undecided which of the two: " + answer_.dihedral->reason;
+      answer_.undecided = Unable{Unable::Why::not_implemented, answer_.reason};
+    } else if (answer_.dihedral->finite == Truth::yes) {
+      settle({GroupType::D, answer_.dihedral->n}, shape + ", finite: " + answer_.dihedral->reason);
+    } else {
+      settle({GroupType::Dinf, {}}, shape + ", infinite: " + answer_.dihedral->reason);
+    }
+  }
+
+  void without_quartic() {
+    const ExponentialSearch exponential = exponential_solutions(local(), budget_);
+    if (!exponential.omega.empty()) {
+      one_radical_line(exponential.omega.front(),
+                       "there is exactly one exponential solution, a radical");
+      return;
+    }
+    answer_.no_exponential = exponential.none;
+    if (const auto none = no_invariant(local(), 12, budget_)) {
+      answer_.no_invariants.push_back(*none);
+      settle({GroupType::SL2, {}},
+             "there is no exponential solution, and Sym^12 has no rational solution" +
+                 (none->combinatorial ? " (" + none->why + ")" : std::string()));
+      return;
+    }
+    const struct {
+      long m;
+      GroupType group;
+    } primitive[] = {{6, GroupType::A4}, {8, GroupType::S4}, {12, GroupType::A5}};
+    for (const auto& [m, group] : primitive) {
+      if (search(m).none) continue;
+      settle(
+          {group, {}},
+          "there is no exponential solution; Sym^4 has no rational solution; the first symmetric "
+          "power of even degree that has one is Sym^" +
+              std::to_string(m));
+      return;
+    }
+    // The kernel of degree 12 was an accident of its prime: search(12) has proved that there is
+    // none.
+    settle({GroupType::SL2, {}},
+           "there is no exponential solution, and Sym^12 has no rational solution");
+  }
+
+  const RationalFunction& r_;
+  const Budget& budget_;
+  Classification answer_;
+};
+
+} // namespace
+
+Classification classify(const RationalFunction& r, const Budget& budget) {
+  return Classifier(r, budget).run();
+}
+
+} // namespace kov

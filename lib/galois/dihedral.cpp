@@ -1,0 +1,338 @@
+#include "galois/dihedral.hpp"
+
+#include "exact/error.hpp"
+#include "exact/modular.hpp"
+#include "galois/jacobian.hpp"
+#include "linode/polynomial_solution.hpp"
+
+#include <algorithm>
+
+namespace kov {
+
+NfElem wronskian_squared(const RationalFunction& r, const RationalFunction& f) {
+  const RationalFunction df = derivative(f);
+  const RationalFunction w =
+      RationalFunction(Rational(3, 4)) * df * df / f - derivative(df) + RationalFunction(4) * r * f;
+  KOV_ENSURE(degree(w.num()) <= 0 && degree(w.den()) == 0);
+  return w.num().coeff(0);
+}
+
+DihedralCurve dihedral_curve(const RationalFunction& r, const RationalFunction& f) {
+  DihedralCurve c;
+  c.f = f;
+  c.w_squared = wronskian_squared(r, f);
+  KOV_ENSURE(!is_zero(c.w_squared));
+  c.branch = coerce(Poly(1), f.field());
+  Poly top(1);
+  Poly bottom(1);
+  for (const bool numerator : {true, false}) {
+    for (const Factor& part : squarefree_factors(numerator ? f.num() : f.den())) {
+      // q^e = q^odd (q^((e-odd)/2))^2, and 1/q = q (1/q)^2
+      const long odd = part.exponent % 2;
+      const auto half = static_cast<unsigned long>((part.exponent + (numerator ? -odd : odd)) / 2);
+      if (odd == 1) c.branch *= part.base;
+      Poly& side = numerator ? top : bottom;
+      side *= pow(part.base, half);
+    }
+  }
+  c.g = RationalFunction(top, bottom);
+  c.k = lead(f.num());
+  const long places = degree(c.branch) + degree(c.branch) % 2;
+  KOV_ENSURE(places >= 2);
+  c.genus = places / 2 - 1;
+  return c;
+}
+
+namespace {
+
+// A place of the z-line over which eta has poles with residues +-rho, rho > 0.
+struct Pole {
+  Poly q = Poly(1); ///< monic irreducible; 1 at infinity
+  bool at_infinity = false;
+  Rational rho;
+};
+
+struct Poles {
+  std::vector<Pole> list;
+  std::string infinite; ///< not empty: a residue or pole that already proves "infinite"
+};
+
+std::string at(const Poly& q) { return "at the roots of " + to_string(q); }
+
+void add_pole(Poles& poles, Pole pole, const NfElem& square) {
+  const auto rho = is_rational(square) ? exact_sqrt(to_rational(square)) : std::nullopt;
+  if (!rho) {
+    poles.infinite = "the residue of w dz/v " + (pole.at_infinity ? "at infinity" : at(pole.q)) +
+                     " is not rational (its square is " + to_string(square) + ")";
+    return;
+  }
+  pole.rho = *rho;
+  poles.list.push_back(std::move(pole));
+}
+
+Poles poles_of(const DihedralCurve& c) {
+  Poles poles;
+  const NfElem scale_squared = c.w_squared / c.k; // W^2
+  for (const Factor& zero : irreducible_factors(c.g.num())) {
+    const Poly& q = zero.base;
+    const bool branch = divides(q, c.branch);
+    if (branch || zero.exponent > 1) {
+      poles.infinite = "w dz/v has a multiple pole " + at(q);
+      return poles;
+    }
+    // residue^2 = W^2/(g'(c)^2 F0(c)) in K[c]/q; g = q * rest
+    const Poly rest = exact_div(c.g.num(), q);
+    const Poly slope = derivative(q) * rest % q;
+    const Poly value = slope * slope % q * c.branch % q;
+    const Poly den_squared = c.g.den() * c.g.den() % q;
+    const Poly square = scale(den_squared * inverse_mod(value, q) % q, scale_squared);
+    if (degree(square) > 0) {
+      poles.infinite = "the residue of w dz/v " + at(q) + " is not rational";
+      return poles;
+    }
+    add_pole(poles, {q, false, {}}, square.coeff(0));
+    if (!poles.infinite.empty()) return poles;
+  }
+  // at infinity, t = 1/z:  eta ~ -W/(lead(g) sigma) t^(deg g + genus - 1) dt  if unbranched there
+  const long deg_g = degree(c.g.num()) - degree(c.g.den());
+  const bool branched = degree(c.branch) % 2 == 1;
+  // order of eta at infinity in t (in sqrt t for a branch point)
+  const long order = branched ? 2 * deg_g + degree(c.branch) - 3 : deg_g + c.genus - 1;
+  if (order < -1 || (branched && order < 0)) {
+    poles.infinite = "w dz/v has a multiple pole at infinity";
+  } else if (order == -1) {
+    const NfElem leading = lead(c.g.num());
+    add_pole(poles, {Poly(1), true, {}}, scale_squared / (leading * leading));
+  }
+  return poles;
+}
+
+// The class of E in the Jacobian modulo one prime; unset when the prime is not good.
+class Reduction {
+public:
+  Reduction(const DihedralCurve& c, const std::vector<Pole>& poles, const Integer& l,
+            PrimeIdeal prime)
+      : c_(c), poles_(poles), l_(l), prime_(prime) {}
+
+  [[nodiscard]] std::optional<Integer> order(const Budget& budget) {
+    if (!set_curve()) return std::nullopt;
+    const Jacobian jacobian(*model_);
+    DivisorClass e = jacobian.zero();
+    for (const Pole& pole : poles_) {
+      const auto point = point_over(pole);
+      if (!point) return std::nullopt;
+      // L rho (P - P') ~ 2 L rho (P - infinity)
+      const Rational multiple = Rational(2) * Rational(l_) * pole.rho;
+      e = jacobian.add(e, jacobian.multiply(jacobian.reduce(*point), multiple.num()));
+    }
+    return jacobian.order(e, budget);
+  }
+
+private:
+  // x = z, or x = 1/(z - e) for a root e of F0 when infinity is not a branch point
+  bool set_curve() {
+    const auto f0 = prime_.reduce(c_.branch);
+    const auto top = prime_.reduce(c_.g.num());
+    const auto bottom = prime_.reduce(c_.g.den());
+    const auto square = prime_.reduce(c_.w_squared / c_.k);
+    if (!f0 || !top || !bottom || !square || *square == 0 || prime_.p < 3) return false;
+    if (degree(*top) != degree(c_.g.num()) || degree(*bottom) != degree(c_.g.den())) return false;
+    if (degree(*f0) != degree(c_.branch) || degree(gcd(*f0, derivative(*f0))) > 0) return false;
+    if (degree(gcd(*top, *bottom)) > 0 || degree(gcd(*top, *f0)) > 0) return false;
+    if (degree(gcd(*top, derivative(*top))) > 0) return false;
+    w_ = n_sqrtmod(*square, prime_.p);
+    if (w_ == 0) return false;
+    f0_ = *f0;
+    g_num_ = *top;
+    g_den_ = *bottom;
+    if (degree(f0_) % 2 == 1) {
+      model_ = f0_;
+      return true;
+    }
+    const auto e = roots(f0_);
+    if (e.empty()) return false;
+    e_ = e.front();
+    model_ = inverted(f0_, degree(f0_));
+    return true;
+  }
+
+  // x^n f(e + 1/x)
+  [[nodiscard]] NmodPoly inverted(const NmodPoly& f, long n) const {
+    NmodPoly shifted = taylor_shift(f, *e_);
+    NmodPoly result(f.modulus());
+    nmod_poly_reverse(result.raw(), shifted.raw(), n + 1);
+    return result;
+  }
+
+  // The point (or conjugate points) over the pole where the residue is +rho, as a Mumford pair.
+  [[nodiscard]] std::optional<DivisorClass> point_over(const Pole& pole) const {
+    const auto rho = prime_.reduce(pole.rho);
+    if (!rho || *rho == 0) return std::nullopt;
+    const nmod_t mod = f0_.mod();
+    if (pole.at_infinity) { // x = 0, S(0) = sigma = -W/(lead(g) rho)
+      NmodPoly u(prime_.p);
+      u.set_coeff(1, 1);
+      NmodPoly v(prime_.p);
+      const mp_limb_t lead_g = g_num_.coeff(degree(g_num_)); // g_den is monic
+      v.set_coeff(0, nmod_neg(nmod_div(w_, nmod_mul(lead_g, *rho, mod), mod), mod));
+      return on_curve({u, v});
+    }
+    const auto q = prime_.reduce(pole.q);
+    if (!q || degree(*q) != degree(pole.q)) return std::nullopt;
+    // s = W g_den / (g_num' rho) modulo q
+    NmodPoly s(prime_.p);
+    NmodPoly slope(prime_.p);
+    nmod_poly_rem(slope.raw(), derivative(g_num_).raw(), q->raw());
+    if (nmod_poly_invmod(s.raw(), slope.raw(), q->raw()) == 0) return std::nullopt;
+    nmod_poly_mulmod(s.raw(), s.raw(), remainder(g_den_, *q).raw(), q->raw());
+    s = scale(s, nmod_div(w_, *rho, mod));
+    if (!e_) return on_curve({*q, s});
+    // S = s x^(genus+1): write s of degree < deg q as a polynomial in z, then substitute z = e +
+    // 1/x
+    const NmodPoly u = inverted(*q, degree(*q));
+    if (degree(u) != degree(*q)) return std::nullopt; // e is not a pole
+    const long n = degree(*q) - 1;
+    NmodPoly v = inverted(s, n); // x^n s(e + 1/x)
+    const long shift = c_.genus + 1 - n;
+    NmodPoly x(prime_.p);
+    x.set_coeff(1, 1);
+    NmodPoly factor(prime_.p);
+    if (shift >= 0) {
+      nmod_poly_powmod_ui_binexp(factor.raw(), x.raw(), static_cast<ulong>(shift), u.raw());
+    } else {
+      NmodPoly inverse(prime_.p);
+      if (nmod_poly_invmod(inverse.raw(), remainder(x, u).raw(), u.raw()) == 0) return std::nullopt;
+      nmod_poly_powmod_ui_binexp(factor.raw(), inverse.raw(), static_cast<ulong>(-shift), u.raw());
+    }
+    nmod_poly_mulmod(v.raw(), remainder(v, u).raw(), remainder(factor, u).raw(), u.raw());
+    NmodPoly monic_u(prime_.p);
+    nmod_poly_make_monic(monic_u.raw(), u.raw());
+    return on_curve({monic_u, v});
+  }
+
+  [[nodiscard]] static NmodPoly remainder(const NmodPoly& a, const NmodPoly& b) {
+    NmodPoly r(a.modulus());
+    nmod_poly_rem(r.raw(), a.raw(), b.raw());
+    return r;
+  }
+
+  [[nodiscard]] std::optional<DivisorClass> on_curve(const DivisorClass& d) const {
+    KOV_ENSURE(is_zero(remainder(*model_ - d.v * d.v, d.u)));
+    return d;
+  }
+
+  const DihedralCurve& c_;
+  const std::vector<Pole>& poles_;
+  const Integer& l_;
+  PrimeIdeal prime_;
+  mp_limb_t w_ = 0;
+  std::optional<mp_limb_t> e_;
+  NmodPoly f0_{3};
+  NmodPoly g_num_{3};
+  NmodPoly g_den_{3};
+  std::optional<NmodPoly> model_;
+};
+
+// a with h = a + b s, dh/h = M eta:  (g a')' + g a' F0'/(2 F0) = M^2 W^2 a/(g F0).
+std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
+                                                      const std::vector<Pole>& poles,
+                                                      const Integer& m, const Budget& budget) {
+  Poly denominator(1);
+  Integer growth;
+  for (const Pole& pole : poles) {
+    const Rational order = Rational(m) * pole.rho;
+    KOV_ENSURE(is_integer(order) && fits_long(order.num()));
+    budget.check_degree(to_long(order.num()) * std::max(degree(pole.q), 1L));
+    if (pole.at_infinity)
+      growth = order.num();
+    else
+      denominator *= pow(pole.q, static_cast<unsigned long>(to_long(order.num())));
+  }
+  // a = A/denominator; substitute into a'' + (g'/g + F0'/(2F0)) a' - M^2 W^2/(g^2 F0) a = 0
+  const RationalFunction f0(c.branch);
+  const RationalFunction den(denominator);
+  const RationalFunction p1 = derivative(c.g) / c.g + derivative(f0) / (RationalFunction(2) * f0);
+  const RationalFunction p0 =
+      RationalFunction(Poly(c.w_squared / c.k * NfElem(Rational(m * m)))) / (c.g * c.g * f0);
+  const RationalFunction l = -derivative(den) / den; // (1/den)'/(1/den)
+  const RationalFunction c1 = RationalFunction(2) * l + p1;
+  const RationalFunction c0 = derivative(l) + l * l + p1 * l - p0;
+  const Poly common = lcm(c1.den(), c0.den());
+  const Poly q1 = exact_div(common, c1.den()) * c1.num();
+  const Poly q0 = exact_div(common, c0.den()) * c0.num();
+  const long d = degree(denominator) + to_long(growth);
+  for (const long degree_a : {d, d - 1}) {
+    if (degree_a < 0) continue;
+    if (const auto a = polynomial_solution(common, q1, q0, degree_a, budget))
+      return RationalFunction(*a, denominator);
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+DihedralAnswer decide_dihedral(const DihedralCurve& c, const Budget& budget) {
+  DihedralAnswer answer;
+  const Poles poles = poles_of(c);
+  if (!poles.infinite.empty()) {
+    answer.finite = Truth::no;
+    answer.reason = poles.infinite;
+    return answer;
+  }
+  for (const Pole& pole : poles.list)
+    answer.residue_denominator = lcm(answer.residue_denominator, pole.rho.den());
+  const Integer& l = answer.residue_denominator;
+  if (poles.list.empty()) {
+    KOV_ENSURE(c.genus >= 1); // a nonzero differential without poles needs genus >= 1
+    answer.finite = Truth::no;
+    answer.reason = "w dz/v is a nonzero holomorphic differential on a curve of genus " +
+                    std::to_string(c.genus);
+    return answer;
+  }
+  if (c.genus == 0) {
+    answer.finite = Truth::yes;
+    answer.n = l;
+    answer.reason = "on a curve of genus 0 the residues of w dz/v, with common denominator " +
+                    to_string(l) + ", give y1/y2 as a " + to_string(l) + "-th root of a function";
+    return answer;
+  }
+  PrimeIdeals primes(c.f.field(), 2);
+  for (int tries = 0; tries < 400 && answer.orders.size() < 4; ++tries) {
+    budget.check();
+    const PrimeIdeal prime = primes.next();
+    const auto order = Reduction(c, poles.list, l, prime).order(budget);
+    if (!order) continue;
+    answer.orders.push_back({prime, *order});
+    if (answer.orders.size() == 1) continue;
+    if (answer.orders.front().order == *order) {
+      if (answer.orders.size() < 3) continue; // a third opinion is cheaper than a large h
+      break;
+    }
+    answer.finite = Truth::no;
+    answer.reason = "the divisor class of w dz/v has order " +
+                    to_string(answer.orders.front().order) + " modulo " +
+                    std::to_string(answer.orders.front().prime.p) + " and order " +
+                    to_string(*order) + " modulo " + std::to_string(prime.p) +
+                    ", so that it has infinite order (genus " + std::to_string(c.genus) + ")";
+    return answer;
+  }
+  if (answer.orders.size() < 2) {
+    answer.reason = "finite or infinite: the curve has genus " + std::to_string(c.genus) +
+                    " and no two primes with a small enough Jacobian were found";
+    return answer;
+  }
+  const Integer m = l * answer.orders.front().order;
+  answer.a = function_with_divisor(c, poles.list, m, budget);
+  answer.finite = truth(answer.a.has_value());
+  answer.n = m;
+  answer.reason = answer.a
+                      ? "y1/y2 is a " + to_string(m) +
+                            "-th root of a function on a curve of genus " + std::to_string(c.genus)
+                      : "the divisor class of w dz/v could only have order " +
+                            to_string(answer.orders.front().order) +
+                            " (that of its reductions), and no function has that divisor and "
+                            "logarithmic differential";
+  return answer;
+}
+
+} // namespace kov

@@ -1,0 +1,62 @@
+#pragma once
+// Finite or infinite dihedral: is u = y1/y2 algebraic?
+//
+// Let F = (y1 y2)^2 in K(z) span the invariants of degree 4, F = k F0 g^2 with F0 squarefree, and
+// w^2 = 3F'^2/(4F) - F'' + 4rF, a constant.  On the curve C: s^2 = F0 we have u = exp int eta,
+//
+//   eta = W dz/(g s),   W^2 = w^2/k,
+//
+// and the group is finite exactly when N eta = dh/h for some N >= 1 and some function h on C; the
+// least such N is the n of the binary dihedral group of order 4n.  Residues of eta not in Q, or
+// poles of higher order, or no poles at all (genus >= 1): infinite.  Otherwise let L be the common
+// denominator of the residues and E = sum L res(P) P.  Genus 0: N = L.  Genus >= 1: N = L N' with
+// N' the order of E in the Jacobian; reduction modulo good primes is injective on torsion, so two
+// primes that disagree prove "infinite", and an h proves "finite".
+//
+// Source  THEORY 3.4 with Corrections 10-12; docs/theory/dihedral_torsion.md
+
+#include "exact/budget.hpp"
+#include "exact/modular.hpp"
+#include "exact/truth.hpp"
+#include "linode/singularities.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+/// The curve and differential of a dihedral equation.
+struct DihedralCurve {
+  RationalFunction f; ///< F
+  NfElem w_squared;   ///< w^2, not 0
+  Poly branch;        ///< F0, monic squarefree, not 1
+  RationalFunction g; ///< F = k F0 g^2
+  NfElem k;
+  long genus = 0;
+};
+
+/// One prime's answer about the class of E.
+struct ReducedOrder {
+  PrimeIdeal prime;
+  Integer order;
+};
+
+struct DihedralAnswer {
+  Truth finite = Truth::unknown;
+  Integer n;                         ///< of D_n, if finite
+  std::string reason;                ///< a full sentence
+  Integer residue_denominator{1};    ///< L
+  std::vector<ReducedOrder> orders;  ///< what primes said, where they were asked
+  std::optional<RationalFunction> a; ///< finite, genus >= 1: h = a + b s
+};
+
+/// Requires F nonzero with w^2 constant and not 0, F not a square.
+[[nodiscard]] DihedralCurve dihedral_curve(const RationalFunction& r, const RationalFunction& f);
+/// w^2 = 3F'^2/(4F) - F'' + 4rF; InternalError when that is not a constant.
+[[nodiscard]] NfElem wronskian_squared(const RationalFunction& r, const RationalFunction& f);
+/// Requires  every exponent difference rational and no logarithm (otherwise the group is infinite).
+/// Unknown   large genus without two comparable primes; the reason says so
+[[nodiscard]] DihedralAnswer decide_dihedral(const DihedralCurve& curve, const Budget& budget = {});
+
+} // namespace kov

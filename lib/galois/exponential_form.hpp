@@ -1,0 +1,46 @@
+#pragma once
+// What kind of function is y = exp(int omega), omega in K(z)?  Residues, radicals, text.
+
+#include "exact/budget.hpp"
+#include "exact/factor.hpp"
+#include "exact/rational_function.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+/// omega = R' + sum over places q of rho_q(c)/(z - c) over the roots c of q.
+struct LogarithmicParts {
+  RationalFunction rational_part; ///< R: y = exp(R) * ...
+  struct Residue {
+    Poly q;
+    Poly rho; ///< in K[c]/q
+  };
+  std::vector<Residue> residues; ///< nonzero ones
+};
+
+/// Hermite's reduction.
+[[nodiscard]] LogarithmicParts logarithmic_parts(const RationalFunction& omega,
+                                                 const Budget& budget = {});
+
+/// The least m >= 1 with y^m in Kbar(z); unset when there is none (R not constant, or a residue
+/// that is not rational).
+[[nodiscard]] std::optional<Integer> radical_order(const LogarithmicParts& parts);
+
+/// y as text: P*(q)^(e)*exp(R), with an integral sign where residues differ between conjugates.
+[[nodiscard]] std::string exponential_text(const LogarithmicParts& parts,
+                                           const std::string& variable = "z");
+
+/// The two exponentials with product v and Wronskian w: omega = (v' +- w)/(2v), v in K(z), w^2 in
+/// K.
+struct ExponentialPair {
+  RationalFunction v;
+  NfElem w_squared;
+};
+/// The least m with y1^m in Kbar(z), without adjoining w; unset when there is none.
+[[nodiscard]] std::optional<Integer> radical_order(const ExponentialPair& pair,
+                                                   const Budget& budget = {});
+
+} // namespace kov

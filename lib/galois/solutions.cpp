@@ -1,0 +1,145 @@
+#include "galois/solutions.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+
+std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction& u,
+                                                 const RationalFunction& r) {
+  // A_m = -1, A_(i-1) = -A_i' - u A_i - (m-i)(i+1) r A_(i+1)
+  std::vector<RationalFunction> a(static_cast<std::size_t>(m) + 2);
+  a[static_cast<std::size_t>(m)] = RationalFunction(-1);
+  RationalFunction last;
+  for (long i = m; i >= 0; --i) {
+    const auto k = static_cast<std::size_t>(i);
+    const RationalFunction next =
+        -derivative(a[k]) - u * a[k] - RationalFunction(Rational((m - i) * (i + 1))) * r * a[k + 1];
+    if (i > 0)
+      a[k - 1] = next;
+    else
+      last = next;
+  }
+  KOV_ENSURE(is_zero(last));
+  a.pop_back();
+  Integer factorial(1); // (m-i)!
+  for (long i = m; i >= 0; --i) {
+    if (i < m) factorial *= Integer(m - i);
+    a[static_cast<std::size_t>(i)] *= RationalFunction(Rational(Integer(1), factorial));
+  }
+  // monic in w
+  for (RationalFunction& c : a)
+    c = -c;
+  return a;
+}
+
+namespace {
+
+LiouvillianSolution exponential(const RationalFunction& omega, const std::string& variable,
+                                const Budget& budget) {
+  LiouvillianSolution s;
+  s.omega = omega;
+  s.text = exponential_text(logarithmic_parts(omega, budget), variable);
+  return s;
+}
+
+// omega = (v' +- w)/(2v): over K if w is in K, over K(w) if K = Q, otherwise by its quadratic
+// equation.
+std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
+                                              const RationalFunction& r,
+                                              const std::string& variable, const Budget& budget) {
+  std::optional<NfElem> w = exact_sqrt(pair.w_squared);
+  RationalFunction v = pair.v;
+  std::string note;
+  if (!w && v.field()->is_rational()) {
+    // w^2 = n/d: w = sqrt(n d)/d with the square part taken out
+    const Rational square = to_rational(pair.w_squared);
+    Integer inside = square.num() * square.den();
+    Integer outside(1);
+    for (long p = 2; p < 1000; ++p)
+      while (fmpz_divisible_si(inside.raw(), p * p) != 0) {
+        inside = exact_div(inside, Integer(p * p));
+        outside *= Integer(p);
+      }
+    const std::string name = inside == Integer(-1) ? "I" : "sqrt(" + to_string(inside) + ")";
+    const Field k = make_field({-inside, Integer(0), Integer(1)}, name);
+    w = NfElem::generator(k) * NfElem(Rational(outside, square.den()));
+    v = coerce(v, k);
+    note = "over Q(" + name + ")";
+  }
+  std::vector<LiouvillianSolution> found;
+  if (!w) {
+    LiouvillianSolution s;
+    const RationalFunction phi = derivative(v) / v;
+    const RationalFunction half(Rational(1, 2));
+    s.minimal_polynomial = {derivative(phi) * half + phi * phi * half - r, -phi,
+                            RationalFunction(1)};
+    s.note = "both roots are rational functions over K(sqrt(" + to_string(pair.w_squared) + "))";
+    found.push_back(std::move(s));
+    return found;
+  }
+  for (const NfElem& sign : {*w, -*w}) {
+    const RationalFunction omega =
+        (derivative(v) + RationalFunction(Poly(sign))) / (RationalFunction(2) * v);
+    KOV_ENSURE(derivative(omega) + omega * omega == coerce(r, omega.field()));
+    found.push_back(exponential(omega, variable, budget));
+    found.back().note = note;
+  }
+  return found;
+}
+
+LiouvillianSolution algebraic(long m, const RationalFunction& u, const RationalFunction& r) {
+  LiouvillianSolution s;
+  s.minimal_polynomial = riccati_polynomial(m, u, r);
+  return s;
+}
+
+RationalFunction log_derivative(const InvariantSearch& search, const Classification& c) {
+  const RationalFunction v = value(search.basis.front(), *c.local);
+  return derivative(v) / v;
+}
+
+const InvariantSearch* of_degree(const Classification& c, long m) {
+  const auto found = std::find_if(c.invariants.begin(), c.invariants.end(),
+                                  [m](const InvariantSearch& i) { return i.m == m; });
+  return found == c.invariants.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+std::vector<LiouvillianSolution> solutions(const Classification& c, const RationalFunction& r,
+                                           const std::string& variable, const Budget& budget) {
+  const RationalFunction half(Rational(1, 2));
+  if (is_zero(r)) {
+    LiouvillianSolution one{RationalFunction(0), {}, "1", ""};
+    LiouvillianSolution z{RationalFunction(Poly(1), Poly::z()), {}, variable, ""};
+    return {one, z};
+  }
+  if (c.pair) return exponentials(*c.pair, r, variable, budget);
+  if (c.omega) return {exponential(*c.omega, variable, budget)};
+  if (!c.group) return {};
+  switch (c.group->type) {
+  case GroupType::Dinf:
+  case GroupType::D: { // phi = F'/(2F)
+    const InvariantSearch* quartic = of_degree(c, 4);
+    KOV_ENSURE(quartic != nullptr);
+    // Q8: every member of the pencil of invariants whose Riccati polynomial is a square gives one
+    if (quartic->basis.size() > 1) return {algebraic(4, log_derivative(*quartic, c), r)};
+    return {algebraic(2, half * log_derivative(*quartic, c), r)};
+  }
+  case GroupType::A4:
+    return {algebraic(6, log_derivative(*of_degree(c, 6), c), r)};
+  case GroupType::S4: { // Sym^12 is spanned by the square of the semi-invariant of degree 6
+    const InvariantSearch twelve = invariants(*c.local, 12, budget);
+    KOV_ENSURE(twelve.basis.size() == 1);
+    return {algebraic(6, half * log_derivative(twelve, c), r)};
+  }
+  case GroupType::A5:
+    return {algebraic(12, log_derivative(*of_degree(c, 12), c), r)};
+  default:
+    return {};
+  }
+}
+
+} // namespace kov

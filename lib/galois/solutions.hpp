@@ -1,0 +1,32 @@
+#pragma once
+// Liouvillian solutions from the evidence of a classification.
+
+#include "galois/classify.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kov {
+
+/// y'/y itself, or its minimal polynomial sum_i coefficients[i] w^i = 0 over K(z) (ascending).
+struct LiouvillianSolution {
+  std::optional<RationalFunction> omega;
+  std::vector<RationalFunction> minimal_polynomial;
+  std::string text; ///< of y, for omega; otherwise empty
+  std::string note;
+};
+
+/// At most two: exponentials where they exist, else one irreducible minimal polynomial of y'/y
+/// (degree 2, 6, 6, 12 for dihedral, A4, S4, A5).  Each is verified before it is returned.
+[[nodiscard]] std::vector<LiouvillianSolution> solutions(const Classification& c,
+                                                         const RationalFunction& r,
+                                                         const std::string& variable = "z",
+                                                         const Budget& budget = {});
+
+/// The coefficients A_i/(m-i)! of the polynomial that y'/y satisfies for every linear factor y of
+/// the invariant whose value v has the logarithmic derivative u (THEORY 1.4).  InternalError unless
+/// A_-1 = 0.
+[[nodiscard]] std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction& u,
+                                                               const RationalFunction& r);
+
+} // namespace kov

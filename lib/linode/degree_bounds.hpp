@@ -1,0 +1,47 @@
+#pragma once
+// Closed-form degree bounds from local data alone: often they settle an equation with no algebra.
+//
+//   D_1  the largest degree of P in an exponential solution y = P prod (z-c)^alpha_c exp(...)
+//   D_m  the largest degree of P in a rational solution v = P prod q^e_q of the m-th symmetric
+//   power
+//
+// Source  THEORY 1.5, 2.3 (Corrections 3, 4), 2.4; docs/theory/local_exponents.md
+
+#include "linode/singularities.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kov {
+
+/// What an exponential solution must look like.
+struct ExponentialShape {
+  bool possible = true;
+  std::string why;      ///< if not possible: the place and the reason, a full sentence
+  long denominator = 0; ///< N_den = sum deg q max(1, nu_q)
+  long degree = 0;      ///< D_1; negative = impossible
+  long nu_infinity = 0; ///< degree of the polynomial part of y'/y, 0 if infinity is not irregular
+};
+
+/// What a rational solution of Sym^m must look like.  Shape: e parallel to Singularities::finite.
+struct InvariantShape {
+  long m = 0;
+  bool possible = true;
+  std::string why;
+  std::vector<long> e; ///< least admissible integer exponents
+  long tau = 0;        ///< greatest admissible growth exponent at infinity
+  long degree = 0;     ///< D_m = tau - sum deg q e_q; negative = impossible
+};
+
+[[nodiscard]] ExponentialShape exponential_shape(const Singularities& s);
+/// Requires m even, m >= 2.
+[[nodiscard]] InvariantShape invariant_shape(const Singularities& s, long m);
+
+/// An upper bound of the sum of |Re Delta_c| (or |Re eps_c|) over all roots c of the place, with
+/// 2^-40 to spare; exact when the exponent difference is rational.
+[[nodiscard]] Rational real_part_sum(const Singularity& s);
+
+/// A place named for people: "z^2 - 2 = 0", "z = 1", "infinity".
+[[nodiscard]] std::string place_name(const Singularity& s, const std::string& variable = "z");
+
+} // namespace kov

@@ -1,0 +1,45 @@
+#pragma once
+// All exponential solutions y'/y in K(z) from one singular place, without families.
+//
+// Source  THEORY 2.3 with Corrections 3-5; proofs in docs/theory/riccati_one_place.md
+
+#include "riccati/line.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kov {
+
+/// Why no exponential solution exists.
+struct NoExponential {
+  bool combinatorial = false; ///< from parity or D_1 < 0 alone; then `why` says it
+  std::string why{};
+  // otherwise, from one place modulo one prime:
+  bool at_infinity = false;
+  long place = -1; ///< index into Singularities::finite
+  PrimeIdeal prime{};
+  mp_limb_t root = 0;
+  mp_limb_t delta = 0; ///< Delta (regular) or sqrt(u) (irregular) modulo p
+  long terms = 0;      ///< T
+  long length = 0;     ///< L; every line needs a recurrence longer than this
+};
+
+/// The answer to "which exponential solutions are there?", when there is at most one.
+struct ExponentialSearch {
+  std::vector<RationalFunction> omega; ///< verified: omega' + omega^2 = r
+  std::optional<NoExponential> none;   ///< proof of absence
+  /// Set when every place has Delta an integer and no logarithm: all solutions are (square roots
+  /// of) rational functions and the question has no finite answer.
+  bool projectively_trivial = false;
+};
+
+/// Requires  at most one exponential solution (the Galois group is not diagonal): then it lies in
+///           K(z).  If two lines survive modulo a prime, DomainError.
+/// Unknown   OutOfBudget
+/// Cost      T = O(n + D_1) terms of one or two series and a half-gcd modulo p; the lift costs as
+/// many
+///           primes as the answer has digits, or one linear recurrence over K.
+[[nodiscard]] ExponentialSearch exponential_solutions(const Singularities& s,
+                                                      const Budget& budget = {});
+
+} // namespace kov

@@ -1,0 +1,113 @@
+#include "riccati/lift.hpp"
+
+#include "exact/error.hpp"
+#include "linode/polynomial_solution.hpp"
+
+namespace kov {
+namespace {
+
+const NfElem half(Rational(1, 2));
+
+// The square root of a residue that is visible without an extension of the residue field.
+std::optional<NfElem> visible_root(const Singularity& s, const Poly& square) {
+  if (degree(square) > 0) return std::nullopt;
+  const NfElem c = square.coeff(0);
+  if (s.degree() > 1 && !is_rational(c)) return std::nullopt;
+  return exact_sqrt(c);
+}
+
+// The polar parts that omega may have at a finite place, over K.
+std::optional<std::vector<RationalFunction>> polar_parts(const Singularity& s) {
+  const Poly& q = s.place;
+  const RationalFunction simple_pole(derivative(q), q);
+  const auto times = [&](const NfElem& alpha) {
+    return RationalFunction(scale(derivative(q), alpha), q);
+  };
+  if (s.kind == PlaceKind::simple) return {{simple_pole}};
+  if (s.kind == PlaceKind::regular) {
+    const auto delta =
+        s.delta ? std::optional<NfElem>(NfElem(*s.delta)) : visible_root(s, s.delta_squared);
+    if (!delta) return std::nullopt;
+    std::vector<RationalFunction> parts{times((NfElem(1) + *delta) * half)};
+    if (s.log != Truth::yes) parts.push_back(times((NfElem(1) - *delta) * half));
+    return parts;
+  }
+  if (s.degree() > 1) return std::nullopt;
+  const auto a = visible_root(s, s.leading);
+  if (!a) return std::nullopt;
+  std::vector<RationalFunction> parts;
+  for (const NfElem& lead : {*a, -*a}) {
+    RationalFunction part = times(half * (NfElem(s.nu()) + s.beta.coeff(0) / lead));
+    for (std::size_t i = 0; i < s.sqrt_tail.size(); ++i)
+      part += RationalFunction(scale(s.sqrt_tail[i], lead),
+                               pow(q, static_cast<unsigned long>(s.nu()) - i));
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+// Does omega - part lose its pole at q modulo the prime?  (true also says: part is integral there)
+bool fits(const RationalFunction& part, const Poly& q, const ModularOmega& image) {
+  const auto n = image.prime.reduce(part.num());
+  const auto d = image.prime.reduce(part.den());
+  const auto place = image.prime.reduce(q);
+  if (!n || !d || !place || degree(*d) != degree(part.den())) return false;
+  NmodPoly num = image.num * *d - *n * image.den;
+  NmodPoly den = image.den * *d;
+  if (is_zero(num)) return true;
+  const NmodPoly g = gcd(num, den);
+  den = exact_div(den, g);
+  return degree(gcd(den, *place)) == 0;
+}
+
+// The polynomial part of omega: 0 unless infinity is irregular.
+std::optional<Poly> polynomial_part(const Singularity& s, const ModularOmega& image) {
+  if (s.kind != PlaceKind::irregular) return Poly(0);
+  const auto a = visible_root(s, s.leading);
+  if (!a) return std::nullopt;
+  const long nu = s.nu();
+  if (degree(image.num) - degree(image.den) != nu) return std::nullopt;
+  const mp_limb_t top = image.num.coeff(degree(image.num)); // den is monic
+  for (const NfElem& lead : {*a, -*a}) {
+    const auto residue = image.prime.reduce(lead);
+    if (!residue || *residue != top) continue;
+    Poly part(s.leading.field());
+    for (std::size_t i = 0; i < s.sqrt_tail.size(); ++i)
+      part += Poly::monomial(lead * s.sqrt_tail[i].coeff(0), nu - static_cast<long>(i));
+    return part;
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::optional<RationalFunction> lift_by_exponents(const Singularities& s, const ModularOmega& image,
+                                                  const Budget& budget) {
+  const auto regular_part = polynomial_part(s.infinity, image);
+  if (!regular_part) return std::nullopt;
+  RationalFunction theta(*regular_part);
+  for (const Singularity& place : s.finite) {
+    const auto parts = polar_parts(place);
+    if (!parts) return std::nullopt;
+    const RationalFunction* chosen = nullptr;
+    for (const RationalFunction& part : *parts)
+      if (fits(part, place.place, image)) chosen = &part;
+    if (chosen == nullptr) return std::nullopt;
+    theta += *chosen;
+  }
+  // omega = theta + P'/P: the remaining poles are the roots of P.
+  const auto theta_den = image.prime.reduce(theta.den());
+  if (!theta_den) return std::nullopt;
+  const long d = degree(image.den) - degree(gcd(image.den, *theta_den));
+  if (d == 0) return derivative(theta) + theta * theta == s.r ? std::optional(theta) : std::nullopt;
+  // P'' + 2 theta P' + (theta' + theta^2 - r) P = 0
+  const RationalFunction c = derivative(theta) + theta * theta - s.r;
+  const Poly common = lcm(theta.den(), c.den());
+  const Poly c1 = scale(exact_div(common, theta.den()) * theta.num(), NfElem(2));
+  const Poly c0 = exact_div(common, c.den()) * c.num();
+  const auto p = polynomial_solution(common, c1, c0, d, budget);
+  if (!p) return std::nullopt;
+  return theta + RationalFunction(derivative(*p), *p);
+}
+
+} // namespace kov

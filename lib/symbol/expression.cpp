@@ -1,0 +1,289 @@
+#include "symbol/expression.hpp"
+
+#include "symbol/tokens.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace kov {
+namespace {
+
+// Binding powers; a larger one binds closer.
+constexpr int of_equation = 1;
+constexpr int of_sum = 10;
+constexpr int of_product = 20;
+constexpr int of_minus = 25;
+constexpr int of_power = 30;
+
+Span join(Span a, Span b) { return make_span(a.offset, b.offset + b.length); }
+
+} // namespace
+
+/// A Pratt parser: one loop, binding powers as above.
+class ExpressionParser {
+public:
+  ExpressionParser(std::string_view text, OriginPtr origin, const ParseLimits& limits)
+      : tokens_(text, std::move(origin)), limits_(limits) {}
+
+  Expression read(bool allow_equation) {
+    if (const std::size_t n = tokens_.text().size(); n > limits_.max_length)
+      throw tokens_.error(Span{0, 1}, "a text of " + std::to_string(n) +
+                                          " bytes is too long (limit " +
+                                          std::to_string(limits_.max_length) + ")");
+    allow_equation_ = allow_equation;
+    advance();
+    if (token_.kind == Token::Kind::end) throw tokens_.error(token_.span, "a formula is missing");
+    Expression e = expression(0);
+    if (token_.kind != Token::Kind::end) unexpected_tail();
+    return e;
+  }
+
+private:
+  using Kind = Expression::Kind;
+  using Node = Expression::Node;
+
+  void advance() {
+    previous_end_ = token_.span.offset + token_.span.length;
+    token_ = tokens_.next();
+  }
+  [[nodiscard]] bool at(std::string_view sign) const { return token_.is(sign); }
+
+  // --- grammar ------------------------------------------------------------------------------
+
+  Expression expression(int binding) {
+    const Deeper deeper(*this);
+    Expression left = prefix();
+    for (;;) {
+      if (at("'")) {
+        left = primes(left);
+      } else if (at("^") && binding <= of_power) { // <=: associates to the right
+        advance();
+        left = binary(Kind::power, left, expression(of_power));
+      } else if ((at("*") || at("/")) && binding < of_product) {
+        left = chain(left, of_product);
+      } else if ((at("+") || at("-")) && binding < of_sum) {
+        left = chain(left, of_sum);
+      } else if (at("=") && binding < of_equation) {
+        left = equation(left);
+      } else {
+        refuse_implied_product(left);
+        return left;
+      }
+    }
+  }
+
+  Expression prefix() {
+    const Token t = token_;
+    if (t.kind == Token::Kind::number) {
+      Node n{.kind = Kind::number};
+      n.number = Integer::parse(t.text);
+      advance();
+      return finish(std::move(n), t.span);
+    }
+    if (t.kind == Token::Kind::name || t.kind == Token::Kind::decimal) {
+      advance();
+      if (t.kind == Token::Kind::name && at("(")) return call(t);
+      Node n{.kind = t.kind == Token::Kind::name ? Kind::name : Kind::decimal};
+      n.name = t.text;
+      return finish(std::move(n), t.span);
+    }
+    if (at("(")) return parenthesis();
+    if (at("-") || at("+")) {
+      advance();
+      const Expression e = expression(of_minus);
+      return t.is("+") ? e : negate(t.span, e);
+    }
+    missing_operand();
+  }
+
+  Expression parenthesis() {
+    const Span open = token_.span;
+    advance();
+    Expression e = expression(0);
+    close(open);
+    e.span_ = make_span(open.offset, previous_end_); // carets cover the parentheses
+    return e;
+  }
+
+  Expression call(const Token& name) {
+    const Span open = token_.span;
+    Node n{.kind = Kind::call};
+    n.name = name.text;
+    // root(p, approx): the second argument only chooses a root, so it may be a decimal
+    const int outer = tokens_.decimals_allowed;
+    advance();
+    if (at(")"))
+      throw tokens_.error(join(name.span, token_.span), quoted(name.text) + " has no argument");
+    for (;;) {
+      n.operands.push_back(expression(0));
+      if (!at(",")) break;
+      tokens_.decimals_allowed = n.name == "root" ? 1 : outer;
+      advance();
+    }
+    tokens_.decimals_allowed = outer;
+    close(open);
+    return finish(std::move(n), make_span(name.span.offset, previous_end_));
+  }
+
+  void close(Span open) {
+    if (at(")")) return advance();
+    if (token_.kind == Token::Kind::end)
+      throw tokens_.error(open, "this parenthesis is never closed", "a ')' is missing");
+    unexpected_tail();
+  }
+
+  Expression primes(const Expression& e) {
+    Node n{.kind = Kind::derivative};
+    n.operands = {e};
+    for (; at("'"); advance())
+      ++n.order;
+    return finish(std::move(n), make_span(e.span().offset, previous_end_));
+  }
+
+  // a + b - c and a * b / c, left to right; runs of + and of * become one node
+  Expression chain(const Expression& first, int level) {
+    const std::string_view plus = level == of_sum ? "+" : "*";
+    const std::string_view minus = level == of_sum ? "-" : "/";
+    std::vector<Expression> run{first};
+    const auto gathered = [&] {
+      if (run.size() == 1) return run.front();
+      Node n{.kind = level == of_sum ? Kind::sum : Kind::product};
+      const Span span = join(run.front().span(), run.back().span());
+      n.operands = std::move(run);
+      return finish(std::move(n), span);
+    };
+    while (at(plus) || at(minus)) {
+      const Token sign = token_;
+      advance();
+      const Expression next = expression(level);
+      if (sign.is(plus))
+        run.push_back(next);
+      else if (level == of_sum)
+        run.push_back(negate(sign.span, next));
+      else
+        run = {binary(Kind::quotient, gathered(), next)};
+    }
+    return gathered();
+  }
+
+  Expression equation(const Expression& left) {
+    if (!allow_equation_)
+      throw tokens_.error(token_.span, "an '=' does not belong here", "write only the expression");
+    const Token sign = token_;
+    advance();
+    if (at("="))
+      throw tokens_.error(join(sign.span, token_.span), "unexpected '=='", "write a single =");
+    const Expression right = expression(of_equation);
+    if (at("=")) throw tokens_.error(token_.span, "a second '='", "an equation has one = sign");
+    return binary(Kind::equation, left, right);
+  }
+
+  Expression negate(Span sign, const Expression& e) {
+    Node n{.kind = Kind::negate};
+    n.operands = {e};
+    return finish(std::move(n), join(sign, e.span()));
+  }
+
+  Expression binary(Kind kind, const Expression& a, const Expression& b) {
+    Node n{.kind = kind};
+    n.operands = {a, b};
+    return finish(std::move(n), join(a.span(), b.span()));
+  }
+
+  Expression finish(Node n, Span span) {
+    for (const Expression& e : n.operands)
+      n.depth = std::max(n.depth, e.node_->depth + 1);
+    if (n.depth > limits_.max_depth) too_deep(span);
+    return {std::make_shared<const Node>(std::move(n)), tokens_.origin(), span};
+  }
+
+  // --- errors -------------------------------------------------------------------------------
+
+  [[noreturn]] void too_deep(Span where) const {
+    throw tokens_.error({where.offset, 1},
+                        "this is nested more than " + std::to_string(limits_.max_depth) + " deep");
+  }
+
+  [[nodiscard]] std::string token_text() const {
+    return quoted(tokens_.text().substr(token_.span.offset, token_.span.length));
+  }
+
+  [[noreturn]] void missing_operand() const {
+    if (token_.kind == Token::Kind::end)
+      throw tokens_.error(token_.span, "the formula ends where a term is expected");
+    throw tokens_.error(token_.span, "a term is missing before " + token_text());
+  }
+
+  // 2z, 2(z+1), (z+1)(z-1), z w
+  void refuse_implied_product(const Expression& left) const {
+    const bool starts_a_term = token_.kind == Token::Kind::number ||
+                               token_.kind == Token::Kind::decimal ||
+                               token_.kind == Token::Kind::name || at("(");
+    if (!starts_a_term) return;
+    const auto shown = [](std::string_view s) {
+      return s.size() <= 24 ? std::string(s) : std::string("(...)");
+    };
+    throw tokens_.error(token_.span, "a '*' is missing before " + token_text(),
+                        "products are written out: " + shown(left.text()) + "*" +
+                            (at("(") ? "(...)" : shown(token_.text)));
+  }
+
+  [[noreturn]] void unexpected_tail() const {
+    if (at(")")) throw tokens_.error(token_.span, "this ')' closes nothing");
+    throw tokens_.error(token_.span, "unexpected " + token_text(),
+                        at(",") ? "write fractions as 1/2 and long numbers without separators"
+                                : "");
+  }
+
+  struct Deeper {
+    explicit Deeper(ExpressionParser& p) : parser(p) {
+      if (++parser.depth_ > parser.limits_.max_depth) parser.too_deep(parser.token_.span);
+    }
+    ~Deeper() { --parser.depth_; }
+    Deeper(const Deeper&) = delete;
+    Deeper& operator=(const Deeper&) = delete;
+    ExpressionParser& parser;
+  };
+
+  Tokens tokens_;
+  ParseLimits limits_;
+  bool allow_equation_ = false;
+  long depth_ = 0;
+  std::size_t previous_end_ = 0;
+  Token token_;
+};
+
+std::string_view Expression::text() const {
+  const std::string_view all = origin_->text;
+  const std::size_t begin = std::min(origin_->offset + span_.offset, all.size());
+  return all.substr(begin, span_.length);
+}
+
+Expression parse_expression(std::string_view text, OriginPtr origin, bool allow_equation,
+                            const ParseLimits& limits) {
+  return ExpressionParser(text, std::move(origin), limits).read(allow_equation);
+}
+
+Expression parse_expression(std::string text, const std::string& name, bool allow_equation,
+                            const ParseLimits& limits) {
+  const OriginPtr origin = origin_of_text(name, std::move(text));
+  return parse_expression(origin->text, origin, allow_equation, limits);
+}
+
+namespace {
+
+void gather_names(const Expression& e, std::set<std::string>& names) {
+  if (e.kind() == Expression::Kind::name) names.insert(e.name());
+  for (const Expression& operand : e.operands())
+    gather_names(operand, names);
+}
+
+} // namespace
+
+std::vector<std::string> names_in(const Expression& e) {
+  std::set<std::string> names;
+  gather_names(e, names);
+  return {names.begin(), names.end()};
+}
+
+} // namespace kov

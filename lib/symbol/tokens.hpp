@@ -1,0 +1,48 @@
+#pragma once
+// The words of a formula: numbers, names, signs.  Used by the parser of expression.hpp only.
+
+#include "symbol/expression.hpp"
+
+namespace kov {
+
+struct Token {
+  enum class Kind : std::uint8_t { number, decimal, name, sign, end };
+  Kind kind = Kind::end;
+  Span span;
+  std::string_view text; ///< of a sign: one character, "^" for "**" as well
+
+  [[nodiscard]] bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
+};
+
+/// Cuts a text into tokens.  Throws InputError for bytes that belong to none, with what to write.
+class Tokens {
+public:
+  Tokens(std::string_view text, OriginPtr origin) : text_(text), origin_(std::move(origin)) {}
+
+  /// The next token; Kind::end for ever after the last one.
+  [[nodiscard]] Token next();
+  /// While above 0, decimals are tokens instead of errors (the second argument of root).
+  int decimals_allowed = 0;
+
+  [[nodiscard]] InputError error(Span where, std::string message, std::string hint = {}) const {
+    return {*origin_, where, std::move(message), std::move(hint)};
+  }
+  [[nodiscard]] std::string_view text() const noexcept { return text_; }
+  [[nodiscard]] const OriginPtr& origin() const noexcept { return origin_; }
+
+private:
+  [[nodiscard]] Token number();
+  [[nodiscard]] Token cut(Token::Kind kind, std::size_t begin) const;
+  void skip_digits();
+  [[noreturn]] void strange_character() const;
+
+  std::string_view text_;
+  OriginPtr origin_;
+  std::size_t position_ = 0;
+};
+
+[[nodiscard]] Span make_span(std::size_t begin, std::size_t end);
+/// 'text', cut after 40 bytes.
+[[nodiscard]] std::string quoted(std::string_view s);
+
+} // namespace kov
