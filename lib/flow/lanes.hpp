@@ -9,6 +9,10 @@
 #include <cmath>
 #include <cstring>
 
+#if defined(__FMA__)
+#include <immintrin.h>
+#endif
+
 #ifndef KOV_ISA
 #define KOV_ISA any
 #endif
@@ -43,12 +47,50 @@ template <class P, class B, int N> struct PackLanes {
 template <> struct Lanes<Pack4> : PackLanes<Pack4, Bits4, 4> {};
 template <> struct Lanes<Pack8> : PackLanes<Pack8, Bits8, 8> {};
 
-/// acc += a b.  Number types with an addition in place overload it.
-template <class T> inline void add_product(T& acc, const T& a, const T& b) { acc += a * b; }
-template <class T> inline void sub_product(T& acc, const T& a, const T& b) { acc -= a * b; }
+/// a b + c, with one rounding where the processor has it.  The kernels are compiled without contraction and say
+/// themselves where products are fused, so that packs of 1, 4 and 8 lanes round alike.
+template <class T> inline T multiply_add(const T& a, const T& b, const T& c) { return a * b + c; }
+#if defined(__FMA__)
+inline double multiply_add(double a, double b, double c) { return __builtin_fma(a, b, c); }
+inline Pack4 multiply_add(const Pack4& a, const Pack4& b, const Pack4& c) {
+  return _mm256_fmadd_pd(a, b, c);
+}
+inline Pack8 multiply_add(const Pack8& a, const Pack8& b, const Pack8& c) {
+#if defined(__AVX512F__)
+  return _mm512_fmadd_pd(a, b, c);
+#else
+  Pack4 x[2], y[2], z[2];
+  std::memcpy(x, &a, sizeof a);
+  std::memcpy(y, &b, sizeof b);
+  std::memcpy(z, &c, sizeof c);
+  for (int i = 0; i < 2; ++i)
+    z[i] = _mm256_fmadd_pd(x[i], y[i], z[i]);
+  Pack8 out;
+  std::memcpy(&out, z, sizeof out);
+  return out;
+#endif
+}
+#endif
+
+/// acc += a b and acc -= a b.  Number types with an addition in place overload them.
+template <class T> inline void add_product(T& acc, const T& a, const T& b) {
+  if constexpr (Lanes<T>::size > 1 || sizeof(T) == sizeof(double))
+    acc = multiply_add(a, b, acc);
+  else
+    acc += a * b;
+}
+template <class T> inline void sub_product(T& acc, const T& a, const T& b) {
+  if constexpr (Lanes<T>::size > 1 || sizeof(T) == sizeof(double))
+    acc = multiply_add(T(-a), b, acc);
+  else
+    acc -= a * b;
+}
 
 template <class T> inline T larger(const T& a, const T& b) { return a < b ? b : a; }
 template <class T> inline T absolute(const T& a) { return a < T{} ? T(-a) : a; }
+
+/// Half the distance from 1 to the next number.
+template <class R> inline R unit_roundoff() { return R(sizeof(R) > 8 ? 5.4e-20 : 1.1102230246251565e-16); }
 
 /// log2 of a positive double to 1e-2 (absolute); 0 gives about -1023.  S: double or a pack.
 template <class S> inline S log2_estimate(const S& x) {

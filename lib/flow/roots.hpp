@@ -71,6 +71,7 @@ template <class R> struct Isolation {
   Root<R>* out;
   int capacity, found = 0, tangencies = 0;
   bool falling, rising; ///< which changes are wanted
+  R noise;              ///< what is smaller is 0
   bool above; ///< sign at the start of what is left to search
 };
 
@@ -86,6 +87,7 @@ void isolate(R* b, int degree, const R& start, const R& width, int depth, Isolat
     if (k > 1) bend += R(k) * a;
     end += b[k];
   }
+  if (size_of(b[0]) + rest <= r.noise) return; // 0 as far as anybody can tell: the sign stays
   const bool apart = size_of(b[0]) > rest;
   const bool monotone = degree >= 1 && size_of(b[1]) > bend;
   if (!apart && !monotone && depth < max_depth) {
@@ -103,7 +105,7 @@ void isolate(R* b, int degree, const R& start, const R& width, int depth, Isolat
     isolate(b, degree, R(start + w), w, depth + 1, r);
     return;
   }
-  const bool end_above = end > R(0);
+  const bool end_above = end > R(0) || (end == R(0) && r.above); // 0 decides nothing yet
   if (!apart && !monotone && end_above == r.above) ++r.tangencies;
   if (end_above == r.above) return;
   if ((r.above ? r.falling : r.rising) && r.found < r.capacity) {
@@ -120,12 +122,13 @@ void isolate(R* b, int degree, const R& start, const R& width, int depth, Isolat
 /// The sign changes of b on [0, 1] of the wanted kinds, in order, given the sign at the start.
 ///
 /// Shape     b has degree + 1 coefficients and is destroyed; at most `capacity` roots are written
+/// Noise     where |b| <= noise the sign stays what it was (a polynomial that is 0 has no sign changes)
 /// Returns   how many were written; `above` becomes the sign at the end; `tangencies` counts zeros of even
 ///           order up to 2^-max_depth of the interval
 template <class R>
-int sign_changes(R* b, int degree, bool& above, bool falling, bool rising, Root<R>* out, int capacity,
-                 int& tangencies) {
-  root_search::Isolation<R> r{out, capacity, 0, 0, falling, rising, above};
+int sign_changes(R* b, int degree, const R& noise, bool& above, bool falling, bool rising,
+                 Root<R>* out, int capacity, int& tangencies) {
+  root_search::Isolation<R> r{out, capacity, 0, 0, falling, rising, noise, above};
   root_search::isolate(b, degree, R(0), R(1), 0, r);
   above = r.above;
   tangencies += r.tangencies;

@@ -246,7 +246,7 @@ private:
       power = power * h;
     }
     const T sign0 = s[0] > zero ? one : T(-one);
-    const T sign1 = end > zero ? one : T(-one);
+    const T sign1 = end > zero ? one : end < zero ? T(-one) : above_; // 0 decides nothing
     // 1 where a crossing, or doubt, remains
     const T same_start = sign0 == above_ ? one : zero;
     const T same_end = sign1 == above_ ? one : zero;
@@ -278,9 +278,11 @@ private:
       const Real size = b[0] < Real(0) ? Real(Real(0) - b[0]) : b[0];
       above = (size > Real(1e-10) * scale ? b[0] : b[1]) > Real(0);
     }
+    // S below the rounding of its own terms is taken for 0: on an invariant plane it vanishes identically.
+    const Real noise = L::get(jet_.s[Jet<T>::m_squared][0], lane) * unit_roundoff<Real>() * Real(16);
     Root<Real> roots[16];
-    const int found = sign_changes(b, p, above, run_.section.falling, run_.section.rising, roots,
-                                   16, tally_[lane].tangencies);
+    const int found = sign_changes(b, p, noise, above, run_.section.falling, run_.section.rising,
+                                   roots, 16, tally_[lane].tangencies);
     for (int i = 0; i < found; ++i)
       land(lane, Real(roots[i].x * h), roots[i].falling);
   }
@@ -288,7 +290,7 @@ private:
   Real at(int series, int lane, const Real& dt) const {
     Real v = L::get(jet_.s[series][run_.order], lane);
     for (int k = run_.order - 1; k >= 0; --k)
-      v = v * dt + L::get(jet_.s[series][k], lane);
+      v = multiply_add(v, dt, L::get(jet_.s[series][k], lane));
     return v;
   }
 
@@ -326,7 +328,7 @@ private:
       d[i] = jet_.s[i][run_.order];
     for (int k = run_.order - 1; k >= 1; --k)
       for (int i = 0; i < 6; ++i)
-        d[i] = d[i] * h + jet_.s[i][k];
+        d[i] = multiply_add(d[i], h, jet_.s[i][k]);
     for (int i = 0; i < 6; ++i)
       add_compensated(x_[i], low_[i], T(d[i] * h));
     add_compensated(t_, t_low_, h);
