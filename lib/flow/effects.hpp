@@ -28,10 +28,10 @@ struct Effects {
   friend constexpr bool operator==(const Effects&, const Effects&) = default;
 };
 
-/// A kernel for `have` computes the right thing for a scene that asks for `want` (missing effects
-/// become multiplications by zero).
+/// A kernel for `have` computes the right thing for a scene that asks for `want`: effects that the scene does
+/// not name become multiplications by zero.  (Not so the tip: sliding or fixed is another motion.)
 [[nodiscard]] constexpr bool covers(const Effects& have, const Effects& want) {
-  return have.gravity >= want.gravity && have.sliding >= want.sliding &&
+  return have.gravity >= want.gravity && (have.sliding == want.sliding || !want.lever()) &&
          have.gyrostat >= want.gyrostat && have.full_inertia >= want.full_inertia &&
          (!have.axial || want.axial || !want.lever());
 }
@@ -66,6 +66,20 @@ inline constexpr auto effect_sets = [] {
   for (std::size_t i = 0; i < effect_sets.size(); ++i)
     if (effect_sets[i] == want) return i;
   return effect_sets.size();
+}
+
+/// For arithmetic so slow to compile that 22 kernels would be too many: the first that covers is taken.
+inline constexpr std::array<Effects, 6> coarse_sets{{{true, false, false, false, true},
+                                                     {true, false, false, false, false},
+                                                     {true, false, true, true, false},
+                                                     {true, true, false, false, true},
+                                                     {true, true, false, false, false},
+                                                     {true, true, true, true, false}}};
+
+[[nodiscard]] constexpr std::size_t coarse_index(const Effects& want) {
+  for (std::size_t i = 0; i < coarse_sets.size(); ++i)
+    if (covers(coarse_sets[i], want)) return i;
+  return coarse_sets.size();
 }
 
 } // namespace kov::flow

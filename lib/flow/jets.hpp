@@ -17,6 +17,7 @@
 
 #include "flow/lanes.hpp"
 #include "flow/model.hpp"
+#include "flow/twin.hpp"
 
 namespace kov::flow {
 inline namespace KOV_ISA {

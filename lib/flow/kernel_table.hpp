@@ -8,18 +8,22 @@
 namespace kov::flow {
 inline namespace KOV_ISA {
 
+/// The sets of effects that are compiled for T.
+template <class T> inline constexpr const auto& sets_of = effect_sets;
+template <class P> inline constexpr const auto& sets_of<Twin<P>> = coarse_sets;
+
 template <class T> struct KernelTable {
-  Kernel<T> of[effect_sets.size()];
+  Kernel<T> of[sets_of<T>.size()];
 };
 
 template <class T, std::size_t... I>
 constexpr KernelTable<T> make_table(std::index_sequence<I...>) {
-  return {{{&jets<effect_sets[I], T>, &section_jets<effect_sets[I], T>}...}};
+  return {{{&jets<sets_of<T>[I], T>, &section_jets<sets_of<T>[I], T>}...}};
 }
 
 template <class T>
 inline constexpr KernelTable<T> kernel_table =
-    make_table<T>(std::make_index_sequence<effect_sets.size()>{});
+    make_table<T>(std::make_index_sequence<sets_of<T>.size()>{});
 
 template <class T>
 void integrate_with(std::size_t set, const Model<typename Lanes<T>::Real>& model, bool sliding,

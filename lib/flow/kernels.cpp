@@ -10,6 +10,9 @@ namespace entry {
 void integrate_baseline(std::size_t, int, const Model<double>&, bool, const Run<double>&);
 void integrate_avx2(std::size_t, int, const Model<double>&, bool, const Run<double>&);
 void integrate_avx512(std::size_t, int, const Model<double>&, bool, const Run<double>&);
+void integrate_baseline(std::size_t, int, const Model<Twin1>&, bool, const Run<Twin1>&);
+void integrate_avx2(std::size_t, int, const Model<Twin1>&, bool, const Run<Twin1>&);
+void integrate_avx512(std::size_t, int, const Model<Twin1>&, bool, const Run<Twin1>&);
 } // namespace entry
 
 namespace {
@@ -24,6 +27,19 @@ void check_order(int order) {
   if (order < 4 || order > max_degree)
     throw InvalidArgument("the order of the Taylor steps must be 4 to " +
                           std::to_string(max_degree) + ", not " + std::to_string(order));
+}
+
+template <class R>
+void dispatch(const Effects& e, const Model<R>& model, bool sliding, const Run<R>& run, int lanes,
+              Isa isa) {
+  check_order(run.order);
+  const std::size_t set = std::is_same_v<R, Twin1> ? coarse_index(e) : set_of(e);
+  isa = std::min(isa, best_isa());
+#if defined(__x86_64__)
+  if (isa == Isa::avx512) return entry::integrate_avx512(set, lanes, model, sliding, run);
+  if (isa == Isa::avx2) return entry::integrate_avx2(set, lanes, model, sliding, run);
+#endif
+  entry::integrate_baseline(set, lanes, model, sliding, run);
 }
 
 } // namespace
@@ -50,14 +66,12 @@ std::string to_string(Isa isa) {
 
 void integrate(const Effects& e, const Model<double>& model, bool sliding, const Run<double>& run,
                int lanes, Isa isa) {
-  check_order(run.order);
-  const std::size_t set = set_of(e);
-  isa = std::min(isa, best_isa());
-#if defined(__x86_64__)
-  if (isa == Isa::avx512) return entry::integrate_avx512(set, lanes, model, sliding, run);
-  if (isa == Isa::avx2) return entry::integrate_avx2(set, lanes, model, sliding, run);
-#endif
-  entry::integrate_baseline(set, lanes, model, sliding, run);
+  dispatch(e, model, sliding, run, lanes, isa);
+}
+
+void integrate(const Effects& e, const Model<Twin1>& model, bool sliding, const Run<Twin1>& run,
+               int lanes, Isa isa) {
+  dispatch(e, model, sliding, run, lanes, isa);
 }
 
 void integrate(const Effects& e, const Model<long double>& model, bool sliding,

@@ -23,6 +23,8 @@ enum class Isa : std::uint8_t { baseline, avx2, avx512 };
 /// Cost      the inner loops allocate nothing
 void integrate(const Effects& e, const Model<double>& model, bool sliding, const Run<double>& run,
                int lanes = 8, Isa isa = best_isa());
+void integrate(const Effects& e, const Model<Twin1>& model, bool sliding, const Run<Twin1>& run,
+               int lanes = 8, Isa isa = best_isa());
 void integrate(const Effects& e, const Model<long double>& model, bool sliding,
                const Run<long double>& run);
 void integrate(const Effects& e, const Model<BigReal>& model, bool sliding,

@@ -86,8 +86,12 @@ template <class T> inline void sub_product(T& acc, const T& a, const T& b) {
     acc -= a * b;
 }
 
-template <class T> inline T larger(const T& a, const T& b) { return a < b ? b : a; }
-template <class T> inline T absolute(const T& a) { return a < T{} ? T(-a) : a; }
+/// condition ? a : b in each lane.
+template <class C, class T> inline T choose(const C& condition, const T& a, const T& b) {
+  return condition ? a : b;
+}
+template <class T> inline T larger(const T& a, const T& b) { return choose(a < b, b, a); }
+template <class T> inline T absolute(const T& a) { return choose(a < T{}, T(-a), a); }
 
 /// Half the distance from 1 to the next number.
 template <class R> inline R unit_roundoff() { return R(sizeof(R) > 8 ? 5.4e-20 : 1.1102230246251565e-16); }

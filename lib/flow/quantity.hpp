@@ -3,6 +3,7 @@
 // number type gets it with its own precision, and exact rationals exactly.
 
 #include "flow/big_real.hpp"
+#include "flow/twin.hpp"
 #include "symbol/expression.hpp"
 
 #include <cmath>
@@ -86,6 +87,15 @@ template <class R> R evaluate(const Expression& e) {
   default:
     throw e.error("not a number", "a number is written with + - * / ^ sqrt() and pi");
   }
+}
+
+inline Twin1 to_twin(const BigReal& x) {
+  const auto high = static_cast<double>(x);
+  return {high, static_cast<double>(x - BigReal(high))};
+}
+template <> inline Twin1 evaluate<Twin1>(const Expression& e) {
+  const PrecisionScope scope(160);
+  return to_twin(evaluate<BigReal>(e));
 }
 
 /// A number with its text.

@@ -87,7 +87,7 @@ void isolate(R* b, int degree, const R& start, const R& width, int depth, Isolat
     if (k > 1) bend += R(k) * a;
     end += b[k];
   }
-  if (size_of(b[0]) + rest <= r.noise) return; // 0 as far as anybody can tell: the sign stays
+  if (!(size_of(b[0]) + rest > r.noise)) return; // 0 as far as anybody can tell: the sign stays
   const bool apart = size_of(b[0]) > rest;
   const bool monotone = degree >= 1 && size_of(b[1]) > bend;
   if (!apart && !monotone && depth < max_depth) {

@@ -40,7 +40,7 @@ struct Scene {
   int columns = 0, rows = 0; ///< grid over l (columns) and L/G (rows); 0: none
   long crossings = -1;       ///< of each orbit; -1: no limit
   std::optional<Quantity> time;
-  Quantity tolerance = "10^-16"; ///< local error of a step, relative
+  Quantity tolerance = "10^-16"; ///< relative; see safety_bits in simulate.hpp
   Quantity drift = "10^-9";      ///< largest relative drift of an integral that may be drawn
   int digits = 0;                ///< 0: double; otherwise decimal digits
   std::optional<std::array<Quantity, 3>> sign_of;

@@ -8,8 +8,6 @@
 namespace kov::flow {
 namespace {
 
-template <class R> R to(double x) { return R(x); }
-
 // The three integrals' drifts, relative.
 template <class R>
 std::array<double, 3> relative(const Finish<R>& f, const Levels<double>& levels) {
@@ -18,21 +16,25 @@ std::array<double, 3> relative(const Finish<R>& f, const Levels<double>& levels)
           static_cast<double>(f.drift[2]) / std::max(1.0, std::abs(levels.casimir))};
 }
 
-// Turns crossings into section points as they come.
+template <class R> State<double> rounded(const R (&x)[6]) {
+  const auto d = [&](int i) { return static_cast<double>(x[i]); };
+  return {{d(0), d(1), d(2)}, {d(3), d(4), d(5)}};
+}
+
+// Turns crossings into section points as they come.  The points are doubles whatever the orbit was.
 template <class R> struct Collector : Sink<R> {
-  const Body<R>& body;
-  const Levels<double>& levels;
+  Body<double> body;
+  Levels<double> levels;
   int axis;
-  std::size_t first = 0; ///< number of the run's first orbit in the scene
+  std::size_t first; ///< number of the run's first orbit in the scene
   std::vector<SectionPoint> points;
   std::vector<std::pair<std::size_t, OrbitReport>> orbits;
 
-  Collector(const Body<R>& b, const Levels<double>& f, int a) : body(b), levels(f), axis(a) {}
+  Collector(const Scene& s, std::size_t n)
+      : body(s.body<double>()), levels(s.levels<double>()), axis(s.section.axis), first(n) {}
   void crossing(const Crossing<R>& c) override {
-    const State<R> x{{c.x[0], c.x[1], c.x[2]}, {c.x[3], c.x[4], c.x[5]}};
-    const Andoyer<R> a = andoyer_of(body, x, axis);
-    points.push_back({first + c.orbit, static_cast<double>(c.t), static_cast<double>(a.l),
-                      static_cast<double>(a.y), static_cast<double>(a.g_size)});
+    const Andoyer<double> a = andoyer_of(body, rounded(c.x), axis);
+    points.push_back({first + c.orbit, static_cast<double>(c.t), a.l, a.y, a.g_size});
   }
   void finished(std::size_t orbit, const Finish<R>& f) override {
     OrbitReport r;
@@ -49,7 +51,6 @@ template <class R> struct Collector : Sink<R> {
 // Everything that does not depend on the orbit.
 template <class R> struct Plan {
   Body<R> body;
-  Levels<R> levels;
   Effects effects;
   Model<R> model;
   Run<R> run;
@@ -58,10 +59,13 @@ template <class R> struct Plan {
 
 long bits_of(int digits) { return static_cast<long>(std::ceil(digits * 3.3219280948873623)) + 8; }
 
+double log2_tolerance(const Scene& s) {
+  return log2_estimate(s.tolerance.as<BigReal>()) - safety_bits;
+}
+
 template <class R> Plan<R> plan_of(const Scene& s, const SimulateOptions& o) {
   Plan<R> p;
   p.body = s.body<R>();
-  p.levels = s.levels<R>();
   p.effects = effects_of(p.body);
   p.model = model_of(p.body, p.effects);
   p.run.section = s.section;
@@ -70,13 +74,13 @@ template <class R> Plan<R> plan_of(const Scene& s, const SimulateOptions& o) {
   p.run.t_end = s.time ? s.time->as<R>() : R(1e12);
   // Without a time an orbit that never comes back must end somewhere.
   p.run.max_steps = s.time ? -1 : 20000 + 2000 * s.crossings;
-  p.run.log2_tolerance = static_cast<double>(log2_estimate(s.tolerance.as<R>()));
+  p.run.log2_tolerance = log2_tolerance(s);
   return p;
 }
 
 template <class R>
 void integrate_any(const Plan<R>& p, const Run<R>& run, [[maybe_unused]] int lanes) {
-  if constexpr (std::is_same_v<R, double>)
+  if constexpr (std::is_same_v<R, double> || std::is_same_v<R, Twin1>)
     integrate(p.effects, p.model, p.body.sliding, run, lanes);
   else
     integrate(p.effects, p.model, p.body.sliding, run);
@@ -94,18 +98,16 @@ template <class R> struct Work {
   int order = 0;
 
   void operator()() {
-    PrecisionScope scope(bits_of(std::max(scene.digits, 19)));
+    const PrecisionScope scope(bits_of(std::max(scene.digits, 34)));
     Plan<R> plan = plan_of<R>(scene, options);
     plan.run.order = order;
-    const Levels<double> levels = scene.levels<double>();
-    const std::size_t chunk = std::is_same_v<R, double> ? 32 : 1;
+    const std::size_t chunk = std::is_same_v<R, double> ? 32 : std::is_same_v<R, Twin1> ? 8 : 1;
     for (std::size_t first = next.fetch_add(chunk); first < starts.size();
          first = next.fetch_add(chunk)) {
       if (options.stop != nullptr && options.stop->load()) return;
       const std::size_t last = std::min(starts.size(), first + chunk);
-      Collector<R> collector(plan.body, levels, scene.section.axis);
-      collector.first = first;
-      const std::vector<R> numbers = start_numbers(plan, first, last);
+      Collector<R> collector(scene, first);
+      const std::vector<R> numbers = start_numbers(first, last);
       Run<R> run = plan.run;
       run.starts = numbers.data();
       run.orbits = last - first;
@@ -115,17 +117,27 @@ template <class R> struct Work {
     }
   }
 
-  std::vector<R> start_numbers(const Plan<R>& plan, std::size_t first, std::size_t last) const {
+  // On the level to the last digit of R.
+  std::vector<R> start_numbers(std::size_t first, std::size_t last) const {
+    using S = std::conditional_t<std::is_same_v<R, Twin1>, BigReal, R>;
+    const Body<S> body = scene.body<S>();
+    const Levels<S> levels = scene.levels<S>();
     std::vector<R> numbers;
+    const auto keep_number = [&](const S& x) {
+      if constexpr (std::is_same_v<R, Twin1>)
+        numbers.push_back(to_twin(x));
+      else
+        numbers.push_back(x);
+    };
     for (std::size_t i = first; i < last; ++i) {
       const Start& s = starts[i];
       const bool seed = i < scene.seeds.size();
-      const R l = seed ? scene.seeds[i].l.template as<R>() : R(s.l);
-      const R y = seed ? scene.seeds[i].y.template as<R>() : R(s.y);
-      const State<R> x =
-          refine_point(plan.body, plan.levels, scene.section, l, y, s.g_size);
-      numbers.insert(numbers.end(), x.omega.begin(), x.omega.end());
-      numbers.insert(numbers.end(), x.gamma.begin(), x.gamma.end());
+      const S l = seed ? scene.seeds[i].l.template as<S>() : S(s.l);
+      const S y = seed ? scene.seeds[i].y.template as<S>() : S(s.y);
+      const State<S> x = refine_point(body, levels, scene.section, l, y, s.g_size);
+      for (const Vec<S>& v : {x.omega, x.gamma})
+        for (const S& c : v)
+          keep_number(c);
     }
     return numbers;
   }
@@ -226,12 +238,8 @@ Section simulate(const Scene& scene, const SimulateOptions& options) {
     r.g_size = s.g_size;
     out.orbits.push_back(r);
   }
-  const double log2_tolerance = [&] {
-    PrecisionScope scope(64);
-    return log2_estimate(scene.tolerance.as<BigReal>());
-  }();
   out.order = choose_order(effects, model_of(body, effects), numbers.data(), starts.size(),
-                           log2_tolerance);
+                           log2_tolerance(scene));
   if (scene.digits == 0) {
     out.arithmetic = "double, " + to_string(best_isa()) + ", " + std::to_string(options.lanes) +
                      (options.lanes == 1 ? " lane" : " lanes");
@@ -239,6 +247,9 @@ Section simulate(const Scene& scene, const SimulateOptions& options) {
   } else if (scene.digits <= 19) {
     out.arithmetic = "long double";
     run_all<long double>(scene, options, starts, out);
+  } else if (scene.digits <= 31) {
+    out.arithmetic = "pairs of doubles";
+    run_all<Twin1>(scene, options, starts, out);
   } else {
     out.arithmetic = "MPFR, " + std::to_string(bits_of(scene.digits)) + " bits";
     run_all<BigReal>(scene, options, starts, out);

@@ -8,6 +8,10 @@
 
 namespace kov::flow {
 
+/// A step's local error is kept below tolerance / 2^6: then the integrals drift by about the tolerance in a
+/// thousand turns (measured in docs/accuracy.md), and the number of crossings is right from 10^-4 on.
+inline constexpr int safety_bits = 6;
+
 struct SectionPoint {
   std::size_t orbit = 0;
   double t = 0; ///< time of the crossing, from the start of the orbit

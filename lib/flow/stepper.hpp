@@ -201,7 +201,7 @@ private:
     kernel_.jets(model_, jet_, run_.order);
     const T left = (L::all(run_.t_end) - t_) - t_low_;
     const T wanted = step_size();
-    const T h = wanted < left ? wanted : left;
+    const T h = choose(wanted < left, wanted, left);
     if (run_.section.on) look_for_crossings(h);
     advance(h);
     account(h, left);
@@ -224,10 +224,7 @@ private:
       const Step log_h = (run_.log2_tolerance - log2_estimate(size)) * (1.0 / k);
       best = k == p - 1 || log_h < best ? log_h : best;
     }
-    if constexpr (sizeof(Step) == sizeof(T) && n > 1)
-      return exp2_estimate(best);
-    else
-      return T(exp2_estimate(best));
+    return T(exp2_estimate(best));
   }
 
   void look_for_crossings(const T& h) {
@@ -245,20 +242,20 @@ private:
       end += b;
       power = power * h;
     }
-    const T sign0 = s[0] > zero ? one : T(-one);
-    const T sign1 = end > zero ? one : end < zero ? T(-one) : above_; // 0 decides nothing
+    const T below = -one;
+    const T sign0 = choose(s[0] > zero, one, below);
+    const T sign1 = choose(end > zero, one, choose(end < zero, below, above_)); // 0 decides nothing
     // 1 where a crossing, or doubt, remains
-    const T same_start = sign0 == above_ ? one : zero;
-    const T same_end = sign1 == above_ ? one : zero;
-    const T apart = absolute(s[0]) > rest ? same_start : zero;
+    const T same_start = choose(sign0 == above_, one, zero);
+    T boring = choose(sign1 == above_, one, zero);
     // a single sign change that nobody asked for needs no place
-    T boring = same_end;
-    if (!run_.section.rising) boring = above_ < zero ? one : boring;
-    if (!run_.section.falling) boring = above_ > zero ? one : boring;
-    const T monotone = slope > bend ? boring : zero;
-    const T look = apart + monotone > zero ? zero : one;
+    if (!run_.section.rising) boring = choose(above_ < zero, one, boring);
+    if (!run_.section.falling) boring = choose(above_ > zero, one, boring);
+    const T apart = choose(absolute(s[0]) > rest, same_start, zero);
+    const T monotone = choose(slope > bend, boring, zero);
+    const T look = choose(apart + monotone > zero, zero, one);
     for (int lane = 0; lane < n; ++lane)
-      if (busy_[lane] && L::get(look, lane) != Real(0)) look_closer(lane, L::get(h, lane));
+      if (busy_[lane] && !(L::get(look, lane) == Real(0))) look_closer(lane, L::get(h, lane));
     above_ = sign1;
   }
 
@@ -279,7 +276,7 @@ private:
       above = (size > Real(1e-10) * scale ? b[0] : b[1]) > Real(0);
     }
     // S below the rounding of its own terms is taken for 0: on an invariant plane it vanishes identically.
-    const Real noise = L::get(jet_.s[Jet<T>::m_squared][0], lane) * unit_roundoff<Real>() * Real(16);
+    const Real noise = L::get(jet_.s[Jet<T>::m_squared][0], lane) * (unit_roundoff<Real>() * Real(16));
     Root<Real> roots[16];
     const int found = sign_changes(b, p, noise, above, run_.section.falling, run_.section.rising,
                                    roots, 16, tally_[lane].tangencies);

@@ -63,7 +63,7 @@ Record<R> run(const Body<R>& body, const std::vector<State<R>>& starts, const Go
   r.starts = x.data();
   r.orbits = starts.size();
   r.sink = &record;
-  if constexpr (std::is_same_v<R, double>)
+  if constexpr (std::is_same_v<R, double> || std::is_same_v<R, Twin1>)
     integrate(e, model, body.sliding, r, goal.lanes, goal.isa);
   else
     integrate(e, model, body.sliding, r);
@@ -80,11 +80,28 @@ template <class R> double largest_drift(const Record<R>& r) {
 
 template <class R> std::vector<State<R>> states_of(const Scene& s) {
   std::vector<State<R>> out;
+  if constexpr (std::is_same_v<R, Twin1>) {
+    const PrecisionScope scope(160);
+    for (const State<BigReal>& x : states_of<BigReal>(s)) {
+      out.emplace_back();
+      for (int i = 0; i < 3; ++i) {
+        out.back().omega[i] = to_twin(x.omega[i]);
+        out.back().gamma[i] = to_twin(x.gamma[i]);
+      }
+    }
+    return out;
+  } else {
   const Body<R> b = s.body<R>();
   const Levels<R> f = s.levels<R>();
   for (const Start& start : starts_of(s))
     out.push_back(refine_point(b, f, s.section, R(start.l), R(start.y), start.g_size));
   return out;
+  }
+}
+
+template <class R> State<double> rounded(const R (&x)[6]) {
+  const auto d = [&](int i) { return static_cast<double>(x[i]); };
+  return {{d(0), d(1), d(2)}, {d(3), d(4), d(5)}};
 }
 
 } // namespace kov::flow::test
