@@ -8,6 +8,8 @@ struct kov_qqbar_struct {
   qqbar_t v;
 };
 
+const char* kov_calcium_version(void) { return calcium_version(); }
+
 kov_qqbar* kov_qqbar_new(void) {
   kov_qqbar* x = flint_malloc(sizeof(kov_qqbar));
   qqbar_init(x->v);

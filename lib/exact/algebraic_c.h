@@ -13,6 +13,8 @@ extern "C" {
 
 typedef struct kov_qqbar_struct kov_qqbar;
 
+const char* kov_calcium_version(void);
+
 kov_qqbar* kov_qqbar_new(void); /* the number 0 */
 kov_qqbar* kov_qqbar_copy(const kov_qqbar* x);
 void kov_qqbar_free(kov_qqbar* x);

@@ -26,6 +26,18 @@ std::vector<Factor> squarefree_factors(const Poly& f0) {
   return found;
 }
 
+Poly product(std::vector<Poly> layer) {
+  if (layer.empty()) return Poly(1);
+  while (layer.size() > 1) {
+    std::vector<Poly> next;
+    for (std::size_t i = 0; i + 1 < layer.size(); i += 2)
+      next.push_back(layer[i] * layer[i + 1]);
+    if (layer.size() % 2 == 1) next.push_back(layer.back());
+    layer = std::move(next);
+  }
+  return layer.front();
+}
+
 bool is_squarefree(const Poly& f) {
   return degree(f) < 2 || provably_coprime(f, derivative(f)) || degree(gcd(f, derivative(f))) == 0;
 }
@@ -39,65 +51,146 @@ void sort_factors(std::vector<Factor>& factors) {
   });
 }
 
-// The rational roots of a squarefree f over Q: roots modulo one prime, lifted by Newton's iteration
-// until the denominator and numerator bounds are passed, then checked by division.
-std::vector<Rational> rational_roots(const Poly& f) {
+// f modulo p as a product of powers of squarefree polynomials; small p are avoided by the caller.
+std::vector<std::pair<NmodPoly, long>> modular_squarefree_parts(const NmodPoly& f) {
+  std::vector<std::pair<NmodPoly, long>> parts;
+  nmod_poly_factor_t factors;
+  nmod_poly_factor_init(factors);
+  nmod_poly_factor_squarefree(factors, f.raw());
+  for (slong i = 0; i < factors->num; ++i) {
+    NmodPoly base(f.modulus());
+    nmod_poly_set(base.raw(), factors->p + i);
+    parts.emplace_back(std::move(base), factors->exp[i]);
+  }
+  nmod_poly_factor_clear(factors);
+  return parts;
+}
+
+// The rational numbers that reduce to the given simple roots of g modulo p, as far as they can be
+// guessed: by reconstruction from one prime where a second prime agrees, else by Newton's iteration
+// modulo p^2, p^4, ... until the guess does not change or exceeds 2^bits.
+std::vector<Rational> lifted_roots(const fmpz_poly_t g, const std::vector<mp_limb_t>& start,
+                                   mp_limb_t p, mp_limb_t second_prime, slong bits) {
   std::vector<Rational> found;
+  std::vector<Integer> open;
+  std::vector<Rational> guess(start.size());
+  std::vector<mp_limb_t> image(start.size());
+  std::vector<mp_limb_t> values(start.size());
+  const PrimeIdeal other{second_prime, 0};
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    guess[i] = rational_reconstruction(Integer(start[i]), Integer(p)).value_or(Rational(0));
+    image[i] = other.reduce(guess[i]).value_or(0);
+  }
+  NmodPoly reduced(second_prime);
+  fmpz_poly_get_nmod_poly(reduced.raw(), g);
+  nmod_poly_evaluate_nmod_vec(values.data(), reduced.raw(), image.data(),
+                              static_cast<slong>(start.size()));
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    if (values[i] == 0)
+      found.push_back(guess[i]);
+    else
+      open.emplace_back(start[i]);
+  }
+  fmpz_poly_t f;
+  fmpz_poly_t df;
+  fmpz_poly_init(f);
+  fmpz_poly_init(df);
+  Integer value;
+  Integer slope;
+  std::vector<std::optional<Rational>> last(open.size());
+  for (Integer modulus(p);
+       !open.empty() && static_cast<slong>(fmpz_bits(modulus.raw())) <= 4 * bits + 128;) {
+    modulus = modulus * modulus;
+    fmpz_poly_scalar_mod_fmpz(f, g, modulus.raw());
+    fmpz_poly_derivative(df, f);
+    const auto horner = [&](const fmpz_poly_t h, const Integer& x, Integer& out) {
+      fmpz_zero(out.raw());
+      for (slong i = fmpz_poly_degree(h); i >= 0; --i) {
+        fmpz_mul(out.raw(), out.raw(), x.raw());
+        fmpz_add(out.raw(), out.raw(), h->coeffs + i);
+        fmpz_mod(out.raw(), out.raw(), modulus.raw());
+      }
+    };
+    std::vector<Integer> still_open;
+    std::vector<std::optional<Rational>> still_last;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      Integer& x = open[i];
+      horner(f, x, value);
+      horner(df, x, slope);
+      if (!fmpz_invmod(slope.raw(), slope.raw(), modulus.raw())) continue;
+      x -= value * slope;
+      fmpz_mod(x.raw(), x.raw(), modulus.raw());
+      auto candidate = rational_reconstruction(x, modulus);
+      if (candidate && last[i] && *candidate == *last[i]) {
+        found.push_back(*candidate);
+        continue;
+      }
+      still_open.push_back(std::move(x));
+      still_last.push_back(std::move(candidate));
+    }
+    open = std::move(still_open);
+    last = std::move(still_last);
+  }
+  fmpz_poly_clear(f);
+  fmpz_poly_clear(df);
+  return found;
+}
+
+// Rational roots with their multiplicities in f over Q, by roots modulo one prime: a root of
+// multiplicity e is a simple root of the (e-1)-st derivative.  Roots may be missing; those that are
+// returned divide f with that multiplicity (checked by one division), and `rest` is what is left.
+std::vector<Factor> linear_factors(const Poly& f, Poly& rest) {
+  rest = f;
+  if (degree(f) < 2 || !f.field()->is_rational()) return {};
   fmpz_poly_t g;
   fmpz_poly_init(g);
   fmpq_poly_get_numerator(g, f.raw());
-  fmpz_poly_primitive_part(g, g);
-  // A root n/d has d | lead, n | constant term: |n|,|d| < 2^bits.
-  const slong bits = std::max(fmpz_bits(g->coeffs + fmpz_poly_degree(g)),
-                              fmpz_is_zero(g->coeffs) ? flint_bitcnt_t{1} : fmpz_bits(g->coeffs));
-  PrimeIdeals primes(rationals(), mp_limb_t{1} << 30);
-  for (int tries = 0; tries < 20; ++tries) {
-    const PrimeIdeal prime = primes.next();
-    NmodPoly image(prime.p);
-    fmpz_poly_get_nmod_poly(image.raw(), g);
-    if (degree(image) != fmpz_poly_degree(g)) continue;
-    if (degree(gcd(image, derivative(image))) != 0) continue;
-    fmpz_poly_t dg;
-    fmpz_poly_init(dg);
-    fmpz_poly_derivative(dg, g);
-    for (const mp_limb_t start : roots(image)) {
-      Integer modulus(prime.p);
-      Integer x(start);
-      Integer value;
-      Integer slope;
-      std::optional<Rational> candidate;
-      bool root = false;
-      while (!root) {
-        candidate = rational_reconstruction(x, modulus);
-        if (candidate) {
-          Rational at;
-          fmpz_poly_evaluate_fmpq(at.raw(), g, candidate->raw());
-          root = is_zero(at);
-        }
-        if (root || static_cast<slong>(fmpz_bits(modulus.raw())) > 2 * bits + 3) break;
-        modulus = modulus * modulus;
-        // x <- x - g(x)/g'(x) modulo p^(2k), by Horner's rule modulo p^(2k)
-        const auto horner = [&](const fmpz_poly_struct* h, Integer& out) {
-          fmpz_zero(out.raw());
-          for (slong i = fmpz_poly_degree(h); i >= 0; --i) {
-            fmpz_mul(out.raw(), out.raw(), x.raw());
-            fmpz_add(out.raw(), out.raw(), h->coeffs + i);
-            fmpz_mod(out.raw(), out.raw(), modulus.raw());
-          }
-        };
-        horner(g, value);
-        horner(dg, slope);
-        fmpz_invmod(slope.raw(), slope.raw(), modulus.raw());
-        x -= value * slope;
-        fmpz_mod(x.raw(), x.raw(), modulus.raw());
-      }
-      if (root) found.push_back(*candidate);
+  // A root n/d has d | lead and n | the lowest coefficient that is not 0.
+  slong bits = static_cast<slong>(fmpz_bits(g->coeffs + fmpz_poly_degree(g)));
+  for (slong i = 0; i <= fmpz_poly_degree(g); ++i)
+    if (!fmpz_is_zero(g->coeffs + i)) {
+      bits = std::max(bits, static_cast<slong>(fmpz_bits(g->coeffs + i)));
+      break;
     }
-    fmpz_poly_clear(dg);
-    break;
+  std::vector<Factor> found;
+  PrimeIdeals primes = PrimeIdeals::large(rationals());
+  const mp_limb_t p = primes.next().p;
+  const mp_limb_t second_prime = primes.next().p;
+  NmodPoly image(p);
+  fmpz_poly_get_nmod_poly(image.raw(), g);
+  if (degree(image) == degree(f)) {
+    for (const auto& [base, e] : modular_squarefree_parts(image)) {
+      if (degree(base) < 1) continue;
+      const auto images = roots(base);
+      if (images.empty()) continue;
+      fmpz_poly_t h;
+      fmpz_poly_init(h);
+      fmpz_poly_set(h, g);
+      for (long i = 1; i < e; ++i)
+        fmpz_poly_derivative(h, h);
+      for (const Rational& x : lifted_roots(h, images, p, second_prime, bits))
+        found.push_back({Poly::z() - Poly(x), e});
+      fmpz_poly_clear(h);
+    }
   }
   fmpz_poly_clear(g);
-  return found;
+  std::vector<Poly> powers;
+  for (const Factor& factor : found)
+    powers.push_back(pow(factor.base, static_cast<unsigned long>(factor.exponent)));
+  auto [quot, remainder] = divrem(f, product(powers));
+  if (is_zero(remainder)) {
+    rest = std::move(quot);
+    return found;
+  }
+  // Some guess was wrong (roots that agree modulo p): keep those that divide, one by one.
+  std::vector<Factor> kept;
+  for (const Factor& factor : found) {
+    auto [e, left] = remove_factor(rest, factor.base);
+    if (e == 0) continue;
+    kept.push_back({factor.base, e});
+    rest = std::move(left);
+  }
+  return kept;
 }
 
 // Irreducible factors of a squarefree monic f over Q.
@@ -106,21 +199,6 @@ std::vector<Poly> split_over_q(Poly f, const Budget& budget) {
   if (degree(f) < 1) return found;
   if (degree(f) == 1) return {f};
   budget.check();
-  for (const Rational& root : rational_roots(f))
-    found.push_back(Poly::z() - Poly(root));
-  if (!found.empty()) {
-    // the product by a balanced tree: much cheaper than one division per root
-    std::vector<Poly> layer = found;
-    while (layer.size() > 1) {
-      std::vector<Poly> next;
-      for (std::size_t i = 0; i + 1 < layer.size(); i += 2)
-        next.push_back(layer[i] * layer[i + 1]);
-      if (layer.size() % 2 == 1) next.push_back(layer.back());
-      layer = std::move(next);
-    }
-    f = exact_div(f, layer.front());
-  }
-  if (degree(f) < 1) return found;
   fmpz_poly_t g;
   fmpz_poly_init(g);
   fmpq_poly_get_numerator(g, f.raw());
@@ -206,11 +284,20 @@ Poly norm(const Poly& f) {
 }
 
 std::vector<Factor> irreducible_factors(const Poly& f, const Budget& budget) {
-  std::vector<Factor> found;
-  for (const Factor& part : squarefree_factors(f)) {
+  KOV_ENSURE(!is_zero(f));
+  Poly rest;
+  std::vector<Factor> found = linear_factors(f, rest);
+  for (const Factor& part : squarefree_factors(rest)) {
     budget.check_degree(degree(part.base));
-    for (Poly& q : split_over_field(part.base, budget))
-      found.push_back({coerce(q, f.field()), part.exponent});
+    for (Poly& q : split_over_field(part.base, budget)) {
+      // a root that the quick look missed in part may have been found before
+      const auto known =
+          std::find_if(found.begin(), found.end(), [&](const Factor& g) { return g.base == q; });
+      if (known != found.end())
+        known->exponent += part.exponent;
+      else
+        found.push_back({coerce(q, f.field()), part.exponent});
+    }
   }
   sort_factors(found);
   return found;

@@ -178,15 +178,17 @@ std::optional<Rational> rational_reconstruction(const Integer& c, const Integer&
   return q;
 }
 
-bool provably_coprime(const Poly& a, const Poly& b) {
-  if (is_zero(a) || is_zero(b)) return false;
+std::optional<long> gcd_degree_bound(const Poly& a, const Poly& b) {
+  if (is_zero(a) || is_zero(b)) return std::nullopt;
   PrimeIdeals primes = PrimeIdeals::large(common_field(a.field(), b.field()));
   const PrimeIdeal prime = primes.next();
   const auto x = prime.reduce(a);
   const auto y = prime.reduce(b);
-  // If both leading coefficients survive, a common factor would survive too.
-  if (!x || !y || degree(*x) != degree(a) || degree(*y) != degree(b)) return false;
-  return degree(gcd(*x, *y)) == 0;
+  // If one leading coefficient survives, a common factor keeps its degree.
+  if (!x || !y || (degree(*x) != degree(a) && degree(*y) != degree(b))) return std::nullopt;
+  return degree(gcd(*x, *y));
 }
+
+bool provably_coprime(const Poly& a, const Poly& b) { return gcd_degree_bound(a, b) == 0L; }
 
 } // namespace kov

@@ -17,7 +17,7 @@ public:
   NmodPoly(const NmodPoly& o) : NmodPoly(o.modulus()) { nmod_poly_set(v_, o.v_); }
   NmodPoly(NmodPoly&& o) noexcept : NmodPoly(o.modulus()) { nmod_poly_swap(v_, o.v_); }
   NmodPoly& operator=(NmodPoly o) noexcept {
-    nmod_poly_swap(v_, o.v_);
+    std::swap(*v_, *o.v_); // nmod_poly_swap of FLINT 2.9 leaves the moduli where they are
     return *this;
   }
   ~NmodPoly() { nmod_poly_clear(v_); }
@@ -98,6 +98,8 @@ private:
 /// a/b = c with |a|,|b| bounded by sqrt(m/2): Wang's rational reconstruction.
 [[nodiscard]] std::optional<Rational> rational_reconstruction(const Integer& c, const Integer& m);
 
+/// An upper bound of deg gcd(a, b), from one prime; nothing if that prime is not good.
+[[nodiscard]] std::optional<long> gcd_degree_bound(const Poly& a, const Poly& b);
 /// True only if gcd(a, b) = 1 is certain (tested modulo one prime); false says nothing.
 [[nodiscard]] bool provably_coprime(const Poly& a, const Poly& b);
 

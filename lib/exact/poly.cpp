@@ -288,7 +288,8 @@ std::pair<long, Poly> remove_factor(const Poly& f, const Poly& q) {
 
 Poly gcd(const Poly& a0, const Poly& b0) {
   const Field& k = common_field(a0.field(), b0.field());
-  if (k->is_rational()) {
+  const bool small = degree(a0) + degree(b0) < 24;
+  if (k->is_rational() && (small || is_zero(a0) || is_zero(b0))) {
     Poly g(k);
     fmpq_poly_gcd(g.raw(), a0.raw(), b0.raw());
     return g;
@@ -297,7 +298,16 @@ Poly gcd(const Poly& a0, const Poly& b0) {
   Poly b = coerce(b0, k);
   if (is_zero(a)) return is_zero(b) ? b : monic(b);
   if (is_zero(b)) return monic(a);
-  if (provably_coprime(a, b)) return coerce(Poly(1), k);
+  if (degree(a) < degree(b)) std::swap(a, b);
+  // One prime bounds the degree of the gcd: that settles the two common cases, 1 and b itself.
+  const auto bound = gcd_degree_bound(a, b);
+  if (bound && *bound == 0) return coerce(Poly(1), k);
+  if (bound && *bound == degree(b) && divides(b, a)) return monic(b);
+  if (k->is_rational()) {
+    Poly g(k);
+    fmpq_poly_gcd(g.raw(), a.raw(), b.raw());
+    return g;
+  }
   a = monic(a);
   b = monic(b);
   while (!is_zero(b)) {

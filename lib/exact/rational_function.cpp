@@ -22,19 +22,49 @@ RationalFunction::RationalFunction(const Poly& num, const Poly& den) {
   }
 }
 
+RationalFunction RationalFunction::from_coprime(Poly num, Poly den) {
+  RationalFunction f;
+  const Field& k = common_field(num.field(), den.field());
+  const NfElem c = lead(den);
+  if (!is_one(c)) {
+    num = scale(num, inverse(c));
+    den = monic(den);
+  }
+  f.num_ = coerce(num, k);
+  f.den_ = coerce(is_zero(num) ? Poly(1) : den, k);
+  return f;
+}
+
+// Henrici's rules: gcds of the given numerators and denominators only, never of their products.
 RationalFunction operator+(const RationalFunction& a, const RationalFunction& b) {
   if (a.den_ == b.den_) return {a.num_ + b.num_, a.den_};
-  return {a.num_ * b.den_ + b.num_ * a.den_, a.den_ * b.den_};
+  const Poly g = gcd(a.den_, b.den_);
+  if (degree(g) == 0)
+    return RationalFunction::from_coprime(a.num_ * b.den_ + b.num_ * a.den_, a.den_ * b.den_);
+  const Poly a_rest = exact_div(a.den_, g);
+  const Poly num = a.num_ * exact_div(b.den_, g) + b.num_ * a_rest;
+  if (is_zero(num)) return {num, g};
+  const Poly common = gcd(num, g); // whatever cancels, cancels against g
+  if (degree(common) == 0) return RationalFunction::from_coprime(num, a_rest * b.den_);
+  return RationalFunction::from_coprime(exact_div(num, common), a_rest * exact_div(b.den_, common));
 }
 
 RationalFunction operator-(const RationalFunction& a, const RationalFunction& b) { return a + -b; }
 
 RationalFunction operator*(const RationalFunction& a, const RationalFunction& b) {
-  return {a.num_ * b.num_, a.den_ * b.den_};
+  if (is_zero(a.num_) || is_zero(b.num_)) return {a.num_ * b.num_, Poly(1)};
+  const Poly g = gcd(a.num_, b.den_);
+  const Poly h = gcd(b.num_, a.den_);
+  const auto without = [](const Poly& f, const Poly& d) {
+    return degree(d) == 0 ? f : exact_div(f, d);
+  };
+  return RationalFunction::from_coprime(without(a.num_, g) * without(b.num_, h),
+                                        without(a.den_, h) * without(b.den_, g));
 }
 
 RationalFunction operator/(const RationalFunction& a, const RationalFunction& b) {
-  return {a.num_ * b.den_, a.den_ * b.num_};
+  if (is_zero(b.num_)) throw DomainError("division by the zero function");
+  return a * RationalFunction::from_coprime(b.den_, b.num_);
 }
 
 RationalFunction operator-(RationalFunction a) {
@@ -48,7 +78,8 @@ RationalFunction derivative(const RationalFunction& f) {
 
 RationalFunction pow(const RationalFunction& f, long e) {
   if (e < 0) return pow(RationalFunction(1) / f, -e);
-  return {pow(f.num(), static_cast<unsigned long>(e)), pow(f.den(), static_cast<unsigned long>(e))};
+  const auto n = static_cast<unsigned long>(e);
+  return RationalFunction::from_coprime(pow(f.num(), n), pow(f.den(), n));
 }
 
 RationalFunction compose(const RationalFunction& f, const RationalFunction& g) {

@@ -13,6 +13,9 @@ public:
   RationalFunction(std::integral auto n) : RationalFunction(Poly(n)) {}
   RationalFunction(const Poly& num, const Poly& den); ///< Throws DomainError for den = 0.
 
+  /// num/den without a gcd.  Requires num and den coprime, den != 0.
+  [[nodiscard]] static RationalFunction from_coprime(Poly num, Poly den);
+
   [[nodiscard]] const Poly& num() const noexcept { return num_; }
   [[nodiscard]] const Poly& den() const noexcept { return den_; }
   [[nodiscard]] const Field& field() const noexcept { return num_.field(); }

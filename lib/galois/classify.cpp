@@ -112,9 +112,20 @@ private:
     KOV_ENSURE(!is_zero(answer_.pair->w_squared));
   }
 
+  // The shortest proof there is, where the local data alone do not settle the question.
+  bool one_prime_says_sl2() {
+    answer_.p_curvature = sl2_by_p_curvature(local(), 3, budget_);
+    if (!answer_.p_curvature) return false;
+    settle({GroupType::SL2, {}},
+           "the p-curvature modulo p = " + std::to_string(answer_.p_curvature->prime.p) +
+               " has places of odd order that no solvable or finite group allows");
+    return true;
+  }
+
   void irregular_or_irrational() {
     const std::string because =
         answer_.kind_reason + ", so that the identity component contains a torus";
+    if (invariant_shape(local(), 4).possible && one_prime_says_sl2()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none) {
       answer_.abelian = Truth::yes;
@@ -135,10 +146,11 @@ private:
     answer_.reason = because + ", and Sym^4 has no rational solution" +
                      (quartic.none->combinatorial ? " (" + quartic.none->why + ")" : "");
     const std::string known = answer_.reason;
+    if (exponential_shape(local()).possible && one_prime_says_sl2()) return;
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
     KOV_ENSURE(!exponential.projectively_trivial);
-    if (!exponential.omega.empty()) {
-      answer_.omega = exponential.omega.front();
+    if (!exponential.solutions.empty()) {
+      answer_.exponential = exponential.solutions.front();
       settle({GroupType::Borel, {}}, known + "; there is exactly one exponential solution");
     } else {
       answer_.no_exponential = exponential.none;
@@ -147,17 +159,19 @@ private:
   }
 
   // One exponential solution y with y^m rational for some m, and no second one.
-  void one_radical_line(const RationalFunction& omega, const std::string& why) {
-    answer_.omega = omega;
-    const auto m = radical_order(logarithmic_parts(omega, budget_));
+  void one_radical_line(const ExponentialSolution& y, const std::string& why) {
+    answer_.exponential = y;
+    const auto m = radical_order(logarithmic_parts(y.theta, budget_)); // P does not matter
     KOV_ENSURE(m); // regular singular with rational exponents
     settle({GroupType::T, *m}, why);
   }
 
   void logarithmic() {
+    if (exponential_shape(local()).possible && one_prime_says_sl2()) return;
+
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
-    if (!exponential.omega.empty()) {
-      one_radical_line(exponential.omega.front(),
+    if (!exponential.solutions.empty()) {
+      one_radical_line(exponential.solutions.front(),
                        answer_.kind_reason + "; there is one exponential solution, a radical");
       return;
     }
@@ -184,6 +198,7 @@ private:
                            : ": all solutions are square roots of rational functions"));
       return;
     }
+    if (one_prime_says_sl2()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none)
       with_quartic(quartic);
@@ -209,10 +224,10 @@ private:
     const RationalFunction f = value(quartic.basis.front(), local());
     const NfElem w_squared = wronskian_squared(r_, f);
     if (is_zero(w_squared)) { // F = y^4
-      const RationalFunction omega = derivative(f) / (RationalFunction(4) * f);
-      KOV_ENSURE(derivative(omega) + omega * omega == r_);
-      one_radical_line(omega, "the rational solution of Sym^4 is the fourth power of a solution, "
-                              "the only exponential one");
+      const ExponentialSolution y{derivative(f) / (RationalFunction(4) * f), Poly(1)};
+      KOV_ENSURE(solves(y, r_));
+      one_radical_line(y, "the rational solution of Sym^4 is the fourth power of a solution, "
+                          "the only exponential one");
       return;
     }
     if (const auto v = square_root(f)) {
@@ -247,8 +262,8 @@ private:
 
   void without_quartic() {
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
-    if (!exponential.omega.empty()) {
-      one_radical_line(exponential.omega.front(),
+    if (!exponential.solutions.empty()) {
+      one_radical_line(exponential.solutions.front(),
                        "there is exactly one exponential solution, a radical");
       return;
     }

@@ -14,6 +14,7 @@
 #include "galois/exponential_form.hpp"
 #include "galois/group.hpp"
 #include "invariant/invariant.hpp"
+#include "pcurvature/p_curvature.hpp"
 #include "riccati/exponential.hpp"
 
 #include <optional>
@@ -42,11 +43,12 @@ struct Classification {
   std::optional<Unable> undecided;
 
   // evidence: positive findings are verified, absences carry their proofs
-  std::optional<RationalFunction> omega;   ///< an exponential solution over K
-  std::optional<ExponentialPair> pair;     ///< two of them
-  std::vector<InvariantSearch> invariants; ///< every search that found something
+  std::optional<ExponentialSolution> exponential; ///< over K, the only one
+  std::optional<ExponentialPair> pair;            ///< two of them
+  std::vector<InvariantSearch> invariants;        ///< every search that found something
   std::vector<NoInvariant> no_invariants;
   std::optional<NoExponential> no_exponential;
+  std::optional<PCurvatureProof> p_curvature; ///< proves SL2 by itself
   std::optional<DihedralCurve> curve;
   std::optional<DihedralAnswer> dihedral;
 };

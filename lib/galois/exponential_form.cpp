@@ -56,8 +56,13 @@ std::optional<Integer> radical_order(const LogarithmicParts& parts) {
   return m;
 }
 
-std::string exponential_text(const LogarithmicParts& parts, const std::string& variable) {
+std::string exponential_text(const Poly& p, const LogarithmicParts& parts,
+                             const std::string& variable) {
   std::string text;
+  if (degree(p) > 0) {
+    text = to_string(p, variable);
+    if (text != variable) text = "(" + text + ")";
+  }
   const auto times = [&](const std::string& factor) {
     text += text.empty() ? factor : "*" + factor;
   };

@@ -29,8 +29,9 @@ struct LogarithmicParts {
 /// that is not rational).
 [[nodiscard]] std::optional<Integer> radical_order(const LogarithmicParts& parts);
 
-/// y as text: P*(q)^(e)*exp(R), with an integral sign where residues differ between conjugates.
-[[nodiscard]] std::string exponential_text(const LogarithmicParts& parts,
+/// P exp(int theta) as text: P*(q)^(e)*exp(R), with an integral sign where residues differ between
+/// conjugates.
+[[nodiscard]] std::string exponential_text(const Poly& p, const LogarithmicParts& parts,
                                            const std::string& variable = "z");
 
 /// The two exponentials with product v and Wronskian w: omega = (v' +- w)/(2v), v in K(z), w^2 in

@@ -1,6 +1,7 @@
 #include "galois/solutions.hpp"
 
 #include "exact/error.hpp"
+#include "linode/polynomial_solution.hpp"
 
 #include <algorithm>
 
@@ -36,11 +37,11 @@ std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction&
 
 namespace {
 
-LiouvillianSolution exponential(const RationalFunction& omega, const std::string& variable,
+LiouvillianSolution exponential(const ExponentialSolution& y, const std::string& variable,
                                 const Budget& budget) {
   LiouvillianSolution s;
-  s.omega = omega;
-  s.text = exponential_text(logarithmic_parts(omega, budget), variable);
+  s.exponential = y;
+  s.text = exponential_text(y.p, logarithmic_parts(y.theta, budget), variable);
   return s;
 }
 
@@ -83,9 +84,34 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
     const RationalFunction omega =
         (derivative(v) + RationalFunction(Poly(sign))) / (RationalFunction(2) * v);
     KOV_ENSURE(derivative(omega) + omega * omega == coerce(r, omega.field()));
-    found.push_back(exponential(omega, variable, budget));
+    found.push_back(exponential({omega, Poly(1)}, variable, budget));
     found.back().note = note;
   }
+  return found;
+}
+
+// All exponent differences are integers and nothing is logarithmic: y = P prod q^((1-Delta)/2), and
+// the growth exponents at infinity give the two degrees of P.
+std::vector<LiouvillianSolution> square_roots(const Singularities& s, const RationalFunction& r,
+                                              const std::string& variable, const Budget& budget) {
+  RationalFunction theta;
+  Rational total;
+  for (const Singularity& p : s.finite) {
+    const Rational alpha = (Rational(1) - *p.delta) * Rational(1, 2);
+    theta += RationalFunction(scale(derivative(p.place), NfElem(alpha)), p.place);
+    total += alpha * Rational(p.degree());
+  }
+  const PolynomialEquation e = polynomial_equation(theta, r);
+  std::vector<LiouvillianSolution> found;
+  for (const int sign : {-1, 1}) {
+    const Rational d = (Rational(1) + Rational(sign) * *s.infinity.delta) * Rational(1, 2) - total;
+    KOV_ENSURE(is_integer(d) && fits_long(d.num()));
+    if (kov::sign(d) < 0) continue;
+    const auto p = polynomial_solution(e.c2, e.c1, e.c0, to_long(d.num()), budget);
+    if (!p) continue;
+    found.push_back(exponential({theta, *p}, variable, budget));
+  }
+  KOV_ENSURE(found.size() == 2);
   return found;
 }
 
@@ -112,12 +138,14 @@ std::vector<LiouvillianSolution> solutions(const Classification& c, const Ration
                                            const std::string& variable, const Budget& budget) {
   const RationalFunction half(Rational(1, 2));
   if (is_zero(r)) {
-    LiouvillianSolution one{RationalFunction(0), {}, "1", ""};
-    LiouvillianSolution z{RationalFunction(Poly(1), Poly::z()), {}, variable, ""};
+    LiouvillianSolution one{ExponentialSolution{RationalFunction(0), Poly(1)}, {}, "1", ""};
+    LiouvillianSolution z{ExponentialSolution{RationalFunction(0), Poly::z()}, {}, variable, ""};
     return {one, z};
   }
+  if (c.group && c.group->type == GroupType::cyclic && !c.pair)
+    return square_roots(*c.local, r, variable, budget);
   if (c.pair) return exponentials(*c.pair, r, variable, budget);
-  if (c.omega) return {exponential(*c.omega, variable, budget)};
+  if (c.exponential) return {exponential(*c.exponential, variable, budget)};
   if (!c.group) return {};
   switch (c.group->type) {
   case GroupType::Dinf:

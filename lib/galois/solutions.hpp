@@ -10,9 +10,10 @@ namespace kov {
 
 /// y'/y itself, or its minimal polynomial sum_i coefficients[i] w^i = 0 over K(z) (ascending).
 struct LiouvillianSolution {
-  std::optional<RationalFunction> omega;
+  std::optional<ExponentialSolution> exponential;
+
   std::vector<RationalFunction> minimal_polynomial;
-  std::string text; ///< of y, for omega; otherwise empty
+  std::string text; ///< of y, for exponentials; otherwise empty
   std::string note;
 };
 

@@ -111,13 +111,13 @@ struct Search {
   }
 };
 
-RationalFunction checked(const RationalFunction& omega, const Singularities& s) {
-  KOV_ENSURE(derivative(omega) + omega * omega == s.r);
-  return omega;
+ExponentialSolution checked(ExponentialSolution y, const Singularities& s) {
+  KOV_ENSURE(solves(y, s.r));
+  return y;
 }
 
 // omega from its images modulo split primes.
-RationalFunction lift_by_primes(const Search& search, const Budget& budget) {
+ExponentialSolution lift_by_primes(const Search& search, const Budget& budget) {
   const Field& k = search.s.r.field();
   PrimeIdeals primes = PrimeIdeals::large(k);
   std::optional<ChineseLift> lift;
@@ -156,7 +156,8 @@ RationalFunction lift_by_primes(const Search& search, const Budget& budget) {
     const auto middle = c->begin() + n + 1;
     const RationalFunction omega(Poly::from_coefficients({c->begin(), middle}),
                                  Poly::from_coefficients({middle, c->end()}));
-    if (derivative(omega) + omega * omega == search.s.r) return omega;
+    ExponentialSolution y{omega, Poly(1)};
+    if (solves(y, search.s.r)) return y;
   }
   throw OutOfBudget("a solution modulo primes could not be lifted");
 }
@@ -201,9 +202,9 @@ ExponentialSearch exponential_solutions(const Singularities& s, const Budget& bu
     }
     if (found->size() > 1) throw DomainError("two exponential solutions: the group is diagonal");
     if (auto omega = lift_by_exponents(s, found->front(), budget))
-      answer.omega.push_back(checked(*omega, s));
+      answer.solutions.push_back(checked(*omega, s));
     else
-      answer.omega.push_back(checked(lift_by_primes(search, budget), s));
+      answer.solutions.push_back(checked(lift_by_primes(search, budget), s));
     return answer;
   }
   throw OutOfBudget("no good prime found for the place " + place_name(*place));

@@ -3,6 +3,7 @@
 //
 // Source  THEORY 2.3 with Corrections 3-5; proofs in docs/theory/riccati_one_place.md
 
+#include "riccati/lift.hpp"
 #include "riccati/line.hpp"
 
 #include <string>
@@ -26,8 +27,8 @@ struct NoExponential {
 
 /// The answer to "which exponential solutions are there?", when there is at most one.
 struct ExponentialSearch {
-  std::vector<RationalFunction> omega; ///< verified: omega' + omega^2 = r
-  std::optional<NoExponential> none;   ///< proof of absence
+  std::vector<ExponentialSolution> solutions; ///< at most one; verified
+  std::optional<NoExponential> none;          ///< proof of absence
   /// Set when every place has Delta an integer and no logarithm: all solutions are (square roots
   /// of) rational functions and the question has no finite answer.
   bool projectively_trivial = false;

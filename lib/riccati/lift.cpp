@@ -4,6 +4,24 @@
 #include "linode/polynomial_solution.hpp"
 
 namespace kov {
+
+RationalFunction ExponentialSolution::omega() const {
+  return degree(p) == 0 ? theta : theta + RationalFunction(derivative(p), p);
+}
+
+PolynomialEquation polynomial_equation(const RationalFunction& theta, const RationalFunction& r) {
+  const RationalFunction c = derivative(theta) + theta * theta - r;
+  const Poly common = lcm(theta.den(), c.den());
+  return {common, scale(exact_div(common, theta.den()) * theta.num(), NfElem(2)),
+          exact_div(common, c.den()) * c.num()};
+}
+
+bool solves(const ExponentialSolution& y, const RationalFunction& r) {
+  const PolynomialEquation e = polynomial_equation(y.theta, r);
+  const Poly dp = derivative(y.p);
+  return is_zero(e.c2 * derivative(dp) + e.c1 * dp + e.c0 * y.p);
+}
+
 namespace {
 
 const NfElem half(Rational(1, 2));
@@ -81,8 +99,8 @@ std::optional<Poly> polynomial_part(const Singularity& s, const ModularOmega& im
 
 } // namespace
 
-std::optional<RationalFunction> lift_by_exponents(const Singularities& s, const ModularOmega& image,
-                                                  const Budget& budget) {
+std::optional<ExponentialSolution>
+lift_by_exponents(const Singularities& s, const ModularOmega& image, const Budget& budget) {
   const auto regular_part = polynomial_part(s.infinity, image);
   if (!regular_part) return std::nullopt;
   RationalFunction theta(*regular_part);
@@ -99,15 +117,14 @@ std::optional<RationalFunction> lift_by_exponents(const Singularities& s, const 
   const auto theta_den = image.prime.reduce(theta.den());
   if (!theta_den) return std::nullopt;
   const long d = degree(image.den) - degree(gcd(image.den, *theta_den));
-  if (d == 0) return derivative(theta) + theta * theta == s.r ? std::optional(theta) : std::nullopt;
-  // P'' + 2 theta P' + (theta' + theta^2 - r) P = 0
-  const RationalFunction c = derivative(theta) + theta * theta - s.r;
-  const Poly common = lcm(theta.den(), c.den());
-  const Poly c1 = scale(exact_div(common, theta.den()) * theta.num(), NfElem(2));
-  const Poly c0 = exact_div(common, c.den()) * c.num();
-  const auto p = polynomial_solution(common, c1, c0, d, budget);
+  if (d == 0) {
+    const ExponentialSolution y{theta, Poly(1)};
+    return solves(y, s.r) ? std::optional(y) : std::nullopt;
+  }
+  const PolynomialEquation e = polynomial_equation(theta, s.r);
+  const auto p = polynomial_solution(e.c2, e.c1, e.c0, d, budget);
   if (!p) return std::nullopt;
-  return theta + RationalFunction(derivative(*p), *p);
+  return ExponentialSolution{theta, *p};
 }
 
 } // namespace kov

@@ -33,6 +33,8 @@ public:
   void define_root(const std::string& name, const Expression& minpoly);
   /// The name stands for a constant expression (in names defined before).
   void define_value(const std::string& name, const Expression& value);
+  /// The input uses this name for something else: no generator is called so.
+  void reserve(const std::string& name) { taken_.insert(name); }
   /// Adjoins every irrational constant of the expressions.  Call it with all that belong to one
   /// input: generators get a name that none of them uses.
   /// Errors  InputError for a root of something that is not constant, a root() that says not which,

@@ -105,15 +105,17 @@ private:
     return e;
   }
 
-  Expression call(const Token& name) {
+  Expression call(const Token& name) { return call(std::string(name.text), name.span); }
+
+  Expression call(std::string name, Span at_name) {
     const Span open = token_.span;
     Node n{.kind = Kind::call};
-    n.name = name.text;
+    n.name = std::move(name);
     // root(p, approx): the second argument only chooses a root, so it may be a decimal
     const int outer = tokens_.decimals_allowed;
     advance();
     if (at(")"))
-      throw tokens_.error(join(name.span, token_.span), quoted(name.text) + " has no argument");
+      throw tokens_.error(join(at_name, token_.span), quoted(n.name) + " has no argument");
     for (;;) {
       n.operands.push_back(expression(0));
       if (!at(",")) break;
@@ -122,7 +124,7 @@ private:
     }
     tokens_.decimals_allowed = outer;
     close(open);
-    return finish(std::move(n), make_span(name.span.offset, previous_end_));
+    return finish(std::move(n), make_span(at_name.offset, previous_end_));
   }
 
   void close(Span open) {
@@ -132,11 +134,13 @@ private:
     unexpected_tail();
   }
 
+  // y'', and y''(z) as the derivative of y(z)
   Expression primes(const Expression& e) {
     Node n{.kind = Kind::derivative};
-    n.operands = {e};
     for (; at("'"); advance())
       ++n.order;
+    const bool argument = at("(") && e.kind() == Kind::name;
+    n.operands = {argument ? call(e.name(), e.span()) : e};
     return finish(std::move(n), make_span(e.span().offset, previous_end_));
   }
 

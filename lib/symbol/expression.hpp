@@ -7,7 +7,7 @@
 //   *  /       left
 //   unary -    below ^:  -a^2 = -(a^2),  2^-3^2 = 2^(-(3^2))
 //   ^  **      right
-//   '          derivative of what stands before it:  y''
+//   '          derivative of what stands before it:  y'', y''(z)
 //   atoms      digits, names, name(args), (expression)
 //
 // Decimals and implied multiplication are refused with the text to write instead.
@@ -47,6 +47,8 @@ public:
   [[nodiscard]] long order() const noexcept { return node_->order; }
   [[nodiscard]] Span span() const noexcept { return span_; }
   [[nodiscard]] const Origin& origin() const noexcept { return *origin_; }
+  /// The same for copies of one node, different for different nodes of one tree.
+  [[nodiscard]] const void* id() const noexcept { return node_.get(); }
   /// The piece of source that this node was read from.
   [[nodiscard]] std::string_view text() const;
   /// The error at this node.

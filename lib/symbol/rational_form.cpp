@@ -194,14 +194,21 @@ private:
   RationalFunction product(const Expression& e) const {
     if (const auto m = monomial(e))
       return RationalFunction(coerce(Poly::monomial(m->c, m->k), field()));
-    RationalFunction result = (*this)(e.operand(0));
-    for (std::size_t i = 1; i < e.operands().size(); ++i) {
-      const RationalFunction factor = (*this)(e.operand(i));
-      check_product(result.num(), factor.num());
-      check_product(result.den(), factor.den());
-      result *= factor;
-    }
-    return result;
+    std::vector<RationalFunction> factors;
+    for (const Expression& factor : e.operands())
+      factors.push_back((*this)(factor));
+    return multiply(factors, 0, factors.size());
+  }
+
+  RationalFunction multiply(const std::vector<RationalFunction>& factors, std::size_t from,
+                            std::size_t to) const {
+    if (to - from == 1) return factors[from];
+    const std::size_t middle = from + (to - from) / 2;
+    const RationalFunction a = multiply(factors, from, middle);
+    const RationalFunction b = multiply(factors, middle, to);
+    check_product(a.num(), b.num());
+    check_product(a.den(), b.den());
+    return a * b;
   }
 
   RationalFunction quotient(const Expression& e) const {
@@ -285,7 +292,10 @@ InputError unknown_name(const Expression& at, const Reading& reading) {
   if (!reading.variable.empty()) known.push_back(reading.variable);
   std::string hint = reading.variable.empty() ? "a constant is expected here"
                                               : "the variable is " + reading.variable;
-  if (const auto near = nearest(name, known)) hint += "; did you mean " + *near + "?";
+  if (const auto near = nearest(name, known))
+    hint += "; did you mean " + *near + "?";
+  else if (!reading.variable.empty())
+    hint += "; another name needs a value (--set " + name + "=...) or a minimal polynomial";
   return at.error("unknown name '" + name + "'", hint);
 }
 

@@ -10,10 +10,14 @@ namespace {
 Solution printed(const LiouvillianSolution& s, const std::string& variable) {
   Solution out;
   out.note = s.note;
-  if (s.omega) {
+  if (s.exponential) {
     out.kind = "exponential";
     out.y = s.text;
-    out.omega = to_string(*s.omega, variable);
+    const auto& [theta, p] = *s.exponential;
+    out.omega = to_string(theta, variable);
+    if (degree(p) > 0)
+      out.omega = (is_zero(theta) ? "" : out.omega + " + ") +
+                  to_string(RationalFunction::from_coprime(derivative(p), p), variable);
   } else {
     out.kind = "minimal-polynomial";
     for (const RationalFunction& c : s.minimal_polynomial)

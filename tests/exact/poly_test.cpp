@@ -119,6 +119,15 @@ TEST(RationalFunction, CanonicalFormAndText) {
   EXPECT_EQ(order_at_infinity(RationalFunction(z)), -1);
 }
 
+TEST(Modular, AssignmentTakesTheModulusAlong) {
+  NmodPoly a(3);
+  NmodPoly b(13);
+  b.set_coeff(1, 12);
+  a = b;
+  EXPECT_EQ(a.modulus(), 13U);
+  EXPECT_EQ((a * a).coeff(2), 1U);
+}
+
 TEST(Modular, ReductionIsARingMap) {
   const Field k = sqrt_field(-1, "I");
   PrimeIdeals primes = PrimeIdeals::large(k);

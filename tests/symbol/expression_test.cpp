@@ -70,6 +70,7 @@ TEST(Expression, Precedence) {
       {"y''+p*y'", "(D2(y) + (p*D1(y)))"},
       {"y'^2", "(D1(y)^2)"},
       {"-y''", "(-D2(y))"},
+      {"y''(z) = z*y(z)", "(D2(y(z)) = (z*y(z)))"},
       {"(z*y')' = 0", "(D1((z*D1(y))) = 0)"},
       {"diff(y, z, 2) = r*y", "(diff(y, z, 2) = (r*y))"},
       {"sqrt(2+sqrt(3))", "sqrt((2 + sqrt(3)))"},

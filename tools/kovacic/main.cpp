@@ -1,1 +1,210 @@
-int main() { return 0; }
+// The command line of kovacic: flags, sub-commands, exit codes.  No mathematics.
+
+#include "commands.hpp"
+#include "exact/error.hpp"
+#include "symbol/suggest.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace kov::cli {
+namespace {
+
+constexpr const char* examples = R"(Differential Galois groups of y'' = r(z) y, exactly.
+
+  kovacic solve -r 'z'                                   Airy's equation: SL(2, C)
+  kovacic solve -e "z^2*y'' + z*y' + (z^2-1/4)*y = 0"    any linear equation of second order
+)";
+
+constexpr const char* footer =
+    R"(Exit codes: 0 decided, 1 a "no" from test or verify, 2 usage or input error, 3 undecided,
+4 internal error, 130 interrupted.  More: kovacic COMMAND --help, kovacic explain)";
+
+// A check that does not add its own words to --help.
+CLI::Validator silent(CLI::Validator check) { return check.description(""); }
+
+struct CommandLine {
+  Settings settings;
+  SolveArguments solve_arguments;
+  std::vector<std::string> files;
+  std::string word;
+
+  void shared_flags(CLI::App& command, bool solver) {
+    if (solver) {
+      command.add_option("--set", settings.set, "give a name a value: --set a=1/2 (repeatable)")
+          ->type_name("NAME=VALUE")
+          ->expected(1)
+          ->take_all();
+      command.add_option("--case", settings.only_case, "look at one of Kovacic's cases only")
+          ->check(silent(CLI::Range(1, 3)))
+          ->type_name("1|2|3");
+      command.add_option("--method", settings.method, "kovacic, engines, or all (compare)")
+          ->check(silent(CLI::IsMember({"automatic", "kovacic", "engines", "all"})))
+          ->type_name("M");
+      command.add_option("--timeout", settings.timeout, "seconds for each equation; 0 = no limit")
+          ->check(silent(CLI::Range(0.0, 1e9)))
+          ->type_name("S");
+      command.add_option("--memory", settings.memory, "ceiling in MiB (default 4096); 0 = none")
+          ->check(silent(CLI::Range(std::size_t{0}, std::size_t{1} << 30)))
+          ->type_name("MIB");
+      command.add_option("--max-degree", settings.max_degree, "largest degree of a polynomial")
+          ->check(silent(CLI::Range(0L, 1L << 40)))
+          ->type_name("N");
+      command.add_option("--max-families", settings.max_families, "largest number of families")
+          ->check(silent(CLI::Range(0L, 1L << 60)))
+          ->type_name("N");
+      command.add_flag("--trace", settings.trace, "show every step");
+      command.add_option("--certificate", settings.certificate, "write the proof to a file")
+          ->type_name("FILE");
+      command.add_option("--format", settings.format, "text, json or tex")
+          ->check(silent(CLI::IsMember({"text", "json", "tex"})))
+          ->type_name("F");
+      command.add_flag("--exit-verdict", settings.exit_verdict,
+                       "exit 10: not abelian, 20: abelian, 0: undecided");
+    }
+    command.add_option("-o,--output", settings.output, "write to a file")->type_name("FILE");
+    command.add_flag("-q,--quiet", settings.quiet, "the answer only");
+    command.add_flag("-v,--verbose", settings.verbose, "times as well");
+    command.add_option("--color", settings.color, "auto, always or never (see also NO_COLOR)")
+        ->check(silent(CLI::IsMember({"auto", "always", "never"})))
+        ->type_name("WHEN");
+  }
+
+  void declare(CLI::App& app) {
+    app.description(examples);
+    app.footer(footer);
+    app.set_version_flag("--version", std::string("version"), "ours, and the libraries");
+    app.require_subcommand(1);
+    app.get_formatter()->column_width(32);
+
+    CLI::App* solve = app.add_subcommand("solve", "one scalar equation of second order");
+    solve->add_option("FILE", solve_arguments.file, "an equation file; - is standard input")
+        ->type_name("");
+    solve->add_option("-r", solve_arguments.r, "y'' = R y")->type_name("R(z)");
+    solve->add_option("-e,--ode", solve_arguments.ode, "a linear equation, e.g. y'' = z*y")
+        ->type_name("EQUATION");
+    solve->add_option("--p", solve_arguments.p, "with --q: y'' + P y' + Q y = 0")
+        ->type_name("P(z)");
+    solve->add_option("--q", solve_arguments.q, "with --p")->type_name("Q(z)");
+    solve->add_option("--variable", solve_arguments.variable, "its name, if not clear (z)")
+        ->type_name("NAME");
+    solve->add_option("--minpoly", solve_arguments.minpoly, "a constant by its polynomial: a^2 - 5")
+        ->type_name("POLY");
+    solve->add_option("--batch", solve_arguments.batch, "JSON lines in, JSON lines out; - is stdin")
+        ->type_name("FILE.jsonl");
+    shared_flags(*solve, true);
+
+    CLI::App* check = app.add_subcommand("check", "files: the answer and what was expected");
+    check->add_option("FILE", files, "equation or system files")->required()->type_name("");
+    shared_flags(*check, true);
+
+    CLI::App* test = app.add_subcommand("test", "run the [[expect]] blocks of files (TAP)");
+    test->add_option("DIR|FILE", files, "default: cases")->type_name("");
+    shared_flags(*test, true);
+
+    CLI::App* verify = app.add_subcommand("verify", "check a certificate independently");
+    verify->add_option("CERT", files, "a certificate")->required()->type_name("");
+    shared_flags(*verify, false);
+
+    CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
+    make->add_option("KIND", word, "ode")->required()->type_name("");
+    shared_flags(*make, false);
+
+    CLI::App* explain = app.add_subcommand("explain", "what a word in an answer means");
+    explain->add_option("CODE", word, "e.g. SL2, budget, exit-codes")->type_name("");
+    shared_flags(*explain, false);
+  }
+
+  int run(const std::string& command) {
+    if (command == "solve") return solve(settings, solve_arguments);
+    if (command == "check") return check(settings, files);
+    if (command == "test") return test(settings, files);
+    if (command == "verify") return verify(settings, files);
+    if (command == "new") return make_new(settings, word);
+    return explain(settings, word);
+  }
+};
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : app.get_subcommands({}))
+    names.push_back(sub->get_name());
+  return names;
+}
+
+// What the arguments are about: the sub-command that was named, or the program.
+const CLI::App& meant(const CLI::App& app, const std::vector<std::string>& arguments) {
+  for (const CLI::App* sub : app.get_subcommands({}))
+    if (!arguments.empty() && sub->get_name() == arguments.front()) return *sub;
+  return app;
+}
+
+std::string option_hint(const CLI::App& app, const std::string& flag) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames())
+      known.push_back("--" + name);
+    for (const std::string& name : option->get_snames())
+      known.push_back("-" + name);
+  }
+  if (const auto near = nearest(flag, known)) return "did you mean " + *near + "?";
+  return "see: kovacic " + (app.get_parent() != nullptr ? app.get_name() + " " : "") + "--help";
+}
+
+int usage_error(const CLI::App& app, const Settings& settings, const CLI::ParseError& error,
+                const std::vector<std::string>& arguments) {
+  const CLI::App& sub = meant(app, arguments);
+  const std::vector<std::string> commands = command_names(app);
+  if (sub.get_parent() == nullptr && !arguments.empty() && arguments.front().front() != '-') {
+    const auto near = nearest(arguments.front(), commands);
+    complain(settings, "unknown command '" + arguments.front() + "'",
+             near ? "did you mean " + *near + "?" : "commands: " + enumerate(commands));
+    return exit_input;
+  }
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::ExtrasError)) {
+    const std::vector<std::string> extra = sub.remaining();
+    const std::string first = extra.empty() ? std::string("?") : extra.front();
+    const bool flag = first.starts_with('-');
+    complain(settings, (flag ? "unknown option '" : "unexpected argument '") + first + "'",
+             flag ? option_hint(sub, first.substr(0, first.find('='))) : option_hint(sub, ""));
+    return exit_input;
+  }
+  std::string message = error.what();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  if (arguments.empty()) message = "a command is expected: " + enumerate(commands);
+  complain(settings, message,
+           "see: kovacic " + (sub.get_parent() != nullptr ? sub.get_name() + " " : "") + "--help");
+  return exit_input;
+}
+
+int main(int argc, char** argv) {
+  CommandLine line;
+  CLI::App app;
+  app.name("kovacic");
+  line.declare(app);
+  try {
+    app.parse(argc, argv);
+    catch_interrupts();
+    return line.run(app.get_subcommands().front()->get_name());
+  } catch (const CLI::CallForVersion&) {
+    return version();
+  } catch (const CLI::Success& help) {
+    return app.exit(help); // --help, on standard output
+  } catch (const CLI::ParseError& error) {
+    return usage_error(app, line.settings, error,
+                       std::vector<std::string>(argv + std::min(1, argc), argv + argc));
+  } catch (const InputError& error) {
+    return report(line.settings, error);
+  } catch (const std::exception& error) {
+    complain(line.settings, "internal error: " + std::string(error.what()),
+             "this is a mistake of the program, not of the input: please send us the input");
+    return exit_internal;
+  }
+}
+
+} // namespace
+} // namespace kov::cli
+
+int main(int argc, char** argv) { return kov::cli::main(argc, argv); }

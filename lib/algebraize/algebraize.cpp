@@ -1,0 +1,108 @@
+#include "algebraize/algebraize.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+
+MFraction normal_form_of(const MFraction& p, const MFraction& q, std::size_t z) {
+  return Rational(1, 4) * (p * p) + Rational(1, 2) * derivative(p, z) - q;
+}
+
+long finite_singularities(const MFraction& r, std::size_t z) {
+  if (is_zero(r)) return 0;
+  long sum = 0;
+  for (const auto& f : factor(r.den()).second)
+    sum += std::max(degree(f.base, z), 0L);
+  return sum;
+}
+
+namespace {
+
+// What is left when p, q and r are not functions of z, in one sentence.
+std::string what_is_left(const FunctionField& f, const FunctionField::Element& r) {
+  const auto minimal = f.algebra().minimal_polynomial(r);
+  std::string text = "r is algebraic of degree " + std::to_string(minimal.size() - 1) +
+                     " over the rational functions of z: r = " + brief(f.lift(r));
+  if (minimal.size() == 3) {
+    const MFraction discriminant = minimal[1] * minimal[1] - Rational(4) * minimal[0];
+    text += "; it lies in the quadratic extension by a square root of " + brief(discriminant);
+  }
+  return text;
+}
+
+} // namespace
+
+std::variant<AlgebraicOde, ChangeFailure>
+algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const ScalarEquation& e) {
+  const auto a1 = f.evaluate(e.a1);
+  const auto a0 = f.evaluate(e.a0);
+  if (!a1 || !a0)
+    return ChangeFailure{"a coefficient of the scalar equation has a pole along the whole curve"};
+  const FiniteAlgebra& algebra = f.algebra();
+  const auto& inverse = f.inverse_z_dot();
+  const auto square = algebra.multiply(inverse, inverse);
+  const auto p = algebra.multiply(f.z_ddot() + algebra.multiply(*a1, f.z_dot()), square);
+  const auto q = algebra.multiply(*a0, square);
+  const MFraction quarter(algebra.ring(), Rational(1, 4));
+  const MFraction half(algebra.ring(), Rational(1, 2));
+  const auto r = scale(algebra.multiply(p, p), quarter) + scale(f.derivative(p), half) - q;
+  const auto r_in_z = f.in_z(r);
+  if (!r_in_z)
+    return ChangeFailure{"z = " + to_string(phi) +
+                         " does not rationalize the equation: " + what_is_left(f, r)};
+  AlgebraicOde ode;
+  ode.unknown = e.unknown;
+  ode.change = algebra.ring()->name(z) + " = " + to_string(phi);
+  ode.z = z;
+  ode.z_dot_squared = f.in_z(algebra.multiply(f.z_dot(), f.z_dot()));
+  ode.z_ddot = f.in_z(f.z_ddot());
+  ode.p = f.in_z(p);
+  ode.q = f.in_z(q);
+  if (!ode.p || !ode.q) ode.p = ode.q = std::nullopt;
+  ode.r = *r_in_z;
+  ode.field_degree = f.degree();
+  ode.generic = f.inverted();
+  ode.singular_places = finite_singularities(ode.r, z);
+  ode.checks = {"z is not constant along the curve",
+                "the function field of the curve is a finite extension of degree " +
+                    std::to_string(ode.field_degree) + " of the rational functions of z, so that " +
+                    "the identity component is the same in z as in t",
+                "everything that was divided by is invertible on the curve"};
+  return ode;
+}
+
+std::variant<AlgebraicOde, ChangeFailure> algebraize(const VectorField& v,
+                                                     const InvariantManifold& m, std::size_t z,
+                                                     const MFraction& phi, const ScalarEquation& e,
+                                                     const Budget& budget) {
+  auto field = FunctionField::make(v, m, z, phi, e.divisors, budget);
+  if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
+  return algebraize(std::get<FunctionField>(field), z, phi, e);
+}
+
+std::vector<MFraction> propose_changes(const VectorField& v, const InvariantManifold& m) {
+  std::vector<std::size_t> moving;
+  for (const std::size_t i : v.main_variables())
+    if (!m.vanishes_on_curve(lie_derivative(v, m.restrict(MFraction::variable(v.ring, i)))))
+      moving.push_back(i);
+  const auto x = [&](std::size_t i) { return MFraction::variable(v.ring, i); };
+  const MFraction one(v.ring, Rational(1));
+  std::vector<MFraction> all;
+  for (const std::size_t i : moving)
+    all.push_back(x(i));
+  for (const std::size_t i : moving)
+    all.push_back(x(i) * x(i));
+  for (const std::size_t i : moving)
+    for (const std::size_t j : moving)
+      if (i != j && m.vanishes_on_curve(x(i) * x(i) + x(j) * x(j) - one))
+        all.push_back(x(i) / (one + x(j)));
+  for (const std::size_t i : moving)
+    for (const std::size_t j : moving)
+      if (i != j && !m.vanishes_on_curve(lie_derivative(v, x(i) / x(j))))
+        all.push_back(x(i) / x(j));
+  return all;
+}
+
+} // namespace kov

@@ -1,0 +1,50 @@
+#pragma once
+// From y'' + a1(t) y' + a0(t) y = 0 along a phase curve to an equation over Q(parameters)(z).
+//
+//   p = (z'' + a1 z')/z'^2,   q = a0/z'^2,   r = p^2/4 + p_z/2 - q
+//
+// r may be a function of z alone where p and q are not: the factor exp(-1/2 int p) that leads to
+// y_zz = r y multiplies the group by scalars only, so that r decides.
+//
+// Source  [MoralesRuiz1999] 4; [AcostaBlazquez2008] (Hamiltonian algebrization); THEORY 4, 8.5
+
+#include "algebraize/function_field.hpp"
+#include "variation/normal.hpp"
+
+namespace kov {
+
+struct AlgebraicOde {
+  std::string unknown; ///< whose variation
+  std::string change;  ///< text of phi
+  std::size_t z = 0;   ///< the variable of the ring
+  std::optional<MFraction> z_dot_squared, z_ddot;
+  std::optional<MFraction> p, q; ///< unset where only r is a function of z
+  MFraction r;
+  std::size_t field_degree = 1;    ///< [function field of the curve : K(z)]
+  std::vector<std::string> checks; ///< the hypotheses, as checked
+  std::vector<MPoly> generic;      ///< polynomials in the parameters assumed not 0
+  long singular_places = 0;        ///< finite poles of r, with multiplicity of conjugates
+};
+
+[[nodiscard]] std::variant<AlgebraicOde, ChangeFailure>
+algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, const MFraction& phi,
+           const ScalarEquation& e, const Budget& budget = {});
+
+/// The same, with the field of the curve made before.
+[[nodiscard]] std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& field,
+                                                                   std::size_t z,
+                                                                   const MFraction& phi,
+                                                                   const ScalarEquation& e);
+
+/// Changes of variable worth trying, simplest first: coordinates and functions that are not
+/// constant on the curve, their squares, half-angles x/(1+y) where x^2 + y^2 = 1, quotients.
+[[nodiscard]] std::vector<MFraction> propose_changes(const VectorField& v,
+                                                     const InvariantManifold& m);
+
+/// r = p^2/4 + p_z/2 - q.
+[[nodiscard]] MFraction normal_form_of(const MFraction& p, const MFraction& q, std::size_t z);
+
+/// Degree in z of the squarefree part of the denominator.
+[[nodiscard]] long finite_singularities(const MFraction& r, std::size_t z);
+
+} // namespace kov

@@ -1,0 +1,96 @@
+#include "equation/equation_file.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+std::optional<Expression> formula(const Entry& table, std::string_view key, bool equation = false) {
+  const Entry* e = table.find(key);
+  if (e == nullptr) return std::nullopt;
+  return e->expression(equation);
+}
+
+std::optional<std::string> word(const Entry& table, std::string_view key,
+                                const std::vector<std::string>& allowed) {
+  const Entry* e = table.find(key);
+  if (e == nullptr) return std::nullopt;
+  if (std::find(allowed.begin(), allowed.end(), e->string()) == allowed.end()) {
+    std::string list;
+    for (const std::string& w : allowed)
+      list += (list.empty() ? "" : ", ") + w;
+    throw e->error("'" + e->string() + "' is not a value of " + std::string(key), "one of " + list);
+  }
+  return e->string();
+}
+
+void read_ode(const Entry& ode, EquationText& text) {
+  ode.check_keys({"variable", "r", "p", "q", "ode", "minpoly", "parameters"});
+  text.r = formula(ode, "r");
+  text.p = formula(ode, "p");
+  text.q = formula(ode, "q");
+  text.ode = formula(ode, "ode", true);
+  text.minpoly = formula(ode, "minpoly");
+  if (!text.r && !text.p && !text.q && !text.ode)
+    throw ode.key_error("[ode] has no equation", "give r, or p and q, or ode");
+  if (const Entry* v = ode.find("variable")) {
+    text.variable = v->string();
+    text.infer_variable = false;
+  }
+  if (const Entry* parameters = ode.find("parameters")) text.parameters = parameters->strings();
+}
+
+Expectation read_expectation(const Entry& e) {
+  e.check_keys(
+      {"where", "outcome", "group", "identity_component", "abelian", "case", "source", "note"});
+  Expectation x;
+  x.entry = e;
+  if (const Entry* where = e.find("where"))
+    for (const auto& [name, value] : where->members())
+      x.where.emplace_back(name, value.expression());
+  x.outcome = word(e, "outcome",
+                   {"exponential", "imprimitive", "algebraic", "no-liouvillian", "undecided"});
+  x.identity_component = word(e, "identity_component", {"trivial", "Ga", "Gm", "Borel", "SL2"});
+  x.abelian = word(e, "abelian", {"yes", "no", "undecided"});
+  if (const Entry* group = e.find("group")) x.group = group->string();
+  if (const Entry* source = e.find("source")) x.source = source->string();
+  if (const Entry* number = e.find("case")) {
+    x.kovacic_case = number->integer();
+    if (*x.kovacic_case < 1 || *x.kovacic_case > 4)
+      throw number->error("Kovacic's cases are 1, 2, 3 and 4");
+  }
+  if (!x.outcome && !x.group && !x.identity_component && !x.abelian && !x.kovacic_case)
+    throw e.error("this block expects nothing",
+                  "give outcome, group, identity_component, abelian or case");
+  return x;
+}
+
+} // namespace
+
+bool is_equation_file(const Entry& document) { return document.find("system") == nullptr; }
+
+EquationFile read_equation_file(const Entry& document) {
+  document.check_keys({"format", "title", "cite", "ode", "assume", "expect"});
+  EquationFile file;
+  file.path = document.file();
+  const Entry& format = document.at("format");
+  if (format.string() != "equation/1")
+    throw format.error("unknown format '" + format.string() + "'", "write format = \"equation/1\"");
+  if (const Entry* title = document.find("title")) file.title = title->string();
+  if (const Entry* cite = document.find("cite")) file.cite = cite->strings();
+  if (document.find("ode") == nullptr)
+    throw InputError(file.path, 0, 0, 1, "the file has neither an [ode] nor a [system] table",
+                     "see: kovacic new ode");
+  read_ode(document.at("ode"), file.text);
+  if (const Entry* assume = document.find("assume"))
+    for (const auto& [name, claim] : assume->members()) {
+      file.assume.emplace_back(name, claim.string());
+      file.text.parameters.push_back(name);
+    }
+  if (const Entry* expect = document.find("expect"))
+    for (const Entry& e : expect->array())
+      file.expect.push_back(read_expectation(e));
+  return file;
+}
+
+} // namespace kov

@@ -1,0 +1,42 @@
+#pragma once
+// A linear differential equation recognised in a formula: "z^2*y'' + z*y' + (z^2-1/4)*y = 0",
+// "y'' = r(z)*y", "(p(z)*y')' = q(z)*y", "diff(y,z,2) = z*y".
+
+#include "symbol/rational_form.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+/// c[0] y + c[1] y' + ... + rest, all over K(z).
+struct LinearForm {
+  std::vector<RationalFunction> c;
+  RationalFunction rest;
+};
+
+/// The names of the unknown function and of its variable, as the formula itself tells them.
+struct OdeNames {
+  std::string unknown;  ///< what is differentiated
+  std::string variable; ///< the second argument of diff, or the argument of y(z); else empty
+};
+
+/// Errors  InputError: nothing is differentiated, or two different functions are
+[[nodiscard]] OdeNames ode_names(const Expression& equation);
+
+/// left side - right side (or the formula itself if it has no '=').
+/// Errors  InputError where the formula is not linear in the unknown function and its derivatives
+[[nodiscard]] LinearForm linear_form(const Expression& equation, const std::string& unknown,
+                                     const Reading& reading);
+
+/// p and q of y'' + p y' + q y = 0.
+struct SecondOrder {
+  RationalFunction p, q;
+};
+
+/// Errors  InputError: an order other than 2, a term without y, y'' cancels
+[[nodiscard]] SecondOrder second_order(const Expression& equation, const std::string& unknown,
+                                       const Reading& reading);
+
+} // namespace kov

@@ -1,0 +1,174 @@
+#include "equation/read_equation.hpp"
+
+#include "equation/linear_form.hpp"
+#include "symbol/suggest.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace kov {
+namespace {
+
+std::vector<Expression> formulas(const EquationText& text) {
+  std::vector<Expression> all;
+  for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
+    if (*e) all.push_back(**e);
+  return all;
+}
+
+// Which of the three forms; an error for none and for two.
+ScalarEquation::Form form_of(const EquationText& text) {
+  const auto refuse = [](const Expression& e, const std::string& message) {
+    throw e.error(message, "give r, or p and q, or one whole equation");
+  };
+  if (text.r) {
+    if (text.ode) refuse(*text.ode, "both r and an equation are given");
+    if (text.p) refuse(*text.p, "both r and p are given");
+    if (text.q) refuse(*text.q, "both r and q are given");
+    return ScalarEquation::Form::r;
+  }
+  if (text.ode) {
+    if (text.p) refuse(*text.p, "both an equation and p are given");
+    if (text.q) refuse(*text.q, "both an equation and q are given");
+    return ScalarEquation::Form::ode;
+  }
+  if (text.p && !text.q)
+    throw text.p->error("p is given without q", "y'' + p y' + q y = 0 needs both");
+  if (text.q && !text.p)
+    throw text.q->error("q is given without p", "write p = 0 if there is none");
+  if (!text.p) throw InvalidArgument("an equation needs r, or p and q, or its whole text");
+  return ScalarEquation::Form::pq;
+}
+
+class Reader {
+public:
+  Reader(const EquationText& text, const Budget& budget)
+      : text_(text), budget_(budget), formulas_(formulas(text)) {
+    result_.form = form_of(text);
+  }
+
+  ScalarEquation read() {
+    define_constants();
+    find_names();
+    refuse_free_parameters();
+    constants_.reserve(result_.variable);
+    if (text_.ode) constants_.reserve(result_.unknown);
+    constants_.gather(formulas_);
+    reduce();
+    if (!constants_.field()->is_rational()) {
+      result_.constant = constants_.field()->name();
+      result_.constant_meaning = constants_.definition();
+    }
+    return std::move(result_);
+  }
+
+private:
+  void define_constants() {
+    for (const std::string& name : text_.parameters)
+      constants_.reserve(name);
+    if (text_.minpoly) {
+      const std::vector<std::string> names = names_in(*text_.minpoly);
+      if (names.size() != 1)
+        throw text_.minpoly->error("a polynomial in the name of one constant is expected",
+                                   "write e.g. a^2 - 2");
+      constants_.define_root(names.front(), *text_.minpoly);
+    }
+    for (const auto& [name, value] : text_.set) {
+      if (name == "I") throw value.error("I is the imaginary unit and cannot be set");
+      if (constants_.is_defined(name)) throw value.error("'" + name + "' has a value already");
+      constants_.define_value(name, value);
+    }
+  }
+
+  // Names that stand for nothing that is known so far: the variable, the parameters, mistakes.
+  [[nodiscard]] std::vector<std::string> open_names() const {
+    std::set<std::string> names;
+    for (const Expression& e : formulas_)
+      for (const std::string& name : names_in(e))
+        if (name != "I" && !constants_.is_defined(name) && !is_parameter(name) &&
+            !(text_.ode && name == result_.unknown))
+          names.insert(name);
+    return {names.begin(), names.end()};
+  }
+
+  [[nodiscard]] bool is_parameter(const std::string& name) const {
+    return std::find(text_.parameters.begin(), text_.parameters.end(), name) !=
+           text_.parameters.end();
+  }
+
+  void find_names() {
+    result_.variable = text_.variable;
+    if (text_.ode) {
+      const OdeNames names = ode_names(*text_.ode);
+      result_.unknown = names.unknown;
+      if (result_.variable.empty()) result_.variable = names.variable;
+    }
+    if (result_.variable.empty()) result_.variable = inferred_variable();
+    const Expression& first = formulas_.front();
+    if (result_.variable == "I" || constants_.is_defined(result_.variable))
+      throw first.error("'" + result_.variable + "' is a constant and cannot be the variable");
+    if (is_parameter(result_.variable))
+      throw first.error("'" + result_.variable + "' is both the variable and a parameter");
+    if (text_.ode && result_.unknown == result_.variable)
+      throw first.error("'" + result_.unknown + "' is both the unknown function and the variable");
+  }
+
+  [[nodiscard]] std::string inferred_variable() const {
+    const std::vector<std::string> names = open_names();
+    const bool has_z = std::find(names.begin(), names.end(), "z") != names.end();
+    if (!text_.infer_variable || has_z || names.empty()) return "z";
+    if (names.size() == 1 && names.front() != "Pi" && names.front() != "i") return names.front();
+    if (names.size() == 1) return "z";
+    throw formulas_.front().error("which of " + enumerate(names) + " is the variable?",
+                                  "say it with --variable (or variable = \"...\" in a file); "
+                                  "constants get values with --set");
+  }
+
+  void refuse_free_parameters() const {
+    std::set<std::string> free;
+    for (const Expression& e : formulas_)
+      for (const std::string& name : names_in(e))
+        if (is_parameter(name) && !constants_.is_defined(name)) free.insert(name);
+    if (!free.empty()) throw FreeParameters({free.begin(), free.end()});
+  }
+
+  void reduce() {
+    const Reading reading{
+        .variable = result_.variable, .constants = &constants_, .budget = budget_};
+    if (text_.r) {
+      result_.normal_form.r = rational_function(*text_.r, reading);
+      result_.p = RationalFunction(coerce(Poly(0), constants_.field()));
+      result_.q = -result_.normal_form.r;
+      result_.normal_form.p = result_.p;
+      return;
+    }
+    if (text_.ode) {
+      const SecondOrder ode = second_order(*text_.ode, result_.unknown, reading);
+      result_.p = ode.p;
+      result_.q = ode.q;
+    } else {
+      result_.p = rational_function(*text_.p, reading);
+      result_.q = rational_function(*text_.q, reading);
+    }
+    budget_.check_degree(2 * std::max(degree(result_.p.num()), degree(result_.p.den())) +
+                         std::max(degree(result_.q.num()), degree(result_.q.den())));
+    result_.normal_form = normal_form(result_.p, result_.q);
+  }
+
+  const EquationText& text_;
+  const Budget& budget_;
+  std::vector<Expression> formulas_;
+  Constants constants_;
+  ScalarEquation result_;
+};
+
+} // namespace
+
+FreeParameters::FreeParameters(std::vector<std::string> names)
+    : Error("free parameters: " + enumerate(names)), names_(std::move(names)) {}
+
+ScalarEquation read_equation(const EquationText& text, const Budget& budget) {
+  return Reader(text, budget).read();
+}
+
+} // namespace kov

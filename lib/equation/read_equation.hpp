@@ -1,0 +1,50 @@
+#pragma once
+// From what a person gives (r; or p and q; or a whole equation) to y'' = r y over one field.
+
+#include "linode/normal_form.hpp"
+#include "symbol/rational_form.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kov {
+
+/// One equation as text, already cut into formulas.  Exactly one of r, ode, (p and q) is given.
+struct EquationText {
+  std::optional<Expression> r, p, q, ode;
+  std::optional<Expression> minpoly; ///< in one name, which then means one of its roots
+  std::vector<std::pair<std::string, Expression>> set; ///< names with constant values
+  std::vector<std::string> parameters;                 ///< names without a value
+  std::string variable;                                ///< empty: see `infer_variable`
+  /// Without a variable: take the one name that has no other meaning (otherwise z).
+  bool infer_variable = true;
+};
+
+/// y'' = r y, and the form that was given.
+struct ScalarEquation {
+  enum class Form : std::uint8_t { r, pq, ode };
+  NormalForm normal_form;
+  Form form = Form::r;
+  RationalFunction p, q; ///< of y'' + p y' + q y = 0 (p = 0, q = -r for Form::r)
+  std::string variable = "z";
+  std::string unknown = "y";
+  std::string constant;         ///< what the generator of the field is called in texts; "" over Q
+  std::string constant_meaning; ///< root(p, approx)
+};
+
+/// Declared parameters without a value appear: not an error, but not decided either.
+class FreeParameters : public Error {
+public:
+  explicit FreeParameters(std::vector<std::string> names);
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
+
+private:
+  std::vector<std::string> names_;
+};
+
+/// Errors  InputError; FreeParameters; OutOfBudget for degrees above the budget
+[[nodiscard]] ScalarEquation read_equation(const EquationText& text, const Budget& budget = {});
+
+} // namespace kov

@@ -1,0 +1,210 @@
+#include "exact/finite_algebra.hpp"
+
+#include "exact/error.hpp"
+
+namespace kov {
+
+FiniteAlgebra::Element operator+(const FiniteAlgebra::Element& a, const FiniteAlgebra::Element& b) {
+  FiniteAlgebra::Element r(a);
+  for (std::size_t i = 0; i < r.size(); ++i)
+    r[i] += b[i];
+  return r;
+}
+FiniteAlgebra::Element operator-(const FiniteAlgebra::Element& a, const FiniteAlgebra::Element& b) {
+  FiniteAlgebra::Element r(a);
+  for (std::size_t i = 0; i < r.size(); ++i)
+    r[i] -= b[i];
+  return r;
+}
+FiniteAlgebra::Element scale(const FiniteAlgebra::Element& a, const MFraction& c) {
+  FiniteAlgebra::Element r(a);
+  for (auto& entry : r)
+    entry *= c;
+  return r;
+}
+bool is_zero(const FiniteAlgebra::Element& a) {
+  for (const auto& entry : a)
+    if (!is_zero(entry)) return false;
+  return true;
+}
+
+FiniteAlgebra::FiniteAlgebra(Ideal ideal, long max_dimension) : ideal_(std::move(ideal)) {
+  if (ideal_.dimension() != 0)
+    throw InvalidArgument("an ideal of dimension 0 is needed, this one has dimension " +
+                          std::to_string(ideal_.dimension()));
+  basis_ = ideal_.standard_monomials();
+  if (static_cast<long>(basis_.size()) > max_dimension)
+    throw OutOfBudget("the function field of the curve has degree " +
+                      std::to_string(basis_.size()) + " over the constants of the new variable; " +
+                      "the limit is " + std::to_string(max_dimension));
+  for (std::size_t i = 0; i < basis_.size(); ++i)
+    place_[basis_[i]] = i;
+  table_.resize(basis_.size() * basis_.size());
+}
+
+FiniteAlgebra::Element FiniteAlgebra::zero() const {
+  return Element(basis_.size(), MFraction(ring()));
+}
+FiniteAlgebra::Element FiniteAlgebra::constant(const MFraction& c) const {
+  Element e = zero();
+  e[0] = c;
+  return e;
+}
+FiniteAlgebra::Element FiniteAlgebra::coordinates(const KPoly& f) const {
+  Element e = zero();
+  for (const auto& [m, c] : f)
+    e[place_.at(m)] = c;
+  return e;
+}
+
+const FiniteAlgebra::Element& FiniteAlgebra::product_of_basis(std::size_t i, std::size_t j) const {
+  auto& entry = table_[std::min(i, j) * basis_.size() + std::max(i, j)];
+  if (!entry) {
+    KPoly product(MonomialOrder{0});
+    Monomial m(basis_[i]);
+    for (std::size_t k = 0; k < m.size(); ++k)
+      m[k] += basis_[j][k];
+    product.emplace(std::move(m), MFraction(ring(), Rational(1)));
+    entry = coordinates(ideal_.reduce(ideal_.from_kpoly(product)));
+  }
+  return *entry;
+}
+
+FiniteAlgebra::Element FiniteAlgebra::multiply(const Element& a, const Element& b) const {
+  Element sum = zero();
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j)
+      if (!is_zero(a[i]) && !is_zero(b[j])) sum = sum + scale(product_of_basis(i, j), a[i] * b[j]);
+  return sum;
+}
+
+std::optional<FiniteAlgebra::Element> FiniteAlgebra::invert(const Element& a) const {
+  const std::size_t n = basis_.size();
+  std::vector<std::vector<MFraction>> m(n, std::vector<MFraction>(n, MFraction(ring())));
+  for (std::size_t j = 0; j < n; ++j) {
+    Element unit = zero();
+    unit[j] = MFraction(ring(), Rational(1));
+    const Element column = multiply(a, unit);
+    for (std::size_t i = 0; i < n; ++i)
+      m[i][j] = column[i];
+  }
+  Element one = constant(MFraction(ring(), Rational(1)));
+  auto x = solve_linear(std::move(m), one);
+  // In a finite algebra a x = 1 has a solution exactly when a is a unit.
+  if (!x) return std::nullopt;
+  KOV_ENSURE(multiply(a, *x) == one);
+  return x;
+}
+
+std::optional<FiniteAlgebra::Element> FiniteAlgebra::evaluate(const MFraction& f) const {
+  if (is_zero(f)) return zero();
+  const Element num = coordinates(ideal_.reduce(MFraction(f.num())));
+  const Element den = coordinates(ideal_.reduce(MFraction(f.den())));
+  if (const auto c = in_base_field(den)) {
+    if (is_zero(*c)) return std::nullopt;
+    return scale(num, MFraction(ring(), Rational(1)) / *c);
+  }
+  const auto inverse = invert(den);
+  if (!inverse) return std::nullopt;
+  return multiply(num, *inverse);
+}
+
+std::optional<MFraction> FiniteAlgebra::in_base_field(const Element& a) const {
+  for (std::size_t i = 1; i < a.size(); ++i)
+    if (!is_zero(a[i])) return std::nullopt;
+  return a[0];
+}
+
+MFraction FiniteAlgebra::lift(const Element& a) const {
+  KPoly f(MonomialOrder{0});
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!is_zero(a[i])) f.emplace(basis_[i], a[i]);
+  return ideal_.from_kpoly(f);
+}
+
+std::vector<MFraction> FiniteAlgebra::minimal_polynomial(const Element& a) const {
+  std::vector<Element> powers{constant(MFraction(ring(), Rational(1)))};
+  while (true) {
+    const Element next = multiply(powers.back(), a);
+    std::vector<std::vector<MFraction>> rows(basis_.size());
+    for (std::size_t i = 0; i < basis_.size(); ++i)
+      for (const auto& p : powers)
+        rows[i].push_back(p[i]);
+    if (auto x = solve_linear(rows, next)) {
+      for (auto& c : *x)
+        c = -c;
+      x->push_back(MFraction(ring(), Rational(1)));
+      return *std::move(x);
+    }
+    powers.push_back(next);
+  }
+}
+
+namespace {
+
+// Gauss-Jordan on the first `columns` columns; returns the pivot column of each leading row.
+std::vector<std::size_t> row_reduce(std::vector<std::vector<MFraction>>& m, std::size_t columns) {
+  std::vector<std::size_t> pivots;
+  for (std::size_t c = 0; c < columns && pivots.size() < m.size(); ++c) {
+    const std::size_t top = pivots.size();
+    std::size_t best = m.size(); // the shortest pivot keeps the entries small
+    for (std::size_t r = top; r < m.size(); ++r)
+      if (!is_zero(m[r][c]) &&
+          (best == m.size() || m[r][c].num().length() + m[r][c].den().length() <
+                                   m[best][c].num().length() + m[best][c].den().length()))
+        best = r;
+    if (best == m.size()) continue;
+    std::swap(m[top], m[best]);
+    const MFraction pivot = m[top][c];
+    for (auto& entry : m[top])
+      entry = entry / pivot;
+    for (std::size_t r = 0; r < m.size(); ++r) {
+      if (r == top || is_zero(m[r][c])) continue;
+      const MFraction factor = m[r][c];
+      for (std::size_t k = c; k < m[r].size(); ++k)
+        m[r][k] -= factor * m[top][k];
+    }
+    pivots.push_back(c);
+  }
+  return pivots;
+}
+
+} // namespace
+
+std::optional<std::vector<MFraction>> solve_linear(std::vector<std::vector<MFraction>> m,
+                                                   std::vector<MFraction> b) {
+  KOV_ENSURE(m.size() == b.size());
+  const std::size_t columns = m.empty() ? 0 : m.front().size();
+  for (std::size_t r = 0; r < m.size(); ++r)
+    m[r].push_back(b[r]);
+  const auto pivots = row_reduce(m, columns);
+  for (std::size_t r = pivots.size(); r < m.size(); ++r)
+    if (!is_zero(m[r].back())) return std::nullopt;
+  std::vector<MFraction> x(columns);
+  for (std::size_t r = 0; r < pivots.size(); ++r)
+    x[pivots[r]] = m[r].back();
+  return x;
+}
+
+std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction>> m,
+                                               std::size_t columns) {
+  const auto pivots = row_reduce(m, columns);
+  std::vector<std::vector<MFraction>> basis;
+  for (std::size_t c = 0, r = 0; c < columns; ++c) {
+    if (r < pivots.size() && pivots[r] == c) {
+      ++r;
+      continue;
+    }
+    std::vector<MFraction> v(columns);
+    for (std::size_t k = 0; k < pivots.size(); ++k)
+      v[pivots[k]] = -m[k][c];
+    // the one at the free place needs a ring; take it from any entry of the matrix
+    for (const auto& row : m)
+      for (const auto& entry : row)
+        if (entry.ring()) v[c] = MFraction(entry.ring(), Rational(1));
+    basis.push_back(std::move(v));
+  }
+  return basis;
+}
+
+} // namespace kov

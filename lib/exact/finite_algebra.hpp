@@ -1,0 +1,68 @@
+#pragma once
+// R = k[x1, ..., xm]/I for an ideal I of dimension 0 over k = Q(the other variables).
+//
+// Elements are vectors of length dim R over k, in the basis of standard monomials.  If I is prime,
+// R is a field; if not, R is a product of local rings and some elements are neither 0 nor
+// invertible. A computation in R that divides by units only holds on every component of the
+// variety, so that whoever works here asks invert() and handles its refusal.
+//
+// Source  [CoxLittleOShea2005] 2.4 (multiplication maps)
+
+#include "exact/ideal.hpp"
+
+#include <optional>
+
+namespace kov {
+
+class FiniteAlgebra {
+public:
+  using Element = std::vector<MFraction>;
+
+  /// Requires I of dimension 0 and not the unit ideal; otherwise InvalidArgument.
+  explicit FiniteAlgebra(Ideal ideal, long max_dimension = 200);
+
+  [[nodiscard]] std::size_t dimension() const noexcept { return basis_.size(); }
+  [[nodiscard]] const Ideal& ideal() const noexcept { return ideal_; }
+  [[nodiscard]] const std::vector<Monomial>& basis() const noexcept { return basis_; }
+  [[nodiscard]] const Ring& ring() const noexcept { return ideal_.ring(); }
+
+  [[nodiscard]] Element zero() const;
+  [[nodiscard]] Element constant(const MFraction& c) const; ///< c in k
+  /// A rational function of the main variables.  Unset when its denominator is not a unit of R.
+  [[nodiscard]] std::optional<Element> evaluate(const MFraction& f) const;
+  [[nodiscard]] Element multiply(const Element& a, const Element& b) const;
+  /// Unset when a is 0 or a zero divisor.
+  [[nodiscard]] std::optional<Element> invert(const Element& a) const;
+  /// The value in k, if the element is a constant.
+  [[nodiscard]] std::optional<MFraction> in_base_field(const Element& a) const;
+  /// The element written in the main variables.
+  [[nodiscard]] MFraction lift(const Element& a) const;
+  /// Coefficients of the minimal polynomial of a over k, ascending, monic.
+  [[nodiscard]] std::vector<MFraction> minimal_polynomial(const Element& a) const;
+
+private:
+  [[nodiscard]] Element coordinates(const KPoly& f) const;
+  [[nodiscard]] const Element& product_of_basis(std::size_t i, std::size_t j) const;
+
+  Ideal ideal_;
+  std::vector<Monomial> basis_; ///< ascending; basis_[0] = 1
+  std::map<Monomial, std::size_t> place_;
+  mutable std::vector<std::optional<Element>> table_;
+};
+
+[[nodiscard]] FiniteAlgebra::Element operator+(const FiniteAlgebra::Element& a,
+                                               const FiniteAlgebra::Element& b);
+[[nodiscard]] FiniteAlgebra::Element operator-(const FiniteAlgebra::Element& a,
+                                               const FiniteAlgebra::Element& b);
+[[nodiscard]] FiniteAlgebra::Element scale(const FiniteAlgebra::Element& a, const MFraction& c);
+[[nodiscard]] bool is_zero(const FiniteAlgebra::Element& a);
+
+/// A solution x of the square or rectangular system m x = b over Q(x1, ..., xn); rows of equal
+/// length. Unset if there is none.  Free unknowns are 0.
+[[nodiscard]] std::optional<std::vector<MFraction>>
+solve_linear(std::vector<std::vector<MFraction>> m, std::vector<MFraction> b);
+/// A basis of {x : m x = 0}; `columns` is needed when m has no rows.
+[[nodiscard]] std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction>> m,
+                                                             std::size_t columns);
+
+} // namespace kov

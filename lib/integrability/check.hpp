@@ -1,0 +1,93 @@
+#pragma once
+// From a system to its verdict: every stage, the theorem, and the class of first integrals.
+//
+//   claims -> manifolds (proved) -> VE -> normal part -> linear integrals -> blocks
+//          -> scalar equation -> change of variable -> r(z) -> group -> verdict
+//
+// The verdict of a manifold is
+//   non-integrable   a block of order 2 has a non-abelian identity component (a theorem),
+//   no obstruction   all blocks of the normal part have abelian ones: nothing follows,
+//   undecided        anything else, with the reason.
+//
+// Source  [MoralesRuizRamis2001] Theorem 7 (Hamiltonian systems, also on symplectic leaves of a
+// Poisson
+//         manifold); [AyoulZung2010] (general vector fields)
+
+#include "algebraize/algebraize.hpp"
+#include "integrability/constants.hpp"
+#include "verdict/decide.hpp"
+
+namespace kov {
+
+enum class VerdictKind : std::uint8_t { non_integrable, no_obstruction, undecided };
+[[nodiscard]] std::string to_string(VerdictKind v); ///< "non-integrable", ...
+
+/// One value of a parameter (the energy) at which r was decided.
+struct EnergyResult {
+  std::string condition; ///< "h^2 - 3 = 0", or "h = 1/2"
+  std::string why;       ///< "singularities merge", "sample"
+  std::optional<RationalFunction> r;
+  std::optional<Decision> decision;
+  std::string note; ///< why there is none
+};
+
+/// A diagonal block of the reduced normal system.
+struct BlockReport {
+  std::vector<std::string> unknowns;
+  std::vector<ScalarEquation> scalar; ///< for each cyclic vector
+  std::optional<AlgebraicOde> ode;    ///< the one chosen
+  std::optional<NormalForm> equation; ///< without parameters
+  std::optional<Decision> decision;
+  std::vector<MPoly> special; ///< where singular places of r merge, in the energy parameter
+  std::vector<EnergyResult> energies;
+  Truth abelian = Truth::unknown;
+  std::string note; ///< why something is missing
+};
+
+struct ManifoldReport {
+  std::string name;
+  std::optional<ManifoldFailure> failure;
+  std::optional<InvariantManifold> manifold;
+  LinearSystem variational;
+  std::vector<std::vector<std::size_t>> variational_blocks;
+  NormalSystem normal;
+  ReducedSystem reduced;
+  std::vector<BlockReport> blocks;
+  VerdictKind verdict = VerdictKind::undecided;
+  std::string theorem, function_class;
+  std::vector<std::string> reasons;
+};
+
+struct ClaimReport {
+  Claim claim;
+  ClaimResult result;
+};
+
+struct CheckReport {
+  System system;
+  std::vector<ClaimReport> claims;
+  std::vector<ManifoldReport> manifolds;
+  double seconds = 0;
+};
+
+struct CheckOptions {
+  Options decide;
+  std::string only_manifold; ///< empty: all
+  bool stop_at_r = false;    ///< stages only, no group
+};
+
+/// Errors  OutOfBudget is turned into "undecided"; InputError and InternalError pass
+[[nodiscard]] CheckReport check_system(const System& s, const CheckOptions& options = {});
+[[nodiscard]] ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
+                                            const std::vector<ClaimReport>& claims,
+                                            const CheckOptions& options = {});
+
+/// The values of parameter `h` at which two singular places of r meet or one goes to infinity, as
+/// irreducible polynomials that use h: factors of the leading coefficients, the discriminants and
+/// the resultants of the factors of den(r).
+[[nodiscard]] std::vector<MPoly> merging_locus(const MFraction& r, std::size_t z, std::size_t h);
+
+/// "meromorphic", or the smaller class that an irregular place of r leaves.
+[[nodiscard]] std::string first_integral_class(const RationalFunction& r);
+
+} // namespace kov

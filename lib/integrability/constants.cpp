@@ -1,0 +1,110 @@
+#include "integrability/constants.hpp"
+
+#include "exact/error.hpp"
+#include "exact/factor.hpp"
+#include "exact/finite_algebra.hpp"
+
+#include <algorithm>
+
+namespace kov {
+
+std::pair<Field, NfElem> field_of_root(const Poly& f, const std::string& name) {
+  const auto factors = irreducible_factors(f);
+  if (factors.size() != 1 || factors[0].exponent != 1)
+    throw InvalidArgument("the polynomial " + to_string(f) + " is not irreducible over Q");
+  const Poly m = factors[0].base;
+  const long d = degree(m);
+  if (d == 1) return {rationals(), NfElem(to_rational(-m.coeff(0)))};
+  Integer scale(1); // scale * theta is integral
+  for (long i = 0; i < d; ++i)
+    fmpz_lcm(scale.raw(), scale.raw(), fmpq_denref(to_rational(m.coeff(i)).raw()));
+  std::vector<Integer> minpoly;
+  for (long i = 0; i <= d; ++i) {
+    const Rational c =
+        to_rational(m.coeff(i)) * Rational(pow(scale, static_cast<unsigned long>(d - i)));
+    minpoly.push_back(floor(c));
+  }
+  const Field k = make_field(minpoly, name);
+  return {k, NfElem::generator(k) / NfElem(Rational(scale))};
+}
+
+ConstantField ConstantField::make(const VectorField& v) {
+  ConstantField result;
+  if (v.constants.empty()) return result;
+  const auto is_constant_variable = [&](std::size_t i) {
+    return std::find(v.constants.begin(), v.constants.end(), i) != v.constants.end();
+  };
+  std::vector<MPoly> generators;
+  for (const auto& f : v.relations) {
+    const auto used = used_variables(f);
+    if (std::any_of(used.begin(), used.end(), is_constant_variable) &&
+        std::all_of(used.begin(), used.end(), is_constant_variable))
+      generators.push_back(f);
+  }
+  Ideal ideal(v.ring, v.constants, generators);
+  if (ideal.dimension() != 0)
+    throw InvalidArgument(
+        "the algebraic constants are not determined by numbers; values are needed "
+        "for the parameters in their relations");
+  const FiniteAlgebra algebra(std::move(ideal));
+  // A primitive element c_1 + k c_2 + k^2 c_3 + ... generates for all but finitely many k.
+  for (long k = 1; k < 50; ++k) {
+    MFraction theta(v.ring);
+    Rational weight(1);
+    for (const std::size_t c : v.constants) {
+      theta += weight * MFraction::variable(v.ring, c);
+      weight *= Rational(k);
+    }
+    const auto element = *algebra.evaluate(theta);
+    const auto minimal = algebra.minimal_polynomial(element);
+    if (minimal.size() != algebra.dimension() + 1) continue;
+    std::vector<NfElem> coefficients;
+    for (const auto& c : minimal)
+      coefficients.emplace_back(to_rational(c));
+    const std::string name = v.constants.size() == 1 ? v.ring->name(v.constants[0]) : "theta";
+    const auto [field, root] = field_of_root(Poly::from_coefficients(coefficients), name);
+    result.field_ = field;
+    std::vector<std::vector<MFraction>> rows(algebra.dimension());
+    auto power = algebra.constant(MFraction(v.ring, Rational(1)));
+    for (std::size_t i = 0; i < algebra.dimension(); ++i) {
+      for (std::size_t r = 0; r < rows.size(); ++r)
+        rows[r].push_back(power[r]);
+      power = algebra.multiply(power, element);
+    }
+    for (const std::size_t c : v.constants) {
+      const auto x = solve_linear(rows, *algebra.evaluate(MFraction::variable(v.ring, c)));
+      NfElem value(field);
+      for (std::size_t i = x->size(); i-- > 0;)
+        value = value * root + NfElem(to_rational((*x)[i]), field);
+      result.values_[c] = value;
+    }
+    return result;
+  }
+  throw InvalidArgument("the relations of the algebraic constants do not define a field");
+}
+
+Poly ConstantField::convert(const MPoly& f, std::size_t z) const {
+  if (is_zero(f)) return Poly(field_);
+  std::vector<NfElem> c(static_cast<std::size_t>(degree(f, z) + 1), NfElem(field_));
+  for (long t = 0; t < f.length(); ++t) {
+    const auto e = f.exponents(t);
+    NfElem term(Rational(f.coefficient(t)), field_);
+    for (std::size_t i = 0; i < e.size(); ++i) {
+      if (e[i] == 0 || i == z) continue;
+      const auto value = values_.find(i);
+      if (value == values_.end())
+        throw InvalidArgument("the function still depends on '" + f.ring()->name(i) +
+                              "'; a value is needed for it");
+      term *= pow(value->second, e[i]);
+    }
+    c[e[z]] += term;
+  }
+  return Poly::from_coefficients(c);
+}
+
+RationalFunction ConstantField::convert(const MFraction& f, std::size_t z) const {
+  if (is_zero(f)) return {Poly(field_)};
+  return {convert(f.num(), z), convert(f.den(), z)};
+}
+
+} // namespace kov

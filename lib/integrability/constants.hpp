@@ -1,0 +1,34 @@
+#pragma once
+// From Q(z, algebraic constants) to K(z) with one number field K = Q(theta).
+
+#include "exact/multivariate.hpp"
+#include "system/vector_field.hpp"
+
+#include <map>
+
+namespace kov {
+
+/// The algebraic constants of a system in one field; Q if there are none.
+class ConstantField {
+public:
+  /// The relations among the constants alone must define a field.
+  /// Errors  InvalidArgument: relations with parameters, not finitely many values, or not a field
+  static ConstantField make(const VectorField& v);
+
+  [[nodiscard]] const Field& field() const noexcept { return field_; }
+  /// Requires that f uses only z and the constants; otherwise InvalidArgument, naming the variable.
+  [[nodiscard]] RationalFunction convert(const MFraction& f, std::size_t z) const;
+  void set(std::size_t variable, NfElem value) { values_[variable] = std::move(value); }
+  void set_field(Field field) { field_ = std::move(field); }
+
+private:
+  [[nodiscard]] Poly convert(const MPoly& f, std::size_t z) const;
+  Field field_ = rationals();
+  std::map<std::size_t, NfElem> values_;
+};
+
+/// Q(theta) for a root theta of f in Q[x]: an integral multiple generates.  Returns the field and
+/// theta in it.  Requires f irreducible (checked; InvalidArgument).
+[[nodiscard]] std::pair<Field, NfElem> field_of_root(const Poly& f, const std::string& name);
+
+} // namespace kov

@@ -1,0 +1,23 @@
+#pragma once
+// The steps of the algorithm as data: what was tried, what was found, why something was left out.
+
+#include <string>
+#include <vector>
+
+namespace kov::kovacic {
+
+/// One step, with the numbers of the 1986 paper.
+struct Step {
+  int kovacic_case = 0; ///< 0: before the cases; 1, 2, 3
+  int number = 0;       ///< 0: necessary conditions; 1: exponent sets; 2: families; 3: polynomial
+  std::string text;     ///< full sentences
+};
+
+using Trace = std::vector<Step>;
+
+/// Appends a step when somebody listens.
+inline void note(Trace* trace, int kovacic_case, int number, std::string text) {
+  if (trace != nullptr) trace->push_back({kovacic_case, number, std::move(text)});
+}
+
+} // namespace kov::kovacic

@@ -1,0 +1,323 @@
+#include "manifold/find.hpp"
+
+#include "exact/error.hpp"
+#include "exact/finite_algebra.hpp"
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+namespace kov {
+namespace {
+
+/// Coordinates and function symbols with their derivatives: one polynomial system for the searches.
+struct Extended {
+  std::vector<std::size_t> variables;
+  std::vector<MFraction> components;
+};
+
+Extended extend(const VectorField& v) {
+  Extended x{v.coordinates, v.components};
+  for (const auto& f : v.functions) {
+    x.variables.push_back(f.variable);
+    x.components.push_back(lie_derivative(v, MFraction::variable(v.ring, f.variable)));
+  }
+  return x;
+}
+
+Equation zero_equation(const Ring& ring, std::size_t i) {
+  return {MFraction::variable(ring, i), ring->name(i) + " = 0"};
+}
+
+std::vector<std::uint32_t> masks(const MPoly& f, const std::vector<std::size_t>& variables) {
+  std::set<std::uint32_t> all;
+  for (long t = 0; t < f.length(); ++t) {
+    const auto e = f.exponents(t);
+    std::uint32_t mask = 0;
+    for (std::size_t i = 0; i < variables.size(); ++i)
+      if (e[variables[i]] > 0) mask |= std::uint32_t{1} << i;
+    all.insert(mask);
+  }
+  return {all.begin(), all.end()};
+}
+
+std::vector<FoundManifold> coordinate_subspaces(const VectorField& v, const Extended& x,
+                                                const Budget& budget) {
+  std::vector<FoundManifold> found;
+  const std::size_t n = x.variables.size();
+  if (n > 16) return found;
+  std::vector<std::vector<std::uint32_t>> num, den;
+  for (const auto& c : x.components) {
+    num.push_back(masks(c.num(), x.variables));
+    den.push_back(is_zero(c) ? std::vector<std::uint32_t>{0} : masks(c.den(), x.variables));
+  }
+  for (std::uint32_t set = 1; set + 1 < (std::uint32_t{1} << n); ++set) {
+    if (set % 1024 == 0) budget.check();
+    bool invariant = true;
+    for (std::size_t i = 0; i < n && invariant; ++i) {
+      const auto meets = [&](std::uint32_t m) { return (m & set) != 0; };
+      if ((set >> i & 1U) != 0 && !std::all_of(num[i].begin(), num[i].end(), meets))
+        invariant = false;
+      if (std::all_of(den[i].begin(), den[i].end(), meets)) invariant = false; // not defined there
+    }
+    if (!invariant) continue;
+    FoundManifold m;
+    m.kind = "coordinate subspace";
+    for (std::size_t i = 0; i < n; ++i)
+      if ((set >> i & 1U) != 0) m.equations.push_back(zero_equation(v.ring, x.variables[i]));
+    found.push_back(std::move(m));
+  }
+  return found;
+}
+
+/// sigma(x)_j = sign_j x_pi(j), an involution.
+struct Involution {
+  std::vector<std::size_t> image;
+  std::vector<int> sign;
+};
+
+void involutions(std::size_t j, Involution& s, std::vector<Involution>& all) {
+  const std::size_t n = s.image.size();
+  while (j < n && s.sign[j] != 0)
+    ++j;
+  if (j == n) {
+    all.push_back(s);
+    return;
+  }
+  for (const int e : {1, -1}) {
+    s.image[j] = j;
+    s.sign[j] = e;
+    involutions(j + 1, s, all);
+    for (std::size_t k = j + 1; k < n; ++k) {
+      if (s.sign[k] != 0) continue;
+      s.image[j] = k;
+      s.image[k] = j;
+      s.sign[j] = s.sign[k] = e;
+      involutions(j + 1, s, all);
+      s.sign[k] = 0;
+    }
+    s.sign[j] = 0;
+  }
+}
+
+/// The values of the components at a point modulo a prime; unset when a denominator vanishes.
+class ModularField {
+public:
+  ModularField(const VectorField& v, const Extended& x) : x_(&x), point_(v.ring->size()) {
+    nmod_init(&mod_, 2147483629UL);
+    std::mt19937_64 generator(20240501);
+    for (auto& c : point_)
+      c = generator() % mod_.n;
+  }
+  [[nodiscard]] std::optional<std::vector<ulong>> at(const Involution& s) const {
+    std::vector<ulong> p(point_);
+    for (std::size_t j = 0; j < s.image.size(); ++j) {
+      const ulong c = point_[x_->variables[s.image[j]]];
+      p[x_->variables[j]] = s.sign[j] > 0 ? c : nmod_neg(c, mod_);
+    }
+    std::vector<ulong> values;
+    for (const auto& f : x_->components) {
+      if (is_zero(f)) {
+        values.push_back(0);
+        continue;
+      }
+      const ulong d = evaluate(f.den(), p);
+      if (d == 0) return std::nullopt;
+      values.push_back(nmod_div(evaluate(f.num(), p), d, mod_));
+    }
+    return values;
+  }
+  [[nodiscard]] bool respects(const Involution& s, const std::vector<ulong>& here) const {
+    const auto there = at(s);
+    if (!there) return false;
+    for (std::size_t j = 0; j < s.image.size(); ++j) {
+      const ulong c = here[s.image[j]];
+      if ((*there)[j] != (s.sign[j] > 0 ? c : nmod_neg(c, mod_))) return false;
+    }
+    return true;
+  }
+
+private:
+  [[nodiscard]] ulong evaluate(const MPoly& f, const std::vector<ulong>& p) const {
+    return fmpz_mpoly_evaluate_all_nmod(f.raw(), p.data(), f.ctx(), mod_);
+  }
+  const Extended* x_;
+  std::vector<ulong> point_;
+  nmod_t mod_{};
+};
+
+std::optional<FoundManifold> fixed_set(const VectorField& v, const Extended& x,
+                                       const Involution& s) {
+  FoundManifold m;
+  std::string moved;
+  bool swaps = false;
+  for (std::size_t j = 0; j < s.image.size(); ++j) {
+    const std::size_t k = s.image[j];
+    const std::string& name = v.ring->name(x.variables[j]);
+    if (k == j && s.sign[j] > 0) continue;
+    moved += (moved.empty() ? "" : ", ") + name + " -> " + (s.sign[j] < 0 ? "-" : "") +
+             v.ring->name(x.variables[k]);
+    if (k == j) {
+      m.equations.push_back(zero_equation(v.ring, x.variables[j]));
+      continue;
+    }
+    swaps = true;
+    if (k < j) continue;
+    const MFraction a = MFraction::variable(v.ring, x.variables[j]);
+    const MFraction b = MFraction::variable(v.ring, x.variables[k]);
+    m.equations.push_back(
+        {s.sign[j] > 0 ? a - b : a + b,
+         name + " = " + (s.sign[j] > 0 ? "" : "-") + v.ring->name(x.variables[k])});
+  }
+  if (m.equations.empty() || !swaps) return std::nullopt; // sign changes give coordinate subspaces
+  m.kind = "fixed points of " + moved;
+  return m;
+}
+
+std::vector<FoundManifold> fixed_sets(const VectorField& v, const Extended& x,
+                                      const Budget& budget) {
+  std::vector<FoundManifold> found;
+  const std::size_t n = x.variables.size();
+  if (n > 8) return found;
+  Involution s{std::vector<std::size_t>(n), std::vector<int>(n, 0)};
+  std::vector<Involution> all;
+  involutions(0, s, all);
+  const ModularField field(v, x);
+  Involution identity{std::vector<std::size_t>(n), std::vector<int>(n, 1)};
+  for (std::size_t j = 0; j < n; ++j)
+    identity.image[j] = j;
+  const auto here = field.at(identity);
+  if (!here) return found;
+  for (const auto& candidate : all) { // a filter only: what passes is proved below
+    budget.check();
+    if (field.respects(candidate, *here))
+      if (auto m = fixed_set(v, x, candidate)) found.push_back(*std::move(m));
+  }
+  return found;
+}
+
+std::vector<FoundManifold> lines(const VectorField& v) {
+  std::vector<FoundManifold> found;
+  if (v.dimension() != 4 || !v.functions.empty()) return found;
+  // the slope s needs a variable of its own
+  auto names = v.ring->names();
+  names.emplace_back("slope of the line");
+  const Ring ring = make_ring(names);
+  const std::size_t s = names.size() - 1;
+  const MFraction slope = MFraction::variable(ring, s);
+  const auto x = [&](std::size_t j) { return MFraction::variable(ring, v.coordinates[j]); };
+  const Substitution line{{v.coordinates[1], slope * x(0)}, {v.coordinates[3], slope * x(2)}};
+  MPoly common(ring);
+  for (const std::size_t j : {0U, 2U}) {
+    MFraction f;
+    try {
+      f = substitute(transfer(v.components[j + 1], ring) - slope * transfer(v.components[j], ring),
+                     line);
+    } catch (const DomainError&) {
+      return found;
+    }
+    std::map<std::vector<unsigned long>, MPoly> coefficients; // by the monomial in q1, p1
+    const MPoly num = f.num();
+    for (long t = 0; t < num.length(); ++t) {
+      auto e = num.exponents(t);
+      const std::vector<unsigned long> key{e[v.coordinates[0]], e[v.coordinates[2]]};
+      e[v.coordinates[0]] = e[v.coordinates[2]] = 0;
+      coefficients[key] += MPoly::term(ring, num.coefficient(t), e);
+    }
+    for (const auto& [key, c] : coefficients)
+      common = gcd(common, c);
+  }
+  if (is_zero(common) || !uses(common, s)) return found;
+  for (const auto& f : factor(common).second) {
+    const auto c = coefficients(f.base, s);
+    if (c.size() != 2) continue; // slopes that are not rational in the parameters are left out
+    const MFraction value = transfer(-MFraction(c[0], c[1]), v.ring);
+    if (is_zero(value)) continue;
+    FoundManifold m;
+    m.kind = "line of slope " + to_string(value);
+    for (const std::size_t j : {0U, 2U}) {
+      const MFraction a = MFraction::variable(v.ring, v.coordinates[j + 1]);
+      const MFraction b = value * MFraction::variable(v.ring, v.coordinates[j]);
+      m.equations.push_back({a - b, v.name(j + 1) + " = " + to_string(b)});
+    }
+    found.push_back(std::move(m));
+  }
+  return found;
+}
+
+// How many of the integrals are independent on the set: the rank of their gradients along it at one
+// point with random rational coordinates (a lower bound, and almost always the rank).
+int independent_integrals(const VectorField& v, const std::vector<MFraction>& integrals,
+                          const Substitution& solved) {
+  std::mt19937 generator(7);
+  std::uniform_int_distribution<int> number(2, 97);
+  Substitution point;
+  for (std::size_t i = 0; i < v.ring->size(); ++i)
+    point[i] = MFraction(v.ring, Rational(number(generator), 3));
+  Matrix rows;
+  for (const auto& f : integrals) {
+    try {
+      const MFraction g = substitute(f, solved);
+      rows.emplace_back();
+      for (std::size_t j = 0; j < v.dimension(); ++j)
+        rows.back().push_back(solved.count(v.coordinates[j]) ? MFraction(v.ring)
+                                                             : substitute(partial(v, g, j), point));
+    } catch (const DomainError&) {
+      rows.pop_back();
+    }
+  }
+  return static_cast<int>(v.dimension() - null_space(rows, v.dimension()).size());
+}
+
+Substitution solve(const FoundManifold& m) {
+  Substitution solved; // the equations are x = 0 or x = c y
+  for (const auto& e : m.equations) {
+    const std::size_t i = used_variables(e.difference).front();
+    const MFraction x = MFraction::variable(e.difference.ring(), i);
+    const MFraction c = derivative(e.difference, i);
+    solved[i] = x - e.difference / c;
+  }
+  return solved;
+}
+
+} // namespace
+
+std::vector<FoundManifold> find_manifolds(const VectorField& v,
+                                          const std::vector<MFraction>& integrals,
+                                          const Budget& budget) {
+  const Extended x = extend(v);
+  std::vector<FoundManifold> all = coordinate_subspaces(v, x, budget);
+  for (auto& m : fixed_sets(v, x, budget))
+    all.push_back(std::move(m));
+  for (auto& m : lines(v))
+    all.push_back(std::move(m));
+  std::vector<FoundManifold> proved;
+  std::set<std::string> seen;
+  for (auto& m : all) {
+    std::vector<MPoly> generators;
+    for (const auto& e : m.equations)
+      generators.push_back(e.difference.num());
+    const Ideal ideal = relation_ideal(v, generators);
+    if (ideal.is_unit() || invariance_failure(v, m.equations, ideal)) continue;
+    std::string key;
+    for (const auto& g : ideal.basis())
+      key += to_string(ideal.from_kpoly(g)) + ";";
+    if (!seen.insert(key).second) continue;
+    m.dimension = ideal.dimension();
+    if (m.dimension == 0) continue;
+    m.equilibria = std::all_of(v.components.begin(), v.components.end(),
+                               [&](const MFraction& c) { return is_zero_modulo(c, ideal); });
+    m.integrals = independent_integrals(v, integrals, solve(m));
+    proved.push_back(std::move(m));
+  }
+  std::stable_sort(proved.begin(), proved.end(),
+                   [](const FoundManifold& a, const FoundManifold& b) {
+                     const auto rank = [](const FoundManifold& m) {
+                       return std::tuple(m.equilibria, m.leaf_dimension() != 1, -m.dimension);
+                     };
+                     return rank(a) < rank(b);
+                   });
+  return proved;
+}
+
+} // namespace kov

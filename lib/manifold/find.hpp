@@ -1,0 +1,34 @@
+#pragma once
+// Invariant linear subspaces that can be read off the vector field.
+//
+//   coordinate subspaces  {x_i = 0, i in S}: every term of X_i, i in S, contains a factor x_k, k in
+//   S fixed sets            Fix(sigma) of an involution sigma(x)_j = +-x_pi(j) with sigma_* X = X
+//   lines                 {q2 = s q1, p2 = s p1} of systems with two degrees of freedom (Darboux
+//   points
+//                         of homogeneous potentials among them)
+//
+// Each set found is proved invariant; nothing is claimed about completeness.
+//
+// Source  THEORY 8.2
+
+#include "manifold/invariant_manifold.hpp"
+
+namespace kov {
+
+struct FoundManifold {
+  std::vector<Equation> equations;
+  std::string kind; ///< "coordinate subspace", "fixed points of ...", "line ..."
+  int dimension = 0;
+  int integrals = 0;       ///< independent ones among the given, restricted to it
+  bool equilibria = false; ///< the field vanishes on it
+  /// dimension - integrals: 1 means that levels cut out phase curves.
+  [[nodiscard]] int leaf_dimension() const noexcept { return dimension - integrals; }
+};
+
+/// Shape  those with leaf dimension 1 first, then by dimension; sets of equilibria last
+/// Cost   2^n subsets of n variables (n <= 16), involutions for n <= 8
+[[nodiscard]] std::vector<FoundManifold> find_manifolds(const VectorField& v,
+                                                        const std::vector<MFraction>& integrals,
+                                                        const Budget& budget = {});
+
+} // namespace kov

@@ -1,0 +1,146 @@
+#include "manifold/invariant_manifold.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+bool zero_on(const MFraction& f, const Ideal& ideal) {
+  return is_zero_modulo(f, ideal) || ideal.vanishes(f.num()) ||
+         ideal.vanishes(f.num() * ideal.normal_form(MFraction(f.den())).num());
+}
+
+// What f is on the manifold, for a message: numerator reduced, denominator kept.
+MFraction value_on(const MFraction& f, const Ideal& ideal) {
+  const MFraction d = ideal.normal_form(MFraction(f.den()));
+  const MFraction n = ideal.normal_form(MFraction(f.num()));
+  return is_zero(d) ? f : n / d;
+}
+
+// Equations a x_i + rest = 0 with a free of main variables, solved one after the other.
+void solve_linear_equations(const VectorField& v, InvariantManifold& m) {
+  const auto main = v.main_variables();
+  m.linear = true;
+  for (const auto& e : m.equations) {
+    const MFraction f = substitute(e.difference, m.solved);
+    if (is_zero(f)) continue;
+    bool done = false;
+    for (const std::size_t i : main) {
+      const auto c = coefficients(f.num(), i);
+      if (c.size() != 2 ||
+          std::any_of(main.begin(), main.end(), [&](std::size_t k) { return uses(c[1], k); }))
+        continue;
+      const MFraction value = -MFraction(c[0], c[1]);
+      for (auto& [k, old] : m.solved)
+        old = substitute(old, {{i, value}});
+      m.solved[i] = value;
+      done = true;
+      break;
+    }
+    if (!done) m.linear = false;
+  }
+}
+
+std::vector<MPoly> numerators(const std::vector<Equation>& equations) {
+  std::vector<MPoly> all;
+  for (const auto& e : equations)
+    all.push_back(e.difference.num());
+  return all;
+}
+
+} // namespace
+
+MFraction InvariantManifold::restrict(const MFraction& f) const {
+  MFraction g = solved.empty() ? f : substitute(f, solved);
+  if (linear || is_zero(g)) return g;
+  const MFraction den = ideal->normal_form(MFraction(g.den()));
+  if (is_zero(den)) return g;
+  return ideal->normal_form(MFraction(g.num())) / den;
+}
+
+bool InvariantManifold::vanishes_on_curve(const MFraction& f) const {
+  return is_zero_modulo(f, *curve);
+}
+
+std::optional<ManifoldFailure> invariance_failure(const VectorField& v,
+                                                  const std::vector<Equation>& equations,
+                                                  const Ideal& ideal) {
+  for (const auto& e : equations) {
+    const MFraction d = lie_derivative(v, e.difference);
+    if (zero_on(d, ideal)) continue;
+    const MFraction value = value_on(d, ideal);
+    return ManifoldFailure{"the set is not invariant: on it the derivative of the left side minus "
+                           "the right side of '" +
+                               e.text + "' is " + brief(value) + ", not 0",
+                           e.text, value};
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+std::optional<ManifoldFailure> level_failure(const VectorField& v, const InvariantManifold& m) {
+  for (const auto& e : m.levels) {
+    const MFraction d = lie_derivative(v, e.difference);
+    if (zero_on(d, *m.ideal)) continue;
+    const MFraction value = value_on(d, *m.ideal);
+    return ManifoldFailure{"the level '" + e.text + "' is not one of a first integral: on the " +
+                               "manifold its derivative is " + brief(value) + ", not 0",
+                           e.text, value};
+  }
+  return std::nullopt;
+}
+
+std::optional<ManifoldFailure> curve_failure(const VectorField& v, const InvariantManifold& m) {
+  const int d = m.curve->dimension();
+  const auto failure = [&](const std::string& why) {
+    return ManifoldFailure{why, m.name, MFraction(v.ring)};
+  };
+  if (d < 0) return failure("the manifold with its levels is empty");
+  if (d == 0) return failure("the manifold with its levels consists of points, not of curves");
+  if (d > 1)
+    return failure("the manifold with its levels has dimension " + std::to_string(d) +
+                   ", not 1: add " + std::to_string(d - 1) +
+                   " more level(s) of first integrals (level = [\"H = h\", ...])");
+  for (const auto& x : v.components)
+    if (!m.vanishes_on_curve(x)) return std::nullopt;
+  return failure("all points of the manifold with its levels are equilibria");
+}
+
+} // namespace
+
+std::variant<InvariantManifold, ManifoldFailure> prove_invariant(const VectorField& v,
+                                                                 const ManifoldSpec& spec) {
+  InvariantManifold m;
+  m.name = spec.name;
+  m.equations = spec.equations;
+  m.levels = spec.levels;
+  m.nonzero = spec.nonzero;
+  auto generators = numerators(m.equations);
+  m.ideal = std::make_shared<const Ideal>(relation_ideal(v, generators, m.nonzero));
+  if (m.ideal->is_unit())
+    return ManifoldFailure{"the manifold is empty: its equations contradict each other", m.name,
+                           MFraction(v.ring)};
+  for (const auto& x : v.components)
+    if (m.ideal->vanishes(x.den()))
+      return ManifoldFailure{"the vector field is not defined on the manifold: the denominator " +
+                                 to_string(x.den()) + " vanishes there",
+                             m.name, MFraction(x.den())};
+  if (auto failure = invariance_failure(v, m.equations, *m.ideal)) return *std::move(failure);
+  for (const auto& e : m.equations)
+    m.proof.push_back("d/dt of '" + e.text + "' is in the ideal of the manifold");
+  if (auto failure = level_failure(v, m)) return *std::move(failure);
+  for (const auto& e : m.levels)
+    m.proof.push_back("'" + e.text + "': its derivative is in the ideal of the manifold");
+  const auto levels = numerators(m.levels);
+  generators.insert(generators.end(), levels.begin(), levels.end());
+  m.curve = std::make_shared<const Ideal>(relation_ideal(v, generators, m.nonzero));
+  solve_linear_equations(v, m);
+  if (auto failure = curve_failure(v, m)) return *std::move(failure);
+  m.proof.push_back("the manifold with its levels is a curve, and the field is not zero on it");
+  return m;
+}
+
+} // namespace kov

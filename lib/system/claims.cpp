@@ -1,0 +1,138 @@
+#include "system/claims.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+Ideal level_ideal(const VectorField& v, const std::vector<Equation>& on) {
+  std::vector<MPoly> levels;
+  for (const auto& e : on)
+    levels.push_back(e.difference.num());
+  return relation_ideal(v, levels);
+}
+
+/// f = 0 on the level, where its denominator is not 0.
+bool holds_on(const MFraction& f, const Ideal& level) {
+  return is_zero_modulo(f, level) || level.vanishes(f.num()) ||
+         level.vanishes(f.num() * level.normal_form(MFraction(f.den())).num());
+}
+
+MFraction reduced(const MFraction& f, const Ideal& level) {
+  if (level.is_zero_ideal() || is_zero(f)) return f;
+  return level.normal_form(MFraction(f.num())) / MFraction(f.den());
+}
+
+ClaimResult refuted(const std::string& what, const MFraction& f) {
+  return {false, what + " = " + brief(f), f, {}};
+}
+
+// X(G) = K G: G divides X(G) modulo the relations, that is, X(G) is in the ideal of G.
+ClaimResult check_darboux(const VectorField& v, const Claim& claim) {
+  const MFraction derivative = lie_derivative(v, claim.value);
+  const MPoly g = claim.value.num();
+  const MFraction cofactor = derivative / claim.value;
+  if (!is_zero(gcd(cofactor.den(), g)) && is_constant(gcd(cofactor.den(), g)))
+    return {true, "X(G) = K G with K = " + brief(cofactor), cofactor, {}};
+  std::vector<Equation> on(claim.on);
+  on.push_back({claim.value, claim.text});
+  const Ideal level = level_ideal(v, on);
+  if (level.is_unit()) return refuted("G = 0 is empty; X(G)", derivative);
+  if (holds_on(derivative, level))
+    return {true, "X(G) is in the ideal of G and the relations", MFraction(v.ring),
+            level.inverted()};
+  return refuted("on G = 0: X(G)", reduced(derivative, level));
+}
+
+} // namespace
+
+ClaimResult check_claim(const VectorField& v, const Claim& claim) {
+  if (claim.kind == Claim::Kind::darboux) return check_darboux(v, claim);
+  const Ideal level = level_ideal(v, claim.on);
+  if (level.is_unit())
+    throw InvalidArgument("the level of the claim '" + claim.name + "' is empty");
+  const auto decide = [&](const MFraction& f, const std::string& what) -> ClaimResult {
+    if (is_zero(f)) return {true, what + " = 0 identically", f, {}};
+    if (holds_on(f, level))
+      return {true, what + " = 0 modulo the relations and the level", MFraction(v.ring),
+              level.inverted()};
+    return refuted(what, reduced(f, level));
+  };
+  switch (claim.kind) {
+  case Claim::Kind::integral:
+    // On a level set that is not itself invariant the statement would be empty: check it first.
+    for (const auto& e : claim.on)
+      if (const MFraction d = lie_derivative(v, e.difference); !holds_on(d, level))
+        return refuted("the level " + e.text + " is not invariant; its derivative",
+                       reduced(d, level));
+    return decide(lie_derivative(v, claim.value), "d/dt " + claim.name);
+  case Claim::Kind::casimir: {
+    if (!v.poisson) throw InvalidArgument("this system has no Poisson structure");
+    const auto x = hamiltonian_field(v, *v.poisson, claim.value);
+    for (std::size_t j = 0; j < x.size(); ++j)
+      if (const auto r = decide(x[j], "{" + v.name(j) + ", " + claim.name + "}"); !r.proved)
+        return r;
+    return {true, "J grad " + claim.name + " = 0", MFraction(v.ring), level.inverted()};
+  }
+  case Claim::Kind::poisson:
+    return decide(poisson_bracket(v, claim.first, claim.second) - claim.value,
+                  "left side - right side");
+  default:
+    return decide(claim.value, "left side - right side");
+  }
+}
+
+ClaimResult check_euler_lagrange(const System& s) {
+  if (!s.lagrangian) throw InvalidArgument("the Euler-Lagrange form needs kind = \"lagrangian\"");
+  const VectorField& v = s.field;
+  Substitution velocities;
+  for (std::size_t i = 0; i < 3; ++i)
+    velocities[s.velocities[i]] = s.velocity_values[i];
+  const auto x = [&](std::size_t k) { return MFraction::variable(v.ring, v.coordinates[k]); };
+  const Ideal relations = relation_ideal(v);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const std::size_t k = i % 3;
+    const std::size_t a = (k + 1) % 3;
+    const std::size_t b = (k + 2) % 3;
+    const auto force = [&](std::size_t j) {
+      return substitute(derivative(*s.lagrangian, v.coordinates[3 + j]), velocities);
+    };
+    const auto& w = s.velocity_values;
+    const MFraction expected = i < 3
+                                   ? (x(a) - s.gyrostat[a]) * w[b] - (x(b) - s.gyrostat[b]) * w[a] +
+                                         force(a) * x(3 + b) - force(b) * x(3 + a)
+                                   : x(3 + a) * w[b] - x(3 + b) * w[a];
+    if (const MFraction d = v.components[i] - expected; !is_zero_modulo(d, relations))
+      return refuted("the component " + v.name(i) + "': Poisson form - Euler-Lagrange form", d);
+  }
+  return {true, "all six components agree", MFraction(v.ring), {}};
+}
+
+ClaimResult check_same_field(const VectorField& v, const VectorField& other) {
+  if (v.dimension() != other.dimension())
+    return {false, "the other system has another number of coordinates", MFraction(v.ring), {}};
+  const Ideal relations = relation_ideal(v);
+  for (std::size_t j = 0; j < v.dimension(); ++j) {
+    const auto k = std::find_if(other.coordinates.begin(), other.coordinates.end(),
+                                [&](std::size_t i) { return other.ring->name(i) == v.name(j); });
+    if (k == other.coordinates.end())
+      return {false, "the other system has no coordinate " + v.name(j), MFraction(v.ring), {}};
+    const MFraction theirs =
+        transfer(other.components[static_cast<std::size_t>(k - other.coordinates.begin())], v.ring);
+    if (const MFraction d = v.components[j] - theirs; !is_zero_modulo(d, relations))
+      return refuted("the difference of the two components " + v.name(j) + "'", d);
+  }
+  return {true, "all components agree", MFraction(v.ring), {}};
+}
+
+ClaimResult check_claim(const System& s, const Claim& claim) {
+  if (claim.other.empty()) return check_claim(s.field, claim);
+  if (claim.other == "euler-lagrange") return check_euler_lagrange(s);
+  const std::size_t slash = s.file.find_last_of('/');
+  const std::string folder = slash == std::string::npos ? "" : s.file.substr(0, slash + 1);
+  return check_same_field(s.field, read_system(folder + claim.other).field);
+}
+
+} // namespace kov

@@ -1,0 +1,38 @@
+#pragma once
+// Claims about a system, proved or refuted exactly.
+//
+//   integral F      X(F) = 0                      modulo the relations, and on the level if one is
+//   named casimir  F      J grad F = 0 darboux  G      X(G) = K G for a function K defined where G
+//   = 0 is poisson         {F, G} = value equal           left = right, or: this field equals
+//   another one (Euler-Lagrange form, other file)
+//
+// A proof is an ideal membership; a refutation shows the function that is not zero.
+
+#include "system/system.hpp"
+
+namespace kov {
+
+struct ClaimResult {
+  bool proved = false;
+  std::string detail; ///< proved: how; refuted: the function that is not zero
+  /// integral: X(F) reduced; darboux, proved: the cofactor; poisson, equal: the difference
+  MFraction witness;
+  std::vector<MPoly> generic; ///< parameters for which the proof holds: none of these is 0
+};
+
+/// Requires a claim with a function, not `other`.
+/// Errors  InvalidArgument for a casimir or poisson claim on a system without a bracket
+[[nodiscard]] ClaimResult check_claim(const VectorField& v, const Claim& claim);
+
+/// The Euler-Lagrange form on the group against the Poisson form, component by component:
+///   M' = (M - B) x Omega + dL/dGamma x Gamma,  Gamma' = Gamma x Omega,  Omega = Omega(M, Gamma).
+/// Requires kind lagrangian.   Source  [PrzybylskaMaciejewski2024] eq. (lag_borisov)
+[[nodiscard]] ClaimResult check_euler_lagrange(const System& s);
+
+/// The components of two fields, matched by the names of their variables.
+[[nodiscard]] ClaimResult check_same_field(const VectorField& v, const VectorField& other);
+
+/// Any claim of a file; other files are found beside it.
+[[nodiscard]] ClaimResult check_claim(const System& s, const Claim& claim);
+
+} // namespace kov

@@ -1,0 +1,257 @@
+// Claims, manifolds, the reduction, assumptions and expectations of a system file.
+
+#include "symbol/suggest.hpp"
+#include "system/read_system.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kov {
+namespace {
+
+constexpr std::array claim_sections{
+    std::pair("integral", Claim::Kind::integral), std::pair("casimir", Claim::Kind::casimir),
+    std::pair("darboux", Claim::Kind::darboux), std::pair("poisson", Claim::Kind::poisson),
+    std::pair("equal", Claim::Kind::equal)};
+
+void read_claim(const Entry& e, Claim& claim, const SystemScope& scope) {
+  e.check_keys(
+      {"name", "value", "first", "second", "left", "right", "with", "on", "holds", "source"});
+  claim.line = e.line();
+  if (const Entry* on = e.find("on")) claim.on = scope.equations(*on);
+  if (const Entry* holds = e.find("holds")) claim.holds = holds->boolean();
+  if (const Entry* source = e.find("source")) claim.source = source->string();
+  if (const Entry* name = e.find("name")) claim.name = name->string();
+  if (claim.kind == Claim::Kind::equal && e.find("with")) {
+    claim.other = e.at("with").string();
+    claim.text = "the same vector field as " + claim.other;
+    return;
+  }
+  if (claim.kind == Claim::Kind::equal) {
+    claim.value =
+        evaluate(e.at("left").expression(), scope) - evaluate(e.at("right").expression(), scope);
+    claim.text = e.at("left").string() + " = " + e.at("right").string();
+    return;
+  }
+  const Entry* value = e.find("value");
+  if (!value) {
+    const auto known = scope.value(claim.name);
+    if (!known) throw e.error("the key 'value' is missing");
+    claim.value = *known;
+    claim.text = claim.name;
+  } else {
+    claim.value = evaluate(value->expression(), scope);
+    claim.text = value->string();
+  }
+  if (claim.kind == Claim::Kind::poisson) {
+    claim.first = evaluate(e.at("first").expression(), scope);
+    claim.second = evaluate(e.at("second").expression(), scope);
+    claim.text =
+        "{" + e.at("first").string() + ", " + e.at("second").string() + "} = " + value->string();
+  }
+}
+
+void read_weights(const Entry& document, const SystemScope& scope, System& s) {
+  const Entry* expansion = document.find("expansion");
+  if (!expansion) return;
+  expansion->check_keys({"weights", "terms"});
+  for (const auto& [name, entry] : expansion->at("weights").members()) {
+    const auto i = scope.ring()->find(name);
+    if (!i) throw entry.error("'" + name + "' is not a variable of this system");
+    const MFraction w = evaluate(entry.expression(), scope);
+    if (!is_constant(w) || !is_integer(to_rational(w)))
+      throw entry.error("a weight must be an integer");
+    s.weights[*i] = to_long(floor(to_rational(w)));
+  }
+  if (const Entry* terms = expansion->find("terms")) {
+    const MFraction n = evaluate(terms->expression(), scope);
+    if (!is_constant(n) || !is_integer(to_rational(n)) || to_rational(n) < Rational(1) ||
+        to_rational(n) > Rational(20))
+      throw terms->error("the number of terms must be an integer from 1 to 20");
+    s.expansion_terms = to_long(floor(to_rational(n)));
+  }
+}
+
+using Relation = Assumption::Relation;
+
+void check_assumption(const Assumption& a, const Entry& entry) {
+  if (!is_constant(a.value)) return;
+  const Rational v = to_rational(a.value);
+  const bool holds = a.relation == Relation::nonzero       ? sign(v) != 0
+                     : a.relation == Relation::zero        ? sign(v) == 0
+                     : a.relation == Relation::positive    ? sign(v) > 0
+                     : a.relation == Relation::nonnegative ? sign(v) >= 0
+                     : a.relation == Relation::integer     ? is_integer(v)
+                                                           : true;
+  if (!holds)
+    throw entry.error("the assumption '" + a.text + "' is violated by the values given",
+                      "the left side minus the right side is " + to_string(v));
+}
+
+Assumption read_condition(const Entry& entry, const SystemScope& scope) {
+  const std::string& text = entry.string();
+  const std::array signs{
+      std::pair(">=", Relation::nonnegative), std::pair("<=", Relation::nonnegative),
+      std::pair("!=", Relation::nonzero),     std::pair(">", Relation::positive),
+      std::pair("<", Relation::positive),     std::pair("=", Relation::zero)};
+  for (const auto& [sign, relation] : signs) {
+    const std::size_t at = text.find(sign);
+    if (at == std::string::npos) continue;
+    const std::string word(sign);
+    MFraction left = evaluate(parse_expression(text.substr(0, at), entry.file()), scope);
+    MFraction right =
+        evaluate(parse_expression(text.substr(at + word.size()), entry.file()), scope);
+    if (word[0] == '<') std::swap(left, right);
+    return {relation, left - right, text, entry.line()};
+  }
+  throw entry.error("a condition was expected", "for example \"A + B >= C\" or \"d != 0\"");
+}
+
+void read_assumptions(const Entry& document, const SystemScope& scope, System& s) {
+  const Entry* assume = document.find("assume");
+  if (!assume) return;
+  const std::vector<std::pair<std::string, Relation>> words{
+      {"positive", Relation::positive}, {"nonnegative", Relation::nonnegative},
+      {"nonzero", Relation::nonzero},   {"real", Relation::real},
+      {"rational", Relation::rational}, {"integer", Relation::integer}};
+  for (const auto& [name, entry] : assume->members()) {
+    if (name == "conditions") {
+      for (const Entry* one : entry.list()) {
+        s.assumptions.push_back(read_condition(*one, scope));
+        check_assumption(s.assumptions.back(), *one);
+      }
+      continue;
+    }
+    const auto v = scope.value(name);
+    if (!v) throw entry.error("'" + name + "' is not a name of this system");
+    const auto word = std::find_if(words.begin(), words.end(),
+                                   [&](const auto& w) { return w.first == entry.string(); });
+    if (word == words.end()) {
+      std::vector<std::string> known;
+      for (const auto& w : words)
+        known.push_back(w.first);
+      throw entry.error("unknown assumption '" + entry.string() + "'",
+                        "use one of " + enumerate(known) + ", or conditions = [\"...\"]");
+    }
+    s.assumptions.push_back({word->second, *v, name + " " + word->first, entry.line()});
+    check_assumption(s.assumptions.back(), entry);
+  }
+}
+
+void read_reduction(const Entry& e, const SystemScope& scope, System& s) {
+  e.check_keys({"manifold", "normal", "variable", "change", "energy", "energy_parameter"});
+  ReduceSpec r;
+  r.line = e.line();
+  r.variable_name = scope.independent;
+  if (const Entry* m = e.find("manifold")) {
+    r.manifold = m->string();
+    if (std::none_of(s.manifolds.begin(), s.manifolds.end(),
+                     [&](const ManifoldSpec& spec) { return spec.name == r.manifold; }))
+      throw m->error("there is no manifold '" + r.manifold + "'");
+  }
+  if (const Entry* change = e.find("change")) {
+    const Expression text = change->expression(true);
+    if (text.kind() != Expression::Kind::equation ||
+        text.operand(0).kind() != Expression::Kind::name ||
+        text.operand(0).name() != scope.independent)
+      throw text.error("a change of variable was expected",
+                       "write it as '" + scope.independent + " = ...'");
+    r.change = evaluate(text.operand(1), scope);
+    r.change_text = change->string();
+  }
+  if (const Entry* normal = e.find("normal")) r.normal = normal->strings();
+  if (const Entry* unknown = e.find("variable")) {
+    const auto i = scope.ring()->find(unknown->string());
+    if (!i || std::find(scope.coordinates.begin(), scope.coordinates.end(), unknown->string()) ==
+                  scope.coordinates.end())
+      throw unknown->error("'" + unknown->string() + "' is not a coordinate",
+                           "coordinates: " + enumerate(scope.coordinates));
+    r.unknown = *i;
+  }
+  if (const Entry* energy = e.find("energy")) {
+    r.energy = energy->string();
+    if (r.energy != "auto") throw energy->error("energy can only be \"auto\"");
+  }
+  if (const Entry* h = e.find("energy_parameter")) r.energy_parameter = h->string();
+  s.reductions.push_back(std::move(r));
+}
+
+} // namespace
+
+void read_claims(const Entry& document, SystemScope& scope, System& s) {
+  for (const auto& [section, kind] : claim_sections) { // names first: formulas may use them
+    const Entry* claims = document.find(section);
+    if (!claims || kind == Claim::Kind::poisson || kind == Claim::Kind::equal) continue;
+    for (const Entry* e : claims->list())
+      if (const Entry* name = e->find("name"); name && e->find("value"))
+        scope.define(name->string(), e->at("value"));
+  }
+  for (const auto& [section, kind] : claim_sections) {
+    const Entry* claims = document.find(section);
+    if (!claims) continue;
+    for (const Entry* e : claims->list()) {
+      Claim claim;
+      claim.kind = kind;
+      read_claim(*e, claim, scope);
+      s.claims.push_back(std::move(claim));
+    }
+  }
+  read_weights(document, scope, s);
+  read_assumptions(document, scope, s);
+}
+
+void read_manifolds(const Entry& document, const SystemScope& scope, System& s) {
+  if (const Entry* manifolds = document.find("manifold"))
+    for (const Entry* e : manifolds->list()) {
+      e->check_keys({"name", "equations", "level", "nonzero"});
+      ManifoldSpec m;
+      m.line = e->line();
+      m.name = e->find("name") ? e->at("name").string()
+                               : "manifold " + std::to_string(s.manifolds.size() + 1);
+      m.equations = scope.equations(e->at("equations"));
+      if (const Entry* level = e->find("level")) m.levels = scope.equations(*level);
+      if (const Entry* nonzero = e->find("nonzero"))
+        for (const Entry* one : nonzero->list())
+          m.nonzero.push_back(evaluate(one->expression(), scope).num());
+      s.manifolds.push_back(std::move(m));
+    }
+  if (const Entry* reduce = document.find("reduce"))
+    for (const Entry* e : reduce->list())
+      read_reduction(*e, scope, s);
+}
+
+void read_expectations(const Entry& document, const SystemScope& scope, System& s) {
+  const Entry* expect = document.find("expect");
+  if (!expect) return;
+  for (const Entry* e : expect->list()) {
+    e->check_keys({"where", "manifold", "verdict", "group", "identity_component", "abelian", "p",
+                   "q", "r", "source", "case", "requires", "outcome"});
+    Expectation x;
+    x.line = e->line();
+    if (const Entry* where = e->find("where"))
+      for (const auto& [name, value] : where->members())
+        x.where.emplace_back(name, value.string());
+    const auto text = [&](std::string_view key, std::string& to) {
+      if (const Entry* v = e->find(key)) to = v->string();
+    };
+    text("manifold", x.manifold);
+    text("verdict", x.verdict);
+    text("group", x.group);
+    text("identity_component", x.identity_component);
+    text("abelian", x.abelian);
+    text("source", x.source);
+    const std::array verdicts{"", "non-integrable", "no-obstruction", "undecided"};
+    if (std::find(verdicts.begin(), verdicts.end(), x.verdict) == verdicts.end())
+      throw e->at("verdict").error("unknown verdict '" + x.verdict + "'",
+                                   "use non-integrable, no-obstruction or undecided");
+    const auto formula = [&](std::string_view key, std::optional<MFraction>& to) {
+      if (const Entry* v = e->find(key)) to = evaluate(v->expression(), scope);
+    };
+    formula("p", x.p);
+    formula("q", x.q);
+    formula("r", x.r);
+    s.expectations.push_back(std::move(x));
+  }
+}
+
+} // namespace kov

@@ -1,0 +1,382 @@
+// [system], [set], [assume], [expansion]: the vector field.  Claims, manifolds and expectations are
+// in read_claims.cpp.
+
+#include "system/read_system.hpp"
+
+#include "exact/error.hpp"
+#include "symbol/suggest.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+const Entry* section(const Entry& document, std::string_view name) { return document.find(name); }
+
+std::vector<std::string> names_of(const Entry& system, std::string_view key) {
+  const Entry* e = system.find(key);
+  return e ? e->strings() : std::vector<std::string>{};
+}
+
+/// The new independent variable: what [reduce] calls it, or the first free letter.
+std::string independent_name(const Entry& document, const std::vector<std::string>& taken) {
+  if (const Entry* reduce = section(document, "reduce"))
+    for (const Entry* r : reduce->list())
+      if (const Entry* change = r->find("change")) {
+        const Expression e = change->expression(true);
+        if (e.kind() != Expression::Kind::equation || e.operand(0).kind() != Expression::Kind::name)
+          throw e.error("a change of variable was expected", "write it as 'z = Gamma3^2'");
+        return e.operand(0).name();
+      }
+  for (const char* name : {"z", "w", "zeta", "independent"})
+    if (std::find(taken.begin(), taken.end(), name) == taken.end()) return name;
+  return "independent_";
+}
+
+} // namespace
+
+SystemScope::SystemScope(const Entry& document, const Settings& settings) : document_(&document) {
+  const Entry& system = document.at("system");
+  system.check_keys({"kind", "coordinates", "momenta", "parameters", "constants", "hamiltonian",
+                     "lagrangian", "angular_velocity", "gyrostat", "bracket", "field", "relations",
+                     "define", "function"});
+  coordinates = names_of(system, "coordinates");
+  const auto momenta = names_of(system, "momenta");
+  coordinates.insert(coordinates.end(), momenta.begin(), momenta.end());
+  velocities = names_of(system, "angular_velocity");
+  parameters = names_of(system, "parameters");
+  constants = names_of(system, "constants");
+  if (const Entry* f = system.find("function"))
+    for (const Entry* one : f->list())
+      function_names.push_back(one->at("name").string());
+  std::vector<std::string> all;
+  for (const auto* part : {&coordinates, &velocities, &function_names, &constants, &parameters})
+    all.insert(all.end(), part->begin(), part->end());
+  independent = independent_name(document, all);
+  all.insert(all.begin(), independent);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (std::find(all.begin(), all.begin() + static_cast<long>(i), all[i]) !=
+        all.begin() + static_cast<long>(i))
+      throw system.error("the name '" + all[i] + "' is declared twice",
+                         all[i] == independent ? "give the new variable of [reduce] another name"
+                                               : "");
+  ring_ = make_ring(all);
+  if (const Entry* d = system.find("define"))
+    for (const auto& [name, entry] : d->members())
+      define(name, entry);
+  read_settings(settings);
+}
+
+void SystemScope::define(const std::string& name, const Entry& entry) {
+  if (ring_->find(name)) throw entry.error("the name '" + name + "' is declared twice");
+  definitions_.emplace(name, &entry);
+}
+
+void SystemScope::fix(const std::string& name, const Expression& e) {
+  if (std::find(parameters.begin(), parameters.end(), name) == parameters.end()) {
+    const auto guess = nearest(name, parameters);
+    throw e.error("'" + name + "' is not a parameter of this system",
+                  guess ? "did you mean '" + *guess + "'?"
+                        : "parameters: " + enumerate(parameters));
+  }
+  pending_.insert_or_assign(name, e);
+}
+
+void SystemScope::read_settings(const Settings& settings) {
+  if (const Entry* set = section(*document_, "set"))
+    for (const auto& [name, entry] : set->members())
+      fix(name, entry.expression());
+  for (const auto& [name, text] : settings)
+    fix(name, parse_expression(text, "--set " + name));
+  const auto pending = pending_;
+  for (const auto& [name, e] : pending)
+    static_cast<void>(fixed_value(name));
+}
+
+// A fixed value may use other parameters (C = "2*A"), in any order, without a circle.
+std::optional<MFraction> SystemScope::fixed_value(const std::string& name) const {
+  if (const auto known = values.find(name); known != values.end()) return known->second;
+  const auto waiting = pending_.find(name);
+  if (waiting == pending_.end()) return std::nullopt;
+  if (!open_.insert(name).second)
+    throw waiting->second.error("the value of '" + name + "' is defined by itself");
+  MFraction v = evaluate(waiting->second, *this);
+  for (const std::size_t i : used_variables(v)) {
+    const std::string& used = ring_->name(i);
+    if (std::find(parameters.begin(), parameters.end(), used) == parameters.end() &&
+        std::find(constants.begin(), constants.end(), used) == constants.end())
+      throw waiting->second.error("the value of a parameter cannot depend on '" + used + "'");
+  }
+  open_.erase(name);
+  values[name] = v;
+  return v;
+}
+
+std::optional<MFraction> SystemScope::value(const std::string& name) const {
+  if (auto v = fixed_value(name)) return v;
+  if (const auto v = named.find(name); v != named.end()) return v->second;
+  if (const auto i = ring_->find(name)) return MFraction::variable(ring_, *i);
+  const auto waiting = definitions_.find(name);
+  if (waiting == definitions_.end()) return std::nullopt;
+  if (!open_.insert(name).second)
+    throw waiting->second->error("'" + name + "' is defined by itself");
+  MFraction v = evaluate(waiting->second->expression(), *this);
+  open_.erase(name);
+  named[name] = v;
+  return v;
+}
+
+std::vector<std::string> SystemScope::known_names() const {
+  std::vector<std::string> names(ring_->names());
+  for (const auto& [name, entry] : definitions_)
+    names.push_back(name);
+  for (const auto& [name, entry] : named)
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  return names;
+}
+
+Equation SystemScope::equation(const Entry& entry) const {
+  const Expression e = entry.expression(true);
+  return {evaluate_equation(e, *this), entry.string()};
+}
+std::vector<Equation> SystemScope::equations(const Entry& entry) const {
+  std::vector<Equation> all;
+  for (const Entry* one : entry.list())
+    all.push_back(equation(*one));
+  return all;
+}
+
+namespace {
+
+std::vector<std::size_t> indices(const Ring& ring, const std::vector<std::string>& names) {
+  std::vector<std::size_t> all;
+  for (const auto& name : names)
+    all.push_back(ring->index(name));
+  return all;
+}
+
+void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
+  const Entry* functions = system.find("function");
+  if (!functions) return;
+  for (const Entry* f : functions->list()) {
+    f->check_keys({"name", "means", "derivative"});
+    FunctionSymbol symbol;
+    symbol.variable = v.ring->index(f->at("name").string());
+    symbol.gradient.assign(v.dimension(), MFraction(v.ring));
+    if (const Entry* means = f->find("means")) {
+      symbol.meaning = means->string();
+      const Expression e = means->expression();
+      if (e.kind() != Expression::Kind::call || e.operands().size() != 1)
+        throw e.error("a function of one argument was expected", "for example means = \"sin(q1)\"");
+      scope.meanings.push_back({symbol.variable, e.name(), evaluate(e.operand(0), scope)});
+    }
+    v.functions.push_back(std::move(symbol));
+  }
+  std::size_t k = 0; // derivatives may use all symbols, so that they come second
+  for (const Entry* f : functions->list()) {
+    for (const auto& [name, entry] : f->at("derivative").members()) {
+      const auto place = std::find(scope.coordinates.begin(), scope.coordinates.end(), name);
+      if (place == scope.coordinates.end())
+        throw entry.error("'" + name + "' is not a coordinate",
+                          "coordinates: " + enumerate(scope.coordinates));
+      v.functions[k].gradient[static_cast<std::size_t>(place - scope.coordinates.begin())] =
+          evaluate(entry.expression(), scope);
+    }
+    ++k;
+  }
+}
+
+void read_relations(const Entry& system, const SystemScope& scope, VectorField& v) {
+  const Entry* relations = system.find("relations");
+  if (relations)
+    for (const Entry* r : relations->list()) {
+      const MFraction f = scope.equation(*r).difference;
+      v.relations.push_back(f.num());
+    }
+  const Ideal ideal = relation_ideal(v);
+  if (ideal.is_unit()) throw relations->error("the relations contradict each other");
+  for (const auto& f : v.relations)
+    for (std::size_t j = 0; j < v.dimension(); ++j)
+      if (const MFraction d = partial(v, MFraction(f), j); !is_zero_modulo(d, ideal))
+        throw relations->error("the relation " + to_string(f) + " = 0 does not agree with the " +
+                               "derivatives of its functions: its derivative by " + v.name(j) +
+                               " is " + to_string(d));
+  for (const auto& name : scope.constants) {
+    const std::size_t i = v.ring->index(name);
+    if (std::none_of(v.relations.begin(), v.relations.end(),
+                     [&](const MPoly& f) { return uses(f, i); }))
+      throw system.at("constants")
+          .error("the relation of the constant '" + name + "' is missing",
+                 "for example relations = [\"" + name + "^2 = 2\"]");
+  }
+}
+
+SystemKind read_kind(const Entry& system) {
+  const Entry& kind = system.at("kind");
+  const std::vector<std::pair<std::string, SystemKind>> kinds{
+      {"hamiltonian", SystemKind::hamiltonian},
+      {"vector-field", SystemKind::vector_field},
+      {"euler-poisson", SystemKind::euler_poisson},
+      {"lagrangian", SystemKind::lagrangian},
+      {"poisson", SystemKind::poisson}};
+  std::vector<std::string> names;
+  for (const auto& [name, value] : kinds) {
+    if (name == kind.string()) return value;
+    names.push_back(name);
+  }
+  const auto guess = nearest(kind.string(), names);
+  throw kind.error("unknown kind of system '" + kind.string() + "'",
+                   guess ? "did you mean '" + *guess + "'?" : "kinds: " + enumerate(names));
+}
+
+std::vector<MFraction> read_gyrostat(const Entry& system, const SystemScope& scope) {
+  std::vector<MFraction> b(3, MFraction(scope.ring()));
+  if (const Entry* g = system.find("gyrostat")) {
+    if (g->array().size() != 3) throw g->error("the gyrostatic moment has three components");
+    for (std::size_t i = 0; i < 3; ++i)
+      b[i] = evaluate(g->array()[i].expression(), scope);
+  }
+  return b;
+}
+
+Matrix read_bracket(const Entry& system, const SystemScope& scope, std::size_t n) {
+  const Entry& bracket = system.at("bracket");
+  Matrix j;
+  for (const Entry& row : bracket.array()) {
+    j.emplace_back();
+    for (const Entry& entry : row.array())
+      j.back().push_back(evaluate(entry.expression(), scope));
+    if (j.back().size() != n)
+      throw row.error("a row of the bracket needs one entry per coordinate");
+  }
+  if (j.size() != n) throw bracket.error("the bracket needs one row per coordinate");
+  return j;
+}
+
+void read_field(const Entry& system, const SystemScope& scope, VectorField& v) {
+  const Entry& field = system.at("field");
+  if (!field.is_table())
+    throw field.error("'field' must be a table", "write [system.field] and then x = \"...\" lines");
+  v.components.assign(v.dimension(), MFraction(v.ring));
+  std::vector<bool> seen(v.dimension());
+  for (const auto& [name, entry] : field.members()) {
+    const auto place = std::find(scope.coordinates.begin(), scope.coordinates.end(), name);
+    if (place == scope.coordinates.end())
+      throw entry.error("'" + name + "' is not a coordinate",
+                        "coordinates: " + enumerate(scope.coordinates));
+    const auto j = static_cast<std::size_t>(place - scope.coordinates.begin());
+    v.components[j] = evaluate(entry.expression(), scope);
+    seen[j] = true;
+  }
+  for (std::size_t j = 0; j < seen.size(); ++j)
+    if (!seen[j]) throw field.error("the derivative of '" + v.name(j) + "' is missing");
+}
+
+void require_e3(const Entry& system, const SystemScope& scope) {
+  if (scope.coordinates.size() != 6)
+    throw system.at("coordinates")
+        .error("six coordinates are needed", "M1, M2, M3, Gamma1, Gamma2, Gamma3, in this order");
+}
+
+// The Hamiltonian and the structure matrix, or the field itself.
+void read_dynamics(const Entry& system, SystemScope& scope, System& s) {
+  VectorField& v = s.field;
+  const std::size_t n = v.dimension();
+  switch (s.kind) {
+  case SystemKind::vector_field:
+    read_field(system, scope, v);
+    return;
+  case SystemKind::hamiltonian:
+    if (names_of(system, "momenta").size() * 2 != n)
+      throw system.at("momenta").error("as many momenta as coordinates are needed");
+    v.poisson = canonical_structure(v.ring, n / 2);
+    break;
+  case SystemKind::poisson:
+    v.poisson = read_bracket(system, scope, n);
+    break;
+  case SystemKind::euler_poisson:
+  case SystemKind::lagrangian:
+    require_e3(system, scope);
+    s.gyrostat = read_gyrostat(system, scope);
+    v.poisson = e3_structure(v.ring, v.coordinates, s.gyrostat);
+  }
+  if (s.kind == SystemKind::lagrangian) {
+    const Entry& lagrangian = system.at("lagrangian");
+    if (scope.velocities.size() != 3)
+      throw system.at("angular_velocity").error("three angular velocities are needed");
+    const auto w = indices(v.ring, scope.velocities);
+    scope.lagrangian = evaluate(lagrangian.expression(), scope);
+    try {
+      const Legendre l =
+          legendre(scope.lagrangian, w, {v.coordinates[0], v.coordinates[1], v.coordinates[2]});
+      v.hamiltonian = l.hamiltonian;
+      s.lagrangian = scope.lagrangian;
+      s.velocities = w;
+      s.velocity_values = l.velocities;
+      Substitution velocities;
+      for (std::size_t i = 0; i < 3; ++i)
+        velocities[w[i]] = l.velocities[i];
+      for (auto& [name, value] : scope.named) // definitions that the Lagrangian has used already
+        value = substitute(value, velocities);
+      for (std::size_t i = 0; i < 3; ++i)
+        scope.named[scope.velocities[i]] = l.velocities[i];
+    } catch (const DomainError& e) {
+      throw lagrangian.error(e.what());
+    }
+  } else {
+    v.hamiltonian = evaluate(system.at("hamiltonian").expression(), scope);
+  }
+  v.components = hamiltonian_field(v, *v.poisson, *v.hamiltonian);
+}
+
+} // namespace
+
+void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
+  const Entry& system = document.at("system");
+  s.kind = read_kind(system);
+  VectorField& v = s.field;
+  v.ring = scope.ring();
+  v.coordinates = indices(v.ring, scope.coordinates);
+  v.constants = indices(v.ring, scope.constants);
+  for (const auto& name : scope.parameters)
+    if (!scope.values.count(name)) v.parameters.push_back(v.ring->index(name));
+  s.z = v.ring->index(scope.independent);
+  if (v.coordinates.empty()) throw system.error("a system needs coordinates");
+  read_functions(system, scope, v);
+  read_relations(system, scope, v);
+  read_dynamics(system, scope, s);
+  if (v.poisson && s.kind == SystemKind::poisson)
+    if (const auto failure = structure_failure(v, *v.poisson, relation_ideal(v)))
+      throw system.at("bracket").error("this bracket is not a Poisson bracket: " + *failure);
+  if (v.hamiltonian && !scope.named.count("H") && !v.ring->find("H"))
+    scope.named["H"] = *v.hamiltonian;
+}
+
+System read_system(const Entry& document, const Settings& settings) {
+  document.check_keys({"format", "title", "cite", "system", "set", "assume", "expansion",
+                       "manifold", "integral", "casimir", "darboux", "poisson", "equal", "reduce",
+                       "expect"});
+  if (const Entry* format = document.find("format"); format && format->string() != "equation/1")
+    throw format->error("unknown format '" + format->string() + "'",
+                        "this program reads equation/1");
+  System s;
+  s.file = document.file();
+  if (const Entry* title = document.find("title")) s.title = title->string();
+  if (const Entry* cite = document.find("cite")) s.cite = cite->strings();
+  SystemScope scope(document, settings);
+  read_vector_field(document, scope, s);
+  read_claims(document, scope, s);
+  read_manifolds(document, scope, s);
+  read_expectations(document, scope, s);
+  s.named = scope.named;
+  s.values = scope.values;
+  return s;
+}
+
+System read_system(const std::string& path, const Settings& settings) {
+  return read_system(read_document(path), settings);
+}
+
+bool is_system_document(const Entry& document) { return document.find("system") != nullptr; }
+
+} // namespace kov

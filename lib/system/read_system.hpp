@@ -1,0 +1,49 @@
+#pragma once
+// The parts of the reader of system files; used by read_*.cpp only.
+
+#include "system/system.hpp"
+
+#include <set>
+
+namespace kov {
+
+/// The names of one file: variables of the ring, fixed values, definitions, named functions.
+/// Definitions are evaluated when they are first used, so that their order does not matter.
+class SystemScope : public Scope {
+public:
+  SystemScope(const Entry& document, const Settings& settings);
+
+  [[nodiscard]] const Ring& ring() const override { return ring_; }
+  [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override;
+  [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override { return meanings; }
+  [[nodiscard]] std::vector<std::string> known_names() const override;
+  [[nodiscard]] Equation equation(const Entry& entry) const;
+  [[nodiscard]] std::vector<Equation> equations(const Entry& entry) const;
+  /// A name for a formula that is evaluated at its first use.
+  void define(const std::string& name, const Entry& entry);
+
+  std::vector<std::string> coordinates, velocities, function_names, constants, parameters;
+  std::string independent;
+  std::vector<FunctionMeaning> meanings;
+  MFraction lagrangian;                            ///< kind lagrangian only
+  mutable std::map<std::string, MFraction> values; ///< fixed parameters
+  mutable std::map<std::string, MFraction> named;
+
+private:
+  void read_settings(const Settings& settings);
+  void fix(const std::string& name, const Expression& e);
+  [[nodiscard]] std::optional<MFraction> fixed_value(const std::string& name) const;
+
+  const Entry* document_;
+  Ring ring_;
+  std::map<std::string, const Entry*> definitions_;
+  std::map<std::string, Expression> pending_;
+  mutable std::set<std::string> open_; ///< being evaluated, to see circles
+};
+
+void read_vector_field(const Entry& document, SystemScope& scope, System& s);
+void read_claims(const Entry& document, SystemScope& scope, System& s);
+void read_manifolds(const Entry& document, const SystemScope& scope, System& s);
+void read_expectations(const Entry& document, const SystemScope& scope, System& s);
+
+} // namespace kov

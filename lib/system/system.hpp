@@ -1,0 +1,131 @@
+#pragma once
+// A system file ([system], claims, manifolds, reduction, expectations) as exact values.
+//
+// Formulas are evaluated with the fixed parameter values ([set] in the file, --set on the command
+// line) put in at the leaves, so that nothing is computed with a parameter whose value is known.
+// docs/guide/system-files.md describes the format.
+
+#include "symbol/document.hpp"
+#include "system/formula.hpp"
+#include "system/vector_field.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+enum class SystemKind : std::uint8_t {
+  hamiltonian,
+  vector_field,
+  euler_poisson,
+  lagrangian,
+  poisson
+};
+
+/// left = right, kept as its difference and its text.
+struct Equation {
+  MFraction difference;
+  std::string text;
+};
+
+struct Claim {
+  enum class Kind : std::uint8_t { integral, casimir, darboux, poisson, equal };
+  Kind kind = Kind::integral;
+  std::string name;
+  MFraction value;          ///< the function; poisson: the bracket claimed; equal: left - right
+  MFraction first, second;  ///< poisson: the two functions
+  std::string other;        ///< equal: "euler-lagrange", or the other system file
+  std::vector<Equation> on; ///< the level on which it is claimed
+  bool holds = true;        ///< the file may also claim that it fails
+  std::string text;         ///< the formula as written
+  std::string source;
+  long line = 0;
+};
+
+struct ManifoldSpec {
+  std::string name;
+  std::vector<Equation> equations;
+  std::vector<Equation> levels; ///< first integral = value
+  std::vector<MPoly> nonzero;   ///< components on which one of these vanishes are left out
+  long line = 0;
+};
+
+/// z = phi(x), or nothing: then it is proposed.
+struct ReduceSpec {
+  std::string manifold;            ///< empty: applies to all
+  std::string variable_name = "z"; ///< the new independent variable
+  std::optional<MFraction> change; ///< phi
+  std::string change_text;
+  std::vector<std::string> normal;    ///< order of the normal variables, if given
+  std::optional<std::size_t> unknown; ///< the coordinate whose variation the scalar equation is for
+  std::string energy;                 ///< "auto", or empty
+  std::string energy_parameter = "h";
+  long line = 0;
+};
+
+/// One condition on the parameters, as written and as a sign condition on `value`.
+struct Assumption {
+  enum class Relation : std::uint8_t {
+    nonzero,
+    positive,
+    nonnegative,
+    real,
+    rational,
+    integer,
+    zero
+  };
+  Relation relation = Relation::nonzero;
+  MFraction value;
+  std::string text;
+  long line = 0;
+};
+
+/// [[expect]]: what a test of this file requires.
+struct Expectation {
+  std::vector<std::pair<std::string, std::string>> where; ///< parameter values, as text
+  std::string manifold;
+  std::string verdict;            ///< "non-integrable", "no-obstruction", "undecided", or empty
+  std::string group;              ///< as in the JSON, with the index: "SL2", "D_3", or empty
+  std::string identity_component; ///< or empty
+  std::string abelian;            ///< "yes", "no", or empty
+  std::optional<MFraction> p, q, r;
+  std::string source;
+  long line = 0;
+};
+
+struct System {
+  std::string file, title;
+  std::vector<std::string> cite;
+  SystemKind kind = SystemKind::vector_field;
+  VectorField field;
+  std::map<std::string, MFraction> named;  ///< H, definitions, integrals: usable in formulas
+  std::map<std::string, MFraction> values; ///< fixed parameters
+  std::vector<Claim> claims;
+  std::vector<ManifoldSpec> manifolds;
+  std::vector<ReduceSpec> reductions;
+  std::vector<Assumption> assumptions;
+  std::vector<Expectation> expectations;
+  std::map<std::size_t, long> weights; ///< [expansion] weights, by variable
+  long expansion_terms = 2;
+  std::optional<MFraction> lagrangian;    ///< L(Omega, Gamma); kind lagrangian
+  std::vector<std::size_t> velocities;    ///< Omega as variables of the ring
+  std::vector<MFraction> velocity_values; ///< Omega(M, Gamma)
+  std::vector<MFraction> gyrostat;        ///< B, for the systems on e(3)
+  std::size_t z = 0;                      ///< the variable that stands for the new independent one
+
+  [[nodiscard]] const Ring& ring() const noexcept { return field.ring; }
+};
+
+/// Parameter values from the command line or from an [[expect]] block: name, text of the value.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+/// Errors  InputError with the place in the file; a setting for an unknown parameter; a violated
+///         assumption; a structure matrix that is not Poisson; a relation that is not invariant
+[[nodiscard]] System read_system(const Entry& document, const Settings& settings = {});
+[[nodiscard]] System read_system(const std::string& path, const Settings& settings = {});
+
+/// True if the document has a [system] table (and is not a scalar equation).
+[[nodiscard]] bool is_system_document(const Entry& document);
+
+} // namespace kov

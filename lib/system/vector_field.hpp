@@ -1,0 +1,87 @@
+#pragma once
+// A rational vector field with function symbols, exactly.
+//
+//   phase variables x_1..x_n with x_i' = X_i;
+//   function symbols s (sin q, exp(t), a square root, ...): only their gradient and the algebraic
+//   relations between them are known, and that is all that is used;
+//   algebraic constants c: derivative 0, relations as for functions;
+//   parameters: free.
+//
+// d_j f = df/dx_j + sum_s (df/ds)(ds/dx_j) is the derivative of f as a function on phase space.
+
+#include "exact/ideal.hpp"
+#include "exact/multivariate.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+struct FunctionSymbol {
+  std::size_t variable = 0;
+  std::string meaning;             ///< "sin(q1)", for messages
+  std::vector<MFraction> gradient; ///< ds/dx_j, in the order of the coordinates
+};
+
+using Matrix = std::vector<std::vector<MFraction>>;
+
+struct VectorField {
+  Ring ring;
+  std::vector<std::size_t> coordinates; ///< phase variables
+  std::vector<std::size_t> parameters;
+  std::vector<std::size_t> constants; ///< algebraic constants
+  std::vector<FunctionSymbol> functions;
+  std::vector<MPoly> relations;      ///< between functions and constants; vanish identically
+  std::vector<MFraction> components; ///< X_j, in the order of the coordinates
+  std::optional<MFraction> hamiltonian;
+  std::optional<Matrix> poisson; ///< {x_i, x_j}
+
+  [[nodiscard]] const std::string& name(std::size_t j) const { return ring->name(coordinates[j]); }
+  [[nodiscard]] std::size_t dimension() const noexcept { return coordinates.size(); }
+  /// Coordinates, functions and constants: the main variables of every ideal of this system.
+  [[nodiscard]] std::vector<std::size_t> main_variables() const;
+};
+
+/// d_j f.
+[[nodiscard]] MFraction partial(const VectorField& v, const MFraction& f, std::size_t j);
+[[nodiscard]] std::vector<MFraction> gradient(const VectorField& v, const MFraction& f);
+/// X(f) = sum_j X_j d_j f.
+[[nodiscard]] MFraction lie_derivative(const VectorField& v, const MFraction& f);
+/// {f, g} = grad f . J grad g.  Requires v.poisson.
+[[nodiscard]] MFraction poisson_bracket(const VectorField& v, const MFraction& f,
+                                        const MFraction& g);
+/// J grad h.
+[[nodiscard]] std::vector<MFraction> hamiltonian_field(const VectorField& v, const Matrix& j,
+                                                       const MFraction& h);
+
+/// Canonical: (q, p) with q' = dH/dp.  Shape: 2n x 2n.
+[[nodiscard]] Matrix canonical_structure(const Ring& ring, std::size_t degrees_of_freedom);
+/// Lie-Poisson on e(3)*: {M_i, M_j} = -eps_ijk (M_k - B_k), {M_i, G_j} = -eps_ijk G_k.
+/// Shape  6 x 6 in the order M1 M2 M3 G1 G2 G3; gyrostat: B, length 3
+/// Source [PrzybylskaMaciejewski2024] eq. (Poisson) and the gyrostat of its last section
+[[nodiscard]] Matrix e3_structure(const Ring& ring, const std::vector<std::size_t>& coordinates,
+                                  const std::vector<MFraction>& gyrostat);
+/// Antisymmetry and the Jacobi identity; returns the first failing entry as text, or nothing.
+[[nodiscard]] std::optional<std::string> structure_failure(const VectorField& v, const Matrix& j,
+                                                           const Ideal& relations);
+
+/// The Legendre transformation of a Lagrangian on a Lie group that is quadratic in the velocities:
+/// M = dL/dOmega solved for Omega, H = M . Omega - L.
+/// Shape   momenta, velocities: equal length, variables of the ring
+/// Errors  DomainError when dL/dOmega is not linear in Omega or degenerate
+struct Legendre {
+  std::vector<MFraction> velocities; ///< Omega(M, Gamma)
+  MFraction hamiltonian;
+};
+[[nodiscard]] Legendre legendre(const MFraction& lagrangian,
+                                const std::vector<std::size_t>& velocities,
+                                const std::vector<std::size_t>& momenta);
+
+/// The ideal of the relations; its main variables are those of the system.
+[[nodiscard]] Ideal relation_ideal(const VectorField& v, const std::vector<MPoly>& more = {},
+                                   const std::vector<MPoly>& nonzero = {});
+/// f = 0 modulo the ideal, where f is defined; decides by its numerator.
+[[nodiscard]] bool is_zero_modulo(const MFraction& f, const Ideal& ideal);
+
+} // namespace kov

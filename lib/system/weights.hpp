@@ -1,0 +1,40 @@
+#pragma once
+// Weight-homogeneous expansion: x_i counts w_i, parameters count 0.
+//
+//   f = f_m + f_(m+1) + ...,  E[f_k] = k f_k for the Euler field E = sum w_i x_i d/dx_i.
+//
+// If {x_i, x_j} is homogeneous of degree w_i + w_j - s for all i, j, then {f, g} has the lowest
+// term {f_m, g_n}, of degree m + n - s, wherever that is not 0; so lowest terms of first integrals
+// are first integrals of the system of the lowest term of H ([PrzybylskaMaciejewski2024] Lemma 1).
+// Then the lowest system must be integrable if the whole one is.
+
+#include "system/system.hpp"
+
+namespace kov {
+
+using Weights = std::map<std::size_t, long>;
+
+struct WeightTerm {
+  long degree = 0;
+  MFraction value;
+};
+
+/// The first `count` nonzero terms, fewer if f is the sum of fewer (at most `depth` degrees are
+/// looked at beyond the lowest one).  Requires f != 0.
+[[nodiscard]] std::vector<WeightTerm> weight_expansion(const MFraction& f, const Weights& weights,
+                                                       long count, long depth = 64);
+
+/// s as above; unset if the bracket is not homogeneous.
+[[nodiscard]] std::optional<long> structure_weight(const VectorField& v, const Weights& weights);
+
+/// The lowest-order field: components of degree w_j + k with the least k that occurs.
+struct LowestSystem {
+  long degree = 0; ///< k
+  std::vector<MFraction> components;
+  std::vector<WeightTerm> hamiltonian; ///< the expansion of H, if there is one
+  std::optional<long> structure;       ///< s
+  bool is_hamiltonian = false; ///< the components are J grad of the lowest term of H (checked)
+};
+[[nodiscard]] LowestSystem lowest_system(const System& s, long terms = 2);
+
+} // namespace kov

@@ -1,0 +1,239 @@
+#include "variation/normal.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+Matrix jacobian(const VectorField& v, const InvariantManifold& m) {
+  Matrix j(v.dimension());
+  for (std::size_t i = 0; i < v.dimension(); ++i)
+    for (std::size_t k = 0; k < v.dimension(); ++k)
+      j[i].push_back(m.restrict(partial(v, v.components[i], k)));
+  return j;
+}
+
+void note(std::vector<MPoly>& divisors, const MFraction& pivot) {
+  for (const MPoly& f : {pivot.num(), pivot.den()})
+    if (!is_constant(f) && std::find(divisors.begin(), divisors.end(), f) == divisors.end())
+      divisors.push_back(f);
+}
+
+/// Coefficients c with target = sum_i c_i rows_i on the phase curve; unset if there are none.
+/// Requires rows that are independent there.
+std::optional<std::vector<MFraction>> combination(const InvariantManifold& m, const Matrix& rows,
+                                                  const std::vector<MFraction>& target,
+                                                  std::vector<MPoly>& divisors) {
+  // columns: the unknowns c_i and the right side; one equation per coordinate
+  Matrix system(target.size());
+  for (std::size_t j = 0; j < target.size(); ++j) {
+    for (const auto& row : rows)
+      system[j].push_back(row[j]);
+    system[j].push_back(target[j]);
+  }
+  const std::size_t k = rows.size();
+  std::size_t top = 0;
+  for (std::size_t c = 0; c < k; ++c) {
+    std::size_t best = system.size();
+    for (std::size_t r = top; r < system.size(); ++r) {
+      if (m.vanishes_on_curve(system[r][c])) continue;
+      if (best == system.size() || system[r][c].num().length() < system[best][c].num().length())
+        best = r;
+    }
+    if (best == system.size()) return std::nullopt;
+    std::swap(system[top], system[best]);
+    const MFraction pivot = system[top][c];
+    note(divisors, pivot);
+    for (auto& entry : system[top])
+      entry = m.restrict(entry / pivot);
+    for (std::size_t r = 0; r < system.size(); ++r) {
+      if (r == top || is_zero(system[r][c])) continue;
+      const MFraction factor = system[r][c];
+      for (std::size_t j = c; j <= k; ++j)
+        system[r][j] = m.restrict(system[r][j] - factor * system[top][j]);
+    }
+    ++top;
+  }
+  for (std::size_t r = top; r < system.size(); ++r)
+    if (!m.vanishes_on_curve(system[r][k])) return std::nullopt;
+  std::vector<MFraction> c;
+  for (std::size_t r = 0; r < k; ++r)
+    c.push_back(system[r][k]);
+  return c;
+}
+
+std::vector<MFraction> restricted_gradient(const VectorField& v, const InvariantManifold& m,
+                                           const MFraction& f) {
+  auto g = gradient(v, f);
+  for (auto& entry : g)
+    entry = m.restrict(entry);
+  return g;
+}
+
+// "M1" for the equation M1 = 0, otherwise the text of the function.
+std::string normal_name(const VectorField& v, const Equation& e) {
+  for (std::size_t j = 0; j < v.dimension(); ++j) {
+    const MFraction x = MFraction::variable(v.ring, v.coordinates[j]);
+    if (is_constant(e.difference - x) || is_constant(e.difference + x)) return v.name(j);
+  }
+  return to_string(e.difference);
+}
+
+} // namespace
+
+LinearSystem variational_equations(const VectorField& v, const InvariantManifold& m) {
+  LinearSystem s;
+  for (std::size_t j = 0; j < v.dimension(); ++j)
+    s.names.push_back(v.name(j));
+  s.a = jacobian(v, m);
+  return s;
+}
+
+std::vector<std::vector<std::size_t>> blocks(const LinearSystem& s, const InvariantManifold& m) {
+  const std::size_t n = s.a.size();
+  std::vector<std::vector<bool>> reach(n, std::vector<bool>(n));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      reach[i][j] = i == j || !m.vanishes_on_curve(s.a[i][j]);
+  for (std::size_t k = 0; k < n; ++k) // Warshall
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (reach[i][k] && reach[k][j]) reach[i][j] = true;
+  std::vector<std::vector<std::size_t>> result;
+  std::vector<bool> done(n);
+  while (std::find(done.begin(), done.end(), false) != done.end())
+    for (std::size_t i = 0; i < n; ++i) {
+      if (done[i]) continue;
+      std::vector<std::size_t> block;
+      bool ready = true;
+      for (std::size_t j = 0; j < n; ++j) {
+        if (reach[i][j] && reach[j][i])
+          block.push_back(j);
+        else if (reach[i][j] && !done[j])
+          ready = false;
+      }
+      if (!ready) continue;
+      for (const std::size_t j : block)
+        done[j] = true;
+      result.push_back(std::move(block));
+    }
+  return result;
+}
+
+NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
+                           const std::vector<Claim>& integrals) {
+  NormalSystem n;
+  Matrix rows;
+  std::vector<MPoly> scratch;
+  for (std::size_t i = 0; i < m.equations.size(); ++i) { // a largest independent set of the df_i
+    auto row = restricted_gradient(v, m, m.equations[i].difference);
+    if (combination(m, rows, row, scratch)) continue;
+    rows.push_back(std::move(row));
+    n.equations.push_back(i);
+    n.system.names.push_back(normal_name(v, m.equations[i]));
+  }
+  const Matrix j = jacobian(v, m);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    std::vector<MFraction> target;
+    for (std::size_t k = 0; k < v.dimension(); ++k) {
+      MFraction entry = m.restrict(lie_derivative(v, rows[i][k]));
+      for (std::size_t l = 0; l < v.dimension(); ++l)
+        if (!is_zero(rows[i][l])) entry += rows[i][l] * j[l][k];
+      target.push_back(m.restrict(entry));
+    }
+    auto c = combination(m, rows, target, n.divisors);
+    KOV_ENSURE(c.has_value()); // the manifold is invariant
+    n.system.a.push_back(*std::move(c));
+  }
+  for (const auto& claim : integrals) {
+    const auto row = restricted_gradient(v, m, claim.value);
+    auto c = combination(m, rows, row, n.divisors);
+    if (!c) continue;
+    if (std::all_of(c->begin(), c->end(),
+                    [&](const MFraction& f) { return m.vanishes_on_curve(f); }))
+      continue;
+    n.integrals.push_back({claim.name, *std::move(c)});
+  }
+  return n;
+}
+
+namespace {
+
+// (c)' + c a = 0 on the curve
+bool is_linear_integral(const VectorField& v, const InvariantManifold& m, const LinearSystem& s,
+                        const std::vector<MFraction>& c) {
+  for (std::size_t j = 0; j < c.size(); ++j) {
+    MFraction sum = m.restrict(lie_derivative(v, c[j]));
+    for (std::size_t i = 0; i < c.size(); ++i)
+      sum += c[i] * s.a[i][j];
+    if (!m.vanishes_on_curve(sum)) return false;
+  }
+  return true;
+}
+
+std::optional<std::size_t> unknown_to_eliminate(const InvariantManifold& m, const LinearSystem& s,
+                                                const std::vector<MFraction>& c,
+                                                const std::vector<std::string>& keep) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = c.size(); i-- > 0;) { // the last one first: the first equations lead
+    if (m.vanishes_on_curve(c[i])) continue;
+    if (std::find(keep.begin(), keep.end(), s.names[i]) != keep.end()) continue;
+    if (!best || c[i].num().length() < c[*best].num().length()) best = i;
+  }
+  return best;
+}
+
+} // namespace
+
+ReducedSystem reduce_by_integrals(const VectorField& v, const InvariantManifold& m,
+                                  const NormalSystem& n, const std::vector<std::string>& keep) {
+  ReducedSystem r{n.system, {}, n.divisors};
+  auto integrals = n.integrals;
+  for (std::size_t k = 0; k < integrals.size(); ++k) {
+    auto& c = integrals[k].coefficients;
+    KOV_ENSURE(is_linear_integral(v, m, r.system, c));
+    const auto e = unknown_to_eliminate(m, r.system, c, keep);
+    if (!e) continue; // depends on the integrals already used
+    r.eliminations.push_back({integrals[k].name, r.system.names[*e]});
+    note(r.divisors, c[*e]);
+    std::vector<MFraction> w; // y_e = sum_j w_j y_j
+    for (const auto& entry : c)
+      w.push_back(m.restrict(-entry / c[*e]));
+    const auto drop = [&](std::vector<MFraction>& row) {
+      for (std::size_t j = 0; j < row.size(); ++j)
+        if (j != *e) row[j] = m.restrict(row[j] + row[*e] * w[j]);
+      row.erase(row.begin() + static_cast<long>(*e));
+    };
+    r.system.a.erase(r.system.a.begin() + static_cast<long>(*e));
+    r.system.names.erase(r.system.names.begin() + static_cast<long>(*e));
+    for (auto& row : r.system.a)
+      drop(row);
+    for (std::size_t l = k + 1; l < integrals.size(); ++l)
+      drop(integrals[l].coefficients);
+  }
+  return r;
+}
+
+std::optional<ScalarEquation> scalar_equation(const VectorField& v, const InvariantManifold& m,
+                                              const LinearSystem& s,
+                                              const std::vector<std::size_t>& block,
+                                              std::size_t unknown) {
+  KOV_ENSURE(block.size() == 2);
+  const std::size_t i = unknown;
+  const std::size_t j = block[0] == unknown ? block[1] : block[0];
+  const MFraction& a11 = s.a[i][i];
+  const MFraction& a12 = s.a[i][j];
+  if (m.vanishes_on_curve(a12)) return std::nullopt;
+  const auto dot = [&](const MFraction& f) { return m.restrict(lie_derivative(v, f)); };
+  ScalarEquation e;
+  e.unknown = s.names[i];
+  note(e.divisors, a12);
+  const MFraction log12 = dot(a12) / a12;
+  e.a1 = m.restrict(-(a11 + s.a[j][j] + log12));
+  e.a0 = m.restrict(a11 * s.a[j][j] - a12 * s.a[j][i] - dot(a11) + a11 * log12);
+  return e;
+}
+
+} // namespace kov

@@ -1,0 +1,85 @@
+#pragma once
+// Variational equations along a phase curve in an invariant manifold, and their normal part.
+//
+//   VE          xi' = J xi,  J = (d_j X_i) on the manifold
+//   normal      y_i = df_i . xi for the equations f_i = 0 of the manifold:  y' = C y, where
+//               (grad f)' + (grad f) J = C grad f  on the manifold (solved for C, then checked)
+//   integrals   dF . xi is a first integral of VE for each first integral F; where dF lies in the
+//   span
+//               of the df_i it is one of the normal part, and its zero level takes away one unknown
+//   blocks      the strongly connected parts of "y_i' uses y_j": C is block triangular
+//
+// The differential Galois group of a part (the zero level of a linear integral, a diagonal block)
+// is a quotient of the group of VE; a non-abelian identity component of a part is therefore one of
+// VE.
+//
+// Source  [MoralesRuiz1999] 4.1-4.3; [PrzybylskaMaciejewski2024] eq. (normal_sys), (norvariat)
+
+#include "manifold/invariant_manifold.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kov {
+
+/// y' = a y with entries on the manifold.
+struct LinearSystem {
+  std::vector<std::string> names; ///< "M1" stands for the variation of M1
+  Matrix a;
+};
+
+/// The full variational equations, in the order of the coordinates.
+[[nodiscard]] LinearSystem variational_equations(const VectorField& v, const InvariantManifold& m);
+
+/// Indices of the strongly connected blocks, ordered so that a block uses only itself and earlier
+/// ones; inside a block ascending.
+[[nodiscard]] std::vector<std::vector<std::size_t>> blocks(const LinearSystem& s,
+                                                           const InvariantManifold& m);
+
+/// A linear first integral sum_i c_i y_i of a linear system.
+struct LinearIntegral {
+  std::string name; ///< of the first integral that it comes from
+  std::vector<MFraction> coefficients;
+};
+
+struct NormalSystem {
+  LinearSystem system;
+  std::vector<std::size_t> equations;    ///< which equations of the manifold y belongs to
+  std::vector<LinearIntegral> integrals; ///< of the normal part
+  std::vector<MPoly> divisors;           ///< must be units of the function field (checked later)
+};
+
+/// Requires a manifold that prove_invariant returned.
+[[nodiscard]] NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
+                                         const std::vector<Claim>& proved_integrals);
+
+/// One use of a linear integral: the unknown taken away, on the zero level.
+struct Elimination {
+  std::string integral;
+  std::string unknown;
+};
+
+struct ReducedSystem {
+  LinearSystem system;
+  std::vector<Elimination> eliminations;
+  std::vector<MPoly> divisors;
+};
+
+/// Uses every linear integral, one after the other; `keep` names unknowns not to eliminate.
+[[nodiscard]] ReducedSystem reduce_by_integrals(const VectorField& v, const InvariantManifold& m,
+                                                const NormalSystem& n,
+                                                const std::vector<std::string>& keep);
+
+/// y'' + a1 y' + a0 y = 0 for one unknown of a block of order 2 (cyclic vector).
+struct ScalarEquation {
+  std::string unknown;
+  MFraction a1, a0; ///< functions on the manifold
+  std::vector<MPoly> divisors;
+};
+
+/// Unset when that unknown is not a cyclic vector (the other one does not occur in its derivative).
+[[nodiscard]] std::optional<ScalarEquation>
+scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSystem& s,
+                const std::vector<std::size_t>& block, std::size_t unknown);
+
+} // namespace kov

@@ -1,0 +1,42 @@
+// Every system file under cases/: its claims and its [[expect]] blocks.
+
+#include "integrability/expect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace kov {
+namespace {
+
+std::vector<std::string> system_files() {
+  std::vector<std::string> files;
+  const std::string root = std::string(KOV_SOURCE_DIR) + "/cases";
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
+    if (entry.path().extension() == ".toml" &&
+        is_system_document(read_document(entry.path().string())))
+      files.push_back(entry.path().string());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class CaseFile : public testing::TestWithParam<std::string> {};
+
+TEST_P(CaseFile, KeepsItsPromises) {
+  for (const auto& r : test_system_file(GetParam()))
+    EXPECT_TRUE(r.passed) << r.file << ":" << r.line << ": " << r.name << "\n  " << r.message;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& file) {
+  const std::filesystem::path path(file.param);
+  std::string name = path.parent_path().filename().string() + "_" + path.stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Systems, CaseFile, testing::ValuesIn(system_files()), test_name);
+
+} // namespace
+} // namespace kov

@@ -1,0 +1,214 @@
+#include "answer.hpp"
+
+#include <chrono>
+#include <exception>
+
+namespace kov::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// A message of the child: one letter, then JSON.
+constexpr char tag_decided = 'd';
+constexpr char tag_undecided = 'u';
+constexpr char tag_input = 'i';
+constexpr char tag_internal = 'x';
+
+Json packed(const InputError& e, const Json& id) {
+  return {{"id", id},
+          {"file", e.file()},
+          {"line", e.line()},
+          {"column", e.column()},
+          {"length", e.length()},
+          {"message", e.message()},
+          {"hint", e.hint()},
+          {"source", e.source_line()}};
+}
+
+InputError unpacked(const Json& j) {
+  return {j.at("file"),    j.at("line"), j.at("column"), j.at("length"),
+          j.at("message"), j.at("hint"), j.at("source")};
+}
+
+// Runs in the child.
+class Job {
+public:
+  Job(const Solver::Read& read, const Settings& settings, const Worker::Early& early)
+      : read_(read), settings_(settings), early_(early) {}
+
+  std::string run(std::string_view job) {
+    try {
+      return decide_it(job);
+    } catch (const InputError& e) {
+      return tag_input + dump(packed(e, id_));
+    } catch (const FreeParameters& e) {
+      return undecided("parameter", e.what());
+    } catch (const OutOfBudget& e) {
+      return undecided("budget", e.what());
+    } catch (const std::bad_alloc&) {
+      return undecided("budget",
+                       "memory limit of " + std::to_string(settings_.memory) + " MiB reached");
+    } catch (const std::exception& e) {
+      return tag_internal + dump({{"id", id_}, {"message", e.what()}});
+    }
+  }
+
+private:
+  std::string decide_it(std::string_view job) {
+    const Question question = read_(job, [&](const Json& id) {
+      id_ = id;
+      early_(dump(unread_result(id)));
+    });
+    id_ = question.id;
+    Options options = settings_.solver_options();
+    const ScalarEquation equation = read_equation(question.text, options.budget);
+    options.variable = equation.variable;
+    open_ = open_result(id_, equation);
+    if (equation.form != ScalarEquation::Form::r)
+      open_["original"] = original_form(equation, options.budget);
+    early_(dump(open_));
+    const Decision decision = decide(equation.normal_form, options);
+    Json result = closed_result(id_, equation, decision, seconds_since(start_));
+    if (open_.contains("original")) {
+      result["original"] = open_.at("original");
+      result["original"]["identity_component_abelian"] = result.at("abelian");
+    }
+    return (decision.undecided ? tag_undecided : tag_decided) + dump(result);
+  }
+
+  std::string undecided(const std::string& why, const std::string& detail) {
+    Json result = open_.is_null() ? unread_result(id_) : open_;
+    set_undecided(result, why, detail);
+    result["seconds"] = seconds_since(start_);
+    return tag_undecided + dump(result);
+  }
+
+  const Solver::Read& read_;
+  const Settings& settings_;
+  const Worker::Early& early_;
+  Clock::time_point start_ = Clock::now();
+  Json id_;
+  Json open_;
+};
+
+// The result of a job that did not come to its end.
+Json unfinished(const Reply& reply, const std::string& detail, double seconds) {
+  Json result = reply.early.empty() ? unread_result(nullptr) : Json::parse(reply.early);
+  set_undecided(result, "budget", detail);
+  result["seconds"] = seconds;
+  return result;
+}
+
+std::string limit_text(const Reply& reply, const Settings& settings) {
+  if (reply.end == Reply::End::out_of_memory)
+    return "memory limit of " + std::to_string(settings.memory) + " MiB reached";
+  std::string s = std::to_string(settings.timeout);
+  s.erase(s.find_last_not_of('0') + 1);
+  if (s.back() == '.') s.pop_back();
+  return "time limit of " + s + " s reached";
+}
+
+} // namespace
+
+std::string dump(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Solver::Solver(Read read, const Settings& settings)
+    : read_(std::move(read)), settings_(settings),
+      worker_([this](std::string_view job,
+                     const Worker::Early& early) { return Job(read_, settings_, early).run(job); },
+              settings.process_limits()) {}
+
+Answer Solver::answer(std::string_view job) {
+  const auto start = Clock::now();
+  const Reply reply = worker_.ask(job);
+  Answer a;
+  switch (reply.end) {
+  case Reply::End::answered: {
+    const Json body = Json::parse(std::string_view(reply.answer).substr(1));
+    const char tag = reply.answer.front();
+    if (tag == tag_input) {
+      a.exit = exit_input;
+      a.error = unpacked(body);
+    } else if (tag == tag_internal) {
+      a.exit = exit_internal;
+      a.internal = body.at("message").get<std::string>();
+    } else {
+      a.exit = tag == tag_decided ? exit_decided : exit_undecided;
+      a.result = body;
+    }
+    return a;
+  }
+  case Reply::End::timeout:
+  case Reply::End::out_of_memory:
+    a.exit = exit_undecided;
+    a.result = unfinished(reply, limit_text(reply, settings_), seconds_since(start));
+    return a;
+  case Reply::End::crashed:
+    a.exit = exit_internal;
+    a.internal = "the solver process ended with " + reply.detail;
+    return a;
+  case Reply::End::interrupted:
+    a.exit = exit_interrupted;
+    return a;
+  }
+  throw InternalError("unknown end of a job");
+}
+
+std::pair<std::string, int> Solver::line(std::string_view job) {
+  const auto start = Clock::now();
+  const Reply reply = worker_.ask(job);
+  switch (reply.end) {
+  case Reply::End::answered: {
+    const char tag = reply.answer.front();
+    if (tag == tag_decided) return {reply.answer.substr(1), exit_decided};
+    if (tag == tag_undecided) return {reply.answer.substr(1), exit_undecided};
+    const Json body = Json::parse(std::string_view(reply.answer).substr(1));
+    if (tag == tag_internal)
+      return {dump({{"id", body.at("id")},
+                    {"error", "internal error: " + body.at("message").get<std::string>()}}),
+              exit_internal};
+    const InputError e = unpacked(body);
+    std::string message = e.message();
+    if (e.column() > 0)
+      message += " (column " + std::to_string(e.column()) + " of " + e.file() + ")";
+    Json j = {{"id", body.at("id")}, {"error", message}};
+    if (!e.hint().empty()) j["hint"] = e.hint();
+    return {dump(j), exit_input};
+  }
+  case Reply::End::timeout:
+  case Reply::End::out_of_memory:
+    return {dump(unfinished(reply, limit_text(reply, settings_), seconds_since(start))),
+            exit_undecided};
+  case Reply::End::crashed: {
+    const Json early = reply.early.empty() ? unread_result(nullptr) : Json::parse(reply.early);
+    return {dump({{"id", early.at("id")},
+                  {"error", "internal error: the solver process ended with " + reply.detail}}),
+            exit_internal};
+  }
+  case Reply::End::interrupted:
+    return {"", exit_interrupted};
+  }
+  throw InternalError("unknown end of a job");
+}
+
+Solver::Read fixed_question(std::function<Question()> question) {
+  return [question = std::move(question)](std::string_view,
+                                          const std::function<void(const Json&)>& identify) {
+    Question q = question();
+    identify(q.id);
+    return q;
+  };
+}
+
+int exit_code(const Settings& settings, const Answer& answer) {
+  if (!settings.exit_verdict || answer.exit == exit_input || answer.exit >= exit_internal)
+    return answer.exit;
+  const std::string abelian = answer.result.at("abelian").get<std::string>();
+  return abelian == "no" ? exit_not_abelian : abelian == "yes" ? exit_abelian : 0;
+}
+
+} // namespace kov::cli

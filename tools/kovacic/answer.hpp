@@ -1,0 +1,56 @@
+#pragma once
+// One question, one answer, whatever happens in between.
+
+#include "equation/read_equation.hpp"
+#include "settings.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace kov::cli {
+
+/// What the child reads a job into.
+struct Question {
+  EquationText text;
+  Json id; ///< null, or what names the equation in the answer
+};
+
+struct Answer {
+  int exit = exit_decided;         ///< of Exit
+  Json result;                     ///< format kovacic-result/1; null after an input error
+  std::optional<InputError> error; ///< exit_input
+  std::string internal;            ///< exit_internal: what went wrong
+};
+
+/// Answers questions in a worker process under the limits of the settings.
+class Solver {
+public:
+  /// Runs in the child.  May throw InputError; calls `identify` as soon as the id is known.
+  using Read = std::function<Question(std::string_view job,
+                                      const std::function<void(const Json&)>& identify)>;
+
+  Solver(Read read, const Settings& settings);
+
+  /// Never throws for anything that the question causes.
+  [[nodiscard]] Answer answer(std::string_view job);
+  /// The same as one line of JSON, the way `--batch` prints it; second: the exit code.
+  [[nodiscard]] std::pair<std::string, int> line(std::string_view job);
+
+private:
+  Read read_;
+  const Settings& settings_;
+  Worker worker_;
+};
+
+/// An EquationText that is known beforehand (single questions).
+[[nodiscard]] Solver::Read fixed_question(std::function<Question()> question);
+
+/// The exit code with --exit-verdict taken into account.
+[[nodiscard]] int exit_code(const Settings& settings, const Answer& answer);
+
+/// One line, without line breaks; broken UTF-8 is replaced.
+[[nodiscard]] std::string dump(const Json& j);
+
+} // namespace kov::cli

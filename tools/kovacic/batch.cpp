@@ -1,0 +1,157 @@
+// kovacic solve --batch: one JSON object per line in, one per line out, in the same order.
+
+#include "answer.hpp"
+#include "commands.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+
+namespace kov::cli {
+namespace {
+
+constexpr std::size_t max_line = std::size_t{16} << 20;
+
+// The next line without its end; false at the end of the input.  Of lines beyond the limit only
+// the length is kept.
+bool next_line(std::FILE* in, std::string& line, std::size_t& length) {
+  line.clear();
+  length = 0;
+  bool any = false;
+  for (int c = std::getc(in); c != EOF; c = std::getc(in)) {
+    any = true;
+    if (c == '\n') break;
+    ++length;
+    if (length <= max_line) line += static_cast<char>(c);
+  }
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  return any;
+}
+
+bool is_blank(const std::string& line) {
+  return line.find_first_not_of(" \t\r\v\f") == std::string::npos;
+}
+
+[[noreturn]] void refuse(const std::string& message, const std::string& hint = {},
+                         long column = 0) {
+  throw InputError("the line", column > 0 ? 1 : 0, column, 1, message, hint);
+}
+
+// One JSON object; a key that occurs twice is an error (which of the two would be meant?).
+Json parse_line(std::string_view text) {
+  std::set<std::string> keys;
+  std::string twice;
+  const auto watch = [&](int depth, Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::key && depth == 1) {
+      const auto key = value.get<std::string>();
+      if (!keys.insert(key).second && twice.empty()) twice = key;
+    }
+    if (depth > 64) refuse("the JSON is nested more than 64 deep");
+    return true;
+  };
+  Json j;
+  try {
+    j = Json::parse(text, watch);
+  } catch (const Json::parse_error& e) {
+    std::string what = e.what();
+    if (const auto at = what.rfind(": "); at != std::string::npos) what = what.substr(at + 2);
+    const auto column = static_cast<long>(std::min(e.byte, text.size()));
+    refuse("this is not JSON: " + printable(what).substr(0, 200), "", std::max(1L, column));
+  }
+  if (!j.is_object()) refuse("a JSON object is expected", R"(e.g. {"id": 1, "r": "z"})");
+  if (!twice.empty()) refuse("the key '" + twice + "' occurs twice");
+  return j;
+}
+
+std::optional<Expression> formula(const Json& line, const char* key, bool equation = false) {
+  if (!line.contains(key) || line.at(key).is_null()) return std::nullopt;
+  const Json& value = line.at(key);
+  if (!value.is_string())
+    refuse(std::string("'") + key + "' must be a string", "write the formula between quotes");
+  return parse_expression(value.get<std::string>(), key, equation);
+}
+
+std::vector<std::string> names(const Json& line, const char* key) {
+  std::vector<std::string> all;
+  if (!line.contains(key) || line.at(key).is_null()) return all;
+  const Json& value = line.at(key);
+  if (!value.is_array())
+    refuse(std::string("'") + key + "' must be an array of names", R"(e.g. ["n", "nu"])");
+  for (const Json& name : value) {
+    if (!name.is_string()) refuse(std::string("'") + key + "' must be an array of names");
+    all.push_back(name.get<std::string>());
+  }
+  return all;
+}
+
+Question read_line(std::string_view job, const std::function<void(const Json&)>& identify) {
+  const Json line = parse_line(job);
+  Question q;
+  if (line.contains("id")) q.id = line.at("id");
+  identify(q.id);
+  q.text.r = formula(line, "r");
+  q.text.p = formula(line, "p");
+  q.text.q = formula(line, "q");
+  q.text.ode = formula(line, "ode", true);
+  q.text.minpoly = formula(line, "minpoly");
+  q.text.parameters = names(line, "parameters");
+  q.text.infer_variable = false;
+  if (line.contains("variable") && !line.at("variable").is_null()) {
+    if (!line.at("variable").is_string()) refuse("'variable' must be a string");
+    q.text.variable = line.at("variable").get<std::string>();
+  }
+  if (!q.text.r && !q.text.p && !q.text.q && !q.text.ode)
+    refuse("the line has no equation", "give r, or p and q, or ode");
+  return q;
+}
+
+int worse(int a, int b) {
+  static constexpr int order[] = {exit_decided, exit_undecided, exit_input, exit_internal};
+  return std::find(std::begin(order), std::end(order), a) >
+                 std::find(std::begin(order), std::end(order), b)
+             ? a
+             : b;
+}
+
+} // namespace
+
+int batch(const Settings& settings, const std::string& path) {
+  std::FILE* in = path == "-" ? stdin : std::fopen(path.c_str(), "rb");
+  if (in == nullptr)
+    return report(settings, InputError(path, 0, 0, 1, "the file cannot be opened"));
+  std::FILE* out = stdout;
+  if (!settings.output.empty() && settings.output != "-") {
+    out = std::fopen(settings.output.c_str(), "wb");
+    if (out == nullptr)
+      return report(settings, InputError(settings.output, 0, 0, 1, "the file cannot be written"));
+  }
+  Settings line_settings = settings;
+  line_settings.trace = false;
+  Solver solver(read_line, line_settings);
+  int exit = exit_decided;
+  std::string line;
+  std::size_t length = 0;
+  while (exit != exit_interrupted && next_line(in, line, length)) {
+    if (is_blank(line) && length <= max_line) continue;
+    auto [text, code] = length > max_line
+                            ? std::pair(dump({{"id", nullptr},
+                                              {"error", "a line of " + std::to_string(length) +
+                                                            " bytes is too long (limit 16 MiB)"}}),
+                                        static_cast<int>(exit_input))
+                            : solver.line(line);
+    if (code == exit_interrupted) {
+      exit = code;
+      break;
+    }
+    exit = worse(exit, code);
+    text += '\n';
+    if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
+      break; // nobody reads any more
+  }
+  if (in != stdin) std::fclose(in);
+  if (out != stdout) std::fclose(out);
+  if (exit == exit_interrupted) complain(settings, "interrupted");
+  return exit;
+}
+
+} // namespace kov::cli

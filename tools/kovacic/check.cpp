@@ -1,0 +1,58 @@
+// kovacic check FILE...: the whole way for each file, and its expectations.
+
+#include "case_file.hpp"
+#include "commands.hpp"
+
+#include <algorithm>
+
+namespace kov::cli {
+namespace {
+
+std::string expectation_lines(const Settings& settings, const std::vector<Expected>& expected) {
+  const bool color = settings.style().color;
+  std::string s;
+  for (const Expected& e : expected) {
+    const std::string mark = e.met ? "ok" : "FAILED";
+    s += "  expect    " + (color ? (e.met ? "\033[32m" : "\033[1;31m") + mark + "\033[0m" : mark) +
+         "  " + wrapped(e.name, 14 + mark.size()) + "\n";
+    if (!e.met) s += "            found  " + wrapped(e.found, 19) + "\n";
+  }
+  return s;
+}
+
+} // namespace
+
+int check(const Settings& settings, const std::vector<std::string>& files) {
+  int exit = exit_decided;
+  std::string text;
+  Json all = Json::array();
+  for (const std::string& file : files) {
+    CaseReport report;
+    try {
+      report = check_case(settings, file);
+    } catch (const InputError& e) {
+      exit = std::max<int>(exit, kov::cli::report(settings, e));
+      continue;
+    }
+    if (!text.empty() && !report.text.empty()) text += "\n";
+    text += report.text;
+    if (settings.format == "text") text += expectation_lines(settings, report.expected);
+    Json expectations = Json::array();
+    int code = report.exit;
+    for (const Expected& e : report.expected) {
+      expectations.push_back({{"expect", e.name}, {"met", e.met}, {"found", e.found}});
+      if (!e.met && code == exit_decided) code = exit_no;
+    }
+    all.push_back({{"file", file}, {"results", report.json}, {"expectations", expectations}});
+    exit = std::max(exit, code);
+    if (exit == exit_interrupted) break;
+  }
+  if (settings.format == "json")
+    text =
+        (all.size() == 1 ? all.front() : all).dump(2, ' ', false, Json::error_handler_t::replace) +
+        "\n";
+  write_output(settings, text);
+  return exit;
+}
+
+} // namespace kov::cli

@@ -1,0 +1,134 @@
+// kovacic explain CODE: what a word in an answer or an error means, and what to do about it.
+
+#include "commands.hpp"
+#include "symbol/suggest.hpp"
+
+#include <algorithm>
+
+namespace kov::cli {
+namespace {
+
+struct Topic {
+  const char* code;
+  const char* text;
+};
+
+// clang-format off: one topic per block reads better than what the tool makes of it
+constexpr Topic topics[] = {
+    {"SL2",
+     "The Galois group is SL(2, C): no solution can be written with integrals, exponentials and\n"
+     "algebraic functions (Kovacic's case 4).  The identity component is SL(2, C), not abelian:\n"
+     "if the equation is the normal variational equation of a Hamiltonian system, the system has\n"
+     "no second meromorphic first integral (Morales-Ramis)."},
+    {"Borel",
+     "All triangular matrices.  Exactly one exponential solution y = exp(int omega) up to a "
+     "factor,\n"
+     "and y is transcendental with a transcendental integral of y^-2.  Not abelian (solvable)."},
+    {"T",
+     "T_n = {(c d; 0 1/c) : c^n = 1}: one exponential solution, whose n-th power is rational; the\n"
+     "other solution needs one integral.  Identity component Ga, abelian.  T_1 is Ga itself."},
+    {"Ga",
+     "The additive group: a rational solution, and a second one that needs an integral.  Abelian."},
+    {"Gm",
+     "All diagonal matrices, a torus: two exponential solutions with product rational; neither is\n"
+     "algebraic.  Abelian."},
+    {"cyclic",
+     "Diagonal matrices of order n: two solutions whose n-th powers are rational.  Identity\n"
+     "component trivial, abelian.  n = 1: both solutions are rational."},
+    {"Dinf",
+     "Infinite dihedral: the normaliser of the diagonal matrices.  y'/y is quadratic over C(z)\n"
+     "(Kovacic's case 2).  Identity component Gm, abelian."},
+    {"D",
+     "D_n, binary dihedral of order 4n: like Dinf, but all solutions are algebraic.  Identity\n"
+     "component trivial, abelian.  Finite or infinite is decided by a torsion test on a curve."},
+    {"A4", "Binary tetrahedral group, order 24: all solutions are algebraic (case 3)."},
+    {"S4", "Binary octahedral group, order 48: all solutions are algebraic (case 3)."},
+    {"A5", "Binary icosahedral group, order 120: all solutions are algebraic (case 3)."},
+    {"case",
+     "Kovacic's cases: 1 an exponential solution exists (the group is triangular); 2 y'/y is\n"
+     "quadratic (imprimitive); 3 all solutions are algebraic with a primitive group; 4 the group\n"
+     "is SL(2, C) and there is no Liouvillian solution.  --case N looks at one of them only."},
+    {"identity-component",
+     "The connected component of the Galois group: trivial, Ga, Gm, the Borel group, or SL(2, C).\n"
+     "The theorem of Morales and Ramis asks whether it is abelian: the first three are, the last\n"
+     "two are not.  It does not change under algebraic changes of the variable."},
+    {"abelian",
+     "Whether the identity component of the Galois group is abelian.  'no' on the normal\n"
+     "variational equation proves non-integrability; 'yes' proves nothing by itself."},
+    {"normal-form",
+     "y'' + p y' + q y = 0 becomes u'' = r u with y = u exp(-1/2 int p), r = p^2/4 + p'/2 - q.\n"
+     "The factor multiplies the group by scalars, which are central, so that the identity\n"
+     "component is abelian for both equations or for none.  JSON reports it under 'original'."},
+    {"budget",
+     "A limit was reached before the question was decided: time (--timeout), memory (--memory),\n"
+     "degree (--max-degree) or number of families (--max-families).  The answer is 'undecided',\n"
+     "never 'no'.  Raise the limit that the message names.  Exit code 3."},
+    {"time-limit", "See budget: raise --timeout S (seconds; 0 means no limit)."},
+    {"memory-limit", "See budget: raise --memory N (MiB; 0 means no limit)."},
+    {"degree-limit",
+     "A polynomial of higher degree than --max-degree would have been needed, in the input (a "
+     "high\n"
+     "power) or as the polynomial part of a solution.  The answer is 'undecided'.  Raise the "
+     "limit\n"
+     "if you have the memory: degree 10^6 with coefficients of a few digits is possible."},
+    {"family-limit", "Kovacic's algorithm would look at more families of exponents than "
+                     "--max-families.  The other\n"
+                     "engines (--method engines) do not enumerate families."},
+    {"parameter", "A name without a value appears.  Give it one: --set n=1/2, or [[expect]] where "
+                  "= { n = \"1/2\" }\n"
+                  "in a file, or minpoly for an algebraic number.  Exit code 3."},
+    {"not-implemented",
+     "The question is decidable in principle, but this program does not know how yet; the message\n"
+     "says which part is missing.  What is reported as known is proved.  Exit code 3."},
+    {"inexact",
+     "A certified enclosure did not settle a question that has no exact test here.  Exit code 3."},
+    {"decimal",
+     "Decimals are refused because 0.5 could mean 1/2 or a measured number.  Write 1/2.  Only the\n"
+     "second argument of root(p(x), approx) may be decimal: it chooses a root and nothing else."},
+    {"constants",
+     "Constants are algebraic numbers: integers, fractions, I, sqrt(c), c^(1/n), root(p(x), "
+     "approx),\n"
+     "and a name with a minimal polynomial (--minpoly 'a^2 - 5').  All constants of one input are\n"
+     "put into one number field, so that sqrt(2)*sqrt(3) - sqrt(6) is zero.  Pi and e are not\n"
+     "algebraic; treat them as parameters."},
+    {"syntax",
+     "Formulas: integers, names, + - * / ^ (or **), parentheses, sqrt, root, primes for "
+     "derivatives,\n"
+     "diff(y, z, 2).  -a^2 is -(a^2), a^b^c is a^(b^c).  Products are written out: 2*z, not 2z."},
+    {"exit-codes",
+     "0 decided; 1 a failed expectation or a rejected certificate; 2 usage error or bad input;\n"
+     "3 something is undecided, the reason is printed; 4 internal error; 130 interrupted.\n"
+     "With --exit-verdict: 10 identity component not abelian, 20 abelian, 0 undecided."},
+    {"batch", "kovacic solve --batch FILE.jsonl reads one JSON object per line, with an id and r, "
+              "or p and q,\n"
+              "or ode, and optionally variable, minpoly and parameters, and writes one object per "
+              "line in the\n"
+              "same order.  A bad line gives {\"id\", \"error\"}, and the run goes on."},
+};
+// clang-format on
+
+} // namespace
+
+int explain(const Settings& settings, const std::string& code) {
+  std::vector<std::string> codes;
+  for (const Topic& t : topics)
+    codes.emplace_back(t.code);
+  if (code.empty()) {
+    std::string list =
+        "kovacic explain CODE, where CODE is one of\n\n  " + wrapped(enumerate(codes), 2) + "\n";
+    write_output(settings, list);
+    return exit_decided;
+  }
+  const std::string family = code.substr(0, code.find('_')); // T_4 -> T
+  for (const Topic& t : topics)
+    if (code == t.code || family == t.code) {
+      write_output(settings, std::string(t.code) + "\n\n" + t.text + "\n");
+      return exit_decided;
+    }
+  const auto near = nearest(code, codes);
+  complain(settings, "nothing is known about '" + code + "'",
+           near ? "did you mean " + *near + "?" : "codes: " + enumerate(codes));
+  return exit_input;
+}
+
+} // namespace kov::cli

@@ -1,0 +1,48 @@
+#include "present.hpp"
+
+namespace kov::cli {
+
+void report_failure(const Settings& settings, const Answer& answer) {
+  if (answer.error) {
+    report(settings, *answer.error);
+  } else if (answer.exit == exit_internal) {
+    complain(settings, "internal error: " + answer.internal,
+             "this is a mistake of the program, not of the input: please send us the equation");
+  } else if (answer.exit == exit_interrupted) {
+    complain(settings, "interrupted");
+  }
+}
+
+std::string presented(const Settings& settings, const Answer& answer, const std::string& title) {
+  if (answer.result.is_null()) return {};
+  if (settings.format == "json")
+    return answer.result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (settings.format == "tex") return tex_of_result(answer.result, title);
+  std::string text = text_of_result(answer.result, title, settings.style());
+  if (settings.verbose > 0 && answer.result.at("seconds").is_number()) {
+    char line[64];
+    std::snprintf(line, sizeof line, "  time      %.1f ms\n",
+                  1000 * answer.result.at("seconds").get<double>());
+    text += line;
+  }
+  return text;
+}
+
+int present(const Settings& settings, Answer answer, const std::string& title) {
+  try {
+    if (!settings.certificate.empty() && answer.result.contains("certificate")) {
+      const Json& c = answer.result.at("certificate");
+      write_file(settings.certificate, c.is_string() ? c.get<std::string>() : c.dump(1) + "\n");
+      answer.result.erase("certificate");
+      answer.result["certificate_file"] = settings.certificate;
+    }
+    const std::string text = presented(settings, answer, title);
+    if (!text.empty()) write_output(settings, text);
+  } catch (const InputError& e) {
+    return report(settings, e);
+  }
+  report_failure(settings, answer);
+  return exit_code(settings, answer);
+}
+
+} // namespace kov::cli

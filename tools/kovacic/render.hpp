@@ -1,0 +1,30 @@
+#pragma once
+// The answer for people: text for a terminal, LaTeX for a paper.
+
+#include "result.hpp"
+
+#include <string>
+
+namespace kov::cli {
+
+struct Style {
+  bool color = false;
+  bool trace = false;
+  bool quiet = false; ///< the first lines only
+};
+
+/// Answer first, then the reason, then what can be done next.
+[[nodiscard]] std::string text_of_result(const Json& result, const std::string& title,
+                                         const Style& style);
+/// A paragraph for a LaTeX document (amsmath).
+[[nodiscard]] std::string tex_of_result(const Json& result, const std::string& title);
+
+/// "SL(2, C)", "T_4", "D_3", ... of the object under "group"; "" for null.
+[[nodiscard]] std::string group_text(const Json& group);
+/// Lines of at most `width` columns; the first one begins after `indent` columns already written.
+[[nodiscard]] std::string wrapped(const std::string& text, std::size_t indent,
+                                  std::size_t width = 98);
+/// A formula of ours as LaTeX; `\mathtt{...}` if it is not one.
+[[nodiscard]] std::string tex_of_formula(const std::string& formula);
+
+} // namespace kov::cli

@@ -1,0 +1,186 @@
+#include "render.hpp"
+
+#include "symbol/expression.hpp"
+
+namespace kov::cli {
+namespace {
+
+using Kind = Expression::Kind;
+
+enum Level { of_sum, of_product, of_power, of_atom, of_nothing };
+
+Level level(const Expression& e) {
+  switch (e.kind()) {
+  case Kind::equation:
+  case Kind::sum:
+  case Kind::negate:
+    return of_sum;
+  case Kind::product:
+    return of_product;
+  case Kind::power:
+    return of_power;
+  default:
+    return of_atom;
+  }
+}
+
+std::string tex(const Expression& e);
+
+std::string tex(const Expression& e, Level least) {
+  return level(e) < least ? "\\left(" + tex(e) + "\\right)" : tex(e);
+}
+
+std::string tex_name(const std::string& name) {
+  if (name == "I") return "\\mathrm{i}";
+  return name.size() == 1 ? name : "\\mathrm{" + name + "}";
+}
+
+std::string tex_call(const Expression& e) {
+  const std::string inside = tex(e.operand(0));
+  if (e.name() == "sqrt") return "\\sqrt{" + inside + "}";
+  if (e.name() == "exp") return "\\exp\\left(" + inside + "\\right)";
+  if (e.name() == "int") return "\\int " + tex(e.operand(0), of_product) + "\\,dz";
+  if (e.name() == "root")
+    return "\\operatorname{root}\\left(" + inside + "\\right)"; // the approximation is left out
+  std::string list;
+  for (const Expression& x : e.operands())
+    list += (list.empty() ? "" : ", ") + tex(x);
+  return tex_name(e.name()) + "\\left(" + list + "\\right)";
+}
+
+std::string tex(const Expression& e) {
+  switch (e.kind()) {
+  case Kind::number:
+    return to_string(e.number());
+  case Kind::decimal:
+    return e.name();
+  case Kind::name:
+    return tex_name(e.name());
+  case Kind::negate:
+    return "-" + tex(e.operand(0), of_product);
+  case Kind::sum: {
+    std::string s;
+    for (const Expression& term : e.operands()) {
+      const std::string t = tex(term);
+      s += s.empty() || t.front() == '-' ? t : "+" + t;
+    }
+    return s;
+  }
+  case Kind::product: {
+    std::string s;
+    for (const Expression& factor : e.operands()) {
+      const std::string t = tex(factor, of_product);
+      const bool digits = !t.empty() && t.front() >= '0' && t.front() <= '9';
+      s += s.empty() ? t : (digits ? "\\cdot " : "\\,") + t;
+    }
+    return s;
+  }
+  case Kind::quotient:
+    return "\\frac{" + tex(e.operand(0)) + "}{" + tex(e.operand(1)) + "}";
+  case Kind::power:
+    return tex(e.operand(0), e.operand(0).kind() == Kind::quotient ? of_nothing : of_atom) + "^{" +
+           tex(e.operand(1)) + "}";
+  case Kind::call:
+    return tex_call(e);
+  case Kind::derivative:
+    return tex(e.operand(0), of_atom) + std::string(static_cast<std::size_t>(e.order()), '\'');
+  case Kind::equation:
+    return tex(e.operand(0)) + " = " + tex(e.operand(1));
+  }
+  return {};
+}
+
+std::string escaped(const std::string& text) {
+  std::string s;
+  for (const char c : text) {
+    if (std::string("#$%&_{}").find(c) != std::string::npos)
+      s += std::string("\\") + c;
+    else if (c == '^')
+      s += "\\^{}";
+    else if (c == '~')
+      s += "\\~{}";
+    else if (c == '\\')
+      s += "\\textbackslash{}";
+    else
+      s += c;
+  }
+  return s;
+}
+
+std::string group_tex(const Json& group) {
+  if (group.is_null()) return "\\text{undecided}";
+  const std::string type = group.at("type").get<std::string>();
+  const std::string n = group.at("n").is_null()     ? "n"
+                        : group.at("n").is_string() ? group.at("n").get<std::string>()
+                                                    : group.at("n").dump();
+  if (type == "SL2") return "\\mathrm{SL}(2,\\mathbb{C})";
+  if (type == "Borel") return "\\mathbb{G}_m\\ltimes\\mathbb{G}_a";
+  if (type == "T") return n == "1" ? "\\mathbb{G}_a" : "T_{" + n + "}";
+  if (type == "Gm") return "\\mathbb{G}_m";
+  if (type == "cyclic") return n == "1" ? "\\{1\\}" : "\\mu_{" + n + "}";
+  if (type == "Dinf") return "\\mathbb{D}_\\infty";
+  if (type == "D") return "\\mathbb{D}_{" + n + "}";
+  if (type == "A4") return "A_4^{\\mathrm{SL}_2}";
+  if (type == "S4") return "S_4^{\\mathrm{SL}_2}";
+  return "A_5^{\\mathrm{SL}_2}";
+}
+
+std::string component_tex(const Json& name) {
+  if (name.is_null()) return "\\text{undecided}";
+  if (name == "SL2") return "\\mathrm{SL}(2,\\mathbb{C})";
+  if (name == "Borel") return "\\mathbb{G}_m\\ltimes\\mathbb{G}_a";
+  if (name == "Gm") return "\\mathbb{G}_m";
+  if (name == "Ga") return "\\mathbb{G}_a";
+  return "\\{1\\}";
+}
+
+} // namespace
+
+std::string tex_of_formula(const std::string& formula) {
+  try {
+    return tex(parse_expression(formula, "tex", true));
+  } catch (const InputError&) {
+    return "\\mathtt{" + escaped(formula) + "}";
+  }
+}
+
+std::string tex_of_result(const Json& result, const std::string& title) {
+  std::string s;
+  if (!title.empty()) s += "\\paragraph{" + escaped(title) + "}\n";
+  if (!result.at("r").is_null()) {
+    const std::string r = result.at("r").get<std::string>();
+    const std::string body = tex_of_formula(r);
+    const bool sum = r.find(' ') != std::string::npos && body.find("\\frac") != 0;
+    s += "\\[ y'' = " + (sum ? "\\left(" + body + "\\right)" : body) + "\\,y \\]\n";
+  }
+  s += "$G = " + group_tex(result.at("group")) +
+       "$, $G^0 = " + component_tex(result.at("identity_component")) + "$";
+  const std::string abelian = result.at("abelian").get<std::string>();
+  s += abelian == "undecided" ? "; whether $G^0$ is abelian is undecided.\n"
+       : abelian == "yes"     ? " (abelian).\n"
+                              : " (not abelian).\n";
+  if (!result.at("case").is_null())
+    s += "Case " + result.at("case").dump() + " of Kovacic's algorithm.\n";
+  s += escaped(result.at("reason").get<std::string>()) + "\n";
+  if (!result.at("solutions").is_array()) return s;
+  for (const Json& x : result.at("solutions")) {
+    if (x.at("kind") == "exponential") {
+      s += "\\[ y = " + tex_of_formula(x.at("y").get<std::string>()) + " \\]\n";
+      continue;
+    }
+    std::string polynomial;
+    const Json& c = x.at("minimal_polynomial");
+    for (std::size_t i = c.size(); i-- > 0;) {
+      const std::string text = c[i].get<std::string>();
+      if (text == "0") continue;
+      const std::string power = i == 0 ? "" : i == 1 ? "w" : "w^{" + std::to_string(i) + "}";
+      if (!polynomial.empty()) polynomial += " + ";
+      polynomial +=
+          text == "1" && i > 0 ? power : "\\left(" + tex_of_formula(text) + "\\right)" + power;
+    }
+    s += "\\[ w = y'/y:\\quad " + polynomial + " = 0 \\]\n";
+  }
+  return s;
+}
+
+} // namespace kov::cli

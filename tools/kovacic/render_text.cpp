@@ -1,0 +1,187 @@
+#include "render.hpp"
+
+#include <sstream>
+
+namespace kov::cli {
+namespace {
+
+struct Paint {
+  bool on;
+  [[nodiscard]] std::string operator()(const char* code, const std::string& s) const {
+    return on ? "\033[" + std::string(code) + "m" + s + "\033[0m" : s;
+  }
+};
+
+GaloisGroup read_group(const Json& group) {
+  GaloisGroup g;
+  for (const GroupType t :
+       {GroupType::SL2, GroupType::Borel, GroupType::T, GroupType::Gm, GroupType::cyclic,
+        GroupType::Dinf, GroupType::D, GroupType::A4, GroupType::S4, GroupType::A5})
+    if (to_string(t) == group.at("type").get<std::string>()) g.type = t;
+  const Json& n = group.at("n");
+  if (n.is_number()) g.n = Integer(n.get<long>());
+  if (n.is_string()) g.n = Integer::parse(n.get<std::string>());
+  return g;
+}
+
+std::string component_text(const std::string& name) {
+  if (name == "SL2") return "SL(2, C)";
+  if (name == "Gm") return "Gm (a torus)";
+  if (name == "Ga") return "Ga (additive)";
+  if (name == "Borel") return "the Borel group";
+  return name;
+}
+
+std::string headline(const Json& result) {
+  if (result.at("case").is_null())
+    return result.at("undecided").is_null() ? "ANSWERED IN PART" : "UNDECIDED";
+  switch (result.at("case").get<int>()) {
+  case 1:
+    return "REDUCIBLE: an exponential solution exists  (Kovacic's case 1)";
+  case 2:
+    return "IMPRIMITIVE: y'/y is quadratic over C(z)  (Kovacic's case 2)";
+  case 3:
+    return "FINITE PRIMITIVE: all solutions are algebraic  (Kovacic's case 3)";
+  default:
+    return "NO LIOUVILLIAN SOLUTION  (Kovacic's case 4)";
+  }
+}
+
+std::string with_variable(std::string text, const std::string& variable) {
+  if (const auto at = text.find("C(z)"); at != std::string::npos) text.replace(at + 2, 1, variable);
+  return text;
+}
+
+// r y, with parentheses where r is more than a power.
+std::string right_side(const std::string& r) {
+  if (r == "0") return "0";
+  if (r == "1" || r == "-1") return r.substr(0, r.size() - 1) + "y";
+  const bool simple = r.find_first_of(" /") == std::string::npos;
+  return (simple ? r : "(" + r + ")") + " y";
+}
+
+std::string minimal_polynomial(const Json& coefficients) {
+  std::string s;
+  for (std::size_t i = coefficients.size(); i-- > 0;) {
+    const std::string c = coefficients[i].get<std::string>();
+    if (c == "0") continue;
+    const std::string power = i == 0 ? "" : i == 1 ? "w" : "w^" + std::to_string(i);
+    if (!s.empty()) s += " + ";
+    s += c == "1" && i > 0 ? power : "(" + c + ")" + (power.empty() ? "" : "*" + power);
+  }
+  return s + " = 0";
+}
+
+void put(std::ostringstream& out, const std::string& label, const std::string& text) {
+  out << "  " << label << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ')
+      << wrapped(text, 12) << '\n';
+}
+
+void put_solutions(std::ostringstream& out, const Json& solutions) {
+  if (!solutions.is_array()) return;
+  std::size_t i = 0;
+  for (const Json& s : solutions) {
+    ++i;
+    const std::string number = solutions.size() > 1 ? std::to_string(i) : "";
+    std::string text;
+    if (s.at("kind") == "exponential")
+      text = "y" + number + " = " + s.at("y").get<std::string>();
+    else
+      text = "w = y'/y satisfies " + minimal_polynomial(s.at("minimal_polynomial"));
+    if (s.contains("note")) text += "   [" + s.at("note").get<std::string>() + "]";
+    put(out, i == 1 ? "solution" + std::string(solutions.size() > 1 ? "s" : "") : "", text);
+  }
+}
+
+void put_original(std::ostringstream& out, const Json& original) {
+  const std::string factor = original.at("factor").get<std::string>();
+  if (factor == "1") return;
+  put(out, "given",
+      "y'' + p y' + q y = 0 with p = " + original.at("p").get<std::string>() +
+          ", q = " + original.at("q").get<std::string>());
+  put(out, "",
+      "its solutions are those below times " + factor + " (" +
+          original.at("factor_kind").get<std::string>() +
+          " factor); its identity component is abelian exactly if this one is");
+}
+
+} // namespace
+
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
+  std::string out;
+  std::size_t column = indent;
+  std::istringstream words(text);
+  std::string word;
+  bool first = true;
+  while (words >> word) {
+    if (!first && column + 1 + word.size() > width) {
+      out += "\n" + std::string(indent, ' ');
+      column = indent;
+    } else if (!first) {
+      out += ' ';
+      ++column;
+    }
+    out += word;
+    column += word.size();
+    first = false;
+  }
+  return out;
+}
+
+std::string group_text(const Json& group) {
+  return group.is_null() ? std::string() : describe(read_group(group));
+}
+
+std::string text_of_result(const Json& result, const std::string& title, const Style& style) {
+  const Paint paint{style.color};
+  std::ostringstream out;
+  if (!title.empty()) out << paint("1", title) << '\n';
+  const std::string variable =
+      result.at("variable").is_null() ? "z" : result.at("variable").get<std::string>();
+  if (!result.at("r").is_null())
+    out << wrapped("y'' = " + right_side(result.at("r").get<std::string>()), 0) << '\n';
+  if (result.contains("constants"))
+    for (const auto& [name, meaning] : result.at("constants").items())
+      if (name != "I" && !name.starts_with("sqrt("))
+        put(out, "where", name + " = " + meaning.get<std::string>());
+  const bool open = result.at("case").is_null();
+  out << "  " << paint(open ? "1;33" : "1;32", with_variable(headline(result), variable)) << '\n';
+  std::string line = "G = " + (result.at("group").is_null() ? "?" : group_text(result.at("group")));
+  const std::string component = result.at("identity_component").is_null()
+                                    ? std::string()
+                                    : result.at("identity_component").get<std::string>();
+  if (!component.empty()) line += ", identity component " + component_text(component);
+  const std::string abelian = result.at("abelian").get<std::string>();
+  if (component.empty() && abelian != "undecided")
+    line += abelian == "yes" ? ", identity component abelian" : ", identity component not abelian";
+  else if (abelian != "undecided")
+    line += abelian == "yes" ? ", abelian" : ", not abelian";
+  if (!open || line != "G = ?") out << "  " << wrapped(line, 2) << '\n';
+  if (style.quiet) return out.str();
+  if (!result.at("undecided").is_null()) {
+    const Json& u = result.at("undecided");
+    put(out, "open", u.at("detail").get<std::string>());
+    if (result.at("reason") != u.at("detail"))
+      put(out, "because", result.at("reason").get<std::string>());
+    put(out, "more", "kovacic explain " + u.at("why").get<std::string>());
+  } else {
+    put(out, "because", result.at("reason").get<std::string>());
+  }
+  if (result.contains("original")) put_original(out, result.at("original"));
+  put_solutions(out, result.at("solutions"));
+  if (style.trace && result.contains("trace")) {
+    out << "  steps\n";
+    for (const Json& step : result.at("trace"))
+      out << "    " << paint("1", step.at("step").get<std::string>()) << "  "
+          << wrapped(step.at("text").get<std::string>(),
+                     6 + step.at("step").get<std::string>().size())
+          << '\n';
+  }
+  if (result.contains("certificate_file"))
+    put(out, "proof",
+        result.at("certificate_file").get<std::string>() + "   verify: kovacic verify " +
+            result.at("certificate_file").get<std::string>());
+  return out.str();
+}
+
+} // namespace kov::cli

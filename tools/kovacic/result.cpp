@@ -1,0 +1,147 @@
+#include "result.hpp"
+
+#include "galois/exponential_form.hpp"
+
+namespace kov::cli {
+namespace {
+
+Json integer(const Integer& n) {
+  const Integer limit = pow(Integer(2), 53);
+  if (n <= limit && n >= -limit) return to_long(n);
+  return to_string(n);
+}
+
+Json group(const GaloisGroup& g) {
+  Json j = {{"type", to_string(g.type)}, {"n", nullptr}};
+  if (g.n) j["n"] = integer(*g.n);
+  return j;
+}
+
+Json solution(const Solution& s) {
+  Json j = {{"kind", s.kind}};
+  if (s.kind == "exponential") {
+    j["y"] = s.y;
+    j["omega"] = s.omega;
+  } else {
+    j["minimal_polynomial"] = s.minimal_polynomial;
+  }
+  if (!s.note.empty()) j["note"] = s.note;
+  return j;
+}
+
+const char* text_of(Truth t) {
+  return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided";
+}
+
+// Certificates are JSON texts; anything else stays a string.
+Json certificate(const std::string& text) {
+  Json j = Json::parse(text, nullptr, false);
+  return j.is_discarded() ? Json(text) : j;
+}
+
+} // namespace
+
+std::string name_of(Unable::Why why) {
+  switch (why) {
+  case Unable::Why::parameter:
+    return "parameter";
+  case Unable::Why::budget:
+    return "budget";
+  case Unable::Why::not_implemented:
+    return "not-implemented";
+  case Unable::Why::inexact:
+    return "inexact";
+  }
+  throw InternalError("unknown reason code");
+}
+
+Json unread_result(const Json& id) {
+  return {{"format", "kovacic-result/1"},
+          {"id", id},
+          {"variable", nullptr},
+          {"r", nullptr},
+          {"group", nullptr},
+          {"identity_component", nullptr},
+          {"abelian", "undecided"},
+          {"case", nullptr},
+          {"solutions", nullptr},
+          {"reason", ""},
+          {"undecided", nullptr},
+          {"seconds", nullptr}};
+}
+
+Json open_result(const Json& id, const ScalarEquation& equation) {
+  Json j = unread_result(id);
+  j["variable"] = equation.variable;
+  j["r"] = to_string(equation.normal_form.r, equation.variable);
+  if (!equation.constant.empty()) j["constants"] = {{equation.constant, equation.constant_meaning}};
+  return j;
+}
+
+Json closed_result(const Json& id, const ScalarEquation& equation, const Decision& d,
+                   double seconds) {
+  Json j = open_result(id, equation);
+  if (d.group) j["group"] = group(*d.group);
+  if (d.component) j["identity_component"] = to_string(*d.component);
+  j["abelian"] = text_of(d.abelian);
+  if (d.kovacic_case) j["case"] = *d.kovacic_case;
+  if (d.group || !d.solutions.empty()) {
+    j["solutions"] = Json::array();
+    for (const Solution& s : d.solutions)
+      j["solutions"].push_back(solution(s));
+  }
+  j["reason"] = d.reason;
+  if (d.undecided)
+    j["undecided"] = {{"why", name_of(d.undecided->why)}, {"detail", d.undecided->detail}};
+  j["seconds"] = seconds;
+  if (!d.trace.empty()) {
+    j["trace"] = Json::array();
+    for (const TraceStep& step : d.trace)
+      j["trace"].push_back({{"step", step.step}, {"text", step.text}});
+  }
+  if (!d.certificate.empty()) j["certificate"] = certificate(d.certificate);
+  return j;
+}
+
+void set_undecided(Json& result, const std::string& why, const std::string& detail) {
+  result["reason"] = detail;
+  result["undecided"] = {{"why", why}, {"detail", detail}};
+}
+
+// y = u exp(-1/2 int p), u'' = r u.  Scalars are central: THEORY 4.
+Json original_form(const ScalarEquation& e, const Budget& budget) {
+  Json j = {{"form", e.form == ScalarEquation::Form::pq ? "p, q" : "equation"},
+            {"p", to_string(e.p, e.variable)},
+            {"q", to_string(e.q, e.variable)}};
+  std::string kind = "unknown";
+  std::string factor = "exp(-1/2*int(" + to_string(e.p, e.variable) + "))";
+  if (is_zero(e.p)) {
+    kind = "rational";
+    factor = "1";
+  } else {
+    try {
+      const LogarithmicParts parts =
+          logarithmic_parts(e.p * RationalFunction(Rational(-1, 2)), budget);
+      factor = exponential_text(Poly(1), parts, e.variable);
+      const auto order = radical_order(parts);
+      kind = !order ? "transcendental" : *order == Integer(1) ? "rational" : "algebraic";
+    } catch (const OutOfBudget&) { // the integral form is an answer, too
+    }
+  }
+  j["factor"] = factor;
+  j["factor_kind"] = kind;
+  if (is_zero(e.p)) {
+    j["note"] = "the equation is in normal form already";
+    return j;
+  }
+  std::string note = "solutions are those of u'' = r*u times the factor; it multiplies the group "
+                     "by scalars only, so the identity component is abelian for both or for none";
+  if (kind == "rational") note += "; the factor is rational, so the groups are equal";
+  if (kind == "algebraic") note += "; the factor is algebraic, so both groups are finite or none";
+  if (kind == "transcendental")
+    note += "; the factor is transcendental, so the group of the given equation is infinite";
+  j["note"] = note;
+  return j;
+}
+
+} // namespace kov::cli

@@ -1,0 +1,31 @@
+#pragma once
+// The answer as data: the JSON object that `--format json` and batches print, and from which the
+// text and LaTeX renderers read.  Format "kovacic-result/1".
+
+#include "equation/read_equation.hpp"
+#include "verdict/decide.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace kov::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// Everything that is known before the solver runs; what it will find is null.
+[[nodiscard]] Json open_result(const Json& id, const ScalarEquation& equation);
+/// The whole answer.  `seconds` is the time of reading and deciding.
+[[nodiscard]] Json closed_result(const Json& id, const ScalarEquation& equation,
+                                 const Decision& decision, double seconds);
+/// The answer for an equation that could not even be read within the limits.
+[[nodiscard]] Json unread_result(const Json& id);
+/// Marks a result as undecided.  why: "budget", "parameter", "not-implemented", "inexact"
+void set_undecided(Json& result, const std::string& why, const std::string& detail);
+
+/// What the factor exp(-1/2 int p) does: the object under "original".
+[[nodiscard]] Json original_form(const ScalarEquation& equation, const Budget& budget);
+
+[[nodiscard]] std::string name_of(Unable::Why why);
+
+} // namespace kov::cli

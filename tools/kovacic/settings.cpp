@@ -1,0 +1,111 @@
+#include "settings.hpp"
+
+#include "symbol/expression.hpp"
+
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace kov::cli {
+
+Options Settings::solver_options() const {
+  Options o;
+  if (timeout > 0) o.budget = Budget::of_seconds(timeout);
+  o.budget.max_degree = max_degree;
+  o.budget.max_families = max_families;
+  if (method == "kovacic") o.method = Method::kovacic;
+  if (method == "engines") o.method = Method::engines;
+  if (method == "all") o.method = Method::all;
+  if (only_case != 0) o.only_case = only_case;
+  o.want_trace = trace;
+  o.want_certificate = !certificate.empty();
+  return o;
+}
+
+bool Settings::colors(int descriptor) const {
+  if (color == "always") return true;
+  if (color == "never") return false;
+  const char* refused = std::getenv("NO_COLOR");
+  if (refused != nullptr && *refused != '\0') return false;
+  const char* terminal = std::getenv("TERM");
+  if (terminal != nullptr && std::string(terminal) == "dumb") return false;
+  return ::isatty(descriptor) != 0;
+}
+
+Style Settings::style() const {
+  return {.color = output.empty() && colors(STDOUT_FILENO), .trace = trace, .quiet = quiet};
+}
+
+std::vector<std::pair<std::string, Expression>> Settings::settings() const {
+  std::vector<std::pair<std::string, Expression>> all;
+  for (const std::string& s : set) {
+    auto origin = std::make_shared<Origin>();
+    origin->file = "--set";
+    origin->text = s;
+    const auto equal = s.find('=');
+    const std::string name = s.substr(0, equal);
+    const auto is_name = [&] {
+      if (name.empty() || (name[0] >= '0' && name[0] <= '9')) return false;
+      for (const char c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_') return false;
+      return true;
+    };
+    if (equal == std::string::npos || !is_name())
+      throw InputError(*origin, Span{0, static_cast<std::uint32_t>(name.size())},
+                       "a name with a value is expected", "write e.g. --set a=1/2");
+    origin->offset = equal + 1;
+    const OriginPtr place = origin;
+    all.emplace_back(name,
+                     parse_expression(std::string_view(place->text).substr(equal + 1), place));
+  }
+  return all;
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  struct stat existing = {};
+  if (::stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode)) { // a pipe, a terminal
+    std::ofstream out(path, std::ios::binary);
+    out << text;
+    if (!out.flush()) throw InputError(path, 0, 0, 1, "the file cannot be written");
+    return;
+  }
+  const std::string temporary = path + ".part";
+  {
+    std::ofstream out(temporary, std::ios::binary);
+    out << text;
+    out.close();
+    if (!out) {
+      std::remove(temporary.c_str());
+      throw InputError(path, 0, 0, 1, "the file cannot be written");
+    }
+  }
+  if (std::rename(temporary.c_str(), path.c_str()) != 0) {
+    std::remove(temporary.c_str());
+    throw InputError(path, 0, 0, 1, "the file cannot be written");
+  }
+}
+
+void write_output(const Settings& settings, const std::string& text) {
+  if (!settings.output.empty() && settings.output != "-") return write_file(settings.output, text);
+  std::fwrite(text.data(), 1, text.size(), stdout);
+  std::fflush(stdout);
+}
+
+int report(const Settings& settings, const InputError& error) {
+  std::fputs(render(error, settings.colors(STDERR_FILENO)).c_str(), stderr);
+  return exit_input;
+}
+
+void complain(const Settings& settings, const std::string& message, const std::string& hint) {
+  const bool color = settings.colors(STDERR_FILENO);
+  const char* red = color ? "\033[1;31m" : "";
+  const char* cyan = color ? "\033[1;36m" : "";
+  const char* off = color ? "\033[0m" : "";
+  std::fprintf(stderr, "kovacic: %serror:%s %s\n", red, off, printable(message).c_str());
+  if (!hint.empty()) std::fprintf(stderr, "  %snote:%s %s\n", cyan, off, printable(hint).c_str());
+}
+
+} // namespace kov::cli

@@ -1,0 +1,61 @@
+#pragma once
+// The flags that several commands share.
+
+#include "render.hpp"
+#include "supervisor.hpp"
+#include "symbol/input_error.hpp"
+#include "verdict/decide.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kov::cli {
+
+/// Exit codes: what happened, not what the verdict is.
+enum Exit : int {
+  exit_decided = 0,
+  exit_no = 1,    ///< a "no" from verify or test
+  exit_input = 2, ///< usage error or bad input file
+  exit_undecided = 3,
+  exit_internal = 4,
+  exit_not_abelian = 10, ///< with --exit-verdict only
+  exit_abelian = 20,     ///< with --exit-verdict only
+  exit_interrupted = 130
+};
+
+struct Settings {
+  std::vector<std::string> set; ///< "a=1/2"
+  double timeout = 0;
+  long max_degree = Budget{}.max_degree;
+  long max_families = Budget{}.max_families;
+  std::size_t memory = 4 * 1024; ///< MiB
+  int only_case = 0;
+  std::string method = "automatic";
+  std::string format = "text";
+  std::string output;      ///< -o; empty = standard output
+  std::string certificate; ///< --certificate
+  std::string color = "auto";
+  bool trace = false;
+  bool quiet = false;
+  int verbose = 0;
+  bool exit_verdict = false;
+
+  [[nodiscard]] Options solver_options() const;
+  [[nodiscard]] ProcessLimits process_limits() const { return {timeout, memory}; }
+  /// Colours on this stream (a file descriptor)?  --color, NO_COLOR, is it a terminal.
+  [[nodiscard]] bool colors(int descriptor) const;
+  [[nodiscard]] Style style() const;
+  /// --set as name and formula.  Throws InputError.
+  [[nodiscard]] std::vector<std::pair<std::string, Expression>> settings() const;
+};
+
+/// Writes to -o or to standard output.  Throws InputError if the file cannot be written.
+void write_output(const Settings& settings, const std::string& text);
+/// Writes the file at once or not at all.
+void write_file(const std::string& path, const std::string& text);
+/// An input error with its caret, on standard error; returns exit_input.
+int report(const Settings& settings, const InputError& error);
+/// One line on standard error: "kovacic: error: ...".
+void complain(const Settings& settings, const std::string& message, const std::string& hint = {});
+
+} // namespace kov::cli

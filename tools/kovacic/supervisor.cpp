@@ -1,0 +1,247 @@
+#include "supervisor.hpp"
+
+#include "exact/error.hpp"
+#include "exact/flint.hpp"
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <new>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace kov::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int exit_out_of_memory = 97;
+constexpr int exit_library_abort = 98;
+
+volatile std::sig_atomic_t ctrl_c = 0;
+
+// --- out of memory in the child: one way out for C++, GMP and FLINT ----------------------------
+
+void* checked(void* p) {
+  if (p == nullptr) _exit(exit_out_of_memory);
+  return p;
+}
+void* take(std::size_t n) { return checked(std::malloc(n == 0 ? 1 : n)); }
+void* take_zeros(std::size_t n, std::size_t size) {
+  return checked(std::calloc(n == 0 ? 1 : n, size == 0 ? 1 : size));
+}
+void* take_more(void* p, std::size_t n) { return checked(std::realloc(p, n == 0 ? 1 : n)); }
+void* gmp_take_more(void* p, std::size_t, std::size_t n) { return take_more(p, n); }
+void gmp_give(void* p, std::size_t) { std::free(p); }
+
+void prepare_child(const ProcessLimits& limits) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::signal(SIGINT, SIG_DFL);
+  ::signal(SIGPIPE, SIG_DFL);
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  // FLINT announces its aborts on standard output, GMP on standard error: neither is ours.
+  const int null = ::open("/dev/null", O_RDWR);
+  ::dup2(null, STDIN_FILENO);
+  ::dup2(null, STDOUT_FILENO);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(KOV_SANITIZED)
+  ::dup2(null, STDERR_FILENO);
+  if (limits.megabytes > 0) {
+    const rlim_t bytes = static_cast<rlim_t>(limits.megabytes) << 20;
+    const rlimit ceiling{bytes, bytes};
+    ::setrlimit(RLIMIT_AS, &ceiling);
+  }
+#else
+  (void)limits;
+#endif
+  mp_set_memory_functions(take, gmp_take_more, gmp_give);
+  __flint_set_memory_functions(take, take_zeros, take_more, std::free);
+  flint_set_abort([]() { _exit(exit_library_abort); });
+  std::set_new_handler([] { _exit(exit_out_of_memory); });
+}
+
+// --- messages: one kind byte, eight bytes of length, the bytes ---------------------------------
+
+constexpr char kind_job = 'j';
+constexpr char kind_early = 'e';
+constexpr char kind_final = 'f';
+
+bool send_all(int fd, const char* data, std::size_t n) {
+  while (n > 0) {
+    const ssize_t sent = ::send(fd, data, n, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR && ctrl_c == 0) continue;
+    if (sent <= 0) return false;
+    data += sent;
+    n -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
+bool send_message(int fd, char kind, std::string_view text) {
+  char head[9];
+  head[0] = kind;
+  const std::uint64_t n = text.size();
+  std::memcpy(head + 1, &n, sizeof n);
+  return send_all(fd, head, sizeof head) && send_all(fd, text.data(), text.size());
+}
+
+enum class Got : std::uint8_t { message, closed, late, interrupted };
+
+// Waits for n bytes until the deadline (if there is one).
+Got receive_all(int fd, char* data, std::size_t n, const Clock::time_point* deadline) {
+  while (n > 0) {
+    int wait = -1;
+    if (deadline != nullptr) {
+      const auto left =
+          std::chrono::ceil<std::chrono::milliseconds>(*deadline - Clock::now()).count();
+      if (left <= 0) return Got::late;
+      wait = static_cast<int>(std::min<long>(left, 1000000));
+    }
+    pollfd p{fd, POLLIN, 0};
+    const int ready = ::poll(&p, 1, wait);
+    if (ctrl_c != 0) return Got::interrupted;
+    if (ready <= 0) continue;
+    const ssize_t got = ::recv(fd, data, n, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return Got::closed;
+    data += got;
+    n -= static_cast<std::size_t>(got);
+  }
+  return Got::message;
+}
+
+Got receive_message(int fd, char& kind, std::string& text, const Clock::time_point* deadline) {
+  char head[9];
+  if (const Got g = receive_all(fd, head, sizeof head, deadline); g != Got::message) return g;
+  kind = head[0];
+  std::uint64_t n = 0;
+  std::memcpy(&n, head + 1, sizeof n);
+  text.resize(n);
+  return receive_all(fd, text.data(), n, deadline);
+}
+
+} // namespace
+
+void catch_interrupts() {
+  struct sigaction action = {};
+  action.sa_handler = [](int) { ctrl_c = 1; };
+  ::sigaction(SIGINT, &action, nullptr); // no SA_RESTART: poll must return
+}
+
+void Worker::start() {
+  int ends[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    throw InternalError("no channel to the worker process: " + std::string(std::strerror(errno)));
+  pid_ = ::fork();
+  if (pid_ < 0) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    throw InternalError("no worker process: " + std::string(std::strerror(errno)));
+  }
+  if (pid_ == 0) {
+    ::close(ends[0]);
+    child(ends[1]);
+  }
+  ::close(ends[1]);
+  channel_ = ends[0];
+}
+
+void Worker::child(int channel) const {
+  prepare_child(limits_);
+  char kind = 0;
+  std::string job;
+  while (receive_message(channel, kind, job, nullptr) == Got::message) {
+    const std::string answer = serve_(job, [channel](std::string_view early) {
+      if (!send_message(channel, kind_early, early)) _exit(0);
+    });
+    if (!send_message(channel, kind_final, answer)) break;
+  }
+  _exit(0);
+}
+
+void Worker::stop() {
+  if (pid_ < 0) return;
+  ::close(channel_);
+  ::kill(pid_, SIGKILL);
+  ::waitpid(pid_, nullptr, 0);
+  pid_ = -1;
+  channel_ = -1;
+}
+
+Reply Worker::ask(std::string_view job) {
+  if (pid_ < 0) start();
+  if (!send_message(channel_, kind_job, job)) {
+    if (ctrl_c != 0) return Reply(Reply::End::interrupted);
+    stop(); // it died between two jobs
+    start();
+    if (!send_message(channel_, kind_job, job)) return ended();
+  }
+  return wait_for_answer();
+}
+
+Reply Worker::wait_for_answer() {
+  // The job watches its own clock; this one is for library calls that cannot be interrupted.
+  const double patience = limits_.seconds + 0.25 + limits_.seconds / 20;
+  const Clock::time_point deadline =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                         std::chrono::duration<double>(std::min(patience, 1e9)));
+  Reply reply;
+  for (;;) {
+    char kind = 0;
+    std::string text;
+    switch (receive_message(channel_, kind, text, limits_.seconds > 0 ? &deadline : nullptr)) {
+    case Got::message:
+      if (kind == kind_early) {
+        reply.early = std::move(text);
+        continue;
+      }
+      reply.answer = std::move(text);
+      return reply;
+    case Got::closed: {
+      Reply end = ended();
+      end.early = std::move(reply.early);
+      return end;
+    }
+    case Got::late:
+      stop();
+      reply.end = Reply::End::timeout;
+      return reply;
+    case Got::interrupted:
+      stop();
+      reply.end = Reply::End::interrupted;
+      return reply;
+    }
+  }
+}
+
+// The child is gone: why?
+Reply Worker::ended() {
+  int status = 0;
+  ::waitpid(pid_, &status, 0);
+  ::close(channel_);
+  pid_ = -1;
+  channel_ = -1;
+  Reply reply(Reply::End::crashed);
+  if (ctrl_c != 0 || (WIFSIGNALED(status) && WTERMSIG(status) == SIGINT))
+    reply.end = Reply::End::interrupted;
+  else if (WIFEXITED(status) && WEXITSTATUS(status) == exit_out_of_memory)
+    reply.end = Reply::End::out_of_memory;
+  else if (WIFEXITED(status) && WEXITSTATUS(status) == exit_library_abort)
+    reply.detail = "a library gave up (flint_abort)";
+  else if (WIFSIGNALED(status))
+    reply.detail =
+        "signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
+  else
+    reply.detail = "exit status " + std::to_string(WEXITSTATUS(status));
+  return reply;
+}
+
+} // namespace kov::cli

@@ -1,0 +1,61 @@
+#pragma once
+// The work is done in a child process, so that a time limit holds inside any library call, the
+// memory has a ceiling, and a crash costs one answer and not the run.
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <sys/types.h>
+
+namespace kov::cli {
+
+struct ProcessLimits {
+  double seconds = 0;               ///< per job; 0 = none
+  std::size_t megabytes = 4 * 1024; ///< address space of the child; 0 = none
+};
+
+/// How a job ended.
+struct Reply {
+  enum class End : std::uint8_t { answered, timeout, out_of_memory, crashed, interrupted };
+  Reply() = default;
+  explicit Reply(End how) : end(how) {}
+
+  End end = End::answered;
+  std::string answer; ///< answered only
+  std::string early;  ///< the last early message, however the job ended
+  std::string detail; ///< of a crash: "signal 11 (Segmentation fault)"
+};
+
+/// A child process that answers jobs one after the other, and is replaced when it dies.
+class Worker {
+public:
+  using Early = std::function<void(std::string_view)>;
+  /// Runs in the child.  What it passes to Early arrives even if the job is ended from outside.
+  using Serve = std::function<std::string(std::string_view job, const Early& early)>;
+
+  Worker(Serve serve, ProcessLimits limits) : serve_(std::move(serve)), limits_(limits) {}
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+  ~Worker() { stop(); }
+
+  /// Cost  one fork for the first job and after each death; then two small messages per job.
+  [[nodiscard]] Reply ask(std::string_view job);
+
+private:
+  void start();
+  void stop();
+  [[noreturn]] void child(int channel) const;
+  Reply wait_for_answer();
+  Reply ended();
+
+  Serve serve_;
+  ProcessLimits limits_;
+  pid_t pid_ = -1;
+  int channel_ = -1;
+};
+
+/// Makes Ctrl-C end the current job (Reply::End::interrupted) instead of the program.
+void catch_interrupts();
+
+} // namespace kov::cli

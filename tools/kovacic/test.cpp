@@ -1,0 +1,88 @@
+// kovacic test [DIR|FILE]...: every [[expect]] block is one test, in TAP (Test Anything Protocol).
+
+#include "case_file.hpp"
+#include "commands.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace kov::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> case_files(const std::vector<std::string>& paths) {
+  std::vector<std::string> files;
+  for (const std::string& path : paths) {
+    if (!fs::exists(path)) throw InputError(path, 0, 0, 1, "there is no such file or directory");
+    if (!fs::is_directory(path)) {
+      files.push_back(path);
+      continue;
+    }
+    std::vector<std::string> found;
+    for (const auto& entry : fs::recursive_directory_iterator(path))
+      if (entry.is_regular_file() && entry.path().extension() == ".toml")
+        found.push_back(entry.path().string());
+    std::sort(found.begin(), found.end());
+    files.insert(files.end(), found.begin(), found.end());
+  }
+  return files;
+}
+
+struct Tally {
+  int number = 0;
+  int failed = 0;
+  int exit = exit_decided;
+};
+
+void line(const Settings& settings, Tally& tally, bool ok, const std::string& name,
+          const std::string& diagnosis = {}) {
+  ++tally.number;
+  if (!ok) ++tally.failed;
+  if (ok && settings.quiet) return;
+  std::printf("%s %d - %s\n", ok ? "ok" : "not ok", tally.number, name.c_str());
+  std::size_t begin = 0;
+  while (begin < diagnosis.size()) {
+    const std::size_t end = std::min(diagnosis.find('\n', begin), diagnosis.size());
+    std::printf("# %s\n", diagnosis.substr(begin, end - begin).c_str());
+    begin = end + 1;
+  }
+  std::fflush(stdout);
+}
+
+void run(const Settings& settings, const std::string& file, Tally& tally) {
+  try {
+    const CaseReport report = check_case(settings, file);
+    for (const Expected& e : report.expected)
+      line(settings, tally, e.met, file + ": " + e.name, e.met ? "" : "found " + e.found);
+    if (report.expected.empty()) line(settings, tally, true, file + ": # SKIP nothing is expected");
+    if (report.exit >= exit_internal) tally.exit = report.exit;
+  } catch (const InputError& e) {
+    line(settings, tally, false, file + ": readable", render(e));
+    tally.exit = std::max<int>(tally.exit, exit_input);
+  }
+}
+
+} // namespace
+
+int test(const Settings& settings, const std::vector<std::string>& paths) {
+  Tally tally;
+  try {
+    Settings quiet = settings;
+    quiet.format = "text";
+    std::printf("TAP version 13\n");
+    for (const std::string& file :
+         case_files(paths.empty() ? std::vector<std::string>{"cases"} : paths)) {
+      run(quiet, file, tally);
+      if (tally.exit == exit_interrupted) return exit_interrupted;
+    }
+  } catch (const InputError& e) {
+    return report(settings, e);
+  }
+  std::printf("1..%d\n# %d of %d expectations met\n", tally.number, tally.number - tally.failed,
+              tally.number);
+  if (tally.exit >= exit_input) return tally.exit;
+  return tally.failed > 0 ? exit_no : exit_decided;
+}
+
+} // namespace kov::cli

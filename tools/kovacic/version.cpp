@@ -1,0 +1,21 @@
+// kovacic --version: ours, and the libraries that the answer depends on.
+
+#include "commands.hpp"
+#include "exact/algebraic_c.h"
+#include "exact/flint.hpp"
+
+#include <cstdio>
+#include <mpfr.h>
+
+namespace kov::cli {
+
+int version() {
+  std::printf("kovacic %s\n"
+              "FLINT %s, Arb %s, Antic %s, Calcium %s, GMP %s, MPFR %s\n"
+              "License GPL-3.0-or-later\n",
+              KOV_VERSION, FLINT_VERSION, arb_version, ANTIC_VERSION, kov_calcium_version(),
+              gmp_version, mpfr_get_version());
+  return exit_decided;
+}
+
+} // namespace kov::cli
