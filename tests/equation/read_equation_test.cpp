@@ -291,9 +291,9 @@ TEST(EquationFile, EveryMistakeHasAName) {
       {head + std::string("a = \"\xFF\"\n"), "not TOML"},
       {head + std::string("\0", 1), "not TOML"},
       // toml++ 3.3 reaches unreachable code in these
-      {head + "[[form\xC2\xB7(z-1)]]\n", "a character beyond ASCII outside of strings"},
-      {head + "a = \"\"\"b \\\n \xC2\xB7\"\"\"\n", "a character beyond ASCII outside of strings"},
-      {head + "\xC2\xB7 = 1\n", "a character beyond ASCII outside of strings"},
+      {head + "[[form\xC2\xB7(z-1)]]\n", "not TOML"},
+      {head + "a = \"\"\"b \\\n \xC2\xB7\"\"\"\n", "unknown key 'a'"},
+      {head + "\xC2\xB7 = 1\n", "not TOML"},
       {head + "# \xC2\xB7\ncte = \"\xC2\xB7\"\n", "unknown key 'cte'"},
   };
   for (const auto& [text, says] : table)
