@@ -42,7 +42,9 @@ struct LocalPlace {
 };
 
 struct Local {
+  PrimeIdeal prime; ///< prod q stays squarefree and coprime to num
   std::vector<LocalPlace> places;
+  std::optional<Poly> infinity_eps2;
   std::optional<LogWitness> infinity_log;
   std::optional<Poly> infinity_annihilator;
 };
@@ -57,7 +59,8 @@ struct InvariantFactor {
   Rational e;
 };
 
-struct Invariant { ///< v = p prod q^e solves Sym^m
+struct Invariant {  ///< v = p prod q^e solves Sym^m
+  PrimeIdeal prime; ///< prod q stays squarefree
   long m = 0;
   Poly p = Poly(1);
   std::vector<InvariantFactor> factors;
@@ -76,6 +79,7 @@ struct BySeries {
   PrimeIdeal prime;
   mp_limb_t root = 0;
   mp_limb_t delta = 0;
+  long terms = 0;
   std::vector<ApproximantLine> lines;
 };
 struct NoExponential {
@@ -114,6 +118,7 @@ struct Jacobian { ///< M E is principal modulo p
   PrimeIdeal prime;
   mp_limb_t w = 0;
   Integer multiple;
+  std::optional<mp_limb_t> branch; ///< a root of F0 modulo p, when deg F0 is even
 };
 
 struct Conclude {
@@ -144,8 +149,9 @@ struct Certificate {
 [[nodiscard]] std::string rule_name(const Rule& rule);
 
 /// Throws InvalidArgument (one sentence, with the path of the offending entry) on anything that is
-/// not a certificate of this format; sizes are limited, see reader.cpp.
-[[nodiscard]] Certificate read_certificate(std::string_view json);
+/// not a certificate of this format.  Counts too large for a long are clamped: the judge refuses
+/// them.
+[[nodiscard]] Certificate read_certificate(std::string_view text);
 [[nodiscard]] std::string write_certificate(const Certificate& c);
 
 } // namespace kov::certify

@@ -24,7 +24,7 @@ std::optional<Outcome> from_second_power(const Singularities& s, const Budget& b
   if (found.empty()) return std::nullopt;
   KOV_ENSURE(found.size() == 1 || found.size() == 3);
   const RationalFunction v = rational_value(s, found.front());
-  const NfElem w_squared = wronskian_squared(v, s.r);
+  const NfElem w_squared = squared_wronskian(v, s.r);
   if (is_zero(w_squared)) { // v = y^2
     KOV_ENSURE(found.size() == 1);
     const RationalFunction omega = derivative(v) / (RationalFunction(2) * v);
@@ -53,7 +53,7 @@ bool may_be_scalar(const Singularities& s) {
 
 // Constant for a solution v of the second symmetric power, because its derivative is
 // -2 v (v''' - 4 r v' - 2 r' v); so the value at one point is enough.
-NfElem wronskian_squared(const RationalFunction& v, const RationalFunction& r) {
+NfElem squared_wronskian(const RationalFunction& v, const RationalFunction& r) {
   NfElem at(0);
   while (is_zero(evaluate(v.den(), at)) || is_zero(evaluate(r.den(), at)))
     at += NfElem(1);

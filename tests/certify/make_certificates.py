@@ -667,10 +667,17 @@ def sym(poly):
     return sp.Poly([sp.Rational(int(poly.coeff(i).c[0]) if poly.coeff(i).c else 0, poly.coeff(i).q) for i in range(poly.deg(), -1, -1)] or [0], z, domain="QQ")
 
 
+def square_of_w(v):
+    w2 = v.w2[0].rational() / v.w2[1].rational()
+    for c, k in v.w2[2]:
+        w2 *= c.rational()**k
+    return sp.Rational(w2.numerator, w2.denominator)
+
+
 def finite_dihedral(E, local, inv, v, n, P, exps):
     A, B = (sym(x) for x in v.fraction())
     f0 = sym(v.branch)
-    w2 = sp.Rational(int(v.w2[0].rational().numerator), int(v.w2[0].rational().denominator)) / sp.Rational(int(v.w2[1].rational().numerator), int(v.w2[1].rational().denominator))
+    w2 = square_of_w(v)
     C = sp.Poly(1, z, domain="QQ")
     if sym(v.p).degree() > 0:
         C = C * sym(v.p)**n
@@ -718,10 +725,12 @@ def power_witness(E, l, f0, a, b, den, v):
             continue
         try:
             fa, fb, fd, ff = (E.checker.mod(E.vpoly(x), p, aa) for x in (a, b, den, f0))
-            top, bottom = (V.meval(E.checker.mod(x, p, aa), 0, p) for x in v.w2)
+            r = square_of_w(v)
+            if r.q % p == 0:
+                continue
         except V.Rejected:
             continue
-        w2 = top * pow(bottom, -1, p) % p
+        w2 = int(r.p) * pow(int(r.q), -1, p) % p
         if not w2 or pow(w2, (p - 1) // 2, p) != 1 or V.is_square(ff, p):
             continue
         w = int(sp.sqrt_mod(w2, p))
@@ -769,10 +778,10 @@ def jacobian_step(E, facts, v, avoid):
         if q == avoid:
             continue
         try:
-            top, bottom = (V.meval(E.checker.mod(x, q, a), 0, q) for x in v.w2)
-            if not top or not bottom:
+            r = square_of_w(v)
+            if r.q % q == 0 or r.p % q == 0:
                 continue
-            w2 = top * pow(bottom, -1, q) % q
+            w2 = int(r.p) * pow(int(r.q), -1, q) % q
             if pow(w2, (q - 1) // 2, q) != 1:
                 continue
             w = int(sp.sqrt_mod(w2, q))

@@ -135,7 +135,8 @@ struct CommandLine {
     shared_flags(*test, true);
 
     CLI::App* verify = app.add_subcommand("verify", "check a certificate independently");
-    verify->add_option("CERT", files, "a certificate")->required()->type_name("");
+    verify->add_option("CERT", files, "a certificate; - is stdin")->required()->type_name("");
+    verify->add_flag("--strict", settings.strict, "refuse steps that are taken on trust");
     shared_flags(*verify, false);
 
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");

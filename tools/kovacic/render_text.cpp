@@ -151,7 +151,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
     out << wrapped("y'' = " + right_side(shortened(result.at("r").get<std::string>())), 0) << '\n';
   if (result.contains("constants"))
     for (const auto& [name, meaning] : result.at("constants").items())
-      if (name != "I" && !name.starts_with("sqrt("))
+      if (name != "I" && name.find('(') == std::string::npos) // the others say it themselves
         put(out, "where", name + " = " + meaning.get<std::string>());
   const bool open = result.at("case").is_null();
   out << "  " << paint(open ? "1;33" : "1;32", with_variable(headline(result), variable)) << '\n';

@@ -40,6 +40,7 @@ struct Settings {
   bool quiet = false;
   int verbose = 0;
   bool exit_verdict = false;
+  bool strict = false; ///< verify: refuse trusted steps
 
   [[nodiscard]] Options solver_options() const;
   [[nodiscard]] ProcessLimits process_limits() const { return {timeout, memory}; }

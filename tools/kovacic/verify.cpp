@@ -1,12 +1,108 @@
-// kovacic verify CERT: the independent checker is a program of its own.
+// kovacic verify CERT...: the judge of lib/certify, which shares no code with the solver.
+// Exit 0: all accepted; 1: one was rejected; 2: one is not a certificate.
 
 #include "commands.hpp"
 
-namespace kov::cli {
+#include "certify/check.hpp"
+#include "exact/error.hpp"
 
-int verify(const Settings& settings, const std::vector<std::string>&) {
-  complain(settings, "the certificate checker is not connected yet");
-  return exit_undecided;
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+namespace kov::cli {
+namespace {
+
+using Report = nlohmann::ordered_json;
+
+std::string read_text(const std::string& path) {
+  std::ostringstream text;
+  if (path == "-") {
+    text << std::cin.rdbuf();
+    return text.str();
+  }
+  const std::ifstream in(path, std::ios::binary);
+  if (!in) throw InvalidArgument("the file cannot be read");
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::string trust(std::size_t steps) {
+  return std::to_string(steps) + (steps == 1 ? " trusted step" : " trusted steps");
+}
+
+// The outcome of one file: "accepted", "rejected" or "malformed", with its reason.
+Report judge(const std::string& path, bool strict) {
+  Report r{{"file", path}};
+  try {
+    const certify::Certificate c = certify::read_certificate(read_text(path));
+    const auto verdict = certify::check(c);
+    if (const auto* no = std::get_if<certify::Rejected>(&verdict)) {
+      r["verdict"] = "rejected";
+      r["step"] = no->step;
+      r["reason"] = no->why;
+      return r;
+    }
+    const std::size_t trusted = std::get<certify::Accepted>(verdict).trusted_steps;
+    r["verdict"] = strict && trusted ? "rejected" : "accepted";
+    r["steps"] = c.steps.size();
+    r["trusted_steps"] = trusted;
+    if (strict && trusted) r["reason"] = trust(trusted) + ", refused by --strict";
+    Report claim = Report::parse(certify::write_certificate(c))["claim"];
+    r["claim"] = std::move(claim);
+  } catch (const Error& e) {
+    r["verdict"] = "malformed";
+    r["reason"] = e.what();
+  }
+  return r;
+}
+
+std::string claim_text(const Report& claim) {
+  std::string s;
+  const auto add = [&](const std::string& part) { s += (s.empty() ? "" : ", ") + part; };
+  if (!claim["group"].is_null()) {
+    const std::string n = claim["n"].is_null() ? "" : "_" + claim["n"].get<std::string>();
+    add("G = " + claim["group"].get<std::string>() + n);
+  }
+  if (!claim["component"].is_null())
+    add("identity component " + claim["component"].get<std::string>());
+  if (!claim["abelian"].is_null())
+    add(std::string("identity component ") + (claim["abelian"].get<bool>() ? "" : "not ") +
+        "abelian");
+  return s;
+}
+
+std::string text(const Report& r) {
+  std::string s = r["file"].get<std::string>() + ": " + r["verdict"].get<std::string>();
+  if (r.contains("claim"))
+    s += " (" + claim_text(r["claim"]) + "; " + std::to_string(r["steps"].get<std::size_t>()) +
+         " steps, " + trust(r["trusted_steps"].get<std::size_t>()) + ")";
+  if (r.contains("step") && !r["step"].get<std::string>().empty())
+    s += ": step '" + r["step"].get<std::string>() + "'";
+  if (r.contains("reason")) s += ": " + r["reason"].get<std::string>();
+  return s + "\n";
+}
+
+} // namespace
+
+int verify(const Settings& settings, const std::vector<std::string>& files) {
+  std::string out;
+  int code = exit_decided;
+  for (const std::string& f : files) {
+    const Report r = judge(f, settings.strict);
+    const bool accepted = r["verdict"] == "accepted";
+    code = std::max<int>(code, accepted                     ? exit_decided
+                               : r["verdict"] == "rejected" ? exit_no
+                                                            : exit_input);
+    out += settings.format == "json"
+               ? r.dump(-1, ' ', false, Report::error_handler_t::replace) + "\n"
+               : text(r);
+  }
+  if (!settings.quiet) write_output(settings, out);
+  return code;
 }
 
 } // namespace kov::cli

@@ -1,0 +1,39 @@
+#pragma once
+// One checking function for each rule of docs/theory/certificates.md.  Each refuses (throws
+// Refused) or returns what the step establishes; none searches.
+
+#include "certify/modular_equation.hpp"
+
+namespace kov::certify {
+
+struct Judge {
+  Field field;
+  Equation equation;
+
+  [[nodiscard]] Reduced reduced(const PrimeIdeal& p) const { return reduce(equation, field, p); }
+};
+
+[[nodiscard]] LocalFact check_local(const Judge& j, const Local& data);
+[[nodiscard]] ExponentialFact check_exponential(const Judge& j, const Exponential& data);
+[[nodiscard]] InvariantFact check_invariant(const Judge& j, const Invariant& data);
+[[nodiscard]] IrreducibleFact check_no_exponential(const Judge& j, const NoExponential& data,
+                                                   const LocalFact& local);
+/// local: needed for "sl2" only, else null.
+[[nodiscard]] PCurvatureFact check_p_curvature(const Judge& j, const PCurvature& data,
+                                               const LocalFact* local);
+[[nodiscard]] AbsentFact check_no_invariant(const Judge& j, const NoInvariant& data,
+                                            const LocalFact& local);
+/// v: m = 2 with a half-integer exponent and w^2 != 0.  local may be null.
+[[nodiscard]] TorsionFact check_torsion_function(const Judge& j, const TorsionFunction& data,
+                                                 const InvariantFact& v, const LocalFact* local);
+[[nodiscard]] JacobianFact check_jacobian(const Judge& j, const Jacobian& data,
+                                          const LocalFact& local, const InvariantFact& v);
+/// From a theorem of the fixed table and the facts that it needs.
+[[nodiscard]] Conclusion conclude(const std::string& theorem, const Premises& premises);
+
+/// m = 2 and w^2 != 0: two exponential solutions exp(int (v' +- w)/(2v)).
+[[nodiscard]] inline bool is_quadratic(const InvariantFact& v) {
+  return v.data.m == 2 && !is_zero(v.top);
+}
+
+} // namespace kov::certify

@@ -1,0 +1,47 @@
+#include "certify/check.hpp"
+
+#include "exact/error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace kov::certify {
+namespace {
+
+std::string read_file(const std::filesystem::path& p) {
+  std::ifstream in(p);
+  std::ostringstream s;
+  s << in.rdbuf();
+  return s.str();
+}
+
+std::vector<std::filesystem::path> corpus() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& e : std::filesystem::directory_iterator(KOV_SOURCE_DIR "/tests/certify/data"))
+    if (e.path().extension() == ".json") files.push_back(e.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TEST(Corpus, EveryCertificateIsAccepted) {
+  ASSERT_GT(corpus().size(), 10U);
+  for (const auto& file : corpus()) {
+    const Certificate c = read_certificate(read_file(file));
+    const auto verdict = check(c);
+    const auto* r = std::get_if<Rejected>(&verdict);
+    EXPECT_EQ(r, nullptr) << file << ": step " << (r ? r->step + ": " + r->why : "");
+  }
+}
+
+TEST(Corpus, WritingAndReadingIsTheIdentity) {
+  for (const auto& file : corpus()) {
+    const std::string text = write_certificate(read_certificate(read_file(file)));
+    EXPECT_EQ(text, write_certificate(read_certificate(text))) << file;
+  }
+}
+
+} // namespace
+} // namespace kov::certify

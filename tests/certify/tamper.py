@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""Changes every field of every test certificate, one at a time, and writes the results as JSON lines.
+
+usage: tamper.py DIR OUT.jsonl [MAX_PER_FILE]     each line: {"file", "path", "kind", "text"} (text = the changed certificate)
+       tamper.py --judge IN.jsonl OUT             verdicts of the Python checker, one letter per line: a r m
+"""
+import copy
+import glob
+import json
+import os
+import re
+import sys
+
+NUMBER = re.compile(r"-?[0-9]+(/[0-9]+)?\Z")
+THEOREMS = ["sl2-p-curvature", "sl2-irreducible-log", "sl2-irreducible-infinite", "sl2-irreducible-12", "borel", "additive", "diagonal",
+            "dihedral-genus-0", "dihedral-infinite", "dihedral-finite", "dihedral-torsion", "quaternion", "tetrahedral", "octahedral",
+            "icosahedral", "invariant-abelian", "torus-nonabelian"]
+RULES = ["local", "exponential", "invariant", "no-exponential", "p-curvature", "no-invariant", "torsion-function", "jacobian", "conclude"]
+WORDS = {"group": ["SL2", "Borel", "T", "Gm", "cyclic", "Dinf", "D", "A4", "S4", "A5"], "component": ["trivial", "Ga", "Gm", "Borel", "SL2"],
+         "theorem": THEOREMS, "rule": RULES, "by": ["parity", "degree", "series"], "shows": ["nonzero", "irreducible", "sl2"],
+         "place": ["0", "1", "2", "infinity"]}
+
+
+def numbers(s):
+    n, _, d = s.partition("/")
+    yield str(int(n) + 1) + ("/" + d if d else "")
+    yield str(int(n) - 1) + ("/" + d if d else "")
+    yield str(-int(n)) + ("/" + d if d else "") if int(n) else "2"
+    yield s + "0"
+    if d:
+        yield n + "/" + str(int(d) + 1)
+        yield n
+
+
+def mutations(node, path, key):
+    """(path, kind, function that changes the parent in place)"""
+    if isinstance(node, dict):
+        for k in list(node):
+            yield path + (k,), "drop", None
+            yield from mutations(node[k], path + (k,), k)
+    elif isinstance(node, list):
+        for i, v in enumerate(node):
+            yield path + (i,), "drop", None
+            if i + 1 < len(node) and node[i + 1] != v:
+                yield path + (i,), "swap", None
+            yield path + (i,), "double", None
+            yield from mutations(v, path + (i,), key)
+        yield path, "empty", []
+    elif isinstance(node, bool):
+        yield path, "flip", not node
+        yield path, "null", None
+    elif node is None:
+        for v in ("1", "2", "SL2", True, False):
+            yield path, "set", v
+    else:
+        for w in WORDS.get(key, []):
+            if w != node:
+                yield path, "word", w
+        if key in ("group", "n", "component"):
+            yield path, "null", None
+        if NUMBER.match(node):
+            for v in numbers(node):
+                if v != node:
+                    yield path, "number", v
+        yield path, "text", node + "x"
+        yield path, "text", ""
+
+
+def apply(top, path, kind, value):
+    top = copy.deepcopy(top)
+    parent = top
+    for k in path[:-1]:
+        parent = parent[k]
+    k = path[-1]
+    if kind == "drop":
+        del parent[k]
+    elif kind == "swap":
+        parent[k], parent[k + 1] = parent[k + 1], parent[k]
+    elif kind == "double":
+        parent.insert(k, parent[k])
+    else:
+        parent[k] = value
+    return top
+
+
+def write(directory, out, most=10**9):
+    total = 0
+    with open(out, "w") as f:
+        for name in sorted(glob.glob(os.path.join(directory, "*.json"))):
+            top = json.load(open(name))
+            todo = list(mutations(top, (), ""))
+            step = max(1, len(todo) // most)
+            for path, kind, value in todo[::step]:
+                f.write(json.dumps({"file": os.path.basename(name), "path": "/".join(map(str, path)), "kind": kind,
+                                    "text": json.dumps(apply(top, path, kind, value))}) + "\n")
+                total += 1
+    print(total, "changed certificates")
+
+
+def judge(source, out):
+    sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../tools/verify"))
+    import kovacic_verify as V
+    with open(out, "w") as f:
+        for line in open(source):
+            try:
+                V.verify(json.loads(line)["text"])
+                f.write("a\n")
+            except V.Rejected:
+                f.write("r\n")
+            except V.Malformed:
+                f.write("m\n")
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "--judge":
+        judge(sys.argv[2], sys.argv[3])
+    else:
+        write(sys.argv[1], sys.argv[2], *map(int, sys.argv[3:]))
