@@ -9,7 +9,7 @@
 //   no obstruction   all blocks of the normal part have abelian ones: nothing follows,
 //   undecided        anything else, with the reason.
 //
-// Source  [MoralesRuizRamis2001] Theorem 7 (Hamiltonian systems, also on symplectic leaves of a
+// Source  [MoralesRamis2001] Theorem 7 (Hamiltonian systems, also on symplectic leaves of a
 // Poisson
 //         manifold); [AyoulZung2010] (general vector fields)
 

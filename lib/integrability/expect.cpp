@@ -42,9 +42,12 @@ std::string compare(const SystemExpectation& x, const ManifoldReport& m) {
     if (block->decision) {
       const Decision& d = *block->decision;
       differs("group", x.group, d.group ? group_name(*d.group) : "undetermined");
+      if (x.kovacic_case)
+        differs("case", std::to_string(*x.kovacic_case),
+                d.kovacic_case ? std::to_string(*d.kovacic_case) : "undetermined");
       differs("identity component", x.identity_component,
               d.component ? to_string(*d.component) : "undetermined");
-    } else if (!x.group.empty()) {
+    } else if (!x.group.empty() || x.kovacic_case) {
       wrong += "no group was determined; ";
     }
   }

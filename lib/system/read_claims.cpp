@@ -160,15 +160,20 @@ void read_reduction(const Entry& e, const SystemScope& scope, System& s) {
     r.change = evaluate(text.operand(1), scope);
     r.change_text = change->string();
   }
-  if (const Entry* normal = e.find("normal")) r.normal = normal->strings();
-  if (const Entry* unknown = e.find("variable")) {
-    const auto i = scope.ring()->find(unknown->string());
-    if (!i || std::find(scope.coordinates.begin(), scope.coordinates.end(), unknown->string()) ==
+  const auto coordinate = [&](const Entry& entry) {
+    const auto i = scope.ring()->find(entry.string());
+    if (!i || std::find(scope.coordinates.begin(), scope.coordinates.end(), entry.string()) ==
                   scope.coordinates.end())
-      throw unknown->error("'" + unknown->string() + "' is not a coordinate",
-                           "coordinates: " + enumerate(scope.coordinates));
-    r.unknown = *i;
-  }
+      throw entry.error("'" + entry.string() + "' is not a coordinate",
+                        "coordinates: " + enumerate(scope.coordinates));
+    return *i;
+  };
+  if (const Entry* normal = e.find("normal"))
+    for (const Entry* one : normal->list()) {
+      if (!r.unknown) r.unknown = coordinate(*one);
+      r.normal.push_back(scope.ring()->name(coordinate(*one)));
+    }
+  if (const Entry* unknown = e.find("variable")) r.unknown = coordinate(*unknown);
   if (const Entry* energy = e.find("energy")) {
     r.energy = energy->string();
     if (r.energy != "auto") throw energy->error("energy can only be \"auto\"");
@@ -241,6 +246,15 @@ void read_expectations(const Entry& document, const SystemScope& scope, System& 
     text("identity_component", x.identity_component);
     text("abelian", x.abelian);
     text("source", x.source);
+    if (const Entry* number = e->find("case")) x.kovacic_case = number->integer();
+    if (const Entry* outcome = e->find("outcome")) {
+      const std::array outcomes{"exponential", "imprimitive", "algebraic", "no-liouvillian"};
+      const auto place = std::find(outcomes.begin(), outcomes.end(), outcome->string());
+      if (place == outcomes.end())
+        throw outcome->error("unknown outcome '" + outcome->string() + "'",
+                             "use exponential, imprimitive, algebraic or no-liouvillian");
+      x.kovacic_case = place - outcomes.begin() + 1;
+    }
     const std::array verdicts{"", "non-integrable", "no-obstruction", "undecided"};
     if (std::find(verdicts.begin(), verdicts.end(), x.verdict) == verdicts.end())
       throw e->at("verdict").error("unknown verdict '" + x.verdict + "'",

@@ -89,6 +89,7 @@ struct SystemExpectation {
   std::string group;              ///< as in the JSON, with the index: "SL2", "D_3", or empty
   std::string identity_component; ///< or empty
   std::string abelian;            ///< "yes", "no", or empty
+  std::optional<long> kovacic_case;
   std::optional<MFraction> p, q, r;
   std::string source;
   long line = 0;

@@ -194,6 +194,29 @@ TEST(Pipeline, AngularVariables) {
               HasSubstr("not algebraic on the curve"));
 }
 
+// q1 occurs as e = exp(q1): z = e gives exponent differences 0, 1/2, sqrt(1/4 + 2a).
+TEST(Pipeline, Exponentials) {
+  const std::string text = R"t([system]
+kind = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta = ["p1", "p2"]
+parameters = ["a"]
+hamiltonian = "(p1^2 + p2^2)/2 + e + a*e*q2^2/2"
+[[system.function]]
+name = "e"
+means = "exp(q1)"
+derivative = { q1 = "e" }
+[[manifold]]
+equations = ["q2 = 0", "p2 = 0"]
+level = "H = 1"
+[set]
+a = "1/2"
+)t";
+  const ManifoldReport m = run(text);
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << reasons(m);
+  ASSERT_TRUE(m.blocks.at(0).ode);
+}
+
 TEST(Pipeline, TheEnergyParameterNeedNotBeCalledH) {
   const ManifoldReport m = pendulum("2", "[reduce]\nchange = \"z = c\"\nenergy = \"auto\"");
   EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << reasons(m);

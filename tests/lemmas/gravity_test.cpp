@@ -109,7 +109,8 @@ TEST_F(SpecialEnergy, Coefficients) { // eq. (pqspec)
   EXPECT_TRUE(equal(q, f("-2*(z^2-1)*(C-h^2+1)/(C*(z^2+1)^2*((h-1)*z^2+h+1))")));
 }
 
-TEST_F(SpecialEnergy, ReachedFromTheFile) { // the same equation, with h^2 = 3 put in at the beginning
+TEST_F(SpecialEnergy,
+       ReachedFromTheFile) { // the same equation, with h^2 = 3 put in at the beginning
   CheckOptions options;
   options.stop_at_r = true;
   const CheckReport report =

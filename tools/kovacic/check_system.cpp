@@ -160,8 +160,10 @@ private:
       expect(title_of(c.claim) + (c.claim.holds ? ": proved" : ": refuted"),
              met ? "" : c.result.detail);
     }
-    if (report.system.manifolds.empty() && !report.claims.empty())
-      report_.text += report.system.file + "  " + report.system.title + "\n";
+    if (report.system.manifolds.empty())
+      report_.text +=
+          report.system.file + "  " + report.system.title +
+          "\n  note      no [[manifold]] in this file; kovacic find-manifolds proposes some\n";
   }
 
   void expect(const std::string& name, const std::string& found) {

@@ -115,12 +115,18 @@ Json json_of(const NormalVariationalEquation& e) {
 
 Json json_of(const System& s, const AlgebraicOde& ode) {
   Json parameters = Json::array();
+  Json constants = Json::array();
+  const auto& algebraic = s.field.constants;
   for (const std::size_t i : used_variables(ode.r))
-    if (i != ode.z) parameters.push_back(s.ring()->name(i));
+    if (i != ode.z)
+      (std::find(algebraic.begin(), algebraic.end(), i) == algebraic.end() ? parameters : constants)
+          .push_back(s.ring()->name(i));
   return Json{{"unknown", ode.unknown},
               {"change", ode.change},
               {"variable", s.ring()->name(ode.z)},
               {"parameters", parameters},
+              {"constants", constants},
+              {"relations", texts(s.field.relations)},
               {"z_dot_squared", text_or_null(ode.z_dot_squared)},
               {"z_ddot", text_or_null(ode.z_ddot)},
               {"p", text_or_null(ode.p)},
@@ -196,13 +202,19 @@ Json json_of_field(const System& s) {
   Json field;
   for (std::size_t j = 0; j < s.field.dimension(); ++j)
     field[s.field.name(j)] = to_string(s.field.components[j]);
+  Json coordinates = Json::array();
+  for (const std::size_t i : s.field.coordinates)
+    coordinates.push_back(s.ring()->name(i));
   Json parameters = Json::array();
   for (const std::size_t i : s.field.parameters)
     parameters.push_back(s.ring()->name(i));
   Json relations = Json::array();
   for (const auto& f : s.field.relations)
     relations.push_back(to_string(f));
-  Json j{{"parameters", parameters}, {"relations", relations}, {"field", field}};
+  Json j{{"coordinates", coordinates},
+         {"parameters", parameters},
+         {"relations", relations},
+         {"field", field}};
   if (s.field.hamiltonian) j["hamiltonian"] = to_string(*s.field.hamiltonian);
   return j;
 }

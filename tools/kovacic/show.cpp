@@ -79,6 +79,8 @@ Json stage_json(const std::string& stage, const System& s, const ManifoldReport&
     return one;
   }
   if (stage == "ve") {
+    one["coordinates"] = json_of_field(s).at("coordinates");
+    one["parameters"] = json_of_field(s).at("parameters");
     one["ve"] = json_of(m.variational);
     Json all = Json::array();
     for (const auto& block : m.variational_blocks) {
@@ -90,6 +92,8 @@ Json stage_json(const std::string& stage, const System& s, const ManifoldReport&
     one["blocks"] = all;
   }
   if (stage == "nve") {
+    one["coordinates"] = json_of_field(s).at("coordinates");
+    one["parameters"] = json_of_field(s).at("parameters");
     one["nve"] = json_of(m.normal.system);
     Json integrals = Json::array();
     for (const auto& i : m.normal.integrals) {
@@ -162,14 +166,19 @@ Report show_manifolds(const Settings& settings, const std::string& stage, const 
     for (const auto& b : m.blocks) {
       if (result.exit == exit_decided && asks_for_r && !b.ode && b.unknowns.size() > 1)
         result.exit = exit_undecided;
-      // The one equation of a file with one block stands at the top as well.
-      if (b.ode && asks_for_r && !result.json.contains("r")) result.json = json_of(s, *b.ode);
     }
   }
   if (report.manifolds.empty()) {
     out << s.file << "\n  no such manifold in this file (see kovacic find-manifolds)\n";
     result.exit = exit_input;
   }
+  // What there is one of stands at the top as well.
+  if (all.size() == 1) result.json.update(all[0]);
+  for (const Json& m : all)
+    if (asks_for_r && m.contains("blocks"))
+      for (const Json& b : m.at("blocks"))
+        if (b.contains("r") && !result.json.contains("r")) result.json.update(b);
+  result.json.erase("name");
   result.json["manifolds"] = all;
   result.text = out.str();
   return result;
