@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "exact/error.hpp"
+#include "section.hpp"
 #include "symbol/suggest.hpp"
 
 #include <CLI/CLI.hpp>
@@ -28,6 +29,7 @@ CLI::Validator silent(CLI::Validator check) { return check.description(""); }
 struct CommandLine {
   Settings settings;
   SolveArguments solve_arguments;
+  SectionArguments section_arguments;
   std::vector<std::string> files;
   std::string word;
 
@@ -108,6 +110,10 @@ struct CommandLine {
     verify->add_option("CERT", files, "a certificate")->required()->type_name("");
     shared_flags(*verify, false);
 
+    CLI::App* section = app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
+    declare_section(*section, section_arguments);
+    shared_flags(*section, false);
+
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
     make->add_option("KIND", word, "ode")->required()->type_name("");
     shared_flags(*make, false);
@@ -122,6 +128,7 @@ struct CommandLine {
     if (command == "check") return check(settings, files);
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
+    if (command == "section") return section(settings, section_arguments);
     if (command == "new") return make_new(settings, word);
     return explain(settings, word);
   }
