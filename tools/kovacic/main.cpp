@@ -2,6 +2,7 @@
 
 #include "commands.hpp"
 #include "exact/error.hpp"
+#include "section.hpp"
 #include "symbol/suggest.hpp"
 
 #include <CLI/CLI.hpp>
@@ -42,6 +43,7 @@ CLI::Validator number(double most, const std::string& what) {
 struct CommandLine {
   Settings settings;
   SolveArguments solve_arguments;
+  SectionArguments section_arguments;
   std::vector<std::string> files;
   std::string word;
   std::string stage = "r";
@@ -139,6 +141,10 @@ struct CommandLine {
     verify->add_flag("--strict", settings.strict, "refuse steps that are taken on trust");
     shared_flags(*verify, false);
 
+    CLI::App* section = app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
+    declare_section(*section, section_arguments);
+    shared_flags(*section, false);
+
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
     make->add_option("KIND", word, "ode")->required()->type_name("");
     shared_flags(*make, false);
@@ -155,6 +161,7 @@ struct CommandLine {
     if (command == "find-manifolds") return find_manifolds(settings, word);
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
+    if (command == "section") return section(settings, section_arguments);
     if (command == "new") return make_new(settings, word);
     return explain(settings, word);
   }

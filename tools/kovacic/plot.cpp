@@ -48,7 +48,7 @@ std::string gnuplot_quoted(const std::string& text) {
 }
 
 std::string gnuplot_terminal(const std::string& output_base, int width, int height) {
-  return fmt::format("if (!exists(\"format\")) format = \"png\"\n"
+  return fmt::format("set encoding utf8\nif (!exists(\"format\")) format = \"png\"\n"
                      "if (format eq \"png\") set terminal png size {0},{1} enhanced font \"sans,10\" "
                      "background \"#ffffff\"\n"
                      "if (format eq \"svg\") set terminal svg size {0},{1} enhanced font \"sans,12\" "
@@ -85,25 +85,35 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   std::string label;
   for (const std::string& line : plot.caption)
     label += (label.empty() ? "" : "\\n") + line;
-  fmt::print(out, "set label 1 \"{}\" at screen 0.5, screen 0.055 center noenhanced font \",8\"\n",
+  fmt::print(out, "set label 1 \"{}\" at screen 0.5, screen 0.06 center noenhanced font \",8\"\n",
              label);
   fmt::print(out, "set bmargin 6.5\n"
                   "set xrange [-pi/4:7*pi/4]\nset yrange [-1:1]\n"
-                  "set xtics (\"0\" 0, \"{{/Symbol p}}/2\" pi/2, \"{{/Symbol p}}\" pi, "
-                  "\"3{{/Symbol p}}/2\" 3*pi/2)\nset ytics 0.5\n"
+                  "set xtics (\"0\" 0, \"π/2\" pi/2, \"π\" pi, "
+                  "\"3π/2\" 3*pi/2)\nset ytics 0.5\n"
                   "set xlabel \"l\" offset 0,0.5\nset ylabel \"L/G\"\nunset key\n"
                   "wrap(l) = l >= 7*pi/4 ? l - 2*pi : l\n");
   const std::string points = "with points pt 7 ps (format eq \"png\" ? 0.15 : 0.08)";
-  const std::string data = gnuplot_quoted(name + ".dat");
-  if (plot.two_colours)
-    fmt::print(out,
-               "plot {0} using (column(\"sign\") > 0 ? wrap(column(\"l\")) : NaN):\"L/G\" {1} lc rgb "
-               "\"#c00000\", \\\n     {0} using (column(\"sign\") < 0 ? wrap(column(\"l\")) : "
-               "NaN):\"L/G\" {1} lc rgb \"#0030c0\"\n",
-               data, points);
-  else
-    fmt::print(out, "plot {} using (wrap(column(\"l\"))):\"L/G\" {} lc rgb \"#102040\"\n", data,
-               points);
+  std::vector<std::string> layers;
+  const auto layer = [&](const std::string& file, const std::string& abscissa, const std::string& style) {
+    layers.push_back(fmt::format("{} using ({}):\"L/G\" {}", gnuplot_quoted(file), abscissa, style));
+  };
+  const std::string data = name + ".dat", l = "wrap(column(\"l\"))";
+  if (plot.two_colours) {
+    layer(data, "column(\"sign\") > 0 ? " + l + " : NaN", points + " lc rgb \"#c00000\"");
+    layer(data, "column(\"sign\") < 0 ? " + l + " : NaN", points + " lc rgb \"#0030c0\"");
+  } else {
+    layer(data, l, points + " lc rgb \"#102040\"");
+  }
+  if (plot.fixed_points) {
+    const std::string marks = name + ".fixed.dat", kind = "strcol(\"kind\") eq \"elliptic\"";
+    layer(marks, kind + " ? " + l + " : NaN", "with points pt 6 ps 1 lw 2 lc rgb \"#007020\"");
+    layer(marks, kind + " ? NaN : " + l, "with points pt 2 ps 1 lw 2 lc rgb \"#c00000\"");
+  }
+  std::string all;
+  for (const std::string& one : layers)
+    all += (all.empty() ? "plot " : ", \\\n     ") + one;
+  fmt::print(out, "{}\n", all);
   out.close();
   if (!out) throw Error("cannot write " + base + ".gp");
   return run_gnuplot(base, formats);

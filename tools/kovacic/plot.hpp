@@ -9,7 +9,8 @@ namespace kov::cli {
 struct SectionPlot {
   std::string title;
   std::vector<std::string> caption;
-  bool two_colours = false; ///< by the column "sign"
+  bool two_colours = false;  ///< by the column "sign"
+  bool fixed_points = false; ///< mark those of BASE.fixed.dat
 };
 
 /// Writes BASE.gp for BASE.dat and draws BASE.png, ...; returns the pictures drawn (none without gnuplot).

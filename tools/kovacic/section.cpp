@@ -1,14 +1,15 @@
 #include "section.hpp"
 
+#include "flow/fixed_points.hpp"
 #include "flow/simulate.hpp"
 #include "interrupt.hpp"
 #include "plot.hpp"
-#include "symbol/input_error.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -85,6 +86,42 @@ void write_orbits(const fs::path& path, const flow::Section& r) {
   if (!out) throw Error("cannot write " + path.string());
 }
 
+void write_fixed_points(const fs::path& path, const flow::FixedPoints& found) {
+  std::ofstream out(path);
+  fmt::print(out, "# fixed points of the section map; error: proved distance from the exact point in l and in L/G "
+                  "(inf: not proved)\n");
+  fmt::print(out, "l L/G error kind trace trace_error multiplier_re multiplier_im G period\n");
+  for (const auto& f : found.points)
+    fmt::print(out, "{:.17g} {:.17g} {:.1e} {} {:.15g} {:.1e} {:.12g} {:.12g} {:.12g} {:.12g}\n", f.l, f.y,
+               f.proved ? f.error : INFINITY, to_string(f.stability), f.trace,
+               f.proved ? f.trace_error : INFINITY, f.multiplier[0], f.multiplier[1], f.g_size, f.period);
+  if (!out) throw Error("cannot write " + path.string());
+}
+
+void print_fixed_points(const flow::FixedPoints& found) {
+  const auto count = [&](flow::Stability s) {
+    return std::count_if(found.points.begin(), found.points.end(),
+                         [&](const auto& f) { return f.stability == s; });
+  };
+  if (found.degenerate) return fmt::print("  the section map is the identity on most of the section\n");
+  fmt::print("  fixed points of the section map: {} elliptic (stable), {} hyperbolic", count(flow::Stability::elliptic),
+             count(flow::Stability::hyperbolic));
+  if (const auto n = count(flow::Stability::inverse_hyperbolic)) fmt::print(", {} inverse hyperbolic", n);
+  if (const auto n = count(flow::Stability::parabolic)) fmt::print(", {} parabolic", n);
+  fmt::print("; sum of indices of the grid {}\n", found.index_sum);
+  if (found.curve_cells > 0) fmt::print("  and curves of fixed points ({} cells of the grid)\n", found.curve_cells);
+  for (const auto& f : found.points) {
+    const auto shown = [](double x) { return std::abs(x) < 5e-13 ? 0.0 : x; };
+    const std::string multipliers =
+        f.multiplier[1] == 0 ? fmt::format("{:.9f}, {:.9f}", f.multiplier[0], 1 / f.multiplier[0])
+                             : fmt::format("{:.9f} +- {:.9f} i", f.multiplier[0], f.multiplier[1]);
+    fmt::print("    l = {:.12f}  L/G = {:.12f}  period {:.9f}  {:18}  multipliers {}", shown(f.l), shown(f.y), f.period,
+               to_string(f.stability), multipliers);
+    fmt::print("  {}\n", f.proved ? fmt::format("proved: +-{:.0e}, trace +-{:.0e}", f.error, f.trace_error)
+                                  : "not proved: " + f.why);
+  }
+}
+
 // "  asymmetric_sliding  32 of 72 orbits, 3 s left" on a terminal, at most ten times a second.
 class Progress {
 public:
@@ -124,14 +161,14 @@ std::string complaint(const Scene& s, const flow::Section& r) {
   return {};
 }
 
-int one_scene(const std::string& file, const SectionOptions& o) {
+int one_scene(const std::string& file, const Settings& settings, const SectionArguments& o) {
   const Scene scene = flow::read_scene(file);
   const std::string name = file == "-" ? "section" : fs::path(file).stem().string();
   Interrupt interrupt;
   flow::Section result;
   const auto begun = std::chrono::steady_clock::now();
   {
-    Progress progress(name, !o.quiet);
+    Progress progress(name, !settings.quiet);
     flow::SimulateOptions options;
     options.threads = o.threads;
     options.lanes = o.lanes;
@@ -141,12 +178,13 @@ int one_scene(const std::string& file, const SectionOptions& o) {
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  fs::create_directories(o.directory);
-  const fs::path base = fs::path(o.directory) / name;
+  const fs::path directory = settings.output.empty() ? "." : settings.output;
+  fs::create_directories(directory);
+  const fs::path base = directory / name;
   write_data(base.string() + ".dat", scene, result);
   write_orbits(base.string() + ".orbits.dat", result);
   const std::string wrong = complaint(scene, result);
-  if (!o.quiet) {
+  if (!settings.quiet) {
     fmt::print("{}\n  {}\n", file, scene.title);
     for (const std::string& line : caption(scene, result))
       fmt::print("  {}\n", line);
@@ -155,46 +193,45 @@ int one_scene(const std::string& file, const SectionOptions& o) {
     fmt::print("  {:.2f} s; data {}.dat\n", seconds, base.string());
   }
   if (!wrong.empty()) {
-    fmt::print(stderr, "{}: {}\n", file, wrong);
-    return result.points.empty() ? 2 : 3;
+    complain(settings, file + ": " + wrong);
+    return result.points.empty() ? exit_input : exit_undecided;
   }
-  const SectionPlot plot{scene.title, caption(scene, result), scene.sign_of.has_value()};
+  if (o.fixed_points && !result.stopped) {
+    const flow::FixedPoints found = flow::fixed_points(scene);
+    write_fixed_points(base.string() + ".fixed.dat", found);
+    if (!settings.quiet) print_fixed_points(found);
+  }
+  const SectionPlot plot{scene.title, caption(scene, result), scene.sign_of.has_value(), o.fixed_points};
   for (const std::string& picture : draw_section(base.string(), plot, o.formats))
-    if (!o.quiet) fmt::print("  picture {}\n", picture);
-  return result.stopped ? 130 : 0;
+    if (!settings.quiet) fmt::print("  picture {}\n", picture);
+  return result.stopped ? exit_interrupted : exit_decided;
 }
 
 } // namespace
 
-int run_section(const SectionOptions& options) {
-  int code = 0;
-  for (const std::string& file : options.files) {
-    code = std::max(code, one_scene(file, options));
-    if (code == 130) break;
-  }
-  return code;
+void declare_section(CLI::App& command, SectionArguments& a) {
+  command.add_option("FILE", a.files, "scene files; - is standard input")->required()->type_name("");
+  command.add_option("--pictures", a.formats, "png,svg,pdf (the default) or none")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"png", "svg", "pdf", "none"}).description(""))
+      ->type_name("LIST");
+  command.add_option("-j", a.threads, "threads")
+      ->check(CLI::Range(1, 256).description(""))
+      ->type_name("N");
+  command.add_flag("--fixed-points", a.fixed_points, "find and prove the fixed points of the section map");
+  command
+      .add_option("--lanes", a.lanes, "orbits at a time in a thread: 1, 4, 8; the answer is the same")
+      ->check(CLI::IsMember({1, 4, 8}).description(""))
+      ->type_name("N");
 }
 
-int run_section(int argc, char** argv) {
-  CLI::App app("Poincare sections of a scene: data, gnuplot script and, if gnuplot is there, pictures");
-  app.name("kovacic section");
-  SectionOptions o;
-  app.add_option("FILE", o.files, "scene files (TOML, format scene/1); - is standard input")
-      ->required();
-  app.add_option("-o,--output", o.directory, "directory for NAME.dat, NAME.gp, NAME.png, ...");
-  app.add_option("--format", o.formats, "pictures to draw: png, svg, pdf")
-      ->delimiter(',')
-      ->check(CLI::IsMember({"png", "svg", "pdf", "none"}));
-  app.add_option("-j", o.threads, "threads")->check(CLI::Range(1, 256));
-  app.add_option("--lanes", o.lanes, "orbits at a time in one thread (the answer does not depend on it)")
-      ->check(CLI::IsMember({1, 4, 8}));
-  app.add_flag("-q,--quiet", o.quiet, "no summary, no progress");
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+int section(const Settings& settings, const SectionArguments& arguments) {
+  int code = exit_decided;
+  for (const std::string& file : arguments.files) {
+    code = std::max(code, one_scene(file, settings, arguments));
+    if (code == exit_interrupted) break;
   }
-  return run_section(o);
+  return code;
 }
 
 } // namespace kov::cli
