@@ -25,13 +25,16 @@ import tempfile
 
 
 def blocks(text):
-    """Comments and blocks in order: ('#', lines) or ('$', command, expected lines)."""
-    parts, current = [], None
-    for line in text.splitlines():
+    """Comments and blocks in order: ('#', lines) or ('$', command, expected lines).
+
+    A comment stands at the top or after an empty line; a # inside an answer belongs to the answer.
+    """
+    parts, current, before = [], None, ""
+    for line, before in zip(text.splitlines(), [""] + text.splitlines()):
         if line.startswith("$ "):
             current = ("$", line[2:], [])
             parts.append(current)
-        elif line.startswith("# ") or line == "#" or current is None:
+        elif current is None or ((line.startswith("# ") or line == "#") and before == ""):
             if not parts or parts[-1][0] != "#":
                 parts.append(("#", "", []))
             parts[-1][2].append(line)
