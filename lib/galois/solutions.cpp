@@ -1,6 +1,7 @@
 #include "galois/solutions.hpp"
 
 #include "exact/error.hpp"
+#include "kovacic/solve.hpp"
 #include "linode/polynomial_solution.hpp"
 
 #include <algorithm>
@@ -115,6 +116,24 @@ LiouvillianSolution algebraic(long m, const RationalFunction& u, const RationalF
   return s;
 }
 
+// Q8 has three quadratics; the classical case 2 finds one over K, or their product if K conjugates
+// them.
+LiouvillianSolution quaternion(const RationalFunction& r, const Budget& budget) {
+  const kovacic::Outcome outcome = kovacic::solve(r, budget);
+  LiouvillianSolution s;
+  if (const auto* one = std::get_if<kovacic::Imprimitive>(&outcome)) {
+    const RationalFunction half(Rational(1, 2));
+    s.minimal_polynomial = {derivative(one->phi) * half + one->phi * one->phi * half - r, -one->phi,
+                            RationalFunction(1)};
+  } else if (const auto* three = std::get_if<kovacic::ImprimitiveTriple>(&outcome)) {
+    s.minimal_polynomial = three->riccati;
+    s.note = "the product of three quadratics that are conjugate over the constants";
+  } else {
+    throw OutOfBudget("the quadratic of the quaternion group was not separated");
+  }
+  return s;
+}
+
 RationalFunction log_derivative(const InvariantSearch& search, const Classification& c) {
   const RationalFunction v = value(search.basis.front(), *c.local);
   return derivative(v) / v;
@@ -146,8 +165,7 @@ std::vector<LiouvillianSolution> solutions(const Classification& c, const Ration
   case GroupType::D: { // phi = F'/(2F)
     const InvariantSearch* quartic = of_degree(c, 4);
     KOV_ENSURE(quartic != nullptr);
-    // Q8: every member of the pencil of invariants whose Riccati polynomial is a square gives one
-    if (quartic->basis.size() > 1) return {algebraic(4, log_derivative(*quartic, c), r)};
+    if (quartic->basis.size() > 1) return {quaternion(r, budget)};
     return {algebraic(2, half * log_derivative(*quartic, c), r)};
   }
   case GroupType::A4:
