@@ -14,6 +14,10 @@ if(KOV_SANITIZE)
   add_link_options(-fsanitize=${KOV_SANITIZE})
 endif()
 
+if(KOV_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # Keeps the targets that exist: rooms may be named before they are furnished.
 function(kov_existing out)
   set(kept)

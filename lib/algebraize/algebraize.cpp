@@ -20,22 +20,80 @@ long finite_singularities(const MFraction& r, std::size_t z) {
 
 namespace {
 
-// What is left when p, q and r are not functions of z, in one sentence.
-std::string what_is_left(const FunctionField& f, const FunctionField::Element& r) {
-  const auto minimal = f.algebra().minimal_polynomial(r);
-  std::string text = "r is algebraic of degree " + std::to_string(minimal.size() - 1) +
-                     " over the rational functions of z: r = " + brief(f.lift(r));
-  if (minimal.size() == 3) {
-    const MFraction discriminant = minimal[1] * minimal[1] - Rational(4) * minimal[0];
-    text += "; it lies in the quadratic extension by a square root of " + brief(discriminant);
+// A polynomial in z and the parameters vanishes identically in z only where all its coefficients
+// do.
+std::vector<MPoly> conditions_on_parameters(const std::vector<MPoly>& inverted, std::size_t z) {
+  std::vector<MPoly> kept;
+  for (const auto& g : inverted) {
+    const auto c = coefficients(g, z);
+    if (std::none_of(c.begin(), c.end(),
+                     [](const MPoly& f) { return !is_zero(f) && is_constant(f); }))
+      kept.push_back(g);
   }
-  return text;
+  return kept;
+}
+
+// f = square^2 * core up to constants of K; returns {square, core} with core squarefree in z.
+std::pair<MFraction, MPoly> split_squares(const MFraction& f) {
+  const Ring& ring = f.ring();
+  MFraction square(ring, Rational(1));
+  MPoly core(ring, Integer(1));
+  const MPoly product = f.num() * f.den(); // f = product/den^2
+  const auto [content, factors] = factor(product);
+  if (const auto root = exact_sqrt(sign(content) < 0 ? -content : content)) {
+    square *= MFraction(ring, Rational(*root));
+    core = MPoly(ring, Integer(sign(content)));
+  } else {
+    core = MPoly(ring, content);
+  }
+  for (const auto& [base, exponent] : factors) {
+    square *= MFraction(pow(base, static_cast<unsigned long>(exponent / 2)));
+    if (exponent % 2 != 0) core *= base;
+  }
+  return {square / MFraction(f.den()), core};
+}
+
+// A parameter of the conic w^2 = core(z), if it has a point over K that is seen at once: core
+// linear in z; a root of core in K; a square as leading coefficient.
+std::optional<MFraction> parametrization(const MPoly& core, const MFraction& w,
+                                         const MFraction& phi, std::size_t z) {
+  const long d = degree(core, z);
+  if (d == 1) return w;
+  if (d != 2) return std::nullopt;
+  for (const auto& f : factor(core).second)
+    if (const auto c = coefficients(f.base, z); c.size() == 2)
+      return w / (phi + MFraction(c[0], c[1]));
+  const MPoly lead = coefficients(core, z)[2];
+  const auto [root, rest] = split_squares(MFraction(lead));
+  if (is_one(rest)) return w - root * phi;
+  return std::nullopt;
+}
+
+// What is left when r is not a function of z: in one sentence, and the way out if there is one.
+ChangeFailure what_is_left(const FunctionField& f, const FunctionField::Element& r, std::size_t z,
+                           const MFraction& phi) {
+  const auto minimal = f.algebra().minimal_polynomial(r);
+  ChangeFailure failure{"z = " + to_string(phi) + " does not rationalize the equation: r is " +
+                        "algebraic of degree " + std::to_string(minimal.size() - 1) +
+                        " over the rational functions of z: r = " + brief(f.lift(r))};
+  if (minimal.size() != 3) return failure;
+  // (2 r + c1)^2 = c1^2 - 4 c0
+  const MFraction discriminant = minimal[1] * minimal[1] - Rational(4) * minimal[0];
+  const auto [square, core] = split_squares(discriminant);
+  failure.message +=
+      "; it lies in the quadratic extension by w with w^2 = " + brief(MFraction(core));
+  const auto two_r =
+      scale(r, MFraction(core.ring(), Rational(2))) + f.algebra().constant(minimal[1]);
+  const MFraction w = substitute(f.lift(two_r) / square, {{z, phi}});
+  failure.better = parametrization(core, w, phi, z);
+  return failure;
 }
 
 } // namespace
 
-std::variant<AlgebraicOde, ChangeFailure>
-algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const ScalarEquation& e) {
+std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std::size_t z,
+                                                     const MFraction& phi,
+                                                     const NormalVariationalEquation& e) {
   const auto a1 = f.evaluate(e.a1);
   const auto a0 = f.evaluate(e.a0);
   if (!a1 || !a0)
@@ -49,9 +107,7 @@ algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const Sc
   const MFraction half(algebra.ring(), Rational(1, 2));
   const auto r = scale(algebra.multiply(p, p), quarter) + scale(f.derivative(p), half) - q;
   const auto r_in_z = f.in_z(r);
-  if (!r_in_z)
-    return ChangeFailure{"z = " + to_string(phi) +
-                         " does not rationalize the equation: " + what_is_left(f, r)};
+  if (!r_in_z) return what_is_left(f, r, z, phi);
   AlgebraicOde ode;
   ode.unknown = e.unknown;
   ode.change = algebra.ring()->name(z) + " = " + to_string(phi);
@@ -63,7 +119,7 @@ algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const Sc
   if (!ode.p || !ode.q) ode.p = ode.q = std::nullopt;
   ode.r = *r_in_z;
   ode.field_degree = f.degree();
-  ode.generic = f.inverted();
+  ode.generic = conditions_on_parameters(f.inverted(), z);
   ode.singular_places = finite_singularities(ode.r, z);
   ode.checks = {"z is not constant along the curve",
                 "the function field of the curve is a finite extension of degree " +
@@ -73,10 +129,9 @@ algebraize(const FunctionField& f, std::size_t z, const MFraction& phi, const Sc
   return ode;
 }
 
-std::variant<AlgebraicOde, ChangeFailure> algebraize(const VectorField& v,
-                                                     const InvariantManifold& m, std::size_t z,
-                                                     const MFraction& phi, const ScalarEquation& e,
-                                                     const Budget& budget) {
+std::variant<AlgebraicOde, ChangeFailure>
+algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, const MFraction& phi,
+           const NormalVariationalEquation& e, const Budget& budget) {
   auto field = FunctionField::make(v, m, z, phi, e.divisors, budget);
   if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
   return algebraize(std::get<FunctionField>(field), z, phi, e);
@@ -84,7 +139,7 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(const VectorField& v,
 
 std::vector<MFraction> propose_changes(const VectorField& v, const InvariantManifold& m) {
   std::vector<std::size_t> moving;
-  for (const std::size_t i : v.main_variables())
+  for (const std::size_t i : m.curve->main())
     if (!m.vanishes_on_curve(lie_derivative(v, m.restrict(MFraction::variable(v.ring, i)))))
       moving.push_back(i);
   const auto x = [&](std::size_t i) { return MFraction::variable(v.ring, i); };

@@ -28,13 +28,12 @@ struct AlgebraicOde {
 
 [[nodiscard]] std::variant<AlgebraicOde, ChangeFailure>
 algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, const MFraction& phi,
-           const ScalarEquation& e, const Budget& budget = {});
+           const NormalVariationalEquation& e, const Budget& budget = {});
 
 /// The same, with the field of the curve made before.
-[[nodiscard]] std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& field,
-                                                                   std::size_t z,
-                                                                   const MFraction& phi,
-                                                                   const ScalarEquation& e);
+[[nodiscard]] std::variant<AlgebraicOde, ChangeFailure>
+algebraize(const FunctionField& field, std::size_t z, const MFraction& phi,
+           const NormalVariationalEquation& e);
 
 /// Changes of variable worth trying, simplest first: coordinates and functions that are not
 /// constant on the curve, their squares, half-angles x/(1+y) where x^2 + y^2 = 1, quotients.

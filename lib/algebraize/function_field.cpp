@@ -16,11 +16,15 @@ std::vector<MPoly> curve_generators(const InvariantManifold& m) {
 
 } // namespace
 
-std::variant<FunctionField, ChangeFailure> FunctionField::make(const VectorField& v,
-                                                               const InvariantManifold& m,
-                                                               std::size_t z, const MFraction& phi,
-                                                               const std::vector<MPoly>& divisors,
-                                                               const Budget& budget) {
+std::variant<FunctionField, ChangeFailure>
+FunctionField::make(const VectorField& v, const InvariantManifold& m, std::size_t z,
+                    const MFraction& phi, const std::vector<MPoly>& divisors, const Budget& budget,
+                    std::size_t max_degree) {
+  const auto& main = m.curve->main();
+  for (const std::size_t i : v.main_variables())
+    if (uses(phi, i) && std::find(main.begin(), main.end(), i) == main.end())
+      return ChangeFailure{"z = " + to_string(phi) + " uses '" + v.ring->name(i) +
+                           "', which is not algebraic on the curve"};
   const MFraction zdot = lie_derivative(v, phi);
   if (m.vanishes_on_curve(zdot))
     return ChangeFailure{"z = " + to_string(phi) + " is constant along the curve"};
@@ -32,13 +36,15 @@ std::variant<FunctionField, ChangeFailure> FunctionField::make(const VectorField
   nonzero.push_back(phi.den());
   // Without the divisors first: usually they are units, and the saturation is cheaper.
   for (int attempt = 0; attempt < 2; ++attempt) {
-    Ideal ideal(v.ring, v.main_variables(), generators, nonzero, budget);
+    Ideal ideal(v.ring, m.curve->main(), generators, nonzero, budget);
     if (ideal.is_unit())
       return ChangeFailure{"z = " + to_string(phi) + " is constant along the curve, or something " +
                            "that was divided by vanishes on it"};
     if (ideal.dimension() != 0)
       return ChangeFailure{"z = " + to_string(phi) +
                            " is constant on a component of the curve; name it in 'nonzero'"};
+    if (ideal.standard_monomials().size() > max_degree)
+      return ChangeFailure{"z = " + to_string(phi) + " takes each value too often on the curve"};
     FunctionField f(FiniteAlgebra(std::move(ideal)), z);
     const bool units = std::all_of(divisors.begin(), divisors.end(), [&](const MPoly& d) {
       const auto e = f.algebra_.evaluate(MFraction(d));
@@ -82,13 +88,15 @@ std::optional<ChangeFailure> FunctionField::find_derivatives(const VectorField& 
     if (!e) return ChangeFailure{"the vector field is not defined on the curve"};
     derivatives.push_back(algebra_.multiply(*e, inverse_z_dot_));
   }
-  const std::size_t first_constant = v.coordinates.size() + v.functions.size();
+  const auto is_constant_variable = [&](std::size_t i) {
+    return std::find(v.constants.begin(), v.constants.end(), main[i]) != v.constants.end();
+  };
   for (const auto& monomial : algebra_.basis()) {
     Element sum = algebra_.zero();
     bool constant = true;
     for (std::size_t i = 0; i < monomial.size(); ++i) {
       if (monomial[i] == 0) continue;
-      if (i < first_constant) constant = false;
+      if (!is_constant_variable(i)) constant = false;
       KPoly rest(MonomialOrder{0});
       Monomial m(monomial);
       --m[i];

@@ -5,7 +5,7 @@
 // is not constant on the curve.  The field gives x_i' in R, z' = X(phi), and d/dz = (1/z') d/dt.  R
 // is a finite extension of K (a field if the curve is irreducible), which is the hypothesis of the
 // theorem that the identity component of the differential Galois group does not change when the
-// equation is written in z (THEORY 4; [MoralesRuizRamis2001] I, 2.2; [AcostaBlazquez2008]).
+// equation is written in z (THEORY 4; [MoralesRamis2001] I, 2.2; [AcostaBlazquez2008]).
 
 #include "exact/finite_algebra.hpp"
 #include "manifold/invariant_manifold.hpp"
@@ -17,6 +17,9 @@ namespace kov {
 /// Why a change of variable cannot be used.
 struct ChangeFailure {
   std::string message;
+  /// Where r lies in K(z, w), w^2 of degree at most 2 in z with a point: a change that parametrizes
+  /// this extension, as a function on the phase space.
+  std::optional<MFraction> better{};
 };
 
 class FunctionField {
@@ -27,7 +30,7 @@ public:
   /// the curve on which it vanishes are left out.
   [[nodiscard]] static std::variant<FunctionField, ChangeFailure>
   make(const VectorField& v, const InvariantManifold& m, std::size_t z, const MFraction& phi,
-       const std::vector<MPoly>& divisors, const Budget& budget = {});
+       const std::vector<MPoly>& divisors, const Budget& budget = {}, std::size_t max_degree = 200);
 
   [[nodiscard]] const FiniteAlgebra& algebra() const noexcept { return algebra_; }
   /// [R : K], not counting algebraic constants.

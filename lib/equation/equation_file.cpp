@@ -40,10 +40,10 @@ void read_ode(const Entry& ode, EquationText& text) {
   if (const Entry* parameters = ode.find("parameters")) text.parameters = parameters->strings();
 }
 
-Expectation read_expectation(const Entry& e) {
+EquationExpectation read_expectation(const Entry& e) {
   e.check_keys(
       {"where", "outcome", "group", "identity_component", "abelian", "case", "source", "note"});
-  Expectation x;
+  EquationExpectation x;
   x.entry = e;
   if (const Entry* where = e.find("where"))
     for (const auto& [name, value] : where->members())

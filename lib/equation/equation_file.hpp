@@ -12,7 +12,7 @@
 namespace kov {
 
 /// One [[expect]] block: what a source claims.
-struct Expectation {
+struct EquationExpectation {
   std::vector<std::pair<std::string, Expression>> where; ///< values of parameters
   std::optional<std::string> outcome; ///< exponential, imprimitive, algebraic, no-liouvillian
   std::optional<std::string> group;
@@ -29,7 +29,7 @@ struct EquationFile {
   std::vector<std::string> cite;
   EquationText text;
   std::vector<std::pair<std::string, std::string>> assume; ///< quoted in the answer
-  std::vector<Expectation> expect;
+  std::vector<EquationExpectation> expect;
 };
 
 /// Does the document describe a scalar equation (an [ode] table), and not a system?

@@ -81,6 +81,7 @@ private:
   bool mentions(const Expression& e) {
     const auto known = mentions_.find(e.id());
     if (known != mentions_.end()) return known->second;
+    if (e.kind() == Kind::call && e.name() == "root") return false; // a constant
     const bool named = e.kind() == Kind::name || e.kind() == Kind::call;
     bool result = (named && e.name() == unknown_) || e.kind() == Kind::derivative || is_diff(e);
     for (const Expression& operand : e.operands())

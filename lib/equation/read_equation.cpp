@@ -16,8 +16,17 @@ std::vector<Expression> formulas(const EquationText& text) {
   return all;
 }
 
+bool is_name(const std::string& s) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return !s.empty() && letter(s.front()) && std::all_of(s.begin(), s.end(), [&](char c) {
+    return letter(c) || (c >= '0' && c <= '9');
+  });
+}
+
 // Which of the three forms; an error for none and for two.
-ScalarEquation::Form form_of(const EquationText& text) {
+GivenEquation::Form form_of(const EquationText& text) {
   const auto refuse = [](const Expression& e, const std::string& message) {
     throw e.error(message, "give r, or p and q, or one whole equation");
   };
@@ -25,19 +34,19 @@ ScalarEquation::Form form_of(const EquationText& text) {
     if (text.ode) refuse(*text.ode, "both r and an equation are given");
     if (text.p) refuse(*text.p, "both r and p are given");
     if (text.q) refuse(*text.q, "both r and q are given");
-    return ScalarEquation::Form::r;
+    return GivenEquation::Form::r;
   }
   if (text.ode) {
     if (text.p) refuse(*text.p, "both an equation and p are given");
     if (text.q) refuse(*text.q, "both an equation and q are given");
-    return ScalarEquation::Form::ode;
+    return GivenEquation::Form::ode;
   }
   if (text.p && !text.q)
     throw text.p->error("p is given without q", "y'' + p y' + q y = 0 needs both");
   if (text.q && !text.p)
     throw text.q->error("q is given without p", "write p = 0 if there is none");
   if (!text.p) throw InvalidArgument("an equation needs r, or p and q, or its whole text");
-  return ScalarEquation::Form::pq;
+  return GivenEquation::Form::pq;
 }
 
 class Reader {
@@ -47,7 +56,7 @@ public:
     result_.form = form_of(text);
   }
 
-  ScalarEquation read() {
+  GivenEquation read() {
     define_constants();
     find_names();
     refuse_free_parameters();
@@ -105,6 +114,9 @@ private:
     }
     if (result_.variable.empty()) result_.variable = inferred_variable();
     const Expression& first = formulas_.front();
+    if (!is_name(result_.variable))
+      throw first.error("'" + result_.variable + "' cannot be the name of a variable",
+                        "a name has letters, digits and _ only");
     if (result_.variable == "I" || constants_.is_defined(result_.variable))
       throw first.error("'" + result_.variable + "' is a constant and cannot be the variable");
     if (is_parameter(result_.variable))
@@ -159,7 +171,7 @@ private:
   const Budget& budget_;
   std::vector<Expression> formulas_;
   Constants constants_;
-  ScalarEquation result_;
+  GivenEquation result_;
 };
 
 } // namespace
@@ -167,7 +179,7 @@ private:
 FreeParameters::FreeParameters(std::vector<std::string> names)
     : Error("free parameters: " + enumerate(names)), names_(std::move(names)) {}
 
-ScalarEquation read_equation(const EquationText& text, const Budget& budget) {
+GivenEquation read_equation(const EquationText& text, const Budget& budget) {
   return Reader(text, budget).read();
 }
 

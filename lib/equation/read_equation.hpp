@@ -23,7 +23,7 @@ struct EquationText {
 };
 
 /// y'' = r y, and the form that was given.
-struct ScalarEquation {
+struct GivenEquation {
   enum class Form : std::uint8_t { r, pq, ode };
   NormalForm normal_form;
   Form form = Form::r;
@@ -45,6 +45,6 @@ private:
 };
 
 /// Errors  InputError; FreeParameters; OutOfBudget for degrees above the budget
-[[nodiscard]] ScalarEquation read_equation(const EquationText& text, const Budget& budget = {});
+[[nodiscard]] GivenEquation read_equation(const EquationText& text, const Budget& budget = {});
 
 } // namespace kov

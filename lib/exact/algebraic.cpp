@@ -81,35 +81,6 @@ QQbar evaluate(const fmpq_poly_struct* f, const QQbar& a) {
   return b;
 }
 
-namespace {
-
-// d = s^2 n; n free of squares of primes below 10000 (and of all squares if it is then small).
-std::pair<Integer, Integer> square_part(Integer d) {
-  Integer s(1);
-  const auto take = [&](const Integer& p) {
-    const Integer square = p * p;
-    while (fmpz_divisible(d.raw(), square.raw())) {
-      d = exact_div(d, square);
-      s *= p;
-    }
-  };
-  for (ulong p = 2; p < 10000; p = n_nextprime(p, 1))
-    take(Integer(p));
-  Integer size = d;
-  fmpz_abs(size.raw(), size.raw());
-  if (const auto root = exact_sqrt(size); root && *root != Integer(1)) take(*root);
-  if (fmpz_abs_fits_ui(d.raw())) {
-    n_factor_t f;
-    n_factor_init(&f);
-    n_factor(&f, fmpz_get_ui(size.raw()), 1);
-    for (int i = 0; i < f.num; ++i)
-      take(Integer(f.p[i]));
-  }
-  return {s, d};
-}
-
-} // namespace
-
 // w x^2 + b x + c = 0:  2w x + b = +-sqrt(b^2 - 4wc), the sign read off an enclosure.
 // (Calcium 0.4.1 has qqbar_get_quadratic, which loses the sign of the radicand of I.)
 Quadratic quadratic_parts(const QQbar& a) {

@@ -267,9 +267,10 @@ bool Ideal::vanishes(const MPoly& f, const Budget& budget) const {
 }
 
 // Over K(U), U a largest independent set, the algebra A = K(U)[other variables]/I has finite
-// dimension.  Division by its (monic) Gröbner basis uses ring operations on the coefficients only, so
-// that at a point where these are defined A becomes an algebra over Q with the same basis, and a
-// nilpotent f becomes nilpotent.  So one point where f is not nilpotent shows that f does not vanish.
+// dimension.  Division by its (monic) Gröbner basis uses ring operations on the coefficients only,
+// so that at a point where these are defined A becomes an algebra over Q with the same basis, and a
+// nilpotent f becomes nilpotent.  So one point where f is not nilpotent shows that f does not
+// vanish.
 bool Ideal::nonzero_on_a_fibre(const MFraction& f, const Budget& budget) const {
   const auto independent = independent_variables();
   std::vector<std::size_t> rest;
@@ -306,23 +307,50 @@ int Ideal::dimension() const {
   return is_unit() ? -1 : static_cast<int>(independent_variables().size());
 }
 
-// The largest set of variables such that no leading monomial lies in the set alone.
-std::vector<std::size_t> Ideal::independent_variables() const {
-  const std::size_t n = main_.size();
-  KOV_ENSURE(n < 24 && !is_unit());
-  std::uint32_t best = 0;
-  for (std::uint32_t set = 0; set < (std::uint32_t{1} << n); ++set) {
-    if (__builtin_popcount(set) <= __builtin_popcount(best)) continue;
-    const bool independent = std::none_of(basis_.begin(), basis_.end(), [&](const KPoly& g) {
-      for (std::size_t i = 0; i < n; ++i)
-        if (lead(g)[i] > 0 && (set >> i & 1U) == 0) return false;
-      return true;
-    });
-    if (independent) best = set;
+namespace {
+
+using Support = std::vector<std::size_t>;
+
+// The largest subset of `kept` that contains no support whole: some variable of each must go.
+void largest_independent(const std::vector<Support>& supports, std::vector<bool>& kept,
+                         std::size_t size, std::vector<bool>& best, std::size_t& best_size) {
+  if (size <= best_size) return;
+  const auto whole = std::find_if(supports.begin(), supports.end(), [&](const Support& s) {
+    return std::all_of(s.begin(), s.end(), [&](std::size_t i) { return kept[i]; });
+  });
+  if (whole == supports.end()) {
+    best = kept;
+    best_size = size;
+    return;
   }
+  for (const std::size_t i : *whole) {
+    kept[i] = false;
+    largest_independent(supports, kept, size - 1, best, best_size);
+    kept[i] = true;
+  }
+}
+
+} // namespace
+
+// A set of variables such that no leading monomial lies in the set alone.
+std::vector<std::size_t> Ideal::independent_variables() const {
+  KOV_ENSURE(!is_unit());
+  const std::size_t n = main_.size();
+  std::vector<Support> supports;
+  for (const auto& g : basis_) {
+    supports.emplace_back();
+    for (std::size_t i = 0; i < n; ++i)
+      if (lead(g)[i] > 0) supports.back().push_back(i);
+  }
+  std::sort(supports.begin(), supports.end(),
+            [](const Support& a, const Support& b) { return a.size() < b.size(); });
+  std::vector<bool> kept(n, true);
+  std::vector<bool> best(n, false);
+  std::size_t best_size = 0;
+  largest_independent(supports, kept, n, best, best_size);
   std::vector<std::size_t> variables;
   for (std::size_t i = 0; i < n; ++i)
-    if ((best >> i & 1U) != 0) variables.push_back(main_[i]);
+    if (best[i]) variables.push_back(main_[i]);
   return variables;
 }
 

@@ -60,6 +60,31 @@ std::optional<Integer> exact_sqrt(const Integer& n) {
   return s;
 }
 
+std::pair<Integer, Integer> square_part(Integer d) {
+  Integer s(1);
+  const auto take = [&](const Integer& p) { // d = p^e d', in one go however large e is
+    Integer rest;
+    const auto e = static_cast<ulong>(fmpz_remove(rest.raw(), d.raw(), p.raw()));
+    if (e < 2) return;
+    s *= pow(p, e / 2);
+    d = e % 2 == 0 ? rest : rest * p;
+  };
+  for (ulong p = 2; p < 10000; p = n_nextprime(p, 1))
+    take(Integer(p));
+  Integer size = d;
+  fmpz_abs(size.raw(), size.raw());
+  if (const auto root = exact_sqrt(size); root && *root != Integer(1)) take(*root);
+  fmpz_abs(size.raw(), d.raw());
+  if (fmpz_abs_fits_ui(d.raw())) {
+    n_factor_t f;
+    n_factor_init(&f);
+    n_factor(&f, fmpz_get_ui(size.raw()), 1);
+    for (int i = 0; i < f.num; ++i)
+      take(Integer(f.p[i]));
+  }
+  return {s, d};
+}
+
 Rational::Rational(const Integer& n, const Integer& d) : Rational() {
   if (is_zero(d)) throw DomainError("division by zero: " + to_string(n) + "/0");
   fmpq_set_fmpz_frac(v_, n.raw(), d.raw());

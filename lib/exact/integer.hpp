@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace kov {
 
@@ -59,6 +60,10 @@ private:
 [[nodiscard]] Integer floor_div(const Integer& a, const Integer& b);
 [[nodiscard]] std::optional<Integer>
 exact_sqrt(const Integer& n); ///< the root >= 0, if n is a square
+
+/// d = s^2 n with s > 0; returns (s, n).  n is free of squares of primes below 10000, and of all
+/// squares if it then fits a machine word.  Requires d != 0.
+[[nodiscard]] std::pair<Integer, Integer> square_part(Integer d);
 
 class Rational {
 public:

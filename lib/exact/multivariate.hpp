@@ -174,7 +174,9 @@ using Substitution = std::map<std::size_t, MFraction>;
 /// Text that the expression parser reads back.
 [[nodiscard]] std::string to_string(const MFraction& f);
 
-/// The same, cut in the middle of nowhere when it is long, with the number of terms: for messages.
+/// The same function with numerator and denominator factored over Q; parses back as well.
+[[nodiscard]] std::string to_factored_string(const MFraction& f);
+/// The text, cut in the middle of nowhere when it is long, with the number of terms: for messages.
 [[nodiscard]] std::string brief(const MFraction& f, std::size_t length = 300);
 
 /// A constant a with its field Q(a), for conversions out of the multivariate world.

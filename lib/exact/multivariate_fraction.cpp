@@ -234,6 +234,36 @@ std::string to_string(const MFraction& f) {
   return wrap(top, " ") + "/" + wrap(to_string(f.den()), " */");
 }
 
+namespace {
+
+// content * prod base^exponent; the sign stands in front
+std::string factored(const MPoly& f) {
+  const auto [content, factors] = factor(f);
+  std::string s;
+  for (const auto& [base, exponent] : factors) {
+    std::string text = to_string(base);
+    if (text.find(' ') != std::string::npos) text = "(" + text + ")";
+    s += (s.empty() ? "" : "*") + text;
+    if (exponent > 1) s += "^" + std::to_string(exponent);
+  }
+  if (s.empty()) return to_string(content);
+  if (content == Integer(1)) return s;
+  if (content == Integer(-1)) return "-" + s;
+  return to_string(content) + "*" + s;
+}
+
+} // namespace
+
+std::string to_factored_string(const MFraction& f) {
+  if (is_zero(f)) return "0";
+  const std::string top = factored(f.num());
+  if (is_one(f.den())) return top;
+  const std::string bottom = factored(f.den());
+  const auto [content, factors] = factor(f.den());
+  const bool one_factor = factors.empty() || (factors.size() == 1 && content == Integer(1));
+  return top + "/" + (one_factor ? bottom : "(" + bottom + ")");
+}
+
 std::string brief(const MFraction& f, std::size_t length) {
   const std::string text = to_string(f);
   if (text.size() <= length) return text;

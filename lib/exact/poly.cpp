@@ -398,6 +398,38 @@ ComplexBall evaluate(const Poly& f, const ComplexBall& z, long bits) {
   return value;
 }
 
+std::optional<Poly> exact_sqrt(const Poly& f) {
+  KOV_ENSURE(is_one(lead(f)));
+  const long n = degree(f) / 2;
+  if (degree(f) % 2 != 0) return std::nullopt;
+  if (f.field()
+          ->is_rational()) { // den f has leading coefficient den, so den * (den f) is the square
+    fmpz_poly_t square;
+    fmpz_poly_init(square);
+    fmpq_poly_get_numerator(square, f.raw());
+    fmpz_poly_scalar_mul_fmpz(square, square, fmpq_poly_denref(f.raw()));
+    const int ok = fmpz_poly_sqrt(square, square);
+    Poly root;
+    if (ok != 0) fmpq_poly_set_fmpz_poly(root.raw(), square);
+    fmpz_poly_clear(square);
+    if (ok == 0) return std::nullopt;
+    return monic(root);
+  }
+  // From the top: f_(2n-k) = 2 s_(n-k) + sum of products of known coefficients.
+  std::vector<NfElem> s(static_cast<std::size_t>(n) + 1, NfElem(f.field()));
+  s[static_cast<std::size_t>(n)] = NfElem(Rational(1), f.field());
+  const NfElem half(Rational(1, 2));
+  for (long k = 1; k <= n; ++k) {
+    NfElem sum = f.coeff(2 * n - k);
+    for (long i = 1; i < k; ++i)
+      sum -= s[static_cast<std::size_t>(n - i)] * s[static_cast<std::size_t>(n - k + i)];
+    s[static_cast<std::size_t>(n - k)] = sum * half;
+  }
+  const Poly root = Poly::from_coefficients(s);
+  if (!(root * root == f)) return std::nullopt;
+  return root;
+}
+
 std::string to_string(const Poly& f, const std::string& variable) {
   if (is_zero(f)) return "0";
   std::string s;

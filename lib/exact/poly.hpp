@@ -89,6 +89,8 @@ private:
 [[nodiscard]] NfElem evaluate(const Poly& f, const NfElem& c);
 /// f at a complex point, under the chosen embedding of K.
 [[nodiscard]] ComplexBall evaluate(const Poly& f, const ComplexBall& z, long bits);
+/// The monic square root of a monic polynomial, if it is a square.
+[[nodiscard]] std::optional<Poly> exact_sqrt(const Poly& f);
 /// Norm K[z] -> Q[z]: the product over all embeddings of K.
 [[nodiscard]] Poly norm(const Poly& f);
 /// A polynomial in z as text that the parser reads back; descending powers.

@@ -38,17 +38,33 @@ Trichotomy trichotomy(const Singularities& s, std::string& reason) {
 
 namespace {
 
-// Is F a square in Kbar(z)?  Then the square root with numerator and denominator monic.
-std::optional<RationalFunction> square_root(const RationalFunction& f) {
-  Poly top = coerce(Poly(1), f.field());
-  Poly bottom = top;
-  for (const bool numerator : {true, false})
-    for (const Factor& part : squarefree_factors(numerator ? f.num() : f.den())) {
-      if (part.exponent % 2 == 1) return std::nullopt;
-      Poly& side = numerator ? top : bottom;
-      side *= pow(part.base, static_cast<unsigned long>(part.exponent / 2));
-    }
-  return RationalFunction(top, bottom);
+bool is_square(const QuarticRoot& root) {
+  return std::all_of(root.e.begin(), root.e.end(), [](long e) { return e % 2 == 0; });
+}
+
+// v = y1 y2 = Q prod q^(e/2), for even e
+RationalFunction product_of_lines(const QuarticRoot& root, const Singularities& s) {
+  Poly top = root.q;
+  Poly bottom = coerce(Poly(1), s.r.field());
+  for (std::size_t i = 0; i < s.finite.size(); ++i) {
+    Poly& side = root.e[i] > 0 ? top : bottom;
+    side *= pow(s.finite[i].place, static_cast<unsigned long>(std::abs(root.e[i]) / 2));
+  }
+  return RationalFunction::from_coprime(top, bottom);
+}
+
+// y with y^4 = F = Q^2 prod q^e
+ExponentialSolution fourth_root(const QuarticRoot& root, const Singularities& s) {
+  ExponentialSolution y;
+  for (std::size_t i = 0; i < s.finite.size(); ++i)
+    if (root.e[i] != 0)
+      y.theta += RationalFunction(
+          scale(derivative(s.finite[i].place), NfElem(Rational(root.e[i], 4))), s.finite[i].place);
+  const auto p = exact_sqrt(root.q);
+  KOV_ENSURE(p);
+  y.p = *p;
+  KOV_ENSURE(solves(y, s.r));
+  return y;
 }
 
 class Classifier {
@@ -103,30 +119,46 @@ private:
     return found;
   }
 
-  void found_pair(const RationalFunction& v) {
+  // v'^2 - 2 v v'' + 4 r v^2
+  [[nodiscard]] NfElem wronskian_squared(const RationalFunction& v) const {
     const RationalFunction dv = derivative(v);
     const RationalFunction w =
         dv * dv - RationalFunction(2) * v * derivative(dv) + RationalFunction(4) * r_ * v * v;
     KOV_ENSURE(degree(w.num()) <= 0 && degree(w.den()) == 0);
-    answer_.pair = ExponentialPair{v, w.num().coeff(0)};
-    KOV_ENSURE(!is_zero(answer_.pair->w_squared));
+    return w.num().coeff(0);
+  }
+
+  void found_pair(const RationalFunction& v, const NfElem& w_squared) {
+    KOV_ENSURE(!is_zero(w_squared));
+    answer_.pair = ExponentialPair{v, w_squared};
+  }
+
+  // The shortest proof there is, where the local data alone do not settle the question.
+  bool one_prime_says_sl2() {
+    answer_.p_curvature = sl2_by_p_curvature(local(), 3, budget_);
+    if (!answer_.p_curvature) return false;
+    settle({GroupType::SL2, {}},
+           "the p-curvature modulo p = " + std::to_string(answer_.p_curvature->prime.p) +
+               " has places of odd order that no solvable or finite group allows");
+    return true;
   }
 
   void irregular_or_irrational() {
     const std::string because =
         answer_.kind_reason + ", so that the identity component contains a torus";
+    if (invariant_shape(local(), 4).possible && one_prime_says_sl2()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none) {
       answer_.abelian = Truth::yes;
       answer_.component = Connected::torus;
       KOV_ENSURE(quartic.basis.size() == 1);
-      const RationalFunction f = value(quartic.basis.front(), local());
-      if (const auto v = square_root(f)) {
-        found_pair(*v);
+      const QuarticRoot root = quartic_root(quartic.basis.front(), local());
+      if (is_square(root)) {
+        found_pair(product_of_lines(root, local()), root.w_squared / root.k);
         settle({GroupType::Gm, {}},
                because + "; y1*y2 is rational, so that there are two exponential solutions");
       } else {
-        answer_.curve = dihedral_curve(r_, f);
+        answer_.curve = dihedral_curve(root, local());
         settle({GroupType::Dinf, {}}, because + "; (y1*y2)^2 is rational and y1*y2 is not");
       }
       return;
@@ -135,6 +167,7 @@ private:
     answer_.reason = because + ", and Sym^4 has no rational solution" +
                      (quartic.none->combinatorial ? " (" + quartic.none->why + ")" : "");
     const std::string known = answer_.reason;
+    if (exponential_shape(local()).possible && one_prime_says_sl2()) return;
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
     KOV_ENSURE(!exponential.projectively_trivial);
     if (!exponential.solutions.empty()) {
@@ -155,6 +188,8 @@ private:
   }
 
   void logarithmic() {
+    if (exponential_shape(local()).possible && one_prime_says_sl2()) return;
+
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
     if (!exponential.solutions.empty()) {
       one_radical_line(exponential.solutions.front(),
@@ -184,6 +219,7 @@ private:
                            : ": all solutions are square roots of rational functions"));
       return;
     }
+    if (one_prime_says_sl2()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none)
       with_quartic(quartic);
@@ -194,8 +230,6 @@ private:
   void with_quartic(const InvariantSearch& quartic) {
     answer_.abelian = Truth::yes; // a nonzero invariant: neither SL2 nor Borel
     if (quartic.basis.size() == 2) {
-      const RationalFunction f = value(quartic.basis.front(), local());
-      (void)f;
       settle({GroupType::D, Integer(2)},
              "Sym^4 has exactly two independent rational solutions: the quaternion group");
       return;
@@ -203,37 +237,36 @@ private:
     if (quartic.basis.size() > 2) { // cyclic of order 4: Sym^2 has one solution
       const InvariantSearch square = search(2);
       KOV_ENSURE(square.basis.size() == 1);
-      diagonal(value(square.basis.front(), local()));
+      const RationalFunction v = value(square.basis.front(), local());
+      diagonal(v, wronskian_squared(v));
       return;
     }
-    const RationalFunction f = value(quartic.basis.front(), local());
-    const NfElem w_squared = wronskian_squared(r_, f);
-    if (is_zero(w_squared)) { // F = y^4
-      const ExponentialSolution y{derivative(f) / (RationalFunction(4) * f), Poly(1)};
-      KOV_ENSURE(solves(y, r_));
-      one_radical_line(y, "the rational solution of Sym^4 is the fourth power of a solution, "
-                          "the only exponential one");
+    const QuarticRoot root = quartic_root(quartic.basis.front(), local());
+    if (is_zero(root.w_squared)) { // F = y^4
+      one_radical_line(fourth_root(root, local()),
+                       "the rational solution of Sym^4 is the fourth power of a solution, "
+                       "the only exponential one");
       return;
     }
-    if (const auto v = square_root(f)) {
-      diagonal(*v);
+    if (is_square(root)) {
+      diagonal(product_of_lines(root, local()), root.w_squared / root.k);
       return;
     }
-    dihedral(f);
+    dihedral(root);
   }
 
-  void diagonal(const RationalFunction& v) {
-    found_pair(v);
+  void diagonal(const RationalFunction& v, const NfElem& w_squared) {
+    found_pair(v, w_squared);
     const auto m = radical_order(*answer_.pair, budget_);
     KOV_ENSURE(m);
     settle({GroupType::cyclic, *m},
            "two exponential solutions, both radicals of order " + to_string(*m));
   }
 
-  void dihedral(const RationalFunction& f) {
-    answer_.curve = dihedral_curve(r_, f);
+  void dihedral(const QuarticRoot& root) {
+    answer_.curve = dihedral_curve(root, local());
     const std::string shape = "(y1*y2)^2 is rational and y1*y2 is not: a dihedral group";
-    answer_.kind_reason += "";
+
     answer_.dihedral = decide_dihedral(*answer_.curve, budget_);
     if (answer_.dihedral->finite == Truth::unknown) {
       answer_.reason = shape + "; undecided which of the two: " + answer_.dihedral->reason;

@@ -14,6 +14,7 @@
 #include "galois/exponential_form.hpp"
 #include "galois/group.hpp"
 #include "invariant/invariant.hpp"
+#include "pcurvature/p_curvature.hpp"
 #include "riccati/exponential.hpp"
 
 #include <optional>
@@ -47,6 +48,7 @@ struct Classification {
   std::vector<InvariantSearch> invariants;        ///< every search that found something
   std::vector<NoInvariant> no_invariants;
   std::optional<NoExponential> no_exponential;
+  std::optional<PCurvatureProof> p_curvature; ///< proves SL2 by itself
   std::optional<DihedralCurve> curve;
   std::optional<DihedralAnswer> dihedral;
 };

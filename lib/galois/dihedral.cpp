@@ -9,34 +9,82 @@
 
 namespace kov {
 
-NfElem wronskian_squared(const RationalFunction& r, const RationalFunction& f) {
-  const RationalFunction df = derivative(f);
-  const RationalFunction w =
-      RationalFunction(Rational(3, 4)) * df * df / f - derivative(df) + RationalFunction(4) * r * f;
-  KOV_ENSURE(degree(w.num()) <= 0 && degree(w.den()) == 0);
-  return w.num().coeff(0);
+namespace {
+
+// w^2 is a constant by theory: its value at one point, where F has neither zero nor pole.
+NfElem wronskian_squared(const QuarticRoot& root, const Singularities& s) {
+  for (long at = 0;; at = at > 0 ? -at : 1 - at) {
+    const NfElem c(Rational(at), s.r.field());
+    if (is_zero(evaluate(s.r.den(), c)) || is_zero(evaluate(root.q, c))) continue;
+    // u = F'/F and its derivative:  w^2 = F (4r - u^2/4 - u')
+    const NfElem q0 = evaluate(root.q, c);
+    const Poly dq = derivative(root.q);
+    const NfElem q1 = evaluate(dq, c) / q0;
+    const NfElem q2 = evaluate(derivative(dq), c) / q0;
+    NfElem f = root.k * q0 * q0;
+    NfElem u = NfElem(2) * q1;
+    NfElem du = NfElem(2) * (q2 - q1 * q1);
+    for (std::size_t i = 0; i < s.finite.size(); ++i) {
+      if (root.e[i] == 0) continue;
+      const Poly& place = s.finite[i].place;
+      const Poly slope = derivative(place);
+      const NfElem p0 = evaluate(place, c);
+      const NfElem p1 = evaluate(slope, c) / p0;
+      const NfElem p2 = evaluate(derivative(slope), c) / p0;
+      const NfElem e(root.e[i]);
+      const NfElem power = pow(p0, static_cast<unsigned long>(std::abs(root.e[i])));
+      f = root.e[i] > 0 ? f * power : f / power;
+      u += e * p1;
+      du += e * (p2 - p1 * p1);
+    }
+    const NfElem r = evaluate(s.r.num(), c) / evaluate(s.r.den(), c);
+    return f * (NfElem(4) * r - u * u * NfElem(Rational(1, 4)) - du);
+  }
 }
 
-DihedralCurve dihedral_curve(const RationalFunction& r, const RationalFunction& f) {
+} // namespace
+
+QuarticRoot quartic_root(const Invariant& v, const Singularities& s) {
+  QuarticRoot root;
+  Poly rest = v.p;
+  root.k = lead(rest);
+  for (std::size_t i = 0; i < s.finite.size(); ++i) {
+    auto [extra, left] = remove_factor(rest, s.finite[i].place);
+    root.e.push_back(v.e.at(i) + extra);
+    rest = std::move(left);
+  }
+  const auto q = exact_sqrt(monic(rest));
+  KOV_ENSURE(q);
+  root.q = *q;
+  root.w_squared = wronskian_squared(root, s);
+  return root;
+}
+
+DihedralCurve dihedral_curve(const QuarticRoot& root, const Singularities& s) {
   DihedralCurve c;
-  c.f = f;
-  c.w_squared = wronskian_squared(r, f);
+  c.field = s.r.field();
+  c.w_squared = root.w_squared;
   KOV_ENSURE(!is_zero(c.w_squared));
-  c.branch = coerce(Poly(1), f.field());
-  Poly top(1);
-  Poly bottom(1);
-  for (const bool numerator : {true, false}) {
-    for (const Factor& part : squarefree_factors(numerator ? f.num() : f.den())) {
-      // q^e = q^odd (q^((e-odd)/2))^2, and 1/q = q (1/q)^2
-      const long odd = part.exponent % 2;
-      const auto half = static_cast<unsigned long>((part.exponent + (numerator ? -odd : odd)) / 2);
-      if (odd == 1) c.branch *= part.base;
-      Poly& side = numerator ? top : bottom;
-      side *= pow(part.base, half);
+  c.k = root.k;
+  c.ordinary = root.q;
+  c.branch = coerce(Poly(1), c.field);
+  Poly top = root.q;
+  Poly bottom = coerce(Poly(1), c.field);
+  for (std::size_t i = 0; i < s.finite.size(); ++i) {
+    const Poly& place = s.finite[i].place;
+    const bool odd = root.e[i] % 2 != 0;
+    if (odd) c.branch *= place;
+    const long half = (root.e[i] - (odd ? 1 : 0)) / 2; // q^e = q^odd (q^half)^2, e may be negative
+    const long exact = odd && root.e[i] < 0 ? (root.e[i] - 1) / 2 : half;
+    if (exact > 0) {
+      top *= pow(place, static_cast<unsigned long>(exact));
+      c.singular.push_back(place);
+      c.order.push_back(exact);
+    } else if (exact < 0) {
+      bottom *= pow(place, static_cast<unsigned long>(-exact));
     }
   }
-  c.g = RationalFunction(top, bottom);
-  c.k = lead(f.num());
+  c.g = RationalFunction::from_coprime(top, bottom);
   const long places = degree(c.branch) + degree(c.branch) % 2;
   KOV_ENSURE(places >= 2);
   c.genus = places / 2 - 1;
@@ -45,9 +93,9 @@ DihedralCurve dihedral_curve(const RationalFunction& r, const RationalFunction& 
 
 namespace {
 
-// A place of the z-line over which eta has poles with residues +-rho, rho > 0.
+// Points of the z-line over which eta has poles with residues +-rho, rho > 0.
 struct Pole {
-  Poly q = Poly(1); ///< monic irreducible; 1 at infinity
+  Poly q = Poly(1); ///< monic squarefree; 1 at infinity
   bool at_infinity = false;
   Rational rho;
 };
@@ -73,10 +121,9 @@ void add_pole(Poles& poles, Pole pole, const NfElem& square) {
 Poles poles_of(const DihedralCurve& c) {
   Poles poles;
   const NfElem scale_squared = c.w_squared / c.k; // W^2
-  for (const Factor& zero : irreducible_factors(c.g.num())) {
-    const Poly& q = zero.base;
-    const bool branch = divides(q, c.branch);
-    if (branch || zero.exponent > 1) {
+  for (std::size_t i = 0; i < c.singular.size(); ++i) {
+    const Poly& q = c.singular[i];
+    if (c.order[i] > 1 || divides(q, c.branch)) {
       poles.infinite = "w dz/v has a multiple pole " + at(q);
       return poles;
     }
@@ -93,6 +140,8 @@ Poles poles_of(const DihedralCurve& c) {
     add_pole(poles, {q, false, {}}, square.coeff(0));
     if (!poles.infinite.empty()) return poles;
   }
+  // At an ordinary point y1/y2 has a simple zero or pole.
+  if (degree(c.ordinary) > 0) poles.list.push_back({c.ordinary, false, Rational(1)});
   // at infinity, t = 1/z:  eta ~ -W/(lead(g) sigma) t^(deg g + genus - 1) dt  if unbranched there
   const long deg_g = degree(c.g.num()) - degree(c.g.den());
   const bool branched = degree(c.branch) % 2 == 1;
@@ -296,7 +345,7 @@ DihedralAnswer decide_dihedral(const DihedralCurve& c, const Budget& budget) {
                     to_string(l) + ", give y1/y2 as a " + to_string(l) + "-th root of a function";
     return answer;
   }
-  PrimeIdeals primes(c.f.field(), 2);
+  PrimeIdeals primes(c.field, 2);
   for (int tries = 0; tries < 400 && answer.orders.size() < 4; ++tries) {
     budget.check();
     const PrimeIdeal prime = primes.next();

@@ -18,6 +18,7 @@
 #include "exact/budget.hpp"
 #include "exact/modular.hpp"
 #include "exact/truth.hpp"
+#include "invariant/invariant.hpp"
 #include "linode/singularities.hpp"
 
 #include <optional>
@@ -26,13 +27,28 @@
 
 namespace kov {
 
+/// F = (y1 y2)^2 = k Q^2 prod q_i^e_i over the finite places q_i: at an ordinary point y1 and y2 do
+/// not vanish together, so that zeros there are double.
+struct QuarticRoot {
+  Poly q;              ///< Q, monic, coprime to the places
+  std::vector<long> e; ///< parallel to Singularities::finite
+  NfElem k;
+  NfElem w_squared; ///< 3F'^2/(4F) - F'' + 4rF
+};
+/// Requires  v spans the rational solutions of Sym^4 (the form is then a square or a fourth power).
+/// Throws    InternalError when F has another shape
+[[nodiscard]] QuarticRoot quartic_root(const Invariant& v, const Singularities& s);
+
 /// The curve and differential of a dihedral equation.
 struct DihedralCurve {
-  RationalFunction f; ///< F
-  NfElem w_squared;   ///< w^2, not 0
-  Poly branch;        ///< F0, monic squarefree, not 1
-  RationalFunction g; ///< F = k F0 g^2
-  NfElem k;
+  Field field;
+  NfElem w_squared; ///< w^2, not 0
+  NfElem k;         ///< F = k F0 g^2
+  Poly branch;      ///< F0, monic squarefree, not 1
+  RationalFunction g;
+  Poly ordinary;              ///< Q: simple zeros of g at ordinary points
+  std::vector<Poly> singular; ///< the places where g has a zero
+  std::vector<long> order;    ///< its order there
   long genus = 0;
 };
 
@@ -51,10 +67,8 @@ struct DihedralAnswer {
   std::optional<RationalFunction> a; ///< finite, genus >= 1: h = a + b s
 };
 
-/// Requires F nonzero with w^2 constant and not 0, F not a square.
-[[nodiscard]] DihedralCurve dihedral_curve(const RationalFunction& r, const RationalFunction& f);
-/// w^2 = 3F'^2/(4F) - F'' + 4rF; InternalError when that is not a constant.
-[[nodiscard]] NfElem wronskian_squared(const RationalFunction& r, const RationalFunction& f);
+/// Requires w^2 != 0 and some e odd.
+[[nodiscard]] DihedralCurve dihedral_curve(const QuarticRoot& root, const Singularities& s);
 /// Requires  every exponent difference rational and no logarithm (otherwise the group is infinite).
 /// Unknown   large genus without two comparable primes; the reason says so
 [[nodiscard]] DihedralAnswer decide_dihedral(const DihedralCurve& curve, const Budget& budget = {});

@@ -56,13 +56,7 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
   if (!w && v.field()->is_rational()) {
     // w^2 = n/d: w = sqrt(n d)/d with the square part taken out
     const Rational square = to_rational(pair.w_squared);
-    Integer inside = square.num() * square.den();
-    Integer outside(1);
-    for (long p = 2; p < 1000; ++p)
-      while (fmpz_divisible_si(inside.raw(), p * p) != 0) {
-        inside = exact_div(inside, Integer(p * p));
-        outside *= Integer(p);
-      }
+    const auto [outside, inside] = square_part(square.num() * square.den());
     const std::string name = inside == Integer(-1) ? "I" : "sqrt(" + to_string(inside) + ")";
     const Field k = make_field({-inside, Integer(0), Integer(1)}, name);
     w = NfElem::generator(k) * NfElem(Rational(outside, square.den()));

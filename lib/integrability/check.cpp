@@ -19,7 +19,7 @@ std::string first_integral_class(const RationalFunction& r) {
   if (!is_zero(r) && degree(r.den()) > 0)
     for (const auto& f : squarefree_factors(r.den()))
       if (f.exponent > 2) irregular = true;
-  return irregular ? "meromorphic, also at the points at infinity of the phase curve"
+  return irregular ? "meromorphic also at the points at infinity of the phase curve"
                    : "meromorphic";
 }
 
@@ -31,14 +31,14 @@ const ReduceSpec* reduction_for(const System& s, const std::string& manifold) {
   return nullptr;
 }
 
-std::vector<Claim> usable_integrals(const System& s, const std::vector<ClaimReport>& claims) {
-  std::vector<Claim> all;
+std::vector<SystemClaim> usable_integrals(const System& s, const std::vector<ClaimReport>& claims) {
+  std::vector<SystemClaim> all;
   for (const auto& c : claims)
     if (c.result.proved && c.claim.on.empty() &&
-        (c.claim.kind == Claim::Kind::casimir || c.claim.kind == Claim::Kind::integral))
+        (c.claim.kind == SystemClaim::Kind::casimir || c.claim.kind == SystemClaim::Kind::integral))
       all.push_back(c.claim);
   if (s.field.hamiltonian) {
-    Claim h;
+    SystemClaim h;
     h.name = "H";
     h.value = *s.field.hamiltonian;
     all.push_back(std::move(h));
@@ -46,40 +46,69 @@ std::vector<Claim> usable_integrals(const System& s, const std::vector<ClaimRepo
   return all;
 }
 
-/// Tries every change for every cyclic vector and keeps the equation with the fewest singular
-/// places.
-void algebraize_block(const System& s, const InvariantManifold& m, const ReduceSpec* reduce,
-                      const Budget& budget, BlockReport& block) {
-  std::vector<MFraction> changes;
-  if (reduce && reduce->change)
-    changes.push_back(*reduce->change);
-  else
-    changes = propose_changes(s.field, m);
-  std::vector<MPoly> divisors;
-  for (const auto& e : block.scalar)
-    divisors.insert(divisors.end(), e.divisors.begin(), e.divisors.end());
-  std::string failures;
-  for (const auto& phi : changes) {
-    budget.check();
-    auto field = FunctionField::make(s.field, m, s.z, phi, divisors, budget);
-    if (const auto* failure = std::get_if<ChangeFailure>(&field)) {
-      failures += (failures.empty() ? "" : "; ") + failure->message;
-      continue;
+/// Tries changes of variable for every cyclic vector and keeps the equation with the fewest
+/// singular places.
+class ChangeSearch {
+public:
+  ChangeSearch(const System& s, const InvariantManifold& m, const Budget& budget,
+               BlockReport& block)
+      : s_(s), m_(m), budget_(budget), block_(block) {
+    for (const auto& e : block.scalar)
+      divisors_.insert(divisors_.end(), e.divisors.begin(), e.divisors.end());
+  }
+
+  void given(const MFraction& phi) {
+    attempt(phi);
+    if (!block_.ode && better_)
+      failures_ += "; the change z = " + to_string(*better_) + " would do";
+    finish();
+  }
+  void proposed(const std::vector<MFraction>& changes) {
+    for (const auto& phi : changes) {
+      better_.reset();
+      attempt(phi);
+      if (better_ && !block_.ode) attempt(*better_);
     }
-    for (const auto& e : block.scalar) {
-      auto result = algebraize(std::get<FunctionField>(field), s.z, phi, e);
+    finish();
+  }
+
+private:
+  void attempt(const MFraction& phi) {
+    budget_.check();
+    // a map of much higher degree than one that works brings more singular places
+    const auto field =
+        FunctionField::make(s_.field, m_, s_.z, phi, divisors_, budget_, 2 * smallest_);
+    if (const auto* failure = std::get_if<ChangeFailure>(&field)) return note(*failure);
+    for (const auto& e : block_.scalar) {
+      auto result = algebraize(std::get<FunctionField>(field), s_.z, phi, e);
       if (const auto* failure = std::get_if<ChangeFailure>(&result)) {
-        failures += (failures.empty() ? "" : "; ") + failure->message;
+        note(*failure);
         continue;
       }
       auto& ode = std::get<AlgebraicOde>(result);
-      if (!block.ode || ode.singular_places < block.ode->singular_places)
-        block.ode = std::move(ode);
+      smallest_ = std::min(smallest_, std::get<FunctionField>(field).algebra().dimension());
+      if (!block_.ode || ode.singular_places < block_.ode->singular_places)
+        block_.ode = std::move(ode);
     }
   }
-  if (block.ode) return;
-  block.note = changes.empty() ? "no change of variable was found" : failures;
-}
+  void note(const ChangeFailure& failure) {
+    failures_ += (failures_.empty() ? "" : "; ") + failure.message;
+    if (failure.better) better_ = failure.better;
+  }
+  void finish() {
+    if (!block_.ode)
+      block_.note = failures_.empty() ? "no change of variable was found" : failures_;
+  }
+
+  const System& s_;
+  const InvariantManifold& m_;
+  const Budget& budget_;
+  BlockReport& block_;
+  std::vector<MPoly> divisors_;
+  std::string failures_;
+  std::optional<MFraction> better_;
+  std::size_t smallest_ = 100;
+};
 
 std::string parameter_names(const MFraction& f, const System& s) {
   std::string names;
@@ -148,8 +177,10 @@ Truth both(Truth a, Truth b) {
 
 } // namespace
 
-void study_energies(const System& s, const ReduceSpec& reduce, const CheckOptions& options,
-                    BlockReport& block); // energies.cpp
+// energies.cpp
+void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec& reduce,
+                    const std::vector<ClaimReport>& claims, const CheckOptions& options,
+                    BlockReport& block);
 
 namespace {
 
@@ -169,23 +200,22 @@ BlockReport study_block(const System& s, const InvariantManifold& m, const Linea
     return block;
   }
   const ReduceSpec* reduce = reduction_for(s, m.name);
-  for (const std::size_t i : members) {
-    if (reduce && reduce->unknown &&
-        std::find(block.unknowns.begin(), block.unknowns.end(), s.ring()->name(*reduce->unknown)) !=
-            block.unknowns.end() &&
-        reduced.names[i] != s.ring()->name(*reduce->unknown))
-      continue;
-    if (auto e = scalar_equation(s.field, m, reduced, members, i))
-      block.scalar.push_back(*std::move(e));
-  }
-  if (block.scalar.empty()) {
-    block.note = "the unknown asked for is not a cyclic vector of its block";
-    return block;
-  }
-  algebraize_block(s, m, reduce, options.decide.budget, block);
+  // The unknown asked for, if it is a cyclic vector; otherwise whatever is one.
+  const std::string wish = reduce && reduce->unknown ? s.ring()->name(*reduce->unknown) : "";
+  for (const bool wished : {true, false})
+    for (const std::size_t i : members)
+      if ((reduced.names[i] == wish) == wished)
+        if (auto e = scalar_equation(s.field, m, reduced, members, i))
+          if (block.scalar.empty() || block.scalar.front().unknown != wish)
+            block.scalar.push_back(*std::move(e));
+  KOV_ENSURE(!block.scalar.empty()); // the block is coupled
+  ChangeSearch search(s, m, options.decide.budget, block);
+  if (reduce && reduce->change)
+    search.given(*reduce->change);
+  else
+    search.proposed(propose_changes(s.field, m));
   if (!block.ode) return block;
   decide_block(s, options, block);
-  if (reduce && reduce->energy == "auto") study_energies(s, *reduce, options, block);
   return block;
 }
 
@@ -206,7 +236,8 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
                    : all == Truth::yes ? VerdictKind::no_obstruction
                                        : VerdictKind::undecided;
   if (report.verdict == VerdictKind::no_obstruction && report.blocks.size() > 1)
-    report.reasons.emplace_back("the diagonal blocks of the normal part were studied, not what couples them");
+    report.reasons.emplace_back(
+        "the diagonal blocks of the normal part were studied, not what couples them");
   report.theorem = s.field.poisson ? "Morales-Ramis" : "Ayoul-Zung";
   report.function_class = "meromorphic";
   for (const auto& block : report.blocks) {
@@ -216,6 +247,17 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
       if (e.r && e.decision && e.decision->abelian == Truth::no)
         report.function_class = first_integral_class(*e.r);
   }
+  if (report.verdict != VerdictKind::non_integrable) return;
+  std::string functions; // the class speaks of the variables of the file
+  for (const auto& f : s.field.functions)
+    functions += (functions.empty() ? "" : ", ") + s.ring()->name(f.variable);
+  if (!functions.empty()) report.function_class += " (in the coordinates and " + functions + ")";
+  report.statement =
+      s.field.poisson
+          ? "not integrable in Liouville's sense with first integrals that are " +
+                report.function_class
+          : "not integrable with first integrals and commuting vector fields that are " +
+                report.function_class;
 }
 
 } // namespace
@@ -242,6 +284,9 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     report.reduced = reduce_by_integrals(s.field, m, report.normal, keep);
     for (const auto& members : blocks_to_study(report.reduced.system, m))
       report.blocks.push_back(study_block(s, m, report.reduced.system, members, options));
+    if (reduce && reduce->energy == "auto")
+      for (auto& block : report.blocks)
+        if (block.ode) study_energies(s, spec, *reduce, claims, options, block);
     conclude(s, options, report);
   } catch (const OutOfBudget& e) {
     report.reasons.emplace_back(e.what());

@@ -9,7 +9,7 @@
 //   no obstruction   all blocks of the normal part have abelian ones: nothing follows,
 //   undecided        anything else, with the reason.
 //
-// Source  [MoralesRuizRamis2001] Theorem 7 (Hamiltonian systems, also on symplectic leaves of a
+// Source  [MoralesRamis2001] Theorem 7 (Hamiltonian systems, also on symplectic leaves of a
 // Poisson
 //         manifold); [AyoulZung2010] (general vector fields)
 
@@ -34,9 +34,9 @@ struct EnergyResult {
 /// A diagonal block of the reduced normal system.
 struct BlockReport {
   std::vector<std::string> unknowns;
-  std::vector<ScalarEquation> scalar; ///< for each cyclic vector
-  std::optional<AlgebraicOde> ode;    ///< the one chosen
-  std::optional<NormalForm> equation; ///< without parameters
+  std::vector<NormalVariationalEquation> scalar; ///< for each cyclic vector
+  std::optional<AlgebraicOde> ode;               ///< the one chosen
+  std::optional<NormalForm> equation;            ///< without parameters
   std::optional<Decision> decision;
   std::vector<MPoly> special; ///< where singular places of r merge, in the energy parameter
   std::vector<EnergyResult> energies;
@@ -55,11 +55,12 @@ struct ManifoldReport {
   std::vector<BlockReport> blocks;
   VerdictKind verdict = VerdictKind::undecided;
   std::string theorem, function_class;
+  std::string statement; ///< what the theorem says, where it says something
   std::vector<std::string> reasons;
 };
 
 struct ClaimReport {
-  Claim claim;
+  SystemClaim claim;
   ClaimResult result;
 };
 
@@ -87,7 +88,8 @@ struct CheckOptions {
 /// the resultants of the factors of den(r).
 [[nodiscard]] std::vector<MPoly> merging_locus(const MFraction& r, std::size_t z, std::size_t h);
 
-/// "meromorphic", or the smaller class that an irregular place of r leaves.
+/// "meromorphic in a neighbourhood of the phase curve", or the smaller class that an irregular
+/// place of r leaves.
 [[nodiscard]] std::string first_integral_class(const RationalFunction& r);
 
 } // namespace kov

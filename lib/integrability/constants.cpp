@@ -28,17 +28,16 @@ std::pair<Field, NfElem> field_of_root(const Poly& f, const std::string& name) {
   return {k, NfElem::generator(k) / NfElem(Rational(scale))};
 }
 
-ConstantField ConstantField::make(const VectorField& v) {
-  ConstantField result;
-  if (v.constants.empty()) return result;
+namespace {
+
+Ideal constant_relations(const VectorField& v) {
   const auto is_constant_variable = [&](std::size_t i) {
     return std::find(v.constants.begin(), v.constants.end(), i) != v.constants.end();
   };
   std::vector<MPoly> generators;
   for (const auto& f : v.relations) {
     const auto used = used_variables(f);
-    if (std::any_of(used.begin(), used.end(), is_constant_variable) &&
-        std::all_of(used.begin(), used.end(), is_constant_variable))
+    if (!used.empty() && std::all_of(used.begin(), used.end(), is_constant_variable))
       generators.push_back(f);
   }
   Ideal ideal(v.ring, v.constants, generators);
@@ -46,33 +45,45 @@ ConstantField ConstantField::make(const VectorField& v) {
     throw InvalidArgument(
         "the algebraic constants are not determined by numbers; values are needed "
         "for the parameters in their relations");
-  const FiniteAlgebra algebra(std::move(ideal));
-  // A primitive element c_1 + k c_2 + k^2 c_3 + ... generates for all but finitely many k.
+  return ideal;
+}
+
+// c_1 + k c_2 + k^2 c_3 + ...: generates the field for all but finitely many k.
+MFraction primitive_candidate(const VectorField& v, long k) {
+  MFraction theta(v.ring);
+  Rational weight(1);
+  for (const std::size_t c : v.constants) {
+    theta += weight * MFraction::variable(v.ring, c);
+    weight *= Rational(k);
+  }
+  return theta;
+}
+
+} // namespace
+
+ConstantField ConstantField::make(const VectorField& v) {
+  if (v.constants.empty()) return {};
+  const FiniteAlgebra algebra(constant_relations(v));
   for (long k = 1; k < 50; ++k) {
-    MFraction theta(v.ring);
-    Rational weight(1);
-    for (const std::size_t c : v.constants) {
-      theta += weight * MFraction::variable(v.ring, c);
-      weight *= Rational(k);
-    }
-    const auto element = *algebra.evaluate(theta);
-    const auto minimal = algebra.minimal_polynomial(element);
+    const auto theta = *algebra.evaluate(primitive_candidate(v, k));
+    const auto minimal = algebra.minimal_polynomial(theta);
     if (minimal.size() != algebra.dimension() + 1) continue;
     std::vector<NfElem> coefficients;
     for (const auto& c : minimal)
       coefficients.emplace_back(to_rational(c));
     const std::string name = v.constants.size() == 1 ? v.ring->name(v.constants[0]) : "theta";
     const auto [field, root] = field_of_root(Poly::from_coefficients(coefficients), name);
+    ConstantField result;
     result.field_ = field;
-    std::vector<std::vector<MFraction>> rows(algebra.dimension());
+    Matrix powers(algebra.dimension()); // columns: 1, theta, theta^2, ...
     auto power = algebra.constant(MFraction(v.ring, Rational(1)));
     for (std::size_t i = 0; i < algebra.dimension(); ++i) {
-      for (std::size_t r = 0; r < rows.size(); ++r)
-        rows[r].push_back(power[r]);
-      power = algebra.multiply(power, element);
+      for (std::size_t r = 0; r < powers.size(); ++r)
+        powers[r].push_back(power[r]);
+      power = algebra.multiply(power, theta);
     }
     for (const std::size_t c : v.constants) {
-      const auto x = solve_linear(rows, *algebra.evaluate(MFraction::variable(v.ring, c)));
+      const auto x = solve_linear(powers, *algebra.evaluate(MFraction::variable(v.ring, c)));
       NfElem value(field);
       for (std::size_t i = x->size(); i-- > 0;)
         value = value * root + NfElem(to_rational((*x)[i]), field);

@@ -18,8 +18,6 @@ public:
   [[nodiscard]] const Field& field() const noexcept { return field_; }
   /// Requires that f uses only z and the constants; otherwise InvalidArgument, naming the variable.
   [[nodiscard]] RationalFunction convert(const MFraction& f, std::size_t z) const;
-  void set(std::size_t variable, NfElem value) { values_[variable] = std::move(value); }
-  void set_field(Field field) { field_ = std::move(field); }
 
 private:
   [[nodiscard]] Poly convert(const MPoly& f, std::size_t z) const;

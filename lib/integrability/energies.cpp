@@ -36,75 +36,87 @@ std::vector<MPoly> merging_locus(const MFraction& r, std::size_t z, std::size_t 
 
 namespace {
 
-// r, and what was assumed not to vanish, at one value of h.
-EnergyResult decide_at(const AlgebraicOde& ode, std::size_t h, const ConstantField& constants,
-                       const NfElem& value, const CheckOptions& options) {
+/// The parameter named in the file, or one that r has and the vector field has not: it labels a
+/// level.
+std::optional<std::size_t> energy_parameter(const System& s, const ReduceSpec& reduce,
+                                            const MFraction& r) {
+  if (const auto named = s.ring()->find(reduce.energy_parameter); named && uses(r, *named))
+    return named;
+  for (const std::size_t i : s.field.parameters)
+    if (uses(r, i) && std::none_of(s.field.components.begin(), s.field.components.end(),
+                                   [&](const MFraction& x) { return uses(x, i); }))
+      return i;
+  return std::nullopt;
+}
+
+/// The system with the parameter h made an algebraic constant: a root of f.
+System at_root(const System& s, std::size_t h, const MPoly& f) {
+  System special = s;
+  std::erase(special.field.parameters, h);
+  special.field.constants.push_back(h);
+  special.field.relations.push_back(f);
+  for (auto& r : special.reductions)
+    r.energy.clear();
+  return special;
+}
+
+/// The whole way again at one level: nothing is taken over from the generic one.
+EnergyResult decide_at(const System& special, const ManifoldSpec& spec,
+                       const std::vector<ClaimReport>& claims, const CheckOptions& options,
+                       const BlockReport& block) {
   EnergyResult result;
-  ConstantField at = constants;
-  at.set_field(value.field());
-  at.set(h, value);
-  try {
-    for (const auto& g : ode.generic)
-      if (is_zero(at.convert(MFraction(g), ode.z))) {
-        result.note = "the reduction divided by " + to_string(g) + ", which is 0 here";
-        return result;
-      }
-    NormalForm equation;
-    equation.r = at.convert(ode.r, ode.z);
-    if (ode.p) equation.p = at.convert(*ode.p, ode.z);
-    result.r = equation.r;
-    if (!options.stop_at_r) {
-      Options how = options.decide;
-      how.variable = ode.r.ring()->name(ode.z);
-      result.decision = decide(equation, how);
-    }
-  } catch (const DomainError& e) {
-    result.note = e.what();
+  const ManifoldReport there = check_manifold(special, spec, claims, options);
+  for (const auto& b : there.blocks) {
+    if (b.unknowns != block.unknowns) continue;
+    if (b.equation) result.r = b.equation->r;
+    result.decision = b.decision;
+    result.note = b.note;
+    return result;
   }
+  for (const auto& reason : there.reasons)
+    result.note += (result.note.empty() ? "" : "; ") + reason;
+  if (result.note.empty()) result.note = "the normal system has other blocks at this level";
   return result;
 }
 
-std::string unique_name(const Ring& ring, const std::string& wish) {
-  return ring->find(wish) ? wish + "_root" : wish;
+bool has_other_parameters(const System& s, const MFraction& r, std::size_t h) {
+  const auto used = used_variables(r);
+  const auto& parameters = s.field.parameters;
+  return std::any_of(used.begin(), used.end(), [&](std::size_t i) {
+    return i != h && std::find(parameters.begin(), parameters.end(), i) != parameters.end();
+  });
 }
 
 } // namespace
 
-void study_energies(const System& s, const ReduceSpec& reduce, const CheckOptions& options,
+void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec& reduce,
+                    const std::vector<ClaimReport>& claims, const CheckOptions& options,
                     BlockReport& block) {
-  const auto h = s.ring()->find(reduce.energy_parameter);
-  if (!h || !uses(block.ode->r, *h)) {
+  const auto h = energy_parameter(s, reduce, block.ode->r);
+  if (!h) {
     block.note += (block.note.empty() ? "" : "; ") +
-                  std::string("r does not depend on the energy '") + reduce.energy_parameter + "'";
+                  std::string("r does not depend on a parameter of the level");
     return;
   }
   block.special = merging_locus(block.ode->r, block.ode->z, *h);
-  const auto used = used_variables(block.ode->r);
-  if (std::any_of(used.begin(), used.end(), [&](std::size_t i) {
-        return i != *h && std::find(s.field.parameters.begin(), s.field.parameters.end(), i) !=
-                              s.field.parameters.end();
-      }))
-    return; // other parameters are free: the locus is the answer
-  const ConstantField constants = ConstantField::make(s.field);
-  const auto run = [&](const NfElem& value, std::string condition, std::string why) {
-    EnergyResult e = decide_at(*block.ode, *h, constants, value, options);
+  if (has_other_parameters(s, block.ode->r, *h)) return; // the locus is the answer
+  const auto run = [&](const MPoly& f, std::string condition, std::string why) {
+    EnergyResult e = decide_at(at_root(s, *h, f), spec, claims, options, block);
     e.condition = std::move(condition);
     e.why = std::move(why);
-    if (e.decision && e.decision->abelian == Truth::no) block.abelian = Truth::no;
+    if (e.decision && e.decision->abelian == Truth::no) {
+      block.abelian = Truth::no;
+      block.note.clear(); // one level is enough
+    }
     block.energies.push_back(std::move(e));
   };
-  for (const auto& f : block.special) {
-    if (used_variables(f).size() != 1 || !constants.field()->is_rational()) continue;
-    const Poly minimal = to_rational_function(MFraction(f), *h).num();
-    const auto [field, root] =
-        field_of_root(minimal, unique_name(s.ring(), reduce.energy_parameter));
-    run(root, to_string(f) + " = 0", "singular places merge");
-    if (block.abelian == Truth::no) return;
-  }
+  for (const auto& f : block.special)
+    if (used_variables(f).size() == 1) run(f, to_string(f) + " = 0", "singular places merge");
+  const std::string name = s.ring()->name(*h);
   for (const Rational& sample : {Rational(1), Rational(2), Rational(1, 2)}) {
-    const NfElem value(sample, constants.field());
-    run(value, reduce.energy_parameter + " = " + to_string(sample), "sample");
     if (block.abelian == Truth::no) return;
+    const MFraction f = MFraction::variable(s.ring(), *h) - MFraction(s.ring(), sample);
+    run(f.num(), name + " = " + to_string(sample), "sample");
   }
 }
 

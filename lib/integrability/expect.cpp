@@ -11,7 +11,7 @@ std::string group_name(const GaloisGroup& g) {
 }
 
 // What one manifold has to say; empty: as expected.
-std::string compare(const Expectation& x, const ManifoldReport& m) {
+std::string compare(const SystemExpectation& x, const ManifoldReport& m) {
   std::string wrong;
   const auto differs = [&](const std::string& what, const std::string& expected,
                            const std::string& found) {
@@ -42,9 +42,12 @@ std::string compare(const Expectation& x, const ManifoldReport& m) {
     if (block->decision) {
       const Decision& d = *block->decision;
       differs("group", x.group, d.group ? group_name(*d.group) : "undetermined");
+      if (x.kovacic_case)
+        differs("case", std::to_string(*x.kovacic_case),
+                d.kovacic_case ? std::to_string(*d.kovacic_case) : "undetermined");
       differs("identity component", x.identity_component,
               d.component ? to_string(*d.component) : "undetermined");
-    } else if (!x.group.empty()) {
+    } else if (!x.group.empty() || x.kovacic_case) {
       wrong += "no group was determined; ";
     }
   }
@@ -54,22 +57,40 @@ std::string compare(const Expectation& x, const ManifoldReport& m) {
   return wrong;
 }
 
-std::string run(const Entry& document, const Expectation& x, const CheckOptions& options) {
-  const System s = read_system(document, x.where);
-  CheckOptions how = options;
-  how.only_manifold = x.manifold;
-  const CheckReport report = check_system(s, how);
-  if (report.manifolds.empty()) return "the file has no such manifold";
-  // the values of `where` apply to p, q, r of the expectation as well
-  const auto here = std::find_if(s.expectations.begin(), s.expectations.end(),
-                                 [&](const Expectation& e) { return e.line == x.line; });
+} // namespace
+
+std::string unmet(const SystemExpectation& x, const CheckReport& report) {
   std::string wrong;
   for (const auto& m : report.manifolds) {
-    const std::string one = compare(*here, m);
+    if (!x.manifold.empty() && x.manifold != m.name) continue;
+    const std::string one = compare(x, m);
     if (one.empty()) return {}; // one manifold is enough
     wrong += "[" + m.name + "] " + one;
   }
-  return wrong;
+  return wrong.empty() ? "the file has no such manifold" : wrong;
+}
+
+std::string describe(const SystemExpectation& x) {
+  std::string s;
+  for (const auto& [name, value] : x.where)
+    s += (s.empty() ? "" : ", ") + name + " = " + value;
+  if (!s.empty()) s += ": ";
+  s += x.verdict.empty() ? "the stages" : x.verdict;
+  if (!x.group.empty()) s += ", group " + x.group;
+  if (!x.source.empty()) s += "  (" + x.source + ")";
+  return s;
+}
+
+namespace {
+
+std::string run(const Entry& document, const SystemExpectation& x, const CheckOptions& options) {
+  const System s = read_system(document, x.where);
+  CheckOptions how = options;
+  how.only_manifold = x.manifold;
+  // read again: the values of `where` apply to p, q, r of the expectation as well
+  const auto here = std::find_if(s.expectations.begin(), s.expectations.end(),
+                                 [&](const SystemExpectation& e) { return e.line == x.line; });
+  return unmet(*here, check_system(s, how));
 }
 
 } // namespace
@@ -92,10 +113,7 @@ std::vector<ExpectationResult> test_system_file(const std::string& path,
       return r.proved == claim.holds ? "" : r.detail;
     });
   for (const auto& x : s.expectations) {
-    std::string name = x.source;
-    for (const auto& [parameter, value] : x.where)
-      name += " " + parameter + "=" + value;
-    timed(x.line, name, [&] { return run(document, x, options); });
+    timed(x.line, describe(x), [&] { return run(document, x, options); });
   }
   return results;
 }

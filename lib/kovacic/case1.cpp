@@ -9,8 +9,6 @@
 namespace kov::kovacic {
 namespace {
 
-const RationalFunction half(Rational(1, 2));
-
 Exponential verified(Exponential y, const RationalFunction& r) {
   KOV_ENSURE(solves_riccati(y.omega, r));
   return y;
@@ -26,19 +24,21 @@ std::optional<Outcome> from_second_power(const Singularities& s, const Budget& b
   if (found.empty()) return std::nullopt;
   KOV_ENSURE(found.size() == 1 || found.size() == 3);
   const RationalFunction v = rational_value(s, found.front());
-  const NfElem w_squared = wronskian_squared(v, s.r);
+  const NfElem w_squared = squared_wronskian(v, s.r);
   if (is_zero(w_squared)) { // v = y^2
     KOV_ENSURE(found.size() == 1);
-    const RationalFunction omega = derivative(v) / v * half;
-    note(trace, 1, 3,
-         "v = " + to_string(v) + " is the square of a solution: y'/y = " + to_string(omega) +
-             ", the only exponential line.");
+    const RationalFunction omega = derivative(v) / (RationalFunction(2) * v);
+    note(trace, 1, 3, [&] {
+      return "v = " + to_string(v) + " is the square of a solution: y'/y = " + to_string(omega) +
+             ", the only exponential line.";
+    });
     return verified(Exponential{omega}, s.r);
   }
   KOV_ENSURE(found.size() == 1);
-  note(trace, 1, 3,
-       "v = " + to_string(v) + ", w^2 = " + to_string(w_squared) +
-           ": y'/y = (v' +- w)/(2v) are the two exponential lines.");
+  note(trace, 1, 3, [&] {
+    return "v = " + to_string(v) + ", w^2 = " + to_string(w_squared) +
+           ": y'/y = (v' +- w)/(2v) are the two exponential lines.";
+  });
   return ExponentialPair{v, w_squared, false};
 }
 
@@ -53,7 +53,7 @@ bool may_be_scalar(const Singularities& s) {
 
 // Constant for a solution v of the second symmetric power, because its derivative is
 // -2 v (v''' - 4 r v' - 2 r' v); so the value at one point is enough.
-NfElem wronskian_squared(const RationalFunction& v, const RationalFunction& r) {
+NfElem squared_wronskian(const RationalFunction& v, const RationalFunction& r) {
   NfElem at(0);
   while (is_zero(evaluate(v.den(), at)) || is_zero(evaluate(r.den(), at)))
     at += NfElem(1);

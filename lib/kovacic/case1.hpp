@@ -26,6 +26,6 @@ namespace kov::kovacic {
 
 /// v'^2 - 2 v v'' + 4 r v^2: for a solution v of the second symmetric power a constant, the square
 /// of the Wronskian of its two factors.  Requires v such a solution.
-[[nodiscard]] NfElem wronskian_squared(const RationalFunction& v, const RationalFunction& r);
+[[nodiscard]] NfElem squared_wronskian(const RationalFunction& v, const RationalFunction& r);
 
 } // namespace kov::kovacic

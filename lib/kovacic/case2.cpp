@@ -28,8 +28,9 @@ bool may_be_three_conjugates(const Singularities& s) {
 }
 
 Outcome quadratic(const RationalFunction& phi, const Singularities& s, Trace* trace) {
-  note(trace, 2, 3,
-       "omega^2 - phi omega + phi'/2 + phi^2/2 - r = 0 with phi = " + to_string(phi) + ".");
+  note(trace, 2, 3, [&] {
+    return "omega^2 - phi omega + phi'/2 + phi^2/2 - r = 0 with phi = " + to_string(phi) + ".";
+  });
   KOV_ENSURE(solves_second_power(phi, s.r));
   return Imprimitive{phi};
 }

@@ -8,12 +8,10 @@
 namespace kov::kovacic {
 namespace {
 
-const NfElem half(Rational(1, 2));
-
 // (shift + sign * difference)/2
 Poly exponent(long shift, const Poly& difference, int sign) {
   const Poly signed_difference = sign > 0 ? difference : -difference;
-  return scale(Poly(shift) + signed_difference, half);
+  return scale(Poly(shift) + signed_difference, NfElem(Rational(1, 2)));
 }
 
 std::vector<LocalForm> regular_forms(const Singularity& place, const Budget& budget) {

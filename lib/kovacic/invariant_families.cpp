@@ -65,7 +65,7 @@ std::vector<RadicalProduct> products(const Singularities& s, const ProductSearch
   for (const Singularity& place : s.finite)
     classes.push_back(search.classes(place));
   classes.push_back(search.classes(s.infinity));
-  if (trace != nullptr) note(trace, c, 1, search.name + ": " + sets_text(s, search) + ".");
+  note(trace, c, 1, [&] { return search.name + ": " + sets_text(s, search) + "."; });
   const Families families = admissible_families(contributions(s, classes), budget);
   note_families(trace, c, search.name, families);
   std::vector<RadicalProduct> found;

@@ -10,6 +10,8 @@
 #include "kovacic/residue_field.hpp"
 #include "linode/degree_bounds.hpp"
 
+#include <algorithm>
+
 namespace kov::kovacic {
 namespace {
 
@@ -19,8 +21,9 @@ namespace {
 RationalFunction principal_part(const Singularity& place, const LocalForm& form) {
   if (place.at_infinity) { // the polynomial part [sqrt r]_infinity
     std::vector<NfElem> c;
-    for (auto i = place.sqrt_tail.rbegin(); i != place.sqrt_tail.rend(); ++i)
-      c.push_back((form.root * *i).coeff(0));
+    for (const Poly& term : place.sqrt_tail)
+      c.push_back((form.root * term).coeff(0));
+    std::reverse(c.begin(), c.end());
     return {Poly::from_coefficients(c)};
   }
   const Poly& q = place.place;

@@ -21,19 +21,24 @@ struct PrimeField {
   void add_product(Elem& sum, Elem a, Elem b) const {
     sum = nmod_add(sum, nmod_mul(a, b, mod), mod);
   }
+  [[nodiscard]] long bits(Elem) const { return 0; }
   [[nodiscard]] Elem minus_inverse(Elem a) const { return nmod_neg(nmod_inv(a, mod), mod); }
 };
 
 struct ConstantField {
   using Elem = NfElem;
 
-  [[nodiscard]] Elem zero() const { return NfElem(0); }
-  [[nodiscard]] Elem one() const { return NfElem(1); }
-  [[nodiscard]] Elem from(long n) const { return NfElem(n); }
+  [[nodiscard]] Elem zero() const { return {0}; }
+  [[nodiscard]] Elem one() const { return {1}; }
+  [[nodiscard]] Elem from(long n) const { return {n}; }
   [[nodiscard]] bool is_zero(const Elem& a) const { return kov::is_zero(a); }
   [[nodiscard]] Elem product(const Elem& a, const Elem& b) const { return a * b; }
   void add_product(Elem& sum, const Elem& a, const Elem& b) const {
     if (!kov::is_zero(a) && !kov::is_zero(b)) sum += a * b;
+  }
+  [[nodiscard]] long bits(const Elem& a) const {
+    const long num = _fmpz_vec_max_bits(a.raw()->coeffs, a.raw()->length);
+    return std::abs(num) + static_cast<long>(fmpz_bits(fmpq_poly_denref(a.raw())));
   }
   [[nodiscard]] Elem minus_inverse(const Elem& a) const { return -inverse(a); }
 };
@@ -50,7 +55,7 @@ std::vector<Polynomial> step_operator(long m, const Polynomial& S, const Polynom
   std::vector<Polynomial> now{times(one, -1)};
   for (long i = m; i >= 0; --i) {
     const Polynomial factor = times(dS, m - i) - H;
-    std::vector<Polynomial> below(now.size() + 1, one - one);
+    std::vector<Polynomial> below(now.size() + 1, times(one, 0));
     for (std::size_t k = 0; k < now.size(); ++k) {
       below[k] = below[k] + factor * now[k] - S * derivative(now[k]);
       below[k + 1] = below[k + 1] - S * now[k];

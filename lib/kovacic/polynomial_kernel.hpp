@@ -74,6 +74,7 @@ private:
         x = A_.product(x, factor);
     }
     if (p.empty()) return;
+    check_size(p);
     for (std::size_t i = 1; i < c.size(); ++i) {
       const long e = j + top_ - static_cast<long>(i);
       if (e < 0) break;
@@ -83,6 +84,17 @@ private:
       for (std::size_t l = 0; l < p.size(); ++l)
         A_.add_product(sum[l], c[i], p[l]);
     }
+  }
+
+  // Exact coefficients grow with the degree; P has one common denominator.
+  void check_size(const Vector& p) {
+    constexpr long limit = 1L << 30;
+    ++nonzero_;
+    for (const Elem& x : p)
+      bits_ = std::max(bits_, A_.bits(x));
+    if (bits_ > limit / nonzero_)
+      throw OutOfBudget("size limit: the coefficients of a polynomial of degree " +
+                        std::to_string(d_) + " take more than 128 MB");
   }
 
   // The parameters that satisfy all conditions, by Gauss elimination.
@@ -141,6 +153,8 @@ private:
   const Budget& budget_;
   long top_ = -1000000000;
   std::size_t parameters_ = 0;
+  long bits_ = 0;
+  long nonzero_ = 0;
   std::vector<Vector> p_;         // the coefficients of P; an empty vector is zero
   std::vector<Vector> equations_; // at z^e: what is known of it so far
   std::vector<Vector> conditions_;

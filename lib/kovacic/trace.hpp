@@ -2,6 +2,8 @@
 // The steps of the algorithm as data: what was tried, what was found, why something was left out.
 
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace kov::kovacic {
@@ -15,9 +17,14 @@ struct Step {
 
 using Trace = std::vector<Step>;
 
-/// Appends a step when somebody listens.
-inline void note(Trace* trace, int kovacic_case, int number, std::string text) {
-  if (trace != nullptr) trace->push_back({kovacic_case, number, std::move(text)});
+/// Appends a step when somebody listens.  `text` is a string, or a function that makes one and is
+/// called only then.
+template <class Text> void note(Trace* trace, int kovacic_case, int number, Text&& text) {
+  if (trace == nullptr) return;
+  if constexpr (std::is_invocable_v<Text>)
+    trace->push_back({kovacic_case, number, text()});
+  else
+    trace->push_back({kovacic_case, number, std::forward<Text>(text)});
 }
 
 } // namespace kov::kovacic

@@ -34,13 +34,16 @@ std::vector<ComplexBall> complex_roots(const Poly& q) {
     acb_poly_t f;
     acb_poly_init(f);
     long isolated = 0;
-    for (long bits = 128; isolated < n; bits *= 2) {
-      if (bits > (1L << 16)) throw OutOfBudget("the roots of a place could not be separated");
+    for (long bits = 128; isolated < n && bits <= (1L << 16); bits *= 2) {
       for (long i = 0; i <= n; ++i)
         acb_poly_set_coeff_acb(f, i, embed(q.coeff(i), bits).raw());
       isolated = acb_poly_find_roots(roots, f, nullptr, 0, bits);
     }
     acb_poly_clear(f);
+    if (isolated < n) {
+      _acb_vec_clear(roots, n);
+      throw OutOfBudget("the roots of a place could not be separated");
+    }
   }
   for (long i = 0; i < n; ++i)
     acb_set(found[static_cast<std::size_t>(i)].raw(), roots + i);

@@ -30,6 +30,14 @@ std::string key_of(const Expression& e) {
   return key;
 }
 
+// The n-th root that was adjoined, as text: of c^(p/q) that is c^(1/q).
+std::string root_label(const Expression& at, unsigned long n) {
+  if (at.kind() != Expression::Kind::power) return key_of(at);
+  const std::string base = key_of(at.operand(0));
+  const bool digits = base.find_first_not_of("0123456789") == std::string::npos;
+  return "(" + (digits ? base : "(" + base + ")") + "^(1/" + std::to_string(n) + "))";
+}
+
 std::vector<Integer> primitive(const std::vector<Rational>& c) {
   Integer common(1);
   for (const Rational& q : c)
@@ -233,8 +241,7 @@ NfElem Constants::nth_root(const NfElem& c, unsigned long n, const Expression& a
     throw at.error("this root may have a degree above " + std::to_string(largest),
                    "the limit of the number field is degree " + std::to_string(max_degree_));
   const Poly f = Poly::monomial(NfElem(Rational(1), field_), static_cast<long>(n)) - Poly(c);
-  const bool is_power = at.kind() == Kind::power;
-  return adjoin(principal_root(x, n), f, is_power ? "(" + key_of(at) + ")" : key_of(at), false, at);
+  return adjoin(principal_root(x, n), f, root_label(at, n), false, at);
 }
 
 QQbar Constants::chosen_root(const Expression& e) const {

@@ -278,6 +278,7 @@ namespace {
 
 void gather_names(const Expression& e, std::set<std::string>& names) {
   if (e.kind() == Expression::Kind::name) names.insert(e.name());
+  if (e.kind() == Expression::Kind::call && e.name() == "root") return; // its variable is bound
   for (const Expression& operand : e.operands())
     gather_names(operand, names);
 }

@@ -94,7 +94,8 @@ struct ParseLimits {
                                           bool allow_equation = false,
                                           const ParseLimits& limits = {});
 
-/// Every name that stands for a value in the tree (not those of functions), sorted, once each.
+/// Every name that stands for a value in the tree, sorted, once each: not those of functions, and
+/// not the variable inside root(p(x), approx).
 [[nodiscard]] std::vector<std::string> names_in(const Expression& e);
 
 } // namespace kov

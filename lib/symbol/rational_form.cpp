@@ -12,6 +12,11 @@ using Kind = Expression::Kind;
 
 constexpr double max_bits = 1UL << 28; // 32 MiB of coefficients in one polynomial
 
+std::string shortened(const Integer& n) {
+  const std::string s = to_string(n);
+  return s.size() <= 40 ? s : s.substr(0, 20) + "... (" + std::to_string(s.size()) + " digits)";
+}
+
 // Bits of the longest coefficient, denominators included.
 double coefficient_bits(const Poly& f) {
   return static_cast<double>(std::abs(_fmpz_vec_max_bits(f.raw()->coeffs, f.raw()->length)) +
@@ -246,6 +251,8 @@ private:
   }
 
   void check_power(const RationalFunction& base, const Integer& k) const {
+    if (!fits_long(k))
+      throw OutOfBudget("size limit: the exponent " + shortened(k) + " is too large");
     const long d = std::max(degree(base.num()), degree(base.den()));
     const double size = std::abs(fmpz_get_d(k.raw()));
     if (d > 0 && static_cast<double>(d) * size > static_cast<double>(reading_.budget.max_degree))
@@ -257,7 +264,6 @@ private:
       if (terms * size * growth_bits(*f) > max_bits)
         throw OutOfBudget("size limit: a power with exponent " + to_string(k) +
                           " would have numbers that are too long");
-    KOV_ENSURE(fits_long(k));
   }
 
   const Reading& reading_;
@@ -295,7 +301,7 @@ InputError unknown_name(const Expression& at, const Reading& reading) {
   if (const auto near = nearest(name, known))
     hint += "; did you mean " + *near + "?";
   else if (!reading.variable.empty())
-    hint += "; another name needs a value (--set " + name + "=...) or a minimal polynomial";
+    hint += "; another name needs a value (--set) or a minimal polynomial (--minpoly)";
   return at.error("unknown name '" + name + "'", hint);
 }
 

@@ -40,16 +40,16 @@ struct Typeset {
   const char* hint;
 };
 constexpr std::array typeset_signs{
-    Typeset{"\xE2\x88\x92", "write -"},
-    Typeset{"\xE2\x80\x93", "write -"},
-    Typeset{"\xC2\xB7", "write *"},
-    Typeset{"\xC3\x97", "write *"},
-    Typeset{"\xE2\x8B\x85", "write *"},
+    Typeset{"\xE2\x88\x92", "write the ASCII sign -"},
+    Typeset{"\xE2\x80\x93", "write the ASCII sign -"},
+    Typeset{"\xC2\xB7", "write the ASCII sign *"},
+    Typeset{"\xC3\x97", "write the ASCII sign *"},
+    Typeset{"\xE2\x8B\x85", "write the ASCII sign *"},
     Typeset{"\xC2\xB2", "write ^2"},
     Typeset{"\xC2\xB3", "write ^3"},
-    Typeset{"\xE2\x80\xB2", "write '"},
+    Typeset{"\xE2\x80\xB2", "write the ASCII sign '"},
     Typeset{"\xE2\x80\xB3", "write ''"},
-    Typeset{"\xE2\x80\x99", "write '"},
+    Typeset{"\xE2\x80\x99", "write the ASCII sign '"},
     Typeset{"\xE2\x88\x9A", "write sqrt(...)"},
     Typeset{"\"", "for a second derivative write two primes: y''"},
     Typeset{"[", "use parentheses ( )"},

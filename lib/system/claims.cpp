@@ -30,7 +30,7 @@ ClaimResult refuted(const std::string& what, const MFraction& f) {
 }
 
 // X(G) = K G: G divides X(G) modulo the relations, that is, X(G) is in the ideal of G.
-ClaimResult check_darboux(const VectorField& v, const Claim& claim) {
+ClaimResult check_darboux(const VectorField& v, const SystemClaim& claim) {
   const MFraction derivative = lie_derivative(v, claim.value);
   const MPoly g = claim.value.num();
   const MFraction cofactor = derivative / claim.value;
@@ -48,8 +48,8 @@ ClaimResult check_darboux(const VectorField& v, const Claim& claim) {
 
 } // namespace
 
-ClaimResult check_claim(const VectorField& v, const Claim& claim) {
-  if (claim.kind == Claim::Kind::darboux) return check_darboux(v, claim);
+ClaimResult check_claim(const VectorField& v, const SystemClaim& claim) {
+  if (claim.kind == SystemClaim::Kind::darboux) return check_darboux(v, claim);
   const Ideal level = level_ideal(v, claim.on);
   if (level.is_unit())
     throw InvalidArgument("the level of the claim '" + claim.name + "' is empty");
@@ -61,14 +61,14 @@ ClaimResult check_claim(const VectorField& v, const Claim& claim) {
     return refuted(what, reduced(f, level));
   };
   switch (claim.kind) {
-  case Claim::Kind::integral:
+  case SystemClaim::Kind::integral:
     // On a level set that is not itself invariant the statement would be empty: check it first.
     for (const auto& e : claim.on)
       if (const MFraction d = lie_derivative(v, e.difference); !holds_on(d, level))
         return refuted("the level " + e.text + " is not invariant; its derivative",
                        reduced(d, level));
     return decide(lie_derivative(v, claim.value), "d/dt " + claim.name);
-  case Claim::Kind::casimir: {
+  case SystemClaim::Kind::casimir: {
     if (!v.poisson) throw InvalidArgument("this system has no Poisson structure");
     const auto x = hamiltonian_field(v, *v.poisson, claim.value);
     for (std::size_t j = 0; j < x.size(); ++j)
@@ -76,7 +76,7 @@ ClaimResult check_claim(const VectorField& v, const Claim& claim) {
         return r;
     return {true, "J grad " + claim.name + " = 0", MFraction(v.ring), level.inverted()};
   }
-  case Claim::Kind::poisson:
+  case SystemClaim::Kind::poisson:
     return decide(poisson_bracket(v, claim.first, claim.second) - claim.value,
                   "left side - right side");
   default:
@@ -127,7 +127,7 @@ ClaimResult check_same_field(const VectorField& v, const VectorField& other) {
   return {true, "all components agree", MFraction(v.ring), {}};
 }
 
-ClaimResult check_claim(const System& s, const Claim& claim) {
+ClaimResult check_claim(const System& s, const SystemClaim& claim) {
   if (claim.other.empty()) return check_claim(s.field, claim);
   if (claim.other == "euler-lagrange") return check_euler_lagrange(s);
   const std::size_t slash = s.file.find_last_of('/');

@@ -22,7 +22,7 @@ struct ClaimResult {
 
 /// Requires a claim with a function, not `other`.
 /// Errors  InvalidArgument for a casimir or poisson claim on a system without a bracket
-[[nodiscard]] ClaimResult check_claim(const VectorField& v, const Claim& claim);
+[[nodiscard]] ClaimResult check_claim(const VectorField& v, const SystemClaim& claim);
 
 /// The Euler-Lagrange form on the group against the Poisson form, component by component:
 ///   M' = (M - B) x Omega + dL/dGamma x Gamma,  Gamma' = Gamma x Omega,  Omega = Omega(M, Gamma).
@@ -33,6 +33,6 @@ struct ClaimResult {
 [[nodiscard]] ClaimResult check_same_field(const VectorField& v, const VectorField& other);
 
 /// Any claim of a file; other files are found beside it.
-[[nodiscard]] ClaimResult check_claim(const System& s, const Claim& claim);
+[[nodiscard]] ClaimResult check_claim(const System& s, const SystemClaim& claim);
 
 } // namespace kov

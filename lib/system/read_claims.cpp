@@ -9,12 +9,13 @@
 namespace kov {
 namespace {
 
-constexpr std::array claim_sections{
-    std::pair("integral", Claim::Kind::integral), std::pair("casimir", Claim::Kind::casimir),
-    std::pair("darboux", Claim::Kind::darboux), std::pair("poisson", Claim::Kind::poisson),
-    std::pair("equal", Claim::Kind::equal)};
+constexpr std::array claim_sections{std::pair("integral", SystemClaim::Kind::integral),
+                                    std::pair("casimir", SystemClaim::Kind::casimir),
+                                    std::pair("darboux", SystemClaim::Kind::darboux),
+                                    std::pair("poisson", SystemClaim::Kind::poisson),
+                                    std::pair("equal", SystemClaim::Kind::equal)};
 
-void read_claim(const Entry& e, Claim& claim, const SystemScope& scope) {
+void read_claim(const Entry& e, SystemClaim& claim, const SystemScope& scope) {
   e.check_keys(
       {"name", "value", "first", "second", "left", "right", "with", "on", "holds", "source"});
   claim.line = e.line();
@@ -22,12 +23,12 @@ void read_claim(const Entry& e, Claim& claim, const SystemScope& scope) {
   if (const Entry* holds = e.find("holds")) claim.holds = holds->boolean();
   if (const Entry* source = e.find("source")) claim.source = source->string();
   if (const Entry* name = e.find("name")) claim.name = name->string();
-  if (claim.kind == Claim::Kind::equal && e.find("with")) {
+  if (claim.kind == SystemClaim::Kind::equal && e.find("with")) {
     claim.other = e.at("with").string();
     claim.text = "the same vector field as " + claim.other;
     return;
   }
-  if (claim.kind == Claim::Kind::equal) {
+  if (claim.kind == SystemClaim::Kind::equal) {
     claim.value =
         evaluate(e.at("left").expression(), scope) - evaluate(e.at("right").expression(), scope);
     claim.text = e.at("left").string() + " = " + e.at("right").string();
@@ -43,7 +44,7 @@ void read_claim(const Entry& e, Claim& claim, const SystemScope& scope) {
     claim.value = evaluate(value->expression(), scope);
     claim.text = value->string();
   }
-  if (claim.kind == Claim::Kind::poisson) {
+  if (claim.kind == SystemClaim::Kind::poisson) {
     claim.first = evaluate(e.at("first").expression(), scope);
     claim.second = evaluate(e.at("second").expression(), scope);
     claim.text =
@@ -159,15 +160,20 @@ void read_reduction(const Entry& e, const SystemScope& scope, System& s) {
     r.change = evaluate(text.operand(1), scope);
     r.change_text = change->string();
   }
-  if (const Entry* normal = e.find("normal")) r.normal = normal->strings();
-  if (const Entry* unknown = e.find("variable")) {
-    const auto i = scope.ring()->find(unknown->string());
-    if (!i || std::find(scope.coordinates.begin(), scope.coordinates.end(), unknown->string()) ==
+  const auto coordinate = [&](const Entry& entry) {
+    const auto i = scope.ring()->find(entry.string());
+    if (!i || std::find(scope.coordinates.begin(), scope.coordinates.end(), entry.string()) ==
                   scope.coordinates.end())
-      throw unknown->error("'" + unknown->string() + "' is not a coordinate",
-                           "coordinates: " + enumerate(scope.coordinates));
-    r.unknown = *i;
-  }
+      throw entry.error("'" + entry.string() + "' is not a coordinate",
+                        "coordinates: " + enumerate(scope.coordinates));
+    return *i;
+  };
+  if (const Entry* normal = e.find("normal"))
+    for (const Entry* one : normal->list()) {
+      if (!r.unknown) r.unknown = coordinate(*one);
+      r.normal.push_back(scope.ring()->name(coordinate(*one)));
+    }
+  if (const Entry* unknown = e.find("variable")) r.unknown = coordinate(*unknown);
   if (const Entry* energy = e.find("energy")) {
     r.energy = energy->string();
     if (r.energy != "auto") throw energy->error("energy can only be \"auto\"");
@@ -181,7 +187,7 @@ void read_reduction(const Entry& e, const SystemScope& scope, System& s) {
 void read_claims(const Entry& document, SystemScope& scope, System& s) {
   for (const auto& [section, kind] : claim_sections) { // names first: formulas may use them
     const Entry* claims = document.find(section);
-    if (!claims || kind == Claim::Kind::poisson || kind == Claim::Kind::equal) continue;
+    if (!claims || kind == SystemClaim::Kind::poisson || kind == SystemClaim::Kind::equal) continue;
     for (const Entry* e : claims->list())
       if (const Entry* name = e->find("name"); name && e->find("value"))
         scope.define(name->string(), e->at("value"));
@@ -190,7 +196,7 @@ void read_claims(const Entry& document, SystemScope& scope, System& s) {
     const Entry* claims = document.find(section);
     if (!claims) continue;
     for (const Entry* e : claims->list()) {
-      Claim claim;
+      SystemClaim claim;
       claim.kind = kind;
       read_claim(*e, claim, scope);
       s.claims.push_back(std::move(claim));
@@ -226,7 +232,7 @@ void read_expectations(const Entry& document, const SystemScope& scope, System& 
   for (const Entry* e : expect->list()) {
     e->check_keys({"where", "manifold", "verdict", "group", "identity_component", "abelian", "p",
                    "q", "r", "source", "case", "requires", "outcome"});
-    Expectation x;
+    SystemExpectation x;
     x.line = e->line();
     if (const Entry* where = e->find("where"))
       for (const auto& [name, value] : where->members())
@@ -240,6 +246,15 @@ void read_expectations(const Entry& document, const SystemScope& scope, System& 
     text("identity_component", x.identity_component);
     text("abelian", x.abelian);
     text("source", x.source);
+    if (const Entry* number = e->find("case")) x.kovacic_case = number->integer();
+    if (const Entry* outcome = e->find("outcome")) {
+      const std::array outcomes{"exponential", "imprimitive", "algebraic", "no-liouvillian"};
+      const auto place = std::find(outcomes.begin(), outcomes.end(), outcome->string());
+      if (place == outcomes.end())
+        throw outcome->error("unknown outcome '" + outcome->string() + "'",
+                             "use exponential, imprimitive, algebraic or no-liouvillian");
+      x.kovacic_case = place - outcomes.begin() + 1;
+    }
     const std::array verdicts{"", "non-integrable", "no-obstruction", "undecided"};
     if (std::find(verdicts.begin(), verdicts.end(), x.verdict) == verdicts.end())
       throw e->at("verdict").error("unknown verdict '" + x.verdict + "'",

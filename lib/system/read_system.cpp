@@ -1,4 +1,4 @@
-// [system], [set], [assume], [expansion]: the vector field.  Claims, manifolds and expectations are
+// [system]: the vector field.  Claims, manifolds and expectations are
 // in read_claims.cpp.
 
 #include "system/read_system.hpp"
@@ -11,140 +11,12 @@
 namespace kov {
 namespace {
 
-const Entry* section(const Entry& document, std::string_view name) { return document.find(name); }
-
 std::vector<std::string> names_of(const Entry& system, std::string_view key) {
   const Entry* e = system.find(key);
   return e ? e->strings() : std::vector<std::string>{};
 }
 
-/// The new independent variable: what [reduce] calls it, or the first free letter.
-std::string independent_name(const Entry& document, const std::vector<std::string>& taken) {
-  if (const Entry* reduce = section(document, "reduce"))
-    for (const Entry* r : reduce->list())
-      if (const Entry* change = r->find("change")) {
-        const Expression e = change->expression(true);
-        if (e.kind() != Expression::Kind::equation || e.operand(0).kind() != Expression::Kind::name)
-          throw e.error("a change of variable was expected", "write it as 'z = Gamma3^2'");
-        return e.operand(0).name();
-      }
-  for (const char* name : {"z", "w", "zeta", "independent"})
-    if (std::find(taken.begin(), taken.end(), name) == taken.end()) return name;
-  return "independent_";
-}
-
 } // namespace
-
-SystemScope::SystemScope(const Entry& document, const Settings& settings) : document_(&document) {
-  const Entry& system = document.at("system");
-  system.check_keys({"kind", "coordinates", "momenta", "parameters", "constants", "hamiltonian",
-                     "lagrangian", "angular_velocity", "gyrostat", "bracket", "field", "relations",
-                     "define", "function"});
-  coordinates = names_of(system, "coordinates");
-  const auto momenta = names_of(system, "momenta");
-  coordinates.insert(coordinates.end(), momenta.begin(), momenta.end());
-  velocities = names_of(system, "angular_velocity");
-  parameters = names_of(system, "parameters");
-  constants = names_of(system, "constants");
-  if (const Entry* f = system.find("function"))
-    for (const Entry* one : f->list())
-      function_names.push_back(one->at("name").string());
-  std::vector<std::string> all;
-  for (const auto* part : {&coordinates, &velocities, &function_names, &constants, &parameters})
-    all.insert(all.end(), part->begin(), part->end());
-  independent = independent_name(document, all);
-  all.insert(all.begin(), independent);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (std::find(all.begin(), all.begin() + static_cast<long>(i), all[i]) !=
-        all.begin() + static_cast<long>(i))
-      throw system.error("the name '" + all[i] + "' is declared twice",
-                         all[i] == independent ? "give the new variable of [reduce] another name"
-                                               : "");
-  ring_ = make_ring(all);
-  if (const Entry* d = system.find("define"))
-    for (const auto& [name, entry] : d->members())
-      define(name, entry);
-  read_settings(settings);
-}
-
-void SystemScope::define(const std::string& name, const Entry& entry) {
-  if (ring_->find(name)) throw entry.error("the name '" + name + "' is declared twice");
-  definitions_.emplace(name, &entry);
-}
-
-void SystemScope::fix(const std::string& name, const Expression& e) {
-  if (std::find(parameters.begin(), parameters.end(), name) == parameters.end()) {
-    const auto guess = nearest(name, parameters);
-    throw e.error("'" + name + "' is not a parameter of this system",
-                  guess ? "did you mean '" + *guess + "'?"
-                        : "parameters: " + enumerate(parameters));
-  }
-  pending_.insert_or_assign(name, e);
-}
-
-void SystemScope::read_settings(const Settings& settings) {
-  if (const Entry* set = section(*document_, "set"))
-    for (const auto& [name, entry] : set->members())
-      fix(name, entry.expression());
-  for (const auto& [name, text] : settings)
-    fix(name, parse_expression(text, "--set " + name));
-  const auto pending = pending_;
-  for (const auto& [name, e] : pending)
-    static_cast<void>(fixed_value(name));
-}
-
-// A fixed value may use other parameters (C = "2*A"), in any order, without a circle.
-std::optional<MFraction> SystemScope::fixed_value(const std::string& name) const {
-  if (const auto known = values.find(name); known != values.end()) return known->second;
-  const auto waiting = pending_.find(name);
-  if (waiting == pending_.end()) return std::nullopt;
-  if (!open_.insert(name).second)
-    throw waiting->second.error("the value of '" + name + "' is defined by itself");
-  MFraction v = evaluate(waiting->second, *this);
-  for (const std::size_t i : used_variables(v)) {
-    const std::string& used = ring_->name(i);
-    if (std::find(parameters.begin(), parameters.end(), used) == parameters.end() &&
-        std::find(constants.begin(), constants.end(), used) == constants.end())
-      throw waiting->second.error("the value of a parameter cannot depend on '" + used + "'");
-  }
-  open_.erase(name);
-  values[name] = v;
-  return v;
-}
-
-std::optional<MFraction> SystemScope::value(const std::string& name) const {
-  if (auto v = fixed_value(name)) return v;
-  if (const auto v = named.find(name); v != named.end()) return v->second;
-  if (const auto i = ring_->find(name)) return MFraction::variable(ring_, *i);
-  const auto waiting = definitions_.find(name);
-  if (waiting == definitions_.end()) return std::nullopt;
-  if (!open_.insert(name).second)
-    throw waiting->second->error("'" + name + "' is defined by itself");
-  MFraction v = evaluate(waiting->second->expression(), *this);
-  open_.erase(name);
-  named[name] = v;
-  return v;
-}
-
-std::vector<std::string> SystemScope::known_names() const {
-  std::vector<std::string> names(ring_->names());
-  for (const auto& [name, entry] : definitions_)
-    names.push_back(name);
-  for (const auto& [name, entry] : named)
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
-  return names;
-}
-
-Equation SystemScope::equation(const Entry& entry) const {
-  const Expression e = entry.expression(true);
-  return {evaluate_equation(e, *this), entry.string()};
-}
-std::vector<Equation> SystemScope::equations(const Entry& entry) const {
-  std::vector<Equation> all;
-  for (const Entry* one : entry.list())
-    all.push_back(equation(*one));
-  return all;
-}
 
 namespace {
 
@@ -352,7 +224,7 @@ void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
     scope.named["H"] = *v.hamiltonian;
 }
 
-System read_system(const Entry& document, const Settings& settings) {
+System read_system(const Entry& document, const ParameterValues& settings) {
   document.check_keys({"format", "title", "cite", "system", "set", "assume", "expansion",
                        "manifold", "integral", "casimir", "darboux", "poisson", "equal", "reduce",
                        "expect"});
@@ -373,7 +245,7 @@ System read_system(const Entry& document, const Settings& settings) {
   return s;
 }
 
-System read_system(const std::string& path, const Settings& settings) {
+System read_system(const std::string& path, const ParameterValues& settings) {
   return read_system(read_document(path), settings);
 }
 

@@ -11,7 +11,7 @@ namespace kov {
 /// Definitions are evaluated when they are first used, so that their order does not matter.
 class SystemScope : public Scope {
 public:
-  SystemScope(const Entry& document, const Settings& settings);
+  SystemScope(const Entry& document, const ParameterValues& settings);
 
   [[nodiscard]] const Ring& ring() const override { return ring_; }
   [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override;
@@ -30,7 +30,7 @@ public:
   mutable std::map<std::string, MFraction> named;
 
 private:
-  void read_settings(const Settings& settings);
+  void read_settings(const ParameterValues& settings);
   void fix(const std::string& name, const Expression& e);
   [[nodiscard]] std::optional<MFraction> fixed_value(const std::string& name) const;
 

@@ -29,7 +29,7 @@ struct Equation {
   std::string text;
 };
 
-struct Claim {
+struct SystemClaim {
   enum class Kind : std::uint8_t { integral, casimir, darboux, poisson, equal };
   Kind kind = Kind::integral;
   std::string name;
@@ -82,13 +82,14 @@ struct Assumption {
 };
 
 /// [[expect]]: what a test of this file requires.
-struct Expectation {
+struct SystemExpectation {
   std::vector<std::pair<std::string, std::string>> where; ///< parameter values, as text
   std::string manifold;
   std::string verdict;            ///< "non-integrable", "no-obstruction", "undecided", or empty
   std::string group;              ///< as in the JSON, with the index: "SL2", "D_3", or empty
   std::string identity_component; ///< or empty
   std::string abelian;            ///< "yes", "no", or empty
+  std::optional<long> kovacic_case;
   std::optional<MFraction> p, q, r;
   std::string source;
   long line = 0;
@@ -101,11 +102,11 @@ struct System {
   VectorField field;
   std::map<std::string, MFraction> named;  ///< H, definitions, integrals: usable in formulas
   std::map<std::string, MFraction> values; ///< fixed parameters
-  std::vector<Claim> claims;
+  std::vector<SystemClaim> claims;
   std::vector<ManifoldSpec> manifolds;
   std::vector<ReduceSpec> reductions;
   std::vector<Assumption> assumptions;
-  std::vector<Expectation> expectations;
+  std::vector<SystemExpectation> expectations;
   std::map<std::size_t, long> weights; ///< [expansion] weights, by variable
   long expansion_terms = 2;
   std::optional<MFraction> lagrangian;    ///< L(Omega, Gamma); kind lagrangian
@@ -118,12 +119,16 @@ struct System {
 };
 
 /// Parameter values from the command line or from an [[expect]] block: name, text of the value.
-using Settings = std::vector<std::pair<std::string, std::string>>;
+using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 
 /// Errors  InputError with the place in the file; a setting for an unknown parameter; a violated
 ///         assumption; a structure matrix that is not Poisson; a relation that is not invariant
-[[nodiscard]] System read_system(const Entry& document, const Settings& settings = {});
-[[nodiscard]] System read_system(const std::string& path, const Settings& settings = {});
+[[nodiscard]] System read_system(const Entry& document, const ParameterValues& settings = {});
+[[nodiscard]] System read_system(const std::string& path, const ParameterValues& settings = {});
+
+/// A formula in the names of the system (variables, fixed values, definitions, integrals).
+/// Errors  InputError
+[[nodiscard]] MFraction formula(const System& s, const std::string& text);
 
 /// True if the document has a [system] table (and is not a scalar equation).
 [[nodiscard]] bool is_system_document(const Entry& document);

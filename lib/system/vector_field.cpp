@@ -3,6 +3,8 @@
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
 
+#include <algorithm>
+
 namespace kov {
 
 std::vector<std::size_t> VectorField::main_variables() const {
@@ -144,11 +146,30 @@ Legendre legendre(const MFraction& lagrangian, const std::vector<std::size_t>& v
   return result;
 }
 
+namespace {
+
+std::vector<std::size_t> variables_that_matter(const VectorField& v,
+                                               const std::vector<MPoly>& generators,
+                                               const std::vector<MPoly>& nonzero) {
+  std::vector<MFraction> all(v.components);
+  for (const auto* polys : {&generators, &nonzero})
+    all.insert(all.end(), polys->begin(), polys->end());
+  for (const auto& f : v.functions)
+    all.insert(all.end(), f.gradient.begin(), f.gradient.end());
+  std::vector<std::size_t> main;
+  for (const std::size_t i : v.main_variables())
+    if (std::any_of(all.begin(), all.end(), [&](const MFraction& f) { return uses(f, i); }))
+      main.push_back(i);
+  return main;
+}
+
+} // namespace
+
 Ideal relation_ideal(const VectorField& v, const std::vector<MPoly>& more,
                      const std::vector<MPoly>& nonzero) {
   std::vector<MPoly> generators(v.relations);
   generators.insert(generators.end(), more.begin(), more.end());
-  return {v.ring, v.main_variables(), generators, nonzero};
+  return {v.ring, variables_that_matter(v, generators, nonzero), generators, nonzero};
 }
 
 bool is_zero_modulo(const MFraction& f, const Ideal& ideal) {

@@ -39,7 +39,7 @@ struct VectorField {
 
   [[nodiscard]] const std::string& name(std::size_t j) const { return ring->name(coordinates[j]); }
   [[nodiscard]] std::size_t dimension() const noexcept { return coordinates.size(); }
-  /// Coordinates, functions and constants: the main variables of every ideal of this system.
+  /// Coordinates, functions and constants.
   [[nodiscard]] std::vector<std::size_t> main_variables() const;
 };
 
@@ -78,7 +78,10 @@ struct Legendre {
                                 const std::vector<std::size_t>& velocities,
                                 const std::vector<std::size_t>& momenta);
 
-/// The ideal of the relations; its main variables are those of the system.
+/// The ideal of the relations and of `more`.  Its main variables are those on which something
+/// depends: the field, the relations, the gradients of the functions, or the arguments.  A
+/// coordinate on which nothing depends (an angle that occurs through its sine and cosine only, a
+/// cyclic coordinate) is left out, so that an algebraic curve stays one.
 [[nodiscard]] Ideal relation_ideal(const VectorField& v, const std::vector<MPoly>& more = {},
                                    const std::vector<MPoly>& nonzero = {});
 /// f = 0 modulo the ideal, where f is defined; decides by its numerator.

@@ -123,7 +123,7 @@ std::vector<std::vector<std::size_t>> blocks(const LinearSystem& s, const Invari
 }
 
 NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
-                           const std::vector<Claim>& integrals) {
+                           const std::vector<SystemClaim>& integrals) {
   NormalSystem n;
   Matrix rows;
   std::vector<MPoly> scratch;
@@ -144,7 +144,9 @@ NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
       target.push_back(m.restrict(entry));
     }
     auto c = combination(m, rows, target, n.divisors);
-    KOV_ENSURE(c.has_value()); // the manifold is invariant
+    if (!c)
+      throw DomainError("the differentials of the equations do not span the normal directions of "
+                        "the manifold; write its equations without multiplicities");
     n.system.a.push_back(*std::move(c));
   }
   for (const auto& claim : integrals) {
@@ -216,10 +218,9 @@ ReducedSystem reduce_by_integrals(const VectorField& v, const InvariantManifold&
   return r;
 }
 
-std::optional<ScalarEquation> scalar_equation(const VectorField& v, const InvariantManifold& m,
-                                              const LinearSystem& s,
-                                              const std::vector<std::size_t>& block,
-                                              std::size_t unknown) {
+std::optional<NormalVariationalEquation>
+scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSystem& s,
+                const std::vector<std::size_t>& block, std::size_t unknown) {
   KOV_ENSURE(block.size() == 2);
   const std::size_t i = unknown;
   const std::size_t j = block[0] == unknown ? block[1] : block[0];
@@ -227,7 +228,7 @@ std::optional<ScalarEquation> scalar_equation(const VectorField& v, const Invari
   const MFraction& a12 = s.a[i][j];
   if (m.vanishes_on_curve(a12)) return std::nullopt;
   const auto dot = [&](const MFraction& f) { return m.restrict(lie_derivative(v, f)); };
-  ScalarEquation e;
+  NormalVariationalEquation e;
   e.unknown = s.names[i];
   note(e.divisors, a12);
   const MFraction log12 = dot(a12) / a12;

@@ -51,7 +51,7 @@ struct NormalSystem {
 
 /// Requires a manifold that prove_invariant returned.
 [[nodiscard]] NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
-                                         const std::vector<Claim>& proved_integrals);
+                                         const std::vector<SystemClaim>& proved_integrals);
 
 /// One use of a linear integral: the unknown taken away, on the zero level.
 struct Elimination {
@@ -71,14 +71,14 @@ struct ReducedSystem {
                                                 const std::vector<std::string>& keep);
 
 /// y'' + a1 y' + a0 y = 0 for one unknown of a block of order 2 (cyclic vector).
-struct ScalarEquation {
+struct NormalVariationalEquation {
   std::string unknown;
   MFraction a1, a0; ///< functions on the manifold
   std::vector<MPoly> divisors;
 };
 
 /// Unset when that unknown is not a cyclic vector (the other one does not occur in its derivative).
-[[nodiscard]] std::optional<ScalarEquation>
+[[nodiscard]] std::optional<NormalVariationalEquation>
 scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSystem& s,
                 const std::vector<std::size_t>& block, std::size_t unknown);
 

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "galois/classify.hpp"
 #include "galois/solutions.hpp"
+#include "kovacic/solve.hpp"
 
 namespace kov {
 namespace {
@@ -26,6 +27,72 @@ Solution printed(const LiouvillianSolution& s, const std::string& variable) {
   return out;
 }
 
+const char* step_name(int number) {
+  switch (number) {
+  case 0:
+    return "necessary conditions";
+  case 1:
+    return "step 1, exponent sets";
+  case 2:
+    return "step 2, families";
+  default:
+    return "step 3, polynomials";
+  }
+}
+
+std::vector<TraceStep> printed(const kovacic::Trace& trace) {
+  std::vector<TraceStep> steps;
+  for (const kovacic::Step& s : trace)
+    steps.push_back({s.kovacic_case == 0
+                         ? step_name(s.number)
+                         : "case " + std::to_string(s.kovacic_case) + ", " + step_name(s.number),
+                     s.text});
+  return steps;
+}
+
+void fill(Decision& d, const Classification& c, const NormalForm& equation,
+          const Options& options) {
+  d.group = c.group;
+  d.component = c.component;
+  d.abelian = c.abelian;
+  d.reason = c.reason;
+  d.undecided = c.undecided;
+  if (c.group) d.kovacic_case = kovacic_case(*c.group);
+  if (!options.want_solutions) return;
+  try {
+    for (const LiouvillianSolution& s : solutions(c, equation.r, d.variable, options.budget))
+      d.solutions.push_back(printed(s, d.variable));
+  } catch (const OutOfBudget& limit) {
+    d.reason += "; solutions not printed: " + std::string(limit.what());
+  }
+}
+
+// The classical algorithm, for its steps, as a second opinion, or as the only one.
+// Returns the case that it found; nothing when a limit stopped it (the limit is noted).
+std::optional<int> classical(Decision& d, const NormalForm& equation, const Options& options,
+                             std::string& limit) {
+  kovacic::Trace trace;
+  kovacic::Outcome outcome = Unable{Unable::Why::budget, ""};
+  try {
+    outcome = kovacic::solve(equation, options.budget, options.want_trace ? &trace : nullptr);
+  } catch (const OutOfBudget& e) {
+    outcome = Unable{Unable::Why::budget, e.what()};
+  }
+  d.trace = printed(trace);
+  if (const auto* unable = std::get_if<Unable>(&outcome)) limit = unable->detail;
+  return kovacic::case_of(outcome);
+}
+
+void forget_answer(Decision& d, const std::string& why, Unable::Why kind) {
+  d.group.reset();
+  d.component.reset();
+  d.abelian = Truth::unknown;
+  d.kovacic_case.reset();
+  d.solutions.clear();
+  d.undecided = Unable{kind, why};
+  d.reason = "undecided: " + why;
+}
+
 } // namespace
 
 Decision decide(const NormalForm& equation, const Options& options) {
@@ -33,21 +100,22 @@ Decision decide(const NormalForm& equation, const Options& options) {
   Decision d;
   d.r = equation.r;
   d.variable = options.variable;
-  const Classification c = classify(equation.r, options.budget);
-  d.group = c.group;
-  d.component = c.component;
-  d.abelian = c.abelian;
-  d.reason = c.reason;
-  d.undecided = c.undecided;
-  if (c.group) d.kovacic_case = kovacic_case(*c.group);
-  if (options.want_solutions) {
-    try {
-      for (const LiouvillianSolution& s : solutions(c, equation.r, d.variable, options.budget))
-        d.solutions.push_back(printed(s, d.variable));
-    } catch (const OutOfBudget& limit) {
-      d.reason += "; solutions not printed: " + std::string(limit.what());
-    }
+  fill(d, classify(equation.r, options.budget), equation, options);
+  const bool second_opinion = options.method == Method::kovacic || options.method == Method::all;
+  if (second_opinion || options.want_trace) {
+    std::string limit;
+    const auto found = classical(d, equation, options, limit);
+    // Two methods that disagree: a bug of ours, and no answer.
+    if (found && d.kovacic_case) KOV_ENSURE(*found == *d.kovacic_case);
+    if (!found && second_opinion)
+      forget_answer(d, "Kovacic's algorithm stopped: " + limit, Unable::Why::budget);
+    else if (found && second_opinion)
+      d.reason += "; Kovacic's algorithm agrees: case " + std::to_string(*found);
   }
+  if (options.only_case && d.kovacic_case && *options.only_case != *d.kovacic_case)
+    d.reason = "case " + std::to_string(*options.only_case) +
+               " does not occur, the equation belongs to case " + std::to_string(*d.kovacic_case) +
+               ": " + d.reason;
   d.seconds = std::chrono::duration<double>(Budget::Clock::now() - start).count();
   return d;
 }

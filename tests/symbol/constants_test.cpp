@@ -76,6 +76,8 @@ TEST(Constants, ZerosAreRecognised) {
            "root(x^3-2,-0.63+1.09*I)-root(x^3-2,1.26)*(-1+sqrt(-3))/2",
            "root(x^3-2,1.26)+root(x^3-2,-0.6+1.1*I)+root(x^3-2,-0.6-1.1*I)",
            "sqrt(-1)-I",
+           "sqrt(root(x^3-2,1.26))^6-2",
+           "root(x^2-2,1.4)*root(a^2-2,1.4)-2",
            "sqrt(I)-(1+I)/sqrt(2)",
            "sqrt(-I)-(1-I)/sqrt(2)",
            "sqrt(-2)-I*sqrt(2)",
@@ -127,7 +129,8 @@ TEST(Constants, FieldsAndTheirNames) {
 
 TEST(Constants, PrintedValuesReadBack) {
   for (const char* text : {"I*z/(z^2+2*I)", "sqrt(2)*z+1/(3*z-sqrt(2))", "sqrt(2+sqrt(3))/z^3",
-                           "root(2*x^3-1,0.8)^2*z-1/root(2*x^3-1,0.8)", "(2^(1/3))^2*z"}) {
+                           "root(2*x^3-1,0.8)^2*z-1/root(2*x^3-1,0.8)", "(2^(1/3))^2*z",
+                           "2^(41/3)*z", "(1+2)^(2/3)*z^2+z", "z*(2*sqrt(2))^(-1/3)"}) {
     const Read once = read(text);
     const std::string printed = to_string(once.value);
     const Read twice = read(printed);

@@ -122,7 +122,7 @@ TEST(Expression, ErrorsHavePlaceCaretAndHint) {
   EXPECT_EQ(complaint("z \xE2\x88\x92 1"), "-e:1:3: error: unexpected character '\xE2\x88\x92'\n"
                                            "    1 | z \xE2\x88\x92 1\n"
                                            "      |   ^\n"
-                                           "  note: write -\n");
+                                           "  note: write the ASCII sign -\n");
 }
 
 TEST(Expression, EveryMistakeHasAName) {

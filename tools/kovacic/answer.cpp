@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <exception>
+#include <sstream>
 
 namespace kov::cli {
 namespace {
@@ -65,10 +66,10 @@ private:
     });
     id_ = question.id;
     Options options = settings_.solver_options();
-    const ScalarEquation equation = read_equation(question.text, options.budget);
+    const GivenEquation equation = read_equation(question.text, options.budget);
     options.variable = equation.variable;
     open_ = open_result(id_, equation);
-    if (equation.form != ScalarEquation::Form::r)
+    if (equation.form != GivenEquation::Form::r)
       open_["original"] = original_form(equation, options.budget);
     early_(dump(open_));
     const Decision decision = decide(equation.normal_form, options);
@@ -193,6 +194,55 @@ std::pair<std::string, int> Solver::line(std::string_view job) {
     return {"", exit_interrupted};
   }
   throw InternalError("unknown end of a job");
+}
+
+TextAnswer limited(const Settings& settings, const std::function<int(std::ostream&)>& work) {
+  Worker worker(
+      [&](std::string_view, const Worker::Early&) {
+        try {
+          std::ostringstream out;
+          const int exit = work(out);
+          return tag_decided + dump({{"exit", exit}, {"text", out.str()}});
+        } catch (const InputError& e) {
+          return tag_input + dump(packed(e, nullptr));
+        } catch (const OutOfBudget& e) {
+          return tag_undecided + dump({{"limit", e.what()}});
+        } catch (const std::exception& e) {
+          return tag_internal + dump({{"message", e.what()}});
+        }
+      },
+      settings.process_limits());
+  const Reply reply = worker.ask("");
+  TextAnswer a;
+  if (reply.end == Reply::End::interrupted) {
+    a.exit = exit_interrupted;
+  } else if (reply.end == Reply::End::crashed) {
+    a.exit = exit_internal;
+    a.internal = "the solver process ended with " + reply.detail;
+  } else if (reply.end != Reply::End::answered) {
+    a.exit = exit_undecided;
+    a.limit = limit_text(reply, settings);
+  } else {
+    const Json body = Json::parse(std::string_view(reply.answer).substr(1));
+    switch (reply.answer.front()) {
+    case tag_input:
+      a.exit = exit_input;
+      a.error = unpacked(body);
+      break;
+    case tag_undecided:
+      a.exit = exit_undecided;
+      a.limit = body.at("limit").get<std::string>();
+      break;
+    case tag_internal:
+      a.exit = exit_internal;
+      a.internal = body.at("message").get<std::string>();
+      break;
+    default:
+      a.exit = body.at("exit").get<int>();
+      a.text = body.at("text").get<std::string>();
+    }
+  }
+  return a;
 }
 
 Solver::Read fixed_question(std::function<Question()> question) {

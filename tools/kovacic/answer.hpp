@@ -5,6 +5,7 @@
 #include "settings.hpp"
 
 #include <functional>
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,6 +44,20 @@ private:
   const Settings& settings_;
   Worker worker_;
 };
+
+/// What a command that writes its own text (the mechanics commands) came to.
+struct TextAnswer {
+  int exit = exit_decided;
+  std::string text;
+  std::string limit;               ///< exit_undecided because a limit ended the work
+  std::optional<InputError> error; ///< exit_input
+  std::string internal;            ///< exit_internal
+};
+
+/// Runs `work`, which returns an exit code, in a worker process under the limits of the settings.
+/// Errors and limits are values here, as in Solver.
+[[nodiscard]] TextAnswer limited(const Settings& settings,
+                                 const std::function<int(std::ostream&)>& work);
 
 /// An EquationText that is known beforehand (single questions).
 [[nodiscard]] Solver::Read fixed_question(std::function<Question()> question);

@@ -37,8 +37,24 @@ bool is_blank(const std::string& line) {
   throw InputError("the line", column > 0 ? 1 : 0, column, 1, message, hint);
 }
 
+// The id of a line that is not JSON as a whole, as far as it can be read.
+Json salvaged_id(std::string_view text) {
+  auto at = text.find("\"id\"");
+  if (at == std::string_view::npos) return nullptr;
+  at = text.find_first_not_of(" \t", at + 4);
+  if (at == std::string_view::npos || text[at] != ':') return nullptr;
+  at = text.find_first_not_of(" \t", at + 1);
+  if (at == std::string_view::npos) return nullptr;
+  const bool quoted = text[at] == '"';
+  auto end = quoted ? text.find('"', at + 1) : text.find_first_of(",} \t", at);
+  if (!quoted) end = std::min(end, text.size());
+  if (end == std::string_view::npos || end - at > 1000) return nullptr;
+  Json id = Json::parse(text.substr(at, end - at + (quoted ? 1 : 0)), nullptr, false);
+  return id.is_string() || id.is_number() ? id : Json(nullptr);
+}
+
 // One JSON object; a key that occurs twice is an error (which of the two would be meant?).
-Json parse_line(std::string_view text) {
+Json parse_line(std::string_view text, const std::function<void(const Json&)>& identify) {
   std::set<std::string> keys;
   std::string twice;
   const auto watch = [&](int depth, Json::parse_event_t event, Json& value) {
@@ -54,11 +70,13 @@ Json parse_line(std::string_view text) {
     j = Json::parse(text, watch);
   } catch (const Json::parse_error& e) {
     std::string what = e.what();
-    if (const auto at = what.rfind(": "); at != std::string::npos) what = what.substr(at + 2);
+    if (const auto at = what.find(": "); at != std::string::npos) what = what.substr(at + 2);
     const auto column = static_cast<long>(std::min(e.byte, text.size()));
+    identify(salvaged_id(text));
     refuse("this is not JSON: " + printable(what).substr(0, 200), "", std::max(1L, column));
   }
   if (!j.is_object()) refuse("a JSON object is expected", R"(e.g. {"id": 1, "r": "z"})");
+  if (j.contains("id")) identify(j.at("id"));
   if (!twice.empty()) refuse("the key '" + twice + "' occurs twice");
   return j;
 }
@@ -85,10 +103,9 @@ std::vector<std::string> names(const Json& line, const char* key) {
 }
 
 Question read_line(std::string_view job, const std::function<void(const Json&)>& identify) {
-  const Json line = parse_line(job);
+  const Json line = parse_line(job, identify);
   Question q;
   if (line.contains("id")) q.id = line.at("id");
-  identify(q.id);
   q.text.r = formula(line, "r");
   q.text.p = formula(line, "p");
   q.text.q = formula(line, "q");
@@ -99,18 +116,11 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   if (line.contains("variable") && !line.at("variable").is_null()) {
     if (!line.at("variable").is_string()) refuse("'variable' must be a string");
     q.text.variable = line.at("variable").get<std::string>();
+    if (q.text.variable.empty()) refuse("'variable' is empty");
   }
   if (!q.text.r && !q.text.p && !q.text.q && !q.text.ode)
     refuse("the line has no equation", "give r, or p and q, or ode");
   return q;
-}
-
-int worse(int a, int b) {
-  static constexpr int order[] = {exit_decided, exit_undecided, exit_input, exit_internal};
-  return std::find(std::begin(order), std::end(order), a) >
-                 std::find(std::begin(order), std::end(order), b)
-             ? a
-             : b;
 }
 
 } // namespace

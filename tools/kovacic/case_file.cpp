@@ -1,5 +1,6 @@
 #include "case_file.hpp"
 
+#include "commands.hpp"
 #include "present.hpp"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ std::string plain(const Json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-GroupName group_of(const Expectation& x) {
+GroupName group_of(const EquationExpectation& x) {
   const auto name = parse_group(*x.group);
   if (!name)
     throw x.entry.at("group").error("'" + *x.group + "' is not the name of a group",
@@ -28,7 +29,7 @@ GroupName group_of(const Expectation& x) {
   return *name;
 }
 
-Expected compare(const Expectation& x, const Json& result) {
+Expected compare(const EquationExpectation& x, const Json& result) {
   Expected e;
   std::vector<std::string> wanted;
   std::vector<std::string> found;
@@ -104,9 +105,10 @@ std::string title_of(const EquationFile& file,
 void take(const Settings& settings, CaseReport& report, const Answer& answer,
           const std::string& title) {
   if (answer.error) throw *answer.error;
-  report.exit = std::max(report.exit, answer.exit);
+  report.exit = worse(report.exit, answer.exit);
   if (answer.exit >= exit_internal) report_failure(settings, answer);
   if (answer.result.is_null()) return;
+  if (!report.text.empty() && settings.format == "text") report.text += "\n";
   report.text += presented(settings, answer, title);
   report.json.push_back(answer.result);
 }
@@ -127,7 +129,7 @@ CaseReport check_equation(const Settings& settings, const Entry& document) {
     return answers.at(key);
   };
   if (file.expect.empty()) (void)answer_for({});
-  for (const Expectation& x : file.expect) {
+  for (const EquationExpectation& x : file.expect) {
     if (x.group) (void)group_of(x); // complain about names before the work
     const Answer answer = answer_for(x.where);
     if (answer.exit >= exit_internal) return report;
@@ -139,7 +141,13 @@ CaseReport check_equation(const Settings& settings, const Entry& document) {
 CaseReport check_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
   return is_equation_file(document) ? check_equation(settings, document)
-                                    : check_system(settings, document);
+                                    : check_system_file(settings, path);
+}
+
+CaseReport test_case(const Settings& settings, const std::string& path) {
+  const Entry document = read_document(path);
+  return is_equation_file(document) ? check_equation(settings, document)
+                                    : test_system_file(settings, path);
 }
 
 std::optional<GroupName> parse_group(const std::string& text) {

@@ -23,12 +23,15 @@ struct CaseReport {
   int exit = exit_decided;
 };
 
-/// Solves the file and compares with its expectations.  Input errors are thrown.
+/// The answer for the file, and (equation files) its expectations.  Input errors are thrown.
 [[nodiscard]] CaseReport check_case(const Settings& settings, const std::string& path);
+/// The expectations of the file only.
+[[nodiscard]] CaseReport test_case(const Settings& settings, const std::string& path);
 
 [[nodiscard]] CaseReport check_equation(const Settings& settings, const Entry& document);
 /// System files (a [system] table).
-[[nodiscard]] CaseReport check_system(const Settings& settings, const Entry& document);
+[[nodiscard]] CaseReport check_system_file(const Settings& settings, const std::string& path);
+[[nodiscard]] CaseReport test_system_file(const Settings& settings, const std::string& path);
 
 /// A group as people write it: "SL2", "SL(2)", "Borel", "Ga", "Gm", "T_4", "C_3", "mu_3",
 /// "cyclic_3", "trivial", "Dinf", "D_3", "A4", "S4", "A5".  Nothing if it is none of them.

@@ -31,7 +31,7 @@ int check(const Settings& settings, const std::vector<std::string>& files) {
     try {
       report = check_case(settings, file);
     } catch (const InputError& e) {
-      exit = std::max<int>(exit, kov::cli::report(settings, e));
+      exit = worse(exit, kov::cli::report(settings, e));
       continue;
     }
     if (!text.empty() && !report.text.empty()) text += "\n";
@@ -41,10 +41,13 @@ int check(const Settings& settings, const std::vector<std::string>& files) {
     int code = report.exit;
     for (const Expected& e : report.expected) {
       expectations.push_back({{"expect", e.name}, {"met", e.met}, {"found", e.found}});
-      if (!e.met && code == exit_decided) code = exit_no;
+      if (!e.met) code = worse(code, exit_no);
     }
-    all.push_back({{"file", file}, {"results", report.json}, {"expectations", expectations}});
-    exit = std::max(exit, code);
+    if (report.json.is_object()) // a system: one object for all its manifolds
+      all.push_back(report.json);
+    else
+      all.push_back({{"file", file}, {"results", report.json}, {"expectations", expectations}});
+    exit = worse(exit, code);
     if (exit == exit_interrupted) break;
   }
   if (settings.format == "json")

@@ -1,12 +1,208 @@
-// kovacic check on a system file: the mechanics pipeline.
+// kovacic check on a system file: claims, then one verdict per manifold and set of values.
 
 #include "case_file.hpp"
+#include "integrability/expect.hpp"
+#include "mechanics.hpp"
+
+#include <sstream>
 
 namespace kov::cli {
+namespace {
 
-CaseReport check_system(const Settings&, const Entry& document) {
-  throw InputError(document.file(), 0, 0, 1, "system files are not connected yet",
-                   "equation files are: see kovacic new ode");
+void put(std::ostringstream& out, const std::string& label, const std::string& text,
+         std::size_t indent = 2) {
+  const std::size_t column = indent + 10;
+  out << std::string(indent, ' ') << label
+      << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ') << wrapped(text, column)
+      << "\n";
+}
+
+std::string headline(const ManifoldReport& m) {
+  switch (m.verdict) {
+  case VerdictKind::non_integrable:
+    return "NON-INTEGRABLE  (" + m.theorem + ": " + m.statement + ")";
+  case VerdictKind::no_obstruction:
+    return "NO OBSTRUCTION  (the first-order test of " + m.theorem +
+           " passes; this does not prove integrability)";
+  default:
+    return "UNDECIDED";
+  }
+}
+
+void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent) {
+  std::string group = d.group ? "G = " + describe(*d.group) : "G not determined";
+  if (d.component) group += ", identity component " + to_string(*d.component);
+  group += d.abelian == Truth::yes  ? ", abelian"
+           : d.abelian == Truth::no ? ", not abelian"
+                                    : ", abelian or not: undecided";
+  put(out, "group", group, indent);
+  put(out, "because", d.reason, indent);
+}
+
+void put_block(std::ostringstream& out, const System& s, const BlockReport& b) {
+  if (b.ode) {
+    const std::string z = s.ring()->name(b.ode->z);
+    put(out, "change", b.ode->change + ", y the variation of " + b.ode->unknown);
+    put(out, "equation", "y'' = r(" + z + ") y,  r = " + to_factored_string(b.ode->r));
+  }
+  if (b.decision) put_decision(out, *b.decision, 2);
+  for (const auto& f : b.special)
+    put(out, "merging", "singular places meet where " + to_string(f) + " = 0");
+  for (const auto& e : b.energies) {
+    put(out, "at", e.condition + "  (" + e.why + ")");
+    if (e.decision) put_decision(out, *e.decision, 4);
+    if (!e.note.empty()) put(out, "note", e.note, 4);
+  }
+  if (!b.note.empty()) put(out, "note", b.note);
+}
+
+void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport& m) {
+  out << s.file << "  [" << m.name << "]";
+  for (const auto& [name, value] : s.values)
+    out << "  " << name << " = " << to_string(value);
+  out << "\n";
+  if (m.failure) {
+    put(out, "error", m.failure->message);
+    return;
+  }
+  out << "  " << wrapped(headline(m), 2) << "\n";
+  for (const auto& e : m.reduced.eliminations)
+    put(out, "reduced",
+        "the variation of " + e.unknown + " by the linear integral d" + e.integral + " = 0");
+  for (const auto& b : m.blocks)
+    put_block(out, s, b);
+  if (m.blocks.empty())
+    for (const auto& r : m.reasons)
+      put(out, "because", r);
+}
+
+std::string text_of(const System& s, const std::vector<ManifoldReport>& manifolds) {
+  std::ostringstream out;
+  for (const auto& m : manifolds)
+    put_manifold(out, s, m);
+  return out.str();
+}
+
+Json json_of_report(const System& s, const CheckReport& report) {
+  Json set = Json::object();
+  for (const auto& [name, value] : s.values)
+    set[name] = to_string(value);
+  Json assumptions = Json::array();
+  for (const auto& x : s.assumptions)
+    assumptions.push_back(x.text);
+  Json claims = Json::array();
+  for (const auto& c : report.claims)
+    claims.push_back(json_of(c));
+  Json manifolds = Json::array();
+  for (const auto& m : report.manifolds)
+    manifolds.push_back(json_of(s, m));
+  return Json{{"format", "kovacic-result/1"},
+              {"input", Json{{"file", s.file}}},
+              {"title", s.title},
+              {"set", set},
+              {"assumptions", assumptions},
+              {"claims", claims},
+              {"manifolds", manifolds},
+              {"seconds", report.seconds}};
+}
+
+int exit_of(const Settings& settings, const CheckReport& report) {
+  bool undecided = false;
+  bool obstruction = false;
+  for (const auto& m : report.manifolds) {
+    if (m.failure) return exit_input;
+    undecided = undecided || m.verdict == VerdictKind::undecided;
+    obstruction = obstruction || m.verdict == VerdictKind::non_integrable;
+  }
+  if (settings.exit_verdict)
+    return obstruction ? exit_not_abelian : undecided ? exit_decided : exit_abelian;
+  return undecided && !obstruction ? exit_undecided : exit_decided;
+}
+
+/// One reading of the file with its values: a report, and the expectations that apply to them.
+class SystemRun {
+public:
+  SystemRun(const Settings& settings, const Entry& document)
+      : settings_(settings), document_(document), base_(parameter_values(settings)) {
+    options_.decide = settings.solver_options();
+    options_.only_manifold = settings.manifold;
+  }
+
+  Report run() {
+    const System file = read_system(document_, base_);
+    report_.json = Json{{"results", Json::array()}, {"expected", Json::array()}};
+    std::vector<ParameterValues> rounds; // each set of values once
+    for (const auto& x : file.expectations)
+      if (base_.empty() && std::find(rounds.begin(), rounds.end(), x.where) == rounds.end())
+        rounds.push_back(x.where);
+    if (rounds.empty()) rounds.push_back(base_);
+    for (const auto& values : rounds)
+      round(values);
+    return std::move(report_);
+  }
+
+private:
+  void round(const ParameterValues& values) {
+    const System s = read_system(document_, values);
+    const CheckReport report = check_system(s, options_);
+    if (report_.json.at("results").empty()) claims(report);
+    report_.text += text_of(s, report.manifolds);
+    report_.json.at("results").push_back(json_of_report(s, report));
+    report_.exit = std::max(report_.exit, exit_of(settings_, report));
+    for (const auto& x : s.expectations)
+      if (x.where == values || (values == base_ && x.where.empty()))
+        expect(describe(x), unmet(x, report));
+  }
+
+  void claims(const CheckReport& report) {
+    for (const auto& c : report.claims) {
+      const bool met = c.result.proved == c.claim.holds;
+      expect(title_of(c.claim) + (c.claim.holds ? ": proved" : ": refuted"),
+             met ? "" : c.result.detail);
+    }
+    if (report.system.manifolds.empty())
+      report_.text +=
+          report.system.file + "  " + report.system.title +
+          "\n  note      no [[manifold]] in this file; kovacic find-manifolds proposes some\n";
+  }
+
+  void expect(const std::string& name, const std::string& found) {
+    report_.json.at("expected")
+        .push_back(Json{{"name", name}, {"met", found.empty()}, {"found", found}});
+  }
+
+  const Settings& settings_;
+  const Entry& document_;
+  ParameterValues base_;
+  CheckOptions options_;
+  Report report_;
+};
+
+} // namespace
+
+CaseReport check_system_file(const Settings& settings, const std::string& path) {
+  const Report r = supervised(settings, path, [&] {
+    const Entry document = read_document(path);
+    return SystemRun(settings, document).run();
+  });
+  CaseReport report;
+  report.exit = r.exit;
+  report.text = r.text;
+  report.json = r.json;
+  if (!r.json.contains("expected")) return report;
+  report.json = r.json.at("results");
+  for (const Json& e : r.json.at("expected"))
+    report.expected.push_back({e.at("name"), e.at("met"), e.at("found")});
+  return report;
+}
+
+// What is expected was compared on the way.
+CaseReport test_system_file(const Settings& settings, const std::string& path) {
+  CaseReport report = check_system_file(settings, path);
+  if (report.json.is_object()) // a limit
+    report.expected.push_back(
+        {.name = "decided", .met = false, .found = report.json.value("reason", "a limit")});
+  return report;
 }
 
 } // namespace kov::cli

@@ -2,12 +2,14 @@
 
 #include "commands.hpp"
 #include "exact/error.hpp"
+#include "section.hpp"
 #include "symbol/suggest.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
+#include <sstream>
 
 namespace kov::cli {
 namespace {
@@ -25,11 +27,26 @@ constexpr const char* footer =
 // A check that does not add its own words to --help.
 CLI::Validator silent(CLI::Validator check) { return check.description(""); }
 
+// 0 to most.
+CLI::Validator number(double most, const std::string& what) {
+  return CLI::Validator(
+      [most, what](const std::string& text) {
+        std::istringstream in(text);
+        double value = -1;
+        in >> value;
+        const bool ok = in && in.eof() && value >= 0 && value <= most;
+        return ok ? std::string() : what + " is expected, not '" + text + "'";
+      },
+      "");
+}
+
 struct CommandLine {
   Settings settings;
   SolveArguments solve_arguments;
+  SectionArguments section_arguments;
   std::vector<std::string> files;
   std::string word;
+  std::string stage = "r";
 
   void shared_flags(CLI::App& command, bool solver) {
     if (solver) {
@@ -38,22 +55,22 @@ struct CommandLine {
           ->expected(1)
           ->take_all();
       command.add_option("--case", settings.only_case, "look at one of Kovacic's cases only")
-          ->check(silent(CLI::Range(1, 3)))
+          ->check(silent(CLI::IsMember({"1", "2", "3"})))
           ->type_name("1|2|3");
       command.add_option("--method", settings.method, "kovacic, engines, or all (compare)")
           ->check(silent(CLI::IsMember({"automatic", "kovacic", "engines", "all"})))
           ->type_name("M");
       command.add_option("--timeout", settings.timeout, "seconds for each equation; 0 = no limit")
-          ->check(silent(CLI::Range(0.0, 1e9)))
+          ->check(number(1e9, "a number of seconds"))
           ->type_name("S");
       command.add_option("--memory", settings.memory, "ceiling in MiB (default 4096); 0 = none")
-          ->check(silent(CLI::Range(std::size_t{0}, std::size_t{1} << 30)))
+          ->check(number(1L << 30, "a number of MiB"))
           ->type_name("MIB");
       command.add_option("--max-degree", settings.max_degree, "largest degree of a polynomial")
-          ->check(silent(CLI::Range(0L, 1L << 40)))
+          ->check(number(1e12, "a degree"))
           ->type_name("N");
       command.add_option("--max-families", settings.max_families, "largest number of families")
-          ->check(silent(CLI::Range(0L, 1L << 60)))
+          ->check(number(1e18, "a number of families"))
           ->type_name("N");
       command.add_flag("--trace", settings.trace, "show every step");
       command.add_option("--certificate", settings.certificate, "write the proof to a file")
@@ -100,6 +117,21 @@ struct CommandLine {
     check->add_option("FILE", files, "equation or system files")->required()->type_name("");
     shared_flags(*check, true);
 
+    check->add_option("--manifold", settings.manifold, "system files: only this manifold")
+        ->type_name("NAME");
+
+    CLI::App* show = app.add_subcommand("show", "a system file up to a stage of the reduction");
+    show->add_option("FILE", word, "a system file")->required()->type_name("");
+    show->add_option("--stage", stage, "system, lowest, ve, nve, ode or r (default)")
+        ->check(silent(CLI::IsMember({"system", "lowest", "ve", "nve", "ode", "r"})))
+        ->type_name("STAGE");
+    show->add_option("--manifold", settings.manifold, "only this manifold")->type_name("NAME");
+    shared_flags(*show, true);
+
+    CLI::App* find = app.add_subcommand("find-manifolds", "invariant linear subspaces of a system");
+    find->add_option("FILE", word, "a system file")->required()->type_name("");
+    shared_flags(*find, true);
+
     CLI::App* test = app.add_subcommand("test", "run the [[expect]] blocks of files (TAP)");
     test->add_option("DIR|FILE", files, "default: cases")->type_name("");
     shared_flags(*test, true);
@@ -108,6 +140,10 @@ struct CommandLine {
     verify->add_option("CERT", files, "a certificate; - is stdin")->required()->type_name("");
     verify->add_flag("--strict", settings.strict, "refuse steps that are taken on trust");
     shared_flags(*verify, false);
+
+    CLI::App* section = app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
+    declare_section(*section, section_arguments);
+    shared_flags(*section, false);
 
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
     make->add_option("KIND", word, "ode")->required()->type_name("");
@@ -121,8 +157,11 @@ struct CommandLine {
   int run(const std::string& command) {
     if (command == "solve") return solve(settings, solve_arguments);
     if (command == "check") return check(settings, files);
+    if (command == "show") return show(settings, word, stage);
+    if (command == "find-manifolds") return find_manifolds(settings, word);
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
+    if (command == "section") return section(settings, section_arguments);
     if (command == "new") return make_new(settings, word);
     return explain(settings, word);
   }
@@ -174,6 +213,8 @@ int usage_error(const CLI::App& app, const Settings& settings, const CLI::ParseE
   }
   std::string message = error.what();
   std::replace(message.begin(), message.end(), '\n', ' ');
+  if (const auto at = message.find(": 1 required "); at != std::string::npos)
+    message = message.substr(0, at) + " needs a value";
   if (arguments.empty()) message = "a command is expected: " + enumerate(commands);
   complain(settings, message,
            "see: kovacic " + (sub.get_parent() != nullptr ? sub.get_name() + " " : "") + "--help");

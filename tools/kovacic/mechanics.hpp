@@ -1,27 +1,43 @@
 #pragma once
-// The sub-commands that read system files: check, show, find-manifolds.
-//
-// Each returns an exit code: 0 decided, 2 bad input, 3 something undecided, 1 a claim of the file
-// refuted.  InputError and InternalError pass to the caller, which prints them.
+// The sub-commands on system files share this: one job in a supervised child process, and the
+// pieces of text and JSON that several of them print.
 
 #include "integrability/check.hpp"
+#include "settings.hpp"
 
-#include <iosfwd>
+#include <nlohmann/json.hpp>
+
+#include <functional>
 
 namespace kov::cli {
 
-struct MechanicsArguments {
-  std::string file;
-  kov::Settings set;                ///< --set name=value
-  std::string format = "text"; ///< text | json
-  std::string stage = "r";     ///< show: system | lowest | ve | nve | ode | r
-  std::string manifold;        ///< only this one
-  bool exit_verdict = false;   ///< 10 non-integrable, 20 no obstruction, 0 undecided
-  Options decide;
+using Json = nlohmann::ordered_json;
+
+/// What a job on a system file leaves behind.
+struct Report {
+  int exit = exit_decided;
+  std::string text;
+  Json json;
 };
 
-[[nodiscard]] int run_check(const MechanicsArguments& a, std::ostream& out);
-[[nodiscard]] int run_show(const MechanicsArguments& a, std::ostream& out);
-[[nodiscard]] int run_find_manifolds(const MechanicsArguments& a, std::ostream& out);
+/// Runs `work` in a child process under the limits of the settings.  Input errors are thrown here;
+/// a limit that was reached gives an undecided report, an internal error is printed.
+[[nodiscard]] Report supervised(const Settings& settings, const std::string& file,
+                                const std::function<Report()>& work);
+
+/// --set as the reader of system files wants it.
+[[nodiscard]] ParameterValues parameter_values(const Settings& settings);
+
+[[nodiscard]] Json json_of(const LinearSystem& s);
+[[nodiscard]] Json json_of(const NormalVariationalEquation& e);
+/// p, q, r, variable, parameters, change, ...
+[[nodiscard]] Json json_of(const System& s, const AlgebraicOde& ode);
+[[nodiscard]] Json json_of(const System& s, const BlockReport& b);
+[[nodiscard]] Json json_of(const System& s, const ManifoldReport& m);
+[[nodiscard]] Json json_of(const ClaimReport& c);
+/// Parameters, relations, the components of the field, the Hamiltonian.
+[[nodiscard]] Json json_of_field(const System& s);
+/// "integral F3", "darboux G", ...
+[[nodiscard]] std::string title_of(const SystemClaim& claim);
 
 } // namespace kov::cli

@@ -52,6 +52,15 @@ std::string with_variable(std::string text, const std::string& variable) {
   return text;
 }
 
+// A terminal is no place for a thousand coefficients.
+std::string shortened(const std::string& formula) {
+  constexpr std::size_t longest = 1500;
+  if (formula.size() <= longest) return formula;
+  return formula.substr(0, longest / 2) + " ... [" + std::to_string(formula.size()) +
+         " characters, whole with --format json] ... " +
+         formula.substr(formula.size() - longest / 4);
+}
+
 // r y, with parentheses where r is more than a power.
 std::string right_side(const std::string& r) {
   if (r == "0") return "0";
@@ -74,7 +83,7 @@ std::string minimal_polynomial(const Json& coefficients) {
 
 void put(std::ostringstream& out, const std::string& label, const std::string& text) {
   out << "  " << label << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ')
-      << wrapped(text, 12) << '\n';
+      << wrapped(shortened(text), 12) << '\n';
 }
 
 void put_solutions(std::ostringstream& out, const Json& solutions) {
@@ -100,9 +109,9 @@ void put_original(std::ostringstream& out, const Json& original) {
       "y'' + p y' + q y = 0 with p = " + original.at("p").get<std::string>() +
           ", q = " + original.at("q").get<std::string>());
   put(out, "",
-      "its solutions are those below times " + factor + " (" +
+      "y = u * " + factor + " with u'' = r u; the factor is " +
           original.at("factor_kind").get<std::string>() +
-          " factor); its identity component is abelian exactly if this one is");
+          "; the identity component is abelian for both equations or for none");
 }
 
 } // namespace
@@ -139,10 +148,10 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   const std::string variable =
       result.at("variable").is_null() ? "z" : result.at("variable").get<std::string>();
   if (!result.at("r").is_null())
-    out << wrapped("y'' = " + right_side(result.at("r").get<std::string>()), 0) << '\n';
+    out << wrapped("y'' = " + right_side(shortened(result.at("r").get<std::string>())), 0) << '\n';
   if (result.contains("constants"))
     for (const auto& [name, meaning] : result.at("constants").items())
-      if (name != "I" && !name.starts_with("sqrt("))
+      if (name != "I" && name.find('(') == std::string::npos) // the others say it themselves
         put(out, "where", name + " = " + meaning.get<std::string>());
   const bool open = result.at("case").is_null();
   out << "  " << paint(open ? "1;33" : "1;32", with_variable(headline(result), variable)) << '\n';
@@ -157,7 +166,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   else if (abelian != "undecided")
     line += abelian == "yes" ? ", abelian" : ", not abelian";
   if (!open || line != "G = ?") out << "  " << wrapped(line, 2) << '\n';
-  if (style.quiet) return out.str();
+  if (style.quiet && result.at("undecided").is_null()) return out.str();
   if (!result.at("undecided").is_null()) {
     const Json& u = result.at("undecided");
     put(out, "open", u.at("detail").get<std::string>());

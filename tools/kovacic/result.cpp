@@ -70,7 +70,7 @@ Json unread_result(const Json& id) {
           {"seconds", nullptr}};
 }
 
-Json open_result(const Json& id, const ScalarEquation& equation) {
+Json open_result(const Json& id, const GivenEquation& equation) {
   Json j = unread_result(id);
   j["variable"] = equation.variable;
   j["r"] = to_string(equation.normal_form.r, equation.variable);
@@ -78,7 +78,7 @@ Json open_result(const Json& id, const ScalarEquation& equation) {
   return j;
 }
 
-Json closed_result(const Json& id, const ScalarEquation& equation, const Decision& d,
+Json closed_result(const Json& id, const GivenEquation& equation, const Decision& d,
                    double seconds) {
   Json j = open_result(id, equation);
   if (d.group) j["group"] = group(*d.group);
@@ -109,8 +109,8 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
 }
 
 // y = u exp(-1/2 int p), u'' = r u.  Scalars are central: THEORY 4.
-Json original_form(const ScalarEquation& e, const Budget& budget) {
-  Json j = {{"form", e.form == ScalarEquation::Form::pq ? "p, q" : "equation"},
+Json original_form(const GivenEquation& e, const Budget& budget) {
+  Json j = {{"form", e.form == GivenEquation::Form::pq ? "p, q" : "equation"},
             {"p", to_string(e.p, e.variable)},
             {"q", to_string(e.q, e.variable)}};
   std::string kind = "unknown";

@@ -14,9 +14,9 @@ namespace kov::cli {
 using Json = nlohmann::ordered_json;
 
 /// Everything that is known before the solver runs; what it will find is null.
-[[nodiscard]] Json open_result(const Json& id, const ScalarEquation& equation);
+[[nodiscard]] Json open_result(const Json& id, const GivenEquation& equation);
 /// The whole answer.  `seconds` is the time of reading and deciding.
-[[nodiscard]] Json closed_result(const Json& id, const ScalarEquation& equation,
+[[nodiscard]] Json closed_result(const Json& id, const GivenEquation& equation,
                                  const Decision& decision, double seconds);
 /// The answer for an equation that could not even be read within the limits.
 [[nodiscard]] Json unread_result(const Json& id);
@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 void set_undecided(Json& result, const std::string& why, const std::string& detail);
 
 /// What the factor exp(-1/2 int p) does: the object under "original".
-[[nodiscard]] Json original_form(const ScalarEquation& equation, const Budget& budget);
+[[nodiscard]] Json original_form(const GivenEquation& equation, const Budget& budget);
 
 [[nodiscard]] std::string name_of(Unable::Why why);
 

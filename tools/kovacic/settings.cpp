@@ -1,7 +1,10 @@
 #include "settings.hpp"
 
+#include "commands.hpp"
+
 #include "symbol/expression.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
@@ -23,6 +26,13 @@ Options Settings::solver_options() const {
   o.want_trace = trace;
   o.want_certificate = !certificate.empty();
   return o;
+}
+
+int worse(int a, int b) {
+  static constexpr int order[] = {exit_decided, exit_undecided, exit_no,
+                                  exit_input,   exit_internal,  exit_interrupted};
+  const auto rank = [](int code) { return std::find(std::begin(order), std::end(order), code); };
+  return rank(a) > rank(b) ? a : b;
 }
 
 bool Settings::colors(int descriptor) const {

@@ -29,6 +29,7 @@ struct Settings {
   long max_degree = Budget{}.max_degree;
   long max_families = Budget{}.max_families;
   std::size_t memory = 4 * 1024; ///< MiB
+  std::string manifold;          ///< system files: only this one
   int only_case = 0;
   std::string method = "automatic";
   std::string format = "text";

@@ -1,15 +1,15 @@
 // kovacic show FILE --stage system|lowest|ve|nve|ode|r: one stage as exact text.
 
+#include "commands.hpp"
 #include "mechanics.hpp"
-#include "mechanics_json.hpp"
 #include "system/weights.hpp"
 
-#include <ostream>
+#include <sstream>
 
 namespace kov::cli {
 namespace {
 
-void print_linear(const LinearSystem& s, std::ostream& out) {
+void print_linear(const LinearSystem& s, std::ostringstream& out) {
   for (std::size_t i = 0; i < s.a.size(); ++i) {
     out << "  d" << s.names[i] << "' =";
     bool any = false;
@@ -22,13 +22,14 @@ void print_linear(const LinearSystem& s, std::ostream& out) {
   }
 }
 
-void print_ode(const System& s, const AlgebraicOde& o, bool only_r, std::ostream& out) {
+void print_ode(const System& s, const AlgebraicOde& o, bool only_r, std::ostringstream& out) {
   const std::string z = s.ring()->name(o.z);
   out << "  " << o.change << "   (the variation of " << o.unknown << ")\n";
-  if (o.z_dot_squared) out << "  z_dot_squared = " << to_string(*o.z_dot_squared) << "\n";
-  if (o.z_ddot) out << "  z_ddot = " << to_string(*o.z_ddot) << "\n";
-  if (!only_r && o.p) out << "  p = " << to_string(*o.p) << "\n  q = " << to_string(*o.q) << "\n";
-  out << "  r = " << to_string(o.r) << "\n";
+  if (o.z_dot_squared) out << "  z_dot_squared = " << to_factored_string(*o.z_dot_squared) << "\n";
+  if (o.z_ddot) out << "  z_ddot = " << to_factored_string(*o.z_ddot) << "\n";
+  if (!only_r && o.p)
+    out << "  p = " << to_factored_string(*o.p) << "\n  q = " << to_factored_string(*o.q) << "\n";
+  out << "  r = " << to_factored_string(o.r) << "\n";
   for (const auto& g : o.generic)
     out << "  where " << to_string(g) << " is not 0\n";
 }
@@ -46,14 +47,9 @@ Json lowest_json(const System& s, const LowestSystem& low) {
   return j;
 }
 
-int show_lowest(const MechanicsArguments& a, const System& s, std::ostream& out) {
+Report show_lowest(const System& s) {
   const LowestSystem low = lowest_system(s, s.expansion_terms);
-  if (a.format == "json") {
-    Json j{{"format", "kovacic-stage/1"}, {"stage", "lowest"}, {"file", s.file}};
-    j.update(lowest_json(s, low));
-    out << j.dump(2) << "\n";
-    return 0;
-  }
+  std::ostringstream out;
   for (const auto& t : low.hamiltonian)
     out << "H_" << t.degree << " = " << to_string(t.value) << "\n";
   out << "lowest-order field, of degree " << low.degree
@@ -63,31 +59,28 @@ int show_lowest(const MechanicsArguments& a, const System& s, std::ostream& out)
   if (low.structure)
     out << "the bracket lowers degrees by " << *low.structure
         << ": lowest terms of first integrals are first integrals of this field\n";
-  return 0;
+  return {exit_decided, out.str(), lowest_json(s, low)};
 }
 
-int show_system(const MechanicsArguments& a, const System& s, std::ostream& out) {
-  if (a.format == "json") {
-    Json j{{"format", "kovacic-stage/1"}, {"stage", "system"}, {"file", s.file}};
-    j.update(json_of_field(s));
-    out << j.dump(2) << "\n";
-    return 0;
-  }
+Report show_system(const System& s) {
+  std::ostringstream out;
   if (s.field.hamiltonian) out << "H = " << to_string(*s.field.hamiltonian) << "\n";
   for (std::size_t j = 0; j < s.field.dimension(); ++j)
     out << s.field.name(j) << "' = " << to_string(s.field.components[j]) << "\n";
   for (const auto& f : s.field.relations)
     out << to_string(f) << " = 0\n";
-  return 0;
+  return {exit_decided, out.str(), json_of_field(s)};
 }
 
-Json stage_json(const MechanicsArguments& a, const System& s, const ManifoldReport& m) {
+Json stage_json(const std::string& stage, const System& s, const ManifoldReport& m) {
   Json one{{"name", m.name}};
   if (m.failure) {
     one["error"] = m.failure->message;
     return one;
   }
-  if (a.stage == "ve") {
+  if (stage == "ve") {
+    one["coordinates"] = json_of_field(s).at("coordinates");
+    one["parameters"] = json_of_field(s).at("parameters");
     one["ve"] = json_of(m.variational);
     Json all = Json::array();
     for (const auto& block : m.variational_blocks) {
@@ -98,7 +91,9 @@ Json stage_json(const MechanicsArguments& a, const System& s, const ManifoldRepo
     }
     one["blocks"] = all;
   }
-  if (a.stage == "nve") {
+  if (stage == "nve") {
+    one["coordinates"] = json_of_field(s).at("coordinates");
+    one["parameters"] = json_of_field(s).at("parameters");
     one["nve"] = json_of(m.normal.system);
     Json integrals = Json::array();
     for (const auto& i : m.normal.integrals) {
@@ -113,80 +108,99 @@ Json stage_json(const MechanicsArguments& a, const System& s, const ManifoldRepo
   Json blocks = Json::array();
   for (const auto& b : m.blocks) {
     Json block{{"unknowns", b.unknowns}};
-    if (a.stage == "ode") {
+    if (stage == "ode") {
       Json scalar = Json::array();
       for (const auto& e : b.scalar)
         scalar.push_back(json_of(e));
       block["scalar"] = scalar;
     }
-    if (b.ode && (a.stage == "ode" || a.stage == "r")) block.update(json_of(s, *b.ode));
+    if (b.ode && (stage == "ode" || stage == "r")) block.update(json_of(s, *b.ode));
     if (!b.note.empty()) block["note"] = b.note;
     blocks.push_back(std::move(block));
   }
-  if (a.stage == "ode" || a.stage == "r") one["blocks"] = blocks;
+  if (stage == "ode" || stage == "r") one["blocks"] = blocks;
   return one;
 }
 
-void print_stage(const MechanicsArguments& a, const System& s, const ManifoldReport& m,
-                 std::ostream& out) {
+void print_stage(const std::string& stage, const System& s, const ManifoldReport& m,
+                 std::ostringstream& out) {
   out << s.file << "  [" << m.name << "]\n";
   if (m.failure) {
     out << "  " << m.failure->message << "\n";
     return;
   }
-  if (a.stage == "ve") print_linear(m.variational, out);
-  if (a.stage == "nve") {
+  if (stage == "ve") print_linear(m.variational, out);
+  if (stage == "nve") {
     print_linear(m.normal.system, out);
     for (const auto& e : m.reduced.eliminations)
       out << "  eliminated by d" << e.integral << " = 0: d" << e.unknown << "\n";
     if (!m.reduced.eliminations.empty()) print_linear(m.reduced.system, out);
   }
   for (const auto& b : m.blocks) {
-    if (a.stage == "ode")
+    if (stage == "ode")
       for (const auto& e : b.scalar)
         out << "  y = d" << e.unknown << ":  y'' + a1 y' + a0 y = 0\n    a1 = " << to_string(e.a1)
             << "\n    a0 = " << to_string(e.a0) << "\n";
-    if (b.ode && (a.stage == "ode" || a.stage == "r")) print_ode(s, *b.ode, false, out);
-    if (!b.note.empty() && (a.stage == "ode" || a.stage == "r")) out << "  " << b.note << "\n";
+    if (b.ode && (stage == "ode" || stage == "r")) print_ode(s, *b.ode, false, out);
+    if (!b.note.empty() && (stage == "ode" || stage == "r")) out << "  " << b.note << "\n";
   }
   for (const auto& r : m.reasons)
     if (m.blocks.empty()) out << "  " << r << "\n";
 }
 
-} // namespace
-
-int run_show(const MechanicsArguments& a, std::ostream& out) {
-  const System s = read_system(a.file, a.set);
-  if (a.stage == "system") return show_system(a, s, out);
-  if (a.stage == "lowest") return show_lowest(a, s, out);
+Report show_manifolds(const Settings& settings, const std::string& stage, const System& s) {
   CheckOptions options;
-  options.decide = a.decide;
-  options.only_manifold = a.manifold;
+  options.decide = settings.solver_options();
+  options.only_manifold = settings.manifold;
   options.stop_at_r = true;
-  const CheckReport report = check_system(s, options);
-  int code = 0;
+  const CheckReport report = kov::check_system(s, options);
+  const bool asks_for_r = stage == "r" || stage == "ode";
+  Report result;
+  result.json = Json::object();
+  std::ostringstream out;
   Json all = Json::array();
   for (const auto& m : report.manifolds) {
-    if (m.failure) code = 2;
-    if (a.format == "json")
-      all.push_back(stage_json(a, s, m));
-    else
-      print_stage(a, s, m, out);
-    const bool asks_for_r = a.stage == "r" || a.stage == "ode";
-    for (const auto& b : m.blocks)
-      if (code == 0 && asks_for_r && !b.ode && b.unknowns.size() > 1) code = 3;
+    if (m.failure) result.exit = exit_input;
+    all.push_back(stage_json(stage, s, m));
+    print_stage(stage, s, m, out);
+    for (const auto& b : m.blocks) {
+      if (result.exit == exit_decided && asks_for_r && !b.ode && b.unknowns.size() > 1)
+        result.exit = exit_undecided;
+    }
   }
-  if (a.format == "json") {
-    Json j{{"format", "kovacic-stage/1"}, {"stage", a.stage}, {"file", s.file}};
-    // The one equation of a file with one block stands at the top as well.
-    for (const auto& m : report.manifolds)
-      for (const auto& b : m.blocks)
-        if (b.ode && !j.contains("r") && (a.stage == "ode" || a.stage == "r"))
-          j.update(json_of(s, *b.ode));
-    j["manifolds"] = all;
-    out << j.dump(2) << "\n";
+  if (report.manifolds.empty()) {
+    out << s.file << "\n  no such manifold in this file (see kovacic find-manifolds)\n";
+    result.exit = exit_input;
   }
-  return code;
+  // What there is one of stands at the top as well.
+  if (all.size() == 1) result.json.update(all[0]);
+  for (const Json& m : all)
+    if (asks_for_r && m.contains("blocks"))
+      for (const Json& b : m.at("blocks"))
+        if (b.contains("r") && !result.json.contains("r")) result.json.update(b);
+  result.json.erase("name");
+  result.json["manifolds"] = all;
+  result.text = out.str();
+  return result;
+}
+
+} // namespace
+
+int show(const Settings& settings, const std::string& file, const std::string& stage) {
+  const Report report = supervised(settings, file, [&] {
+    const System s = read_system(file, parameter_values(settings));
+    if (stage == "system") return show_system(s);
+    if (stage == "lowest") return show_lowest(s);
+    return show_manifolds(settings, stage, s);
+  });
+  if (settings.format == "json" && !report.json.is_null()) {
+    Json j{{"format", "kovacic-stage/1"}, {"stage", stage}, {"file", file}};
+    j.update(report.json);
+    write_output(settings, j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  } else {
+    write_output(settings, report.text);
+  }
+  return report.exit;
 }
 
 } // namespace kov::cli

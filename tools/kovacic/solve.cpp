@@ -8,16 +8,10 @@
 namespace kov::cli {
 namespace {
 
-OriginPtr option_origin(const std::string& option, const std::string& text,
-                        const std::string& what) {
-  return origin_of_text(option, text, what);
-}
-
-std::optional<Expression> formula(const std::string& option, const std::string& text,
+std::optional<Expression> formula(const std::string& option, const std::optional<std::string>& text,
                                   bool equation = false) {
-  if (text.empty()) return std::nullopt;
-  const OriginPtr origin = option_origin(option, text, "");
-  return parse_expression(origin->text, origin, equation);
+  if (!text) return std::nullopt;
+  return parse_expression(*text, option, equation);
 }
 
 Question from_options(const Settings& settings, const SolveArguments& a) {
@@ -32,8 +26,7 @@ Question from_options(const Settings& settings, const SolveArguments& a) {
   return q;
 }
 
-Question from_file(const Settings& settings, const SolveArguments& a) {
-  const Entry document = read_document(a.file);
+Question from_file(const Settings& settings, const SolveArguments& a, const Entry& document) {
   if (!is_equation_file(document))
     throw InputError(a.file, 0, 0, 1, "this file describes a system, not one equation",
                      "write: kovacic check " + a.file);
@@ -43,27 +36,29 @@ Question from_file(const Settings& settings, const SolveArguments& a) {
   q.text.set = settings.settings();
   q.id = a.file;
   if (!a.variable.empty()) q.text.variable = a.variable;
-  if (!a.minpoly.empty()) q.text.minpoly = formula("--minpoly", a.minpoly);
+  if (a.minpoly) q.text.minpoly = formula("--minpoly", a.minpoly);
   return q;
 }
 
 } // namespace
 
 int solve(const Settings& settings, const SolveArguments& a) {
-  if (!a.batch.empty()) return batch(settings, a.batch);
-  const bool one_liner = !a.r.empty() || !a.ode.empty() || !a.p.empty() || !a.q.empty();
-  if (one_liner == !a.file.empty()) {
+  const bool one_liner = a.r || a.ode || a.p || a.q;
+  if (one_liner + !a.file.empty() + !a.batch.empty() != 1) {
     complain(settings,
-             one_liner ? "a file and a one-line equation are both given" : "no equation is given",
+             one_liner || !a.file.empty() ? "two equations are given" : "no equation is given",
              "write e.g. kovacic solve -r 'z'   or   kovacic solve -e \"y'' = z*y\"   or   kovacic "
              "solve FILE");
     return exit_input;
   }
-  Solver solver(fixed_question(
-                    [&] { return one_liner ? from_options(settings, a) : from_file(settings, a); }),
+  if (!a.batch.empty()) return batch(settings, a.batch);
+  std::optional<Entry> document;
+  if (!one_liner) document = read_document(a.file);
+  Solver solver(fixed_question([&] {
+                  return one_liner ? from_options(settings, a) : from_file(settings, a, *document);
+                }),
                 settings);
-  const Answer answer = solver.answer("");
-  return present(settings, answer, one_liner ? "" : a.file);
+  return present(settings, solver.answer(""), one_liner ? "" : a.file);
 }
 
 } // namespace kov::cli

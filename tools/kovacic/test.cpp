@@ -52,14 +52,14 @@ void line(const Settings& settings, Tally& tally, bool ok, const std::string& na
 
 void run(const Settings& settings, const std::string& file, Tally& tally) {
   try {
-    const CaseReport report = check_case(settings, file);
+    const CaseReport report = test_case(settings, file);
     for (const Expected& e : report.expected)
       line(settings, tally, e.met, file + ": " + e.name, e.met ? "" : "found " + e.found);
-    if (report.expected.empty()) line(settings, tally, true, file + ": # SKIP nothing is expected");
+    if (report.expected.empty()) line(settings, tally, true, file + " # SKIP nothing is expected");
     if (report.exit >= exit_internal) tally.exit = report.exit;
   } catch (const InputError& e) {
     line(settings, tally, false, file + ": readable", render(e));
-    tally.exit = std::max<int>(tally.exit, exit_input);
+    tally.exit = worse(tally.exit, exit_input);
   }
 }
 

@@ -1,12 +1,16 @@
-#include "mechanics_json.hpp"
+#include "mechanics.hpp"
+
+#include "answer.hpp"
+#include "present.hpp"
 
 #include <algorithm>
+#include <ostream>
 
 namespace kov::cli {
 namespace {
 
 Json text_or_null(const std::optional<MFraction>& f) {
-  return f ? Json(to_string(*f)) : Json(nullptr);
+  return f ? Json(to_factored_string(*f)) : Json(nullptr);
 }
 
 Json texts(const std::vector<MPoly>& polys) {
@@ -28,28 +32,70 @@ Json json_of(const GaloisGroup& g) {
   return Json{{"type", to_string(g.type)}, {"n", n}};
 }
 
-} // namespace
-
-std::string join(const std::vector<std::string>& words, const std::string& between) {
-  std::string s;
-  for (const auto& w : words)
-    s += (s.empty() ? "" : between) + w;
-  return s;
+Json json_of(const Decision& d) {
+  Json j;
+  j["group"] = d.group ? json_of(*d.group) : Json(nullptr);
+  j["identity_component"] = d.component ? Json(to_string(*d.component)) : Json(nullptr);
+  j["abelian"] = yes_no(d.abelian);
+  j["case"] = d.kovacic_case ? Json(*d.kovacic_case) : Json(nullptr);
+  j["reason"] = d.reason;
+  return j;
 }
 
-std::string claim_kind(Claim::Kind k) {
-  switch (k) {
-  case Claim::Kind::integral:
-    return "integral";
-  case Claim::Kind::casimir:
-    return "casimir";
-  case Claim::Kind::darboux:
-    return "darboux";
-  case Claim::Kind::poisson:
-    return "poisson";
-  default:
-    return "equal";
+} // namespace
+
+std::string title_of(const SystemClaim& claim) {
+  using Kind = SystemClaim::Kind;
+  const std::string kind = claim.kind == Kind::integral  ? "integral"
+                           : claim.kind == Kind::casimir ? "casimir"
+                           : claim.kind == Kind::darboux ? "darboux"
+                           : claim.kind == Kind::poisson ? "poisson"
+                                                         : "equal";
+  return kind + " " + (claim.name.empty() ? claim.text : claim.name);
+}
+
+ParameterValues parameter_values(const Settings& settings) {
+  ParameterValues values;
+  for (const auto& [name, e] : settings.settings())
+    values.emplace_back(name, std::string(e.text()));
+  return values;
+}
+
+Report supervised(const Settings& settings, const std::string& file,
+                  const std::function<Report()>& work) {
+  // The child has no standard input.
+  if (file == "-")
+    throw InputError(file, 0, 0, 1, "a system file is read by its name, not from standard input");
+  const TextAnswer a = limited(settings, [&](std::ostream& out) {
+    try {
+      const Report r = work();
+      out << dump({{"text", r.text}, {"json", r.json}});
+      return r.exit;
+    } catch (const DomainError& e) {
+      throw InputError(file, 0, 0, 1, e.what());
+    } catch (const InvalidArgument& e) {
+      throw InputError(file, 0, 0, 1, e.what());
+    }
+  });
+  if (a.error) throw *a.error;
+  Report r;
+  r.exit = a.exit;
+  if (!a.limit.empty()) {
+    r.json = Json{{"format", "kovacic-result/1"}, {"input", Json{{"file", file}}}};
+    set_undecided(r.json, "budget", a.limit);
+    r.text = file + "\n  UNDECIDED\n  open      " + wrapped(a.limit, 12) +
+             "\n  more      kovacic explain budget\n";
+  } else if (a.exit == exit_internal || a.exit == exit_interrupted) {
+    Answer failure;
+    failure.exit = a.exit;
+    failure.internal = a.internal;
+    report_failure(settings, failure);
+  } else {
+    const Json j = Json::parse(a.text);
+    r.text = j.at("text");
+    r.json = j.at("json");
   }
+  return r;
 }
 
 Json json_of(const LinearSystem& s) {
@@ -63,35 +109,31 @@ Json json_of(const LinearSystem& s) {
   return Json{{"unknowns", s.names}, {"matrix", rows}};
 }
 
-Json json_of(const ScalarEquation& e) {
+Json json_of(const NormalVariationalEquation& e) {
   return Json{{"unknown", e.unknown}, {"a1", to_string(e.a1)}, {"a0", to_string(e.a0)}};
 }
 
 Json json_of(const System& s, const AlgebraicOde& ode) {
   Json parameters = Json::array();
+  Json constants = Json::array();
+  const auto& algebraic = s.field.constants;
   for (const std::size_t i : used_variables(ode.r))
-    if (i != ode.z) parameters.push_back(s.ring()->name(i));
+    if (i != ode.z)
+      (std::find(algebraic.begin(), algebraic.end(), i) == algebraic.end() ? parameters : constants)
+          .push_back(s.ring()->name(i));
   return Json{{"unknown", ode.unknown},
               {"change", ode.change},
               {"variable", s.ring()->name(ode.z)},
               {"parameters", parameters},
+              {"constants", constants},
+              {"relations", texts(s.field.relations)},
               {"z_dot_squared", text_or_null(ode.z_dot_squared)},
               {"z_ddot", text_or_null(ode.z_ddot)},
               {"p", text_or_null(ode.p)},
               {"q", text_or_null(ode.q)},
-              {"r", to_string(ode.r)},
+              {"r", to_factored_string(ode.r)},
               {"generic", texts(ode.generic)},
               {"checks", ode.checks}};
-}
-
-Json json_of(const Decision& d) {
-  Json j;
-  j["group"] = d.group ? json_of(*d.group) : Json(nullptr);
-  j["identity_component"] = d.component ? Json(to_string(*d.component)) : Json(nullptr);
-  j["abelian"] = yes_no(d.abelian);
-  j["case"] = d.kovacic_case ? Json(*d.kovacic_case) : Json(nullptr);
-  j["reason"] = d.reason;
-  return j;
 }
 
 Json json_of(const System& s, const BlockReport& b) {
@@ -125,6 +167,7 @@ Json json_of(const System& s, const ManifoldReport& m) {
   }
   j["theorem"] = m.theorem;
   j["function_class"] = m.function_class;
+  if (!m.statement.empty()) j["statement"] = m.statement;
   if (m.manifold) {
     Json equations = Json::array();
     for (const auto& e : m.manifold->equations)
@@ -149,23 +192,29 @@ Json json_of(const System& s, const ManifoldReport& m) {
 }
 
 Json json_of(const ClaimReport& c) {
-  return Json{
-      {"kind", claim_kind(c.claim.kind)},  {"name", c.claim.name},     {"claim", c.claim.text},
-      {"proved", c.result.proved},         {"claimed", c.claim.holds}, {"detail", c.result.detail},
-      {"generic", texts(c.result.generic)}};
+  return Json{{"name", title_of(c.claim)},         {"claim", c.claim.text},
+              {"proved", c.result.proved},         {"claimed", c.claim.holds},
+              {"detail", c.result.detail},         {"value", to_string(c.result.witness)},
+              {"generic", texts(c.result.generic)}};
 }
 
 Json json_of_field(const System& s) {
   Json field;
   for (std::size_t j = 0; j < s.field.dimension(); ++j)
     field[s.field.name(j)] = to_string(s.field.components[j]);
+  Json coordinates = Json::array();
+  for (const std::size_t i : s.field.coordinates)
+    coordinates.push_back(s.ring()->name(i));
   Json parameters = Json::array();
   for (const std::size_t i : s.field.parameters)
     parameters.push_back(s.ring()->name(i));
   Json relations = Json::array();
   for (const auto& f : s.field.relations)
     relations.push_back(to_string(f));
-  Json j{{"parameters", parameters}, {"relations", relations}, {"field", field}};
+  Json j{{"coordinates", coordinates},
+         {"parameters", parameters},
+         {"relations", relations},
+         {"field", field}};
   if (s.field.hamiltonian) j["hamiltonian"] = to_string(*s.field.hamiltonian);
   return j;
 }

@@ -1,0 +1,264 @@
+#include "flow/fixed_points.hpp"
+
+#include "flow/section_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace kov::flow {
+namespace {
+
+double wrapped(double angle) { return std::remainder(angle, 2 * pi_of(0.0)); }
+
+// The section map in double, with its derivative.
+class SectionMap {
+public:
+  explicit SectionMap(const Scene& s)
+      : plain_(s.body<double>()), plain_levels_(s.levels<double>()), body_(dual_body(plain_)),
+        levels_{Dual<double>(plain_levels_.energy), Dual<double>(plain_levels_.length),
+                Dual<double>(plain_levels_.casimir)},
+        rule_(s.section), effects_(effects_of(plain_)) {}
+
+  [[nodiscard]] std::optional<double> size_at(double l, double y) const {
+    if (std::abs(y) >= 1) return std::nullopt;
+    const auto sizes = momentum_sizes(plain_, plain_levels_, rule_, l, y);
+    if (sizes.empty()) return std::nullopt;
+    return sizes.back();
+  }
+
+  [[nodiscard]] std::optional<SectionImage<double>> operator()(double l, double y) const {
+    const auto size = size_at(l, y);
+    if (!size) return std::nullopt;
+    VariationalJet<double> jet(body_, effects_, order);
+    State<Dual<double>> x = lifted(body_, levels_, rule_, l, y, *size);
+    double time = 0;
+    bool above = rule_.rising; // it has just crossed
+    for (int step = 0; step < 4000; ++step) {
+      jet.expand(x, order);
+      const double h = step_size(jet);
+      const Dual<double>* s = jet.section(rule_.axis, order);
+      double b[order + 1], power = 1;
+      for (int k = 0; k <= order; ++k, power *= h)
+        b[k] = s[k].v * power;
+      Root<double> roots[8];
+      int tangencies = 0;
+      const int n = sign_changes(b, order, 1e-15, above, rule_.falling, rule_.rising, roots, 8, tangencies);
+      for (int i = 0; i < n; ++i) {
+        const auto image = land(jet, s, roots[i].x * h);
+        if (image) return SectionImage<double>{image->l, image->y, time + roots[i].x * h};
+      }
+      x = jet.at(Dual<double>(h), order);
+      time += h;
+    }
+    return std::nullopt;
+  }
+
+private:
+  static constexpr int order = 18;
+  Body<double> plain_;
+  Levels<double> plain_levels_;
+  Body<Dual<double>> body_;
+  Levels<Dual<double>> levels_;
+  SectionRule rule_;
+  Effects effects_;
+
+  static double step_size(const VariationalJet<double>& jet) {
+    double h = 1;
+    for (const int k : {order - 1, order}) {
+      const State<Dual<double>> c = jet.coefficient(k);
+      double size = 1e-300;
+      for (int i = 0; i < 3; ++i)
+        for (const Dual<double>* d : {&c.omega[i], &c.gamma[i]})
+          size = std::max({size, std::abs(d->v), std::abs(d->d[0]), std::abs(d->d[1])});
+      h = std::min(h, std::pow(1e-16 / size, 1.0 / k));
+    }
+    return h;
+  }
+
+  // On the section with the wanted side; the time of arrival depends on the start too.
+  [[nodiscard]] std::optional<SectionImage<double>> land(const VariationalJet<double>& jet,
+                                                         const Dual<double>* s, double t) const {
+    double rate = 0, power = 1;
+    Dual<double> value;
+    for (int k = 0; k <= order; ++k) {
+      value = value + Dual<double>(power) * s[k];
+      if (k < order) rate += (k + 1) * s[k + 1].v * power;
+      power *= t;
+    }
+    const Dual<double> arrival(t, -value.d[0] / rate, -value.d[1] / rate);
+    const State<Dual<double>> x = jet.at(arrival, order);
+    if ((section_functions(body_, x, rule_.axis).c.v > 0) != (rule_.side > 0)) return std::nullopt;
+    SectionImage<double> out;
+    chart(body_, x, rule_.axis, out.l, out.y);
+    return out;
+  }
+};
+
+struct Place {
+  double l = 0, y = 0;
+};
+
+// Newton's method for P(u) = u, with steps of at most 0.2.
+// Where DP - 1 is singular the fixed points are not isolated (or a bifurcation is near): `along_a_curve`.
+std::optional<FixedPoint> newton(const SectionMap& map, Place u, bool& along_a_curve) {
+  along_a_curve = false;
+  for (int i = 0; i < 30; ++i) {
+    const auto p = map(u.l, u.y);
+    if (!p) return std::nullopt;
+    const double fl = wrapped(p->l.v - u.l), fy = p->y.v - u.y;
+    const double a = p->l.d[0] - 1, b = p->l.d[1], c = p->y.d[0], d = p->y.d[1] - 1;
+    const double det = a * d - b * c;
+    double dl = -(d * fl - b * fy) / det, dy = -(a * fy - c * fl) / det;
+    const double length = std::hypot(dl, dy);
+    if (!std::isfinite(length)) return std::nullopt;
+    if (std::hypot(fl, fy) < 1e-6 && std::abs(det) < 1e-4) {
+      along_a_curve = true;
+      return std::nullopt;
+    }
+    if (length < 1e-12 || (length < 1e-10 && i > 12)) {
+      FixedPoint f;
+      f.l = std::remainder(u.l, 2 * pi_of(0.0));
+      if (f.l < -1e-9) f.l += 2 * pi_of(0.0);
+      f.l = std::abs(f.l) < 1e-13 ? 0 : f.l;
+      f.y = std::abs(u.y) < 1e-13 ? 0 : u.y;
+      f.period = p->time;
+      f.trace = p->l.d[0] + p->y.d[1];
+      f.determinant = p->l.d[0] * p->y.d[1] - b * c;
+      return f;
+    }
+    const double shorten = std::min(1.0, 0.2 / length);
+    u = {u.l + shorten * dl, u.y + shorten * dy};
+  }
+  return std::nullopt;
+}
+
+void classify(FixedPoint& f) {
+  const double slack = std::max(f.trace_error, 1e-9);
+  f.stability = std::abs(std::abs(f.trace) - 2) <= slack ? Stability::parabolic
+                : f.trace > 2                            ? Stability::hyperbolic
+                : f.trace < -2                           ? Stability::inverse_hyperbolic
+                                                         : Stability::elliptic;
+  const double q = f.trace * f.trace / 4 - 1;
+  if (q >= 0)
+    f.multiplier = {f.trace / 2 + std::copysign(std::sqrt(q), f.trace), 0};
+  else
+    f.multiplier = {f.trace / 2, std::sqrt(-q)};
+}
+
+// The displacement on the grid; columns go round in l.
+struct Displacements {
+  int columns, rows;
+  std::vector<std::optional<Place>> at;
+  [[nodiscard]] const std::optional<Place>& operator()(int i, int k) const {
+    return at[static_cast<std::size_t>(i % columns * rows + k)];
+  }
+};
+
+// How often the displacement turns around the border of a cell; 0 if it is large or unknown there.
+int index_of(const Displacements& d, int i, int k) {
+  const std::pair<int, int> corners[] = {{i, k}, {i + 1, k}, {i + 1, k + 1}, {i, k + 1}, {i, k}};
+  double turn = 0;
+  for (int n = 0; n < 4; ++n) {
+    const auto &a = d(corners[n].first, corners[n].second),
+               &b = d(corners[n + 1].first, corners[n + 1].second);
+    if (!a || !b || std::hypot(a->l, a->y) > 1.5) return 0;
+    turn += wrapped(std::atan2(b->y, b->l) - std::atan2(a->y, a->l));
+  }
+  return static_cast<int>(std::lround(turn / (2 * pi_of(0.0))));
+}
+
+class Search {
+public:
+  Search(const Scene& s, const FixedPointOptions& o) : map_(s), o_(o), d_{o.columns, o.rows, {}} {}
+
+  FixedPoints run() {
+    displacements();
+    std::size_t still = 0;
+    for (const auto& p : d_.at)
+      still += p && std::hypot(p->l, p->y) < 1e-7 ? 1 : 0;
+    found_.degenerate = 2 * still > d_.at.size();
+    if (found_.degenerate) return found_;
+    for (int i = 0; i < o_.columns; ++i)
+      for (int k = 0; k < o_.rows; ++k)
+        look(i, k);
+    std::sort(found_.points.begin(), found_.points.end(), [](const auto& a, const auto& b) {
+      return std::abs(a.l - b.l) > 1e-9 ? a.l < b.l : a.y < b.y;
+    });
+    return found_;
+  }
+
+private:
+  SectionMap map_;
+  FixedPointOptions o_;
+  Displacements d_;
+  FixedPoints found_;
+
+  // Away from the lines of symmetry, where the fixed points like to be.
+  [[nodiscard]] Place place(double i, double k) const {
+    return {2 * pi_of(0.0) * (i + 0.381966) / o_.columns,
+            o_.edge * (-1 + 2 * (k + 0.4142) / o_.rows)};
+  }
+  void displacements() {
+    for (int i = 0; i < o_.columns; ++i)
+      for (int k = 0; k < o_.rows; ++k) {
+        const Place u = place(i, k);
+        const auto p = map_(u.l, u.y);
+        d_.at.push_back(p ? std::optional(Place{wrapped(p->l.v - u.l), p->y.v - u.y})
+                          : std::nullopt);
+      }
+  }
+  bool keep(const std::optional<FixedPoint>& f) {
+    if (!f || std::abs(f->y) > 0.9999) return false;
+    for (const FixedPoint& old : found_.points)
+      if (std::abs(wrapped(old.l - f->l)) < 1e-7 && std::abs(old.y - f->y) < 1e-7) return true;
+    FixedPoint full = *f;
+    full.g_size = map_.size_at(f->l, f->y).value_or(0);
+    classify(full);
+    found_.points.push_back(full);
+    return true;
+  }
+  void look(int i, int k) {
+    const int index = k + 1 < o_.rows ? index_of(d_, i, k) : 0;
+    found_.index_sum += index;
+    const auto& here = d_(i, k);
+    bool curve = false;
+    if (index != 0) {
+      const bool kept = keep(newton(map_, place(i + 0.5, k + 0.5), curve));
+      found_.curve_cells += curve ? 1 : 0;
+      found_.unexplained_cells += kept || curve ? 0 : 1;
+    } else if (here && std::hypot(here->l, here->y) < 0.5) {
+      keep(newton(map_, place(i, k), curve));
+      found_.curve_cells += curve ? 1 : 0;
+    }
+  }
+};
+
+} // namespace
+
+std::string to_string(Stability s) {
+  switch (s) {
+  case Stability::elliptic:
+    return "elliptic";
+  case Stability::hyperbolic:
+    return "hyperbolic";
+  case Stability::inverse_hyperbolic:
+    return "inverse hyperbolic";
+  default:
+    return "parabolic";
+  }
+}
+
+FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options) {
+  if (scene.section.falling && scene.section.rising)
+    throw InvalidArgument("fixed points need one direction of crossing, not both");
+  FixedPoints found = Search(scene, options).run();
+  if (options.prove)
+    for (FixedPoint& f : found.points) {
+      f = prove_fixed_point(scene, f, options.bits);
+      classify(f);
+    }
+  return found;
+}
+
+} // namespace kov::flow

@@ -1,0 +1,67 @@
+#pragma once
+// Fixed points of the section map: periodic orbits that meet the section once, with their stability.
+//
+// Search (double): the displacement P(u) - u of the section map, u = (l, L/G), on a grid; Newton from every
+// cell around whose border the displacement turns (its index is not 0), and from every grid point that moves
+// little.  DP comes from the variational equations (dual numbers through the Taylor kernels).
+//
+// Proof (balls): integration with enclosures, i.e. Taylor polynomials whose remainder is the next coefficient
+// over a box that provably contains the orbit during the step (Picard), of the orbit and its derivatives with
+// respect to u; then Krawczyk's test [Krawczyk1969] on a box U around the point:
+//   u0 - C (P(u0) - u0) + (1 - C (DP(U) - 1)) (U - u0)  inside U
+// proves that U contains exactly one fixed point.  Enclosures of naive interval arithmetic widen by e^(L t);
+// with 256 bits and one turn there is room for that, so that nothing cleverer is needed.
+// On the way every step proves that it makes no other crossing in the wanted direction: the period is one turn.
+// For a symplectic map det DP = 1: elliptic if |tr DP| < 2, hyperbolic if tr DP > 2, inverse hyperbolic < -2.
+
+#include "flow/scene.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace kov::flow {
+
+enum class Stability : unsigned char { elliptic, hyperbolic, inverse_hyperbolic, parabolic };
+[[nodiscard]] std::string to_string(Stability s);
+
+struct FixedPoint {
+  double l = 0, y = 0;   ///< radian; L/G
+  double g_size = 0;     ///< G
+  double period = 0;     ///< time
+  double trace = 0;      ///< of DP
+  double determinant = 1;
+  std::array<double, 2> multiplier{}; ///< of larger modulus, or with imaginary part > 0: real, imaginary part
+  Stability stability = Stability::elliptic; ///< parabolic: |tr| = 2 to within the error
+  // Proved bounds; `proved` is false when the test failed and `why` then says where.
+  bool proved = false;
+  double error = 0;       ///< distance in l and in L/G from the exact fixed point
+  double trace_error = 0; ///< of trace
+  std::string why;
+};
+
+struct FixedPointOptions {
+  int columns = 48, rows = 40; ///< of the grid of the search
+  double edge = 0.97;          ///< the grid covers |L/G| < edge: beyond it the chart degenerates
+  bool prove = true;
+  long bits = 256; ///< of the proof
+};
+
+/// What the search found, sorted by l, then by L/G.
+///
+/// Caveat    each point with `proved` exists; that there are no others is not proved: a cell of the grid may
+///           hide a pair of points of opposite index.  `index_sum` is the sum of the indices of the cells
+///           that are not 0; it equals (elliptic + inverse hyperbolic) - hyperbolic if all were found.
+struct FixedPoints {
+  std::vector<FixedPoint> points;
+  int index_sum = 0;
+  int unexplained_cells = 0; ///< cells with an index where Newton found nothing
+  int curve_cells = 0;       ///< cells from which Newton ran into a curve of fixed points (1 is an eigenvalue of DP)
+  bool degenerate = false;   ///< more than half of the grid's points are (nearly) fixed
+};
+[[nodiscard]] FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options = {});
+
+/// Proves the fixed point near (l, y), or says why it cannot.
+[[nodiscard]] FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long bits);
+
+} // namespace kov::flow

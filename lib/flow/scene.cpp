@@ -1,0 +1,173 @@
+#include "flow/scene.hpp"
+
+#include "symbol/document.hpp"
+
+#include <cmath>
+
+namespace kov::flow {
+namespace {
+
+Quantity quantity(const Entry& e) { return Quantity(e.expression()); }
+
+std::array<Quantity, 3> vector(const Entry& e) {
+  if (e.array().size() != 3) throw e.error("'" + e.name() + "' must have three components");
+  return {quantity(e.array()[0]), quantity(e.array()[1]), quantity(e.array()[2])};
+}
+
+void set(Quantity& q, const Entry& table, std::string_view key) {
+  if (const Entry* e = table.find(key)) q = quantity(*e);
+}
+
+// Principal moments of a rigid body: positive, and none larger than the sum of the others.  For a
+// full tensor the same in terms of E = tr(I)/2 - I, which must be positive semidefinite.
+void check_inertia(const Entry& at, const Scene& s) {
+  const Mat<double> m = s.body<double>().inertia;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (m[i][k] != m[k][i]) throw at.error("the tensor of inertia is not symmetric");
+  const double trace = m[0][0] + m[1][1] + m[2][2];
+  Mat<double> e{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      e[i][k] = (i == k ? trace / 2 : 0.0) - m[i][k];
+  const auto minors = [](const Mat<double>& a, double slack) {
+    const double two[3] = {a[0][0] * a[1][1] - a[0][1] * a[0][1],
+                           a[0][0] * a[2][2] - a[0][2] * a[0][2],
+                           a[1][1] * a[2][2] - a[1][2] * a[1][2]};
+    bool good = dot(a[0], cross(a[1], a[2])) >= -slack * slack * slack;
+    for (std::size_t i = 0; i < 3; ++i)
+      good = good && a[i][i] >= -slack && two[i] >= -slack * slack;
+    return good;
+  };
+  const double det = dot(m[0], cross(m[1], m[2]));
+  if (!(m[0][0] > 0 && m[1][1] > 0 && m[2][2] > 0 && det > 0 && minors(m, 0)))
+    throw at.error("the moments of inertia must be positive");
+  if (!minors(e, 1e-12 * trace))
+    throw at.error("these moments of inertia violate the triangle inequality",
+                   "no rigid body has a principal moment larger than the sum of the other two");
+}
+
+void read_body(const Entry& body, Scene& s) {
+  body.check_keys({"inertia", "lever", "mass", "gravity", "tip", "gyrostat"});
+  const Entry& inertia = body.at("inertia");
+  if (inertia.array().size() != 3)
+    throw inertia.error("'inertia' must be three principal moments or three rows");
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (inertia.array()[i].is_array())
+      s.inertia[i] = vector(inertia.array()[i]);
+    else
+      s.inertia[i][i] = quantity(inertia.array()[i]);
+  }
+  check_inertia(inertia, s);
+  if (const Entry* e = body.find("lever")) s.lever = vector(*e);
+  if (const Entry* e = body.find("gyrostat")) s.gyrostat = vector(*e);
+  set(s.mass, body, "mass");
+  set(s.gravity, body, "gravity");
+  if (s.mass.as<double>() <= 0) throw body.at("mass").error("the mass must be positive");
+  const Entry& tip = body.at("tip");
+  if (tip.string() != "sliding" && tip.string() != "fixed")
+    throw tip.error("the tip is \"sliding\" or \"fixed\"");
+  s.sliding = tip.string() == "sliding";
+}
+
+void read_section(const Entry& e, Scene& s) {
+  e.check_keys({"angle", "direction", "axis"});
+  if (const Entry* axis = e.find("axis")) {
+    if (axis->integer() < 1 || axis->integer() > 3) throw axis->error("the axis is 1, 2 or 3");
+    s.section.axis = static_cast<int>(axis->integer()) - 1;
+  }
+  if (const Entry* angle = e.find("angle")) {
+    const double turns = quantity(*angle).as<double>() / (2 * pi_of(0.0));
+    const bool first = std::abs(turns - 0.25) < 1e-12, second = std::abs(turns - 0.75) < 1e-12;
+    if (!first && !second)
+      throw angle->error("the section angle must be \"pi/2\" or \"3*pi/2\"",
+                         "only there is the section a polynomial in M and Gamma");
+    s.section.side = first ? 1 : -1;
+  }
+  const Entry* direction = e.find("direction");
+  const std::string way = direction == nullptr ? "upward" : direction->string();
+  if (way != "upward" && way != "downward" && way != "both")
+    throw direction->error("the direction is \"upward\" (dg/dt > 0), \"downward\" or \"both\"");
+  // S falls with growing g where C > 0, and rises where C < 0 (section_jets.hpp)
+  s.section.falling = way == "both" || (way == "upward") == (s.section.side > 0);
+  s.section.rising = way == "both" || (way == "upward") != (s.section.side > 0);
+}
+
+void read_orbits(const Entry& e, Scene& s) {
+  e.check_keys({"seeds", "grid", "crossings", "time"});
+  if (const Entry* seeds = e.find("seeds"))
+    for (const Entry& pair : seeds->array()) {
+      if (pair.array().size() != 2) throw pair.error("a seed is a pair [l, L/G]");
+      s.seeds.push_back({quantity(pair.array()[0]), quantity(pair.array()[1])});
+      if (std::abs(s.seeds.back().y.as<double>()) > 1)
+        throw pair.error("L/G lies between -1 and 1");
+    }
+  if (const Entry* grid = e.find("grid")) {
+    if (grid->array().size() != 2) throw grid->error("a grid is [columns, rows]");
+    const long columns = grid->array()[0].integer(), rows = grid->array()[1].integer();
+    if (columns < 1 || rows < 1 || columns > 1000 || rows > 1000)
+      throw grid->error("a grid has 1 to 1000 columns and rows");
+    s.columns = static_cast<int>(columns);
+    s.rows = static_cast<int>(rows);
+  }
+  if (s.seeds.empty() && s.columns == 0) throw e.error("no orbits: give seeds or a grid");
+  if (const Entry* n = e.find("crossings")) {
+    if (n->integer() < 1) throw n->error("at least one crossing of each orbit");
+    s.crossings = n->integer();
+  }
+  if (const Entry* t = e.find("time")) {
+    s.time = quantity(*t);
+    if (!(s.time->as<double>() > 0)) throw t->error("the time must be positive");
+  }
+  if (s.crossings < 0 && !s.time) throw e.error("no end: give crossings or time");
+}
+
+void read_accuracy(const Entry& e, Scene& s) {
+  e.check_keys({"tolerance", "drift", "digits"});
+  set(s.tolerance, e, "tolerance");
+  set(s.drift, e, "drift");
+  if (const Entry* d = e.find("digits")) {
+    if (d->integer() < 16 || d->integer() > 300) throw d->error("digits are 16 to 300");
+    s.digits = static_cast<int>(d->integer());
+  }
+  const double t = s.tolerance.as<double>(), floor = s.digits > 0 ? 0.0 : 1e-20;
+  if (!(t > floor) || t > 0.01)
+    throw e.at("tolerance").error("the tolerance must lie between 10^-20 and 1/100",
+                                  "smaller ones need 'digits'");
+}
+
+Scene scene_of(const Entry& root) {
+  root.check_keys(
+      {"format", "title", "source", "body", "levels", "section", "orbits", "accuracy", "plot"});
+  const Entry& format = root.at("format");
+  if (format.string() != "scene/1") throw format.error("the format of a scene is \"scene/1\"");
+  Scene s;
+  s.file = root.file();
+  if (const Entry* e = root.find("title")) s.title = e->string();
+  if (const Entry* e = root.find("source")) s.source = e->string();
+  read_body(root.at("body"), s);
+  const Entry& levels = root.at("levels");
+  levels.check_keys({"H", "F1", "F2"});
+  s.energy = quantity(levels.at("H"));
+  s.casimir = quantity(levels.at("F2"));
+  set(s.length, levels, "F1");
+  if (!(s.length.as<double>() > 0)) throw levels.at("F1").error("F1 = |Gamma|^2 must be positive");
+  if (const Entry* e = root.find("section")) read_section(*e, s);
+  read_orbits(root.at("orbits"), s);
+  if (const Entry* e = root.find("accuracy")) read_accuracy(*e, s);
+  if (const Entry* plot = root.find("plot")) {
+    plot->check_keys({"sign_of"});
+    if (const Entry* e = plot->find("sign_of")) s.sign_of = vector(*e);
+  }
+  return s;
+}
+
+} // namespace
+
+Scene read_scene(const std::string& path) { return scene_of(read_document(path)); }
+
+Scene parse_scene(std::string text, const std::string& name) {
+  return scene_of(parse_document(std::move(text), name));
+}
+
+} // namespace kov::flow

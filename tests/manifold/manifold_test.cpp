@@ -1,0 +1,98 @@
+#include "manifold/find.hpp"
+#include "manifold/invariant_manifold.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using testing::HasSubstr;
+
+System henon_heiles(const std::string& manifold) {
+  return read_system(parse_document(R"t([system]
+kind = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta = ["p1", "p2"]
+parameters = ["b", "h"]
+hamiltonian = "(p1^2 + p2^2)/2 + (q1^2 + q2^2)/2 + q1^2*q2 + b/3*q2^3"
+)t" + manifold,
+                                    "test.toml"));
+}
+
+std::string failure(const std::string& manifold) {
+  const System s = henon_heiles(manifold);
+  const auto result = prove_invariant(s.field, s.manifolds.at(0));
+  if (const auto* f = std::get_if<ManifoldFailure>(&result)) return f->message;
+  return "proved";
+}
+
+TEST(Manifold, ProvedOrToldWhyNot) {
+  EXPECT_EQ(failure(R"t([[manifold]]
+equations = ["q1 = 0", "p1 = 0"]
+level = "H = h")t"),
+            "proved");
+  EXPECT_THAT(failure(R"t([[manifold]]
+equations = ["q2 = 0", "p2 = 0"]
+level = "H = h")t"),
+              HasSubstr("'p2 = 0' is -q1^2, not 0"));
+  EXPECT_THAT(failure(R"t([[manifold]]
+equations = ["q1 = 0", "p1 = 0"])t"),
+              HasSubstr("has dimension 2, not 1"));
+  EXPECT_THAT(failure(R"t([[manifold]]
+equations = ["q1 = 0", "p1 = 0"]
+level = "q2 = 1")t"),
+              HasSubstr("its derivative is p2, not 0"));
+  EXPECT_THAT(failure(R"t([[manifold]]
+equations = ["q1 = 0", "q1 = 1"])t"),
+              HasSubstr("contradict"));
+  EXPECT_THAT(failure(R"t([[manifold]]
+equations = ["q1 = 0", "p1 = 0", "q2 = 0", "p2 = 0"])t"),
+              HasSubstr("points"));
+}
+
+TEST(Manifold, EquationsNeedNotBeCoordinates) {
+  const System s = henon_heiles(R"t([set]
+b = "1"
+[[manifold]]
+equations = ["q2 = q1", "p2 = p1"]
+level = "H = h")t");
+  EXPECT_TRUE(std::holds_alternative<InvariantManifold>(prove_invariant(s.field, s.manifolds[0])));
+}
+
+std::vector<std::string> found(const System& s) {
+  std::vector<std::string> all;
+  for (const auto& m : find_manifolds(s.field, {*s.field.hamiltonian})) {
+    std::string text;
+    for (const auto& e : m.equations)
+      text += (text.empty() ? "" : ", ") + e.text;
+    all.push_back(text);
+  }
+  return all;
+}
+
+TEST(FindManifolds, AxesAndLines) {
+  EXPECT_THAT(found(henon_heiles("")), testing::Contains("q1 = 0, p1 = 0"));
+  const System separable = henon_heiles("[set]\nb = \"1\"");
+  EXPECT_THAT(found(separable), testing::Contains("q2 = q1, p2 = p1"));
+  EXPECT_THAT(found(separable), testing::Contains("q2 = -q1, p2 = -p1"));
+}
+
+TEST(FindManifolds, FixedPointsOfAPermutation) {
+  const System s = read_system(parse_document(R"t([system]
+kind = "vector-field"
+coordinates = ["x", "y", "w"]
+[system.field]
+x = "y*w + x"
+y = "x*w + y"
+w = "x*y"
+)t",
+                                              "test.toml"));
+  bool seen = false;
+  for (const auto& m : find_manifolds(s.field, {}))
+    seen = seen || (m.equations.size() == 1 && m.equations[0].text == "x = y");
+  EXPECT_TRUE(seen);
+}
+
+} // namespace
+} // namespace kov

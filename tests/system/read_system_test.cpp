@@ -1,0 +1,192 @@
+#include "symbol/input_error.hpp"
+#include "system/claims.hpp"
+#include "system/system.hpp"
+#include "system/weights.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using testing::HasSubstr;
+
+System read(const std::string& text, const ParameterValues& values = {}) {
+  return read_system(parse_document(text, "test.toml"), values);
+}
+
+const std::string oscillator = R"t(
+[system]
+kind        = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta     = ["p1", "p2"]
+parameters  = ["a", "b"]
+hamiltonian = "(p1^2 + p2^2)/2 + (a*q1^2 + b*q2^2)/2"
+)t";
+
+std::string complaint(const std::string& text, const ParameterValues& values = {}) {
+  try {
+    static_cast<void>(read(text, values));
+  } catch (const InputError& e) {
+    return std::to_string(e.line()) + ": " + e.message() + " / " + e.hint();
+  }
+  return "no complaint";
+}
+
+TEST(ReadSystem, Hamiltonian) {
+  const System s = read(oscillator);
+  EXPECT_EQ(s.field.dimension(), 4U);
+  EXPECT_EQ(to_string(s.field.components[0]), "p1");
+  EXPECT_EQ(to_string(s.field.components[3]), "-q2*b");
+  EXPECT_EQ(to_string(poisson_bracket(s.field, formula(s, "q1"), formula(s, "p1"))), "1");
+}
+
+TEST(ReadSystem, FixedParametersArePutInEverywhere) {
+  const System s = read(oscillator, {{"a", "2*b"}, {"b", "1/3"}});
+  EXPECT_EQ(to_string(s.field.components[2]), "-2*q1/3");
+  EXPECT_TRUE(s.field.parameters.empty());
+  EXPECT_THAT(complaint(oscillator, {{"a", "b"}, {"b", "a"}}), HasSubstr("defined by itself"));
+  EXPECT_THAT(complaint(oscillator, {{"alpha", "1"}}), HasSubstr("is not a parameter"));
+  EXPECT_THAT(complaint(oscillator, {{"a", "q1"}}), HasSubstr("cannot depend on 'q1'"));
+}
+
+TEST(ReadSystem, MistakesAreTold) {
+  EXPECT_THAT(complaint(R"t([system]
+kind = "hamiltonion")t"),
+              HasSubstr("did you mean 'hamiltonian'"));
+  EXPECT_THAT(complaint(R"t([system]
+kind = "hamiltonian"
+coordinates = ["q"]
+momenta = ["p"]
+hamiltonian = "p^2/2 + Q^2")t"),
+              HasSubstr("5: unknown name 'Q' in hamiltonian / did you mean 'q'?"));
+  EXPECT_THAT(complaint(R"t([system]
+kind = "hamiltonian"
+coordinates = ["q"]
+momenta = ["p"]
+hamiltonian = "p^2/2 - cos(q)")t"),
+              HasSubstr("the relation of cos(q) is missing"));
+  EXPECT_THAT(complaint(R"t([system]
+kind = "hamiltonian"
+coordinates = ["q"]
+momenta = ["p"]
+hamiltonian = "p^2/(q - q)")t"),
+              HasSubstr("division by zero"));
+  EXPECT_THAT(complaint(R"t([system]
+kind = "vector-field"
+coordinates = ["x", "y"]
+[system.field]
+x = "y")t"),
+              HasSubstr("the derivative of 'y' is missing"));
+  EXPECT_THAT(complaint(R"t([system]
+kind = "vector-field"
+coordinates = ["x", "x"]
+[system.field]
+x = "1")t"),
+              HasSubstr("declared twice"));
+  EXPECT_THAT(complaint(oscillator + "[assume]\na = \"positive\"", {{"a", "-1"}}),
+              HasSubstr("the assumption 'a positive' is violated"));
+  EXPECT_THAT(complaint(oscillator + "[reduce]\nchange = \"q1^2\""), HasSubstr("z = "));
+  EXPECT_THAT(complaint(oscillator + "[[manifolds]]"), HasSubstr("did you mean 'manifold'?"));
+}
+
+TEST(ReadSystem, FunctionsAndTheirRelations) {
+  const std::string pendulum = R"t([system]
+kind = "hamiltonian"
+coordinates = ["q"]
+momenta = ["p"]
+hamiltonian = "p^2/2 - cos(q)"
+relations = ["s^2 + c^2 = 1"]
+[[system.function]]
+name = "s"
+means = "sin(q)"
+derivative = { q = "c" }
+[[system.function]]
+name = "c"
+means = "cos(q)"
+derivative = { q = "SIGNs" }
+)t";
+  std::string right = pendulum;
+  right.replace(right.find("SIGN"), 4, "-");
+  const System s = read(right);
+  EXPECT_EQ(to_string(s.field.components[1]), "-s");
+  std::string wrong = pendulum;
+  wrong.replace(wrong.find("SIGN"), 4, "");
+  EXPECT_THAT(complaint(wrong), HasSubstr("does not agree with the derivatives"));
+}
+
+TEST(ReadSystem, BracketsMustBePoisson) {
+  EXPECT_THAT(complaint(R"t([system]
+kind = "poisson"
+coordinates = ["x", "y", "z1"]
+bracket = [["0", "x", "y"], ["-x", "0", "1"], ["-y", "-1", "0"]]
+hamiltonian = "x")t"),
+              HasSubstr("not a Poisson bracket"));
+  const System so3 = read(R"t([system]
+kind = "poisson"
+coordinates = ["x", "y", "w"]
+parameters = ["a", "b", "c"]
+bracket = [["0", "-w", "y"], ["w", "0", "-x"], ["-y", "x", "0"]]
+hamiltonian = "(a*x^2 + b*y^2 + c*w^2)/2"
+[[casimir]]
+name = "F"
+value = "x^2 + y^2 + w^2"
+)t");
+  EXPECT_TRUE(check_claim(so3, so3.claims[0]).proved);
+}
+
+TEST(Claims, RefutationsShowTheDerivative) {
+  const System s = read(oscillator + R"t(
+[[integral]]
+name  = "L"
+value = "q1*p2 - q2*p1"
+[[integral]]
+name  = "E1"
+value = "p1^2 + a*q1^2"
+[[darboux]]
+name  = "the axis"
+value = "q1"
+[[integral]]
+name  = "on an empty promise"
+value = "p1"
+on    = "q1 = 0"
+)t");
+  const ClaimResult l = check_claim(s, s.claims[0]);
+  EXPECT_FALSE(l.proved);
+  EXPECT_EQ(l.witness, formula(s, "(a - b)*q1*q2"));
+  EXPECT_TRUE(check_claim(s, s.claims[1]).proved);
+  const ClaimResult level = check_claim(s, s.claims[2]);
+  EXPECT_FALSE(level.proved);
+  EXPECT_THAT(level.detail, HasSubstr("the level q1 = 0 is not invariant"));
+  EXPECT_FALSE(check_claim(s, s.claims[3]).proved); // X(q1) = p1
+}
+
+TEST(Claims, DarbouxCofactor) {
+  const System s = read(R"t([system]
+kind = "vector-field"
+coordinates = ["x", "y"]
+parameters = ["a"]
+[system.field]
+x = "x*(1 - y)"
+y = "y*(x - a)"
+[[darboux]]
+name = "x axis"
+value = "y"
+)t");
+  const ClaimResult r = check_claim(s, s.claims[0]);
+  EXPECT_TRUE(r.proved);
+  EXPECT_EQ(r.witness, formula(s, "x - a"));
+}
+
+TEST(Weights, SeriesOfARationalFunction) {
+  const System s = read(oscillator);
+  const Weights w{{s.ring()->index("q1"), 1}, {s.ring()->index("q2"), 2}};
+  const auto terms = weight_expansion(formula(s, "q1/(1 - q2)"), w, 3);
+  ASSERT_EQ(terms.size(), 3U);
+  EXPECT_EQ(terms[1].degree, 3);
+  EXPECT_EQ(terms[2].value, formula(s, "q1*q2^2"));
+  EXPECT_EQ(weight_expansion(formula(s, "q1 + q2"), w, 5).size(), 2U);
+}
+
+} // namespace
+} // namespace kov

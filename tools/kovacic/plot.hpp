@@ -1,0 +1,30 @@
+#pragma once
+// Pictures by gnuplot: a script that the user can edit, and what it draws if gnuplot is there.
+
+#include <string>
+#include <vector>
+
+namespace kov::cli {
+
+struct SectionPlot {
+  std::string title;
+  std::vector<std::string> caption;
+  bool two_colours = false;  ///< by the column "sign"
+  bool fixed_points = false; ///< mark those of BASE.fixed.dat
+};
+
+/// Writes BASE.gp for BASE.dat and draws BASE.png, ...; returns the pictures drawn (none without gnuplot).
+std::vector<std::string> draw_section(const std::string& base, const SectionPlot& plot,
+                                      const std::vector<std::string>& formats);
+
+/// Runs a gnuplot script with `-e "format='png'"` for each format; the pictures that appeared.
+std::vector<std::string> run_gnuplot(const std::string& base,
+                                     const std::vector<std::string>& formats);
+
+/// The lines of a script that choose the terminal from the variable `format`; size in pixels of the png.
+[[nodiscard]] std::string gnuplot_terminal(const std::string& output_base, int width, int height);
+
+/// Text for a gnuplot string in double quotes, enhanced text switched off by the caller.
+[[nodiscard]] std::string gnuplot_quoted(const std::string& text);
+
+} // namespace kov::cli

@@ -1,0 +1,28 @@
+#pragma once
+// kovacic section FILE... -o DIR: Poincare sections.
+
+#include "settings.hpp"
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace kov::cli {
+
+struct SectionArguments {
+  std::vector<std::string> files;
+  std::vector<std::string> formats = {"png", "svg", "pdf"}; ///< drawn if gnuplot is there
+  int threads = 1;
+  int lanes = 8;
+  bool fixed_points = false;
+};
+
+/// The options of the sub-command.
+void declare_section(CLI::App& command, SectionArguments& arguments);
+/// Data, script and pictures of every scene, in the directory settings.output.  Throws InputError.
+int section(const Settings& settings, const SectionArguments& arguments);
+
+} // namespace kov::cli
