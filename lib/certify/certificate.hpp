@@ -114,11 +114,9 @@ struct TorsionFunction { ///< h = (a + b w s)/den, h' = n w/(V s) h
   std::vector<NotAPower> minimal;
 };
 
-struct Jacobian { ///< M E is principal modulo p
+/// The curve of an imprimitive equation stays smooth modulo p: bounds the order of torsion.
+struct GoodReduction {
   PrimeIdeal prime;
-  mp_limb_t w = 0;
-  Integer multiple;
-  std::optional<mp_limb_t> branch; ///< a root of F0 modulo p, when deg F0 is even
 };
 
 struct Conclude {
@@ -130,7 +128,7 @@ struct ApplyTheorem { ///< trusted
 };
 
 using Rule = std::variant<Local, Exponential, Invariant, NoExponential, PCurvature, NoInvariant,
-                          TorsionFunction, Jacobian, Conclude, ApplyTheorem>;
+                          TorsionFunction, GoodReduction, Conclude, ApplyTheorem>;
 
 struct Step {
   std::string id;

@@ -40,8 +40,14 @@ private:
     if (c_.field->is_rational()) return;
     Poly m;
     long i = 0;
-    for (const Integer& a : c_.field->minpoly_coefficients())
+    Integer size;
+    for (const Integer& a : c_.field->minpoly_coefficients()) {
+      size += a * a;
       m.set_coeff(i++, NfElem(Rational(a)));
+    }
+    // the Python checker factors modulo a prime of at most 80 bits
+    need(fmpz_bits(size.raw()) / 2 + static_cast<std::size_t>(i) < 76,
+         "the minimal polynomial is too large");
     const auto factors = irreducible_factors(m);
     need(factors.size() == 1 && factors[0].exponent == 1, "the minimal polynomial is reducible");
   }
@@ -88,8 +94,8 @@ private:
   Fact fact(const TorsionFunction& d, const Premises& p) const {
     return check_torsion_function(judge_, d, imprimitive(p), find<LocalFact>(p));
   }
-  Fact fact(const Jacobian& d, const Premises& p) const {
-    return check_jacobian(judge_, d, local(p), imprimitive(p));
+  Fact fact(const GoodReduction& d, const Premises& p) const {
+    return check_good_reduction(judge_, d, imprimitive(p));
   }
   Fact fact(const Conclude& d, const Premises& p) {
     result_ = conclude(d.theorem, p);

@@ -3,7 +3,7 @@
 #include "certify/rules.hpp"
 
 #include <algorithm>
-#include <array>
+#include <set>
 
 namespace kov::certify {
 
@@ -16,7 +16,7 @@ public:
       : theorem_(theorem), premises_(premises), local(certify::find<LocalFact>(premises)),
         invariant(certify::find<InvariantFact>(premises)),
         torsion(certify::find<TorsionFact>(premises)),
-        jacobian(certify::find<JacobianFact>(premises)),
+        reduction(certify::find<ReductionFact>(premises)),
         curvature(certify::find<PCurvatureFact>(premises)) {}
 
   void need(bool condition) const {
@@ -44,6 +44,12 @@ public:
   [[nodiscard]] bool dihedral() const {
     return invariant && is_quadratic(*invariant) && degree(invariant->branch) > 0;
   }
+  [[nodiscard]] std::set<mp_limb_t> curvature_primes() const {
+    std::set<mp_limb_t> primes;
+    for (const Fact* f : premises_)
+      if (const auto* x = std::get_if<PCurvatureFact>(f)) primes.insert(x->p);
+    return primes;
+  }
   [[nodiscard]] std::vector<const InvariantFact*> invariants(long m) const {
     std::vector<const InvariantFact*> found;
     for (const Fact* f : premises_)
@@ -59,7 +65,7 @@ public:
   const LocalFact* local;
   const InvariantFact* invariant;
   const TorsionFact* torsion;
-  const JacobianFact* jacobian;
+  const ReductionFact* reduction;
   const PCurvatureFact* curvature;
 };
 
@@ -121,15 +127,15 @@ Conclusion dihedral_finite(const Given& g) {
   return dihedral_or_cyclic(g.torsion->n);
 }
 
-// A finite group D_N would have N | q^a L M, and then p-curvature 0 at every good p not dividing
-// 2N.
+// If G were finite of order 4 L N', every p with nonzero p-curvature would divide 2 L N', but the
+// part of N' prime to q is bounded by the number of points of a Jacobian over F_q.
 Conclusion dihedral_torsion(const Given& g) {
-  g.need(g.dihedral() && g.local && g.curvature);
-  g.need(!g.jacobian || g.jacobian->of == g.invariant);
-  g.need(g.jacobian || !g.invariant->has_zeros());
-  Integer N = Integer(2) * g.local->residue_denominator(*g.invariant);
-  if (g.jacobian) N *= g.jacobian->multiple * Integer(g.jacobian->p);
-  g.need(gcd(N, Integer(g.curvature->p)) == Integer(1));
+  g.need(g.dihedral() && g.local && g.reduction && g.reduction->of == g.invariant);
+  Integer product(1);
+  for (const mp_limb_t p : g.curvature_primes())
+    if (p != g.reduction->p) product *= Integer(p);
+  const Integer L = g.local->residue_denominator(*g.invariant);
+  g.need(gcd(Integer(2) * L, product) == Integer(1) && product > g.reduction->bound);
   return group("Dinf");
 }
 

@@ -1,8 +1,7 @@
-// Rules "torsion-function" and "jacobian": the curve s^2 = F0 on which the two exponential
+// Rules "torsion-function" and "good-reduction": the curve s^2 = F0 on which the two exponential
 // solutions of an imprimitive equation separate (docs/theory/dihedral_torsion.md).  v = V s, V =
 // A/B.
 
-#include "certify/hyperelliptic.hpp"
 #include "certify/rules.hpp"
 
 #include <algorithm>
@@ -39,6 +38,12 @@ void need_logarithmic_derivative(const TorsionFunction& t, const InvariantFact& 
        "h' = n (w/v) h fails");
 }
 
+void need_unramified(const Judge& j, const PrimeIdeal& prime) {
+  NmodPoly m(prime.p);
+  fmpz_poly_get_nmod_poly(m.raw(), j.field->minpoly());
+  need(evaluate(derivative(m), prime.generator) != 0, "the prime ramifies");
+}
+
 // Two points at which h takes values whose quotient is not an l-th power: so h is not a constant
 // times an l-th power of a function.
 void need_not_a_power(const Judge& j, const NotAPower& t, const TorsionFunction& f,
@@ -48,9 +53,7 @@ void need_not_a_power(const Judge& j, const NotAPower& t, const TorsionFunction&
   const nmod_t mod = r.num.mod();
   need(t.l >= 2 && p % static_cast<mp_limb_t>(t.l) == 1 && f.n % t.l == 0,
        "l must divide n and p - 1");
-  NmodPoly m(p);
-  fmpz_poly_get_nmod_poly(m.raw(), j.field->minpoly());
-  need(evaluate(derivative(m), t.prime.generator) != 0, "the prime ramifies");
+  need_unramified(j, t.prime);
   v.need_root(t.w, t.prime);
   const NmodPoly F = reduce(v.branch, t.prime);
   need(!is_square(F), "F0 is a square modulo p");
@@ -83,45 +86,6 @@ void need_minimal(const TorsionFunction& t, const Integer& L) {
   }
 }
 
-// The zeros of v off the branch places, with the residues L Delta of L eta there.
-struct Zeros {
-  Poly q;
-  Rational delta;
-};
-
-std::vector<Zeros> zeros_of(const InvariantFact& v, const LocalFact& local) {
-  std::vector<Zeros> zeros;
-  if (degree(v.data.p) > 0) zeros.push_back({v.data.p, 1});
-  for (const InvariantFactor& f : v.data.factors) {
-    if (!is_integer(f.e) || sign(f.e) <= 0) continue;
-    const auto x = std::find_if(local.places.begin(), local.places.end(),
-                                [&](const PlaceFact& y) { return *y.q == f.q; });
-    need(x != local.places.end() && f.e == Rational(1),
-         "a zero of v is not a place of r, or not simple");
-    if (!is_zero(*x->delta)) zeros.push_back({f.q, *x->delta});
-  }
-  return zeros;
-}
-
-mp_limb_t reduce_rational(const Rational& q, const PrimeIdeal& p) {
-  const auto r = p.reduce(q);
-  need(r && *r != 0, "an exponent difference is not a unit modulo p");
-  return *r;
-}
-
-// The divisor of the zeros at q, at the sheet where the residue of eta is +Delta: s = w B/(A'
-// Delta).
-Divisor divisor_at(const Zeros& z, const NmodPoly& A, const NmodPoly& B, mp_limb_t w,
-                   const PrimeIdeal& prime, const NmodPoly& F) {
-  NmodPoly u(prime.p);
-  nmod_poly_make_monic(u.raw(), reduce(z.q, prime).raw());
-  const nmod_t mod = u.mod();
-  const mp_limb_t factor = nmod_div(w, reduce_rational(z.delta, prime), mod);
-  const NmodPoly s = remainder(scale(B * inverse_mod(derivative(A), u), factor), u);
-  need(is_zero(remainder(s * s - F, u)), "a zero of v is not on the curve");
-  return {u, s};
-}
-
 } // namespace
 
 TorsionFact check_torsion_function(const Judge& j, const TorsionFunction& data,
@@ -136,49 +100,19 @@ TorsionFact check_torsion_function(const Judge& j, const TorsionFunction& data,
   return {data.n, &v};
 }
 
-JacobianFact check_jacobian(const Judge& j, const Jacobian& data, const LocalFact& local,
-                            const InvariantFact& v) {
+ReductionFact check_good_reduction(const Judge& j, const GoodReduction& data,
+                                   const InvariantFact& v) {
   const Reduced r = j.reduced(data.prime);
-  const mp_limb_t p = data.prime.p;
-  const nmod_t mod = r.num.mod();
-  need(sign(data.multiple) > 0 && data.multiple < pow(Integer(10), 30) && degree(v.branch) >= 3,
-       "not a multiple, or not a curve of positive genus");
   const NmodPoly F = reduce(v.branch, data.prime);
   need(degree(gcd(F, derivative(F))) == 0, "F0 is not squarefree modulo p");
-  v.need_root(data.w, data.prime);
-  const Integer L = local.residue_denominator(v);
-  const auto fraction = v.fraction();
-  const NmodPoly A = reduce(fraction.first, data.prime);
-  const NmodPoly B = reduce(fraction.second, data.prime);
-  need(degree(v.data.p) == 0 || degree(gcd(reduce(v.data.p, data.prime), r.den)) == 0,
-       "zeros of v meet the poles of r");
-  std::vector<std::pair<Divisor, Integer>> points;
-  for (const Zeros& z : zeros_of(v, local))
-    points.emplace_back(divisor_at(z, A, B, data.w, data.prime, F), (Rational(L) * z.delta).num());
-  HyperellipticCurve curve(F);
-  if (degree(F) % 2 == 0) {
-    need(data.branch && *data.branch < p && evaluate(F, *data.branch) == 0,
-         "an even curve needs a branch point modulo p");
-    curve = HyperellipticCurve(send_to_infinity(F, *data.branch));
-    for (auto& [d, k] : points)
-      d = send_to_infinity(d, *data.branch, curve.genus());
-    if (v.growth() == Rational(1) && !is_zero(*local.infinity.delta)) {
-      const mp_limb_t lead = nmod_div(A.coeff(degree(A)), B.coeff(degree(B)), mod);
-      const mp_limb_t t = nmod_div(nmod_div(data.w, lead, mod),
-                                   reduce_rational(*local.infinity.delta, data.prime), mod);
-      need(t == 1 || t == p - 1, "the residue at infinity is wrong");
-      Divisor d{NmodPoly(p), NmodPoly(p)};
-      d.u.set_coeff(1, 1);
-      d.s.set_coeff(0, p - t);
-      points.emplace_back(d, (Rational(L) * *local.infinity.delta).num());
-    }
-  }
-  Divisor total = curve.zero();
-  for (const auto& [d, k] : points)
-    total = curve.add(total, curve.multiple(curve.reduce(d), k));
-  need(curve.is_zero(curve.multiple(total, Integer(2) * data.multiple)),
-       "the multiple is not principal");
-  return {p, data.multiple, &v};
+  need_unramified(j, data.prime);
+  static_cast<void>(v.square_of_w(data.prime));
+  // (1 + sqrt p)^2 <= p + 2 + floor(2 sqrt p)
+  Integer root(data.prime.p);
+  root *= Integer(4);
+  fmpz_sqrt(root.raw(), root.raw());
+  const auto genus = static_cast<unsigned long>((degree(v.branch) - 1) / 2);
+  return {data.prime.p, pow(Integer(data.prime.p) + Integer(2) + root, genus), &v};
 }
 
 } // namespace kov::certify

@@ -152,21 +152,7 @@ std::pair<Poly, Poly> InvariantFact::fraction() const {
   return {std::move(A), std::move(B)};
 }
 
-Rational InvariantFact::growth() const {
-  Rational d = degree(data.p);
-  for (const InvariantFactor& f : data.factors)
-    d += f.e * Rational(degree(f.q));
-  return d;
-}
-
-bool InvariantFact::has_zeros() const {
-  return degree(data.p) > 0 ||
-         std::any_of(data.factors.begin(), data.factors.end(),
-                     [](const auto& f) { return sign(f.e) > 0 && is_integer(f.e); }) ||
-         (degree(branch) % 2 == 0 && growth() == Rational(1));
-}
-
-void InvariantFact::need_root(mp_limb_t w, const PrimeIdeal& prime) const {
+mp_limb_t InvariantFact::square_of_w(const PrimeIdeal& prime) const {
   nmod_t mod;
   nmod_init(&mod, prime.p);
   const auto image = [&](const NfElem& c) {
@@ -179,7 +165,14 @@ void InvariantFact::need_root(mp_limb_t w, const PrimeIdeal& prime) const {
     const mp_limb_t u = k > 0 ? image(c) : nmod_inv(image(c), mod);
     value = nmod_mul(value, nmod_pow_ui(u, static_cast<mp_limb_t>(std::abs(k)), mod), mod);
   }
-  need(w < prime.p && nmod_mul(w, w, mod) == value, "w is not a square root of w^2 modulo p");
+  return value;
+}
+
+void InvariantFact::need_root(mp_limb_t w, const PrimeIdeal& prime) const {
+  nmod_t mod;
+  nmod_init(&mod, prime.p);
+  need(w < prime.p && nmod_mul(w, w, mod) == square_of_w(prime),
+       "w is not a square root of w^2 modulo p");
 }
 
 } // namespace kov::certify

@@ -80,8 +80,8 @@ struct InvariantFact {
 
   /// v/sqrt(F0) = A/B.
   [[nodiscard]] std::pair<Poly, Poly> fraction() const;
-  [[nodiscard]] Rational growth() const; ///< degree of v
-  [[nodiscard]] bool has_zeros() const;  ///< over non-branch points, infinity included
+  /// w^2 modulo p, which must be a unit.
+  [[nodiscard]] mp_limb_t square_of_w(const PrimeIdeal& prime) const;
   /// Refuses unless w^2 = `w`^2 modulo p.
   void need_root(mp_limb_t w, const PrimeIdeal& prime) const;
 };
@@ -97,9 +97,10 @@ struct TorsionFact {
   long n = 0;
   const InvariantFact* of = nullptr;
 };
-struct JacobianFact {
+/// The prime-to-p part of the torsion order is at most bound.
+struct ReductionFact {
   mp_limb_t p = 0;
-  Integer multiple;
+  Integer bound;
   const InvariantFact* of = nullptr;
 };
 struct Conclusion {
@@ -109,8 +110,8 @@ struct Conclusion {
 };
 
 using Fact = std::variant<LocalFact, ExponentialFact, IrreducibleFact, InvariantFact, AbsentFact,
-                          PCurvatureFact, TorsionFact, JacobianFact, Conclusion>;
-/// Facts do not move: TorsionFact and JacobianFact point to an InvariantFact.
+                          PCurvatureFact, TorsionFact, ReductionFact, Conclusion>;
+/// Facts do not move: TorsionFact and ReductionFact point to an InvariantFact.
 using Premises = std::vector<const Fact*>;
 
 /// The first premise of a kind, or null.

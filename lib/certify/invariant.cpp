@@ -35,8 +35,10 @@ void need_well_formed(const Invariant& data) {
 // w^2 = V^2 (T_1^2 - 2 T_0 T_2)/S^2 at the first natural number that is not a root of S.
 void evaluate_square(InvariantFact& x, const Poly& S, const std::vector<Poly>& T) {
   NfElem z(0);
-  while (is_zero(evaluate(S, z)))
+  for (int tries = 1; is_zero(evaluate(S, z)); ++tries) {
+    need(tries < 2000, "no point to evaluate w^2");
     z += NfElem(1);
+  }
   const NfElem t1 = evaluate(T[1], z);
   const NfElem s = evaluate(S, z);
   x.top = t1 * t1 - NfElem(2) * evaluate(T[0], z) * evaluate(T[2], z);

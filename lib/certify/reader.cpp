@@ -253,12 +253,6 @@ Rule read_torsion_function(Keys& k) {
   return x;
 }
 
-Rule read_jacobian(Keys& k) {
-  Jacobian x{k.prime(), k.at("w").residue(), k.at("multiple").integer(), std::nullopt};
-  if (const auto v = k.find("branch")) x.branch = v->residue();
-  return x;
-}
-
 Rule read_rule(const Node& rule, const Node& data) {
   Keys k(data);
   const std::string name = rule.text();
@@ -270,7 +264,7 @@ Rule read_rule(const Node& rule, const Node& data) {
     if (name == "p-curvature") return read_p_curvature(k);
     if (name == "no-invariant") return read_no_invariant(k);
     if (name == "torsion-function") return read_torsion_function(k);
-    if (name == "jacobian") return read_jacobian(k);
+    if (name == "good-reduction") return GoodReduction{k.prime()};
     if (name == "conclude") return Conclude{k.at("theorem").text()};
     if (name == "apply-theorem")
       return ApplyTheorem{k.at("theorem").text(), k.at("statement").text()};

@@ -26,8 +26,8 @@ struct Judge {
 /// v: m = 2 with a half-integer exponent and w^2 != 0.  local may be null.
 [[nodiscard]] TorsionFact check_torsion_function(const Judge& j, const TorsionFunction& data,
                                                  const InvariantFact& v, const LocalFact* local);
-[[nodiscard]] JacobianFact check_jacobian(const Judge& j, const Jacobian& data,
-                                          const LocalFact& local, const InvariantFact& v);
+[[nodiscard]] ReductionFact check_good_reduction(const Judge& j, const GoodReduction& data,
+                                                 const InvariantFact& v);
 /// From a theorem of the fixed table and the facts that it needs.
 [[nodiscard]] Conclusion conclude(const std::string& theorem, const Premises& premises);
 

@@ -140,14 +140,7 @@ Json data(const TorsionFunction& x) {
                        {"minimal", {minimal}}}};
 }
 
-Json data(const Jacobian& x) {
-  Json::Object o;
-  put(o, x.prime);
-  o.emplace_back("w", residue(x.w));
-  o.emplace_back("multiple", text(to_string(x.multiple)));
-  if (x.branch) o.emplace_back("branch", residue(*x.branch));
-  return {o};
-}
+Json data(const GoodReduction& x) { return prime(x.prime); }
 
 Json data(const Conclude& x) { return {Json::Object{{"theorem", text(x.theorem)}}}; }
 
@@ -180,7 +173,7 @@ std::string rule_name(const Rule& rule) {
                                [](const PCurvature&) { return "p-curvature"; },
                                [](const NoInvariant&) { return "no-invariant"; },
                                [](const TorsionFunction&) { return "torsion-function"; },
-                               [](const Jacobian&) { return "jacobian"; },
+                               [](const GoodReduction&) { return "good-reduction"; },
                                [](const Conclude&) { return "conclude"; },
                                [](const ApplyTheorem&) { return "apply-theorem"; }},
                     rule);

@@ -31,7 +31,11 @@ class Equation:
     def __init__(self, entry):
         def parse(text):
             return sp.sympify(text.replace("^", "**"), locals={"z": z, "I": sp.I})
-        if "r" in entry:
+        if entry.get("r", "").startswith("__dihedral"):      # F|V|w^2: r from v = V sqrt(F)
+            f, v, w2 = (parse(x) for x in entry["r"].split(" ", 1)[1].split("|"))
+            v = v * sp.sqrt(f)
+            r = sp.simplify((w2 + 2 * v * sp.diff(v, z, 2) - sp.diff(v, z)**2) / (4 * v**2))
+        elif "r" in entry:
             r = parse(entry["r"])
         else:
             p, q = parse(str(entry["p"])), parse(str(entry["q"]))
@@ -79,7 +83,11 @@ class Equation:
         return [] if f.is_zero else [self.elem(c) for c in reversed(f.all_coeffs())]
 
     def vpoly(self, f):
-        return V.read_poly(self.json(f), lambda w: (_ for _ in ()).throw(Fail(w)))
+        return V.read("poly", self.json(f), "poly")
+
+    def mod(self, f, p, a):
+        V.need(f.q % p, "p divides a denominator")
+        return V.trim(V.mscale([V.meval(f.c[i:i + V.K.d], a, p) for i in range(0, len(f.c), V.K.s)], pow(f.q, -1, p), p))
 
     def prime(self, start=P61, big=False, ok=lambda p, a: True):
         """A good prime of degree one with a condition."""
@@ -90,7 +98,7 @@ class Equation:
             if a is None:
                 continue
             try:
-                self.checker.mod(self.checker.num, p, a), self.checker.mod(self.checker.den, p, a)
+                self.mod(self.checker.num, p, a), self.mod(self.checker.den, p, a)
                 if ok(p, a):
                     return int(p), int(a)
             except V.Rejected:
@@ -205,13 +213,13 @@ class Equation:
         while True:
             p, a = self.prime(p)
             try:
-                qq = self.checker.mod(self.vpoly(q), p, a)
-                e = V.mdivmod(self.checker.mod(self.vpoly(d2), p, a), qq, p)[1]
+                qq = self.mod(self.vpoly(q), p, a)
+                e = V.mdivmod(self.mod(self.vpoly(d2), p, a), qq, p)[1]
             except V.Rejected:
                 continue
             v = V.madd(V.mpow(e, (p + 1) // 2, qq, p), e, p, -1)
             if p > 2 and v and len(V.mgcd(v, qq, p)) == 1:
-                dd = self.checker.mod(self.checker.den.diff().diff(), p, a)
+                dd = self.mod(self.checker.den.diff().diff(), p, a)
                 if len(V.mgcd(dd, qq, p)) == 1:
                     return {"p": str(p), "a": str(a)}
 
@@ -221,15 +229,15 @@ class Equation:
             p, a = self.prime(p)
             if q is None:
                 try:
-                    self.checker.is_log(None, {"p": p, "a": a}, None, delta)
+                    self.checker.need_log({"p": p, "a": a}, None, delta)
                     return {"p": str(p), "a": str(a)}
                 except V.Rejected:
                     return None
-            roots = self.roots(self.checker.mod(self.vpoly(q), p, a), p) if q.degree() > 1 or True else []
+            roots = self.roots(self.mod(self.vpoly(q), p, a), p)
             good = []
             for c in roots:
                 try:
-                    self.checker.is_log(None, {"p": p, "a": a}, c, delta)
+                    self.checker.need_log({"p": p, "a": a}, c, delta)
                     good.append(c)
                 except V.Rejected:
                     pass
@@ -249,21 +257,21 @@ class Equation:
                 "data": {"prime": {"p": str(p), "a": str(a)}, "places": [e for _, _, e in self.places], "infinity": self.inf}}
 
     def facts(self):
-        return self.checker.check_local(V.read(V.RULES["local"], self.local_step()["data"], "local"))
+        return self.checker.local(V.read(V.RULES["local"], self.local_step()["data"], "local"))
 
     # ---- engines: modulo one prime -----------------------------------------------------------------------------------------
 
     def kernel(self, m, exps, D, p, a, x0):
         """Polynomials P of degree <= D with P prod q^e in Sym^m, as rows modulo p (reduced echelon form)."""
         c = self.checker
-        num, den = c.mod(c.num, p, a), c.mod(c.den, p, a)
+        num, den = self.mod(c.num, p, a), self.mod(c.den, p, a)
         extra = sum(q.degree() * max(1, k // 2) for q, k, _ in self.places) * (m + 1) + (m + 1) * (2 + max(0, -self.o))
         T = max(D, 0) + m + 2 + extra + 10
         n, e = V.mshift(num, x0, p), V.mshift(den, x0, p)
         ys = [c.solution(n, e, y, T, p) for y in ([1, 0], [0, 1])]
         U = [1]
         for (q, _, _), ex in zip(self.places, exps):
-            f = V.mshift(c.mod(self.vpoly(q), p, a), x0, p)
+            f = V.mshift(self.mod(self.vpoly(q), p, a), x0, p)
             f = [v * pow(f[0], -1, p) % p for v in f]
             # f^(-ex): g' f = -ex f' g
             g = [1]
@@ -408,17 +416,17 @@ class Equation:
         p = start
         for _ in range(400):
             p, a = self.prime(p)
-            num, den = c.mod(c.num, p, a), c.mod(c.den, p, a)
+            num, den = self.mod(c.num, p, a), self.mod(c.den, p, a)
             if place == "infinity":
                 root, k = None, self.k_inf
             else:
                 q, k, _ = self.places[place]
-                roots = self.roots(c.mod(self.vpoly(q), p, a), p)
+                roots = self.roots(self.mod(self.vpoly(q), p, a), p)
                 if not roots:
                     continue
                 root = roots[0]
             try:
-                n, e = c.expansion(p, a, num, den, root, k)
+                n, e = c.expansion(p, num, den, root, k)
             except V.Rejected:
                 continue
             lead = n[0] * pow(e[0], -1, p) % p if k > 1 else 0
@@ -496,7 +504,7 @@ class Equation:
                 step = {"id": "exponential", "rule": "exponential", "premises": [],
                         "data": {"p": ["1"], "num": [str(v) for v in self.lift(A, p)], "den": [str(v) for v in self.lift(B, p)]}}
                 try:
-                    self.checker.check_exponential(V.read(V.RULES["exponential"], step["data"], "e"))
+                    self.checker.exponential(V.read(V.RULES["exponential"], step["data"], "e"))
                     return self.split_exponential(step)
                 except V.Rejected:
                     pass
@@ -552,7 +560,7 @@ class Equation:
             return step
         p, a = self.prime()
         step["data"] = {"m": str(m), "by": "series", "p": str(p), "a": str(a), "x0": "1234567", "terms": str(D + 2 * m + 8)}
-        self.checker.check_no_invariant(V.read(V.RULES["no-invariant"], step["data"], "n"), self.facts())
+        self.checker.no_invariant(V.read(V.RULES["no-invariant"], step["data"], "n"), self.facts())
         return step
 
     def pcurvature_step(self, shows, start=6):
@@ -561,7 +569,7 @@ class Equation:
             p, a = self.prime(p)
             d = {"p": str(p), "a": str(a), "shows": shows}
             try:
-                self.checker.check_p_curvature(V.read(V.RULES["p-curvature"], d, "p"), self.facts())
+                self.checker.p_curvature(V.read(V.RULES["p-curvature"], d, "p"), self.facts())
                 return {"id": "p-curvature", "rule": "p-curvature", "premises": ["local"] if shows == "sl2" else [], "data": d}
             except V.Rejected:
                 pass
@@ -622,8 +630,8 @@ def prove_diagonal(E):
     for row in rows + ([[(x + y) for x, y in itertools.zip_longest(rows[0], rows[1], fillvalue=0)]] if len(rows) > 1 else []):
         steps = [E.local_step(), E.invariant_step(2, exps, E.lift(row), "invariant"), conclude("diagonal", "local", "invariant")]
         try:
-            x = E.checker.check_invariant(V.read(V.RULES["invariant"], steps[1]["data"], "i"))
-            if not x.w2[0].zero():
+            x = E.checker.invariant(V.read(V.RULES["invariant"], steps[1]["data"], "i"))
+            if x.top.c:
                 return [steps]
         except V.Rejected:
             pass
@@ -644,10 +652,10 @@ def prove_dihedral(E, n):
                 inv = E.invariant_step(2, exps, P, "invariant")
                 local = E.local_step()
                 try:
-                    v = E.checker.check_invariant(V.read(V.RULES["invariant"], inv["data"], "i"))
+                    v = E.checker.invariant(V.read(V.RULES["invariant"], inv["data"], "i"))
                 except V.Rejected:
                     continue
-                if v.w2[0].zero():
+                if not v.top.c:
                     continue
                 if E.infinite:
                     return [[local, inv, conclude("dihedral-infinite", "local", "invariant")]]
@@ -668,8 +676,8 @@ def sym(poly):
 
 
 def square_of_w(v):
-    w2 = v.w2[0].rational() / v.w2[1].rational()
-    for c, k in v.w2[2]:
+    w2 = v.top.rational() / v.bottom.rational()
+    for c, k in v.powers:
         w2 *= c.rational()**k
     return sp.Rational(w2.numerator, w2.denominator)
 
@@ -724,7 +732,7 @@ def power_witness(E, l, f0, a, b, den, v):
         if p % l != 1:
             continue
         try:
-            fa, fb, fd, ff = (E.checker.mod(E.vpoly(x), p, aa) for x in (a, b, den, f0))
+            fa, fb, fd, ff = (E.mod(E.vpoly(x), p, aa) for x in (a, b, den, f0))
             r = square_of_w(v)
             if r.q % p == 0:
                 continue
@@ -751,59 +759,26 @@ def power_witness(E, l, f0, a, b, den, v):
 
 
 def infinite_dihedral(E, local, inv, v, P, exps):
-    pc = E.pcurvature_step("nonzero", 2)
-    facts = E.facts()
-    L = facts.residue_denominator(v)
-    for skip in range(40):
+    L = E.facts().residue_denominator(v)
+    q, step = 2, None
+    while step is None:
+        q, a = E.prime(q)
+        try:
+            d = {"p": str(q), "a": str(a)}
+            bound = E.checker.good_reduction(V.read(V.RULES["good-reduction"], d, "g"), None, v).bound
+            step = {"id": "reduction", "rule": "good-reduction", "premises": ["invariant"], "data": d}
+        except V.Rejected:
+            pass
+    curvatures, product, p = [], 1, 2
+    while product <= bound:
+        pc = E.pcurvature_step("nonzero", p)
         if pc is None:
             raise Fail("no p-curvature")
         p = int(pc["data"]["p"])
-        if 2 * L % p == 0:
-            pc = E.pcurvature_step("nonzero", p)
-            continue
-        zeros = v.p.deg() > 0 or any(e > 0 and e.denominator == 1 for _, e in v.factors) or (v.branch.deg() % 2 == 0 and v.growth() == 1)
-        if not zeros:
-            return [local, inv, pc, conclude("dihedral-torsion", "local", "invariant", "p-curvature")]
-        j = jacobian_step(E, facts, v, p)
-        if j:
-            return [local, inv, pc, j, conclude("dihedral-torsion", "local", "invariant", "p-curvature", "jacobian")]
-        pc = E.pcurvature_step("nonzero", p)
-    raise Fail("no pair of primes")
-
-
-def jacobian_step(E, facts, v, avoid):
-    q = 2
-    for _ in range(30):
-        q, a = E.prime(q)
-        if q == avoid:
-            continue
-        try:
-            r = square_of_w(v)
-            if r.q % q == 0 or r.p % q == 0:
-                continue
-            w2 = int(r.p) * pow(int(r.q), -1, q) % q
-            if pow(w2, (q - 1) // 2, q) != 1:
-                continue
-            w = int(sp.sqrt_mod(w2, q))
-            f = E.checker.mod(v.branch, q, a)
-            branch = next(iter(E.roots(f, q)), None) if len(f) % 2 else 0
-        except V.Rejected:
-            continue
-        if branch is None:
-            continue
-        for M in range(1, 200):
-            if M % avoid == 0:
-                continue
-            d = {"p": str(q), "a": str(a), "w": str(w), "multiple": str(M)}
-            if len(f) % 2:
-                d["branch"] = str(branch)
-            try:
-                E.checker.check_jacobian(V.read(V.RULES["jacobian"], d, "j"), facts, v)
-                return {"id": "jacobian", "rule": "jacobian", "premises": ["local", "invariant"], "data": d}
-            except V.Rejected as why:
-                if "not principal" not in str(why):
-                    break
-    return None
+        if p != q and 2 * L % p:
+            product *= p
+            curvatures.append(pc | {"id": f"p-curvature-{p}"})
+    return [local, inv, step, *curvatures, conclude("dihedral-torsion", "local", "invariant", "reduction", *[s["id"] for s in curvatures])]
 
 
 def prove_primitive(E, m, absent, theorem):

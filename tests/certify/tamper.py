@@ -10,6 +10,7 @@ import json
 import os
 import re
 import sys
+import time
 
 NUMBER = re.compile(r"-?[0-9]+(/[0-9]+)?\Z")
 THEOREMS = ["sl2-p-curvature", "sl2-irreducible-log", "sl2-irreducible-infinite", "sl2-irreducible-12", "borel", "additive", "diagonal",
@@ -100,8 +101,9 @@ def write(directory, out, most=10**9):
 def judge(source, out):
     sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../tools/verify"))
     import kovacic_verify as V
-    with open(out, "w") as f:
-        for line in open(source):
+    with open(out, "w", buffering=1) as f:
+        for number, line in enumerate(open(source), 1):
+            start = time.time()
             try:
                 V.verify(json.loads(line)["text"])
                 f.write("a\n")
@@ -109,6 +111,8 @@ def judge(source, out):
                 f.write("r\n")
             except V.Malformed:
                 f.write("m\n")
+            if time.time() - start > 5:
+                print("line", number, round(time.time() - start, 1), "s", json.loads(line)["file"], json.loads(line)["path"], flush=True)
 
 
 if __name__ == "__main__":
