@@ -83,6 +83,21 @@ std::optional<int> classical(Decision& d, const NormalForm& equation, const Opti
   return kovacic::case_of(outcome);
 }
 
+// Exponents too large for the engines: that no sum of exponents is a natural number can be seen
+// without a polynomial of that degree.
+void second_chance(Decision& d, const NormalForm& equation, const Options& options) {
+  std::string limit;
+  Decision other;
+  const auto found = classical(other, equation, options, limit);
+  if (found != 4) return;
+  d.group = GaloisGroup{GroupType::SL2, {}};
+  d.component = Connected::sl2;
+  d.abelian = Truth::no;
+  d.kovacic_case = 4;
+  d.undecided.reset();
+  d.reason = "Kovacic's algorithm excludes its cases 1, 2 and 3";
+}
+
 void forget_answer(Decision& d, const std::string& why, Unable::Why kind) {
   d.group.reset();
   d.component.reset();
@@ -101,6 +116,8 @@ Decision decide(const NormalForm& equation, const Options& options) {
   d.r = equation.r;
   d.variable = options.variable;
   fill(d, classify(equation.r, options.budget), equation, options);
+  if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
+    second_chance(d, equation, options);
   const bool second_opinion = options.method == Method::kovacic || options.method == Method::all;
   if (second_opinion || options.want_trace) {
     std::string limit;
