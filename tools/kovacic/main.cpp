@@ -54,7 +54,7 @@ struct CommandLine {
           ->type_name("NAME=VALUE")
           ->expected(1)
           ->take_all();
-      command.add_option("--case", settings.only_case, "look at one of Kovacic's cases only")
+      command.add_option("--case", settings.only_case, "say whether this case of Kovacic's occurs")
           ->check(silent(CLI::IsMember({"1", "2", "3"})))
           ->type_name("1|2|3");
       command.add_option("--method", settings.method, "kovacic, engines, or all (compare)")
