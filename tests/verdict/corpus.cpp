@@ -1,12 +1,13 @@
-#include "verdict/corpus.hpp"
+#include "corpus.hpp"
 
 #include "symbol/constants.hpp"
 #include "symbol/rational_form.hpp"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 
-namespace kov::testing {
+namespace kov {
 
 std::vector<Json> corpus(const std::string& file) {
   std::ifstream in(std::string(KOV_SOURCE_DIR "/tests/corpus/") + file);
@@ -35,7 +36,6 @@ NormalForm equation_of(const Json& entry) {
   return normal_form(rational_function(pq[0], reading), rational_function(pq[1], reading));
 }
 
-// "T_12", "C_3", "A4_SL2", ... in the words of the corpus
 std::string corpus_name(const GaloisGroup& g) {
   const std::string n = g.n ? to_string(*g.n) : "?";
   switch (g.type) {
@@ -66,11 +66,16 @@ RationalFunction read(const std::string& r, const std::string& minpoly) {
   return equation_of(entry).r;
 }
 
-std::string group_of(const RationalFunction& r, Method method) {
-  Options options;
-  options.method = method;
-  const Decision d = decide({.r = r, .p = RationalFunction()}, options);
+std::string group_of(const RationalFunction& r) {
+  const Decision d = decide({.r = r, .p = RationalFunction()});
   return d.group ? corpus_name(*d.group) : d.reason;
 }
 
-} // namespace kov::testing
+std::string name_of(const testing::TestParamInfo<Json>& entry) {
+  std::string name = entry.param.at("id").get<std::string>();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
+  return name;
+}
+
+} // namespace kov

@@ -1,18 +1,12 @@
 // Every equation without free parameters of the public corpus: right group, right identity
 // component.
 
-#include "verdict/corpus.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
+#include "corpus.hpp"
 
 namespace kov {
 namespace {
 
-using namespace testing;
-
-class Corpus : public ::testing::TestWithParam<Json> {};
+class Corpus : public testing::TestWithParam<Json> {};
 
 TEST_P(Corpus, GroupAndIdentityComponent) {
   const Json& entry = GetParam();
@@ -25,16 +19,9 @@ TEST_P(Corpus, GroupAndIdentityComponent) {
   EXPECT_EQ(d.solutions.empty(), d.group->type == GroupType::SL2);
 }
 
-std::string name_of(const ::testing::TestParamInfo<Json>& entry) {
-  std::string name = entry.param.at("id").get<std::string>();
-  std::replace_if(
-      name.begin(), name.end(), [](char c) { return std::isalnum(c) == 0; }, '_');
-  return name;
-}
-
-INSTANTIATE_TEST_SUITE_P(Public, Corpus, ::testing::ValuesIn(corpus("public.jsonl")), name_of);
+INSTANTIATE_TEST_SUITE_P(Public, Corpus, testing::ValuesIn(corpus("public.jsonl")), name_of);
 // Equations on which implementations are known to fail (one row or two for each number).
-INSTANTIATE_TEST_SUITE_P(Pitfalls, Corpus, ::testing::ValuesIn(corpus("pitfalls.jsonl")), name_of);
+INSTANTIATE_TEST_SUITE_P(Pitfalls, Corpus, testing::ValuesIn(corpus("pitfalls.jsonl")), name_of);
 
 } // namespace
 } // namespace kov

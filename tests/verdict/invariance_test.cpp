@@ -1,8 +1,8 @@
 // What the group does not depend on, for every equation of the pitfall table and random pull-backs:
 // coordinates, the scale, the constant field, the choice of a conjugate, the method.
 
+#include "corpus.hpp"
 #include "support/equations.hpp"
-#include "verdict/corpus.hpp"
 
 #include <gtest/gtest.h>
 

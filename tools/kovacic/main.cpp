@@ -73,7 +73,7 @@ struct CommandLine {
           ->check(number(1e18, "a number of families"))
           ->type_name("N");
       command.add_flag("--trace", settings.trace, "show every step");
-      command.add_option("--certificate", settings.certificate, "write the proof to a file")
+      command.add_option("--certificate", settings.certificate, "write the proof (batches: a directory)")
           ->type_name("FILE");
       command.add_option("--format", settings.format, "text, json or tex")
           ->check(silent(CLI::IsMember({"text", "json", "tex"})))

@@ -51,6 +51,8 @@ std::string name_of(Unable::Why why) {
     return "not-implemented";
   case Unable::Why::inexact:
     return "inexact";
+  case Unable::Why::methods_disagree:
+    return "methods-disagree";
   }
   throw InternalError("unknown reason code");
 }
@@ -99,6 +101,7 @@ Json closed_result(Json open, const Decision& d, double seconds) {
       j["trace"].push_back({{"step", step.step}, {"text", step.text}});
   }
   if (!d.certificate.empty()) j["certificate"] = certificate(d.certificate);
+  if (!d.no_certificate.empty()) j["no_certificate"] = d.no_certificate;
   return j;
 }
 
