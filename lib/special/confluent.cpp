@@ -52,7 +52,8 @@ ClosedAnswer weber_answer(const NfElem& a2) {
   const auto a = rational_root(a2);
   if (a && is_integer(*a) && !is_integer(*a * half))
     return ClosedAnswer::of({GroupType::Borel, {}},
-                            "a = +-" + to_string(*a) + " is an odd integer: one exponential solution");
+                            "a = +-" + to_string(*a) +
+                                " is an odd integer: one exponential solution");
   return ClosedAnswer::of({GroupType::SL2, {}}, "a is not an odd integer");
 }
 
@@ -61,16 +62,15 @@ ClosedAnswer polynomial_answer(long degree) {
     return ClosedAnswer::of({GroupType::SL2, {}},
                             "r is a polynomial of odd degree: no exponential solution, and the "
                             "identity component is not abelian");
-  return {std::nullopt, Truth::no, "r is a polynomial, not constant: an invariant of degree 4 would "
-                                   "have no poles and decrease at infinity"};
+  return {std::nullopt, Truth::no,
+          "r is a polynomial, not constant: an invariant of degree 4 would "
+          "have no poles and decrease at infinity"};
 }
 
 ClosedAnswer constant_answer() {
   return ClosedAnswer::of({GroupType::Gm, {}}, "two exponential functions are the solutions");
 }
 
-ClosedAnswer airy_answer() {
-  return ClosedAnswer::of({GroupType::SL2, {}}, "Airy's equation");
-}
+ClosedAnswer airy_answer() { return ClosedAnswer::of({GroupType::SL2, {}}, "Airy's equation"); }
 
 } // namespace kov

@@ -3,10 +3,11 @@
 // (1873) and Kimura (1969), computed from the three polyhedral groups.
 //
 // An irreducible equation with exponent differences (l, m, n) has local monodromies with traces
-// -2 cos(pi l), ..., and an irreducible pair of matrices of SL(2) is determined up to conjugation by
-// the traces of A, B and AB.  So the group is A4, S4 or A5 exactly when the triple of traces occurs
-// in that group.  A class is an orbit of triples under permutations, signs and integer shifts of
-// even sum; all this does not change the group up to the scalars -1, which every one of them has.
+// -2 cos(pi l), ..., and an irreducible pair of matrices of SL(2) is determined up to conjugation
+// by the traces of A, B and AB.  So the group is A4, S4 or A5 exactly when the triple of traces
+// occurs in that group.  A class is an orbit of triples under permutations, signs and integer
+// shifts of even sum; all this does not change the group up to the scalars -1, which every one of
+// them has.
 //
 // Source  [Kimura1969]; proof in docs/theory/kimura.md
 

@@ -130,17 +130,15 @@ ClosedAnswer degenerate_answer(const NfElem& alpha, const LameParameters<NfElem>
     a.reason = "g2 = g3 = 0: y_tt = (n(n+1)/t^2 + B) y; " + a.reason;
     return a;
   }
-  ClosedAnswer a = riemann_answer(SquaredExponents{
-      degenerate_exponent_squared(alpha, p), NfElem(Rational(1, 4)), square / NfElem(4)});
+  ClosedAnswer a = riemann_answer(SquaredExponents{degenerate_exponent_squared(alpha, p),
+                                                   NfElem(Rational(1, 4)), square / NfElem(4)});
   a.reason = "g2^3 = 27 g3^2: Riemann's equation; " + a.reason;
   return a;
 }
 
 } // namespace
 
-LameIndex lame_index(const Rational& n) {
-  return classified(n < -half ? Rational(-1) - n : n);
-}
+LameIndex lame_index(const Rational& n) { return classified(n < -half ? Rational(-1) - n : n); }
 
 LameIndex lame_index(const NfElem& alpha) {
   const NfElem square = NfElem(1) + NfElem(4) * alpha;
@@ -179,9 +177,8 @@ ClosedAnswer lame_answer(const NfElem& alpha, const LameParameters<NfElem>& p,
 }
 
 bool LameConditions::never() const {
-  return std::any_of(abelian.begin(), abelian.end(), [](const MPoly& f) {
-    return is_constant(f) && !is_zero(f);
-  });
+  return std::any_of(abelian.begin(), abelian.end(),
+                     [](const MPoly& f) { return is_constant(f) && !is_zero(f); });
 }
 
 LameConditions lame_conditions(const LameIndex& index, const LameParameters<MFraction>& p,

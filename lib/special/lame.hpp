@@ -74,8 +74,8 @@ struct LameConditions {
 /// On the degenerate curve, g2 and g3 not both 0: f = 4 (x-a)^2 (x+2a) with a = -3 g3/(2 g2), and
 /// the equation is Riemann's with exponent differences l, 1/2, n + 1/2;
 /// l^2 = (n(n+1) a + B)/(3a) is returned.
-template <class R> [[nodiscard]] R degenerate_exponent_squared(const R& alpha,
-                                                               const LameParameters<R>& p);
+template <class R>
+[[nodiscard]] R degenerate_exponent_squared(const R& alpha, const LameParameters<R>& p);
 /// The l for which the degenerate equation has an abelian identity component.
 [[nodiscard]] ThirdExponents degenerate_exponents(const LameIndex& index);
 

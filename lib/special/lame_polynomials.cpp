@@ -166,9 +166,7 @@ private:
 // c_{k-3}, so that c_m meets a condition.  It is made monic.
 template <class R> R brioschi(long m, const LameParameters<R>& p) {
   if (m < 1) throw InvalidArgument("Brioschi's determinant has m >= 1 rows");
-  const auto sigma = [&](long k) {
-    return Rational(2 * m - 1, 4) - Rational(k);
-  };
+  const auto sigma = [&](long k) { return Rational(2 * m - 1, 4) - Rational(k); };
   std::vector<R> c{constant(Rational(1), p)};
   Rational leading(1);
   for (long k = 1;; ++k) {
@@ -256,8 +254,7 @@ template LameHermite<NfElem> lame_hermite(long, const LameParameters<NfElem>&);
 template LameHermite<MFraction> lame_hermite(long, const LameParameters<MFraction>&);
 template std::vector<NfElem> invariant_conditions(const Rational&, long,
                                                   const LameParameters<NfElem>&, const Budget&);
-template std::vector<MFraction> invariant_conditions(const Rational&, long,
-                                                     const LameParameters<MFraction>&,
-                                                     const Budget&);
+template std::vector<MFraction>
+invariant_conditions(const Rational&, long, const LameParameters<MFraction>&, const Budget&);
 
 } // namespace kov

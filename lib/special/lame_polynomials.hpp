@@ -37,8 +37,8 @@ template <class R> struct LameHermite {
 };
 template <class R> [[nodiscard]] LameHermite<R> lame_hermite(long n, const LameParameters<R>& p);
 
-/// Polynomials in B, g2, g3 that vanish together exactly when the m-th symmetric power (m even, 2 <= m <= 12) has
-/// a solution F(y1, y2) != 0 that is a polynomial in x; {1} if there never is one.
+/// Polynomials in B, g2, g3 that vanish together exactly when the m-th symmetric power (m even, 2
+/// <= m <= 12) has a solution F(y1, y2) != 0 that is a polynomial in x; {1} if there never is one.
 /// Requires  n >= -1/2, not in (1/2)Z
 /// Cost      O(m d^2) operations in R, d = m n/2 the degree in x
 template <class R>

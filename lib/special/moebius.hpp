@@ -11,9 +11,7 @@ namespace kov {
 struct Moebius {
   NfElem a{1}, b{0}, c{0}, d{1};
 
-  [[nodiscard]] bool is_identity() const {
-    return is_zero(b) && is_zero(c) && a == d;
-  }
+  [[nodiscard]] bool is_identity() const { return is_zero(b) && is_zero(c) && a == d; }
 };
 
 /// (ad - bc)^2/(cx + d)^4 r((ax + b)/(cx + d)).  Throws InvalidArgument for ad = bc.

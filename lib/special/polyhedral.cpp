@@ -35,7 +35,8 @@ PolyhedralGroup::PolyhedralGroup(GroupType type) : type_(type) {
   set_exponents();
 }
 
-// sum x_i y_i in these coordinates: a coordinate of a product, so integral, though single terms are not.
+// sum x_i y_i in these coordinates: a coordinate of a product, so integral, though single terms are
+// not.
 Surd PolyhedralGroup::product_sum(const std::array<Surd, 4>& x,
                                   const std::array<Surd, 4>& y) const {
   long a = 0;
@@ -89,9 +90,9 @@ bool PolyhedralGroup::less(const Surd& x, const Surd& y) const {
   return a > 0 ? a * a > d_ * b * b : d_ * b * b > a * a;
 }
 
-// An element of order n has real part cos(2 pi k/n), 0 <= k <= n/2, so that cos(pi Delta) = -w gives
-// Delta = 1 - 2k/n.  The greatest real part among the elements of order n has k = 1 (the powers of
-// an element by exponents prime to n are in the group), and its powers show the others.
+// An element of order n has real part cos(2 pi k/n), 0 <= k <= n/2, so that cos(pi Delta) = -w
+// gives Delta = 1 - 2k/n.  The greatest real part among the elements of order n has k = 1 (the
+// powers of an element by exponents prime to n are in the group), and its powers show the others.
 void PolyhedralGroup::set_exponents() {
   std::map<long, Quaternion> greatest;
   std::vector<long> orders;
@@ -113,8 +114,9 @@ void PolyhedralGroup::set_exponents() {
 }
 
 const Rational& PolyhedralGroup::exponent_of_real_part(const Surd& w) const {
-  const auto at = std::lower_bound(by_real_part_.begin(), by_real_part_.end(), w,
-                                   [](const auto& entry, const Surd& s) { return entry.first < s; });
+  const auto at =
+      std::lower_bound(by_real_part_.begin(), by_real_part_.end(), w,
+                       [](const auto& entry, const Surd& s) { return entry.first < s; });
   KOV_ENSURE(at != by_real_part_.end() && at->first == w);
   return at->second;
 }

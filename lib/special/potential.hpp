@@ -1,8 +1,8 @@
 #pragma once
 // Homogeneous potentials: V of degree k (an integer, not 0), a Darboux point c with V'(c) = c, and
 // an eigenvalue lambda of V''(c).  Along the solution q = phi(t) c, phi'^2 = (2/k)(1 - phi^k), the
-// variation in an eigendirection satisfies xi'' = -lambda phi^(k-2) xi; in z = phi^k it is Riemann's
-// equation with exponent differences
+// variation in an eigendirection satisfies xi'' = -lambda phi^(k-2) xi; in z = phi^k it is
+// Riemann's equation with exponent differences
 //
 //   1/k at z = 0,   1/2 at z = 1,   nu = sqrt((k-2)^2 + 8 k lambda)/(2k) at infinity,
 //

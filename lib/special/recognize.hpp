@@ -1,11 +1,11 @@
 #pragma once
-// Is y'' = r y a classical equation, up to a Moebius map of z (a gauge y = u sqrt(M') belongs to it)?
+// Is y'' = r y a classical equation, up to a Moebius map of z (a gauge y = u sqrt(M') belongs to
+// it)?
 //
 //   places                                        family
-//   none                                          constant, Airy, Weber, polynomial (one irregular place)
-//   two regular                                   Euler
-//   three regular                                 Riemann
-//   four regular, three of them with Delta = 1/2  Lame: the fourth one goes to infinity, the sum of
+//   none                                          constant, Airy, Weber, polynomial (one irregular
+//   place) two regular                                   Euler three regular Riemann four regular,
+//   three of them with Delta = 1/2  Lame: the fourth one goes to infinity, the sum of
 //                                                 the others to 0, without splitting them
 //   four regular                                  Heun
 //   one irregular of order 4, one regular         Whittaker, Bessel
@@ -28,7 +28,7 @@
 namespace kov {
 
 struct Recognized {
-  std::string family; ///< "Lame", "Riemann", "Euler", "Heun", "Whittaker", "Bessel", "Weber", ...
+  std::string family;   ///< "Lame", "Riemann", "Euler", "Heun", "Whittaker", "Bessel", "Weber", ...
   std::string equation; ///< the canonical form, in x: "y'' = (1/4 - k/x + (m^2-1/4)/x^2) y"
   /// Names and exact values, in the order of the canonical form: n, B, g2, g3.
   std::vector<std::pair<std::string, std::string>> parameters;

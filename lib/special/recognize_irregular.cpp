@@ -28,12 +28,14 @@ std::optional<Recognized> polynomial(const RationalFunction& r, Moebius m) {
     const NfElem u = f.coeff(2);
     m = composed(m, shift(-f.coeff(1) / (u + u)));
     const NfElem w = f.coeff(0) - f.coeff(1) * f.coeff(1) / (NfElem(4) * u);
-    out = {"Weber", "y'' = (u x^2 + w) y, a = w/sqrt(u)",
-           {{"u", to_string(u)}, {"w", to_string(w)}, {"a", root_text(w * w / u)}}, m,
+    out = {"Weber",
+           "y'' = (u x^2 + w) y, a = w/sqrt(u)",
+           {{"u", to_string(u)}, {"w", to_string(w)}, {"a", root_text(w * w / u)}},
+           m,
            weber_answer(w * w / u)};
   } else {
-    out = {"polynomial", "y'' = r(x) y", {{"r", to_string(f, "x")}}, m,
-           polynomial_answer(degree(f))};
+    out = {
+        "polynomial", "y'' = r(x) y", {{"r", to_string(f, "x")}}, m, polynomial_answer(degree(f))};
   }
   return out;
 }
@@ -49,23 +51,32 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
   if (is_zero(a)) // the order of infinity is 1
     return Recognized{"Bessel",
                       "y'' = (b/x + (m^2-1)/(4*x^2)) y, Bessel's equation of order m in sqrt(x)",
-                      {{"m", root_text(NfElem(4) * m2)}, {"b", to_string(b)}}, m,
+                      {{"m", root_text(NfElem(4) * m2)}, {"b", to_string(b)}},
+                      m,
                       ramified_bessel_answer(NfElem(4) * m2)};
   const NfElem k2 = b * b / (NfElem(4) * a);
   const ClosedAnswer answer = whittaker_answer(k2, m2);
   if (is_zero(b))
-    return Recognized{"Bessel", "y'' = (a + (m^2-1/4)/x^2) y",
-                      {{"m", root_text(m2)}, {"a", to_string(a)}}, m, answer};
+    return Recognized{"Bessel",
+                      "y'' = (a + (m^2-1/4)/x^2) y",
+                      {{"m", root_text(m2)}, {"a", to_string(a)}},
+                      m,
+                      answer};
   if (const auto root = exact_sqrt(a)) { // x / (2 sqrt a): 1/4 - k/x + ...
     const NfElem scale = NfElem(1) / (*root + *root);
     m = composed(m, {scale, NfElem(0), NfElem(0), NfElem(1)});
-    return Recognized{"Whittaker", "y'' = (1/4 - k/x + (m^2-1/4)/x^2) y",
-                      {{"k", to_string(-b * scale)}, {"m", root_text(m2)}}, m, answer};
+    return Recognized{"Whittaker",
+                      "y'' = (1/4 - k/x + (m^2-1/4)/x^2) y",
+                      {{"k", to_string(-b * scale)}, {"m", root_text(m2)}},
+                      m,
+                      answer};
   }
-  return Recognized{"Whittaker", "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))",
-                    {{"k", root_text(k2)}, {"m", root_text(m2)}, {"a", to_string(a)},
-                     {"b", to_string(b)}},
-                    m, answer};
+  return Recognized{
+      "Whittaker",
+      "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))",
+      {{"k", root_text(k2)}, {"m", root_text(m2)}, {"a", to_string(a)}, {"b", to_string(b)}},
+      m,
+      answer};
 }
 
 } // namespace

@@ -71,16 +71,15 @@ Poly characteristic(const Poly& g, const Poly& q) {
   }
   Poly f(0);
   for (long k = 0; k <= n; ++k)
-    f += Poly::monomial(k % 2 == 0 ? e[static_cast<std::size_t>(k)]
-                                   : -e[static_cast<std::size_t>(k)],
-                        n - k);
+    f += Poly::monomial(
+        k % 2 == 0 ? e[static_cast<std::size_t>(k)] : -e[static_cast<std::size_t>(k)], n - k);
   return f;
 }
 
 std::string exponent_text(const Singularity& place) {
   if (degree(place.delta_squared) <= 0) return root_text(place.delta_squared.coeff(0));
-  return "sqrt(" + to_string(place.delta_squared, "c") + ") at c: " +
-         to_string(place.place, "c") + " = 0";
+  return "sqrt(" + to_string(place.delta_squared, "c") + ") at c: " + to_string(place.place, "c") +
+         " = 0";
 }
 
 // 0, 1, infinity to three rational places.
@@ -131,8 +130,8 @@ std::optional<Recognized> euler(const Singularities& s) {
   NfElem factor = (square - NfElem(1)) * quarter;
   if (degree(p) == 2) factor *= p.coeff(1) * p.coeff(1) - NfElem(4) * p.coeff(0);
   KOV_ENSURE(s.r == RationalFunction(Poly(factor), p * p));
-  Recognized out{"Euler", "y'' = (l^2-1)/(4*x^2) y", {{"l", root_text(square)}}, {},
-                 euler_answer(square)};
+  Recognized out{
+      "Euler", "y'' = (l^2-1)/(4*x^2) y", {{"l", root_text(square)}}, {}, euler_answer(square)};
   if (place.degree() == 1) {
     const NfElem c = -place.place.coeff(0);
     if (degree(p) == 1)
@@ -199,9 +198,8 @@ std::optional<Recognized> heun(const Singularities& s) {
   out.equation = "four regular places and nothing else";
   for (const Singularity& place : places_of(s))
     for (long i = 0; i < place.degree(); ++i)
-      out.parameters.emplace_back("exponent difference " +
-                                      std::to_string(out.parameters.size() + 1),
-                                  exponent_text(place));
+      out.parameters.emplace_back(
+          "exponent difference " + std::to_string(out.parameters.size() + 1), exponent_text(place));
   return out;
 }
 

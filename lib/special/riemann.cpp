@@ -110,10 +110,8 @@ private:
     for (int i = 0; i < 2; ++i)
       rest.erase(std::find_if(rest.begin(), rest.end(), is_half_integer));
     const std::string reason = "two exponent differences are in 1/2 + Z, and the third is ";
-    if (!rest.front())
-      return ClosedAnswer::of({GroupType::Dinf, {}}, reason + "irrational");
-    return ClosedAnswer::of({GroupType::D, rest.front()->den()},
-                            reason + to_string(*rest.front()));
+    if (!rest.front()) return ClosedAnswer::of({GroupType::Dinf, {}}, reason + "irrational");
+    return ClosedAnswer::of({GroupType::D, rest.front()->den()}, reason + to_string(*rest.front()));
   }
 
   NfElem e1_, e2_, e3_;

@@ -43,14 +43,13 @@ ClosedAnswer closed(const ExponentTriple& t) {
 Decision engines(const ExponentTriple& t) {
   Options options;
   options.want_solutions = false;
-  return decide({.r = riemann_equation({square(t[0]), square(t[1]), square(t[2])}),
-                 .p = RationalFunction()},
-                options);
+  return decide(
+      {.r = riemann_equation({square(t[0]), square(t[1]), square(t[2])}), .p = RationalFunction()},
+      options);
 }
 
 void expect_agreement(const ExponentTriple& t) {
-  const std::string name =
-      to_string(t[0]) + ", " + to_string(t[1]) + ", " + to_string(t[2]);
+  const std::string name = to_string(t[0]) + ", " + to_string(t[1]) + ", " + to_string(t[2]);
   const ClosedAnswer answer = closed(t);
   const Decision decision = engines(t);
   ASSERT_TRUE(answer.group && decision.group) << name << ": " << decision.reason;
@@ -64,9 +63,10 @@ TEST(Kimura, PolyhedralGroups) {
     const PolyhedralGroup g(type);
     EXPECT_EQ(g.elements().size(), orders);
     for (const Rational& e : {q(0), q(1)}) // the elements -1 and 1
-      EXPECT_EQ(std::count_if(g.elements().begin(), g.elements().end(),
-                              [&](const Quaternion& x) { return g.exponent_of_real_part(x[0]) == e; }),
-                1);
+      EXPECT_EQ(
+          std::count_if(g.elements().begin(), g.elements().end(),
+                        [&](const Quaternion& x) { return g.exponent_of_real_part(x[0]) == e; }),
+          1);
   }
 }
 
@@ -110,7 +110,8 @@ TEST(Kimura, RandomExponentsOfSmallDenominator) {
     ExponentTriple t;
     const long common = 1 + static_cast<long>(gen() % 6);
     for (Rational& e : t)
-      e = q(static_cast<long>(gen() % 19) - 9, i % 2 == 0 ? common : 1 + static_cast<long>(gen() % 5));
+      e = q(static_cast<long>(gen() % 19) - 9,
+            i % 2 == 0 ? common : 1 + static_cast<long>(gen() % 5));
     ++seen[closed(t).group->type];
     expect_agreement(t);
   }
@@ -161,8 +162,11 @@ TEST(Kimura, IrrationalExponents) { // squares in Q and in Q(sqrt 2)
 }
 
 TEST(Kimura, ThirdExponentsInFamilies) {
-  for (const auto& [l, m] : std::vector<std::pair<Rational, Rational>>{
-           {q(1, 3), q(1, 2)}, {q(1, 5), q(3, 2)}, {q(2, 3), q(2, 5)}, {q(1, 4), q(1, 3)}, {q(2), q(1, 2)}}) {
+  for (const auto& [l, m] : std::vector<std::pair<Rational, Rational>>{{q(1, 3), q(1, 2)},
+                                                                       {q(1, 5), q(3, 2)},
+                                                                       {q(2, 3), q(2, 5)},
+                                                                       {q(1, 4), q(1, 3)},
+                                                                       {q(2), q(1, 2)}}) {
     const ThirdExponents families = abelian_third_exponents(l, m);
     EXPECT_FALSE(families.all);
     for (long n = 0; n <= 240; ++n) { // nu = n/60 covers [0, 4]

@@ -58,8 +58,8 @@ void expect_agreement(const NfElem& a, const LameParameters<NfElem>& p, const st
 }
 void expect_agreement(const Numbers& x) {
   expect_agreement(alpha(x.n), parameters(x),
-                   "n = " + to_string(x.n) + ", B = " + to_string(x.b) + ", g2 = " +
-                       to_string(x.g2) + ", g3 = " + to_string(x.g3));
+                   "n = " + to_string(x.n) + ", B = " + to_string(x.b) +
+                       ", g2 = " + to_string(x.g2) + ", g3 = " + to_string(x.g3));
 }
 
 TEST(Lame, BrioschiForSymbolicParameters) {
@@ -77,8 +77,7 @@ TEST(Lame, TheInvariantOfHermite) {
   EXPECT_TRUE(w(0) == monomial(4, 1, 0, 0));
   EXPECT_TRUE(w(1) == monomial(4, 3, 0, 0) - monomial(1, 1, 1, 0) - monomial(1, 0, 0, 1));
   const MFraction b2 = monomial(3, 0, 1, 0) - monomial(1, 2, 0, 0);
-  const MFraction b3 =
-      monomial(9, 1, 1, 0) - monomial(4, 3, 0, 0) - monomial(27, 0, 0, 1);
+  const MFraction b3 = monomial(9, 1, 1, 0) - monomial(4, 3, 0, 0) - monomial(27, 0, 0, 1);
   EXPECT_TRUE(w(2) == q(1, 81) * (b2 * b3));
   for (long n = 0; n <= 8; ++n)
     EXPECT_EQ(degree(w(n).num(), 0), 2 * n + 1) << n;
@@ -104,10 +103,14 @@ TEST(Lame, ConditionsInWords) {
 
 TEST(Lame, FinitePoints) { // on the conditions, one point each
   const std::vector<std::pair<Numbers, GroupType>> all{
-      {{q(1, 4), 0, 0, 4}, GroupType::S4},        {{q(1, 10), 0, 0, 4}, GroupType::A5},
-      {{q(1, 6), 0, 4, 0}, GroupType::S4},        {{q(1, 6), 1, 2160, 19440}, GroupType::A5},
-      {{q(3, 10), 3, 30000, 1250000}, GroupType::A5}, {{q(5, 6), 0, 4, 0}, GroupType::S4},
-      {{q(3, 4), 3, -10752, 318464}, GroupType::S4},  {{q(-5, 4), 0, 0, 1}, GroupType::S4}};
+      {{q(1, 4), 0, 0, 4}, GroupType::S4},
+      {{q(1, 10), 0, 0, 4}, GroupType::A5},
+      {{q(1, 6), 0, 4, 0}, GroupType::S4},
+      {{q(1, 6), 1, 2160, 19440}, GroupType::A5},
+      {{q(3, 10), 3, 30000, 1250000}, GroupType::A5},
+      {{q(5, 6), 0, 4, 0}, GroupType::S4},
+      {{q(3, 4), 3, -10752, 318464}, GroupType::S4},
+      {{q(-5, 4), 0, 0, 1}, GroupType::S4}};
   for (const auto& [x, group] : all) {
     const ClosedAnswer answer = lame_answer(alpha(x.n), parameters(x));
     ASSERT_TRUE(answer.group);
@@ -122,8 +125,8 @@ TEST(Lame, FinitePoints) { // on the conditions, one point each
 
 TEST(Lame, EnginesOnAGrid) {
   std::mt19937 gen(1877);
-  const std::vector<Rational> degrees{0,       1,       2,       3,        q(-1, 2), q(1, 2),
-                                      q(3, 2), q(5, 2), q(7, 2), q(1, 3),  q(1, 4),  q(3, 4),
+  const std::vector<Rational> degrees{0,       1,       2,        3,        q(-1, 2), q(1, 2),
+                                      q(3, 2), q(5, 2), q(7, 2),  q(1, 3),  q(1, 4),  q(3, 4),
                                       q(1, 6), q(5, 6), q(1, 10), q(3, 10), q(7, 10), q(2, 7)};
   for (const Rational& n : degrees)
     for (int i = 0; i < 5; ++i) {
@@ -160,7 +163,8 @@ TEST(Lame, LameFunctions) { // w^2 = 0: T_4
 
 TEST(Lame, DegenerateCurve) { // g2 = 12 a^2, g3 = -8 a^3, and a = 0
   std::mt19937 gen(12);
-  for (const Rational& n : {q(0), q(1), q(2), q(1, 2), q(3, 2), q(1, 4), q(1, 6), q(-1, 6), q(2, 5)})
+  for (const Rational& n :
+       {q(0), q(1), q(2), q(1, 2), q(3, 2), q(1, 4), q(1, 6), q(-1, 6), q(2, 5)})
     for (const Rational& a : {q(0), q(1), q(-1, 3), q(2)})
       for (int i = 0; i < 4; ++i) {
         const Rational l(static_cast<long>(gen() % 9), 1 + static_cast<long>(gen() % 4));
@@ -187,7 +191,8 @@ TEST(Lame, ParametersOfAMechanicalProblem) { // B, g2, g3 that depend on h and C
   const MFraction c = MFraction::variable(r, std::string_view("C"));
   const MFraction one(r, Rational(1));
   const LameParameters<MFraction> p{-(h * (c - h * h + one)) / (Rational(3) * c),
-                                    q(1, 3) * (h * h) + one, q(-1, 27) * (h * (h * h - q(9) * one))};
+                                    q(1, 3) * (h * h) + one,
+                                    q(-1, 27) * (h * (h * h - q(9) * one))};
   const LameConditions x = lame_conditions(lame_index(q(3, 2)), p);
   EXPECT_EQ(to_string(x.discriminant), "h^4 - 2*h^2 + 1"); // (h^2-1)^2
   ASSERT_EQ(x.abelian.size(), 1U);

@@ -23,28 +23,70 @@ std::vector<Family> published(long k) {
       }};
   const auto add = [&](Family f) { rows.push_back(f); };
   if (k == -5) {
-    add([](const Rational&, const Rational& p) { const Rational s = q(10, 3) + q(10) * p; return q(49, 40) - q(1, 40) * s * s; });
-    add([](const Rational&, const Rational& p) { const Rational s = q(4) + q(10) * p; return q(49, 40) - q(1, 40) * s * s; });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(10, 3) + q(10) * p;
+      return q(49, 40) - q(1, 40) * s * s;
+    });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(4) + q(10) * p;
+      return q(49, 40) - q(1, 40) * s * s;
+    });
   }
   if (k == -4)
-    add([](const Rational&, const Rational& p) { const Rational s = q(4, 3) + q(4) * p; return q(9, 8) - q(1, 8) * s * s; });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(4, 3) + q(4) * p;
+      return q(9, 8) - q(1, 8) * s * s;
+    });
   if (k == -3) {
-    add([](const Rational&, const Rational& p) { const Rational s = q(2) + q(6) * p; return q(25, 24) - q(1, 24) * s * s; });
-    add([](const Rational&, const Rational& p) { const Rational s = q(3, 2) + q(6) * p; return q(25, 24) - q(1, 24) * s * s; });
-    add([](const Rational&, const Rational& p) { const Rational s = q(6, 5) + q(6) * p; return q(25, 24) - q(1, 24) * s * s; });
-    add([](const Rational&, const Rational& p) { const Rational s = q(12, 5) + q(6) * p; return q(25, 24) - q(1, 24) * s * s; });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(2) + q(6) * p;
+      return q(25, 24) - q(1, 24) * s * s;
+    });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(3, 2) + q(6) * p;
+      return q(25, 24) - q(1, 24) * s * s;
+    });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(6, 5) + q(6) * p;
+      return q(25, 24) - q(1, 24) * s * s;
+    });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(12, 5) + q(6) * p;
+      return q(25, 24) - q(1, 24) * s * s;
+    });
   }
   if (k == 3) {
-    add([](const Rational&, const Rational& p) { const Rational s = q(2) + q(6) * p; return q(-1, 24) + q(1, 24) * s * s; });
-    add([](const Rational&, const Rational& p) { const Rational s = q(3, 2) + q(6) * p; return q(-1, 24) + q(1, 24) * s * s; });
-    add([](const Rational&, const Rational& p) { const Rational s = q(6, 5) + q(6) * p; return q(-1, 24) + q(1, 24) * s * s; });
-    add([](const Rational&, const Rational& p) { const Rational s = q(12, 5) + q(6) * p; return q(-1, 24) + q(1, 24) * s * s; });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(2) + q(6) * p;
+      return q(-1, 24) + q(1, 24) * s * s;
+    });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(3, 2) + q(6) * p;
+      return q(-1, 24) + q(1, 24) * s * s;
+    });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(6, 5) + q(6) * p;
+      return q(-1, 24) + q(1, 24) * s * s;
+    });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(12, 5) + q(6) * p;
+      return q(-1, 24) + q(1, 24) * s * s;
+    });
   }
   if (k == 4)
-    add([](const Rational&, const Rational& p) { const Rational s = q(4, 3) + q(4) * p; return q(-1, 8) + q(1, 8) * s * s; });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(4, 3) + q(4) * p;
+      return q(-1, 8) + q(1, 8) * s * s;
+    });
   if (k == 5) {
-    add([](const Rational&, const Rational& p) { const Rational s = q(10, 3) + q(10) * p; return q(-9, 40) + q(1, 40) * s * s; });
-    add([](const Rational&, const Rational& p) { const Rational s = q(4) + q(10) * p; return q(-9, 40) + q(1, 40) * s * s; });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(10, 3) + q(10) * p;
+      return q(-9, 40) + q(1, 40) * s * s;
+    });
+    add([](const Rational&, const Rational& p) {
+      const Rational s = q(4) + q(10) * p;
+      return q(-9, 40) + q(1, 40) * s * s;
+    });
   }
   return rows;
 }
@@ -67,11 +109,13 @@ TEST(Potential, TheTableIsThePublishedOne) {
       for (long p = -4; p <= 4; ++p) {
         const Rational lambda = ours.at(Integer(p));
         EXPECT_TRUE(ours.contains(lambda));
-        EXPECT_TRUE(std::any_of(print.begin(), print.end(), [&](const Family f) {
-          for (long i = -12; i <= 12; ++i)
-            if (f(q(k), q(i)) == lambda) return true;
-          return false;
-        })) << k << ": " << to_string(lambda) << " " << ours.reason;
+        EXPECT_TRUE(std::any_of(print.begin(), print.end(),
+                                [&](const Family f) {
+                                  for (long i = -12; i <= 12; ++i)
+                                    if (f(q(k), q(i)) == lambda) return true;
+                                  return false;
+                                }))
+            << k << ": " << to_string(lambda) << " " << ours.reason;
       }
     // k = 1, -1: the two general rows are one
     EXPECT_EQ(table.families.size(), std::abs(k) == 1 ? 1 : print.size()) << k;

@@ -67,7 +67,8 @@ TEST(Recognize, LameBehindAMoebiusMap) {
 }
 
 TEST(Recognize, LameWithConjugatePlacesAndIrrationalDegree) {
-  const RationalFunction r = lame_equation(NfElem(-2), {NfElem(1), NfElem(0), NfElem(8)}); // x^3 = 2
+  const RationalFunction r =
+      lame_equation(NfElem(-2), {NfElem(1), NfElem(0), NfElem(8)}); // x^3 = 2
   EXPECT_EQ(value(expect_family(r, "Lame"), "n"), "-1/2 + sqrt(-7)/2");
 }
 
@@ -94,7 +95,7 @@ TEST(Recognize, RiemannBehindAMoebiusMap) {
 }
 
 TEST(Recognize, RiemannWithConjugatePlaces) {
-  const Poly cubic = z * z * z - Poly(2);                     // all three conjugate
+  const Poly cubic = z * z * z - Poly(2); // all three conjugate
   for (const Poly& a : {Poly(q(-2, 9)), Poly(q(-3, 16)), Poly(3), Poly(0) + z, z * z - Poly(1)}) {
     const Poly n = a * derivative(cubic) * derivative(cubic) % cubic;
     if (is_zero(n)) continue;
@@ -118,7 +119,8 @@ TEST(Recognize, Euler) {
 TEST(Recognize, WhittakerGridAgainstTheEngines) {
   std::mt19937 gen(1989);
   for (long k2 = -6; k2 <= 6; ++k2)
-    for (const Rational& m : {q(0), q(1, 2), q(1), q(3, 2), q(2), q(5, 2), q(1, 3), q(1, 4), q(3, 4)}) {
+    for (const Rational& m :
+         {q(0), q(1, 2), q(1), q(3, 2), q(2), q(5, 2), q(1, 3), q(1, 4), q(3, 4)}) {
       const RationalFunction r(Poly(m * m - q(1, 4)) - scale(z, NfElem(q(k2, 2))) +
                                    scale(z * z, NfElem(q(1, 4))),
                                z * z);
@@ -175,8 +177,8 @@ TEST(Recognize, WhatIsNotClassical) {
   EXPECT_FALSE(recognize(RationalFunction(Poly(1), z * (z - Poly(1)) * (z - Poly(2)) *
                                                        (z - Poly(3)) * (z - Poly(4)))));
   EXPECT_FALSE(recognize(RationalFunction(z * z + Poly(1), z)));
-  const auto heun = recognize(RationalFunction(
-      Poly(1), z * (z - Poly(1)) * (z - Poly(2)) * (z - Poly(3))));
+  const auto heun =
+      recognize(RationalFunction(Poly(1), z * (z - Poly(1)) * (z - Poly(2)) * (z - Poly(3))));
   ASSERT_TRUE(heun);
   EXPECT_EQ(heun->family, "Heun");
 }
