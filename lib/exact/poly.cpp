@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/modular.hpp"
+#include "exact/modular_gcd.hpp"
 
 namespace kov {
 namespace {
@@ -308,6 +309,8 @@ Poly gcd(const Poly& a0, const Poly& b0) {
     fmpq_poly_gcd(g.raw(), a.raw(), b.raw());
     return g;
   }
+  if (degree(b) > 2)
+    if (auto g = modular_gcd(a, b)) return *std::move(g);
   a = monic(a);
   b = monic(b);
   while (!is_zero(b)) {
@@ -337,6 +340,8 @@ Poly inverse_mod(const Poly& a0, const Poly& q0) {
       throw DomainError("no inverse modulo a polynomial: common factor " + to_string(g));
     return s;
   }
+  if (degree(q) > 2)
+    if (auto s = modular_inverse(a, q)) return *std::move(s);
   // Euclid with monic remainders; s*a = r (mod q) throughout.
   Poly r0 = q;
   Poly r1 = a;
