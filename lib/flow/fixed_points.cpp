@@ -185,6 +185,8 @@ public:
     for (int i = 0; i < o_.columns; ++i)
       for (int k = 0; k < o_.rows; ++k)
         look(i, k);
+    for (std::size_t i = 0; i < found_.points.size(); ++i) // grows meanwhile
+      look_at_mirror_images(found_.points[i]);
     std::sort(found_.points.begin(), found_.points.end(), [](const auto& a, const auto& b) {
       return std::abs(a.l - b.l) > 1e-9 ? a.l < b.l : a.y < b.y;
     });
@@ -221,6 +223,14 @@ private:
     classify(full);
     found_.points.push_back(full);
     return true;
+  }
+  // Many bodies have symmetries that turn or mirror the section: a good guess for the partners, no more.
+  void look_at_mirror_images(FixedPoint f) {
+    bool curve = false;
+    const double pi = pi_of(0.0);
+    for (const double l : {f.l, -f.l, f.l + pi, pi - f.l})
+      for (const double y : {f.y, -f.y})
+        keep(newton(map_, {l, y}, curve));
   }
   void look(int i, int k) {
     const int index = k + 1 < o_.rows ? index_of(d_, i, k) : 0;
@@ -259,7 +269,10 @@ FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options) {
   FixedPoints found = Search(scene, options).run();
   if (options.prove)
     for (FixedPoint& f : found.points) {
-      f = prove_fixed_point(scene, f, options.bits);
+      const FixedPoint guess = f;
+      f = prove_fixed_point(scene, guess, options.bits);
+      if (f.proved && f.trace_error > 1e-9) // where the enclosures grow fast
+        f = prove_fixed_point(scene, guess, options.bits * 3 / 2);
       classify(f);
     }
   return found;

@@ -313,9 +313,10 @@ void krawczyk(FixedPoint& f, ProvedMap& map) {
   const Candidate u = refined(f, map);
   for (double r = std::max(u.left * 4, 1e-60); r < 1e-9; r *= 100) {
     const Enclosure radius(r);
-    const SectionImage<Enclosure> over = map(u.l.widened(radius), u.y.widened(radius), u.size);
+    SectionImage<Enclosure> over = map(u.l.widened(radius), u.y.widened(radius), u.size);
     Enclosure kl, ky;
     if (!contracts(u, over, radius, kl, ky)) continue;
+    if (std::max(kl.radius(), ky.radius()) < r / 4) over = map(kl, ky, u.size); // the fixed point is in K
     const Enclosure trace = over.l.d[0] + over.y.d[1];
     f.l = static_cast<double>(kl);
     f.y = static_cast<double>(ky);
