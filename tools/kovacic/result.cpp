@@ -51,6 +51,8 @@ std::string name_of(Unable::Why why) {
     return "not-implemented";
   case Unable::Why::inexact:
     return "inexact";
+  case Unable::Why::methods_disagree:
+    return "methods-disagree";
   }
   throw InternalError("unknown reason code");
 }
@@ -100,6 +102,7 @@ Json closed_result(const Json& id, const GivenEquation& equation, const Decision
       j["trace"].push_back({{"step", step.step}, {"text", step.text}});
   }
   if (!d.certificate.empty()) j["certificate"] = certificate(d.certificate);
+  if (!d.no_certificate.empty()) j["no_certificate"] = d.no_certificate;
   return j;
 }
 
