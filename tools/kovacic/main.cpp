@@ -54,7 +54,7 @@ struct CommandLine {
           ->type_name("NAME=VALUE")
           ->expected(1)
           ->take_all();
-      command.add_option("--case", settings.only_case, "look at one of Kovacic's cases only")
+      command.add_option("--case", settings.only_case, "say whether this case of Kovacic's occurs")
           ->check(silent(CLI::IsMember({"1", "2", "3"})))
           ->type_name("1|2|3");
       command.add_option("--method", settings.method, "kovacic, engines, or all (compare)")
@@ -73,7 +73,7 @@ struct CommandLine {
           ->check(number(1e18, "a number of families"))
           ->type_name("N");
       command.add_flag("--trace", settings.trace, "show every step");
-      command.add_option("--certificate", settings.certificate, "write the proof to a file")
+      command.add_option("--certificate", settings.certificate, "write the proof (batches: a directory)")
           ->type_name("FILE");
       command.add_option("--format", settings.format, "text, json or tex")
           ->check(silent(CLI::IsMember({"text", "json", "tex"})))
