@@ -108,7 +108,8 @@ std::optional<Recognized> riemann(const Singularities& s) {
     squares *= place.at_infinity ? Poly::z() - square : characteristic(square, place.place);
     const std::string text = exponent_text(place);
     for (long i = 0; i < place.degree(); ++i)
-      out.parameters.emplace_back(names[out.parameters.size()], text);
+      out.parameters.emplace_back(names[out.parameters.size()],
+                                  i > 0 && degree(square) > 0 ? "its conjugate" : text);
   }
   out.z_of_x = standard_map(places);
   if (out.z_of_x) { // the other way to say it, checked as well

@@ -1,5 +1,7 @@
 #include "answer.hpp"
 
+#include "recognized.hpp"
+
 #include <chrono>
 #include <exception>
 #include <sstream>
@@ -84,6 +86,7 @@ private:
     early_(dump(open_));
     const Decision decision = decide(equation.normal_form, options);
     Json result = closed_result(id_, equation, decision, seconds_since(start_));
+    result["recognized"] = recognized_json(equation, decision, options.budget);
     if (open_.contains("original")) {
       result["original"] = open_.at("original");
       result["original"]["identity_component_abelian"] = result.at("abelian");
