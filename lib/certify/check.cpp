@@ -37,6 +37,7 @@ public:
 private:
   void need_header() const {
     need(!is_zero(c_.den) && is_one(lead(c_.den)), "den is not monic");
+    need(!is_zero(c_.num) || degree(c_.den) == 0, "r = 0 must be written with den = 1");
     if (c_.field->is_rational()) return;
     Poly m;
     long i = 0;

@@ -37,17 +37,6 @@ const PlaceFact& named_place(const BySeries& data, const LocalFact& local) {
   return local.places[static_cast<std::size_t>(*data.place)];
 }
 
-// L: a rational t^nu omega with denominator and numerator within the bounds obeys a recurrence of
-// length <= L (riccati_one_place.md, 3).
-Integer length_bound(const LocalFact& local, const PlaceFact& x) {
-  Integer M = local.degree_bound_1();
-  for (const PlaceFact& y : local.places)
-    M += Integer(y.n) * Integer(std::max(1L, y.order / 2));
-  const long extra =
-      x.q ? std::max(0L, local.infinity.order / 2 - 2) + 1 : std::max(1L, x.order / 2);
-  return M + Integer(extra);
-}
-
 void check_series(const Judge& j, const BySeries& data, const LocalFact& local) {
   const Reduced r = j.reduced(data.prime);
   const nmod_t mod = r.num.mod();
@@ -80,6 +69,15 @@ void check_series(const Judge& j, const BySeries& data, const LocalFact& local) 
 }
 
 } // namespace
+
+Integer length_bound(const LocalFact& local, const PlaceFact& x) {
+  Integer M = local.degree_bound_1();
+  for (const PlaceFact& y : local.places)
+    M += Integer(y.n) * Integer(std::max(1L, y.order / 2));
+  const long extra =
+      x.q ? std::max(0L, local.infinity.order / 2 - 2) + 1 : std::max(1L, x.order / 2);
+  return M + Integer(extra);
+}
 
 IrreducibleFact check_no_exponential(const Judge& j, const NoExponential& data,
                                      const LocalFact& local) {

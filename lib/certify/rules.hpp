@@ -18,6 +18,9 @@ struct Judge {
 [[nodiscard]] InvariantFact check_invariant(const Judge& j, const Invariant& data);
 [[nodiscard]] IrreducibleFact check_no_exponential(const Judge& j, const NoExponential& data,
                                                    const LocalFact& local);
+/// L: a rational solution of the Riccati equation, times t^nu at the place x, obeys a linear
+/// recurrence of length L or less (riccati_one_place.md, 3).
+[[nodiscard]] Integer length_bound(const LocalFact& local, const PlaceFact& x);
 /// local: needed for "sl2" only, else null.
 [[nodiscard]] PCurvatureFact check_p_curvature(const Judge& j, const PCurvature& data,
                                                const LocalFact* local);

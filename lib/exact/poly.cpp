@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/modular.hpp"
+#include "exact/modular_gcd.hpp"
 
 namespace kov {
 namespace {
@@ -275,15 +276,14 @@ bool divides(const Poly& b, const Poly& a) { return is_zero(a % b); }
 
 std::pair<long, Poly> remove_factor(const Poly& f, const Poly& q) {
   KOV_ENSURE(!is_zero(f) && degree(q) > 0);
-  long e = 0;
-  Poly rest = f;
-  while (degree(rest) >= degree(q)) {
-    auto [quot, r] = divrem(rest, q);
-    if (!is_zero(r)) break;
-    rest = std::move(quot);
-    ++e;
-  }
-  return {e, rest};
+  if (degree(f) < degree(q)) return {0, f};
+  const auto [rest, r] = divrem(f, q);
+  if (!is_zero(r)) return {0, f};
+  // f = q rest; take q^2 out of the rest as often as possible, then perhaps one q more.
+  auto [pairs, left] = remove_factor(rest, q * q);
+  const auto [last, remainder] = divrem(left, q);
+  if (!is_zero(remainder)) return {1 + 2 * pairs, left};
+  return {2 + 2 * pairs, last};
 }
 
 Poly gcd(const Poly& a0, const Poly& b0) {
@@ -299,6 +299,7 @@ Poly gcd(const Poly& a0, const Poly& b0) {
   if (is_zero(a)) return is_zero(b) ? b : monic(b);
   if (is_zero(b)) return monic(a);
   if (degree(a) < degree(b)) std::swap(a, b);
+  if (degree(b) == 0) return coerce(Poly(1), k);
   // One prime bounds the degree of the gcd: that settles the two common cases, 1 and b itself.
   const auto bound = gcd_degree_bound(a, b);
   if (bound && *bound == 0) return coerce(Poly(1), k);
@@ -308,6 +309,8 @@ Poly gcd(const Poly& a0, const Poly& b0) {
     fmpq_poly_gcd(g.raw(), a.raw(), b.raw());
     return g;
   }
+  if (degree(b) > 2)
+    if (auto g = modular_gcd(a, b)) return *std::move(g);
   a = monic(a);
   b = monic(b);
   while (!is_zero(b)) {
@@ -337,6 +340,8 @@ Poly inverse_mod(const Poly& a0, const Poly& q0) {
       throw DomainError("no inverse modulo a polynomial: common factor " + to_string(g));
     return s;
   }
+  if (degree(q) > 2)
+    if (auto s = modular_inverse(a, q)) return *std::move(s);
   // Euclid with monic remainders; s*a = r (mod q) throughout.
   Poly r0 = q;
   Poly r1 = a;
@@ -374,7 +379,13 @@ Poly taylor_shift(const Poly& f, const NfElem& c) {
     fmpq_poly_compose(g.raw(), f.raw(), line.raw());
     return g;
   }
-  return compose(f, Poly::z() + Poly(c));
+  const long n = degree(f) + 1;
+  if (n < 16) return compose(f, Poly::z() + Poly(c));
+  // f = low + z^(n/2) high
+  const long half = n / 2;
+  return taylor_shift(truncate(f, half), c) +
+         pow(Poly::z() + Poly(c), static_cast<unsigned long>(half)) *
+             taylor_shift(shift_right(f, half), c);
 }
 
 NfElem evaluate(const Poly& f, const NfElem& c) {

@@ -19,7 +19,7 @@ enum class Truth : std::uint8_t { no, yes, unknown };
 
 /// Why something is unknown.
 struct Unable {
-  enum class Why : std::uint8_t { parameter, budget, not_implemented, inexact };
+  enum class Why : std::uint8_t { parameter, budget, not_implemented, inexact, methods_disagree };
   Why why = Why::not_implemented;
   std::string detail; ///< a full sentence for the user
 };

@@ -3,6 +3,8 @@
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
+#include <array>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -187,19 +189,31 @@ Entry parse_document(std::string text, const std::string& name) {
   return DocumentReader::parse(std::move(text), name);
 }
 
-Entry read_document(const std::string& path) {
-  constexpr std::size_t limit = std::size_t{16} << 20;
+std::string read_text(const std::string& path, std::size_t limit) {
   std::string text;
+  const auto read = [&](std::istream& in) {
+    std::array<char, 65536> block{};
+    while (text.size() <= limit && (in.read(block.data(), block.size()), in.gcount() > 0))
+      text.append(block.data(), static_cast<std::size_t>(in.gcount()));
+    if (in.bad()) throw InputError(path, 0, 0, 1, "the file cannot be read");
+  };
   if (path == "-") {
-    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+    read(std::cin);
   } else {
+    if (std::filesystem::is_directory(path))
+      throw InputError(path, 0, 0, 1, "this is a directory, a file is expected");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path, 0, 0, 1, "the file cannot be opened");
-    text.assign(std::istreambuf_iterator<char>(in), {});
-    if (in.bad()) throw InputError(path, 0, 0, 1, "the file cannot be read");
+    read(in);
   }
-  if (text.size() > limit) throw InputError(path, 0, 0, 1, "the file is larger than 16 MB");
-  return parse_document(std::move(text), path);
+  if (text.size() > limit)
+    throw InputError(path, 0, 0, 1,
+                     "the file is larger than " + std::to_string(limit >> 20) + " MiB");
+  return text;
+}
+
+Entry read_document(const std::string& path) {
+  return parse_document(read_text(path, std::size_t{16} << 20), path);
 }
 
 } // namespace kov

@@ -4,6 +4,7 @@
 #include "galois/classify.hpp"
 #include "galois/solutions.hpp"
 #include "kovacic/solve.hpp"
+#include "verdict/certificate.hpp"
 
 namespace kov {
 namespace {
@@ -68,9 +69,7 @@ void fill(Decision& d, const Classification& c, const NormalForm& equation,
 }
 
 // The classical algorithm, for its steps, as a second opinion, or as the only one.
-// Returns the case that it found; nothing when a limit stopped it (the limit is noted).
-std::optional<int> classical(Decision& d, const NormalForm& equation, const Options& options,
-                             std::string& limit) {
+SecondOpinion classical(Decision& d, const NormalForm& equation, const Options& options) {
   kovacic::Trace trace;
   kovacic::Outcome outcome = Unable{Unable::Why::budget, ""};
   try {
@@ -79,8 +78,8 @@ std::optional<int> classical(Decision& d, const NormalForm& equation, const Opti
     outcome = Unable{Unable::Why::budget, e.what()};
   }
   d.trace = printed(trace);
-  if (const auto* unable = std::get_if<Unable>(&outcome)) limit = unable->detail;
-  return kovacic::case_of(outcome);
+  const auto* unable = std::get_if<Unable>(&outcome);
+  return {kovacic::case_of(outcome), unable ? unable->detail : ""};
 }
 
 void forget_answer(Decision& d, const std::string& why, Unable::Why kind) {
@@ -89,28 +88,74 @@ void forget_answer(Decision& d, const std::string& why, Unable::Why kind) {
   d.abelian = Truth::unknown;
   d.kovacic_case.reset();
   d.solutions.clear();
+  d.certificate.clear();
   d.undecided = Unable{kind, why};
   d.reason = "undecided: " + why;
 }
 
+// Exponents too large for the engines: that no sum of exponents is a natural number can be seen
+// without a polynomial of that degree.
+void second_chance(Decision& d, const NormalForm& equation, const Options& options) {
+  Decision other;
+  if (classical(other, equation, options).kovacic_case != 4) return;
+  d.group = GaloisGroup{GroupType::SL2, {}};
+  d.component = Connected::sl2;
+  d.abelian = Truth::no;
+  d.kovacic_case = 4;
+  d.undecided.reset();
+  d.reason = "Kovacic's algorithm excludes its cases 1, 2 and 3";
+  if (options.want_certificate && d.certificate.empty())
+    d.undecided = Unable{Unable::Why::budget, "no certificate: " + d.no_certificate};
+}
+
+void certify_it(Decision& d, const Classification& c, const Options& options) {
+  if (!d.group && d.abelian == Truth::unknown) {
+    d.no_certificate = "nothing is proved";
+    return;
+  }
+  try {
+    Judged j = judged(certificate(c, d.r, options.budget));
+    if (j.refusal.empty())
+      d.certificate = std::move(j.json);
+    else
+      d.no_certificate = "the judge refuses it: " + j.refusal;
+  } catch (const OutOfBudget& limit) {
+    d.no_certificate = limit.what();
+  }
+  if (d.certificate.empty() && !d.undecided)
+    d.undecided = Unable{Unable::Why::budget, "no certificate: " + d.no_certificate};
+}
+
 } // namespace
+
+void compare(Decision& d, const SecondOpinion& other) {
+  if (!other.kovacic_case)
+    forget_answer(d, "Kovacic's algorithm stopped: " + other.limit, Unable::Why::budget);
+  else if (d.kovacic_case && *d.kovacic_case != *other.kovacic_case)
+    forget_answer(d,
+                  "the methods disagree: the engines find case " + std::to_string(*d.kovacic_case) +
+                      ", Kovacic's algorithm finds case " + std::to_string(*other.kovacic_case),
+                  Unable::Why::methods_disagree);
+  else
+    d.reason += "; Kovacic's algorithm agrees: case " + std::to_string(*other.kovacic_case);
+}
 
 Decision decide(const NormalForm& equation, const Options& options) {
   const auto start = Budget::Clock::now();
   Decision d;
   d.r = equation.r;
   d.variable = options.variable;
-  fill(d, classify(equation.r, options.budget), equation, options);
-  const bool second_opinion = options.method == Method::kovacic || options.method == Method::all;
-  if (second_opinion || options.want_trace) {
-    std::string limit;
-    const auto found = classical(d, equation, options, limit);
-    // Two methods that disagree: a bug of ours, and no answer.
-    if (found && d.kovacic_case) KOV_ENSURE(*found == *d.kovacic_case);
-    if (!found && second_opinion)
-      forget_answer(d, "Kovacic's algorithm stopped: " + limit, Unable::Why::budget);
-    else if (found && second_opinion)
-      d.reason += "; Kovacic's algorithm agrees: case " + std::to_string(*found);
+  const Classification c = classify(equation.r, options.budget);
+  fill(d, c, equation, options);
+  if (options.want_certificate) certify_it(d, c, options);
+  if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
+    second_chance(d, equation, options);
+  const bool asked = options.method == Method::kovacic || options.method == Method::all;
+  if (asked || options.want_trace) {
+    const SecondOpinion other = classical(d, equation, options);
+    // Only to look at the steps: a limit of the classical algorithm is no news then.
+    if (asked || (other.kovacic_case && d.kovacic_case && *other.kovacic_case != *d.kovacic_case))
+      compare(d, other);
   }
   if (options.only_case && d.kovacic_case && *options.only_case != *d.kovacic_case)
     d.reason = "case " + std::to_string(*options.only_case) +

@@ -21,7 +21,7 @@ struct Options {
   std::string variable = "z";   ///< only for printing
   bool want_solutions = true;
   bool want_trace = false;
-  bool want_certificate = false;
+  bool want_certificate = false; ///< written, and accepted by the judge of lib/certify
 };
 
 /// A Liouvillian solution of y'' = r y.
@@ -52,9 +52,19 @@ struct Decision {
   std::string reason;              ///< full sentences; for "unknown": why
   std::optional<Unable> undecided; ///< set when anything asked stayed open
   std::vector<TraceStep> trace;
-  std::string certificate; ///< JSON text, empty if not asked for
+  std::string certificate;    ///< JSON text; empty if not asked for, or
+  std::string no_certificate; ///< why there is none
   double seconds = 0;
 };
+
+/// What Kovacic's algorithm came to: its case, or the limit that stopped it.
+struct SecondOpinion {
+  std::optional<int> kovacic_case;
+  std::string limit;
+};
+/// Two methods, one answer: agreement is noted, a limit or a disagreement takes the answer back
+/// (Unable::budget, Unable::methods_disagree).
+void compare(Decision& d, const SecondOpinion& other);
 
 /// Never throws for a legal r: limits end in Decision::undecided.
 /// Throws InternalError if a self-check fails.

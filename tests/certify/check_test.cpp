@@ -18,17 +18,18 @@ std::string read_file(const std::filesystem::path& p) {
   return s.str();
 }
 
-std::vector<std::filesystem::path> corpus() {
+std::vector<std::filesystem::path> certificates(const std::string& folder) {
   std::vector<std::filesystem::path> files;
-  for (const auto& e : std::filesystem::directory_iterator(KOV_SOURCE_DIR "/tests/certify/data"))
+  for (const auto& e :
+       std::filesystem::directory_iterator(KOV_SOURCE_DIR "/tests/certify/" + folder))
     if (e.path().extension() == ".json") files.push_back(e.path());
   std::sort(files.begin(), files.end());
   return files;
 }
 
 TEST(Corpus, EveryCertificateIsAccepted) {
-  ASSERT_GT(corpus().size(), 10U);
-  for (const auto& file : corpus()) {
+  ASSERT_GT(certificates("data").size(), 10U);
+  for (const auto& file : certificates("data")) {
     const Certificate c = read_certificate(read_file(file));
     const auto verdict = check(c);
     const auto* r = std::get_if<Rejected>(&verdict);
@@ -36,8 +37,17 @@ TEST(Corpus, EveryCertificateIsAccepted) {
   }
 }
 
+// Each file is one way to a false theorem that looks like a proof.
+TEST(Corpus, FalseCertificatesAreRefused) {
+  ASSERT_FALSE(certificates("false").empty());
+  for (const auto& file : certificates("false")) {
+    const auto verdict = check(read_certificate(read_file(file)));
+    EXPECT_TRUE(std::holds_alternative<Rejected>(verdict)) << file;
+  }
+}
+
 TEST(Corpus, WritingAndReadingIsTheIdentity) {
-  for (const auto& file : corpus()) {
+  for (const auto& file : certificates("data")) {
     const std::string text = write_certificate(read_certificate(read_file(file)));
     EXPECT_EQ(text, write_certificate(read_certificate(text))) << file;
   }

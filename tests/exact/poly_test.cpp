@@ -35,8 +35,10 @@ protected:
       return sqrt_field(-1, "I");
     case 2:
       return sqrt_field(2, "s");
+    case 3:
+      return make_field({1, 1, 0, 1}, "a"); // group S_3: one prime in six splits
     default:
-      return make_field({-2, 1, 0, 1}, "a"); // a^3 + a - 2 has root 1: use an irreducible one
+      return make_field({1, 0, 0, 0, 1}, "a"); // Q(i, sqrt 2)
     }
   }
 };
@@ -80,7 +82,7 @@ TEST_P(PolyOver, FactorsMultiplyBack) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Fields, PolyOver, testing::Values(0, 1, 2));
+INSTANTIATE_TEST_SUITE_P(Fields, PolyOver, testing::Values(0, 1, 2, 3, 4));
 
 TEST(Factor, SplitsOverTheGaussianNumbers) {
   const Field k = sqrt_field(-1, "I");

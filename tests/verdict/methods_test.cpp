@@ -80,5 +80,28 @@ TEST(Methods, TheTraceNamesTheSteps) {
   EXPECT_NE(d.trace.front().step.find("necessary conditions"), std::string::npos);
 }
 
+TEST(Methods, NoAnswerWhenTheyDisagree) {
+  Decision d = decide({.r = RationalFunction(z), .p = RationalFunction()});
+  ASSERT_EQ(*d.kovacic_case, 4);
+  d.certificate = "{}";
+  compare(d, {.kovacic_case = 1, .limit = ""});
+  ASSERT_TRUE(d.undecided);
+  EXPECT_EQ(d.undecided->why, Unable::Why::methods_disagree);
+  EXPECT_FALSE(d.group);
+  EXPECT_FALSE(d.component);
+  EXPECT_EQ(d.abelian, Truth::unknown);
+  EXPECT_TRUE(d.certificate.empty());
+  EXPECT_NE(d.reason.find("case 4"), std::string::npos) << d.reason;
+  EXPECT_NE(d.reason.find("case 1"), std::string::npos) << d.reason;
+}
+
+TEST(Methods, NoAnswerFromAMethodThatWasStopped) {
+  Decision d = decide({.r = RationalFunction(z), .p = RationalFunction()});
+  compare(d, {.kovacic_case = std::nullopt, .limit = "too many families"});
+  ASSERT_TRUE(d.undecided);
+  EXPECT_EQ(d.undecided->why, Unable::Why::budget);
+  EXPECT_FALSE(d.group);
+}
+
 } // namespace
 } // namespace kov

@@ -1,5 +1,7 @@
 #include "answer.hpp"
 
+#include "recognized.hpp"
+
 #include <chrono>
 #include <exception>
 #include <sstream>
@@ -16,6 +18,7 @@ double seconds_since(Clock::time_point start) {
 // A message of the child: one letter, then JSON.
 constexpr char tag_decided = 'd';
 constexpr char tag_undecided = 'u';
+constexpr char tag_disagreement = 'm'; // of two methods: a mistake of ours, with a result
 constexpr char tag_input = 'i';
 constexpr char tag_internal = 'x';
 
@@ -33,6 +36,15 @@ Json packed(const InputError& e, const Json& id) {
 InputError unpacked(const Json& j) {
   return {j.at("file"),    j.at("line"), j.at("column"), j.at("length"),
           j.at("message"), j.at("hint"), j.at("source")};
+}
+
+char tag_of(const Decision& d) {
+  if (!d.undecided) return tag_decided;
+  return d.undecided->why == Unable::Why::methods_disagree ? tag_disagreement : tag_undecided;
+}
+
+int exit_of(char tag) {
+  return tag == tag_decided ? exit_decided : tag == tag_undecided ? exit_undecided : exit_internal;
 }
 
 // Runs in the child.
@@ -69,16 +81,19 @@ private:
     const GivenEquation equation = read_equation(question.text, options.budget);
     options.variable = equation.variable;
     open_ = open_result(id_, equation);
+    Json original;
     if (equation.form != GivenEquation::Form::r)
-      open_["original"] = original_form(equation, options.budget);
+      open_["original"] = original = original_form(equation, options.budget);
     early_(dump(open_));
     const Decision decision = decide(equation.normal_form, options);
-    Json result = closed_result(id_, equation, decision, seconds_since(start_));
-    if (open_.contains("original")) {
-      result["original"] = open_.at("original");
-      result["original"]["identity_component_abelian"] = result.at("abelian");
+    open_.erase("original"); // it is printed last
+    Json result = closed_result(std::move(open_), decision, seconds_since(start_));
+    result["recognized"] = recognized_json(equation, decision, options.budget);
+    if (!original.is_null()) {
+      original["identity_component_abelian"] = result.at("abelian");
+      result["original"] = std::move(original);
     }
-    return (decision.undecided ? tag_undecided : tag_decided) + dump(result);
+    return tag_of(decision) + dump(result);
   }
 
   std::string undecided(const std::string& why, const std::string& detail) {
@@ -138,8 +153,9 @@ Answer Solver::answer(std::string_view job) {
       a.exit = exit_internal;
       a.internal = body.at("message").get<std::string>();
     } else {
-      a.exit = tag == tag_decided ? exit_decided : exit_undecided;
+      a.exit = exit_of(tag);
       a.result = body;
+      if (tag == tag_disagreement) a.internal = body.at("reason").get<std::string>();
     }
     return a;
   }
@@ -165,8 +181,8 @@ std::pair<std::string, int> Solver::line(std::string_view job) {
   switch (reply.end) {
   case Reply::End::answered: {
     const char tag = reply.answer.front();
-    if (tag == tag_decided) return {reply.answer.substr(1), exit_decided};
-    if (tag == tag_undecided) return {reply.answer.substr(1), exit_undecided};
+    if (tag == tag_decided || tag == tag_undecided || tag == tag_disagreement)
+      return {reply.answer.substr(1), exit_of(tag)};
     const Json body = Json::parse(std::string_view(reply.answer).substr(1));
     if (tag == tag_internal)
       return {dump({{"id", body.at("id")},

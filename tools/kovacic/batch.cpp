@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <set>
 
 namespace kov::cli {
@@ -123,6 +124,28 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   return q;
 }
 
+// The id, if it can be the name of a file; else the number of the line.
+std::string file_name(const Json& id, long number) {
+  const std::string name = id.is_string() ? id.get<std::string>() : id.is_number() ? id.dump() : "";
+  const bool plain = !name.empty() && name.size() <= 200 && name.front() != '.' &&
+                     name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                            "0123456789._-") == std::string::npos;
+  return (plain ? name : "line-" + std::to_string(number)) + ".json";
+}
+
+// Moves the certificate of one answer into a file of the directory --certificate.
+void file_certificate(std::string& answer, const std::string& directory, long number) {
+  Json result = Json::parse(answer);
+  if (!result.contains("certificate")) return;
+  std::error_code ignored; // writing will complain
+  std::filesystem::create_directories(directory, ignored);
+  const std::string path = directory + "/" + file_name(result.at("id"), number);
+  write_file(path, dump(result.at("certificate")) + "\n");
+  result.erase("certificate");
+  result["certificate_file"] = path;
+  answer = dump(result);
+}
+
 } // namespace
 
 int batch(const Settings& settings, const std::string& path) {
@@ -139,9 +162,11 @@ int batch(const Settings& settings, const std::string& path) {
   line_settings.trace = false;
   Solver solver(read_line, line_settings);
   int exit = exit_decided;
+  long number = 0;
   std::string line;
   std::size_t length = 0;
   while (exit != exit_interrupted && next_line(in, line, length)) {
+    ++number;
     if (is_blank(line) && length <= max_line) continue;
     auto [text, code] = length > max_line
                             ? std::pair(dump({{"id", nullptr},
@@ -154,6 +179,12 @@ int batch(const Settings& settings, const std::string& path) {
       break;
     }
     exit = worse(exit, code);
+    try {
+      if (!settings.certificate.empty()) file_certificate(text, settings.certificate, number);
+    } catch (const InputError& e) {
+      exit = report(settings, e);
+      break;
+    }
     text += '\n';
     if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
       break; // nobody reads any more

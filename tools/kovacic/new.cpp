@@ -31,13 +31,138 @@ case   = 1                       # Kovacic's case, 1 to 4
 source = "Kovacic1986, section 1"
 )TOML";
 
+constexpr const char* hamiltonian_file =
+    R"TOML(# A Hamiltonian system.  kovacic find-manifolds THIS_FILE proposes manifolds, kovacic show THIS_FILE --stage r
+# shows how far it goes, kovacic check THIS_FILE decides, kovacic test THIS_FILE runs the [[expect]] blocks.
+format = "equation/1"
+title  = "Henon-Heiles family"
+cite   = []                      # keys of your bibliography
+
+[system]
+kind        = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta     = ["p1", "p2"]       # in the same order
+parameters  = ["b", "h"]         # free constants; h will be the energy
+hamiltonian = "(p1^2 + p2^2)/2 + (q1^2 + q2^2)/2 + q1^2*q2 + b/3*q2^3"
+# sin, cos, exp, sqrt: as symbols with a gradient and relations, see docs/guide/system-files.md
+
+[assume]                         # quoted in the answer; values that violate one are refused
+b = "nonzero"
+
+[[integral]]                     # a claim; it is proved or refuted
+name = "H"
+
+[[manifold]]                     # proved invariant
+name      = "q2-axis"
+equations = ["q1 = 0", "p1 = 0"]
+level     = "H = h"              # cuts out the phase curves
+
+[reduce]
+manifold = "q2-axis"
+variable = "q1"                  # the scalar equation is for its variation
+change   = "z = q2"              # without this line a change of variable is proposed
+# energy = "auto"                # also study the levels where singular places meet
+
+[[expect]]                       # each block is a test
+where   = { b = "-1", h = "1" }
+verdict = "non-integrable"       # non-integrable, no-obstruction or undecided
+group   = "SL2"
+source  = "Ito1985"
+)TOML";
+
+constexpr const char* euler_poisson_file =
+    R"TOML(# A rigid body: M' = M x dH/dM + Gamma x dH/dGamma, Gamma' = Gamma x dH/dM.
+# kovacic find-manifolds THIS_FILE proposes manifolds, kovacic check THIS_FILE decides.
+format = "equation/1"
+title  = "Heavy top with two equal moments, centre of mass in the equatorial plane"
+cite   = []
+
+[system]
+kind        = "euler-poisson"
+coordinates = ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"]
+parameters  = ["A", "C", "h"]    # units with m g |L| = 1
+hamiltonian = "(M1^2 + M2^2)/(2*A) + M3^2/(2*C) + Gamma1"
+# gyrostat  = ["0", "0", "B"]    # the constant angular momentum of a rotor
+
+[assume]
+A = "positive"
+C = "positive"
+
+[[casimir]]
+name  = "F1"
+value = "Gamma1^2 + Gamma2^2 + Gamma3^2"
+
+[[casimir]]
+name  = "F2"
+value = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3"
+
+[[manifold]]
+name      = "pendulum"
+equations = ["M1 = 0", "M3 = 0", "Gamma2 = 0"]
+level     = ["F1 = 1", "H = h"]
+
+[reduce]
+manifold = "pendulum"
+variable = "M1"
+change   = "z = Gamma3/(1 + Gamma1)"
+
+[[expect]]
+where   = { A = "3", C = "1", h = "2" }
+verdict = "non-integrable"
+source  = "Ziglin1983"
+)TOML";
+
+constexpr const char* vector_field_file =
+    R"TOML(# Any rational vector field.  Non-integrability is then in the sense of Ayoul and Zung: no complete set of
+# commuting fields and first integrals.  kovacic check THIS_FILE decides.
+format = "equation/1"
+title  = "Lorenz equations along the w axis"
+cite   = []
+
+[system]
+kind        = "vector-field"
+coordinates = ["x", "y", "w"]
+parameters  = ["sigma", "rho", "beta"]
+
+[system.field]                   # one line for each coordinate
+x = "sigma*(y - x)"
+y = "x*(rho - w) - y"
+w = "x*y - beta*w"
+
+[[manifold]]
+name      = "axis"
+equations = ["x = 0", "y = 0"]
+
+[reduce]
+manifold = "axis"
+variable = "x"
+
+[[expect]]
+where   = { sigma = "10", rho = "28", beta = "8/3" }
+verdict = "non-integrable"
+source  = "this program"
+)TOML";
+
+struct StartingFile {
+  std::string kind;
+  const char* text;
+};
+
+const std::vector<StartingFile> starting_files{{"ode", ode_file},
+                                               {"hamiltonian", hamiltonian_file},
+                                               {"euler-poisson", euler_poisson_file},
+                                               {"vector-field", vector_field_file}};
+
 } // namespace
 
 int make_new(const Settings& settings, const std::string& kind) {
-  static const std::vector<std::string> kinds{"ode"};
-  if (kind == "ode") {
-    write_output(settings, ode_file);
-    return exit_decided;
+  std::vector<std::string> kinds;
+  for (const StartingFile& file : starting_files) {
+    if (file.kind == kind) {
+      write_output(settings, file.text);
+      return exit_decided;
+    }
+    kinds.push_back(file.kind);
   }
   const auto near = nearest(kind, kinds);
   complain(settings, "there is no starting file of the kind '" + kind + "'",

@@ -36,6 +36,9 @@ int present(const Settings& settings, Answer answer, const std::string& title) {
       answer.result.erase("certificate");
       answer.result["certificate_file"] = settings.certificate;
     }
+    if (answer.result.contains("no_certificate"))
+      complain(settings,
+               "no certificate: " + answer.result.at("no_certificate").get<std::string>());
     const std::string text = presented(settings, answer, title);
     if (!text.empty()) write_output(settings, text);
   } catch (const InputError& e) {

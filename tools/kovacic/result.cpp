@@ -51,6 +51,8 @@ std::string name_of(Unable::Why why) {
     return "not-implemented";
   case Unable::Why::inexact:
     return "inexact";
+  case Unable::Why::methods_disagree:
+    return "methods-disagree";
   }
   throw InternalError("unknown reason code");
 }
@@ -67,7 +69,8 @@ Json unread_result(const Json& id) {
           {"solutions", nullptr},
           {"reason", ""},
           {"undecided", nullptr},
-          {"seconds", nullptr}};
+          {"seconds", nullptr},
+          {"recognized", nullptr}};
 }
 
 Json open_result(const Json& id, const GivenEquation& equation) {
@@ -78,9 +81,8 @@ Json open_result(const Json& id, const GivenEquation& equation) {
   return j;
 }
 
-Json closed_result(const Json& id, const GivenEquation& equation, const Decision& d,
-                   double seconds) {
-  Json j = open_result(id, equation);
+Json closed_result(Json open, const Decision& d, double seconds) {
+  Json j = std::move(open);
   if (d.group) j["group"] = group(*d.group);
   if (d.component) j["identity_component"] = to_string(*d.component);
   j["abelian"] = text_of(d.abelian);
@@ -100,6 +102,7 @@ Json closed_result(const Json& id, const GivenEquation& equation, const Decision
       j["trace"].push_back({{"step", step.step}, {"text", step.text}});
   }
   if (!d.certificate.empty()) j["certificate"] = certificate(d.certificate);
+  if (!d.no_certificate.empty()) j["no_certificate"] = d.no_certificate;
   return j;
 }
 

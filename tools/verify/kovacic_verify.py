@@ -919,6 +919,7 @@ def verify(text):
     num, den, claim, steps = load(text)
     need(len(K.m) == 2 or irreducible(K.m), "the minimal polynomial is reducible")
     need(den.c and den.lead() == ONE, "den is not monic")
+    need(num.c or den.deg() == 0, "r = 0 must be written with den = 1")
     checker, facts, used, trusted, result = Checker(num, den), {}, set(), 0, None
     for name, rule, premises, data in steps:
         try:
