@@ -265,6 +265,10 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
       name += (name.empty() ? "" : ", ") + u;
     if (!block.note.empty()) report.reasons.push_back("block (" + name + "): " + block.note);
     if (block.decision) report.reasons.push_back("block (" + name + "): " + block.decision->reason);
+    if (block.strata)
+      for (const auto& x : block.strata->strata)
+        report.reasons.push_back("where " + strata::to_string(x.conditions) + ": " +
+                                 x.leaf.reason);
     for (const auto& e : block.energies)
       if (e.decision) report.reasons.push_back("at " + e.condition + ": " + e.decision->reason);
   }
