@@ -1,5 +1,7 @@
 #include "answer.hpp"
 
+#include "present_strata.hpp"
+
 #include "recognized.hpp"
 
 #include <chrono>
@@ -78,7 +80,12 @@ private:
     });
     id_ = question.id;
     Options options = settings_.solver_options();
-    const GivenEquation equation = read_equation(question.text, options.budget);
+    GivenEquation equation;
+    try {
+      equation = read_equation(question.text, options.budget);
+    } catch (const FreeParameters&) {
+      return family(question, options);
+    }
     options.variable = equation.variable;
     open_ = open_result(id_, equation);
     Json original;
@@ -94,6 +101,17 @@ private:
       result["original"] = std::move(original);
     }
     return tag_of(decision) + dump(result);
+  }
+
+  std::string family(const Question& question, const Options& options) const {
+    const Family f = read_family(question.text);
+    strata::StrataLimits limits;
+    limits.decide = options;
+    limits.decide.variable = f.variable;
+    limits.decide.want_trace = limits.decide.want_certificate = false;
+    Json result = family_result(id_, f, strata::decide_strata(f.question, limits));
+    if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
+    return (result.at("undecided").is_null() ? tag_decided : tag_undecided) + dump(result);
   }
 
   std::string undecided(const std::string& why, const std::string& detail) {

@@ -15,6 +15,7 @@ struct SolveArguments {
   std::string variable;
   std::optional<std::string> minpoly;
   std::string batch; ///< a file of JSON lines; "-" = standard input
+  std::vector<std::string> assume; ///< sentences; the names in them are parameters
 };
 
 struct LameArguments {

@@ -3,6 +3,7 @@
 #include "answer.hpp"
 #include "commands.hpp"
 #include "equation/equation_file.hpp"
+#include "family/family.hpp"
 #include "present.hpp"
 
 namespace kov::cli {
@@ -14,6 +15,15 @@ std::optional<Expression> formula(const std::string& option, const std::optional
   return parse_expression(*text, option, equation);
 }
 
+// The names in the assumptions are parameters, unless they are the variable.
+void add_assumptions(Question& q, const SolveArguments& a) {
+  for (const std::string& text : a.assume) {
+    q.text.assume.push_back(text);
+    for (const std::string& name : names_in_assumption(text))
+      if (name != q.text.variable) q.text.parameters.push_back(name);
+  }
+}
+
 Question from_options(const Settings& settings, const SolveArguments& a) {
   Question q;
   q.text.r = formula("-r", a.r);
@@ -23,6 +33,7 @@ Question from_options(const Settings& settings, const SolveArguments& a) {
   q.text.minpoly = formula("--minpoly", a.minpoly);
   q.text.variable = a.variable;
   q.text.set = settings.settings();
+  add_assumptions(q, a);
   return q;
 }
 
@@ -37,6 +48,7 @@ Question from_file(const Settings& settings, const SolveArguments& a, const Entr
   q.id = a.file;
   if (!a.variable.empty()) q.text.variable = a.variable;
   if (a.minpoly) q.text.minpoly = formula("--minpoly", a.minpoly);
+  add_assumptions(q, a);
   return q;
 }
 
