@@ -99,8 +99,8 @@ void need_eps2(const PlaceFact& x, const Coefficient& n, const Coefficient& d, c
   need(is_zero(red(left - scale(red(G[0] * red(total * total)), NfElem(4)))), "eps2 is wrong");
 }
 
-// Delta^2 = value at every root of q iff q divides f(value) = 8 num - (value - 1) den''.  Places
-// often share one value: the last few f are kept.
+// Delta^2 = value at every root of q iff q divides f = 8 num - (value - 1) den''.  Places often
+// share one constant value: their product is tried at once.
 class ExponentTest {
 public:
   explicit ExponentTest(const Equation& e)
@@ -108,22 +108,29 @@ public:
 
   void operator()(const PlaceFact& x, const Poly& value) {
     need(x.order == 2 && degree(value) < x.n, "delta2 belongs to a pole of order 2");
-    const bool shared = degree(value) <= 0;
-    const Poly f = shared ? Poly() : mod(num_, *x.q) - (value - Poly(1)) * mod(second_, *x.q);
-    need(is_zero(mod(shared ? combination(value) : f, *x.q)), "delta2 is wrong");
+    if (degree(value) > 0)
+      need(is_zero(mod(mod(num_, *x.q) - (value - Poly(1)) * mod(second_, *x.q), *x.q)), wrong);
+    else
+      shared(value).second.push_back(*x.q);
+  }
+  void finish() const {
+    for (const auto& [value, places] : shared_)
+      need(is_zero(mod(num_ - (value - Poly(1)) * second_, product(places, 0, places.size()))),
+           wrong);
   }
 
 private:
-  const Poly& combination(const Poly& value) {
-    for (const auto& [v, f] : kept_)
-      if (v == value) return f;
-    if (kept_.size() == 16) kept_.erase(kept_.begin());
-    kept_.emplace_back(value, num_ - (value - Poly(1)) * second_);
-    return kept_.back().second;
+  using Shared = std::pair<Poly, std::vector<Poly>>;
+  Shared& shared(const Poly& value) {
+    const auto before = [](const Shared& a, const Poly& v) { return compare(a.first, v) < 0; };
+    const auto at = std::lower_bound(shared_.begin(), shared_.end(), value, before);
+    if (at != shared_.end() && at->first == value) return *at;
+    return *shared_.insert(at, {value, {}});
   }
 
+  static constexpr const char* wrong = "delta2 is wrong";
   Poly num_, second_;
-  std::vector<std::pair<Poly, Poly>> kept_;
+  std::vector<Shared> shared_; // sorted
 };
 
 void check_log(const Judge& j, PlaceFact& x, const LogWitness& log) {
@@ -208,6 +215,7 @@ LocalFact check_local(const Judge& j, const Local& data) {
   LocalFact local{{}, check_infinity(j, data)};
   for (const LocalPlace& e : data.places)
     local.places.push_back(check_place(j, e, test));
+  test.finish();
   return local;
 }
 
