@@ -51,19 +51,36 @@ void sort_factors(std::vector<Factor>& factors) {
   });
 }
 
-// f modulo p as a product of powers of squarefree polynomials; small p are avoided by the caller.
+// f modulo p as a product of powers of squarefree polynomials, by Yun's algorithm.  Requires p >
+// deg f.
 std::vector<std::pair<NmodPoly, long>> modular_squarefree_parts(const NmodPoly& f) {
   std::vector<std::pair<NmodPoly, long>> parts;
-  nmod_poly_factor_t factors;
-  nmod_poly_factor_init(factors);
-  nmod_poly_factor_squarefree(factors, f.raw());
-  for (slong i = 0; i < factors->num; ++i) {
-    NmodPoly base(f.modulus());
-    nmod_poly_set(base.raw(), factors->p + i);
-    parts.emplace_back(std::move(base), factors->exp[i]);
+  const NmodPoly df = derivative(f);
+  const NmodPoly g = gcd(f, df);
+  NmodPoly c = exact_div(f, g);
+  NmodPoly d = exact_div(df, g) - derivative(c);
+  for (long i = 1; degree(c) > 0; ++i) {
+    const NmodPoly base = gcd(c, d);
+    c = exact_div(c, base);
+    d = exact_div(d, base) - derivative(c);
+    if (degree(base) > 0) parts.emplace_back(base, i);
   }
-  nmod_poly_factor_clear(factors);
   return parts;
+}
+
+// h = g^(k)/k!, in which a root of multiplicity k+1 is simple.
+void divided_derivative(fmpz_poly_t h, const fmpz_poly_t g, slong k) {
+  Integer binomial(1); // (j+k choose k)
+  const slong length = fmpz_poly_length(g) - k;
+  fmpz_poly_fit_length(h, length);
+  for (slong j = 0; j < length; ++j) {
+    if (j > 0) {
+      binomial *= Integer(j + k);
+      fmpz_divexact_si(binomial.raw(), binomial.raw(), j);
+    }
+    fmpz_mul(h->coeffs + j, g->coeffs + j + k, binomial.raw());
+  }
+  _fmpz_poly_set_length(h, length);
 }
 
 // The rational numbers that reduce to the given simple roots of g modulo p, as far as they can be
@@ -165,9 +182,7 @@ std::vector<Factor> linear_factors(const Poly& f, Poly& rest) {
       if (images.empty()) continue;
       fmpz_poly_t h;
       fmpz_poly_init(h);
-      fmpz_poly_set(h, g);
-      for (long i = 1; i < e; ++i)
-        fmpz_poly_derivative(h, h);
+      divided_derivative(h, g, e - 1);
       for (const Rational& x : lifted_roots(h, images, p, second_prime, bits))
         found.push_back({Poly::z() - Poly(x), e});
       fmpz_poly_clear(h);

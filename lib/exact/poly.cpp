@@ -276,15 +276,14 @@ bool divides(const Poly& b, const Poly& a) { return is_zero(a % b); }
 
 std::pair<long, Poly> remove_factor(const Poly& f, const Poly& q) {
   KOV_ENSURE(!is_zero(f) && degree(q) > 0);
-  long e = 0;
-  Poly rest = f;
-  while (degree(rest) >= degree(q)) {
-    auto [quot, r] = divrem(rest, q);
-    if (!is_zero(r)) break;
-    rest = std::move(quot);
-    ++e;
-  }
-  return {e, rest};
+  if (degree(f) < degree(q)) return {0, f};
+  const auto [rest, r] = divrem(f, q);
+  if (!is_zero(r)) return {0, f};
+  // f = q rest; take q^2 out of the rest as often as possible, then perhaps one q more.
+  auto [pairs, left] = remove_factor(rest, q * q);
+  const auto [last, remainder] = divrem(left, q);
+  if (!is_zero(remainder)) return {1 + 2 * pairs, left};
+  return {2 + 2 * pairs, last};
 }
 
 Poly gcd(const Poly& a0, const Poly& b0) {
@@ -379,7 +378,13 @@ Poly taylor_shift(const Poly& f, const NfElem& c) {
     fmpq_poly_compose(g.raw(), f.raw(), line.raw());
     return g;
   }
-  return compose(f, Poly::z() + Poly(c));
+  const long n = degree(f) + 1;
+  if (n < 16) return compose(f, Poly::z() + Poly(c));
+  // f = low + z^(n/2) high
+  const long half = n / 2;
+  return taylor_shift(truncate(f, half), c) +
+         pow(Poly::z() + Poly(c), static_cast<unsigned long>(half)) *
+             taylor_shift(shift_right(f, half), c);
 }
 
 NfElem evaluate(const Poly& f, const NfElem& c) {

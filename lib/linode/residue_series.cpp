@@ -4,9 +4,44 @@
 
 namespace kov {
 
+namespace {
+
+// At a place of degree one the residue field is K, and a series is a polynomial in t.
+Poly packed(const ResidueSeries& a, std::size_t n) {
+  std::vector<NfElem> coefficients;
+  for (std::size_t k = 0; k < n; ++k)
+    coefficients.push_back(a[k].coeff(0));
+  return Poly::from_coefficients(coefficients);
+}
+
+ResidueSeries unpacked(const Poly& f, std::size_t n) {
+  ResidueSeries series;
+  for (std::size_t k = 0; k < n; ++k)
+    series.emplace_back(f.coeff(static_cast<long>(k)));
+  return series;
+}
+
+// Newton's iteration s <- (s + a/s)/2 from s = 1.  Requires a(0) = 1.
+Poly square_root(const Poly& a, long n) {
+  const NfElem half(Rational(1, 2));
+  Poly s(1);
+  for (long known = 1; known < n;) {
+    known = std::min(2 * known, n);
+    s = scale(s + truncate(truncate(a, known) * inverse_series(s, known), known), half);
+  }
+  return s;
+}
+
+// Below this length the quadratic recurrences are at least as fast.
+constexpr std::size_t long_series = 32;
+
+} // namespace
+
 ResidueSeries taylor_at(const Poly& f, const Poly& q, long n) {
   ResidueSeries series;
   Poly rest = f;
+  if (degree(q) == 1 && (is_zero(q.coeff(0)) || n > static_cast<long>(long_series)))
+    return unpacked(taylor_shift(f, -q.coeff(0) / lead(q)), static_cast<std::size_t>(n));
   if (degree(q) == 1) { // repeated synthetic division
     for (long k = 0; k < n; ++k) {
       auto [quot, value] = divrem(rest, q);
@@ -28,6 +63,10 @@ ResidueSeries taylor_at(const Poly& f, const Poly& q, long n) {
 
 ResidueSeries divide(const ResidueSeries& a, const ResidueSeries& b, const Poly& q) {
   const std::size_t n = std::min(a.size(), b.size());
+  if (degree(q) == 1 && n > long_series) {
+    const auto length = static_cast<long>(n);
+    return unpacked(truncate(packed(a, n) * inverse_series(packed(b, n), length), length), n);
+  }
   const Poly unit = inverse_mod(b.at(0), q);
   ResidueSeries quotient_series;
   for (std::size_t k = 0; k < n; ++k) {
@@ -41,6 +80,9 @@ ResidueSeries divide(const ResidueSeries& a, const ResidueSeries& b, const Poly&
 
 ResidueSeries square_root(const ResidueSeries& a, const Poly& q) {
   KOV_ENSURE(!a.empty() && is_one(a[0]));
+  const std::size_t n = a.size();
+  if (degree(q) == 1 && n > long_series)
+    return unpacked(square_root(packed(a, n), static_cast<long>(n)), n);
   const NfElem half(Rational(1, 2));
   ResidueSeries s{Poly(1)};
   for (std::size_t k = 1; k < a.size(); ++k) {

@@ -3,6 +3,7 @@
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
@@ -187,19 +188,30 @@ Entry parse_document(std::string text, const std::string& name) {
   return DocumentReader::parse(std::move(text), name);
 }
 
-Entry read_document(const std::string& path) {
-  constexpr std::size_t limit = std::size_t{16} << 20;
-  std::string text;
+std::string read_text(const std::string& path, std::size_t limit) {
+  std::string text(limit + 1, '\0'); // one byte more than allowed tells that there is more
+  const auto read = [&](std::istream& in) {
+    in.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(in.gcount()));
+    if (in.bad()) throw InputError(path, 0, 0, 1, "the file cannot be read");
+  };
   if (path == "-") {
-    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+    read(std::cin);
   } else {
+    if (std::filesystem::is_directory(path))
+      throw InputError(path, 0, 0, 1, "this is a directory, a file is expected");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path, 0, 0, 1, "the file cannot be opened");
-    text.assign(std::istreambuf_iterator<char>(in), {});
-    if (in.bad()) throw InputError(path, 0, 0, 1, "the file cannot be read");
+    read(in);
   }
-  if (text.size() > limit) throw InputError(path, 0, 0, 1, "the file is larger than 16 MB");
-  return parse_document(std::move(text), path);
+  if (text.size() > limit)
+    throw InputError(path, 0, 0, 1,
+                     "the file is larger than " + std::to_string(limit >> 20) + " MiB");
+  return text;
+}
+
+Entry read_document(const std::string& path) {
+  return parse_document(read_text(path, std::size_t{16} << 20), path);
 }
 
 } // namespace kov

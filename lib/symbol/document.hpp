@@ -70,6 +70,9 @@ private:
   std::shared_ptr<const Source> source_;
 };
 
+/// The bytes of a file of at most limit bytes; "-" is standard input.
+/// Errors  InputError: a directory, not readable, or larger
+[[nodiscard]] std::string read_text(const std::string& path, std::size_t limit);
 /// Reads a file; "-" is standard input.  Errors  InputError: not readable, not TOML, or over 16 MB
 [[nodiscard]] Entry read_document(const std::string& path);
 [[nodiscard]] Entry parse_document(std::string text, const std::string& name);

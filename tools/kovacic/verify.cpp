@@ -5,30 +5,19 @@
 
 #include "certify/check.hpp"
 #include "exact/error.hpp"
+#include "symbol/document.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 namespace kov::cli {
 namespace {
 
 using Report = nlohmann::ordered_json;
 
-std::string read_text(const std::string& path) {
-  std::ostringstream text;
-  if (path == "-") {
-    text << std::cin.rdbuf();
-    return text.str();
-  }
-  const std::ifstream in(path, std::ios::binary);
-  if (!in) throw InvalidArgument("the file cannot be read");
-  text << in.rdbuf();
-  return text.str();
-}
+constexpr std::size_t largest_certificate = std::size_t{256} << 20;
 
 std::string trust(std::size_t steps) {
   return std::to_string(steps) + (steps == 1 ? " trusted step" : " trusted steps");
@@ -46,7 +35,7 @@ Report claim_of(const certify::Claim& c) {
 Report judge(const std::string& path, bool strict) {
   Report r{{"file", path}};
   try {
-    const certify::Certificate c = certify::read_certificate(read_text(path));
+    const certify::Certificate c = certify::read_certificate(read_text(path, largest_certificate));
     const auto verdict = certify::check(c);
     if (const auto* no = std::get_if<certify::Rejected>(&verdict)) {
       r["verdict"] = "rejected";

@@ -1,0 +1,24 @@
+#pragma once
+// What a formula for a family says about one of its members.
+
+#include "exact/truth.hpp"
+#include "galois/group.hpp"
+
+#include <optional>
+#include <string>
+
+namespace kov {
+
+/// The group by a closed formula; nothing here was found by a search.
+struct ClosedAnswer {
+  std::optional<GaloisGroup> group; ///< unset: the formula does not tell it (see reason)
+  Truth abelian = Truth::unknown;   ///< is the identity component abelian?
+  std::string reason;
+
+  [[nodiscard]] static ClosedAnswer of(GaloisGroup g, std::string reason) {
+    const Truth abelian = truth(is_abelian(identity_component(g)));
+    return {std::move(g), abelian, std::move(reason)};
+  }
+};
+
+} // namespace kov

@@ -1,0 +1,58 @@
+#pragma once
+// Which Riemann equations with three places have a finite primitive group: the table of Schwarz
+// (1873) and Kimura (1969), computed from the three polyhedral groups.
+//
+// An irreducible equation with exponent differences (l, m, n) has local monodromies with traces
+// -2 cos(pi l), ..., and an irreducible pair of matrices of SL(2) is determined up to conjugation
+// by the traces of A, B and AB.  So the group is A4, S4 or A5 exactly when the triple of traces
+// occurs in that group.  A class is an orbit of triples under permutations, signs and integer
+// shifts of even sum; all this does not change the group up to the scalars -1, which every one of
+// them has.
+//
+// Source  [Kimura1969]; proof in docs/theory/kimura.md
+
+#include "exact/integer.hpp"
+#include "galois/group.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+using ExponentTriple = std::array<Rational, 3>;
+
+/// One row of the table.
+struct SchwarzClass {
+  ExponentTriple exponents; ///< the member of least sum in [0, 1]^3, descending
+  bool even = true;         ///< integer shifts must have even sum; false: any shift
+  GroupType group = GroupType::A5;
+};
+
+/// The rows, sorted by group, then by exponents.  Made once.
+[[nodiscard]] const std::vector<SchwarzClass>& schwarz_classes();
+
+/// The row of a triple of rational exponent differences; null if there is none.
+/// Requires  an irreducible equation (a row's triples are irreducible by themselves)
+[[nodiscard]] const SchwarzClass* schwarz_class(const ExponentTriple& exponents);
+
+/// q modulo 2 and sign, in [0, 1].
+[[nodiscard]] Rational folded(const Rational& q);
+
+/// All nu for which one set of exponent differences has an abelian identity component: nu = +-nu0
+/// modulo 1 or 2.
+struct ExponentClass {
+  Rational nu0;     ///< in [0, 1/2] (modulus 1) or [0, 1] (modulus 2)
+  long modulus = 1; ///< nu = +-nu0 + modulus * p, p any integer
+  std::string reason;
+};
+struct ThirdExponents {
+  bool all = false; ///< every nu, rational or not
+  std::vector<ExponentClass> classes;
+};
+/// The third exponents nu (complex numbers, up to sign) for which the equation with rational
+/// exponent differences l, m, nu has an abelian identity component: the closed answer in families.
+[[nodiscard]] ThirdExponents abelian_third_exponents(const Rational& l, const Rational& m);
+
+} // namespace kov

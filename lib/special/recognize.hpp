@@ -1,0 +1,47 @@
+#pragma once
+// Is y'' = r y a classical equation, up to a Moebius map of z (a gauge y = u sqrt(M') belongs to
+// it)?
+//
+//   places                                        family
+//   none                                          constant, Airy, Weber, polynomial (one irregular
+//   place) two regular                                   Euler three regular Riemann four regular,
+//   three of them with Delta = 1/2  Lame: the fourth one goes to infinity, the sum of
+//                                                 the others to 0, without splitting them
+//   four regular                                  Heun
+//   one irregular of order 4, one regular         Whittaker, Bessel
+//   one of order 3, one regular                   Bessel in sqrt(x)
+//
+// What is recognised is proved: the canonical equation is computed from the parameters and compared
+// with the transformed r exactly.
+//
+// Source  THEORY 7.2; docs/theory/recognition.md
+
+#include "linode/singularities.hpp"
+#include "special/closed_answer.hpp"
+#include "special/moebius.hpp"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kov {
+
+struct Recognized {
+  std::string family;   ///< "Lame", "Riemann", "Euler", "Heun", "Whittaker", "Bessel", "Weber", ...
+  std::string equation; ///< the canonical form, in x: "y'' = (1/4 - k/x + (m^2-1/4)/x^2) y"
+  /// Names and exact values, in the order of the canonical form: n, B, g2, g3.
+  std::vector<std::pair<std::string, std::string>> parameters;
+  std::optional<Moebius> z_of_x; ///< unset where the places are conjugate and no map is needed
+  std::optional<ClosedAnswer> answer;
+};
+
+/// Nothing for other equations.  Requires r != 0.
+/// Cost  a few operations with polynomials of degree <= 8; larger denominators are not looked at
+[[nodiscard]] std::optional<Recognized> recognize(const Singularities& s,
+                                                  const Budget& budget = {});
+/// The same from r; also for r = 0 (nothing is recognised).
+[[nodiscard]] std::optional<Recognized> recognize(const RationalFunction& r,
+                                                  const Budget& budget = {});
+
+} // namespace kov
