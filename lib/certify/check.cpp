@@ -18,7 +18,8 @@ struct Failure { // what check() reports
 
 class Run {
 public:
-  explicit Run(const Certificate& c) : c_(c), judge_{c.field, {c.num, c.den}} {}
+  explicit Run(const Certificate& c)
+      : c_(c), judge_{.field = c.field, .equation = {c.num, c.den}} {}
 
   Accepted operator()() {
     need_header();
