@@ -47,7 +47,13 @@ Rational root_bound(const Poly& chi) {
   need(k < 4096, "the annihilator is too large");
   while (k > -64 && holds(power_of_two(k - 1)))
     --k;
-  return power_of_two(k);
+  Rational low = power_of_two(k - 1);
+  Rational high = power_of_two(k);
+  for (int i = 0; i < 8; ++i) {
+    const Rational mid = (low + high) / Rational(2);
+    (holds(mid) ? high : low) = mid;
+  }
+  return high;
 }
 
 } // namespace kov::certify
