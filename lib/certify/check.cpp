@@ -127,7 +127,8 @@ private:
 
   void need_claim() const {
     const Claim& k = c_.claim;
-    need(k.group || k.n || k.component || k.abelian, "nothing is claimed");
+    need(k.group || k.component || k.abelian, "nothing is claimed");
+    need(k.group || !k.n, "n belongs to a group");
     static const std::map<std::string, std::string> components = {
         {"SL2", "SL2"},        {"Borel", "Borel"}, {"T", "Ga"},      {"Gm", "Gm"},
         {"cyclic", "trivial"}, {"Dinf", "Gm"},     {"D", "trivial"}, {"A4", "trivial"},

@@ -52,7 +52,7 @@ void evaluate_square(InvariantFact& x, const Poly& S, const std::vector<Poly>& T
 InvariantFact check_invariant(const Judge& j, const Invariant& data) {
   need_well_formed(data);
   auto [S, theta] = log_derivative(data.factors, 0, data.factors.size());
-  if (degree(S) > 0) need_squarefree(S, j.reduced(data.prime));
+  need_squarefree(S, j.reduced(data.prime));
   if (!divides(j.equation.den, S * S)) {
     S *= j.equation.den;
     theta *= j.equation.den;

@@ -236,8 +236,7 @@ LocalFact check_local(const Judge& j, const Local& data) {
     powers.push_back(pow(e.q, static_cast<unsigned long>(e.order)));
   }
   need(product(powers, 0, powers.size()) == j.equation.den, "the product of the places is not den");
-  if (!bases.empty())
-    need_squarefree(product(bases, 0, bases.size()), j.reduced(data.prime), &j.equation.num);
+  need_squarefree(product(bases, 0, bases.size()), j.reduced(data.prime), &j.equation.num);
   ExponentTest test(j);
   LocalFact local{{}, check_infinity(j, data)};
   for (const LocalPlace& e : data.places)
