@@ -42,14 +42,8 @@ private:
     if (c_.field->is_rational()) return;
     Poly m;
     long i = 0;
-    Integer size;
-    for (const Integer& a : c_.field->minpoly_coefficients()) {
-      size += a * a;
+    for (const Integer& a : c_.field->minpoly_coefficients())
       m.set_coeff(i++, NfElem(Rational(a)));
-    }
-    // the Python checker factors modulo a prime of at most 80 bits
-    need(fmpz_bits(size.raw()) / 2 + static_cast<std::size_t>(i) < 76,
-         "the minimal polynomial is too large");
     const auto factors = irreducible_factors(m);
     need(factors.size() == 1 && factors[0].exponent == 1, "the minimal polynomial is reducible");
   }

@@ -303,8 +303,13 @@ Field read_field(const Node& n) {
   const std::string name = k.at("name").text();
   const Node minpoly = k.at("minpoly");
   std::vector<Integer> m;
-  for (const Node& c : minpoly.items())
+  Integer squares;
+  for (const Node& c : minpoly.items()) {
     m.push_back(c.integer());
+    squares += m.back() * m.back();
+    if (fmpz_bits(squares.raw()) / 2 + m.size() >= 76)
+      minpoly.fail("the coefficients are too large");
+  }
   k.done();
   if (m.size() < 2 || m.size() > 25 || m.back() != Integer(1) || (m.size() == 2 && !is_zero(m[0])))
     minpoly.fail("a monic polynomial of degree 1 (z itself) to 24 is expected");

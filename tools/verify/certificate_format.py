@@ -3,11 +3,13 @@
 A schema says what each key holds; '?' marks optional keys; 'by' chooses a variant."""
 import json
 import re
+import sys
 from fractions import Fraction
 from math import lcm
 
 from exact import K, Poly
 
+getattr(sys, "set_int_max_str_digits", lambda n: None)(0)
 LENGTH, BULK = 200001, 4 * 10**9            # coefficients of a polynomial; the same times the bits of the largest
 
 

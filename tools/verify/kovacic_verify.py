@@ -623,7 +623,6 @@ def main(args):
     if not names:
         print(__doc__, file=sys.stderr)
         return 2
-    getattr(sys, "set_int_max_str_digits", lambda n: None)(0)
     try:
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (2**32, resource.getrlimit(resource.RLIMIT_AS)[1]))
