@@ -15,9 +15,10 @@ double wrapped(double angle) { return std::remainder(angle, 2 * pi_of(0.0)); }
 class SectionMap {
 public:
   explicit SectionMap(const Scene& s)
-      : plain_(s.body<double>()), plain_levels_(s.levels<double>()), body_(dual_body(plain_)),
-        levels_{Dual<double>(plain_levels_.energy), Dual<double>(plain_levels_.length),
-                Dual<double>(plain_levels_.casimir)},
+      : plain_(s.body<double>()), plain_levels_(s.levels<double>()),
+        body_(dual_body(plain_)), levels_{Dual<double>(plain_levels_.energy),
+                                          Dual<double>(plain_levels_.length),
+                                          Dual<double>(plain_levels_.casimir)},
         rule_(s.section), effects_(effects_of(plain_)) {}
 
   [[nodiscard]] std::optional<double> size_at(double l, double y) const {
@@ -43,9 +44,10 @@ public:
         b[k] = s[k].v * power;
       Root<double> roots[8];
       int tangencies = 0;
-      const int n = sign_changes(b, order, 1e-15, above, rule_.falling, rule_.rising, roots, 8, tangencies);
+      const int n =
+          sign_changes(b, order, 1e-15, above, rule_.falling, rule_.rising, roots, 8, tangencies);
       for (int i = 0; i < n; ++i) {
-        const auto image = land(jet, s, roots[i].x * h);
+        const auto image = land(jet, s, roots[i].x * h, l);
         if (image) return SectionImage<double>{image->l, image->y, time + roots[i].x * h};
       }
       x = jet.at(Dual<double>(h), order);
@@ -77,8 +79,8 @@ private:
   }
 
   // On the section with the wanted side; the time of arrival depends on the start too.
-  [[nodiscard]] std::optional<SectionImage<double>> land(const VariationalJet<double>& jet,
-                                                         const Dual<double>* s, double t) const {
+  [[nodiscard]] std::optional<SectionImage<double>>
+  land(const VariationalJet<double>& jet, const Dual<double>* s, double t, double about) const {
     double rate = 0, power = 1;
     Dual<double> value;
     for (int k = 0; k <= order; ++k) {
@@ -90,7 +92,7 @@ private:
     const State<Dual<double>> x = jet.at(arrival, order);
     if ((section_functions(body_, x, rule_.axis).c.v > 0) != (rule_.side > 0)) return std::nullopt;
     SectionImage<double> out;
-    chart(body_, x, rule_.axis, out.l, out.y);
+    chart(body_, x, rule_.axis, Dual<double>(about), out.l, out.y);
     return out;
   }
 };
@@ -100,7 +102,8 @@ struct Place {
 };
 
 // Newton's method for P(u) = u, with steps of at most 0.2.
-// Where DP - 1 is singular the fixed points are not isolated (or a bifurcation is near): `along_a_curve`.
+// Where DP - 1 is singular the fixed points are not isolated (or a bifurcation is near):
+// `along_a_curve`.
 std::optional<FixedPoint> newton(const SectionMap& map, Place u, bool& along_a_curve) {
   along_a_curve = false;
   for (int i = 0; i < 30; ++i) {
@@ -182,6 +185,8 @@ public:
     for (int i = 0; i < o_.columns; ++i)
       for (int k = 0; k < o_.rows; ++k)
         look(i, k);
+    for (std::size_t i = 0; i < found_.points.size(); ++i) // grows meanwhile
+      look_at_mirror_images(found_.points[i]);
     std::sort(found_.points.begin(), found_.points.end(), [](const auto& a, const auto& b) {
       return std::abs(a.l - b.l) > 1e-9 ? a.l < b.l : a.y < b.y;
     });
@@ -194,10 +199,11 @@ private:
   Displacements d_;
   FixedPoints found_;
 
-  // Away from the lines of symmetry, where the fixed points like to be.
+  // Away from the lines of symmetry, where the fixed points like to be; rows at equal latitudes
+  // asin(L/G).
   [[nodiscard]] Place place(double i, double k) const {
     return {2 * pi_of(0.0) * (i + 0.381966) / o_.columns,
-            o_.edge * (-1 + 2 * (k + 0.4142) / o_.rows)};
+            std::sin(pi_of(0.0) * (-0.5 + (k + 0.4142) / o_.rows))};
   }
   void displacements() {
     for (int i = 0; i < o_.columns; ++i)
@@ -217,6 +223,14 @@ private:
     classify(full);
     found_.points.push_back(full);
     return true;
+  }
+  // Many bodies have symmetries that turn or mirror the section: a good guess for the partners, no more.
+  void look_at_mirror_images(FixedPoint f) {
+    bool curve = false;
+    const double pi = pi_of(0.0);
+    for (const double l : {f.l, -f.l, f.l + pi, pi - f.l})
+      for (const double y : {f.y, -f.y})
+        keep(newton(map_, {l, y}, curve));
   }
   void look(int i, int k) {
     const int index = k + 1 < o_.rows ? index_of(d_, i, k) : 0;
@@ -255,7 +269,10 @@ FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options) {
   FixedPoints found = Search(scene, options).run();
   if (options.prove)
     for (FixedPoint& f : found.points) {
-      f = prove_fixed_point(scene, f, options.bits);
+      const FixedPoint guess = f;
+      f = prove_fixed_point(scene, guess, options.bits);
+      if (f.proved && f.trace_error > 1e-9) // where the enclosures grow fast
+        f = prove_fixed_point(scene, guess, options.bits * 3 / 2);
       classify(f);
     }
   return found;

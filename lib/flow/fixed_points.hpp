@@ -1,18 +1,22 @@
 #pragma once
-// Fixed points of the section map: periodic orbits that meet the section once, with their stability.
+// Fixed points of the section map: periodic orbits that meet the section once, with their
+// stability.
 //
-// Search (double): the displacement P(u) - u of the section map, u = (l, L/G), on a grid; Newton from every
-// cell around whose border the displacement turns (its index is not 0), and from every grid point that moves
-// little.  DP comes from the variational equations (dual numbers through the Taylor kernels).
+// Search (double): the displacement P(u) - u of the section map, u = (l, L/G), on a grid; Newton
+// from every cell around whose border the displacement turns (its index is not 0), and from every
+// grid point that moves little.  DP comes from the variational equations (dual numbers through the
+// Taylor kernels).
 //
-// Proof (balls): integration with enclosures, i.e. Taylor polynomials whose remainder is the next coefficient
-// over a box that provably contains the orbit during the step (Picard), of the orbit and its derivatives with
-// respect to u; then Krawczyk's test [Krawczyk1969] on a box U around the point:
+// Proof (balls): integration with enclosures, i.e. Taylor polynomials whose remainder is the next
+// coefficient over a box that provably contains the orbit during the step, of the orbit and its
+// derivatives with respect to u; then Krawczyk's test [Krawczyk1969] on a box U around the point:
 //   u0 - C (P(u0) - u0) + (1 - C (DP(U) - 1)) (U - u0)  inside U
-// proves that U contains exactly one fixed point.  Enclosures of naive interval arithmetic widen by e^(L t);
-// with 256 bits and one turn there is room for that, so that nothing cleverer is needed.
-// On the way every step proves that it makes no other crossing in the wanted direction: the period is one turn.
-// For a symplectic map det DP = 1: elliptic if |tr DP| < 2, hyperbolic if tr DP > 2, inverse hyperbolic < -2.
+// proves that U contains exactly one fixed point.  Enclosures of naive interval arithmetic widen by
+// e^(L t); with 128 bits and one turn there is room for that, so that nothing cleverer is needed.
+// G is not a coordinate of the section: that the orbit returns with the same G, and not to another
+// sheet of the level, is proved apart, by dH/dG != 0 between the two. On the way every step proves
+// that it makes no other crossing in the wanted direction: the period is one turn. For a symplectic
+// map det DP = 1: elliptic if |tr DP| < 2, hyperbolic if tr DP > 2, inverse hyperbolic < -2.
 
 #include "flow/scene.hpp"
 
@@ -26,12 +30,13 @@ enum class Stability : unsigned char { elliptic, hyperbolic, inverse_hyperbolic,
 [[nodiscard]] std::string to_string(Stability s);
 
 struct FixedPoint {
-  double l = 0, y = 0;   ///< radian; L/G
-  double g_size = 0;     ///< G
-  double period = 0;     ///< time
-  double trace = 0;      ///< of DP
+  double l = 0, y = 0; ///< radian; L/G
+  double g_size = 0;   ///< G
+  double period = 0;   ///< time
+  double trace = 0;    ///< of DP
   double determinant = 1;
-  std::array<double, 2> multiplier{}; ///< of larger modulus, or with imaginary part > 0: real, imaginary part
+  std::array<double, 2>
+      multiplier{}; ///< of larger modulus, or with imaginary part > 0: real, imaginary part
   Stability stability = Stability::elliptic; ///< parabolic: |tr| = 2 to within the error
   // Proved bounds; `proved` is false when the test failed and `why` then says where.
   bool proved = false;
@@ -41,23 +46,25 @@ struct FixedPoint {
 };
 
 struct FixedPointOptions {
-  int columns = 48, rows = 40; ///< of the grid of the search
-  double edge = 0.97;          ///< the grid covers |L/G| < edge: beyond it the chart degenerates
+  int columns = 48, rows = 40; ///< of the grid of the search; rows at equal latitudes asin(L/G)
   bool prove = true;
-  long bits = 256; ///< of the proof
+  long bits = 128; ///< of the proof
 };
 
 /// What the search found, sorted by l, then by L/G.
 ///
-/// Caveat    each point with `proved` exists; that there are no others is not proved: a cell of the grid may
-///           hide a pair of points of opposite index.  `index_sum` is the sum of the indices of the cells
-///           that are not 0; it equals (elliptic + inverse hyperbolic) - hyperbolic if all were found.
+/// Caveat    each point with `proved` exists; that there are no others is not proved: a cell of the
+/// grid may
+///           hide a pair of points of opposite index.  `index_sum` is the sum of the indices of the
+///           cells that are not 0; it equals (elliptic + inverse hyperbolic) - hyperbolic if all
+///           were found.
 struct FixedPoints {
   std::vector<FixedPoint> points;
   int index_sum = 0;
   int unexplained_cells = 0; ///< cells with an index where Newton found nothing
-  int curve_cells = 0;       ///< cells from which Newton ran into a curve of fixed points (1 is an eigenvalue of DP)
-  bool degenerate = false;   ///< more than half of the grid's points are (nearly) fixed
+  int curve_cells =
+      0; ///< cells from which Newton ran into a curve of fixed points (1 is an eigenvalue of DP)
+  bool degenerate = false; ///< more than half of the grid's points are (nearly) fixed
 };
 [[nodiscard]] FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options = {});
 

@@ -1,4 +1,5 @@
-// Krawczyk's test for a fixed point of the section map, with enclosures all the way; see fixed_points.hpp.
+// Krawczyk's test for a fixed point of the section map, with enclosures all the way; see
+// fixed_points.hpp.
 
 #include "flow/enclosure.hpp"
 #include "flow/quantity.hpp"
@@ -31,7 +32,8 @@ struct NotProved {
   std::string why;
 };
 
-template <class F> State<DualBall> each(const State<DualBall>& a, const State<DualBall>& b, const F& f) {
+template <class F>
+State<DualBall> each(const State<DualBall>& a, const State<DualBall>& b, const F& f) {
   State<DualBall> r;
   for (int i = 0; i < 3; ++i) {
     r.omega[i] = f(a.omega[i], b.omega[i]);
@@ -40,71 +42,73 @@ template <class F> State<DualBall> each(const State<DualBall>& a, const State<Du
   return r;
 }
 
-DualBall widened(const DualBall& x, const Enclosure& part) {
-  const auto grow = [&](const Enclosure& e) {
-    Enclosure r(e.radius());
-    return e.widened(r * part);
-  };
-  return {grow(x.v), grow(x.d[0]), grow(x.d[1])};
+// An upper bound of |x|.
+double magnitude(const Enclosure& x) {
+  return (std::abs(static_cast<double>(x)) + x.radius()) * (1 + 1e-15);
 }
 
-bool inside(const DualBall& a, const DualBall& b) {
-  const auto in = [](const Enclosure& x, const Enclosure& y) {
-    return x.inside(y) || (x.radius() == 0 && y.radius() == 0 && x == y);
-  };
-  return in(a.v, b.v) && in(a.d[0], b.d[0]) && in(a.d[1], b.d[1]);
-}
-
-bool inside(const State<DualBall>& a, const State<DualBall>& b) {
-  bool all = true;
+double magnitude(const State<DualBall>& x) {
+  double most = 0;
   for (int i = 0; i < 3; ++i)
-    all = all && inside(a.omega[i], b.omega[i]) && inside(a.gamma[i], b.gamma[i]);
-  return all;
+    for (const DualBall* c : {&x.omega[i], &x.gamma[i]})
+      most = std::max({most, magnitude(c->v), magnitude(c->d[0]), magnitude(c->d[1])});
+  return most;
 }
 
 class ProvedMap {
 public:
-  ProvedMap(const Scene& s, int order)
-      : order_(order), rule_(s.section), plain_(s.body<Enclosure>()), body_(dual_body(plain_)),
-        levels_{DualBall(s.energy.as<Enclosure>()), DualBall(s.length.as<Enclosure>()),
-                DualBall(s.casimir.as<Enclosure>())},
-        jet_(body_, effects_of(s.body<double>()), order), box_jet_(body_, effects_of(s.body<double>()), order + 1) {}
+  explicit ProvedMap(const Scene& s)
+      : rule_(s.section), plain_(s.body<Enclosure>()),
+        body_(dual_body(plain_)), levels_{DualBall(s.energy.as<Enclosure>()),
+                                          DualBall(s.length.as<Enclosure>()),
+                                          DualBall(s.casimir.as<Enclosure>())},
+        jet_(body_, effects_of(s.body<double>()), order_),
+        box_jet_(body_, effects_of(s.body<double>()), order_ + 1) {}
 
   /// P and DP over the box (l, y); G near `size`.
   SectionImage<Enclosure> operator()(const Enclosure& l, const Enclosure& y, double size) {
     start_size_ = enclose_size(l, y, size);
+    about_ = l.middle();
     State<DualBall> x = lifted(body_, levels_, rule_, l, y, start_size_);
     Enclosure time(0);
     bool leaving = true; // the section, on which the orbit starts
-    double h = 0.02;
-    for (int step = 0; step < 100000; ++step) {
+    double h = 0.1;
+    for (int step = 0; step < most_steps; ++step) {
       jet_.expand(x, order_);
-      const State<DualBall> end = advance(x, h);
-      const Verdict v = look(x, end, leaving);
-      if (v == Verdict::retry) {
+      Verdict v = Verdict::retry;
+      State<DualBall> end;
+      while (v == Verdict::retry) {
+        end = advance(h);
+        v = look(x, end, leaving);
+        if (v != Verdict::retry) break;
         if (h < 1e-6) throw NotProved{"a crossing could not be separated from the end of a step"};
         h *= 0.61803;
-        continue;
       }
       if (v == Verdict::lands) return land(h, time);
       x = end;
       time += Enclosure(h);
-      h = std::min(h * 1.5, 0.1);
+      h *= room_;
     }
-    throw NotProved{"the orbit did not return"};
+    throw NotProved{"the orbit did not return within " + std::to_string(most_steps) + " steps"};
   }
 
 private:
+  static constexpr int most_steps = 3000;
   enum class Verdict : unsigned char { goes_on, lands, retry };
-  int order_;
+  // A step's remainder is kept below 2^(-5/8 bits): the other bits are for the growth of the
+  // enclosures.
+  double tolerance_ = std::exp2(-0.625 * static_cast<double>(Enclosure::bits()));
+  int order_ = static_cast<int>(Enclosure::bits()) / 5 + 4;
   SectionRule rule_;
   Body<Enclosure> plain_;
   Body<DualBall> body_;
   Levels<DualBall> levels_;
   VariationalJet<Enclosure> jet_, box_jet_;
   Enclosure start_size_; // G
+  Enclosure about_;      // l
   State<DualBall> box_;  // contains the orbit during the step
   State<DualBall> last_; // coefficient order + 1 over the box
+  double room_ = 1;      // how much longer than this step the next one may be
 
   // Interval Newton for H(l, y, G) = h.
   Enclosure enclose_size(const Enclosure& l, const Enclosure& y, double guess) const {
@@ -125,46 +129,31 @@ private:
     throw NotProved{"G could not be enclosed"};
   }
 
-  // Picard: x + [0, h] f(B) inside B; then the Taylor polynomial with its remainder.  May shorten h.
-  State<DualBall> advance(const State<DualBall>& x, double& h) {
-    for (int attempt = 0; attempt < 60; ++attempt, h *= 0.7) {
-      if (!contain(x, h)) continue;
+  // One step from jet_'s point; may shorten h.  Let B be the Taylor polynomial over [0, h], widened
+  // by epsilon, and R an enclosure of the coefficient order + 1 over B.  If h^(order + 1) |R| <
+  // epsilon then the orbit stays in B during the step: as long as it does, it differs from the
+  // polynomial by at most h^(order + 1) |R|, so that it cannot reach the border of B
+  // [CorlissRihm1996].  The same for its derivatives, which solve an equation too.
+  State<DualBall> advance(double& h) {
+    const Enclosure epsilon(tolerance_);
+    const auto wider = [&](const DualBall& a, const DualBall&) {
+      return DualBall(a.v.widened(epsilon), a.d[0].widened(epsilon), a.d[1].widened(epsilon));
+    };
+    for (int attempt = 0; attempt < 60; ++attempt) {
+      const State<DualBall> over = jet_.at(DualBall(Enclosure::between(0, h)), order_);
+      box_ = each(over, over, wider);
       box_jet_.expand(box_, order_ + 1);
       last_ = box_jet_.coefficient(order_ + 1);
-      const Enclosure reach = power(Enclosure(h), order_ + 1);
-      double worst = 0;
-      for (int i = 0; i < 3; ++i)
-        for (const DualBall* c : {&last_.omega[i], &last_.gamma[i]})
-          for (const Enclosure* e : {&c->v, &c->d[0], &c->d[1]})
-            worst = std::max(worst, std::abs(static_cast<double>(*e * reach)) + (*e * reach).radius());
-      if (!(worst < std::ldexp(1.0, static_cast<int>(-Enclosure::bits() / 2)))) continue;
-      return at(Enclosure(h));
+      const double rest = magnitude(last_) * magnitude(power(Enclosure(h), order_ + 1));
+      const double scale =
+          std::isfinite(rest) ? std::pow(tolerance_ / (rest + 1e-290), 1.0 / (order_ + 1)) : 0.5;
+      if (rest < tolerance_) {
+        room_ = std::clamp(0.95 * scale, 0.5, 1.5);
+        return at(Enclosure(h));
+      }
+      h *= std::clamp(0.9 * scale, 0.3, 0.9);
     }
     throw NotProved{"the orbit could not be contained in a box"};
-  }
-
-  bool contain(const State<DualBall>& x, double h) {
-    const DualBall span(Enclosure::between(0, h));
-    const auto one_step = [&](const State<DualBall>& f) {
-      return each(x, f, [&](const DualBall& a, const DualBall& b) { return a + span * b; });
-    };
-    const auto grown = [](const State<DualBall>& s) {
-      return each(s, s, [](const DualBall& a, const DualBall&) { return widened(a, Enclosure(0.25)); });
-    };
-    box_ = grown(one_step(jet_.coefficient(1)));
-    for (int i = 0; i < 12; ++i) {
-      box_jet_.expand(box_, 1);
-      const State<DualBall> image = one_step(box_jet_.coefficient(1));
-      if (inside(image, box_)) {
-        box_ = image; // also contains the orbit
-        return true;
-      }
-      box_ = grown(each(image, box_, [](const DualBall& a, const DualBall& b) {
-        return DualBall(Enclosure::hull(a.v, b.v), Enclosure::hull(a.d[0], b.d[0]),
-                        Enclosure::hull(a.d[1], b.d[1]));
-      }));
-    }
-    return false;
   }
 
   static Enclosure power(const Enclosure& x, int n) {
@@ -204,8 +193,12 @@ private:
     if (leaving) return Verdict::goes_on; // S = 0 at the start and monotone since
     const Enclosure s0 = section_functions(body_, from, rule_.axis).s.v,
                     s1 = section_functions(body_, to, rule_.axis).s.v;
-    const auto before = [&](const Enclosure& s) { return way < 0 ? s.is_positive() : s.is_negative(); };
-    const auto after = [&](const Enclosure& s) { return way < 0 ? s.is_negative() : s.is_positive(); };
+    const auto before = [&](const Enclosure& s) {
+      return way < 0 ? s.is_positive() : s.is_negative();
+    };
+    const auto after = [&](const Enclosure& s) {
+      return way < 0 ? s.is_negative() : s.is_positive();
+    };
     if (before(s0) && after(s1)) return sided(over.c.v) ? Verdict::lands : Verdict::retry;
     if (before(s0) && before(s1)) return Verdict::goes_on;
     if (after(s0) && after(s1)) return Verdict::goes_on;
@@ -241,13 +234,14 @@ private:
       return DualBall(a.v, a.d[0] - f.v * s.d[0] / rate, a.d[1] - f.v * s.d[1] / rate);
     });
     SectionImage<Enclosure> out;
-    chart(body_, x, rule_.axis, out.l, out.y);
+    chart(body_, x, rule_.axis, DualBall(about_), out.l, out.y);
     out.time = before + t;
     same_sheet(x, out);
     return out;
   }
 
-  // (l, L/G) determines G only locally: no second solution of H = h between the G of start and arrival.
+  // (l, L/G) determines G only locally: no second solution of H = h between the G of start and
+  // arrival.
   void same_sheet(const State<DualBall>& x, const SectionImage<Enclosure>& p) const {
     const Vec<DualBall> n = minus(momentum(body_, x), body_.gyrostat);
     const Enclosure both = Enclosure::hull(start_size_, sqrt(dot(n, n)).v);
@@ -256,67 +250,79 @@ private:
   }
 };
 
-// l - l0 without the turns in between.
-Enclosure angle(const Enclosure& difference) {
-  const double turns = std::round(static_cast<double>(difference) / (2 * pi_of(0.0)));
-  return difference - Enclosure(turns * 2) * pi_of(Enclosure());
-}
-
-struct Newton {
-  Enclosure l, y;
+// The middle of (DP - 1)^-1: exact numbers, so that the test below may use it as if it were the
+// inverse.
+struct Inverse {
+  Enclosure a, b, c, d;
+  explicit Inverse(const SectionImage<Enclosure>& p) {
+    const Enclosure m = (p.l.d[0] - Enclosure(1)).middle(), n = p.l.d[1].middle(),
+                    o = p.y.d[0].middle(), q = (p.y.d[1] - Enclosure(1)).middle();
+    const Enclosure det = m * q - n * o;
+    a = (q / det).middle();
+    b = (-n / det).middle();
+    c = (-o / det).middle();
+    d = (m / det).middle();
+  }
 };
 
-// -(DP - 1)^-1 (P(u) - u) in the middles.
-Newton correction(const SectionImage<Enclosure>& p, const Enclosure& l, const Enclosure& y) {
-  const Enclosure fl = angle(p.l.v - l).middle(), fy = (p.y.v - y).middle();
-  const Enclosure a = (p.l.d[0] - Enclosure(1)).middle(), b = p.l.d[1].middle(), c = p.y.d[0].middle(),
-                  d = (p.y.d[1] - Enclosure(1)).middle();
-  const Enclosure det = (a * d - b * c).middle();
-  return {((b * fy - d * fl) / det).middle(), ((c * fl - a * fy) / det).middle()};
+// A place and what the map makes of it.
+struct Candidate {
+  Enclosure l, y; // exact
+  SectionImage<Enclosure> image;
+  double size;     // G
+  double left = 0; // of the last correction, with its radius
+};
+
+// Newton's method in the middles, until the enclosures' radius is reached.
+Candidate refined(const FixedPoint& f, ProvedMap& map) {
+  Candidate u{Enclosure(f.l), Enclosure(f.y), {}, f.g_size};
+  for (int i = 0; i < 8; ++i) {
+    u.image = map(u.l, u.y, u.size);
+    const Inverse inverse(u.image);
+    const Enclosure fl = u.image.l.v - u.l, fy = u.image.y.v - u.y;
+    const Enclosure dl = inverse.a * fl + inverse.b * fy, dy = inverse.c * fl + inverse.d * fy;
+    u.left = std::max(magnitude(dl), magnitude(dy));
+    if (!(u.left < 1e-3))
+      throw NotProved{"Newton's method left the point that the search had found"};
+    if (u.left <= 16 * std::max(dl.radius(), dy.radius())) return u;
+    u.l = (u.l - dl).middle();
+    u.y = (u.y - dy).middle();
+  }
+  u.image = map(u.l, u.y, u.size);
+  return u;
 }
 
+// K = u - C (P(u) - u) + (1 - C (DP(U) - 1)) (U - u); true if K lies inside U.
+bool contracts(const Candidate& u, const SectionImage<Enclosure>& over, const Enclosure& radius,
+               Enclosure& kl, Enclosure& ky) {
+  const Inverse inv(u.image);
+  const Enclosure fl = u.image.l.v - u.l, fy = u.image.y.v - u.y, one(1);
+  const Enclosure m = over.l.d[0] - one, n = over.l.d[1], o = over.y.d[0], q = over.y.d[1] - one;
+  const Enclosure ball = Enclosure(0).widened(radius);
+  kl = u.l - (inv.a * fl + inv.b * fy) + (one - (inv.a * m + inv.b * o)) * ball -
+       (inv.a * n + inv.b * q) * ball;
+  ky = u.y - (inv.c * fl + inv.d * fy) - (inv.c * m + inv.d * o) * ball +
+       (one - (inv.c * n + inv.d * q)) * ball;
+  return kl.inside(u.l.widened(radius)) && ky.inside(u.y.widened(radius));
+}
+
+// A bound of |x - shown|.
+double error_of(const Enclosure& x, double shown) { return magnitude(x - Enclosure(shown)); }
+
 void krawczyk(FixedPoint& f, ProvedMap& map) {
-  Enclosure l(f.l), y(f.y);
-  SectionImage<Enclosure> p = map(l, y, f.g_size);
-  double move = 1;
-  for (int i = 0; i < 6 && move > 1e-45; ++i) {
-    const Newton n = correction(p, l, y);
-    l = (l + n.l).middle();
-    y = (y + n.y).middle();
-    move = std::max(std::abs(static_cast<double>(n.l)), std::abs(static_cast<double>(n.y)));
-    if (move > 1e-3) throw NotProved{"Newton's method left the point that the search had found"};
-    p = map(l, y, f.g_size);
-  }
-  const Newton n = correction(p, l, y); // what is left, for the size of the box
-  const double left = std::max({std::abs(static_cast<double>(n.l)), std::abs(static_cast<double>(n.y)),
-                                p.l.v.radius(), p.y.v.radius()});
-  for (double radius = std::max(left * 1e3, 1e-60); radius < 1e-9; radius *= 1e4) {
-    const Enclosure r(radius), bl = l.widened(r), by = y.widened(r);
-    const SectionImage<Enclosure> over = map(bl, by, f.g_size);
-    const Enclosure a = (p.l.d[0] - Enclosure(1)).middle(), b = p.l.d[1].middle(),
-                    c = p.y.d[0].middle(), d = (p.y.d[1] - Enclosure(1)).middle();
-    const Enclosure det = (a * d - b * c).middle();
-    const Enclosure c00 = (d / det).middle(), c01 = (-b / det).middle(), c10 = (-c / det).middle(),
-                    c11 = (a / det).middle();
-    const Enclosure fl = angle(p.l.v - l), fy = p.y.v - y;
-    const Enclosure m00 = over.l.d[0] - Enclosure(1), m01 = over.l.d[1], m10 = over.y.d[0],
-                    m11 = over.y.d[1] - Enclosure(1);
-    const Enclosure zero = Enclosure(0).widened(r);
-    const Enclosure kl = l - (c00 * fl + c01 * fy) + (Enclosure(1) - (c00 * m00 + c01 * m10)) * zero -
-                         (c00 * m01 + c01 * m11) * zero;
-    const Enclosure ky = y - (c10 * fl + c11 * fy) - (c10 * m00 + c11 * m10) * zero +
-                         (Enclosure(1) - (c10 * m01 + c11 * m11)) * zero;
-    if (!kl.inside(bl) || !ky.inside(by)) continue;
+  const Candidate u = refined(f, map);
+  for (double r = std::max(u.left * 4, 1e-60); r < 1e-9; r *= 100) {
+    const Enclosure radius(r);
+    SectionImage<Enclosure> over = map(u.l.widened(radius), u.y.widened(radius), u.size);
+    Enclosure kl, ky;
+    if (!contracts(u, over, radius, kl, ky)) continue;
+    if (std::max(kl.radius(), ky.radius()) < r / 4) over = map(kl, ky, u.size); // the fixed point is in K
     const Enclosure trace = over.l.d[0] + over.y.d[1];
-    const auto bound = [](const Enclosure& x, double shown) {
-      const Enclosure e = x - Enclosure(shown);
-      return (std::abs(static_cast<double>(e)) + e.radius()) * (1 + 1e-12);
-    };
     f.l = static_cast<double>(kl);
     f.y = static_cast<double>(ky);
-    f.error = std::max(bound(kl, f.l), bound(ky, f.y));
+    f.error = std::max(error_of(kl, f.l), error_of(ky, f.y));
     f.trace = static_cast<double>(trace);
-    f.trace_error = bound(trace, f.trace);
+    f.trace_error = error_of(trace, f.trace);
     f.determinant = static_cast<double>(over.l.d[0] * over.y.d[1] - over.l.d[1] * over.y.d[0]);
     f.period = static_cast<double>(over.time);
     f.proved = true;
@@ -331,7 +337,7 @@ FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long b
   FixedPoint f = guess;
   const EnclosureScope scope(bits);
   try {
-    ProvedMap map(scene, 30);
+    ProvedMap map(scene);
     krawczyk(f, map);
   } catch (const NotProved& n) {
     f = guess;

@@ -1,6 +1,6 @@
 #pragma once
-// What the search and the proof of fixed points share: from (l, L/G) to a state on the level with its
-// derivatives, and back; the variational kernels.
+// What the search and the proof of fixed points share: from (l, L/G) to a state on the level with
+// its derivatives, and back; the variational kernels.
 
 #include "flow/andoyer.hpp"
 #include "flow/dual.hpp"
@@ -54,9 +54,7 @@ State<Dual<R>> lifted(const Body<Dual<R>>& b, const Levels<Dual<R>>& f, const Se
 }
 
 /// S and C (section_jets.hpp) of a state.
-template <class T> struct SectionFunctions {
-  T s, c;
-};
+template <class T> struct SectionFunctions { T s, c; };
 template <class T>
 SectionFunctions<T> section_functions(const Body<T>& b, const State<T>& x, int axis) {
   const Vec<T> n = minus(momentum(b, x), b.gyrostat);
@@ -65,12 +63,18 @@ SectionFunctions<T> section_functions(const Body<T>& b, const State<T>& x, int a
           n[k] * x.gamma[i] - n[i] * x.gamma[k]};
 }
 
-/// (l, L/G) of a state on the section, l in (-pi, pi].
-template <class T> void chart(const Body<T>& b, const State<T>& x, int axis, T& l, T& y) {
+/// (l, L/G) of a state on the section; l is the value in (about - pi, about + pi], so that no cut
+/// is near `about`.
+template <class T>
+void chart(const Body<T>& b, const State<T>& x, int axis, const T& about, T& l, T& y) {
   using std::atan2;
+  using std::cos;
+  using std::sin;
   using std::sqrt;
   const Vec<T> n = minus(momentum(b, x), b.gyrostat);
-  l = atan2(n[(axis + 1) % 3], n[(axis + 2) % 3]);
+  const T c = cos(about), s = sin(about);
+  const T &across = n[(axis + 1) % 3], &along = n[(axis + 2) % 3]; // ~ sin l, cos l
+  l = about + atan2(across * c - along * s, along * c + across * s);
   y = n[axis] / sqrt(dot(n, n));
 }
 

@@ -11,14 +11,14 @@ namespace {
 using namespace test;
 
 int count(const FixedPoints& f, Stability s) {
-  return static_cast<int>(
-      std::count_if(f.points.begin(), f.points.end(), [&](const auto& p) { return p.stability == s; }));
+  return static_cast<int>(std::count_if(f.points.begin(), f.points.end(),
+                                        [&](const auto& p) { return p.stability == s; }));
 }
 
-// The free top: G, the period 2 pi/(b G) and the trace 2 cosh(2 pi sqrt((b-a)(c-b))/b) are known exactly.
-// Open: the proof step says "the orbit may return on another sheet of the level" for this map; the
-// search for fixed points (issue of the Poincare sections) is not finished.
-TEST(FixedPoints, DISABLED_ClassicalTopWithoutGravityHasTwoOfEachKind) {
+// The free top: G, the period 2 pi/(b G) and the trace 2 cosh(2 pi sqrt((b-a)(c-b))/b) are known
+// exactly. The point at l = pi lies on the cut of the arctangent: its proof failed until the chart
+// was turned to the start.
+TEST(FixedPoints, ClassicalTopWithoutGravityHasTwoOfEachKind) {
   const Scene s = read_scene(scene_path("asymmetric_classical"));
   const FixedPoints f = fixed_points(s);
   ASSERT_EQ(f.points.size(), 4U);
@@ -41,29 +41,73 @@ TEST(FixedPoints, DISABLED_ClassicalTopWithoutGravityHasTwoOfEachKind) {
   }
 }
 
-// The paper on its first figure: four stable periodic orbits near (0, 0), (pi/2, 0), (pi, 0), (3 pi/2, 0) and four
-// unstable ones.  Proofs of all eight: kovacic section --fixed-points.
-TEST(FixedPoints, SlidingTopHasFourOfEachKind) {
+// The paper on its first figure: stable periodic orbits near (0, 0), (pi/2, 0), (pi, 0), (3 pi/2,
+// 0) and four unstable ones.  There are four more, stable, close to the poles L/G = +-1.  All are
+// proved, with their kind.
+TEST(FixedPoints, SlidingTopHasFourUnstableAndEightStable) {
   const Scene s = read_scene(scene_path("asymmetric_sliding"));
   FixedPointOptions o;
   o.prove = false;
-  o.columns = 32;
-  o.rows = 24;
+  o.columns = 24;
+  o.rows = 16;
   const FixedPoints f = fixed_points(s, o);
-  ASSERT_EQ(f.points.size(), 8U);
-  EXPECT_EQ(count(f, Stability::elliptic), 4);
-  EXPECT_EQ(count(f, Stability::hyperbolic), 4);
-  EXPECT_EQ(f.index_sum, 0);
+  ASSERT_EQ(f.points.size(), 12U);
+  std::vector<FixedPoint> equator;
   for (const FixedPoint& p : f.points) {
-    EXPECT_NEAR(p.determinant, 1, 1e-12); // the map preserves area
-    EXPECT_NEAR(p.y, 0, 1e-12);
+    EXPECT_NEAR(p.determinant, 1, 1e-11); // the map preserves area
+    if (std::abs(p.y) < 0.5) {
+      equator.push_back(p);
+    } else {
+      EXPECT_NEAR(std::abs(p.y), 0.994970, 1e-6);
+      EXPECT_EQ(p.stability, Stability::elliptic);
+    }
   }
-  EXPECT_NEAR(f.points[0].l, 1.153145467948, 1e-11);
-  EXPECT_NEAR(f.points[0].trace, 2.2910104609, 1e-9);
-  const FixedPoint proved = prove_fixed_point(s, f.points[1], 192);
-  EXPECT_TRUE(proved.proved) << proved.why;
-  EXPECT_LE(proved.error, 1e-15);
-  EXPECT_LE(proved.trace_error, 1e-13);
+  for (const std::size_t i : {0, 1, 2}) {
+    const FixedPoint p = prove_fixed_point(s, f.points[i], 112);
+    EXPECT_TRUE(p.proved) << p.why;
+    EXPECT_LE(p.error, 1e-15);
+    EXPECT_LE(p.trace_error, 1e-5);
+    EXPECT_EQ(p.stability, f.points[i].stability);
+  }
+  ASSERT_EQ(equator.size(), 8U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_NEAR(equator[i].y, 0, 1e-13);
+    EXPECT_EQ(equator[i].stability, i % 2 == 0 ? Stability::hyperbolic : Stability::elliptic) << i;
+  }
+  EXPECT_NEAR(equator[0].l, 1.153145467948, 1e-11);
+  EXPECT_NEAR(equator[0].trace, 2.2910104609, 1e-9);
+  EXPECT_NEAR(equator[1].l, M_PI / 2, 1e-13); // the stable ones: two exactly on the first axis,
+  EXPECT_NEAR(equator[3].l, M_PI, 0.02);      // two only near the second
+  EXPECT_NEAR(equator[7].l, 2 * M_PI, 0.02);
+}
+
+// The other code, without derivatives: an orbit from each fixed point comes back to it.
+TEST(FixedPoints, AnOrbitFromThereComesBack) {
+  Scene s = read_scene(scene_path("asymmetric_sliding"));
+  s.columns = s.rows = 0;
+  s.crossings = 3;
+  s.seeds = {{"1646273/10^6", "994970/10^6"}, {"1153145467948/10^12", "0"}, {"pi/2", "0"}};
+  for (const SectionPoint& p : simulate(s).points) {
+    EXPECT_NEAR(p.l, s.seeds[p.orbit].l.as<double>(), 1e-5);
+    EXPECT_NEAR(p.y, s.seeds[p.orbit].y.as<double>(), 1e-5);
+  }
+}
+
+// The turned map has the same proof wherever the section starts: each point of the
+// Goryachev-Chaplygin top.
+TEST(FixedPoints, PointsOnTheCutOfTheAngleAreProved) {
+  const Scene s = read_scene(scene_path("goryachev_classical"));
+  FixedPoint f;
+  f.l = M_PI;
+  f.y = 1.0 / 3;
+  const auto sizes = momentum_sizes(s.body<double>(), s.levels<double>(), s.section, f.l, f.y);
+  ASSERT_FALSE(sizes.empty());
+  f.g_size = sizes.back();
+  const FixedPoint p = prove_fixed_point(s, f, 128);
+  EXPECT_TRUE(p.proved) << p.why;
+  EXPECT_LE(p.error, 2e-16);
+  EXPECT_NEAR(p.y, 1.0 / 3, 1e-15);
+  EXPECT_LT(std::abs(p.trace) + p.trace_error, 2); // elliptic, proved
 }
 
 // What is no fixed point is not proved to be one.
