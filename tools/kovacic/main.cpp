@@ -59,7 +59,7 @@ struct CommandLine {
       command.add_option("--case", settings.only_case, "say whether this case of Kovacic's occurs")
           ->check(silent(CLI::IsMember({"1", "2", "3"})))
           ->type_name("1|2|3");
-      command.add_option("--method", settings.method, "kovacic, engines, or all (compare)")
+      command.add_option("--method", settings.method, "kovacic, engines, or all (compare, ask the judge)")
           ->check(silent(CLI::IsMember({"automatic", "kovacic", "engines", "all"})))
           ->type_name("M");
       command.add_option("--timeout", settings.timeout, "seconds for each equation; 0 = no limit")
@@ -77,7 +77,7 @@ struct CommandLine {
       command.add_flag("--trace", settings.trace, "show every step");
       command
           .add_option("--certificate", settings.certificate,
-                      "write the proof (batches: a directory)")
+                      "write the proof (check, --batch: a directory)")
           ->type_name("FILE");
       command.add_option("--format", settings.format, "text, json or tex")
           ->check(silent(CLI::IsMember({"text", "json", "tex"})))
