@@ -118,9 +118,9 @@ class Checker(unittest.TestCase):
         texts.append(json.dumps(one | {"r": {"num": [f"1/{10**9 + 7 + 2 * i}" for i in range(60000)], "den": ["1"]}}))
         texts.append(json.dumps(one | {"field": {"name": "a", "minpoly": ["7" * 150000] * 24 + ["1"]}}))
         for x in texts:
-            start = time.time()
+            start = time.process_time()
             self.assertIn(verdict(x), "rm", x[:200])
-            self.assertLess(time.time() - start, 20, x[:200])
+            self.assertLess(time.process_time() - start, 10, x[:200])
 
 
 class Arithmetic(unittest.TestCase):

@@ -59,7 +59,7 @@ struct CommandLine {
       command.add_option("--case", settings.only_case, "say whether this case of Kovacic's occurs")
           ->check(silent(CLI::IsMember({"1", "2", "3"})))
           ->type_name("1|2|3");
-      command.add_option("--method", settings.method, "kovacic, engines, or all (compare, ask the judge)")
+      command.add_option("--method", settings.method, "kovacic, engines, or all (compare)")
           ->check(silent(CLI::IsMember({"automatic", "kovacic", "engines", "all"})))
           ->type_name("M");
       command.add_option("--timeout", settings.timeout, "seconds for each equation; 0 = no limit")
