@@ -165,16 +165,25 @@ private:
 
   // Often no exponent is needed: even if lines were exchanged at every place, B_p has other ones.
   void sl2_by_p_curvature() {
-    const certify::PCurvature data{c_.p_curvature->prime, "sl2"};
+    const certify::PCurvature known{c_.p_curvature->prime, "sl2"};
     local(witness::Detail::places);
+    PrimeIdeals primes(out_.field, 6);
+    for (certify::PCurvature data = known; data.prime.p < 32; data.prime = primes.next()) {
+      if (!shows_sl2(data)) continue;
+      return conclude("sl2-p-curvature", {add("p-curvature", {"local"}, data)});
+    }
+    out_.steps.clear();
+    local_.reset();
+    local();
+    conclude("sl2-p-curvature", {add("p-curvature", {"local"}, known)});
+  }
+  [[nodiscard]] bool shows_sl2(const certify::PCurvature& data) const {
     try {
       static_cast<void>(certify::check_p_curvature(judge_, data, &*local_));
+      return true;
     } catch (const certify::Refused&) {
-      out_.steps.clear();
-      local_.reset();
-      local();
+      return false;
     }
-    conclude("sl2-p-curvature", {add("p-curvature", {"local"}, data)});
   }
 
   void additive() {
