@@ -1,6 +1,9 @@
 #include "recognized.hpp"
 
+#include "algebraize/algebraize.hpp"
 #include "exact/error.hpp"
+#include "parameter_scope.hpp"
+#include "special/symbolic_family.hpp"
 
 #include <map>
 
@@ -56,6 +59,70 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
   return j;
 }
 
+namespace {
+
+// r of y'' = r y in Q(parameters)(z), z first in the ring.
+MFraction symbolic_r(const EquationText& text, const std::string& variable) {
+  std::vector<std::string> names{variable};
+  std::map<std::string, Rational> values;
+  for (const auto& [name, value] : text.set)
+    values.emplace(name, as_rational(value).value()); // throws for others
+  for (const std::string& name : text.parameters)
+    if (!values.contains(name) && name != variable) names.push_back(name);
+  const ParameterScope scope(make_ring(names), values);
+  if (text.r) return evaluate(*text.r, scope);
+  return normal_form_of(evaluate(*text.p, scope), evaluate(*text.q, scope), 0);
+}
+
+} // namespace
+
+Json symbolic_json(const EquationText& text, const Budget& budget) {
+  if (text.ode || text.minpoly || (!text.r && !(text.p && text.q))) return nullptr;
+  const std::string variable = text.variable.empty() ? "z" : text.variable;
+  std::optional<SymbolicFamily> family;
+  try {
+    family = symbolic_family(symbolic_r(text, variable), 0, budget);
+  } catch (const Error&) { // roots, unknown names: the answer stays what it is
+  } catch (const std::bad_optional_access&) {
+  }
+  if (!family) return nullptr;
+  Json j = {{"family", family->family}, {"equation", family->equation}};
+  j["parameters"] = Json::object();
+  for (const auto& [name, value] : family->parameters)
+    j["parameters"][name] = value;
+  j["change"] = nullptr;
+  j["abelian"] = text_of(family->abelian());
+  j["summary"] = family->summary();
+  j["cases"] = Json::array();
+  for (const FamilyCase& c : family->cases)
+    j["cases"].push_back({{"when", c.when},
+                          {"group", c.group ? Json(to_string(*c.group)) : Json(nullptr)},
+                          {"abelian", text_of(c.abelian)}});
+  j["assuming"] = Json::array();
+  for (const MPoly& f : family->generic)
+    j["assuming"].push_back(to_string(f) + " != 0");
+  return j;
+}
+
+bool decide_for_all(Json& result) {
+  const Json& known = result.at("recognized");
+  if (known.is_null() || !known.at("assuming").empty() || known.at("abelian") == "undecided")
+    return false;
+  result["abelian"] = known.at("abelian");
+  const Json& cases = known.at("cases");
+  if (cases.size() != 1 || cases[0].at("group").is_null()) return false;
+  for (const GroupType type : {GroupType::SL2, GroupType::Gm}) // what such families have
+    if (to_string(type) == cases[0].at("group").get<std::string>()) {
+      const GaloisGroup g{type, {}};
+      result["group"] = group_json(g);
+      result["identity_component"] = to_string(identity_component(g));
+      result["case"] = kovacic_case(g);
+      result["reason"] = "for all values of the parameters: " + recognized_text(known);
+      return true;
+    }
+  return false;
+}
+
 std::string recognized_text(const Json& j) {
   static const std::map<std::string, std::string> names{
       {"Lame", "Lame's equation"},     {"Riemann", "Riemann's (hypergeometric) equation"},
@@ -71,6 +138,14 @@ std::string recognized_text(const Json& j) {
   for (const auto& [parameter, value] : j.at("parameters").items()) {
     text += before + (name->first == "Riemann" ? "" : parameter + " = ") + value.get<std::string>();
     before = ", ";
+  }
+  if (j.contains("summary")) {
+    text += "; " + j.at("summary").get<std::string>();
+    const char* assuming = "; assuming ";
+    for (const Json& condition : j.at("assuming")) {
+      text += assuming + condition.get<std::string>();
+      assuming = ", ";
+    }
   }
   if (!j.at("change").is_null()) {
     const std::string change = j.at("change").get<std::string>();
