@@ -1,9 +1,11 @@
 #include "recognized.hpp"
 
 #include "algebraize/algebraize.hpp"
+#include "equation/linear_form.hpp"
 #include "exact/error.hpp"
 #include "parameter_scope.hpp"
 #include "special/symbolic_family.hpp"
+#include "system/linear_formula.hpp"
 
 #include <map>
 
@@ -61,29 +63,38 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
 
 namespace {
 
-// r of y'' = r y in Q(parameters)(z), z first in the ring.
-MFraction symbolic_r(const EquationText& text, const std::string& variable) {
+// r of y'' = r y in Q(parameters)(z), z first in the ring; nothing if it cannot be read.
+std::optional<MFraction> symbolic_r(const EquationText& text) {
+  std::string variable = text.variable;
+  OdeNames ode;
+  if (text.ode) ode = ode_names(*text.ode);
+  if (variable.empty()) variable = ode.variable.empty() ? "z" : ode.variable;
   std::vector<std::string> names{variable};
   std::map<std::string, Rational> values;
-  for (const auto& [name, value] : text.set)
-    values.emplace(name, as_rational(value).value()); // throws for others
+  for (const auto& [name, value] : text.set) {
+    const auto number = as_rational(value);
+    if (!number) return std::nullopt;
+    values.emplace(name, *number);
+  }
   for (const std::string& name : text.parameters)
     if (!values.contains(name) && name != variable) names.push_back(name);
   const ParameterScope scope(make_ring(names), values);
   if (text.r) return evaluate(*text.r, scope);
-  return normal_form_of(evaluate(*text.p, scope), evaluate(*text.q, scope), 0);
+  if (text.p && text.q)
+    return normal_form_of(evaluate(*text.p, scope), evaluate(*text.q, scope), 0);
+  if (!text.ode) return std::nullopt;
+  const auto order2 = parametric_second_order(*text.ode, ode.unknown, 0, scope);
+  return order2 ? std::optional(normal_form_of(order2->p, order2->q, 0)) : std::nullopt;
 }
 
 } // namespace
 
 Json symbolic_json(const EquationText& text, const Budget& budget) {
-  if (text.ode || text.minpoly || (!text.r && !(text.p && text.q))) return nullptr;
-  const std::string variable = text.variable.empty() ? "z" : text.variable;
+  if (text.minpoly) return nullptr;
   std::optional<SymbolicFamily> family;
   try {
-    family = symbolic_family(symbolic_r(text, variable), 0, budget);
+    if (const auto r = symbolic_r(text)) family = symbolic_family(*r, 0, budget);
   } catch (const Error&) { // roots, unknown names: the answer stays what it is
-  } catch (const std::bad_optional_access&) {
   }
   if (!family) return nullptr;
   Json j = {{"family", family->family}, {"equation", family->equation}};

@@ -16,7 +16,7 @@ namespace kov::cli {
 [[nodiscard]] Json recognized_json(const GivenEquation& equation, const Decision& decision,
                                    const Budget& budget);
 /// For an equation with free parameters: the family, and its answer as conditions; null if nothing
-/// is recognised.  Equations written with y'' are not looked at.
+/// is recognised.
 [[nodiscard]] Json symbolic_json(const EquationText& text, const Budget& budget);
 /// Fills in what the recognised family says for all values of the parameters; is that everything?
 [[nodiscard]] bool decide_for_all(Json& result);
