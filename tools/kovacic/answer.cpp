@@ -79,13 +79,22 @@ private:
       early_(dump(unread_result(id)));
     });
     id_ = question.id;
-    Options options = settings_.solver_options();
-    GivenEquation equation;
     try {
-      equation = read_equation(question.text, options.budget);
+      return decided(question);
     } catch (const FreeParameters&) {
-      return family(question, options);
+      const Json known = symbolic_json(question.text, settings_.solver_options().budget);
+      open_ = unread_result(id_);
+      open_["recognized"] = known;
+      if (auto answer = by_strata(question, known)) return *std::move(answer);
+      if (!decide_for_all(open_)) throw;
+      open_["seconds"] = seconds_since(start_);
+      return tag_decided + dump(open_);
     }
+  }
+
+  std::string decided(const Question& question) {
+    Options options = settings_.solver_options();
+    const GivenEquation equation = read_equation(question.text, options.budget);
     options.variable = equation.variable;
     open_ = open_result(id_, equation);
     Json original;
@@ -103,20 +112,32 @@ private:
     return tag_of(decision) + dump(result);
   }
 
-  std::string family(const Question& question, const Options& options) const {
-    const Family f = read_family(question.text);
+  // All parameters at once; nothing for an equation that lib/family does not read.
+  std::optional<std::string> by_strata(const Question& question, const Json& known) const {
     strata::StrataLimits limits;
-    limits.decide = options;
-    limits.decide.variable = f.variable;
+    limits.decide = settings_.solver_options();
     limits.decide.want_trace = limits.decide.want_certificate = false;
-    Json result = family_result(id_, f, strata::decide_strata(f.question, limits));
+    Json result;
+    try {
+      const Family f = read_family(question.text);
+      limits.decide.variable = f.variable;
+      result = family_result(id_, f, strata::decide_strata(f.question, limits));
+    } catch (const FreeParameters&) {
+      return std::nullopt;
+    }
+    result["recognized"] = known;
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
+    if (!result.at("undecided").is_null() && !result.contains("contradictory") &&
+        decide_for_all(result))
+      result["undecided"] = nullptr;
     return (result.at("undecided").is_null() ? tag_decided : tag_undecided) + dump(result);
   }
 
   std::string undecided(const std::string& why, const std::string& detail) {
     Json result = open_.is_null() ? unread_result(id_) : open_;
     set_undecided(result, why, detail);
+    if (const Json& known = result.at("recognized"); !known.is_null())
+      result["reason"] = detail + "; " + recognized_text(known);
     result["seconds"] = seconds_since(start_);
     return tag_undecided + dump(result);
   }
