@@ -56,7 +56,8 @@ std::optional<Leaf> bessel_leaf(const Scheme& s, const Region& region) {
                              " (s = " + kov::to_string(step) + ")";
   const auto delta = exact_sqrt(square);
   Truth half = Truth::unknown;
-  std::string condition = "sqrt(" + to_factored_string(square) + ")/" + kov::to_string(step);
+  std::string condition =
+      "sqrt(" + to_factored_string((Rational(1) / (step * step)) * square) + ")";
   if (delta) {
     const MFraction nu = (Rational(1) / step) * *delta;
     condition = to_factored_string(nu);

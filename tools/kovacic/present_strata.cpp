@@ -102,7 +102,8 @@ Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& 
   std::string open;
   for (const auto& s : a.strata)
     if (s.leaf.abelian == Truth::unknown && open.empty())
-      open = "where " + strata::to_string(s.conditions) + ": " + s.leaf.open_condition;
+      open = (s.conditions.empty() ? "" : "where " + strata::to_string(s.conditions) + ": ") +
+             s.leaf.open_condition;
   if (open.empty() && !a.unvisited.empty()) open = "not looked at: " + a.unvisited.front();
   if (!open.empty()) {
     set_undecided(j, "parameter", open);

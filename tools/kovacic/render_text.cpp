@@ -176,6 +176,8 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   if (style.quiet && result.at("undecided").is_null()) return out.str();
   if (result.contains("strata")) {
     print_strata(out, result);
+    if (const Json& known = result.at("recognized"); !known.is_null())
+      if (const std::string text = recognized_text(known); !text.empty()) put(out, "this is", text);
     return out.str();
   }
   if (!result.at("undecided").is_null()) {
