@@ -77,7 +77,7 @@ struct CommandLine {
       command.add_flag("--trace", settings.trace, "show every step");
       command
           .add_option("--certificate", settings.certificate,
-                      "write the proof (batches: a directory)")
+                      "write the proof (check, --batch: a directory)")
           ->type_name("FILE");
       command.add_option("--format", settings.format, "text, json or tex")
           ->check(silent(CLI::IsMember({"text", "json", "tex"})))
