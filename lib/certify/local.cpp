@@ -116,7 +116,7 @@ public:
     need(x.order == 2 && degree(value) < x.n, "delta2 belongs to a pole of order 2");
     if (degree(value) > 0) {
       judge_.spend(judge_.words() * static_cast<double>(std::min(x.n, 50L)));
-      need(is_zero(mod(mod(num_, *x.q) - (value - Poly(1)) * mod(second_, *x.q), *x.q)), wrong);
+      one(*x.q, value);
     } else {
       shared(value).second.push_back(*x.q);
     }
@@ -124,11 +124,17 @@ public:
   void finish() const {
     judge_.spend(20 * judge_.words() * static_cast<double>(shared_.size()));
     for (const auto& [value, places] : shared_)
-      need(is_zero(mod(num_ - (value - Poly(1)) * second_, product(places, 0, places.size()))),
-           wrong);
+      if (places.size() == 1)
+        one(places.front(), value);
+      else
+        need(is_zero(mod(num_ - (value - Poly(1)) * second_, product(places, 0, places.size()))),
+             wrong);
   }
 
 private:
+  void one(const Poly& q, const Poly& value) const {
+    need(is_zero(mod(mod(num_, q) - (value - Poly(1)) * mod(second_, q), q)), wrong);
+  }
   using Shared = std::pair<Poly, std::vector<Poly>>;
   Shared& shared(const Poly& value) {
     const auto before = [](const Shared& a, const Poly& v) { return compare(a.first, v) < 0; };
