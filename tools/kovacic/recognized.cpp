@@ -44,7 +44,10 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
   for (const auto& [name, value] : found->parameters)
     j["parameters"][name] = value;
   j["change"] = nullptr;
-  if (found->z_of_x) j["change"] = equation.variable + " = " + to_string(*found->z_of_x, "x");
+  std::string left = equation.variable;
+  if (found->centre)
+    left = "(" + to_string(Poly::z() - Poly(*found->centre), equation.variable) + ")^2";
+  if (found->z_of_x) j["change"] = left + " = " + to_string(*found->z_of_x, "x");
   j["closed_answer"] = nullptr;
   if (found->answer) {
     ensure_agreement(*found->answer, decision);
