@@ -46,9 +46,12 @@ function(kov_room name)
   set(view ${CMAKE_BINARY_DIR}/rooms/${name})
   file(MAKE_DIRECTORY ${view})
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/${name} ${view}/${name} SYMBOLIC)
-  target_include_directories(kov_${name} PUBLIC ${view})
+  target_include_directories(kov_${name} PUBLIC $<BUILD_INTERFACE:${view}> $<INSTALL_INTERFACE:include/kovacic>)
   target_link_libraries(kov_${name} PUBLIC ${links} PRIVATE ${ROOM_PRIVATE_LINKS} kov_warnings)
-  set_target_properties(kov_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  set_target_properties(kov_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
+  install(TARGETS kov_${name} EXPORT kovacic)
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${name} DESTINATION include/kovacic
+          FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 endfunction()
 
 # kov_tests(exact LINKS kov::exact) makes the test program of one room from tests/exact/*.cpp.

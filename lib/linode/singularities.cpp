@@ -1,11 +1,9 @@
 #include "linode/singularities.hpp"
 
 #include "exact/error.hpp"
-#include "exact/modular.hpp"
+#include "linode/double_poles.hpp"
 #include "linode/logarithm.hpp"
 #include "linode/residue_series.hpp"
-
-#include <map>
 
 namespace kov {
 namespace {
@@ -39,46 +37,6 @@ void set_irregular(Singularity& s, const ResidueSeries& series, long tail, const
   s.beta = scale(s.leading * next % q, NfElem(2));
   s.delta_squared = scale((s.leading * next % q) * next % q, NfElem(4));
   s.delta = rational_root(s.delta_squared);
-}
-
-// Delta^2 of many double poles at once.  For a double pole den''(c)/2 is the leading coefficient of
-// den, so that Delta^2 = 1 + 8 num(c)/den''(c).  A value that is a rational number of moderate size
-// is guessed modulo one prime; all places with the same guess are then checked by one exact
-// division.
-std::vector<std::optional<Rational>> common_delta_squared(const RationalFunction& r,
-                                                          const std::vector<Factor>& factors) {
-  std::vector<std::optional<Rational>> answer(factors.size());
-  const PrimeIdeal prime = PrimeIdeals::large(r.field()).next();
-  const auto num = prime.reduce(r.num());
-  const auto den = prime.reduce(r.den());
-  if (!num || !den) return answer;
-  const NmodPoly second = derivative(derivative(*den));
-  const nmod_t mod = num->mod();
-  std::map<Rational, std::vector<std::size_t>> guesses;
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    if (factors[i].exponent != 2) continue;
-    const auto q = prime.reduce(factors[i].base);
-    const auto at = q ? roots(*q) : std::vector<mp_limb_t>{};
-    const mp_limb_t below = at.empty() ? 0 : evaluate(second, at.front());
-    if (below == 0) continue;
-    const mp_limb_t value = nmod_div(nmod_mul(8, evaluate(*num, at.front()), mod), below, mod);
-    if (const auto guess =
-            rational_reconstruction(Integer(nmod_add(value, 1, mod)), Integer(prime.p)))
-      guesses[*guess].push_back(i);
-  }
-  const Poly exact_second = derivative(derivative(r.den()));
-  for (const auto& [guess, places] : guesses) {
-    if (places.size() < 4) continue; // a few places are as cheap one by one
-    std::vector<Poly> layer;
-    for (const std::size_t i : places)
-      layer.push_back(factors[i].base);
-    const Poly difference =
-        scale(r.num(), NfElem(8)) - scale(exact_second, NfElem(guess - Rational(1)));
-    if (!divides(product(std::move(layer)), difference)) continue;
-    for (const std::size_t i : places)
-      answer[i] = guess;
-  }
-  return answer;
 }
 
 Singularity finite_place(const RationalFunction& r, const Factor& factor,
@@ -158,7 +116,7 @@ Singularities singularities(const RationalFunction& r, const Budget& budget) {
   Singularities s;
   s.r = r;
   const auto factors = irreducible_factors(r.den(), budget);
-  const auto delta_squared = common_delta_squared(r, factors);
+  const auto delta_squared = double_pole_delta_squared(r, factors, budget);
   for (std::size_t i = 0; i < factors.size(); ++i)
     s.finite.push_back(finite_place(r, factors[i], delta_squared[i], budget));
   s.infinity = infinite_place(r, budget);

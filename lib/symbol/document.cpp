@@ -3,6 +3,7 @@
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -189,10 +190,11 @@ Entry parse_document(std::string text, const std::string& name) {
 }
 
 std::string read_text(const std::string& path, std::size_t limit) {
-  std::string text(limit + 1, '\0'); // one byte more than allowed tells that there is more
+  std::string text;
   const auto read = [&](std::istream& in) {
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(in.gcount()));
+    std::array<char, 65536> block{};
+    while (text.size() <= limit && (in.read(block.data(), block.size()), in.gcount() > 0))
+      text.append(block.data(), static_cast<std::size_t>(in.gcount()));
     if (in.bad()) throw InputError(path, 0, 0, 1, "the file cannot be read");
   };
   if (path == "-") {

@@ -93,6 +93,21 @@ void forget_answer(Decision& d, const std::string& why, Unable::Why kind) {
   d.reason = "undecided: " + why;
 }
 
+// Exponents too large for the engines: that no sum of exponents is a natural number can be seen
+// without a polynomial of that degree.
+void second_chance(Decision& d, const NormalForm& equation, const Options& options) {
+  Decision other;
+  if (classical(other, equation, options).kovacic_case != 4) return;
+  d.group = GaloisGroup{GroupType::SL2, {}};
+  d.component = Connected::sl2;
+  d.abelian = Truth::no;
+  d.kovacic_case = 4;
+  d.undecided.reset();
+  d.reason = "Kovacic's algorithm excludes its cases 1, 2 and 3";
+  if (options.want_certificate && d.certificate.empty())
+    d.undecided = Unable{Unable::Why::budget, "no certificate: " + d.no_certificate};
+}
+
 void certify_it(Decision& d, const Classification& c, const Options& options) {
   if (!d.group && d.abelian == Truth::unknown) {
     d.no_certificate = "nothing is proved";
@@ -133,6 +148,8 @@ Decision decide(const NormalForm& equation, const Options& options) {
   const Classification c = classify(equation.r, options.budget);
   fill(d, c, equation, options);
   if (options.want_certificate) certify_it(d, c, options);
+  if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
+    second_chance(d, equation, options);
   const bool asked = options.method == Method::kovacic || options.method == Method::all;
   if (asked || options.want_trace) {
     const SecondOpinion other = classical(d, equation, options);

@@ -1,6 +1,6 @@
 // Families: the ones with a natural number d, all of them, without listing the others.
 
-#include "kovacic/equations.hpp"
+#include "support/equations.hpp"
 #include "kovacic/exponents.hpp"
 #include "kovacic/families.hpp"
 #include "kovacic/reader.hpp"

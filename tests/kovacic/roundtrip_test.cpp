@@ -1,6 +1,6 @@
 // Build r from a chosen answer; the solver must find that answer.  Seeds are fixed and printed.
 
-#include "kovacic/equations.hpp"
+#include "support/equations.hpp"
 #include "kovacic/reader.hpp"
 #include "kovacic/solve.hpp"
 

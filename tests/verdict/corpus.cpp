@@ -60,6 +60,17 @@ std::string corpus_name(const GaloisGroup& g) {
   }
 }
 
+RationalFunction read(const std::string& r, const std::string& minpoly) {
+  Json entry{{"r", r}};
+  if (!minpoly.empty()) entry["minpoly"] = minpoly;
+  return equation_of(entry).r;
+}
+
+std::string group_of(const RationalFunction& r) {
+  const Decision d = decide({.r = r, .p = RationalFunction()});
+  return d.group ? corpus_name(*d.group) : d.reason;
+}
+
 std::string name_of(const testing::TestParamInfo<Json>& entry) {
   std::string name = entry.param.at("id").get<std::string>();
   std::replace_if(

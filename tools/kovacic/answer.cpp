@@ -79,14 +79,16 @@ private:
     const GivenEquation equation = read_equation(question.text, options.budget);
     options.variable = equation.variable;
     open_ = open_result(id_, equation);
+    Json original;
     if (equation.form != GivenEquation::Form::r)
-      open_["original"] = original_form(equation, options.budget);
+      open_["original"] = original = original_form(equation, options.budget);
     early_(dump(open_));
     const Decision decision = decide(equation.normal_form, options);
-    Json result = closed_result(id_, equation, decision, seconds_since(start_));
-    if (open_.contains("original")) {
-      result["original"] = open_.at("original");
-      result["original"]["identity_component_abelian"] = result.at("abelian");
+    open_.erase("original"); // it is printed last
+    Json result = closed_result(std::move(open_), decision, seconds_since(start_));
+    if (!original.is_null()) {
+      original["identity_component_abelian"] = result.at("abelian");
+      result["original"] = std::move(original);
     }
     return tag_of(decision) + dump(result);
   }

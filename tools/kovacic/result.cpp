@@ -80,9 +80,8 @@ Json open_result(const Json& id, const GivenEquation& equation) {
   return j;
 }
 
-Json closed_result(const Json& id, const GivenEquation& equation, const Decision& d,
-                   double seconds) {
-  Json j = open_result(id, equation);
+Json closed_result(Json open, const Decision& d, double seconds) {
+  Json j = std::move(open);
   if (d.group) j["group"] = group(*d.group);
   if (d.component) j["identity_component"] = to_string(*d.component);
   j["abelian"] = text_of(d.abelian);

@@ -15,9 +15,8 @@ using Json = nlohmann::ordered_json;
 
 /// Everything that is known before the solver runs; what it will find is null.
 [[nodiscard]] Json open_result(const Json& id, const GivenEquation& equation);
-/// The whole answer.  `seconds` is the time of reading and deciding.
-[[nodiscard]] Json closed_result(const Json& id, const GivenEquation& equation,
-                                 const Decision& decision, double seconds);
+/// The whole answer from the open result.  `seconds` is the time of reading and deciding.
+[[nodiscard]] Json closed_result(Json open, const Decision& decision, double seconds);
 /// The answer for an equation that could not even be read within the limits.
 [[nodiscard]] Json unread_result(const Json& id);
 /// Marks a result as undecided.  why: "budget", "parameter", "not-implemented", "inexact"

@@ -22,4 +22,8 @@ namespace kov::testing {
 /// z -> f(z): r(f) f'^2 - (Schwarzian of f)/2.
 [[nodiscard]] RationalFunction pull_back(const RationalFunction& r, const RationalFunction& f);
 
+/// The equation of (a y + y')/sqrt(r + a' - a^2): the same projective group, and apparent
+/// singularities.  Requires r + a' - a^2 != 0.
+[[nodiscard]] RationalFunction gauge(const RationalFunction& r, const RationalFunction& a);
+
 } // namespace kov::testing

@@ -1,4 +1,4 @@
-#include "kovacic/equations.hpp"
+#include "support/equations.hpp"
 
 namespace kov::testing {
 namespace {
@@ -39,6 +39,14 @@ RationalFunction pull_back(const RationalFunction& r, const RationalFunction& f)
   const RationalFunction u = derivative(d) / d;
   const RationalFunction schwarzian = derivative(u) - u * u * over(1, 2);
   return compose(r, f) * d * d - schwarzian * over(1, 2);
+}
+
+RationalFunction gauge(const RationalFunction& r, const RationalFunction& a) {
+  const RationalFunction g = r + derivative(a) - a * a;
+  // w = a y + y' satisfies w'' + p w' + q w = 0 with
+  const RationalFunction p = -derivative(g) / g;
+  const RationalFunction q = -(r + RationalFunction(2) * derivative(a)) - p * a;
+  return p * p * over(1, 4) + derivative(p) * over(1, 2) - q;
 }
 
 } // namespace kov::testing

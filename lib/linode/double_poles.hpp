@@ -1,0 +1,23 @@
+#pragma once
+// Delta^2 = 1 + 4 b at the double poles of r = b/(z-c)^2 + ..., all of them together.
+
+#include "exact/budget.hpp"
+#include "exact/factor.hpp"
+#include "exact/rational_function.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace kov {
+
+/// Delta^2 for each factor of exponent 2 where it is a rational number that many conjugate or
+/// equal places share, or where the pole itself is rational; unset elsewhere.
+///
+/// Requires factors = the irreducible factors of den(r)
+/// Cost     one exact division for each value that occurs often; one evaluation of a polynomial
+///          of degree deg den for each rational pole that is left
+[[nodiscard]] std::vector<std::optional<Rational>>
+double_pole_delta_squared(const RationalFunction& r, const std::vector<Factor>& factors,
+                          const Budget& budget = {});
+
+} // namespace kov
