@@ -1,6 +1,7 @@
 #include "case_file.hpp"
 
 #include "commands.hpp"
+#include "flow/scene.hpp"
 #include "present.hpp"
 
 #include <algorithm>
@@ -140,12 +141,16 @@ CaseReport check_equation(const Settings& settings, const Entry& document) {
 
 CaseReport check_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
+  if (flow::is_scene(document))
+    throw InputError(path, 0, 0, 1, "this file describes a scene to simulate",
+                     "write: kovacic section " + path + "   or   kovacic test " + path);
   return is_equation_file(document) ? check_equation(settings, document)
                                     : check_system_file(settings, path);
 }
 
 CaseReport test_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
+  if (flow::is_scene(document)) return test_scene(path);
   return is_equation_file(document) ? check_equation(settings, document)
                                     : test_system_file(settings, path);
 }
