@@ -75,7 +75,9 @@ struct CommandLine {
           ->check(number(1e18, "a number of families"))
           ->type_name("N");
       command.add_flag("--trace", settings.trace, "show every step");
-      command.add_option("--certificate", settings.certificate, "write the proof (batches: a directory)")
+      command
+          .add_option("--certificate", settings.certificate,
+                      "write the proof (batches: a directory)")
           ->type_name("FILE");
       command.add_option("--format", settings.format, "text, json or tex")
           ->check(silent(CLI::IsMember({"text", "json", "tex"})))
@@ -143,11 +145,13 @@ struct CommandLine {
     verify->add_flag("--strict", settings.strict, "refuse steps that are taken on trust");
     shared_flags(*verify, false);
 
-    CLI::App* section = app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
+    CLI::App* section =
+        app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
     declare_section(*section, section_arguments);
     shared_flags(*section, false);
 
-    CLI::App* measure = app.add_subcommand("bench", "what accuracy costs: tables and charts (-o DIR)");
+    CLI::App* measure =
+        app.add_subcommand("bench", "what accuracy costs: tables and charts (-o DIR)");
     declare_bench(*measure, bench_arguments);
     shared_flags(*measure, false);
 
