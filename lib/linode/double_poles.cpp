@@ -45,35 +45,6 @@ void find_equal_ones(const RationalFunction& r, const std::vector<Factor>& facto
   }
 }
 
-// A polynomial over Q, to be evaluated at many points.
-class Evaluated {
-public:
-  explicit Evaluated(const Poly& f) {
-    fmpz_poly_init(num_);
-    fmpq_poly_get_numerator(num_, f.raw());
-    fmpz_set(den_.raw(), fmpq_poly_denref(f.raw()));
-  }
-  Evaluated(const Evaluated&) = delete;
-  Evaluated& operator=(const Evaluated&) = delete;
-  ~Evaluated() { fmpz_poly_clear(num_); }
-
-  [[nodiscard]] Rational at(const Rational& c) const {
-    Rational value;
-    if (is_integer(c)) {
-      Integer n;
-      fmpz_poly_evaluate_fmpz(n.raw(), num_, c.num().raw());
-      value = Rational(n);
-    } else {
-      fmpz_poly_evaluate_fmpq(value.raw(), num_, c.raw());
-    }
-    return value / Rational(den_);
-  }
-
-private:
-  fmpz_poly_t num_;
-  Integer den_;
-};
-
 // With q the product of (z - c) over the open places, den = q^2 s:  b = num(c)/(q'(c)^2 s(c)), and
 // num may be replaced by its remainder modulo q.
 void evaluate_the_rest(const RationalFunction& r, const std::vector<Factor>& factors,
@@ -88,14 +59,15 @@ void evaluate_the_rest(const RationalFunction& r, const std::vector<Factor>& fac
     }
   if (open.empty()) return;
   const Poly q = product(std::move(layer));
-  const Evaluated num(r.num() % q);
-  const Evaluated slope(derivative(q));
-  const Evaluated rest(exact_div(r.den(), q * q));
+  const Poly num = r.num() % q;
+  const Poly slope = derivative(q);
+  const Poly rest = exact_div(r.den(), q * q);
   for (const std::size_t i : open) {
     budget.check();
-    const Rational c = -to_rational(factors[i].base.coeff(0));
-    const Rational d = slope.at(c);
-    answer[i] = Rational(1) + Rational(4) * num.at(c) / (d * d * rest.at(c));
+    const NfElem c = -factors[i].base.coeff(0);
+    const NfElem d = evaluate(slope, c);
+    answer[i] =
+        Rational(1) + Rational(4) * to_rational(evaluate(num, c) / (d * d * evaluate(rest, c)));
   }
 }
 

@@ -257,7 +257,7 @@ class Checker:
             if e["delta2"] is not None:
                 need(e["order"] == 2 and e["delta2"].degree() < e["q"].degree(), "delta2 belongs to a pole of order 2")
                 shared.setdefault((tuple(e["delta2"].c), e["delta2"].q), []).append(e["q"])
-        self.spend(20 * len(shared) * self.length * (1 + self.den.bits() / 64))
+        self.spend(4 * len(shared) * self.length * (1 + self.den.bits() / 64))
         for (c, q), factors in shared.items():
             test = self.num * 8 - (Poly(list(c), q) - ONE) * second
             for part in [product(factors)] if len(c) <= K.s else factors:
