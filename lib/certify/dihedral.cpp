@@ -12,10 +12,10 @@ namespace {
 
 // w^2 as an element of K.
 NfElem square_of_w(const InvariantFact& v) {
-  long size = 0;
+  double size = 0;
   for (const auto& [c, k] : v.powers)
-    size += std::abs(k);
-  need(size <= 100000, "an exponent is too large");
+    size += static_cast<double>(std::abs(k)) * (1 + bits(Poly(c)));
+  need(size <= 1e8, "an exponent is too large");
   NfElem w2 = v.top / v.bottom;
   for (const auto& [c, k] : v.powers) {
     const NfElem u = pow(c, static_cast<unsigned long>(std::abs(k)));
@@ -49,6 +49,7 @@ void need_unramified(const Judge& j, const PrimeIdeal& prime) {
 void need_not_a_power(const Judge& j, const NotAPower& t, const TorsionFunction& f,
                       const InvariantFact& v) {
   const Reduced r = j.reduced(t.prime);
+  j.spend(20 * static_cast<double>(degree(f.a) + degree(f.b) + degree(f.den) + degree(v.branch)));
   const mp_limb_t p = t.prime.p;
   const nmod_t mod = r.num.mod();
   need(t.l >= 2 && p % static_cast<mp_limb_t>(t.l) == 1 && f.n % t.l == 0,

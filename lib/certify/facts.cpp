@@ -1,6 +1,7 @@
 #include "certify/facts.hpp"
 
 #include "certify/bounds.hpp"
+#include "certify/limits.hpp"
 
 #include <algorithm>
 
@@ -144,9 +145,13 @@ Integer LocalFact::residue_denominator(const InvariantFact& v) const {
 std::pair<Poly, Poly> InvariantFact::fraction() const {
   Poly A = data.p;
   Poly B(1);
+  double size = 0;
   for (const InvariantFactor& f : data.factors) {
     const long e = to_long(floor(f.e));
     need(std::abs(e) * degree(f.q) <= 200000, "an exponent is too large");
+    size += static_cast<double>(std::abs(e)) * bits(f.q);
+    need(static_cast<double>(std::abs(e) * degree(f.q)) * size <= max_bulk,
+         "an exponent is too large");
     (e > 0 ? A : B) *= pow(f.q, static_cast<unsigned long>(std::abs(e)));
   }
   return {std::move(A), std::move(B)};

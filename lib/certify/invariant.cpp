@@ -52,12 +52,17 @@ void evaluate_square(InvariantFact& x, const Poly& S, const std::vector<Poly>& T
 InvariantFact check_invariant(const Judge& j, const Invariant& data) {
   need_well_formed(data);
   auto [S, theta] = log_derivative(data.factors, 0, data.factors.size());
-  if (degree(S) > 0) need_squarefree(S, j.reduced(data.prime));
+  need_squarefree(S, j.reduced(data.prime));
   if (!divides(j.equation.den, S * S)) {
     S *= j.equation.den;
     theta *= j.equation.den;
   }
   const Poly rs = j.equation.num * quotient(S * S, j.equation.den);
+  const auto steps = static_cast<double>(data.m + 1);
+  const double size = bits(data.p) + steps * (bits(S) + bits(rs) + bits(theta));
+  const auto length = static_cast<double>(degree(data.p)) + steps * static_cast<double>(degree(S));
+  need(length * size <= max_bulk, "the invariant is too large");
+  j.spend(steps * length * (1 + size / 64));
   const Poly dS = derivative(S);
   std::vector<Poly> T{data.p, S * derivative(data.p) + theta * data.p};
   for (long i = 1; i <= data.m; ++i) {

@@ -2,6 +2,8 @@
 // Sizes above which a certificate is refused: they keep hostile input from running for ever.  The
 // Python checker has the same numbers.
 
+#include "exact/poly.hpp"
+
 #include <cstddef>
 
 namespace kov::certify {
@@ -9,8 +11,18 @@ namespace kov::certify {
 inline constexpr std::size_t max_length = 200001; ///< coefficients of a polynomial
 inline constexpr std::size_t max_steps = 1000;
 inline constexpr std::size_t max_places = 20000;
-inline constexpr double max_work = 4e9;    ///< elementary operations of one series
+inline constexpr double max_work = 4e9;   ///< elementary operations of one series or p-curvature
+inline constexpr double max_total = 2e10; ///< elementary operations of all steps
+inline constexpr double max_bulk = 4e9;   ///< bits: longest polynomial times largest coefficient
+inline constexpr double max_matrix = 2e7; ///< entries
+inline constexpr std::size_t max_text = std::size_t{1} << 28;
 inline constexpr long max_sym = 200;       ///< m of Sym^m
 inline constexpr long max_irregular = 200; ///< nu of a pole of order 2 nu
+
+/// Bits of the largest coefficient: of the numerators over a common denominator, and of that.
+[[nodiscard]] inline double bits(const Poly& f) {
+  const auto top = std::abs(_fmpz_vec_max_bits(f.raw()->coeffs, f.raw()->length));
+  return static_cast<double>(top) + static_cast<double>(fmpz_bits(f.raw()->den));
+}
 
 } // namespace kov::certify

@@ -40,6 +40,7 @@ Poly taylor_coefficient(const Poly& f, long i) {
 // is a unit modulo (p, q), e = 1 + 8 num/den''.
 void need_irrational(const Judge& j, const PlaceFact& x, const PrimeIdeal& prime) {
   const Reduced r = j.reduced(prime);
+  j.spend(2000 * static_cast<double>(x.n) + 20 * j.length());
   const NmodPoly q = reduce(*x.q, prime);
   const NmodPoly second = derivative(derivative(r.den));
   const NmodPoly e = remainder((second + scale(r.num, 8 % prime.p)) * inverse_mod(second, q), q);
@@ -63,10 +64,14 @@ using Coefficient = std::function<Poly(long)>;
 
 // eps^2 = (beta/a)^2 at an irregular place of order 2 nu; n and d give the Taylor coefficients of
 // the numerator and denominator of t^(2nu) r.  Nothing is inverted: local_exponents.md (1.5).
-void need_eps2(const PlaceFact& x, const Coefficient& n, const Coefficient& d, const Poly& value) {
+void need_eps2(const Judge& j, const PlaceFact& x, const Coefficient& n, const Coefficient& d,
+               const Poly& value) {
   const Residues red(x.q);
   const long nu = x.order / 2;
   need(nu <= max_irregular, "the order of the pole is too large");
+  const double size = bits(j.equation.num) + bits(j.equation.den) +
+                      (x.q ? j.length() / static_cast<double>(x.n) * bits(*x.q) : 0);
+  need(static_cast<double>(nu * nu * x.n) * size <= max_bulk, "the coefficients are too large");
   std::vector<Poly> N, D, G;
   for (long i = 0; i < nu; ++i) {
     N.push_back(n(i));
@@ -99,32 +104,52 @@ void need_eps2(const PlaceFact& x, const Coefficient& n, const Coefficient& d, c
   need(is_zero(red(left - scale(red(G[0] * red(total * total)), NfElem(4)))), "eps2 is wrong");
 }
 
-// Delta^2 = value at every root of q iff q divides f(value) = 8 num - (value - 1) den''.  Places
-// often share one value: the last few f are kept.
+// Delta^2 = value at every root of q iff q divides f = 8 num - (value - 1) den''.  Places often
+// share one constant value: their product is tried at once.
 class ExponentTest {
 public:
-  explicit ExponentTest(const Equation& e)
-      : num_(scale(e.num, NfElem(8))), second_(derivative(derivative(e.den))) {}
+  explicit ExponentTest(const Judge& judge)
+      : judge_(judge), num_(scale(judge.equation.num, NfElem(8))),
+        second_(derivative(derivative(judge.equation.den))) {}
 
   void operator()(const PlaceFact& x, const Poly& value) {
     need(x.order == 2 && degree(value) < x.n, "delta2 belongs to a pole of order 2");
-    const bool shared = degree(value) <= 0;
-    const Poly f = shared ? Poly() : mod(num_, *x.q) - (value - Poly(1)) * mod(second_, *x.q);
-    need(is_zero(mod(shared ? combination(value) : f, *x.q)), "delta2 is wrong");
+    if (degree(value) > 0) {
+      judge_.spend(judge_.words() * static_cast<double>(std::min(x.n, 50L)));
+      need(is_zero(mod(mod(num_, *x.q) - (value - Poly(1)) * mod(second_, *x.q), *x.q)), wrong);
+    } else {
+      shared(value).second.push_back(*x.q);
+    }
+  }
+  void finish() const {
+    judge_.spend(20 * judge_.words() * static_cast<double>(shared_.size()));
+    for (const auto& [value, places] : shared_)
+      need(is_zero(mod(num_ - (value - Poly(1)) * second_, product(places, 0, places.size()))),
+           wrong);
   }
 
 private:
-  const Poly& combination(const Poly& value) {
-    for (const auto& [v, f] : kept_)
-      if (v == value) return f;
-    if (kept_.size() == 16) kept_.erase(kept_.begin());
-    kept_.emplace_back(value, num_ - (value - Poly(1)) * second_);
-    return kept_.back().second;
+  using Shared = std::pair<Poly, std::vector<Poly>>;
+  Shared& shared(const Poly& value) {
+    const auto before = [](const Shared& a, const Poly& v) { return compare(a.first, v) < 0; };
+    const auto at = std::lower_bound(shared_.begin(), shared_.end(), value, before);
+    if (at != shared_.end() && at->first == value) return *at;
+    return *shared_.insert(at, {value, {}});
   }
 
+  const Judge& judge_;
+  static constexpr const char* wrong = "delta2 is wrong";
   Poly num_, second_;
-  std::vector<std::pair<Poly, Poly>> kept_;
+  std::vector<Shared> shared_; // sorted
 };
+
+void spend_on_annihilator(const Judge& j, const PlaceFact& x, const Poly& value,
+                          const std::optional<Poly>& chi) {
+  if (!chi) return;
+  const auto n = static_cast<double>(degree(*chi) + 1);
+  const double size = bits(value) + bits(*x.q) + bits(*chi);
+  j.spend(n * n * static_cast<double>(x.n) * (1 + size / 64));
+}
 
 void check_log(const Judge& j, PlaceFact& x, const LogWitness& log) {
   const std::set<mp_limb_t> roots(log.roots.begin(), log.roots.end());
@@ -133,7 +158,9 @@ void check_log(const Judge& j, PlaceFact& x, const LogWitness& log) {
   need(x.delta.has_value(), "a logarithm needs a natural exponent difference below p");
   const Reduced r = j.reduced(log.prime);
   const NmodPoly q = reduce(*x.q, log.prime);
+  const double terms = *x.delta < Rational(1000000) ? fmpz_get_d(x.delta->num().raw()) : 1e6;
   for (const mp_limb_t c : log.roots) {
+    j.spend(terms * terms + 40 * j.length());
     need(c < log.prime.p && evaluate(q, c) == 0, "not a root of the place modulo p");
     need_log(r, c, *x.delta);
   }
@@ -144,6 +171,7 @@ PlaceFact check_place(const Judge& j, const LocalPlace& data, ExponentTest& test
   PlaceFact x(data.q, degree(data.q), data.order);
   if (data.delta2) {
     test(x, *data.delta2);
+    spend_on_annihilator(j, x, *data.delta2, data.annihilator);
     x.set_square(*data.delta2, data.annihilator);
   }
   if (data.irrational) {
@@ -156,9 +184,11 @@ PlaceFact check_place(const Judge& j, const LocalPlace& data, ExponentTest& test
     need(x.order >= 4 && x.order % 2 == 0 && degree(*data.eps2) < x.n,
          "eps2 belongs to a pole of even order >= 4");
     const Residues red(x.q);
+    j.spend(static_cast<double>(x.order) * static_cast<double>(x.n) * j.words());
     need_eps2(
-        x, [&](long i) { return red(taylor_coefficient(j.equation.num, i)); },
+        j, x, [&](long i) { return red(taylor_coefficient(j.equation.num, i)); },
         [&](long i) { return red(taylor_coefficient(j.equation.den, i + x.order)); }, *data.eps2);
+    spend_on_annihilator(j, x, *data.eps2, data.annihilator);
     x.set_square(*data.eps2, data.annihilator);
   }
   return x;
@@ -181,7 +211,7 @@ PlaceFact check_infinity(const Judge& j, const Local& data) {
     const auto from_top = [](const Poly& f) {
       return [&f](long i) { return i > degree(f) ? Poly(0) : Poly(f.coeff(degree(f) - i)); };
     };
-    need_eps2(x, from_top(n), from_top(d), *data.infinity_eps2);
+    need_eps2(j, x, from_top(n), from_top(d), *data.infinity_eps2);
     x.set_square(*data.infinity_eps2, data.infinity_annihilator);
   }
   return x;
@@ -193,21 +223,25 @@ LocalFact check_local(const Judge& j, const Local& data) {
   need(data.places.size() <= max_places, "too many places");
   std::vector<Poly> powers, bases;
   long total = 0;
+  double size = 0;
   for (const LocalPlace& e : data.places) {
     need(degree(e.q) >= 1 && is_one(lead(e.q)), "a place is not a monic polynomial");
     need(e.order >= 1 && e.order <= static_cast<long>(max_length), "an order is not positive");
     total += degree(e.q) * e.order;
     need(total <= degree(j.equation.den), "the degrees do not add up to deg den");
+    size += static_cast<double>(e.order) * bits(e.q);
+    need(static_cast<double>(degree(j.equation.den)) * size <= max_bulk,
+         "the places are too large");
     bases.push_back(e.q);
     powers.push_back(pow(e.q, static_cast<unsigned long>(e.order)));
   }
   need(product(powers, 0, powers.size()) == j.equation.den, "the product of the places is not den");
-  if (!bases.empty())
-    need_squarefree(product(bases, 0, bases.size()), j.reduced(data.prime), &j.equation.num);
-  ExponentTest test(j.equation);
+  need_squarefree(product(bases, 0, bases.size()), j.reduced(data.prime), &j.equation.num);
+  ExponentTest test(j);
   LocalFact local{{}, check_infinity(j, data)};
   for (const LocalPlace& e : data.places)
     local.places.push_back(check_place(j, e, test));
+  test.finish();
   return local;
 }
 

@@ -32,6 +32,7 @@ Reduced reduce(const Equation& e, const Field& k, const PrimeIdeal& prime) {
 }
 
 void need_squarefree(const Poly& f, const Reduced& r, const Poly* other) {
+  if (degree(f) == 0) return;
   const NmodPoly g = reduce(f, r.prime);
   need(degree(gcd(g, derivative(g))) == 0, "not squarefree modulo p");
   if (other && !is_zero(*other))

@@ -50,6 +50,7 @@ void check_series(const Judge& j, const BySeries& data, const LocalFact& local) 
   need(data.terms >= 2 && data.terms <= static_cast<long>(max_length), "too few or too many terms");
   need(data.delta < mod.n, "delta is not reduced modulo p");
   const Integer L = length_bound(local, x);
+  j.spend(static_cast<double>(data.terms) * (static_cast<double>(data.terms) + j.length()));
   const Expansion e = expand(r, root, x.order);
   const mp_limb_t half = nmod_inv(2, mod);
   std::vector<mp_limb_t> starts{data.delta, nmod_neg(data.delta, mod)};

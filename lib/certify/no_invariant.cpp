@@ -98,6 +98,9 @@ void check_rank(const Judge& j, const RankModP& data, long m, const Integer& D,
   need(sign(spare) >= 0 && spare <= Integer(1000) && T <= 10 * static_cast<long>(max_length) &&
            Integer(T) <= Integer(data.prime.p) && work <= max_work,
        "terms out of range");
+  const auto rows = static_cast<double>(m + 1);
+  need(rows * static_cast<double>(T) <= max_matrix, "terms out of range");
+  j.spend(work + 60 * rows * static_cast<double>(T) + rows * rows * static_cast<double>(T));
   need(data.x0 < data.prime.p && evaluate(r.den, data.x0) != 0, "x0 is a pole modulo p");
   const NmodPoly n = taylor_shift(r.num, data.x0);
   const NmodPoly d = taylor_shift(r.den, data.x0);

@@ -87,8 +87,17 @@ public:
   }
   [[nodiscard]] Poly poly() const {
     std::vector<NfElem> c;
-    for (const Node& n : items())
+    Integer common(1);
+    std::size_t top = 0;
+    for (const Node& n : items()) {
       c.push_back(n.element());
+      const Integer below(c.back().raw()->den);
+      common = lcm(common, below);
+      top = std::max<std::size_t>(top, static_cast<std::size_t>(std::abs(_fmpz_vec_max_bits(
+                                           c.back().raw()->coeffs, c.back().raw()->length))));
+      const auto size = static_cast<double>(top + 2 * fmpz_bits(common.raw()));
+      if (static_cast<double>(c.size()) * size > max_bulk) fail("the polynomial is too large");
+    }
     if (!c.empty() && is_zero(c.back())) fail("the leading coefficient is 0");
     return c.empty() ? Poly(*k_) : Poly::from_coefficients(c);
   }
@@ -294,8 +303,13 @@ Field read_field(const Node& n) {
   const std::string name = k.at("name").text();
   const Node minpoly = k.at("minpoly");
   std::vector<Integer> m;
-  for (const Node& c : minpoly.items())
+  Integer squares;
+  for (const Node& c : minpoly.items()) {
     m.push_back(c.integer());
+    squares += m.back() * m.back();
+    if (fmpz_bits(squares.raw()) / 2 + m.size() >= 76)
+      minpoly.fail("the coefficients are too large");
+  }
   k.done();
   if (m.size() < 2 || m.size() > 25 || m.back() != Integer(1) || (m.size() == 2 && !is_zero(m[0])))
     minpoly.fail("a monic polynomial of degree 1 (z itself) to 24 is expected");
@@ -305,6 +319,7 @@ Field read_field(const Node& n) {
 } // namespace
 
 Certificate read_certificate(std::string_view text) {
+  if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");
   const Json json = parse_json(text);
   Certificate c;
   Keys top(Node(json, "certificate", rationals()));

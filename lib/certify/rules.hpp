@@ -2,7 +2,10 @@
 // One checking function for each rule of docs/theory/certificates.md.  Each refuses (throws
 // Refused) or returns what the step establishes; none searches.
 
+#include "certify/limits.hpp"
 #include "certify/modular_equation.hpp"
+
+#include <algorithm>
 
 namespace kov::certify {
 
@@ -10,7 +13,24 @@ struct Judge {
   Field field;
   Equation equation;
 
-  [[nodiscard]] Reduced reduced(const PrimeIdeal& p) const { return reduce(equation, field, p); }
+  [[nodiscard]] Reduced reduced(const PrimeIdeal& p) const {
+    spend(20 * length());
+    return reduce(equation, field, p);
+  }
+  /// deg num + deg den + 2, and the same in machine words
+  [[nodiscard]] double length() const {
+    return static_cast<double>(degree(equation.num) + degree(equation.den) + 2);
+  }
+  [[nodiscard]] double words() const {
+    return length() * (1 + std::max(bits(equation.num), bits(equation.den)) / 64);
+  }
+  /// Refuses when all steps together cost too much; before the work is done.
+  void spend(double work) const {
+    spent += work;
+    need(spent <= max_total, "the certificate is too much work");
+  }
+
+  mutable double spent = 0;
 };
 
 [[nodiscard]] LocalFact check_local(const Judge& j, const Local& data);

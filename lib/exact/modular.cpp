@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace kov {
 
@@ -146,9 +147,43 @@ std::vector<mp_limb_t> generator_images(const NumberField& k, mp_limb_t p) {
   return roots(m);
 }
 
+// The first primes of a field are asked for again and again: the latest answers.
+class LatestIdeals {
+public:
+  [[nodiscard]] const PrimeIdeal* after(const Field& k, mp_limb_t p) const {
+    const auto at = std::find_if(latest_.begin(), latest_.end(),
+                                 [&](const Entry& e) { return e.p == p && e.k == k; });
+    return at == latest_.end() ? nullptr : &at->found;
+  }
+  void keep(const Field& k, mp_limb_t p, const PrimeIdeal& found) {
+    latest_[next_++ % latest_.size()] = {k, p, found};
+  }
+
+private:
+  struct Entry {
+    Field k; // shared, so that no other field gets its address
+    mp_limb_t p = 0;
+    PrimeIdeal found;
+  };
+  std::array<Entry, 16> latest_;
+  std::size_t next_ = 0;
+};
+
 } // namespace
 
 PrimeIdeal PrimeIdeals::next() {
+  thread_local LatestIdeals latest;
+  const mp_limb_t start = p_;
+  if (const PrimeIdeal* known = latest.after(k_, start)) {
+    p_ = known->p;
+    return *known;
+  }
+  const PrimeIdeal found = search();
+  latest.keep(k_, start, found);
+  return found;
+}
+
+PrimeIdeal PrimeIdeals::search() {
   for (int tries = 0; tries < 20000; ++tries) {
     p_ = n_nextprime(p_, 0);
     if (k_->is_rational()) return {p_, 0};

@@ -91,6 +91,8 @@ public:
   [[nodiscard]] std::vector<PrimeIdeal> next_split();
 
 private:
+  [[nodiscard]] PrimeIdeal search();
+
   Field k_;
   mp_limb_t p_;
 };

@@ -299,6 +299,7 @@ Poly gcd(const Poly& a0, const Poly& b0) {
   if (is_zero(a)) return is_zero(b) ? b : monic(b);
   if (is_zero(b)) return monic(a);
   if (degree(a) < degree(b)) std::swap(a, b);
+  if (degree(b) == 0) return coerce(Poly(1), k);
   // One prime bounds the degree of the gcd: that settles the two common cases, 1 and b itself.
   const auto bound = gcd_degree_bound(a, b);
   if (bound && *bound == 0) return coerce(Poly(1), k);

@@ -19,15 +19,19 @@ bool negative(const Rational& q) { return is_integer(q) && sign(q) < 0; }
 } // namespace
 
 ClosedAnswer whittaker_answer(const NfElem& k2, const NfElem& m2) {
-  const NfElem sum = NfElem(4) * (k2 + m2);
-  const auto sums = integer_sums(sum, NfElem(16) * k2 * m2); // of 2k and 2m
-  const bool reducible = std::any_of(sums.begin(), sums.end(), [](const Integer& s) {
-    return !is_integer(Rational(s, Integer(2)));
-  });
-  if (!reducible)
-    return ClosedAnswer::of({GroupType::SL2, {}}, "no k +- m is half of an odd integer");
+  const auto odd = [](const Rational& s) { return is_integer(s) && !is_integer(s * half); };
   const auto k = rational_root(k2);
   const auto m = rational_root(m2);
+  bool reducible = false;
+  if (k && m) {
+    reducible = odd(*k + *k + *m + *m) || odd(*k + *k - *m - *m);
+  } else {
+    const auto sums = integer_sums(NfElem(4) * (k2 + m2), NfElem(16) * k2 * m2); // of 2k and 2m
+    reducible =
+        std::any_of(sums.begin(), sums.end(), [&](const Integer& s) { return odd(Rational(s)); });
+  }
+  if (!reducible)
+    return ClosedAnswer::of({GroupType::SL2, {}}, "no k +- m is half of an odd integer");
   if (k && m) {
     const Rational p = *k + *m - half;
     const Rational q = *k - *m - half;

@@ -49,11 +49,14 @@ public:
     }
     KOV_ENSURE(exponents_.size() == 3);
   }
+  explicit Riemann(const SquaredExponents& s)
+      : e1_(s[0] + s[1] + s[2]), e2_(s[0] * s[1] + s[0] * s[2] + s[1] * s[2]),
+        e3_(s[0] * s[1] * s[2]), exponents_{rational_exponent(s[0]), rational_exponent(s[1]),
+                                            rational_exponent(s[2])} {}
 
   ClosedAnswer answer() const {
-    const auto odd = odd_relations(e1_, e2_, e3_);
-    if (!odd.empty())
-      return reducible("l +- m +- n = " + to_string(odd.front()) + " is an odd integer");
+    if (const auto odd = odd_relation())
+      return reducible("l +- m +- n = " + to_string(*odd) + " is an odd integer");
     if (std::count_if(exponents_.begin(), exponents_.end(), is_half_integer) >= 2)
       return dihedral();
     if (all_rational())
@@ -74,14 +77,34 @@ private:
     return std::all_of(exponents_.begin(), exponents_.end(), [](const auto& e) { return !!e; });
   }
 
+  // Sums of rational numbers need no factorisation.
+  [[nodiscard]] std::optional<Integer> odd_relation() const {
+    if (!all_rational()) {
+      const auto odd = odd_relations(e1_, e2_, e3_);
+      return odd.empty() ? std::nullopt : std::optional(odd.front());
+    }
+    for (const Rational& sum : sums(*exponents_[0], *exponents_[1]))
+      for (const Rational& k : sums(sum, *exponents_[2]))
+        if (is_integer(k) && !is_integer(k * half)) return k.num();
+    return std::nullopt;
+  }
+  [[nodiscard]] static std::array<Rational, 2> sums(const Rational& a, const Rational& b) {
+    return {abs(a + b), abs(a - b)};
+  }
+
   // Is the local monodromy at place i plus or minus 1?  The exponent difference is N >= 1 and there
   // is no logarithm: one of m + n, m - n is among N-1, N-3, ..., -(N-1).
   [[nodiscard]] bool is_trivial(std::size_t i) const {
     const auto& n = exponents_[i];
     if (!n || !is_integer(*n) || is_zero(*n)) return false;
-    const NfElem a(*n * *n);
-    const NfElem sum = e1_ - a;
-    return contains_up_to(integer_sums(sum, e3_ / a), n->num());
+    if (!all_rational()) {
+      const NfElem a(*n * *n);
+      return contains_up_to(integer_sums(e1_ - a, e3_ / a), n->num());
+    }
+    std::vector<Integer> integers;
+    for (const Rational& s : sums(*exponents_[(i + 1) % 3], *exponents_[(i + 2) % 3]))
+      if (is_integer(s)) integers.push_back(s.num());
+    return contains_up_to(integers, n->num());
   }
   [[nodiscard]] bool has_logarithm(std::size_t i) const {
     return exponents_[i] && is_integer(*exponents_[i]) && !is_trivial(i);
@@ -151,10 +174,7 @@ RationalFunction riemann_equation(const SquaredExponents& s) {
 
 ClosedAnswer riemann_answer(const Poly& squares) { return Riemann(squares).answer(); }
 
-ClosedAnswer riemann_answer(const SquaredExponents& s) {
-  const Poly t = Poly::z();
-  return riemann_answer((t - Poly(s[0])) * (t - Poly(s[1])) * (t - Poly(s[2])));
-}
+ClosedAnswer riemann_answer(const SquaredExponents& s) { return Riemann(s).answer(); }
 
 // y = z^((1 +- l)/2).
 ClosedAnswer euler_answer(const NfElem& square) {

@@ -16,7 +16,8 @@ NUMBER = re.compile(r"-?[0-9]+(/[0-9]+)?\Z")
 THEOREMS = ["sl2-p-curvature", "sl2-irreducible-log", "sl2-irreducible-infinite", "sl2-irreducible-12", "borel", "additive", "diagonal",
             "dihedral-genus-0", "dihedral-infinite", "dihedral-finite", "dihedral-torsion", "quaternion", "tetrahedral", "octahedral",
             "icosahedral", "invariant-abelian", "torus-nonabelian"]
-RULES = ["local", "exponential", "invariant", "no-exponential", "p-curvature", "no-invariant", "torsion-function", "jacobian", "conclude"]
+RULES = ["local", "exponential", "invariant", "no-exponential", "p-curvature", "no-invariant", "torsion-function", "good-reduction", "conclude",
+         "apply-theorem"]
 WORDS = {"group": ["SL2", "Borel", "T", "Gm", "cyclic", "Dinf", "D", "A4", "S4", "A5"], "component": ["trivial", "Ga", "Gm", "Borel", "SL2"],
          "theorem": THEOREMS, "rule": RULES, "by": ["parity", "degree", "series"], "shows": ["nonzero", "irreducible", "sl2"],
          "place": ["0", "1", "2", "infinity"]}

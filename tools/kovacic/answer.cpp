@@ -1,5 +1,7 @@
 #include "answer.hpp"
 
+#include "recognized.hpp"
+
 #include <chrono>
 #include <exception>
 #include <sstream>
@@ -86,6 +88,7 @@ private:
     const Decision decision = decide(equation.normal_form, options);
     open_.erase("original"); // it is printed last
     Json result = closed_result(std::move(open_), decision, seconds_since(start_));
+    result["recognized"] = recognized_json(equation, decision, options.budget);
     if (!original.is_null()) {
       original["identity_component_abelian"] = result.at("abelian");
       result["original"] = std::move(original);

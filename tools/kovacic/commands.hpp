@@ -17,7 +17,21 @@ struct SolveArguments {
   std::string batch; ///< a file of JSON lines; "-" = standard input
 };
 
+struct LameArguments {
+  std::string file; ///< with a [lame] table
+  std::optional<std::string> n, alpha, b, g2, g3;
+};
+
+struct PotentialArguments {
+  long degree = 0;
+  std::optional<std::string> eigenvalue;
+};
+
 int solve(const Settings& settings, const SolveArguments& arguments);
+/// Lame's equation: the closed answer, or the condition on what is left free.
+int lame(const Settings& settings, const LameArguments& arguments);
+/// The eigenvalues that an integrable homogeneous potential may have.
+int potential(const Settings& settings, const PotentialArguments& arguments);
 int batch(const Settings& settings, const std::string& path);
 int check(const Settings& settings, const std::vector<std::string>& files);
 int test(const Settings& settings, const std::vector<std::string>& paths);

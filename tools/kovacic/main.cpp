@@ -44,6 +44,8 @@ CLI::Validator number(double most, const std::string& what) {
 struct CommandLine {
   Settings settings;
   SolveArguments solve_arguments;
+  LameArguments lame_arguments;
+  PotentialArguments potential_arguments;
   SectionArguments section_arguments;
   BenchArguments bench_arguments;
   std::vector<std::string> files;
@@ -93,6 +95,26 @@ struct CommandLine {
         ->type_name("WHEN");
   }
 
+  void declare_families(CLI::App& app) {
+    CLI::App* lame = app.add_subcommand("lame", "Lame's equation, with numbers or a condition");
+    lame->add_option("FILE", lame_arguments.file, "a file with a [lame] table")->type_name("");
+    lame->add_option("-n", lame_arguments.n, "y_tt = (N(N+1) wp(t; g2, g3) + B) y")->type_name("N");
+    lame->add_option("--alpha", lame_arguments.alpha, "N(N+1), instead of -n")->type_name("A");
+    lame->add_option("--B", lame_arguments.b, "what is not given stays a name")->type_name("B");
+    lame->add_option("--g2", lame_arguments.g2, "a number or a formula")->type_name("G");
+    lame->add_option("--g3", lame_arguments.g3, "a number or a formula")->type_name("G");
+    shared_flags(*lame, true);
+
+    CLI::App* potential =
+        app.add_subcommand("potential", "eigenvalues of integrable homogeneous potentials");
+    potential->add_option("--degree", potential_arguments.degree, "of the potential, not 0")
+        ->required()
+        ->type_name("K");
+    potential->add_option("--eigenvalue", potential_arguments.eigenvalue, "only this one")
+        ->type_name("L");
+    shared_flags(*potential, true);
+  }
+
   void declare(CLI::App& app) {
     app.description(examples);
     app.footer(footer);
@@ -116,6 +138,8 @@ struct CommandLine {
     solve->add_option("--batch", solve_arguments.batch, "JSON lines in, JSON lines out; - is stdin")
         ->type_name("FILE.jsonl");
     shared_flags(*solve, true);
+
+    declare_families(app);
 
     CLI::App* check = app.add_subcommand("check", "files: the answer and what was expected");
     check->add_option("FILE", files, "equation or system files")->required()->type_name("");
@@ -166,6 +190,8 @@ struct CommandLine {
 
   int run(const std::string& command) {
     if (command == "solve") return solve(settings, solve_arguments);
+    if (command == "lame") return lame(settings, lame_arguments);
+    if (command == "potential") return potential(settings, potential_arguments);
     if (command == "check") return check(settings, files);
     if (command == "show") return show(settings, word, stage);
     if (command == "find-manifolds") return find_manifolds(settings, word);

@@ -1,5 +1,7 @@
 #include "render.hpp"
 
+#include "recognized.hpp"
+
 #include <sstream>
 
 namespace kov::cli {
@@ -176,6 +178,9 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   } else {
     put(out, "because", result.at("reason").get<std::string>());
   }
+  if (result.contains("recognized") && !result.at("recognized").is_null())
+    if (const std::string known = recognized_text(result.at("recognized")); !known.empty())
+      put(out, "this is", known);
   if (result.contains("original")) put_original(out, result.at("original"));
   put_solutions(out, result.at("solutions"));
   if (style.trace && result.contains("trace")) {

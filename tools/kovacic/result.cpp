@@ -69,7 +69,8 @@ Json unread_result(const Json& id) {
           {"solutions", nullptr},
           {"reason", ""},
           {"undecided", nullptr},
-          {"seconds", nullptr}};
+          {"seconds", nullptr},
+          {"recognized", nullptr}};
 }
 
 Json open_result(const Json& id, const GivenEquation& equation) {

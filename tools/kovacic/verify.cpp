@@ -1,6 +1,7 @@
 // kovacic verify CERT...: the judge of lib/certify, which shares no code with the solver.
 // Exit 0: all accepted; 1: one was rejected; 2: one is not a certificate.
 
+#include "answer.hpp"
 #include "commands.hpp"
 
 #include "certify/check.hpp"
@@ -31,11 +32,11 @@ Report claim_of(const certify::Claim& c) {
           {"abelian", optional(c.abelian)}};
 }
 
-// The outcome of one file: "accepted", "rejected" or "malformed", with its reason.
-Report judge(const std::string& path, bool strict) {
+// The outcome of one text: "accepted", "rejected" or "malformed", with its reason.
+Report judge(const std::string& path, const std::string& certificate, bool strict) {
   Report r{{"file", path}};
   try {
-    const certify::Certificate c = certify::read_certificate(read_text(path, largest_certificate));
+    const certify::Certificate c = certify::read_certificate(certificate);
     const auto verdict = certify::check(c);
     if (const auto* no = std::get_if<certify::Rejected>(&verdict)) {
       r["verdict"] = "rejected";
@@ -54,6 +55,23 @@ Report judge(const std::string& path, bool strict) {
     r["reason"] = e.what();
   }
   return r;
+}
+
+// The same in a process of its own: a text made to exhaust the memory is refused like any other.
+Report judge_file(const Settings& settings, const std::string& path) {
+  std::string certificate;
+  try {
+    certificate = read_text(path, largest_certificate);
+  } catch (const Error& e) {
+    return {{"file", path}, {"verdict", "malformed"}, {"reason", e.what()}};
+  }
+  const TextAnswer a = limited(settings, [&](std::ostream& out) {
+    out << dump(judge(path, certificate, settings.strict));
+    return 0;
+  });
+  if (!a.text.empty()) return Report::parse(a.text);
+  const std::string why = a.exit == exit_interrupted ? "interrupted" : a.limit + a.internal;
+  return {{"file", path}, {"verdict", "rejected"}, {"reason", why}};
 }
 
 std::string claim_text(const Report& claim) {
@@ -88,7 +106,7 @@ int verify(const Settings& settings, const std::vector<std::string>& files) {
   std::string out;
   int code = exit_decided;
   for (const std::string& f : files) {
-    const Report r = judge(f, settings.strict);
+    const Report r = judge_file(settings, f);
     const bool accepted = r["verdict"] == "accepted";
     code = std::max<int>(code, accepted                     ? exit_decided
                                : r["verdict"] == "rejected" ? exit_no

@@ -1,0 +1,31 @@
+#pragma once
+// Signs of polynomials on an open orthant, with certificates that a reader checks by expanding.
+//
+// Each variable is written as a rational function, with positive coefficients, of new variables
+// that range over all positive numbers (0 < a < b < c: a, b = a + u, c = a + u + v).  A polynomial
+// whose coefficients in the new variables all have one sign has that sign.  On an equation g = 0 a
+// rational multiple of g may be added first.  "0" means: not seen, nothing is claimed.
+
+#include "exact/multivariate.hpp"
+
+#include <vector>
+
+namespace kov {
+
+class Cone {
+public:
+  explicit Cone(Substitution values) : values_(std::move(values)) {}
+
+  /// +1 or -1 when f has that sign on the whole cone, else 0.
+  [[nodiscard]] int sign(const MPoly& f) const;
+  /// The same on the part of the cone where all g vanish; `why` receives the identity used.
+  [[nodiscard]] int sign(const MPoly& f, const std::vector<MPoly>& zero, std::string* why) const;
+
+private:
+  [[nodiscard]] int sign_of_irreducible(const MPoly& f, const std::vector<MPoly>& zero,
+                                        std::string* why) const;
+
+  Substitution values_;
+};
+
+} // namespace kov

@@ -1,0 +1,293 @@
+#include "splitting/families.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+struct Branch {
+  std::vector<std::size_t> zero, nonzero; ///< components of S
+  std::vector<MPoly> moments;             ///< equations in a, b, c
+};
+
+class Classifier {
+public:
+  Classifier(const VanishingConditions& c, const Budget& budget)
+      : c_(c), budget_(budget), cone_(moment_cone(c.ring)) {}
+
+  std::vector<SplittingFamily> families;
+  std::vector<EmptyBranch> empty;
+
+  void split(Branch branch);
+
+private:
+  [[nodiscard]] bool uses_direction(const MPoly& f) const;
+  [[nodiscard]] std::vector<MPoly> restricted(const Branch& b) const;
+  [[nodiscard]] std::vector<MPoly> open_factors(const MPoly& f, const Branch& b, std::string* why);
+  void close(const Branch& b, const std::string& reason) { empty.push_back({name(b), reason}); }
+  void leaf(const Branch& b, const std::optional<MPoly>& direction);
+  [[nodiscard]] bool same_signs(const MPoly& f, const Branch& b, std::string* why) const;
+  [[nodiscard]] std::string name(const Branch& b) const;
+  [[nodiscard]] MPoly in_moments(const MPoly& f) const;
+  [[nodiscard]] MPoly simplified(const MPoly& f, const std::vector<MPoly>& moments) const;
+  void find_witness(const Branch& b, const std::optional<MPoly>& direction, SplittingFamily& f);
+  void decide_triangle(const Branch& b, SplittingFamily& f) const;
+  [[nodiscard]] bool is_member(const Branch& b, const std::optional<MPoly>& direction,
+                               const std::array<Rational, 3>& abc) const;
+
+  const VanishingConditions& c_;
+  const Budget& budget_;
+  Cone cone_;
+};
+
+std::string Classifier::name(const Branch& b) const {
+  std::string text;
+  const auto add = [&](const std::string& s) { text += (text.empty() ? "" : ", ") + s; };
+  for (const std::size_t v : b.zero)
+    add(c_.ring->name(v) + " = 0");
+  for (const std::size_t v : b.nonzero)
+    add(c_.ring->name(v) + " != 0");
+  for (const MPoly& g : b.moments)
+    add(to_string(g) + " = 0");
+  return text.empty() ? "all" : text;
+}
+
+bool Classifier::uses_direction(const MPoly& f) const {
+  return std::any_of(c_.direction.begin(), c_.direction.end(),
+                     [&](std::size_t v) { return uses(f, v); });
+}
+
+// The equations with the vanishing components put in.
+std::vector<MPoly> Classifier::restricted(const Branch& b) const {
+  Substitution zero;
+  for (const std::size_t v : b.zero)
+    zero[v] = MFraction(c_.ring);
+  std::vector<MPoly> left;
+  for (const MPoly& f : c_.equations) {
+    const MFraction g = substitute(f, zero);
+    if (!is_zero(g)) left.push_back(g.num());
+  }
+  return left;
+}
+
+// The factors that may vanish on the branch.
+std::vector<MPoly> Classifier::open_factors(const MPoly& f, const Branch& b, std::string* why) {
+  std::vector<MPoly> open;
+  for (const MFactor& x : factor(f).second) {
+    const auto is_component = [&](std::size_t v) { return x.base == MPoly::variable(c_.ring, v); };
+    if (std::any_of(b.nonzero.begin(), b.nonzero.end(), is_component)) {
+      if (why->empty()) *why = to_string(x.base) + " != 0 here";
+      continue;
+    }
+    if (uses_direction(x.base)) {
+      if (!same_signs(x.base, b, why)) open.push_back(x.base);
+    } else if (std::find(b.moments.begin(), b.moments.end(), x.base) != b.moments.end()) {
+      return {MPoly(c_.ring)}; // holds already
+    } else if (cone_.sign(x.base, b.moments, why) == 0) {
+      open.push_back(x.base);
+    } else if (why->empty()) {
+      *why = to_string(x.base) + " has one sign for 0 < a < b < c";
+    }
+  }
+  return open;
+}
+
+// sum p_e S^e with even exponents, components that do not vanish, and coefficients of one sign.
+bool Classifier::same_signs(const MPoly& f, const Branch& b, std::string* why) const {
+  std::map<std::vector<unsigned long>, MPoly> terms;
+  for (long t = 0; t < f.length(); ++t) {
+    auto e = f.exponents(t);
+    std::vector<unsigned long> in_s(e.size(), 0);
+    for (const std::size_t v : c_.direction)
+      std::swap(in_s[v], e[v]);
+    terms[in_s] += MPoly::term(c_.ring, f.coefficient(t), e);
+  }
+  int sign = 0;
+  bool nonzero_term = false;
+  std::string used;
+  for (const auto& [e, p] : terms) {
+    bool sure = true;
+    for (const std::size_t v : c_.direction) {
+      if (e[v] % 2 != 0) return false;
+      sure = sure &&
+             (e[v] == 0 || std::find(b.nonzero.begin(), b.nonzero.end(), v) != b.nonzero.end());
+    }
+    std::string identity;
+    const int s = cone_.sign(p, b.moments, &identity);
+    if (s == 0 || (sign != 0 && s != sign)) return false;
+    sign = s;
+    nonzero_term = nonzero_term || sure;
+    if (!identity.empty()) used += (used.empty() ? "; " : ", ") + identity;
+  }
+  if (nonzero_term)
+    *why = "all coefficients of " + brief(MFraction(f), 120) + " have one sign for 0 < a < b < c" +
+           used;
+  return nonzero_term;
+}
+
+void Classifier::split(Branch branch) {
+  budget_.check();
+  if (branch.zero.size() == c_.direction.size()) return; // S = 0 is excluded
+  std::optional<MPoly> relation;
+  for (const MPoly& f : restricted(branch)) {
+    std::string why;
+    const std::vector<MPoly> open = open_factors(f, branch, &why);
+    if (open.empty()) return close(branch, why);
+    if (is_zero(open.front())) continue; // this equation holds
+    for (const std::size_t v : c_.direction) {
+      const bool decided =
+          std::find(branch.nonzero.begin(), branch.nonzero.end(), v) != branch.nonzero.end();
+      if (decided || !uses(f, v)) continue;
+      Branch one = branch, other = std::move(branch);
+      one.zero.push_back(v);
+      other.nonzero.push_back(v);
+      split(std::move(one));
+      return split(std::move(other));
+    }
+    if (std::any_of(open.begin(), open.end(), [&](const MPoly& g) { return uses_direction(g); })) {
+      KOV_ENSURE(open.size() == 1 && !relation); // the conditions known so far lead to one at most
+      relation = open.front();
+      continue;
+    }
+    for (const MPoly& g : open) {
+      Branch with = branch;
+      with.moments.push_back(g);
+      split(std::move(with));
+    }
+    return;
+  }
+  leaf(branch, relation);
+}
+
+// A polynomial in a, b, c, S as one in the moments A = 1/a, ...
+MPoly Classifier::in_moments(const MPoly& f) const {
+  const auto inverse = [&](const char* n) { return pow(MFraction::variable(c_.ring, n), -1); };
+  const MFraction g = substitute(f, {{c_.ring->index("a"), inverse("A")},
+                                     {c_.ring->index("b"), inverse("B")},
+                                     {c_.ring->index("c"), inverse("C")}});
+  MPoly product(c_.ring, Integer(1));
+  for (const MFactor& x : factor(g.num()).second)
+    product *= pow(x.base, static_cast<unsigned long>(x.exponent));
+  return product;
+}
+
+// On a linear equation for A the first moment is put in; factors of one sign for A > B > C > 0 go.
+MPoly Classifier::simplified(const MPoly& f, const std::vector<MPoly>& moments) const {
+  const auto x = [&](const char* n) { return MFraction::variable(c_.ring, n); };
+  const std::size_t a = c_.ring->index("A");
+  Substitution ordered{{c_.ring->index("B"), x("C") + x("u")}, {a, x("C") + x("u") + x("v")}};
+  MFraction value(f);
+  for (const MPoly& g : moments) {
+    const std::vector<MPoly> k = coefficients(g, a);
+    if (k.size() != 2 || !is_constant(k[1])) continue;
+    const MFraction solved = -MFraction(k[0]) / MFraction(k[1]);
+    value = substitute(value, {{a, solved}});
+    // then B > C and A > B are what is left of the order
+    ordered = {{c_.ring->index("B"), x("C") + x("u")}};
+  }
+  if (is_zero(value)) return value.num();
+  MPoly product(c_.ring, Integer(1));
+  for (const MFactor& y : factor(value.num()).second)
+    if (Cone(ordered).sign(y.base) == 0)
+      product *= pow(y.base, static_cast<unsigned long>(y.exponent));
+  return product;
+}
+
+bool Classifier::is_member(const Branch& b, const std::optional<MPoly>& direction,
+                           const std::array<Rational, 3>& abc) const {
+  if (!(sign(abc[0]) > 0 && abc[0] < abc[1] && abc[1] < abc[2])) return false;
+  Substitution at;
+  for (std::size_t k = 0; k < 3; ++k)
+    at[k] = MFraction(c_.ring, abc[k]);
+  for (const MPoly& g : b.moments)
+    if (!is_zero(substitute(g, at))) return false;
+  if (!direction) return true;
+  // coefficients of opposite signs: the squares have a positive ratio
+  const MFraction f = substitute(*direction, at);
+  if (is_zero(f)) return true;
+  int positive = 0, negative = 0;
+  for (long t = 0; t < f.num().length(); ++t)
+    ++(sign(f.num().coefficient(t)) > 0 ? positive : negative);
+  return positive > 0 && negative > 0;
+}
+
+// a and b from a small grid, c from an equation that is linear in c; the triangle inequality if
+// possible.
+void Classifier::find_witness(const Branch& b, const std::optional<MPoly>& direction,
+                              SplittingFamily& f) {
+  const std::size_t c = c_.ring->index("c");
+  for (long p = 1; p < 12; ++p)
+    for (long q = p + 1; q < 24; ++q) {
+      std::vector<Rational> candidates;
+      for (long r = q + 1; r < 30; ++r)
+        candidates.emplace_back(r);
+      for (const MPoly& g : b.moments) {
+        const MFraction line =
+            substitute(g, {{c_.ring->index("a"), MFraction(c_.ring, Rational(p))},
+                           {c_.ring->index("b"), MFraction(c_.ring, Rational(q))}});
+        const auto k = is_zero(line) ? std::vector<MPoly>{} : coefficients(line.num(), c);
+        if (k.size() == 2 && is_constant(k[0]) && is_constant(k[1]))
+          candidates = {-to_rational(MFraction(k[0]) / MFraction(k[1]))};
+      }
+      for (const Rational& r : candidates) {
+        const std::array<Rational, 3> abc{Rational(p), Rational(q), r};
+        if (!is_member(b, direction, abc)) continue;
+        const std::array<Rational, 3> moments{Rational(1) / abc[0], Rational(1) / abc[1],
+                                              Rational(1) / abc[2]};
+        const bool triangle = moments[0] <= moments[1] + moments[2];
+        if (!f.witness || triangle) f.witness = moments;
+        if (triangle) {
+          f.triangle = Truth::yes;
+          f.triangle_reason = "the witness fulfils A <= B + C";
+          return;
+        }
+      }
+    }
+}
+
+void Classifier::decide_triangle(const Branch& b, SplittingFamily& f) const {
+  if (f.triangle == Truth::yes) return;
+  const auto x = [&](const char* n) { return MFraction::variable(c_.ring, n); };
+  // A <= B + C  <=>  b c <= a b + a c
+  const MPoly triangle = (x("a") * x("b") + x("a") * x("c") - x("b") * x("c")).num();
+  std::string why;
+  if (cone_.sign(triangle, b.moments, &why) < 0) {
+    f.triangle = Truth::no;
+    f.triangle_reason = "a b + a c - b c < 0 on the family: " + why;
+  }
+}
+
+void Classifier::leaf(const Branch& b, const std::optional<MPoly>& direction) {
+  SplittingFamily f;
+  for (const std::size_t v : b.zero)
+    f.zero.push_back(c_.ring->name(v));
+  for (const MPoly& g : b.moments)
+    f.moments.push_back(in_moments(g));
+  find_witness(b, direction, f);
+  decide_triangle(b, f);
+  if (direction) f.direction = simplified(in_moments(*direction), f.moments);
+  families.push_back(std::move(f));
+}
+
+} // namespace
+
+SplittingClassification classify_families(const VanishingConditions& c, const Budget& budget) {
+  Classifier classifier(c, budget);
+  classifier.split({});
+  return {c, std::move(classifier.families), std::move(classifier.empty)};
+}
+
+std::string describe(const SplittingFamily& f) {
+  std::string text;
+  const auto add = [&](const std::string& s) { text += (text.empty() ? "" : ", ") + s; };
+  for (const std::string& s : f.zero)
+    add(s + " = 0");
+  for (const MPoly& g : f.moments)
+    add(to_string(g) + " = 0");
+  if (f.direction) add(to_string(*f.direction) + " = 0");
+  return text.empty() ? "all bodies" : text;
+}
+
+} // namespace kov

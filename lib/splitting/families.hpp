@@ -1,0 +1,42 @@
+#pragma once
+// All solutions of the vanishing conditions with 0 < a < b < c and S != 0.
+//
+// The tree splits on S_j = 0 or not and on the factors of the equations; a branch ends
+//   empty     an equation has one sign on the branch (Cone), or S = 0, or
+//   family    what is left is one equation in S^2 with opposite signs, or none: described exactly,
+//   with a
+//             rational witness.
+// A branch that cannot be closed is kept as a family without witness: "not seen to be empty" is
+// "not empty".
+
+#include "exact/truth.hpp"
+#include "splitting/conditions.hpp"
+
+namespace kov {
+
+struct SplittingFamily {
+  std::vector<std::string> zero;  ///< components of S that vanish; the others do not
+  std::vector<MPoly> moments;     ///< equations in the moments A > B > C
+  std::optional<MPoly> direction; ///< equation between the squares of the components of S
+  std::optional<std::array<Rational, 3>> witness; ///< A, B, C
+  Truth triangle = Truth::unknown;                ///< are there members with A <= B + C?
+  std::string triangle_reason;
+};
+
+struct EmptyBranch {
+  std::string branch; ///< "L2 != 0, L3 = 0"
+  std::string reason;
+};
+
+struct SplittingClassification {
+  VanishingConditions conditions;
+  std::vector<SplittingFamily> families;
+  std::vector<EmptyBranch> empty;
+};
+
+[[nodiscard]] SplittingClassification classify_families(const VanishingConditions& c,
+                                                        const Budget& budget = {});
+/// "L2 = 0, L3 = 0, 2*A - 2*B - C = 0"
+[[nodiscard]] std::string describe(const SplittingFamily& f);
+
+} // namespace kov

@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""The Python checker: accepts what is genuine, refuses what is false or hostile, and agrees with the C++ judge.
+
+usage: python_test.py KOVACIC TEST_CERTIFY     (the two programs; run by ctest)
+"""
+import json
+import os
+import random
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "../../tools/verify"), HERE]
+import certificate_format  # noqa: E402
+import exact  # noqa: E402
+import kovacic_verify as V  # noqa: E402
+import tamper  # noqa: E402
+
+KOVACIC, TEST_CERTIFY = sys.argv[1:3]
+GROUPS = {"B": ("Borel", None), "Ga": ("T", "1"), "D": ("Gm", None), "trivial": ("cyclic", "1")}
+
+
+def files(folder):
+    directory = os.path.join(HERE, folder)
+    return [os.path.join(directory, x) for x in sorted(os.listdir(directory))]
+
+
+def text(path):
+    with open(path, encoding="utf-8") as f:
+        return f.read()
+
+
+def verdict(certificate):
+    """a accepted, r rejected, m malformed"""
+    try:
+        V.verify(certificate)
+        return "a"
+    except V.Rejected:
+        return "r"
+    except V.Malformed:
+        return "m"
+
+
+def group(name):
+    """(group, n) of a certificate for the word that the corpus uses"""
+    if name in GROUPS:
+        return GROUPS[name]
+    kind, _, n = name.partition("_")
+    return {"C": "cyclic"}.get(kind, kind), None if n in ("", "SL2") else n
+
+
+class Checker(unittest.TestCase):
+    def test_accepts_the_genuine_ones(self):
+        for path in files("data"):
+            with self.subTest(path):
+                self.assertEqual(V.verify(text(path)), 0)
+
+    def test_refuses_the_false_ones(self):
+        for path in files("false"):
+            with self.subTest(path):
+                self.assertIn(verdict(text(path)), "rm")
+
+    def test_accepts_whatever_the_solver_writes(self):
+        for corpus in ("public", "pitfalls"):
+            source = os.path.join(HERE, f"../corpus/{corpus}.jsonl")
+            entries = [e for e in map(json.loads, text(source).splitlines()) if not e.get("parameters")]
+            with tempfile.TemporaryDirectory() as out:
+                command = [KOVACIC, "solve", "--batch", "-", "--certificate", out]
+                lines = "\n".join(json.dumps({k: e[k] for k in ("id", "r", "p", "q", "minpoly") if k in e}) for e in entries)
+                subprocess.run(command, input=lines, text=True, stdout=subprocess.DEVNULL, check=True)
+                for e in entries:
+                    with self.subTest(e["id"]):
+                        certificate = text(os.path.join(out, e["id"] + ".json"))
+                        self.assertEqual(V.verify(certificate), 0)
+                        claim, expected = json.loads(certificate)["claim"], e["expected"]
+                        self.assertEqual((claim["group"], claim["n"]), group(expected["group"]))
+                        self.assertEqual(claim["abelian"], expected["identity_component_abelian"])
+
+    def test_agrees_with_the_judge_on_changed_ones(self):
+        random.seed(20261121)
+        changed = []
+        for path in files("data"):
+            top = json.loads(text(path))
+            todo = list(tamper.mutations(top, (), ""))
+            for path, kind, value in random.sample(todo, min(25, len(todo))):
+                changed.append(json.dumps(tamper.apply(top, path, kind, value)))
+        with tempfile.TemporaryDirectory() as out:
+            lines = os.path.join(out, "lines")
+            with open(lines, "w", encoding="utf-8") as f:
+                f.writelines(json.dumps({"text": x}) + "\n" for x in changed)
+            subprocess.run([TEST_CERTIFY, "--gtest_filter=Lines.Verdicts"], check=True, stdout=subprocess.DEVNULL,
+                           env=os.environ | {"KOV_CERTIFICATE_LINES": lines})
+            theirs = text(lines + ".cpp").split()
+        ours = [verdict(x) for x in changed]
+        for a, b, certificate in zip(ours, theirs, changed):
+            self.assertEqual(a == "a", b == "a", certificate[:2000])
+
+    def test_hostile_texts(self):
+        one = json.loads(text(os.path.join(HERE, "data", sorted(os.listdir(os.path.join(HERE, "data")))[0])))
+        texts = ["", "{", "NaN", "1", "[" * 10**6, '{"a":' * 10**6, '"' + "x" * 10**7, '{"a":"b","a":"b"}', "\ud800", "null"]
+        for key in ("format", "field", "r", "claim", "steps"):
+            for value in (None, 1, 1.5, "x", [], {}, [[]], True, "9" * 10**6, {"a": "1"}, [None]):
+                texts.append(json.dumps(one | {key: value}))
+        texts.append(json.dumps(one | {"r": {"num": [f"1/{10**9 + 7 + 2 * i}" for i in range(60000)], "den": ["1"]}}))
+        texts.append(json.dumps(one | {"field": {"name": "a", "minpoly": ["7" * 150000] * 24 + ["1"]}}))
+        for x in texts:
+            start = time.time()
+            self.assertIn(verdict(x), "rm", x[:200])
+            self.assertLess(time.time() - start, 20, x[:200])
+
+
+class Arithmetic(unittest.TestCase):
+    def test_irreducible(self):
+        for m in ([-2, 0, 1], [1, 0, 1], [-1, -1, 0, 0, 0, 1], [1, 0, 0, 0, 1], [1, 0, -10, 0, 1], [1] * 13, [-10**18 - 9, 0, 1]):
+            self.assertTrue(exact.irreducible(m), m)
+        for m in ([-1, 0, 1], [4, 0, 0, 0, 1], [1, 2, 1], [0, 0, 1], [-6, 11, -6, 1], [1, 0, 1, 0, 1]):
+            self.assertFalse(exact.irreducible(m), m)
+
+    def test_square(self):
+        self.assertTrue(exact.is_square([4], 7))
+        self.assertTrue(exact.is_square([3, 6, 3], 7))
+        self.assertFalse(exact.is_square([1, 1, 1], 7))
+        self.assertTrue(exact.is_square([0, 0, 1, 2, 1], 7))
+        self.assertFalse(exact.is_square([0, 1, 2, 1], 7))
+
+    def test_division(self):
+        exact.K.m, exact.K.d, exact.K.s = [-2, 0, 1], 2, 3
+        f = certificate_format.read("poly", [["1/2", "3"], "5/7", ["0", "1/3"], "1"], "f")
+        q = certificate_format.read("poly", [["1/5", "1"], "1"], "q")
+        a, b = exact.division(f, q)
+        self.assertTrue(a * q + b == f)
+        self.assertLess(b.degree(), q.degree())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

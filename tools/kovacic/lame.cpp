@@ -1,0 +1,266 @@
+// kovacic lame: when is the identity component of Lame's equation abelian?
+
+#include "lame_question.hpp"
+#include "mechanics.hpp"
+#include "recognized.hpp"
+#include "render.hpp"
+#include "symbol/suggest.hpp"
+
+#include <sstream>
+
+namespace kov::cli {
+namespace {
+
+constexpr const char* headline = "Lame's equation y_tt = (n(n+1) wp(t; g2, g3) + B) y, ";
+
+void put(std::ostringstream& out, const std::string& label, const std::string& text) {
+  out << "  " << label << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ')
+      << wrapped(text, 12) << '\n';
+}
+
+Json texts(const std::vector<MPoly>& polynomials) {
+  Json all = Json::array();
+  for (const MPoly& f : polynomials)
+    all.push_back(to_string(f));
+  return all;
+}
+
+// A terminal is no place for a thousand coefficients.
+std::string all_zero(const std::vector<MPoly>& polynomials) {
+  std::string s;
+  for (const MPoly& f : polynomials)
+    s += (s.empty() ? "" : " and ") + to_string(f) + " = 0";
+  if (s.size() <= 1200) return s;
+  return std::to_string(polynomials.size()) +
+         " polynomials are 0 (too long for a terminal, whole with --format json)";
+}
+
+Json opened(const LameQuestion& q) {
+  Json j = {{"format", "kovacic-lame/1"}, {"degree", q.degree.text}, {"n", nullptr}};
+  if (q.degree.alpha)
+    if (const auto index = lame_index(*q.degree.alpha); index.n) j["n"] = to_string(*index.n);
+  std::visit(
+      [&](const auto& p) {
+        j["B"] = to_string(p.b);
+        j["g2"] = to_string(p.g2);
+        j["g3"] = to_string(p.g3);
+      },
+      q.parameters);
+  j["free"] = q.free;
+  return j;
+}
+
+std::string title(const LameQuestion& q, const Json& j) {
+  std::string text = headline + q.degree.text;
+  std::vector<std::string> open;
+  for (const char* name : {"B", "g2", "g3"}) {
+    const std::string value = j.at(name).get<std::string>();
+    if (value == name)
+      open.emplace_back(name);
+    else
+      text += std::string(", ") + name + " = " + value;
+  }
+  if (!open.empty()) text += "; " + enumerate(open) + " free";
+  return wrapped(text, 0) + "\n";
+}
+
+// --- numbers: the closed answer, and the engines on the equation
+// -----------------------------------
+
+Report numbers(const Settings& settings, const LameQuestion& q) {
+  const auto& p = std::get<LameParameters<NfElem>>(q.parameters);
+  Options options = settings.solver_options();
+  options.variable = "x";
+  options.want_solutions = false;
+  const ClosedAnswer closed = lame_answer(*q.degree.alpha, p, options.budget);
+  const Decision d =
+      decide({.r = lame_equation(*q.degree.alpha, p), .p = RationalFunction()}, options);
+  ensure_agreement(closed, d);
+  const auto group = d.group ? d.group : closed.group;
+  const Truth abelian = d.abelian != Truth::unknown ? d.abelian : closed.abelian;
+  Json j = opened(q);
+  j["r"] = to_string(d.r, "x");
+  j["abelian"] = abelian == Truth::yes ? "yes" : abelian == Truth::no ? "no" : "undecided";
+  j["group"] = group ? group_json(*group) : Json(nullptr);
+  j["closed_answer"] = closed_json(closed);
+  j["reason"] = d.reason;
+  std::ostringstream out;
+  out << title(q, j);
+  if (!q.constants.empty()) put(out, "where", q.constants);
+  out << "  G = " << (group ? describe(*group) : "?") << ", identity component "
+      << (abelian == Truth::yes  ? "abelian"
+          : abelian == Truth::no ? "not abelian"
+                                 : "undecided")
+      << '\n';
+  put(out, "closed", closed.reason);
+  put(out, "engines", d.reason);
+  put(out, "algebraic", "y'' = r y in x = wp(t), r = " + to_string(d.r, "x"));
+  int exit = group && abelian != Truth::unknown ? exit_decided : exit_undecided;
+  if (settings.exit_verdict)
+    exit = abelian == Truth::yes ? exit_abelian : abelian == Truth::no ? exit_not_abelian : 0;
+  return {exit, out.str(), j};
+}
+
+// --- free names: a condition
+// -----------------------------------------------------------------------
+
+std::string class_text(const ExponentClass& c) {
+  const std::string step = c.modulus == 1 ? "p" : std::to_string(c.modulus) + "*p";
+  return is_zero(c.nu0) ? step : "+-" + to_string(c.nu0) + " + " + step;
+}
+
+std::string degenerate_text(const LameIndex& index) {
+  const ThirdExponents third = degenerate_exponents(index);
+  if (third.all) return "always";
+  std::string s;
+  for (const ExponentClass& c : third.classes)
+    s += (s.empty() ? "" : ", ") + class_text(c);
+  return "exactly when l is one of " + s + " (p an integer)";
+}
+
+// On the curve g2^3 = 27 g3^2: Riemann's equation.
+Report degenerate(const LameQuestion& q, const LameParameters<MFraction>& p) {
+  Json j = opened(q);
+  std::ostringstream out;
+  out << title(q, j);
+  const LameIndex index = lame_index(*q.degree.alpha);
+  put(out, "curve", "g2^3 = 27 g3^2: the curve is degenerate");
+  if (is_zero(p.g3)) {
+    const bool integer = index.kind == LameCase::hermite;
+    put(out, "abelian",
+        integer ? "always: Bessel's equation y_tt = (n(n+1)/t^2 + B) y, n an integer"
+                : "exactly when " + to_string(p.b.num()) + " = 0: y_tt = (n(n+1)/t^2 + B) y");
+    j["condition"] = {
+        {"abelian", integer ? "always" : "all-zero"},
+        {"polynomials", integer ? Json::array() : Json::array({to_string(p.b.num())})}};
+    return {exit_decided, out.str(), j};
+  }
+  const MFraction alpha(p.g3.ring(),
+                        is_rational(*q.degree.alpha) ? to_rational(*q.degree.alpha) : Rational(0));
+  if (!is_rational(*q.degree.alpha)) {
+    put(out, "open", "an irrational n beside free names on a degenerate curve");
+    j["condition"] = nullptr;
+    return {exit_undecided, out.str(), j};
+  }
+  const MFraction l2 = degenerate_exponent_squared(alpha, p);
+  put(out, "abelian", degenerate_text(index) + ", where l^2 = " + to_string(l2));
+  Json classes = Json::array();
+  for (const ExponentClass& c : degenerate_exponents(index).classes)
+    classes.push_back({{"l", class_text(c)}, {"reason", c.reason}});
+  j["condition"] = {{"abelian", "exponent"}, {"l_squared", to_string(l2)}, {"l", classes}};
+  return {exit_decided, out.str(), j};
+}
+
+// Which group where the identity component is abelian.
+std::string group_text(const LameConditions& c) {
+  const std::string elsewhere = c.always() ? "" : " there; SL(2, C) elsewhere";
+  switch (c.index.kind) {
+  case LameCase::hermite:
+    return "T_4 where " + to_string(*c.reducible) +
+           " = 0, elsewhere irreducible and dihedral, finite or infinite";
+  case LameCase::brioschi:
+    return "D_2, the quaternion group" + elsewhere;
+  default:
+    break;
+  }
+  if (c.abelian == c.octahedral) return "binary octahedral" + elsewhere;
+  const bool impossible = std::any_of(c.octahedral.begin(), c.octahedral.end(),
+                                      [](const MPoly& f) { return is_constant(f) && !is_zero(f); });
+  if (impossible) return "binary icosahedral" + elsewhere;
+  return "binary octahedral where " + all_zero(c.octahedral) + ", binary icosahedral elsewhere" +
+         (c.always() ? "" : " on it; SL(2, C) elsewhere");
+}
+
+void put_condition(std::ostringstream& out, const LameConditions& c) {
+  if (c.never()) return put(out, "abelian", "never: G = SL(2, C)");
+  put(out, "abelian", c.always() ? "always" : "exactly when " + all_zero(c.abelian));
+  put(out, "group", group_text(c));
+}
+
+Report condition(const Settings& settings, const LameQuestion& q) {
+  const auto& p = std::get<LameParameters<MFraction>>(q.parameters);
+  const LameIndex index = lame_index(*q.degree.alpha);
+  const LameConditions c = lame_conditions(index, p, settings.solver_options().budget);
+  if (is_zero(c.discriminant)) return degenerate(q, p);
+  Json j = opened(q);
+  j["condition"] = {{"abelian", c.always()  ? "always"
+                                : c.never() ? "never"
+                                            : "all-zero"},
+                    {"polynomials", c.never() ? Json::array() : texts(c.abelian)},
+                    {"octahedral", texts(c.octahedral)},
+                    {"reducible", c.reducible ? Json(to_string(*c.reducible)) : Json(nullptr)},
+                    {"assuming", Json::array()}};
+  std::ostringstream out;
+  out << title(q, j);
+  put_condition(out, c);
+  if (!is_constant(c.discriminant)) {
+    j["condition"]["assuming"].push_back(to_string(c.discriminant) + " != 0");
+    put(out, "assuming", to_string(c.discriminant) + " != 0 (the curve is not degenerate)");
+    const std::string when = "l^2 = n(n+1)/3 - 2*B*g2/(9*g3): abelian " + degenerate_text(index) +
+                             "; where g2 = g3 = 0, y_tt = (n(n+1)/t^2 + B) y: abelian " +
+                             (index.kind == LameCase::hermite ? "always" : "exactly when B = 0");
+    j["degenerate"] = when;
+    put(out, "else", "Riemann's equation with exponent differences l, 1/2, n + 1/2, where " + when);
+  }
+  return {exit_decided, out.str(), j};
+}
+
+// n(n+1) with free names: the values that leave a chance.
+Report families(const LameQuestion& q) {
+  Json j = opened(q);
+  std::ostringstream out;
+  out << title(q, j);
+  const MFraction square =
+      Rational(4) * q.degree.symbolic + MFraction(q.degree.symbolic.ring(), Rational(1));
+  const std::string d = to_factored_string(square);
+  put(out, "abelian", "only if (2n+1)^2 = " + d + " is the square of a rational number: one of");
+  Json list = Json::array();
+  for (const LameFamily& f : lame_families()) {
+    const std::string value =
+        f.denominator == 1 && f.numerator == 1
+            ? "j^2"
+            : "(" + (f.numerator == 1 ? "j" : std::to_string(f.numerator) + "*j") + "/" +
+                  std::to_string(f.denominator) + ")^2";
+    put(out, "", value + ", " + f.which);
+    list.push_back({{"value", value}, {"condition", f.which}});
+  }
+  std::vector<std::string> names;
+  for (const std::size_t i : used_variables(square))
+    names.push_back(square.ring()->name(i));
+  put(out, "open",
+      "which of these happen depends on " + enumerate(names) +
+          "; everything else: G = SL(2, C), for every B, g2, g3 with g2^3 != 27 g3^2");
+  j["condition"] = {{"abelian", "only-if"}, {"square", d}, {"families", list}};
+  return {exit_undecided, out.str(), j};
+}
+
+} // namespace
+
+int lame(const Settings& settings, const LameArguments& a) {
+  std::optional<Entry> document;
+  if (!a.file.empty()) {
+    if (a.n || a.alpha || a.b || a.g2 || a.g3) {
+      complain(settings, "both a file and values are given", "see: kovacic lame --help");
+      return exit_input;
+    }
+    document = read_document(a.file);
+  } else if (!a.n && !a.alpha && !a.b && !a.g2 && !a.g3) {
+    complain(settings, "nothing is given",
+             "write e.g. kovacic lame -n 3/2 --B 3 --g2 12 --g3 1   or   kovacic lame -n 3/2");
+    return exit_input;
+  }
+  const Report report = supervised(settings, a.file.empty() ? "lame" : a.file, [&] {
+    const LameQuestion q =
+        read_lame(document ? lame_texts(settings, *document) : lame_texts(settings, a));
+    if (!q.degree.alpha) return families(q);
+    return std::holds_alternative<LameParameters<NfElem>>(q.parameters) ? numbers(settings, q)
+                                                                        : condition(settings, q);
+  });
+  write_output(settings,
+               settings.format == "json" && !report.json.is_null()
+                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                   : report.text);
+  return report.exit;
+}
+
+} // namespace kov::cli

@@ -1,0 +1,24 @@
+#pragma once
+// "This is Lame's equation with n = ...": what lib/special recognises, as JSON and as a sentence.
+
+#include "result.hpp"
+#include "special/recognize.hpp"
+
+namespace kov::cli {
+
+/// {"type": "SL2", "n": null}
+[[nodiscard]] Json group_json(const GaloisGroup& g);
+/// {"abelian", "group", "reason"}
+[[nodiscard]] Json closed_json(const ClosedAnswer& answer);
+
+/// The object under "recognized"; null if nothing is.
+/// Throws InternalError when the closed answer of the family contradicts the decision.
+[[nodiscard]] Json recognized_json(const GivenEquation& equation, const Decision& decision,
+                                   const Budget& budget);
+/// "Lame's equation y_tt = ... with n = 1/3, B = 1, ..."; "" for families that say nothing new.
+[[nodiscard]] std::string recognized_text(const Json& recognized);
+
+/// Two proofs of one answer, or a bug of ours.
+void ensure_agreement(const ClosedAnswer& closed, const Decision& decision);
+
+} // namespace kov::cli

@@ -1,0 +1,309 @@
+"""Exact arithmetic for kovacic_verify.py: polynomials over a number field K = Q[x]/(m) and modulo a prime."""
+from fractions import Fraction
+from math import ceil, gcd, isqrt, lcm
+from operator import mul
+
+
+def trim(a):
+    """Drops leading zeros; lists of coefficients are ascending."""
+    while a and not a[-1]:
+        a.pop()
+    return a
+
+
+def power(a, e, times=mul):
+    """a^e, e >= 1, by repeated squaring."""
+    if e == 1:
+        return a
+    b = power(times(a, a), e // 2, times)
+    return times(a, b) if e % 2 else b
+
+
+# ---- K[z] -----------------------------------------------------------------------------------------------------------
+
+class K:
+    """The field Q[x]/(m), of degree d; an element is a block of s = 2d - 1 integers: room for one product."""
+    m, d, s = [0, 1], 1, 1
+
+
+def convolve(a, b):
+    """The product in Z[x]."""
+    c = [0] * max(0, len(a) + len(b) - 1)
+    for i, x in enumerate(a):
+        if x:
+            c[i:i + len(b)] = [u + x * v for u, v in zip(c[i:i + len(b)], b)]
+    return c if a and b else []
+
+
+def reduce_blocks(c):
+    """Each block modulo m."""
+    for start in range(0, len(c) if K.d > 1 else 0, K.s):
+        for i in range(min(start + K.s, len(c)) - 1, start + K.d - 1, -1):
+            top, c[i] = c[i], 0
+            for j in range(K.d if top else 0):
+                c[i - K.d + j] -= top * K.m[j]
+    return trim(c)
+
+
+class Poly:
+    """A polynomial over K: integers c over one denominator q > 0; the coefficient of z^i is c[i s : i s + d]."""
+
+    def __init__(self, c, q=1):
+        g = gcd(q, *c) if q > 1 else 1
+        self.c, self.q = trim([x // g for x in c] if g > 1 else c), q // g
+
+    def __add__(self, o):
+        q = lcm(self.q, o.q)
+        f, g, c = q // self.q, q // o.q, [0] * max(len(self.c), len(o.c))
+        for i, x in enumerate(self.c):
+            c[i] = f * x
+        for i, x in enumerate(o.c):
+            c[i] += g * x
+        return Poly(c, q)
+
+    def __sub__(self, o):
+        return self + o * -1
+
+    def __mul__(self, o):
+        if isinstance(o, Poly):
+            return Poly(reduce_blocks(convolve(self.c, o.c)), self.q * o.q)
+        o = Fraction(o)
+        return Poly([o.numerator * x for x in self.c], self.q * o.denominator)
+
+    def __pow__(self, e):
+        return power(self, e) if e else ONE
+
+    def __eq__(self, o):
+        return not (self - o).c
+
+    def degree(self):
+        return (len(self.c) + K.s - 1) // K.s - 1
+
+    def coefficient(self, i):
+        return Poly(self.c[i * K.s:i * K.s + K.d] if i >= 0 else [], self.q)
+
+    def lead(self):
+        return self.coefficient(self.degree())
+
+    def diff(self):
+        return Poly([x * (i // K.s) for i, x in enumerate(self.c)][K.s:], self.q)
+
+    def rational(self):
+        """The value of a constant in Q, else None."""
+        return Fraction(sum(self.c), self.q) if len(self.c) <= 1 else None
+
+    def at(self, x):
+        v = Poly([])
+        for i in range(self.degree(), -1, -1):
+            v = v * x + self.coefficient(i)
+        return v
+
+    def taylor(self, i):
+        """The i-th derivative divided by i!."""
+        c, b = [], 1
+        for k in range(i, self.degree() + 1):
+            c += [b * x for x in self.c[k * K.s:(k + 1) * K.s]]
+            b = b * (k + 1) // (k + 1 - i)
+        return Poly(c, self.q)
+
+    def bits(self):
+        """Of the largest numerator and of the denominator."""
+        return max(map(abs, self.c), default=0).bit_length() + self.q.bit_length()
+
+
+ZERO, ONE = Poly([]), Poly([1])
+
+
+def division(f, q):
+    """Quotient and remainder by the monic q; with w the denominator of q, w^n f(z/w) and w^m q(z/w) are integral."""
+    n, m, s, d, w = f.degree(), q.degree(), K.s, K.d, q.q
+    if n < m:
+        return ZERO, f
+    a = [[x * w**(n - i) for x in (f.c[i * s:i * s + d] + [0] * d)[:d]] for i in range(n + 1)]
+    b = [(Poly(q.c[i * s:i * s + d]) * w**(m - i - 1)).c for i in range(m)]
+    for i in range(n, m - 1, -1):
+        for j in range(m if any(a[i]) else 0):
+            row = a[i - m + j]
+            for k, x in enumerate(reduce_blocks(convolve(a[i], b[j]))):
+                row[k] -= x
+
+    def poly(rows, e):
+        return Poly([x * w**(i + e) for i, row in enumerate(rows) for x in row + [0] * (s - d)], f.q * w**n)
+    return poly(a[m:], m), poly(a[:m], 0)
+
+
+def product(polys):
+    """By halves."""
+    polys = list(polys) or [ONE]
+    while len(polys) > 1:
+        polys = [a * b for a, b in zip(polys[::2], polys[1::2] + [ONE])]
+    return polys[0]
+
+
+# ---- F_p[z] ---------------------------------------------------------------------------------------------------------
+
+def madd(a, b, p, f=1):
+    """a + f b"""
+    n = max(len(a), len(b))
+    return trim([(x + f * y) % p for x, y in zip(a + [0] * (n - len(a)), b + [0] * (n - len(b)))])
+
+
+def mmul(a, b, p, n=None):
+    """a b modulo z^n, as a product of two large integers (Kronecker)."""
+    a, b = a[:n], b[:n]
+    if not a or not b:
+        return []
+    size = (2 * p.bit_length() + len(a).bit_length()) // 8 + 1
+    x, y = (int.from_bytes(b"".join(t.to_bytes(size, "little") for t in v), "little") for v in (a, b))
+    c = (x * y).to_bytes(size * (len(a) + len(b)), "little")
+    return trim([int.from_bytes(c[i:i + size], "little") % p for i in range(0, len(c), size)][:n])
+
+
+def mscale(a, f, p):
+    return trim([x * f % p for x in a])
+
+
+def mdiff(a, p):
+    return trim([i * x % p for i, x in enumerate(a)][1:])
+
+
+def mdivmod(a, b, p):
+    a, m, u = a[:], len(b) - 1, pow(b[-1], -1, p)
+    quotient = [0] * max(0, len(a) - m)
+    for i in range(len(a) - 1, m - 1, -1):
+        quotient[i - m] = f = a[i] * u % p
+        if f:
+            a[i - m:i] = [(x - f * y) % p for x, y in zip(a[i - m:i], b)]
+    return trim(quotient), trim(a[:m])
+
+
+def mgcd(a, b, p):
+    """Monic."""
+    while b:
+        a, b = b, mdivmod(a, b, p)[1]
+    return mscale(a, pow(a[-1], -1, p), p) if a else a
+
+
+def mpow(a, e, q, p):
+    """a^e modulo q, e >= 1"""
+    return power(mdivmod(a, q, p)[1], e, lambda x, y: mdivmod(mmul(x, y, p), q, p)[1])
+
+
+def meval(a, x, p):
+    v = 0
+    for y in reversed(a):
+        v = (v * x + y) % p
+    return v
+
+
+def mshift(a, c, p):
+    """a(z + c), by halves"""
+    if len(a) > 32:
+        h = len(a) // 2
+        top = mmul(mshift(a[h:], c, p), power([c, 1], h, lambda x, y: mmul(x, y, p)), p)
+        return madd(mshift(a[:h], c, p), top, p)
+    a = a[:]
+    for i in range(len(a)):
+        for j in range(len(a) - 2, i - 1, -1):
+            a[j] = (a[j] + c * a[j + 1]) % p
+    return a
+
+
+def minverse(a, p, n):
+    """1/a modulo z^n, by Newton's iteration"""
+    b, k = [pow(a[0], -1, p)], 1
+    while k < n:
+        k = min(2 * k, n)
+        b = mmul(b, madd([2], mmul(a, b, p, k), p, -1), p, k)
+    return b
+
+
+def is_square(b, p):
+    """Is b, not 0, a constant times a square over the algebraic closure of F_p, p odd?"""
+    if len(b) % 2 == 0:
+        return False
+    n, root = len(b) // 2 + 1, [1]
+    reverse = mscale(b[::-1], pow(b[-1], -1, p), p)
+    while len(root) < n:                    # Newton: root = (root + reverse/root)/2
+        k = min(2 * len(root), n)
+        root = mscale(madd(root, mmul(reverse, minverse(root, p, k), p, k), p), (p + 1) // 2, p)
+        root += [0] * (k - len(root))
+    return mmul(root, root, p) == reverse
+
+
+def rank(rows, p):
+    found = 0
+    for c in range(len(rows[0])):
+        i = next((i for i in range(found, len(rows)) if rows[i][c]), None)
+        if i is not None:
+            rows[found], rows[i], top = rows[i], rows[found], rows[i]
+            for i in range(found + 1, len(rows)):
+                t = rows[i][c] * pow(top[c], -1, p)
+                rows[i] = [(x - t * y) % p for x, y in zip(rows[i], top)] if t else rows[i]
+            found += 1
+    return found
+
+
+def is_prime(n):
+    """Miller and Rabin; these bases prove primality below 3.3e24, larger numbers are refused."""
+    bases = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41)
+    if n < 43 or not all(n % q for q in bases) or n > 3 * 10**24:
+        return n in bases
+    s = (n - 1 & 1 - n).bit_length() - 1
+    return all(pow(b, n - 1 >> s, n) == 1 or any(pow(b, n - 1 >> s - i, n) == n - 1 for i in range(s)) for b in bases)
+
+
+# ---- square roots, roots, the field --------------------------------------------------------------------------------
+
+def exact_sqrt(x):
+    s = isqrt(max(0, x.numerator * x.denominator))
+    return Fraction(s, x.denominator) if s * s == x.numerator * x.denominator else None
+
+
+def sqrt_above(x):
+    """A rational number >= Re sqrt(x) (docs/theory/local_exponents.md 4)."""
+    s = exact_sqrt(max(x, Fraction(0)))
+    return s if s is not None else Fraction(isqrt((x.numerator * x.denominator) << 64) + 1, x.denominator << 32)
+
+
+def root_bound(c):
+    """B >= |T| for every complex root T of sum c_i T^i: |c_n| B^n >= sum over i < n of |c_i| B^i (Cauchy)."""
+    c = [abs(x) for x in c]
+    if not any(c[:-1]):
+        return Fraction(0)
+
+    def holds(b):
+        return c[-1] * b**(len(c) - 1) >= sum(x * b**i for i, x in enumerate(c[:-1]))
+    k = ceil(1 + max(c[:-1]) / c[-1]).bit_length()
+    if k >= 4096:
+        raise ValueError("the roots are too large")
+    while k > -64 and holds(Fraction(2)**(k - 1)):
+        k -= 1
+    low, high = Fraction(2)**(k - 1), Fraction(2)**k
+    for _ in range(8):
+        mid = (low + high) / 2
+        low, high = (low, mid) if holds(mid) else (mid, high)
+    return high
+
+
+def irreducible(m):
+    """Is the monic m in Z[x] proved irreducible over Q?  (docs/theory/certificates.md 3)  Either the degrees of its factors modulo
+    some primes leave no degree for a factor over Q, or |m(n)| is k times a prime for some n > k + (all roots)."""
+    degrees = set(range(1, len(m) - 1))
+    for p in filter(is_prime, range(3, 600)):
+        f, x, k, sums = [c % p for c in m], [0, 1], 0, {0}
+        if len(mgcd(f, mdiff(f, p), p)) != 1:
+            continue
+        while len(f) > 1:                   # g: the product of the irreducible factors of degree k
+            k, x = k + 1, mpow(x, p, f, p)
+            g = mgcd(f, madd(x, [0, 1], p, -1), p)
+            for _ in range((len(g) - 1) // k):
+                sums |= {i + k for i in sums}
+            f = mdivmod(f, g, p)[0]
+            x = mdivmod(x, f, p)[1] if len(f) > 1 else x
+        degrees &= sums
+        if not degrees:
+            return True
+    far = ceil(root_bound([Fraction(c) for c in m]))
+    values = ((n, abs(sum(c * n**i for i, c in enumerate(m)))) for n in range(far + 2, far + 2000))
+    return any(v % k == 0 and is_prime(v // k) for n, v in values for k in range(1, min(50, n - far)))
