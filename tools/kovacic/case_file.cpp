@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "flow/scene.hpp"
 #include "present.hpp"
+#include "theorem/prove.hpp"
 
 #include <algorithm>
 #include <map>
@@ -147,8 +148,27 @@ CaseReport check_equation(const Settings& settings, const Entry& document) {
   return report;
 }
 
+namespace {
+
+// A theorem file: each step that computes is an expectation that it is not refuted.
+CaseReport test_theorem(const Settings& settings, const Entry& document) {
+  ProveOptions options;
+  options.decide = settings.solver_options();
+  CaseReport report;
+  for (const NodeResult& n : kov::prove(read_theorem(document), options).nodes)
+    if (n.node.kind != NodeKind::argument && n.node.kind != NodeKind::theorem)
+      report.expected.push_back({.name = n.node.id + ": " + to_string(n.status),
+                                 .met = n.status != NodeStatus::refuted,
+                                 .found = n.summary});
+  return report;
+}
+
+} // namespace
+
 CaseReport check_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
+  if (is_theorem_document(document))
+    throw document.error("this file holds a theorem", "kovacic prove " + path);
   if (flow::is_scene(document))
     throw InputError(path, 0, 0, 1, "this file describes a scene to simulate",
                      "write: kovacic section " + path + "   or   kovacic test " + path);
@@ -158,6 +178,7 @@ CaseReport check_case(const Settings& settings, const std::string& path) {
 
 CaseReport test_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
+  if (is_theorem_document(document)) return test_theorem(settings, document);
   if (flow::is_scene(document)) return test_scene(path);
   return is_equation_file(document) ? check_equation(settings, document)
                                     : test_system_file(settings, path);

@@ -42,6 +42,8 @@ int find_manifolds(const Settings& settings, const std::string& file);
 int explain(const Settings& settings, const std::string& code);
 int make_new(const Settings& settings, const std::string& kind);
 int verify(const Settings& settings, const std::vector<std::string>& arguments);
+/// A theorem file: the status of every step, and a report as text, JSON, LaTeX or HTML.
+int prove(const Settings& settings, const std::string& file);
 int version();
 
 /// Of two exit codes the one that a script should hear of.

@@ -173,6 +173,17 @@ struct CommandLine {
     verify->add_flag("--strict", settings.strict, "refuse steps that are taken on trust");
     shared_flags(*verify, false);
 
+    CLI::App* prove =
+        app.add_subcommand("prove", "a theorem file: what rests on what, and a report");
+    prove->add_option("FILE", word, "a theorem file")->required()->type_name("");
+    prove->add_option("--format", settings.format, "text, json, tex or html (also: -o NAME.html)")
+        ->check(silent(CLI::IsMember({"text", "json", "tex", "html"})))
+        ->type_name("F");
+    prove->add_option("--timeout", settings.timeout, "seconds in all; 0 = no limit")
+        ->check(number(1e9, "a number of seconds"))
+        ->type_name("S");
+    shared_flags(*prove, false);
+
     CLI::App* section =
         app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
     declare_section(*section, section_arguments);
@@ -201,6 +212,7 @@ struct CommandLine {
     if (command == "find-manifolds") return find_manifolds(settings, word);
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
+    if (command == "prove") return prove(settings, word);
     if (command == "section") return section(settings, section_arguments);
     if (command == "bench") return bench(settings, bench_arguments);
     if (command == "new") return make_new(settings, word);
