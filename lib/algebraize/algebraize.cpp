@@ -33,6 +33,20 @@ std::vector<MPoly> conditions_on_parameters(const std::vector<MPoly>& inverted, 
   return kept;
 }
 
+// A divisor is a unit also after a specialisation of the parameters at which neither the numerator
+// nor the denominator of its norm vanishes identically in z.
+std::vector<MPoly> norms(const FunctionField& f, const std::vector<MPoly>& divisors) {
+  std::vector<MPoly> all;
+  for (const auto& d : divisors) {
+    const auto e = f.evaluate(MFraction(d));
+    KOV_ENSURE(e); // a unit: FunctionField::make
+    const MFraction norm = f.algebra().minimal_polynomial(*e).front();
+    for (const MPoly& side : {norm.num(), norm.den()})
+      if (!is_constant(side)) all.push_back(side);
+  }
+  return all;
+}
+
 // f = square^2 * core up to constants of K; returns {square, core} with core squarefree in z.
 std::pair<MFraction, MPoly> split_squares(const MFraction& f) {
   const Ring& ring = f.ring();
@@ -120,6 +134,9 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std
   ode.r = *r_in_z;
   ode.field_degree = f.degree();
   ode.generic = conditions_on_parameters(f.inverted(), z);
+  for (const auto& g : conditions_on_parameters(norms(f, e.divisors), z))
+    if (std::find(ode.generic.begin(), ode.generic.end(), g) == ode.generic.end())
+      ode.generic.push_back(g);
   ode.singular_places = finite_singularities(ode.r, z);
   ode.checks = {"z is not constant along the curve",
                 "the function field of the curve is a finite extension of degree " +

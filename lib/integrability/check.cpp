@@ -1,4 +1,5 @@
 #include "integrability/check.hpp"
+#include "integrability/parameters.hpp"
 
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
@@ -11,6 +12,7 @@ namespace kov {
 std::string to_string(VerdictKind v) {
   return v == VerdictKind::non_integrable   ? "non-integrable"
          : v == VerdictKind::no_obstruction ? "no-obstruction"
+         : v == VerdictKind::depends        ? "depends"
                                             : "undecided";
 }
 
@@ -119,12 +121,23 @@ std::string parameter_names(const MFraction& f, const System& s) {
   return names;
 }
 
-void decide_block(const System& s, const CheckOptions& options, BlockReport& block) {
+void decide_parameters(const System& s, const CheckOptions& options, BlockReport& block) {
+  block.strata =
+      strata::decide_strata(strata_question(s, *block.ode), strata_limits(s, *block.ode, options));
+  block.abelian = block.strata->abelian();
+}
+
+// one_level: one value of the energy is enough, energies.cpp looks for it
+void decide_block(const System& s, const CheckOptions& options, bool one_level,
+                  BlockReport& block) {
   const AlgebraicOde& ode = *block.ode;
   const std::string names = parameter_names(ode.r, s);
   if (!names.empty()) {
-    block.note = "r depends on the parameter(s) " + names +
-                 "; give values with --set to decide single equations";
+    if (options.stop_at_r)
+      block.note = "r depends on the parameter(s) " + names +
+                   "; give values with --set to decide single equations";
+    else if (!one_level)
+      decide_parameters(s, options, block);
     return;
   }
   const ConstantField constants = ConstantField::make(s.field);
@@ -185,7 +198,8 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
 namespace {
 
 BlockReport study_block(const System& s, const InvariantManifold& m, const LinearSystem& reduced,
-                        const std::vector<std::size_t>& members, const CheckOptions& options) {
+                        const std::vector<MPoly>& divisors, const std::vector<std::size_t>& members,
+                        const CheckOptions& options) {
   BlockReport block;
   for (const std::size_t i : members)
     block.unknowns.push_back(reduced.names[i]);
@@ -209,14 +223,37 @@ BlockReport study_block(const System& s, const InvariantManifold& m, const Linea
           if (block.scalar.empty() || block.scalar.front().unknown != wish)
             block.scalar.push_back(*std::move(e));
   KOV_ENSURE(!block.scalar.empty()); // the block is coupled
+  for (auto& e : block.scalar)       // what was divided by before, too
+    for (const auto& d : divisors)
+      if (std::find(e.divisors.begin(), e.divisors.end(), d) == e.divisors.end())
+        e.divisors.push_back(d);
   ChangeSearch search(s, m, options.decide.budget, block);
   if (reduce && reduce->change)
     search.given(*reduce->change);
   else
     search.proposed(propose_changes(s.field, m));
   if (!block.ode) return block;
-  decide_block(s, options, block);
+  for (const auto& g : m.curve->inverted())
+    block.ode->generic.push_back(g);
+  decide_block(s, options, reduce && reduce->energy == "auto", block);
   return block;
+}
+
+std::vector<const strata::StrataAnswer*> strata_of(const BlockReport& block) {
+  std::vector<const strata::StrataAnswer*> all;
+  if (block.strata) all.push_back(&*block.strata);
+  for (const auto& e : block.energies)
+    if (e.strata) all.push_back(&*e.strata);
+  return all;
+}
+
+/// Every block is decided, as a whole or on each of its strata (for one choice of the level).
+bool by_strata(const ManifoldReport& report) {
+  return std::all_of(report.blocks.begin(), report.blocks.end(), [](const BlockReport& block) {
+    if (block.abelian != Truth::unknown) return true;
+    const auto all = strata_of(block);
+    return std::any_of(all.begin(), all.end(), [](const auto* a) { return a->decided(); });
+  });
 }
 
 void conclude(const System& s, const CheckOptions& options, ManifoldReport& report) {
@@ -228,12 +265,17 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
       name += (name.empty() ? "" : ", ") + u;
     if (!block.note.empty()) report.reasons.push_back("block (" + name + "): " + block.note);
     if (block.decision) report.reasons.push_back("block (" + name + "): " + block.decision->reason);
+    if (block.strata)
+      for (const auto& x : block.strata->strata)
+        report.reasons.push_back("where " + strata::to_string(x.conditions) + ": " +
+                                 x.leaf.reason);
     for (const auto& e : block.energies)
       if (e.decision) report.reasons.push_back("at " + e.condition + ": " + e.decision->reason);
   }
   if (options.stop_at_r) return;
   report.verdict = all == Truth::no    ? VerdictKind::non_integrable
                    : all == Truth::yes ? VerdictKind::no_obstruction
+                   : by_strata(report) ? VerdictKind::depends
                                        : VerdictKind::undecided;
   if (report.verdict == VerdictKind::no_obstruction && report.blocks.size() > 1)
     report.reasons.emplace_back(
@@ -246,6 +288,10 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
     for (const auto& e : block.energies)
       if (e.r && e.decision && e.decision->abelian == Truth::no)
         report.function_class = first_integral_class(*e.r);
+    for (const auto* answer : strata_of(block))
+      for (const auto& x : answer->strata)
+        if (x.leaf.abelian == Truth::no && x.leaf.irregular)
+          report.function_class = "meromorphic also at the points at infinity of the phase curve";
   }
   if (report.verdict != VerdictKind::non_integrable) return;
   std::string functions; // the class speaks of the variables of the file
@@ -283,10 +329,22 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     if (reduce && reduce->unknown) keep.push_back(s.ring()->name(*reduce->unknown));
     report.reduced = reduce_by_integrals(s.field, m, report.normal, keep);
     for (const auto& members : blocks_to_study(report.reduced.system, m))
-      report.blocks.push_back(study_block(s, m, report.reduced.system, members, options));
+      report.blocks.push_back(
+          study_block(s, m, report.reduced.system, report.reduced.divisors, members, options));
     if (reduce && reduce->energy == "auto")
       for (auto& block : report.blocks)
         if (block.ode) study_energies(s, spec, *reduce, claims, options, block);
+    for (auto& block : report.blocks) {
+      if (block.strata) {
+        decide_special_strata(s, spec, claims, options, block.unknowns, *block.strata);
+        block.abelian = block.strata->abelian();
+      }
+      for (auto& e : block.energies)
+        if (e.strata) {
+          decide_special_strata(s, spec, claims, options, block.unknowns, *e.strata);
+          if (e.strata->abelian() == Truth::no) block.abelian = Truth::no;
+        }
+    }
     conclude(s, options, report);
   } catch (const OutOfBudget& e) {
     report.reasons.emplace_back(e.what());

@@ -15,12 +15,18 @@
 
 #include "algebraize/algebraize.hpp"
 #include "integrability/constants.hpp"
+#include "strata/decide_strata.hpp"
 #include "verdict/decide.hpp"
 
 namespace kov {
 
-enum class VerdictKind : std::uint8_t { non_integrable, no_obstruction, undecided };
-[[nodiscard]] std::string to_string(VerdictKind v); ///< "non-integrable", ...
+enum class VerdictKind : std::uint8_t {
+  non_integrable,
+  no_obstruction,
+  depends, ///< on the parameters: decided on every stratum, not everywhere the same
+  undecided
+};
+[[nodiscard]] std::string to_string(VerdictKind v); ///< "non-integrable", ..., "depends"
 
 /// One value of a parameter (the energy) at which r was decided.
 struct EnergyResult {
@@ -28,7 +34,8 @@ struct EnergyResult {
   std::string why;       ///< "singularities merge", "sample"
   std::optional<RationalFunction> r;
   std::optional<Decision> decision;
-  std::string note; ///< why there is none
+  std::optional<strata::StrataAnswer> strata; ///< r still depends on other parameters
+  std::string note;                           ///< why there is none
 };
 
 /// A diagonal block of the reduced normal system.
@@ -38,6 +45,7 @@ struct BlockReport {
   std::optional<AlgebraicOde> ode;               ///< the one chosen
   std::optional<NormalForm> equation;            ///< without parameters
   std::optional<Decision> decision;
+  std::optional<strata::StrataAnswer> strata; ///< r depends on parameters
   std::vector<MPoly> special; ///< where singular places of r merge, in the energy parameter
   std::vector<EnergyResult> energies;
   Truth abelian = Truth::unknown;

@@ -2,7 +2,7 @@
 // merge the group may be easier to find, and one level with a non-abelian identity component proves
 // non-integrability.  The paper's 1 + A - h^2 = 0 is such a value.
 
-#include "integrability/check.hpp"
+#include "integrability/parameters.hpp"
 
 #include "exact/error.hpp"
 
@@ -79,6 +79,28 @@ EnergyResult decide_at(const System& special, const ManifoldSpec& spec,
   return result;
 }
 
+// All parameters with f = 0 at once; true: decided on every stratum.
+bool decide_locus(const System& s, const MPoly& f, const CheckOptions& options,
+                  BlockReport& block) {
+  strata::Question q = strata_question(s, *block.ode);
+  q.assumptions.require(transfer(MFraction(f), q.r.ring()), strata::Sign::zero);
+  EnergyResult e;
+  e.condition = to_string(f) + " = 0";
+  e.why = "singular places merge";
+  e.strata = strata::decide_strata(q, strata_limits(s, *block.ode, options));
+  const auto& all = e.strata->strata;
+  const bool decided = e.strata->unvisited.empty() &&
+                       std::all_of(all.begin(), all.end(), [](const strata::Stratum& x) {
+                         return x.leaf.abelian != Truth::unknown || x.leaf.no_equation;
+                       });
+  if (e.strata->abelian() == Truth::no) {
+    block.abelian = Truth::no; // for every body there is such a level
+    block.note.clear();
+  }
+  block.energies.push_back(std::move(e));
+  return decided;
+}
+
 bool has_other_parameters(const System& s, const MFraction& r, std::size_t h) {
   const auto used = used_variables(r);
   const auto& parameters = s.field.parameters;
@@ -99,7 +121,11 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
     return;
   }
   block.special = merging_locus(block.ode->r, block.ode->z, *h);
-  if (has_other_parameters(s, block.ode->r, *h)) return; // the locus is the answer
+  if (has_other_parameters(s, block.ode->r, *h)) {
+    for (const auto& f : block.special)
+      if (decide_locus(s, f, options, block)) return;
+    return;
+  }
   const auto run = [&](const MPoly& f, std::string condition, std::string why) {
     EnergyResult e = decide_at(at_root(s, *h, f), spec, claims, options, block);
     e.condition = std::move(condition);

@@ -168,6 +168,7 @@ std::string counts(const TheoremResult& t) {
                  one(t.identities(), "exact identities checked") +
                  one(t.certificates(), "certificates accepted") +
                  one(t.trusted_theorems().size(), "theorems trusted") +
+                 one(t.trusted_steps().size(), "other steps on trust") +
                  one(t.count(NodeStatus::reasoned), "arguments in words") +
                  one(t.unchecked_hypotheses().size(), "hypotheses not checked") +
                  one(t.count(NodeStatus::open), "open"),
@@ -179,6 +180,8 @@ std::string counts(const TheoremResult& t) {
 std::string theorem_html(const TheoremResult& t) {
   std::string trusted;
   for (const std::string& s : t.trusted_theorems())
+    trusted += tag("li", prose(s, html));
+  for (const std::string& s : t.trusted_steps())
     trusted += tag("li", prose(s, html));
   for (const std::string& s : t.unchecked_hypotheses())
     trusted += tag("li", "Hypothesis not checked: " + prose(s, html), "class=\"warn\"");

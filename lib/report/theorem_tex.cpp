@@ -141,6 +141,8 @@ std::string theorem_tex(const TheoremResult& t) {
   out += "\\section*{Trusted}\n\\begin{itemize}\n";
   for (const std::string& s : t.trusted_theorems())
     out += "\\item " + prose(s, tex) + "\n";
+  for (const std::string& s : t.trusted_steps())
+    out += "\\item " + prose(s, tex) + "\n";
   for (const std::string& s : t.unchecked_hypotheses())
     out += "\\item \\textbf{Hypothesis not checked.} " + prose(s, tex) + "\n";
   out += "\\item[] \n\\end{itemize}\n\\section*{The steps}\n";

@@ -92,6 +92,8 @@ std::string theorem_text(const TheoremResult& t) {
   out += "\ntrusted\n";
   for (const std::string& s : t.trusted_theorems())
     out += filled(s, 2);
+  for (const std::string& s : t.trusted_steps())
+    out += filled(s, 2);
   for (const std::string& s : t.unchecked_hypotheses())
     out += filled("HYPOTHESIS NOT CHECKED  " + s, 2);
   for (const NodeResult& n : t.nodes)
@@ -141,6 +143,7 @@ std::string theorem_json(const TheoremResult& t) {
                  {"refuted", t.count(NodeStatus::refuted)},
                  {"arguments", t.count(NodeStatus::reasoned)},
                  {"trusted", t.trusted_theorems()},
+                 {"trusted_steps", t.trusted_steps()},
                  {"unchecked_hypotheses", t.unchecked_hypotheses()},
                  {"identities", t.identities()},
                  {"certificates", t.certificates()},

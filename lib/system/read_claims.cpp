@@ -255,10 +255,10 @@ void read_expectations(const Entry& document, const SystemScope& scope, System& 
                              "use exponential, imprimitive, algebraic or no-liouvillian");
       x.kovacic_case = place - outcomes.begin() + 1;
     }
-    const std::array verdicts{"", "non-integrable", "no-obstruction", "undecided"};
+    const std::array verdicts{"", "non-integrable", "no-obstruction", "depends", "undecided"};
     if (std::find(verdicts.begin(), verdicts.end(), x.verdict) == verdicts.end())
       throw e->at("verdict").error("unknown verdict '" + x.verdict + "'",
-                                   "use non-integrable, no-obstruction or undecided");
+                                   "use non-integrable, no-obstruction, depends or undecided");
     const auto formula = [&](std::string_view key, std::optional<MFraction>& to) {
       if (const Entry* v = e->find(key)) to = evaluate(v->expression(), scope);
     };

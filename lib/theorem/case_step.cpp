@@ -62,13 +62,36 @@ void show_decision(NodeResult& n, const Decision& d) {
   if (!d.certificate.empty()) ++n.certificates;
 }
 
+std::string answer(Truth abelian) {
+  return abelian == Truth::yes ? "abelian" : abelian == Truth::no ? "not abelian" : "undecided";
+}
+
+void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string& where = {}) {
+  Grid grid{"Strata of the parameters" + where + ", with the identity component of the group",
+            {"stratum", "group", "identity component", "because"},
+            {}};
+  for (const strata::Stratum& s : a.strata)
+    grid.rows.push_back({strata::to_string(s.conditions), s.leaf.group_text, answer(s.leaf.abelian),
+                         s.leaf.reason});
+  for (const std::string& u : a.unvisited)
+    grid.rows.push_back({u, "", "undecided", "a limit was reached"});
+  n.tables.push_back(std::move(grid));
+  for (const std::string& t : a.trusted)
+    n.trusted.push_back(t);
+}
+
 void show_block(NodeResult& n, const System& s, const BlockReport& b) {
   if (b.ode) {
     n.formulas.push_back({"change of variable", b.ode->change});
     n.formulas.push_back({"r(" + s.ring()->name(b.ode->z) + ")", to_factored_string(b.ode->r)});
   }
   if (b.decision) show_decision(n, *b.decision);
+  if (b.strata) show_strata(n, *b.strata);
   for (const EnergyResult& e : b.energies) {
+    if (e.strata) {
+      n.formulas.push_back({"energy", e.condition});
+      show_strata(n, *e.strata, " at this energy");
+    }
     if (!e.decision || e.decision->abelian == Truth::unknown) continue;
     n.formulas.push_back({"energy", e.condition});
     if (e.r) n.formulas.push_back({"r there", to_string(*e.r)});
@@ -80,6 +103,9 @@ std::string reason_of(const ManifoldReport& m) {
   std::string text;
   for (const BlockReport& b : m.blocks) {
     if (b.decision) return b.decision->reason;
+    if (b.strata && b.abelian == Truth::no)
+      return "not abelian on every stratum of the parameters (" +
+             std::to_string(b.strata->strata.size()) + ")";
     for (const EnergyResult& e : b.energies)
       if (e.decision && e.decision->abelian == Truth::no)
         return e.condition + ": " + e.decision->reason;

@@ -1,6 +1,7 @@
 #include "theorem/theorem.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace kov {
 namespace {
@@ -20,15 +21,29 @@ std::size_t TheoremResult::count(NodeStatus s) const {
       nodes.begin(), nodes.end(), [s](const NodeResult& n) { return n.status == s; }));
 }
 
+// A theorem that a step used by itself (Morales-Ramis) is listed unless the file has it as a node.
 std::vector<std::string> TheoremResult::trusted_theorems() const {
   std::vector<std::string> all;
+  const auto is_node = [&](std::string name) {
+    for (char& c : name)
+      c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return std::any_of(nodes.begin(), nodes.end(), [&](const NodeResult& n) {
+      return n.status == NodeStatus::trusted && n.node.id == name;
+    });
+  };
   for (const NodeResult& n : nodes) {
     if (n.status == NodeStatus::trusted) add_once(all, n.node.title);
     for (const std::string& t : n.theorems)
-      add_once(all, t);
-    for (const std::string& t : n.trusted)
-      add_once(all, t);
+      if (!is_node(t)) add_once(all, t);
   }
+  return all;
+}
+
+std::vector<std::string> TheoremResult::trusted_steps() const {
+  std::vector<std::string> all;
+  for (const NodeResult& n : nodes)
+    for (const std::string& t : n.trusted)
+      add_once(all, n.node.title + ": " + t);
   return all;
 }
 
@@ -70,6 +85,8 @@ std::string TheoremResult::conclusion() const {
     text = unchecked > 0 ? "PROVED, but for hypotheses that are not checked" : "PROVED";
   text += "; " + plural(count(NodeStatus::proved), "step") + " proved here, " +
           plural(trusted_theorems().size(), "theorem") + " of the literature trusted, " +
+          (trusted_steps().empty() ? ""
+                                   : plural(trusted_steps().size(), "other step") + " on trust, ") +
           plural(count(NodeStatus::reasoned), "argument") + " in words";
   if (unchecked > 0) text += ", " + plural(unchecked, "hypothesis", "hypotheses") + " not checked";
   return text;

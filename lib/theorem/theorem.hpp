@@ -118,6 +118,7 @@ struct TheoremResult {
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
   [[nodiscard]] std::vector<std::string> trusted_theorems() const; ///< each once
+  [[nodiscard]] std::vector<std::string> trusted_steps() const;    ///< e.g. decisions of Z3
   [[nodiscard]] std::vector<std::string> unchecked_hypotheses() const;
   [[nodiscard]] std::size_t certificates() const;
   [[nodiscard]] std::size_t identities() const;

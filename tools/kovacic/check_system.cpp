@@ -3,6 +3,7 @@
 #include "case_file.hpp"
 #include "integrability/expect.hpp"
 #include "mechanics.hpp"
+#include "present_strata.hpp"
 
 #include <sstream>
 
@@ -24,6 +25,8 @@ std::string headline(const ManifoldReport& m) {
   case VerdictKind::no_obstruction:
     return "NO OBSTRUCTION  (the first-order test of " + m.theorem +
            " passes; this does not prove integrability)";
+  case VerdictKind::depends:
+    return "DEPENDS ON THE PARAMETERS  (" + m.theorem + "; decided on every stratum)";
   default:
     return "UNDECIDED";
   }
@@ -46,11 +49,13 @@ void put_block(std::ostringstream& out, const System& s, const BlockReport& b) {
     put(out, "equation", "y'' = r(" + z + ") y,  r = " + to_factored_string(b.ode->r));
   }
   if (b.decision) put_decision(out, *b.decision, 2);
+  if (b.strata) put_strata(out, *b.strata);
   for (const auto& f : b.special)
     put(out, "merging", "singular places meet where " + to_string(f) + " = 0");
   for (const auto& e : b.energies) {
     put(out, "at", e.condition + "  (" + e.why + ")");
     if (e.decision) put_decision(out, *e.decision, 4);
+    if (e.strata) put_strata(out, *e.strata);
     if (!e.note.empty()) put(out, "note", e.note, 4);
   }
   if (!b.note.empty()) put(out, "note", b.note);

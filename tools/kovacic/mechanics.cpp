@@ -2,6 +2,7 @@
 
 #include "answer.hpp"
 #include "present.hpp"
+#include "present_strata.hpp"
 
 #include <algorithm>
 #include <ostream>
@@ -140,6 +141,7 @@ Json json_of(const System& s, const BlockReport& b) {
   Json j{{"unknowns", b.unknowns}};
   if (b.ode) j["equation"] = json_of(s, *b.ode);
   if (b.decision) j["decision"] = json_of(*b.decision);
+  if (b.strata) put_strata(j, *b.strata);
   if (!b.special.empty()) j["merging"] = texts(b.special);
   if (!b.energies.empty()) {
     Json all = Json::array();
@@ -147,6 +149,7 @@ Json json_of(const System& s, const BlockReport& b) {
       Json one{{"at", e.condition}, {"why", e.why}};
       if (e.r) one["r"] = to_string(*e.r, s.ring()->name(b.ode->z));
       if (e.decision) one["decision"] = json_of(*e.decision);
+      if (e.strata) put_strata(one, *e.strata);
       if (!e.note.empty()) one["note"] = e.note;
       all.push_back(std::move(one));
     }

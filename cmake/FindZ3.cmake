@@ -1,0 +1,10 @@
+# Z3 as Debian 12 ships it (libz3-dev): a header and a library, no CMake configuration.
+find_path(Z3_INCLUDE_DIR z3++.h)
+find_library(Z3_LIBRARY z3)
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Z3 REQUIRED_VARS Z3_LIBRARY Z3_INCLUDE_DIR)
+if(Z3_FOUND AND NOT TARGET z3::z3)
+  add_library(z3::z3 INTERFACE IMPORTED)
+  target_include_directories(z3::z3 SYSTEM INTERFACE ${Z3_INCLUDE_DIR})
+  target_link_libraries(z3::z3 INTERFACE ${Z3_LIBRARY})
+endif()

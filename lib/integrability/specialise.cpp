@@ -1,0 +1,71 @@
+#include "integrability/specialise.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+void put(MFraction& f, const Substitution& values) { f = substitute(f, values); }
+void put(std::optional<MFraction>& f, const Substitution& values) {
+  if (f) put(*f, values);
+}
+void put(std::vector<MFraction>& all, const Substitution& values) {
+  for (auto& f : all)
+    put(f, values);
+}
+void put(std::vector<MPoly>& all, const Substitution& values) {
+  for (auto& f : all)
+    f = substitute(f, values).num();
+}
+void put(std::vector<Equation>& all, const Substitution& values) {
+  for (auto& e : all)
+    put(e.difference, values);
+}
+
+void put(VectorField& v, const Substitution& values) {
+  std::erase_if(v.parameters, [&](std::size_t i) { return values.contains(i); });
+  for (auto& f : v.functions)
+    put(f.gradient, values);
+  put(v.relations, values);
+  put(v.components, values);
+  put(v.hamiltonian, values);
+  if (v.poisson)
+    for (auto& row : *v.poisson)
+      put(row, values);
+}
+
+void put(ManifoldSpec& m, const Substitution& values) {
+  put(m.equations, values);
+  put(m.levels, values);
+  put(m.nonzero, values);
+}
+
+} // namespace
+
+System at_values(const System& s, const Substitution& values) {
+  System special = s;
+  put(special.field, values);
+  for (auto& m : special.manifolds)
+    put(m, values);
+  for (auto& r : special.reductions)
+    put(r.change, values);
+  for (auto& a : special.assumptions)
+    put(a.value, values);
+  return special;
+}
+
+ManifoldSpec at_values(const ManifoldSpec& spec, const Substitution& values) {
+  ManifoldSpec special = spec;
+  put(special, values);
+  return special;
+}
+
+std::vector<ClaimReport> at_values(std::vector<ClaimReport> claims, const Substitution& values) {
+  for (auto& c : claims) {
+    put(c.claim.value, values);
+    put(c.claim.on, values);
+  }
+  return claims;
+}
+
+} // namespace kov

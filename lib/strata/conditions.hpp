@@ -1,0 +1,50 @@
+#pragma once
+// Conditions on parameters: what a file assumes, and what a stratum of the parameter space is.
+//
+//   p = 0    p != 0    p > 0    p >= 0        for polynomials p in the parameters, over Q
+//   v in Z   v not in Z                       for rational functions v of them
+//
+// A parameter that occurs in an inequality is real; the others range over the complex numbers.
+
+#include "exact/multivariate.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kov::strata {
+
+enum class Sign : std::uint8_t { zero, nonzero, positive, nonnegative };
+
+struct Condition {
+  MPoly p;
+  Sign sign = Sign::nonzero;
+  friend bool operator==(const Condition&, const Condition&) = default;
+};
+
+/// `value` is an integer, or is none.
+struct Membership {
+  MFraction value;
+  bool in_integers = true;
+};
+
+/// A conjunction.
+struct Assumptions {
+  std::vector<Condition> conditions;
+  std::vector<Membership> memberships;
+  std::vector<std::size_t> real; ///< variables known to be real
+
+  /// f = 0, f != 0, f > 0, f >= 0 for a rational function, whose denominator is then not 0.
+  void require(const MFraction& f, Sign sign);
+};
+
+/// "C = 2*A", "A - C != 0", "A > 0": an equation is solved where a variable is linear with a
+/// constant coefficient.
+[[nodiscard]] std::string to_string(const Condition& c);
+/// Joined by ", "; "always" for none.
+[[nodiscard]] std::string to_string(const std::vector<Condition>& all);
+
+/// The irreducible factors of p that are not constant, each once.  Requires p != 0.
+[[nodiscard]] std::vector<MPoly> irreducible_parts(const MPoly& p);
+
+} // namespace kov::strata

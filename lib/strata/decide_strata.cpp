@@ -1,0 +1,236 @@
+#include "strata/decide_strata.hpp"
+
+#include "exact/error.hpp"
+#include "strata/signs.hpp"
+
+#include <algorithm>
+
+namespace kov::strata {
+
+Truth StrataAnswer::abelian() const {
+  if (strata.empty() || !unvisited.empty()) return Truth::unknown;
+  const Truth first = strata.front().leaf.abelian;
+  for (const auto& s : strata)
+    if (s.leaf.abelian != first) return Truth::unknown;
+  return first;
+}
+
+bool StrataAnswer::decided() const {
+  return unvisited.empty() && !strata.empty() &&
+         std::all_of(strata.begin(), strata.end(),
+                     [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
+}
+
+namespace {
+
+Leaf open_leaf(const std::string& condition) {
+  Leaf leaf;
+  leaf.open_condition = condition;
+  leaf.reason = "undecided: " + condition;
+  return leaf;
+}
+
+Leaf no_equation(const std::string& condition) {
+  Leaf leaf = open_leaf(condition);
+  leaf.no_equation = true;
+  return leaf;
+}
+
+// The field of a root of p in its one variable x, and x in it: x = generator/lead.
+struct RootField {
+  std::size_t variable;
+  Field field;
+  Rational lead;
+};
+std::optional<RootField> root_field(const MPoly& p) {
+  const auto used = used_variables(p);
+  if (used.size() != 1) return std::nullopt;
+  const auto c = coefficients(p, used[0]);
+  const auto n = static_cast<long>(c.size()) - 1;
+  const Integer lead = c.back().coefficient(0);
+  std::vector<Integer> minimal;
+  for (long i = 0; i <= n; ++i) {
+    const auto& ci = c[static_cast<std::size_t>(i)];
+    const Integer value = is_zero(ci) ? Integer(0) : ci.coefficient(0);
+    minimal.push_back(i == n ? Integer(1)
+                             : value * pow(lead, static_cast<unsigned long>(n - 1 - i)));
+  }
+  return RootField{used[0], make_field(minimal, p.ring()->name(used[0])), Rational(lead)};
+}
+
+class Tree {
+public:
+  Tree(const Question& q, const StrataLimits& limits) : q_(q), limits_(limits) {}
+
+  StrataAnswer grow() {
+    const auto start = Budget::Clock::now();
+    const Region root(q_.r.ring(), q_.assumptions);
+    answer_.contradictory = root.is_empty();
+    trust(root.trusted());
+    if (!answer_.contradictory) node(root, 0);
+    answer_.contradictory = answer_.strata.empty() && answer_.unvisited.empty();
+    answer_.seconds = std::chrono::duration<double>(Budget::Clock::now() - start).count();
+    return std::move(answer_);
+  }
+
+private:
+  void trust(const std::vector<TrustedStep>& steps) {
+    for (const auto& s : steps)
+      if (std::find(answer_.trusted.begin(), answer_.trusted.end(), s.claim) ==
+          answer_.trusted.end())
+        answer_.trusted.push_back(s.claim);
+  }
+
+  void node(const Region& region, int depth) {
+    try {
+      limits_.decide.budget.check();
+      if (answer_.strata.size() >= limits_.max_strata || depth > 60) {
+        answer_.unvisited.push_back(to_string(region.path()));
+        return;
+      }
+      auto answer = look(region);
+      trust(region.trusted());
+      if (auto* leaf = std::get_if<Leaf>(&answer)) return add(region, std::move(*leaf));
+      split(region, std::get<Needs>(answer), depth);
+    } catch (const OutOfBudget& limit) {
+      answer_.unvisited.push_back(to_string(region.path()) + " (" + limit.what() + ")");
+    }
+  }
+
+  std::variant<Leaf, Needs> look(const Region& region) const {
+    if (const auto p = region.pending()) {
+      if (const auto doubt = region.doubtful_factor(*p)) return Needs{*doubt, "assumed"};
+      return Needs{MPoly(region.ring(), Integer(1)), "assumed"};
+    }
+    for (const auto& g : q_.generic)
+      if (auto answer = generic(g, region)) return *std::move(answer);
+    MFraction r;
+    try {
+      r = region.restrict(q_.r);
+    } catch (const DomainError&) {
+      return no_equation("r has no value here");
+    }
+    return judge(r, q_.z, region, limits_.decide);
+  }
+
+  // One of the coefficients is known not to vanish, or they are looked at one after the other.
+  static std::optional<std::variant<Leaf, Needs>> generic(const Genericity& g,
+                                                          const Region& region) {
+    std::optional<Needs> needs;
+    for (const auto& p : g.not_all_zero) {
+      MFraction there;
+      try {
+        there = region.restrict(MFraction(p));
+      } catch (const DomainError&) {
+        continue;
+      }
+      if (is_zero(there)) continue;
+      const auto doubt = region.doubtful_factor(there.num());
+      if (!doubt) return std::nullopt;
+      if (!needs) needs = Needs{*doubt, g.why};
+    }
+    if (needs) return *needs;
+    return no_equation("the reduction to y'' = r y is not valid here: " + g.why);
+  }
+
+  void split(const Region& region, const Needs& needs, int depth) {
+    const bool assumed = needs.why == "assumed"; // p = 0 on one of the two sides only
+    if (is_constant(needs.p)) return prune(region, "an assumed equation fails");
+    auto zero = region.where_zero(needs.p);
+    if (const auto* first = std::get_if<Region::Split>(&zero))
+      return split(region,
+                   Needs{first->by,
+                         "the equation " + to_string(needs.p) + " = 0 is solved by division by it"},
+                   depth);
+    if (!assumed || has_other_factor(region, needs.p))
+      node(region.where_nonzero(needs.p), depth + 1);
+    if (const auto* there = std::get_if<Region>(&zero)) {
+      trust(there->trusted());
+      node(*there, depth + 1);
+    } else if (const auto* empty = std::get_if<Region::Empty>(&zero)) {
+      trust(empty->trusted);
+      auto path = region.path();
+      path.push_back({needs.p, Sign::zero});
+      answer_.pruned.push_back(to_string(path));
+    } else {
+      stuck(region, needs);
+    }
+  }
+
+  void prune(const Region& region, const std::string& why) {
+    answer_.pruned.push_back(to_string(region.path()) + " (" + why + ")");
+  }
+
+  // Of a pending equation p1 p2 = 0: where p1 is not zero another factor has to be.
+  static bool has_other_factor(const Region& region, const MPoly& p) {
+    return region.where_nonzero(p).pending().has_value() &&
+           region.where_nonzero(p).doubtful_factor(*region.pending()).has_value();
+  }
+
+  // No parameter is linear in p: numbers, or an open stratum.
+  void stuck(const Region& region, const Needs& needs) {
+    auto path = region.path();
+    path.push_back({needs.p, Sign::zero});
+    const auto add_here = [&](Leaf leaf) {
+      answer_.strata.push_back({std::move(path), std::move(leaf), region.solved()});
+    };
+    const auto root = root_field(needs.p);
+    const MFraction r = region.restrict(q_.r);
+    const auto used = used_variables(r);
+    const bool number = root && std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+                          return i == q_.z || i == root->variable;
+                        });
+    if (!number)
+      return add_here(
+          open_leaf(to_string(needs.p) + " = 0 (" + needs.why + ") is not solved for a parameter"));
+    if (region.has_no_real_root(needs.p)) return prune(region, to_string(needs.p) + " = 0");
+    const MFraction x = MFraction::variable(r.ring(), root->variable);
+    const MFraction scaled = substitute(r, {{root->variable, (Rational(1) / root->lead) * x}});
+    NormalForm equation;
+    equation.r = to_rational_function(scaled, q_.z, AlgebraicConstant{root->variable, root->field});
+    add_here(leaf_of(decide(equation, limits_.decide)));
+  }
+
+  void add(const Region& region, Leaf leaf) {
+    answer_.strata.push_back({simplified(region), std::move(leaf), region.solved()});
+  }
+
+  // Without the inequations that the other conditions imply.
+  static std::vector<Condition> simplified(const Region& region) {
+    std::vector<Condition> kept;
+    for (const auto& c : region.path()) {
+      if (c.sign == Sign::nonzero && region.implies_nonzero(c.p)) continue;
+      kept.push_back(c);
+    }
+    return kept;
+  }
+
+  const Question& q_;
+  const StrataLimits& limits_;
+  StrataAnswer answer_;
+};
+
+} // namespace
+
+StrataAnswer decide_strata(const Question& q, const StrataLimits& limits) {
+  return Tree(q, limits).grow();
+}
+
+const Stratum* stratum_at(const StrataAnswer& a, const std::map<std::size_t, Rational>& point) {
+  const auto holds = [&](const Condition& c) {
+    Substitution values;
+    for (const auto& [i, v] : point)
+      values[i] = MFraction(c.p.ring(), v);
+    const MFraction f = substitute(c.p, values);
+    if (!is_zero(f) && !is_constant(f)) return false;
+    const int s = is_zero(f) ? 0 : sign(to_rational(f));
+    return c.sign == Sign::zero      ? s == 0
+           : c.sign == Sign::nonzero ? s != 0
+                                     : s > 0 || (s == 0 && c.sign == Sign::nonnegative);
+  };
+  for (const auto& s : a.strata)
+    if (std::all_of(s.conditions.begin(), s.conditions.end(), holds)) return &s;
+  return nullptr;
+}
+
+} // namespace kov::strata

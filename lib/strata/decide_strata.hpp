@@ -1,0 +1,58 @@
+#pragma once
+// y'' = r(z; parameters) y for all admissible parameters at once: a tree of strata, each split
+// p = 0 / p != 0 with p found on the way, and a verdict with its reason on every leaf.
+//
+// Source  THEORY 6; docs/theory/strata.md
+
+#include "strata/judge.hpp"
+
+#include <map>
+
+namespace kov::strata {
+
+/// Something that was divided by on the way to r: not all coefficients may vanish.
+struct Genericity {
+  std::vector<MPoly> not_all_zero; ///< polynomials in the parameters
+  std::string why;
+};
+
+struct Question {
+  MFraction r;
+  std::size_t z = 0;
+  Assumptions assumptions;
+  std::vector<Genericity> generic;
+};
+
+struct Stratum {
+  std::vector<Condition> conditions; ///< in the parameters; empty: always
+  Leaf leaf;
+  Substitution solved; ///< the equations among the conditions, solved
+};
+
+struct StrataLimits {
+  Options decide;
+  std::size_t max_strata = 200;
+};
+
+struct StrataAnswer {
+  std::vector<Stratum> strata;        ///< disjoint; with `unvisited` they cover the assumptions
+  std::vector<std::string> unvisited; ///< conditions of strata that a limit left open
+  std::vector<std::string> trusted;   ///< steps that rest on Z3 alone
+  std::vector<std::string> pruned;    ///< empty strata, with the conditions that contradict
+  bool contradictory = false;         ///< no parameters satisfy the assumptions
+  double seconds = 0;
+
+  /// yes or no: the same on all strata; unknown otherwise.
+  [[nodiscard]] Truth abelian() const;
+  [[nodiscard]] bool decided() const; ///< no stratum is open
+};
+
+/// Never throws for a legal question: limits end in open strata.
+[[nodiscard]] StrataAnswer decide_strata(const Question& q, const StrataLimits& limits = {});
+
+/// The stratum that contains a point (values for all parameters), if its conditions can be checked
+/// there.
+[[nodiscard]] const Stratum* stratum_at(const StrataAnswer& a,
+                                        const std::map<std::size_t, Rational>& point);
+
+} // namespace kov::strata

@@ -1,0 +1,177 @@
+#include "strata/irrational.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov::strata {
+namespace {
+
+bool has_parameters(const MFraction& c) { return !is_zero(c) && !is_constant(c); }
+
+MPoly num_times_den(const MFraction& f) {
+  return is_zero(f) ? MPoly() : is_constant(f.den()) ? f.num() : f.num() * f.den();
+}
+
+int sign_on(const Region& region, const MFraction& f, bool exact) {
+  if (is_zero(f)) return 0;
+  if (const int s = region.exact_sign_of(f.num()) * region.exact_sign_of(f.den())) return s;
+  return exact ? 0 : region.sign_of(f.num()) * region.sign_of(f.den());
+}
+
+// chi(T) with T in the place of the variable z, cleared of denominators: one more real variable.
+MPoly in_one_more_variable(const ParametricPlace& p, std::size_t z) {
+  const Ring& ring = p.q.ring();
+  MFraction sum(ring);
+  MFraction power(ring, Rational(1));
+  for (const auto& c : p.chi) {
+    sum += c * power;
+    power *= MFraction::variable(ring, z);
+  }
+  return sum.num();
+}
+
+std::size_t place_variable(const ParametricPlace& p) { return used_variables(p.q).back(); }
+
+void set_irrational(ParametricPlace& p, const std::string& why) {
+  p.exponent = ExponentKind::irrational;
+  p.irrational_because = why;
+}
+
+// (c1^2 - 4 c0) with everything known about its factors: negative, negative where a factor is not
+// zero, or neither.
+struct DiscriminantSign {
+  bool negative = false;
+  std::optional<MPoly> doubt;
+};
+DiscriminantSign discriminant_sign(const ParametricPlace& p, const Region& region) {
+  for (const auto& c : p.chi) // real coefficients
+    for (const std::size_t i : used_variables(c))
+      if (!region.is_real(i)) return {};
+  const MFraction d = p.chi[1] * p.chi[1] - Rational(4) * p.chi[0];
+  if (is_zero(d)) return {};
+  int s = region.exact_sign_of(d.den());
+  if (s == 0) return {};
+  const auto [content, factors] = factor(d.num());
+  s *= sign(content);
+  DiscriminantSign result;
+  for (const auto& f : factors) {
+    if (f.exponent % 2 != 0) {
+      s *= region.exact_sign_of(f.base);
+      continue;
+    }
+    if (!region.is_nonzero(f.base)) result.doubt = f.base;
+  }
+  if (s >= 0) return {};
+  result.negative = true;
+  return result;
+}
+
+void classify_constant(ParametricPlace& p) {
+  if (p.chi.size() > 2) {
+    set_irrational(p, "is an algebraic number of degree " + std::to_string(p.chi.size() - 1));
+    return;
+  }
+  const Rational square = is_zero(p.chi[0]) ? Rational(0) : -to_rational(p.chi[0]);
+  if (const auto root = exact_sqrt(square)) {
+    p.exponent = ExponentKind::rational;
+    p.delta = *root;
+    return;
+  }
+  p.negative_square = sign(square) < 0;
+  set_irrational(p, "= " + kov::to_string(square) + " is not the square of a rational number");
+}
+
+} // namespace
+
+std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region) {
+  KOV_ENSURE(p.chi.size() >= 2);
+  if (std::none_of(p.chi.begin(), p.chi.end(), has_parameters)) {
+    classify_constant(p);
+    return std::nullopt;
+  }
+  p.exponent = ExponentKind::open;
+  const std::size_t n = p.chi.size() - 1;
+  for (const bool exact : {true, false}) {
+    // no root T >= 0 where all coefficients are positive
+    if (std::all_of(p.chi.begin(), p.chi.end(),
+                    [&](const MFraction& c) { return sign_on(region, c, exact) > 0; })) {
+      p.negative_square = n == 1;
+      set_irrational(p, n == 1 ? "is negative" : "is not a real number >= 0");
+      return std::nullopt;
+    }
+    if (n != 2 || !exact) continue;
+    const DiscriminantSign d = discriminant_sign(p, region);
+    if (d.negative && d.doubt)
+      return Needs{*d.doubt, "the exponent difference at " + place_name(p, place_variable(p)) +
+                                 " becomes real"};
+    if (d.negative) {
+      set_irrational(p, "is not real");
+      return std::nullopt;
+    }
+  }
+  if (n == 1) return std::nullopt; // its sign was looked at
+  const std::size_t t = place_variable(p);
+  const MPoly f = in_one_more_variable(p, t);
+  const auto used = used_variables(f);
+  const bool real = std::all_of(used.begin(), used.end(),
+                                [&](std::size_t i) { return i == t || region.is_real(i); });
+  if (real &&
+      region.refutes({{f, Sign::zero}, {MPoly::variable(p.q.ring(), t), Sign::nonnegative}}))
+    set_irrational(p, "is not a real number >= 0");
+  return std::nullopt;
+}
+
+std::optional<Rational> bound_of_square(const ParametricPlace& p, const Region& region) {
+  const std::size_t t = place_variable(p);
+  for (const bool by_z3 : {false, true})
+    for (const long k : {1L, 2L, 3L, 4L, 5L, 6L, 7L, 8L, 10L, 12L, 16L, 20L, 30L}) {
+      const Rational bound(k * k, 4);
+      if (!by_z3 && p.chi.size() == 2) {
+        const MFraction room = MFraction(p.q.ring(), bound) + p.chi[0]; // B - Delta^2
+        if (is_zero(room)) continue;
+        const auto exact = region.exact_sign_of(num_times_den(room));
+        if (exact > 0) return bound;
+      }
+      if (!by_z3) continue;
+      const MPoly f = in_one_more_variable(p, t);
+      const auto used = used_variables(f);
+      if (!std::all_of(used.begin(), used.end(),
+                       [&](std::size_t i) { return i == t || region.is_real(i); }))
+        return std::nullopt;
+      const MFraction above = MFraction::variable(p.q.ring(), t) - MFraction(p.q.ring(), bound);
+      if (region.refutes({{f, Sign::zero}, {above.num(), Sign::positive}})) return bound;
+    }
+  return std::nullopt;
+}
+
+std::optional<MFraction> exponent_difference(const ParametricPlace& p) {
+  if (p.chi.size() != 2) return std::nullopt;
+  if (is_zero(p.chi[0])) return MFraction(p.q.ring());
+  const MFraction square = -p.chi[0];
+  MFraction root(p.q.ring(), Rational(1));
+  for (const bool top : {true, false}) {
+    const auto [content, factors] = factor(top ? square.num() : square.den());
+    const auto c = exact_sqrt(Rational(content));
+    if (!c) return std::nullopt;
+    MFraction side(p.q.ring(), *c);
+    for (const auto& f : factors) {
+      if (f.exponent % 2 != 0) return std::nullopt;
+      side *= MFraction(pow(f.base, static_cast<unsigned long>(f.exponent / 2)));
+    }
+    root = top ? root * side : root / side;
+  }
+  return root;
+}
+
+MPoly where_square_is(const ParametricPlace& p, const Rational& x) {
+  MFraction sum(p.q.ring());
+  Rational power(1);
+  for (const auto& c : p.chi) {
+    sum += power * c;
+    power = power * x;
+  }
+  return is_zero(sum) ? MPoly(p.q.ring()) : sum.num();
+}
+
+} // namespace kov::strata

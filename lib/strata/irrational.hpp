@@ -1,0 +1,23 @@
+#pragma once
+// Is an exponent difference rational?  Proofs that it never is, and bounds for its square.
+// docs/theory/strata.md, 4
+
+#include "strata/scheme.hpp"
+
+namespace kov::strata {
+
+/// Sets exponent, delta, irrational_because from chi.  Needs: the discriminant of chi is negative
+/// but for a factor that may vanish.
+[[nodiscard]] std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region);
+
+/// A rational B with Delta^2 <= B for every real Delta^2, on the whole stratum; from a short list.
+[[nodiscard]] std::optional<Rational> bound_of_square(const ParametricPlace& p,
+                                                      const Region& region);
+
+/// Delta as a rational function of the parameters, if Delta^2 is a square there.
+[[nodiscard]] std::optional<MFraction> exponent_difference(const ParametricPlace& p);
+
+/// The numerator of chi(x): zero exactly where x is a value of Delta^2.
+[[nodiscard]] MPoly where_square_is(const ParametricPlace& p, const Rational& x);
+
+} // namespace kov::strata

@@ -1,0 +1,276 @@
+#include "strata/region.hpp"
+
+#include "exact/error.hpp"
+#include "strata/reals.hpp"
+#include "strata/signs.hpp"
+
+#include <algorithm>
+
+namespace kov::strata {
+namespace {
+
+constexpr unsigned z3_milliseconds = 300;
+constexpr long z3_terms = 40; // larger polynomials are beyond its limit anyway
+constexpr long z3_degree = 12;
+
+bool is_small(const MPoly& p) {
+  if (p.length() > z3_terms) return false;
+  for (long i = 0; i < p.length(); ++i) {
+    long total = 0;
+    for (const unsigned long e : p.exponents(i))
+      total += static_cast<long>(e);
+    if (total > z3_degree) return false;
+  }
+  return true;
+}
+
+template <class T> bool contains(const std::vector<T>& all, const T& x) {
+  return std::find(all.begin(), all.end(), x) != all.end();
+}
+
+} // namespace
+
+Region::Region(Ring ring, Assumptions assumptions)
+    : ring_(std::move(ring)), assumptions_(std::move(assumptions)) {
+  for (const auto& c : assumptions_.conditions)
+    if (c.sign == Sign::nonzero && !is_zero(c.p))
+      for (auto& f : irreducible_parts(c.p))
+        if (!contains(nonzero_, f)) nonzero_.push_back(std::move(f));
+  assumed_nonzero_ = nonzero_;
+}
+
+bool Region::is_real(std::size_t variable) const { return contains(assumptions_.real, variable); }
+
+bool Region::is_real(const MPoly& p) const {
+  const auto used = used_variables(p);
+  return std::all_of(used.begin(), used.end(), [&](std::size_t i) { return is_real(i); });
+}
+
+MFraction Region::restrict(const MFraction& f) const {
+  return solved_.empty() ? f : substitute(f, solved_);
+}
+
+int Region::sign_of_irreducible(const MPoly& p) const {
+  for (const auto& [known, s] : signs_)
+    if (known == p) return s;
+  int s = SignProver(assumptions_.conditions, nonzero_, assumptions_.real).sign_of(p);
+  const auto conditions = real_conditions();
+  const bool ordered = std::any_of(conditions.begin(), conditions.end(), [](const Condition& c) {
+    return c.sign == Sign::positive || c.sign == Sign::nonnegative;
+  });
+  if (s == 0 && is_real(p) && ordered) {
+    for (const int candidate : {1, -1}) {
+      if (!refutes({{candidate > 0 ? -p : p, Sign::nonnegative}})) continue;
+      s = candidate;
+      break;
+    }
+  }
+  signs_.emplace_back(p, s);
+  return s;
+}
+
+int Region::sign_of(const MPoly& p) const {
+  if (is_zero(p)) return 0;
+  const auto [content, factors] = factor(p);
+  int s = sign(content);
+  for (const auto& f : factors) {
+    if (f.exponent % 2 == 0 && is_real(f.base) && is_nonzero(f.base)) continue;
+    const int one = sign_of_irreducible(f.base);
+    if (one == 0) return 0;
+    if (f.exponent % 2 != 0) s *= one;
+  }
+  return s;
+}
+
+int Region::exact_sign_of(const MPoly& p) const {
+  if (is_zero(p)) return 0;
+  const SignProver prover(assumptions_.conditions, nonzero_, assumptions_.real);
+  if (const int whole = prover.sign_of(p)) return whole;
+  const auto [content, factors] = factor(p);
+  int s = sign(content);
+  for (const auto& f : factors) {
+    if (f.exponent % 2 == 0 && is_real(f.base) && contains(nonzero_, f.base)) continue;
+    const int one = prover.sign_of(f.base);
+    if (one == 0) return 0;
+    if (f.exponent % 2 != 0) s *= one;
+  }
+  return s;
+}
+
+bool Region::is_nonzero(const MPoly& p) const { return !is_zero(p) && !doubtful_factor(p); }
+
+std::optional<MPoly> Region::doubtful_factor(const MPoly& p) const {
+  if (is_constant(p)) return std::nullopt;
+  for (const auto& f : irreducible_parts(p))
+    if (!contains(nonzero_, f) && sign_of_irreducible(f) == 0) return f;
+  return std::nullopt;
+}
+
+Truth Region::is_integral(const MFraction& v) const {
+  if (is_zero(v)) return Truth::yes;
+  if (is_constant(v)) return truth(is_integer(to_rational(v)));
+  // +-v = m w + n with w assumed an integer; v assumed none, up to an integer
+  for (const auto& m : assumptions_.memberships) {
+    for (const long k : {1L, -1L, 2L, -2L, 3L, -3L, 4L, -4L}) {
+      const MFraction rest = v - Rational(k) * m.value;
+      if (!is_constant(rest) && !is_zero(rest)) continue;
+      const bool shift = is_zero(rest) || is_integer(to_rational(rest));
+      if (m.in_integers) return truth(shift);
+      if (shift && (k == 1 || k == -1)) return Truth::no;
+    }
+  }
+  return Truth::unknown;
+}
+
+std::vector<Condition> Region::real_conditions() const {
+  std::vector<Condition> all;
+  for (const auto& c : assumptions_.conditions)
+    if (c.sign != Sign::nonzero && is_real(c.p)) all.push_back(c);
+  for (const auto& p : nonzero_)
+    if (is_real(p)) all.push_back({p, Sign::nonzero});
+  return all;
+}
+
+bool Region::refutes(const std::vector<Condition>& more) const {
+  auto all = real_conditions();
+  std::string claim;
+  if (!std::all_of(more.begin(), more.end(), [](const Condition& c) { return is_small(c.p); }))
+    return false;
+  for (const auto& c : more) {
+    all.push_back(c);
+    claim += (claim.empty() ? "" : ", ") + to_string(c);
+  }
+  if (has_real_point(all, z3_milliseconds) != Truth::no) return false;
+  const std::string where = path_.empty() ? "" : " where " + to_string(path_);
+  trusted_.push_back({"Z3: no real parameters satisfy the assumptions and " + claim + where});
+  return true;
+}
+
+bool Region::implies_nonzero(const MPoly& p) const {
+  try {
+    const MFraction f = restrict(MFraction(p));
+    const auto parts = is_zero(f) ? std::vector<MPoly>{p} : irreducible_parts(f.num());
+    const SignProver prover(assumptions_.conditions, assumed_nonzero_, assumptions_.real);
+    return std::all_of(parts.begin(), parts.end(), [&](const MPoly& q) {
+      return prover.sign_of(q) != 0 || contains(assumed_nonzero_, q);
+    });
+  } catch (const DomainError&) {
+    return false;
+  }
+}
+
+bool Region::has_no_real_root(const MPoly& p) const {
+  return is_real(p) && refutes({{p, Sign::zero}});
+}
+
+Region Region::where_nonzero(const MPoly& p) const {
+  Region r(*this);
+  std::erase_if(r.signs_, [](const auto& known) { return known.second == 0; });
+  r.nonzero_.push_back(p);
+  r.path_.push_back({p, Sign::nonzero});
+  return r;
+}
+
+std::variant<Region, Region::Empty, Region::Split, Region::Stuck>
+Region::where_zero(const MPoly& p) const {
+  KOV_ENSURE(!is_zero(p));
+  if (is_constant(p)) return Empty{{}};
+  const auto used = used_variables(p);
+  std::optional<MPoly> obstacle;
+  for (const bool constant_first : {true, false})
+    for (auto x = used.rbegin(); x != used.rend(); ++x) {
+      if (degree(p, *x) != 1) continue;
+      const MPoly slope = coefficients(p, *x)[1];
+      if (is_constant(slope) != constant_first) continue;
+      if (const auto doubt = doubtful_factor(slope)) {
+        if (!obstacle) obstacle = doubt;
+        continue;
+      }
+      const auto solution = solve(p, *x);
+      if (const auto* region = std::get_if<Region>(&solution)) return *region;
+      return std::get<Empty>(solution);
+    }
+  if (obstacle) return Split{*obstacle};
+  return Stuck{};
+}
+
+std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x) const {
+  const auto line = coefficients(p, x);
+  const Substitution step{{x, -(MFraction(line[0]) / MFraction(line[1]))}};
+  Region r(ring_, {});
+  r.path_ = path_;
+  r.path_.push_back({p, Sign::zero});
+  for (const auto& [i, value] : solved_)
+    r.solved_[i] = substitute(value, step);
+  r.solved_[x] = step.at(x);
+  const auto keep_nonzero = [&](const MPoly& q) {
+    for (auto& f : irreducible_parts(q))
+      if (!contains(r.nonzero_, f)) r.nonzero_.push_back(std::move(f));
+  };
+  keep_nonzero(line[1]);
+  for (const auto& q : nonzero_) {
+    const MFraction there = substitute(q, step);
+    if (is_zero(there)) return Empty{{}};
+    keep_nonzero(there.num());
+  }
+  for (const auto& q : assumed_nonzero_)
+    for (auto& f : irreducible_parts(substitute(q, step).num()))
+      r.assumed_nonzero_.push_back(std::move(f));
+  for (const auto& c : assumptions_.conditions) {
+    if (c.sign == Sign::nonzero) continue; // in nonzero_
+    const MFraction there = substitute(c.p, step);
+    if (is_zero(there)) {
+      if (c.sign == Sign::positive) return Empty{{}};
+      continue;
+    }
+    const bool ordered = c.sign == Sign::positive || c.sign == Sign::nonnegative;
+    r.assumptions_.conditions.push_back(
+        {ordered && !is_constant(there.den()) ? there.num() * there.den() : there.num(), c.sign});
+  }
+  for (const auto& m : assumptions_.memberships)
+    r.assumptions_.memberships.push_back({substitute(m.value, step), m.in_integers});
+  r.assumptions_.real = assumptions_.real;
+  if (is_real(x)) { // a real parameter that became a function of one other: no new real one
+    const auto used = used_variables(step.at(x));
+    if (used.size() == 1 && !is_real(used[0]) && degree(p, used[0]) == 1)
+      r.assumptions_.real.push_back(used[0]);
+  }
+  if (r.is_empty()) return Empty{r.trusted_};
+  return r;
+}
+
+std::optional<MPoly> Region::pending() const {
+  for (const auto& c : assumptions_.conditions)
+    if (c.sign == Sign::zero && !is_zero(c.p)) return c.p;
+  return std::nullopt;
+}
+
+bool Region::is_empty() const {
+  const SignProver prover(assumptions_.conditions, nonzero_, assumptions_.real);
+  for (const auto& c : assumptions_.conditions) {
+    if (c.sign == Sign::nonzero && is_zero(c.p)) return true;
+    if (c.sign == Sign::zero && !is_zero(c.p) && is_constant(c.p)) return true;
+    if (c.sign == Sign::positive && is_zero(c.p)) return true;
+    if (c.sign != Sign::positive && c.sign != Sign::nonnegative) continue;
+    if (is_constant(c.p) && !is_zero(c.p) && sign(c.p.coefficient(0)) < 0) return true;
+  }
+  for (std::size_t i = 0; i < assumptions_.conditions.size(); ++i) {
+    const Condition& c = assumptions_.conditions[i];
+    if (c.sign != Sign::positive && c.sign != Sign::nonnegative) continue;
+    auto others = assumptions_.conditions;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    if (SignProver(others, nonzero_, assumptions_.real).sign_of(c.p) < 0) return true;
+  }
+  for (const auto& m : assumptions_.memberships)
+    if (is_constant(m.value) || is_zero(m.value)) {
+      const bool integer = is_zero(m.value) || is_integer(to_rational(m.value));
+      if (integer != m.in_integers) return true;
+    }
+  const auto conditions = real_conditions();
+  const bool ordered = std::any_of(conditions.begin(), conditions.end(), [](const Condition& c) {
+    return c.sign == Sign::positive || c.sign == Sign::nonnegative;
+  });
+  return ordered && refutes({});
+}
+
+} // namespace kov::strata

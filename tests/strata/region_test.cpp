@@ -1,0 +1,71 @@
+// Strata: sign proofs, equations solved, contradictions.
+
+#include "strata/region.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kov::strata {
+namespace {
+
+const Ring ring = make_ring({"A", "C", "h", "z"});
+MFraction x(const char* name) { return MFraction::variable(ring, name); }
+MFraction number(long n) { return {ring, Rational(n)}; }
+
+Region positive_bodies() {
+  Assumptions a;
+  a.require(x("A"), Sign::positive);
+  a.require(x("C"), Sign::positive);
+  return {ring, a};
+}
+
+TEST(Region, SumsOfPositiveTermsAreNotZero) {
+  const Region r = positive_bodies();
+  EXPECT_TRUE(r.is_nonzero((x("A") + number(1)).num()));
+  EXPECT_TRUE(r.is_nonzero((x("A") * x("C") + x("A") * x("A")).num()));
+  EXPECT_EQ(r.sign_of((-x("A") - x("C") * x("C")).num()), -1);
+  EXPECT_FALSE(r.is_nonzero((x("A") - x("C")).num()));
+  EXPECT_FALSE(r.is_nonzero((x("h") * x("h") + number(1)).num())); // h is complex
+  EXPECT_TRUE(r.trusted().empty());
+}
+
+TEST(Region, EquationsAreSolvedAndCarriedIntoTheAssumptions) {
+  const Region r = positive_bodies();
+  const auto there = r.where_zero((x("C") - x("A") + number(1)).num());
+  ASSERT_TRUE(std::holds_alternative<Region>(there));
+  const Region& line = std::get<Region>(there);
+  EXPECT_TRUE(line.restrict(x("C")) == x("A") - number(1));
+  EXPECT_EQ(line.exact_sign_of((x("A") - number(1)).num()), 1); // C > 0
+  EXPECT_EQ(line.exact_sign_of((x("A") * x("A") + x("A") - number(2)).num()), 1);
+  EXPECT_FALSE(line.is_nonzero((x("A") - number(2)).num()));
+}
+
+TEST(Region, ContradictionsAreSeen) {
+  Assumptions a;
+  a.require(x("A"), Sign::positive);
+  a.require(-x("A") - number(1), Sign::nonnegative);
+  EXPECT_TRUE(Region(ring, a).is_empty());
+  const auto there = positive_bodies().where_zero((x("A") + x("C")).num());
+  EXPECT_TRUE(std::holds_alternative<Region::Empty>(there));
+}
+
+TEST(Region, InequalitiesThatNeedTheOracleAreCounted) {
+  Assumptions a;
+  a.require(x("A") * x("A") + x("C") * x("C") - x("A") * x("C") - number(1), Sign::nonnegative);
+  const Region r(ring, a);
+  EXPECT_EQ(r.sign_of((x("A") * x("A") + x("C") * x("C") - x("A") * x("C")).num()), 1);
+  EXPECT_EQ(r.trusted().size(), 1U);
+}
+
+TEST(Region, Memberships) {
+  Assumptions a;
+  a.memberships.push_back({x("h"), true});
+  a.memberships.push_back({x("A") - MFraction(ring, Rational(1, 2)), false});
+  const Region r(ring, a);
+  EXPECT_EQ(r.is_integral(Rational(2) * x("h") + number(3)), Truth::yes);
+  EXPECT_EQ(r.is_integral(x("h") + MFraction(ring, Rational(1, 3))), Truth::no);
+  EXPECT_EQ(r.is_integral(x("A") + MFraction(ring, Rational(1, 2))), Truth::no);
+  EXPECT_EQ(r.is_integral(x("A")), Truth::unknown);
+}
+
+} // namespace
+} // namespace kov::strata
