@@ -171,7 +171,7 @@ std::string counts(const TheoremResult& t) {
                  one(t.trusted_steps().size(), "other steps on trust") +
                  one(t.count(NodeStatus::reasoned), "arguments in words") +
                  one(t.unchecked_hypotheses().size(), "hypotheses not checked") +
-                 one(t.count(NodeStatus::open), "open"),
+                 one(t.count(NodeStatus::open), "open") + tag("li", "in " + tag("b", t.time())),
              "class=\"counts\"");
 }
 

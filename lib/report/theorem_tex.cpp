@@ -136,7 +136,7 @@ std::string theorem_tex(const TheoremResult& t) {
   out += "\\textbf{Theorem.} \\emph{" + prose(t.theorem.statement, tex) + "}\n\n";
   out += prose(t.conclusion(), tex) + ". " + std::to_string(t.identities()) +
          " exact identities were checked, " + std::to_string(t.certificates()) +
-         " certificates accepted.\n";
+         " certificates accepted, in " + t.time() + ".\n";
   out += "\\section*{What rests on what}\n" + tree(t);
   out += "\\section*{Trusted}\n\\begin{itemize}\n";
   for (const std::string& s : t.trusted_theorems())

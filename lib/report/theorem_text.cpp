@@ -86,7 +86,7 @@ void put_step(std::string& out, const NodeResult& n) {
 
 std::string theorem_text(const TheoremResult& t) {
   std::string out = t.theorem.title + "\n" + filled(t.theorem.statement, 2) + "\n";
-  out += filled(t.conclusion() + ".", 0) + "\n";
+  out += filled(t.conclusion() + ".", 0) + "time " + t.time() + "\n\n";
   std::set<std::string> seen;
   put_tree(out, t, t.nodes.front().node.id, 0, seen);
   out += "\ntrusted\n";
@@ -116,7 +116,7 @@ std::string theorem_json(const TheoremResult& t) {
            {"cite", n.node.cite},
            {"theorems", n.theorems},
            {"trusted", n.trusted},
-           {"certificates", n.certificates}};
+           {"certificates", n.certificates.size()}};
     j["hypotheses"] = Json::array();
     for (const Hypothesis& h : n.node.hypotheses)
       j["hypotheses"].push_back({{"text", h.text}, {"by", h.by}, {"checked", h.checked}});

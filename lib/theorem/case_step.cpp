@@ -59,7 +59,7 @@ void show_decision(NodeResult& n, const Decision& d) {
   n.tables.push_back(std::move(exponents));
   n.pictures.push_back(picture_of(s, d.variable));
   n.formulas.push_back({"group", d.group ? describe(*d.group) : "not determined"});
-  if (!d.certificate.empty()) ++n.certificates;
+  if (!d.certificate.empty()) n.certificates.push_back(d.certificate);
 }
 
 std::string answer(Truth abelian) {
@@ -109,6 +109,10 @@ std::string reason_of(const ManifoldReport& m) {
     for (const EnergyResult& e : b.energies)
       if (e.decision && e.decision->abelian == Truth::no)
         return e.condition + ": " + e.decision->reason;
+    for (const EnergyResult& e : b.energies)
+      if (e.strata && e.strata->abelian() == Truth::no)
+        return "at the energy " + e.condition +
+               " not abelian on every stratum of the other parameters";
     if (!b.note.empty()) text = b.note;
   }
   for (const std::string& r : m.reasons)
@@ -118,30 +122,75 @@ std::string reason_of(const ManifoldReport& m) {
 
 } // namespace
 
-void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const System s = read_system(directory + n.node.file, n.node.where);
+namespace {
+
+CheckReport checked(const std::string& path, const ParameterValues& where, const NodeResult& n,
+                    const ProveOptions& options) {
   CheckOptions check;
   check.decide = options.decide;
   check.decide.want_certificate = true;
   check.only_manifold = n.node.manifold;
-  const CheckReport report = check_system(s, check);
-  for (const Assumption& a : s.assumptions)
-    n.formulas.push_back({"assumed", a.text});
+  return check_system(read_system(path, where), check);
+}
+
+// Takes the first manifold with the expected verdict.
+void take(NodeResult& n, const CheckReport& report) {
   for (const ManifoldReport& m : report.manifolds) {
     if (m.failure) {
-      n.status = NodeStatus::open;
       n.summary = m.failure->message;
       return;
     }
     n.checks.push_back({"the manifold " + m.name + " is invariant", m.manifold.has_value()});
     for (const BlockReport& b : m.blocks)
-      show_block(n, s, b);
+      show_block(n, report.system, b);
     n.summary = reason_of(m);
-    if (to_string(m.verdict) != n.node.expect) continue;
+    const bool any = n.node.expect == "any" && m.verdict != VerdictKind::undecided;
+    if (!any && to_string(m.verdict) != n.node.expect) continue;
     n.status = NodeStatus::proved;
+    if (any) n.summary = to_string(m.verdict) + (n.summary.empty() ? "" : ": " + n.summary);
     if (m.verdict == VerdictKind::non_integrable) n.theorems.push_back(m.theorem);
     return;
   }
+}
+
+// One set of values from the family, decided by itself: a second opinion with tables.
+void take_sample(NodeResult& n, const std::string& path, const ProveOptions& options) {
+  ParameterValues values = n.node.where;
+  std::string text;
+  for (const auto& [name, value] : n.node.sample) {
+    values.emplace_back(name, value);
+    text += (text.empty() ? "" : ", ") + name + " = " + value;
+  }
+  NodeResult sample;
+  sample.node = n.node;
+  take(sample, checked(path, values, n, options));
+  n.formulas.push_back({"a sample", text});
+  for (Grid& g : sample.tables) {
+    g.caption += ", at the sample";
+    n.tables.push_back(std::move(g));
+  }
+  for (PolePicture& p : sample.pictures) {
+    p.caption += ", at the sample";
+    n.pictures.push_back(std::move(p));
+  }
+  for (std::string& c : sample.certificates)
+    n.certificates.push_back(std::move(c));
+  n.checks.push_back({"the sample " + text + " by itself has the same verdict",
+                      sample.status == NodeStatus::proved});
+  if (n.status == NodeStatus::proved && sample.status != NodeStatus::proved) {
+    n.status = NodeStatus::refuted;
+    n.summary = "the sample disagrees: " + sample.summary;
+  }
+}
+
+} // namespace
+
+void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
+  const CheckReport report = checked(directory + n.node.file, n.node.where, n, options);
+  for (const Assumption& a : report.system.assumptions)
+    n.formulas.push_back({"assumed", a.text});
+  take(n, report);
+  if (!n.node.sample.empty()) take_sample(n, directory + n.node.file, options);
 }
 
 } // namespace kov

@@ -58,7 +58,7 @@ std::vector<std::string> TheoremResult::unchecked_hypotheses() const {
 std::size_t TheoremResult::certificates() const {
   std::size_t sum = 0;
   for (const NodeResult& n : nodes)
-    sum += n.certificates;
+    sum += n.certificates.size();
   return sum;
 }
 
@@ -71,6 +71,11 @@ std::size_t TheoremResult::identities() const {
 
 bool TheoremResult::complete() const {
   return count(NodeStatus::open) == 0 && count(NodeStatus::refuted) == 0;
+}
+
+std::string TheoremResult::time() const {
+  const auto tenths = static_cast<long>(seconds * 10 + 0.5);
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
 }
 
 std::string TheoremResult::conclusion() const {

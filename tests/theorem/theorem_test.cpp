@@ -141,7 +141,7 @@ TEST(CaseStep, ASampleIsProvedWithACertificate) {
   n.where = {{"A", "1"}, {"C", "3/2"}};
   const NodeResult r = run(n);
   EXPECT_EQ(r.status, NodeStatus::proved);
-  EXPECT_EQ(r.certificates, 1U);
+  EXPECT_EQ(r.certificates.size(), 1U);
   EXPECT_FALSE(r.theorems.empty());
 }
 
