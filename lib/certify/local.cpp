@@ -116,19 +116,42 @@ public:
     need(x.order == 2 && degree(value) < x.n, "delta2 belongs to a pole of order 2");
     if (degree(value) > 0) {
       judge_.spend(judge_.words() * static_cast<double>(std::min(x.n, 50L)));
-      need(is_zero(mod(mod(num_, *x.q) - (value - Poly(1)) * mod(second_, *x.q), *x.q)), wrong);
+      one(num_, second_, *x.q, value);
     } else {
       shared(value).second.push_back(*x.q);
     }
   }
   void finish() const {
-    judge_.spend(20 * judge_.words() * static_cast<double>(shared_.size()));
+    judge_.spend(4 * judge_.words() * static_cast<double>(shared_.size()));
+    std::vector<std::pair<Poly, Poly>> rare; // q and value
     for (const auto& [value, places] : shared_)
-      need(is_zero(mod(num_ - (value - Poly(1)) * second_, product(places, 0, places.size()))),
-           wrong);
+      if (places.size() < 4)
+        for (const Poly& q : places)
+          rare.emplace_back(q, value);
+      else
+        need(is_zero(mod(num_ - (value - Poly(1)) * second_, product(places, 0, places.size()))),
+             wrong);
+    each_by_itself(rare);
   }
 
 private:
+  static void one(const Poly& num, const Poly& second, const Poly& q, const Poly& value) {
+    need(is_zero(mod(mod(num, q) - (value - Poly(1)) * mod(second, q), q)), wrong);
+  }
+
+  // Many places: first modulo the product of all.
+  void each_by_itself(const std::vector<std::pair<Poly, Poly>>& rare) const {
+    std::vector<Poly> places;
+    for (const auto& [q, value] : rare)
+      places.push_back(q);
+    const Poly all = product(places, 0, places.size());
+    const bool many = places.size() > 8;
+    const Poly num = many ? mod(num_, all) : num_;
+    const Poly second = many ? mod(second_, all) : second_;
+    for (const auto& [q, value] : rare)
+      one(num, second, q, value);
+  }
+
   using Shared = std::pair<Poly, std::vector<Poly>>;
   Shared& shared(const Poly& value) {
     const auto before = [](const Shared& a, const Poly& v) { return compare(a.first, v) < 0; };

@@ -390,8 +390,17 @@ Poly taylor_shift(const Poly& f, const NfElem& c) {
 
 NfElem evaluate(const Poly& f, const NfElem& c) {
   if (f.stride() == 1 && is_rational(c)) {
+    const Rational at = c.coeff(0);
     Rational value;
-    fmpq_poly_evaluate_fmpq(value.raw(), f.raw(), c.coeff(0).raw());
+    if (is_integer(at)) {
+      Integer num;
+      Integer den;
+      _fmpz_poly_evaluate_fmpz(num.raw(), f.raw()->coeffs, f.raw()->length, at.num().raw());
+      fmpz_set(den.raw(), f.raw()->den);
+      value = Rational(num, den);
+    } else {
+      fmpq_poly_evaluate_fmpq(value.raw(), f.raw(), at.raw());
+    }
     return {value, common_field(f.field(), c.field())};
   }
   NfElem value(common_field(f.field(), c.field()));

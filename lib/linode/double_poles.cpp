@@ -45,23 +45,6 @@ void find_equal_ones(const RationalFunction& r, const std::vector<Factor>& facto
   }
 }
 
-Rational value_at(const Poly& f, const Rational& c) {
-  Integer num(1);
-  fmpz_poly_t g;
-  fmpz_poly_init(g);
-  fmpq_poly_get_numerator(g, f.raw());
-  Rational value;
-  if (is_integer(c)) {
-    fmpz_poly_evaluate_fmpz(num.raw(), g, c.num().raw());
-    value = Rational(num);
-  } else {
-    fmpz_poly_evaluate_fmpq(value.raw(), g, c.raw());
-  }
-  fmpz_poly_clear(g);
-  fmpz_set(num.raw(), fmpq_poly_denref(f.raw()));
-  return value / Rational(num);
-}
-
 // With q the product of (z - c) over the open places, den = q^2 s:  b = num(c)/(q'(c)^2 s(c)), and
 // num may be replaced by its remainder modulo q.
 void evaluate_the_rest(const RationalFunction& r, const std::vector<Factor>& factors,
@@ -81,9 +64,10 @@ void evaluate_the_rest(const RationalFunction& r, const std::vector<Factor>& fac
   const Poly rest = exact_div(r.den(), q * q);
   for (const std::size_t i : open) {
     budget.check();
-    const Rational c = -to_rational(factors[i].base.coeff(0));
-    const Rational d = value_at(slope, c);
-    answer[i] = Rational(1) + Rational(4) * value_at(num, c) / (d * d * value_at(rest, c));
+    const NfElem c = -factors[i].base.coeff(0);
+    const NfElem d = evaluate(slope, c);
+    answer[i] =
+        Rational(1) + Rational(4) * to_rational(evaluate(num, c) / (d * d * evaluate(rest, c)));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "symbol/rational_form.hpp"
 
+#include "symbol/partial_fractions.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace {
 using Kind = Expression::Kind;
 
 constexpr double max_bits = 1UL << 28; // 32 MiB of coefficients in one polynomial
+constexpr long largest_split_power = 64;
 
 std::string shortened(const Integer& n) {
   const std::string s = to_string(n);
@@ -157,11 +159,16 @@ private:
   RationalFunction sum(const Expression& e) const {
     std::vector<NfElem> coefficients;
     std::vector<RationalFunction> others;
+    PartialFractions fractions(field(), reading_.budget);
     for (const Expression& term : e.operands()) {
       reading_.budget.check();
       const auto m = monomial(term);
       if (!m) {
-        others.push_back((*this)(term));
+        SplitFraction fraction{NfElem(Rational(1), field()), {}};
+        if (split(term, 1, fraction))
+          fractions.add(std::move(fraction));
+        else
+          others.push_back((*this)(term));
         continue;
       }
       const auto k = static_cast<std::size_t>(m->k);
@@ -170,7 +177,52 @@ private:
     }
     if (!coefficients.empty())
       others.emplace_back(coerce(Poly::from_coefficients(coefficients), field()));
+    if (!fractions.empty()) others.push_back(fractions.sum());
     return add(others, 0, others.size());
+  }
+
+  // Multiplies `out` by e^n if e is written as a product of powers of constants and linear
+  // polynomials.  Nothing is expanded.
+  bool split(const Expression& e, long n, SplitFraction& out) const {
+    switch (e.kind()) {
+    case Kind::negate:
+      if (n % 2 != 0) out.unit = -out.unit;
+      return split(e.operand(0), n, out);
+    case Kind::product:
+      return std::all_of(e.operands().begin(), e.operands().end(),
+                         [&](const Expression& factor) { return split(factor, n, out); });
+    case Kind::quotient:
+      return split(e.operand(0), n, out) && split(e.operand(1), -n, out);
+    case Kind::power: {
+      const Expression& k = e.operand(1);
+      return k.kind() == Kind::number && k.number() <= Integer(largest_split_power) &&
+             split(e.operand(0), n * to_long(k.number()), out);
+    }
+    default:
+      return split_linear(e, n, out);
+    }
+  }
+
+  bool split_linear(const Expression& e, long n, SplitFraction& out) const {
+    if (std::abs(n) > largest_split_power) return false;
+    NfElem constant(field());
+    NfElem slope(field());
+    const auto take = [&](const Expression& term) {
+      const auto m = monomial(term);
+      if (!m || m->k > 1) return false;
+      (m->k == 0 ? constant : slope) += m->c;
+      return true;
+    };
+    const bool linear = e.kind() == Kind::sum
+                            ? std::all_of(e.operands().begin(), e.operands().end(), take)
+                            : take(e);
+    if (!linear) return false;
+    const NfElem& lead = is_zero(slope) ? constant : slope;
+    if (is_zero(lead)) return false;
+    const auto size = static_cast<unsigned long>(std::abs(n));
+    out.unit = n > 0 ? out.unit * pow(lead, size) : out.unit / pow(lead, size);
+    if (!is_zero(slope)) out.times(Poly::from_coefficients({constant / slope, NfElem(1)}), n);
+    return true;
   }
 
   RationalFunction add(const std::vector<RationalFunction>& terms, std::size_t from,

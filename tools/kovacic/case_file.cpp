@@ -1,5 +1,7 @@
 #include "case_file.hpp"
 
+#include "answer.hpp"
+#include "certificate_file.hpp"
 #include "commands.hpp"
 #include "present.hpp"
 #include "theorem/prove.hpp"
@@ -110,8 +112,14 @@ void take(const Settings& settings, CaseReport& report, const Answer& answer,
   if (answer.exit >= exit_internal) report_failure(settings, answer);
   if (answer.result.is_null()) return;
   if (!report.text.empty() && settings.format == "text") report.text += "\n";
-  report.text += presented(settings, answer, title);
-  report.json.push_back(answer.result);
+  Answer shown = answer;
+  if (!settings.certificate.empty() && shown.result.contains("certificate")) {
+    shown.result["certificate_file"] =
+        file_certificate(settings, title, dump(shown.result.at("certificate")));
+    shown.result.erase("certificate");
+  }
+  report.text += presented(settings, shown, title);
+  report.json.push_back(shown.result);
 }
 
 } // namespace

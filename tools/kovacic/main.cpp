@@ -77,7 +77,7 @@ struct CommandLine {
       command.add_flag("--trace", settings.trace, "show every step");
       command
           .add_option("--certificate", settings.certificate,
-                      "write the proof (batches: a directory)")
+                      "write the proof (check, --batch: a directory)")
           ->type_name("FILE");
       command.add_option("--format", settings.format, "text, json or tex")
           ->check(silent(CLI::IsMember({"text", "json", "tex"})))
@@ -143,6 +143,10 @@ struct CommandLine {
         ->type_name("NAME");
     solve->add_option("--minpoly", solve_arguments.minpoly, "a constant by its polynomial: a^2 - 5")
         ->type_name("POLY");
+    solve->add_option("--parameter", solve_arguments.parameters, "a free name (repeatable)")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all();
     solve->add_option("--batch", solve_arguments.batch, "JSON lines in, JSON lines out; - is stdin")
         ->type_name("FILE.jsonl");
     shared_flags(*solve, true);
