@@ -6,6 +6,8 @@
 
 #include "exact/algebraic.hpp"
 
+#include <algorithm>
+
 namespace kov {
 namespace {
 
@@ -163,7 +165,8 @@ void take_sample(NodeResult& n, const std::string& path, const ProveOptions& opt
   }
   NodeResult sample;
   sample.node = n.node;
-  take(sample, checked(path, values, n, options));
+  const CheckReport report = checked(path, values, n, options);
+  take(sample, report);
   n.formulas.push_back({"a sample", text});
   for (Grid& g : sample.tables) {
     g.caption += ", at the sample";
@@ -175,6 +178,10 @@ void take_sample(NodeResult& n, const std::string& path, const ProveOptions& opt
   }
   for (std::string& c : sample.certificates)
     n.certificates.push_back(std::move(c));
+  const auto undecided = [](const ManifoldReport& m) {
+    return m.verdict == VerdictKind::undecided;
+  };
+  if (std::any_of(report.manifolds.begin(), report.manifolds.end(), undecided)) return;
   n.checks.push_back({"the sample " + text + " by itself has the same verdict",
                       sample.status == NodeStatus::proved});
   if (n.status == NodeStatus::proved && sample.status != NodeStatus::proved) {

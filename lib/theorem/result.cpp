@@ -81,7 +81,10 @@ std::string TheoremResult::time() const {
 std::string TheoremResult::conclusion() const {
   const std::size_t unchecked = unchecked_hypotheses().size();
   std::string text;
-  if (count(NodeStatus::refuted) > 0)
+  const bool verdict_only = !nodes.empty() && nodes.front().node.expect == "any";
+  if (verdict_only)
+    text = complete() ? "DECIDED" : "NOT DECIDED";
+  else if (count(NodeStatus::refuted) > 0)
     text =
         "NOT PROVED: " + plural(count(NodeStatus::refuted), "step was", "steps were") + " refuted";
   else if (count(NodeStatus::open) > 0)
