@@ -3,6 +3,7 @@
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
+#include "flow/scene.hpp"
 #include "present.hpp"
 #include "theorem/prove.hpp"
 
@@ -168,6 +169,9 @@ CaseReport check_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
   if (is_theorem_document(document))
     throw document.error("this file holds a theorem", "kovacic prove " + path);
+  if (flow::is_scene(document))
+    throw InputError(path, 0, 0, 1, "this file describes a scene to simulate",
+                     "write: kovacic section " + path + "   or   kovacic test " + path);
   return is_equation_file(document) ? check_equation(settings, document)
                                     : check_system_file(settings, path);
 }
@@ -175,6 +179,7 @@ CaseReport check_case(const Settings& settings, const std::string& path) {
 CaseReport test_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
   if (is_theorem_document(document)) return test_theorem(settings, document);
+  if (flow::is_scene(document)) return test_scene(path);
   return is_equation_file(document) ? check_equation(settings, document)
                                     : test_system_file(settings, path);
 }

@@ -1,5 +1,6 @@
 // The command line of kovacic: flags, sub-commands, exit codes.  No mathematics.
 
+#include "bench.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
 #include "section.hpp"
@@ -46,6 +47,7 @@ struct CommandLine {
   LameArguments lame_arguments;
   PotentialArguments potential_arguments;
   SectionArguments section_arguments;
+  BenchArguments bench_arguments;
   std::vector<std::string> files;
   std::string word;
   std::string stage = "r";
@@ -202,6 +204,11 @@ struct CommandLine {
     declare_section(*section, section_arguments);
     shared_flags(*section, false);
 
+    CLI::App* measure =
+        app.add_subcommand("bench", "what accuracy costs: tables and charts (-o DIR)");
+    declare_bench(*measure, bench_arguments);
+    shared_flags(*measure, false);
+
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
     make->add_option("KIND", word, "ode")->required()->type_name("");
     shared_flags(*make, false);
@@ -223,6 +230,7 @@ struct CommandLine {
     if (command == "prove") return prove(settings, word);
     if (command == "report") return report_system(settings, word);
     if (command == "section") return section(settings, section_arguments);
+    if (command == "bench") return bench(settings, bench_arguments);
     if (command == "new") return make_new(settings, word);
     return explain(settings, word);
   }
