@@ -122,7 +122,7 @@ public:
     }
   }
   void finish() const {
-    judge_.spend(20 * judge_.words() * static_cast<double>(shared_.size()));
+    judge_.spend(4 * judge_.words() * static_cast<double>(shared_.size()));
     std::vector<std::pair<Poly, Poly>> rare; // q and value
     for (const auto& [value, places] : shared_)
       if (places.size() < 4)

@@ -26,7 +26,7 @@ inline namespace KOV_ISA {
 template <class T> struct Jet {
   enum Name { // clang-format off
     omega1, omega2, omega3, gamma1, gamma2, gamma3,       // the state
-    kin1, kin2, kin3, y1, y2, y3,                         // I Omega, Y
+    kin1, kin2, kin3, y2, y3,                             // I Omega; Y for axial L
     alpha, beta, alpha_dot, beta_dot,                     // vh and its derivative
     omega_e, omega_f, y_e, y_f, q, d, w,                  // in the basis e, f; Q, D, Lh.Gamma'
     m1, m2, m3, m_squared, section,                       // section_jets.hpp
@@ -116,26 +116,30 @@ template <Effects E, class T> inline void linear_series(const Model<T>& c, const
   }
 }
 
-// Y_k from the sums of order k.
+// Y_k from the sums of order k; kept as a series only for the sliding tip.
 template <Effects E, class T>
-inline void free_acceleration(const Model<T>& c, const Jet<T>& j, const Sums<T>& s, int k) {
+inline void free_acceleration(const Model<T>& c, const Jet<T>& j, const Sums<T>& s, int k,
+                              T (&y)[3]) {
   using J = Jet<T>;
   T* const* x = j.s;
   if constexpr (E.full_inertia) {
     const T t1 = s.y1 - s.y1n, t2 = s.y2 - s.y2n, t3 = s.y3 - s.y3n;
     for (int i = 0; i < 3; ++i)
-      x[J::y1 + i][k] = along(c.inverse[i], t1, t2, t3);
+      y[i] = along(c.inverse[i], t1, t2, t3);
   } else {
-    x[J::y1][k] = c.euler[0] * s.y1;
-    x[J::y2][k] = c.euler[1] * s.y2;
-    x[J::y3][k] = c.euler[2] * s.y3;
+    y[0] = c.euler[0] * s.y1;
+    y[1] = c.euler[1] * s.y2;
+    y[2] = c.euler[2] * s.y3;
   }
   if constexpr (E.gyrostat)
     for (int i = 0; i < 3; ++i)
-      x[J::y1 + i][k] -= along(c.spin[i], x[0][k], x[1][k], x[2][k]);
-  if constexpr (E.sliding && !E.axial) {
-    x[J::y_e][k] = along(c.e, x[J::y1][k], x[J::y2][k], x[J::y3][k]);
-    x[J::y_f][k] = along(c.f, x[J::y1][k], x[J::y2][k], x[J::y3][k]);
+      y[i] -= along(c.spin[i], x[0][k], x[1][k], x[2][k]);
+  if constexpr (E.sliding && E.axial) {
+    x[J::y2][k] = y[1];
+    x[J::y3][k] = y[2];
+  } else if constexpr (E.sliding) {
+    x[J::y_e][k] = along(c.e, y[0], y[1], y[2]);
+    x[J::y_f][k] = along(c.f, y[0], y[1], y[2]);
   }
 }
 
@@ -172,10 +176,10 @@ inline void vertical_acceleration(const Model<T>& c, const Jet<T>& j, Sums<T>& s
 
 // Omega_{k+1} and Gamma_{k+1}.
 template <Effects E, class T>
-inline void next_state(const Model<T>& c, const Jet<T>& j, const Sums<T>& s, const T& rate, int k) {
-  using J = Jet<T>;
+inline void next_state(const Model<T>& c, const Jet<T>& j, const Sums<T>& s, const T (&y)[3],
+                       const T& rate, int k) {
   T* const* x = j.s;
-  T o1 = x[J::y1][k], o2 = x[J::y2][k], o3 = x[J::y3][k];
+  T o1 = y[0], o2 = y[1], o3 = y[2];
   if constexpr (E.lever()) {
     const Plane<E.axial, T> v(j);
     T a{}, b{};
@@ -246,12 +250,13 @@ template <Effects E, class T> void jets(const Model<T>& c, const Jet<T>& j, int 
       v.bd[k] = along(c.q, g1, g2, g3);
       if (k == 0) x[J::w][0] = along(c.lever, g1, g2, g3);
     }
-    free_acceleration<E>(c, j, s, k);
+    T y[3];
+    free_acceleration<E>(c, j, s, k, y);
     if constexpr (E.sliding) {
       vertical_acceleration<E>(c, j, s, d0_inverse, k);
       x[J::w][k + 1] = x[J::q][k] * rate;
     }
-    next_state<E>(c, j, s, rate, k);
+    next_state<E>(c, j, s, y, rate, k);
     x[3][k + 1] = g1 * rate;
     x[4][k + 1] = g2 * rate;
     x[5][k + 1] = g3 * rate;

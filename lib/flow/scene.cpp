@@ -132,13 +132,32 @@ void read_accuracy(const Entry& e, Scene& s) {
   }
   const double t = s.tolerance.as<double>(), floor = s.digits > 0 ? 0.0 : 1e-20;
   if (!(t > floor) || t > 0.01)
-    throw e.at("tolerance").error("the tolerance must lie between 10^-20 and 1/100",
-                                  "smaller ones need 'digits'");
+    throw e.at("tolerance")
+        .error("the tolerance must lie between 10^-20 and 1/100", "smaller ones need 'digits'");
+}
+
+SceneExpectation expectation(const Entry& e) {
+  e.check_keys({"points", "drift", "elliptic", "hyperbolic", "inverse_hyperbolic", "proved",
+                "never_crossed", "source"});
+  SceneExpectation x;
+  const auto count = [&](const char* key) {
+    const Entry* n = e.find(key);
+    return n == nullptr ? std::nullopt : std::optional<long>(n->integer());
+  };
+  if (const Entry* source = e.find("source")) x.source = source->string();
+  if (const Entry* drift = e.find("drift")) x.drift = quantity(*drift);
+  if (const Entry* proved = e.find("proved")) x.proved = proved->boolean();
+  if (const Entry* never = e.find("never_crossed")) x.never_crossed = never->boolean();
+  x.points = count("points");
+  x.elliptic = count("elliptic");
+  x.hyperbolic = count("hyperbolic");
+  x.inverse_hyperbolic = count("inverse_hyperbolic");
+  return x;
 }
 
 Scene scene_of(const Entry& root) {
-  root.check_keys(
-      {"format", "title", "source", "body", "levels", "section", "orbits", "accuracy", "plot"});
+  root.check_keys({"format", "title", "source", "body", "levels", "section", "orbits", "accuracy",
+                   "plot", "expect"});
   const Entry& format = root.at("format");
   if (format.string() != "scene/1") throw format.error("the format of a scene is \"scene/1\"");
   Scene s;
@@ -159,10 +178,19 @@ Scene scene_of(const Entry& root) {
     plot->check_keys({"sign_of"});
     if (const Entry* e = plot->find("sign_of")) s.sign_of = vector(*e);
   }
+  if (const Entry* expect = root.find("expect"))
+    for (const Entry& e : expect->array())
+      s.expect.push_back(expectation(e));
   return s;
 }
 
 } // namespace
+
+bool is_scene(const Entry& document) {
+  const Entry* format = document.find("format");
+  return format != nullptr && format->kind() == Entry::Kind::string &&
+         format->string().starts_with("scene/");
+}
 
 Scene read_scene(const std::string& path) { return scene_of(read_document(path)); }
 

@@ -1,5 +1,7 @@
 #include "flow/simulate.hpp"
 
+#include "symbol/input_error.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <mutex>
@@ -200,7 +202,8 @@ std::vector<Start> starts_of(const Scene& s, std::size_t* skipped) {
   };
   for (const Seed& seed : s.seeds)
     if (!try_point(seed.l.as<double>(), seed.y.as<double>()))
-      throw seed.y.expression().error(
+      throw InputError(
+          s.file, 0, 0, 1,
           "the level H = " + s.energy.text() + ", F1 = " + s.length.text() +
               ", F2 = " + s.casimir.text() + " has no point over l = " + seed.l.text() +
               ", L/G = " + seed.y.text() + " with the wanted direction",
@@ -213,10 +216,10 @@ std::vector<Start> starts_of(const Scene& s, std::size_t* skipped) {
       if (!try_point(l, y)) ++missing;
     }
   if (starts.empty())
-    throw s.energy.expression().error("no point of the grid lies on the level H = " +
-                                          s.energy.text() + ", F1 = " + s.length.text() +
-                                          ", F2 = " + s.casimir.text(),
-                                      "raise H, or lower |F2|");
+    throw InputError(s.file, 0, 0, 1,
+                     "no point of the grid lies on the level H = " + s.energy.text() +
+                         ", F1 = " + s.length.text() + ", F2 = " + s.casimir.text(),
+                     "raise H, or lower |F2|");
   if (skipped != nullptr) *skipped = missing;
   return starts;
 }

@@ -143,6 +143,15 @@ private:
     return true;
   }
 
+  // An immense bound of the degree is no budget matter as long as one prime may settle everything.
+  [[nodiscard]] bool exponents_allow_a_line() const {
+    try {
+      return exponential_shape(local()).possible;
+    } catch (const OutOfBudget&) {
+      return true;
+    }
+  }
+
   void irregular_or_irrational() {
     const std::string because =
         answer_.kind_reason + ", so that the identity component contains a torus";
@@ -167,7 +176,7 @@ private:
     answer_.reason = because + ", and Sym^4 has no rational solution" +
                      (quartic.none->combinatorial ? " (" + quartic.none->why + ")" : "");
     const std::string known = answer_.reason;
-    if (exponential_shape(local()).possible && one_prime_says_sl2()) return;
+    if (exponents_allow_a_line() && one_prime_says_sl2()) return;
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
     KOV_ENSURE(!exponential.projectively_trivial);
     if (!exponential.solutions.empty()) {
@@ -188,7 +197,7 @@ private:
   }
 
   void logarithmic() {
-    if (exponential_shape(local()).possible && one_prime_says_sl2()) return;
+    if (exponents_allow_a_line() && one_prime_says_sl2()) return;
 
     const ExponentialSearch exponential = exponential_solutions(local(), budget_);
     if (!exponential.solutions.empty()) {

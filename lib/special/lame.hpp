@@ -87,5 +87,8 @@ struct LameFamily {
   std::string which; ///< for which j, and what has to hold then
 };
 [[nodiscard]] std::vector<LameFamily> lame_families();
+/// The values |2n+1| of these families with (2n+1)^2 <= bound, ascending: where a bound of 1 + 4
+/// alpha is known they are all that has to be tried.  Cost: linear in sqrt(bound)
+[[nodiscard]] std::vector<Rational> lame_candidates(const Rational& bound);
 
 } // namespace kov

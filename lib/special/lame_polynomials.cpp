@@ -1,6 +1,7 @@
 #include "special/lame_polynomials.hpp"
 
 #include "exact/error.hpp"
+#include "special/coefficients.hpp"
 
 #include <optional>
 
@@ -14,40 +15,6 @@ MFraction constant(const Rational& c, const LameParameters<MFraction>& p) {
   for (const MFraction* f : {&p.b, &p.g2, &p.g3})
     if (f->ring()) return {f->ring(), c};
   throw InvalidArgument("the parameters of Lame's equation belong to no ring");
-}
-NfElem scaled(const Rational& c, const NfElem& a) { return NfElem(c) * a; }
-MFraction scaled(const Rational& c, const MFraction& a) { return c * a; }
-
-// Polynomials in x over R, ascending.
-template <class R> using Coefficients = std::vector<R>;
-
-template <class R> void add(Coefficients<R>& to, std::size_t at, const R& c) {
-  if (is_zero(c)) return;
-  if (to.size() <= at) to.resize(at + 1);
-  to[at] = to[at] + c;
-}
-
-template <class R> Coefficients<R> product(const Coefficients<R>& a, const Coefficients<R>& b) {
-  Coefficients<R> c;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (!is_zero(a[i]))
-      for (std::size_t j = 0; j < b.size(); ++j)
-        add(c, i + j, R(a[i] * b[j]));
-  return c;
-}
-
-template <class R> Coefficients<R> derivative(const Coefficients<R>& a) {
-  Coefficients<R> c;
-  for (std::size_t i = 1; i < a.size(); ++i)
-    add(c, i - 1, scaled(Rational(static_cast<long>(i)), a[i]));
-  return c;
-}
-
-template <class R>
-Coefficients<R> sum(Coefficients<R> a, const Coefficients<R>& b, const Rational& factor) {
-  for (std::size_t i = 0; i < b.size(); ++i)
-    add(a, i, scaled(factor, b[i]));
-  return a;
 }
 
 template <class R> Coefficients<R> cubic(const LameParameters<R>& p) {

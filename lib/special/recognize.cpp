@@ -5,8 +5,13 @@
 namespace kov {
 namespace recognition {
 
+std::optional<NfElem> root_in(const NfElem& square) {
+  if (square.field()->degree() > 4) return std::nullopt; // a factorisation over the field
+  return exact_sqrt(square);
+}
+
 std::string root_text(const NfElem& square) {
-  if (const auto root = exact_sqrt(square)) {
+  if (const auto root = root_in(square)) {
     const bool negative = is_rational(*root) && sign(to_rational(*root)) < 0;
     return to_string(negative ? -*root : *root);
   }
@@ -38,10 +43,65 @@ std::optional<Recognized> recognize(const Singularities& s, const Budget& budget
   return std::nullopt;
 }
 
+namespace {
+
+// Four double poles; a pole of order 6 and a double one.
+constexpr long largest = 8;
+
+bool small(const RationalFunction& r, long bound) {
+  return degree(r.den()) <= bound && degree(r.num()) <= bound;
+}
+
+bool even(const Poly& f) {
+  for (long i = 1; i <= degree(f); i += 2)
+    if (!is_zero(f.coeff(i))) return false;
+  return true;
+}
+
+Poly halved(const Poly& f) {
+  std::vector<NfElem> c;
+  for (long i = 0; i <= degree(f); i += 2)
+    c.push_back(f.coeff(i));
+  return Poly::from_coefficients(c);
+}
+
+// r(z) = rho((z-c)^2), c the mean of the poles: in w = (z-c)^2 rho/(4w) - 3/(16 w^2).
+std::optional<std::pair<RationalFunction, NfElem>> in_the_square(const RationalFunction& r) {
+  const long d = degree(r.den());
+  if (d < 2) return std::nullopt;
+  const NfElem centre = -r.den().coeff(d - 1) / NfElem(d);
+  const Poly num = taylor_shift(r.num(), centre);
+  const Poly den = taylor_shift(r.den(), centre);
+  if (!even(num) || !even(den)) return std::nullopt;
+  const Poly w = Poly::z();
+  const RationalFunction rho(halved(num), halved(den));
+  return std::pair{rho / RationalFunction(scale(w, NfElem(4))) -
+                       RationalFunction(Poly(Rational(3, 16)), w * w),
+                   centre};
+}
+
+std::optional<Recognized> squared(const RationalFunction& r, const Budget& budget) {
+  const auto below = in_the_square(r);
+  if (!below || is_zero(below->first) || !small(below->first, largest)) return std::nullopt;
+  auto found = recognize(singularities(below->first, budget), budget);
+  if (!found || found->family == "Heun") return std::nullopt;
+  found->centre = below->second;
+  if (found->answer) {
+    found->answer->group.reset();
+    found->answer->reason += "; the identity component is the same in a finite extension";
+  }
+  return found;
+}
+
+} // namespace
+
 std::optional<Recognized> recognize(const RationalFunction& r, const Budget& budget) {
-  constexpr long largest = 8; // four double poles; a pole of order 6 and a double one
-  if (is_zero(r) || degree(r.den()) > largest || degree(r.num()) > largest) return std::nullopt;
-  return recognize(singularities(r, budget), budget);
+  if (is_zero(r)) return std::nullopt;
+  std::optional<Recognized> found;
+  if (small(r, largest)) found = recognize(singularities(r, budget), budget);
+  if ((!found || found->family == "Heun") && small(r, 2 * largest + 2))
+    if (auto other = squared(r, budget)) return other;
+  return found;
 }
 
 } // namespace kov

@@ -11,6 +11,8 @@
 //   one irregular of order 4, one regular         Whittaker, Bessel
 //   one of order 3, one regular                   Bessel in sqrt(x)
 //
+// Equations that depend on (z - c)^2 only are tried in that variable, too.
+//
 // What is recognised is proved: the canonical equation is computed from the parameters and compared
 // with the transformed r exactly.
 //
@@ -32,8 +34,12 @@ struct Recognized {
   std::string equation; ///< the canonical form, in x: "y'' = (1/4 - k/x + (m^2-1/4)/x^2) y"
   /// Names and exact values, in the order of the canonical form: n, B, g2, g3.
   std::vector<std::pair<std::string, std::string>> parameters;
-  std::optional<Moebius> z_of_x; ///< unset where the places are conjugate and no map is needed
-  std::optional<ClosedAnswer> answer;
+  std::optional<Moebius> z_of_x =
+      std::nullopt; ///< unset where the places are conjugate and no map is needed
+  std::optional<ClosedAnswer> answer = std::nullopt;
+  /// Set if r depends on (z - c)^2 only and (z - c)^2 = M(x) is meant: then `answer` is about the
+  /// identity component, which is the same in a finite extension, and not about the group.
+  std::optional<NfElem> centre = std::nullopt;
 };
 
 /// Nothing for other equations.  Requires r != 0.

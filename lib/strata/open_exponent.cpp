@@ -206,10 +206,15 @@ private:
     const ParametricPlace& p = *open_[0];
     const Families f = product_families(s_, p);
     if (torus_.empty() || !f.complete) return undecided(reducible_text());
-    // y1 y2 needs 2 Delta = k, for which k?  The condition has period 2 in k once k is large.
+    // y1 y2 needs 2 Delta = k, for which k?  (fixed + j k)/2 is natural for some |j| <= n: beyond
+    // k = max |fixed| the sign is that of j, and the condition has period 2 in k.
+    Rational largest;
+    for (const auto& fixed : f.fixed)
+      largest = std::max(largest, abs(fixed));
+    if (largest > Rational(100000)) return undecided(reducible_text());
     bool odd = false;
     bool even = false;
-    for (long k = 1; k <= 200; ++k)
+    for (long k = 1; !(odd && even) && Rational(k) <= largest + Rational(4); ++k)
       if (product_possible(f, k)) (k % 2 != 0 ? odd : even) = true;
     if (!odd && !even)
       return no(torus_ + "; " + where(p) + "; no exponents of y1*y2 are possible", irreducible_);

@@ -61,11 +61,11 @@ private:
 
   // --- steps; each is written once ---------------------------------------------------------------
 
-  std::string local(bool growth = false) {
+  std::string local(witness::Detail detail = witness::Detail::exponents) {
     if (local_) return "local";
     certify::Local data;
     if (c_.local)
-      data = witness::local(judge_, *c_.local, growth, budget_);
+      data = witness::local(judge_, *c_.local, detail, budget_);
     else
       data.prime = PrimeIdeals::large(out_.field).next(); // r = 0
     prime_ = data.prime;
@@ -80,7 +80,7 @@ private:
 
   // G is irreducible.
   std::string irreducible() {
-    local(true);
+    local(witness::Detail::growth);
     return add("irreducible", {"local"},
                witness::no_exponential(judge_, *c_.local, *local_, budget_));
   }
@@ -155,16 +155,35 @@ private:
   }
 
   void sl2() {
-    if (c_.p_curvature) {
-      local();
-      const certify::PCurvature data{c_.p_curvature->prime, "sl2"};
-      return conclude("sl2-p-curvature", {add("p-curvature", {"local"}, data)});
-    }
+    if (c_.p_curvature) return sl2_by_p_curvature();
     const std::string no_line = irreducible();
     if (local_->has_log()) return conclude("sl2-irreducible-log", {"local", no_line});
     if (local_->infinite_order())
       return conclude("sl2-irreducible-infinite", {"local", no_line, absent(4)});
     conclude("sl2-irreducible-12", {no_line, absent(12)});
+  }
+
+  // Often no exponent is needed: even if lines were exchanged at every place, B_p has other ones.
+  void sl2_by_p_curvature() {
+    const certify::PCurvature known{c_.p_curvature->prime, "sl2"};
+    local(witness::Detail::places);
+    PrimeIdeals primes(out_.field, 6);
+    for (certify::PCurvature data = known; data.prime.p < 32; data.prime = primes.next()) {
+      if (!shows_sl2(data)) continue;
+      return conclude("sl2-p-curvature", {add("p-curvature", {"local"}, data)});
+    }
+    out_.steps.clear();
+    local_.reset();
+    local();
+    conclude("sl2-p-curvature", {add("p-curvature", {"local"}, known)});
+  }
+  [[nodiscard]] bool shows_sl2(const certify::PCurvature& data) const {
+    try {
+      static_cast<void>(certify::check_p_curvature(judge_, data, &*local_));
+      return true;
+    } catch (const certify::Refused&) {
+      return false;
+    }
   }
 
   void additive() {

@@ -126,6 +126,14 @@ void certify_it(Decision& d, const Classification& c, const Options& options) {
     d.undecided = Unable{Unable::Why::budget, "no certificate: " + d.no_certificate};
 }
 
+// A third opinion: the certificate is written and judged, and not kept.
+void ask_the_judge(Decision& d, const Classification& c, const Options& options) {
+  Decision judged = d;
+  certify_it(judged, c, options);
+  d.reason += judged.certificate.empty() ? "; no certificate: " + judged.no_certificate
+                                         : "; the judge accepts its certificate";
+}
+
 } // namespace
 
 void compare(Decision& d, const SecondOpinion& other) {
@@ -147,7 +155,10 @@ Decision decide(const NormalForm& equation, const Options& options) {
   d.variable = options.variable;
   const Classification c = classify(equation.r, options.budget);
   fill(d, c, equation, options);
-  if (options.want_certificate) certify_it(d, c, options);
+  if (options.want_certificate)
+    certify_it(d, c, options);
+  else if (options.method == Method::all)
+    ask_the_judge(d, c, options);
   if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
     second_chance(d, equation, options);
   const bool asked = options.method == Method::kovacic || options.method == Method::all;

@@ -125,18 +125,21 @@ bool has_logarithm_to_show(const Singularity& s) {
   return s.kind == PlaceKind::regular && s.log == Truth::yes && s.delta && sign(*s.delta) > 0;
 }
 
-certify::LocalPlace finite_place(const certify::Judge& judge, const Singularity& s, bool growth,
+certify::LocalPlace finite_place(const certify::Judge& judge, const Singularity& s, Detail detail,
                                  const Budget& budget) {
   certify::LocalPlace x;
   x.q = s.place;
   x.order = s.order;
+  if (detail == Detail::places) return x;
   if (s.kind == PlaceKind::regular) {
     x.delta2 = s.delta_squared;
     if (degree(s.delta_squared) > 0)
       x.irrational = irrational_at_every_root(s, judge.field, budget);
   }
   if (has_logarithm_to_show(s)) x.log = logarithm(judge, s, budget);
-  if (!growth || (s.kind != PlaceKind::regular && s.kind != PlaceKind::irregular)) return x;
+  if (detail == Detail::exponents ||
+      (s.kind != PlaceKind::regular && s.kind != PlaceKind::irregular))
+    return x;
   if (s.kind == PlaceKind::irregular && s.nu() <= certify::max_irregular) x.eps2 = s.delta_squared;
   x.annihilator = annihilator(s, judge.field);
   return x;
@@ -144,14 +147,16 @@ certify::LocalPlace finite_place(const certify::Judge& judge, const Singularity&
 
 } // namespace
 
-certify::Local local(const certify::Judge& judge, const Singularities& s, bool growth,
+certify::Local local(const certify::Judge& judge, const Singularities& s, Detail detail,
                      const Budget& budget) {
   certify::Local data;
   data.prime = prime_for_places(judge, s, budget);
   for (const Singularity& place : s.finite)
-    data.places.push_back(finite_place(judge, place, growth, budget));
+    data.places.push_back(finite_place(judge, place, detail, budget));
   const Singularity& inf = s.infinity;
-  if (has_logarithm_to_show(inf)) data.infinity_log = logarithm(judge, inf, budget);
+  const bool growth = detail == Detail::growth;
+  if (detail != Detail::places && has_logarithm_to_show(inf))
+    data.infinity_log = logarithm(judge, inf, budget);
   if (growth && inf.kind == PlaceKind::irregular && inf.nu() + 2 <= certify::max_irregular)
     data.infinity_eps2 = inf.delta_squared;
   if (growth && (inf.kind == PlaceKind::regular || inf.kind == PlaceKind::irregular))

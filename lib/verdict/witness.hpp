@@ -10,11 +10,16 @@
 
 namespace kov::witness {
 
-/// Rule "local": places with Delta^2, logarithms, and proofs that a Delta is not rational.
-/// growth   also eps^2 and polynomials over Q for irrational Delta^2: what D_1 needs
+/// How much of the local data a certificate has.
+enum class Detail : std::uint8_t {
+  places,    ///< where they are, and of which order
+  exponents, ///< also Delta^2, logarithms, and proofs that a Delta is not rational
+  growth     ///< also eps^2 and polynomials over Q for irrational Delta^2: what D_1 needs
+};
+/// Rule "local".
 /// Cost     per place one evaluation; a logarithm with Delta = N costs O(N^2) modulo one prime
-[[nodiscard]] certify::Local local(const certify::Judge& judge, const Singularities& s, bool growth,
-                                   const Budget& budget);
+[[nodiscard]] certify::Local local(const certify::Judge& judge, const Singularities& s,
+                                   Detail detail, const Budget& budget);
 
 /// Rule "no-exponential": parity, degree, or one recurrence for each line at one place.
 /// Cost  a series of 2L terms and Berlekamp-Massey, O(L^2) modulo one prime

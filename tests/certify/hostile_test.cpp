@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 
 namespace kov::certify {
 namespace {
@@ -35,15 +35,14 @@ const std::string p61 = R"("p":"2305843009213693951","a":"0")";
 const std::string end = "," + step("end", "conclude", R"("a")", R"({"theorem":"borel"})");
 
 void refuse(const std::string& text) {
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   try {
     const auto verdict = check(read_certificate(text));
     const auto* no = std::get_if<Rejected>(&verdict);
     EXPECT_NE(no, nullptr) << text.substr(0, 300);
   } catch (const InvalidArgument&) { // as good
   }
-  const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(time.count(), 10) << text.substr(0, 300);
+  EXPECT_LT(std::clock() - start, 10 * CLOCKS_PER_SEC) << text.substr(0, 300);
 }
 
 TEST(Hostile, Syntax) {

@@ -79,6 +79,17 @@ class Checker(unittest.TestCase):
                         self.assertEqual((claim["group"], claim["n"]), group(expected["group"]))
                         self.assertEqual(claim["abelian"], expected["identity_component_abelian"])
 
+    def test_mechanics_adds_trusted_steps(self):
+        with tempfile.TemporaryDirectory() as out:
+            case = os.path.join(HERE, "../../cases/sliding_top/lemma3.toml")
+            subprocess.run([KOVACIC, "check", case, "--certificate", out], stdout=subprocess.DEVNULL, check=True)
+            self.assertGreater(len(os.listdir(out)), 3)
+            for name in os.listdir(out):
+                certificate = text(os.path.join(out, name))
+                not_abelian = not json.loads(certificate)["claim"]["abelian"]
+                self.assertEqual(V.verify(certificate), 2 if not_abelian else 1)
+                self.assertEqual(V.judge(os.path.join(out, name), True)[0], 1)
+
     def test_agrees_with_the_judge_on_changed_ones(self):
         random.seed(20261121)
         changed = []
@@ -107,9 +118,9 @@ class Checker(unittest.TestCase):
         texts.append(json.dumps(one | {"r": {"num": [f"1/{10**9 + 7 + 2 * i}" for i in range(60000)], "den": ["1"]}}))
         texts.append(json.dumps(one | {"field": {"name": "a", "minpoly": ["7" * 150000] * 24 + ["1"]}}))
         for x in texts:
-            start = time.time()
+            start = time.process_time()
             self.assertIn(verdict(x), "rm", x[:200])
-            self.assertLess(time.time() - start, 20, x[:200])
+            self.assertLess(time.process_time() - start, 10, x[:200])
 
 
 class Arithmetic(unittest.TestCase):

@@ -51,7 +51,7 @@ RationalFunction equation_of(const nlohmann::json& entry) {
 
 TEST(Corpus, EveryEquationWithoutParameters) {
   const char* path = std::getenv("KOV_CORPUS");
-  std::ifstream file(path != nullptr ? path : KOV_SOURCE_DIR "/../shared/corpus/public.jsonl");
+  std::ifstream file(path != nullptr ? path : KOV_SOURCE_DIR "/tests/corpus/public.jsonl");
   if (!file) GTEST_SKIP() << "no corpus at hand (set KOV_CORPUS)";
   int count = 0;
   double slowest = 0;

@@ -172,6 +172,26 @@ TEST(Recognize, OverNumberFields) {
   expect_family(RationalFunction(scale(z * z, s) + Poly(1)), "Weber");
 }
 
+TEST(Recognize, BehindASquare) { // u(z) = y((z-c)^2)/sqrt(z-c)
+  std::mt19937 gen(4);
+  const auto square = [](const RationalFunction& r, long c) {
+    const Poly w = pow(z - Poly(c), 2);
+    return RationalFunction(4) * RationalFunction(w) * compose(r, RationalFunction(w)) +
+           RationalFunction(Poly(q(3, 4)), w);
+  };
+  for (int i = 0; i < 12; ++i) {
+    const LameParameters<NfElem> p{NfElem(i), NfElem(5), NfElem(-3)};
+    const Rational n(static_cast<long>(gen() % 9), 1 + static_cast<long>(gen() % 4));
+    const RationalFunction r =
+        square(pull_back(lame_equation(NfElem(n * (n + Rational(1))), p), random_map(gen)), i % 3);
+    const Recognized found = expect_family(r, "Lame");
+    EXPECT_EQ(value(found, "n"), to_string(n));
+    EXPECT_TRUE(found.centre && *found.centre == NfElem(i % 3));
+  }
+  const SquaredExponents e{NfElem(q(1, 9)), NfElem(q(4, 25)), NfElem(q(1, 4))};
+  expect_family(square(pull_back(riemann_equation(e), random_map(gen)), 1), "Riemann");
+}
+
 TEST(Recognize, WhatIsNotClassical) {
   EXPECT_FALSE(recognize(RationalFunction(0)));
   EXPECT_FALSE(recognize(RationalFunction(Poly(1), z * (z - Poly(1)) * (z - Poly(2)) *

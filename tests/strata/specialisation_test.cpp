@@ -148,5 +148,22 @@ TEST(Specialisation, GravityOnTheLevelOfLame) {
   compare(q, a, 5);
 }
 
+// y'' = (z^200 + a/z^2) y is solvable where Delta = sqrt(1 + 4 a) is an odd multiple of 101.
+TEST(Specialisation, AnOpenExponentBesideALargeIrregularOrder) {
+  const Ring ring = make_ring({"z", "a"});
+  Question q{.r = MFraction(ring), .assumptions = {}, .generic = {}};
+  const MFraction z = MFraction::variable(ring, std::size_t{0});
+  const MFraction a = MFraction::variable(ring, std::size_t{1});
+  q.r = a / (z * z);
+  MFraction power(ring, Rational(1));
+  for (int i = 0; i < 200; ++i)
+    power *= z;
+  q.r += power;
+  const StrataAnswer answer = decide_strata(q);
+  const Stratum* there = strata::stratum_at(answer, {{1, Rational(2550)}});
+  EXPECT_TRUE(there == nullptr || there->leaf.abelian != Truth::no);
+  EXPECT_NE(answer.abelian(), Truth::no);
+}
+
 } // namespace
 } // namespace kov

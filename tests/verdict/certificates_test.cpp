@@ -36,5 +36,22 @@ INSTANTIATE_TEST_SUITE_P(Public, Certificates, testing::ValuesIn(corpus("public.
 INSTANTIATE_TEST_SUITE_P(Pitfalls, Certificates, testing::ValuesIn(corpus("pitfalls.jsonl")),
                          name_of);
 
+// sum a_i/(z - i)^2 with a_i of 100 digits: the exponents allow polynomials of degree 10^51, but
+// one prime proves SL(2).
+TEST(LongCoefficients, OnePrimeIsEnough) {
+  RationalFunction r;
+  Integer a = pow(Integer(7), 118);
+  for (long i = 1; i <= 12; ++i) {
+    r += RationalFunction(Poly(Rational(a)), pow(Poly::z() - Poly(i), 2));
+    a += pow(Integer(11), 95) + Integer(i);
+  }
+  Options options;
+  options.want_certificate = true;
+  const Decision d = decide({.r = r, .p = RationalFunction()}, options);
+  ASSERT_TRUE(d.group) << d.reason;
+  EXPECT_EQ(d.group->type, GroupType::SL2);
+  EXPECT_FALSE(d.certificate.empty()) << d.no_certificate;
+}
+
 } // namespace
 } // namespace kov

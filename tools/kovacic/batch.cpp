@@ -1,11 +1,11 @@
 // kovacic solve --batch: one JSON object per line in, one per line out, in the same order.
 
 #include "answer.hpp"
+#include "certificate_file.hpp"
 #include "commands.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <set>
 
 namespace kov::cli {
@@ -124,23 +124,16 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   return q;
 }
 
-// The id, if it can be the name of a file; else the number of the line.
-std::string file_name(const Json& id, long number) {
-  const std::string name = id.is_string() ? id.get<std::string>() : id.is_number() ? id.dump() : "";
-  const bool plain = !name.empty() && name.size() <= 200 && name.front() != '.' &&
-                     name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                            "0123456789._-") == std::string::npos;
-  return (plain ? name : "line-" + std::to_string(number)) + ".json";
-}
-
-// Moves the certificate of one answer into a file of the directory --certificate.
-void file_certificate(std::string& answer, const std::string& directory, long number) {
+// Moves the certificate of one answer into a file: named by the id, if that can be a name, else by
+// the number of the line.
+void move_certificate(const Settings& settings, std::string& answer, long number) {
   Json result = Json::parse(answer);
   if (!result.contains("certificate")) return;
-  std::error_code ignored; // writing will complain
-  std::filesystem::create_directories(directory, ignored);
-  const std::string path = directory + "/" + file_name(result.at("id"), number);
-  write_file(path, dump(result.at("certificate")) + "\n");
+  const Json& id = result.at("id");
+  const std::string name = id.is_string() && !id.get<std::string>().empty() ? id.get<std::string>()
+                           : id.is_number()                                 ? id.dump()
+                                            : "line-" + std::to_string(number);
+  const std::string path = file_certificate(settings, name, dump(result.at("certificate")));
   result.erase("certificate");
   result["certificate_file"] = path;
   answer = dump(result);
@@ -180,7 +173,7 @@ int batch(const Settings& settings, const std::string& path) {
     }
     exit = worse(exit, code);
     try {
-      if (!settings.certificate.empty()) file_certificate(text, settings.certificate, number);
+      if (!settings.certificate.empty()) move_certificate(settings, text, number);
     } catch (const InputError& e) {
       exit = report(settings, e);
       break;

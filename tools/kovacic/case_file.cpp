@@ -1,7 +1,11 @@
 #include "case_file.hpp"
 
+#include "answer.hpp"
+#include "certificate_file.hpp"
 #include "commands.hpp"
+#include "flow/scene.hpp"
 #include "present.hpp"
+#include "theorem/prove.hpp"
 
 #include <algorithm>
 #include <map>
@@ -109,8 +113,14 @@ void take(const Settings& settings, CaseReport& report, const Answer& answer,
   if (answer.exit >= exit_internal) report_failure(settings, answer);
   if (answer.result.is_null()) return;
   if (!report.text.empty() && settings.format == "text") report.text += "\n";
-  report.text += presented(settings, answer, title);
-  report.json.push_back(answer.result);
+  Answer shown = answer;
+  if (!settings.certificate.empty() && shown.result.contains("certificate")) {
+    shown.result["certificate_file"] =
+        file_certificate(settings, title, dump(shown.result.at("certificate")));
+    shown.result.erase("certificate");
+  }
+  report.text += presented(settings, shown, title);
+  report.json.push_back(shown.result);
 }
 
 } // namespace
@@ -138,14 +148,38 @@ CaseReport check_equation(const Settings& settings, const Entry& document) {
   return report;
 }
 
+namespace {
+
+// A theorem file: each step that computes is an expectation that it is not refuted.
+CaseReport test_theorem(const Settings& settings, const Entry& document) {
+  ProveOptions options;
+  options.decide = settings.solver_options();
+  CaseReport report;
+  for (const NodeResult& n : kov::prove(read_theorem(document), options).nodes)
+    if (n.node.kind != NodeKind::argument && n.node.kind != NodeKind::theorem)
+      report.expected.push_back({.name = n.node.id + ": " + to_string(n.status),
+                                 .met = n.status != NodeStatus::refuted,
+                                 .found = n.summary});
+  return report;
+}
+
+} // namespace
+
 CaseReport check_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
+  if (is_theorem_document(document))
+    throw document.error("this file holds a theorem", "kovacic prove " + path);
+  if (flow::is_scene(document))
+    throw InputError(path, 0, 0, 1, "this file describes a scene to simulate",
+                     "write: kovacic section " + path + "   or   kovacic test " + path);
   return is_equation_file(document) ? check_equation(settings, document)
                                     : check_system_file(settings, path);
 }
 
 CaseReport test_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
+  if (is_theorem_document(document)) return test_theorem(settings, document);
+  if (flow::is_scene(document)) return test_scene(path);
   return is_equation_file(document) ? check_equation(settings, document)
                                     : test_system_file(settings, path);
 }

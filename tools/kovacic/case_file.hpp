@@ -32,6 +32,8 @@ struct CaseReport {
 /// System files (a [system] table).
 [[nodiscard]] CaseReport check_system_file(const Settings& settings, const std::string& path);
 [[nodiscard]] CaseReport test_system_file(const Settings& settings, const std::string& path);
+/// Scenes (format = "scene/1"): the expectations, after a run with all lanes in one thread.
+[[nodiscard]] CaseReport test_scene(const std::string& path);
 
 /// A group as people write it: "SL2", "SL(2)", "Borel", "Ga", "Gm", "T_4", "C_3", "mu_3",
 /// "cyclic_3", "trivial", "Dinf", "D_3", "A4", "S4", "A5".  Nothing if it is none of them.

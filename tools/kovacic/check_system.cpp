@@ -1,10 +1,13 @@
 // kovacic check on a system file: claims, then one verdict per manifold and set of values.
 
 #include "case_file.hpp"
+#include "certificate_file.hpp"
+#include "integrability/certificate.hpp"
 #include "integrability/expect.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
 
+#include <filesystem>
 #include <sstream>
 
 namespace kov::cli {
@@ -81,10 +84,9 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
       put(out, "because", r);
 }
 
-std::string text_of(const System& s, const std::vector<ManifoldReport>& manifolds) {
+std::string text_of(const System& s, const ManifoldReport& m) {
   std::ostringstream out;
-  for (const auto& m : manifolds)
-    put_manifold(out, s, m);
+  put_manifold(out, s, m);
   return out.str();
 }
 
@@ -151,12 +153,32 @@ private:
     const System s = read_system(document_, values);
     const CheckReport report = check_system(s, options_);
     if (report_.json.at("results").empty()) claims(report);
-    report_.text += text_of(s, report.manifolds);
-    report_.json.at("results").push_back(json_of_report(s, report));
+    Json json = json_of_report(s, report);
+    for (std::size_t i = 0; i < report.manifolds.size(); ++i) {
+      report_.text += text_of(s, report.manifolds[i]);
+      if (!settings_.certificate.empty())
+        file_certificates(s, report.manifolds[i], json.at("manifolds").at(i));
+    }
+    report_.json.at("results").push_back(std::move(json));
     report_.exit = std::max(report_.exit, exit_of(settings_, report));
     for (const auto& x : s.expectations)
       if (x.where == values || (values == base_ && x.where.empty()))
         expect(describe(x), unmet(x, report));
+  }
+
+  void file_certificates(const System& s, const ManifoldReport& m, Json& json) {
+    std::string values;
+    for (const auto& [name, value] : s.values)
+      values += "-" + name + "=" + to_string(value);
+    json["certificate_files"] = Json::array();
+    for (const NamedCertificate& c : certificates(s, m)) {
+      const std::string path = file_certificate(
+          settings_, std::filesystem::path(s.file).stem().string() + values + "-" + c.name, c.json);
+      json["certificate_files"].push_back(path);
+      std::ostringstream line;
+      put(line, "proof", path + "   verify: kovacic verify " + path);
+      report_.text += line.str();
+    }
   }
 
   void claims(const CheckReport& report) {

@@ -14,6 +14,7 @@ struct SolveArguments {
   std::optional<std::string> r, ode, p, q;
   std::string variable;
   std::optional<std::string> minpoly;
+  std::vector<std::string> parameters; ///< free names
   std::string batch; ///< a file of JSON lines; "-" = standard input
 };
 
@@ -41,6 +42,8 @@ int find_manifolds(const Settings& settings, const std::string& file);
 int explain(const Settings& settings, const std::string& code);
 int make_new(const Settings& settings, const std::string& kind);
 int verify(const Settings& settings, const std::vector<std::string>& arguments);
+/// A theorem file: the status of every step, and a report as text, JSON, LaTeX or HTML.
+int prove(const Settings& settings, const std::string& file);
 int version();
 
 /// Of two exit codes the one that a script should hear of.

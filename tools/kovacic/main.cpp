@@ -1,5 +1,6 @@
 // The command line of kovacic: flags, sub-commands, exit codes.  No mathematics.
 
+#include "bench.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
 #include "section.hpp"
@@ -46,6 +47,7 @@ struct CommandLine {
   LameArguments lame_arguments;
   PotentialArguments potential_arguments;
   SectionArguments section_arguments;
+  BenchArguments bench_arguments;
   std::vector<std::string> files;
   std::string word;
   std::string stage = "r";
@@ -77,7 +79,7 @@ struct CommandLine {
       command.add_flag("--trace", settings.trace, "show every step");
       command
           .add_option("--certificate", settings.certificate,
-                      "write the proof (batches: a directory)")
+                      "write the proof (check, --batch: a directory)")
           ->type_name("FILE");
       command.add_option("--format", settings.format, "text, json or tex")
           ->check(silent(CLI::IsMember({"text", "json", "tex"})))
@@ -133,6 +135,10 @@ struct CommandLine {
         ->type_name("NAME");
     solve->add_option("--minpoly", solve_arguments.minpoly, "a constant by its polynomial: a^2 - 5")
         ->type_name("POLY");
+    solve->add_option("--parameter", solve_arguments.parameters, "a free name (repeatable)")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all();
     solve->add_option("--batch", solve_arguments.batch, "JSON lines in, JSON lines out; - is stdin")
         ->type_name("FILE.jsonl");
     shared_flags(*solve, true);
@@ -167,10 +173,26 @@ struct CommandLine {
     verify->add_flag("--strict", settings.strict, "refuse steps that are taken on trust");
     shared_flags(*verify, false);
 
+    CLI::App* prove =
+        app.add_subcommand("prove", "a theorem file: what rests on what, and a report");
+    prove->add_option("FILE", word, "a theorem file")->required()->type_name("");
+    prove->add_option("--format", settings.format, "text, json, tex or html (also: -o NAME.html)")
+        ->check(silent(CLI::IsMember({"text", "json", "tex", "html"})))
+        ->type_name("F");
+    prove->add_option("--timeout", settings.timeout, "seconds in all; 0 = no limit")
+        ->check(number(1e9, "a number of seconds"))
+        ->type_name("S");
+    shared_flags(*prove, false);
+
     CLI::App* section =
         app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
     declare_section(*section, section_arguments);
     shared_flags(*section, false);
+
+    CLI::App* measure =
+        app.add_subcommand("bench", "what accuracy costs: tables and charts (-o DIR)");
+    declare_bench(*measure, bench_arguments);
+    shared_flags(*measure, false);
 
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
     make->add_option("KIND", word, "ode")->required()->type_name("");
@@ -190,7 +212,9 @@ struct CommandLine {
     if (command == "find-manifolds") return find_manifolds(settings, word);
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
+    if (command == "prove") return prove(settings, word);
     if (command == "section") return section(settings, section_arguments);
+    if (command == "bench") return bench(settings, bench_arguments);
     if (command == "new") return make_new(settings, word);
     return explain(settings, word);
   }

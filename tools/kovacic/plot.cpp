@@ -1,6 +1,7 @@
 #include "plot.hpp"
 
 #include "exact/error.hpp"
+#include "subprocess.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ostream.h>
@@ -8,35 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include <spawn.h>
-#include <sys/wait.h>
-
-extern char** environ; // NOLINT(readability-redundant-declaration)
-
 namespace kov::cli {
-namespace {
-
 namespace fs = std::filesystem;
-
-// Runs a program found in PATH without a shell; -1 if it is not there.
-int run_program(const std::vector<std::string>& words, const std::string& directory) {
-  std::vector<char*> argv;
-  for (const std::string& w : words)
-    argv.push_back(const_cast<char*>(w.c_str())); // posix_spawn does not write to them
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, directory.c_str());
-  posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", 1 /* O_WRONLY */, 0);
-  pid_t child = 0;
-  const int failed = posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  int status = 0;
-  if (failed != 0 || waitpid(child, &status, 0) != child) return -1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
-} // namespace
 
 std::string gnuplot_quoted(const std::string& text) {
   std::string out = "\"";
@@ -48,15 +22,16 @@ std::string gnuplot_quoted(const std::string& text) {
 }
 
 std::string gnuplot_terminal(const std::string& output_base, int width, int height) {
-  return fmt::format("set encoding utf8\nif (!exists(\"format\")) format = \"png\"\n"
-                     "if (format eq \"png\") set terminal png size {0},{1} enhanced font \"sans,10\" "
-                     "background \"#ffffff\"\n"
-                     "if (format eq \"svg\") set terminal svg size {0},{1} enhanced font \"sans,12\" "
-                     "background \"#ffffff\"\n"
-                     "if (format eq \"pdf\") set terminal pdfcairo size {2}cm,{3}cm enhanced font "
-                     "\"sans,9\"\n"
-                     "set output {4} . \".\" . format\n",
-                     width, height, width / 50, height / 50, gnuplot_quoted(output_base));
+  return fmt::format(
+      "set encoding utf8\nif (!exists(\"format\")) format = \"png\"\n"
+      "if (format eq \"png\") set terminal png size {0},{1} enhanced font \"sans,10\" "
+      "background \"#ffffff\"\n"
+      "if (format eq \"svg\") set terminal svg size {0},{1} enhanced font \"sans,12\" "
+      "background \"#ffffff\"\n"
+      "if (format eq \"pdf\") set terminal pdfcairo size {2}cm,{3}cm enhanced font "
+      "\"sans,9\"\n"
+      "set output {4} . \".\" . format\n",
+      width, height, width / 50, height / 50, gnuplot_quoted(output_base));
 }
 
 std::vector<std::string> run_gnuplot(const std::string& base,
@@ -66,9 +41,8 @@ std::vector<std::string> run_gnuplot(const std::string& base,
   const std::string directory = path.has_parent_path() ? path.parent_path().string() : ".";
   for (const std::string& format : formats) {
     if (format == "none") continue;
-    const int code = run_program({"gnuplot", "-e", "format='" + format + "'",
-                                  path.filename().string() + ".gp"},
-                                 directory);
+    const int code = run_program(
+        {"gnuplot", "-e", "format='" + format + "'", path.filename().string() + ".gp"}, directory);
     const std::string picture = base + "." + format;
     if (code == 0 && fs::exists(picture)) drawn.push_back(picture);
   }
@@ -82,11 +56,9 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   fmt::print(out, "# gnuplot -e \"format='pdf'\" {}.gp    (png, svg, pdf)\n", name);
   fmt::print(out, "{}", gnuplot_terminal(name, 800, 600));
   fmt::print(out, "set title {} noenhanced\n", gnuplot_quoted(plot.title));
-  std::string label;
-  for (const std::string& line : plot.caption)
-    label += (label.empty() ? "" : "\\n") + line;
-  fmt::print(out, "set label 1 \"{}\" at screen 0.5, screen 0.06 center noenhanced font \",8\"\n",
-             label);
+  for (std::size_t i = 0; i < plot.caption.size(); ++i)
+    fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
+               i + 1, gnuplot_quoted(plot.caption[i]), 0.065 - 0.035 * static_cast<double>(i));
   fmt::print(out, "set bmargin 6.5\n"
                   "set xrange [-pi/4:7*pi/4]\nset yrange [-1:1]\n"
                   "set xtics (\"0\" 0, \"π/2\" pi/2, \"π\" pi, "
@@ -95,8 +67,10 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
                   "wrap(l) = l >= 7*pi/4 ? l - 2*pi : l\n");
   const std::string points = "with points pt 7 ps (format eq \"png\" ? 0.15 : 0.08)";
   std::vector<std::string> layers;
-  const auto layer = [&](const std::string& file, const std::string& abscissa, const std::string& style) {
-    layers.push_back(fmt::format("{} using ({}):\"L/G\" {}", gnuplot_quoted(file), abscissa, style));
+  const auto layer = [&](const std::string& file, const std::string& abscissa,
+                         const std::string& style) {
+    layers.push_back(
+        fmt::format("{} using ({}):\"L/G\" {}", gnuplot_quoted(file), abscissa, style));
   };
   const std::string data = name + ".dat", l = "wrap(column(\"l\"))";
   if (plot.two_colours) {
@@ -114,6 +88,33 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   for (const std::string& one : layers)
     all += (all.empty() ? "plot " : ", \\\n     ") + one;
   fmt::print(out, "{}\n", all);
+  out.close();
+  if (!out) throw Error("cannot write " + base + ".gp");
+  return run_gnuplot(base, formats);
+}
+
+std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& chart,
+                                    const std::vector<std::string>& formats) {
+  const std::string name = fs::path(base).filename().string();
+  std::ofstream out(base + ".gp");
+  fmt::print(out, "# gnuplot -e \"format='pdf'\" {}.gp    (png, svg, pdf)\n", name);
+  fmt::print(out, "{}", gnuplot_terminal(name, 900, 640));
+  fmt::print(out, "set title {} noenhanced\nset logscale xy\nset format \"10^{{%L}}\"\nset grid\n",
+             gnuplot_quoted(chart.title));
+  if (chart.falling) fmt::print(out, "set xrange [*:*] reverse\n");
+  fmt::print(out, "set xlabel {} noenhanced\nset ylabel {} noenhanced\n",
+             gnuplot_quoted(chart.x_label), gnuplot_quoted(chart.y_label));
+  fmt::print(out, "set key outside right noenhanced\nplot ");
+  const std::string x = gnuplot_quoted(chart.x), y = gnuplot_quoted(chart.y),
+                    by = gnuplot_quoted(chart.series_column);
+  for (std::size_t i = 0; i < chart.series.size(); ++i)
+    fmt::print(out,
+               "{}{} using (strcol({}) eq {} && column({}) > 0 ? column({}) : NaN):(column({})) "
+               "with linespoints "
+               "pt {} lw 1.5 title {}",
+               i == 0 ? "" : ", \\\n     ", gnuplot_quoted(chart.data), by,
+               gnuplot_quoted(chart.series[i]), x, x, y, i + 1, gnuplot_quoted(chart.series[i]));
+  fmt::print(out, "\n");
   out.close();
   if (!out) throw Error("cannot write " + base + ".gp");
   return run_gnuplot(base, formats);

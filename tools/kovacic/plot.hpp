@@ -13,15 +13,30 @@ struct SectionPlot {
   bool fixed_points = false; ///< mark those of BASE.fixed.dat
 };
 
-/// Writes BASE.gp for BASE.dat and draws BASE.png, ...; returns the pictures drawn (none without gnuplot).
+/// Writes BASE.gp for BASE.dat and draws BASE.png, ...; returns the pictures drawn (none without
+/// gnuplot).
 std::vector<std::string> draw_section(const std::string& base, const SectionPlot& plot,
                                       const std::vector<std::string>& formats);
+
+/// Curves in a doubly logarithmic chart, one for each value of a text column.
+struct ChartPlot {
+  std::string title, data; ///< data: a file beside the script, with a line of column names
+  std::string x, x_label, y, y_label; ///< columns
+  std::string series_column;
+  std::vector<std::string> series;
+  bool falling = false; ///< x falls from left to right (errors: accuracy grows to the right)
+};
+
+/// Writes BASE.gp and draws it, as draw_section does.
+std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& chart,
+                                    const std::vector<std::string>& formats);
 
 /// Runs a gnuplot script with `-e "format='png'"` for each format; the pictures that appeared.
 std::vector<std::string> run_gnuplot(const std::string& base,
                                      const std::vector<std::string>& formats);
 
-/// The lines of a script that choose the terminal from the variable `format`; size in pixels of the png.
+/// The lines of a script that choose the terminal from the variable `format`; size in pixels of the
+/// png.
 [[nodiscard]] std::string gnuplot_terminal(const std::string& output_base, int width, int height);
 
 /// Text for a gnuplot string in double quotes, enhanced text switched off by the caller.

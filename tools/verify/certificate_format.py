@@ -67,6 +67,7 @@ def read(kind, v, path):
     right(isinstance(v, str), "a string is expected")
     if kind == "text" or kind == "place" and v == "infinity":
         return v
+    right(kind != "short" or len(v) <= 40, "the coefficients are too large")
     right((RATIONAL if kind == "rational" else INTEGER).match(v), "a number is expected")
     v = Fraction(v) if kind == "rational" else int(v)
     right(kind != "residue" or 0 <= v < 2**62, "a residue is expected")
@@ -103,7 +104,7 @@ def load(text):
     except (ValueError, RecursionError) as error:
         raise Malformed(f"not JSON: {str(error)[:80]}") from None
     top = read({"format": "text", "field": "any", "r": "any", "claim": "any", "steps": [STEP]}, top, "certificate")
-    field = read({"name": "text", "minpoly": ["int"]}, top["field"], "field")["minpoly"]
+    field = read({"name": "text", "minpoly": ["short"]}, top["field"], "field")["minpoly"]
     if top["format"] != "kovacic-certificate/1" or not 1 <= len(top["steps"]) <= 1000:
         raise Malformed("a kovacic-certificate/1 with 1 to 1000 steps is expected")
     if not 2 <= len(field) <= 25 or field[-1] != 1 or field[0] != 0 and len(field) == 2:

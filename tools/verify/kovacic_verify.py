@@ -12,6 +12,7 @@ import sys
 from fractions import Fraction
 from math import floor, gcd, isqrt, lcm, prod
 from operator import mul
+from pathlib import Path
 
 from certificate_format import BULK, CLAIM, LENGTH, Malformed, load
 from exact import (K, ONE, ZERO, Poly, division, exact_sqrt, irreducible, is_prime, is_square, madd, mdiff, mdivmod,
@@ -262,7 +263,7 @@ class Checker:
             if e["delta2"] is not None:
                 need(e["order"] == 2 and e["delta2"].degree() < e["q"].degree(), "delta2 belongs to a pole of order 2")
                 shared.setdefault((tuple(e["delta2"].c), e["delta2"].q), []).append(e["q"])
-        self.spend(20 * len(shared) * self.length * (1 + self.den.bits() / 64))
+        self.spend(4 * len(shared) * self.length * (1 + self.den.bits() / 64))
         for (c, q), factors in shared.items():
             test = self.num * 8 - (Poly(list(c), q) - ONE) * second
             for part in [product(factors)] if len(c) <= K.s else factors:
@@ -615,7 +616,7 @@ def verify(text):
 def judge(name, strict):
     """The exit code for one file, and its line of output."""
     try:
-        text = sys.stdin.buffer.read() if name == "-" else open(name, "rb").read()
+        text = sys.stdin.buffer.read() if name == "-" else Path(name).read_bytes()
         need(len(text) <= 2**28, "longer than 2^28 bytes")
         trusted = verify(text.decode("utf-8"))
         need(not trusted or not strict, f"{trusted} trusted steps, refused by --strict")

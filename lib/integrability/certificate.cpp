@@ -1,0 +1,74 @@
+#include "integrability/certificate.hpp"
+
+#include "certify/certificate.hpp"
+
+namespace kov {
+
+namespace {
+
+std::string list(const std::vector<std::string>& all) {
+  std::string text;
+  for (const std::string& s : all)
+    text += (text.empty() ? "" : ", ") + s;
+  return text;
+}
+
+// "y'' = r(z) y with z = ... is the equation of the block (...) along ..., derived by this program"
+std::string derivation(const System& s, const ManifoldReport& m, const BlockReport& b,
+                       const std::string& level) {
+  std::vector<std::string> equations;
+  std::vector<std::string> values;
+  for (const auto& e : m.manifold->equations)
+    equations.push_back(e.text);
+  for (const auto& e : m.manifold->levels)
+    equations.push_back(e.text);
+  for (const auto& [name, value] : s.values)
+    values.push_back(name + " = " + to_string(value));
+  if (!level.empty()) values.push_back(level);
+  return "y'' = r y, in the variable " + s.ring()->name(b.ode->z) + " (" + b.ode->change +
+         "), is the normal form of the equation of " + b.ode->unknown + " in the block (" +
+         list(b.unknowns) + ") of the normal variational equations of " + s.file + " along " +
+         m.name + ": " + list(equations) + (values.empty() ? "" : "; with " + list(values));
+}
+
+class Collector {
+public:
+  Collector(const System& s, const ManifoldReport& m) : s_(s), m_(m) {}
+
+  void take(const Decision& d, const BlockReport& b, const std::string& level) {
+    if (d.certificate.empty()) return;
+    certify::Certificate c = certify::read_certificate(d.certificate);
+    const std::string group = c.steps.back().id;
+    c.steps.push_back(
+        {"equation",
+         {group},
+         certify::ApplyTheorem{"normal variational equation", derivation(s_, m_, b, level)}});
+    if (m_.verdict == VerdictKind::non_integrable && d.abelian == Truth::no)
+      c.steps.push_back({"obstruction",
+                         {group, "equation"},
+                         certify::ApplyTheorem{m_.theorem, s_.file + ": " + m_.statement}});
+    all.push_back({m_.name + (all.empty() ? "" : "-" + std::to_string(all.size() + 1)),
+                   certify::write_certificate(c)});
+  }
+
+  std::vector<NamedCertificate> all;
+
+private:
+  const System& s_;
+  const ManifoldReport& m_;
+};
+
+} // namespace
+
+std::vector<NamedCertificate> certificates(const System& s, const ManifoldReport& m) {
+  Collector found(s, m);
+  if (!m.manifold) return {};
+  for (const BlockReport& b : m.blocks) {
+    if (b.decision) found.take(*b.decision, b, "");
+    for (const EnergyResult& e : b.energies)
+      if (e.decision) found.take(*e.decision, b, e.condition);
+  }
+  return found.all;
+}
+
+} // namespace kov

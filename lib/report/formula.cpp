@@ -1,0 +1,302 @@
+#include "report/formula.hpp"
+
+#include "symbol/expression.hpp"
+
+#include <cctype>
+#include <map>
+#include <regex>
+#include <vector>
+
+namespace kov::report {
+namespace {
+
+using Kind = Expression::Kind;
+
+// How tightly the outermost operation binds: sums 1, products 2, powers 3, atoms 4.
+int binding(const Expression& e) {
+  switch (e.kind()) {
+  case Kind::equation:
+    return 0;
+  case Kind::sum:
+  case Kind::negate:
+    return 1;
+  case Kind::product:
+  case Kind::quotient:
+    return 2;
+  case Kind::power:
+    return 3;
+  default:
+    return 4;
+  }
+}
+
+const std::map<std::string, std::pair<std::string, std::string>>& greek() {
+  static const std::map<std::string, std::pair<std::string, std::string>> letters{
+      {"alpha", {"\\alpha", "&alpha;"}},
+      {"beta", {"\\beta", "&beta;"}},
+      {"delta", {"\\delta", "&delta;"}},
+      {"nu", {"\\nu", "&nu;"}},
+      {"lambda", {"\\lambda", "&lambda;"}},
+      {"epsilon", {"\\varepsilon", "&epsilon;"}},
+      {"mu", {"\\mu", "&mu;"}},
+      {"pi", {"\\pi", "&pi;"}},
+      {"Gamma", {"\\Gamma", "&Gamma;"}},
+      {"Omega", {"\\Omega", "&Omega;"}}};
+  return letters;
+}
+
+class Writer {
+public:
+  /// flat: LaTeX that may break between lines, without fractions and growing parentheses.
+  Writer(Markup m, bool flat) : tex_(m == Markup::tex), flat_(tex_ && flat) {}
+  [[nodiscard]] std::string write(const Expression& e) const;
+
+private:
+  [[nodiscard]] std::string sign(const std::string& s) const {
+    return tex_ ? " " + s + " " : "<mo>" + (s == "-" ? "&minus;" : s) + "</mo>";
+  }
+  [[nodiscard]] std::string row(const std::string& s) const {
+    return tex_ ? s : "<mrow>" + s + "</mrow>";
+  }
+  [[nodiscard]] std::string inside(const Expression& e, int least) const {
+    const std::string s = write(e);
+    if (binding(e) >= least) return s;
+    if (flat_) return "(" + s + ")";
+    return tex_ ? "\\left(" + s + "\\right)" : "<mrow><mo>(</mo>" + s + "<mo>)</mo></mrow>";
+  }
+  [[nodiscard]] std::string sum(const Expression& e) const;
+  [[nodiscard]] std::string product(const Expression& e) const;
+  [[nodiscard]] std::string name(const std::string& n) const;
+  [[nodiscard]] std::string call(const Expression& e) const;
+
+  bool tex_, flat_;
+};
+
+std::string Writer::name(const std::string& n) const {
+  std::size_t end = n.size();
+  while (end > 0 && std::isdigit(static_cast<unsigned char>(n[end - 1])) != 0)
+    --end;
+  std::string stem = n.substr(0, end);
+  const std::string index = n.substr(end);
+  if (const auto it = greek().find(stem); it != greek().end())
+    stem = tex_ ? it->second.first + " " : it->second.second;
+  else if (tex_ && stem.size() > 1)
+    stem = "\\mathrm{" + stem + "}";
+  if (tex_) return index.empty() ? stem : stem + "_{" + index + "}";
+  const std::string base = "<mi>" + stem + "</mi>";
+  return index.empty() ? base : "<msub>" + base + "<mn>" + index + "</mn></msub>";
+}
+
+std::string Writer::sum(const Expression& e) const {
+  std::string text;
+  for (const Expression& x : e.operands()) {
+    const bool minus = x.kind() == Kind::negate;
+    if (!text.empty() || minus) text += sign(minus ? "-" : "+");
+    text += minus ? inside(x.operand(0), 2) : inside(x, 1);
+  }
+  return row(text);
+}
+
+std::string Writer::product(const Expression& e) const {
+  std::string text;
+  for (const Expression& x : e.operands()) {
+    if (text.empty() && x.kind() == Kind::negate) { // -2*a is product(-2, a)
+      text = sign("-") + inside(x.operand(0), 2);
+      continue;
+    }
+    const bool digits = x.kind() == Kind::number;
+    if (!text.empty())
+      text += digits ? (tex_ ? "\\cdot " : "<mo>&sdot;</mo>")
+                     : (tex_ ? "\\, " : "<mspace width=\"0.12em\"/>");
+    text += inside(x, 2);
+  }
+  return row(text);
+}
+
+std::string Writer::call(const Expression& e) const {
+  if (e.name() == "sqrt" && e.operands().size() == 1)
+    return tex_ ? "\\sqrt{" + write(e.operand(0)) + "}"
+                : "<msqrt>" + write(e.operand(0)) + "</msqrt>";
+  std::string arguments;
+  for (const Expression& x : e.operands())
+    arguments += (arguments.empty() ? "" : tex_ ? ", " : "<mo>,</mo>") + write(x);
+  return tex_ ? name(e.name()) + "(" + arguments + ")"
+              : row(name(e.name()) + "<mo>(</mo>" + arguments + "<mo>)</mo>");
+}
+
+std::string Writer::write(const Expression& e) const {
+  switch (e.kind()) {
+  case Kind::number:
+    return tex_ ? to_string(e.number()) : "<mn>" + to_string(e.number()) + "</mn>";
+  case Kind::decimal:
+    return tex_ ? e.name() : "<mn>" + e.name() + "</mn>";
+  case Kind::name:
+    return name(e.name());
+  case Kind::sum:
+    return sum(e);
+  case Kind::negate:
+    return row(sign("-") + inside(e.operand(0), 2));
+  case Kind::product:
+    return product(e);
+  case Kind::quotient:
+    if (flat_) return inside(e.operand(0), 2) + "/" + inside(e.operand(1), 3);
+    return tex_ ? "\\frac{" + write(e.operand(0)) + "}{" + write(e.operand(1)) + "}"
+                : "<mfrac>" + row(write(e.operand(0))) + row(write(e.operand(1))) + "</mfrac>";
+  case Kind::power:
+    return tex_ ? inside(e.operand(0), 4) + "^{" + write(e.operand(1)) + "}"
+                : "<msup>" + row(inside(e.operand(0), 4)) + row(write(e.operand(1))) + "</msup>";
+  case Kind::call:
+    return call(e);
+  case Kind::derivative:
+    return inside(e.operand(0), 4) +
+           (tex_ ? std::string(static_cast<std::size_t>(e.order()), '\'')
+                 : "<mo>" + std::string(static_cast<std::size_t>(e.order()), '\'') + "</mo>");
+  case Kind::equation:
+    return row(write(e.operand(0)) + sign("=") + write(e.operand(1)));
+  }
+  return "";
+}
+
+// "a = 0, b != 0" at ", "; empty pieces do not occur.
+std::vector<std::string> pieces(const std::string& s) {
+  std::vector<std::string> all(1);
+  for (std::size_t i = 0; i < s.size(); ++i)
+    if (s.compare(i, 2, ", ") == 0) {
+      all.emplace_back();
+      ++i;
+    } else {
+      all.back() += s[i];
+    }
+  return all;
+}
+
+std::string one_formula(const std::string& source, Markup m) {
+  static const std::vector<std::pair<std::string, std::pair<std::string, std::string>>> relations{
+      {" != ", {" \\neq ", "<mo>&ne;</mo>"}},
+      {" <= ", {" \\leq ", "<mo>&le;</mo>"}},
+      {" >= ", {" \\geq ", "<mo>&ge;</mo>"}},
+      {" < ", {" < ", "<mo>&lt;</mo>"}},
+      {" > ", {" > ", "<mo>&gt;</mo>"}}};
+  const Writer writer(m, source.size() > 70);
+  const auto parsed = [&](const std::string& s) {
+    return writer.write(parse_expression(s, "formula", true));
+  };
+  for (const auto& [sign, markup] : relations)
+    if (const auto at = source.find(sign); at != std::string::npos)
+      return parsed(source.substr(0, at)) + (m == Markup::tex ? markup.first : markup.second) +
+             parsed(source.substr(at + sign.size()));
+  return parsed(source);
+}
+
+} // namespace
+
+namespace {
+
+std::string escaped(const std::string& source, Markup m) {
+  static const std::map<char, std::string> html{
+      {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}, {'*', "&thinsp;"}};
+  static const std::map<char, std::string> tex{{'\\', "\\textbackslash{}"},
+                                               {'{', "\\{"},
+                                               {'}', "\\}"},
+                                               {'$', "\\$"},
+                                               {'&', "\\&"},
+                                               {'#', "\\#"},
+                                               {'%', "\\%"},
+                                               {'_', "\\_"},
+                                               {'^', "\\^{}"},
+                                               {'~', "\\~{}"},
+                                               {'<', "$<$"},
+                                               {'>', "$>$"},
+                                               {'|', "$|$"},
+                                               {'*', "$\\cdot$"}};
+  const auto& table = m == Markup::tex ? tex : html;
+  std::string out;
+  for (const char c : source) {
+    const auto it = table.find(c);
+    out += it == table.end() ? std::string(1, c) : it->second;
+  }
+  return out;
+}
+
+// "<=", "+-", ... as they are printed.
+std::string relation(const std::string& s, Markup m) {
+  static const std::map<std::string, std::pair<std::string, std::string>> signs{
+      {"<=", {"$\\leq$", "&le;"}},    {">=", {"$\\geq$", "&ge;"}},   {"!=", {"$\\neq$", "&ne;"}},
+      {"+-", {"$\\pm$", "&plusmn;"}}, {"-+", {"$\\mp$", "&#8723;"}}, {"->", {"$\\to$", "&rarr;"}}};
+  return m == Markup::tex ? signs.at(s).first : signs.at(s).second;
+}
+
+std::string script(const std::string& inner, bool above, Markup m) {
+  if (m == Markup::tex) return (above ? "\\textsuperscript{" : "\\textsubscript{") + inner + "}";
+  return above ? "<sup>" + inner + "</sup>" : "<sub>" + inner + "</sub>";
+}
+
+} // namespace
+
+// Greek names, indices, powers and relations inside a sentence are set as such.
+std::string prose(const std::string& source, Markup m) {
+  if (m == Markup::text) return source;
+  static const std::regex piece(
+      R"(\b(Gamma|Omega|lambda|alpha|beta|delta|nu|epsilon|mu|pi)(\d?)(?![A-Za-z])|\b([A-Z])(\d)\b|\^(\([^()]*\)|[A-Za-z0-9]+)|_(ijk|[a-z+-]|\d+)(?![A-Za-z])|(<=|>=|!=|\+-|-\+|->))");
+  std::string out;
+  std::size_t last = 0;
+  for (std::sregex_iterator it(source.begin(), source.end(), piece), end; it != end; ++it) {
+    const std::smatch& x = *it;
+    out += escaped(source.substr(last, static_cast<std::size_t>(x.position()) - last), m);
+    last = static_cast<std::size_t>(x.position() + x.length());
+    if (x[1].matched) {
+      const auto& letter = greek().at(x[1].str());
+      out += m == Markup::tex ? "$" + letter.first + "$" : letter.second;
+      if (x[2].length() > 0) out += script(x[2].str(), false, m);
+    } else if (x[3].matched) {
+      out += x[3].str() + script(x[4].str(), false, m);
+    } else if (x[5].matched) {
+      std::string power = x[5].str();
+      if (power.front() == '(') power = power.substr(1, power.size() - 2);
+      out += script(prose(power, m), true, m);
+    } else if (x[6].matched) {
+      out += script(escaped(x[6].str(), m), false, m);
+    } else {
+      out += relation(x[7].str(), m);
+    }
+  }
+  return out + escaped(source.substr(last), m);
+}
+
+namespace {
+
+// "yes", "infinity": a word, no name.
+bool is_word(const std::string& s) {
+  for (const char c : s)
+    if (std::isalpha(static_cast<unsigned char>(c)) == 0) return false;
+  return s.size() > 1 && !greek().contains(s);
+}
+
+} // namespace
+
+std::string formula(const std::string& source, Markup m) {
+  if (m == Markup::text) return source;
+  std::string out;
+  for (const std::string& piece : pieces(source)) {
+    std::string one;
+    if (is_word(piece)) {
+      out += (out.empty() ? "" : ", ") + piece;
+      continue;
+    }
+    try {
+      one = one_formula(piece, m);
+      one = m == Markup::tex ? "$" + one + "$" : "<math displaystyle=\"true\">" + one + "</math>";
+    } catch (const InputError&) {
+      one = prose(piece, m);
+    }
+    out += (out.empty() ? "" : ", ") + one;
+  }
+  return out;
+}
+
+std::string shortened(const std::string& source, std::size_t length) {
+  if (length == 0 || source.size() <= length) return source;
+  return source.substr(0, length) + " ... (" + std::to_string(source.size()) + " characters)";
+}
+
+} // namespace kov::report

@@ -1,0 +1,18 @@
+#pragma once
+// Formulas of the program's own syntax as LaTeX and MathML; text that is no formula is escaped.
+
+#include <string>
+
+namespace kov::report {
+
+enum class Markup : std::uint8_t { text, tex, html };
+
+/// The formula, or a list of formulas separated by ", ", in mathematical markup.  What does not
+/// parse is set as text.
+[[nodiscard]] std::string formula(const std::string& source, Markup m);
+/// Prose, escaped.
+[[nodiscard]] std::string prose(const std::string& source, Markup m);
+/// Formulas whose text is longer than this are cut in tables (0: never).
+[[nodiscard]] std::string shortened(const std::string& source, std::size_t length);
+
+} // namespace kov::report

@@ -1,0 +1,32 @@
+#pragma once
+// A proved theorem as text, JSON, LaTeX and one self-contained HTML page.
+
+#include "report/formula.hpp"
+#include "theorem/theorem.hpp"
+
+namespace kov::report {
+
+/// The tree with one line per step, then the steps.
+[[nodiscard]] std::string theorem_text(const TheoremResult& t);
+/// kovacic-theorem/1.
+[[nodiscard]] std::string theorem_json(const TheoremResult& t);
+/// An article; compiles with texlive-latex-base.
+[[nodiscard]] std::string theorem_tex(const TheoremResult& t);
+/// One file, without scripts and network: MathML, inline SVG, collapsible steps.
+[[nodiscard]] std::string theorem_html(const TheoremResult& t);
+
+/// Points of a picture in a box of the given size, with the scale found; for SVG and LaTeX.
+struct PlacedPoint {
+  long x = 0, y = 0; ///< in thousandths of the unit of the box, from its lower left corner
+  std::string label;
+  bool special = false;
+};
+struct PlacedPicture {
+  long width = 0, height = 0;                ///< in thousandths
+  std::optional<long> axis_x, axis_y;        ///< where the imaginary and the real axis run
+  std::optional<std::pair<long, long>> band; ///< the strip, lower and upper edge
+  std::vector<PlacedPoint> points;
+};
+[[nodiscard]] PlacedPicture place(const PolePicture& p, long width, long height);
+
+} // namespace kov::report

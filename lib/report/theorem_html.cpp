@@ -1,0 +1,206 @@
+#include "report/render_theorem.hpp"
+
+#include <functional>
+#include <set>
+
+namespace kov::report {
+namespace {
+
+constexpr Markup html = Markup::html;
+
+const char* style = R"(<style>
+:root{--ink:#1d2430;--soft:#5b6472;--line:#d9dee6;--paper:#fff;--wash:#f5f7fa;--proved:#1a7f4b;--trusted:#2458a6;--reasoned:#7a5a00;--open:#b3261e;--refuted:#b3261e}
+*{box-sizing:border-box}
+body{margin:0;background:var(--wash);color:var(--ink);font:16px/1.55 "Source Serif 4",Georgia,"DejaVu Serif",serif}
+main{max-width:62rem;margin:0 auto;padding:2.5rem 1.5rem 4rem;background:var(--paper);min-height:100vh}
+h1{font-size:1.7rem;line-height:1.25;margin:0 0 .6rem}h2{font-size:1.15rem;margin:2.2rem 0 .6rem;border-bottom:1px solid var(--line);padding-bottom:.25rem}
+.statement{border-left:3px solid var(--trusted);padding:.1rem 0 .1rem 1rem;margin:1rem 0}
+.verdict{font-weight:bold;padding:.7rem 1rem;border-radius:.4rem;margin:1.2rem 0;color:#fff;background:var(--proved)}
+.verdict.no{background:var(--open)}
+.counts{display:flex;flex-wrap:wrap;gap:.5rem 1.6rem;color:var(--soft);font-size:.9rem;margin:.5rem 0 0;padding:0;list-style:none}
+.counts b{color:var(--ink)}
+.badge{display:inline-block;font:600 .72rem/1.5 system-ui,"DejaVu Sans",sans-serif;letter-spacing:.03em;border-radius:1em;padding:0 .6em;color:#fff;vertical-align:.12em;white-space:nowrap}
+.proved{background:var(--proved)}.trusted{background:var(--trusted)}.reasoned{background:var(--reasoned)}.open,.refuted{background:var(--open)}
+.tree,.tree ul{list-style:none;margin:0;padding-left:1.1rem}.tree{padding-left:0}.tree ul{border-left:1px solid var(--line);margin-left:.45rem}
+.tree li{margin:.22rem 0}.tree a{color:inherit;text-decoration:none}.tree a:hover{text-decoration:underline}
+details{border:1px solid var(--line);border-radius:.4rem;margin:.6rem 0;background:var(--paper)}
+summary{cursor:pointer;padding:.55rem .9rem;font-weight:600}
+details[open] summary{border-bottom:1px solid var(--line)}
+.body{padding:.3rem 1rem 1rem}
+.soft{color:var(--soft)}.warn{color:var(--open);font-weight:600}
+.checks{list-style:none;padding:0;margin:.5rem 0}.checks li{padding-left:1.5em;text-indent:-1.5em;font-size:.93rem}.checks li::before{content:"\2713\00a0\00a0";color:var(--proved);font-weight:bold}.checks li.no::before{content:"\2717\00a0\00a0";color:var(--open)}
+.scroll{overflow-x:auto;margin:.4rem 0}
+table{border-collapse:collapse;font-size:.92rem;margin:.2rem 0 .8rem}.caption{color:var(--soft);margin:1rem 0 .2rem;font-size:.9rem}
+th,td{border-top:1px solid var(--line);padding:.3rem .9rem .3rem 0;text-align:left;vertical-align:top}th{font-weight:600;border-top:0}
+dl{display:grid;grid-template-columns:max-content 1fr;gap:.25rem 1rem;margin:.6rem 0}dt{color:var(--soft)}dd{margin:0;overflow-x:auto}
+figure{margin:.8rem 0}figcaption{color:var(--soft);font-size:.9rem;max-width:34rem}
+math{font-size:1.02em}sup,sub{line-height:0;font-size:.75em}
+@media print{body{background:#fff}details{break-inside:avoid}}
+</style>
+)";
+
+std::string tag(const std::string& name, const std::string& inner,
+                const std::string& attributes = {}) {
+  return "<" + name + (attributes.empty() ? "" : " " + attributes) + ">" + inner + "</" + name +
+         ">";
+}
+
+std::string badge(NodeStatus s) {
+  return tag("span", to_string(s), "class=\"badge " + to_string(s) + "\"");
+}
+
+std::string title_of(const NodeResult& n) {
+  return prose(n.node.title.empty() ? n.node.id : n.node.title, html);
+}
+
+const NodeResult& node_of(const TheoremResult& t, const std::string& id) {
+  for (const NodeResult& n : t.nodes)
+    if (n.node.id == id) return n;
+  return t.nodes.front();
+}
+
+std::string tree(const TheoremResult& t) {
+  std::set<std::string> seen;
+  const std::function<std::string(const NodeResult&)> item = [&](const NodeResult& n) {
+    std::string out =
+        badge(n.status) + " <a href=\"#" + prose(n.node.id, html) + "\">" + title_of(n) + "</a>";
+    if (n.rests_on_open) out += " <span class=\"soft\">(rests on open steps)</span>";
+    if (!seen.insert(n.node.id).second)
+      return tag("li", out + " <span class=\"soft\">(above)</span>");
+    std::string inner;
+    for (const std::string& c : n.node.needs)
+      inner += item(node_of(t, c));
+    return tag("li", out + (inner.empty() ? "" : tag("ul", inner)));
+  };
+  return tag("ul", item(t.nodes.front()), "class=\"tree\"");
+}
+
+std::string table(const Grid& g) {
+  std::string head, body;
+  for (const std::string& h : g.header)
+    head += tag("th", prose(h, html));
+  if (g.rows.empty()) body = tag("tr", tag("td", "none"));
+  for (const auto& row : g.rows) {
+    std::string cells;
+    for (const std::string& c : row)
+      cells += tag("td", formula(shortened(c, 600), html));
+    body += tag("tr", cells);
+  }
+  const std::string whole = tag("table", tag("thead", tag("tr", head)) + tag("tbody", body));
+  return tag("p", prose(g.caption, html), "class=\"caption\"") +
+         tag("div", whole, "class=\"scroll\"");
+}
+
+std::string units(long thousandths) {
+  return std::to_string(thousandths / 1000) + "." +
+         std::to_string(1000 + thousandths % 1000).substr(1, 1);
+}
+
+std::string line(long x1, long y1, long x2, long y2) {
+  return "<line x1=\"" + units(x1) + "\" y1=\"" + units(y1) + "\" x2=\"" + units(x2) + "\" y2=\"" +
+         units(y2) + "\" stroke=\"#9aa4b2\"/>";
+}
+
+std::string picture(const PolePicture& p) {
+  const PlacedPicture q = place(p, 420000, 240000);
+  const auto down = [&](long y) { return q.height - y; };
+  std::string out;
+  if (p.strip && q.band)
+    out += "<rect x=\"0\" y=\"" + units(down(q.band->second)) + "\" width=\"420\" height=\"" +
+           units(q.band->second - q.band->first) + "\" fill=\"#eef2f8\"/>";
+  if (q.axis_y) out += line(0, down(*q.axis_y), q.width, down(*q.axis_y));
+  if (q.axis_x) out += line(*q.axis_x, 0, *q.axis_x, q.height);
+  const auto words = [](long x, long y, const std::string& s, const std::string& anchor) {
+    return "<text x=\"" + units(x) + "\" y=\"" + units(y) + "\" font-size=\"12\" text-anchor=\"" +
+           anchor + "\" fill=\"#1d2430\">" + prose(s, html) + "</text>";
+  };
+  for (const PlacedPoint& x : q.points)
+    out += "<circle cx=\"" + units(x.x) + "\" cy=\"" + units(down(x.y)) + "\" r=\"4.5\" fill=\"" +
+           (x.special ? "#b3261e" : "#2458a6") + "\"/>" +
+           words(x.x + 8000, down(x.y) - 7000, x.label, "start");
+  if (q.axis_y) out += words(q.width - 3000, down(*q.axis_y) - 5000, p.horizontal, "end");
+  if (q.axis_x) out += words(*q.axis_x - 6000, 14000, p.vertical, "end");
+  return tag("figure", tag("svg", out,
+                           "viewBox=\"0 0 420 240\" width=\"420\" height=\"240\" role=\"img\" "
+                           "xmlns=\"http://www.w3.org/2000/svg\" "
+                           "style=\"border:1px solid #d9dee6;border-radius:.4rem\"") +
+                           tag("figcaption", prose(p.caption, html)));
+}
+
+std::string details_of(const TheoremResult& t, const NodeResult& n) {
+  std::string out = tag("p", prose(n.node.statement, html));
+  std::string on;
+  for (const std::string& c : n.node.needs)
+    on += (on.empty() ? "" : ", ") +
+          tag("a", title_of(node_of(t, c)), "href=\"#" + prose(c, html) + "\"");
+  if (!on.empty()) out += tag("p", "Rests on: " + on, "class=\"soft\"");
+  if (!n.summary.empty()) out += tag("p", tag("b", "Found: ") + prose(n.summary, html));
+  for (const Hypothesis& h : n.node.hypotheses)
+    out += h.checked ? tag("p", "Hypothesis, checked: " + prose(h.text, html), "class=\"soft\"")
+                     : tag("p", "Hypothesis not checked: " + prose(h.text, html), "class=\"warn\"");
+  std::string checks;
+  for (const CheckedIdentity& c : n.checks)
+    checks += tag("li", prose(c.statement, html), c.holds ? "" : "class=\"no\"");
+  if (!checks.empty()) out += tag("ul", checks, "class=\"checks\"");
+  std::string list;
+  for (const Formula& f : n.formulas)
+    list += tag("dt", prose(f.label, html)) + tag("dd", formula(shortened(f.text, 1500), html));
+  if (!list.empty()) out += tag("dl", list);
+  for (const Grid& g : n.tables)
+    out += table(g);
+  for (const PolePicture& p : n.pictures)
+    if (!p.points.empty()) out += picture(p);
+  for (const std::string& s : n.theorems)
+    out += tag("p", "By the theorem of " + prose(s, html) + ".");
+  if (!n.node.file.empty())
+    out +=
+        tag("p", "From the file " + tag("code", prose(n.node.file, html)) + ".", "class=\"soft\"");
+  if (!n.node.note.empty()) out += tag("p", "Note: " + prose(n.node.note, html), "class=\"soft\"");
+  return out;
+}
+
+std::string counts(const TheoremResult& t) {
+  const auto one = [](std::size_t n, const std::string& what) {
+    return tag("li", tag("b", std::to_string(n)) + " " + what);
+  };
+  return tag("ul",
+             one(t.count(NodeStatus::proved), "steps proved here") +
+                 one(t.identities(), "exact identities checked") +
+                 one(t.certificates(), "certificates accepted") +
+                 one(t.trusted_theorems().size(), "theorems trusted") +
+                 one(t.count(NodeStatus::reasoned), "arguments in words") +
+                 one(t.unchecked_hypotheses().size(), "hypotheses not checked") +
+                 one(t.count(NodeStatus::open), "open"),
+             "class=\"counts\"");
+}
+
+} // namespace
+
+std::string theorem_html(const TheoremResult& t) {
+  std::string trusted;
+  for (const std::string& s : t.trusted_theorems())
+    trusted += tag("li", prose(s, html));
+  for (const std::string& s : t.unchecked_hypotheses())
+    trusted += tag("li", "Hypothesis not checked: " + prose(s, html), "class=\"warn\"");
+  std::string steps;
+  for (const NodeResult& n : t.nodes)
+    steps += tag("details",
+                 tag("summary", badge(n.status) + " " + title_of(n)) +
+                     tag("div", details_of(t, n), "class=\"body\""),
+                 "id=\"" + prose(n.node.id, html) + "\"" +
+                     (n.status == NodeStatus::open ? " open" : ""));
+  const std::string body = tag("h1", prose(t.theorem.title, html)) +
+                           tag("p", prose(t.theorem.statement, html), "class=\"statement\"") +
+                           tag("div", prose(t.conclusion(), html) + ".",
+                               std::string("class=\"verdict") + (t.complete() ? "\"" : " no\"")) +
+                           counts(t) + tag("h2", "What rests on what") + tree(t) +
+                           tag("h2", "Trusted, not proved here") + tag("ul", trusted) +
+                           tag("h2", "The steps") + steps;
+  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
+         "content=\"width=device-width\">"
+         "<title>" +
+         prose(t.theorem.title, html) + "</title>\n" + style + "</head>\n<body><main>\n" + body +
+         "\n</main></body></html>\n";
+}
+
+} // namespace kov::report

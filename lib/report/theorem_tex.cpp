@@ -1,0 +1,152 @@
+#include "report/render_theorem.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+namespace kov::report {
+namespace {
+
+constexpr Markup tex = Markup::tex;
+
+const char* preamble = R"(\documentclass[11pt]{article}
+\usepackage{amsmath,amssymb,longtable,array}
+\usepackage[a4paper,margin=25mm]{geometry}
+\setlength{\parindent}{0pt}\setlength{\parskip}{5pt}\emergencystretch=8em
+\newcommand{\status}[1]{\textsf{\small[#1]}}
+\allowdisplaybreaks
+)";
+
+std::string title_of(const NodeResult& n) {
+  return prose(n.node.title.empty() ? n.node.id : n.node.title, tex);
+}
+
+std::size_t number_of(const TheoremResult& t, const std::string& id) {
+  for (std::size_t i = 0; i < t.nodes.size(); ++i)
+    if (t.nodes[i].node.id == id) return i + 1;
+  return 0;
+}
+
+// Long polynomials break at their signs when they are set in the line.
+std::string paragraph(const std::string& label, const std::string& text) {
+  return "\\par\\hangindent=1.5em " + prose(label, tex) + ": " + text + "\n";
+}
+
+std::string table(const Grid& g) {
+  const std::size_t n = std::max<std::size_t>(1, g.header.size());
+  std::string out = "\\par\\smallskip{\\small\\textit{" + prose(g.caption, tex) +
+                    "}\\par\n\\begin{longtable}{@{}";
+  const long percent = 94 / static_cast<long>(n);
+  for (std::size_t i = 0; i < n; ++i)
+    out += ">{\\raggedright\\arraybackslash}p{0." + std::string(percent < 10 ? "0" : "") +
+           std::to_string(percent) + "\\linewidth}";
+  out += "@{}}\n\\hline\n";
+  for (std::size_t i = 0; i < g.header.size(); ++i)
+    out += (i ? " & " : "") + prose(g.header[i], tex);
+  out += "\\\\\\hline\\endhead\n";
+  if (g.rows.empty()) out += "none\\\\\n";
+  for (const auto& row : g.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      out += (i ? " & " : "") + formula(shortened(row[i], 600), tex);
+    out += "\\\\\n";
+  }
+  return out + "\\hline\n\\end{longtable}}\n";
+}
+
+std::string thousandths(long x) {
+  return std::to_string(x / 1000) + "." + std::to_string(1000 + x % 1000).substr(1);
+}
+
+std::string picture(const PolePicture& p) {
+  const PlacedPicture q = place(p, 60000, 36000); // in millimetres
+  std::string out = "\\begin{center}\\setlength{\\unitlength}{1mm}\\begin{picture}(60,36)\n";
+  if (q.axis_y) out += "\\put(0," + thousandths(*q.axis_y) + "){\\line(1,0){60}}\n";
+  if (q.axis_x) out += "\\put(" + thousandths(*q.axis_x) + ",0){\\line(0,1){36}}\n";
+  for (const PlacedPoint& x : q.points) {
+    const std::string at = "\\put(" + thousandths(x.x) + "," + thousandths(x.y) + ")";
+    out += at + "{\\circle" + (x.special ? "*" : "") + "{1.4}}\n";
+    out += "\\put(" + thousandths(x.x + 1500) + "," + thousandths(x.y + 800) + "){\\tiny " +
+           formula(x.label, tex) + "}\n";
+  }
+  return out + "\\end{picture}\\par{\\small " + prose(p.caption, tex) + "}\\end{center}\n";
+}
+
+std::string step(const TheoremResult& t, const NodeResult& n) {
+  std::string out = "\n\\subsection*{" + std::to_string(number_of(t, n.node.id)) + ". " +
+                    title_of(n) + "\\quad\\status{" + to_string(n.status) + "}}\n" +
+                    prose(n.node.statement, tex) + "\n";
+  if (!n.node.needs.empty()) {
+    out += "\\par Rests on";
+    bool first = true;
+    for (const std::string& c : n.node.needs) {
+      out += (first ? " " : ", ") + std::to_string(number_of(t, c));
+      first = false;
+    }
+    out += ".\n";
+  }
+  if (!n.summary.empty()) out += "\\par\\textbf{Found:} " + prose(n.summary, tex) + ".\n";
+  for (const Hypothesis& h : n.node.hypotheses)
+    out +=
+        paragraph(h.checked ? "Hypothesis, checked" : "HYPOTHESIS NOT CHECKED", prose(h.text, tex));
+  if (!n.checks.empty()) {
+    out += "\\begin{itemize}\\setlength{\\itemsep}{0pt}\\small\n";
+    for (const CheckedIdentity& c : n.checks)
+      out += std::string("\\item[") + (c.holds ? "$\\checkmark$" : "NO") + "] " +
+             prose(c.statement, tex) + "\n";
+    out += "\\end{itemize}\n";
+  }
+  for (const Formula& f : n.formulas)
+    out += paragraph(f.label, formula(shortened(f.text, 1200), tex));
+  for (const Grid& g : n.tables)
+    out += table(g);
+  for (const PolePicture& p : n.pictures)
+    if (!p.points.empty()) out += picture(p);
+  for (const std::string& s : n.theorems)
+    out += "\\par By the theorem of " + prose(s, tex) + ".\n";
+  if (!n.node.note.empty()) out += paragraph("Note", prose(n.node.note, tex));
+  return out;
+}
+
+std::string tree(const TheoremResult& t) {
+  std::string out = "\\begin{tabbing}\n";
+  std::set<std::string> seen;
+  for (int i = 0; i < 8; ++i)
+    out += "\\hspace{6mm}\\=";
+  out += "\\kill\n";
+  const std::function<void(const NodeResult&, std::size_t)> put = [&](const NodeResult& n,
+                                                                      std::size_t depth) {
+    for (std::size_t i = 0; i < std::min<std::size_t>(depth, 8); ++i)
+      out += "\\>";
+    out += std::to_string(number_of(t, n.node.id)) + ". " + title_of(n) + " \\status{" +
+           to_string(n.status) + (n.rests_on_open ? ", rests on open steps" : "") + "}\\\\\n";
+    if (!seen.insert(n.node.id).second) return;
+    for (const std::string& c : n.node.needs)
+      put(t.nodes[number_of(t, c) - 1], depth + 1);
+  };
+  put(t.nodes.front(), 0);
+  return out + "\\end{tabbing}\n";
+}
+
+} // namespace
+
+std::string theorem_tex(const TheoremResult& t) {
+  std::string out = preamble;
+  out += "\\title{" + prose(t.theorem.title, tex) +
+         "}\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
+  out += "\\textbf{Theorem.} \\emph{" + prose(t.theorem.statement, tex) + "}\n\n";
+  out += prose(t.conclusion(), tex) + ". " + std::to_string(t.identities()) +
+         " exact identities were checked, " + std::to_string(t.certificates()) +
+         " certificates accepted.\n";
+  out += "\\section*{What rests on what}\n" + tree(t);
+  out += "\\section*{Trusted}\n\\begin{itemize}\n";
+  for (const std::string& s : t.trusted_theorems())
+    out += "\\item " + prose(s, tex) + "\n";
+  for (const std::string& s : t.unchecked_hypotheses())
+    out += "\\item \\textbf{Hypothesis not checked.} " + prose(s, tex) + "\n";
+  out += "\\item[] \n\\end{itemize}\n\\section*{The steps}\n";
+  for (const NodeResult& n : t.nodes)
+    out += step(t, n);
+  return out + "\\end{document}\n";
+}
+
+} // namespace kov::report

@@ -1,0 +1,152 @@
+#include "report/render_theorem.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <set>
+
+namespace kov::report {
+namespace {
+
+const NodeResult& node_of(const TheoremResult& t, const std::string& id) {
+  for (const NodeResult& n : t.nodes)
+    if (n.node.id == id) return n;
+  return t.nodes.front();
+}
+
+std::string status_mark(const NodeResult& n) {
+  std::string s = "[" + to_string(n.status) + "]";
+  s.resize(11, ' ');
+  return s;
+}
+
+std::string title_of(const NodeResult& n) {
+  return n.node.title.empty() ? n.node.id : n.node.title;
+}
+
+// Fills lines to `width` characters, each after `indent` blanks.
+std::string filled(const std::string& text, std::size_t indent, std::size_t width = 100) {
+  std::string out, line;
+  const auto flush = [&] {
+    if (!line.empty()) out += std::string(indent, ' ') + line + "\n";
+    line.clear();
+  };
+  std::string word;
+  for (const char c : text + " ") {
+    if (c != ' ') {
+      word += c;
+      continue;
+    }
+    if (!line.empty() && indent + line.size() + 1 + word.size() > width) flush();
+    line += (line.empty() ? "" : " ") + word;
+    word.clear();
+  }
+  flush();
+  return out;
+}
+
+void put_tree(std::string& out, const TheoremResult& t, const std::string& id, std::size_t depth,
+              std::set<std::string>& seen) {
+  const NodeResult& n = node_of(t, id);
+  const bool again = !seen.insert(id).second;
+  out += status_mark(n) + " " + std::string(2 * depth, ' ') + title_of(n) +
+         (n.rests_on_open ? "  (rests on open steps)" : "") + (again ? "  (above)" : "") + "\n";
+  if (again) return;
+  for (const std::string& child : n.node.needs)
+    put_tree(out, t, child, depth + 1, seen);
+}
+
+void put_step(std::string& out, const NodeResult& n) {
+  out += "\n" + title_of(n) + "  [" + to_string(n.status) + ", " + to_string(n.node.kind) + "]\n";
+  out += filled(n.node.statement, 2);
+  if (!n.summary.empty()) out += filled("found: " + n.summary, 2);
+  for (const Hypothesis& h : n.node.hypotheses)
+    out += filled(
+        std::string(h.checked ? "hypothesis, checked: " : "HYPOTHESIS NOT CHECKED: ") + h.text, 2);
+  for (const CheckedIdentity& c : n.checks)
+    out += filled(std::string(c.holds ? "ok  " : "NO  ") + c.statement, 4);
+  for (const Formula& f : n.formulas)
+    out += filled(f.label + ": " + shortened(f.text, 400), 4);
+  for (const Grid& g : n.tables) {
+    out += filled(g.caption, 4);
+    if (g.rows.empty()) out += filled("- none", 6);
+    for (const auto& row : g.rows) {
+      std::string line;
+      for (const std::string& cell : row)
+        line += (line.empty() ? "- " : " | ") + cell;
+      out += filled(line, 6);
+    }
+  }
+  for (const std::string& s : n.theorems)
+    out += filled("by the theorem of " + s, 4);
+  if (!n.node.note.empty()) out += filled("note: " + n.node.note, 2);
+}
+
+} // namespace
+
+std::string theorem_text(const TheoremResult& t) {
+  std::string out = t.theorem.title + "\n" + filled(t.theorem.statement, 2) + "\n";
+  out += filled(t.conclusion() + ".", 0) + "\n";
+  std::set<std::string> seen;
+  put_tree(out, t, t.nodes.front().node.id, 0, seen);
+  out += "\ntrusted\n";
+  for (const std::string& s : t.trusted_theorems())
+    out += filled(s, 2);
+  for (const std::string& s : t.unchecked_hypotheses())
+    out += filled("HYPOTHESIS NOT CHECKED  " + s, 2);
+  for (const NodeResult& n : t.nodes)
+    put_step(out, n);
+  return out;
+}
+
+std::string theorem_json(const TheoremResult& t) {
+  using Json = nlohmann::ordered_json;
+  Json nodes = Json::array();
+  for (const NodeResult& n : t.nodes) {
+    Json j{{"id", n.node.id},
+           {"title", n.node.title},
+           {"kind", to_string(n.node.kind)},
+           {"status", to_string(n.status)},
+           {"rests_on_open", n.rests_on_open},
+           {"statement", n.node.statement},
+           {"summary", n.summary},
+           {"needs", n.node.needs},
+           {"cite", n.node.cite},
+           {"theorems", n.theorems},
+           {"trusted", n.trusted},
+           {"certificates", n.certificates}};
+    j["hypotheses"] = Json::array();
+    for (const Hypothesis& h : n.node.hypotheses)
+      j["hypotheses"].push_back({{"text", h.text}, {"by", h.by}, {"checked", h.checked}});
+    j["checks"] = Json::array();
+    for (const CheckedIdentity& c : n.checks)
+      j["checks"].push_back({{"statement", c.statement}, {"holds", c.holds}});
+    j["formulas"] = Json::array();
+    for (const Formula& f : n.formulas)
+      j["formulas"].push_back({{"label", f.label}, {"text", f.text}});
+    j["tables"] = Json::array();
+    for (const Grid& g : n.tables)
+      j["tables"].push_back({{"caption", g.caption}, {"header", g.header}, {"rows", g.rows}});
+    if (!n.node.file.empty()) j["file"] = n.node.file;
+    j["seconds"] = n.seconds;
+    nodes.push_back(std::move(j));
+  }
+  const Json all{{"format", "kovacic-theorem/1"},
+                 {"title", t.theorem.title},
+                 {"statement", t.theorem.statement},
+                 {"complete", t.complete()},
+                 {"conclusion", t.conclusion()},
+                 {"proved", t.count(NodeStatus::proved)},
+                 {"open", t.count(NodeStatus::open)},
+                 {"refuted", t.count(NodeStatus::refuted)},
+                 {"arguments", t.count(NodeStatus::reasoned)},
+                 {"trusted", t.trusted_theorems()},
+                 {"unchecked_hypotheses", t.unchecked_hypotheses()},
+                 {"identities", t.identities()},
+                 {"certificates", t.certificates()},
+                 {"nodes", nodes},
+                 {"seconds", t.seconds}};
+  return all.dump(2) + "\n";
+}
+
+} // namespace kov::report

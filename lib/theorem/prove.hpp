@@ -1,0 +1,27 @@
+#pragma once
+// Runs the steps of a theorem file.
+
+#include "theorem/theorem.hpp"
+#include "verdict/decide.hpp"
+
+#include <functional>
+
+namespace kov {
+
+struct ProveOptions {
+  Options decide;
+  std::function<void(const NodeResult&)> progress; ///< after each node
+};
+
+/// Files are found beside the theorem file.  Errors of one node make it open, with the reason.
+/// Errors  InputError: a file that cannot be read
+[[nodiscard]] TheoremResult prove(const Theorem& t, const ProveOptions& options = {});
+
+/// One step each; `directory` ends in '/' or is empty.
+void prove_claims(NodeResult& n, const std::string& directory);
+void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options);
+void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options);
+void prove_scaling(NodeResult& n, const std::string& directory);
+void prove_lowest_order(NodeResult& n, const std::string& directory);
+
+} // namespace kov

@@ -1,0 +1,78 @@
+#include "theorem/theorem.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+void add_once(std::vector<std::string>& all, const std::string& one) {
+  if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+std::string plural(std::size_t n, const std::string& one, const std::string& many = {}) {
+  return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
+}
+
+} // namespace
+
+std::size_t TheoremResult::count(NodeStatus s) const {
+  return static_cast<std::size_t>(std::count_if(
+      nodes.begin(), nodes.end(), [s](const NodeResult& n) { return n.status == s; }));
+}
+
+std::vector<std::string> TheoremResult::trusted_theorems() const {
+  std::vector<std::string> all;
+  for (const NodeResult& n : nodes) {
+    if (n.status == NodeStatus::trusted) add_once(all, n.node.title);
+    for (const std::string& t : n.theorems)
+      add_once(all, t);
+    for (const std::string& t : n.trusted)
+      add_once(all, t);
+  }
+  return all;
+}
+
+std::vector<std::string> TheoremResult::unchecked_hypotheses() const {
+  std::vector<std::string> all;
+  for (const NodeResult& n : nodes)
+    for (const Hypothesis& h : n.node.hypotheses)
+      if (!h.checked) all.push_back(n.node.title + ": " + h.text);
+  return all;
+}
+
+std::size_t TheoremResult::certificates() const {
+  std::size_t sum = 0;
+  for (const NodeResult& n : nodes)
+    sum += n.certificates;
+  return sum;
+}
+
+std::size_t TheoremResult::identities() const {
+  std::size_t sum = 0;
+  for (const NodeResult& n : nodes)
+    sum += n.checks.size();
+  return sum;
+}
+
+bool TheoremResult::complete() const {
+  return count(NodeStatus::open) == 0 && count(NodeStatus::refuted) == 0;
+}
+
+std::string TheoremResult::conclusion() const {
+  const std::size_t unchecked = unchecked_hypotheses().size();
+  std::string text;
+  if (count(NodeStatus::refuted) > 0)
+    text =
+        "NOT PROVED: " + plural(count(NodeStatus::refuted), "step was", "steps were") + " refuted";
+  else if (count(NodeStatus::open) > 0)
+    text = "NOT YET PROVED: " + plural(count(NodeStatus::open), "step is", "steps are") + " open";
+  else
+    text = unchecked > 0 ? "PROVED, but for hypotheses that are not checked" : "PROVED";
+  text += "; " + plural(count(NodeStatus::proved), "step") + " proved here, " +
+          plural(trusted_theorems().size(), "theorem") + " of the literature trusted, " +
+          plural(count(NodeStatus::reasoned), "argument") + " in words";
+  if (unchecked > 0) text += ", " + plural(unchecked, "hypothesis", "hypotheses") + " not checked";
+  return text;
+}
+
+} // namespace kov

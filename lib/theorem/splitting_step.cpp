@@ -1,0 +1,93 @@
+// The step "splitting": from a case file to the families that the criterion leaves.
+
+#include "splitting/families.hpp"
+#include "splitting/hypotheses.hpp"
+#include "theorem/prove.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+std::string numbers(const std::array<Rational, 3>& abc) {
+  return "A = " + to_string(abc[0]) + ", B = " + to_string(abc[1]) + ", C = " + to_string(abc[2]);
+}
+
+void show_data(NodeResult& n, const SplittingData& d, const VanishingConditions& c) {
+  n.formulas.push_back(
+      {"order of the perturbation", "epsilon^" + std::to_string(d.perturbation.order)});
+  Grid sums{"Residues in t at the two poles of the strip, each up to the positive factor X^(-k/2): "
+            "vanishing conditions, after factors of one sign are dropped",
+            {"condition"},
+            {}};
+  for (const MPoly& f : c.equations)
+    sums.rows.push_back({to_string(f) + " = 0"});
+  n.tables.push_back(std::move(sums));
+  Grid poles{"Poles of h_k in the strip", {"mode k", "orbit", "order at z = i and z = -i"}, {}};
+  for (const Residues& r : d.residues)
+    poles.rows.push_back(
+        {std::to_string(r.k), r.sign > 0 ? "+" : "-", std::to_string(r.pole_order)});
+  n.tables.push_back(std::move(poles));
+  PolePicture picture{
+      "The strip 0 <= Im t <= 2 pi/lambda with the poles of h_k (in units of pi/lambda); z = -i is "
+      "reached with argument 3 pi/2",
+      "Re t",
+      "Im t",
+      {{Rational(0), Rational(Integer(1), Integer(2)), "z = i", true},
+       {Rational(0), Rational(Integer(3), Integer(2)), "z = -i", true}},
+      true};
+  n.pictures.push_back(std::move(picture));
+}
+
+void show_families(NodeResult& n, const SplittingClassification& k) {
+  Grid grid{"Bodies 0 < C < B < A and directions for which all sums vanish (complete list)",
+            {"family", "with A <= B + C?", "a member"},
+            {}};
+  for (const SplittingFamily& f : k.families)
+    grid.rows.push_back({describe(f),
+                         f.triangle == Truth::yes  ? "yes"
+                         : f.triangle == Truth::no ? "no"
+                                                   : "not decided",
+                         f.witness ? numbers(*f.witness) : ""});
+  n.tables.push_back(std::move(grid));
+  Grid empty{"Branches that are empty, each by an identity", {"branch", "because"}, {}};
+  for (const EmptyBranch& e : k.empty)
+    empty.rows.push_back({e.branch, e.reason});
+  n.tables.push_back(std::move(empty));
+}
+
+} // namespace
+
+void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options) {
+  const System s = read_system(directory + n.node.file, n.node.where);
+  const SplittingData d =
+      splitting_data(perturbation_of_euler(s, n.node.small), options.decide.budget);
+  n.checks = d.checks;
+  for (const CheckedIdentity& c : check_ziglin_hypotheses(d))
+    n.checks.push_back(c);
+  const VanishingConditions conditions = vanishing_conditions(d);
+  const SplittingClassification k = classify_families(conditions, options.decide.budget);
+  show_data(n, d, conditions);
+  show_families(n, k);
+  if (!all_hold(n.checks)) {
+    n.status = NodeStatus::refuted;
+    n.summary = "an identity fails";
+    return;
+  }
+  std::string left, admitted;
+  for (const SplittingFamily& f : k.families) {
+    const std::string name = describe(f);
+    if (n.node.triangle && f.triangle == Truth::no) continue;
+    const bool listed =
+        std::find(n.node.families.begin(), n.node.families.end(), name) != n.node.families.end();
+    (listed ? admitted : left) += ((listed ? admitted : left).empty() ? "" : "; ") + name;
+  }
+  n.status = left.empty() ? NodeStatus::proved : NodeStatus::open;
+  n.summary = !left.empty()      ? "the criterion says nothing for: " + left
+              : admitted.empty() ? "a sum of residues is not zero for every body with three "
+                                   "different moments and every direction"
+                                 : "a sum of residues is not zero, except for the family " +
+                                       admitted + ", which needs another proof";
+}
+
+} // namespace kov

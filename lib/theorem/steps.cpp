@@ -1,0 +1,111 @@
+// The steps about vector fields: claims, scaling, lowest order.
+
+#include "theorem/prove.hpp"
+
+#include "exact/error.hpp"
+#include "symbol/suggest.hpp"
+#include "system/claims.hpp"
+#include "system/weights.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+std::string words(const SystemClaim& c) {
+  using Kind = SystemClaim::Kind;
+  const std::string name = c.name.empty() ? c.text : c.name;
+  switch (c.kind) {
+  case Kind::integral:
+    return name + " = " + c.text + " is a first integral" + (c.on.empty() ? "" : " on a level");
+  case Kind::casimir:
+    return name + " = " + c.text + " is a Casimir function";
+  case Kind::darboux:
+    return name + " = " + c.text + " is a Darboux polynomial: " + name + " = 0 is invariant";
+  case Kind::poisson:
+    return "bracket: " + name;
+  default:
+    return name;
+  }
+}
+
+// f(x) with each x in `names` replaced by epsilon x.
+MFraction scaled(const MFraction& f, const Ring& ring, const std::vector<std::string>& names) {
+  const MFraction epsilon = MFraction::variable(ring, "epsilon");
+  Substitution values;
+  for (const std::string& n : names)
+    values[ring->index(n)] = epsilon * MFraction::variable(ring, n);
+  return substitute(transfer(f, ring), values);
+}
+
+bool same_function(const MFraction& f, const MFraction& g) {
+  for (const std::size_t v : used_variables(f))
+    if (!g.ring()->find(f.ring()->name(v))) return false;
+  return transfer(f, g.ring()) == g;
+}
+
+void conclude(NodeResult& n, const std::string& proved) {
+  n.status = all_hold(n.checks) ? NodeStatus::proved : NodeStatus::refuted;
+  n.summary = proved;
+  if (n.status == NodeStatus::refuted)
+    for (const CheckedIdentity& c : n.checks)
+      if (!c.holds) n.summary = "false: " + c.statement;
+}
+
+} // namespace
+
+void prove_claims(NodeResult& n, const std::string& directory) {
+  const System s = read_system(directory + n.node.file, n.node.where);
+  for (const SystemClaim& c : s.claims) {
+    const bool holds = check_claim(s, c).proved;
+    n.checks.push_back(
+        {words(c) + (c.holds ? "" : " (claimed to fail, and it does)"), holds == c.holds});
+  }
+  if (n.checks.empty()) throw DomainError(n.node.file + " claims nothing");
+  conclude(n, "every claim of " + n.node.file + " is an exact identity");
+}
+
+void prove_scaling(NodeResult& n, const std::string& directory) {
+  const System s = read_system(directory + n.node.file, n.node.where);
+  std::vector<std::string> names = s.ring()->names();
+  names.emplace_back("epsilon");
+  const Ring ring = make_ring(names);
+  const MFraction epsilon = MFraction::variable(ring, "epsilon");
+  for (std::size_t j = 0; j < s.field.dimension(); ++j) {
+    const std::string& x = s.field.name(j);
+    const bool is_scaled =
+        std::find(n.node.scaled.begin(), n.node.scaled.end(), x) != n.node.scaled.end();
+    const MFraction left = scaled(s.field.components[j], ring, n.node.scaled);
+    MFraction right = scaled(s.field.components[j], ring, n.node.small);
+    if (is_scaled) right = epsilon * right;
+    n.checks.push_back(
+        {x + "' at " + (is_scaled ? "scaled variables is epsilon times " : "scaled variables is ") +
+             x + "' at scaled parameters",
+         left == right});
+  }
+  conclude(n, "the field with parameters epsilon (" + enumerate(n.node.small) +
+                  ") is the field with the original ones in the variables epsilon (" +
+                  enumerate(n.node.scaled) + ")");
+}
+
+void prove_lowest_order(NodeResult& n, const std::string& directory) {
+  const System s = read_system(directory + n.node.file, n.node.where);
+  const System other = read_system(directory + n.node.other, n.node.where);
+  const LowestSystem low = lowest_system(s, s.expansion_terms);
+  n.checks.push_back({"the bracket is weight-homogeneous", low.structure.has_value()});
+  n.checks.push_back({"the lowest-order field is the Hamiltonian field of the lowest term of H",
+                      low.is_hamiltonian});
+  for (std::size_t j = 0; j < s.field.dimension(); ++j) {
+    const std::string& x = s.field.name(j);
+    bool same = false;
+    for (std::size_t k = 0; k < other.field.dimension(); ++k)
+      if (other.field.name(k) == x)
+        same = same_function(low.components[j], other.field.components[k]);
+    n.checks.push_back({"lowest order of " + x + "' = " + x + "' of " + n.node.other, same});
+  }
+  for (const WeightTerm& t : low.hamiltonian)
+    n.formulas.push_back({"H_" + std::to_string(t.degree), to_string(t.value)});
+  conclude(n, "the lowest-order system is that of " + n.node.other);
+}
+
+} // namespace kov

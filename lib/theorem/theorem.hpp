@@ -1,0 +1,130 @@
+#pragma once
+// A theorem as a tree of lemmas: what the file says, and what was found.
+//
+// A node is one of
+//   claims          all claims of a system file hold (integrals, Casimirs, brackets, ...)
+//   case            check of a system file: non-integrable, for the values or for all parameters
+//   allowed splitting       the separatrix criterion for a small parameter, with its exceptional
+//   families scaling         an exact identity between fields: from small parameters to all
+//   lowest-order    the lowest weight-homogeneous part is another file's system
+//   theorem         a theorem of the literature, with its hypotheses: taken on trust
+//   argument        a step of reasoning in words: read by people, checked by none
+// and rests on other nodes.  docs/theory/splitting.md describes the built-in steps.
+
+#include "splitting/checked.hpp"
+#include "symbol/document.hpp"
+#include "system/system.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+enum class NodeKind : std::uint8_t {
+  claims,
+  case_file,
+  splitting,
+  scaling,
+  lowest_order,
+  theorem,
+  argument
+};
+enum class NodeStatus : std::uint8_t {
+  proved,   ///< here, by exact computation (and the theorems named)
+  trusted,  ///< a theorem of the literature
+  reasoned, ///< an argument in words
+  open,     ///< not decided
+  refuted   ///< something that was claimed is false
+};
+[[nodiscard]] std::string to_string(NodeKind k);
+[[nodiscard]] std::string to_string(NodeStatus s);
+
+struct Hypothesis {
+  std::string text;
+  std::string by;       ///< id of the node that checks it; empty: nothing does
+  bool checked = false; ///< that node is proved, and says so
+};
+
+struct TheoremNode {
+  std::string id, title, statement, note;
+  NodeKind kind = NodeKind::argument;
+  std::vector<std::string> needs;
+  std::vector<std::string> cite;
+  std::vector<Hypothesis> hypotheses;
+  std::string file, other; ///< paths as written
+  ParameterValues where;
+  std::string manifold;
+  std::string expect = "non-integrable"; ///< case: the verdict that counts as proved
+  std::vector<std::string> small;        ///< splitting, scaling: the parameters of size eps
+  std::vector<std::string>
+      families;         ///< splitting: the exceptional families that are allowed to remain
+  bool triangle = true; ///< splitting: only bodies with A <= B + C
+  std::vector<std::string> scaled; ///< scaling: the variables that take over eps
+  long line = 0;
+};
+
+struct Theorem {
+  std::string file, title, statement;
+  std::vector<std::string> cite;
+  std::vector<TheoremNode> nodes; ///< the root first
+};
+
+/// Errors  InputError: an unknown key, id or kind, a circle of needs
+[[nodiscard]] Theorem read_theorem(const Entry& document);
+[[nodiscard]] bool is_theorem_document(const Entry& document);
+
+/// Material for a report.
+struct Formula {
+  std::string label, text;
+};
+struct Grid {
+  std::string caption;
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows; ///< formulas
+};
+/// Points of the complex plane; for the eye only.
+struct PolePicture {
+  struct Point {
+    Rational x, y;
+    std::string label;
+    bool special = false;
+  };
+  std::string caption, horizontal, vertical;
+  std::vector<Point> points;
+  bool strip = false; ///< draw the strip between y = 0 and y = 2
+};
+
+struct NodeResult {
+  TheoremNode node;
+  NodeStatus status = NodeStatus::open;
+  bool rests_on_open = false; ///< something below it is open or refuted
+  std::string summary;        ///< one sentence: what was found
+  CheckedIdentities checks;   ///< each identity that was verified
+  std::vector<Formula> formulas;
+  std::vector<Grid> tables;
+  std::vector<PolePicture> pictures;
+  std::vector<std::string> theorems; ///< of the literature, used on the way (Morales-Ramis)
+  std::vector<std::string> trusted;  ///< other steps on faith
+  std::size_t certificates = 0;      ///< accepted by the judge
+  double seconds = 0;
+};
+
+struct TheoremResult {
+  Theorem theorem;
+  std::vector<NodeResult> nodes; ///< in the order of the file
+  double seconds = 0;
+
+  [[nodiscard]] std::size_t count(NodeStatus s) const;
+  [[nodiscard]] std::vector<std::string> trusted_theorems() const; ///< each once
+  [[nodiscard]] std::vector<std::string> unchecked_hypotheses() const;
+  [[nodiscard]] std::size_t certificates() const;
+  [[nodiscard]] std::size_t identities() const;
+  /// Nothing open or refuted below the root.
+  [[nodiscard]] bool complete() const;
+  /// "The theorem follows from ..."
+  [[nodiscard]] std::string conclusion() const;
+};
+
+} // namespace kov

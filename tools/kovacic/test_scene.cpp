@@ -1,0 +1,79 @@
+// The [[expect]] blocks of a scene.
+
+#include "case_file.hpp"
+#include "flow/fixed_points.hpp"
+#include "flow/simulate.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace kov::cli {
+namespace {
+
+// What a block asks for, and what came out.
+class Comparison {
+public:
+  void item(const std::string& wanted, const std::string& is, bool met) {
+    wanted_ += (wanted_.empty() ? "" : ", ") + wanted;
+    if (!met) found_ += (found_.empty() ? "" : ", ") + is;
+  }
+  void count(const std::string& kind, const std::optional<long>& wanted, long is) {
+    if (wanted)
+      item(fmt::format("{} {}", *wanted, kind), fmt::format("{} {}", is, kind), *wanted == is);
+  }
+  [[nodiscard]] Expected expected(const std::string& source) const {
+    return {wanted_ + (source.empty() ? "" : "  (" + source + ")"), found_.empty(), found_};
+  }
+
+private:
+  std::string wanted_, found_;
+};
+
+void compare_run(Comparison& c, const flow::SceneExpectation& x, const flow::Section& run) {
+  c.count("points", x.points, static_cast<long>(run.points.size()));
+  if (x.drift)
+    c.item("drift at most " + x.drift->text(), fmt::format("drift {:.1e}", run.drift),
+           run.drift <= x.drift->as<double>());
+  if (x.never_crossed)
+    c.item("never crossed", fmt::format("{} crossings", run.points.size()), run.points.empty());
+}
+
+void compare_fixed_points(Comparison& c, const flow::SceneExpectation& x,
+                          const flow::FixedPoints& found) {
+  const auto count = [&](flow::Stability s) {
+    return std::count_if(found.points.begin(), found.points.end(),
+                         [&](const auto& p) { return p.stability == s; });
+  };
+  c.count("elliptic", x.elliptic, count(flow::Stability::elliptic));
+  c.count("hyperbolic", x.hyperbolic, count(flow::Stability::hyperbolic));
+  c.count("inverse hyperbolic", x.inverse_hyperbolic, count(flow::Stability::inverse_hyperbolic));
+  if (!x.proved) return;
+  const auto open = std::find_if(found.points.begin(), found.points.end(),
+                                 [](const auto& p) { return !p.proved; });
+  c.item("all proved", open == found.points.end() ? "" : "not proved: " + open->why,
+         open == found.points.end());
+}
+
+} // namespace
+
+CaseReport test_scene(const std::string& path) {
+  const flow::Scene scene = flow::read_scene(path);
+  CaseReport report;
+  report.json = Json::array();
+  if (scene.expect.empty()) return report;
+  const flow::Section run = flow::simulate(scene);
+  for (const flow::SceneExpectation& x : scene.expect) {
+    Comparison c;
+    compare_run(c, x, run);
+    if (x.of_fixed_points()) {
+      flow::FixedPointOptions options;
+      options.prove = x.proved;
+      compare_fixed_points(c, x, flow::fixed_points(scene, options));
+    }
+    report.expected.push_back(c.expected(x.source));
+  }
+  return report;
+}
+
+} // namespace kov::cli
