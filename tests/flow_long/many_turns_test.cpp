@@ -10,8 +10,9 @@ namespace {
 
 using namespace test;
 
-// Every orbit crosses the section a million times.  The drift is that of rounding, which grows like
-// the root of the number of steps: 10^-12 allows a hundred times what a thousand turns give.
+// Every orbit crosses the section a million times.  On most orbits the drift is that of random rounding and grows like
+// the root of the number of steps (7e-13 here for the sliding top).  On some orbits of the free top rounding repeats
+// itself and the drift grows linearly, by 2e-16 for each turn.
 void million_turns(const std::string& name, double bound) {
   const Scene s = read_scene(scene_path(name));
   auto starts = states_of<double>(s);
@@ -29,8 +30,8 @@ void million_turns(const std::string& name, double bound) {
   std::printf("%s: drift %.1e\n", name.c_str(), largest_drift(r));
 }
 
-TEST(ManyTurns, ClassicalTop) { million_turns("asymmetric_classical", 2e-11); }
-TEST(ManyTurns, SlidingTop) { million_turns("asymmetric_sliding", 1e-11); }
+TEST(ManyTurns, ClassicalTop) { million_turns("asymmetric_classical", 5e-10); }
+TEST(ManyTurns, SlidingTop) { million_turns("asymmetric_sliding", 5e-12); }
 
 } // namespace
 } // namespace kov::flow
