@@ -5,8 +5,13 @@
 namespace kov {
 namespace recognition {
 
+std::optional<NfElem> root_in(const NfElem& square) {
+  if (square.field()->degree() > 4) return std::nullopt; // a factorisation over the field
+  return exact_sqrt(square);
+}
+
 std::string root_text(const NfElem& square) {
-  if (const auto root = exact_sqrt(square)) {
+  if (const auto root = root_in(square)) {
     const bool negative = is_rational(*root) && sign(to_rational(*root)) < 0;
     return to_string(negative ? -*root : *root);
   }

@@ -5,6 +5,8 @@
 
 namespace kov::recognition {
 
+/// A square root in the field, where that is quick to see (degree <= 4).
+[[nodiscard]] std::optional<NfElem> root_in(const NfElem& square);
 /// A square root as text: "3/2", "sqrt(5)".
 [[nodiscard]] std::string root_text(const NfElem& square);
 /// The map that takes x to M(N(x)).

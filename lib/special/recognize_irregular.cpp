@@ -62,7 +62,7 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
                       {{"m", root_text(m2)}, {"a", to_string(a)}},
                       m,
                       answer};
-  if (const auto root = exact_sqrt(a)) { // x / (2 sqrt a): 1/4 - k/x + ...
+  if (const auto root = root_in(a)) { // x / (2 sqrt a): 1/4 - k/x + ...
     const NfElem scale = NfElem(1) / (*root + *root);
     m = composed(m, {scale, NfElem(0), NfElem(0), NfElem(1)});
     return Recognized{"Whittaker",

@@ -11,16 +11,29 @@ namespace {
 
 const Rational half(1, 2);
 
+// The roots in Q of f over K, with multiplicity: common roots of the coordinates of f in a basis of
+// K, so that nothing is factored over K.
+std::vector<Rational> rational_roots(const Poly& f) {
+  Poly common(0);
+  for (long j = 0; j < f.field()->degree(); ++j) {
+    std::vector<NfElem> coordinate;
+    for (long i = 0; i <= degree(f); ++i)
+      coordinate.emplace_back(f.coeff(i).coeff(j));
+    common = gcd(common, Poly::from_coefficients(coordinate));
+  }
+  std::vector<Rational> roots;
+  for (const Factor& factor : irreducible_factors(common))
+    if (degree(factor.base) == 1)
+      for (long i = 0; i < factor.exponent; ++i)
+        roots.push_back(to_rational(-factor.base.coeff(0)));
+  return roots;
+}
+
 // The natural numbers s with f(s^2) = 0.
 std::vector<Integer> natural_roots(const Poly& f) {
   std::vector<Integer> roots;
-  for (const Factor& factor : irreducible_factors(f)) {
-    if (degree(factor.base) != 1) continue;
-    const NfElem root = -factor.base.coeff(0);
-    if (!is_rational(root)) continue;
-    const auto s = exact_sqrt(to_rational(root));
-    if (s && is_integer(*s)) roots.push_back(s->num());
-  }
+  for (const Rational& root : rational_roots(f))
+    if (const auto s = exact_sqrt(root); s && is_integer(*s)) roots.push_back(s->num());
   std::sort(roots.begin(), roots.end());
   return roots;
 }
@@ -42,12 +55,9 @@ class Riemann {
 public:
   explicit Riemann(const Poly& squares)
       : e1_(-squares.coeff(2)), e2_(squares.coeff(1)), e3_(-squares.coeff(0)) {
-    for (const Factor& factor : irreducible_factors(squares)) {
-      const bool known = degree(factor.base) == 1; // otherwise not in the field, so irrational
-      for (long i = 0; i < factor.exponent * degree(factor.base); ++i)
-        exponents_.push_back(known ? rational_exponent(-factor.base.coeff(0)) : std::nullopt);
-    }
-    KOV_ENSURE(exponents_.size() == 3);
+    for (const Rational& square : rational_roots(squares)) // the others are irrational
+      exponents_.push_back(exact_sqrt(square));
+    exponents_.resize(3);
   }
   explicit Riemann(const SquaredExponents& s)
       : e1_(s[0] + s[1] + s[2]), e2_(s[0] * s[1] + s[0] * s[2] + s[1] * s[2]),

@@ -29,7 +29,7 @@ using SquaredExponents = std::array<NfElem, 3>;
 [[nodiscard]] RationalFunction riemann_equation(const SquaredExponents& squares);
 
 /// The Galois group of Riemann's equation; always determined.
-/// Cost  a few operations in the field and one factorisation of degree 4 over it
+/// Cost  a few operations in the field and factorisations of degree 3 and 4 over Q
 [[nodiscard]] ClosedAnswer riemann_answer(const SquaredExponents& squares);
 
 /// The same where the squares are the values of one element at the roots of an irreducible cubic,

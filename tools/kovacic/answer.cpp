@@ -77,6 +77,18 @@ private:
       early_(dump(unread_result(id)));
     });
     id_ = question.id;
+    try {
+      return decided(question);
+    } catch (const FreeParameters&) {
+      open_ = unread_result(id_);
+      open_["recognized"] = symbolic_json(question.text, settings_.solver_options().budget);
+      if (!decide_for_all(open_)) throw;
+      open_["seconds"] = seconds_since(start_);
+      return tag_decided + dump(open_);
+    }
+  }
+
+  std::string decided(const Question& question) {
     Options options = settings_.solver_options();
     const GivenEquation equation = read_equation(question.text, options.budget);
     options.variable = equation.variable;
@@ -99,6 +111,8 @@ private:
   std::string undecided(const std::string& why, const std::string& detail) {
     Json result = open_.is_null() ? unread_result(id_) : open_;
     set_undecided(result, why, detail);
+    if (const Json& known = result.at("recognized"); !known.is_null())
+      result["reason"] = detail + "; " + recognized_text(known);
     result["seconds"] = seconds_since(start_);
     return tag_undecided + dump(result);
   }

@@ -14,6 +14,7 @@ struct SolveArguments {
   std::optional<std::string> r, ode, p, q;
   std::string variable;
   std::optional<std::string> minpoly;
+  std::vector<std::string> parameters; ///< free names
   std::string batch; ///< a file of JSON lines; "-" = standard input
 };
 

@@ -74,6 +74,11 @@ constexpr Topic topics[] = {
     {"family-limit", "Kovacic's algorithm would look at more families of exponents than "
                      "--max-families.  The other\n"
                      "engines (--method engines) do not enumerate families."},
+    {"recognized",
+     "The equation is a classical one after a Moebius map of the variable (and perhaps a square):\n"
+     "Lame, Riemann, Euler, Heun, Whittaker, Bessel, Weber or Airy.  The form is proved by\n"
+     "transforming back, and the closed answer of the family is compared with the answer that was\n"
+     "computed.  See kovacic lame and kovacic potential."},
     {"parameter", "A name without a value appears.  Give it one: --set n=1/2, or [[expect]] where "
                   "= { n = \"1/2\" }\n"
                   "in a file, or minpoly for an algebraic number.  Exit code 3."},

@@ -1,8 +1,8 @@
 #include "lame_question.hpp"
 
+#include "parameter_scope.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
-#include "system/formula.hpp"
 
 #include <algorithm>
 #include <set>
@@ -20,26 +20,6 @@ std::optional<Expression> irrational_part(const Expression& e) {
     if (auto found = irrational_part(operand)) return found;
   return std::nullopt;
 }
-
-class Parameters : public Scope {
-public:
-  Parameters(Ring ring, std::map<std::string, Rational> values)
-      : ring_(std::move(ring)), values_(std::move(values)) {}
-  [[nodiscard]] const Ring& ring() const override { return ring_; }
-  [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override {
-    if (const auto at = values_.find(name); at != values_.end())
-      return MFraction(ring_, at->second);
-    if (const auto i = ring_->find(name)) return MFraction::variable(ring_, *i);
-    return std::nullopt;
-  }
-  [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override { return none_; }
-  [[nodiscard]] std::vector<std::string> known_names() const override { return ring_->names(); }
-
-private:
-  Ring ring_;
-  std::map<std::string, Rational> values_;
-  std::vector<FunctionMeaning> none_;
-};
 
 class Reader {
 public:
@@ -118,7 +98,7 @@ private:
         throw value.error("an irrational value beside free names", "give every name a value");
       values.emplace(set_name, to_rational(x));
     }
-    return evaluate(*e, Parameters(ring_, std::move(values)));
+    return evaluate(*e, ParameterScope(ring_, std::move(values)));
   }
 
   [[nodiscard]] LameDegree degree() const {

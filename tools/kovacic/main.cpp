@@ -135,6 +135,10 @@ struct CommandLine {
         ->type_name("NAME");
     solve->add_option("--minpoly", solve_arguments.minpoly, "a constant by its polynomial: a^2 - 5")
         ->type_name("POLY");
+    solve->add_option("--parameter", solve_arguments.parameters, "a free name (repeatable)")
+        ->type_name("NAME")
+        ->expected(1)
+        ->take_all();
     solve->add_option("--batch", solve_arguments.batch, "JSON lines in, JSON lines out; - is stdin")
         ->type_name("FILE.jsonl");
     shared_flags(*solve, true);

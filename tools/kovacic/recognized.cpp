@@ -1,6 +1,11 @@
 #include "recognized.hpp"
 
+#include "algebraize/algebraize.hpp"
+#include "equation/linear_form.hpp"
 #include "exact/error.hpp"
+#include "parameter_scope.hpp"
+#include "special/symbolic_family.hpp"
+#include "system/linear_formula.hpp"
 
 #include <map>
 
@@ -56,6 +61,79 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
   return j;
 }
 
+namespace {
+
+// r of y'' = r y in Q(parameters)(z), z first in the ring; nothing if it cannot be read.
+std::optional<MFraction> symbolic_r(const EquationText& text) {
+  std::string variable = text.variable;
+  OdeNames ode;
+  if (text.ode) ode = ode_names(*text.ode);
+  if (variable.empty()) variable = ode.variable.empty() ? "z" : ode.variable;
+  std::vector<std::string> names{variable};
+  std::map<std::string, Rational> values;
+  for (const auto& [name, value] : text.set) {
+    const auto number = as_rational(value);
+    if (!number) return std::nullopt;
+    values.emplace(name, *number);
+  }
+  for (const std::string& name : text.parameters)
+    if (!values.contains(name) && name != variable) names.push_back(name);
+  const ParameterScope scope(make_ring(names), values);
+  if (text.r) return evaluate(*text.r, scope);
+  if (text.p && text.q)
+    return normal_form_of(evaluate(*text.p, scope), evaluate(*text.q, scope), 0);
+  if (!text.ode) return std::nullopt;
+  const auto order2 = parametric_second_order(*text.ode, ode.unknown, 0, scope);
+  return order2 ? std::optional(normal_form_of(order2->p, order2->q, 0)) : std::nullopt;
+}
+
+} // namespace
+
+Json symbolic_json(const EquationText& text, const Budget& budget) {
+  if (text.minpoly) return nullptr;
+  std::optional<SymbolicFamily> family;
+  try {
+    if (const auto r = symbolic_r(text)) family = symbolic_family(*r, 0, budget);
+  } catch (const Error&) { // roots, unknown names: the answer stays what it is
+  }
+  if (!family) return nullptr;
+  Json j = {{"family", family->family}, {"equation", family->equation}};
+  j["parameters"] = Json::object();
+  for (const auto& [name, value] : family->parameters)
+    j["parameters"][name] = value;
+  j["change"] = nullptr;
+  j["abelian"] = text_of(family->abelian());
+  j["summary"] = family->summary();
+  j["cases"] = Json::array();
+  for (const FamilyCase& c : family->cases)
+    j["cases"].push_back({{"when", c.when},
+                          {"group", c.group ? Json(to_string(*c.group)) : Json(nullptr)},
+                          {"abelian", text_of(c.abelian)}});
+  j["assuming"] = Json::array();
+  for (const MPoly& f : family->generic)
+    j["assuming"].push_back(to_string(f) + " != 0");
+  return j;
+}
+
+bool decide_for_all(Json& result) {
+  const Json& known = result.at("recognized");
+  if (known.is_null() || !known.at("assuming").empty() || known.at("abelian") == "undecided")
+    return false;
+  result["abelian"] = known.at("abelian");
+  const Json& cases = known.at("cases");
+  if (cases.size() != 1 || cases[0].at("group").is_null()) return false;
+  for (const GroupType type : {GroupType::SL2, GroupType::Gm}) // what such families have
+    if (to_string(type) == cases[0].at("group").get<std::string>()) {
+      const GaloisGroup g{type, {}};
+      result["group"] = group_json(g);
+      result["identity_component"] = to_string(identity_component(g));
+      result["case"] = kovacic_case(g);
+      result["reason"] = "for all values of the parameters: " + recognized_text(known);
+      return true;
+    }
+  return false;
+}
+
 std::string recognized_text(const Json& j) {
   static const std::map<std::string, std::string> names{
       {"Lame", "Lame's equation"},     {"Riemann", "Riemann's (hypergeometric) equation"},
@@ -71,6 +149,14 @@ std::string recognized_text(const Json& j) {
   for (const auto& [parameter, value] : j.at("parameters").items()) {
     text += before + (name->first == "Riemann" ? "" : parameter + " = ") + value.get<std::string>();
     before = ", ";
+  }
+  if (j.contains("summary")) {
+    text += "; " + j.at("summary").get<std::string>();
+    const char* assuming = "; assuming ";
+    for (const Json& condition : j.at("assuming")) {
+      text += assuming + condition.get<std::string>();
+      assuming = ", ";
+    }
   }
   if (!j.at("change").is_null()) {
     const std::string change = j.at("change").get<std::string>();

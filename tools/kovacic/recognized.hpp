@@ -15,6 +15,12 @@ namespace kov::cli {
 /// Throws InternalError when the closed answer of the family contradicts the decision.
 [[nodiscard]] Json recognized_json(const GivenEquation& equation, const Decision& decision,
                                    const Budget& budget);
+/// For an equation with free parameters: the family, and its answer as conditions; null if nothing
+/// is recognised.
+[[nodiscard]] Json symbolic_json(const EquationText& text, const Budget& budget);
+/// Fills in what the recognised family says for all values of the parameters; is that everything?
+[[nodiscard]] bool decide_for_all(Json& result);
+
 /// "Lame's equation y_tt = ... with n = 1/3, B = 1, ..."; "" for families that say nothing new.
 [[nodiscard]] std::string recognized_text(const Json& recognized);
 

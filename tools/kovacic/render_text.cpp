@@ -178,7 +178,8 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   } else {
     put(out, "because", result.at("reason").get<std::string>());
   }
-  if (result.contains("recognized") && !result.at("recognized").is_null())
+  if (result.contains("recognized") && !result.at("recognized").is_null() &&
+      !result.at("recognized").contains("summary")) // that one is in the reason
     if (const std::string known = recognized_text(result.at("recognized")); !known.empty())
       put(out, "this is", known);
   if (result.contains("original")) put_original(out, result.at("original"));

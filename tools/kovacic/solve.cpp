@@ -22,6 +22,7 @@ Question from_options(const Settings& settings, const SolveArguments& a) {
   q.text.q = formula("--q", a.q);
   q.text.minpoly = formula("--minpoly", a.minpoly);
   q.text.variable = a.variable;
+  q.text.parameters = a.parameters;
   q.text.set = settings.settings();
   return q;
 }

@@ -1,0 +1,24 @@
+#pragma once
+// A linear equation of second order whose coefficients depend on parameters:
+// "z^2*y'' + z*y' + (z^2 - n^2)*y = 0".
+
+#include "system/formula.hpp"
+
+#include <optional>
+#include <string>
+
+namespace kov {
+
+/// p and q of y'' + p y' + q y = 0, over Q(parameters)(z).
+struct ParametricSecondOrder {
+  MFraction p, q;
+};
+
+/// Unset for anything but a homogeneous linear equation of second order (the reader of equations
+/// without parameters, lib/equation, says what is wrong with one).
+/// Errors  InputError from evaluate()
+[[nodiscard]] std::optional<ParametricSecondOrder>
+parametric_second_order(const Expression& equation, const std::string& unknown, std::size_t z,
+                        const Scope& scope);
+
+} // namespace kov
