@@ -116,7 +116,8 @@ void take(const Settings& settings, CaseReport& report, const Answer& answer,
   Answer shown = answer;
   if (!settings.certificate.empty() && shown.result.contains("certificate")) {
     shown.result["certificate_file"] =
-        file_certificate(settings, title, dump(shown.result.at("certificate")));
+        file_certificate(settings, title.substr(title.rfind('/', title.find("  [")) + 1),
+                         dump(shown.result.at("certificate")));
     shown.result.erase("certificate");
   }
   report.text += presented(settings, shown, title);
