@@ -182,6 +182,10 @@ Conclusion conclude(const std::string& theorem, const Premises& premises) {
     g.need(g.dihedral() && g.infinite());
     return group("Dinf");
   }
+  if (theorem == "dihedral-holomorphic") {
+    g.need(g.dihedral() && g.invariant->holomorphic_quotient());
+    return group("Dinf");
+  }
   if (theorem == "dihedral-finite") return dihedral_finite(g);
   if (theorem == "dihedral-torsion") return dihedral_torsion(g);
   if (theorem == "quaternion") return quaternion(g);

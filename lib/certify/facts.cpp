@@ -142,6 +142,16 @@ Integer LocalFact::residue_denominator(const InvariantFact& v) const {
   return degree(v.branch) % 2 == 0 ? lcm(L, infinity.delta->den()) : L;
 }
 
+bool InvariantFact::holomorphic_quotient() const {
+  if (data.m != 2 || degree(data.p) > 0) return false;
+  Rational growth;
+  for (const InvariantFactor& f : data.factors) {
+    if (f.e > Rational(1, 2)) return false;
+    growth += f.e * Rational(degree(f.q));
+  }
+  return growth >= Rational(3, 2);
+}
+
 std::pair<Poly, Poly> InvariantFact::fraction() const {
   Poly A = data.p;
   Poly B(1);

@@ -80,6 +80,8 @@ struct InvariantFact {
 
   /// v/sqrt(F0) = A/B.
   [[nodiscard]] std::pair<Poly, Poly> fraction() const;
+  /// Is w dz/v a holomorphic differential?  true is a proof (dihedral_torsion.md 8).
+  [[nodiscard]] bool holomorphic_quotient() const;
   /// w^2 modulo p, which must be a unit.
   [[nodiscard]] mp_limb_t square_of_w(const PrimeIdeal& prime) const;
   /// Refuses unless w^2 = `w`^2 modulo p.

@@ -220,6 +220,7 @@ private:
     const std::string v = root_of_quartic();
     if (local_->infinite_order()) return conclude("dihedral-infinite", {"local", v});
     const auto fact = certify::check_invariant(judge_, quadratic_);
+    if (fact.holomorphic_quotient()) return conclude("dihedral-holomorphic", {v});
     const auto torsion = witness::infinite_torsion(judge_, r_, fact, *local_, budget_);
     Ids premises{"local", v, add("reduction", {v}, torsion.reduction)};
     for (const certify::PCurvature& x : torsion.curvatures)

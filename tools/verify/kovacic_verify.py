@@ -149,6 +149,12 @@ class Invariant(Fact):
         need(all(abs(e) * q.degree() * max(1, size / LENGTH) <= LENGTH for q, e in powers), "an exponent is too large")
         return product([self.p] + [q**e for q, e in powers if e > 0]), product(q**-e for q, e in powers if e < 0)
 
+    @property
+    def holomorphic_quotient(self):
+        """Is w dz/v holomorphic?  (dihedral_torsion.md 8)"""
+        growth = sum(e * q.degree() for q, e in self.factors)
+        return self.p.degree() <= 0 and all(2 * e <= 1 for _, e in self.factors) and 2 * growth >= 3
+
     def need_root(self, w, p, reduce):
         """w^2 = `w`^2 modulo p, a unit?"""
         top, bottom, *cs = (sum(reduce(c)) for c in (self.top, self.bottom, *(c for c, _ in self.powers)))
@@ -534,6 +540,8 @@ def conclude(theorem, facts):
         return given(local and split, *(("Gm",) if infinite else ("cyclic", lambda: local.character_order())))
     if theorem == "dihedral-infinite":
         return given(dihedral and infinite, "Dinf")
+    if theorem == "dihedral-holomorphic":
+        return given(dihedral and v.holomorphic_quotient, "Dinf")
     if theorem == "dihedral-genus-0":
         small = local and not infinite and dihedral and v.branch.degree() <= 2
         return given(small, "D", lambda: local.residue_denominator(v))

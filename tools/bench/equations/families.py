@@ -64,7 +64,7 @@ def families():
     for k in (1, 2, 3, 4, 6, 8, 12):
         yield Equation("irregular", k, irregular(k), "Borel")
     for n in (1, 10, 30, 100, 300, 1000):
-        yield Equation("digits of poles and residues", n, high(n), None)
+        yield Equation("digits of poles and exponents", n, high(n), None)
     for n in (2, 3, 4, 5, 6, 8, 12, 16):
         yield Equation("algebraic poles", n, radical_over(build.selmer(n)), "T_3")
     for n in (2, 3, 4, 6, 8):
