@@ -84,8 +84,14 @@ EquationFile read_equation_file(const Entry& document) {
   read_ode(document.at("ode"), file.text);
   if (const Entry* assume = document.find("assume"))
     for (const auto& [name, claim] : assume->members()) {
+      if (name == "conditions") {
+        for (const std::string& one : claim.strings())
+          file.text.assume.push_back(one);
+        continue;
+      }
       file.assume.emplace_back(name, claim.string());
       file.text.parameters.push_back(name);
+      file.text.assume.push_back(name + " " + claim.string());
     }
   if (const Entry* expect = document.find("expect"))
     for (const Entry& e : expect->array())

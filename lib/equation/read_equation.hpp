@@ -17,6 +17,7 @@ struct EquationText {
   std::optional<Expression> minpoly; ///< in one name, which then means one of its roots
   std::vector<std::pair<std::string, Expression>> set; ///< names with constant values
   std::vector<std::string> parameters;                 ///< names without a value
+  std::vector<std::string> assume; ///< what is assumed of them: sentences of lib/family
   std::string variable;                                ///< empty: see `infer_variable`
   /// Without a variable: take the one name that has no other meaning (otherwise z).
   bool infer_variable = true;

@@ -1,6 +1,7 @@
 #include "strata/irrational.hpp"
 
 #include "exact/error.hpp"
+#include "strata/confluent.hpp"
 
 #include <algorithm>
 
@@ -73,7 +74,7 @@ void classify_constant(ParametricPlace& p) {
     return;
   }
   const Rational square = is_zero(p.chi[0]) ? Rational(0) : -to_rational(p.chi[0]);
-  if (const auto root = exact_sqrt(square)) {
+  if (const auto root = kov::exact_sqrt(square)) {
     p.exponent = ExponentKind::rational;
     p.delta = *root;
     return;
@@ -148,20 +149,7 @@ std::optional<Rational> bound_of_square(const ParametricPlace& p, const Region& 
 std::optional<MFraction> exponent_difference(const ParametricPlace& p) {
   if (p.chi.size() != 2) return std::nullopt;
   if (is_zero(p.chi[0])) return MFraction(p.q.ring());
-  const MFraction square = -p.chi[0];
-  MFraction root(p.q.ring(), Rational(1));
-  for (const bool top : {true, false}) {
-    const auto [content, factors] = factor(top ? square.num() : square.den());
-    const auto c = exact_sqrt(Rational(content));
-    if (!c) return std::nullopt;
-    MFraction side(p.q.ring(), *c);
-    for (const auto& f : factors) {
-      if (f.exponent % 2 != 0) return std::nullopt;
-      side *= MFraction(pow(f.base, static_cast<unsigned long>(f.exponent / 2)));
-    }
-    root = top ? root * side : root / side;
-  }
-  return root;
+  return exact_sqrt(-p.chi[0]);
 }
 
 MPoly where_square_is(const ParametricPlace& p, const Rational& x) {

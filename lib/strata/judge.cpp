@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
 #include "strata/bounds.hpp"
+#include "strata/confluent.hpp"
 #include "strata/open_exponent.hpp"
 
 #include <algorithm>
@@ -69,6 +70,8 @@ public:
     find_torus();
     if (const auto* log = certain_log(); log != nullptr && !torus_.empty())
       return torus_and_logarithm(*log);
+    if (auto leaf = bessel_leaf(s_, region_)) return *std::move(leaf);
+    if (auto leaf = weber_leaf(s_, region_)) return *std::move(leaf);
     if (!open_.empty()) return with_open_exponents();
     return torus_.empty() ? with_rational_exponents() : with_torus();
   }

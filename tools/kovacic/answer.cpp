@@ -1,5 +1,7 @@
 #include "answer.hpp"
 
+#include "present_strata.hpp"
+
 #include "recognized.hpp"
 
 #include <chrono>
@@ -80,8 +82,10 @@ private:
     try {
       return decided(question);
     } catch (const FreeParameters&) {
+      const Json known = symbolic_json(question.text, settings_.solver_options().budget);
       open_ = unread_result(id_);
-      open_["recognized"] = symbolic_json(question.text, settings_.solver_options().budget);
+      open_["recognized"] = known;
+      if (auto answer = by_strata(question, known)) return *std::move(answer);
       if (!decide_for_all(open_)) throw;
       open_["seconds"] = seconds_since(start_);
       return tag_decided + dump(open_);
@@ -106,6 +110,27 @@ private:
       result["original"] = std::move(original);
     }
     return tag_of(decision) + dump(result);
+  }
+
+  // All parameters at once; nothing for an equation that lib/family does not read.
+  std::optional<std::string> by_strata(const Question& question, const Json& known) const {
+    strata::StrataLimits limits;
+    limits.decide = settings_.solver_options();
+    limits.decide.want_trace = limits.decide.want_certificate = false;
+    Json result;
+    try {
+      const Family f = read_family(question.text);
+      limits.decide.variable = f.variable;
+      result = family_result(id_, f, strata::decide_strata(f.question, limits));
+    } catch (const FreeParameters&) {
+      return std::nullopt;
+    }
+    result["recognized"] = known;
+    if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
+    if (!result.at("undecided").is_null() && !result.contains("contradictory") &&
+        decide_for_all(result))
+      result["undecided"] = nullptr;
+    return (result.at("undecided").is_null() ? tag_decided : tag_undecided) + dump(result);
   }
 
   std::string undecided(const std::string& why, const std::string& detail) {

@@ -16,6 +16,7 @@ namespace kov::cli {
 struct Question {
   EquationText text;
   Json id; ///< null, or what names the equation in the answer
+  std::vector<std::string> ignored; ///< assumptions that were not understood
 };
 
 struct Answer {

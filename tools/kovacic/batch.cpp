@@ -3,6 +3,7 @@
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
+#include "family/family.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -104,6 +105,12 @@ std::vector<std::string> names(const Json& line, const char* key) {
   return all;
 }
 
+// One text or a list of texts.
+std::vector<std::string> texts(const Json& line, const char* key) {
+  if (line.contains(key) && line.at(key).is_string()) return {line.at(key).get<std::string>()};
+  return names(line, key);
+}
+
 Question read_line(std::string_view job, const std::function<void(const Json&)>& identify) {
   const Json line = parse_line(job, identify);
   Question q;
@@ -114,6 +121,8 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   q.text.ode = formula(line, "ode", true);
   q.text.minpoly = formula(line, "minpoly");
   q.text.parameters = names(line, "parameters");
+  for (const std::string& text : texts(line, "assumptions")) // not understood: said, not used
+    (is_assumption(text) ? q.text.assume : q.ignored).push_back(text);
   q.text.infer_variable = false;
   if (line.contains("variable") && !line.at("variable").is_null()) {
     if (!line.at("variable").is_string()) refuse("'variable' must be a string");

@@ -45,6 +45,12 @@ void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent
   put(out, "because", d.reason, indent);
 }
 
+void print(std::ostringstream& out, const strata::StrataAnswer& a) {
+  Json j;
+  put_strata(j, a);
+  print_strata(out, j);
+}
+
 void put_block(std::ostringstream& out, const System& s, const BlockReport& b) {
   if (b.ode) {
     const std::string z = s.ring()->name(b.ode->z);
@@ -52,13 +58,13 @@ void put_block(std::ostringstream& out, const System& s, const BlockReport& b) {
     put(out, "equation", "y'' = r(" + z + ") y,  r = " + to_factored_string(b.ode->r));
   }
   if (b.decision) put_decision(out, *b.decision, 2);
-  if (b.strata) put_strata(out, *b.strata);
+  if (b.strata) print(out, *b.strata);
   for (const auto& f : b.special)
     put(out, "merging", "singular places meet where " + to_string(f) + " = 0");
   for (const auto& e : b.energies) {
     put(out, "at", e.condition + "  (" + e.why + ")");
     if (e.decision) put_decision(out, *e.decision, 4);
-    if (e.strata) put_strata(out, *e.strata);
+    if (e.strata) print(out, *e.strata);
     if (!e.note.empty()) put(out, "note", e.note, 4);
   }
   if (!b.note.empty()) put(out, "note", b.note);

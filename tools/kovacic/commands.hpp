@@ -16,6 +16,7 @@ struct SolveArguments {
   std::optional<std::string> minpoly;
   std::vector<std::string> parameters; ///< free names
   std::string batch; ///< a file of JSON lines; "-" = standard input
+  std::vector<std::string> assume; ///< sentences; the names in them are parameters
 };
 
 struct LameArguments {

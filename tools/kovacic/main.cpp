@@ -135,6 +135,10 @@ struct CommandLine {
         ->type_name("NAME");
     solve->add_option("--minpoly", solve_arguments.minpoly, "a constant by its polynomial: a^2 - 5")
         ->type_name("POLY");
+    solve
+        ->add_option("--assume", solve_arguments.assume,
+                     "parameters: \"a > 0\", \"n not an integer\", \"c complex\" (repeatable)")
+        ->type_name("SENTENCE");
     solve->add_option("--parameter", solve_arguments.parameters, "a free name (repeatable)")
         ->type_name("NAME")
         ->expected(1)

@@ -4,6 +4,8 @@
 #include "present.hpp"
 #include "render.hpp"
 
+#include <algorithm>
+
 namespace kov::cli {
 namespace {
 
@@ -43,22 +45,74 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
   j["trusted"] = a.trusted;
 }
 
-void put_strata(std::ostream& out, const strata::StrataAnswer& a) {
-  if (a.contradictory) line(out, "strata", "no parameters satisfy the assumptions");
-  for (const auto& s : a.strata) {
-    line(out, "stratum", strata::to_string(s.conditions));
+void print_strata(std::ostream& out, const Json& j) {
+  if (j.contains("contradictory")) line(out, "strata", "no parameters satisfy the assumptions");
+  for (const Json& s : j.at("strata")) {
+    std::string where;
+    for (const Json& c : s.at("conditions"))
+      where += (where.empty() ? "" : ", ") + c.get<std::string>();
+    line(out, "stratum", where.empty() ? "always" : where);
+    const std::string group = s.at("group_text");
+    const std::string abelian = s.at("abelian");
     line(out, "group",
-         (s.leaf.group_text.empty() ? "" : s.leaf.group_text + ", ") +
-             (s.leaf.abelian == Truth::yes  ? "identity component abelian"
-              : s.leaf.abelian == Truth::no ? "identity component not abelian"
-                                            : "identity component abelian or not: undecided"),
+         (group.empty() ? "" : group + ", ") + std::string("identity component ") +
+             (abelian == "yes"  ? "abelian"
+              : abelian == "no" ? "not abelian"
+                                : "abelian or not: undecided"),
          4);
-    line(out, "because", s.leaf.reason, 4);
+    line(out, "because", s.at("reason"), 4);
   }
-  for (const auto& u : a.unvisited)
-    line(out, "open", u);
-  for (const auto& t : a.trusted)
+  if (j.contains("unvisited"))
+    for (const Json& u : j.at("unvisited"))
+      line(out, "open", u);
+  for (const Json& t : j.at("trusted"))
     line(out, "trusted", t);
+}
+
+namespace {
+
+// What holds on every stratum stands on top; the rest is in the list.
+void put_common(Json& j, const strata::StrataAnswer& a) {
+  j["abelian"] = word(a.abelian());
+  const auto& first = a.strata.front().leaf;
+  const bool one_group =
+      first.group && std::all_of(a.strata.begin(), a.strata.end(), [&](const strata::Stratum& s) {
+        return s.leaf.group == first.group;
+      });
+  if (!one_group || !a.unvisited.empty()) return;
+  j["group"] = Json{{"type", to_string(first.group->type)}, {"n", nullptr}};
+  if (first.group->n && fits_long(*first.group->n)) j["group"]["n"] = to_long(*first.group->n);
+  j["identity_component"] = to_string(identity_component(*first.group));
+  j["case"] = kovacic_case(*first.group);
+}
+
+} // namespace
+
+Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& a) {
+  Json j = unread_result(id);
+  j["variable"] = f.variable;
+  j["r"] = to_string(f.question.r);
+  put_strata(j, a);
+  j["seconds"] = a.seconds;
+  if (a.contradictory) {
+    set_undecided(j, "parameter", "no parameters satisfy the assumptions");
+    return j;
+  }
+  if (!a.strata.empty()) put_common(j, a);
+  std::string open;
+  for (const auto& s : a.strata)
+    if (s.leaf.abelian == Truth::unknown && open.empty())
+      open = (s.conditions.empty() ? "" : "where " + strata::to_string(s.conditions) + ": ") +
+             s.leaf.open_condition;
+  if (open.empty() && !a.unvisited.empty()) open = "not looked at: " + a.unvisited.front();
+  if (!open.empty()) {
+    set_undecided(j, "parameter", open);
+    return j;
+  }
+  j["reason"] = a.strata.size() == 1
+                    ? a.strata.front().leaf.reason
+                    : "decided on each of " + std::to_string(a.strata.size()) + " strata";
+  return j;
 }
 
 } // namespace kov::cli

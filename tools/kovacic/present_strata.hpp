@@ -2,6 +2,7 @@
 // The answer for all parameters at once, as JSON and as text.
 
 #include "result.hpp"
+#include "family/family.hpp"
 #include "strata/decide_strata.hpp"
 
 #include <ostream>
@@ -10,7 +11,9 @@ namespace kov::cli {
 
 /// The list under the key "strata", and what was left open or taken on trust beside it.
 void put_strata(Json& j, const strata::StrataAnswer& a);
-/// Lines "stratum / group / because" as in the report of one equation.
-void put_strata(std::ostream& out, const strata::StrataAnswer& a);
+/// Lines "stratum / group / because", from the JSON.
+void print_strata(std::ostream& out, const Json& j);
+/// The result of an equation with free parameters.
+[[nodiscard]] Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& a);
 
 } // namespace kov::cli

@@ -1,5 +1,6 @@
 #include "render.hpp"
 
+#include "present_strata.hpp"
 #include "recognized.hpp"
 
 #include <sstream>
@@ -35,6 +36,10 @@ std::string component_text(const std::string& name) {
 }
 
 std::string headline(const Json& result) {
+  if (result.contains("strata") && result.at("case").is_null())
+    return result.contains("contradictory")   ? "THE ASSUMPTIONS CONTRADICT EACH OTHER"
+           : result.at("undecided").is_null() ? "DECIDED FOR ALL PARAMETERS"
+                                              : "UNDECIDED IN PART";
   if (result.at("case").is_null())
     return result.at("undecided").is_null() ? "ANSWERED IN PART" : "UNDECIDED";
   switch (result.at("case").get<int>()) {
@@ -169,6 +174,12 @@ std::string text_of_result(const Json& result, const std::string& title, const S
     line += abelian == "yes" ? ", abelian" : ", not abelian";
   if (!open || line != "G = ?") out << "  " << wrapped(line, 2) << '\n';
   if (style.quiet && result.at("undecided").is_null()) return out.str();
+  if (result.contains("strata")) {
+    print_strata(out, result);
+    if (const Json& known = result.at("recognized"); !known.is_null())
+      if (const std::string text = recognized_text(known); !text.empty()) put(out, "this is", text);
+    return out.str();
+  }
   if (!result.at("undecided").is_null()) {
     const Json& u = result.at("undecided");
     put(out, "open", u.at("detail").get<std::string>());

@@ -3,6 +3,7 @@
 #include "answer.hpp"
 #include "commands.hpp"
 #include "equation/equation_file.hpp"
+#include "family/family.hpp"
 #include "present.hpp"
 
 namespace kov::cli {
@@ -12,6 +13,15 @@ std::optional<Expression> formula(const std::string& option, const std::optional
                                   bool equation = false) {
   if (!text) return std::nullopt;
   return parse_expression(*text, option, equation);
+}
+
+// The names in the assumptions are parameters, unless they are the variable.
+void add_assumptions(Question& q, const SolveArguments& a) {
+  for (const std::string& text : a.assume) {
+    q.text.assume.push_back(text);
+    for (const std::string& name : names_in_assumption(text))
+      if (name != q.text.variable) q.text.parameters.push_back(name);
+  }
 }
 
 Question from_options(const Settings& settings, const SolveArguments& a) {
@@ -24,6 +34,7 @@ Question from_options(const Settings& settings, const SolveArguments& a) {
   q.text.variable = a.variable;
   q.text.parameters = a.parameters;
   q.text.set = settings.settings();
+  add_assumptions(q, a);
   return q;
 }
 
@@ -38,6 +49,7 @@ Question from_file(const Settings& settings, const SolveArguments& a, const Entr
   q.id = a.file;
   if (!a.variable.empty()) q.text.variable = a.variable;
   if (a.minpoly) q.text.minpoly = formula("--minpoly", a.minpoly);
+  add_assumptions(q, a);
   return q;
 }
 

@@ -1,0 +1,38 @@
+#pragma once
+// One equation with free parameters, as text, for lib/strata.
+//
+// Assumptions are sentences:
+//
+//   A > 0     A + B >= C     d != 0     h^2 = 1 + A          (also <, <=)
+//   n positive | negative | nonnegative | nonzero | real | rational | complex | arbitrary
+//   2*nu odd integer     n even integer     n integer     n not an integer
+//   nu in 1/2+Z          nu not in 1/2+Z
+//
+// joined by commas, semicolons or "and"; "is" and "an" may be written.
+
+#include "equation/read_equation.hpp"
+#include "strata/decide_strata.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kov {
+
+struct Family {
+  strata::Question question;
+  std::string variable;
+};
+
+/// Errors  InputError: an unknown name, a function that is not rational, an assumption that is not
+///         one of the sentences
+/// Requires one of the forms r; p and q.  FreeParameters is thrown for a whole equation, and for
+///         constants outside Q beside parameters: not implemented
+[[nodiscard]] Family read_family(const EquationText& text);
+
+/// The names in an assumption that is one of the sentences above; they are parameters.
+[[nodiscard]] std::vector<std::string> names_in_assumption(const std::string& text);
+
+/// Is it one of the sentences?
+[[nodiscard]] bool is_assumption(const std::string& text);
+
+} // namespace kov
