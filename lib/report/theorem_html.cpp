@@ -16,7 +16,7 @@ main{max-width:62rem;margin:0 auto;padding:2.5rem 1.5rem 4rem;background:var(--p
 h1{font-size:1.7rem;line-height:1.25;margin:0 0 .6rem}h2{font-size:1.15rem;margin:2.2rem 0 .6rem;border-bottom:1px solid var(--line);padding-bottom:.25rem}
 .statement{border-left:3px solid var(--trusted);padding:.1rem 0 .1rem 1rem;margin:1rem 0}
 .verdict{font-weight:bold;padding:.7rem 1rem;border-radius:.4rem;margin:1.2rem 0;color:#fff;background:var(--proved)}
-.verdict.no{background:var(--open)}
+.verdict.no{background:var(--open)}.verdict.but{background:var(--reasoned)}
 .counts{display:flex;flex-wrap:wrap;gap:.5rem 1.6rem;color:var(--soft);font-size:.9rem;margin:.5rem 0 0;padding:0;list-style:none}
 .counts b{color:var(--ink)}
 .badge{display:inline-block;font:600 .72rem/1.5 system-ui,"DejaVu Sans",sans-serif;letter-spacing:.03em;border-radius:1em;padding:0 .6em;color:#fff;vertical-align:.12em;white-space:nowrap}
@@ -168,9 +168,10 @@ std::string counts(const TheoremResult& t) {
                  one(t.identities(), "exact identities checked") +
                  one(t.certificates(), "certificates accepted") +
                  one(t.trusted_theorems().size(), "theorems trusted") +
+                 one(t.trusted_steps().size(), "other steps on trust") +
                  one(t.count(NodeStatus::reasoned), "arguments in words") +
                  one(t.unchecked_hypotheses().size(), "hypotheses not checked") +
-                 one(t.count(NodeStatus::open), "open"),
+                 one(t.count(NodeStatus::open), "open") + tag("li", "in " + tag("b", t.time())),
              "class=\"counts\"");
 }
 
@@ -179,6 +180,8 @@ std::string counts(const TheoremResult& t) {
 std::string theorem_html(const TheoremResult& t) {
   std::string trusted;
   for (const std::string& s : t.trusted_theorems())
+    trusted += tag("li", prose(s, html));
+  for (const std::string& s : t.trusted_steps())
     trusted += tag("li", prose(s, html));
   for (const std::string& s : t.unchecked_hypotheses())
     trusted += tag("li", "Hypothesis not checked: " + prose(s, html), "class=\"warn\"");
@@ -189,13 +192,15 @@ std::string theorem_html(const TheoremResult& t) {
                      tag("div", details_of(t, n), "class=\"body\""),
                  "id=\"" + prose(n.node.id, html) + "\"" +
                      (n.status == NodeStatus::open ? " open" : ""));
-  const std::string body = tag("h1", prose(t.theorem.title, html)) +
-                           tag("p", prose(t.theorem.statement, html), "class=\"statement\"") +
-                           tag("div", prose(t.conclusion(), html) + ".",
-                               std::string("class=\"verdict") + (t.complete() ? "\"" : " no\"")) +
-                           counts(t) + tag("h2", "What rests on what") + tree(t) +
-                           tag("h2", "Trusted, not proved here") + tag("ul", trusted) +
-                           tag("h2", "The steps") + steps;
+  const std::string body =
+      tag("h1", prose(t.theorem.title, html)) +
+      tag("p", prose(t.theorem.statement, html), "class=\"statement\"") +
+      tag("div", prose(t.conclusion(), html) + ".",
+          std::string("class=\"verdict") + (!t.complete()                      ? " no\""
+                                            : t.unchecked_hypotheses().empty() ? "\""
+                                                                               : " but\"")) +
+      counts(t) + tag("h2", "What rests on what") + tree(t) +
+      tag("h2", "Trusted, not proved here") + tag("ul", trusted) + tag("h2", "The steps") + steps;
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
          "content=\"width=device-width\">"
          "<title>" +

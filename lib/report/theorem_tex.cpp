@@ -136,10 +136,12 @@ std::string theorem_tex(const TheoremResult& t) {
   out += "\\textbf{Theorem.} \\emph{" + prose(t.theorem.statement, tex) + "}\n\n";
   out += prose(t.conclusion(), tex) + ". " + std::to_string(t.identities()) +
          " exact identities were checked, " + std::to_string(t.certificates()) +
-         " certificates accepted.\n";
+         " certificates accepted, in " + t.time() + ".\n";
   out += "\\section*{What rests on what}\n" + tree(t);
   out += "\\section*{Trusted}\n\\begin{itemize}\n";
   for (const std::string& s : t.trusted_theorems())
+    out += "\\item " + prose(s, tex) + "\n";
+  for (const std::string& s : t.trusted_steps())
     out += "\\item " + prose(s, tex) + "\n";
   for (const std::string& s : t.unchecked_hypotheses())
     out += "\\item \\textbf{Hypothesis not checked.} " + prose(s, tex) + "\n";

@@ -86,11 +86,13 @@ void put_step(std::string& out, const NodeResult& n) {
 
 std::string theorem_text(const TheoremResult& t) {
   std::string out = t.theorem.title + "\n" + filled(t.theorem.statement, 2) + "\n";
-  out += filled(t.conclusion() + ".", 0) + "\n";
+  out += filled(t.conclusion() + ".", 0) + "time " + t.time() + "\n\n";
   std::set<std::string> seen;
   put_tree(out, t, t.nodes.front().node.id, 0, seen);
   out += "\ntrusted\n";
   for (const std::string& s : t.trusted_theorems())
+    out += filled(s, 2);
+  for (const std::string& s : t.trusted_steps())
     out += filled(s, 2);
   for (const std::string& s : t.unchecked_hypotheses())
     out += filled("HYPOTHESIS NOT CHECKED  " + s, 2);
@@ -114,7 +116,7 @@ std::string theorem_json(const TheoremResult& t) {
            {"cite", n.node.cite},
            {"theorems", n.theorems},
            {"trusted", n.trusted},
-           {"certificates", n.certificates}};
+           {"certificates", n.certificates.size()}};
     j["hypotheses"] = Json::array();
     for (const Hypothesis& h : n.node.hypotheses)
       j["hypotheses"].push_back({{"text", h.text}, {"by", h.by}, {"checked", h.checked}});
@@ -141,6 +143,7 @@ std::string theorem_json(const TheoremResult& t) {
                  {"refuted", t.count(NodeStatus::refuted)},
                  {"arguments", t.count(NodeStatus::reasoned)},
                  {"trusted", t.trusted_theorems()},
+                 {"trusted_steps", t.trusted_steps()},
                  {"unchecked_hypotheses", t.unchecked_hypotheses()},
                  {"identities", t.identities()},
                  {"certificates", t.certificates()},

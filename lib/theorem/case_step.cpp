@@ -6,6 +6,8 @@
 
 #include "exact/algebraic.hpp"
 
+#include <algorithm>
+
 namespace kov {
 namespace {
 
@@ -59,7 +61,25 @@ void show_decision(NodeResult& n, const Decision& d) {
   n.tables.push_back(std::move(exponents));
   n.pictures.push_back(picture_of(s, d.variable));
   n.formulas.push_back({"group", d.group ? describe(*d.group) : "not determined"});
-  if (!d.certificate.empty()) ++n.certificates;
+  if (!d.certificate.empty()) n.certificates.push_back(d.certificate);
+}
+
+std::string answer(Truth abelian) {
+  return abelian == Truth::yes ? "abelian" : abelian == Truth::no ? "not abelian" : "undecided";
+}
+
+void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string& where = {}) {
+  Grid grid{"Strata of the parameters" + where + ", with the identity component of the group",
+            {"stratum", "group", "identity component", "because"},
+            {}};
+  for (const strata::Stratum& s : a.strata)
+    grid.rows.push_back({strata::to_string(s.conditions), s.leaf.group_text, answer(s.leaf.abelian),
+                         s.leaf.reason});
+  for (const std::string& u : a.unvisited)
+    grid.rows.push_back({u, "", "undecided", "a limit was reached"});
+  n.tables.push_back(std::move(grid));
+  for (const std::string& t : a.trusted)
+    n.trusted.push_back(t);
 }
 
 void show_block(NodeResult& n, const System& s, const BlockReport& b) {
@@ -68,7 +88,12 @@ void show_block(NodeResult& n, const System& s, const BlockReport& b) {
     n.formulas.push_back({"r(" + s.ring()->name(b.ode->z) + ")", to_factored_string(b.ode->r)});
   }
   if (b.decision) show_decision(n, *b.decision);
+  if (b.strata) show_strata(n, *b.strata);
   for (const EnergyResult& e : b.energies) {
+    if (e.strata) {
+      n.formulas.push_back({"energy", e.condition});
+      show_strata(n, *e.strata, " at this energy");
+    }
     if (!e.decision || e.decision->abelian == Truth::unknown) continue;
     n.formulas.push_back({"energy", e.condition});
     if (e.r) n.formulas.push_back({"r there", to_string(*e.r)});
@@ -80,9 +105,16 @@ std::string reason_of(const ManifoldReport& m) {
   std::string text;
   for (const BlockReport& b : m.blocks) {
     if (b.decision) return b.decision->reason;
+    if (b.strata && b.abelian == Truth::no)
+      return "not abelian on every stratum of the parameters (" +
+             std::to_string(b.strata->strata.size()) + ")";
     for (const EnergyResult& e : b.energies)
       if (e.decision && e.decision->abelian == Truth::no)
         return e.condition + ": " + e.decision->reason;
+    for (const EnergyResult& e : b.energies)
+      if (e.strata && e.strata->abelian() == Truth::no)
+        return "at the energy " + e.condition +
+               " not abelian on every stratum of the other parameters";
     if (!b.note.empty()) text = b.note;
   }
   for (const std::string& r : m.reasons)
@@ -92,30 +124,80 @@ std::string reason_of(const ManifoldReport& m) {
 
 } // namespace
 
-void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const System s = read_system(directory + n.node.file, n.node.where);
+namespace {
+
+CheckReport checked(const std::string& path, const ParameterValues& where, const NodeResult& n,
+                    const ProveOptions& options) {
   CheckOptions check;
   check.decide = options.decide;
   check.decide.want_certificate = true;
   check.only_manifold = n.node.manifold;
-  const CheckReport report = check_system(s, check);
-  for (const Assumption& a : s.assumptions)
-    n.formulas.push_back({"assumed", a.text});
+  return check_system(read_system(path, where), check);
+}
+
+// Takes the first manifold with the expected verdict.
+void take(NodeResult& n, const CheckReport& report) {
   for (const ManifoldReport& m : report.manifolds) {
     if (m.failure) {
-      n.status = NodeStatus::open;
       n.summary = m.failure->message;
       return;
     }
     n.checks.push_back({"the manifold " + m.name + " is invariant", m.manifold.has_value()});
     for (const BlockReport& b : m.blocks)
-      show_block(n, s, b);
+      show_block(n, report.system, b);
     n.summary = reason_of(m);
-    if (to_string(m.verdict) != n.node.expect) continue;
+    const bool any = n.node.expect == "any" && m.verdict != VerdictKind::undecided;
+    if (!any && to_string(m.verdict) != n.node.expect) continue;
     n.status = NodeStatus::proved;
+    if (any) n.summary = to_string(m.verdict) + (n.summary.empty() ? "" : ": " + n.summary);
     if (m.verdict == VerdictKind::non_integrable) n.theorems.push_back(m.theorem);
     return;
   }
+}
+
+// One set of values from the family, decided by itself: a second opinion with tables.
+void take_sample(NodeResult& n, const std::string& path, const ProveOptions& options) {
+  ParameterValues values = n.node.where;
+  std::string text;
+  for (const auto& [name, value] : n.node.sample) {
+    values.emplace_back(name, value);
+    text += (text.empty() ? "" : ", ") + name + " = " + value;
+  }
+  NodeResult sample;
+  sample.node = n.node;
+  const CheckReport report = checked(path, values, n, options);
+  take(sample, report);
+  n.formulas.push_back({"a sample", text});
+  for (Grid& g : sample.tables) {
+    g.caption += ", at the sample";
+    n.tables.push_back(std::move(g));
+  }
+  for (PolePicture& p : sample.pictures) {
+    p.caption += ", at the sample";
+    n.pictures.push_back(std::move(p));
+  }
+  for (std::string& c : sample.certificates)
+    n.certificates.push_back(std::move(c));
+  const auto undecided = [](const ManifoldReport& m) {
+    return m.verdict == VerdictKind::undecided;
+  };
+  if (std::any_of(report.manifolds.begin(), report.manifolds.end(), undecided)) return;
+  n.checks.push_back({"the sample " + text + " by itself has the same verdict",
+                      sample.status == NodeStatus::proved});
+  if (n.status == NodeStatus::proved && sample.status != NodeStatus::proved) {
+    n.status = NodeStatus::refuted;
+    n.summary = "the sample disagrees: " + sample.summary;
+  }
+}
+
+} // namespace
+
+void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
+  const CheckReport report = checked(directory + n.node.file, n.node.where, n, options);
+  for (const Assumption& a : report.system.assumptions)
+    n.formulas.push_back({"assumed", a.text});
+  take(n, report);
+  if (!n.node.sample.empty()) take_sample(n, directory + n.node.file, options);
 }
 
 } // namespace kov

@@ -41,6 +41,14 @@ std::vector<std::string> texts_of(const Entry& e, std::string_view key) {
   return found ? found->strings() : std::vector<std::string>{};
 }
 
+ParameterValues read_values(const Entry& e, std::string_view key) {
+  ParameterValues values;
+  if (const Entry* table = e.find(key))
+    for (const auto& [name, value] : table->members())
+      values.emplace_back(name, value.string());
+  return values;
+}
+
 Hypothesis read_hypothesis(const Entry& e) {
   e.check_keys({"text", "by"});
   return {e.at("text").string(), text_of(e, "by"), false};
@@ -48,7 +56,8 @@ Hypothesis read_hypothesis(const Entry& e) {
 
 TheoremNode read_node(const Entry& e) {
   e.check_keys({"id", "title", "statement", "note", "kind", "needs", "cite", "hypotheses", "file",
-                "other", "where", "manifold", "expect", "small", "families", "triangle", "scaled"});
+                "other", "where", "manifold", "expect", "small", "families", "triangle", "scaled",
+                "sample"});
   TheoremNode n;
   n.id = e.at("id").string();
   n.title = text_of(e, "title");
@@ -65,9 +74,8 @@ TheoremNode read_node(const Entry& e) {
   n.scaled = texts_of(e, "scaled");
   n.families = texts_of(e, "families");
   if (const Entry* t = e.find("triangle")) n.triangle = t->boolean();
-  if (const Entry* w = e.find("where"))
-    for (const auto& [name, value] : w->members())
-      n.where.emplace_back(name, value.string());
+  n.where = read_values(e, "where");
+  n.sample = read_values(e, "sample");
   if (const Entry* h = e.find("hypotheses"))
     for (const Entry* one : h->list())
       n.hypotheses.push_back(read_hypothesis(*one));

@@ -55,9 +55,11 @@ struct TheoremNode {
   std::vector<Hypothesis> hypotheses;
   std::string file, other; ///< paths as written
   ParameterValues where;
+  ParameterValues sample; ///< case: also decided at these values, with tables and a certificate
   std::string manifold;
-  std::string expect = "non-integrable"; ///< case: the verdict that counts as proved
-  std::vector<std::string> small;        ///< splitting, scaling: the parameters of size eps
+  /// case: the verdict that counts as proved; "any": every decided one
+  std::string expect = "non-integrable";
+  std::vector<std::string> small; ///< splitting, scaling: the parameters of size eps
   std::vector<std::string>
       families;         ///< splitting: the exceptional families that are allowed to remain
   bool triangle = true; ///< splitting: only bodies with A <= B + C
@@ -105,9 +107,9 @@ struct NodeResult {
   std::vector<Formula> formulas;
   std::vector<Grid> tables;
   std::vector<PolePicture> pictures;
-  std::vector<std::string> theorems; ///< of the literature, used on the way (Morales-Ramis)
-  std::vector<std::string> trusted;  ///< other steps on faith
-  std::size_t certificates = 0;      ///< accepted by the judge
+  std::vector<std::string> theorems;     ///< of the literature, used on the way (Morales-Ramis)
+  std::vector<std::string> trusted;      ///< other steps on faith
+  std::vector<std::string> certificates; ///< JSON, accepted by the judge
   double seconds = 0;
 };
 
@@ -118,12 +120,14 @@ struct TheoremResult {
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
   [[nodiscard]] std::vector<std::string> trusted_theorems() const; ///< each once
+  [[nodiscard]] std::vector<std::string> trusted_steps() const;    ///< e.g. decisions of Z3
   [[nodiscard]] std::vector<std::string> unchecked_hypotheses() const;
   [[nodiscard]] std::size_t certificates() const;
   [[nodiscard]] std::size_t identities() const;
   /// Nothing open or refuted below the root.
   [[nodiscard]] bool complete() const;
-  /// "The theorem follows from ..."
+  [[nodiscard]] std::string time() const; ///< "1.2 s"
+  /// "PROVED; 16 steps proved here, ..."
   [[nodiscard]] std::string conclusion() const;
 };
 

@@ -45,6 +45,8 @@ int make_new(const Settings& settings, const std::string& kind);
 int verify(const Settings& settings, const std::vector<std::string>& arguments);
 /// A theorem file: the status of every step, and a report as text, JSON, LaTeX or HTML.
 int prove(const Settings& settings, const std::string& file);
+/// The same for one system file.
+int report_system(const Settings& settings, const std::string& file);
 int version();
 
 /// Of two exit codes the one that a script should hear of.

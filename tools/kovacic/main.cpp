@@ -115,6 +115,16 @@ struct CommandLine {
     shared_flags(*potential, true);
   }
 
+  void report_flags(CLI::App& command) {
+    command.add_option("--format", settings.format, "text, json, tex or html (also: -o NAME.html)")
+        ->check(silent(CLI::IsMember({"text", "json", "tex", "html"})))
+        ->type_name("F");
+    command.add_option("--timeout", settings.timeout, "seconds in all; 0 = no limit")
+        ->check(number(1e9, "a number of seconds"))
+        ->type_name("S");
+    shared_flags(command, false);
+  }
+
   void declare(CLI::App& app) {
     app.description(examples);
     app.footer(footer);
@@ -180,13 +190,18 @@ struct CommandLine {
     CLI::App* prove =
         app.add_subcommand("prove", "a theorem file: what rests on what, and a report");
     prove->add_option("FILE", word, "a theorem file")->required()->type_name("");
-    prove->add_option("--format", settings.format, "text, json, tex or html (also: -o NAME.html)")
-        ->check(silent(CLI::IsMember({"text", "json", "tex", "html"})))
-        ->type_name("F");
-    prove->add_option("--timeout", settings.timeout, "seconds in all; 0 = no limit")
-        ->check(number(1e9, "a number of seconds"))
-        ->type_name("S");
-    shared_flags(*prove, false);
+    report_flags(*prove);
+    prove->add_option("--certificate", settings.certificate, "write the certificates of the steps")
+        ->type_name("DIR");
+
+    CLI::App* report = app.add_subcommand("report", "a system file as a report");
+    report->add_option("FILE", word, "a system file")->required()->type_name("");
+    report->add_option("--set", settings.set, "give a name a value: --set a=1/2 (repeatable)")
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->take_all();
+    report->add_option("--manifold", settings.manifold, "only this manifold")->type_name("NAME");
+    report_flags(*report);
 
     CLI::App* section =
         app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
@@ -217,6 +232,7 @@ struct CommandLine {
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
     if (command == "prove") return prove(settings, word);
+    if (command == "report") return report_system(settings, word);
     if (command == "section") return section(settings, section_arguments);
     if (command == "bench") return bench(settings, bench_arguments);
     if (command == "new") return make_new(settings, word);

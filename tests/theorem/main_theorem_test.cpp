@@ -1,0 +1,38 @@
+// The main theorem of the sliding top, from its file: nothing open, certificates for both judges.
+
+#include "theorem/prove.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+using namespace kov;
+
+TEST(MainTheorem, IsProvedFromTheCaseFiles) {
+  const TheoremResult r =
+      prove(read_theorem(read_document(KOV_SOURCE_DIR "/cases/sliding_top/main_theorem.toml")));
+  for (const NodeResult& n : r.nodes) {
+    EXPECT_NE(n.status, NodeStatus::open) << n.node.id << ": " << n.summary;
+    EXPECT_NE(n.status, NodeStatus::refuted) << n.node.id << ": " << n.summary;
+  }
+  EXPECT_TRUE(r.complete());
+  EXPECT_LE(r.trusted_theorems().size(), 4U);
+  EXPECT_TRUE(r.trusted_steps().empty()) << r.trusted_steps().front();
+  EXPECT_EQ(r.unchecked_hypotheses().size(), 1U);
+  EXPECT_GE(r.certificates(), 5U);
+
+  if (std::system("command -v python3 > /dev/null 2>&1") != 0) GTEST_SKIP() << "no python3";
+  const auto directory = std::filesystem::temp_directory_path() / "kovacic_theorem_test";
+  std::filesystem::create_directories(directory);
+  const std::string file = (directory / "certificate.json").string();
+  for (const NodeResult& n : r.nodes)
+    for (const std::string& c : n.certificates) {
+      std::ofstream(file) << c;
+      const std::string command =
+          "python3 " KOV_SOURCE_DIR "/tools/verify/kovacic_verify.py " + file + " > /dev/null 2>&1";
+      EXPECT_EQ(std::system(command.c_str()), 0) << n.node.id;
+    }
+  std::filesystem::remove_all(directory);
+}
