@@ -5,10 +5,13 @@
 namespace kov::cli {
 
 void declare_bench(CLI::App& command, BenchArguments& a) {
-  command.add_option("WHAT", a.what, "accuracy (integrators) or certainty (proofs)")
-      ->check(CLI::IsMember({"accuracy", "certainty"}).description(""))
+  command
+      .add_option("WHAT", a.what,
+                  "accuracy (integrators), certainty (proofs), escape (from a plane)")
+      ->check(CLI::IsMember({"accuracy", "certainty", "escape"}).description(""))
       ->type_name("");
-  command.add_option("--scene", a.scene, "accuracy: a scene with a time")->type_name("FILE");
+  command.add_option("--scene", a.scene, "a scene: with a time (accuracy), with sign_of (escape)")
+      ->type_name("FILE");
   command
       .add_option("--peers", a.peers,
                   "accuracy: the program kovacic-peers (tools/bench/accuracy builds it)")
@@ -23,6 +26,7 @@ void declare_bench(CLI::App& command, BenchArguments& a) {
 }
 
 int bench(const Settings& settings, const BenchArguments& arguments) {
+  if (arguments.what == "escape") return bench_escape(settings, arguments);
   return arguments.what == "accuracy" ? bench_accuracy(settings, arguments)
                                       : bench_certainty(settings, arguments);
 }

@@ -97,8 +97,8 @@ std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& ch
   std::ofstream out(base + ".gp");
   fmt::print(out, "# gnuplot -e \"format='pdf'\" {}.gp    (png, svg, pdf)\n", name);
   fmt::print(out, "{}", gnuplot_terminal(name, 900, 640));
-  fmt::print(out, "set title {} noenhanced\nset logscale xy\nset format \"10^{{%L}}\"\nset grid\n",
-             gnuplot_quoted(chart.title));
+  fmt::print(out, "set title {} noenhanced\nset grid\n", gnuplot_quoted(chart.title));
+  if (!chart.linear) fmt::print(out, "set logscale xy\nset format \"10^{{%L}}\"\n");
   if (chart.falling) fmt::print(out, "set xrange [*:*] reverse\n");
   fmt::print(out, "set xlabel {} noenhanced\nset ylabel {} noenhanced\n",
              gnuplot_quoted(chart.x_label), gnuplot_quoted(chart.y_label));
@@ -108,10 +108,12 @@ std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& ch
   for (std::size_t i = 0; i < chart.series.size(); ++i)
     fmt::print(out,
                "{}{} using (strcol({}) eq {} && column({}) > 0 ? column({}) : NaN):(column({})) "
-               "with linespoints "
+               "with {} "
                "pt {} lw 1.5 title {}",
                i == 0 ? "" : ", \\\n     ", gnuplot_quoted(chart.data), by,
-               gnuplot_quoted(chart.series[i]), x, x, y, i + 1, gnuplot_quoted(chart.series[i]));
+               gnuplot_quoted(chart.series[i]), x, x, y,
+               chart.points_only ? "points" : "linespoints", i + 1,
+               gnuplot_quoted(chart.series[i]));
   fmt::print(out, "\n");
   out.close();
   if (!out) throw Error("cannot write " + base + ".gp");

@@ -18,13 +18,15 @@ struct SectionPlot {
 std::vector<std::string> draw_section(const std::string& base, const SectionPlot& plot,
                                       const std::vector<std::string>& formats);
 
-/// Curves in a doubly logarithmic chart, one for each value of a text column.
+/// Curves in a (doubly logarithmic) chart, one for each value of a text column.
 struct ChartPlot {
   std::string title, data; ///< data: a file beside the script, with a line of column names
   std::string x, x_label, y, y_label; ///< columns
   std::string series_column;
   std::vector<std::string> series;
-  bool falling = false; ///< x falls from left to right (errors: accuracy grows to the right)
+  bool falling = false;     ///< x falls from left to right (errors: accuracy grows to the right)
+  bool linear = false;      ///< both axes
+  bool points_only = false; ///< no lines between them
 };
 
 /// Writes BASE.gp and draws it, as draw_section does.
