@@ -147,7 +147,10 @@ void Classifier::split(Branch branch) {
       return split(std::move(other));
     }
     if (std::any_of(open.begin(), open.end(), [&](const MPoly& g) { return uses_direction(g); })) {
-      KOV_ENSURE(open.size() == 1 && !relation); // the conditions known so far lead to one at most
+      if (open.size() > 1 || relation)
+        throw DomainError("the branch " + name(branch) +
+                          " is left with several equations for the " +
+                          "direction, which are not solved together");
       relation = open.front();
       continue;
     }
@@ -207,6 +210,9 @@ bool Classifier::is_member(const Branch& b, const std::optional<MPoly>& directio
   // coefficients of opposite signs: the squares have a positive ratio
   const MFraction f = substitute(*direction, at);
   if (is_zero(f)) return true;
+  for (long t = 0; t < f.num().length(); ++t) // only squares have a sign
+    for (const unsigned long e : f.num().exponents(t))
+      if (e % 2 != 0) return false;
   int positive = 0, negative = 0;
   for (long t = 0; t < f.num().length(); ++t)
     ++(sign(f.num().coefficient(t)) > 0 ? positive : negative);

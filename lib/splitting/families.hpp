@@ -34,6 +34,7 @@ struct SplittingClassification {
   std::vector<EmptyBranch> empty;
 };
 
+/// Errors  DomainError when a branch keeps more than one equation for the direction; OutOfBudget
 [[nodiscard]] SplittingClassification classify_families(const VanishingConditions& c,
                                                         const Budget& budget = {});
 /// "L2 = 0, L3 = 0, 2*A - 2*B - C = 0"
