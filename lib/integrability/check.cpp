@@ -394,6 +394,13 @@ CheckReport check_system(const System& s, const CheckOptions& options) {
   for (const auto& spec : s.manifolds)
     if (options.only_manifold.empty() || options.only_manifold == spec.name)
       report.manifolds.push_back(check_manifold(s, spec, report.claims, options));
+  if (!options.only_manifold.empty() && report.manifolds.empty()) {
+    std::string names;
+    for (const auto& spec : s.manifolds)
+      names += (names.empty() ? "" : ", ") + spec.name;
+    throw InvalidArgument("there is no manifold '" + options.only_manifold +
+                          "'; manifolds: " + (names.empty() ? "none" : names));
+  }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

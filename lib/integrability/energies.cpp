@@ -40,13 +40,10 @@ namespace {
 /// level.
 std::optional<std::size_t> energy_parameter(const System& s, const ReduceSpec& reduce,
                                             const MFraction& r) {
-  if (const auto named = s.ring()->find(reduce.energy_parameter); named && uses(r, *named))
-    return named;
-  for (const std::size_t i : s.field.parameters)
-    if (uses(r, i) && std::none_of(s.field.components.begin(), s.field.components.end(),
-                                   [&](const MFraction& x) { return uses(x, i); }))
-      return i;
-  return std::nullopt;
+  std::optional<std::size_t> found;
+  for (const std::size_t i : level_parameters(s)) // others are no choice of a level
+    if (uses(r, i) && (!found || s.ring()->name(i) == reduce.energy_parameter)) found = i;
+  return found;
 }
 
 /// The system with the parameter h made an algebraic constant: a root of f.
@@ -69,8 +66,8 @@ EnergyResult decide_at(const System& special, const ManifoldSpec& spec,
   for (const auto& b : there.blocks) {
     if (b.unknowns != block.unknowns) continue;
     if (b.equation) result.r = b.equation->r;
-    result.decision = b.decision;
-    result.note = b.note;
+    if (b.decision && b.abelian == b.decision->abelian) result.decision = b.decision;
+    result.note = b.note; // the decision may hold for some values of other parameters only
     return result;
   }
   for (const auto& reason : there.reasons)
