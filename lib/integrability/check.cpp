@@ -127,6 +127,32 @@ void decide_parameters(const System& s, const CheckOptions& options, BlockReport
   block.abelian = block.strata->abelian();
 }
 
+// r has no parameters, but what was divided by on the way has: the answer holds where that is not
+// 0.
+void except_where_invalid(const System& s, const CheckOptions& options, BlockReport& block) {
+  const AlgebraicOde& ode = *block.ode;
+  if (s.field.parameters.empty() || ode.generic.empty()) return;
+  if (s.field.constants.empty()) {
+    decide_parameters(s, options, block);
+    const auto& all = block.strata->strata;
+    if (all.size() == 1 && !all.front().leaf.no_equation && block.strata->unvisited.empty()) {
+      block.strata.reset(); // valid for all parameters
+      block.abelian = block.decision->abelian;
+    } else {
+      block.decision.reset();
+    }
+    return;
+  }
+  for (const MPoly& g : ode.generic)
+    for (const std::size_t i : s.field.parameters)
+      if (uses(g, i)) {
+        block.abelian = Truth::unknown;
+        block.note =
+            "decided only where " + to_string(g) + " is not zero: " + block.decision->reason;
+        return;
+      }
+}
+
 // one_level: one value of the energy is enough, energies.cpp looks for it
 void decide_block(const System& s, const CheckOptions& options, bool one_level,
                   BlockReport& block) {
@@ -154,6 +180,7 @@ void decide_block(const System& s, const CheckOptions& options, bool one_level,
   how.variable = s.ring()->name(ode.z);
   block.decision = decide(equation, how);
   block.abelian = block.decision->abelian;
+  except_where_invalid(s, options, block);
 }
 
 /// The diagonal blocks; two of order 1 that are coupled with each other and with nothing else are
@@ -251,8 +278,10 @@ std::vector<const strata::StrataAnswer*> strata_of(const BlockReport& block) {
 bool by_strata(const ManifoldReport& report) {
   return std::all_of(report.blocks.begin(), report.blocks.end(), [](const BlockReport& block) {
     if (block.abelian != Truth::unknown) return true;
-    const auto all = strata_of(block);
-    return std::any_of(all.begin(), all.end(), [](const auto* a) { return a->decided(); });
+    if (block.strata && block.strata->decided()) return true;
+    return std::any_of(block.energies.begin(), block.energies.end(), [](const EnergyResult& e) {
+      return e.strata && e.strata->decided() && somewhere_not_abelian(*e.strata);
+    });
   });
 }
 
@@ -267,8 +296,7 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
     if (block.decision) report.reasons.push_back("block (" + name + "): " + block.decision->reason);
     if (block.strata)
       for (const auto& x : block.strata->strata)
-        report.reasons.push_back("where " + strata::to_string(x.conditions) + ": " +
-                                 x.leaf.reason);
+        report.reasons.push_back("where " + strata::to_string(x.conditions) + ": " + x.leaf.reason);
     for (const auto& e : block.energies)
       if (e.decision) report.reasons.push_back("at " + e.condition + ": " + e.decision->reason);
   }
@@ -337,7 +365,8 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     for (auto& block : report.blocks) {
       if (block.strata) {
         decide_special_strata(s, spec, claims, options, block.unknowns, *block.strata);
-        block.abelian = block.strata->abelian();
+        block.abelian =
+            some_level_is_not_abelian(s, *block.strata) ? Truth::no : block.strata->abelian();
       }
       for (auto& e : block.energies)
         if (e.strata) {
@@ -365,6 +394,13 @@ CheckReport check_system(const System& s, const CheckOptions& options) {
   for (const auto& spec : s.manifolds)
     if (options.only_manifold.empty() || options.only_manifold == spec.name)
       report.manifolds.push_back(check_manifold(s, spec, report.claims, options));
+  if (!options.only_manifold.empty() && report.manifolds.empty()) {
+    std::string names;
+    for (const auto& spec : s.manifolds)
+      names += (names.empty() ? "" : ", ") + spec.name;
+    throw InvalidArgument("there is no manifold '" + options.only_manifold +
+                          "'; manifolds: " + (names.empty() ? "none" : names));
+  }
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

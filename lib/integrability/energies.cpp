@@ -40,13 +40,10 @@ namespace {
 /// level.
 std::optional<std::size_t> energy_parameter(const System& s, const ReduceSpec& reduce,
                                             const MFraction& r) {
-  if (const auto named = s.ring()->find(reduce.energy_parameter); named && uses(r, *named))
-    return named;
-  for (const std::size_t i : s.field.parameters)
-    if (uses(r, i) && std::none_of(s.field.components.begin(), s.field.components.end(),
-                                   [&](const MFraction& x) { return uses(x, i); }))
-      return i;
-  return std::nullopt;
+  std::optional<std::size_t> found;
+  for (const std::size_t i : level_parameters(s)) // others are no choice of a level
+    if (uses(r, i) && (!found || s.ring()->name(i) == reduce.energy_parameter)) found = i;
+  return found;
 }
 
 /// The system with the parameter h made an algebraic constant: a root of f.
@@ -69,8 +66,8 @@ EnergyResult decide_at(const System& special, const ManifoldSpec& spec,
   for (const auto& b : there.blocks) {
     if (b.unknowns != block.unknowns) continue;
     if (b.equation) result.r = b.equation->r;
-    result.decision = b.decision;
-    result.note = b.note;
+    if (b.decision && b.abelian == b.decision->abelian) result.decision = b.decision;
+    result.note = b.note; // the decision may hold for some values of other parameters only
     return result;
   }
   for (const auto& reason : there.reasons)
@@ -79,26 +76,44 @@ EnergyResult decide_at(const System& special, const ManifoldSpec& spec,
   return result;
 }
 
-// All parameters with f = 0 at once; true: decided on every stratum.
-bool decide_locus(const System& s, const MPoly& f, const CheckOptions& options,
+// The parameters for which f has no root h: none if a coefficient of a positive power is proved not
+// to vanish.
+std::optional<strata::Stratum> without_level(const strata::Question& q, const MPoly& f,
+                                             std::size_t h, const std::string& name) {
+  const strata::Region all(q.r.ring(), q.assumptions);
+  strata::Stratum nowhere;
+  const auto in_h = coefficients(f, h);
+  for (std::size_t k = 1; k < in_h.size(); ++k) {
+    if (is_zero(in_h[k])) continue;
+    const MPoly c = transfer(MFraction(in_h[k]), q.r.ring()).num();
+    if (is_constant(c) || !all.doubtful_factor(c)) return std::nullopt;
+    nowhere.conditions.push_back({c, strata::Sign::zero});
+  }
+  nowhere.leaf.no_equation = true;
+  nowhere.leaf.open_condition = "there is no level " + name + " with " + to_string(f) + " = 0";
+  nowhere.leaf.reason = "undecided: " + nowhere.leaf.open_condition;
+  return nowhere;
+}
+
+// All parameters with f = 0 at once.  Any level is as good as
+// another, so that what is assumed of h is left out; where f has no root h there is no such level.
+void decide_locus(const System& s, const MPoly& f, std::size_t h, const CheckOptions& options,
                   BlockReport& block) {
-  strata::Question q = strata_question(s, *block.ode);
+  System all_levels = s;
+  std::erase_if(all_levels.assumptions, [&](const Assumption& a) { return uses(a.value, h); });
+  strata::Question q = strata_question(all_levels, *block.ode);
+  const auto nowhere = without_level(q, f, h, s.ring()->name(h));
   q.assumptions.require(transfer(MFraction(f), q.r.ring()), strata::Sign::zero);
   EnergyResult e;
   e.condition = to_string(f) + " = 0";
   e.why = "singular places merge";
   e.strata = strata::decide_strata(q, strata_limits(s, *block.ode, options));
-  const auto& all = e.strata->strata;
-  const bool decided = e.strata->unvisited.empty() &&
-                       std::all_of(all.begin(), all.end(), [](const strata::Stratum& x) {
-                         return x.leaf.abelian != Truth::unknown || x.leaf.no_equation;
-                       });
+  if (nowhere) e.strata->strata.push_back(*nowhere);
   if (e.strata->abelian() == Truth::no) {
     block.abelian = Truth::no; // for every body there is such a level
     block.note.clear();
   }
   block.energies.push_back(std::move(e));
-  return decided;
 }
 
 bool has_other_parameters(const System& s, const MFraction& r, std::size_t h) {
@@ -122,8 +137,16 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
   }
   block.special = merging_locus(block.ode->r, block.ode->z, *h);
   if (has_other_parameters(s, block.ode->r, *h)) {
-    for (const auto& f : block.special)
-      if (decide_locus(s, f, options, block)) return;
+    for (const auto& f : block.special) {
+      decide_locus(s, f, *h, options, block);
+      if (block.abelian == Truth::no) return; // an abelian one says nothing of the others
+    }
+    const auto tells = [](const EnergyResult& e) {
+      return e.strata && somewhere_not_abelian(*e.strata);
+    };
+    if (std::none_of(block.energies.begin(), block.energies.end(), tells))
+      block.strata = strata::decide_strata(strata_question(s, *block.ode),
+                                           strata_limits(s, *block.ode, options));
     return;
   }
   const auto run = [&](const MPoly& f, std::string condition, std::string why) {

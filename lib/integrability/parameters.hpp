@@ -12,6 +12,14 @@ namespace kov {
 /// Parameters of the levels only: the vector field does not contain them, and they may be chosen.
 [[nodiscard]] std::vector<std::size_t> level_parameters(const System& s);
 
+/// For all other parameters there is a level at which the identity component is not abelian: one
+/// level is enough.  A sufficient test: a non-abelian stratum given by inequations alone, none of
+/// which vanishes for all levels, and assumptions on the levels that leave an open set.
+[[nodiscard]] bool some_level_is_not_abelian(const System& s, const strata::StrataAnswer& answer);
+
+/// Some stratum has a non-abelian identity component.
+[[nodiscard]] bool somewhere_not_abelian(const strata::StrataAnswer& answer);
+
 /// Decides the strata on which the reduction is not valid by doing it again there.
 void decide_special_strata(const System& s, const ManifoldSpec& spec,
                            const std::vector<ClaimReport>& claims, const CheckOptions& options,

@@ -65,7 +65,9 @@ std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
         check_manifold(special, at_values(spec, values), at_values(claims, values), options);
     for (const auto& b : there.blocks)
       if (b.unknowns == unknowns && b.ode) return inside(x, b);
-    if (there.verdict == VerdictKind::undecided) return {};
+    if (there.verdict != VerdictKind::no_obstruction &&
+        there.verdict != VerdictKind::non_integrable)
+      return {}; // it may depend on the parameters that are left
     Stratum same{x.conditions, {}, x.solved};
     same.leaf.abelian = truth(there.verdict == VerdictKind::no_obstruction);
     same.leaf.reason = "the normal system has other blocks here";

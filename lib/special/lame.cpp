@@ -80,7 +80,9 @@ std::vector<MPoly> simplified(const std::vector<MFraction>& conditions, const MP
     for (const std::size_t i : used_variables(f))
       if (std::find(used.begin(), used.end(), i) == used.end()) used.push_back(i);
   std::sort(used.begin(), used.end());
-  if (n > half || kept.size() < 2 || used.size() > 3) return kept;
+  const bool small =
+      std::all_of(kept.begin(), kept.end(), [](const MPoly& f) { return f.length() <= 12; });
+  if (n > half || kept.size() < 2 || used.size() > 3 || !(small || used.size() == 1)) return kept;
   const Ideal ideal(discriminant.ring(), used, kept, {discriminant}, budget);
   if (ideal.is_unit()) return {MPoly(discriminant.ring(), Integer(1))};
   std::vector<MFraction> basis;

@@ -184,11 +184,29 @@ private:
       return add_here(
           open_leaf(to_string(needs.p) + " = 0 (" + needs.why + ") is not solved for a parameter"));
     if (region.has_no_real_root(needs.p)) return prune(region, to_string(needs.p) + " = 0");
+    for (const auto& g : q_.generic)
+      if (!holds_at_root(g, region, needs.p))
+        return add_here(no_equation("the reduction to y'' = r y is not valid here: " + g.why));
+    if (!is_constant(gcd(r.den(), needs.p))) return add_here(no_equation("r has no value here"));
     const MFraction x = MFraction::variable(r.ring(), root->variable);
     const MFraction scaled = substitute(r, {{root->variable, (Rational(1) / root->lead) * x}});
     NormalForm equation;
     equation.r = to_rational_function(scaled, q_.z, AlgebraicConstant{root->variable, root->field});
     add_here(leaf_of(decide(equation, limits_.decide)));
+  }
+
+  // One of the coefficients vanishes at no root of p, which is irreducible in one parameter.
+  static bool holds_at_root(const Genericity& g, const Region& region, const MPoly& p) {
+    return std::any_of(g.not_all_zero.begin(), g.not_all_zero.end(), [&](const MPoly& f) {
+      try {
+        const MFraction there = region.restrict(MFraction(f));
+        const auto used = used_variables(there);
+        return !is_zero(there) && used.size() <= 1 && is_constant(gcd(there.num(), p)) &&
+               (used.empty() || uses(p, used[0]));
+      } catch (const DomainError&) {
+        return false;
+      }
+    });
   }
 
   void add(const Region& region, Leaf leaf) {

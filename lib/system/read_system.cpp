@@ -73,6 +73,14 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
         throw relations->error("the relation " + to_string(f) + " = 0 does not agree with the " +
                                "derivatives of its functions: its derivative by " + v.name(j) +
                                " is " + to_string(d));
+  const Entry* functions = system.find("function");
+  for (const auto& f : v.functions) // a gradient is closed
+    for (std::size_t i = 0; i < v.dimension(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!is_zero_modulo(partial(v, f.gradient[i], j) - partial(v, f.gradient[j], i), ideal))
+          throw functions->error("there is no function '" + v.ring->name(f.variable) +
+                                 "' with these derivatives: those by " + v.name(i) + " and " +
+                                 v.name(j) + " do not commute");
   for (const auto& name : scope.constants) {
     const std::size_t i = v.ring->index(name);
     if (std::none_of(v.relations.begin(), v.relations.end(),

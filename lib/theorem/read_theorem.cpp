@@ -72,7 +72,12 @@ TheoremNode read_node(const Entry& e) {
   if (e.find("expect")) n.expect = text_of(e, "expect");
   n.small = texts_of(e, "small");
   n.scaled = texts_of(e, "scaled");
-  n.families = texts_of(e, "families");
+  if (const Entry* families = e.find("families"))
+    for (const Entry* f : families->list()) { // another node has to prove what is left to it
+      f->check_keys({"family", "by"});
+      n.families.push_back(f->at("family").string());
+      n.needs.push_back(f->at("by").string());
+    }
   if (const Entry* t = e.find("triangle")) n.triangle = t->boolean();
   n.where = read_values(e, "where");
   n.sample = read_values(e, "sample");

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <set>
 
 namespace kov::cli {
@@ -151,6 +152,8 @@ void move_certificate(const Settings& settings, std::string& answer, long number
 } // namespace
 
 int batch(const Settings& settings, const std::string& path) {
+  if (path != "-" && std::filesystem::is_directory(path))
+    return report(settings, InputError(path, 0, 0, 1, "this is a directory, a file is expected"));
   std::FILE* in = path == "-" ? stdin : std::fopen(path.c_str(), "rb");
   if (in == nullptr)
     return report(settings, InputError(path, 0, 0, 1, "the file cannot be opened"));

@@ -1,0 +1,105 @@
+// Systems with parameters whose generic verdict is not the verdict for all parameters: each of
+// these was once answered wrongly.
+
+#include "integrability/check.hpp"
+#include "symbol/input_error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+VerdictKind verdict(const std::string& text) {
+  const CheckReport report = check_system(read_system(parse_document(text, "test.toml"), {}));
+  return report.manifolds.at(0).verdict;
+}
+
+std::string field(const std::string& equations, const std::string& coordinates,
+                  const std::string& zero) {
+  return "[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", " + coordinates +
+         "]\nparameters = [\"a\", \"b\"]\n[system.field]\nx = \"1\"\n" + equations +
+         "[[manifold]]\nname = \"m\"\nequations = [" + zero + "]\n[reduce]\nchange = \"z = x\"\n";
+}
+
+std::string hamiltonian(const std::string& h, const std::string& more) {
+  return "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\n"
+         "momenta = [\"p1\", \"p2\"]\nparameters = [\"a\", \"h\"]\nhamiltonian = \"" +
+         h + "\"\n" + more;
+}
+
+const std::string axis = R"t([[manifold]]
+name = "axis"
+equations = ["q1 = 0", "p1 = 0"]
+level = "H = h"
+[reduce]
+variable = "q1"
+change = "z = q2"
+)t";
+
+TEST(ParameterTraps, TheReductionDividesByAParameterThatRDoesNotContain) {
+  // a = 0: H depends on q1, q2 only
+  EXPECT_NE(verdict(hamiltonian("a*(p1^2 + p2^2)/2 + q2^2/2 + q1^2*q2", axis)),
+            VerdictKind::non_integrable);
+  // a = 0: the free particle
+  EXPECT_NE(verdict(hamiltonian("(p1^2 + p2^2)/2 + a*(q2^2/2 + q1^2*q2)", axis)),
+            VerdictKind::non_integrable);
+  EXPECT_EQ(verdict(hamiltonian("a*(p1^2 + p2^2)/2 + q2^2/2 + q1^2*q2",
+                                "[assume]\na = \"positive\"\n" + axis)),
+            VerdictKind::non_integrable);
+}
+
+TEST(ParameterTraps, WhereThereIsNoLevelOnTheLocus) {
+  // 4 a h + 1 = 0 has no h for a = 0, where p1 is a first integral
+  const std::string h = "(p1^2 + p2^2)/2 + q2 + a*q2^2 + a*q1^2*q2";
+  EXPECT_NE(verdict(hamiltonian(h, "[assume]\nconditions = [\"a >= 0\"]\n" + axis +
+                                       "energy = \"auto\"\n")),
+            VerdictKind::non_integrable);
+  EXPECT_EQ(verdict(hamiltonian(h, "[assume]\na = \"positive\"\n" + axis + "energy = \"auto\"\n")),
+            VerdictKind::non_integrable);
+}
+
+TEST(ParameterTraps, OneLevelIsEnough) {
+  // abelian at h = 0 and at no other level
+  const std::string h = "(p1^2 + p2^2)/2 + a*q2^2 + q1^2*(a/4 + q2^2)";
+  const std::string positive = "[assume]\na = \"positive\"\n";
+  EXPECT_EQ(verdict(hamiltonian(h, positive + axis)), VerdictKind::non_integrable);
+  EXPECT_EQ(verdict(hamiltonian(h, positive + axis + "energy = \"auto\"\n")),
+            VerdictKind::non_integrable);
+}
+
+TEST(ParameterTraps, TheReductionDividesByAnIrrationalParameter) {
+  // a^2 = 2: y1 is constant, the group is Gm
+  EXPECT_NE(verdict(field("y1 = \"(a^2 - 2)*y2\"\ny2 = \"-2*x*y2 + 2*x*y1\"\n", "\"y1\", \"y2\"",
+                          "\"y1 = 0\", \"y2 = 0\"")),
+            VerdictKind::non_integrable);
+}
+
+TEST(ParameterTraps, OtherBlocksOnASpecialStratum) {
+  // a = b = 0: everything is solvable
+  EXPECT_NE(verdict(field("y1 = \"a*y2\"\ny2 = \"a*x*y1\"\ny3 = \"y4\"\n"
+                          "y4 = \"(b*x + 2/x^2)*y3\"\n",
+                          "\"y1\", \"y2\", \"y3\", \"y4\"",
+                          "\"y1 = 0\", \"y2 = 0\", \"y3 = 0\", \"y4 = 0\"")),
+            VerdictKind::non_integrable);
+}
+
+TEST(ParameterTraps, SeveralComponentsAreRefused) {
+  EXPECT_EQ(verdict(hamiltonian("(p1^2 + p2^2)/2 + q1^2*q2^2/2", R"t([[manifold]]
+name = "two"
+equations = ["q1*q2 = 0", "p1*q2 = 0", "p2*q1 = 0", "p1*p2 = 0"]
+level = "H = 1"
+)t")),
+            VerdictKind::undecided);
+}
+
+TEST(ParameterTraps, AGradientIsClosed) {
+  EXPECT_THROW(static_cast<void>(verdict(hamiltonian("(p1^2 + p2^2)/2 + f*q1^2 + q2",
+                                                     R"t([[system.function]]
+name = "f"
+derivative = { q1 = "q2", q2 = "-q1" }
+)t"))),
+               InputError);
+}
+
+} // namespace
+} // namespace kov
