@@ -356,9 +356,14 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     std::vector<std::string> keep;
     if (reduce && reduce->unknown) keep.push_back(s.ring()->name(*reduce->unknown));
     report.reduced = reduce_by_integrals(s.field, m, report.normal, keep);
+    auto divisors = report.reduced.divisors;
+    for (const auto& c : claims) // where the proofs of the integrals that were used hold
+      if (c.result.proved && c.claim.on.empty() &&
+          (c.claim.kind == SystemClaim::Kind::casimir ||
+           c.claim.kind == SystemClaim::Kind::integral))
+        divisors.insert(divisors.end(), c.result.generic.begin(), c.result.generic.end());
     for (const auto& members : blocks_to_study(report.reduced.system, m))
-      report.blocks.push_back(
-          study_block(s, m, report.reduced.system, report.reduced.divisors, members, options));
+      report.blocks.push_back(study_block(s, m, report.reduced.system, divisors, members, options));
     if (reduce && reduce->energy == "auto")
       for (auto& block : report.blocks)
         if (block.ode) study_energies(s, spec, *reduce, claims, options, block);
