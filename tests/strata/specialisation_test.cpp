@@ -12,7 +12,7 @@ using strata::Stratum;
 using test::compare;
 
 Question question_of(const std::string& file) {
-  System s = read_system(KOV_SOURCE_DIR "/cases/sliding_top/" + file);
+  System s = read_system(KOV_SOURCE_DIR "/cases/" + file);
   CheckOptions options;
   options.stop_at_r = true;
   const CheckReport report = check_system(s, options);
@@ -22,7 +22,7 @@ Question question_of(const std::string& file) {
 }
 
 TEST(Specialisation, Lemma3) {
-  const Question q = question_of("lemma3.toml");
+  const Question q = question_of("sliding_top/lemma3.toml");
   const StrataAnswer a = decide_strata(q);
   EXPECT_TRUE(a.decided());
   EXPECT_TRUE(a.trusted.empty());
@@ -31,7 +31,7 @@ TEST(Specialisation, Lemma3) {
 }
 
 TEST(Specialisation, Lemma2) {
-  const Question q = question_of("lemma2.toml");
+  const Question q = question_of("sliding_top/lemma2.toml");
   const StrataAnswer a = decide_strata(q);
   EXPECT_EQ(a.abelian(), Truth::no);
   EXPECT_TRUE(a.trusted.empty());
@@ -39,7 +39,7 @@ TEST(Specialisation, Lemma2) {
 }
 
 TEST(Specialisation, GravityOnTheLevelOfLame) {
-  Question q = question_of("gravity.toml");
+  Question q = question_of("sliding_top/gravity.toml");
   const auto x = [&](const char* name) { return MFraction::variable(q.r.ring(), name); };
   q.assumptions.require(x("h") * x("h") - x("A") - MFraction(q.r.ring(), Rational(1)),
                         strata::Sign::zero);
@@ -49,6 +49,18 @@ TEST(Specialisation, GravityOnTheLevelOfLame) {
     EXPECT_TRUE(s.leaf.abelian == Truth::no || s.leaf.no_equation)
         << strata::to_string(s.conditions);
   EXPECT_GT(compare(q, a, 5), 2);
+}
+
+TEST(Specialisation, TheTwoOtherManifoldsWithoutGravity) {
+  for (const char* file : {"sliding_top/remark_n.toml", "sliding_top/remark_k.toml"}) {
+    const Question q = question_of(file);
+    const StrataAnswer a = decide_strata(q);
+    EXPECT_TRUE(a.trusted.empty()) << file;
+    for (const Stratum& x : a.strata)
+      EXPECT_TRUE(x.leaf.abelian != Truth::unknown || x.leaf.no_equation)
+          << file << ": " << strata::to_string(x.conditions);
+    EXPECT_GT(compare(q, a, 7), 2) << file;
+  }
 }
 
 // y'' = (z^200 + a/z^2) y is solvable where Delta = sqrt(1 + 4 a) is an odd multiple of 101.
