@@ -113,8 +113,15 @@ Family read_family(const EquationText& text) {
   }
   if (!q.r.ring()) q.r = MFraction(ring);
   for (const auto& a : text.assume)
-    for (const Sentence& s : sentences(a))
+    for (const Sentence& s : sentences(a)) {
+      for (const Expression* side : {&s.left, s.right ? &*s.right : nullptr})
+        if (side != nullptr)
+          if (const auto used = names_in(*side);
+              std::find(used.begin(), used.end(), f.variable) != used.end())
+            throw side->error("'" + f.variable + "' is the variable of the equation",
+                              "assumptions are about parameters");
       assume(q.assumptions, s, scope);
+    }
   return f;
 }
 

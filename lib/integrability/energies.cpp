@@ -142,7 +142,7 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
       if (block.abelian == Truth::no) return; // an abelian one says nothing of the others
     }
     const auto tells = [](const EnergyResult& e) {
-      return e.strata && somewhere_not_abelian(*e.strata);
+      return e.strata && e.strata->decided() && somewhere_not_abelian(*e.strata);
     };
     if (std::none_of(block.energies.begin(), block.energies.end(), tells))
       block.strata = strata::decide_strata(strata_question(s, *block.ode),

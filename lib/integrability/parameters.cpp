@@ -69,12 +69,31 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
 }
 
 std::vector<std::size_t> level_parameters(const System& s) {
+  // whatever the equations of motion rest on
+  std::vector<MFraction> equations(s.field.components);
+  for (const auto& f : s.field.functions)
+    equations.insert(equations.end(), f.gradient.begin(), f.gradient.end());
+  equations.insert(equations.end(), s.field.relations.begin(), s.field.relations.end());
+  if (s.field.poisson)
+    for (const auto& row : *s.field.poisson)
+      equations.insert(equations.end(), row.begin(), row.end());
   std::vector<std::size_t> levels;
   for (const std::size_t i : s.field.parameters)
-    if (std::none_of(s.field.components.begin(), s.field.components.end(),
+    if (std::none_of(equations.begin(), equations.end(),
                      [&](const MFraction& x) { return uses(x, i); }))
       levels.push_back(i);
   return levels;
+}
+
+std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {
+  strata::Assumptions assumed;
+  for (const auto& a : s.assumptions)
+    add_assumption(assumed, a, s.ring());
+  const strata::Region all(s.ring(), assumed);
+  std::vector<MPoly> left;
+  for (const MPoly& g : generic)
+    if (!is_constant(g) && all.doubtful_factor(g)) left.push_back(g);
+  return left;
 }
 
 bool somewhere_not_abelian(const strata::StrataAnswer& answer) {

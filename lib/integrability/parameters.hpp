@@ -17,6 +17,9 @@ namespace kov {
 /// which vanishes for all levels, and assumptions on the levels that leave an open set.
 [[nodiscard]] bool some_level_is_not_abelian(const System& s, const strata::StrataAnswer& answer);
 
+/// Those polynomials in the parameters that may vanish under the assumptions of the file.
+[[nodiscard]] std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic);
+
 /// Some stratum has a non-abelian identity component.
 [[nodiscard]] bool somewhere_not_abelian(const strata::StrataAnswer& answer);
 

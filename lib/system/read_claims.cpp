@@ -119,6 +119,13 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
     if (name == "conditions") {
       for (const Entry* one : entry.list()) {
         s.assumptions.push_back(read_condition(*one, scope));
+        for (const std::size_t i : used_variables(s.assumptions.back().value))
+          if (std::find(s.field.parameters.begin(), s.field.parameters.end(), i) ==
+                  s.field.parameters.end() &&
+              std::find(s.field.constants.begin(), s.field.constants.end(), i) ==
+                  s.field.constants.end())
+            throw one->error("'" + s.ring()->name(i) + "' is not a parameter",
+                             "assumptions are about parameters");
         check_assumption(s.assumptions.back(), *one);
       }
       continue;

@@ -69,7 +69,13 @@ TheoremNode read_node(const Entry& e) {
   n.file = text_of(e, "file");
   n.other = text_of(e, "other");
   n.manifold = text_of(e, "manifold");
-  if (e.find("expect")) n.expect = text_of(e, "expect");
+  if (const Entry* x = e.find("expect")) {
+    n.expect = x->string();
+    const std::vector<std::string> known{"non-integrable", "no-obstruction", "depends", "any"};
+    if (std::find(known.begin(), known.end(), n.expect) == known.end())
+      throw x->error("'" + n.expect + "' is no verdict that a proof may end in",
+                     "one of " + enumerate(known));
+  }
   n.small = texts_of(e, "small");
   n.scaled = texts_of(e, "scaled");
   if (const Entry* families = e.find("families"))

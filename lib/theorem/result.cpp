@@ -90,7 +90,9 @@ std::string TheoremResult::conclusion() const {
   else if (count(NodeStatus::open) > 0)
     text = "NOT YET PROVED: " + plural(count(NodeStatus::open), "step is", "steps are") + " open";
   else
-    text = unchecked > 0 ? "PROVED, but for hypotheses that are not checked" : "PROVED";
+    text = count(NodeStatus::proved) == 0 ? "NOTHING IS PROVED HERE"
+           : unchecked > 0                ? "PROVED, but for hypotheses that are not checked"
+                                          : "PROVED";
   text += "; " + plural(count(NodeStatus::proved), "step") + " proved here, " +
           plural(trusted_theorems().size(), "theorem") + " of the literature trusted, " +
           (trusted_steps().empty() ? ""

@@ -63,6 +63,8 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
   const SplittingData d =
       splitting_data(perturbation_of_euler(s, n.node.small), options.decide.budget);
   n.checks = d.checks;
+  n.theorems.emplace_back(
+      "splitting-theorem"); // Ziglin 1980; listed unless the file has it as a node
   for (const CheckedIdentity& c : check_ziglin_hypotheses(d))
     n.checks.push_back(c);
   const VanishingConditions conditions = vanishing_conditions(d);

@@ -3,6 +3,7 @@
 #include "theorem/prove.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/parameters.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
 #include "system/weights.hpp"
@@ -57,15 +58,23 @@ void conclude(NodeResult& n, const std::string& proved) {
 void prove_claims(NodeResult& n, const std::string& directory) {
   const System s = read_system(directory + n.node.file, n.node.where);
   for (const SystemClaim& c : s.claims) {
-    const bool holds = check_claim(s, c).proved;
-    n.checks.push_back(
-        {words(c) + (c.holds ? "" : " (claimed to fail, and it does)"), holds == c.holds});
+    const ClaimResult result = check_claim(s, c);
+    std::string where;
+    for (const MPoly& g : not_excluded(s, result.generic))
+      where += (where.empty() ? " where " : ", ") + to_string(g) + " != 0";
+    if (!where.empty())
+      n.node.hypotheses.push_back(
+          {"the parameters are such that " + c.name + " is proved:" + where.substr(6), "", false});
+    n.checks.push_back({words(c) + (c.holds ? where : " (claimed to fail, and it does)"),
+                        result.proved == c.holds});
   }
   if (n.checks.empty()) throw DomainError(n.node.file + " claims nothing");
   conclude(n, "every claim of " + n.node.file + " is an exact identity");
 }
 
 void prove_scaling(NodeResult& n, const std::string& directory) {
+  if (n.node.small.empty() || n.node.scaled.empty())
+    throw DomainError("a scaling names the small parameters and the variables that are scaled");
   const System s = read_system(directory + n.node.file, n.node.where);
   std::vector<std::string> names = s.ring()->names();
   names.emplace_back("epsilon");

@@ -34,6 +34,11 @@ TEST(Sentences, AreUnderstood) {
   EXPECT_THROW(sentences("A >"), InputError);
 }
 
+TEST(Families, AssumptionsAreAboutParameters) {
+  EXPECT_THROW(static_cast<void>(family("a*z", "a = z")), InputError);
+  EXPECT_THROW(static_cast<void>(family("a*z", "z > 0")), InputError);
+}
+
 TEST(Families, AiryIsNeverAbelian) {
   const auto a = answer("z + c", "c arbitrary complex");
   ASSERT_EQ(a.strata.size(), 1U);

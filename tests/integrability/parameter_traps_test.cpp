@@ -83,6 +83,16 @@ TEST(ParameterTraps, OtherBlocksOnASpecialStratum) {
             VerdictKind::non_integrable);
 }
 
+TEST(ParameterTraps, AParameterOfAFunctionLabelsNoLevel) {
+  // f' = a: at a = 0 the coefficient f is constant
+  EXPECT_NE(verdict("[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\", \"w\"]\n"
+                    "parameters = [\"a\"]\n[system.field]\nx = \"1\"\ny = \"w\"\nw = \"f*y\"\n"
+                    "[[system.function]]\nname = \"f\"\nderivative = { x = \"a\" }\n"
+                    "[[manifold]]\nname = \"m\"\nequations = [\"y = 0\", \"w = 0\"]\n"
+                    "[reduce]\nchange = \"z = f\"\n"),
+            VerdictKind::non_integrable);
+}
+
 TEST(ParameterTraps, SeveralComponentsAreRefused) {
   EXPECT_EQ(verdict(hamiltonian("(p1^2 + p2^2)/2 + q1^2*q2^2/2", R"t([[manifold]]
 name = "two"

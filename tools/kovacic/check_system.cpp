@@ -4,6 +4,7 @@
 #include "certificate_file.hpp"
 #include "integrability/certificate.hpp"
 #include "integrability/expect.hpp"
+#include "integrability/parameters.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
 
@@ -190,7 +191,10 @@ private:
   void claims(const CheckReport& report) {
     for (const auto& c : report.claims) {
       const bool met = c.result.proved == c.claim.holds;
-      expect(title_of(c.claim) + (c.claim.holds ? ": proved" : ": refuted"),
+      std::string where;
+      for (const MPoly& g : not_excluded(report.system, c.result.generic))
+        where += (where.empty() ? " where " : ", ") + to_string(g) + " != 0";
+      expect(title_of(c.claim) + (c.claim.holds ? ": proved" + where : ": refuted"),
              met ? "" : c.result.detail);
     }
     if (report.system.manifolds.empty())
