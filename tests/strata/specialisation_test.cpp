@@ -11,8 +11,8 @@ using strata::StrataAnswer;
 using strata::Stratum;
 using test::compare;
 
-Question question_of(const std::string& file) {
-  System s = read_system(KOV_SOURCE_DIR "/cases/sliding_top/" + file);
+Question question_of(const std::string& file, const ParameterValues& values = {}) {
+  System s = read_system(KOV_SOURCE_DIR "/cases/" + file, values);
   CheckOptions options;
   options.stop_at_r = true;
   const CheckReport report = check_system(s, options);
@@ -22,7 +22,7 @@ Question question_of(const std::string& file) {
 }
 
 TEST(Specialisation, Lemma3) {
-  const Question q = question_of("lemma3.toml");
+  const Question q = question_of("sliding_top/lemma3.toml");
   const StrataAnswer a = decide_strata(q);
   EXPECT_TRUE(a.decided());
   EXPECT_TRUE(a.trusted.empty());
@@ -31,7 +31,7 @@ TEST(Specialisation, Lemma3) {
 }
 
 TEST(Specialisation, Lemma2) {
-  const Question q = question_of("lemma2.toml");
+  const Question q = question_of("sliding_top/lemma2.toml");
   const StrataAnswer a = decide_strata(q);
   EXPECT_EQ(a.abelian(), Truth::no);
   EXPECT_TRUE(a.trusted.empty());
@@ -39,7 +39,7 @@ TEST(Specialisation, Lemma2) {
 }
 
 TEST(Specialisation, GravityOnTheLevelOfLame) {
-  Question q = question_of("gravity.toml");
+  Question q = question_of("sliding_top/gravity.toml");
   const auto x = [&](const char* name) { return MFraction::variable(q.r.ring(), name); };
   q.assumptions.require(x("h") * x("h") - x("A") - MFraction(q.r.ring(), Rational(1)),
                         strata::Sign::zero);
@@ -49,6 +49,88 @@ TEST(Specialisation, GravityOnTheLevelOfLame) {
     EXPECT_TRUE(s.leaf.abelian == Truth::no || s.leaf.no_equation)
         << strata::to_string(s.conditions);
   EXPECT_GT(compare(q, a, 5), 2);
+}
+
+TEST(Specialisation, TheTwoOtherManifoldsWithoutGravity) {
+  for (const char* file : {"sliding_top/remark_n.toml", "sliding_top/remark_k.toml"}) {
+    const Question q = question_of(file);
+    const StrataAnswer a = decide_strata(q);
+    EXPECT_TRUE(a.trusted.empty()) << file;
+    for (const Stratum& x : a.strata)
+      EXPECT_TRUE(x.leaf.abelian != Truth::unknown || x.leaf.no_equation)
+          << file << ": " << strata::to_string(x.conditions);
+    EXPECT_GT(compare(q, a, 7), 2) << file;
+  }
+}
+
+MFraction variable(const Question& q, const char* name) {
+  return MFraction::variable(q.r.ring(), name);
+}
+
+MFraction number(const Question& q, const Rational& n) { return MFraction(q.r.ring(), n); }
+
+using NamedPoint = std::map<std::string, Rational>;
+
+// unknown also where no stratum contains the point
+Truth abelian_at(const Question& q, const StrataAnswer& a, const NamedPoint& point) {
+  std::map<std::size_t, Rational> values;
+  for (const auto& [name, value] : point)
+    values[q.r.ring()->index(name)] = value;
+  const Stratum* x = strata::stratum_at(a, values);
+  return x == nullptr ? Truth::unknown : x->leaf.abelian;
+}
+
+// Lame with n(n+1) = 12/beta: for beta = 6, 2, 1 n is an integer, and every A, B, g3 passes.
+TEST(Specialisation, HenonHeilesOfIntegerLameDegree) {
+  for (const char* beta : {"6", "2", "1"}) {
+    const Question q = question_of("classics/henon_heiles.toml", {{"beta", beta}});
+    const StrataAnswer a = decide_strata(q);
+    EXPECT_EQ(a.abelian(), Truth::yes) << beta;
+    EXPECT_TRUE(a.trusted.empty());
+    EXPECT_GT(compare(q, a, 11), 8) << beta;
+  }
+}
+
+// beta = 16: n = 1/2, only B = 16 A; beta = 3: n = (sqrt(17) - 1)/2.
+TEST(Specialisation, HenonHeilesOfOtherLameDegrees) {
+  const Question half = question_of("classics/henon_heiles.toml", {{"beta", "16"}});
+  const StrataAnswer a = decide_strata(half);
+  EXPECT_EQ(abelian_at(half, a, {{"A", 1}, {"B", 16}, {"g3", 1}}), Truth::yes);
+  EXPECT_EQ(abelian_at(half, a, {{"A", 1}, {"B", 1}, {"g3", 1}}), Truth::no);
+  EXPECT_GT(compare(half, a, 12), 8);
+
+  const Question irrational = question_of("classics/henon_heiles.toml", {{"beta", "3"}});
+  const StrataAnswer b = decide_strata(irrational);
+  EXPECT_EQ(abelian_at(irrational, b, {{"A", 1}, {"B", 1}, {"g3", 1}}), Truth::no);
+  EXPECT_GT(compare(irrational, b, 13), 5);
+}
+
+// Delta^2 = (8 e + 1)/16 at infinity has to be bounded: -1 < e < 4.
+TEST(Specialisation, QuarticPotential) {
+  Question q = question_of("classics/quartic_potential.toml");
+  const MFraction e = variable(q, "e");
+  q.assumptions.require(e + number(q, 1), strata::Sign::positive);
+  q.assumptions.require(number(q, 4) - e, strata::Sign::positive);
+  const StrataAnswer a = decide_strata(q);
+  EXPECT_TRUE(a.decided());
+  for (const Rational& value :
+       {Rational(0), Rational(1), Rational(3), Rational(3, 8), Rational(7, 72), Rational(247, 72)})
+    EXPECT_EQ(abelian_at(q, a, {{"e", value}, {"h", 1}}), Truth::yes) << to_string(value);
+  EXPECT_EQ(abelian_at(q, a, {{"e", 2}, {"h", 1}}), Truth::no);
+  EXPECT_GT(compare(q, a, 14), 20);
+}
+
+// Delta^2 = 17/4 + 4/(mu - 1) at infinity; mu = 1 + 4/(p^2 + p - 4) is 3, 3/2, 5/4, ...
+TEST(Specialisation, SwingingAtwood) {
+  Question q = question_of("classics/swinging_atwood.toml");
+  q.assumptions.require(variable(q, "mu") - number(q, Rational(5, 4)), strata::Sign::positive);
+  const StrataAnswer a = decide_strata(q);
+  EXPECT_TRUE(a.decided());
+  EXPECT_EQ(abelian_at(q, a, {{"mu", 3}, {"h", 1}}), Truth::yes);
+  EXPECT_EQ(abelian_at(q, a, {{"mu", Rational(3, 2)}, {"h", 1}}), Truth::yes);
+  for (const Rational& value : {Rational(2), Rational(5), Rational(4, 3)})
+    EXPECT_EQ(abelian_at(q, a, {{"mu", value}, {"h", 1}}), Truth::no) << to_string(value);
+  EXPECT_GT(compare(q, a, 15), 4);
 }
 
 // y'' = (z^200 + a/z^2) y is solvable where Delta = sqrt(1 + 4 a) is an odd multiple of 101.
