@@ -76,8 +76,8 @@ TEST_F(SingleResidues, LinesOfBothOrbitsMeetInTheFamilies) {
   EXPECT_TRUE(equal(second_line(1) - second_line(-1), 2 * be * k1 * s1));
 }
 
-// The print takes dz, and has the line of Hess and Appelrot only: rightly so, for there the other
-// factor is complex, its real and imaginary part independent.
+// The print takes dz, and has the line of Hess and Appelrot only: rightly so, for on S2 = 0 the
+// other factor is complex, its real and imaginary part independent.
 TEST_F(SingleResidues, OfDzVanishOnTheHessAppelrotLineOnly) {
   const MFraction scale_dz = x("m") * b * x("F") * x("s") / (12 * al * be * d2);
   for (const long sign : {1L, -1L}) {
@@ -85,7 +85,12 @@ TEST_F(SingleResidues, OfDzVanishOnTheHessAppelrotLineOnly) {
     const MFraction rest = at_zero(r.upper_dz, {"L2"}) / (scale_dz * hess_appelrot(sign));
     const MFraction real = 3 * al * be * (sign * be * (b - 2 * a2) * s1 + al * (b + 2 * b2) * s3);
     EXPECT_TRUE(equal(rest, sign * (real - 2 * i * second_line(sign)))) << sign;
-    EXPECT_TRUE(equal(at_zero(r.lower_dz - r.upper_dz, {"L2"}), x.number(0)));
+    // upper - lower vanishes for S2 = 0, or where h = 0 and alpha S1 = +-beta S3, so S1 = S3 = 0
+    const MFraction h = hess_appelrot(sign), ab = al * be;
+    const MFraction difference = 2 * b * h - 3 * ab * (sign * al * s1 - be * s3) - i * ab * h;
+    EXPECT_TRUE(
+        equal(r.upper_dz - r.lower_dz, 4 * sign * scale_dz * de * s2 * (b - i * ab) * difference));
+    EXPECT_FALSE(equal(at_zero(r.upper_dz, {"L1", "L3"}), x.number(0)));
   }
   EXPECT_TRUE(equal((b + 2 * b2) * k1 - (b - 2 * a2) * k3, d2 * (b * b + 4 * a2 * b2)));
 }
