@@ -1,5 +1,6 @@
 // Splitting of separatrices: Andoyer's variables, the orbits, the residues, and the classification.
 
+#include "bodies.hpp"
 #include "splitting/contour.hpp"
 #include "splitting/families.hpp"
 
@@ -8,41 +9,6 @@
 #include <random>
 
 using namespace kov;
-
-namespace {
-
-const std::vector<std::string> small{"L1", "L2", "L3"};
-
-const SplittingData& sliding_top() {
-  static const SplittingData d = splitting_data(perturbation_of_euler(
-      read_system(std::string(KOV_SOURCE_DIR "/cases/sliding_top/sliding_top.toml"), {{"g", "0"}}),
-      small));
-  return d;
-}
-
-const SplittingData& heavy_top() {
-  static const SplittingData d = splitting_data(perturbation_of_euler(
-      read_system(std::string(KOV_SOURCE_DIR "/cases/classics/heavy_top.toml")), small));
-  return d;
-}
-
-const Residues& residues_of(const SplittingData& d, long k, int sign) {
-  for (const Residues& r : d.residues)
-    if (r.k == k && r.sign == sign) return r;
-  throw InvalidArgument("no such mode");
-}
-
-class Names {
-public:
-  explicit Names(const SplittingData& d) : d_(d) {}
-  MFraction operator()(const char* name) const { return d_.space.chart.variable(name); }
-  [[nodiscard]] MFraction number(long n) const { return {d_.space.chart.ring, Rational(n)}; }
-
-private:
-  const SplittingData& d_;
-};
-
-} // namespace
 
 TEST(Andoyer, IsCanonicalAndItsInverseHasTheRightQuadrants) {
   const AndoyerChart c = andoyer_chart({});
@@ -107,61 +73,6 @@ TEST(Modes, OfTheSlidingTopReachFromMinusTwoToTwo) {
   EXPECT_TRUE(d.space.chart.field.is_zero(sum - d.first));
 }
 
-// The sums that the paper prints for the principal branch and dz, which are twice these (its H_1
-// has a factor 2); e^(i g0) is (alpha - i beta)/delta there.
-TEST(Residues, PrintedSumOfTheFirstMode) {
-  const SplittingData& d = sliding_top();
-  const Names x(d);
-  const MFraction al = x("alpha"), be = x("beta"), b = x("b"), de = x("delta"), i = x("i"),
-                  s1 = x("L1"), s2 = x("L2"), s3 = x("L3"), X = pow(x("Y"), -1);
-  const MFraction d2 = de * de, w = be * s1 + al * s3, ab = al * be;
-  const MFraction first = x.number(2) * i * b * b * (w * w - s2 * s2 * d2) +
-                          x.number(3) * ab * b *
-                              (-s2 * s2 * d2 + w * (s1 * (be - x.number(2) * i * al) +
-                                                    s3 * (al + x.number(2) * i * be))) -
-                          x.number(2) * ab * ab *
-                              ((s1 * (x.number(3) * al + x.number(2) * i * be) +
-                                s3 * (x.number(2) * i * al - x.number(3) * be)) *
-                                   w +
-                               i * s2 * s2 * d2);
-  const MFraction second = x.number(2) * de * s2 * (x.number(1) - X) * (b - i * ab) *
-                           (x.number(2) * b * w - ab * (s1 * (x.number(3) * al + i * be) +
-                                                        s3 * (i * al - x.number(3) * be)));
-  const MFraction printed = x("m") * b * x("F") * (al - i * be) * x("s") /
-                            (x.number(6) * ab * pow(de, 3)) * ((X + x.number(1)) * first + second);
-  const MFraction ours = principal_sum(d.space, residues_of(d, 1, 1));
-  const MFraction phase = (al - i * be) / de;
-  EXPECT_TRUE(d.space.field.is_zero(printed - x.number(2) * phase * ours) ||
-              d.space.field.is_zero(printed + x.number(2) * phase * ours))
-      << to_string(d.space.field.reduce(printed / ours));
-}
-
-TEST(Residues, PrintedSumOfTheSecondMode) {
-  const SplittingData& d = sliding_top();
-  const Names x(d);
-  const MFraction al = x("alpha"), be = x("beta"), b = x("b"), de = x("delta"), i = x("i"),
-                  s1 = x("L1"), s2 = x("L2"), s3 = x("L3"), X = pow(x("Y"), -1);
-  const MFraction d2 = de * de, w = be * s1 + al * s3, ab = al * be, t = s2 * s2 * d2;
-  const MFraction first =
-      x.number(4) * pow(b, 3) * (t - w * w) +
-      x.number(6) * ab * b * b *
-          ((s1 * (x.number(2) * al + i * be) + i * s3 * (al + x.number(2) * i * be)) * w - i * t) +
-      x.number(4) * ab * ab * b *
-          (t + w * (s1 * (x.number(2) * be - x.number(3) * i * al) +
-                    s3 * (x.number(2) * al + x.number(3) * i * be))) -
-      x.number(3) * i * pow(ab, 3) * (w * w + t);
-  const MFraction second = x.number(-4) * i * de * b * s2 * (X * X + x.number(1)) * (b - i * ab) *
-                           (x.number(2) * b * w - ab * (s1 * (x.number(3) * al + i * be) +
-                                                        i * s3 * (al + x.number(3) * i * be)));
-  const MFraction printed = x("m") * x("s") * x("s") * pow(al - i * be, 2) /
-                            (x.number(24) * ab * pow(de, 4)) *
-                            ((X * X - x.number(1)) * first + second);
-  const MFraction ours = principal_sum(d.space, residues_of(d, 2, 1));
-  const MFraction phase = pow((al - i * be) / de, 2);
-  EXPECT_TRUE(d.space.field.is_zero(printed - x.number(2) * phase * ours))
-      << to_string(d.space.field.reduce(printed / ours));
-}
-
 // dz and the principal branch are another condition: L on the first axis with C = 2 (A - B) has
 // vanishing sums in the strip, and printed ones that do not vanish.
 TEST(Residues, ThePrintedSumsMissAFamily) {
@@ -180,17 +91,6 @@ TEST(Residues, ThePrintedSumsMissAFamily) {
     EXPECT_TRUE(root.is_zero(substitute(strip_sum(d.space, one), at)));
     EXPECT_FALSE(root.is_zero(substitute(principal_sum(d.space, one), at)));
   }
-}
-
-// Single residues of the heavy top vanish on the Hess-Appelrot line only.
-TEST(Residues, SingleResiduesOfTheHeavyTopGiveHessAppelrot) {
-  const SplittingData& d = heavy_top();
-  const Names x(d);
-  const Residues& r = residues_of(d, 1, 1);
-  const MFraction line = x("beta") * x("L1") + x("alpha") * x("L3");
-  const MFraction expected = x("i") * x("delta") * x("L2") - line;
-  EXPECT_TRUE(uses(d.space.field.reduce(r.upper / expected), d.space.chart.ring->index("L1")) ==
-              false);
 }
 
 TEST(Families, TheSlidingTopHasExactlyTwoOneOfThemAdmissible) {
