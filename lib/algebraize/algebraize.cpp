@@ -35,15 +35,24 @@ std::vector<MPoly> conditions_on_parameters(const std::vector<MPoly>& inverted, 
 
 // A divisor is a unit also after a specialisation of the parameters at which neither the numerator
 // nor the denominator of its norm vanishes identically in z.
-std::vector<MPoly> norms(const FunctionField& f, const std::vector<MPoly>& divisors) {
+void add_norm(std::vector<MPoly>& all, const FunctionField& f, const FunctionField::Element& e) {
+  const MFraction norm = f.algebra().minimal_polynomial(e).front();
+  for (const MPoly& side : {norm.num(), norm.den()})
+    if (!is_constant(side)) all.push_back(side);
+}
+
+// Of what was divided by, of dz/dt (where it vanishes nothing moves), and of the denominator of
+// phi.
+std::vector<MPoly> norms(const FunctionField& f, const std::vector<MPoly>& divisors,
+                         const MFraction& phi) {
   std::vector<MPoly> all;
   for (const auto& d : divisors) {
     const auto e = f.evaluate(MFraction(d));
     KOV_ENSURE(e); // a unit: FunctionField::make
-    const MFraction norm = f.algebra().minimal_polynomial(*e).front();
-    for (const MPoly& side : {norm.num(), norm.den()})
-      if (!is_constant(side)) all.push_back(side);
+    add_norm(all, f, *e);
   }
+  add_norm(all, f, f.z_dot());
+  if (const auto e = f.evaluate(MFraction(phi.den()))) add_norm(all, f, *e);
   return all;
 }
 
@@ -134,7 +143,7 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std
   ode.r = *r_in_z;
   ode.field_degree = f.degree();
   ode.generic = conditions_on_parameters(f.inverted(), z);
-  for (const auto& g : conditions_on_parameters(norms(f, e.divisors), z))
+  for (const auto& g : conditions_on_parameters(norms(f, e.divisors, phi), z))
     if (std::find(ode.generic.begin(), ode.generic.end(), g) == ode.generic.end())
       ode.generic.push_back(g);
   ode.singular_places = finite_singularities(ode.r, z);

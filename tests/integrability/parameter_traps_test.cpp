@@ -93,6 +93,20 @@ TEST(ParameterTraps, AParameterOfAFunctionLabelsNoLevel) {
             VerdictKind::non_integrable);
 }
 
+TEST(ParameterTraps, NothingMovesWhereDzDtVanishes) {
+  // a = 0: the free particle on the level H = 0; r does not contain a
+  const std::string level_a = R"t([[manifold]]
+name = "axis"
+equations = ["q1 = 0", "p1 = 0"]
+level = "H = a"
+[reduce]
+variable = "q1"
+change = "z = q2"
+)t";
+  EXPECT_NE(verdict(hamiltonian("(p1^2 + p2^2)/2 + a*q2 + a*q1^2*q2", level_a)),
+            VerdictKind::non_integrable);
+}
+
 TEST(ParameterTraps, SeveralComponentsAreRefused) {
   EXPECT_EQ(verdict(hamiltonian("(p1^2 + p2^2)/2 + q1^2*q2^2/2", R"t([[manifold]]
 name = "two"
