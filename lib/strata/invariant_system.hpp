@@ -33,8 +33,17 @@ struct ParametricInvariant {
 find_invariant(const Scheme& s, const InvariantForm& form, const Region& region,
                const Budget& budget = {});
 
-/// The system has only the zero solution at every point of the stratum.
-struct Excluded {};
+/// A maximal minor of the system: the rows are powers of z.
+struct RowMinor {
+  std::vector<std::size_t> rows;
+  MPoly times; ///< a polynomial in the parameters
+};
+/// The system has only the zero solution at every point of the stratum: the sum of times * minor is
+/// known not to vanish there.
+struct Excluded {
+  std::vector<RowMinor> minors;
+  MPoly value; ///< of the sum
+};
 /// It has a nonzero solution at most where these polynomials vanish together.
 struct Unsettled {
   std::vector<MPoly> together;

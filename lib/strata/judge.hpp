@@ -26,6 +26,7 @@ struct Leaf {
   bool irregular = false;         ///< some singular place is irregular on the stratum
   bool no_equation = false;       ///< undecided because r does not mean anything here
   std::optional<Decision> number; ///< the equation has no parameters here
+  std::optional<ParametricInvariant> invariant; ///< abelian because of it
 };
 
 /// r in the parameters left in the region.
