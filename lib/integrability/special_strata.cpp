@@ -53,7 +53,8 @@ void assume(System& s, const Stratum& x, const Substitution& values) {
 
 std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
                            const std::vector<ClaimReport>& claims, const CheckOptions& options,
-                           const std::vector<std::string>& unknowns, const Stratum& x) {
+                           const std::vector<std::string>& unknowns, const Stratum& x,
+                           strata::StrataAnswer& answer) {
   const Ring& ring = x.conditions.front().p.ring();
   try {
     const Substitution values = in_ring(x.solved, ring, s.ring());
@@ -64,7 +65,11 @@ std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
     const ManifoldReport there =
         check_manifold(special, at_values(spec, values), at_values(claims, values), options);
     for (const auto& b : there.blocks)
-      if (b.unknowns == unknowns && b.ode) return inside(x, b);
+      if (b.unknowns == unknowns && b.ode) {
+        if (b.strata)
+          answer.special.push_back(std::make_shared<strata::StrataAnswer>(*b.strata));
+        return inside(x, b);
+      }
     if (there.verdict != VerdictKind::no_obstruction &&
         there.verdict != VerdictKind::non_integrable)
       return {}; // it may depend on the parameters that are left
@@ -88,7 +93,7 @@ void decide_special_strata(const System& s, const ManifoldSpec& spec,
   for (auto& x : answer.strata) {
     std::vector<Stratum> parts;
     if (x.leaf.no_equation && !x.solved.empty())
-      parts = again(s, spec, claims, options, unknowns, x);
+      parts = again(s, spec, claims, options, unknowns, x, answer);
     if (parts.empty()) parts.push_back(std::move(x));
     std::move(parts.begin(), parts.end(), std::back_inserter(all));
   }

@@ -41,6 +41,8 @@ struct StrataAnswer {
   std::vector<std::string> pruned;    ///< empty strata, with the conditions that contradict
   bool contradictory = false;         ///< no parameters satisfy the assumptions
   double seconds = 0;
+  /// Strata on which r means nothing and an equation of their own was decided instead: that answer.
+  std::vector<std::shared_ptr<const StrataAnswer>> special;
   std::shared_ptr<const Question> question; ///< what was asked
   ProofTreePtr tree;                        ///< how `strata` were found
 

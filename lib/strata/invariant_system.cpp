@@ -125,11 +125,6 @@ std::variant<std::optional<ParametricInvariant>, Needs> find_invariant(const Sch
 
 namespace {
 
-struct Minor {
-  MPoly value;
-  std::vector<std::size_t> rows;
-};
-
 // A maximal minor, by Bareiss's elimination with the rows taken in the given order of preference.
 Minor maximal_minor(const Matrix& rows, const std::vector<std::size_t>& preference,
                     const Budget& budget) {
@@ -160,35 +155,7 @@ Minor maximal_minor(const Matrix& rows, const std::vector<std::size_t>& preferen
     previous = p;
   }
   order.resize(columns);
-  return {previous, order};
-}
-
-// u a + v b = c g, g = gcd(a, b), c a constant, for polynomials in one variable x.
-std::pair<MPoly, MPoly> cofactors(const MPoly& a, const MPoly& b, std::size_t x) {
-  MPoly r0 = a;
-  MPoly r1 = b;
-  MPoly s0(a.ring(), Integer(1));
-  MPoly s1(a.ring());
-  MPoly t0(a.ring());
-  MPoly t1(a.ring(), Integer(1));
-  while (!is_zero(r1)) { // pseudo-division, one power of x at a time
-    while (!is_zero(r0) && degree(r0, x) >= degree(r1, x)) {
-      const MPoly top = coefficients(r0, x).back();
-      const MPoly lead = coefficients(r1, x).back();
-      const MPoly common = gcd(top, lead);
-      const MPoly f = exact_div(lead, common);
-      const MPoly g = exact_div(top, common) *
-                      pow(MPoly::variable(a.ring(), x),
-                          static_cast<unsigned long>(degree(r0, x) - degree(r1, x)));
-      r0 = f * r0 - g * r1;
-      s0 = f * s0 - g * s1;
-      t0 = f * t0 - g * t1;
-    }
-    std::swap(r0, r1);
-    std::swap(s0, s1);
-    std::swap(t0, t1);
-  }
-  return {s0, t0};
+  return {std::move(order), previous};
 }
 
 // Several orders of the rows: simplest first, from the top, from the bottom, from the middle.
@@ -241,29 +208,18 @@ std::variant<Excluded, Needs, Unsettled> exclude_invariant(const Scheme& s,
                                                            const Budget& budget) {
   const Matrix rows = matrix(s, form, budget);
   const bool univariate = one_parameter(rows);
-  const MPoly one(s.r.ring(), Integer(1));
   const std::string why = "Sym^" + std::to_string(form.m) + " may have a rational solution";
   MPoly common(s.r.ring());
-  Excluded proof;            // of common != 0
+  Excluded proof;
   std::vector<MPoly> doubts; // the simplest one of each minor
   for (const auto& preference : preferences(rows)) {
     const Minor minor = maximal_minor(rows, preference, budget);
     const auto doubt = simplest_doubt(minor.value, region);
-    if (!doubt) return Excluded{{{minor.rows, one}}, minor.value};
+    if (!doubt) return Excluded{{minor}};
     doubts.push_back(*doubt);
-    if (!univariate) {
-      common = gcd(common, minor.value);
-      continue;
-    }
-    const std::size_t x = used_variables(minor.value).front(); // not constant: it is in doubt
-    const auto [u, v] = is_zero(common) ? std::pair(common, one) : cofactors(common, minor.value, x);
-    common = u * common + v * minor.value;
-    for (auto& m : proof.minors)
-      m.times *= u;
-    proof.minors.push_back({minor.rows, v});
-    if (simplest_doubt(common, region)) continue;
-    proof.value = common;
-    return proof;
+    common = gcd(common, minor.value);
+    proof.minors.push_back(minor);
+    if (univariate && !simplest_doubt(common, region)) return proof;
   }
   if (const auto doubt = simplest_doubt(common, region)) return Needs{*doubt, why};
   std::sort(doubts.begin(), doubts.end(), simpler);

@@ -47,7 +47,7 @@ Json to_json(const Lemma& lemma) {
   Json::Object o{{"p", text(to_string(lemma.p))}};
   if (lemma.times) o.emplace_back("times", text(to_string(*lemma.times)));
   o.emplace_back("sign", text(lemma.positive ? "positive" : "nonzero"));
-  o.emplace_back("terms", to_json(lemma.terms));
+  if (!lemma.terms.empty()) o.emplace_back("terms", to_json(lemma.terms));
   return Json{std::move(o)};
 }
 
@@ -231,8 +231,23 @@ bool KnownFacts::ensure_nonzero(const MPoly& p, std::vector<Lemma>& lemmas) {
   const MPoly rest = without_known_factors(p);
   if (is_constant(rest)) return true;
   const auto parts = irreducible_parts(rest);
-  return std::all_of(parts.begin(), parts.end(),
-                     [&](const MPoly& f) { return ensure_sign(f, lemmas).has_value(); });
+  return std::all_of(parts.begin(), parts.end(), [&](const MPoly& f) {
+    return divides_known(f, lemmas) || ensure_sign(f, lemmas).has_value();
+  });
+}
+
+// f is a factor of a polynomial that is known not to vanish.
+bool KnownFacts::divides_known(const MPoly& f, std::vector<Lemma>& lemmas) {
+  for (const auto& q : nonzero_) {
+    if (is_zero(q)) continue;
+    auto rest = divides(f, q);
+    if (!rest) continue;
+    Lemma lemma{f, std::move(rest), false, {}};
+    add(lemma);
+    lemmas.push_back(std::move(lemma));
+    return true;
+  }
+  return false;
 }
 
 bool KnownFacts::ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas) {

@@ -19,7 +19,8 @@ struct LemmaTerm {
   std::vector<std::pair<std::size_t, long>> conditions; ///< number, exponent
   std::vector<std::pair<MPoly, long>> squares;          ///< Q, e: the factor Q^(2e)
 };
-/// p times = the sum of the terms, each >= 0 and one of them > 0.
+/// p times = the sum of the terms, each >= 0 and one of them > 0; without terms: p times is known
+/// not to vanish.
 struct Lemma {
   MPoly p;
   std::optional<MPoly> times;
@@ -67,6 +68,7 @@ private:
   [[nodiscard]] std::optional<std::pair<Terms, int>> by_shift(const MPoly& p) const;
   [[nodiscard]] std::optional<std::pair<std::size_t, int>> ensure_sign(const MPoly& f,
                                                                        std::vector<Lemma>& lemmas);
+  [[nodiscard]] bool divides_known(const MPoly& f, std::vector<Lemma>& lemmas);
   [[nodiscard]] bool strict(const LemmaTerm& t) const;
   [[nodiscard]] std::optional<std::size_t> sign_of_variable(std::size_t x) const;
 

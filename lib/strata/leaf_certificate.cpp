@@ -1,6 +1,7 @@
 #include "strata/leaf_certificate.hpp"
 
 #include "exact/error.hpp"
+#include "exact/modular.hpp"
 #include "strata/bounds.hpp"
 #include "strata/irrational.hpp"
 
@@ -261,12 +262,43 @@ private:
       Json::Array rows;
       for (const std::size_t i : minor.rows)
         rows.push_back(text(static_cast<long>(i)));
-      minors.push_back(
-          Json{Json::Object{{"rows", Json{std::move(rows)}}, {"times", text(minor.times)}}});
+      minors.push_back(Json{Json::Object{{"rows", Json{std::move(rows)}}, {"times", text(1L)}}});
     }
-    need(excluded->value, "a minor");
-    absent_.push_back(
-        Json{Json::Object{{"m", text(m)}, {"minors", Json{std::move(minors)}}}});
+    Json::Object data{{"m", text(m)}, {"minors", Json{std::move(minors)}}};
+    if (excluded->minors.size() == 1)
+      need(excluded->minors.front().value, "a minor");
+    else
+      data.emplace_back("prime", text(separating_prime(excluded->minors)));
+    absent_.push_back(Json{std::move(data)});
+  }
+
+  // A prime modulo which the minors, without the factors that are known, stay without a common root.
+  long separating_prime(const std::vector<Minor>& minors) {
+    std::vector<MPoly> rest;
+    for (const auto& minor : minors) {
+      for (const auto& f : irreducible_parts(minor.value))
+        (void)facts_.ensure_nonzero(f, lemmas_);
+      rest.push_back(facts_.without_known_factors(minor.value));
+    }
+    const auto x = used_variables(minors.front().value).front();
+    mp_limb_t p = 1UL << 30;
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      p = n_nextprime(p, 1);
+      const auto modulo = [&](const MPoly& f) {
+        NmodPoly g(p);
+        const auto c = coefficients(f, x);
+        for (std::size_t i = 0; i < c.size(); ++i)
+          if (!is_zero(c[i]))
+            g.set_coeff(static_cast<long>(i), fmpz_fdiv_ui(c[i].coefficient(0).raw(), p));
+        return g;
+      };
+      NmodPoly common = modulo(rest.front());
+      if (kov::degree(common) != degree(rest.front(), x)) continue;
+      for (const auto& f : rest)
+        common = gcd(common, modulo(f));
+      if (kov::degree(common) <= 0) return static_cast<long>(p);
+    }
+    throw NoProof("no prime separates the minors");
   }
 
   const MFraction& r_;
