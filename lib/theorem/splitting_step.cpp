@@ -56,6 +56,31 @@ void show_families(NodeResult& n, const SplittingClassification& k) {
   n.tables.push_back(std::move(empty));
 }
 
+// "with L2 = 0, L3 = 0: ", or nothing
+std::string fixed(const System& s) {
+  std::string text;
+  for (const auto& [name, value] : s.values)
+    text += (text.empty() ? "with " : ", ") + name + " = " + to_string(value);
+  return text.empty() ? text : text + ": ";
+}
+
+// The bodies and the directions that the criterion was asked about.
+std::string range(const System& s, const TheoremNode& node, bool triangle) {
+  std::string direction, zero;
+  for (const std::string& name : node.small) {
+    if (s.values.contains(name)) continue;
+    direction += (direction.empty() ? "" : ", ") + name;
+    zero += zero.empty() ? "0" : ", 0";
+  }
+  if (zero != "0") {
+    direction = "(" + direction + ")";
+    zero = "(" + zero + ")";
+  }
+  return "every body with three different moments" +
+         std::string(triangle ? " A > B > C, A <= B + C," : "") + " and every " + direction +
+         " other than " + zero;
+}
+
 } // namespace
 
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options) {
@@ -77,19 +102,24 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
     return;
   }
   std::string left, admitted;
+  bool triangle = false; // a family was left out because of it
   for (const SplittingFamily& f : k.families) {
     const std::string name = describe(f);
-    if (n.node.triangle && f.triangle == Truth::no) continue;
+    if (n.node.triangle && f.triangle == Truth::no) {
+      triangle = true;
+      continue;
+    }
     const bool listed =
         std::find(n.node.families.begin(), n.node.families.end(), name) != n.node.families.end();
     (listed ? admitted : left) += ((listed ? admitted : left).empty() ? "" : "; ") + name;
   }
   n.status = left.empty() ? NodeStatus::proved : NodeStatus::open;
-  n.summary = !left.empty()      ? "the criterion says nothing for: " + left
-              : admitted.empty() ? "a sum of residues is not zero for every body with three "
-                                   "different moments and every direction"
-                                 : "a sum of residues is not zero, except for the family " +
-                                       admitted + ", which needs another proof";
+  n.summary = left.empty()
+                  ? fixed(s) + "a sum of residues is not zero for " + range(s, n.node, triangle) +
+                        (admitted.empty() ? ""
+                                          : ", except for the family " + admitted +
+                                                ", which needs another proof")
+                  : fixed(s) + "the criterion says nothing for: " + left;
 }
 
 } // namespace kov

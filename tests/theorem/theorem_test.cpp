@@ -130,6 +130,29 @@ TEST(SplittingStep, AFamilyThatIsNotListedLeavesTheStepOpen) {
   EXPECT_EQ(run(n).status, NodeStatus::open);
 }
 
+// What `where` fixes was not studied for other values, and the sentence must not say that it was.
+TEST(SplittingStep, SaysWhatWasFixedAndWhichDirectionsWereLookedAt) {
+  TheoremNode n = node(NodeKind::splitting, "../classics/heavy_top.toml");
+  n.where = {{"L2", "0"}, {"L3", "0"}};
+  n.small = {"L1"};
+  const NodeResult one = run(n);
+  EXPECT_EQ(one.status, NodeStatus::proved);
+  EXPECT_THAT(one.summary, HasSubstr("with L2 = 0, L3 = 0"));
+  EXPECT_THAT(one.summary, HasSubstr("every L1 other than 0"));
+  n.where = {};
+  n.small = {"L1", "L2", "L3"};
+  EXPECT_THAT(run(n).summary, HasSubstr("every (L1, L2, L3) other than (0, 0, 0)"));
+}
+
+// Bodies outside the triangle inequality are left out, and that is said.
+TEST(SplittingStep, SaysThatTheTriangleInequalityWasUsed) {
+  TheoremNode n = node(NodeKind::splitting, "sliding_top.toml");
+  n.where = {{"g", "0"}};
+  n.small = {"L1", "L2", "L3"};
+  n.families = {"L3 = 0, L2 = 0, 2*A - 2*B - C = 0"};
+  EXPECT_THAT(run(n).summary, HasSubstr("A <= B + C"));
+}
+
 TEST(SplittingStep, OtherSystemsAreOpenWithAReason) {
   TheoremNode n = node(NodeKind::splitting, "../classics/henon_heiles.toml");
   n.small = {"A"};
