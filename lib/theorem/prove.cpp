@@ -29,12 +29,16 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
 }
 
 // A limit of one step is not an error of the file.
-void run_step(NodeResult& n, const std::string& directory, const ProveOptions& options) {
+void run_step(NodeResult& n, const std::string& file, const std::string& directory,
+              const ProveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   try {
     run(n, directory, options);
-  } catch (const InputError&) {
-    throw; // the file is wrong
+  } catch (const InputError& why) { // the file is wrong
+    if (!why.file().starts_with("--set")) throw;
+    throw InputError(file, n.node.line, 0, 1,
+                     "node '" + n.node.id + "', " + why.file().substr(6) + ": " + why.message(),
+                     why.hint());
   } catch (const InternalError&) {
     throw; // the program is
   } catch (const Error& why) {
@@ -77,7 +81,7 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
   for (const TheoremNode& node : t.nodes) {
     NodeResult n;
     n.node = node;
-    run_step(n, directory, options);
+    run_step(n, t.file, directory, options);
     if (options.progress) options.progress(n);
     result.nodes.push_back(std::move(n));
   }

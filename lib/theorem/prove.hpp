@@ -24,4 +24,7 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);
 
+/// What the system was told: the values in the file and in `where`, and what it assumes.
+void show_setting(NodeResult& n, const System& s);
+
 } // namespace kov

@@ -43,10 +43,23 @@ std::vector<std::string> texts_of(const Entry& e, std::string_view key) {
 
 ParameterValues read_values(const Entry& e, std::string_view key) {
   ParameterValues values;
-  if (const Entry* table = e.find(key))
-    for (const auto& [name, value] : table->members())
-      values.emplace_back(name, value.string());
+  const Entry* table = e.find(key);
+  if (!table) return values;
+  if (!table->is_table())
+    throw table->error(std::string(key) + " is a table of values",
+                       std::string(key) + " = { A = \"2*C\" }");
+  for (const auto& [name, value] : table->members())
+    values.emplace_back(name, value.string());
   return values;
+}
+
+// A sample lies in the family that `where` describes.
+void check_sample(const Entry& e, const TheoremNode& n) {
+  const Entry* sample = e.find("sample");
+  for (const auto& [name, value] : n.where)
+    if (const Entry* twice = sample ? sample->find(name) : nullptr)
+      throw twice->key_error("'" + name + "' has a value in where already (" + value + ")",
+                             "a sample gives values to the parameters that where leaves free");
 }
 
 Hypothesis read_hypothesis(const Entry& e) {
@@ -54,28 +67,75 @@ Hypothesis read_hypothesis(const Entry& e) {
   return {e.at("text").string(), text_of(e, "by"), false};
 }
 
+std::string read_expected(const Entry& e) {
+  const std::vector<std::string> known{"non-integrable", "no-obstruction", "depends", "any"};
+  if (std::find(known.begin(), known.end(), e.string()) == known.end())
+    throw e.error("'" + e.string() + "' is no verdict that a proof may end in",
+                  "one of " + enumerate(known));
+  return e.string();
+}
+
+// What each kind is asked, besides words: the keys that it must have, and those that it may have.
+struct Keys {
+  std::vector<std::string> must, may;
+};
+
+Keys keys_of(NodeKind kind) {
+  switch (kind) {
+  case NodeKind::claims:
+    return {{"file"}, {"where"}};
+  case NodeKind::case_file:
+    return {{"file"}, {"where", "sample", "manifold", "expect"}};
+  case NodeKind::splitting:
+    return {{"file", "small"}, {"where", "families", "triangle"}};
+  case NodeKind::scaling:
+    return {{"file", "small", "scaled"}, {"where"}};
+  case NodeKind::lowest_order:
+    return {{"file", "other"}, {"where"}};
+  default:
+    return {};
+  }
+}
+
+// A key that a step does not look at would be a promise that nobody keeps.
+void check_keys_of_kind(const Entry& e, NodeKind kind) {
+  const Keys keys = keys_of(kind);
+  const std::string name = to_string(kind);
+  for (const std::string& key : keys.must) {
+    const Entry* found = e.find(key);
+    if (!found) throw e.error("a node of kind '" + name + "' needs '" + key + "'");
+    if (found->strings().empty() || found->strings().front().empty())
+      throw found->error("'" + key + "' of a node of kind '" + name + "' is empty");
+  }
+  for (const char* key : {"file", "other", "where", "manifold", "expect", "small", "families",
+                          "triangle", "scaled", "sample"}) {
+    const auto among = [&](const std::vector<std::string>& all) {
+      return std::find(all.begin(), all.end(), key) != all.end();
+    };
+    if (e.find(key) && !among(keys.must) && !among(keys.may))
+      throw e.find(key)->key_error("a node of kind '" + name + "' does not look at '" + key + "'");
+  }
+}
+
 TheoremNode read_node(const Entry& e) {
   e.check_keys({"id", "title", "statement", "note", "kind", "needs", "cite", "hypotheses", "file",
                 "other", "where", "manifold", "expect", "small", "families", "triangle", "scaled",
                 "sample"});
   TheoremNode n;
+  n.kind = kind_of(e.at("kind"));
+  check_keys_of_kind(e, n.kind);
   n.id = e.at("id").string();
+  if (n.id.empty()) throw e.at("id").error("an id is not empty");
   n.title = text_of(e, "title");
+  if (n.title.empty()) n.title = n.id;
   n.statement = e.at("statement").string();
   n.note = text_of(e, "note");
-  n.kind = kind_of(e.at("kind"));
   n.needs = texts_of(e, "needs");
   n.cite = texts_of(e, "cite");
   n.file = text_of(e, "file");
   n.other = text_of(e, "other");
   n.manifold = text_of(e, "manifold");
-  if (const Entry* x = e.find("expect")) {
-    n.expect = x->string();
-    const std::vector<std::string> known{"non-integrable", "no-obstruction", "depends", "any"};
-    if (std::find(known.begin(), known.end(), n.expect) == known.end())
-      throw x->error("'" + n.expect + "' is no verdict that a proof may end in",
-                     "one of " + enumerate(known));
-  }
+  if (const Entry* x = e.find("expect")) n.expect = read_expected(*x);
   n.small = texts_of(e, "small");
   n.scaled = texts_of(e, "scaled");
   if (const Entry* families = e.find("families"))
@@ -87,12 +147,11 @@ TheoremNode read_node(const Entry& e) {
   if (const Entry* t = e.find("triangle")) n.triangle = t->boolean();
   n.where = read_values(e, "where");
   n.sample = read_values(e, "sample");
+  check_sample(e, n);
   if (const Entry* h = e.find("hypotheses"))
     for (const Entry* one : h->list())
       n.hypotheses.push_back(read_hypothesis(*one));
   n.line = e.line();
-  const bool computes = n.kind != NodeKind::theorem && n.kind != NodeKind::argument;
-  if (computes && n.file.empty()) throw e.error("this kind of node needs a file");
   return n;
 }
 

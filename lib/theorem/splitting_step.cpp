@@ -85,6 +85,7 @@ std::string range(const System& s, const TheoremNode& node, bool triangle) {
 
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   const System s = read_system(directory + n.node.file, n.node.where);
+  show_setting(n, s);
   const SplittingData d =
       splitting_data(perturbation_of_euler(s, n.node.small), options.decide.budget);
   n.checks = d.checks;

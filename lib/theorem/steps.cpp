@@ -55,8 +55,18 @@ void conclude(NodeResult& n, const std::string& proved) {
 
 } // namespace
 
+void show_setting(NodeResult& n, const System& s) {
+  std::string fixed;
+  for (const auto& [name, value] : s.values)
+    fixed += (fixed.empty() ? "" : ", ") + name + " = " + to_string(value);
+  if (!fixed.empty()) n.formulas.push_back({"with", fixed});
+  for (const Assumption& a : s.assumptions)
+    n.formulas.push_back({"assumed", a.text});
+}
+
 void prove_claims(NodeResult& n, const std::string& directory) {
   const System s = read_system(directory + n.node.file, n.node.where);
+  show_setting(n, s);
   for (const SystemClaim& c : s.claims) {
     const ClaimResult result = check_claim(s, c);
     std::string where;
@@ -76,6 +86,7 @@ void prove_scaling(NodeResult& n, const std::string& directory) {
   if (n.node.small.empty() || n.node.scaled.empty())
     throw DomainError("a scaling names the small parameters and the variables that are scaled");
   const System s = read_system(directory + n.node.file, n.node.where);
+  show_setting(n, s);
   std::vector<std::string> names = s.ring()->names();
   names.emplace_back("epsilon");
   const Ring ring = make_ring(names);
@@ -99,6 +110,7 @@ void prove_scaling(NodeResult& n, const std::string& directory) {
 
 void prove_lowest_order(NodeResult& n, const std::string& directory) {
   const System s = read_system(directory + n.node.file, n.node.where);
+  show_setting(n, s);
   const System other = read_system(directory + n.node.other, n.node.where);
   const LowestSystem low = lowest_system(s, s.expansion_terms);
   n.checks.push_back({"the bracket is weight-homogeneous", low.structure.has_value()});

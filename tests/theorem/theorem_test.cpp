@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 using namespace kov;
 using testing::HasSubstr;
 
@@ -28,6 +30,27 @@ TheoremNode node(NodeKind kind, const std::string& file) {
 
 NodeResult run(const TheoremNode& n) {
   return prove({cases + "sliding_top/test.toml", "T", "S", {}, {n}}).nodes.front();
+}
+
+// A system file for one test.
+std::string written(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+std::string on_axis(const std::string& parameters, const std::string& hamiltonian) {
+  return "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\n"
+         "momenta = [\"p1\", \"p2\"]\nparameters = [" +
+         parameters + "]\nhamiltonian = \"" + hamiltonian +
+         "\"\n[[manifold]]\nname = \"axis\"\nequations = [\"q1 = 0\", \"p1 = 0\"]\n"
+         "level = \"H = h\"\n[reduce]\nvariable = \"q1\"\nchange = \"z = q2\"\n";
+}
+
+// The step by itself, with a file that is not among the cases.
+NodeResult run_written(TheoremNode n, const std::string& text) {
+  n.file = written(n.file, text).substr(testing::TempDir().size());
+  return prove({testing::TempDir() + "test.toml", "T", "S", {}, {n}}).nodes.front();
 }
 
 std::string error_of(const std::string& nodes) {
@@ -56,6 +79,33 @@ TEST(TheoremFile, MistakesAreInputErrors) {
       error_of("[[node]]\nid = \"a\"\nstatement = \"\"\nkind = \"argument\"\n[[node]]\nid = \"a\"\n"
                "statement = \"\"\nkind = \"argument\"\n"),
       HasSubstr("twice"));
+}
+
+// A key that nobody looks at would be a promise that nobody keeps.
+TEST(TheoremFile, KeysThatAKindDoesNotLookAtAreErrors) {
+  const std::string head = "[[node]]\nid = \"a\"\nstatement = \"\"\nkind = ";
+  EXPECT_THAT(error_of(head + "\"claims\"\nfile = \"x.toml\"\nsample = { A = \"1\" }\n"),
+              HasSubstr("does not look at 'sample'"));
+  EXPECT_THAT(error_of(head + "\"argument\"\nfile = \"x.toml\"\n"),
+              HasSubstr("does not look at 'file'"));
+  EXPECT_THAT(error_of(head + "\"scaling\"\nfile = \"x.toml\"\n"), HasSubstr("needs 'small'"));
+  EXPECT_THAT(error_of(head + "\"lowest-order\"\nfile = \"x.toml\"\n"), HasSubstr("needs 'other'"));
+  EXPECT_THAT(error_of(head + "\"case\"\nfile = \"x.toml\"\nwhere = \"A = 1\"\n"),
+              HasSubstr("table of values"));
+  EXPECT_THAT(error_of(head + "\"case\"\nfile = \"x.toml\"\nexpect = \"undecided\"\n"),
+              HasSubstr("no verdict"));
+}
+
+TEST(TheoremFile, AValueForAnUnknownParameterIsAnErrorOfTheTheoremFile) {
+  TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
+  n.where = {{"zz", "1"}};
+  n.line = 7;
+  try {
+    (void)run(n);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(), HasSubstr("test.toml:7: error: node 'n', zz: 'zz' is not a parameter"));
+  }
 }
 
 TEST(TheoremFile, OpennessTravelsUpAndUncheckedHypothesesShow) {
@@ -166,6 +216,40 @@ TEST(CaseStep, ASampleIsProvedWithACertificate) {
   EXPECT_EQ(r.status, NodeStatus::proved);
   EXPECT_EQ(r.certificates.size(), 1U);
   EXPECT_FALSE(r.theorems.empty());
+}
+
+// At h = 0 nothing moves along q2: the sample is not decided, and the sentence says so.
+TEST(CaseStep, AnUndecidedSampleIsSaid) {
+  TheoremNode n = node(NodeKind::case_file, "theorem_test_level.toml");
+  n.sample = {{"h", "0"}};
+  const NodeResult r = run_written(n, on_axis("\"h\"", "(p1^2 + p2^2*q2)/2 + q1^2*q2^2"));
+  EXPECT_EQ(r.status, NodeStatus::proved); // other levels are enough
+  EXPECT_THAT(r.summary, HasSubstr("SAMPLE h = 0 BY ITSELF IS UNDECIDED"));
+}
+
+// One level is enough, and a level that is abelian is no counterexample.
+TEST(CaseStep, ASampleOfAnotherLevelIsNoContradiction) {
+  TheoremNode n = node(NodeKind::case_file, "theorem_test_levels.toml");
+  n.where = {{"a", "1"}};
+  n.sample = {{"h", "0"}};
+  const std::string text = on_axis("\"a\", \"h\"", "(p1^2 + p2^2)/2 + a*q2^2 + q1^2*(a/4 + q2^2)");
+  const NodeResult r = run_written(n, text);
+  EXPECT_EQ(r.status, NodeStatus::proved);
+  EXPECT_THAT(r.summary, HasSubstr("at the level of the sample h = 0: no-obstruction"));
+}
+
+TEST(CaseStep, ASampleGivesNoSecondValue) {
+  const std::string text = "[[node]]\nid = \"a\"\nstatement = \"\"\nkind = \"case\"\n"
+                           "file = \"x.toml\"\nwhere = { A = \"1\" }\nsample = { A = \"2\" }\n";
+  EXPECT_THAT(error_of(text), HasSubstr(":10:12: error: 'A' has a value in where already"));
+  EXPECT_THAT(error_of(text), HasSubstr("leaves free"));
+}
+
+TEST(CaseStep, ThePassedTestProvesNothing) {
+  TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
+  n.where = {{"A", "1"}, {"C", "1"}};
+  n.expect = "no-obstruction";
+  EXPECT_THAT(run(n).summary, HasSubstr("nothing follows about integrability"));
 }
 
 // A member of the family that the splitting leaves, and one where singular points meet.
