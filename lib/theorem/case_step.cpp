@@ -103,13 +103,23 @@ void show_block(NodeResult& n, const System& s, const BlockReport& b) {
   }
 }
 
+// One level that is not abelian is enough: then other strata may be anything.
+std::string reason_of(const strata::StrataAnswer& a) {
+  if (a.abelian() == Truth::no)
+    return "not abelian on every stratum of the parameters (" + std::to_string(a.strata.size()) +
+           ")";
+  for (const strata::Stratum& s : a.strata)
+    if (s.leaf.abelian == Truth::no)
+      return "not abelian where " + strata::to_string(s.conditions) +
+             ", and there are such levels: " + s.leaf.reason;
+  return "";
+}
+
 std::string reason_of(const ManifoldReport& m) {
   std::string text;
   for (const BlockReport& b : m.blocks) {
     if (b.decision) return b.decision->reason;
-    if (b.strata && b.abelian == Truth::no)
-      return "not abelian on every stratum of the parameters (" +
-             std::to_string(b.strata->strata.size()) + ")";
+    if (b.strata && b.abelian == Truth::no) return reason_of(*b.strata);
     for (const EnergyResult& e : b.energies)
       if (e.decision && e.decision->abelian == Truth::no)
         return e.condition + ": " + e.decision->reason;
@@ -239,12 +249,13 @@ void take_sample(NodeResult& n, const CheckReport& family, const ManifoldReport*
 } // namespace
 
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const CheckReport report = checked(directory + n.node.file, n.node.where, n, options);
+  const CheckReport report = checked(beside(directory, n.node.file), n.node.where, n, options);
   show_setting(n, report.system);
   if (report.manifolds.empty()) throw DomainError(n.node.file + " has no manifold");
   const ManifoldReport* taken = nullptr;
   take(n, report, taken);
-  if (!n.node.sample.empty()) take_sample(n, report, taken, directory + n.node.file, options);
+  if (!n.node.sample.empty())
+    take_sample(n, report, taken, beside(directory, n.node.file), options);
 }
 
 } // namespace kov

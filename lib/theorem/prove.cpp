@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace kov {
@@ -48,17 +49,6 @@ void run_step(NodeResult& n, const std::string& file, const std::string& directo
   n.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// A hypothesis is checked by a node that is proved, or rests on one that is trusted or reasoned and
-// named.
-void settle_hypotheses(TheoremResult& result) {
-  std::map<std::string, NodeStatus> status;
-  for (const NodeResult& n : result.nodes)
-    status[n.node.id] = n.status;
-  for (NodeResult& n : result.nodes)
-    for (Hypothesis& h : n.node.hypotheses)
-      h.checked = !h.by.empty() && status.at(h.by) == NodeStatus::proved;
-}
-
 // Openness travels up the tree; the file has no circles.
 bool is_open_below(TheoremResult& result, const std::string& id) {
   bool open = false;
@@ -69,6 +59,58 @@ bool is_open_below(TheoremResult& result, const std::string& id) {
     open = n.rests_on_open || n.status == NodeStatus::open || n.status == NodeStatus::refuted;
   }
   return open;
+}
+
+const NodeResult* find(const TheoremResult& result, const std::string& id) {
+  for (const NodeResult& n : result.nodes)
+    if (n.node.id == id) return &n;
+  return nullptr;
+}
+
+// A hypothesis is checked by a node that is proved and rests on nothing open.
+bool is_proved(const NodeResult& n) { return n.status == NodeStatus::proved && !n.rests_on_open; }
+
+// A family may be left to a case that is proved not to be integrable, and to nothing else.
+Hypothesis left_to(const LeftFamily& f, const NodeResult* by) {
+  Hypothesis h{"the bodies of the family " + f.family + " are not integrable", f.by, false};
+  if (!by)
+    h.text += " (no node is named)";
+  else if (by->node.kind != NodeKind::case_file || by->node.expect != "non-integrable")
+    h.text += " (node '" + f.by + "' is no case that is expected to be non-integrable)";
+  else
+    h.checked = is_proved(*by);
+  return h;
+}
+
+void settle_hypotheses(TheoremResult& result) {
+  for (NodeResult& n : result.nodes) {
+    for (Hypothesis& h : n.node.hypotheses)
+      h.checked = !h.by.empty() && is_proved(*find(result, h.by));
+    for (const LeftFamily& f : n.admitted)
+      n.node.hypotheses.push_back(left_to(f, find(result, f.by)));
+  }
+}
+
+// "Morales-Ramis" -> the node that stands for it among the needs: known by its id or by what it
+// cites.
+bool covers(const TheoremNode& node, const std::string& theorem) {
+  static const std::map<std::string, std::string> sources{{"Morales-Ramis", "MoralesRamis2001"},
+                                                          {"Ayoul-Zung", "AyoulZung2010"},
+                                                          {"Ziglin 1980", "Ziglin1980"}};
+  if (node.kind != NodeKind::theorem) return false;
+  const auto source = sources.find(theorem);
+  return source != sources.end() &&
+         std::find(node.cite.begin(), node.cite.end(), source->second) != node.cite.end();
+}
+
+// A theorem that a step uses is trusted, whether the file names it or not.
+void settle_theorems(TheoremResult& result) {
+  for (NodeResult& n : result.nodes)
+    std::erase_if(n.theorems, [&](const std::string& theorem) {
+      return std::any_of(n.node.needs.begin(), n.node.needs.end(), [&](const std::string& id) {
+        return covers(find(result, id)->node, theorem);
+      });
+    });
 }
 
 } // namespace
@@ -85,9 +127,10 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
     if (options.progress) options.progress(n);
     result.nodes.push_back(std::move(n));
   }
-  settle_hypotheses(result);
   for (const TheoremNode& node : t.nodes)
     (void)is_open_below(result, node.id);
+  settle_hypotheses(result);
+  settle_theorems(result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -24,6 +24,9 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);
 
+/// The path of a file named in the theorem file.
+[[nodiscard]] std::string beside(const std::string& directory, const std::string& file);
+
 /// What the system was told: the values in the file and in `where`, and what it assumes.
 void show_setting(NodeResult& n, const System& s);
 

@@ -141,8 +141,8 @@ TheoremNode read_node(const Entry& e) {
   if (const Entry* families = e.find("families"))
     for (const Entry* f : families->list()) { // another node has to prove what is left to it
       f->check_keys({"family", "by"});
-      n.families.push_back(f->at("family").string());
-      n.needs.push_back(f->at("by").string());
+      n.families.push_back({f->at("family").string(), f->at("by").string()});
+      n.needs.push_back(n.families.back().by);
     }
   if (const Entry* t = e.find("triangle")) n.triangle = t->boolean();
   n.where = read_values(e, "where");
@@ -155,11 +155,10 @@ TheoremNode read_node(const Entry& e) {
   return n;
 }
 
-void check_references(const Theorem& t, const Entry& document) {
-  std::map<std::string, const TheoremNode*> by_id;
-  for (const TheoremNode& n : t.nodes)
-    if (!by_id.emplace(n.id, &n).second)
-      throw document.error("the id '" + n.id + "' is used twice");
+using NodesById = std::map<std::string, const TheoremNode*>;
+
+// Everything that is named is there, and no hypothesis is its own proof.
+void check_names(const Theorem& t, const NodesById& by_id, const Entry& document) {
   std::vector<std::string> ids;
   for (const auto& [id, n] : by_id)
     ids.push_back(id);
@@ -172,9 +171,19 @@ void check_references(const Theorem& t, const Entry& document) {
   for (const TheoremNode& n : t.nodes) {
     for (const std::string& id : n.needs)
       known(id, n);
-    for (const Hypothesis& h : n.hypotheses)
-      if (!h.by.empty()) known(h.by, n);
+    for (const Hypothesis& h : n.hypotheses) {
+      if (h.by.empty()) continue;
+      known(h.by, n);
+      if (h.by == n.id)
+        throw document.error("node '" + n.id + "' checks its own hypothesis '" + h.text + "'",
+                             "'by' names another node, whose computation checks it");
+    }
   }
+}
+
+// No circles, and everything carries the root: a step that the theorem does not need would only
+// make it look better.
+void check_tree(const Theorem& t, const NodesById& by_id, const Entry& document) {
   std::set<std::string> open, done;
   const std::function<void(const TheoremNode&)> visit = [&](const TheoremNode& n) {
     if (done.contains(n.id)) return;
@@ -185,8 +194,24 @@ void check_references(const Theorem& t, const Entry& document) {
     open.erase(n.id);
     done.insert(n.id);
   };
+  visit(t.nodes.front());
+  const std::set<std::string> used = done;
   for (const TheoremNode& n : t.nodes)
     visit(n);
+  for (const TheoremNode& n : t.nodes)
+    if (!used.contains(n.id))
+      throw document.error("nothing rests on node '" + n.id + "': the first node, '" +
+                               t.nodes.front().id + "', does not need it",
+                           "add it to the needs of a node, or leave it out");
+}
+
+void check_references(const Theorem& t, const Entry& document) {
+  NodesById by_id;
+  for (const TheoremNode& n : t.nodes)
+    if (!by_id.emplace(n.id, &n).second)
+      throw document.error("the id '" + n.id + "' is used twice");
+  check_names(t, by_id, document);
+  check_tree(t, by_id, document);
 }
 
 } // namespace

@@ -84,13 +84,12 @@ std::string range(const System& s, const TheoremNode& node, bool triangle) {
 } // namespace
 
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const System s = read_system(directory + n.node.file, n.node.where);
+  const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
   const SplittingData d =
       splitting_data(perturbation_of_euler(s, n.node.small), options.decide.budget);
   n.checks = d.checks;
-  n.theorems.emplace_back(
-      "splitting-theorem"); // Ziglin 1980; listed unless the file has it as a node
+  n.theorems.emplace_back("Ziglin 1980");
   for (const CheckedIdentity& c : check_ziglin_hypotheses(d))
     n.checks.push_back(c);
   const VanishingConditions conditions = vanishing_conditions(d);
@@ -110,17 +109,20 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
       triangle = true;
       continue;
     }
-    const bool listed =
-        std::find(n.node.families.begin(), n.node.families.end(), name) != n.node.families.end();
-    (listed ? admitted : left) += ((listed ? admitted : left).empty() ? "" : "; ") + name;
+    const auto listed = std::find_if(n.node.families.begin(), n.node.families.end(),
+                                     [&](const LeftFamily& x) { return x.family == name; });
+    if (listed == n.node.families.end()) {
+      left += (left.empty() ? "" : "; ") + name;
+      continue;
+    }
+    n.admitted.push_back(*listed);
+    admitted += (admitted.empty() ? ", except for the family " : "; ") + name +
+                (listed->by.empty() ? "" : ", left to '" + listed->by + "'");
   }
   n.status = left.empty() ? NodeStatus::proved : NodeStatus::open;
-  n.summary = left.empty()
-                  ? fixed(s) + "a sum of residues is not zero for " + range(s, n.node, triangle) +
-                        (admitted.empty() ? ""
-                                          : ", except for the family " + admitted +
-                                                ", which needs another proof")
-                  : fixed(s) + "the criterion says nothing for: " + left;
+  n.summary = fixed(s) + (left.empty() ? "a sum of residues is not zero for " +
+                                             range(s, n.node, triangle) + admitted
+                                       : "the criterion says nothing for: " + left);
 }
 
 } // namespace kov

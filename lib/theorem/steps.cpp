@@ -13,21 +13,33 @@
 namespace kov {
 namespace {
 
+std::string on_level(const SystemClaim& c) {
+  std::string text;
+  for (const Equation& e : c.on)
+    text += (text.empty() ? " on " : ", ") + e.text;
+  return text;
+}
+
 std::string words(const SystemClaim& c) {
   using Kind = SystemClaim::Kind;
-  const std::string name = c.name.empty() ? c.text : c.name;
+  const std::string formula = c.name.empty() || c.name == c.text ? c.text : c.name + " = " + c.text;
   switch (c.kind) {
   case Kind::integral:
-    return name + " = " + c.text + " is a first integral" + (c.on.empty() ? "" : " on a level");
+    return formula + " is a first integral" + on_level(c);
   case Kind::casimir:
-    return name + " = " + c.text + " is a Casimir function";
+    return formula + " is a Casimir function" + on_level(c);
   case Kind::darboux:
-    return name + " = " + c.text + " is a Darboux polynomial: " + name + " = 0 is invariant";
-  case Kind::poisson:
-    return "bracket: " + name;
-  default:
-    return name;
+    return formula + " is a Darboux polynomial: " + c.name + " = 0 is invariant" + on_level(c);
+  default: // brackets and identities carry their own = sign
+    return (c.name.empty() || c.name == c.text ? "" : c.name + ": ") + c.text + on_level(c);
   }
+}
+
+// A claim that is expected to fail: it fails for some parameters, as far as this goes.
+std::string refutation(const System& s, bool proved) {
+  if (proved) return ": claimed to fail, but it holds";
+  return s.field.parameters.empty() ? ": claimed to fail, and it does"
+                                    : ": claimed not to hold for all parameters, and it does not";
 }
 
 // f(x) with each x in `names` replaced by epsilon x.
@@ -55,6 +67,10 @@ void conclude(NodeResult& n, const std::string& proved) {
 
 } // namespace
 
+std::string beside(const std::string& directory, const std::string& file) {
+  return file.starts_with('/') ? file : directory + file;
+}
+
 void show_setting(NodeResult& n, const System& s) {
   std::string fixed;
   for (const auto& [name, value] : s.values)
@@ -65,7 +81,7 @@ void show_setting(NodeResult& n, const System& s) {
 }
 
 void prove_claims(NodeResult& n, const std::string& directory) {
-  const System s = read_system(directory + n.node.file, n.node.where);
+  const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
   for (const SystemClaim& c : s.claims) {
     const ClaimResult result = check_claim(s, c);
@@ -74,18 +90,19 @@ void prove_claims(NodeResult& n, const std::string& directory) {
       where += (where.empty() ? " where " : ", ") + to_string(g) + " != 0";
     if (!where.empty())
       n.node.hypotheses.push_back(
-          {"the parameters are such that " + c.name + " is proved:" + where.substr(6), "", false});
-    n.checks.push_back({words(c) + (c.holds ? where : " (claimed to fail, and it does)"),
-                        result.proved == c.holds});
+          {"the parameters are such that '" + words(c) + "' is proved:" + where.substr(6), "",
+           false});
+    n.checks.push_back(
+        {words(c) + (c.holds ? where : refutation(s, result.proved)), result.proved == c.holds});
   }
   if (n.checks.empty()) throw DomainError(n.node.file + " claims nothing");
-  conclude(n, "every claim of " + n.node.file + " is an exact identity");
+  conclude(n, "every claim of " + n.node.file + " is decided by an exact identity");
 }
 
 void prove_scaling(NodeResult& n, const std::string& directory) {
   if (n.node.small.empty() || n.node.scaled.empty())
     throw DomainError("a scaling names the small parameters and the variables that are scaled");
-  const System s = read_system(directory + n.node.file, n.node.where);
+  const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
   std::vector<std::string> names = s.ring()->names();
   names.emplace_back("epsilon");
@@ -109,9 +126,9 @@ void prove_scaling(NodeResult& n, const std::string& directory) {
 }
 
 void prove_lowest_order(NodeResult& n, const std::string& directory) {
-  const System s = read_system(directory + n.node.file, n.node.where);
+  const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
-  const System other = read_system(directory + n.node.other, n.node.where);
+  const System other = read_system(beside(directory, n.node.other), n.node.where);
   const LowestSystem low = lowest_system(s, s.expansion_terms);
   n.checks.push_back({"the bracket is weight-homogeneous", low.structure.has_value()});
   n.checks.push_back({"the lowest-order field is the Hamiltonian field of the lowest term of H",

@@ -82,6 +82,35 @@ TEST(TheoremFile, MistakesAreInputErrors) {
 }
 
 // A key that nobody looks at would be a promise that nobody keeps.
+// A step that carries nothing would only make the theorem look better.
+TEST(TheoremFile, EveryNodeCarriesTheRootAndNoneItself) {
+  const std::string a = "[[node]]\nid = \"a\"\nstatement = \"\"\nkind = \"argument\"\n";
+  const std::string b = "[[node]]\nid = \"b\"\nstatement = \"\"\nkind = \"theorem\"\n";
+  EXPECT_THAT(error_of(a + b), HasSubstr("nothing rests on node 'b'"));
+  EXPECT_EQ(error_of(a + "needs = [\"b\"]\n" + b), "");
+  EXPECT_THAT(error_of(b + "hypotheses = [{ text = \"h\", by = \"b\" }]\n"),
+              HasSubstr("checks its own hypothesis"));
+}
+
+TEST(Conclusion, SaysWhatTheProofIsGiven) {
+  const TheoremResult r = prove(parsed("[[node]]\nid = \"a\"\nstatement = \"\"\n"
+                                       "kind = \"argument\"\nneeds = [\"b\"]\n"
+                                       "[[node]]\nid = \"b\"\nstatement = \"\"\n"
+                                       "kind = \"claims\"\nfile = \"euler.toml\"\n"));
+  EXPECT_EQ(r.conclusion(), "PROVED, given 1 argument in words; 1 step proved here");
+  const TheoremResult nothing =
+      prove(parsed("[[node]]\nid = \"a\"\nstatement = \"\"\nkind = \"argument\"\n"));
+  EXPECT_THAT(nothing.conclusion(), HasSubstr("NOTHING IS PROVED HERE"));
+}
+
+// The theorem of the literature is counted, whether the file names it or not.
+TEST(Conclusion, CountsTheTheoremsThatStepsUse) {
+  TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
+  n.where = {{"A", "1"}, {"C", "3/2"}};
+  const TheoremResult r = prove({cases + "sliding_top/test.toml", "T", "S", {}, {n}});
+  EXPECT_THAT(r.trusted_theorems(), testing::ElementsAre("Morales-Ramis"));
+}
+
 TEST(TheoremFile, KeysThatAKindDoesNotLookAtAreErrors) {
   const std::string head = "[[node]]\nid = \"a\"\nstatement = \"\"\nkind = ";
   EXPECT_THAT(error_of(head + "\"claims\"\nfile = \"x.toml\"\nsample = { A = \"1\" }\n"),
@@ -152,6 +181,23 @@ TEST(ClaimsStep, AFalseClaimRefutes) {
   EXPECT_EQ(run(n).status, NodeStatus::proved);
 }
 
+// What a claim divides by is a condition, whether the proof or the claim itself divides.
+TEST(ClaimsStep, WhereAClaimMeansSomething) {
+  const std::string field = "[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\"]\n"
+                            "parameters = [\"a\"]\n[system.field]\nx = \"a*x\"\ny = \"x\"\n";
+  const std::string quotient = "[[integral]]\nname = \"F\"\nvalue = \"y - x/a\"\n";
+  const TheoremNode n = node(NodeKind::claims, "theorem_test_claims.toml");
+  for (const std::string& claim :
+       {quotient, std::string("[[integral]]\nname = \"F\"\nvalue = \"y\"\non = \"a*x = 0\"\n")}) {
+    const NodeResult r = run_written(n, field + claim);
+    ASSERT_EQ(r.node.hypotheses.size(), 1U);
+    EXPECT_THAT(r.node.hypotheses[0].text, HasSubstr("a != 0"));
+    EXPECT_FALSE(r.node.hypotheses[0].checked);
+  }
+  const std::string assumed = field + "[assume]\na = \"positive\"\n" + quotient;
+  EXPECT_TRUE(run_written(n, assumed).node.hypotheses.empty());
+}
+
 TEST(ScalingStep, HoldsForTheHeavyTopTooAndNotForTheSlidingTopWithGravity) {
   TheoremNode n = node(NodeKind::scaling, "../classics/heavy_top.toml");
   n.small = {"L1", "L2", "L3"};
@@ -174,7 +220,7 @@ TEST(SplittingStep, AFamilyThatIsNotListedLeavesTheStepOpen) {
   const NodeResult open = run(n);
   EXPECT_EQ(open.status, NodeStatus::open);
   EXPECT_THAT(open.summary, HasSubstr("2*A - 2*B - C = 0"));
-  n.families = {"L3 = 0, L2 = 0, 2*A - 2*B - C = 0"};
+  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", ""}};
   EXPECT_EQ(run(n).status, NodeStatus::proved);
   n.triangle = false; // then there is one more
   EXPECT_EQ(run(n).status, NodeStatus::open);
@@ -199,8 +245,32 @@ TEST(SplittingStep, SaysThatTheTriangleInequalityWasUsed) {
   TheoremNode n = node(NodeKind::splitting, "sliding_top.toml");
   n.where = {{"g", "0"}};
   n.small = {"L1", "L2", "L3"};
-  n.families = {"L3 = 0, L2 = 0, 2*A - 2*B - C = 0"};
+  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", ""}};
   EXPECT_THAT(run(n).summary, HasSubstr("A <= B + C"));
+}
+
+// The family needs a proof of non-integrability; a claim about something else is none.
+TEST(SplittingStep, AFamilyIsNotLeftToJustAnyNode) {
+  const std::string text = R"(
+[[node]]
+id = "splitting"
+kind = "splitting"
+statement = ""
+file = "sliding_top.toml"
+where = { g = "0" }
+small = ["L1", "L2", "L3"]
+families = [{ family = "L3 = 0, L2 = 0, 2*A - 2*B - C = 0", by = "other" }]
+[[node]]
+id = "other"
+kind = "claims"
+statement = ""
+file = "euler.toml"
+)";
+  const TheoremResult r = prove(parsed(text));
+  ASSERT_EQ(r.unchecked_hypotheses().size(), 1U);
+  EXPECT_THAT(r.unchecked_hypotheses()[0], HasSubstr("'other' is no case"));
+  EXPECT_THAT(r.trusted_theorems(), testing::ElementsAre("Ziglin 1980"));
+  EXPECT_THAT(r.conclusion(), HasSubstr("1 hypothesis NOT CHECKED"));
 }
 
 TEST(SplittingStep, OtherSystemsAreOpenWithAReason) {
