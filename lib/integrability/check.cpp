@@ -369,13 +369,14 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
         if (block.ode) study_energies(s, spec, *reduce, claims, options, block);
     for (auto& block : report.blocks) {
       if (block.strata) {
-        decide_special_strata(s, spec, claims, options, block.unknowns, *block.strata);
+        decide_special_strata(s, spec, claims, options, report.blocks, block.unknowns,
+                              *block.strata);
         block.abelian =
             some_level_is_not_abelian(s, *block.strata) ? Truth::no : block.strata->abelian();
       }
       for (auto& e : block.energies)
         if (e.strata) {
-          decide_special_strata(s, spec, claims, options, block.unknowns, *e.strata);
+          decide_special_strata(s, spec, claims, options, report.blocks, block.unknowns, *e.strata);
           if (e.strata->abelian() == Truth::no) block.abelian = Truth::no;
         }
     }

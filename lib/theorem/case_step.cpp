@@ -75,8 +75,10 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
             {"stratum", "group", "identity component", "because"},
             {}};
   for (const strata::Stratum& s : a.strata)
-    grid.rows.push_back({strata::to_string(s.conditions), s.leaf.group_text, answer(s.leaf.abelian),
-                         s.leaf.reason});
+    grid.rows.push_back(
+        {strata::to_string(s.conditions), s.leaf.group_text,
+         (s.leaf.blocks_only ? "of each diagonal block: " : "") + answer(s.leaf.abelian),
+         s.leaf.reason});
   for (const std::string& u : a.unvisited)
     grid.rows.push_back({u, "", "undecided", "a limit was reached"});
   n.tables.push_back(std::move(grid));
