@@ -146,6 +146,14 @@ change = "z = q2"
             VerdictKind::non_integrable);
 }
 
+// Constant coefficients: the group is a torus or additive, for every a.
+TEST(ParameterTraps, NothingDependsOnTheTime) {
+  EXPECT_EQ(verdict("[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\", \"w\"]\n"
+                    "parameters = [\"a\"]\n[system.field]\nx = \"1\"\ny = \"w\"\nw = \"a*y\"\n"
+                    "[[manifold]]\nname = \"m\"\nequations = [\"y = 0\", \"w = 0\"]\n"),
+            VerdictKind::no_obstruction);
+}
+
 TEST(ParameterTraps, SeveralComponentsAreRefused) {
   EXPECT_EQ(verdict(hamiltonian("(p1^2 + p2^2)/2 + q1^2*q2^2/2", R"t([[manifold]]
 name = "two"
