@@ -70,24 +70,12 @@ const NodeResult* find(const TheoremResult& result, const std::string& id) {
 // A hypothesis is checked by a node that is proved and rests on nothing open.
 bool is_proved(const NodeResult& n) { return n.status == NodeStatus::proved && !n.rests_on_open; }
 
-// A family may be left to a case that is proved not to be integrable, and to nothing else.
-Hypothesis left_to(const LeftFamily& f, const NodeResult* by) {
-  Hypothesis h{"the bodies of the family " + f.family + " are not integrable", f.by, false};
-  if (!by)
-    h.text += " (no node is named)";
-  else if (by->node.kind != NodeKind::case_file || by->node.expect != "non-integrable")
-    h.text += " (node '" + f.by + "' is no case that is expected to be non-integrable)";
-  else
-    h.checked = is_proved(*by);
-  return h;
-}
-
-void settle_hypotheses(TheoremResult& result) {
+void settle_hypotheses(TheoremResult& result, const std::string& directory) {
   for (NodeResult& n : result.nodes) {
     for (Hypothesis& h : n.node.hypotheses)
       h.checked = !h.by.empty() && is_proved(*find(result, h.by));
-    for (const LeftFamily& f : n.admitted)
-      n.node.hypotheses.push_back(left_to(f, find(result, f.by)));
+    for (const AdmittedFamily& f : n.admitted)
+      n.node.hypotheses.push_back(settle_family(n, f, find(result, f.left.by), directory));
   }
 }
 
@@ -129,7 +117,7 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
   }
   for (const TheoremNode& node : t.nodes)
     (void)is_open_below(result, node.id);
-  settle_hypotheses(result);
+  settle_hypotheses(result, directory);
   settle_theorems(result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;

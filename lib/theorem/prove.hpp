@@ -24,6 +24,10 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);
 
+/// "The family is not integrable": checked if `by` is a case that proves it, and that is about it.
+[[nodiscard]] Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f,
+                                       const NodeResult* by, const std::string& directory);
+
 /// The path of a file named in the theorem file.
 [[nodiscard]] std::string beside(const std::string& directory, const std::string& file);
 

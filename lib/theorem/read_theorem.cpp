@@ -140,8 +140,9 @@ TheoremNode read_node(const Entry& e) {
   n.scaled = texts_of(e, "scaled");
   if (const Entry* families = e.find("families"))
     for (const Entry* f : families->list()) { // another node has to prove what is left to it
-      f->check_keys({"family", "by"});
-      n.families.push_back({f->at("family").string(), f->at("by").string()});
+      f->check_keys({"family", "by", "units"});
+      n.families.push_back(
+          {f->at("family").string(), f->at("by").string(), read_values(*f, "units")});
       n.needs.push_back(n.families.back().by);
     }
   if (const Entry* t = e.find("triangle")) n.triangle = t->boolean();

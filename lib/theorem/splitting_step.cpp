@@ -64,6 +64,33 @@ std::string fixed(const System& s) {
   return text.empty() ? text : text + ": ";
 }
 
+// The moments go by the names that the criterion gives them.
+bool has_moments(const EulerPerturbation& p) {
+  for (int k = 0; k < 3; ++k)
+    if (to_string(p.inverse_inertia[k]) != std::string("1/") + "ABC"[k]) return false;
+  return true;
+}
+
+// The equations of the family as values of parameters: L2 = 0, L3 = 0, C = 2*A - 2*B.
+std::vector<ParameterValues> members(const System& s, const std::vector<std::string>& small,
+                                     const SplittingFamily& f) {
+  if (f.direction || f.moments.size() > 1 || !has_moments(perturbation_of_euler(s, small)))
+    return {};
+  ParameterValues zero;
+  for (const std::string& name : f.zero)
+    zero.emplace_back(name, "0");
+  if (f.moments.empty()) return {zero};
+  std::vector<ParameterValues> all;
+  const MPoly& g = f.moments.front();
+  for (const std::size_t v : used_variables(MFraction(g))) {
+    const auto c = coefficients(g, v);
+    if (c.size() != 2 || !is_constant(c[1])) continue;
+    all.push_back(zero);
+    all.back().emplace_back(g.ring()->name(v), to_string(-MFraction(c[0], c[1])));
+  }
+  return all;
+}
+
 // The bodies and the directions that the criterion was asked about.
 std::string range(const System& s, const TheoremNode& node, bool triangle) {
   std::string direction, zero;
@@ -115,7 +142,7 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
       left += (left.empty() ? "" : "; ") + name;
       continue;
     }
-    n.admitted.push_back(*listed);
+    n.admitted.push_back({*listed, members(s, n.node.small, f)});
     admitted += (admitted.empty() ? ", except for the family " : "; ") + name +
                 (listed->by.empty() ? "" : ", left to '" + listed->by + "'");
   }

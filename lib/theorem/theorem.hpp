@@ -50,6 +50,14 @@ struct Hypothesis {
 /// A family that the separatrix criterion leaves, and the case node that is to prove it.
 struct LeftFamily {
   std::string family, by;
+  ParameterValues units; ///< parameters that are 1 in the file of the case
+};
+
+/// One that occurs, with its equations as values of parameters (in every way that they can be
+/// solved).
+struct AdmittedFamily {
+  LeftFamily left;
+  std::vector<ParameterValues> members;
 };
 
 struct TheoremNode {
@@ -105,10 +113,10 @@ struct PolePicture {
 struct NodeResult {
   TheoremNode node;
   NodeStatus status = NodeStatus::open;
-  bool rests_on_open = false;       ///< something below it is open or refuted
-  std::vector<LeftFamily> admitted; ///< splitting: families that occur and are left to others
-  std::string summary;              ///< one sentence: what was found
-  CheckedIdentities checks;         ///< each identity that was verified
+  bool rests_on_open = false;           ///< something below it is open or refuted
+  std::vector<AdmittedFamily> admitted; ///< splitting: families that are left to other nodes
+  std::string summary;                  ///< one sentence: what was found
+  CheckedIdentities checks;             ///< each identity that was verified
   std::vector<Formula> formulas;
   std::vector<Grid> tables;
   std::vector<PolePicture> pictures;

@@ -220,7 +220,7 @@ TEST(SplittingStep, AFamilyThatIsNotListedLeavesTheStepOpen) {
   const NodeResult open = run(n);
   EXPECT_EQ(open.status, NodeStatus::open);
   EXPECT_THAT(open.summary, HasSubstr("2*A - 2*B - C = 0"));
-  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", ""}};
+  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", "", {}}};
   EXPECT_EQ(run(n).status, NodeStatus::proved);
   n.triangle = false; // then there is one more
   EXPECT_EQ(run(n).status, NodeStatus::open);
@@ -245,13 +245,14 @@ TEST(SplittingStep, SaysThatTheTriangleInequalityWasUsed) {
   TheoremNode n = node(NodeKind::splitting, "sliding_top.toml");
   n.where = {{"g", "0"}};
   n.small = {"L1", "L2", "L3"};
-  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", ""}};
+  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", "", {}}};
   EXPECT_THAT(run(n).summary, HasSubstr("A <= B + C"));
 }
 
-// The family needs a proof of non-integrability; a claim about something else is none.
-TEST(SplittingStep, AFamilyIsNotLeftToJustAnyNode) {
-  const std::string text = R"(
+namespace {
+
+TheoremResult left_to(const std::string& units, const std::string& other) {
+  return prove(parsed(R"(
 [[node]]
 id = "splitting"
 kind = "splitting"
@@ -259,18 +260,54 @@ statement = ""
 file = "sliding_top.toml"
 where = { g = "0" }
 small = ["L1", "L2", "L3"]
-families = [{ family = "L3 = 0, L2 = 0, 2*A - 2*B - C = 0", by = "other" }]
+families = [{ family = "L3 = 0, L2 = 0, 2*A - 2*B - C = 0", by = "other")" +
+                      units + R"( }]
 [[node]]
 id = "other"
-kind = "claims"
 statement = ""
-file = "euler.toml"
-)";
-  const TheoremResult r = prove(parsed(text));
-  ASSERT_EQ(r.unchecked_hypotheses().size(), 1U);
-  EXPECT_THAT(r.unchecked_hypotheses()[0], HasSubstr("'other' is no case"));
-  EXPECT_THAT(r.trusted_theorems(), testing::ElementsAre("Ziglin 1980"));
-  EXPECT_THAT(r.conclusion(), HasSubstr("1 hypothesis NOT CHECKED"));
+)" + other));
+}
+
+std::string unchecked(const TheoremResult& r) {
+  const auto all = r.unchecked_hypotheses();
+  return all.empty() ? "" : all.front();
+}
+
+const std::string long_axis = "kind = \"case\"\nfile = \"long_axis.toml\"\n";
+const std::string in_units = ", units = { m = \"1\", L1 = \"1\" }";
+
+} // namespace
+
+// The family needs a proof of non-integrability; a claim about something else is none.
+TEST(SplittingStep, AFamilyIsNotLeftToJustAnyNode) {
+  const TheoremResult claims = left_to("", "kind = \"claims\"\nfile = \"euler.toml\"\n");
+  EXPECT_THAT(unchecked(claims), HasSubstr("'other' is no case"));
+  EXPECT_THAT(claims.trusted_theorems(), testing::ElementsAre("Ziglin 1980"));
+  EXPECT_THAT(claims.conclusion(), HasSubstr("1 hypothesis NOT CHECKED"));
+  const std::string sample = "kind = \"case\"\nfile = \"lemma3_sample.toml\"\n";
+  EXPECT_THAT(unchecked(left_to(in_units, sample)), HasSubstr("its field is another one"));
+}
+
+// The field of the case is that of the splitting step on the family, up to a choice of units.
+TEST(SplittingStep, AFamilyIsLeftToACaseAboutIt) {
+  EXPECT_EQ(unchecked(left_to(in_units, long_axis)), "");
+  EXPECT_THAT(unchecked(left_to("", long_axis)), HasSubstr("its field is another one"));
+  EXPECT_THAT(unchecked(left_to(", units = { m = \"1\", L1 = \"2\" }", long_axis)),
+              HasSubstr("its field is another one"));
+  // one body only
+  EXPECT_NE(unchecked(left_to(in_units, long_axis + "where = { A = \"5/4\", B = \"1\" }\n")), "");
+}
+
+// What the case assumes besides must follow.
+TEST(SplittingStep, AFamilyIsNotLeftToACaseAboutPartOfIt) {
+  std::ifstream file(cases + "sliding_top/long_axis.toml");
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const auto at = text.find("\"3*B - 2*A > 0\"");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at, "\"4*B - 3*A > 0\", ");
+  const std::string path = written("theorem_test_part.toml", text);
+  EXPECT_THAT(unchecked(left_to(in_units, "kind = \"case\"\nfile = \"" + path + "\"\n")),
+              HasSubstr("it assumes that 4*B - 3*A > 0"));
 }
 
 TEST(SplittingStep, OtherSystemsAreOpenWithAReason) {
