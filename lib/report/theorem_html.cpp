@@ -192,6 +192,7 @@ std::string theorem_html(const TheoremResult& t) {
     trusted += tag("li", prose(s, html));
   for (const std::string& s : t.unchecked_hypotheses())
     trusted += tag("li", "Hypothesis not checked: " + prose(s, html), "class=\"warn\"");
+  if (trusted.empty()) trusted = tag("li", "nothing");
   std::string steps;
   for (const NodeResult& n : t.nodes)
     steps += tag("details",

@@ -155,6 +155,7 @@ std::string theorem_tex(const TheoremResult& t) {
     out += "\\item " + prose(s, tex) + "\n";
   for (const std::string& s : t.unchecked_hypotheses())
     out += "\\item \\textbf{Hypothesis not checked.} " + prose(s, tex) + "\n";
+  if (out.ends_with("\\begin{itemize}\n")) out += "\\item nothing\n";
   out += "\\item[] \n\\end{itemize}\n\\section*{The steps}\n";
   for (const NodeResult& n : t.nodes)
     out += step(t, n);

@@ -99,6 +99,7 @@ std::string theorem_text(const TheoremResult& t) {
     out += filled(s, 2);
   for (const std::string& s : t.unchecked_hypotheses())
     out += filled("HYPOTHESIS NOT CHECKED  " + s, 2);
+  if (out.ends_with("\ntrusted\n")) out += "  nothing\n";
   for (const NodeResult& n : t.nodes)
     put_step(out, n);
   return out;

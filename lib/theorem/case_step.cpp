@@ -146,11 +146,16 @@ CheckReport checked(const std::string& path, const ParameterValues& where, const
   check.decide = options.decide;
   check.decide.want_certificate = true;
   check.only_manifold = n.node.manifold;
-  return check_system(read_system(path, where), check);
+  const System s = read_system(path, where);
+  std::vector<std::string> names;
+  for (const ManifoldSpec& m : s.manifolds)
+    names.push_back(m.name);
+  if (!n.node.manifold.empty()) require_known(n.node.manifold, names, "manifold");
+  return check_system(s, check);
 }
 
 std::string found(const ManifoldReport& m) {
-  const std::string reason = reason_of(m);
+  const std::string reason = m.failure ? m.failure->message : reason_of(m);
   return to_string(m.verdict) + (reason.empty() ? "" : ": " + reason);
 }
 
@@ -158,25 +163,46 @@ bool expected(const TheoremNode& node, VerdictKind v) {
   return node.expect == "any" ? v != VerdictKind::undecided : to_string(v) == node.expect;
 }
 
-// The first manifold with the expected verdict, or none: then the last one, for the reason.
-void take(NodeResult& n, const CheckReport& report, const ManifoldReport*& taken) {
-  for (const ManifoldReport& m : report.manifolds) {
-    taken = &m;
-    if (m.failure) {
-      n.summary = m.failure->message;
-      return;
-    }
-    n.checks.push_back({"the manifold " + m.name + " is invariant", m.manifold.has_value()});
-    for (const BlockReport& b : m.blocks)
-      show_block(n, report.system, b);
-    n.summary = found(m);
-    if (!expected(n.node, m.verdict)) continue;
-    n.status = NodeStatus::proved;
-    if (m.verdict == VerdictKind::no_obstruction)
-      n.summary += " (the test passes; nothing follows about integrability)";
-    if (m.verdict == VerdictKind::non_integrable) n.theorems.push_back(m.theorem);
-    return;
+// Not integrable along one manifold is not integrable; otherwise all of them have to be decided.
+int weight(const ManifoldReport& m) {
+  return m.verdict == VerdictKind::non_integrable           ? 3
+         : m.failure || m.verdict == VerdictKind::undecided ? 2
+         : m.verdict == VerdictKind::depends                ? 1
+                                                            : 0;
+}
+
+// Found, but not what the file says.
+void unexpected(NodeResult& n, const ManifoldReport& m) {
+  if (m.verdict != VerdictKind::undecided)
+    n.summary = "expected " + n.node.expect + ", found " + n.summary;
+  if (m.verdict == VerdictKind::non_integrable) n.status = NodeStatus::refuted;
+}
+
+// The manifold that decides, with its material.
+const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
+  const auto& all = report.manifolds;
+  const ManifoldReport& m = *std::max_element(
+      all.begin(), all.end(),
+      [](const ManifoldReport& a, const ManifoldReport& b) { return weight(a) < weight(b); });
+  for (const ManifoldReport& other : all)
+    if (&other != &m) n.formulas.push_back({"manifold " + other.name, found(other)});
+  if (m.failure) {
+    n.summary = m.failure->message;
+    return m;
   }
+  n.checks.push_back({"the manifold " + m.name + " is invariant", m.manifold.has_value()});
+  for (const BlockReport& b : m.blocks)
+    show_block(n, report.system, b);
+  n.summary = found(m);
+  if (!expected(n.node, m.verdict)) {
+    unexpected(n, m);
+    return m;
+  }
+  n.status = NodeStatus::proved;
+  if (m.verdict == VerdictKind::no_obstruction)
+    n.summary += " (the test passes; nothing follows about integrability)";
+  if (m.verdict == VerdictKind::non_integrable) n.theorems.push_back(m.theorem);
+  return m;
 }
 
 std::string text_of(const ParameterValues& values) {
@@ -232,7 +258,7 @@ void compare(NodeResult& n, const System& family, const ManifoldReport& whole,
 }
 
 // One set of values from the family, decided by itself: a second opinion with tables.
-void take_sample(NodeResult& n, const CheckReport& family, const ManifoldReport* whole,
+void take_sample(NodeResult& n, const CheckReport& family, const ManifoldReport& whole,
                  const std::string& path, const ProveOptions& options) {
   const std::string text = text_of(n.node.sample);
   n.formulas.push_back({"a sample", text});
@@ -240,24 +266,22 @@ void take_sample(NodeResult& n, const CheckReport& family, const ManifoldReport*
   values.insert(values.end(), n.node.sample.begin(), n.node.sample.end());
   NodeResult sample;
   sample.node = n.node;
-  if (whole) sample.node.manifold = whole->name;
+  sample.node.manifold = whole.name;
   const CheckReport report = checked(path, values, sample, options);
-  const ManifoldReport* there = nullptr;
-  take(sample, report, there);
+  const ManifoldReport& there = take(sample, report);
   move_material(n, sample);
-  if (whole && there) compare(n, family.system, *whole, *there, text);
+  compare(n, family.system, whole, there, text);
 }
 
 } // namespace
 
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const CheckReport report = checked(beside(directory, n.node.file), n.node.where, n, options);
+  const std::string path = beside(directory, n.node.file);
+  const CheckReport report = checked(path, n.node.where, n, options);
   show_setting(n, report.system);
   if (report.manifolds.empty()) throw DomainError(n.node.file + " has no manifold");
-  const ManifoldReport* taken = nullptr;
-  take(n, report, taken);
-  if (!n.node.sample.empty())
-    take_sample(n, report, taken, beside(directory, n.node.file), options);
+  const ManifoldReport& whole = take(n, report);
+  if (!n.node.sample.empty()) take_sample(n, report, whole, path, options);
 }
 
 } // namespace kov

@@ -35,10 +35,13 @@ void run_step(NodeResult& n, const std::string& file, const std::string& directo
   const auto start = std::chrono::steady_clock::now();
   try {
     run(n, directory, options);
-  } catch (const InputError& why) { // the file is wrong
-    if (!why.file().starts_with("--set")) throw;
+  } catch (const InputError& why) {                          // the file is wrong
+    const bool of_values = why.file().starts_with("--set "); // in where, sample or units
+    if (!of_values && !why.file().empty()) throw;
     throw InputError(file, n.node.line, 0, 1,
-                     "node '" + n.node.id + "', " + why.file().substr(6) + ": " + why.message(),
+                     "node '" + n.node.id + "'" +
+                         (of_values ? ", value of " + why.file().substr(6) : "") + ": " +
+                         why.message(),
                      why.hint());
   } catch (const InternalError&) {
     throw; // the program is

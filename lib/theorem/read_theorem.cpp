@@ -117,6 +117,18 @@ void check_keys_of_kind(const Entry& e, NodeKind kind) {
   }
 }
 
+// Certificates are files of this name.
+std::string read_id(const Entry& e) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_';
+  };
+  const std::string& id = e.string();
+  if (id.empty() || !std::all_of(id.begin(), id.end(), allowed))
+    throw e.error("an id consists of letters, digits, - and _", "the title may be anything");
+  return id;
+}
+
 TheoremNode read_node(const Entry& e) {
   e.check_keys({"id", "title", "statement", "note", "kind", "needs", "cite", "hypotheses", "file",
                 "other", "where", "manifold", "expect", "small", "families", "triangle", "scaled",
@@ -124,8 +136,7 @@ TheoremNode read_node(const Entry& e) {
   TheoremNode n;
   n.kind = kind_of(e.at("kind"));
   check_keys_of_kind(e, n.kind);
-  n.id = e.at("id").string();
-  if (n.id.empty()) throw e.at("id").error("an id is not empty");
+  n.id = read_id(e.at("id"));
   n.title = text_of(e, "title");
   if (n.title.empty()) n.title = n.id;
   n.statement = e.at("statement").string();

@@ -25,7 +25,7 @@ std::size_t TheoremResult::count(NodeStatus s) const {
 std::vector<std::string> TheoremResult::trusted_theorems() const {
   std::vector<std::string> all;
   for (const NodeResult& n : nodes)
-    if (n.status == NodeStatus::trusted) add_once(all, n.node.title);
+    if (n.status == NodeStatus::trusted) all.push_back(n.node.title);
   for (const NodeResult& n : nodes)
     for (const std::string& t : n.theorems)
       add_once(all, t);

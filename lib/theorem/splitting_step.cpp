@@ -113,6 +113,8 @@ std::string range(const System& s, const TheoremNode& node, bool triangle) {
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
+  for (const std::string& name : n.node.small)
+    require_known(name, free_parameters(s), "free parameter of " + n.node.file);
   const SplittingData d =
       splitting_data(perturbation_of_euler(s, n.node.small), options.decide.budget);
   n.checks = d.checks;
@@ -146,9 +148,16 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
     admitted += (admitted.empty() ? ", except for the family " : "; ") + name +
                 (listed->by.empty() ? "" : ", left to '" + listed->by + "'");
   }
+  for (const LeftFamily& f : n.node.families)
+    if (std::none_of(k.families.begin(), k.families.end(),
+                     [&](const SplittingFamily& x) { return describe(x) == f.family; }))
+      left += (left.empty() ? "" : "; ") + f.family +
+              " (listed, but the criterion leaves no such family)";
   n.status = left.empty() ? NodeStatus::proved : NodeStatus::open;
   n.summary = fixed(s) + (left.empty() ? "a sum of residues is not zero for " +
-                                             range(s, n.node, triangle) + admitted
+                                             range(s, n.node, triangle) + admitted +
+                                             "; by Ziglin's theorem there is no further integral "
+                                             "when these parameters are small"
                                        : "the criterion says nothing for: " + left);
 }
 

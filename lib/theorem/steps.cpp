@@ -67,6 +67,23 @@ void conclude(NodeResult& n, const std::string& proved) {
 
 } // namespace
 
+void require_known(const std::string& name, const std::vector<std::string>& known,
+                   const std::string& what) {
+  if (std::find(known.begin(), known.end(), name) != known.end()) return;
+  const auto near = nearest(name, known);
+  throw InputError("", 0, 0, 1, "'" + name + "' is no " + what,
+                   near            ? "did you mean " + *near + "?"
+                   : known.empty() ? "there is none"
+                                   : "known: " + enumerate(known));
+}
+
+std::vector<std::string> free_parameters(const System& s) {
+  std::vector<std::string> names;
+  for (const std::size_t i : s.field.parameters)
+    if (!s.values.contains(s.ring()->name(i))) names.push_back(s.ring()->name(i));
+  return names;
+}
+
 std::string beside(const std::string& directory, const std::string& file) {
   return file.starts_with('/') ? file : directory + file;
 }
@@ -100,10 +117,15 @@ void prove_claims(NodeResult& n, const std::string& directory) {
 }
 
 void prove_scaling(NodeResult& n, const std::string& directory) {
-  if (n.node.small.empty() || n.node.scaled.empty())
-    throw DomainError("a scaling names the small parameters and the variables that are scaled");
   const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
+  std::vector<std::string> coordinates;
+  for (std::size_t j = 0; j < s.field.dimension(); ++j)
+    coordinates.push_back(s.field.name(j));
+  for (const std::string& name : n.node.small)
+    require_known(name, free_parameters(s), "free parameter of " + n.node.file);
+  for (const std::string& name : n.node.scaled)
+    require_known(name, coordinates, "coordinate of " + n.node.file);
   std::vector<std::string> names = s.ring()->names();
   names.emplace_back("epsilon");
   const Ring ring = make_ring(names);
@@ -129,7 +151,10 @@ void prove_lowest_order(NodeResult& n, const std::string& directory) {
   const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
   const System other = read_system(beside(directory, n.node.other), n.node.where);
+  if (s.weights.empty()) throw DomainError(n.node.file + " has no [expansion] with weights");
   const LowestSystem low = lowest_system(s, s.expansion_terms);
+  n.checks.push_back({"both systems have " + std::to_string(s.field.dimension()) + " coordinates",
+                      s.field.dimension() == other.field.dimension()});
   n.checks.push_back({"the bracket is weight-homogeneous", low.structure.has_value()});
   n.checks.push_back({"the lowest-order field is the Hamiltonian field of the lowest term of H",
                       low.is_hamiltonian});

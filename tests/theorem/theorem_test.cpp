@@ -133,8 +133,34 @@ TEST(TheoremFile, AValueForAnUnknownParameterIsAnErrorOfTheTheoremFile) {
     (void)run(n);
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), HasSubstr("test.toml:7: error: node 'n', zz: 'zz' is not a parameter"));
+    EXPECT_THAT(e.what(),
+                HasSubstr("test.toml:7: error: node 'n', value of zz: 'zz' is not a parameter"));
   }
+}
+
+// Names that the system file does not know are mistakes of the theorem file, not open questions.
+TEST(TheoremFile, NamesThatTheSystemDoesNotKnowAreErrors) {
+  const auto message = [](TheoremNode n) -> std::string {
+    try {
+      return "no error: " + run(n).summary;
+    } catch (const InputError& e) {
+      return e.what() + e.hint();
+    }
+  };
+  TheoremNode n = node(NodeKind::scaling, "sliding_top.toml");
+  n.small = {"L1", "L22"};
+  n.scaled = {"Gamma1"};
+  EXPECT_THAT(message(n), HasSubstr("'L22' is no free parameter"));
+  n.small = {"L1"};
+  n.scaled = {"Gama1"};
+  EXPECT_THAT(message(n), HasSubstr("did you mean Gamma1"));
+  n.where = {{"L1", "0"}};
+  EXPECT_THAT(message(n), HasSubstr("'L1' is no free parameter"));
+  TheoremNode c = node(NodeKind::case_file, "lemma3.toml");
+  c.manifold = "nope";
+  EXPECT_THAT(message(c), HasSubstr("'nope' is no manifold"));
+  const std::string id = "[[node]]\nid = \"../a\"\nstatement = \"\"\nkind = \"argument\"\n";
+  EXPECT_THAT(error_of(id), HasSubstr("an id consists of"));
 }
 
 TEST(TheoremFile, OpennessTravelsUpAndUncheckedHypothesesShow) {
@@ -350,6 +376,48 @@ TEST(CaseStep, ASampleGivesNoSecondValue) {
                            "file = \"x.toml\"\nwhere = { A = \"1\" }\nsample = { A = \"2\" }\n";
   EXPECT_THAT(error_of(text), HasSubstr(":10:12: error: 'A' has a value in where already"));
   EXPECT_THAT(error_of(text), HasSubstr("leaves free"));
+}
+
+// q1 = p1 = 0 passes the test, q2 = p2 = 0 does not: the file as a whole does not.
+TEST(CaseStep, OneManifoldIsEnough) {
+  const std::string text = R"t([system]
+kind = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta = ["p1", "p2"]
+hamiltonian = "(p1^2 + p2^2 + q1^2 + q2^2)/2 + q1^4*q2^2"
+[[manifold]]
+name = "passes"
+equations = ["q1 = 0", "p1 = 0"]
+level = "H = 1"
+[[manifold]]
+name = "other"
+equations = ["q2 = 0", "p2 = 0"]
+level = "H = 1"
+)t";
+  TheoremNode n = node(NodeKind::case_file, "theorem_test_two.toml");
+  n.expect = "any";
+  EXPECT_THAT(run_written(n, text).summary, testing::StartsWith("non-integrable"));
+  n.expect = "no-obstruction";
+  EXPECT_EQ(run_written(n, text).status, NodeStatus::refuted);
+  n.manifold = "passes";
+  EXPECT_EQ(run_written(n, text).status, NodeStatus::proved);
+}
+
+TEST(CaseStep, ADecidedVerdictThatIsAnotherOneRefutes) {
+  TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
+  n.where = {{"A", "1"}, {"C", "3/2"}};
+  n.expect = "no-obstruction";
+  const NodeResult r = run(n);
+  EXPECT_EQ(r.status, NodeStatus::refuted);
+  EXPECT_THAT(r.summary, HasSubstr("expected no-obstruction, found non-integrable"));
+}
+
+TEST(LowestOrderStep, NeedsWeights) {
+  TheoremNode n = node(NodeKind::lowest_order, "../classics/heavy_top.toml");
+  n.other = "../classics/heavy_top.toml";
+  const NodeResult r = run(n);
+  EXPECT_EQ(r.status, NodeStatus::open);
+  EXPECT_THAT(r.summary, HasSubstr("weights"));
 }
 
 TEST(CaseStep, ThePassedTestProvesNothing) {
