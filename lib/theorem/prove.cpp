@@ -37,10 +37,14 @@ void run_step(NodeResult& n, const std::string& file, const std::string& directo
     run(n, directory, options);
   } catch (const InputError& why) {                          // the file is wrong
     const bool of_values = why.file().starts_with("--set "); // in where, sample or units
-    if (!of_values && !why.file().empty()) throw;
+    const std::string node = "node '" + n.node.id + "'";
+    if (!of_values && !why.file().empty())
+      throw InputError(why.file(), why.line(), why.column(), why.length(), why.message(),
+                       why.hint() + (why.hint().empty() ? "" : "; ") + "read for " + node + " of " +
+                           file,
+                       why.source_line());
     throw InputError(file, n.node.line, 0, 1,
-                     "node '" + n.node.id + "'" +
-                         (of_values ? ", value of " + why.file().substr(6) : "") + ": " +
+                     node + (of_values ? ", value of " + why.file().substr(6) : "") + ": " +
                          why.message(),
                      why.hint());
   } catch (const InternalError&) {
@@ -52,23 +56,35 @@ void run_step(NodeResult& n, const std::string& file, const std::string& directo
   n.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Openness travels up the tree; the file has no circles.
-bool is_open_below(TheoremResult& result, const std::string& id) {
-  bool open = false;
-  for (NodeResult& n : result.nodes) {
-    if (n.node.id != id) continue;
-    for (const std::string& child : n.node.needs)
-      n.rests_on_open = is_open_below(result, child) || n.rests_on_open;
-    open = n.rests_on_open || n.status == NodeStatus::open || n.status == NodeStatus::refuted;
-  }
-  return open;
-}
-
 const NodeResult* find(const TheoremResult& result, const std::string& id) {
   for (const NodeResult& n : result.nodes)
     if (n.node.id == id) return &n;
   return nullptr;
 }
+
+// Openness travels up the tree; the file has no circles.
+class Openness {
+public:
+  explicit Openness(TheoremResult& result) {
+    for (NodeResult& n : result.nodes)
+      by_id_[n.node.id] = &n;
+    for (const auto& [id, n] : by_id_)
+      (void)reaches(id);
+  }
+
+private:
+  bool reaches(const std::string& id) {
+    if (const auto known = open_.find(id); known != open_.end()) return known->second;
+    NodeResult& n = *by_id_.at(id);
+    for (const std::string& child : n.node.needs)
+      n.rests_on_open = reaches(child) || n.rests_on_open;
+    return open_[id] =
+               n.rests_on_open || n.status == NodeStatus::open || n.status == NodeStatus::refuted;
+  }
+
+  std::map<std::string, NodeResult*> by_id_;
+  std::map<std::string, bool> open_;
+};
 
 // A hypothesis is checked by a node that is proved and rests on nothing open.
 bool is_proved(const NodeResult& n) { return n.status == NodeStatus::proved && !n.rests_on_open; }
@@ -118,8 +134,7 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
     if (options.progress) options.progress(n);
     result.nodes.push_back(std::move(n));
   }
-  for (const TheoremNode& node : t.nodes)
-    (void)is_open_below(result, node.id);
+  const Openness settled(result);
   settle_hypotheses(result, directory);
   settle_theorems(result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -268,6 +268,9 @@ Theorem read_theorem(const Entry& document) {
   t.cite = texts_of(document, "cite");
   for (const Entry* e : document.at("node").list())
     t.nodes.push_back(read_node(*e));
+  constexpr std::size_t most = 2000; // the tree is walked by recursion
+  if (t.nodes.size() > most)
+    throw document.error("a theorem has at most " + std::to_string(most) + " nodes");
   if (t.nodes.empty()) throw document.error("a theorem needs at least one [[node]]");
   check_references(t, document);
   return t;

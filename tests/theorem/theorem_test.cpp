@@ -163,6 +163,21 @@ TEST(TheoremFile, NamesThatTheSystemDoesNotKnowAreErrors) {
   EXPECT_THAT(error_of(id), HasSubstr("an id consists of"));
 }
 
+// Every node is needed twice: 2^60 paths, and each node is looked at once.
+TEST(TheoremFile, ManyPathsAreNoTrouble) {
+  std::string text;
+  for (int i = 0; i < 60; ++i)
+    for (const std::string side : {"a", "b"}) {
+      const std::string next = std::to_string(i + 1);
+      text += "[[node]]\nid = \"" + side + std::to_string(i) +
+              "\"\nstatement = \"\"\nkind = \"argument\"\nneeds = [\"" +
+              (i == 0 && side == "a" ? "b0\", \"a" : "a") + next + "\", \"b" + next + "\"]\n";
+    }
+  for (const std::string side : {"a60", "b60"})
+    text += "[[node]]\nid = \"" + side + "\"\nstatement = \"\"\nkind = \"argument\"\n";
+  EXPECT_TRUE(prove(parsed(text)).complete());
+}
+
 TEST(TheoremFile, OpennessTravelsUpAndUncheckedHypothesesShow) {
   const Theorem t = parsed(R"(
 [[node]]
