@@ -204,7 +204,8 @@ std::string theorem_html(const TheoremResult& t) {
       tag("h1", prose(t.theorem.title, html)) +
       tag("p", prose(t.theorem.statement, html), "class=\"statement\"") +
       tag("div", prose(t.conclusion(), html) + ".",
-          std::string("class=\"verdict") + (!t.complete()                      ? " no\""
+          std::string("class=\"verdict") + (!t.complete() || t.count(NodeStatus::proved) == 0
+                                                ? " no\""
                                             : t.unchecked_hypotheses().empty() ? "\""
                                                                                : " but\"")) +
       counts(t) + tag("h2", "What rests on what") + tree(t) +

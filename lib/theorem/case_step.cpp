@@ -201,7 +201,12 @@ const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
   n.status = NodeStatus::proved;
   if (m.verdict == VerdictKind::no_obstruction)
     n.summary += " (the test passes; nothing follows about integrability)";
-  if (m.verdict == VerdictKind::non_integrable) n.theorems.push_back(m.theorem);
+  if (m.verdict == VerdictKind::non_integrable) {
+    n.theorems.push_back(m.theorem);
+    n.formulas.push_back({"so", m.statement});
+    if (m.function_class != "meromorphic")
+      n.summary += "; for first integrals that are " + m.function_class;
+  }
   return m;
 }
 

@@ -98,7 +98,7 @@ std::string TheoremResult::verdict() const {
 }
 
 std::string TheoremResult::conclusion() const {
-  const std::string conditions = given();
+  const std::string conditions = complete() ? given() : "";
   return verdict() + (conditions.empty() ? "" : ", given " + conditions) + "; " +
          plural(count(NodeStatus::proved), "step") + " proved here";
 }
