@@ -66,8 +66,7 @@ public:
 
 private:
   void add(const std::string& json) {
-    all.push_back(
-        {m_.name + (all.empty() ? "" : "-" + std::to_string(all.size() + 1)), json});
+    all.push_back({m_.name + (all.empty() ? "" : "-" + std::to_string(all.size() + 1)), json});
   }
 
   const System& s_;

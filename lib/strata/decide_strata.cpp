@@ -62,9 +62,9 @@ using Kind = ProofTree::Kind;
 
 ProofTreePtr grown(Kind kind, const Region& region, MPoly p, std::optional<Leaf> leaf,
                    std::string why, ProofTreePtr nonzero = {}, ProofTreePtr zero = {}) {
-  return std::make_shared<ProofTree>(ProofTree{kind, std::move(p),
-                                               std::make_shared<Region>(region), std::move(nonzero),
-                                               std::move(zero), std::move(leaf), std::move(why)});
+  return std::make_shared<ProofTree>(ProofTree{kind, std::move(p), std::make_shared<Region>(region),
+                                               std::move(nonzero), std::move(zero), std::move(leaf),
+                                               std::move(why)});
 }
 
 class Tree {
@@ -164,9 +164,10 @@ private:
                  where_zero(region, needs, zero, depth));
   }
 
-  ProofTreePtr where_zero(const Region& region, const Needs& needs,
-                          const std::variant<Region, Region::Empty, Region::Split, Region::Stuck>& zero,
-                          int depth) {
+  ProofTreePtr
+  where_zero(const Region& region, const Needs& needs,
+             const std::variant<Region, Region::Empty, Region::Split, Region::Stuck>& zero,
+             int depth) {
     if (const auto* there = std::get_if<Region>(&zero)) {
       trust(there->trusted());
       return node(*there, depth + 1);

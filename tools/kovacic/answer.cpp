@@ -125,8 +125,7 @@ private:
       const strata::StrataAnswer answer = strata::decide_strata(f.question, limits);
       result = family_result(id_, f, answer);
       if (limits.decide.want_certificate && answer.tree)
-        result["certificate"] =
-            Json::parse(strata::certificate(answer, limits.decide.budget).json);
+        result["certificate"] = Json::parse(strata::certificate(answer, limits.decide.budget).json);
     } catch (const FreeParameters&) {
       return std::nullopt;
     }
