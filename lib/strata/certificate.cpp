@@ -87,6 +87,7 @@ public:
                                   {"claim", Json{Json::Object{{"abelian", std::move(claim)}}}},
                                   {"tree", std::move(tree)}}};
     result_.json = certify::to_string(whole);
+    result_.says_anything = !said_.empty();
     return std::move(result_);
   }
 

@@ -10,6 +10,7 @@ namespace kov::strata {
 
 struct StrataCertificate {
   std::string json;
+  bool says_anything = false; ///< some stratum is decided
   std::size_t trusted = 0;              ///< nodes that rest on Z3 or on a theorem without a rule
   std::vector<std::string> uncertified; ///< why: one line for each such node
 };
