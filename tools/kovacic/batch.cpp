@@ -3,7 +3,7 @@
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
-#include "family/family.hpp"
+#include "family/assumptions.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -121,8 +121,6 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   q.text.ode = formula(line, "ode", true);
   q.text.minpoly = formula(line, "minpoly");
   q.text.parameters = names(line, "parameters");
-  for (const std::string& text : texts(line, "assumptions")) // not understood: said, not used
-    (is_assumption(text) ? q.text.assume : q.ignored).push_back(text);
   q.text.infer_variable = false;
   if (line.contains("variable") && !line.at("variable").is_null()) {
     if (!line.at("variable").is_string()) refuse("'variable' must be a string");
@@ -131,6 +129,12 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   }
   if (!q.text.r && !q.text.p && !q.text.q && !q.text.ode)
     refuse("the line has no equation", "give r, or p and q, or ode");
+  const auto known = settable_names(q.text);
+  for (const std::string& text : texts(line, "assumptions"))
+    if (is_prose(text, known)) // said, not used
+      q.ignored.push_back(text);
+    else
+      q.text.assume.push_back({text, origin_of_text("assumptions", text), ""});
   return q;
 }
 

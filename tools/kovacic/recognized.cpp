@@ -3,7 +3,7 @@
 #include "algebraize/algebraize.hpp"
 #include "equation/linear_form.hpp"
 #include "exact/error.hpp"
-#include "parameter_scope.hpp"
+#include "family/parameter_scope.hpp"
 #include "special/symbolic_family.hpp"
 #include "system/linear_formula.hpp"
 
@@ -65,25 +65,26 @@ namespace {
 
 // r of y'' = r y in Q(parameters)(z), z first in the ring; nothing if it cannot be read.
 std::optional<MFraction> symbolic_r(const EquationText& text) {
-  std::string variable = text.variable;
-  OdeNames ode;
-  if (text.ode) ode = ode_names(*text.ode);
-  if (variable.empty()) variable = ode.variable.empty() ? "z" : ode.variable;
+  const auto [variable, unknown] = equation_names(text);
   std::vector<std::string> names{variable};
-  std::map<std::string, Rational> values;
+  std::map<std::string, Rational> numbers;
   for (const auto& [name, value] : text.set) {
     const auto number = as_rational(value);
     if (!number) return std::nullopt;
-    values.emplace(name, *number);
+    numbers.emplace(name, *number);
   }
   for (const std::string& name : text.parameters)
-    if (!values.contains(name) && name != variable) names.push_back(name);
-  const ParameterScope scope(make_ring(names), values);
+    if (!numbers.contains(name) && name != variable) names.push_back(name);
+  const Ring ring = make_ring(names);
+  std::map<std::string, MFraction> values;
+  for (const auto& [name, number] : numbers)
+    values.emplace(name, MFraction(ring, number));
+  const ParameterScope scope(ring, values);
   if (text.r) return evaluate(*text.r, scope);
   if (text.p && text.q)
     return normal_form_of(evaluate(*text.p, scope), evaluate(*text.q, scope), 0);
   if (!text.ode) return std::nullopt;
-  const auto order2 = parametric_second_order(*text.ode, ode.unknown, 0, scope);
+  const auto order2 = parametric_second_order(*text.ode, unknown, 0, scope);
   return order2 ? std::optional(normal_form_of(order2->p, order2->q, 0)) : std::nullopt;
 }
 

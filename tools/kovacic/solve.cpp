@@ -3,8 +3,10 @@
 #include "answer.hpp"
 #include "commands.hpp"
 #include "equation/equation_file.hpp"
-#include "family/family.hpp"
+#include "family/assumptions.hpp"
 #include "present.hpp"
+
+#include <algorithm>
 
 namespace kov::cli {
 namespace {
@@ -15,12 +17,16 @@ std::optional<Expression> formula(const std::string& option, const std::optional
   return parse_expression(*text, option, equation);
 }
 
-// The names in the assumptions are parameters, unless they are the variable.
+// The names in the assumptions that occur in the equation are parameters, unless they are its
+// variable.
 void add_assumptions(Question& q, const SolveArguments& a) {
+  const auto names = settable_names(q.text);
   for (const std::string& text : a.assume) {
-    q.text.assume.push_back(text);
-    for (const std::string& name : names_in_assumption(text))
-      if (name != q.text.variable) q.text.parameters.push_back(name);
+    q.text.assume.push_back({text, origin_of_text("--assume", text), ""});
+    for (const std::string& name : names_in_assumption(q.text.assume.back()))
+      if (name != (q.text.variable.empty() ? "z" : q.text.variable) &&
+          std::binary_search(names.begin(), names.end(), name))
+        q.text.parameters.push_back(name);
   }
 }
 
