@@ -195,8 +195,11 @@ int batch(const Settings& settings, const std::string& path) {
       break;
     }
     text += '\n';
-    if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
-      break; // nobody reads any more
+    if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0) {
+      const std::string where = out == stdout ? "standard output" : settings.output;
+      exit = report(settings, InputError(where, 0, 0, 1, "not everything could be written"));
+      break;
+    }
   }
   if (in != stdin) std::fclose(in);
   if (out != stdout) std::fclose(out);

@@ -1,6 +1,6 @@
 #include "plot.hpp"
 
-#include "exact/error.hpp"
+#include "settings.hpp"
 #include "subprocess.hpp"
 
 #include <fmt/core.h>
@@ -88,8 +88,7 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   for (const std::string& one : layers)
     all += (all.empty() ? "plot " : ", \\\n     ") + one;
   fmt::print(out, "{}\n", all);
-  out.close();
-  if (!out) throw Error("cannot write " + base + ".gp");
+  close_file(out, base + ".gp");
   return run_gnuplot(base, formats);
 }
 
@@ -117,8 +116,7 @@ std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& ch
                chart.points_only ? "points" : "linespoints", i + 1,
                gnuplot_quoted(chart.series[i]));
   fmt::print(out, "\n");
-  out.close();
-  if (!out) throw Error("cannot write " + base + ".gp");
+  close_file(out, base + ".gp");
   return run_gnuplot(base, formats);
 }
 

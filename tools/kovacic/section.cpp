@@ -75,7 +75,7 @@ void write_data(const fs::path& path, const Scene& s, const flow::Section& r) {
   for (const auto& p : r.points)
     fmt::print(out, "{} {:.12g} {:.12g} {:.12g} {:.12g} {}\n", p.orbit, p.t, p.l, p.y, p.g_size,
                r.orbits[p.orbit].sign);
-  if (!out) throw Error("cannot write " + path.string());
+  close_file(out, path.string());
 }
 
 void write_orbits(const fs::path& path, const flow::Section& r) {
@@ -87,7 +87,7 @@ void write_orbits(const fs::path& path, const flow::Section& r) {
                o.y, o.g_size, o.crossings, o.tangencies, o.steps, o.time, o.drift[0], o.drift[1],
                o.drift[2]);
   }
-  if (!out) throw Error("cannot write " + path.string());
+  close_file(out, path.string());
 }
 
 void write_fixed_points(const fs::path& path, const flow::FixedPoints& found) {
@@ -101,7 +101,7 @@ void write_fixed_points(const fs::path& path, const flow::FixedPoints& found) {
                f.l, f.y, f.proved ? f.error : INFINITY, to_string(f.stability), f.trace,
                f.proved ? f.trace_error : INFINITY, f.multiplier[0], f.multiplier[1], f.g_size,
                f.period);
-  if (!out) throw Error("cannot write " + path.string());
+  close_file(out, path.string());
 }
 
 void print_fixed_points(const flow::FixedPoints& found) {
@@ -177,6 +177,8 @@ int one_scene(const std::string& file, const Settings& settings, const SectionAr
   const std::string name = file == "-" ? "section" : fs::path(file).stem().string();
   Interrupt interrupt;
   flow::Section result;
+  const fs::path directory = settings.output.empty() ? "." : settings.output;
+  make_directory(directory.string());
   const auto begun = std::chrono::steady_clock::now();
   {
     Progress progress(name, !settings.quiet);
@@ -189,8 +191,6 @@ int one_scene(const std::string& file, const Settings& settings, const SectionAr
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  const fs::path directory = settings.output.empty() ? "." : settings.output;
-  fs::create_directories(directory);
   const fs::path base = directory / name;
   write_data(base.string() + ".dat", scene, result);
   write_orbits(base.string() + ".orbits.dat", result);

@@ -6,6 +6,7 @@
 #include "symbol/input_error.hpp"
 #include "verdict/decide.hpp"
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,10 @@ struct Settings {
 void write_output(const Settings& settings, const std::string& text);
 /// Writes the file at once or not at all.
 void write_file(const std::string& path, const std::string& text);
+/// With its parents, if it is not there.  Throws InputError.
+void make_directory(const std::string& path);
+/// Throws InputError unless everything that was put into it is in the file.
+void close_file(std::ofstream& out, const std::string& path);
 /// An input error with its caret, on standard error; returns exit_input.
 int report(const Settings& settings, const InputError& error);
 /// One line on standard error: "kovacic: error: ...".
