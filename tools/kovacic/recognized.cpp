@@ -4,16 +4,27 @@
 #include "equation/linear_form.hpp"
 #include "exact/error.hpp"
 #include "family/parameter_scope.hpp"
+#include "special/canonical_names.hpp"
 #include "special/symbolic_family.hpp"
 #include "system/linear_formula.hpp"
 
 #include <map>
+#include <set>
 
 namespace kov::cli {
 namespace {
 
 const char* text_of(Truth t) {
   return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided";
+}
+
+// The names in the name of a field's generator: a of "(2*a)".
+std::set<std::string> letters_of(const std::string& generator) {
+  std::set<std::string> names;
+  if (generator.empty()) return names;
+  for (const std::string& name : names_in(parse_expression(generator, "constant")))
+    names.insert(name);
+  return names;
 }
 
 } // namespace
@@ -44,10 +55,11 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
   } catch (const OutOfBudget&) { // the answer itself is there
   }
   if (!found) return nullptr;
-  Json j = {{"family", found->family}, {"equation", found->equation}};
+  const auto names = fresh_names(found->parameters, letters_of(equation.constant));
+  Json j = {{"family", found->family}, {"equation", renamed(found->equation, names)}};
   j["parameters"] = Json::object();
   for (const auto& [name, value] : found->parameters)
-    j["parameters"][name] = value;
+    j["parameters"][renamed(name, names)] = value;
   j["change"] = nullptr;
   std::string left = equation.variable;
   if (found->centre)
@@ -148,7 +160,8 @@ std::string recognized_text(const Json& j) {
   if (name->first != "Riemann") text += " " + j.at("equation").get<std::string>();
   const char* before = name->first == "Riemann" ? ", exponent differences " : ", ";
   for (const auto& [parameter, value] : j.at("parameters").items()) {
-    text += before + (name->first == "Riemann" ? "" : parameter + " = ") + value.get<std::string>();
+    const bool unnamed = name->first == "Riemann" && !j.contains("summary"); // no condition on it
+    text += before + (unnamed ? "" : parameter + " = ") + value.get<std::string>();
     before = ", ";
   }
   if (j.contains("summary")) {
