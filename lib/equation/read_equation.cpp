@@ -70,7 +70,7 @@ public:
     constants_.gather(formulas_);
     reduce();
     if (!constants_.field()->is_rational()) {
-      result_.constant = constants_.field()->name();
+      result_.constant = constants_.field()->letter();
       result_.constant_meaning = constants_.definition();
     }
     return std::move(result_);

@@ -50,7 +50,7 @@ public:
     if (!constants_.field()->is_rational() &&
         constants_.field()->name().find('(') == std::string::npos &&
         constants_.field()->name() != "I")
-      q.constants = constants_.field()->name() + " = " + constants_.definition();
+      q.constants = constants_.field()->letter() + " = " + constants_.definition();
     return q;
   }
 
