@@ -204,7 +204,8 @@ std::string read_text(const std::string& path, std::size_t limit) {
   if (path == "-") {
     read(std::cin);
   } else {
-    if (std::filesystem::is_directory(path))
+    std::error_code failed; // then it cannot be opened either
+    if (std::filesystem::is_directory(path, failed))
       throw InputError(path, 0, 0, 1, "this is a directory, a file is expected");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path, 0, 0, 1, "the file cannot be opened");

@@ -22,8 +22,8 @@ constexpr const char* examples = R"(Differential Galois groups of y'' = r(z) y, 
 )";
 
 constexpr const char* footer =
-    R"(Exit codes: 0 decided, 1 a "no" from test or verify, 2 usage or input error, 3 undecided,
-4 internal error, 130 interrupted.  More: kovacic COMMAND --help, kovacic explain)";
+    R"(Exit codes: 0 decided, 1 a "no" from check, test, prove or verify, 2 usage or input error,
+3 undecided, 4 internal error, 130 interrupted.  More: kovacic COMMAND --help, kovacic explain)";
 
 // A check that does not add its own words to --help.
 CLI::Validator silent(CLI::Validator check) { return check.description(""); }

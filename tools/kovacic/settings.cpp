@@ -67,6 +67,10 @@ std::vector<std::pair<std::string, Expression>> Settings::settings() const {
     if (equal == std::string::npos || !is_name())
       throw InputError(*origin, Span{0, static_cast<std::uint32_t>(name.size())},
                        "a name with a value is expected", "write e.g. --set a=1/2");
+    for (const auto& [known, value] : all)
+      if (known == name)
+        throw InputError(*origin, Span{0, static_cast<std::uint32_t>(name.size())},
+                         "'" + name + "' gets a value twice");
     origin->offset = equal + 1;
     const OriginPtr place = origin;
     all.emplace_back(name,
@@ -99,10 +103,15 @@ void write_file(const std::string& path, const std::string& text) {
   }
 }
 
+bool is_directory(const std::string& path) {
+  std::error_code failed; // too long a name, no permission: then it is none
+  return std::filesystem::is_directory(path, failed);
+}
+
 void make_directory(const std::string& path) {
   std::error_code failed;
   std::filesystem::create_directories(path, failed);
-  if (failed && !std::filesystem::is_directory(path))
+  if (failed && !is_directory(path))
     throw InputError(path, 0, 0, 1, "the directory cannot be made");
 }
 

@@ -59,6 +59,17 @@ Question from_file(const Settings& settings, const SolveArguments& a, const Entr
   return q;
 }
 
+// An option that lines of a batch would not obey; "" if there is none.
+std::string not_in_a_batch(const Settings& settings, const SolveArguments& a) {
+  if (!settings.set.empty()) return "--set";
+  if (!a.variable.empty()) return "--variable";
+  if (a.minpoly) return "--minpoly";
+  if (!a.parameters.empty()) return "--parameter";
+  if (!a.assume.empty()) return "--assume";
+  if (settings.trace) return "--trace";
+  return settings.format == "tex" ? "--format tex" : "";
+}
+
 } // namespace
 
 int solve(const Settings& settings, const SolveArguments& a) {
@@ -70,7 +81,16 @@ int solve(const Settings& settings, const SolveArguments& a) {
              "solve FILE");
     return exit_input;
   }
-  if (!a.batch.empty()) return batch(settings, a.batch);
+  if (!a.batch.empty()) {
+    if (const std::string no = not_in_a_batch(settings, a); !no.empty()) {
+      complain(
+          settings, no + " says nothing to --batch",
+          "each line has its own keys: variable, minpoly, parameters, assumptions; the answers "
+          "are JSON");
+      return exit_input;
+    }
+    return batch(settings, a.batch);
+  }
   std::optional<Entry> document;
   if (!one_liner) document = read_document(a.file);
   Solver solver(fixed_question([&] {

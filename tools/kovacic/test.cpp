@@ -16,8 +16,10 @@ namespace fs = std::filesystem;
 std::vector<std::string> case_files(const std::vector<std::string>& paths) {
   std::vector<std::string> files;
   for (const std::string& path : paths) {
-    if (!fs::exists(path)) throw InputError(path, 0, 0, 1, "there is no such file or directory");
-    if (!fs::is_directory(path)) {
+    std::error_code failed;
+    if (!fs::exists(path, failed))
+      throw InputError(path, 0, 0, 1, "there is no such file or directory");
+    if (!is_directory(path)) {
       files.push_back(path);
       continue;
     }
