@@ -13,13 +13,13 @@ constexpr unsigned z3_milliseconds = 300;
 constexpr long z3_terms = 40; // larger polynomials are beyond its limit anyway
 constexpr long z3_degree = 12;
 
-bool is_small(const MPoly& p) {
-  if (p.length() > z3_terms) return false;
+bool is_small(const MPoly& p, long times = 1) {
+  if (p.length() > times * z3_terms) return false;
   for (long i = 0; i < p.length(); ++i) {
     long total = 0;
     for (const unsigned long e : p.exponents(i))
       total += static_cast<long>(e);
-    if (total > z3_degree) return false;
+    if (total > times * z3_degree) return false;
   }
   return true;
 }
@@ -148,11 +148,12 @@ Truth Region::is_integral(const MFraction& v) const {
 }
 
 std::vector<Condition> Region::real_conditions() const {
-  std::vector<Condition> all;
+  std::vector<Condition> all; // without those that would keep it busy: it refutes less
+  constexpr long times = 5;
   for (const auto& c : assumptions_.conditions)
-    if (c.sign != Sign::nonzero && is_real(c.p)) all.push_back(c);
+    if (c.sign != Sign::nonzero && is_real(c.p) && is_small(c.p, times)) all.push_back(c);
   for (const auto& p : nonzero_)
-    if (is_real(p)) all.push_back({p, Sign::nonzero});
+    if (is_real(p) && is_small(p, times)) all.push_back({p, Sign::nonzero});
   return all;
 }
 

@@ -152,6 +152,10 @@ TEST(Families, RationalAndIntegerParameters) {
   EXPECT_EQ(answer("(a^2-2*b^2)/z^3", "a rational, b rational").strata.size(), 2U); // a = b = 0
 }
 
+TEST(Families, ALongInequalityDoesNotKeepZ3Busy) {
+  EXPECT_EQ(answer("a*z", "(a+1)^1000 > 0, a != 0").strata.size(), 1U);
+}
+
 TEST(Families, EquationsAmongTheParametersAreSolved) {
   const auto a = answer("z + a + b", "a + b = 0");
   ASSERT_EQ(a.strata.size(), 1U);

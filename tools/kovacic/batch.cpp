@@ -84,6 +84,9 @@ Json parse_line(std::string_view text, const std::function<void(const Json&)>& i
     const auto column = static_cast<long>(std::min(e.byte, text.size()));
     identify(salvaged_id(text));
     refuse("this is not JSON: " + printable(what).substr(0, 200), "", std::max(1L, column));
+  } catch (const Json::exception&) {
+    identify(salvaged_id(text));
+    refuse("this is not JSON that can be read: a number is too large");
   }
   if (!j.is_object()) refuse("a JSON object is expected", R"(e.g. {"id": 1, "r": "z"})");
   if (j.contains("id")) identify(j.at("id"));
