@@ -36,7 +36,7 @@ Leaf no_equation(const std::string& condition) {
   return leaf;
 }
 
-// The field of a root of p in its one variable x, and x in it: x = generator/lead.
+// The field of a root of p in its one variable x, and x in it: x = generator/lead; texts show x.
 struct RootField {
   std::size_t variable;
   Field field;
@@ -55,7 +55,7 @@ std::optional<RootField> root_field(const MPoly& p) {
     minimal.push_back(i == n ? Integer(1)
                              : value * pow(lead, static_cast<unsigned long>(n - 1 - i)));
   }
-  return RootField{used[0], make_field(minimal, p.ring()->name(used[0])), Rational(lead)};
+  return RootField{used[0], make_field(minimal, p.ring()->name(used[0]), 0, lead), Rational(lead)};
 }
 
 using Kind = ProofTree::Kind;
