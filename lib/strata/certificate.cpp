@@ -208,7 +208,7 @@ private:
   static std::optional<std::size_t> solvable(const ProofTree& t, KnownFacts& facts,
                                              std::vector<Lemma>& lemmas) {
     const ProofTree& zero = *t.zero;
-    if (zero.kind == Kind::root) return std::nullopt;
+    if (zero.kind == Kind::root || zero.kind == Kind::related) return std::nullopt;
     for (const std::size_t x : used_variables(t.p)) {
       if (degree(t.p, x) != 1) continue;
       if (zero.kind != Kind::empty && !zero.region->solved().contains(x)) continue;
@@ -220,6 +220,8 @@ private:
   Json zero(const ProofTree& t, State state, const std::optional<std::size_t>& x) {
     const ProofTree& there = *t.zero;
     if (there.kind == Kind::root) return root(there, state);
+    if (there.kind == Kind::related)
+      return open("zero", "the format has no rule for an equation that is not solved");
     if (!x) {
       if (there.kind == Kind::empty) return trusted("zero", "empty", "Z3", there.why);
       return open("zero", "division by a polynomial without an exact proof that it is not 0");

@@ -194,6 +194,7 @@ private:
       if (c.ring() && !is_zero(c))
         if (auto d = region_.doubtful_factor(c.den()))
           return Needs{*std::move(d), "the exponents at " + place_name(p, scheme_.z) + " change"};
+    eliminate_relations(p.chi, region_);
     if (auto n = classify_exponent(p, region_)) return n;
     if (p.exponent == ExponentKind::rational && is_integer(p.delta)) logarithm(p, local);
     return std::nullopt;
