@@ -3,6 +3,7 @@
 
 #include "certify/limits.hpp"
 #include "certify/strata_places.hpp"
+#include "exact/modular.hpp"
 
 #include <algorithm>
 
@@ -143,14 +144,13 @@ bool Places::no_invariant(long m) const {
   return std::any_of(leaf_.absent.begin(), leaf_.absent.end(), [&](const AbsentInvariant& x) {
     if (x.m != m) return false;
     need(*D < Integer(max_unknowns), "a limit: the size of a linear system");
-    return full_rank(x, to_long(*D));
+    need_full_rank(x, to_long(*D));
+    return true;
   });
 }
 
-// The matrix of T_(m+1) = 0 in the coefficients of p has full rank at every point: a combination of
-// its minors vanishes nowhere.
-bool Places::full_rank(const AbsentInvariant& x, long D) const {
-  const auto n = static_cast<std::size_t>(D + 1);
+// The matrix of T_(m+1) = 0 in the n coefficients of p; the minors of the given rows.
+Coefficients Places::minors(const AbsentInvariant& x, std::size_t n) const {
   const Ring& ring = leaf_.content.ring();
   const InvariantRecurrence recurrence(s_, leaf_.content, exponents(x.m));
   std::vector<Coefficients> columns;
@@ -158,11 +158,10 @@ bool Places::full_rank(const AbsentInvariant& x, long D) const {
     const MPoly z = a_.power(MPoly::variable(ring, 0), j);
     columns.push_back(coefficients(recurrence.last(z, x.m), 0));
   }
-  MPoly sum(ring);
+  Coefficients values;
   for (const Minor& minor : x.minors) {
     need(minor.rows.size() == n && std::set<long>(minor.rows.begin(), minor.rows.end()).size() == n,
          "a minor needs as many different rows as there are unknowns");
-    s_.need_parameters(minor.times);
     std::vector<std::vector<MPoly>> rows;
     for (const long i : minor.rows) {
       std::vector<MPoly> row;
@@ -171,11 +170,50 @@ bool Places::full_rank(const AbsentInvariant& x, long D) const {
                                                       : MPoly(ring));
       rows.push_back(std::move(row));
     }
-    const MPoly value = Elimination(a_).determinant(std::move(rows));
-    sum = a_.plus(sum, a_.times(minor.times, value));
+    values.push_back(Elimination(a_).determinant(std::move(rows)));
   }
+  return values;
+}
+
+// Full rank at every point: a combination of the minors vanishes nowhere, or they have no common
+// root.
+void Places::need_full_rank(const AbsentInvariant& x, long D) const {
+  const Coefficients values = minors(x, static_cast<std::size_t>(D + 1));
+  for (const Minor& minor : x.minors)
+    s_.need_parameters(minor.times);
+  if (x.prime) {
+    need_no_common_root(values, x);
+    return;
+  }
+  MPoly sum(leaf_.content.ring());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    sum = a_.plus(sum, a_.times(x.minors[i].times, values[i]));
   need(s_.known_nonzero(sum), "the minors are not known to give full rank");
-  return true;
+}
+
+// A common root of polynomials over Q in one parameter is one of a common factor, which is one
+// modulo p as well, where the degree of the first does not drop.
+void Places::need_no_common_root(const Coefficients& minors, const AbsentInvariant& x) const {
+  const mp_limb_t p = *x.prime;
+  need(p < (mp_limb_t{1} << 31) && n_is_prime(p) != 0, "the prime is none below 2^31");
+  need(minors.size() >= 2, "two minors at least are expected");
+  std::optional<std::size_t> variable;
+  NmodPoly common(p);
+  for (std::size_t i = 0; i < minors.size(); ++i) {
+    need(is_one(x.minors[i].times), "with a prime all times are 1");
+    const MPoly rest = s_.stripped(minors[i]);
+    for (const std::size_t v : used_variables(rest)) {
+      need(!variable || variable == v, "the minors have several parameters");
+      variable = v;
+    }
+    NmodPoly f(p);
+    long k = 0;
+    for (const MPoly& c : coefficients(rest, variable.value_or(0)))
+      f.set_coeff(k++, is_zero(c) ? 0 : fmpz_fdiv_ui(c.coefficient(0).raw(), p));
+    need(i > 0 || (k > 0 && degree(f) == k - 1), "the degree of the first minor drops modulo p");
+    common = i == 0 ? f : gcd(common, f);
+  }
+  need(degree(common) == 0, "the minors have a common factor modulo p");
 }
 
 } // namespace kov::certify

@@ -36,11 +36,11 @@ struct LemmaTerm {
   Rational c;
   std::vector<std::variant<ConditionPower, EvenPower>> factors;
 };
-struct Lemma { ///< p times = sum of the terms
+struct Lemma { ///< p times = sum of the terms; without terms: p times is known to be nonzero
   MPoly p;
   std::optional<MPoly> times;
   bool positive = false;
-  std::vector<LemmaTerm> terms;
+  std::optional<std::vector<LemmaTerm>> terms;
 };
 
 // ---- 6, 7: what a leaf proves and from what
@@ -74,6 +74,7 @@ struct Minor {
 struct AbsentInvariant {
   long m = 0;
   std::vector<Minor> minors;
+  std::optional<mp_limb_t> prime; ///< shows that the minors have no common root
 };
 struct ByPlaces {
   std::string theorem;

@@ -146,8 +146,12 @@ private:
       need(!l.positive || s.known_positive(*l.times), "times is not known to be positive");
       left = arithmetic_.times(left, *l.times);
     }
-    const auto [right, denominator] = sum(l.terms, s);
-    need(scaled(left, denominator) == right, "p times is not the sum of the terms");
+    if (l.terms) {
+      const auto [right, denominator] = sum(*l.terms, s);
+      need(scaled(left, denominator) == right, "p times is not the sum of the terms");
+    } else {
+      need(!l.positive && s.known_nonzero(left), "p times is not known to be nonzero");
+    }
     if (l.positive)
       s.add_positive(l.p);
     else

@@ -74,7 +74,9 @@ private:
   void need_separate() const;
   void need_order(const ProvedPlace& x) const;
   [[nodiscard]] MPoly resultant(const MPoly& f, const MPoly& g) const;
-  [[nodiscard]] bool full_rank(const AbsentInvariant& x, long D) const;
+  void need_full_rank(const AbsentInvariant& x, long D) const;
+  [[nodiscard]] Coefficients minors(const AbsentInvariant& x, std::size_t n) const;
+  void need_no_common_root(const Coefficients& minors, const AbsentInvariant& x) const;
   [[nodiscard]] std::vector<InvariantPlace> exponents(long m) const;
 
   const Stratum& s_;

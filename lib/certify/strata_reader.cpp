@@ -154,7 +154,8 @@ private:
     const Sign s = sign(k.at("sign"));
     if (s != Sign::positive && s != Sign::nonzero) n.fail("a lemma shows positive or nonzero");
     x.positive = s == Sign::positive;
-    x.terms = terms(k.at("terms"));
+    if (const auto v = k.find("terms")) x.terms = terms(*v);
+    if (!x.terms && (x.positive || !x.times)) n.fail("key 'terms' is missing");
     k.done();
     return x;
   }
@@ -190,7 +191,8 @@ private:
   }
   [[nodiscard]] AbsentInvariant absent(const Node& n) const {
     Keys k(n);
-    AbsentInvariant x{k.at("m").count(), {}};
+    AbsentInvariant x{k.at("m").count(), {}, {}};
+    if (const auto v = k.find("prime")) x.prime = v->modulus();
     for (const Node& v : k.at("minors").items()) {
       Keys f(v);
       Minor minor;

@@ -4,6 +4,7 @@
 #include "certify/limits.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kov::certify {
 
@@ -84,7 +85,7 @@ MPoly Stratum::stripped(MPoly p) const {
   p = primitive(p);
   for (const MPoly& g : nonzero_) {
     if (is_constant(p)) break;
-    if (is_constant(g)) continue;
+    if (is_zero(g)) continue;
     while (auto q = arithmetic_->quotient(p, g))
       p = *std::move(q);
   }
@@ -103,6 +104,19 @@ bool Stratum::known_positive(const MPoly& p) const {
   return std::any_of(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
     return c.sign == Sign::positive && primitive(c.f) == f;
   });
+}
+
+void Stratum::add_nonzero(const MPoly& p) {
+  MPoly g = stripped(p);
+  if (!is_zero(g) && is_constant(g)) return;
+  for (MPoly& f : nonzero_)
+    while (!is_zero(g) && !is_zero(f)) {
+      auto q = arithmetic_->quotient(f, g);
+      if (!q) break;
+      f = *std::move(q);
+    }
+  std::erase_if(nonzero_, [](const MPoly& f) { return !is_zero(f) && is_constant(f); });
+  nonzero_.push_back(std::move(g));
 }
 
 bool Stratum::plainly_empty() const {
@@ -125,8 +139,8 @@ void Stratum::solve(const MPoly& p, const SolvedStratum& how) {
   const Coefficients c = coefficients(p, x);
   need(known_nonzero(c[1]), "the leading coefficient is not known to be nonzero");
   const Root root(*arithmetic_, c[1], c[0]);
-  for (MPoly& f : nonzero_)
-    f = primitive(root(f, x, degree(f, x)));
+  for (const MPoly& f : std::exchange(nonzero_, {}))
+    add_nonzero(root(f, x, degree(f, x)));
   for (auto& group : generic_)
     for (MPoly& f : group)
       f = root(f, x, degree(f, x));

@@ -30,7 +30,9 @@ public:
   /// By its data alone: 4 `empty` without terms.
   [[nodiscard]] bool plainly_empty() const;
 
-  void add_nonzero(const MPoly& p) { nonzero_.push_back(primitive(p)); }
+  /// Members are refined: the new one is divided by the old ones and these by it, so that a product
+  /// of members is recognised whatever the order in which they came.
+  void add_nonzero(const MPoly& p);
   void add_positive(const MPoly& p);
   /// The points with p = 0, p = l x + m.
   void solve(const MPoly& p, const SolvedStratum& how);

@@ -55,33 +55,24 @@ public:
 
   void operator()() {
     const bool torus = places_.torus();
-    if (!places_.log()) add_products(torus);
-    if (!torus) {
-      need(b_.has_value(), "the exponent difference has no bound");
-      if (!places_.log()) add_primitive();
-      add_lines();
-    }
+    const bool log = places_.log();
+    if (torus && log) return; // not abelian anyway
+    need(b_.has_value(), "the exponent difference has no bound");
+    if (!log) add_products();
+    if (!torus && !log) add_primitive();
+    if (!torus) add_lines();
     values_.need_excluded();
   }
 
 private:
   // (i) G in N(T): the exponents of (y1 y2)^2.
-  void add_products(bool torus) {
+  void add_products() {
     std::optional<Sums> sums{Sums{open_.q ? Rational(-2 * open_.d) : Rational(2)}};
     for (const ProvedPlace& x : places_.all())
       if (!x.open()) sums = add_choices(a_, std::move(sums), products(x), x.d);
     need(sums.has_value(), "a limit: too many sums of exponents");
-    if (b_) {
-      for (Integer k(1); Rational(k, Integer(2)) <= *b_; k += Integer(1))
-        if (possible(*sums, k)) values_.add(Rational(k, Integer(2)));
-      return;
-    }
-    need(torus, "the exponent difference has no bound");
-    Rational top = 4;
-    for (const Rational& f : *sums)
-      top = std::max(top, abs(f) + Rational(4));
-    for (Integer k(1); Rational(k) <= top; k += Integer(1))
-      need(!possible(*sums, k), "the exponent difference has no bound");
+    for (Integer k(1); Rational(k, Integer(2)) <= *b_; k += Integer(1))
+      if (possible(*sums, k)) values_.add(Rational(k, Integer(2)));
   }
 
   // Is (f + jk)/2 a natural number for some sum f and some -d <= j <= d?
@@ -176,6 +167,7 @@ void one_open(const Stratum& s, const Places& places) {
 
 void several_open(const Stratum& s, const Places& places) {
   const auto open = open_places(places);
+  need(!open.empty(), "no exponent difference is open");
   const bool torus = places.torus();
   need(torus || places.no_line_by_degree(), "an exponential solution is not excluded");
   need(places.no_invariant(4), "an invariant of degree 4 is not excluded");
