@@ -71,7 +71,7 @@ MPoly Arithmetic::times(const MPoly& a, const MPoly& b) {
   const double wa = words(a);
   const double wb = words(b);
   const double pairs = terms(a) * terms(b);
-  charge(1 + pairs, pairs * (wa + wb) * (1 + std::log2(std::min(wa, wb))));
+  charge(1 + pairs, pairs * (wa + wb) * std::sqrt(std::min(wa, wb)));
   const auto da = degrees(a);
   const auto db = degrees(b);
   double box = 1; // an upper bound for the terms of the product

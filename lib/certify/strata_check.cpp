@@ -10,7 +10,7 @@ namespace kov::certify {
 
 namespace {
 
-constexpr std::size_t max_denominator_bits = std::size_t{1} << 20;
+constexpr std::size_t max_denominator_bits = std::size_t{1} << 16;
 
 class Walk {
 public:
