@@ -1,5 +1,7 @@
 #include "equation/equation_file.hpp"
 
+#include "symbol/suggest.hpp"
+
 #include <algorithm>
 
 namespace kov {
@@ -40,14 +42,41 @@ void read_ode(const Entry& ode, EquationText& text) {
   if (const Entry* parameters = ode.find("parameters")) text.parameters = parameters->strings();
 }
 
-EquationExpectation read_expectation(const Entry& e) {
+[[noreturn]] void refuse_name(const Entry& at, const std::vector<std::string>& known) {
+  const auto near = nearest(at.name(), known);
+  throw at.key_error("'" + at.name() + "' does not occur in the equation",
+                     near            ? "did you mean " + *near + "?"
+                     : known.empty() ? "it has no names"
+                                     : "its names: " + enumerate(known));
+}
+
+// The names that something is assumed of are parameters.
+void read_assumptions(const Entry& assume, EquationFile& file) {
+  const auto known = settable_names(file.text);
+  for (const auto& [name, claim] : assume.members()) {
+    if (name == "conditions") {
+      for (const Entry* one : claim.list())
+        file.text.assume.push_back({one->string(), one->origin(), ""});
+      continue;
+    }
+    if (!std::binary_search(known.begin(), known.end(), name)) refuse_name(claim, known);
+    file.assume.emplace_back(name, claim.string());
+    file.text.parameters.push_back(name);
+    file.text.assume.push_back({claim.string(), claim.origin(), name});
+  }
+}
+
+EquationExpectation read_expectation(const Entry& e, const EquationText& text) {
   e.check_keys(
       {"where", "outcome", "group", "identity_component", "abelian", "case", "source", "note"});
   EquationExpectation x;
   x.entry = e;
   if (const Entry* where = e.find("where"))
-    for (const auto& [name, value] : where->members())
+    for (const auto& [name, value] : where->members()) {
+      const auto known = settable_names(text);
+      if (!std::binary_search(known.begin(), known.end(), name)) refuse_name(value, known);
       x.where.emplace_back(name, value.expression());
+    }
   x.outcome = word(e, "outcome",
                    {"exponential", "imprimitive", "algebraic", "no-liouvillian", "undecided"});
   x.identity_component = word(e, "identity_component", {"trivial", "Ga", "Gm", "Borel", "SL2"});
@@ -82,20 +111,10 @@ EquationFile read_equation_file(const Entry& document) {
     throw InputError(file.path, 0, 0, 1, "the file has neither an [ode] nor a [system] table",
                      "see: kovacic new ode");
   read_ode(document.at("ode"), file.text);
-  if (const Entry* assume = document.find("assume"))
-    for (const auto& [name, claim] : assume->members()) {
-      if (name == "conditions") {
-        for (const std::string& one : claim.strings())
-          file.text.assume.push_back(one);
-        continue;
-      }
-      file.assume.emplace_back(name, claim.string());
-      file.text.parameters.push_back(name);
-      file.text.assume.push_back(name + " " + claim.string());
-    }
+  if (const Entry* assume = document.find("assume")) read_assumptions(*assume, file);
   if (const Entry* expect = document.find("expect"))
     for (const Entry& e : expect->array())
-      file.expect.push_back(read_expectation(e));
+      file.expect.push_back(read_expectation(e, file.text));
   return file;
 }
 

@@ -56,16 +56,21 @@ public:
     result_.form = form_of(text);
   }
 
-  GivenEquation read() {
+  EquationNames names() {
     define_constants();
     find_names();
+    return {result_.variable, result_.unknown};
+  }
+
+  GivenEquation read() {
+    names();
     refuse_free_parameters();
     constants_.reserve(result_.variable);
     if (text_.ode) constants_.reserve(result_.unknown);
     constants_.gather(formulas_);
     reduce();
     if (!constants_.field()->is_rational()) {
-      result_.constant = constants_.field()->name();
+      result_.constant = constants_.field()->letter();
       result_.constant_meaning = constants_.definition();
     }
     return std::move(result_);
@@ -87,6 +92,18 @@ private:
       if (constants_.is_defined(name)) throw value.error("'" + name + "' has a value already");
       constants_.define_value(name, value);
     }
+    const auto known = settable_names(text_);
+    for (const auto& [name, value] : text_.set)
+      if (!std::binary_search(known.begin(), known.end(), name)) throw unknown(name, value, known);
+  }
+
+  static InputError unknown(const std::string& name, const Expression& value,
+                            const std::vector<std::string>& known) {
+    const auto near = nearest(name, known);
+    return value.error("'" + name + "' gets a value but does not occur in the equation",
+                       near            ? "did you mean " + *near + "?"
+                       : known.empty() ? "it has no names"
+                                       : "its names: " + enumerate(known));
   }
 
   // Names that stand for nothing that is known so far: the variable, the parameters, mistakes.
@@ -178,6 +195,25 @@ private:
 
 FreeParameters::FreeParameters(std::vector<std::string> names)
     : Error("free parameters: " + enumerate(names)), names_(std::move(names)) {}
+
+EquationNames equation_names(const EquationText& text) {
+  const Budget budget;
+  return Reader(text, budget).names();
+}
+
+std::vector<std::string> settable_names(const EquationText& text) {
+  std::set<std::string> names(text.parameters.begin(), text.parameters.end());
+  const auto take = [&](const Expression& e) {
+    for (const std::string& name : names_in(e))
+      if (name != "I") names.insert(name);
+  };
+  for (const Expression& e : formulas(text))
+    take(e);
+  if (text.minpoly) take(*text.minpoly);
+  for (const auto& [name, value] : text.set)
+    take(value);
+  return {names.begin(), names.end()};
+}
 
 GivenEquation read_equation(const EquationText& text, const Budget& budget) {
   return Reader(text, budget).read();

@@ -11,13 +11,20 @@
 
 namespace kov {
 
+/// A sentence about parameters (lib/family) and where it stands.
+struct AssumedText {
+  std::string text;
+  OriginPtr origin;    ///< of the text; null: it stands by itself
+  std::string subject; ///< a file's a = "positive": the name, left of the text
+};
+
 /// One equation as text, already cut into formulas.  Exactly one of r, ode, (p and q) is given.
 struct EquationText {
   std::optional<Expression> r, p, q, ode;
   std::optional<Expression> minpoly; ///< in one name, which then means one of its roots
   std::vector<std::pair<std::string, Expression>> set; ///< names with constant values
   std::vector<std::string> parameters;                 ///< names without a value
-  std::vector<std::string> assume; ///< what is assumed of them: sentences of lib/family
+  std::vector<AssumedText> assume;                     ///< what is assumed of them
   std::string variable;                                ///< empty: see `infer_variable`
   /// Without a variable: take the one name that has no other meaning (otherwise z).
   bool infer_variable = true;
@@ -44,6 +51,15 @@ public:
 private:
   std::vector<std::string> names_;
 };
+
+struct EquationNames {
+  std::string variable = "z";
+  std::string unknown = "y";
+};
+/// Given, or inferred.  Errors  InputError
+[[nodiscard]] EquationNames equation_names(const EquationText& text);
+/// What can have a value: the parameters and every name in the formulas; sorted.
+[[nodiscard]] std::vector<std::string> settable_names(const EquationText& text);
 
 /// Errors  InputError; FreeParameters; OutOfBudget for degrees above the budget
 [[nodiscard]] GivenEquation read_equation(const EquationText& text, const Budget& budget = {});

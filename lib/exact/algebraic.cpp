@@ -98,7 +98,7 @@ Quadratic quadratic_parts(const QQbar& a) {
   }
 }
 
-Field field_of(const QQbar& a, std::string name) {
+Field field_of(const QQbar& a, std::string letter, Integer scale) {
   const std::vector<Integer> m = minimal_polynomial(a);
   if (m.back() != Integer(1))
     throw InvalidArgument("the generator of a number field must be an algebraic integer");
@@ -106,7 +106,7 @@ Field field_of(const QQbar& a, std::string name) {
   if (n == 1) return rationals();
   // Arb's list of roots is the same at every precision, and the roots are isolated: exactly one
   // index survives once the balls are small enough.
-  const Field k = make_field(m, name);
+  const Field k = make_field(m, letter);
   for (long bits = 64; bits < (1L << 20); bits *= 2) {
     const ComplexBall chosen = enclosure(a, bits);
     acb_ptr all = _acb_vec_init(n);
@@ -119,7 +119,7 @@ Field field_of(const QQbar& a, std::string name) {
         ++count;
       }
     _acb_vec_clear(all, n);
-    if (count == 1) return make_field(m, std::move(name), found);
+    if (count == 1) return make_field(m, std::move(letter), found, std::move(scale));
   }
   throw InternalError("the roots of a minimal polynomial could not be separated");
 }

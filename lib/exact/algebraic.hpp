@@ -63,9 +63,10 @@ struct Quadratic {
 };
 [[nodiscard]] Quadratic quadratic_parts(const QQbar& a);
 
-/// The field Q(a) for an algebraic integer a, with the embedding that sends its generator to a.
+/// The field Q(a) for an algebraic integer a, with the embedding that sends its generator to a,
+/// which is `scale` times what the letter means.
 /// Errors  InvalidArgument if a is not an algebraic integer
-[[nodiscard]] Field field_of(const QQbar& a, std::string name);
+[[nodiscard]] Field field_of(const QQbar& a, std::string letter, Integer scale = Integer(1));
 /// Is x, under the chosen embedding of its field, the number a?  Decided exactly.
 [[nodiscard]] bool equals(const NfElem& x, const QQbar& a);
 

@@ -4,8 +4,10 @@
 
 namespace kov {
 
-NumberField::NumberField(const std::vector<Integer>& minpoly, std::string name, int root)
-    : degree_(static_cast<long>(minpoly.size()) - 1), name_(std::move(name)), root_(root) {
+NumberField::NumberField(const std::vector<Integer>& minpoly, std::string letter, int root,
+                         Integer scale)
+    : degree_(static_cast<long>(minpoly.size()) - 1), letter_(std::move(letter)), root_(root),
+      scale_(std::move(scale)) {
   if (degree_ < 1)
     throw InvalidArgument("a number field needs a minimal polynomial of degree >= 1");
   if (minpoly.back() != Integer(1))
@@ -23,6 +25,10 @@ NumberField::NumberField(const std::vector<Integer>& minpoly, std::string name, 
 NumberField::~NumberField() {
   nf_clear(nf_);
   fmpz_poly_clear(minpoly_);
+}
+
+std::string NumberField::name() const {
+  return scale_ == Integer(1) ? letter_ : "(" + to_string(scale_) + "*" + letter_ + ")";
 }
 
 std::vector<Integer> NumberField::minpoly_coefficients() const {
@@ -48,8 +54,8 @@ const Field& rationals() {
   return q;
 }
 
-Field make_field(const std::vector<Integer>& minpoly, std::string name, int root) {
-  return std::make_shared<const NumberField>(minpoly, std::move(name), root);
+Field make_field(const std::vector<Integer>& minpoly, std::string letter, int root, Integer scale) {
+  return std::make_shared<const NumberField>(minpoly, std::move(letter), root, std::move(scale));
 }
 
 const Field& common_field(const Field& a, const Field& b) {
@@ -195,11 +201,20 @@ ComplexBall embed(const NfElem& a, long bits) {
   return z;
 }
 
+std::vector<Rational> shown_coefficients(const NfElem& a) {
+  std::vector<Rational> all;
+  Rational power(1);
+  for (long i = 0; i <= fmpq_poly_degree(a.raw()); ++i, power *= Rational(a.field()->scale()))
+    all.push_back(a.coeff(i) * power);
+  return all;
+}
+
 std::string to_string(const NfElem& a) {
   if (is_zero(a)) return "0";
+  const std::vector<Rational> shown = shown_coefficients(a);
   std::string s;
-  for (long i = fmpq_poly_degree(a.raw()); i >= 0; --i) {
-    const Rational c = a.coeff(i);
+  for (long i = static_cast<long>(shown.size()) - 1; i >= 0; --i) {
+    const Rational& c = shown[static_cast<std::size_t>(i)];
     if (is_zero(c)) continue;
     const bool negative = sign(c) < 0;
     const Rational size = abs(c);
@@ -212,7 +227,7 @@ std::string to_string(const NfElem& a) {
       continue;
     }
     if (size != Rational(1)) s += to_string(size) + "*";
-    s += a.field()->name();
+    s += a.field()->letter();
     if (i > 1) s += "^" + std::to_string(i);
   }
   return s;

@@ -23,14 +23,19 @@ class NumberField {
 public:
   /// Shape   minpoly: ascending integer coefficients, monic, irreducible (not checked here)
   ///         root: which complex root the generator means, as an index into Arb's root list
-  NumberField(const std::vector<Integer>& minpoly, std::string name, int root = 0);
+  ///         scale: the generator is scale times what the letter means; texts show the letter
+  NumberField(const std::vector<Integer>& minpoly, std::string letter, int root = 0,
+              Integer scale = Integer(1));
   NumberField(const NumberField&) = delete;
   NumberField& operator=(const NumberField&) = delete;
   ~NumberField();
 
   [[nodiscard]] long degree() const noexcept { return degree_; }
   [[nodiscard]] bool is_rational() const noexcept { return degree_ == 1; }
-  [[nodiscard]] const std::string& name() const noexcept { return name_; }
+  /// Of the generator: the letter, or "(3*a)".
+  [[nodiscard]] std::string name() const;
+  [[nodiscard]] const std::string& letter() const noexcept { return letter_; }
+  [[nodiscard]] const Integer& scale() const noexcept { return scale_; }
   [[nodiscard]] const fmpz_poly_struct* minpoly() const noexcept { return minpoly_; }
   [[nodiscard]] const nf_struct* raw() const noexcept { return nf_; }
   [[nodiscard]] std::vector<Integer> minpoly_coefficients() const;
@@ -40,14 +45,16 @@ public:
 
 private:
   long degree_;
-  std::string name_;
+  std::string letter_;
   int root_;
+  Integer scale_;
   fmpz_poly_t minpoly_;
   nf_t nf_;
 };
 
 [[nodiscard]] const Field& rationals();
-[[nodiscard]] Field make_field(const std::vector<Integer>& minpoly, std::string name, int root = 0);
+[[nodiscard]] Field make_field(const std::vector<Integer>& minpoly, std::string letter,
+                               int root = 0, Integer scale = Integer(1));
 /// The larger of two fields, one of which is Q or both of which are the same object.
 [[nodiscard]] const Field& common_field(const Field& a, const Field& b);
 
@@ -105,7 +112,9 @@ private:
 [[nodiscard]] NfElem coerce(const NfElem& a, const Field& k);
 /// Enclosure under the chosen embedding K -> C.
 [[nodiscard]] ComplexBall embed(const NfElem& a, long bits);
-/// Text that the expression parser reads back, in the name of the generator.
+/// c with a = c[0] + c[1] x + ..., x what the letter of the field means.
+[[nodiscard]] std::vector<Rational> shown_coefficients(const NfElem& a);
+/// Text that the expression parser reads back, in the letter of the field.
 [[nodiscard]] std::string to_string(const NfElem& a);
 /// A square root in K, if there is one (of the two, no particular one).
 [[nodiscard]] std::optional<NfElem> exact_sqrt(const NfElem& a);

@@ -108,16 +108,14 @@ long order_at_infinity(const RationalFunction& f) {
 }
 
 std::string to_string(const RationalFunction& f, const std::string& variable) {
-  // Clear the rational content so that coefficients are integers where K = Q.
-  Poly num = f.num();
-  Poly den = f.den();
-  Integer n(1);
-  Integer d(1);
-  fmpz_set(n.raw(), fmpq_poly_denref(num.raw()));
-  fmpz_set(d.raw(), fmpq_poly_denref(den.raw()));
-  const Rational common(lcm(n, d));
-  num = scale(num, NfElem(common));
-  den = scale(den, NfElem(common));
+  // Without denominators in what is shown; den is monic, so that no common factor is left.
+  Integer common(1);
+  for (const Poly* p : {&f.num(), &f.den()})
+    for (long i = 0; i <= degree(*p); ++i)
+      for (const Rational& c : shown_coefficients(p->coeff(i)))
+        common = lcm(common, c.den());
+  const Poly num = scale(f.num(), NfElem(Rational(common)));
+  const Poly den = scale(f.den(), NfElem(Rational(common)));
   const std::string top = to_string(num, variable);
   if (is_one(den)) return top;
   const std::string bottom = to_string(den, variable);

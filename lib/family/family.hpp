@@ -23,16 +23,9 @@ struct Family {
   std::string variable;
 };
 
-/// Errors  InputError: an unknown name, a function that is not rational, an assumption that is not
-///         one of the sentences
+/// Errors  InputError: an unknown name, a function that is not rational, as check_assumptions
 /// Requires one of the forms r; p and q.  FreeParameters is thrown for a whole equation, and for
 ///         constants outside Q beside parameters: not implemented
 [[nodiscard]] Family read_family(const EquationText& text);
-
-/// The names in an assumption that is one of the sentences above; they are parameters.
-[[nodiscard]] std::vector<std::string> names_in_assumption(const std::string& text);
-
-/// Is it one of the sentences?
-[[nodiscard]] bool is_assumption(const std::string& text);
 
 } // namespace kov

@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace kov {
 namespace {
 
-std::string trimmed(const std::string& s) {
+constexpr const char* examples = "e.g. \"A > 0\", \"d != 0\", \"n not an integer\", "
+                                 "\"2*nu odd integer\", \"nu not in 1/2+Z\", \"c complex\"";
+
+std::string_view trimmed(std::string_view s) {
   const auto from = s.find_first_not_of(" \t\n");
-  if (from == std::string::npos) return {};
+  if (from == std::string_view::npos) return {};
   return s.substr(from, s.find_last_not_of(" \t\n") - from + 1);
 }
 
 // Cuts `tail` off the end, at a word boundary.
-bool drop_tail(std::string& s, const std::string& tail) {
+bool drop_tail(std::string_view& s, std::string_view tail) {
   if (s.size() <= tail.size() || !s.ends_with(tail)) return false;
   const char before = s[s.size() - tail.size() - 1];
   if (before != ' ' && before != ')') return false;
@@ -21,40 +25,72 @@ bool drop_tail(std::string& s, const std::string& tail) {
   return true;
 }
 
-class SentenceReader {
+// The text with its subject before it, and the place of each of its pieces.
+class Placed {
 public:
-  explicit SentenceReader(std::string text) : whole_(std::move(text)) {}
+  explicit Placed(const AssumedText& t)
+      : before_(t.subject.empty() ? 0 : t.subject.size() + 1),
+        whole_(before_ == 0 ? t.text : t.subject + " " + t.text),
+        origin_(t.origin ? t.origin : origin_of_text("assumption", t.text)) {}
 
-  Sentence read() {
-    rest_ = whole_;
-    if (auto s = comparison()) return *std::move(s);
-    if (auto s = in_integers()) return *std::move(s);
-    if (auto s = integer_word()) return *std::move(s);
-    if (auto s = word()) return *std::move(s);
-    throw InputError(*origin_of_text("assumption", whole_),
-                     {0, static_cast<std::uint32_t>(whole_.size())},
-                     "this assumption is not understood",
-                     "e.g. \"A > 0\", \"d != 0\", \"n not an integer\", \"2*nu odd integer\", "
-                     "\"nu not in 1/2+Z\", \"c complex\"");
+  [[nodiscard]] std::string_view whole() const { return whole_; }
+  [[nodiscard]] const OriginPtr& origin() const { return origin_; }
+  [[nodiscard]] std::size_t offset(std::string_view piece) const {
+    const auto at = static_cast<std::size_t>(piece.data() - whole_.data());
+    return at > before_ ? at - before_ : 0;
+  }
+  [[nodiscard]] Span span(std::string_view piece) const {
+    const auto end = static_cast<std::size_t>(piece.data() - whole_.data()) + piece.size();
+    const std::size_t from = offset(piece);
+    return {static_cast<std::uint32_t>(from),
+            static_cast<std::uint32_t>(end > before_ + from ? end - before_ - from : 1)};
+  }
+  [[nodiscard]] Expression formula(std::string_view piece) const {
+    piece = trimmed(piece);
+    if (piece.empty()) throw InputError(*origin_, {0, 1}, "a formula is missing");
+    return parse_expression(piece, origin_from(origin_, offset(piece)));
   }
 
 private:
-  Expression formula(const std::string& text) const {
-    return parse_expression(trimmed(text), "assumption");
+  std::size_t before_;
+  std::string whole_;
+  OriginPtr origin_;
+};
+
+Expression number(const char* digits) { return parse_expression(digits, "assumption"); }
+
+class SentenceReader {
+public:
+  SentenceReader(const Placed& place, std::string_view text)
+      : place_(place), whole_(text), rest_(text) {}
+
+  Sentence read() {
+    for (const auto form : {&SentenceReader::comparison, &SentenceReader::in_integers,
+                            &SentenceReader::integer_word, &SentenceReader::word})
+      if (auto s = (this->*form)()) {
+        s->text = whole_;
+        s->origin = place_.origin();
+        s->span = place_.span(whole_);
+        return *std::move(s);
+      }
+    throw InputError(*place_.origin(), place_.span(whole_), "this assumption is not understood",
+                     examples);
   }
 
-  std::optional<Sentence> comparison() const {
+private:
+  [[nodiscard]] Expression formula(std::string_view text) const { return place_.formula(text); }
+
+  std::optional<Sentence> comparison() {
     using strata::Sign;
-    const std::array<std::pair<const char*, Sign>, 6> signs{{{">=", Sign::nonnegative},
-                                                             {"<=", Sign::nonnegative},
-                                                             {"!=", Sign::nonzero},
-                                                             {">", Sign::positive},
-                                                             {"<", Sign::positive},
-                                                             {"=", Sign::zero}}};
-    for (const auto& [sign, meaning] : signs) {
-      const std::string mark(sign);
+    const std::array<std::pair<std::string_view, Sign>, 6> signs{{{">=", Sign::nonnegative},
+                                                                  {"<=", Sign::nonnegative},
+                                                                  {"!=", Sign::nonzero},
+                                                                  {">", Sign::positive},
+                                                                  {"<", Sign::positive},
+                                                                  {"=", Sign::zero}}};
+    for (const auto& [mark, meaning] : signs) {
       const auto at = whole_.find(mark);
-      if (at == std::string::npos) continue;
+      if (at == std::string_view::npos) continue;
       Expression left = formula(whole_.substr(0, at));
       Expression right = formula(whole_.substr(at + mark.size()));
       if (mark[0] == '<') std::swap(left, right);
@@ -63,81 +99,91 @@ private:
     return std::nullopt;
   }
 
-  std::optional<Sentence> in_integers() const {
+  std::optional<Sentence> in_integers() {
     const auto at = whole_.find(" in ");
-    if (at == std::string::npos) return std::nullopt;
-    std::string left = whole_.substr(0, at);
+    if (at == std::string_view::npos) return std::nullopt;
+    std::string_view left = whole_.substr(0, at);
     const bool holds = !drop_tail(left, "not");
     drop_tail(left, "is");
-    std::string right;
-    for (const char c : whole_.substr(at + 4))
-      if (c != ' ') right += c;
+    std::string_view right = trimmed(whole_.substr(at + 4));
     if (!right.ends_with('Z')) return std::nullopt;
-    right.pop_back();
-    if (right.ends_with('+')) right.pop_back();
-    return Sentence{Sentence::Kind::membership, formula(left), formula(right.empty() ? "0" : right),
-                    strata::Sign::nonzero, holds};
+    right = trimmed(right.substr(0, right.size() - 1));
+    if (right.ends_with('+')) right.remove_suffix(1);
+    return Sentence{Sentence::Kind::membership, formula(left),
+                    right.empty() ? number("0") : formula(right), strata::Sign::nonzero, holds};
   }
 
   std::optional<Sentence> integer_word() {
-    if (!drop_tail(rest_, "integer")) return std::nullopt;
-    const bool odd = drop_tail(rest_, "odd");
-    const bool even = !odd && drop_tail(rest_, "even");
-    drop_tail(rest_, "an");
-    const bool holds = !drop_tail(rest_, "not");
-    drop_tail(rest_, "is");
-    return Sentence{Sentence::Kind::membership, formula(rest_), formula(odd ? "1" : "0"),
-                    strata::Sign::nonzero,      holds,          Integer(odd || even ? 2 : 1)};
+    std::string_view rest = rest_;
+    if (!drop_tail(rest, "integer")) return std::nullopt;
+    const bool odd = drop_tail(rest, "odd");
+    const bool even = !odd && drop_tail(rest, "even");
+    drop_tail(rest, "an");
+    const bool holds = !drop_tail(rest, "not");
+    drop_tail(rest, "is");
+    return Sentence{Sentence::Kind::membership, formula(rest), number(odd ? "1" : "0"),
+                    strata::Sign::nonzero,      holds,         Integer(odd || even ? 2 : 1)};
   }
 
   std::optional<Sentence> word() {
     using strata::Sign;
+    using Domain = Sentence::Domain;
     const auto said = [&](const char* w) {
       if (!drop_tail(rest_, w)) return false;
       drop_tail(rest_, "is");
       return true;
     };
     const auto sign = [&](Sign s) {
-      return Sentence{Sentence::Kind::sign, formula(rest_), std::nullopt, s};
+      return Sentence{Sentence::Kind::sign, formula(rest_), number("0"), s};
     };
     if (said("positive")) return sign(Sign::positive);
     if (said("nonnegative")) return sign(Sign::nonnegative);
     if (said("nonzero")) return sign(Sign::nonzero);
     if (said("negative"))
-      return Sentence{Sentence::Kind::sign, formula("-(" + rest_ + ")"), std::nullopt,
-                      Sign::positive};
-    for (const auto& [w, real] : {std::pair("real", true), std::pair("rational", true),
-                                  std::pair("complex", false), std::pair("arbitrary", false)}) {
+      return Sentence{Sentence::Kind::sign, number("0"), formula(rest_), Sign::positive};
+    for (const auto& [w, domain] :
+         {std::pair("real", Domain::real), std::pair("rational", Domain::rational),
+          std::pair("complex", Domain::complex), std::pair("arbitrary", Domain::complex)}) {
       if (!said(w)) continue;
       drop_tail(rest_, "arbitrary");
       Sentence s{Sentence::Kind::declaration, formula(rest_), std::nullopt};
-      s.real = real;
+      s.domain = domain;
       return s;
     }
     return std::nullopt;
   }
 
-  std::string whole_;
-  std::string rest_;
+  const Placed& place_;
+  std::string_view whole_;
+  std::string_view rest_;
 };
 
 } // namespace
 
-std::vector<Sentence> sentences(const std::string& text) {
+std::vector<Sentence> sentences(const AssumedText& text) {
+  const Placed place(text);
   std::vector<Sentence> all;
-  std::string rest = text;
-  for (auto at = rest.find(" and "); at != std::string::npos; at = rest.find(" and "))
-    rest.replace(at, 5, ",");
-  std::string part;
-  for (const char c : rest + ",") {
-    if (c != ',' && c != ';') {
-      part += c;
-      continue;
-    }
-    if (part = trimmed(part); !part.empty()) all.push_back(SentenceReader(part).read());
-    part.clear();
+  std::string_view rest = place.whole();
+  while (!rest.empty()) {
+    const std::size_t mark = std::min(rest.find_first_of(",;"), rest.size());
+    const std::size_t word = std::min(rest.find(" and "), rest.size());
+    const std::string_view part = trimmed(rest.substr(0, std::min(mark, word)));
+    if (!part.empty()) all.push_back(SentenceReader(place, part).read());
+    rest.remove_prefix(std::min(rest.size(), word < mark ? word + 5 : mark + 1));
   }
+  if (all.empty())
+    throw InputError(*place.origin(), {0, 1}, "the assumption says nothing", examples);
   return all;
+}
+
+std::vector<std::string> names_in(const Sentence& s) {
+  std::set<std::string> names;
+  for (const auto& n : names_in(s.left))
+    names.insert(n);
+  if (s.right)
+    for (const auto& n : names_in(*s.right))
+      names.insert(n);
+  return {names.begin(), names.end()};
 }
 
 } // namespace kov

@@ -1,10 +1,9 @@
 #pragma once
 // One assumption as text: where its formula ends and what is said of it.
 
+#include "equation/read_equation.hpp"
 #include "strata/conditions.hpp"
-#include "symbol/expression.hpp"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,16 +12,27 @@ namespace kov {
 
 struct Sentence {
   enum class Kind : std::uint8_t { sign, membership, declaration };
+  enum class Domain : std::uint8_t { complex, real, rational };
   Kind kind = Kind::declaration;
   Expression left;
   std::optional<Expression> right; ///< sign: left - right is meant; membership: the offset
   strata::Sign sign = strata::Sign::nonzero;
-  bool holds = true;  ///< membership: in, or not in
-  Integer modulus{1}; ///< membership: left - offset in modulus Z
-  bool real = false;  ///< declaration: the name is real
+  bool holds = true;               ///< membership: in, or not in
+  Integer modulus{1};              ///< membership: left - offset in modulus Z
+  Domain domain = Domain::complex; ///< declaration: where the name lies
+  std::string text{};              ///< the sentence itself
+  OriginPtr origin{};              ///< where it stands
+  Span span{};
+
+  [[nodiscard]] InputError error(const std::string& message, const std::string& hint = {}) const {
+    return {*origin, span, message, hint};
+  }
 };
 
-/// "A > 0, n not an integer" in parts.  Errors  InputError
-[[nodiscard]] std::vector<Sentence> sentences(const std::string& text);
+/// "A > 0, n not an integer" in parts.  Errors  InputError, also for a text without a sentence
+[[nodiscard]] std::vector<Sentence> sentences(const AssumedText& text);
+
+/// Sorted, once each.
+[[nodiscard]] std::vector<std::string> names_in(const Sentence& s);
 
 } // namespace kov

@@ -4,6 +4,8 @@
 #include "exact/error.hpp"
 #include "strata/certificate.hpp"
 
+#include <algorithm>
+
 namespace kov {
 
 namespace {
@@ -49,25 +51,29 @@ public:
       c.steps.push_back({"obstruction",
                          {group, "equation"},
                          certify::ApplyTheorem{m_.theorem, s_.file + ": " + m_.statement}});
-    add(certify::write_certificate(c));
+    add(certify::write_certificate(c), level.empty() ? "" : "-level");
   }
 
   /// The tree of strata, and those of the special strata; a limit leaves a certificate out.
-  void take(const strata::StrataAnswer& a) {
+  void take(const strata::StrataAnswer& a, const std::string& role) {
     try {
-      if (a.tree) add(strata::certificate(a).json + "\n");
+      if (a.tree)
+        if (const auto c = strata::certificate(a); c.says_anything) add(c.json + "\n", role);
     } catch (const OutOfBudget&) {
     }
     for (const auto& s : a.special)
-      take(*s);
+      take(*s, role + "-special");
   }
 
   std::vector<NamedCertificate> all;
 
 private:
-  void add(const std::string& json) {
-    all.push_back(
-        {m_.name + (all.empty() ? "" : "-" + std::to_string(all.size() + 1)), json});
+  void add(const std::string& json, const std::string& role) {
+    const std::string name = m_.name + role;
+    const auto same = std::count_if(all.begin(), all.end(), [&](const NamedCertificate& c) {
+      return c.name == name || c.name.rfind(name + "-", 0) == 0;
+    });
+    all.push_back({name + (same == 0 ? "" : "-" + std::to_string(same + 1)), json});
   }
 
   const System& s_;
@@ -81,10 +87,10 @@ std::vector<NamedCertificate> certificates(const System& s, const ManifoldReport
   if (!m.manifold) return {};
   for (const BlockReport& b : m.blocks) {
     if (b.decision) found.take(*b.decision, b, "");
-    if (b.strata) found.take(*b.strata);
+    if (b.strata) found.take(*b.strata, "");
     for (const EnergyResult& e : b.energies) {
       if (e.decision) found.take(*e.decision, b, e.condition);
-      if (e.strata) found.take(*e.strata);
+      if (e.strata) found.take(*e.strata, "-level");
     }
   }
   return found.all;

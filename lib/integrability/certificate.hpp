@@ -8,7 +8,7 @@
 namespace kov {
 
 struct NamedCertificate {
-  std::string name; ///< "manifold", "manifold-2", ...
+  std::string name; ///< "manifold", "manifold-level", "manifold-special", "manifold-level-2", ...
   std::string json;
 };
 

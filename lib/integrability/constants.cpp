@@ -24,7 +24,7 @@ std::pair<Field, NfElem> field_of_root(const Poly& f, const std::string& name) {
         to_rational(m.coeff(i)) * Rational(pow(scale, static_cast<unsigned long>(d - i)));
     minpoly.push_back(floor(c));
   }
-  const Field k = make_field(minpoly, name);
+  const Field k = make_field(minpoly, name, 0, scale);
   return {k, NfElem::generator(k) / NfElem(Rational(scale))};
 }
 

@@ -97,9 +97,9 @@ std::optional<strata::Stratum> without_level(const strata::Question& q, const MP
 
 // All parameters with f = 0 at once.  Any level is as good as
 // another, so that what is assumed of h is left out; where f has no root h there is no such level.
-void decide_locus(const System& s, const ManifoldSpec& spec,
-                  const std::vector<ClaimReport>& claims, const std::vector<BlockReport>& generic,
-                  const MPoly& f, std::size_t h, const CheckOptions& options, BlockReport& block) {
+void decide_locus(const System& s, const ManifoldSpec& spec, const std::vector<ClaimReport>& claims,
+                  const std::vector<BlockReport>& generic, const MPoly& f, std::size_t h,
+                  const CheckOptions& options, BlockReport& block) {
   System all_levels = s;
   std::erase_if(all_levels.assumptions, [&](const Assumption& a) { return uses(a.value, h); });
   strata::Question q = strata_question(all_levels, *block.ode);

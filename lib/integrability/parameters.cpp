@@ -25,8 +25,10 @@ void add_assumption(strata::Assumptions& all, const Assumption& a, const Ring& r
     [[fallthrough]];
   default: // real, rational: of a parameter
     if (const auto used = used_variables(value);
-        used.size() == 1 && value == MFraction::variable(ring, used[0]))
+        used.size() == 1 && value == MFraction::variable(ring, used[0])) {
       all.real.push_back(used[0]);
+      if (a.relation != Relation::real) all.rational.push_back(used[0]);
+    }
   }
 }
 

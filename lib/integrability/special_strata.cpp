@@ -128,8 +128,7 @@ std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
         check_manifold(special, at_values(spec, values), at_values(claims, values), options);
     for (const auto& b : here.blocks)
       if (b.unknowns == unknowns && b.ode) {
-        if (b.strata)
-          answer.special.push_back(std::make_shared<strata::StrataAnswer>(*b.strata));
+        if (b.strata) answer.special.push_back(std::make_shared<strata::StrataAnswer>(*b.strata));
         return same_block(x, b, here, generic);
       }
     return other_blocks(x, here);

@@ -197,7 +197,8 @@ LameConditions lame_conditions(const LameIndex& index, const LameParameters<MFra
   if (index.kind != LameCase::other) check_size(*index.n, budget);
   switch (index.kind) {
   case LameCase::hermite:
-    c.reducible = primitive(lame_hermite(to_long(index.n->num()), p).w_squared.num());
+    if (*index.n <= Rational(max_lame_degree))
+      c.reducible = primitive(lame_hermite(to_long(index.n->num()), p).w_squared.num());
     return c;
   case LameCase::brioschi: {
     const long m = to_long((*index.n + half).num());
@@ -233,6 +234,15 @@ ThirdExponents degenerate_exponents(const LameIndex& index) {
   if (index.n) return abelian_third_exponents(half, *index.n + half);
   // One irrational exponent: reducible ones have the full Borel group, dihedral ones remain.
   return {false, {{half, 1, "dihedral: two exponents in 1/2 + Z"}}};
+}
+
+bool contains_root(const ThirdExponents& l, const Rational& square) {
+  if (l.all) return true;
+  const auto root = exact_sqrt(square);
+  return root && std::any_of(l.classes.begin(), l.classes.end(), [&](const ExponentClass& c) {
+           const Rational step(c.modulus);
+           return is_integer((*root - c.nu0) / step) || is_integer((*root + c.nu0) / step);
+         });
 }
 
 std::vector<LameFamily> lame_families() {

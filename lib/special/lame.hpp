@@ -49,6 +49,9 @@ struct LameIndex {
 [[nodiscard]] ClosedAnswer lame_answer(const NfElem& alpha, const LameParameters<NfElem>& p,
                                        const Budget& budget = {});
 
+/// Up to this n Lame's polynomial w^2, of degree 2n + 1 in B, is written out: seconds for 100.
+inline constexpr long max_lame_degree = 60;
+
 /// The closed answer where B, g2, g3 are rational functions of parameters: "all of these are 0".
 /// Valid where the denominators of B, g2, g3 and the discriminant are not 0.
 struct LameConditions {
@@ -57,7 +60,8 @@ struct LameConditions {
   /// The identity component is abelian exactly where all of these vanish: none = always; {1} =
   /// never.
   std::vector<MPoly> abelian;
-  /// hermite: G = T_4 exactly where this vanishes, else G is irreducible and dihedral.
+  /// hermite: G = T_4 exactly where this vanishes, else G is irreducible and dihedral.  Unset for n
+  /// > max_lame_degree.
   std::optional<MPoly> reducible;
   /// polyhedral: G = S4 exactly where all of these vanish; elsewhere on `abelian`, A5.
   std::vector<MPoly> octahedral;
@@ -78,6 +82,8 @@ template <class R>
 [[nodiscard]] R degenerate_exponent_squared(const R& alpha, const LameParameters<R>& p);
 /// The l for which the degenerate equation has an abelian identity component.
 [[nodiscard]] ThirdExponents degenerate_exponents(const LameIndex& index);
+/// Is a number with this rational square among them?
+[[nodiscard]] bool contains_root(const ThirdExponents& l, const Rational& square);
 
 /// Which values of (2n+1)^2 = 1 + 4 alpha leave a chance, for alpha that depends on parameters:
 /// (2n+1)^2 = (numerator j/denominator)^2 with j = 1, 2, 3, ...

@@ -1,12 +1,14 @@
 #include "special/symbolic_family.hpp"
 
 #include "exact/error.hpp"
+#include "special/canonical_names.hpp"
 #include "special/coefficients.hpp"
 #include "special/kimura.hpp"
 #include "special/lame.hpp"
 #include "special/lame_family.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace kov {
 namespace {
@@ -262,7 +264,7 @@ std::optional<SymbolicFamily> Recognizer::one_regular(const std::vector<Place>& 
 }
 
 SymbolicFamily Recognizer::lame(const LameFamilyForm& form) const {
-  SymbolicFamily out = started("Lame", "y_tt = (n(n+1) wp(t; g2, g3) + B) y, " + form.change);
+  SymbolicFamily out = started("Lame", "y_tt = (n(n+1) wp(t; g2, g3) + B) y");
   out.generic = form.generic;
   const MFraction one(r_.ring(), Rational(1));
   const MFraction square = Rational(4) * form.alpha + one;
@@ -282,6 +284,17 @@ SymbolicFamily Recognizer::lame(const LameFamilyForm& form) const {
                 std::nullopt, Truth::yes},
                {"else", GroupType::SL2, Truth::no}};
   return out;
+}
+
+// The letters of the family apart from the names that the equation uses.
+SymbolicFamily with_names(SymbolicFamily f, const std::set<std::string>& taken) {
+  const auto names = fresh_names(f.parameters, taken);
+  f.equation = renamed(f.equation, names);
+  for (auto& [name, value] : f.parameters)
+    name = renamed(name, names);
+  for (FamilyCase& c : f.cases)
+    c.when = renamed(c.when, names);
+  return f;
 }
 
 // f = content * prod base^exponent: a square root, if all exponents are even.
@@ -335,10 +348,19 @@ std::optional<SymbolicFamily> symbolic_family(const MFraction& r, std::size_t z,
   constexpr long largest = 18;
   if (degree(r.num(), z) > largest || degree(r.den(), z) > largest) return std::nullopt;
   budget.check();
+  std::set<std::string> taken;
+  for (const std::size_t i : used_variables(r))
+    if (i != z) taken.insert(r.ring()->name(i));
   Recognizer recognizer(r, z);
-  if (const auto form = recognize_lame(r, z, budget)) return recognizer.lame(*form);
+  if (const auto form = recognize_lame(r, z, budget)) {
+    SymbolicFamily lame = with_names(recognizer.lame(*form), taken);
+    lame.equation += ", " + form->change;
+    return lame;
+  }
   try {
-    return recognizer.run(budget);
+    auto found = recognizer.run(budget);
+    if (found) found = with_names(*std::move(found), taken);
+    return found;
   } catch (const NotRational&) {
     return std::nullopt;
   }

@@ -56,8 +56,7 @@ public:
   Writer(const StrataAnswer& a, const Budget& budget) : a_(a), q_(*a.question), budget_(budget) {}
 
   StrataCertificate write() {
-    const State root{KnownFacts(q_.r.ring(), q_.assumptions, groups(q_)),
-                     {q_.r.num(), q_.r.den()}};
+    const State root{KnownFacts(q_.r.ring(), q_.assumptions, groups(q_)), {q_.r.num(), q_.r.den()}};
     Json tree = node(*a_.tree, root);
     Json::Array parameters;
     const auto& names = q_.r.ring()->names();
@@ -68,8 +67,7 @@ public:
       real.push_back(text(names[i]));
     Json::Array assumptions;
     for (const auto& c : q_.assumptions.conditions)
-      assumptions.push_back(
-          Json{Json::Object{{"p", text(c.p)}, {"sign", text(name_of(c.sign))}}});
+      assumptions.push_back(Json{Json::Object{{"p", text(c.p)}, {"sign", text(name_of(c.sign))}}});
     Json::Array generic;
     for (const auto& g : q_.generic) {
       Json::Array group;
@@ -89,6 +87,7 @@ public:
                                   {"claim", Json{Json::Object{{"abelian", std::move(claim)}}}},
                                   {"tree", std::move(tree)}}};
     result_.json = certify::to_string(whole);
+    result_.says_anything = !said_.empty();
     return std::move(result_);
   }
 
@@ -102,9 +101,8 @@ private:
     Json::Array all;
     for (const auto& l : lemmas)
       all.push_back(strata::to_json(l));
-    return Json{Json::Object{{"node", text("lemmas")},
-                             {"lemmas", Json{std::move(all)}},
-                             {"then", std::move(then)}}};
+    return Json{Json::Object{
+        {"node", text("lemmas")}, {"lemmas", Json{std::move(all)}}, {"then", std::move(then)}}};
   }
 
   // key: "node" or "zero", by the place of the object.
@@ -238,8 +236,8 @@ private:
       state.r = {reduced.num(), reduced.den()};
       o.emplace_back("r", to_json(state.r));
     }
-    Json then = there.kind == Kind::empty ? empty("node", there, state)
-                                          : node(there, std::move(state));
+    Json then =
+        there.kind == Kind::empty ? empty("node", there, state) : node(there, std::move(state));
     o.emplace_back("then", std::move(then));
     return Json{std::move(o)};
   }
@@ -247,14 +245,13 @@ private:
   Json empty(const char* key, const ProofTree& t, const State& state) {
     const Json plain{Json::Object{{key, text("empty")}}};
     const auto& all = state.facts.conditions();
-    const bool plainly =
-        state.facts.contains_zero() ||
-        std::any_of(all.begin(), all.end(), [&](const KnownFacts::Fact& c) {
-          if (c.dropped) return false;
-          if (c.sign == Sign::positive) return is_zero(c.p);
-          if (c.sign != Sign::zero || is_zero(c.p)) return false;
-          return is_constant(state.facts.without_known_factors(c.p));
-        });
+    const bool plainly = state.facts.contains_zero() ||
+                         std::any_of(all.begin(), all.end(), [&](const KnownFacts::Fact& c) {
+                           if (c.dropped) return false;
+                           if (c.sign == Sign::positive) return is_zero(c.p);
+                           if (c.sign != Sign::zero || is_zero(c.p)) return false;
+                           return is_constant(state.facts.without_known_factors(c.p));
+                         });
     if (plainly) return plain;
     if (auto terms = state.facts.contradiction())
       return Json{Json::Object{{key, text("empty")}, {"terms", strata::to_json(*terms)}}};
@@ -280,11 +277,10 @@ private:
     if (l.abelian == Truth::unknown || !l.number) return open("zero", l.open_condition);
     say(l.abelian);
     try {
-      return Json{Json::Object{
-          {"zero", text("root")},
-          {"variable", text(q_.r.ring()->name(used_variables(t.p).front()))},
-          {"certificate", number_certificate(*l.number)},
-          {"abelian", text(name_of(l.abelian))}}};
+      return Json{Json::Object{{"zero", text("root")},
+                               {"variable", text(q_.r.ring()->name(used_variables(t.p).front()))},
+                               {"certificate", number_certificate(*l.number)},
+                               {"abelian", text(name_of(l.abelian))}}};
     } catch (const NoProof& why) {
       return trusted("zero", name_of(l.abelian), "the solver", l.reason + " (" + why.what() + ")");
     }

@@ -10,12 +10,13 @@ namespace kov::strata {
 
 struct StrataCertificate {
   std::string json;
-  std::size_t trusted = 0;           ///< nodes that rest on Z3 or on a theorem without a rule
+  bool says_anything = false; ///< some stratum is decided
+  std::size_t trusted = 0;              ///< nodes that rest on Z3 or on a theorem without a rule
   std::vector<std::string> uncertified; ///< why: one line for each such node
 };
 
-/// Strata that the rules do not cover become `trusted` (decided by the solver alone) or `open` (undecided)
-/// nodes.
+/// Strata that the rules do not cover become `trusted` (decided by the solver alone) or `open`
+/// (undecided) nodes.
 ///
 /// Requires  a = decide_strata(...) with Options::want_certificate
 /// Cost      about that of the verdicts of all leaves once more

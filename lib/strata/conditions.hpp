@@ -32,7 +32,8 @@ struct Membership {
 struct Assumptions {
   std::vector<Condition> conditions;
   std::vector<Membership> memberships;
-  std::vector<std::size_t> real; ///< variables known to be real
+  std::vector<std::size_t> real;     ///< variables known to be real
+  std::vector<std::size_t> rational; ///< variables known to be rational
 
   /// f = 0, f != 0, f > 0, f >= 0 for a rational function, whose denominator is then not 0.
   void require(const MFraction& f, Sign sign);

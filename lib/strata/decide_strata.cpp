@@ -36,7 +36,7 @@ Leaf no_equation(const std::string& condition) {
   return leaf;
 }
 
-// The field of a root of p in its one variable x, and x in it: x = generator/lead.
+// The field of a root of p in its one variable x, and x in it: x = generator/lead; texts show x.
 struct RootField {
   std::size_t variable;
   Field field;
@@ -55,16 +55,16 @@ std::optional<RootField> root_field(const MPoly& p) {
     minimal.push_back(i == n ? Integer(1)
                              : value * pow(lead, static_cast<unsigned long>(n - 1 - i)));
   }
-  return RootField{used[0], make_field(minimal, p.ring()->name(used[0])), Rational(lead)};
+  return RootField{used[0], make_field(minimal, p.ring()->name(used[0]), 0, lead), Rational(lead)};
 }
 
 using Kind = ProofTree::Kind;
 
 ProofTreePtr grown(Kind kind, const Region& region, MPoly p, std::optional<Leaf> leaf,
                    std::string why, ProofTreePtr nonzero = {}, ProofTreePtr zero = {}) {
-  return std::make_shared<ProofTree>(ProofTree{kind, std::move(p),
-                                               std::make_shared<Region>(region), std::move(nonzero),
-                                               std::move(zero), std::move(leaf), std::move(why)});
+  return std::make_shared<ProofTree>(ProofTree{kind, std::move(p), std::make_shared<Region>(region),
+                                               std::move(nonzero), std::move(zero), std::move(leaf),
+                                               std::move(why)});
 }
 
 class Tree {
@@ -164,9 +164,10 @@ private:
                  where_zero(region, needs, zero, depth));
   }
 
-  ProofTreePtr where_zero(const Region& region, const Needs& needs,
-                          const std::variant<Region, Region::Empty, Region::Split, Region::Stuck>& zero,
-                          int depth) {
+  ProofTreePtr
+  where_zero(const Region& region, const Needs& needs,
+             const std::variant<Region, Region::Empty, Region::Split, Region::Stuck>& zero,
+             int depth) {
     if (const auto* there = std::get_if<Region>(&zero)) {
       trust(there->trusted());
       return node(*there, depth + 1);

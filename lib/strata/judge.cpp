@@ -196,8 +196,12 @@ private:
     const bool odd = std::all_of(s_.finite.begin(), s_.finite.end(), [](const auto& p) {
       return fmpz_is_odd(p.delta.num().raw()) != 0;
     });
-    return decided(Truth::yes, "", "all exponents are half-integers and there is no logarithm",
-                   GaloisGroup{GroupType::cyclic, Integer(odd ? 1 : 2)});
+    Leaf leaf = decided(Truth::yes, "", "all exponents are half-integers and there is no logarithm",
+                        GaloisGroup{GroupType::cyclic, Integer(odd ? 1 : 2)});
+    if (const auto two = invariant_bound(s_, 2).form; two && two->degree < most_unknowns)
+      if (auto found = find_invariant(s_, *two, region_, budget_); found.index() == 0)
+        leaf.invariant = std::get<0>(std::move(found)); // what a certificate shows
+    return leaf;
   }
 
   // Some choice of exponents leaves a natural number for the polynomial part.

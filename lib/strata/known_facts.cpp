@@ -288,10 +288,10 @@ std::optional<std::vector<LemmaTerm>> KnownFacts::contradiction() const {
     KnownFacts others(*this); // without this condition
     others.conditions_[i].dropped = true;
     std::erase(others.nonzero_, c.p);
-    auto sum = is_constant(c.p) ? std::optional(std::pair(
-                                      Terms{{abs(Rational(c.p.coefficient(0))), {}, {}}},
-                                      sign(c.p.coefficient(0))))
-                                : others.sum_with_sign(c.p);
+    auto sum = is_constant(c.p)
+                   ? std::optional(std::pair(Terms{{abs(Rational(c.p.coefficient(0))), {}, {}}},
+                                             sign(c.p.coefficient(0))))
+                   : others.sum_with_sign(c.p);
     if (!sum || sum->second > 0) continue;
     LemmaTerm this_one;
     this_one.conditions.emplace_back(i, 1);

@@ -61,7 +61,8 @@ public:
 private:
   using Terms = std::vector<LemmaTerm>;
   void add(const Lemma& lemma);
-  [[nodiscard]] std::optional<std::pair<std::size_t, int>> condition_with_sign(const MPoly& f) const;
+  [[nodiscard]] std::optional<std::pair<std::size_t, int>>
+  condition_with_sign(const MPoly& f) const;
   [[nodiscard]] std::optional<std::pair<Terms, int>> sum_with_sign(const MPoly& p) const;
   [[nodiscard]] std::optional<std::pair<Terms, int>> by_terms(const MPoly& p, std::size_t shifted,
                                                               std::size_t shift) const;

@@ -57,7 +57,8 @@ public:
   Json invariant(const ParametricInvariant& v) {
     leading_coefficients();
     const auto c = coefficients(v.p, z_);
-    if (std::none_of(c.begin(), c.end(), [&](const MPoly& f) { return facts_.ensure_nonzero(f, lemmas_); }))
+    if (std::none_of(c.begin(), c.end(),
+                     [&](const MPoly& f) { return facts_.ensure_nonzero(f, lemmas_); }))
       throw NoProof("the invariant may vanish");
     Json::Array places;
     for (std::size_t i = 0; i < s_.finite.size(); ++i)
@@ -99,7 +100,8 @@ private:
 
   void need(const MPoly& p, const char* what) {
     if (!facts_.ensure_nonzero(p, lemmas_))
-      throw NoProof(std::string(what) + ": " + brief(MFraction(p), 120) + " != 0 has no exact proof");
+      throw NoProof(std::string(what) + ": " + brief(MFraction(p), 120) +
+                    " != 0 has no exact proof");
   }
 
   [[nodiscard]] MPoly content() const {
@@ -177,13 +179,13 @@ private:
   [[nodiscard]] bool has_log() const {
     return std::any_of(places_.begin(), places_.end(), [](const CertifiedPlace& p) {
       return p.place->kind == PlaceKind::simple ||
-             (p.place->kind == PlaceKind::regular &&
-              p.place->exponent == ExponentKind::rational && p.place->log == Truth::yes);
+             (p.place->kind == PlaceKind::regular && p.place->exponent == ExponentKind::rational &&
+              p.place->log == Truth::yes);
     });
   }
 
   // B with Delta^2 <= B, written to the place.
-  void bound(CertifiedPlace& p, bool required) {
+  void bound(CertifiedPlace& p) {
     const auto b = p.place->chi.size() == 2 ? bound_of_square(*p.place, region_) : std::nullopt;
     if (b) {
       const MPoly den(r_.ring(), b->den());
@@ -191,10 +193,8 @@ private:
       if (is_zero(room) || facts_.ensure_positive(room, lemmas_)) {
         p.json.emplace_back("bound", text(to_string(*b)));
         bounds_.push_back(*b);
-        return;
       }
     }
-    if (required) throw NoProof("Delta^2 has no bound");
   }
 
   std::string theorem() {
@@ -205,12 +205,13 @@ private:
     for (auto& p : places_)
       if (p.open) open.push_back(&p);
     for (auto* p : open)
-      bound(*p, open.size() > 1);
+      bound(*p);
     std::optional<Rational> largest;
     if (!open.empty() && bounds_.size() == open.size())
       largest = *std::max_element(bounds_.begin(), bounds_.end());
     const bool no_line = exponential_bound(s_, largest).excludes();
     if (log && no_line) return "irreducible-log";
+    if (bounds_.size() < open.size()) throw NoProof("no bound of Delta^2 has an exact proof");
     if (open.empty() && !torus) {
       rational(log, no_line || !lines_possible());
       return "rational";
@@ -226,7 +227,8 @@ private:
   void exclude_values(const std::vector<CertifiedPlace*>& open) {
     for (const auto* p : open) {
       if (p->chi.size() != 2) throw NoProof("an open exponent of degree > 1");
-      const Rational most = bounds_.empty() ? Rational(0) : *std::max_element(bounds_.begin(), bounds_.end());
+      const Rational most =
+          bounds_.empty() ? Rational(0) : *std::max_element(bounds_.begin(), bounds_.end());
       for (long n = 1; n <= 5; ++n)
         for (long a = 0; Rational(a * a, n * n) <= most + Rational(2); ++a)
           (void)facts_.ensure_nonzero(where_square_is(*p->place, Rational(a * a, n * n)), lemmas_);
@@ -246,7 +248,8 @@ private:
     Integer n(2);
     for (const auto& p : s_.finite)
       n = lcm(n, ((Rational(1) + p.delta) * Rational(1, 2)).den());
-    if (n > Integer(200)) throw NoProof("the exponents have the common denominator " + to_string(n));
+    if (n > Integer(200))
+      throw NoProof("the exponents have the common denominator " + to_string(n));
     if (log || n != Integer(12)) absent(to_long(n));
   }
 
@@ -272,7 +275,8 @@ private:
     absent_.push_back(Json{std::move(data)});
   }
 
-  // A prime modulo which the minors, without the factors that are known, stay without a common root.
+  // A prime modulo which the minors, without the factors that are known, stay without a common
+  // root.
   long separating_prime(const std::vector<Minor>& minors) {
     std::vector<MPoly> rest;
     for (const auto& minor : minors) {
@@ -322,7 +326,8 @@ Json leaf_certificate(const Leaf& leaf, const MFraction& r, std::size_t z, const
                              {"abelian", text(leaf.abelian == Truth::yes ? "yes" : "no")},
                              {"by", text("number")},
                              {"certificate", number_certificate(*leaf.number)}}};
-  if (leaf.invariant) return LeafWriter(r, z, region, facts, lemmas, budget).invariant(*leaf.invariant);
+  if (leaf.invariant)
+    return LeafWriter(r, z, region, facts, lemmas, budget).invariant(*leaf.invariant);
   if (leaf.abelian != Truth::no) throw NoProof(leaf.reason);
   return LeafWriter(r, z, region, facts, lemmas, budget).not_abelian();
 }

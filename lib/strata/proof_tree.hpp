@@ -22,7 +22,8 @@ struct ProofTree {
   };
   Kind kind = Kind::open;
   MPoly p;
-  std::shared_ptr<const Region> region; ///< of this node; of a zero branch that was not solved: of its parent
+  std::shared_ptr<const Region>
+      region; ///< of this node; of a zero branch that was not solved: of its parent
   ProofTreePtr nonzero, zero;
   std::optional<Leaf> leaf;
   std::string why;

@@ -13,19 +13,25 @@ constexpr unsigned z3_milliseconds = 300;
 constexpr long z3_terms = 40; // larger polynomials are beyond its limit anyway
 constexpr long z3_degree = 12;
 
-bool is_small(const MPoly& p) {
-  if (p.length() > z3_terms) return false;
+bool is_small(const MPoly& p, long times = 1) {
+  if (p.length() > times * z3_terms) return false;
   for (long i = 0; i < p.length(); ++i) {
     long total = 0;
     for (const unsigned long e : p.exponents(i))
       total += static_cast<long>(e);
-    if (total > z3_degree) return false;
+    if (total > times * z3_degree) return false;
   }
   return true;
 }
 
 template <class T> bool contains(const std::vector<T>& all, const T& x) {
   return std::find(all.begin(), all.end(), x) != all.end();
+}
+
+// v is constant and not where it is assumed to be.
+bool excludes(const Membership& m, const MFraction& v) {
+  if (!is_zero(v) && !is_constant(v)) return false;
+  return (is_zero(v) || is_integer(to_rational(v))) != m.in_integers;
 }
 
 } // namespace
@@ -40,6 +46,24 @@ Region::Region(Ring ring, Assumptions assumptions)
 }
 
 bool Region::is_real(std::size_t variable) const { return contains(assumptions_.real, variable); }
+
+bool Region::is_rational(std::size_t variable) const {
+  return contains(assumptions_.rational, variable);
+}
+
+bool Region::has_no_admissible_root(const MPoly& p) const {
+  const auto used = used_variables(p);
+  if (used.size() != 1) return false;
+  if (degree(p, used[0]) > 1) return is_rational(used[0]);
+  const auto line = coefficients(p, used[0]);
+  const Substitution root{{used[0], -(MFraction(line[0]) / MFraction(line[1]))}};
+  return std::any_of(assumptions_.memberships.begin(), assumptions_.memberships.end(),
+                     [&](const Membership& m) {
+                       const auto in = used_variables(m.value);
+                       return in.size() == 1 && in[0] == used[0] && is_constant(m.value.den()) &&
+                              excludes(m, substitute(m.value, root));
+                     });
+}
 
 bool Region::is_real(const MPoly& p) const {
   const auto used = used_variables(p);
@@ -102,7 +126,8 @@ bool Region::is_nonzero(const MPoly& p) const { return !is_zero(p) && !doubtful_
 std::optional<MPoly> Region::doubtful_factor(const MPoly& p) const {
   if (is_constant(p)) return std::nullopt;
   for (const auto& f : irreducible_parts(p))
-    if (!contains(nonzero_, f) && sign_of_irreducible(f) == 0) return f;
+    if (!contains(nonzero_, f) && !has_no_admissible_root(f) && sign_of_irreducible(f) == 0)
+      return f;
   return std::nullopt;
 }
 
@@ -123,11 +148,12 @@ Truth Region::is_integral(const MFraction& v) const {
 }
 
 std::vector<Condition> Region::real_conditions() const {
-  std::vector<Condition> all;
+  std::vector<Condition> all; // without those that would keep it busy: it refutes less
+  constexpr long times = 5;
   for (const auto& c : assumptions_.conditions)
-    if (c.sign != Sign::nonzero && is_real(c.p)) all.push_back(c);
+    if (c.sign != Sign::nonzero && is_real(c.p) && is_small(c.p, times)) all.push_back(c);
   for (const auto& p : nonzero_)
-    if (is_real(p)) all.push_back({p, Sign::nonzero});
+    if (is_real(p) && is_small(p, times)) all.push_back({p, Sign::nonzero});
   return all;
 }
 
@@ -152,7 +178,7 @@ bool Region::implies_nonzero(const MPoly& p) const {
     const auto parts = is_zero(f) ? std::vector<MPoly>{p} : irreducible_parts(f.num());
     const SignProver prover(assumptions_.conditions, assumed_nonzero_, assumptions_.real);
     return std::all_of(parts.begin(), parts.end(), [&](const MPoly& q) {
-      return prover.sign_of(q) != 0 || contains(assumed_nonzero_, q);
+      return prover.sign_of(q) != 0 || contains(assumed_nonzero_, q) || has_no_admissible_root(q);
     });
   } catch (const DomainError&) {
     return false;
@@ -234,10 +260,11 @@ std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x)
   for (const auto& m : assumptions_.memberships)
     r.assumptions_.memberships.push_back({substitute(m.value, step), m.in_integers});
   r.assumptions_.real = assumptions_.real;
-  if (is_real(x)) { // a real parameter that became a function of one other: no new real one
-    const auto used = used_variables(step.at(x));
-    if (used.size() == 1 && !is_real(used[0]) && degree(p, used[0]) == 1)
-      r.assumptions_.real.push_back(used[0]);
+  r.assumptions_.rational = assumptions_.rational;
+  // x is a Moebius function over Q of one other parameter: real or rational together
+  if (const auto used = used_variables(step.at(x)); used.size() == 1 && degree(p, used[0]) == 1) {
+    if (is_real(x) && !is_real(used[0])) r.assumptions_.real.push_back(used[0]);
+    if (is_rational(x) && !is_rational(used[0])) r.assumptions_.rational.push_back(used[0]);
   }
   if (r.is_empty()) return Empty{r.trusted_};
   return r;
@@ -266,10 +293,7 @@ bool Region::is_empty() const {
     if (SignProver(others, nonzero_, assumptions_.real).sign_of(c.p) < 0) return true;
   }
   for (const auto& m : assumptions_.memberships)
-    if (is_constant(m.value) || is_zero(m.value)) {
-      const bool integer = is_zero(m.value) || is_integer(to_rational(m.value));
-      if (integer != m.in_integers) return true;
-    }
+    if (excludes(m, m.value)) return true;
   const auto conditions = real_conditions();
   const bool ordered = std::any_of(conditions.begin(), conditions.end(), [](const Condition& c) {
     return c.sign == Sign::positive || c.sign == Sign::nonnegative;

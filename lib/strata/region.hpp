@@ -34,6 +34,7 @@ public:
   }
   [[nodiscard]] const std::vector<TrustedStep>& trusted() const noexcept { return trusted_; }
   [[nodiscard]] bool is_real(std::size_t variable) const;
+  [[nodiscard]] bool is_rational(std::size_t variable) const;
 
   /// f in the parameters that are left.  Throws DomainError if its denominator vanishes here.
   [[nodiscard]] MFraction restrict(const MFraction& f) const;
@@ -80,6 +81,10 @@ public:
 
 private:
   [[nodiscard]] int sign_of_irreducible(const MPoly& p) const;
+  /// p, irreducible over Q and in one parameter alone, has degree > 1 and the parameter is
+  /// rational; or degree 1, and its root is no integer where one is assumed (or is one where none
+  /// is).
+  [[nodiscard]] bool has_no_admissible_root(const MPoly& p) const;
   [[nodiscard]] bool is_real(const MPoly& p) const;
   [[nodiscard]] std::variant<Region, Empty> solve(const MPoly& p, std::size_t variable) const;
   /// The conditions whose variables are all real, for Z3.

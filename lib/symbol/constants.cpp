@@ -293,8 +293,7 @@ NfElem Constants::first_generator(const QQbar& alpha, const std::string& label, 
   }
   const Integer lead = minimal_polynomial(alpha).back();
   theta_ = lead * alpha;
-  const std::string name = lead == Integer(1) ? label : "(" + to_string(lead) + "*" + label + ")";
-  move_to(field_of(theta_, name), NfElem(0));
+  move_to(field_of(theta_, label, lead), NfElem(0));
   return NfElem::generator(field_) / from_integer(lead);
 }
 
@@ -364,8 +363,9 @@ std::string generator_definition(const NumberField& k) {
       if (acb_overlaps(enclosure(root, 128).raw(), chosen.raw())) return root;
     throw InternalError("the generator of a field is not a root of its polynomial");
   }();
-  return "root(" + to_string(polynomial(k.minpoly_coefficients(), rationals()), "x") + ", " +
-         approximate_text(theta) + ")";
+  const QQbar shown = QQbar(Rational(Integer(1), k.scale())) * theta;
+  return "root(" + to_string(polynomial(minimal_polynomial(shown), rationals()), "x") + ", " +
+         approximate_text(shown) + ")";
 }
 
 std::optional<Rational> as_rational(const Expression& e) {

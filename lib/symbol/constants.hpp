@@ -73,7 +73,7 @@ private:
 
 /// p/q for an expression made of integers, -, * and / only; nothing for others.
 [[nodiscard]] std::optional<Rational> as_rational(const Expression& e);
-/// "root(x^2 - 2, 1.414213562)" for the generator of k under its embedding; "" for Q.
+/// "root(x^2 - 2, 1.414213562)" for the letter of k under its embedding; "" for Q.
 [[nodiscard]] std::string generator_definition(const NumberField& k);
 
 } // namespace kov

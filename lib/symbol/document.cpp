@@ -80,26 +80,30 @@ std::vector<std::string> Entry::strings() const {
   return all;
 }
 
-Expression Entry::expression(bool allow_equation) const {
-  if (kind_ == Kind::integer)
-    return parse_expression(std::to_string(number_), source_->file, allow_equation);
-  const std::string& text = string();
-  Origin origin{source_->file, source_->text, 0, 1, name_};
+OriginPtr Entry::origin() const {
+  const std::string text = kind_ == Kind::integer ? std::to_string(number_) : string();
+  Origin origin{source_->file, source_->text, 0, 1, ""};
   if (line_ > 0 && static_cast<std::size_t>(line_) <= source_->lines.size()) {
     const std::size_t start =
         source_->lines[static_cast<std::size_t>(line_ - 1)] + static_cast<std::size_t>(column_) - 1;
-    for (const std::size_t quotes : {1U, 3U, 4U})
+    for (const std::size_t quotes : {0U, 1U, 3U, 4U})
       if (source_->text.compare(std::min(start + quotes, source_->text.size()), text.size(),
                                 text) == 0) {
         origin.offset = start + quotes;
-        return parse_expression(text, std::make_shared<const Origin>(std::move(origin)),
-                                allow_equation);
+        return std::make_shared<const Origin>(std::move(origin));
       }
   }
   // The string has escapes: count inside it, from its line.
   origin.text = text;
   origin.first_line = line_;
-  return parse_expression(text, std::make_shared<const Origin>(std::move(origin)), allow_equation);
+  return std::make_shared<const Origin>(std::move(origin));
+}
+
+Expression Entry::expression(bool allow_equation) const {
+  const std::string text = kind_ == Kind::integer ? std::to_string(number_) : string();
+  auto place = std::make_shared<Origin>(*origin());
+  place->what = name_;
+  return parse_expression(text, place, allow_equation);
 }
 
 InputError Entry::error_at(long line, long column, std::size_t length, std::string message,
@@ -200,7 +204,8 @@ std::string read_text(const std::string& path, std::size_t limit) {
   if (path == "-") {
     read(std::cin);
   } else {
-    if (std::filesystem::is_directory(path))
+    std::error_code failed; // then it cannot be opened either
+    if (std::filesystem::is_directory(path, failed))
       throw InputError(path, 0, 0, 1, "this is a directory, a file is expected");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path, 0, 0, 1, "the file cannot be opened");

@@ -40,6 +40,9 @@ public:
   /// A string (or an integer) as a formula; columns of its errors count in the file.
   [[nodiscard]] Expression expression(bool allow_equation = false) const;
 
+  /// Where the text of a string (or an integer) stands.
+  [[nodiscard]] OriginPtr origin() const;
+
   [[nodiscard]] const std::string& name() const noexcept { return name_; } ///< its key, or ""
   [[nodiscard]] long line() const noexcept { return line_; }
   [[nodiscard]] const std::string& file() const noexcept { return source_->file; }

@@ -60,6 +60,12 @@ OriginPtr origin_of_text(std::string file, std::string text, std::string what) {
   return o;
 }
 
+OriginPtr origin_from(const OriginPtr& origin, std::size_t offset) {
+  auto o = std::make_shared<Origin>(*origin);
+  o->offset += offset;
+  return o;
+}
+
 std::string printable(std::string_view bytes) {
   std::string s;
   for (std::size_t i = 0; i < bytes.size();) {

@@ -24,6 +24,9 @@ using OriginPtr = std::shared_ptr<const Origin>;
 /// The origin of a text given by itself, e.g. on the command line.
 [[nodiscard]] OriginPtr origin_of_text(std::string file, std::string text, std::string what = {});
 
+/// The same from `offset` on.
+[[nodiscard]] OriginPtr origin_from(const OriginPtr& origin, std::size_t offset);
+
 /// Bytes [offset, offset + length) of an expression.
 struct Span {
   std::uint32_t offset = 0;

@@ -99,13 +99,25 @@ Assumption read_condition(const Entry& entry, const SystemScope& scope) {
     const std::size_t at = text.find(sign);
     if (at == std::string::npos) continue;
     const std::string word(sign);
-    MFraction left = evaluate(parse_expression(text.substr(0, at), entry.file()), scope);
+    const OriginPtr place = entry.origin();
+    const std::size_t after = at + word.size();
+    MFraction left = evaluate(parse_expression(text.substr(0, at), place), scope);
     MFraction right =
-        evaluate(parse_expression(text.substr(at + word.size()), entry.file()), scope);
+        evaluate(parse_expression(text.substr(after), origin_from(place, after)), scope);
     if (word[0] == '<') std::swap(left, right);
     return {relation, left - right, text, entry.line()};
   }
   throw entry.error("a condition was expected", "for example \"A + B >= C\" or \"d != 0\"");
+}
+
+void require_parameters(const MFraction& f, const Entry& entry, const System& s) {
+  const auto among = [](const std::vector<std::size_t>& all, std::size_t i) {
+    return std::find(all.begin(), all.end(), i) != all.end();
+  };
+  for (const std::size_t i : used_variables(f))
+    if (!among(s.field.parameters, i) && !among(s.field.constants, i))
+      throw entry.error("'" + s.ring()->name(i) + "' is not a parameter",
+                        "assumptions are about parameters");
 }
 
 void read_assumptions(const Entry& document, const SystemScope& scope, System& s) {
@@ -119,19 +131,14 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
     if (name == "conditions") {
       for (const Entry* one : entry.list()) {
         s.assumptions.push_back(read_condition(*one, scope));
-        for (const std::size_t i : used_variables(s.assumptions.back().value))
-          if (std::find(s.field.parameters.begin(), s.field.parameters.end(), i) ==
-                  s.field.parameters.end() &&
-              std::find(s.field.constants.begin(), s.field.constants.end(), i) ==
-                  s.field.constants.end())
-            throw one->error("'" + s.ring()->name(i) + "' is not a parameter",
-                             "assumptions are about parameters");
+        require_parameters(s.assumptions.back().value, *one, s);
         check_assumption(s.assumptions.back(), *one);
       }
       continue;
     }
     const auto v = scope.value(name);
-    if (!v) throw entry.error("'" + name + "' is not a name of this system");
+    if (!v) throw entry.key_error("'" + name + "' is not a name of this system");
+    require_parameters(*v, entry, s);
     const auto word = std::find_if(words.begin(), words.end(),
                                    [&](const auto& w) { return w.first == entry.string(); });
     if (word == words.end()) {

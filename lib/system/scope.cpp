@@ -86,7 +86,8 @@ void SystemScope::read_settings(const ParameterValues& settings) {
     for (const auto& [name, entry] : set->members())
       fix(name, entry.expression());
   for (const auto& [name, text] : settings)
-    fix(name, parse_expression(text, "--set " + name));
+    fix(name, parse_expression(
+                  text, origin_from(origin_of_text("--set", name + "=" + text), name.size() + 1)));
   const auto pending = pending_;
   for (const auto& [name, e] : pending)
     static_cast<void>(fixed_value(name));

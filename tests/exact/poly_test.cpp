@@ -142,5 +142,17 @@ TEST(Modular, ReductionIsARingMap) {
   }
 }
 
+TEST(NumberFields, TextsShowTheLetterAndNotTheGenerator) {
+  const Field k = make_field({-6, 0, 1}, "a", 0, Integer(2)); // a with 2 a^2 = 3
+  const NfElem a = NfElem::generator(k) / NfElem(2);
+  EXPECT_EQ(to_string(a), "a");
+  EXPECT_EQ(k->name(), "(2*a)");
+  const Poly z = Poly::z();
+  EXPECT_EQ(to_string(RationalFunction(Poly(a), z * z), "z"), "a/z^2");
+  EXPECT_EQ(to_string(RationalFunction(Poly(a) + z, scale(z * z, NfElem(3))), "z"),
+            "(z + a)/(3*z^2)");
+  EXPECT_EQ(to_string(Poly(a * NfElem(Rational(1, 2)) + NfElem(1)), "z"), "1/2*a + 1");
+}
+
 } // namespace
 } // namespace kov

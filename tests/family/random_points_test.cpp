@@ -1,6 +1,7 @@
 // Families with parameters against the solver without, at random points of every stratum.
 // An exponent difference that is itself a parameter s takes many rational values.
 
+#include "family/assumptions.hpp"
 #include "family/family.hpp"
 #include "strata/specialisation.hpp"
 
@@ -20,8 +21,8 @@ TEST_P(RandomPoints, Agree) {
   EquationText text;
   text.r = parse_expression(GetParam().r, "r");
   text.variable = "z";
-  text.assume.emplace_back(GetParam().assume);
-  text.parameters = names_in_assumption(GetParam().assume);
+  text.assume.push_back({GetParam().assume, nullptr, ""});
+  text.parameters = names_in_assumption({GetParam().assume, nullptr, ""});
   const Family f = read_family(text);
   const auto answer = strata::decide_strata(f.question);
   EXPECT_FALSE(answer.contradictory);

@@ -175,6 +175,15 @@ TEST(Lame, DegenerateCurve) { // g2 = 12 a^2, g3 = -8 a^3, and a = 0
   EXPECT_EQ(l.classes.size(), 6U); // 1/6 reducible, 1/2 dihedral, 1/3, 1/4, 1/5, 2/5; all modulo 1
 }
 
+TEST(Lame, AConstantExponentIsDecided) {
+  const ThirdExponents half = degenerate_exponents(lame_index(q(1, 2))); // l in 1/2 + Z
+  EXPECT_TRUE(contains_root(half, q(9, 4)));
+  EXPECT_FALSE(contains_root(half, q(-1, 12)));
+  EXPECT_FALSE(contains_root(half, q(1)));
+  EXPECT_FALSE(contains_root(half, q(1, 2)));
+  EXPECT_TRUE(contains_root(degenerate_exponents(lame_index(q(1))), q(-7, 3))); // every l
+}
+
 TEST(Lame, NumberFields) {
   const Field k = make_field({Integer(-3), Integer(0), Integer(1)}, "s"); // sqrt 3
   const NfElem s = NfElem::generator(k);

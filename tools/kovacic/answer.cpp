@@ -1,7 +1,7 @@
 #include "answer.hpp"
 
+#include "family/assumptions.hpp"
 #include "present_strata.hpp"
-
 #include "recognized.hpp"
 #include "strata/certificate.hpp"
 
@@ -80,6 +80,7 @@ private:
       early_(dump(unread_result(id)));
     });
     id_ = question.id;
+    check_assumptions(question.text);
     try {
       return decided(question);
     } catch (const FreeParameters&) {
@@ -110,6 +111,7 @@ private:
       original["identity_component_abelian"] = result.at("abelian");
       result["original"] = std::move(original);
     }
+    if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     return tag_of(decision) + dump(result);
   }
 
@@ -125,8 +127,7 @@ private:
       const strata::StrataAnswer answer = strata::decide_strata(f.question, limits);
       result = family_result(id_, f, answer);
       if (limits.decide.want_certificate && answer.tree)
-        result["certificate"] =
-            Json::parse(strata::certificate(answer, limits.decide.budget).json);
+        result["certificate"] = Json::parse(strata::certificate(answer, limits.decide.budget).json);
     } catch (const FreeParameters&) {
       return std::nullopt;
     }

@@ -15,7 +15,7 @@ namespace kov::cli {
 /// What the child reads a job into.
 struct Question {
   EquationText text;
-  Json id; ///< null, or what names the equation in the answer
+  Json id;                          ///< null, or what names the equation in the answer
   std::vector<std::string> ignored; ///< assumptions that were not understood
 };
 

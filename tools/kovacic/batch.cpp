@@ -3,27 +3,29 @@
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
-#include "family/family.hpp"
+#include "family/assumptions.hpp"
+#include "symbol/suggest.hpp"
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
+#include <map>
 #include <set>
 
 namespace kov::cli {
 namespace {
 
 constexpr std::size_t max_line = std::size_t{16} << 20;
+constexpr std::size_t max_skipped = std::size_t{128} << 20; // /dev/zero has no end
 
 // The next line without its end; false at the end of the input.  Of lines beyond the limit only
-// the length is kept.
+// the length is kept, up to max_skipped.
 bool next_line(std::FILE* in, std::string& line, std::size_t& length) {
   line.clear();
   length = 0;
   bool any = false;
   for (int c = std::getc(in); c != EOF; c = std::getc(in)) {
     any = true;
-    if (c == '\n') break;
+    if (c == '\n' || length == max_skipped) break;
     ++length;
     if (length <= max_line) line += static_cast<char>(c);
   }
@@ -33,6 +35,11 @@ bool next_line(std::FILE* in, std::string& line, std::size_t& length) {
 
 bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r\v\f") == std::string::npos;
+}
+
+std::string too_long(std::size_t length) {
+  return "a line of " + (length < max_skipped ? "" : std::string("more than ")) +
+         std::to_string(length) + " bytes is too long (limit 16 MiB)";
 }
 
 [[noreturn]] void refuse(const std::string& message, const std::string& hint = {},
@@ -77,6 +84,9 @@ Json parse_line(std::string_view text, const std::function<void(const Json&)>& i
     const auto column = static_cast<long>(std::min(e.byte, text.size()));
     identify(salvaged_id(text));
     refuse("this is not JSON: " + printable(what).substr(0, 200), "", std::max(1L, column));
+  } catch (const Json::exception&) {
+    identify(salvaged_id(text));
+    refuse("this is not JSON that can be read: a number is too large");
   }
   if (!j.is_object()) refuse("a JSON object is expected", R"(e.g. {"id": 1, "r": "z"})");
   if (j.contains("id")) identify(j.at("id"));
@@ -105,6 +115,29 @@ std::vector<std::string> names(const Json& line, const char* key) {
   return all;
 }
 
+// Keys that are not ours are the user's own (a source, a comment), unless they look like something
+// that the answer would depend on.
+void refuse_keys(const Json& line) {
+  static const std::vector<std::string> known{
+      "id", "r", "p", "q", "ode", "minpoly", "parameters", "assumptions", "variable"};
+  static const std::map<std::string, std::string> meant{
+      {"set", "write the values into the formula"},
+      {"where", "write the values into the formula"},
+      {"values", "write the values into the formula"},
+      {"e", "write: ode"},
+      {"equation", "write: ode"},
+      {"assume", "write: assumptions"},
+      {"conditions", "write: assumptions"}};
+  for (const auto& [key, value] : line.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const auto hint = meant.find(key);
+    const auto near = key.size() < 5 ? std::nullopt : nearest(key, known);
+    if (hint != meant.end() || near)
+      refuse("unknown key '" + printable(key).substr(0, 100) + "'",
+             near ? "did you mean '" + *near + "'?" : hint->second);
+  }
+}
+
 // One text or a list of texts.
 std::vector<std::string> texts(const Json& line, const char* key) {
   if (line.contains(key) && line.at(key).is_string()) return {line.at(key).get<std::string>()};
@@ -115,14 +148,13 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   const Json line = parse_line(job, identify);
   Question q;
   if (line.contains("id")) q.id = line.at("id");
+  refuse_keys(line);
   q.text.r = formula(line, "r");
   q.text.p = formula(line, "p");
   q.text.q = formula(line, "q");
   q.text.ode = formula(line, "ode", true);
   q.text.minpoly = formula(line, "minpoly");
   q.text.parameters = names(line, "parameters");
-  for (const std::string& text : texts(line, "assumptions")) // not understood: said, not used
-    (is_assumption(text) ? q.text.assume : q.ignored).push_back(text);
   q.text.infer_variable = false;
   if (line.contains("variable") && !line.at("variable").is_null()) {
     if (!line.at("variable").is_string()) refuse("'variable' must be a string");
@@ -131,6 +163,12 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   }
   if (!q.text.r && !q.text.p && !q.text.q && !q.text.ode)
     refuse("the line has no equation", "give r, or p and q, or ode");
+  const auto known = settable_names(q.text);
+  for (const std::string& text : texts(line, "assumptions"))
+    if (is_prose(text, known)) // said, not used
+      q.ignored.push_back(text);
+    else
+      q.text.assume.push_back({text, origin_of_text("assumptions", text), ""});
   return q;
 }
 
@@ -149,10 +187,37 @@ void move_certificate(const Settings& settings, std::string& answer, long number
   answer = dump(result);
 }
 
+// From line to line; throws InputError for what ends the run.
+int answer_lines(const Settings& settings, const std::string& path, std::FILE* in, std::FILE* out) {
+  Solver solver(read_line, settings);
+  int exit = exit_decided;
+  long number = 0;
+  std::string line;
+  std::size_t length = 0;
+  while (next_line(in, line, length)) {
+    ++number;
+    if (is_blank(line) && length <= max_line) continue;
+    auto [text, code] = length > max_line
+                            ? std::pair(dump({{"id", nullptr}, {"error", too_long(length)}}),
+                                        static_cast<int>(exit_input))
+                            : solver.line(line);
+    if (code == exit_interrupted) return code;
+    exit = worse(exit, code);
+    if (!settings.certificate.empty()) move_certificate(settings, text, number);
+    text += '\n';
+    if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
+      throw InputError(out == stdout ? "standard output" : settings.output, 0, 0, 1,
+                       "not everything could be written");
+    if (length >= max_skipped)
+      throw InputError(path, number, 0, 1, "this line does not end", "the rest is not read");
+  }
+  return exit;
+}
+
 } // namespace
 
 int batch(const Settings& settings, const std::string& path) {
-  if (path != "-" && std::filesystem::is_directory(path))
+  if (path != "-" && is_directory(path))
     return report(settings, InputError(path, 0, 0, 1, "this is a directory, a file is expected"));
   std::FILE* in = path == "-" ? stdin : std::fopen(path.c_str(), "rb");
   if (in == nullptr)
@@ -163,36 +228,11 @@ int batch(const Settings& settings, const std::string& path) {
     if (out == nullptr)
       return report(settings, InputError(settings.output, 0, 0, 1, "the file cannot be written"));
   }
-  Settings line_settings = settings;
-  line_settings.trace = false;
-  Solver solver(read_line, line_settings);
   int exit = exit_decided;
-  long number = 0;
-  std::string line;
-  std::size_t length = 0;
-  while (exit != exit_interrupted && next_line(in, line, length)) {
-    ++number;
-    if (is_blank(line) && length <= max_line) continue;
-    auto [text, code] = length > max_line
-                            ? std::pair(dump({{"id", nullptr},
-                                              {"error", "a line of " + std::to_string(length) +
-                                                            " bytes is too long (limit 16 MiB)"}}),
-                                        static_cast<int>(exit_input))
-                            : solver.line(line);
-    if (code == exit_interrupted) {
-      exit = code;
-      break;
-    }
-    exit = worse(exit, code);
-    try {
-      if (!settings.certificate.empty()) move_certificate(settings, text, number);
-    } catch (const InputError& e) {
-      exit = report(settings, e);
-      break;
-    }
-    text += '\n';
-    if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
-      break; // nobody reads any more
+  try {
+    exit = answer_lines(settings, path, in, out);
+  } catch (const InputError& e) {
+    exit = report(settings, e);
   }
   if (in != stdin) std::fclose(in);
   if (out != stdout) std::fclose(out);

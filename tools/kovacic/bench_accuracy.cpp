@@ -159,7 +159,7 @@ void write_rows(const fs::path& path, const flow::Scene& scene, const std::vecto
     fmt::print(out, "{} {:.0e} {} {:.6f} {} {} {:.3e} {:.3e} {:.4g}\n", r.method,
                r.effort.tolerance, r.effort.order, r.effort.seconds, r.effort.crossings,
                r.effort.wrong, r.effort.drift, r.effort.error, 1e6 / r.rate());
-  if (!out) throw Error("cannot write " + path.string());
+  close_file(out, path.string());
 }
 
 } // namespace
@@ -168,7 +168,7 @@ int bench_accuracy(const Settings& settings, const BenchArguments& a) {
   flow::Scene scene = flow::read_scene(a.scene);
   if (!scene.time) throw InputError(a.scene, 0, 0, 1, "bench accuracy needs a scene with a time");
   const fs::path directory = settings.output.empty() ? "." : settings.output;
-  fs::create_directories(directory);
+  make_directory(directory.string());
   fmt::print("reference: {} orbits to t = {}, in pairs of doubles; its first points in 40 digits\n",
              flow::starts_of(scene).size(), scene.time->text());
   std::fflush(stdout);
@@ -192,7 +192,7 @@ int bench_accuracy(const Settings& settings, const BenchArguments& a) {
   our_rows(rows, few, flow::reference_of(few, 70), {{Arithmetic::mpfr, 10, 60, 10}}, "", a.seconds);
   write_rows(directory / "accuracy.dat", scene, rows);
   const std::string text = summary(rows);
-  std::ofstream(directory / "accuracy.txt") << text;
+  write_file((directory / "accuracy.txt").string(), text);
   fmt::print("{}", text);
   const std::string base = (directory / "accuracy").string();
   for (const char* ordinate : {"drift", "error"}) {

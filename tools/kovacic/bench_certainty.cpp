@@ -93,7 +93,7 @@ bool proved(const Proof& p, const RationalFunction& r, const Singularities& s, d
 
 int bench_certainty(const Settings& settings, const BenchArguments& a) {
   const fs::path directory = settings.output.empty() ? "." : settings.output;
-  fs::create_directories(directory);
+  make_directory(directory.string());
   std::ofstream out(directory / "certainty.dat");
   fmt::print(out, "# seconds of the processor to prove G = SL(2, C) (or to rule out invariants) "
                   "for n double poles\n");
@@ -118,7 +118,7 @@ int bench_certainty(const Settings& settings, const BenchArguments& a) {
       fmt::print(out, "{} {} {:.6f}\n", p.name, n, seconds);
     }
   }
-  out.close();
+  close_file(out, (directory / "certainty.dat").string());
   chart.title = "What certainty costs";
   chart.data = "certainty.dat";
   chart.x = "poles";

@@ -31,7 +31,7 @@ const Precision precisions[] = {{Arithmetic::one_lane, 16}, {Arithmetic::extende
 int bench_escape(const Settings& settings, const BenchArguments& a) {
   const flow::Scene scene = flow::read_scene(a.scene);
   const fs::path directory = settings.output.empty() ? "." : settings.output;
-  fs::create_directories(directory);
+  make_directory(directory.string());
   std::ofstream out(directory / "escape.dat");
   fmt::print(out,
              "# {}: time until an orbit that starts on the invariant plane has left it by 1/100\n",
@@ -48,7 +48,7 @@ int bench_escape(const Settings& settings, const BenchArguments& a) {
       fmt::print(out, "{} {} {} {:.4f}\n", l, to_string(p.arithmetic), p.digits, time);
     }
   }
-  out.close();
+  close_file(out, (directory / "escape.dat").string());
   chart.title = "Time on the invariant plane: " + scene.title;
   chart.data = "escape.dat";
   chart.x = chart.x_label = "digits";

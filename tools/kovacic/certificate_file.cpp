@@ -1,7 +1,7 @@
 #include "certificate_file.hpp"
 
 #include <algorithm>
-#include <filesystem>
+#include <cctype>
 
 namespace kov::cli {
 
@@ -13,8 +13,7 @@ std::string file_certificate(const Settings& settings, const std::string& name,
       [](unsigned char c) { return c >= 0x80 || (std::isalnum(c) == 0 && c != '_' && c != '.'); },
       '-');
   if (plain.empty() || plain.front() == '.') plain.insert(0, "-");
-  std::error_code ignored; // writing will complain
-  std::filesystem::create_directories(settings.certificate, ignored);
+  make_directory(settings.certificate);
   const std::string path = settings.certificate + "/" + plain + ".json";
   write_file(path, json + "\n");
   return path;

@@ -15,8 +15,8 @@ struct SolveArguments {
   std::string variable;
   std::optional<std::string> minpoly;
   std::vector<std::string> parameters; ///< free names
-  std::string batch; ///< a file of JSON lines; "-" = standard input
-  std::vector<std::string> assume; ///< sentences; the names in them are parameters
+  std::string batch;                   ///< a file of JSON lines; "-" = standard input
+  std::vector<std::string> assume;     ///< sentences; the names in them are parameters
 };
 
 struct LameArguments {

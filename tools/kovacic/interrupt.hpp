@@ -1,5 +1,6 @@
 #pragma once
-// Ctrl-C sets a flag for the duration of a computation, which then keeps what it has; a second Ctrl-C kills.
+// Ctrl-C sets a flag for the duration of a computation, which then keeps what it has; a second
+// Ctrl-C kills.
 
 #include <atomic>
 #include <csignal>

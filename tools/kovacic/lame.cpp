@@ -31,8 +31,10 @@ std::string all_zero(const std::vector<MPoly>& polynomials) {
   for (const MPoly& f : polynomials)
     s += (s.empty() ? "" : " and ") + to_string(f) + " = 0";
   if (s.size() <= 1200) return s;
-  return std::to_string(polynomials.size()) +
-         " polynomials are 0 (too long for a terminal, whole with --format json)";
+  const std::string count = polynomials.size() == 1
+                                ? "a polynomial is 0"
+                                : std::to_string(polynomials.size()) + " polynomials are 0";
+  return count + " (too long for a terminal, whole with --format json)";
 }
 
 Json opened(const LameQuestion& q) {
@@ -109,13 +111,20 @@ std::string class_text(const ExponentClass& c) {
   return is_zero(c.nu0) ? step : "+-" + to_string(c.nu0) + " + " + step;
 }
 
-std::string degenerate_text(const LameIndex& index) {
-  const ThirdExponents third = degenerate_exponents(index);
-  if (third.all) return "always";
+std::string classes_text(const ThirdExponents& third) {
   std::string s;
   for (const ExponentClass& c : third.classes)
     s += (s.empty() ? "" : ", ") + class_text(c);
-  return "exactly when l is one of " + s + " (p an integer)";
+  return s + " (p an integer)";
+}
+
+std::string degenerate_text(const ThirdExponents& third) {
+  return third.all ? "always" : "exactly when l is one of " + classes_text(third);
+}
+
+std::string cusp_text(const LameIndex& index) {
+  return std::string("where g2 = g3 = 0, y_tt = (n(n+1)/t^2 + B) y: abelian ") +
+         (index.kind == LameCase::hermite ? "always" : "exactly when B = 0");
 }
 
 // On the curve g2^3 = 27 g3^2: Riemann's equation.
@@ -143,11 +152,28 @@ Report degenerate(const LameQuestion& q, const LameParameters<MFraction>& p) {
     return {exit_undecided, out.str(), j};
   }
   const MFraction l2 = degenerate_exponent_squared(alpha, p);
-  put(out, "abelian", degenerate_text(index) + ", where l^2 = " + to_string(l2));
+  const ThirdExponents third = degenerate_exponents(index);
+  const bool number = is_zero(l2) || is_constant(l2);
+  const std::string where = ", where l^2 = " + to_string(l2);
   Json classes = Json::array();
-  for (const ExponentClass& c : degenerate_exponents(index).classes)
+  for (const ExponentClass& c : third.classes)
     classes.push_back({{"l", class_text(c)}, {"reason", c.reason}});
   j["condition"] = {{"abelian", "exponent"}, {"l_squared", to_string(l2)}, {"l", classes}};
+  if (number && !third.all) {
+    const bool yes = contains_root(third, is_zero(l2) ? Rational(0) : to_rational(l2));
+    j["condition"]["abelian"] = yes ? "always" : "never";
+    put(out, "abelian",
+        (yes ? "always: l is one of " : "never: l is none of ") + classes_text(third) + where);
+  } else {
+    put(out, "abelian", degenerate_text(third) + where);
+  }
+  const MFraction cusp = is_zero(p.g2) ? p.g3 : p.g2; // g2 = 0 and g3 = 0 say the same here
+  if (!is_constant(cusp)) {
+    j["condition"]["assuming"] = Json::array({to_string(cusp.num()) + " != 0"});
+    j["condition"]["cusp"] = cusp_text(index);
+    put(out, "assuming", "g2 != 0: " + to_string(cusp.num()) + " != 0");
+    put(out, "else", cusp_text(index));
+  }
   return {exit_decided, out.str(), j};
 }
 
@@ -156,8 +182,12 @@ std::string group_text(const LameConditions& c) {
   const std::string elsewhere = c.always() ? "" : " there; SL(2, C) elsewhere";
   switch (c.index.kind) {
   case LameCase::hermite:
-    return "T_4 where " + to_string(*c.reducible) +
-           " = 0, elsewhere irreducible and dihedral, finite or infinite";
+    return "T_4 where " +
+           (c.reducible ? all_zero({*c.reducible})
+                        : "Lame's polynomial w^2, of degree " +
+                              to_string(Rational(2) * *c.index.n + Rational(1)) +
+                              " in B, is 0 (not written out)") +
+           ", elsewhere irreducible and dihedral, finite or infinite";
   case LameCase::brioschi:
     return "D_2, the quaternion group" + elsewhere;
   default:
@@ -196,9 +226,8 @@ Report condition(const Settings& settings, const LameQuestion& q) {
   if (!is_constant(c.discriminant)) {
     j["condition"]["assuming"].push_back(to_string(c.discriminant) + " != 0");
     put(out, "assuming", to_string(c.discriminant) + " != 0 (the curve is not degenerate)");
-    const std::string when = "l^2 = n(n+1)/3 - 2*B*g2/(9*g3): abelian " + degenerate_text(index) +
-                             "; where g2 = g3 = 0, y_tt = (n(n+1)/t^2 + B) y: abelian " +
-                             (index.kind == LameCase::hermite ? "always" : "exactly when B = 0");
+    const std::string when = "l^2 = n(n+1)/3 - 2*B*g2/(9*g3): abelian " +
+                             degenerate_text(degenerate_exponents(index)) + "; " + cusp_text(index);
     j["degenerate"] = when;
     put(out, "else", "Riemann's equation with exponent differences l, 1/2, n + 1/2, where " + when);
   }

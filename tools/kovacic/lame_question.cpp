@@ -1,6 +1,6 @@
 #include "lame_question.hpp"
 
-#include "parameter_scope.hpp"
+#include "family/parameter_scope.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
 
@@ -50,7 +50,7 @@ public:
     if (!constants_.field()->is_rational() &&
         constants_.field()->name().find('(') == std::string::npos &&
         constants_.field()->name() != "I")
-      q.constants = constants_.field()->name() + " = " + constants_.definition();
+      q.constants = constants_.field()->letter() + " = " + constants_.definition();
     return q;
   }
 
@@ -91,12 +91,12 @@ private:
       throw root->error("a root beside free names (" +
                             enumerate(std::vector<std::string>(free_.begin(), free_.end())) + ")",
                         "give every name a value with --set, or write a name for the root");
-    std::map<std::string, Rational> values;
+    std::map<std::string, MFraction> values;
     for (const auto& [set_name, value] : texts_.set) {
       const NfElem x = number(value);
       if (!is_rational(x))
         throw value.error("an irrational value beside free names", "give every name a value");
-      values.emplace(set_name, to_rational(x));
+      values.emplace(set_name, MFraction(ring_, to_rational(x)));
     }
     return evaluate(*e, ParameterScope(ring_, std::move(values)));
   }

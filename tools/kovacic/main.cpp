@@ -22,8 +22,8 @@ constexpr const char* examples = R"(Differential Galois groups of y'' = r(z) y, 
 )";
 
 constexpr const char* footer =
-    R"(Exit codes: 0 decided, 1 a "no" from test or verify, 2 usage or input error, 3 undecided,
-4 internal error, 130 interrupted.  More: kovacic COMMAND --help, kovacic explain)";
+    R"(Exit codes: 0 decided, 1 a "no" from check, test, prove or verify, 2 usage or input error,
+3 undecided, 4 internal error, 130 interrupted.  More: kovacic COMMAND --help, kovacic explain)";
 
 // A check that does not add its own words to --help.
 CLI::Validator silent(CLI::Validator check) { return check.description(""); }
@@ -61,7 +61,8 @@ struct CommandLine {
       command.add_option("--case", settings.only_case, "say whether this case of Kovacic's occurs")
           ->check(silent(CLI::IsMember({"1", "2", "3"})))
           ->type_name("1|2|3");
-      command.add_option("--method", settings.method, "kovacic, engines, or all (compare)")
+      command
+          .add_option("--method", settings.method, "automatic, kovacic, engines or all (compare)")
           ->check(silent(CLI::IsMember({"automatic", "kovacic", "engines", "all"})))
           ->type_name("M");
       command.add_option("--timeout", settings.timeout, "seconds for each equation; 0 = no limit")
@@ -77,10 +78,6 @@ struct CommandLine {
           ->check(number(1e18, "a number of families"))
           ->type_name("N");
       command.add_flag("--trace", settings.trace, "show every step");
-      command
-          .add_option("--certificate", settings.certificate,
-                      "write the proof (check, --batch: a directory)")
-          ->type_name("FILE");
       command.add_option("--format", settings.format, "text, json or tex")
           ->check(silent(CLI::IsMember({"text", "json", "tex"})))
           ->type_name("F");
@@ -93,6 +90,13 @@ struct CommandLine {
     command.add_option("--color", settings.color, "auto, always or never (see also NO_COLOR)")
         ->check(silent(CLI::IsMember({"auto", "always", "never"})))
         ->type_name("WHEN");
+  }
+
+  void certificate_flag(CLI::App& command) {
+    command
+        .add_option("--certificate", settings.certificate,
+                    "write the proof (check, --batch: a directory)")
+        ->type_name("FILE");
   }
 
   void declare_families(CLI::App& app) {
@@ -156,13 +160,14 @@ struct CommandLine {
     solve->add_option("--batch", solve_arguments.batch, "JSON lines in, JSON lines out; - is stdin")
         ->type_name("FILE.jsonl");
     shared_flags(*solve, true);
+    certificate_flag(*solve);
 
     declare_families(app);
 
     CLI::App* check = app.add_subcommand("check", "files: the answer and what was expected");
     check->add_option("FILE", files, "equation or system files")->required()->type_name("");
     shared_flags(*check, true);
-
+    certificate_flag(*check);
     check->add_option("--manifold", settings.manifold, "system files: only this manifold")
         ->type_name("NAME");
 

@@ -1,6 +1,6 @@
 #include "plot.hpp"
 
-#include "exact/error.hpp"
+#include "settings.hpp"
 #include "subprocess.hpp"
 
 #include <fmt/core.h>
@@ -22,15 +22,16 @@ std::string gnuplot_quoted(const std::string& text) {
 }
 
 std::string gnuplot_terminal(const std::string& output_base, int width, int height) {
-  return fmt::format("set encoding utf8\nif (!exists(\"format\")) format = \"png\"\n"
-                     "if (format eq \"png\") set terminal png size {0},{1} enhanced font \"sans,10\" "
-                     "background \"#ffffff\"\n"
-                     "if (format eq \"svg\") set terminal svg size {0},{1} enhanced font \"sans,12\" "
-                     "background \"#ffffff\"\n"
-                     "if (format eq \"pdf\") set terminal pdfcairo size {2}cm,{3}cm enhanced font "
-                     "\"sans,9\"\n"
-                     "set output {4} . \".\" . format\n",
-                     width, height, width / 50, height / 50, gnuplot_quoted(output_base));
+  return fmt::format(
+      "set encoding utf8\nif (!exists(\"format\")) format = \"png\"\n"
+      "if (format eq \"png\") set terminal png size {0},{1} enhanced font \"sans,10\" "
+      "background \"#ffffff\"\n"
+      "if (format eq \"svg\") set terminal svg size {0},{1} enhanced font \"sans,12\" "
+      "background \"#ffffff\"\n"
+      "if (format eq \"pdf\") set terminal pdfcairo size {2}cm,{3}cm enhanced font "
+      "\"sans,9\"\n"
+      "set output {4} . \".\" . format\n",
+      width, height, width / 50, height / 50, gnuplot_quoted(output_base));
 }
 
 std::vector<std::string> run_gnuplot(const std::string& base,
@@ -40,9 +41,8 @@ std::vector<std::string> run_gnuplot(const std::string& base,
   const std::string directory = path.has_parent_path() ? path.parent_path().string() : ".";
   for (const std::string& format : formats) {
     if (format == "none") continue;
-    const int code = run_program({"gnuplot", "-e", "format='" + format + "'",
-                                  path.filename().string() + ".gp"},
-                                 directory);
+    const int code = run_program(
+        {"gnuplot", "-e", "format='" + format + "'", path.filename().string() + ".gp"}, directory);
     const std::string picture = base + "." + format;
     if (code == 0 && fs::exists(picture)) drawn.push_back(picture);
   }
@@ -67,8 +67,10 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
                   "wrap(l) = l >= 7*pi/4 ? l - 2*pi : l\n");
   const std::string points = "with points pt 7 ps (format eq \"png\" ? 0.15 : 0.08)";
   std::vector<std::string> layers;
-  const auto layer = [&](const std::string& file, const std::string& abscissa, const std::string& style) {
-    layers.push_back(fmt::format("{} using ({}):\"L/G\" {}", gnuplot_quoted(file), abscissa, style));
+  const auto layer = [&](const std::string& file, const std::string& abscissa,
+                         const std::string& style) {
+    layers.push_back(
+        fmt::format("{} using ({}):\"L/G\" {}", gnuplot_quoted(file), abscissa, style));
   };
   const std::string data = name + ".dat", l = "wrap(column(\"l\"))";
   if (plot.two_colours) {
@@ -86,8 +88,7 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   for (const std::string& one : layers)
     all += (all.empty() ? "plot " : ", \\\n     ") + one;
   fmt::print(out, "{}\n", all);
-  out.close();
-  if (!out) throw Error("cannot write " + base + ".gp");
+  close_file(out, base + ".gp");
   return run_gnuplot(base, formats);
 }
 
@@ -115,8 +116,7 @@ std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& ch
                chart.points_only ? "points" : "linespoints", i + 1,
                gnuplot_quoted(chart.series[i]));
   fmt::print(out, "\n");
-  out.close();
-  if (!out) throw Error("cannot write " + base + ".gp");
+  close_file(out, base + ".gp");
   return run_gnuplot(base, formats);
 }
 

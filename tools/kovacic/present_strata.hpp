@@ -1,8 +1,8 @@
 #pragma once
 // The answer for all parameters at once, as JSON and as text.
 
-#include "result.hpp"
 #include "family/family.hpp"
+#include "result.hpp"
 #include "strata/decide_strata.hpp"
 
 #include <ostream>

@@ -1,6 +1,7 @@
 // kovacic prove FILE: a theorem file, step by step, and its report.
 
 #include "theorem/prove.hpp"
+#include "certificate_file.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
 #include "mechanics.hpp"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <unistd.h>
 
 namespace kov::cli {
@@ -34,12 +34,11 @@ std::string rendered(const TheoremResult& t, const std::string& format) {
 // --certificate DIR: the certificates of the steps, as ID.json, ID-2.json, ...
 void write_certificates(const Settings& settings, const TheoremResult& result) {
   if (settings.certificate.empty()) return;
-  std::filesystem::create_directories(settings.certificate);
+  make_directory(settings.certificate);
   for (const NodeResult& n : result.nodes)
     for (std::size_t i = 0; i < n.certificates.size(); ++i)
-      write_file(settings.certificate + "/" + n.node.id +
-                     (i == 0 ? "" : "-" + std::to_string(i + 1)) + ".json",
-                 n.certificates[i]);
+      file_certificate(settings, n.node.id + (i == 0 ? "" : "-" + std::to_string(i + 1)),
+                       n.certificates[i]);
 }
 
 int run(const Settings& settings, const Theorem& theorem) {

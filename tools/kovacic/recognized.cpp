@@ -3,17 +3,28 @@
 #include "algebraize/algebraize.hpp"
 #include "equation/linear_form.hpp"
 #include "exact/error.hpp"
-#include "parameter_scope.hpp"
+#include "family/parameter_scope.hpp"
+#include "special/canonical_names.hpp"
 #include "special/symbolic_family.hpp"
 #include "system/linear_formula.hpp"
 
 #include <map>
+#include <set>
 
 namespace kov::cli {
 namespace {
 
 const char* text_of(Truth t) {
   return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided";
+}
+
+// The names in the name of a field's generator: a of "(2*a)".
+std::set<std::string> letters_of(const std::string& generator) {
+  std::set<std::string> names;
+  if (generator.empty()) return names;
+  for (const std::string& name : names_in(parse_expression(generator, "constant")))
+    names.insert(name);
+  return names;
 }
 
 } // namespace
@@ -44,10 +55,11 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
   } catch (const OutOfBudget&) { // the answer itself is there
   }
   if (!found) return nullptr;
-  Json j = {{"family", found->family}, {"equation", found->equation}};
+  const auto names = fresh_names(found->parameters, letters_of(equation.constant));
+  Json j = {{"family", found->family}, {"equation", renamed(found->equation, names)}};
   j["parameters"] = Json::object();
   for (const auto& [name, value] : found->parameters)
-    j["parameters"][name] = value;
+    j["parameters"][renamed(name, names)] = value;
   j["change"] = nullptr;
   std::string left = equation.variable;
   if (found->centre)
@@ -65,25 +77,26 @@ namespace {
 
 // r of y'' = r y in Q(parameters)(z), z first in the ring; nothing if it cannot be read.
 std::optional<MFraction> symbolic_r(const EquationText& text) {
-  std::string variable = text.variable;
-  OdeNames ode;
-  if (text.ode) ode = ode_names(*text.ode);
-  if (variable.empty()) variable = ode.variable.empty() ? "z" : ode.variable;
+  const auto [variable, unknown] = equation_names(text);
   std::vector<std::string> names{variable};
-  std::map<std::string, Rational> values;
+  std::map<std::string, Rational> numbers;
   for (const auto& [name, value] : text.set) {
     const auto number = as_rational(value);
     if (!number) return std::nullopt;
-    values.emplace(name, *number);
+    numbers.emplace(name, *number);
   }
   for (const std::string& name : text.parameters)
-    if (!values.contains(name) && name != variable) names.push_back(name);
-  const ParameterScope scope(make_ring(names), values);
+    if (!numbers.contains(name) && name != variable) names.push_back(name);
+  const Ring ring = make_ring(names);
+  std::map<std::string, MFraction> values;
+  for (const auto& [name, number] : numbers)
+    values.emplace(name, MFraction(ring, number));
+  const ParameterScope scope(ring, values);
   if (text.r) return evaluate(*text.r, scope);
   if (text.p && text.q)
     return normal_form_of(evaluate(*text.p, scope), evaluate(*text.q, scope), 0);
   if (!text.ode) return std::nullopt;
-  const auto order2 = parametric_second_order(*text.ode, ode.unknown, 0, scope);
+  const auto order2 = parametric_second_order(*text.ode, unknown, 0, scope);
   return order2 ? std::optional(normal_form_of(order2->p, order2->q, 0)) : std::nullopt;
 }
 
@@ -147,7 +160,8 @@ std::string recognized_text(const Json& j) {
   if (name->first != "Riemann") text += " " + j.at("equation").get<std::string>();
   const char* before = name->first == "Riemann" ? ", exponent differences " : ", ";
   for (const auto& [parameter, value] : j.at("parameters").items()) {
-    text += before + (name->first == "Riemann" ? "" : parameter + " = ") + value.get<std::string>();
+    const bool unnamed = name->first == "Riemann" && !j.contains("summary"); // no condition on it
+    text += before + (unnamed ? "" : parameter + " = ") + value.get<std::string>();
     before = ", ";
   }
   if (j.contains("summary")) {

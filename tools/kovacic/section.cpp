@@ -45,19 +45,22 @@ std::vector<std::string> caption(const Scene& s, const flow::Section& r) {
   const bool g_is_half = s.section.side > 0;
   const bool up = g_is_half ? s.section.falling : s.section.rising;
   const bool down = g_is_half ? s.section.rising : s.section.falling;
-  std::string body = fmt::format("{} tip, I = {}, L = {}, m = {}, g = {}",
-                                 s.sliding ? "sliding" : "fixed", moments(s), list(s.lever),
-                                 s.mass.text(), s.gravity.text());
+  std::string body =
+      fmt::format("{} tip, I = {}, L = {}, m = {}, g = {}", s.sliding ? "sliding" : "fixed",
+                  moments(s), list(s.lever), s.mass.text(), s.gravity.text());
   if (!is_zero(s.gyrostat)) body += ", B = " + list(s.gyrostat);
-  body += fmt::format("; H = {}, F1 = {}, F2 = {}", s.energy.text(), s.length.text(),
-                      s.casimir.text());
+  body +=
+      fmt::format("; H = {}, F1 = {}, F2 = {}", s.energy.text(), s.length.text(), s.casimir.text());
   const std::string axis = s.section.axis == 2 ? "" : fmt::format(", axis {}", s.section.axis + 1);
-  return {body, fmt::format("g = {}, {}{}; {} orbits, {} points; Taylor order {}, {}, tolerance {}; "
-                            "drift {:.1e}",
-                            g_is_half ? "pi/2" : "3pi/2",
-                            up && down ? "both directions" : up ? "dg/dt > 0" : "dg/dt < 0", axis,
-                            r.orbits.size(), r.points.size(), r.order, r.arithmetic,
-                            s.tolerance.text(), r.drift)};
+  return {body,
+          fmt::format("g = {}, {}{}; {} orbits, {} points; Taylor order {}, {}, tolerance {}; "
+                      "drift {:.1e}",
+                      g_is_half ? "pi/2" : "3pi/2",
+                      up && down ? "both directions"
+                      : up       ? "dg/dt > 0"
+                                 : "dg/dt < 0",
+                      axis, r.orbits.size(), r.points.size(), r.order, r.arithmetic,
+                      s.tolerance.text(), r.drift)};
 }
 
 void write_data(const fs::path& path, const Scene& s, const flow::Section& r) {
@@ -65,13 +68,14 @@ void write_data(const fs::path& path, const Scene& s, const flow::Section& r) {
   fmt::print(out, "# {}\n", s.title);
   for (const std::string& line : caption(s, r))
     fmt::print(out, "# {}\n", line);
-  fmt::print(out, "# l in radian, t and G in the units of the scene, L/G without unit; sign of the form "
-                  "'sign_of' at the start of the orbit\n");
+  fmt::print(out,
+             "# l in radian, t and G in the units of the scene, L/G without unit; sign of the form "
+             "'sign_of' at the start of the orbit\n");
   fmt::print(out, "orbit t l L/G G sign\n");
   for (const auto& p : r.points)
     fmt::print(out, "{} {:.12g} {:.12g} {:.12g} {:.12g} {}\n", p.orbit, p.t, p.l, p.y, p.g_size,
                r.orbits[p.orbit].sign);
-  if (!out) throw Error("cannot write " + path.string());
+  close_file(out, path.string());
 }
 
 void write_orbits(const fs::path& path, const flow::Section& r) {
@@ -79,23 +83,25 @@ void write_orbits(const fs::path& path, const flow::Section& r) {
   fmt::print(out, "orbit l0 L0/G0 G0 crossings tangencies steps time drift_H drift_F1 drift_F2\n");
   for (std::size_t i = 0; i < r.orbits.size(); ++i) {
     const auto& o = r.orbits[i];
-    fmt::print(out, "{} {:.12g} {:.12g} {:.12g} {} {} {} {:.8g} {:.2e} {:.2e} {:.2e}\n", i, o.l, o.y,
-               o.g_size, o.crossings, o.tangencies, o.steps, o.time, o.drift[0], o.drift[1],
+    fmt::print(out, "{} {:.12g} {:.12g} {:.12g} {} {} {} {:.8g} {:.2e} {:.2e} {:.2e}\n", i, o.l,
+               o.y, o.g_size, o.crossings, o.tangencies, o.steps, o.time, o.drift[0], o.drift[1],
                o.drift[2]);
   }
-  if (!out) throw Error("cannot write " + path.string());
+  close_file(out, path.string());
 }
 
 void write_fixed_points(const fs::path& path, const flow::FixedPoints& found) {
   std::ofstream out(path);
-  fmt::print(out, "# fixed points of the section map; error: proved distance from the exact point in l and in L/G "
+  fmt::print(out, "# fixed points of the section map; error: proved distance from the exact point "
+                  "in l and in L/G "
                   "(inf: not proved)\n");
   fmt::print(out, "l L/G error kind trace trace_error multiplier_re multiplier_im G period\n");
   for (const auto& f : found.points)
-    fmt::print(out, "{:.17g} {:.17g} {:.1e} {} {:.15g} {:.1e} {:.12g} {:.12g} {:.12g} {:.12g}\n", f.l, f.y,
-               f.proved ? f.error : INFINITY, to_string(f.stability), f.trace,
-               f.proved ? f.trace_error : INFINITY, f.multiplier[0], f.multiplier[1], f.g_size, f.period);
-  if (!out) throw Error("cannot write " + path.string());
+    fmt::print(out, "{:.17g} {:.17g} {:.1e} {} {:.15g} {:.1e} {:.12g} {:.12g} {:.12g} {:.12g}\n",
+               f.l, f.y, f.proved ? f.error : INFINITY, to_string(f.stability), f.trace,
+               f.proved ? f.trace_error : INFINITY, f.multiplier[0], f.multiplier[1], f.g_size,
+               f.period);
+  close_file(out, path.string());
 }
 
 void print_fixed_points(const flow::FixedPoints& found) {
@@ -103,22 +109,26 @@ void print_fixed_points(const flow::FixedPoints& found) {
     return std::count_if(found.points.begin(), found.points.end(),
                          [&](const auto& f) { return f.stability == s; });
   };
-  if (found.degenerate) return fmt::print("  the section map is the identity on most of the section\n");
-  fmt::print("  fixed points of the section map: {} elliptic (stable), {} hyperbolic", count(flow::Stability::elliptic),
-             count(flow::Stability::hyperbolic));
-  if (const auto n = count(flow::Stability::inverse_hyperbolic)) fmt::print(", {} inverse hyperbolic", n);
+  if (found.degenerate)
+    return fmt::print("  the section map is the identity on most of the section\n");
+  fmt::print("  fixed points of the section map: {} elliptic (stable), {} hyperbolic",
+             count(flow::Stability::elliptic), count(flow::Stability::hyperbolic));
+  if (const auto n = count(flow::Stability::inverse_hyperbolic))
+    fmt::print(", {} inverse hyperbolic", n);
   if (const auto n = count(flow::Stability::parabolic)) fmt::print(", {} parabolic", n);
   fmt::print("; sum of indices of the grid {}\n", found.index_sum);
-  if (found.curve_cells > 0) fmt::print("  and curves of fixed points ({} cells of the grid)\n", found.curve_cells);
+  if (found.curve_cells > 0)
+    fmt::print("  and curves of fixed points ({} cells of the grid)\n", found.curve_cells);
   for (const auto& f : found.points) {
     const auto shown = [](double x) { return std::abs(x) < 5e-13 ? 0.0 : x; };
     const std::string multipliers =
         f.multiplier[1] == 0 ? fmt::format("{:.9f}, {:.9f}", f.multiplier[0], 1 / f.multiplier[0])
                              : fmt::format("{:.9f} +- {:.9f} i", f.multiplier[0], f.multiplier[1]);
-    fmt::print("    l = {:.12f}  L/G = {:.12f}  period {:.9f}  {:18}  multipliers {}", shown(f.l), shown(f.y), f.period,
-               to_string(f.stability), multipliers);
-    fmt::print("  {}\n", f.proved ? fmt::format("proved: +-{:.0e}, trace +-{:.0e}", f.error, f.trace_error)
-                                  : "not proved: " + f.why);
+    fmt::print("    l = {:.12f}  L/G = {:.12f}  period {:.9f}  {:18}  multipliers {}", shown(f.l),
+               shown(f.y), f.period, to_string(f.stability), multipliers);
+    fmt::print("  {}\n",
+               f.proved ? fmt::format("proved: +-{:.0e}, trace +-{:.0e}", f.error, f.trace_error)
+                        : "not proved: " + f.why);
   }
 }
 
@@ -131,7 +141,8 @@ public:
     if (!on_ || (done < all && now - shown_ < std::chrono::milliseconds(100))) return;
     shown_ = now;
     const double spent = std::chrono::duration<double>(now - begun_).count();
-    const double left = done == 0 ? 0 : spent * static_cast<double>(all - done) / static_cast<double>(done);
+    const double left =
+        done == 0 ? 0 : spent * static_cast<double>(all - done) / static_cast<double>(done);
     fmt::print(stderr, "\r\033[K  {}  {} of {} orbits, {:.0f} s left", name_, done, all, left);
     std::fflush(stderr);
   }
@@ -166,6 +177,8 @@ int one_scene(const std::string& file, const Settings& settings, const SectionAr
   const std::string name = file == "-" ? "section" : fs::path(file).stem().string();
   Interrupt interrupt;
   flow::Section result;
+  const fs::path directory = settings.output.empty() ? "." : settings.output;
+  make_directory(directory.string());
   const auto begun = std::chrono::steady_clock::now();
   {
     Progress progress(name, !settings.quiet);
@@ -178,8 +191,6 @@ int one_scene(const std::string& file, const Settings& settings, const SectionAr
   }
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  const fs::path directory = settings.output.empty() ? "." : settings.output;
-  fs::create_directories(directory);
   const fs::path base = directory / name;
   write_data(base.string() + ".dat", scene, result);
   write_orbits(base.string() + ".orbits.dat", result);
@@ -201,7 +212,8 @@ int one_scene(const std::string& file, const Settings& settings, const SectionAr
     write_fixed_points(base.string() + ".fixed.dat", found);
     if (!settings.quiet) print_fixed_points(found);
   }
-  const SectionPlot plot{scene.title, caption(scene, result), scene.sign_of.has_value(), o.fixed_points};
+  const SectionPlot plot{scene.title, caption(scene, result), scene.sign_of.has_value(),
+                         o.fixed_points};
   for (const std::string& picture : draw_section(base.string(), plot, o.formats))
     if (!settings.quiet) fmt::print("  picture {}\n", picture);
   return result.stopped ? exit_interrupted : exit_decided;
@@ -210,7 +222,9 @@ int one_scene(const std::string& file, const Settings& settings, const SectionAr
 } // namespace
 
 void declare_section(CLI::App& command, SectionArguments& a) {
-  command.add_option("FILE", a.files, "scene files; - is standard input")->required()->type_name("");
+  command.add_option("FILE", a.files, "scene files; - is standard input")
+      ->required()
+      ->type_name("");
   command.add_option("--pictures", a.formats, "png,svg,pdf (the default) or none")
       ->delimiter(',')
       ->check(CLI::IsMember({"png", "svg", "pdf", "none"}).description(""))
@@ -218,9 +232,11 @@ void declare_section(CLI::App& command, SectionArguments& a) {
   command.add_option("-j", a.threads, "threads")
       ->check(CLI::Range(1, 256).description(""))
       ->type_name("N");
-  command.add_flag("--fixed-points", a.fixed_points, "find and prove the fixed points of the section map");
+  command.add_flag("--fixed-points", a.fixed_points,
+                   "find and prove the fixed points of the section map");
   command
-      .add_option("--lanes", a.lanes, "orbits at a time in a thread: 1, 4, 8; the answer is the same")
+      .add_option("--lanes", a.lanes,
+                  "orbits at a time in a thread: 1, 4, 8; the answer is the same")
       ->check(CLI::IsMember({1, 4, 8}).description(""))
       ->type_name("N");
 }

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -66,6 +67,10 @@ std::vector<std::pair<std::string, Expression>> Settings::settings() const {
     if (equal == std::string::npos || !is_name())
       throw InputError(*origin, Span{0, static_cast<std::uint32_t>(name.size())},
                        "a name with a value is expected", "write e.g. --set a=1/2");
+    for (const auto& [known, value] : all)
+      if (known == name)
+        throw InputError(*origin, Span{0, static_cast<std::uint32_t>(name.size())},
+                         "'" + name + "' gets a value twice");
     origin->offset = equal + 1;
     const OriginPtr place = origin;
     all.emplace_back(name,
@@ -98,10 +103,28 @@ void write_file(const std::string& path, const std::string& text) {
   }
 }
 
+bool is_directory(const std::string& path) {
+  std::error_code failed; // too long a name, no permission: then it is none
+  return std::filesystem::is_directory(path, failed);
+}
+
+void make_directory(const std::string& path) {
+  std::error_code failed;
+  std::filesystem::create_directories(path, failed);
+  if (failed && !is_directory(path))
+    throw InputError(path, 0, 0, 1, "the directory cannot be made");
+}
+
+void close_file(std::ofstream& out, const std::string& path) {
+  out.close();
+  if (!out) throw InputError(path, 0, 0, 1, "the file cannot be written");
+}
+
 void write_output(const Settings& settings, const std::string& text) {
   if (!settings.output.empty() && settings.output != "-") return write_file(settings.output, text);
-  std::fwrite(text.data(), 1, text.size(), stdout);
-  std::fflush(stdout);
+  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!whole || std::fflush(stdout) != 0)
+    throw InputError("standard output", 0, 0, 1, "not everything could be written");
 }
 
 int report(const Settings& settings, const InputError& error) {

@@ -6,6 +6,7 @@
 #include "symbol/input_error.hpp"
 #include "verdict/decide.hpp"
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace kov::cli {
 /// Exit codes: what happened, not what the verdict is.
 enum Exit : int {
   exit_decided = 0,
-  exit_no = 1,    ///< a "no" from verify or test
+  exit_no = 1,    ///< a "no" from check, test, prove or verify
   exit_input = 2, ///< usage error or bad input file
   exit_undecided = 3,
   exit_internal = 4,
@@ -55,6 +56,12 @@ struct Settings {
 void write_output(const Settings& settings, const std::string& text);
 /// Writes the file at once or not at all.
 void write_file(const std::string& path, const std::string& text);
+/// Never throws.
+[[nodiscard]] bool is_directory(const std::string& path);
+/// With its parents, if it is not there.  Throws InputError.
+void make_directory(const std::string& path);
+/// Throws InputError unless everything that was put into it is in the file.
+void close_file(std::ofstream& out, const std::string& path);
 /// An input error with its caret, on standard error; returns exit_input.
 int report(const Settings& settings, const InputError& error);
 /// One line on standard error: "kovacic: error: ...".

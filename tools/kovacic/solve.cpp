@@ -3,8 +3,10 @@
 #include "answer.hpp"
 #include "commands.hpp"
 #include "equation/equation_file.hpp"
-#include "family/family.hpp"
+#include "family/assumptions.hpp"
 #include "present.hpp"
+
+#include <algorithm>
 
 namespace kov::cli {
 namespace {
@@ -15,12 +17,16 @@ std::optional<Expression> formula(const std::string& option, const std::optional
   return parse_expression(*text, option, equation);
 }
 
-// The names in the assumptions are parameters, unless they are the variable.
+// The names in the assumptions that occur in the equation are parameters, unless they are its
+// variable.
 void add_assumptions(Question& q, const SolveArguments& a) {
+  const auto names = settable_names(q.text);
   for (const std::string& text : a.assume) {
-    q.text.assume.push_back(text);
-    for (const std::string& name : names_in_assumption(text))
-      if (name != q.text.variable) q.text.parameters.push_back(name);
+    q.text.assume.push_back({text, origin_of_text("--assume", text), ""});
+    for (const std::string& name : names_in_assumption(q.text.assume.back()))
+      if (name != (q.text.variable.empty() ? "z" : q.text.variable) &&
+          std::binary_search(names.begin(), names.end(), name))
+        q.text.parameters.push_back(name);
   }
 }
 
@@ -53,6 +59,17 @@ Question from_file(const Settings& settings, const SolveArguments& a, const Entr
   return q;
 }
 
+// An option that lines of a batch would not obey; "" if there is none.
+std::string not_in_a_batch(const Settings& settings, const SolveArguments& a) {
+  if (!settings.set.empty()) return "--set";
+  if (!a.variable.empty()) return "--variable";
+  if (a.minpoly) return "--minpoly";
+  if (!a.parameters.empty()) return "--parameter";
+  if (!a.assume.empty()) return "--assume";
+  if (settings.trace) return "--trace";
+  return settings.format == "tex" ? "--format tex" : "";
+}
+
 } // namespace
 
 int solve(const Settings& settings, const SolveArguments& a) {
@@ -64,7 +81,16 @@ int solve(const Settings& settings, const SolveArguments& a) {
              "solve FILE");
     return exit_input;
   }
-  if (!a.batch.empty()) return batch(settings, a.batch);
+  if (!a.batch.empty()) {
+    if (const std::string no = not_in_a_batch(settings, a); !no.empty()) {
+      complain(
+          settings, no + " says nothing to --batch",
+          "each line has its own keys: variable, minpoly, parameters, assumptions; the answers "
+          "are JSON");
+      return exit_input;
+    }
+    return batch(settings, a.batch);
+  }
   std::optional<Entry> document;
   if (!one_liner) document = read_document(a.file);
   Solver solver(fixed_question([&] {

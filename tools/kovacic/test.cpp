@@ -4,7 +4,9 @@
 #include "commands.hpp"
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
+#include <memory>
 
 namespace kov::cli {
 namespace {
@@ -14,8 +16,10 @@ namespace fs = std::filesystem;
 std::vector<std::string> case_files(const std::vector<std::string>& paths) {
   std::vector<std::string> files;
   for (const std::string& path : paths) {
-    if (!fs::exists(path)) throw InputError(path, 0, 0, 1, "there is no such file or directory");
-    if (!fs::is_directory(path)) {
+    std::error_code failed;
+    if (!fs::exists(path, failed))
+      throw InputError(path, 0, 0, 1, "there is no such file or directory");
+    if (!is_directory(path)) {
       files.push_back(path);
       continue;
     }
@@ -30,6 +34,7 @@ std::vector<std::string> case_files(const std::vector<std::string>& paths) {
 }
 
 struct Tally {
+  std::FILE* out = stdout;
   int number = 0;
   int failed = 0;
   int exit = exit_decided;
@@ -40,14 +45,14 @@ void line(const Settings& settings, Tally& tally, bool ok, const std::string& na
   ++tally.number;
   if (!ok) ++tally.failed;
   if (ok && settings.quiet) return;
-  std::printf("%s %d - %s\n", ok ? "ok" : "not ok", tally.number, name.c_str());
+  std::fprintf(tally.out, "%s %d - %s\n", ok ? "ok" : "not ok", tally.number, name.c_str());
   std::size_t begin = 0;
   while (begin < diagnosis.size()) {
     const std::size_t end = std::min(diagnosis.find('\n', begin), diagnosis.size());
-    std::printf("# %s\n", diagnosis.substr(begin, end - begin).c_str());
+    std::fprintf(tally.out, "# %s\n", diagnosis.substr(begin, end - begin).c_str());
     begin = end + 1;
   }
-  std::fflush(stdout);
+  std::fflush(tally.out);
 }
 
 void run(const Settings& settings, const std::string& file, Tally& tally) {
@@ -67,20 +72,29 @@ void run(const Settings& settings, const std::string& file, Tally& tally) {
 
 int test(const Settings& settings, const std::vector<std::string>& paths) {
   Tally tally;
+  const bool to_file = !settings.output.empty() && settings.output != "-";
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
+      to_file ? std::fopen(settings.output.c_str(), "wb") : nullptr, std::fclose);
+  const InputError unwritten(to_file ? settings.output : "standard output", 0, 0, 1,
+                             "the file cannot be written");
+  if (to_file && !file) return report(settings, unwritten);
+  if (to_file) tally.out = file.get();
   try {
     Settings quiet = settings;
     quiet.format = "text";
-    std::printf("TAP version 13\n");
-    for (const std::string& file :
+    std::fprintf(tally.out, "TAP version 13\n");
+    for (const std::string& path :
          case_files(paths.empty() ? std::vector<std::string>{"cases"} : paths)) {
-      run(quiet, file, tally);
+      run(quiet, path, tally);
       if (tally.exit == exit_interrupted) return exit_interrupted;
     }
   } catch (const InputError& e) {
     return report(settings, e);
   }
-  std::printf("1..%d\n# %d of %d expectations met\n", tally.number, tally.number - tally.failed,
-              tally.number);
+  std::fprintf(tally.out, "1..%d\n# %d of %d expectations met\n", tally.number,
+               tally.number - tally.failed, tally.number);
+  if (std::fflush(tally.out) != 0 || std::ferror(tally.out) != 0)
+    return report(settings, unwritten);
   if (tally.exit >= exit_input) return tally.exit;
   return tally.failed > 0 ? exit_no : exit_decided;
 }

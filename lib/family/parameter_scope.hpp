@@ -4,21 +4,19 @@
 #include "system/formula.hpp"
 
 #include <map>
-#include <string>
-#include <vector>
 
-namespace kov::cli {
+namespace kov {
 
-/// Every variable of the ring by its name, and names with rational values.
+/// Every variable of the ring by its name, and names with values.
 class ParameterScope : public Scope {
 public:
-  ParameterScope(Ring ring, std::map<std::string, Rational> values)
+  ParameterScope(Ring ring, std::map<std::string, MFraction> values)
       : ring_(std::move(ring)), values_(std::move(values)) {}
+
   [[nodiscard]] const Ring& ring() const override { return ring_; }
   [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override {
-    if (const auto at = values_.find(name); at != values_.end())
-      return MFraction(ring_, at->second);
-    if (const auto i = ring_->find(name)) return MFraction::variable(ring_, *i);
+    if (const auto v = values_.find(name); v != values_.end()) return v->second;
+    if (ring_->find(name)) return MFraction::variable(ring_, name);
     return std::nullopt;
   }
   [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override { return none_; }
@@ -26,8 +24,8 @@ public:
 
 private:
   Ring ring_;
-  std::map<std::string, Rational> values_;
+  std::map<std::string, MFraction> values_;
   std::vector<FunctionMeaning> none_;
 };
 
-} // namespace kov::cli
+} // namespace kov
