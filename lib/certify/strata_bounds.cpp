@@ -54,7 +54,7 @@ bool is_natural(const Rational& x) { return is_integer(x) && sign(x) >= 0; }
 std::optional<Sums> add_choices(Arithmetic& a, std::optional<Sums> sums, const Sums& choices,
                                 long times) {
   for (long i = 0; i < times && sums; ++i) {
-    a.charge(static_cast<double>(sums->size() * choices.size()));
+    a.charge(work_of_a_rational * static_cast<double>(sums->size() * choices.size()));
     Sums next;
     for (const Rational& s : *sums)
       for (const Rational& c : choices)

@@ -102,7 +102,9 @@ bool Stratum::known_positive(const MPoly& p) const {
   if (is_constant(p)) return sign(p.coefficient(0)) > 0;
   const MPoly f = primitive(p);
   return std::any_of(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
-    return c.sign == Sign::positive && primitive(c.f) == f;
+    if (c.sign != Sign::positive) return false;
+    arithmetic_->charge(1 + static_cast<double>(c.f.length()));
+    return primitive(c.f) == f;
   });
 }
 

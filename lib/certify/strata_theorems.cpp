@@ -19,7 +19,7 @@ public:
   ExcludedValues(const Stratum& s, const ProvedPlace& open) : s_(s), open_(open) {}
 
   void add(const Rational& v) {
-    s_.arithmetic().charge(1);
+    s_.arithmetic().charge(work_of_a_rational);
     values_.insert(v);
     need(values_.size() <= max_values, "a limit: too many values of an exponent difference");
   }
@@ -77,7 +77,8 @@ private:
 
   // Is (f + jk)/2 a natural number for some sum f and some -d <= j <= d?
   [[nodiscard]] bool possible(const Sums& sums, const Integer& k) const {
-    a_.charge(static_cast<double>(sums.size()) * static_cast<double>(2 * open_.d + 1));
+    a_.charge(work_of_a_rational * static_cast<double>(sums.size()) *
+              static_cast<double>(2 * open_.d + 1));
     for (const Rational& f : sums)
       for (long j = -open_.d; j <= open_.d; ++j)
         if (is_natural((f + Rational(Integer(j) * k)) / Rational(2))) return true;
@@ -107,7 +108,7 @@ private:
     for (long N = 1; N <= 5; ++N)
       for (Integer a(1); Rational(a, Integer(N)) <= *b_; a += Integer(1)) {
         const Rational v(a, Integer(N));
-        a_.charge(static_cast<double>(places_.all().size()));
+        a_.charge(work_of_a_rational * static_cast<double>(places_.all().size()));
         const auto D = places_.degree_bound(12, v);
         if (D && sign(*D) >= 0) values_.add(v);
       }
@@ -131,7 +132,7 @@ private:
 
   // All |2(k - f)/j| <= b, k natural; -j gives the same.
   void add_line(const Rational& f, long j) {
-    a_.charge(1);
+    a_.charge(work_of_a_rational);
     if (j == 0) {
       need(!is_natural(f), "an exponential solution may exist for all exponent differences");
       return;
