@@ -18,8 +18,10 @@ struct Failure { // what check() reports
 
 class Run {
 public:
-  explicit Run(const Certificate& c)
-      : c_(c), judge_{.field = c.field, .equation = {c.num, c.den}} {}
+  Run(const Certificate& c, double spent)
+      : c_(c), judge_{.field = c.field, .equation = {c.num, c.den}, .spent = spent} {}
+
+  [[nodiscard]] double spent() const { return judge_.spent; }
 
   Accepted operator()() {
     need_header();
@@ -144,10 +146,13 @@ private:
 
 } // namespace
 
-std::variant<Accepted, Rejected> check(const Certificate& c) {
+std::variant<Accepted, Rejected> check(const Certificate& c, double* spent) {
   try {
     need(!c.steps.empty(), "there are no steps");
-    return Run(c)();
+    Run run(c, spent ? *spent : 0);
+    const Accepted yes = run();
+    if (spent) *spent = run.spent();
+    return yes;
   } catch (const Failure& f) {
     return Rejected{f.step, f.why};
   } catch (const Refused& r) {

@@ -23,6 +23,7 @@ struct Accepted {
 /// Cost  a few products of the size of each step's data; series proofs O(terms * (deg num + deg
 /// den)),
 ///       expansions at a place O(terms^2)
-[[nodiscard]] std::variant<Accepted, Rejected> check(const Certificate& c);
+/// spent, if given, counts the work of several certificates together: the limit is for all of them.
+[[nodiscard]] std::variant<Accepted, Rejected> check(const Certificate& c, double* spent = nullptr);
 
 } // namespace kov::certify

@@ -10,11 +10,9 @@ namespace kov::certify {
 
 namespace {
 
-constexpr int max_depth = 64;
-
 class Parser {
 public:
-  explicit Parser(std::string_view s) : s_(s) {}
+  Parser(std::string_view s, int depth) : s_(s), max_depth_(depth) {}
 
   Json document() {
     Json j = value(0);
@@ -48,7 +46,7 @@ private:
   }
 
   Json value(int depth) {
-    if (depth > max_depth) fail("too deeply nested");
+    if (depth > max_depth_) fail("too deeply nested");
     switch (peek()) {
     case '{':
       return {object(depth)};
@@ -166,6 +164,7 @@ private:
   }
 
   std::string_view s_;
+  int max_depth_;
   std::size_t at_ = 0;
 };
 
@@ -227,13 +226,13 @@ void append(std::string& out, const Json& j) {
 
 } // namespace
 
-Json parse_json(std::string_view text) {
+Json parse_json(std::string_view text, int max_depth) {
   for (std::size_t i = 0; i < text.size();) {
     const std::size_t n = utf8_length(text, i);
     if (n == 0) throw InvalidArgument("not JSON: not UTF-8 at byte " + std::to_string(i));
     i += n;
   }
-  return Parser(text).document();
+  return Parser(text, max_depth).document();
 }
 
 std::string to_string(const Json& j) {

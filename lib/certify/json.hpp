@@ -23,8 +23,8 @@ struct Json {
   [[nodiscard]] bool is_null() const { return std::holds_alternative<std::nullptr_t>(value); }
 };
 
-/// Throws InvalidArgument with the byte where reading stopped.  Depth is limited to 64.
-[[nodiscard]] Json parse_json(std::string_view text);
+/// Throws InvalidArgument with the byte where reading stopped.
+[[nodiscard]] Json parse_json(std::string_view text, int max_depth = 64);
 /// Compact text; keys in their order.
 [[nodiscard]] std::string to_string(const Json& j);
 

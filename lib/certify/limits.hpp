@@ -19,6 +19,20 @@ inline constexpr std::size_t max_text = std::size_t{1} << 28;
 inline constexpr long max_sym = 200;       ///< m of Sym^m
 inline constexpr long max_irregular = 200; ///< nu of a pole of order 2 nu
 
+// Certificates over strata (strata_certificates.md 2).
+inline constexpr std::size_t max_terms = 20000;      ///< of a polynomial that is read
+inline constexpr unsigned long max_exponent = 10000; ///< the same, exclusive
+inline constexpr std::size_t max_nodes = 10000;
+inline constexpr int max_node_depth = 64;
+inline constexpr std::size_t max_parameters = 12;
+inline constexpr long max_unknowns = 40;         ///< of a linear system
+inline constexpr double max_products = 1e8;      ///< term by term, of the whole run
+inline constexpr double max_word_work = 4e9;     ///< the same, times the words of the coefficients
+inline constexpr double max_result = 1e7;        ///< words of one polynomial that is computed
+inline constexpr long max_degree = 1000000;      ///< of a polynomial that is computed
+inline constexpr double work_of_a_rational = 20; ///< one exponent, in products
+inline constexpr std::size_t max_sums = 4000;    ///< of exponents
+
 /// Bits of the largest coefficient: of the numerators over a common denominator, and of that.
 [[nodiscard]] inline double bits(const Poly& f) {
   const auto top = std::abs(_fmpz_vec_max_bits(f.raw()->coeffs, f.raw()->length));

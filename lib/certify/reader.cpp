@@ -1,163 +1,13 @@
 // JSON -> Certificate.  Each rule has one function that lists its keys in the order of
 // docs/theory/certificates.md; unknown, missing and doubled keys are errors.
 
-#include "certify/certificate.hpp"
-#include "certify/json.hpp"
+#include "certify/json_node.hpp"
 #include "certify/limits.hpp"
 #include "exact/error.hpp"
-
-#include <algorithm>
-#include <limits>
 
 namespace kov::certify {
 
 namespace {
-
-bool is_natural(std::string_view s) { // no sign, no leading zero
-  return !s.empty() && s.size() <= 200000 && s[0] >= '1' && s[0] <= '9' &&
-         std::all_of(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
-
-bool is_integer_text(std::string_view s) {
-  return s == "0" || is_natural(s) || (s.size() > 1 && s[0] == '-' && is_natural(s.substr(1)));
-}
-
-bool is_rational_text(std::string_view s) {
-  const std::size_t slash = s.find('/');
-  if (slash == std::string_view::npos) return is_integer_text(s);
-  return is_integer_text(s.substr(0, slash)) && s[0] != '0' && is_natural(s.substr(slash + 1));
-}
-
-// A value with the path that led to it, for messages.
-class Node {
-public:
-  Node(const Json& j, std::string path, const Field& k) : j_(&j), path_(std::move(path)), k_(&k) {}
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InvalidArgument(path_ + ": " + what);
-  }
-  [[nodiscard]] bool is_null() const { return j_->is_null(); }
-  [[nodiscard]] const Field& field() const { return *k_; }
-
-  [[nodiscard]] std::string text() const {
-    if (!j_->text()) fail("a string is expected");
-    return *j_->text();
-  }
-  [[nodiscard]] Integer integer() const {
-    if (!j_->text() || !is_integer_text(*j_->text())) fail("an integer in a string is expected");
-    return Integer::parse(*j_->text());
-  }
-  [[nodiscard]] long count() const { // clamped
-    const Integer n = integer();
-    const long top = std::numeric_limits<long>::max() / 2;
-    return fits_long(n) ? std::clamp(to_long(n), -top, top) : sign(n) * top;
-  }
-  [[nodiscard]] mp_limb_t modulus() const { // 0 if out of range: not a prime
-    const long n = count();
-    return n < 0 || n >= (long{1} << 62) ? 0 : static_cast<mp_limb_t>(n);
-  }
-  [[nodiscard]] mp_limb_t residue() const {
-    const Integer n = integer();
-    if (sign(n) < 0 || n >= Integer(long{1} << 62)) fail("a residue is expected");
-    return static_cast<mp_limb_t>(to_long(n));
-  }
-  [[nodiscard]] Rational rational() const {
-    if (!j_->text() || !is_rational_text(*j_->text())) fail("a rational number is expected");
-    return Rational::parse(*j_->text());
-  }
-  [[nodiscard]] std::vector<Node> items() const {
-    const auto* a = j_->array();
-    if (!a || a->size() > max_length) fail("an array is expected");
-    std::vector<Node> out;
-    out.reserve(a->size());
-    for (std::size_t i = 0; i < a->size(); ++i)
-      out.emplace_back((*a)[i], path_ + "[" + std::to_string(i) + "]", *k_);
-    return out;
-  }
-  [[nodiscard]] NfElem element() const {
-    if (j_->text()) return {rational(), *k_};
-    const auto* a = j_->array();
-    if (!a || a->empty() || static_cast<long>(a->size()) > (*k_)->degree())
-      fail("an element of the field is expected");
-    NfElem e(*k_);
-    long i = 0;
-    for (const Node& n : items())
-      fmpq_poly_set_coeff_fmpq(e.raw(), i++, n.rational().raw());
-    return e;
-  }
-  [[nodiscard]] Poly poly() const {
-    std::vector<NfElem> c;
-    Integer common(1);
-    std::size_t top = 0;
-    for (const Node& n : items()) {
-      c.push_back(n.element());
-      const Integer below(c.back().raw()->den);
-      common = lcm(common, below);
-      top = std::max<std::size_t>(top, static_cast<std::size_t>(std::abs(_fmpz_vec_max_bits(
-                                           c.back().raw()->coeffs, c.back().raw()->length))));
-      const auto size = static_cast<double>(top + 2 * fmpz_bits(common.raw()));
-      if (static_cast<double>(c.size()) * size > max_bulk) fail("the polynomial is too large");
-    }
-    if (!c.empty() && is_zero(c.back())) fail("the leading coefficient is 0");
-    return c.empty() ? Poly(*k_) : Poly::from_coefficients(c);
-  }
-  [[nodiscard]] std::vector<mp_limb_t> residues() const {
-    std::vector<mp_limb_t> c;
-    for (const Node& n : items())
-      c.push_back(n.residue());
-    return c;
-  }
-  [[nodiscard]] PrimeIdeal prime() const;
-
-  [[nodiscard]] const Json& json() const { return *j_; }
-  [[nodiscard]] const std::string& path() const { return path_; }
-
-private:
-  const Json* j_;
-  std::string path_;
-  const Field* k_;
-};
-
-// An object whose keys are asked for one by one; the destructor of the reading function calls
-// done(), which refuses whatever was not asked for.
-class Keys {
-public:
-  explicit Keys(const Node& n) : n_(n) {
-    if (!n.json().object()) n.fail("an object is expected");
-  }
-  [[nodiscard]] std::optional<Node> find(const std::string& key) {
-    asked_.push_back(key);
-    for (const auto& [k, v] : *n_.json().object())
-      if (k == key) return Node(v, n_.path() + "." + key, n_.field());
-    return std::nullopt;
-  }
-  [[nodiscard]] Node at(const std::string& key) {
-    auto v = find(key);
-    if (!v) n_.fail("key '" + key + "' is missing");
-    return *v;
-  }
-  void done() const {
-    for (const auto& [k, v] : *n_.json().object())
-      if (std::find(asked_.begin(), asked_.end(), k) == asked_.end())
-        n_.fail("unknown key '" + k + "'");
-  }
-  [[nodiscard]] PrimeIdeal prime() { return {at("p").modulus(), at("a").residue()}; }
-  [[nodiscard]] std::optional<Poly> find_poly(const std::string& key) {
-    const auto v = find(key);
-    return v ? std::optional(v->poly()) : std::nullopt;
-  }
-
-private:
-  Node n_;
-  std::vector<std::string> asked_;
-};
-
-PrimeIdeal Node::prime() const {
-  Keys k(*this);
-  const PrimeIdeal p = k.prime();
-  k.done();
-  return p;
-}
 
 LogWitness read_log(const Node& n) {
   Keys k(n);
@@ -318,24 +168,22 @@ Field read_field(const Node& n) {
 
 } // namespace
 
-Certificate read_certificate(std::string_view text) {
-  if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");
-  const Json json = parse_json(text);
+Certificate read_certificate(const Node& n) {
   Certificate c;
-  Keys top(Node(json, "certificate", rationals()));
+  Keys top(n);
   const Node format = top.at("format");
   if (format.text() != "kovacic-certificate/1") format.fail("not kovacic-certificate/1");
   c.field = read_field(top.at("field"));
   const Node r = top.at("r");
-  Keys fraction(Node(r.json(), "r", c.field));
+  Keys fraction(Node(r.json(), r.path(), c.field));
   c.num = fraction.at("num").poly();
   c.den = fraction.at("den").poly();
   fraction.done();
   c.claim = read_claim(top.at("claim"));
   const auto steps = top.at("steps").items();
   if (steps.empty() || steps.size() > max_steps) format.fail("1 to 1000 steps are expected");
-  for (const Node& n : steps) {
-    Keys k(Node(n.json(), n.path(), c.field));
+  for (const Node& step : steps) {
+    Keys k(Node(step.json(), step.path(), c.field));
     Step s;
     s.id = k.at("id").text();
     for (const Node& p : k.at("premises").items())
@@ -346,6 +194,12 @@ Certificate read_certificate(std::string_view text) {
   }
   top.done();
   return c;
+}
+
+Certificate read_certificate(std::string_view text) {
+  if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");
+  const Json json = parse_json(text);
+  return read_certificate(Node(json, "certificate", rationals()));
 }
 
 } // namespace kov::certify

@@ -4,7 +4,7 @@
 #include "answer.hpp"
 #include "commands.hpp"
 
-#include "certify/check.hpp"
+#include "certify/strata_check.hpp"
 #include "exact/error.hpp"
 #include "symbol/document.hpp"
 
@@ -32,24 +32,51 @@ Report claim_of(const certify::Claim& c) {
           {"abelian", optional(c.abelian)}};
 }
 
+Report rejected(Report r, const char* where, const certify::Rejected& no) {
+  r["verdict"] = "rejected";
+  r[where] = no.step;
+  r["reason"] = no.why;
+  return r;
+}
+
+Report accepted(Report r, std::size_t trusted, bool strict) {
+  r["verdict"] = strict && trusted ? "rejected" : "accepted";
+  r["trusted_steps"] = trusted;
+  if (strict && trusted) r["reason"] = trust(trusted) + ", refused by --strict";
+  return r;
+}
+
+Report judge_group(Report r, const std::string& certificate, bool strict) {
+  const certify::Certificate c = certify::read_certificate(certificate);
+  const auto verdict = certify::check(c);
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "step", *no);
+  r["steps"] = c.steps.size();
+  r = accepted(r, std::get<certify::Accepted>(verdict).trusted_steps, strict);
+  r["claim"] = claim_of(c.claim);
+  return r;
+}
+
+Report judge_strata(Report r, const std::string& certificate, bool strict) {
+  const auto verdict = certify::check_strata(certify::read_strata_certificate(certificate));
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "node", *no);
+  const auto& yes = std::get<certify::StrataAccepted>(verdict);
+  r = accepted(r, yes.trusted, strict);
+  r["strata"] = Report{{"abelian", yes.abelian},
+                       {"not_abelian", yes.not_abelian},
+                       {"undecided", yes.open},
+                       {"not_admitted", yes.outside},
+                       {"empty", yes.empty}};
+  r["claim"] = {{"abelian", yes.claim ? Report(*yes.claim) : Report(nullptr)}};
+  return r;
+}
+
 // The outcome of one text: "accepted", "rejected" or "malformed", with its reason.
 Report judge(const std::string& path, const std::string& certificate, bool strict) {
   Report r{{"file", path}};
   try {
-    const certify::Certificate c = certify::read_certificate(certificate);
-    const auto verdict = certify::check(c);
-    if (const auto* no = std::get_if<certify::Rejected>(&verdict)) {
-      r["verdict"] = "rejected";
-      r["step"] = no->step;
-      r["reason"] = no->why;
-      return r;
-    }
-    const std::size_t trusted = std::get<certify::Accepted>(verdict).trusted_steps;
-    r["verdict"] = strict && trusted ? "rejected" : "accepted";
-    r["steps"] = c.steps.size();
-    r["trusted_steps"] = trusted;
-    if (strict && trusted) r["reason"] = trust(trusted) + ", refused by --strict";
-    r["claim"] = claim_of(c.claim);
+    if (certify::format_of(certificate) == "kovacic-strata/1")
+      return judge_strata(r, certificate, strict);
+    return judge_group(r, certificate, strict);
   } catch (const Error& e) {
     r["verdict"] = "malformed";
     r["reason"] = e.what();
@@ -89,13 +116,31 @@ std::string claim_text(const Report& claim) {
   return s;
 }
 
+// "13 strata: 1 abelian, 12 not abelian": the strata without points are left out.
+std::string strata_text(const Report& strata) {
+  std::size_t all = 0;
+  std::string s;
+  for (const auto& [key, name] : {std::pair("abelian", "abelian"),
+                                  {"not_abelian", "not abelian"},
+                                  {"undecided", "undecided"}}) {
+    const auto n = strata[key].get<std::size_t>();
+    all += n;
+    if (n > 0) s += (s.empty() ? ": " : ", ") + std::to_string(n) + " " + name;
+  }
+  return std::to_string(all) + (all == 1 ? " stratum" : " strata") + s;
+}
+
 std::string text(const Report& r) {
   std::string s = r["file"].get<std::string>() + ": " + r["verdict"].get<std::string>();
-  if (r.contains("claim"))
+  if (r.contains("strata"))
+    s +=
+        " (" + strata_text(r["strata"]) + "; " + trust(r["trusted_steps"].get<std::size_t>()) + ")";
+  else if (r.contains("claim"))
     s += " (" + claim_text(r["claim"]) + "; " + std::to_string(r["steps"].get<std::size_t>()) +
          " steps, " + trust(r["trusted_steps"].get<std::size_t>()) + ")";
   if (r.contains("step") && !r["step"].get<std::string>().empty())
     s += ": step '" + r["step"].get<std::string>() + "'";
+  if (r.contains("node")) s += ": " + r["node"].get<std::string>();
   if (r.contains("reason")) s += ": " + r["reason"].get<std::string>();
   return s + "\n";
 }

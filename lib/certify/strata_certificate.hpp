@@ -1,0 +1,165 @@
+#pragma once
+// The certificate format kovacic-strata/1 as plain data, with its JSON reader: a tree of strata of
+// parameter values, each leaf with its own proof.  docs/theory/strata_certificates.md defines every
+// entry (numbers in comments are its sections); strata_check.hpp is the judge.  Nothing here is
+// checked beyond syntax and the limits of section 2.
+
+#include "certify/certificate.hpp"
+#include "exact/multivariate.hpp"
+
+#include <memory>
+
+namespace kov::certify {
+
+enum class Sign { positive, nonnegative, nonzero, zero, dropped };
+
+struct Condition {
+  MPoly f;
+  Sign sign = Sign::nonzero;
+};
+
+struct Fraction {
+  MPoly num, den;
+};
+
+// ---- 5: lemmas
+
+struct ConditionPower {
+  std::size_t condition = 0;
+  unsigned long e = 1;
+};
+struct EvenPower { ///< base^(2e)
+  MPoly base;
+  unsigned long e = 1;
+};
+struct LemmaTerm {
+  Rational c;
+  std::vector<std::variant<ConditionPower, EvenPower>> factors;
+};
+struct Lemma { ///< p times = sum of the terms; without terms: p times is known to be nonzero
+  MPoly p;
+  std::optional<MPoly> times;
+  bool positive = false;
+  std::optional<std::vector<LemmaTerm>> terms;
+};
+
+// ---- 6, 7: what a leaf proves and from what
+
+struct ByNumber {
+  Certificate certificate;
+};
+struct InvariantPlace {
+  MPoly q;
+  long order = 0;
+  Integer e;
+};
+struct ByInvariant { ///< v = p prod q^e solves Sym^m
+  MPoly content, p;
+  std::vector<InvariantPlace> places;
+  long m = 0;
+};
+
+struct StratumPlace {
+  std::optional<MPoly> q; ///< unset at infinity
+  long order = 0;         ///< as stated; at infinity it is computed
+  std::vector<MPoly> chi; ///< empty: not given
+  std::optional<std::string> irrational;
+  bool log = false;
+  std::optional<Rational> bound;
+};
+struct Minor {
+  std::vector<long> rows;
+  MPoly times;
+};
+struct AbsentInvariant {
+  long m = 0;
+  std::vector<Minor> minors;
+  std::optional<mp_limb_t> prime; ///< shows that the minors have no common root
+};
+struct ByPlaces {
+  std::string theorem;
+  MPoly content;
+  std::vector<StratumPlace> places; ///< the finite ones
+  StratumPlace infinity;
+  std::vector<AbsentInvariant> absent;
+};
+
+// ---- 4: nodes
+
+struct StrataNode;
+using Subtree = std::unique_ptr<const StrataNode>;
+
+struct EmptyStratum {
+  std::optional<std::vector<LemmaTerm>> terms;
+};
+struct OutsideStratum {
+  std::optional<std::size_t> generic;
+};
+struct OpenStratum {
+  std::string reason;
+};
+struct TrustedStratum {
+  std::string abelian; ///< "yes", "no", "empty"
+  std::string theorem, statement;
+};
+struct SolvedStratum { ///< p = l x + m
+  std::size_t variable = 0;
+  std::optional<Fraction> r;
+  Subtree then;
+};
+struct RootStratum {
+  std::size_t variable = 0;
+  Certificate certificate;
+  bool abelian = false;
+};
+/// What becomes of the points with p = 0.
+using WhereZero = std::variant<SolvedStratum, RootStratum, EmptyStratum, OutsideStratum,
+                               OpenStratum, TrustedStratum>;
+
+struct SplitNode {
+  MPoly p;
+  Subtree nonzero;
+  WhereZero zero;
+};
+struct AssumedNode {
+  std::size_t condition = 0;
+  MPoly p;
+  WhereZero zero;
+};
+struct LemmasNode {
+  std::vector<Lemma> lemmas;
+  Subtree then;
+};
+struct LeafNode {
+  bool abelian = false;
+  std::variant<ByNumber, ByInvariant, ByPlaces> by;
+};
+
+struct StrataNode {
+  std::variant<SplitNode, AssumedNode, LemmasNode, LeafNode, EmptyStratum, OutsideStratum,
+               OpenStratum, TrustedStratum>
+      kind;
+};
+
+struct StrataCertificate {
+  Ring ring; ///< the variable z has the index 0, the parameters follow
+  std::vector<bool> real;
+  std::vector<Condition> assumptions;
+  std::vector<std::vector<MPoly>> generic;
+  Fraction r;
+  std::optional<bool> abelian; ///< what is claimed
+  Subtree tree;
+};
+
+/// The value of "format" in a certificate, if the text is an object that has one: cheap, and
+/// nothing else is looked at.
+[[nodiscard]] std::optional<std::string> format_of(std::string_view text);
+
+/// Throws InvalidArgument (one sentence, with the path of the offending entry) on anything that is
+/// not a certificate of this format or exceeds its limits.
+[[nodiscard]] StrataCertificate read_strata_certificate(std::string_view text);
+
+/// A polynomial in the notation of section 2; Throws InvalidArgument with what is wrong.
+[[nodiscard]] MPoly read_polynomial(const Ring& ring, std::string_view text);
+
+} // namespace kov::certify
