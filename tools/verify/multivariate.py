@@ -1,7 +1,7 @@
 """Exact arithmetic for strata.py: polynomials over Z in several variables, as dictionaries {monomial: coefficient}.
 
-A monomial is one integer with the exponents in fields of 32 bits, so that products of monomials are sums and the order of the integers is
-lexicographic.  Variables are named by the position of their field.  Every product of two terms is counted: see spend."""
+A monomial is one integer with the exponents in fields of 32 bits, so that products of monomials are sums and the order
+of the integers is lexicographic.  A variable is the position of its field.  Products of terms are counted: see spend."""
 import re
 from fractions import Fraction
 from functools import reduce
@@ -15,7 +15,8 @@ from exact import power
 FIELD, MASK, VARIABLES = 32, 2**32 - 1, 13
 GUARD = sum(1 << FIELD * i + 31 for i in range(VARIABLES))      # no exponent reaches these bits,
 HIGH = GUARD | GUARD >> 1                                       # nor does a sum of two
-TERM = re.compile(r"([0-9]{1,10000}|[A-Za-z_][A-Za-z0-9_]*(\^[0-9]{1,4})?)((\*[A-Za-z_][A-Za-z0-9_]*(\^[0-9]{1,4})?)*)\Z")
+POWER = r"[A-Za-z_][A-Za-z0-9_]*(\^[0-9]{1,4})?"
+TERM = re.compile(rf"([0-9]{{1,10000}}|{POWER})(\*{POWER})*\Z")
 
 
 class Work:
@@ -131,8 +132,8 @@ def parse(text, names):
 
 
 def quotient(f, g):
-    """f/g if that has integral coefficients, else None: g primitive divides f over Q iff it does so over Z (Gauss).  Monomials of what is left
-    of f have exponents of at most those of f, if g divides."""
+    """f/g if that has integral coefficients, else None: g primitive divides f over Q iff it does so over Z (Gauss).
+    If g divides, no exponent in what is left of f exceeds those of f."""
     spend(20 + len(f) + len(g))
     if not f:
         return f
@@ -205,10 +206,11 @@ def determinant(rows):
 
 
 def resultant(f, g, x):
-    """Res(f, g), up to sign and powers of the leading coefficient of f: the determinant of Sylvester's matrix of f and g modulo f."""
+    """Res(f, g), up to sign and powers of the leading coefficient of f: Sylvester's determinant for g modulo f."""
     a, b = f.coefficients(x)[::-1], pseudo_remainder(g, f, x).coefficients(x)[::-1]
     if len(b) <= 1:
         return b[0] if b else P()
     n = len(a) + len(b) - 2
     spend(n**3)
-    return determinant([[P()] * i + row + [P()] * (n - i - len(row)) for row in (a, b) for i in range(n + 1 - len(row))])
+    pad = [P()] * n
+    return determinant([(pad[:i] + row + pad)[:n] for row in (a, b) for i in range(n + 1 - len(row))])

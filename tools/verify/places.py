@@ -1,4 +1,4 @@
-"""What is known of the singular places of y'' = r y, and the degree bounds that follow (docs/theory/local_exponents.md, whose numbers are cited)."""
+"""What is known of the singular places of y'' = r y, and the degree bounds that follow (docs/theory/local_exponents.md)."""
 from fractions import Fraction
 from math import floor, lcm
 
@@ -81,7 +81,8 @@ class Local:
         self.infinite_order, self.log = any(x.infinite_order() for x in self.all), any(x.logs for x in self.all)
 
     def need_rational(self):
-        need(all(x.order <= 2 and x.delta is not None for x in self.all), "an exponent difference is not proved rational")
+        known = all(x.order <= 2 and x.delta is not None for x in self.all)
+        need(known, "an exponent difference is not proved rational")
 
     def degree_bound(self, m):
         """D_m (local_exponents.md 2.2)"""
