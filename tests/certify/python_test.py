@@ -25,7 +25,7 @@ GROUPS = {"B": ("Borel", None), "Ga": ("T", "1"), "D": ("Gm", None), "trivial": 
 
 def files(folder):
     directory = os.path.join(HERE, folder)
-    return [os.path.join(directory, x) for x in sorted(os.listdir(directory))]
+    return [os.path.join(directory, x) for x in sorted(os.listdir(directory)) if x.endswith(".json")]
 
 
 def text(path):

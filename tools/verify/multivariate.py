@@ -1,7 +1,7 @@
 """Exact arithmetic for strata.py: polynomials over Z in several variables, as dictionaries {monomial: coefficient}.
 
 A monomial is one integer with the exponents in fields of 32 bits, so that products of monomials are sums and the order
-of the integers is lexicographic.  A variable is the position of its field.  Products of terms are counted: see spend."""
+of the integers is lexicographic.  A variable is the position of its field.  Products of terms are counted (spend)."""
 import re
 from fractions import Fraction
 from functools import reduce
@@ -28,6 +28,12 @@ def spend(products):
     need(Work.left >= 0, "more work than the limit allows")
 
 
+def cost(f, g):
+    """Of a product of two coefficients, long ones counting more"""
+    m, n = f.bits(), g.bits()
+    return 1 + (m + n >> 9) + (m * n >> 18)
+
+
 class P(dict):
     """A polynomial; no coefficient is 0, so the zero polynomial is false."""
 
@@ -38,6 +44,7 @@ class P(dict):
         return f
 
     def __add__(self, o):
+        spend(8 + len(self) + len(o))
         c = dict(self)
         for k, v in o.items():
             c[k] = c.get(k, 0) + v
@@ -48,8 +55,9 @@ class P(dict):
 
     def __mul__(self, o):
         if isinstance(o, int):
+            spend(2 + len(self))
             return P((k, c * o) for k, c in self.items()) if o else P()
-        spend(1 + len(self) * len(o) * (1 + (self.bits() * o.bits() >> 18)))
+        spend(8 + len(self) * len(o) * cost(self, o))
         small, large = sorted((self, o), key=len)
         c = {}
         for a, u in small.items():
@@ -90,7 +98,7 @@ class P(dict):
 
     def primitive(self):
         """Divided by the greatest common divisor of its coefficients."""
-        spend(len(self) * (1 + (self.bits()**2 >> 18)))
+        spend(len(self) * cost(self, self))
         g = gcd(*self.values())
         return P((k, c // g) for k, c in self.items()) if g > 1 else self
 
@@ -138,7 +146,7 @@ def quotient(f, g):
     if not f:
         return f
     top, box, found, rest = max(g), reduce(or_, f), P(), dict(f)
-    lead, cost = g[top], 1 + (f.bits() * g.bits() >> 18)
+    lead, row = g[top], len(g) * cost(f, g)
     if f[min(f)] % g[min(g)] or (min(f) | GUARD) - min(g) & GUARD != GUARD:
         return None
     heap = [-k for k in rest]
@@ -150,7 +158,7 @@ def quotient(f, g):
             continue
         if c % lead or (k | GUARD) - top & GUARD != GUARD or (box | GUARD) - k & GUARD != GUARD:
             return None
-        spend(len(g) * cost)
+        spend(row)
         c, shift = c // lead, k - top
         found[shift] = c
         for j, v in g.items():

@@ -1,4 +1,4 @@
-"""What is known of the singular places of y'' = r y, and the degree bounds that follow (docs/theory/local_exponents.md)."""
+"""The singular places of y'' = r y, and the degree bounds that follow (docs/theory/local_exponents.md)."""
 from fractions import Fraction
 from math import floor, lcm
 

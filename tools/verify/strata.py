@@ -17,20 +17,21 @@ FORMAT = "kovacic-strata/1"
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\Z")
 FRACTION = {"num": "text", "den": "text"}
 TOP = {"format": "text", "variable": "text", "parameters": ["text"], "real": ["text"],
-       "assumptions": [{"p": "text", "sign": "text"}], "generic": [["text"]], "r": FRACTION, "claim": {"abelian": "any"},
-       "tree": "any"}
+       "assumptions": [{"p": "text", "sign": "text"}], "generic": [["text"]], "r": FRACTION,
+       "claim": {"abelian": "any"}, "tree": "any"}
 LEMMA = {"p": "text", "times?": "text", "sign": "text", "terms": ["any"]}
 REGULAR = {"chi?": ["text"], "irrational?": "text", "log?": "truth", "bound?": "rational"}
 PLACED = {"content": "text", "places": [REGULAR | {"q": "text", "order": "int"}], "infinity": REGULAR,
           "absent?": [{"m": "int", "minors": [{"rows": ["int"], "times": "text"}]}]}
 FACTOR = {"q": "text", "order": "int", "e": "int"}
-LEAVES = {"number": {"certificate": "any"}, "invariant": {"content": "text", "places": [FACTOR], "m": "int", "p": "text"}}
+LEAVES = {"number": {"certificate": "any"},
+          "invariant": {"content": "text", "places": [FACTOR], "m": "int", "p": "text"}}
 LEAVES |= dict.fromkeys(("torus-log", "torus", "irreducible-log", "rational", "one-open", "open"), PLACED)
 ENDS = {"empty": {"terms?": ["any"]}, "outside": {"generic?": "int"}, "open": {"reason": "text"},
         "trusted": {"abelian": "text", "theorem": "text", "statement": "text"}}
 NODES = ENDS | {"split": {"p": "text", "nonzero": "any", "zero": "any"},
-                "assumed": {"condition": "int", "p": "text", "zero": "any"}, "lemmas": {"lemmas": [LEMMA], "then": "any"},
-                "leaf": {"abelian": "text", "by": LEAVES}}
+                "assumed": {"condition": "int", "p": "text", "zero": "any"},
+                "lemmas": {"lemmas": [LEMMA], "then": "any"}, "leaf": {"abelian": "text", "by": LEAVES}}
 ZEROS = ENDS | {"solve": {"variable": "text", "r?": FRACTION, "then": "any"},
                 "root": {"variable": "text", "certificate": "any", "abelian": "text"}}
 
@@ -206,8 +207,8 @@ class Tree:
         elif p is not None:
             need(s.is_nonzero(p), "p may vanish")
         else:
-            zero, positive = ([f for f, sign in s.conditions if sign == x] for x in ("zero", "positive"))
-            need(not all(s.members + positive) or any(map(s.is_nonzero, zero)), "no contradiction")
+            wrong = any(sign == "zero" and s.is_nonzero(f) for f, sign in s.conditions)
+            need(wrong or not all(s.members), "no contradiction")
         self.leaves["empty"] += 1
 
     def outside(self, s, d, p=None):
@@ -243,7 +244,8 @@ class Tree:
     def nested(self, d):
         """num and den of an ordinary certificate; the field K is set to its own."""
         trusted, num, den, abelian = self.prove(d["certificate"])
-        need(abelian is {"yes": True, "no": False}.get(d["abelian"]) is not None, "the certificate claims something else")
+        need(d["abelian"] in ("yes", "no"), "yes or no is expected")
+        need(abelian is (d["abelian"] == "yes"), "the certificate claims something else")
         self.trust += trusted
         self.leaves[d["abelian"]] += 1
         return num, den

@@ -134,13 +134,13 @@ class Leaf:
             return square is not None
         if why == "positive":
             return all(map(positive, chi)) or all(positive(f * -1) for f in chi)
-        need(why == "discriminant" and len(chi) == 3 and self.is_real(*chi), "an unknown reason, or not a real quadratic")
+        need(why == "discriminant" and len(chi) == 3 and self.is_real(*chi), "not a real quadratic polynomial")
         return positive(chi[2] * chi[0] * 4 - chi[1]**2)
 
     def defect(self, q, N):
-        """A numerator of the defect at the root of q, or at infinity (7.3).  t^2 r = f/g in the parameter q (at infinity
-        1/z), with coefficients a_k/g_0^(k+1); those of the solution are u_k/(g_0^(2k) prod_(0 < i <= k) i(i-N)), and u_N,
-        made by the same rule, is the defect."""
+        """A numerator of the defect at the root of q, or at infinity (7.3).  t^2 r = f/g in the parameter q (infinity:
+        1/z), with coefficients a_k/g_0^(k+1); the solution has u_k/(g_0^(2k) prod_(0 < i <= k) i(i-N)), and u_N, made
+        by the same rule, is the defect."""
         if q:
             (low, lead), w = q.coefficients(Z), quotient(self.s.den, q**2)
             shift, e = low - P({1: 1}), w.degree(Z) - self.s.num.degree(Z) - 2
@@ -257,16 +257,17 @@ class Leaf:
     def one_open(self, x):
         """No value of Delta at the place x allows an abelian component (7.7, strata.md 6.1)."""
         local, others, values = self.local, [y for y in self.local.all if y is not x], set()
-        need(x.b is not None or self.torus and local.log, "the open place has no bound")    # k = f, f + 2, ... are in (i)
+        need(x.b is not None or self.torus and local.log, "the open place has no bound")
         if not local.log:                       # (i)
             found = self.sums(self.product, others, [2 * x.side * x.n])
             need(found, "too many sums")
             for k in range(1, int(2 * x.b) + 1):
-                spend(len(found) * (2 * x.n + 1))
+                spend(10 * len(found) * (2 * x.n + 1))
                 if any(natural((f + j * k) / 2) for f in found for j in range(-x.n, x.n + 1)):
                     values.add(Fraction(k, 2))
         if not self.torus:
             if not local.log and all(y.order != 2 or y.delta.denominator <= 5 for y in others):
+                spend(300 * ceil(x.b))
                 fractions = {Fraction(a, n) for n in range(1, 6) for a in range(1, int(x.b * n) + 1)}
                 values |= {v for v in fractions if self.primitive(x, v)}    # (ii)
             lines = self.sums(self.line, others, [Fraction(x.side * x.n, 2)])
@@ -274,7 +275,7 @@ class Leaf:
             for f in lines:                     # (iii)
                 for j in range(x.n, 0, -2):
                     low, high = max(0, ceil(f - x.b * j / 2)), int(f + x.b * j / 2 + 1)
-                    spend(max(1, high - low))
+                    spend(20 * max(1, high - low))
                     values |= {v for k in range(low, high + 1) if (v := abs(2 * (k - f) / j)) <= x.b}
         return all(self.excluded(x, v) for v in values)
 
