@@ -19,10 +19,10 @@ FRACTION = {"num": "text", "den": "text"}
 TOP = {"format": "text", "variable": "text", "parameters": ["text"], "real": ["text"],
        "assumptions": [{"p": "text", "sign": "text"}], "generic": [["text"]], "r": FRACTION,
        "claim": {"abelian": "any"}, "tree": "any"}
-LEMMA = {"p": "text", "times?": "text", "sign": "text", "terms": ["any"]}
+LEMMA = {"p": "text", "times?": "text", "sign": "text", "terms?": ["any"]}
 REGULAR = {"chi?": ["text"], "irrational?": "text", "log?": "truth", "bound?": "rational"}
 PLACED = {"content": "text", "places": [REGULAR | {"q": "text", "order": "int"}], "infinity": REGULAR,
-          "absent?": [{"m": "int", "minors": [{"rows": ["int"], "times": "text"}]}]}
+          "absent?": [{"m": "int", "minors": [{"rows": ["int"], "times": "text"}], "prime?": "int"}]}
 FACTOR = {"q": "text", "order": "int", "e": "int"}
 LEAVES = {"number": {"certificate": "any"},
           "invariant": {"content": "text", "places": [FACTOR], "m": "int", "p": "text"}}
@@ -194,8 +194,11 @@ class Tree:
         s = s.copy()
         for lemma in d["lemmas"]:
             p, times, sign = s.poly(lemma["p"]), s.poly(lemma["times"] or "1"), lemma["sign"]
-            total, k, positive = s.total(lemma["terms"])
-            need(positive and p * times * k == total, "the terms do not prove the lemma")
+            if lemma["terms"] is None:
+                need(sign == "nonzero" and s.is_nonzero(p * times), "p times its factor is not known")
+            else:
+                total, k, positive = s.total(lemma["terms"])
+                need(positive and p * times * k == total, "the terms do not prove the lemma")
             need(sign == "nonzero" or sign == "positive" and s.is_positive(times), "the lemma does not have this sign")
             s.assume(p, sign) if sign == "positive" else s.add(p)
         self.node(s, d["then"], depth + 1)

@@ -1,10 +1,11 @@
 """The leaves of a certificate over strata (docs/theory/strata_certificates.md 6 and 7): solutions of a symmetric power,
 and what the places prove.  s is the state at the leaf, a Stratum of strata.py."""
 from fractions import Fraction
+from functools import reduce
 from math import ceil, isqrt, lcm
 
 from certificate_format import need
-from exact import exact_sqrt
+from exact import exact_sqrt, is_prime, mgcd, trim
 from multivariate import ONE, P, determinant, product, pseudo_remainder, quotient, ratio, resultant, spend
 from places import Local, Place
 
@@ -59,7 +60,7 @@ class Leaf:
     Besides it has chi; open; b >= Delta, or None; side, 1 at infinity and -1 elsewhere."""
 
     def __init__(self, s, d):
-        self.s, self.by, self.absent = s, d["by"], {x["m"]: x["minors"] for x in d["absent"] or []}
+        self.s, self.by, self.absent = s, d["by"], {x["m"]: x for x in d["absent"] or []}
         need(s.num, "r is 0")
         self.content, self.qs, self.orders = factors(s, d["content"], d["places"])
         for i, (q, k) in enumerate(zip(self.qs, self.orders)):
@@ -213,13 +214,26 @@ class Leaf:
         need(m <= 200 and D < 40 and m in self.absent, f"an invariant of degree {m} is not excluded")
         data = [(q, k, x.lowest(m)) for q, k, x in zip(self.qs, self.orders, self.local.finite)]
         powers = symmetric_power(self.s, self.content, data, m, [P({j: 1}) for j in range(D + 1)])
-        columns, total = [f.coefficients(Z) for f in powers], P()
-        for minor in self.absent[m]:
-            rows = minor["rows"]
+        columns, minors, absent = [f.coefficients(Z) for f in powers], [], self.absent[m]
+        for rows in (minor["rows"] for minor in absent["minors"]):
             need(len(set(rows)) == len(rows) == D + 1 and min(rows) >= 0, "D + 1 rows are expected")
-            minors = determinant([[c[i] if i < len(c) else P() for c in columns] for i in rows])
-            total += minors * self.s.poly(minor["times"])
-        return self.s.is_nonzero(total)
+            minors.append(determinant([[c[i] if i < len(c) else P() for c in columns] for i in rows]))
+        times = [self.s.poly(minor["times"]) for minor in absent["minors"]]
+        if absent["prime"] is not None:
+            need(all(f == ONE for f in times), "a prime separates the minors themselves")
+            return self.no_common_root([self.s.rest(f) for f in minors if f], absent["prime"])
+        return self.s.is_nonzero(sum((f * t for f, t in zip(minors, times)), P()))
+
+    @staticmethod
+    def no_common_root(fs, p):
+        """A common root would be one of a factor over Q, and modulo p, as the degree of the first does not drop."""
+        xs = set().union(*(f.variables() for f in fs))
+        need(fs and len(xs) <= 1, "no minors, or more than one parameter")
+        need(2 <= p < 2**31 and is_prime(p), "not a prime below 2^31")
+        x = min(xs, default=0)
+        rows = [[c.constant() % p for c in f.coefficients(x)] for f in fs]
+        spend(sum(map(len, rows))**2)
+        return bool(rows[0][-1]) and len(reduce(lambda a, b: mgcd(a, b, p), map(trim, rows))) == 1
 
     def excluded(self, x, v):
         """Delta is nowhere v."""
