@@ -1,6 +1,8 @@
 #include "integrability/certificate.hpp"
 
 #include "certify/certificate.hpp"
+#include "exact/error.hpp"
+#include "strata/certificate.hpp"
 
 namespace kov {
 
@@ -47,13 +49,27 @@ public:
       c.steps.push_back({"obstruction",
                          {group, "equation"},
                          certify::ApplyTheorem{m_.theorem, s_.file + ": " + m_.statement}});
-    all.push_back({m_.name + (all.empty() ? "" : "-" + std::to_string(all.size() + 1)),
-                   certify::write_certificate(c)});
+    add(certify::write_certificate(c));
+  }
+
+  /// The tree of strata, and those of the special strata; a limit leaves a certificate out.
+  void take(const strata::StrataAnswer& a) {
+    try {
+      if (a.tree) add(strata::certificate(a).json + "\n");
+    } catch (const OutOfBudget&) {
+    }
+    for (const auto& s : a.special)
+      take(*s);
   }
 
   std::vector<NamedCertificate> all;
 
 private:
+  void add(const std::string& json) {
+    all.push_back(
+        {m_.name + (all.empty() ? "" : "-" + std::to_string(all.size() + 1)), json});
+  }
+
   const System& s_;
   const ManifoldReport& m_;
 };
@@ -65,8 +81,11 @@ std::vector<NamedCertificate> certificates(const System& s, const ManifoldReport
   if (!m.manifold) return {};
   for (const BlockReport& b : m.blocks) {
     if (b.decision) found.take(*b.decision, b, "");
-    for (const EnergyResult& e : b.energies)
+    if (b.strata) found.take(*b.strata);
+    for (const EnergyResult& e : b.energies) {
       if (e.decision) found.take(*e.decision, b, e.condition);
+      if (e.strata) found.take(*e.strata);
+    }
   }
   return found.all;
 }

@@ -220,7 +220,7 @@ Truth both(Truth a, Truth b) {
 // energies.cpp
 void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec& reduce,
                     const std::vector<ClaimReport>& claims, const CheckOptions& options,
-                    BlockReport& block);
+                    const std::vector<BlockReport>& generic, BlockReport& block);
 
 namespace {
 
@@ -366,18 +366,14 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
       report.blocks.push_back(study_block(s, m, report.reduced.system, divisors, members, options));
     if (reduce && reduce->energy == "auto")
       for (auto& block : report.blocks)
-        if (block.ode) study_energies(s, spec, *reduce, claims, options, block);
+        if (block.ode) study_energies(s, spec, *reduce, claims, options, report.blocks, block);
     for (auto& block : report.blocks) {
       if (block.strata) {
-        decide_special_strata(s, spec, claims, options, block.unknowns, *block.strata);
+        decide_special_strata(s, spec, claims, options, report.blocks, block.unknowns,
+                              *block.strata);
         block.abelian =
             some_level_is_not_abelian(s, *block.strata) ? Truth::no : block.strata->abelian();
       }
-      for (auto& e : block.energies)
-        if (e.strata) {
-          decide_special_strata(s, spec, claims, options, block.unknowns, *e.strata);
-          if (e.strata->abelian() == Truth::no) block.abelian = Truth::no;
-        }
     }
     conclude(s, options, report);
   } catch (const OutOfBudget& e) {

@@ -97,8 +97,9 @@ std::optional<strata::Stratum> without_level(const strata::Question& q, const MP
 
 // All parameters with f = 0 at once.  Any level is as good as
 // another, so that what is assumed of h is left out; where f has no root h there is no such level.
-void decide_locus(const System& s, const MPoly& f, std::size_t h, const CheckOptions& options,
-                  BlockReport& block) {
+void decide_locus(const System& s, const ManifoldSpec& spec,
+                  const std::vector<ClaimReport>& claims, const std::vector<BlockReport>& generic,
+                  const MPoly& f, std::size_t h, const CheckOptions& options, BlockReport& block) {
   System all_levels = s;
   std::erase_if(all_levels.assumptions, [&](const Assumption& a) { return uses(a.value, h); });
   strata::Question q = strata_question(all_levels, *block.ode);
@@ -108,6 +109,7 @@ void decide_locus(const System& s, const MPoly& f, std::size_t h, const CheckOpt
   e.condition = to_string(f) + " = 0";
   e.why = "singular places merge";
   e.strata = strata::decide_strata(q, strata_limits(s, *block.ode, options));
+  decide_special_strata(s, spec, claims, options, generic, block.unknowns, *e.strata);
   if (nowhere) e.strata->strata.push_back(*nowhere);
   if (e.strata->abelian() == Truth::no) {
     block.abelian = Truth::no; // for every body there is such a level
@@ -128,7 +130,7 @@ bool has_other_parameters(const System& s, const MFraction& r, std::size_t h) {
 
 void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec& reduce,
                     const std::vector<ClaimReport>& claims, const CheckOptions& options,
-                    BlockReport& block) {
+                    const std::vector<BlockReport>& generic, BlockReport& block) {
   const auto h = energy_parameter(s, reduce, block.ode->r);
   if (!h) {
     block.note += (block.note.empty() ? "" : "; ") +
@@ -138,7 +140,7 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
   block.special = merging_locus(block.ode->r, block.ode->z, *h);
   if (has_other_parameters(s, block.ode->r, *h)) {
     for (const auto& f : block.special) {
-      decide_locus(s, f, *h, options, block);
+      decide_locus(s, spec, claims, generic, f, *h, options, block);
       if (block.abelian == Truth::no) return; // an abelian one says nothing of the others
     }
     const auto tells = [](const EnergyResult& e) {

@@ -51,9 +51,72 @@ void assume(System& s, const Stratum& x, const Substitution& values) {
   }
 }
 
+std::string names_of(const BlockReport& block) {
+  std::string names;
+  for (const auto& u : block.unknowns)
+    names += (names.empty() ? "" : ", ") + u;
+  return "block (" + names + ")";
+}
+
+// One answer for the whole stratum, from what its diagonal blocks are there.
+Stratum whole(const Stratum& x, Truth abelian, const std::string& why) {
+  Stratum same{x.conditions, {}, x.solved};
+  same.leaf.abelian = abelian;
+  same.leaf.reason = "the normal system has other blocks here" + why;
+  return same;
+}
+
+// A block that there is not elsewhere has no strata of its own in which this one is looked at.
+Truth of_new_blocks(const ManifoldReport& here, const std::vector<BlockReport>& generic,
+                    std::string& why) {
+  Truth all = Truth::yes;
+  for (const auto& b : here.blocks) {
+    if (b.abelian == Truth::yes ||
+        std::any_of(generic.begin(), generic.end(),
+                    [&](const BlockReport& g) { return g.unknowns == b.unknowns; }))
+      continue;
+    if (b.abelian == Truth::no) {
+      why = "; " + names_of(b) + " is not abelian";
+      if (b.decision) why += ": " + b.decision->reason;
+      return Truth::no;
+    }
+    all = Truth::unknown;
+  }
+  return all;
+}
+
+// The strata inside x when the block is still one there.
+std::vector<Stratum> same_block(const Stratum& x, const BlockReport& block,
+                                const ManifoldReport& here,
+                                const std::vector<BlockReport>& generic) {
+  auto parts = inside(x, block);
+  if (std::none_of(parts.begin(), parts.end(),
+                   [](const Stratum& p) { return p.leaf.abelian == Truth::yes; }))
+    return parts;
+  std::string why;
+  const Truth others = of_new_blocks(here, generic, why);
+  if (others == Truth::no) return {whole(x, Truth::no, why)};
+  if (others == Truth::unknown) return {}; // stays open
+  return parts;
+}
+
+// The block falls apart: the verdict on what there is instead.
+std::vector<Stratum> other_blocks(const Stratum& x, const ManifoldReport& here) {
+  if (here.verdict != VerdictKind::no_obstruction && here.verdict != VerdictKind::non_integrable)
+    return {}; // it may depend on the parameters that are left
+  std::string why;
+  for (const auto& reason : here.reasons)
+    why += "; " + reason;
+  Stratum answer = whole(x, truth(here.verdict == VerdictKind::no_obstruction), why);
+  answer.leaf.blocks_only = here.verdict == VerdictKind::no_obstruction && here.blocks.size() > 1;
+  return {answer};
+}
+
 std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
                            const std::vector<ClaimReport>& claims, const CheckOptions& options,
-                           const std::vector<std::string>& unknowns, const Stratum& x) {
+                           const std::vector<BlockReport>& generic,
+                           const std::vector<std::string>& unknowns, const Stratum& x,
+                           strata::StrataAnswer& answer) {
   const Ring& ring = x.conditions.front().p.ring();
   try {
     const Substitution values = in_ring(x.solved, ring, s.ring());
@@ -61,19 +124,15 @@ std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
     assume(special, x, values);
     for (auto& r : special.reductions)
       r.energy.clear();
-    const ManifoldReport there =
+    const ManifoldReport here =
         check_manifold(special, at_values(spec, values), at_values(claims, values), options);
-    for (const auto& b : there.blocks)
-      if (b.unknowns == unknowns && b.ode) return inside(x, b);
-    if (there.verdict != VerdictKind::no_obstruction &&
-        there.verdict != VerdictKind::non_integrable)
-      return {}; // it may depend on the parameters that are left
-    Stratum same{x.conditions, {}, x.solved};
-    same.leaf.abelian = truth(there.verdict == VerdictKind::no_obstruction);
-    same.leaf.reason = "the normal system has other blocks here";
-    for (const auto& why : there.reasons)
-      same.leaf.reason += "; " + why;
-    return {same};
+    for (const auto& b : here.blocks)
+      if (b.unknowns == unknowns && b.ode) {
+        if (b.strata)
+          answer.special.push_back(std::make_shared<strata::StrataAnswer>(*b.strata));
+        return same_block(x, b, here, generic);
+      }
+    return other_blocks(x, here);
   } catch (const DomainError&) {
     return {}; // stays open
   }
@@ -83,12 +142,13 @@ std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
 
 void decide_special_strata(const System& s, const ManifoldSpec& spec,
                            const std::vector<ClaimReport>& claims, const CheckOptions& options,
+                           const std::vector<BlockReport>& generic,
                            const std::vector<std::string>& unknowns, strata::StrataAnswer& answer) {
   std::vector<Stratum> all;
   for (auto& x : answer.strata) {
     std::vector<Stratum> parts;
     if (x.leaf.no_equation && !x.solved.empty())
-      parts = again(s, spec, claims, options, unknowns, x);
+      parts = again(s, spec, claims, options, generic, unknowns, x, answer);
     if (parts.empty()) parts.push_back(std::move(x));
     std::move(parts.begin(), parts.end(), std::back_inserter(all));
   }

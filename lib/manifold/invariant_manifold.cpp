@@ -109,6 +109,26 @@ std::optional<ManifoldFailure> curve_failure(const VectorField& v, const Invaria
   return failure("all points of the manifold with its levels are equilibria");
 }
 
+// The relations, the manifold and the levels.  Where they leave points, a coordinate on which
+// nothing depends may still move, like the time of a linear system with constant coefficients: it
+// runs through a line over each point, at constant speed.
+Ideal phase_curve(const VectorField& v, std::vector<MPoly> generators,
+                  const std::vector<MPoly>& nonzero) {
+  Ideal points = relation_ideal(v, generators, nonzero);
+  if (points.dimension() != 0) return points;
+  std::vector<std::size_t> main = points.main();
+  for (std::size_t j = 0; j < v.dimension(); ++j) {
+    const std::size_t x = v.coordinates[j];
+    if (std::find(main.begin(), main.end(), x) != main.end() ||
+        is_zero_modulo(v.components[j], points))
+      continue;
+    main.insert(std::upper_bound(main.begin(), main.end(), x), x);
+    generators.insert(generators.begin(), v.relations.begin(), v.relations.end());
+    return {v.ring, main, generators, nonzero};
+  }
+  return points;
+}
+
 } // namespace
 
 std::variant<InvariantManifold, ManifoldFailure> prove_invariant(const VectorField& v,
@@ -136,7 +156,7 @@ std::variant<InvariantManifold, ManifoldFailure> prove_invariant(const VectorFie
     m.proof.push_back("'" + e.text + "': its derivative is in the ideal of the manifold");
   const auto levels = numerators(m.levels);
   generators.insert(generators.end(), levels.begin(), levels.end());
-  m.curve = std::make_shared<const Ideal>(relation_ideal(v, generators, m.nonzero));
+  m.curve = std::make_shared<const Ideal>(phase_curve(v, generators, m.nonzero));
   solve_linear_equations(v, m);
   if (auto failure = curve_failure(v, m)) return *std::move(failure);
   m.proof.push_back("the manifold with its levels is a curve, and the field is not zero on it");

@@ -49,9 +49,7 @@ std::string badge(NodeStatus s) {
   return tag("span", to_string(s), "class=\"badge " + to_string(s) + "\"");
 }
 
-std::string title_of(const NodeResult& n) {
-  return prose(n.node.title.empty() ? n.node.id : n.node.title, html);
-}
+std::string title_of(const NodeResult& n) { return prose(n.node.title, html); }
 
 const NodeResult& node_of(const TheoremResult& t, const std::string& id) {
   for (const NodeResult& n : t.nodes)
@@ -68,6 +66,12 @@ std::string tree(const TheoremResult& t) {
     if (!seen.insert(n.node.id).second)
       return tag("li", out + " <span class=\"soft\">(above)</span>");
     std::string inner;
+    for (const Hypothesis& h : n.node.hypotheses)
+      if (!h.checked)
+        inner += tag("li", tag("span", "not checked", "class=\"badge open\"") +
+                               " hypothesis: " + prose(h.text, html));
+    for (const std::string& s : n.theorems)
+      inner += tag("li", badge(NodeStatus::trusted) + " the theorem of " + prose(s, html));
     for (const std::string& c : n.node.needs)
       inner += item(node_of(t, c));
     return tag("li", out + (inner.empty() ? "" : tag("ul", inner)));
@@ -136,8 +140,11 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
   if (!on.empty()) out += tag("p", "Rests on: " + on, "class=\"soft\"");
   if (!n.summary.empty()) out += tag("p", tag("b", "Found: ") + prose(n.summary, html));
   for (const Hypothesis& h : n.node.hypotheses)
-    out += h.checked ? tag("p", "Hypothesis, checked: " + prose(h.text, html), "class=\"soft\"")
-                     : tag("p", "Hypothesis not checked: " + prose(h.text, html), "class=\"warn\"");
+    out +=
+        h.checked
+            ? tag("p", "Hypothesis, checked by " + prose(h.by, html) + ": " + prose(h.text, html),
+                  "class=\"soft\"")
+            : tag("p", "Hypothesis not checked: " + prose(h.text, html), "class=\"warn\"");
   std::string checks;
   for (const CheckedIdentity& c : n.checks)
     checks += tag("li", prose(c.statement, html), c.holds ? "" : "class=\"no\"");
@@ -185,6 +192,7 @@ std::string theorem_html(const TheoremResult& t) {
     trusted += tag("li", prose(s, html));
   for (const std::string& s : t.unchecked_hypotheses())
     trusted += tag("li", "Hypothesis not checked: " + prose(s, html), "class=\"warn\"");
+  if (trusted.empty()) trusted = tag("li", "nothing");
   std::string steps;
   for (const NodeResult& n : t.nodes)
     steps += tag("details",
@@ -196,7 +204,8 @@ std::string theorem_html(const TheoremResult& t) {
       tag("h1", prose(t.theorem.title, html)) +
       tag("p", prose(t.theorem.statement, html), "class=\"statement\"") +
       tag("div", prose(t.conclusion(), html) + ".",
-          std::string("class=\"verdict") + (!t.complete()                      ? " no\""
+          std::string("class=\"verdict") + (!t.complete() || t.count(NodeStatus::proved) == 0
+                                                ? " no\""
                                             : t.unchecked_hypotheses().empty() ? "\""
                                                                                : " but\"")) +
       counts(t) + tag("h2", "What rests on what") + tree(t) +

@@ -17,9 +17,7 @@ const char* preamble = R"(\documentclass[11pt]{article}
 \allowdisplaybreaks
 )";
 
-std::string title_of(const NodeResult& n) {
-  return prose(n.node.title.empty() ? n.node.id : n.node.title, tex);
-}
+std::string title_of(const NodeResult& n) { return prose(n.node.title, tex); }
 
 std::size_t number_of(const TheoremResult& t, const std::string& id) {
   for (std::size_t i = 0; i < t.nodes.size(); ++i)
@@ -86,8 +84,8 @@ std::string step(const TheoremResult& t, const NodeResult& n) {
   }
   if (!n.summary.empty()) out += "\\par\\textbf{Found:} " + prose(n.summary, tex) + ".\n";
   for (const Hypothesis& h : n.node.hypotheses)
-    out +=
-        paragraph(h.checked ? "Hypothesis, checked" : "HYPOTHESIS NOT CHECKED", prose(h.text, tex));
+    out += paragraph(h.checked ? "Hypothesis, checked by " + h.by : "HYPOTHESIS NOT CHECKED",
+                     prose(h.text, tex));
   if (!n.checks.empty()) {
     out += "\\begin{itemize}\\setlength{\\itemsep}{0pt}\\small\n";
     for (const CheckedIdentity& c : n.checks)
@@ -113,13 +111,25 @@ std::string tree(const TheoremResult& t) {
   for (int i = 0; i < 8; ++i)
     out += "\\hspace{6mm}\\=";
   out += "\\kill\n";
-  const std::function<void(const NodeResult&, std::size_t)> put = [&](const NodeResult& n,
-                                                                      std::size_t depth) {
+  const auto tabs = [&](std::size_t depth) {
     for (std::size_t i = 0; i < std::min<std::size_t>(depth, 8); ++i)
       out += "\\>";
+  };
+  const std::function<void(const NodeResult&, std::size_t)> put = [&](const NodeResult& n,
+                                                                      std::size_t depth) {
+    tabs(depth);
     out += std::to_string(number_of(t, n.node.id)) + ". " + title_of(n) + " \\status{" +
            to_string(n.status) + (n.rests_on_open ? ", rests on open steps" : "") + "}\\\\\n";
     if (!seen.insert(n.node.id).second) return;
+    for (const Hypothesis& h : n.node.hypotheses) {
+      if (h.checked) continue;
+      tabs(depth + 1);
+      out += "a hypothesis \\status{NOT CHECKED}\\\\\n";
+    }
+    for (const std::string& s : n.theorems) {
+      tabs(depth + 1);
+      out += "the theorem of " + prose(s, tex) + " \\status{trusted}\\\\\n";
+    }
     for (const std::string& c : n.node.needs)
       put(t.nodes[number_of(t, c) - 1], depth + 1);
   };
@@ -145,6 +155,7 @@ std::string theorem_tex(const TheoremResult& t) {
     out += "\\item " + prose(s, tex) + "\n";
   for (const std::string& s : t.unchecked_hypotheses())
     out += "\\item \\textbf{Hypothesis not checked.} " + prose(s, tex) + "\n";
+  if (out.ends_with("\\begin{itemize}\n")) out += "\\item nothing\n";
   out += "\\item[] \n\\end{itemize}\n\\section*{The steps}\n";
   for (const NodeResult& n : t.nodes)
     out += step(t, n);

@@ -14,14 +14,10 @@ const NodeResult& node_of(const TheoremResult& t, const std::string& id) {
   return t.nodes.front();
 }
 
-std::string status_mark(const NodeResult& n) {
-  std::string s = "[" + to_string(n.status) + "]";
+std::string mark(const std::string& status) {
+  std::string s = "[" + status + "]";
   s.resize(11, ' ');
   return s;
-}
-
-std::string title_of(const NodeResult& n) {
-  return n.node.title.empty() ? n.node.id : n.node.title;
 }
 
 // Fills lines to `width` characters, each after `indent` blanks.
@@ -49,20 +45,27 @@ void put_tree(std::string& out, const TheoremResult& t, const std::string& id, s
               std::set<std::string>& seen) {
   const NodeResult& n = node_of(t, id);
   const bool again = !seen.insert(id).second;
-  out += status_mark(n) + " " + std::string(2 * depth, ' ') + title_of(n) +
+  out += mark(to_string(n.status)) + " " + std::string(2 * depth, ' ') + n.node.title +
          (n.rests_on_open ? "  (rests on open steps)" : "") + (again ? "  (above)" : "") + "\n";
   if (again) return;
+  const std::string inner(2 * depth + 3, ' ');
+  for (const Hypothesis& h : n.node.hypotheses)
+    if (!h.checked) out += mark("unchecked") + inner + "hypothesis: " + h.text + "\n";
+  for (const std::string& s : n.theorems)
+    out += mark("trusted") + inner + "the theorem of " + s + "\n";
   for (const std::string& child : n.node.needs)
     put_tree(out, t, child, depth + 1, seen);
 }
 
 void put_step(std::string& out, const NodeResult& n) {
-  out += "\n" + title_of(n) + "  [" + to_string(n.status) + ", " + to_string(n.node.kind) + "]\n";
+  out += "\n" + n.node.title + "  [" + to_string(n.status) + ", " + to_string(n.node.kind) + "]\n";
   out += filled(n.node.statement, 2);
   if (!n.summary.empty()) out += filled("found: " + n.summary, 2);
   for (const Hypothesis& h : n.node.hypotheses)
-    out += filled(
-        std::string(h.checked ? "hypothesis, checked: " : "HYPOTHESIS NOT CHECKED: ") + h.text, 2);
+    out += filled((h.checked ? "hypothesis, checked by '" + h.by + "': "
+                             : std::string("HYPOTHESIS NOT CHECKED: ")) +
+                      h.text,
+                  2);
   for (const CheckedIdentity& c : n.checks)
     out += filled(std::string(c.holds ? "ok  " : "NO  ") + c.statement, 4);
   for (const Formula& f : n.formulas)
@@ -96,6 +99,7 @@ std::string theorem_text(const TheoremResult& t) {
     out += filled(s, 2);
   for (const std::string& s : t.unchecked_hypotheses())
     out += filled("HYPOTHESIS NOT CHECKED  " + s, 2);
+  if (out.ends_with("\ntrusted\n")) out += "  nothing\n";
   for (const NodeResult& n : t.nodes)
     put_step(out, n);
   return out;
@@ -130,6 +134,11 @@ std::string theorem_json(const TheoremResult& t) {
     for (const Grid& g : n.tables)
       j["tables"].push_back({{"caption", g.caption}, {"header", g.header}, {"rows", g.rows}});
     if (!n.node.file.empty()) j["file"] = n.node.file;
+    if (n.node.kind == NodeKind::case_file) j["expect"] = n.node.expect;
+    for (const auto& [key, values] :
+         {std::pair{"where", &n.node.where}, std::pair{"sample", &n.node.sample}})
+      for (const auto& [name, value] : *values)
+        j[key][name] = value;
     j["seconds"] = n.seconds;
     nodes.push_back(std::move(j));
   }
@@ -138,6 +147,7 @@ std::string theorem_json(const TheoremResult& t) {
                  {"statement", t.theorem.statement},
                  {"complete", t.complete()},
                  {"conclusion", t.conclusion()},
+                 {"verdict", t.verdict()},
                  {"proved", t.count(NodeStatus::proved)},
                  {"open", t.count(NodeStatus::open)},
                  {"refuted", t.count(NodeStatus::refuted)},

@@ -58,6 +58,15 @@ std::optional<RootField> root_field(const MPoly& p) {
   return RootField{used[0], make_field(minimal, p.ring()->name(used[0])), Rational(lead)};
 }
 
+using Kind = ProofTree::Kind;
+
+ProofTreePtr grown(Kind kind, const Region& region, MPoly p, std::optional<Leaf> leaf,
+                   std::string why, ProofTreePtr nonzero = {}, ProofTreePtr zero = {}) {
+  return std::make_shared<ProofTree>(ProofTree{kind, std::move(p),
+                                               std::make_shared<Region>(region), std::move(nonzero),
+                                               std::move(zero), std::move(leaf), std::move(why)});
+}
+
 class Tree {
 public:
   Tree(const Question& q, const StrataLimits& limits) : q_(q), limits_(limits) {}
@@ -65,9 +74,10 @@ public:
   StrataAnswer grow() {
     const auto start = Budget::Clock::now();
     const Region root(q_.r.ring(), q_.assumptions);
+    answer_.question = std::make_shared<Question>(q_);
     answer_.contradictory = root.is_empty();
     trust(root.trusted());
-    if (!answer_.contradictory) node(root, 0);
+    if (!answer_.contradictory) answer_.tree = node(root, 0);
     answer_.contradictory = answer_.strata.empty() && answer_.unvisited.empty();
     answer_.seconds = std::chrono::duration<double>(Budget::Clock::now() - start).count();
     return std::move(answer_);
@@ -81,19 +91,23 @@ private:
         answer_.trusted.push_back(s.claim);
   }
 
-  void node(const Region& region, int depth) {
+  ProofTreePtr unvisited(const Region& region, const std::string& condition,
+                         const std::string& why) {
+    answer_.unvisited.push_back(condition);
+    return grown(Kind::open, region, {}, {}, why);
+  }
+
+  ProofTreePtr node(const Region& region, int depth) {
     try {
       limits_.decide.budget.check();
-      if (answer_.strata.size() >= limits_.max_strata || depth > 60) {
-        answer_.unvisited.push_back(to_string(region.path()));
-        return;
-      }
+      if (answer_.strata.size() >= limits_.max_strata || depth > 60)
+        return unvisited(region, to_string(region.path()), "the limit of strata");
       auto answer = look(region);
       trust(region.trusted());
       if (auto* leaf = std::get_if<Leaf>(&answer)) return add(region, std::move(*leaf));
-      split(region, std::get<Needs>(answer), depth);
+      return split(region, std::get<Needs>(answer), depth);
     } catch (const OutOfBudget& limit) {
-      answer_.unvisited.push_back(to_string(region.path()) + " (" + limit.what() + ")");
+      return unvisited(region, to_string(region.path()) + " (" + limit.what() + ")", limit.what());
     }
   }
 
@@ -133,32 +147,44 @@ private:
     return no_equation("the reduction to y'' = r y is not valid here: " + g.why);
   }
 
-  void split(const Region& region, const Needs& needs, int depth) {
+  ProofTreePtr split(const Region& region, const Needs& needs, int depth) {
     const bool assumed = needs.why == "assumed"; // p = 0 on one of the two sides only
-    if (is_constant(needs.p)) return prune(region, "an assumed equation fails");
+    if (is_constant(needs.p)) return prune(region, {}, "an assumed equation fails");
     auto zero = region.where_zero(needs.p);
     if (const auto* first = std::get_if<Region::Split>(&zero))
       return split(region,
                    Needs{first->by,
                          "the equation " + to_string(needs.p) + " = 0 is solved by division by it"},
                    depth);
+    ProofTreePtr nonzero;
     if (!assumed || has_other_factor(region, needs.p))
-      node(region.where_nonzero(needs.p), depth + 1);
+      nonzero = node(region.where_nonzero(needs.p), depth + 1);
+    const Kind kind = nonzero ? Kind::split : Kind::assumed;
+    return grown(kind, region, needs.p, {}, needs.why, std::move(nonzero),
+                 where_zero(region, needs, zero, depth));
+  }
+
+  ProofTreePtr where_zero(const Region& region, const Needs& needs,
+                          const std::variant<Region, Region::Empty, Region::Split, Region::Stuck>& zero,
+                          int depth) {
     if (const auto* there = std::get_if<Region>(&zero)) {
       trust(there->trusted());
-      node(*there, depth + 1);
-    } else if (const auto* empty = std::get_if<Region::Empty>(&zero)) {
+      return node(*there, depth + 1);
+    }
+    if (const auto* empty = std::get_if<Region::Empty>(&zero)) {
       trust(empty->trusted);
       auto path = region.path();
       path.push_back({needs.p, Sign::zero});
       answer_.pruned.push_back(to_string(path));
-    } else {
-      stuck(region, needs);
+      return grown(Kind::empty, region, needs.p, {},
+                   empty->trusted.empty() ? "" : empty->trusted.back().claim);
     }
+    return stuck(region, needs);
   }
 
-  void prune(const Region& region, const std::string& why) {
+  ProofTreePtr prune(const Region& region, const MPoly& p, const std::string& why) {
     answer_.pruned.push_back(to_string(region.path()) + " (" + why + ")");
+    return grown(Kind::empty, region, p, {}, why);
   }
 
   // Of a pending equation p1 p2 = 0: where p1 is not zero another factor has to be.
@@ -168,11 +194,12 @@ private:
   }
 
   // No parameter is linear in p: numbers, or an open stratum.
-  void stuck(const Region& region, const Needs& needs) {
+  ProofTreePtr stuck(const Region& region, const Needs& needs) {
     auto path = region.path();
     path.push_back({needs.p, Sign::zero});
-    const auto add_here = [&](Leaf leaf) {
-      answer_.strata.push_back({std::move(path), std::move(leaf), region.solved()});
+    const auto add_here = [&](const Leaf& leaf) {
+      answer_.strata.push_back({std::move(path), leaf, region.solved()});
+      return grown(Kind::root, region, needs.p, leaf, "");
     };
     const auto root = root_field(needs.p);
     const MFraction r = region.restrict(q_.r);
@@ -183,7 +210,9 @@ private:
     if (!number)
       return add_here(
           open_leaf(to_string(needs.p) + " = 0 (" + needs.why + ") is not solved for a parameter"));
-    if (region.has_no_real_root(needs.p)) return prune(region, to_string(needs.p) + " = 0");
+    if (region.has_no_real_root(needs.p))
+      return prune(region, needs.p,
+                   "Z3: no real root of " + to_string(needs.p) + " satisfies the conditions");
     for (const auto& g : q_.generic)
       if (!holds_at_root(g, region, needs.p))
         return add_here(no_equation("the reduction to y'' = r y is not valid here: " + g.why));
@@ -192,7 +221,7 @@ private:
     const MFraction scaled = substitute(r, {{root->variable, (Rational(1) / root->lead) * x}});
     NormalForm equation;
     equation.r = to_rational_function(scaled, q_.z, AlgebraicConstant{root->variable, root->field});
-    add_here(leaf_of(decide(equation, limits_.decide)));
+    return add_here(leaf_of(decide(equation, limits_.decide)));
   }
 
   // One of the coefficients vanishes at no root of p, which is irreducible in one parameter.
@@ -209,8 +238,9 @@ private:
     });
   }
 
-  void add(const Region& region, Leaf leaf) {
-    answer_.strata.push_back({simplified(region), std::move(leaf), region.solved()});
+  ProofTreePtr add(const Region& region, const Leaf& leaf) {
+    answer_.strata.push_back({simplified(region), leaf, region.solved()});
+    return grown(Kind::leaf, region, {}, leaf, "");
   }
 
   // Without the inequations that the other conditions imply.

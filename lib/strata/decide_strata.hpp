@@ -4,7 +4,7 @@
 //
 // Source  THEORY 6; docs/theory/strata.md
 
-#include "strata/judge.hpp"
+#include "strata/proof_tree.hpp"
 
 #include <map>
 
@@ -41,6 +41,10 @@ struct StrataAnswer {
   std::vector<std::string> pruned;    ///< empty strata, with the conditions that contradict
   bool contradictory = false;         ///< no parameters satisfy the assumptions
   double seconds = 0;
+  /// Strata on which r means nothing and an equation of their own was decided instead: that answer.
+  std::vector<std::shared_ptr<const StrataAnswer>> special;
+  std::shared_ptr<const Question> question; ///< what was asked
+  ProofTreePtr tree;                        ///< how `strata` were found
 
   /// yes or no: the same on all strata; unknown otherwise.
   [[nodiscard]] Truth abelian() const;

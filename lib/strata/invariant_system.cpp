@@ -4,7 +4,6 @@
 #include "exact/finite_algebra.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace kov::strata {
 namespace {
@@ -127,11 +126,13 @@ std::variant<std::optional<ParametricInvariant>, Needs> find_invariant(const Sch
 namespace {
 
 // A maximal minor, by Bareiss's elimination with the rows taken in the given order of preference.
-MPoly maximal_minor(Matrix rows, const std::vector<std::size_t>& preference, const Budget& budget) {
+Minor maximal_minor(const Matrix& rows, const std::vector<std::size_t>& preference,
+                    const Budget& budget) {
   const std::size_t columns = rows.front().size();
   Matrix sorted;
   for (const std::size_t i : preference)
-    sorted.push_back(std::move(rows[i]));
+    sorted.push_back(rows[i]);
+  std::vector<std::size_t> order(preference);
   const Ring ring = sorted.front().front().ring();
   MPoly previous(ring, Integer(1));
   for (std::size_t k = 0; k < columns; ++k) {
@@ -139,9 +140,12 @@ MPoly maximal_minor(Matrix rows, const std::vector<std::size_t>& preference, con
     while (pivot < sorted.size() && is_zero(sorted[pivot][k]))
       ++pivot;
     KOV_ENSURE(pivot < sorted.size()); // full rank over Q(parameters)
-    std::rotate(sorted.begin() + static_cast<std::ptrdiff_t>(k),
-                sorted.begin() + static_cast<std::ptrdiff_t>(pivot),
-                sorted.begin() + static_cast<std::ptrdiff_t>(pivot) + 1);
+    const auto to_front = [&](auto& all) {
+      const auto at = [&](std::size_t i) { return all.begin() + static_cast<std::ptrdiff_t>(i); };
+      std::rotate(at(k), at(pivot), at(pivot) + 1);
+    };
+    to_front(sorted);
+    to_front(order);
     const MPoly p = sorted[k][k];
     for (std::size_t i = k + 1; i < sorted.size(); ++i) {
       budget.check();
@@ -150,13 +154,16 @@ MPoly maximal_minor(Matrix rows, const std::vector<std::size_t>& preference, con
     }
     previous = p;
   }
-  return previous;
+  order.resize(columns);
+  return {std::move(order), previous};
 }
 
 // Several orders of the rows: simplest first, from the top, from the bottom, from the middle.
 std::vector<std::vector<std::size_t>> preferences(const Matrix& rows) {
-  std::vector<std::size_t> up(rows.size());
-  std::iota(up.begin(), up.end(), std::size_t{0});
+  std::vector<std::size_t> up;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (std::any_of(rows[i].begin(), rows[i].end(), [](const MPoly& f) { return !is_zero(f); }))
+      up.push_back(i);
   auto simple = up;
   const auto weight = [&](std::size_t i) {
     long sum = 0;
@@ -199,21 +206,20 @@ std::variant<Excluded, Needs, Unsettled> exclude_invariant(const Scheme& s,
                                                            const InvariantForm& form,
                                                            const Region& region,
                                                            const Budget& budget) {
-  Matrix rows = matrix(s, form, budget);
-  std::erase_if(rows, [](const auto& row) {
-    return std::all_of(row.begin(), row.end(), [](const MPoly& f) { return is_zero(f); });
-  });
+  const Matrix rows = matrix(s, form, budget);
   const bool univariate = one_parameter(rows);
   const std::string why = "Sym^" + std::to_string(form.m) + " may have a rational solution";
   MPoly common(s.r.ring());
+  Excluded proof;
   std::vector<MPoly> doubts; // the simplest one of each minor
   for (const auto& preference : preferences(rows)) {
-    const MPoly minor = maximal_minor(rows, preference, budget);
-    common = gcd(common, minor);
-    const auto doubt = simplest_doubt(minor, region);
-    if (!doubt) return Excluded{};
+    const Minor minor = maximal_minor(rows, preference, budget);
+    const auto doubt = simplest_doubt(minor.value, region);
+    if (!doubt) return Excluded{{minor}};
     doubts.push_back(*doubt);
-    if (univariate && !simplest_doubt(common, region)) return Excluded{};
+    common = gcd(common, minor.value);
+    proof.minors.push_back(minor);
+    if (univariate && !simplest_doubt(common, region)) return proof;
   }
   if (const auto doubt = simplest_doubt(common, region)) return Needs{*doubt, why};
   std::sort(doubts.begin(), doubts.end(), simpler);

@@ -157,10 +157,13 @@ private:
     for (std::size_t i = 0; i < s_.finite.size(); ++i)
       if (v.form.e[i] != 0)
         text += "*(" + to_string(s_.finite[i].q) + ")^(" + std::to_string(v.form.e[i]) + ")";
-    return decided(Truth::yes, group,
-                   "v = " + text + " solves the symmetric power Sym^" + std::to_string(v.form.m) +
-                       " for all parameters of the stratum, and SL(2) and the full triangular "
-                       "group have no invariants");
+    Leaf leaf =
+        decided(Truth::yes, group,
+                "v = " + text + " solves the symmetric power Sym^" + std::to_string(v.form.m) +
+                    " for all parameters of the stratum, and SL(2) and the full triangular "
+                    "group have no invariants");
+    leaf.invariant = v;
+    return leaf;
   }
 
   // All Delta are rational constants and all places regular.

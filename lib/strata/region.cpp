@@ -224,6 +224,10 @@ std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x)
       continue;
     }
     const bool ordered = c.sign == Sign::positive || c.sign == Sign::nonnegative;
+    if (ordered && !is_real(there.den())) { // num/den > 0 says nothing about the sign of num * den
+      if (c.sign == Sign::positive) keep_nonzero(there.num());
+      continue;
+    }
     r.assumptions_.conditions.push_back(
         {ordered && !is_constant(there.den()) ? there.num() * there.den() : there.num(), c.sign});
   }

@@ -100,6 +100,12 @@ private:
   FiniteAlgebra field_;
 };
 
+// t^-4 r(1/t), written in z.
+MFraction at_infinity(const MFraction& r, std::size_t z) {
+  const MFraction t = MFraction::variable(r.ring(), z);
+  return substitute(r, {{z, MFraction(t.ring(), Rational(1)) / t}}) / pow(t, 4);
+}
+
 // Discriminants and resultants of larger equations cannot be interrupted.
 constexpr long most_terms = 500;
 
@@ -149,11 +155,8 @@ private:
     const MPoly den = scheme_.r.den();
     p.order = 4 - (degree(den, z) - degree(num, z));
     if (p.order <= 0) return std::nullopt; // an ordinary point, also where num drops
-    const MFraction t = MFraction::variable(scheme_.r.ring(), z);
-    const MFraction there =
-        substitute(scheme_.r, {{z, MFraction(t.ring(), Rational(1)) / t}}) / pow(t, 4);
     if (auto n = lower_order(p, coefficients(num, z).back())) return n;
-    return finish(p, there);
+    return finish(p, at_infinity(scheme_.r, z));
   }
 
   // Orders 1 and >= 3 must be exact: `top` is the coefficient that makes them so.
@@ -226,6 +229,15 @@ private:
 std::variant<Scheme, Needs> scheme(const MFraction& r, std::size_t z, const Region& region,
                                    const Budget& budget) {
   return SchemeBuilder(r, z, region, budget).build();
+}
+
+std::optional<MPoly> logarithm_defect(const MFraction& r, std::size_t z, const ParametricPlace& p,
+                                      const Region& region) {
+  if (p.delta > Rational(max_log_order)) return std::nullopt;
+  const Local local(p.at_infinity ? at_infinity(r, z) : r, z, p.q, region);
+  const Element defect = local.log_defect(to_long(p.delta.num()));
+  if (is_zero(defect)) return std::nullopt;
+  return local.norm(defect);
 }
 
 std::string place_name(const ParametricPlace& p, std::size_t z) {

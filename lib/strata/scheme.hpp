@@ -51,6 +51,11 @@ struct Scheme {
 [[nodiscard]] std::variant<Scheme, Needs> scheme(const MFraction& r, std::size_t z,
                                                  const Region& region, const Budget& budget = {});
 
+/// At a regular place with Delta = N >= 1 in N: vanishes where some root of q has no logarithm.
+/// Unset: identically 0, or N is too large to look.
+[[nodiscard]] std::optional<MPoly> logarithm_defect(const MFraction& r, std::size_t z,
+                                                    const ParametricPlace& p, const Region& region);
+
 [[nodiscard]] std::string place_name(const ParametricPlace& p, std::size_t z);
 /// "Delta^2 = 9/4 - 2*A/C", or what Delta^2 is a root of.
 [[nodiscard]] std::string square_text(const ParametricPlace& p);

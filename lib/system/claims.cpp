@@ -46,9 +46,31 @@ ClaimResult check_darboux(const VectorField& v, const SystemClaim& claim) {
   return refuted("on G = 0: X(G)", reduced(derivative, level));
 }
 
-} // namespace
+// Factors in the parameters alone.
+void add_parameter_factors(const VectorField& v, const MPoly& p, std::vector<MPoly>& all) {
+  const auto main = v.main_variables();
+  for (const MFactor& x : factor(p).second)
+    if (std::none_of(main.begin(), main.end(), [&](std::size_t i) { return uses(x.base, i); }) &&
+        std::find(all.begin(), all.end(), x.base) == all.end())
+      all.push_back(x.base);
+}
 
-ClaimResult check_claim(const VectorField& v, const SystemClaim& claim) {
+// Where the claim divides by 0 and the field does not: there it says nothing.
+std::vector<MPoly> meaningless(const VectorField& v, const SystemClaim& claim) {
+  std::vector<MPoly> of_field, of_claim;
+  for (const MFraction& x : v.components)
+    add_parameter_factors(v, x.den(), of_field);
+  for (const MFraction* f : {&claim.value, &claim.first, &claim.second})
+    if (f->ring()) add_parameter_factors(v, f->den(), of_claim);
+  for (const Equation& e : claim.on)
+    add_parameter_factors(v, e.difference.den(), of_claim);
+  std::erase_if(of_claim, [&](const MPoly& g) {
+    return std::find(of_field.begin(), of_field.end(), g) != of_field.end();
+  });
+  return of_claim;
+}
+
+ClaimResult checked(const VectorField& v, const SystemClaim& claim) {
   if (claim.kind == SystemClaim::Kind::darboux) return check_darboux(v, claim);
   const Ideal level = level_ideal(v, claim.on);
   if (level.is_unit())
@@ -82,6 +104,17 @@ ClaimResult check_claim(const VectorField& v, const SystemClaim& claim) {
   default:
     return decide(claim.value, "left side - right side");
   }
+}
+
+} // namespace
+
+ClaimResult check_claim(const VectorField& v, const SystemClaim& claim) {
+  ClaimResult result = checked(v, claim);
+  if (result.proved)
+    for (MPoly& g : meaningless(v, claim))
+      if (std::find(result.generic.begin(), result.generic.end(), g) == result.generic.end())
+        result.generic.push_back(std::move(g));
+  return result;
 }
 
 ClaimResult check_euler_lagrange(const System& s) {

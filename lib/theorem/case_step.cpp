@@ -1,10 +1,12 @@
 // The step "case": the verdict of a system file.
 
 #include "integrability/check.hpp"
+#include "integrability/parameters.hpp"
 #include "linode/singularities.hpp"
 #include "theorem/prove.hpp"
 
 #include "exact/algebraic.hpp"
+#include "exact/error.hpp"
 
 #include <algorithm>
 
@@ -73,8 +75,10 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
             {"stratum", "group", "identity component", "because"},
             {}};
   for (const strata::Stratum& s : a.strata)
-    grid.rows.push_back({strata::to_string(s.conditions), s.leaf.group_text, answer(s.leaf.abelian),
-                         s.leaf.reason});
+    grid.rows.push_back(
+        {strata::to_string(s.conditions), s.leaf.group_text,
+         (s.leaf.blocks_only ? "of each diagonal block: " : "") + answer(s.leaf.abelian),
+         s.leaf.reason});
   for (const std::string& u : a.unvisited)
     grid.rows.push_back({u, "", "undecided", "a limit was reached"});
   n.tables.push_back(std::move(grid));
@@ -101,13 +105,23 @@ void show_block(NodeResult& n, const System& s, const BlockReport& b) {
   }
 }
 
+// One level that is not abelian is enough: then other strata may be anything.
+std::string reason_of(const strata::StrataAnswer& a) {
+  if (a.abelian() == Truth::no)
+    return "not abelian on every stratum of the parameters (" + std::to_string(a.strata.size()) +
+           ")";
+  for (const strata::Stratum& s : a.strata)
+    if (s.leaf.abelian == Truth::no)
+      return "not abelian where " + strata::to_string(s.conditions) +
+             ", and there are such levels: " + s.leaf.reason;
+  return "";
+}
+
 std::string reason_of(const ManifoldReport& m) {
   std::string text;
   for (const BlockReport& b : m.blocks) {
     if (b.decision) return b.decision->reason;
-    if (b.strata && b.abelian == Truth::no)
-      return "not abelian on every stratum of the parameters (" +
-             std::to_string(b.strata->strata.size()) + ")";
+    if (b.strata && b.abelian == Truth::no) return reason_of(*b.strata);
     for (const EnergyResult& e : b.energies)
       if (e.decision && e.decision->abelian == Truth::no)
         return e.condition + ": " + e.decision->reason;
@@ -132,42 +146,79 @@ CheckReport checked(const std::string& path, const ParameterValues& where, const
   check.decide = options.decide;
   check.decide.want_certificate = true;
   check.only_manifold = n.node.manifold;
-  return check_system(read_system(path, where), check);
+  const System s = read_system(path, where);
+  std::vector<std::string> names;
+  for (const ManifoldSpec& m : s.manifolds)
+    names.push_back(m.name);
+  if (!n.node.manifold.empty()) require_known(n.node.manifold, names, "manifold");
+  return check_system(s, check);
 }
 
-// Takes the first manifold with the expected verdict.
-void take(NodeResult& n, const CheckReport& report) {
-  for (const ManifoldReport& m : report.manifolds) {
-    if (m.failure) {
-      n.summary = m.failure->message;
-      return;
-    }
-    n.checks.push_back({"the manifold " + m.name + " is invariant", m.manifold.has_value()});
-    for (const BlockReport& b : m.blocks)
-      show_block(n, report.system, b);
-    n.summary = reason_of(m);
-    const bool any = n.node.expect == "any" && m.verdict != VerdictKind::undecided;
-    if (!any && to_string(m.verdict) != n.node.expect) continue;
-    n.status = NodeStatus::proved;
-    if (any) n.summary = to_string(m.verdict) + (n.summary.empty() ? "" : ": " + n.summary);
-    if (m.verdict == VerdictKind::non_integrable) n.theorems.push_back(m.theorem);
-    return;
+std::string found(const ManifoldReport& m) {
+  const std::string reason = m.failure ? m.failure->message : reason_of(m);
+  return to_string(m.verdict) + (reason.empty() ? "" : ": " + reason);
+}
+
+bool expected(const TheoremNode& node, VerdictKind v) {
+  return node.expect == "any" ? v != VerdictKind::undecided : to_string(v) == node.expect;
+}
+
+// Not integrable along one manifold is not integrable; otherwise all of them have to be decided.
+int weight(const ManifoldReport& m) {
+  return m.verdict == VerdictKind::non_integrable           ? 3
+         : m.failure || m.verdict == VerdictKind::undecided ? 2
+         : m.verdict == VerdictKind::depends                ? 1
+                                                            : 0;
+}
+
+// Found, but not what the file says.
+void unexpected(NodeResult& n, const ManifoldReport& m) {
+  if (m.verdict != VerdictKind::undecided)
+    n.summary = "expected " + n.node.expect + ", found " + n.summary;
+  if (m.verdict == VerdictKind::non_integrable) n.status = NodeStatus::refuted;
+}
+
+// The manifold that decides, with its material.
+const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
+  const auto& all = report.manifolds;
+  const ManifoldReport& m = *std::max_element(
+      all.begin(), all.end(),
+      [](const ManifoldReport& a, const ManifoldReport& b) { return weight(a) < weight(b); });
+  for (const ManifoldReport& other : all)
+    if (&other != &m) n.formulas.push_back({"manifold " + other.name, found(other)});
+  if (m.failure) {
+    n.summary = m.failure->message;
+    return m;
   }
+  n.checks.push_back({"the manifold " + m.name + " is invariant", m.manifold.has_value()});
+  for (const BlockReport& b : m.blocks)
+    show_block(n, report.system, b);
+  n.summary = found(m);
+  if (!expected(n.node, m.verdict)) {
+    unexpected(n, m);
+    return m;
+  }
+  n.status = NodeStatus::proved;
+  if (m.verdict == VerdictKind::no_obstruction)
+    n.summary += " (the test passes; nothing follows about integrability)";
+  if (m.verdict == VerdictKind::non_integrable) {
+    n.theorems.push_back(m.theorem);
+    n.formulas.push_back({"so", m.statement});
+    if (m.function_class != "meromorphic")
+      n.summary += "; for first integrals that are " + m.function_class;
+  }
+  return m;
 }
 
-// One set of values from the family, decided by itself: a second opinion with tables.
-void take_sample(NodeResult& n, const std::string& path, const ProveOptions& options) {
-  ParameterValues values = n.node.where;
+std::string text_of(const ParameterValues& values) {
   std::string text;
-  for (const auto& [name, value] : n.node.sample) {
-    values.emplace_back(name, value);
+  for (const auto& [name, value] : values)
     text += (text.empty() ? "" : ", ") + name + " = " + value;
-  }
-  NodeResult sample;
-  sample.node = n.node;
-  const CheckReport report = checked(path, values, n, options);
-  take(sample, report);
-  n.formulas.push_back({"a sample", text});
+  return text;
+}
+
+// Material of the sample, marked as such.
+void move_material(NodeResult& n, NodeResult& sample) {
   for (Grid& g : sample.tables) {
     g.caption += ", at the sample";
     n.tables.push_back(std::move(g));
@@ -178,26 +229,64 @@ void take_sample(NodeResult& n, const std::string& path, const ProveOptions& opt
   }
   for (std::string& c : sample.certificates)
     n.certificates.push_back(std::move(c));
-  const auto undecided = [](const ManifoldReport& m) {
-    return m.verdict == VerdictKind::undecided;
-  };
-  if (std::any_of(report.manifolds.begin(), report.manifolds.end(), undecided)) return;
-  n.checks.push_back({"the sample " + text + " by itself has the same verdict",
-                      sample.status == NodeStatus::proved});
-  if (n.status == NodeStatus::proved && sample.status != NodeStatus::proved) {
-    n.status = NodeStatus::refuted;
-    n.summary = "the sample disagrees: " + sample.summary;
+}
+
+// "Not integrable" may rest on one level that was chosen: a sample of a level is no counterexample.
+bool names_a_level(const System& s, const ParameterValues& sample) {
+  const auto levels = level_parameters(s);
+  return std::any_of(sample.begin(), sample.end(), [&](const auto& value) {
+    const auto i = s.ring()->find(value.first);
+    return i && std::find(levels.begin(), levels.end(), *i) != levels.end();
+  });
+}
+
+// What the verdict at the sample says about the verdict for the family.
+void compare(NodeResult& n, const System& family, const ManifoldReport& whole,
+             const ManifoldReport& there, const std::string& text) {
+  n.formulas.push_back({"the sample by itself", found(there)});
+  if (n.status != NodeStatus::proved) return;
+  if (there.verdict == VerdictKind::undecided) {
+    n.summary += "; THE SAMPLE " + text + " BY ITSELF IS UNDECIDED";
+    return;
   }
+  const bool same = there.verdict == whole.verdict;
+  if (whole.verdict == VerdictKind::depends) return; // both answers occur
+  if (!same && names_a_level(family, n.node.sample)) {
+    n.summary += "; at the level of the sample " + text + ": " + to_string(there.verdict);
+    return;
+  }
+  n.checks.push_back({"the sample " + text + " by itself has the same verdict", same});
+  if (same) return;
+  n.status = NodeStatus::refuted;
+  n.summary = "CONTRADICTION: for all parameters " + to_string(whole.verdict) +
+              ", but at the sample " + text + " " + found(there);
+}
+
+// One set of values from the family, decided by itself: a second opinion with tables.
+void take_sample(NodeResult& n, const CheckReport& family, const ManifoldReport& whole,
+                 const std::string& path, const ProveOptions& options) {
+  const std::string text = text_of(n.node.sample);
+  n.formulas.push_back({"a sample", text});
+  ParameterValues values = n.node.where;
+  values.insert(values.end(), n.node.sample.begin(), n.node.sample.end());
+  NodeResult sample;
+  sample.node = n.node;
+  sample.node.manifold = whole.name;
+  const CheckReport report = checked(path, values, sample, options);
+  const ManifoldReport& there = take(sample, report);
+  move_material(n, sample);
+  compare(n, family.system, whole, there, text);
 }
 
 } // namespace
 
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const CheckReport report = checked(directory + n.node.file, n.node.where, n, options);
-  for (const Assumption& a : report.system.assumptions)
-    n.formulas.push_back({"assumed", a.text});
-  take(n, report);
-  if (!n.node.sample.empty()) take_sample(n, directory + n.node.file, options);
+  const std::string path = beside(directory, n.node.file);
+  const CheckReport report = checked(path, n.node.where, n, options);
+  show_setting(n, report.system);
+  if (report.manifolds.empty()) throw DomainError(n.node.file + " has no manifold");
+  const ManifoldReport& whole = take(n, report);
+  if (!n.node.sample.empty()) take_sample(n, report, whole, path, options);
 }
 
 } // namespace kov

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace kov {
@@ -29,12 +30,23 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
 }
 
 // A limit of one step is not an error of the file.
-void run_step(NodeResult& n, const std::string& directory, const ProveOptions& options) {
+void run_step(NodeResult& n, const std::string& file, const std::string& directory,
+              const ProveOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   try {
     run(n, directory, options);
-  } catch (const InputError&) {
-    throw; // the file is wrong
+  } catch (const InputError& why) {                          // the file is wrong
+    const bool of_values = why.file().starts_with("--set "); // in where, sample or units
+    const std::string node = "node '" + n.node.id + "'";
+    if (!of_values && !why.file().empty())
+      throw InputError(why.file(), why.line(), why.column(), why.length(), why.message(),
+                       why.hint() + (why.hint().empty() ? "" : "; ") + "read for " + node + " of " +
+                           file,
+                       why.source_line());
+    throw InputError(file, n.node.line, 0, 1,
+                     node + (of_values ? ", value of " + why.file().substr(6) : "") + ": " +
+                         why.message(),
+                     why.hint());
   } catch (const InternalError&) {
     throw; // the program is
   } catch (const Error& why) {
@@ -44,27 +56,68 @@ void run_step(NodeResult& n, const std::string& directory, const ProveOptions& o
   n.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// A hypothesis is checked by a node that is proved, or rests on one that is trusted or reasoned and
-// named.
-void settle_hypotheses(TheoremResult& result) {
-  std::map<std::string, NodeStatus> status;
+const NodeResult* find(const TheoremResult& result, const std::string& id) {
   for (const NodeResult& n : result.nodes)
-    status[n.node.id] = n.status;
-  for (NodeResult& n : result.nodes)
-    for (Hypothesis& h : n.node.hypotheses)
-      h.checked = !h.by.empty() && status.at(h.by) == NodeStatus::proved;
+    if (n.node.id == id) return &n;
+  return nullptr;
 }
 
 // Openness travels up the tree; the file has no circles.
-bool is_open_below(TheoremResult& result, const std::string& id) {
-  bool open = false;
-  for (NodeResult& n : result.nodes) {
-    if (n.node.id != id) continue;
-    for (const std::string& child : n.node.needs)
-      n.rests_on_open = is_open_below(result, child) || n.rests_on_open;
-    open = n.rests_on_open || n.status == NodeStatus::open || n.status == NodeStatus::refuted;
+class Openness {
+public:
+  explicit Openness(TheoremResult& result) {
+    for (NodeResult& n : result.nodes)
+      by_id_[n.node.id] = &n;
+    for (const auto& [id, n] : by_id_)
+      (void)reaches(id);
   }
-  return open;
+
+private:
+  bool reaches(const std::string& id) {
+    if (const auto known = open_.find(id); known != open_.end()) return known->second;
+    NodeResult& n = *by_id_.at(id);
+    for (const std::string& child : n.node.needs)
+      n.rests_on_open = reaches(child) || n.rests_on_open;
+    return open_[id] =
+               n.rests_on_open || n.status == NodeStatus::open || n.status == NodeStatus::refuted;
+  }
+
+  std::map<std::string, NodeResult*> by_id_;
+  std::map<std::string, bool> open_;
+};
+
+// A hypothesis is checked by a node that is proved and rests on nothing open.
+bool is_proved(const NodeResult& n) { return n.status == NodeStatus::proved && !n.rests_on_open; }
+
+void settle_hypotheses(TheoremResult& result, const std::string& directory) {
+  for (NodeResult& n : result.nodes) {
+    for (Hypothesis& h : n.node.hypotheses)
+      h.checked = !h.by.empty() && is_proved(*find(result, h.by));
+    for (const AdmittedFamily& f : n.admitted)
+      n.node.hypotheses.push_back(settle_family(n, f, find(result, f.left.by), directory));
+  }
+}
+
+// "Morales-Ramis" -> the node that stands for it among the needs: known by its id or by what it
+// cites.
+bool covers(const TheoremNode& node, const std::string& theorem) {
+  static const std::map<std::string, std::string> sources{{"Morales-Ramis", "MoralesRamis2001"},
+                                                          {"Ayoul-Zung", "AyoulZung2010"},
+                                                          {"Ziglin 1980", "Ziglin1980"}};
+  if (node.kind != NodeKind::theorem) return false;
+  const auto source = sources.find(theorem);
+  return source != sources.end() &&
+         std::find(node.cite.begin(), node.cite.end(), source->second) != node.cite.end();
+}
+
+// A theorem that a step uses is trusted, whether the file names it or not.
+void settle_theorems(TheoremResult& result) {
+  for (NodeResult& n : result.nodes)
+    std::erase_if(n.theorems, [&](const std::string& theorem) {
+      return std::any_of(n.node.needs.begin(), n.node.needs.end(), [&](const std::string& id) {
+        return covers(find(result, id)->node, theorem);
+      });
+    });
 }
 
 } // namespace
@@ -77,13 +130,13 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
   for (const TheoremNode& node : t.nodes) {
     NodeResult n;
     n.node = node;
-    run_step(n, directory, options);
+    run_step(n, t.file, directory, options);
     if (options.progress) options.progress(n);
     result.nodes.push_back(std::move(n));
   }
-  settle_hypotheses(result);
-  for (const TheoremNode& node : t.nodes)
-    (void)is_open_below(result, node.id);
+  const Openness settled(result);
+  settle_hypotheses(result, directory);
+  settle_theorems(result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

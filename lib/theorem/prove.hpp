@@ -24,4 +24,21 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);
 
+/// "The family is not integrable": checked if `by` is a case that proves it, and that is about it.
+[[nodiscard]] Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f,
+                                       const NodeResult* by, const std::string& directory);
+
+/// Errors  InputError without a place, which `prove` adds: `name` is not one of `known`
+void require_known(const std::string& name, const std::vector<std::string>& known,
+                   const std::string& what);
+
+/// The parameters without a value.
+[[nodiscard]] std::vector<std::string> free_parameters(const System& s);
+
+/// The path of a file named in the theorem file.
+[[nodiscard]] std::string beside(const std::string& directory, const std::string& file);
+
+/// What the system was told: the values in the file and in `where`, and what it assumes.
+void show_setting(NodeResult& n, const System& s);
+
 } // namespace kov

@@ -43,10 +43,23 @@ std::vector<std::string> texts_of(const Entry& e, std::string_view key) {
 
 ParameterValues read_values(const Entry& e, std::string_view key) {
   ParameterValues values;
-  if (const Entry* table = e.find(key))
-    for (const auto& [name, value] : table->members())
-      values.emplace_back(name, value.string());
+  const Entry* table = e.find(key);
+  if (!table) return values;
+  if (!table->is_table())
+    throw table->error(std::string(key) + " is a table of values",
+                       std::string(key) + " = { A = \"2*C\" }");
+  for (const auto& [name, value] : table->members())
+    values.emplace_back(name, value.string());
   return values;
+}
+
+// A sample lies in the family that `where` describes.
+void check_sample(const Entry& e, const TheoremNode& n) {
+  const Entry* sample = e.find("sample");
+  for (const auto& [name, value] : n.where)
+    if (const Entry* twice = sample ? sample->find(name) : nullptr)
+      throw twice->key_error("'" + name + "' has a value in where already (" + value + ")",
+                             "a sample gives values to the parameters that where leaves free");
 }
 
 Hypothesis read_hypothesis(const Entry& e) {
@@ -54,53 +67,110 @@ Hypothesis read_hypothesis(const Entry& e) {
   return {e.at("text").string(), text_of(e, "by"), false};
 }
 
+std::string read_expected(const Entry& e) {
+  const std::vector<std::string> known{"non-integrable", "no-obstruction", "depends", "any"};
+  if (std::find(known.begin(), known.end(), e.string()) == known.end())
+    throw e.error("'" + e.string() + "' is no verdict that a proof may end in",
+                  "one of " + enumerate(known));
+  return e.string();
+}
+
+// What each kind is asked, besides words: the keys that it must have, and those that it may have.
+struct Keys {
+  std::vector<std::string> must, may;
+};
+
+Keys keys_of(NodeKind kind) {
+  switch (kind) {
+  case NodeKind::claims:
+    return {{"file"}, {"where"}};
+  case NodeKind::case_file:
+    return {{"file"}, {"where", "sample", "manifold", "expect"}};
+  case NodeKind::splitting:
+    return {{"file", "small"}, {"where", "families", "triangle"}};
+  case NodeKind::scaling:
+    return {{"file", "small", "scaled"}, {"where"}};
+  case NodeKind::lowest_order:
+    return {{"file", "other"}, {"where"}};
+  default:
+    return {};
+  }
+}
+
+// A key that a step does not look at would be a promise that nobody keeps.
+void check_keys_of_kind(const Entry& e, NodeKind kind) {
+  const Keys keys = keys_of(kind);
+  const std::string name = to_string(kind);
+  for (const std::string& key : keys.must) {
+    const Entry* found = e.find(key);
+    if (!found) throw e.error("a node of kind '" + name + "' needs '" + key + "'");
+    if (found->strings().empty() || found->strings().front().empty())
+      throw found->error("'" + key + "' of a node of kind '" + name + "' is empty");
+  }
+  for (const char* key : {"file", "other", "where", "manifold", "expect", "small", "families",
+                          "triangle", "scaled", "sample"}) {
+    const auto among = [&](const std::vector<std::string>& all) {
+      return std::find(all.begin(), all.end(), key) != all.end();
+    };
+    if (e.find(key) && !among(keys.must) && !among(keys.may))
+      throw e.find(key)->key_error("a node of kind '" + name + "' does not look at '" + key + "'");
+  }
+}
+
+// Certificates are files of this name.
+std::string read_id(const Entry& e) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_';
+  };
+  const std::string& id = e.string();
+  if (id.empty() || !std::all_of(id.begin(), id.end(), allowed))
+    throw e.error("an id consists of letters, digits, - and _", "the title may be anything");
+  return id;
+}
+
 TheoremNode read_node(const Entry& e) {
   e.check_keys({"id", "title", "statement", "note", "kind", "needs", "cite", "hypotheses", "file",
                 "other", "where", "manifold", "expect", "small", "families", "triangle", "scaled",
                 "sample"});
   TheoremNode n;
-  n.id = e.at("id").string();
+  n.kind = kind_of(e.at("kind"));
+  check_keys_of_kind(e, n.kind);
+  n.id = read_id(e.at("id"));
   n.title = text_of(e, "title");
+  if (n.title.empty()) n.title = n.id;
   n.statement = e.at("statement").string();
   n.note = text_of(e, "note");
-  n.kind = kind_of(e.at("kind"));
   n.needs = texts_of(e, "needs");
   n.cite = texts_of(e, "cite");
   n.file = text_of(e, "file");
   n.other = text_of(e, "other");
   n.manifold = text_of(e, "manifold");
-  if (const Entry* x = e.find("expect")) {
-    n.expect = x->string();
-    const std::vector<std::string> known{"non-integrable", "no-obstruction", "depends", "any"};
-    if (std::find(known.begin(), known.end(), n.expect) == known.end())
-      throw x->error("'" + n.expect + "' is no verdict that a proof may end in",
-                     "one of " + enumerate(known));
-  }
+  if (const Entry* x = e.find("expect")) n.expect = read_expected(*x);
   n.small = texts_of(e, "small");
   n.scaled = texts_of(e, "scaled");
   if (const Entry* families = e.find("families"))
     for (const Entry* f : families->list()) { // another node has to prove what is left to it
-      f->check_keys({"family", "by"});
-      n.families.push_back(f->at("family").string());
-      n.needs.push_back(f->at("by").string());
+      f->check_keys({"family", "by", "units"});
+      n.families.push_back(
+          {f->at("family").string(), f->at("by").string(), read_values(*f, "units")});
+      n.needs.push_back(n.families.back().by);
     }
   if (const Entry* t = e.find("triangle")) n.triangle = t->boolean();
   n.where = read_values(e, "where");
   n.sample = read_values(e, "sample");
+  check_sample(e, n);
   if (const Entry* h = e.find("hypotheses"))
     for (const Entry* one : h->list())
       n.hypotheses.push_back(read_hypothesis(*one));
   n.line = e.line();
-  const bool computes = n.kind != NodeKind::theorem && n.kind != NodeKind::argument;
-  if (computes && n.file.empty()) throw e.error("this kind of node needs a file");
   return n;
 }
 
-void check_references(const Theorem& t, const Entry& document) {
-  std::map<std::string, const TheoremNode*> by_id;
-  for (const TheoremNode& n : t.nodes)
-    if (!by_id.emplace(n.id, &n).second)
-      throw document.error("the id '" + n.id + "' is used twice");
+using NodesById = std::map<std::string, const TheoremNode*>;
+
+// Everything that is named is there, and no hypothesis is its own proof.
+void check_names(const Theorem& t, const NodesById& by_id, const Entry& document) {
   std::vector<std::string> ids;
   for (const auto& [id, n] : by_id)
     ids.push_back(id);
@@ -113,9 +183,19 @@ void check_references(const Theorem& t, const Entry& document) {
   for (const TheoremNode& n : t.nodes) {
     for (const std::string& id : n.needs)
       known(id, n);
-    for (const Hypothesis& h : n.hypotheses)
-      if (!h.by.empty()) known(h.by, n);
+    for (const Hypothesis& h : n.hypotheses) {
+      if (h.by.empty()) continue;
+      known(h.by, n);
+      if (h.by == n.id)
+        throw document.error("node '" + n.id + "' checks its own hypothesis '" + h.text + "'",
+                             "'by' names another node, whose computation checks it");
+    }
   }
+}
+
+// No circles, and everything carries the root: a step that the theorem does not need would only
+// make it look better.
+void check_tree(const Theorem& t, const NodesById& by_id, const Entry& document) {
   std::set<std::string> open, done;
   const std::function<void(const TheoremNode&)> visit = [&](const TheoremNode& n) {
     if (done.contains(n.id)) return;
@@ -126,8 +206,24 @@ void check_references(const Theorem& t, const Entry& document) {
     open.erase(n.id);
     done.insert(n.id);
   };
+  visit(t.nodes.front());
+  const std::set<std::string> used = done;
   for (const TheoremNode& n : t.nodes)
     visit(n);
+  for (const TheoremNode& n : t.nodes)
+    if (!used.contains(n.id))
+      throw document.error("nothing rests on node '" + n.id + "': the first node, '" +
+                               t.nodes.front().id + "', does not need it",
+                           "add it to the needs of a node, or leave it out");
+}
+
+void check_references(const Theorem& t, const Entry& document) {
+  NodesById by_id;
+  for (const TheoremNode& n : t.nodes)
+    if (!by_id.emplace(n.id, &n).second)
+      throw document.error("the id '" + n.id + "' is used twice");
+  check_names(t, by_id, document);
+  check_tree(t, by_id, document);
 }
 
 } // namespace
@@ -172,6 +268,9 @@ Theorem read_theorem(const Entry& document) {
   t.cite = texts_of(document, "cite");
   for (const Entry* e : document.at("node").list())
     t.nodes.push_back(read_node(*e));
+  constexpr std::size_t most = 2000; // the tree is walked by recursion
+  if (t.nodes.size() > most)
+    throw document.error("a theorem has at most " + std::to_string(most) + " nodes");
   if (t.nodes.empty()) throw document.error("a theorem needs at least one [[node]]");
   check_references(t, document);
   return t;

@@ -1,7 +1,8 @@
 #include "theorem/theorem.hpp"
 
+#include "symbol/suggest.hpp"
+
 #include <algorithm>
-#include <cctype>
 
 namespace kov {
 namespace {
@@ -21,21 +22,13 @@ std::size_t TheoremResult::count(NodeStatus s) const {
       nodes.begin(), nodes.end(), [s](const NodeResult& n) { return n.status == s; }));
 }
 
-// A theorem that a step used by itself (Morales-Ramis) is listed unless the file has it as a node.
 std::vector<std::string> TheoremResult::trusted_theorems() const {
   std::vector<std::string> all;
-  const auto is_node = [&](std::string name) {
-    for (char& c : name)
-      c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return std::any_of(nodes.begin(), nodes.end(), [&](const NodeResult& n) {
-      return n.status == NodeStatus::trusted && n.node.id == name;
-    });
-  };
-  for (const NodeResult& n : nodes) {
-    if (n.status == NodeStatus::trusted) add_once(all, n.node.title);
+  for (const NodeResult& n : nodes)
+    if (n.status == NodeStatus::trusted) all.push_back(n.node.title);
+  for (const NodeResult& n : nodes)
     for (const std::string& t : n.theorems)
-      if (!is_node(t)) add_once(all, t);
-  }
+      add_once(all, t);
   return all;
 }
 
@@ -78,28 +71,36 @@ std::string TheoremResult::time() const {
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";
 }
 
-std::string TheoremResult::conclusion() const {
+// What the proof is given: everything that is not computed here.
+std::string TheoremResult::given() const {
   const std::size_t unchecked = unchecked_hypotheses().size();
-  std::string text;
-  const bool verdict_only = !nodes.empty() && nodes.front().node.expect == "any";
-  if (verdict_only)
-    text = complete() ? "DECIDED" : "NOT DECIDED";
-  else if (count(NodeStatus::refuted) > 0)
-    text =
-        "NOT PROVED: " + plural(count(NodeStatus::refuted), "step was", "steps were") + " refuted";
-  else if (count(NodeStatus::open) > 0)
-    text = "NOT YET PROVED: " + plural(count(NodeStatus::open), "step is", "steps are") + " open";
-  else
-    text = count(NodeStatus::proved) == 0 ? "NOTHING IS PROVED HERE"
-           : unchecked > 0                ? "PROVED, but for hypotheses that are not checked"
-                                          : "PROVED";
-  text += "; " + plural(count(NodeStatus::proved), "step") + " proved here, " +
-          plural(trusted_theorems().size(), "theorem") + " of the literature trusted, " +
-          (trusted_steps().empty() ? ""
-                                   : plural(trusted_steps().size(), "other step") + " on trust, ") +
-          plural(count(NodeStatus::reasoned), "argument") + " in words";
-  if (unchecked > 0) text += ", " + plural(unchecked, "hypothesis", "hypotheses") + " not checked";
-  return text;
+  std::vector<std::string> all;
+  if (const auto n = trusted_theorems().size(); n > 0)
+    all.push_back(plural(n, "theorem") + " of the literature");
+  if (const auto n = trusted_steps().size(); n > 0)
+    all.push_back(plural(n, "other step") + " on trust");
+  if (const auto n = count(NodeStatus::reasoned); n > 0)
+    all.push_back(plural(n, "argument") + " in words");
+  if (unchecked > 0) all.push_back(plural(unchecked, "hypothesis", "hypotheses") + " NOT CHECKED");
+  return enumerate(all);
+}
+
+std::string TheoremResult::verdict() const {
+  const bool is_verdict = !nodes.empty() && nodes.front().node.kind == NodeKind::case_file &&
+                          nodes.front().node.expect != "non-integrable";
+  if (const auto n = count(NodeStatus::refuted); n > 0)
+    return "NOT PROVED: " + plural(n, "step was", "steps were") + " refuted";
+  if (const auto n = count(NodeStatus::open); n > 0)
+    return std::string(is_verdict ? "NOT DECIDED: " : "NOT YET PROVED: ") +
+           plural(n, "step is", "steps are") + " open";
+  if (count(NodeStatus::proved) == 0) return "NOTHING IS PROVED HERE";
+  return is_verdict ? "DECIDED" : "PROVED";
+}
+
+std::string TheoremResult::conclusion() const {
+  const std::string conditions = complete() ? given() : "";
+  return verdict() + (conditions.empty() ? "" : ", given " + conditions) + "; " +
+         plural(count(NodeStatus::proved), "step") + " proved here";
 }
 
 } // namespace kov

@@ -56,15 +56,69 @@ void show_families(NodeResult& n, const SplittingClassification& k) {
   n.tables.push_back(std::move(empty));
 }
 
+// "with L2 = 0, L3 = 0: ", or nothing
+std::string fixed(const System& s) {
+  std::string text;
+  for (const auto& [name, value] : s.values)
+    text += (text.empty() ? "with " : ", ") + name + " = " + to_string(value);
+  return text.empty() ? text : text + ": ";
+}
+
+// The moments go by the names that the criterion gives them.
+bool has_moments(const EulerPerturbation& p) {
+  for (int k = 0; k < 3; ++k)
+    if (to_string(p.inverse_inertia[k]) != std::string("1/") + "ABC"[k]) return false;
+  return true;
+}
+
+// The equations of the family as values of parameters: L2 = 0, L3 = 0, C = 2*A - 2*B.
+std::vector<ParameterValues> members(const System& s, const std::vector<std::string>& small,
+                                     const SplittingFamily& f) {
+  if (f.direction || f.moments.size() > 1 || !has_moments(perturbation_of_euler(s, small)))
+    return {};
+  ParameterValues zero;
+  for (const std::string& name : f.zero)
+    zero.emplace_back(name, "0");
+  if (f.moments.empty()) return {zero};
+  std::vector<ParameterValues> all;
+  const MPoly& g = f.moments.front();
+  for (const std::size_t v : used_variables(MFraction(g))) {
+    const auto c = coefficients(g, v);
+    if (c.size() != 2 || !is_constant(c[1])) continue;
+    all.push_back(zero);
+    all.back().emplace_back(g.ring()->name(v), to_string(-MFraction(c[0], c[1])));
+  }
+  return all;
+}
+
+// The bodies and the directions that the criterion was asked about.
+std::string range(const System& s, const TheoremNode& node, bool triangle) {
+  std::string direction, zero;
+  for (const std::string& name : node.small) {
+    if (s.values.contains(name)) continue;
+    direction += (direction.empty() ? "" : ", ") + name;
+    zero += zero.empty() ? "0" : ", 0";
+  }
+  if (zero != "0") {
+    direction = "(" + direction + ")";
+    zero = "(" + zero + ")";
+  }
+  return "every body with three different moments" +
+         std::string(triangle ? " A > B > C, A <= B + C," : "") + " and every " + direction +
+         " other than " + zero;
+}
+
 } // namespace
 
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const System s = read_system(directory + n.node.file, n.node.where);
+  const System s = read_system(beside(directory, n.node.file), n.node.where);
+  show_setting(n, s);
+  for (const std::string& name : n.node.small)
+    require_known(name, free_parameters(s), "free parameter of " + n.node.file);
   const SplittingData d =
       splitting_data(perturbation_of_euler(s, n.node.small), options.decide.budget);
   n.checks = d.checks;
-  n.theorems.emplace_back(
-      "splitting-theorem"); // Ziglin 1980; listed unless the file has it as a node
+  n.theorems.emplace_back("Ziglin 1980");
   for (const CheckedIdentity& c : check_ziglin_hypotheses(d))
     n.checks.push_back(c);
   const VanishingConditions conditions = vanishing_conditions(d);
@@ -77,19 +131,34 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
     return;
   }
   std::string left, admitted;
+  bool triangle = false; // a family was left out because of it
   for (const SplittingFamily& f : k.families) {
     const std::string name = describe(f);
-    if (n.node.triangle && f.triangle == Truth::no) continue;
-    const bool listed =
-        std::find(n.node.families.begin(), n.node.families.end(), name) != n.node.families.end();
-    (listed ? admitted : left) += ((listed ? admitted : left).empty() ? "" : "; ") + name;
+    if (n.node.triangle && f.triangle == Truth::no) {
+      triangle = true;
+      continue;
+    }
+    const auto listed = std::find_if(n.node.families.begin(), n.node.families.end(),
+                                     [&](const LeftFamily& x) { return x.family == name; });
+    if (listed == n.node.families.end()) {
+      left += (left.empty() ? "" : "; ") + name;
+      continue;
+    }
+    n.admitted.push_back({*listed, members(s, n.node.small, f)});
+    admitted += (admitted.empty() ? ", except for the family " : "; ") + name +
+                (listed->by.empty() ? "" : ", left to '" + listed->by + "'");
   }
+  for (const LeftFamily& f : n.node.families)
+    if (std::none_of(k.families.begin(), k.families.end(),
+                     [&](const SplittingFamily& x) { return describe(x) == f.family; }))
+      left += (left.empty() ? "" : "; ") + f.family +
+              " (listed, but the criterion leaves no such family)";
   n.status = left.empty() ? NodeStatus::proved : NodeStatus::open;
-  n.summary = !left.empty()      ? "the criterion says nothing for: " + left
-              : admitted.empty() ? "a sum of residues is not zero for every body with three "
-                                   "different moments and every direction"
-                                 : "a sum of residues is not zero, except for the family " +
-                                       admitted + ", which needs another proof";
+  n.summary = fixed(s) + (left.empty() ? "a sum of residues is not zero for " +
+                                             range(s, n.node, triangle) + admitted +
+                                             "; by Ziglin's theorem there is no further integral "
+                                             "when these parameters are small"
+                                       : "the criterion says nothing for: " + left);
 }
 
 } // namespace kov

@@ -3,9 +3,9 @@
 //
 // A node is one of
 //   claims          all claims of a system file hold (integrals, Casimirs, brackets, ...)
-//   case            check of a system file: non-integrable, for the values or for all parameters
-//   allowed splitting       the separatrix criterion for a small parameter, with its exceptional
-//   families scaling         an exact identity between fields: from small parameters to all
+//   case            check of a system file: the verdict, for values or for all parameters
+//   splitting       the separatrix criterion for a small parameter, with its exceptional families
+//   scaling         an exact identity between fields: from small parameters to all
 //   lowest-order    the lowest weight-homogeneous part is another file's system
 //   theorem         a theorem of the literature, with its hypotheses: taken on trust
 //   argument        a step of reasoning in words: read by people, checked by none
@@ -47,6 +47,19 @@ struct Hypothesis {
   bool checked = false; ///< that node is proved, and says so
 };
 
+/// A family that the separatrix criterion leaves, and the case node that is to prove it.
+struct LeftFamily {
+  std::string family, by;
+  ParameterValues units; ///< parameters that are 1 in the file of the case
+};
+
+/// One that occurs, with its equations as values of parameters (in every way that they can be
+/// solved).
+struct AdmittedFamily {
+  LeftFamily left;
+  std::vector<ParameterValues> members;
+};
+
 struct TheoremNode {
   std::string id, title, statement, note;
   NodeKind kind = NodeKind::argument;
@@ -59,11 +72,10 @@ struct TheoremNode {
   std::string manifold;
   /// case: the verdict that counts as proved; "any": every decided one
   std::string expect = "non-integrable";
-  std::vector<std::string> small; ///< splitting, scaling: the parameters of size eps
-  std::vector<std::string>
-      families;         ///< splitting: the exceptional families that are allowed to remain
-  bool triangle = true; ///< splitting: only bodies with A <= B + C
-  std::vector<std::string> scaled; ///< scaling: the variables that take over eps
+  std::vector<std::string> small;   ///< splitting, scaling: the parameters of size eps
+  std::vector<LeftFamily> families; ///< splitting: the exceptional families that may remain
+  bool triangle = true;             ///< splitting: only bodies with A <= B + C
+  std::vector<std::string> scaled;  ///< scaling: the variables that take over eps
   long line = 0;
 };
 
@@ -101,13 +113,14 @@ struct PolePicture {
 struct NodeResult {
   TheoremNode node;
   NodeStatus status = NodeStatus::open;
-  bool rests_on_open = false; ///< something below it is open or refuted
-  std::string summary;        ///< one sentence: what was found
-  CheckedIdentities checks;   ///< each identity that was verified
+  bool rests_on_open = false;           ///< something below it is open or refuted
+  std::vector<AdmittedFamily> admitted; ///< splitting: families that are left to other nodes
+  std::string summary;                  ///< one sentence: what was found
+  CheckedIdentities checks;             ///< each identity that was verified
   std::vector<Formula> formulas;
   std::vector<Grid> tables;
   std::vector<PolePicture> pictures;
-  std::vector<std::string> theorems;     ///< of the literature, used on the way (Morales-Ramis)
+  std::vector<std::string> theorems;     ///< of the literature, used and not among the needs
   std::vector<std::string> trusted;      ///< other steps on faith
   std::vector<std::string> certificates; ///< JSON, accepted by the judge
   double seconds = 0;
@@ -124,10 +137,12 @@ struct TheoremResult {
   [[nodiscard]] std::vector<std::string> unchecked_hypotheses() const;
   [[nodiscard]] std::size_t certificates() const;
   [[nodiscard]] std::size_t identities() const;
-  /// Nothing open or refuted below the root.
+  /// Nothing open or refuted.
   [[nodiscard]] bool complete() const;
-  [[nodiscard]] std::string time() const; ///< "1.2 s"
-  /// "PROVED; 16 steps proved here, ..."
+  [[nodiscard]] std::string time() const;    ///< "1.2 s"
+  [[nodiscard]] std::string given() const;   ///< "4 theorems of the literature and 6 arguments ..."
+  [[nodiscard]] std::string verdict() const; ///< "PROVED", "NOT YET PROVED: 2 steps are open", ...
+  /// "PROVED, given 4 theorems of the literature and 6 arguments in words; 16 steps proved here"
   [[nodiscard]] std::string conclusion() const;
 };
 

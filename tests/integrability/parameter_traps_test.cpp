@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace kov {
 namespace {
 
@@ -83,6 +85,43 @@ TEST(ParameterTraps, OtherBlocksOnASpecialStratum) {
             VerdictKind::non_integrable);
 }
 
+// At a = 0 the block (y1, y2) is abelian, and (y3, y4), which is none elsewhere, is not.
+TEST(ParameterTraps, ANewBlockOnASpecialStratum) {
+  const std::string text =
+      field("y1 = \"a*y2\"\ny2 = \"y1\"\ny3 = \"y4\"\ny4 = \"2*x*y4\"\ny5 = \"a*y3\"\n",
+            "\"y1\", \"y2\", \"y3\", \"y4\", \"y5\"",
+            "\"y1 = 0\", \"y2 = 0\", \"y3 = 0\", \"y4 = 0\", \"y5 = 0\"") +
+      "variable = \"y1\"\n";
+  EXPECT_EQ(verdict(text), VerdictKind::depends);
+}
+
+// At a = 0 there is a chain y2 -> y3 -> y4 of first-order equations with the integral of exp(x^2):
+// its group is not abelian, and only its diagonal was looked at.
+TEST(ParameterTraps, DiagonalBlocksAreNotCalledAGroup) {
+  const std::string text =
+      field("y1 = \"a*y2\"\ny2 = \"2*x*y2 + a*y1\"\ny3 = \"y2\"\ny4 = \"y3\"\n",
+            "\"y1\", \"y2\", \"y3\", \"y4\"", "\"y1 = 0\", \"y2 = 0\", \"y3 = 0\", \"y4 = 0\"") +
+      "variable = \"y1\"\n";
+  const CheckReport report = check_system(read_system(parse_document(text, "test.toml"), {}));
+  const auto& strata = report.manifolds.at(0).blocks.at(0).strata;
+  ASSERT_TRUE(strata);
+  const auto special =
+      std::find_if(strata->strata.begin(), strata->strata.end(), [](const strata::Stratum& x) {
+        return strata::to_string(x.conditions) == "a = 0";
+      });
+  ASSERT_NE(special, strata->strata.end());
+  EXPECT_TRUE(special->leaf.blocks_only);
+  EXPECT_FALSE(special->leaf.group);
+}
+
+// x - a y is an integral that says nothing about y at a = 0... unless it is written as y - x/a.
+TEST(ParameterTraps, AnIntegralThatMeansNothingOnASpecialStratum) {
+  const std::string text = field("y1 = \"a*y2\"\ny2 = \"a*x*y1\"\ny3 = \"y2\"\n",
+                                 "\"y1\", \"y2\", \"y3\"", "\"y1 = 0\", \"y2 = 0\", \"y3 = 0\"") +
+                           "[[integral]]\nname = \"F\"\nvalue = \"y3 - y1/a\"\n";
+  EXPECT_NE(verdict(text), VerdictKind::non_integrable);
+}
+
 TEST(ParameterTraps, AParameterOfAFunctionLabelsNoLevel) {
   // f' = a: at a = 0 the coefficient f is constant
   EXPECT_NE(verdict("[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\", \"w\"]\n"
@@ -105,6 +144,14 @@ change = "z = q2"
 )t";
   EXPECT_NE(verdict(hamiltonian("(p1^2 + p2^2)/2 + a*q2 + a*q1^2*q2", level_a)),
             VerdictKind::non_integrable);
+}
+
+// Constant coefficients: the group is a torus or additive, for every a.
+TEST(ParameterTraps, NothingDependsOnTheTime) {
+  EXPECT_EQ(verdict("[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\", \"w\"]\n"
+                    "parameters = [\"a\"]\n[system.field]\nx = \"1\"\ny = \"w\"\nw = \"a*y\"\n"
+                    "[[manifold]]\nname = \"m\"\nequations = [\"y = 0\", \"w = 0\"]\n"),
+            VerdictKind::no_obstruction);
 }
 
 TEST(ParameterTraps, SeveralComponentsAreRefused) {

@@ -51,6 +51,24 @@ equations = ["q1 = 0", "p1 = 0", "q2 = 0", "p2 = 0"])t"),
               HasSubstr("points"));
 }
 
+// Nothing depends on x, and x moves: the phase curve is a line, not a point.
+TEST(Manifold, ACyclicCoordinateMayBeTheTime) {
+  const auto proved = [](const std::string& speed) {
+    const System s = read_system(parse_document("[system]\nkind = \"vector-field\"\n"
+                                                "coordinates = [\"x\", \"y\", \"w\"]\n"
+                                                "parameters = [\"a\"]\n[system.field]\nx = \"" +
+                                                    speed +
+                                                    "\"\ny = \"w\"\nw = \"a*y\"\n[[manifold]]\n"
+                                                    "equations = [\"y = 0\", \"w = 0\"]\n",
+                                                "test.toml"));
+    return std::holds_alternative<InvariantManifold>(prove_invariant(s.field, s.manifolds[0]));
+  };
+  EXPECT_TRUE(proved("1"));
+  EXPECT_TRUE(proved("a"));
+  EXPECT_FALSE(proved("0"));
+  EXPECT_FALSE(proved("y"));
+}
+
 TEST(Manifold, EquationsNeedNotBeCoordinates) {
   const System s = henon_heiles(R"t([set]
 b = "1"

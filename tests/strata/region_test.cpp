@@ -28,6 +28,20 @@ TEST(Region, SumsOfPositiveTermsAreNotZero) {
   EXPECT_TRUE(r.trusted().empty());
 }
 
+// x = d^2/c > 0 with complex c, d says nothing about the sign of c d^2.
+TEST(Region, AnInequalityIsCarriedOverARealDenominatorOnly) {
+  const Ring complex = make_ring({"c", "d", "x", "z"});
+  const auto v = [&](const char* name) { return MFraction::variable(complex, name); };
+  Assumptions a;
+  a.require(v("x"), Sign::positive);
+  a.require(v("c"), Sign::nonzero);
+  const auto there = Region(complex, a).where_zero((v("c") * v("x") - v("d") * v("d")).num());
+  ASSERT_TRUE(std::holds_alternative<Region>(there));
+  const Region& s = std::get<Region>(there);
+  EXPECT_EQ(s.sign_of((v("c") * v("d") * v("d")).num()), 0);
+  EXPECT_TRUE(s.is_nonzero(v("d").num()));
+}
+
 TEST(Region, EquationsAreSolvedAndCarriedIntoTheAssumptions) {
   const Region r = positive_bodies();
   const auto there = r.where_zero((x("C") - x("A") + number(1)).num());

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 using namespace kov;
 using testing::HasSubstr;
 
@@ -28,6 +30,27 @@ TheoremNode node(NodeKind kind, const std::string& file) {
 
 NodeResult run(const TheoremNode& n) {
   return prove({cases + "sliding_top/test.toml", "T", "S", {}, {n}}).nodes.front();
+}
+
+// A system file for one test.
+std::string written(const std::string& name, const std::string& text) {
+  const std::string path = testing::TempDir() + name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+std::string on_axis(const std::string& parameters, const std::string& hamiltonian) {
+  return "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\n"
+         "momenta = [\"p1\", \"p2\"]\nparameters = [" +
+         parameters + "]\nhamiltonian = \"" + hamiltonian +
+         "\"\n[[manifold]]\nname = \"axis\"\nequations = [\"q1 = 0\", \"p1 = 0\"]\n"
+         "level = \"H = h\"\n[reduce]\nvariable = \"q1\"\nchange = \"z = q2\"\n";
+}
+
+// The step by itself, with a file that is not among the cases.
+NodeResult run_written(TheoremNode n, const std::string& text) {
+  n.file = written(n.file, text).substr(testing::TempDir().size());
+  return prove({testing::TempDir() + "test.toml", "T", "S", {}, {n}}).nodes.front();
 }
 
 std::string error_of(const std::string& nodes) {
@@ -56,6 +79,103 @@ TEST(TheoremFile, MistakesAreInputErrors) {
       error_of("[[node]]\nid = \"a\"\nstatement = \"\"\nkind = \"argument\"\n[[node]]\nid = \"a\"\n"
                "statement = \"\"\nkind = \"argument\"\n"),
       HasSubstr("twice"));
+}
+
+// A key that nobody looks at would be a promise that nobody keeps.
+// A step that carries nothing would only make the theorem look better.
+TEST(TheoremFile, EveryNodeCarriesTheRootAndNoneItself) {
+  const std::string a = "[[node]]\nid = \"a\"\nstatement = \"\"\nkind = \"argument\"\n";
+  const std::string b = "[[node]]\nid = \"b\"\nstatement = \"\"\nkind = \"theorem\"\n";
+  EXPECT_THAT(error_of(a + b), HasSubstr("nothing rests on node 'b'"));
+  EXPECT_EQ(error_of(a + "needs = [\"b\"]\n" + b), "");
+  EXPECT_THAT(error_of(b + "hypotheses = [{ text = \"h\", by = \"b\" }]\n"),
+              HasSubstr("checks its own hypothesis"));
+}
+
+TEST(Conclusion, SaysWhatTheProofIsGiven) {
+  const TheoremResult r = prove(parsed("[[node]]\nid = \"a\"\nstatement = \"\"\n"
+                                       "kind = \"argument\"\nneeds = [\"b\"]\n"
+                                       "[[node]]\nid = \"b\"\nstatement = \"\"\n"
+                                       "kind = \"claims\"\nfile = \"euler.toml\"\n"));
+  EXPECT_EQ(r.conclusion(), "PROVED, given 1 argument in words; 1 step proved here");
+  const TheoremResult nothing =
+      prove(parsed("[[node]]\nid = \"a\"\nstatement = \"\"\nkind = \"argument\"\n"));
+  EXPECT_THAT(nothing.conclusion(), HasSubstr("NOTHING IS PROVED HERE"));
+}
+
+// The theorem of the literature is counted, whether the file names it or not.
+TEST(Conclusion, CountsTheTheoremsThatStepsUse) {
+  TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
+  n.where = {{"A", "1"}, {"C", "3/2"}};
+  const TheoremResult r = prove({cases + "sliding_top/test.toml", "T", "S", {}, {n}});
+  EXPECT_THAT(r.trusted_theorems(), testing::ElementsAre("Morales-Ramis"));
+}
+
+TEST(TheoremFile, KeysThatAKindDoesNotLookAtAreErrors) {
+  const std::string head = "[[node]]\nid = \"a\"\nstatement = \"\"\nkind = ";
+  EXPECT_THAT(error_of(head + "\"claims\"\nfile = \"x.toml\"\nsample = { A = \"1\" }\n"),
+              HasSubstr("does not look at 'sample'"));
+  EXPECT_THAT(error_of(head + "\"argument\"\nfile = \"x.toml\"\n"),
+              HasSubstr("does not look at 'file'"));
+  EXPECT_THAT(error_of(head + "\"scaling\"\nfile = \"x.toml\"\n"), HasSubstr("needs 'small'"));
+  EXPECT_THAT(error_of(head + "\"lowest-order\"\nfile = \"x.toml\"\n"), HasSubstr("needs 'other'"));
+  EXPECT_THAT(error_of(head + "\"case\"\nfile = \"x.toml\"\nwhere = \"A = 1\"\n"),
+              HasSubstr("table of values"));
+  EXPECT_THAT(error_of(head + "\"case\"\nfile = \"x.toml\"\nexpect = \"undecided\"\n"),
+              HasSubstr("no verdict"));
+}
+
+TEST(TheoremFile, AValueForAnUnknownParameterIsAnErrorOfTheTheoremFile) {
+  TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
+  n.where = {{"zz", "1"}};
+  n.line = 7;
+  try {
+    (void)run(n);
+    FAIL();
+  } catch (const InputError& e) {
+    EXPECT_THAT(e.what(),
+                HasSubstr("test.toml:7: error: node 'n', value of zz: 'zz' is not a parameter"));
+  }
+}
+
+// Names that the system file does not know are mistakes of the theorem file, not open questions.
+TEST(TheoremFile, NamesThatTheSystemDoesNotKnowAreErrors) {
+  const auto message = [](TheoremNode n) -> std::string {
+    try {
+      return "no error: " + run(n).summary;
+    } catch (const InputError& e) {
+      return e.what() + e.hint();
+    }
+  };
+  TheoremNode n = node(NodeKind::scaling, "sliding_top.toml");
+  n.small = {"L1", "L22"};
+  n.scaled = {"Gamma1"};
+  EXPECT_THAT(message(n), HasSubstr("'L22' is no free parameter"));
+  n.small = {"L1"};
+  n.scaled = {"Gama1"};
+  EXPECT_THAT(message(n), HasSubstr("did you mean Gamma1"));
+  n.where = {{"L1", "0"}};
+  EXPECT_THAT(message(n), HasSubstr("'L1' is no free parameter"));
+  TheoremNode c = node(NodeKind::case_file, "lemma3.toml");
+  c.manifold = "nope";
+  EXPECT_THAT(message(c), HasSubstr("'nope' is no manifold"));
+  const std::string id = "[[node]]\nid = \"../a\"\nstatement = \"\"\nkind = \"argument\"\n";
+  EXPECT_THAT(error_of(id), HasSubstr("an id consists of"));
+}
+
+// Every node is needed twice: 2^60 paths, and each node is looked at once.
+TEST(TheoremFile, ManyPathsAreNoTrouble) {
+  std::string text;
+  for (int i = 0; i < 60; ++i)
+    for (const std::string side : {"a", "b"}) {
+      const std::string next = std::to_string(i + 1);
+      text += "[[node]]\nid = \"" + side + std::to_string(i) +
+              "\"\nstatement = \"\"\nkind = \"argument\"\nneeds = [\"" +
+              (i == 0 && side == "a" ? "b0\", \"a" : "a") + next + "\", \"b" + next + "\"]\n";
+    }
+  for (const std::string side : {"a60", "b60"})
+    text += "[[node]]\nid = \"" + side + "\"\nstatement = \"\"\nkind = \"argument\"\n";
+  EXPECT_TRUE(prove(parsed(text)).complete());
 }
 
 TEST(TheoremFile, OpennessTravelsUpAndUncheckedHypothesesShow) {
@@ -102,6 +222,23 @@ TEST(ClaimsStep, AFalseClaimRefutes) {
   EXPECT_EQ(run(n).status, NodeStatus::proved);
 }
 
+// What a claim divides by is a condition, whether the proof or the claim itself divides.
+TEST(ClaimsStep, WhereAClaimMeansSomething) {
+  const std::string field = "[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\"]\n"
+                            "parameters = [\"a\"]\n[system.field]\nx = \"a*x\"\ny = \"x\"\n";
+  const std::string quotient = "[[integral]]\nname = \"F\"\nvalue = \"y - x/a\"\n";
+  const TheoremNode n = node(NodeKind::claims, "theorem_test_claims.toml");
+  for (const std::string& claim :
+       {quotient, std::string("[[integral]]\nname = \"F\"\nvalue = \"y\"\non = \"a*x = 0\"\n")}) {
+    const NodeResult r = run_written(n, field + claim);
+    ASSERT_EQ(r.node.hypotheses.size(), 1U);
+    EXPECT_THAT(r.node.hypotheses[0].text, HasSubstr("a != 0"));
+    EXPECT_FALSE(r.node.hypotheses[0].checked);
+  }
+  const std::string assumed = field + "[assume]\na = \"positive\"\n" + quotient;
+  EXPECT_TRUE(run_written(n, assumed).node.hypotheses.empty());
+}
+
 TEST(ScalingStep, HoldsForTheHeavyTopTooAndNotForTheSlidingTopWithGravity) {
   TheoremNode n = node(NodeKind::scaling, "../classics/heavy_top.toml");
   n.small = {"L1", "L2", "L3"};
@@ -124,10 +261,94 @@ TEST(SplittingStep, AFamilyThatIsNotListedLeavesTheStepOpen) {
   const NodeResult open = run(n);
   EXPECT_EQ(open.status, NodeStatus::open);
   EXPECT_THAT(open.summary, HasSubstr("2*A - 2*B - C = 0"));
-  n.families = {"L3 = 0, L2 = 0, 2*A - 2*B - C = 0"};
+  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", "", {}}};
   EXPECT_EQ(run(n).status, NodeStatus::proved);
   n.triangle = false; // then there is one more
   EXPECT_EQ(run(n).status, NodeStatus::open);
+}
+
+// What `where` fixes was not studied for other values, and the sentence must not say that it was.
+TEST(SplittingStep, SaysWhatWasFixedAndWhichDirectionsWereLookedAt) {
+  TheoremNode n = node(NodeKind::splitting, "../classics/heavy_top.toml");
+  n.where = {{"L2", "0"}, {"L3", "0"}};
+  n.small = {"L1"};
+  const NodeResult one = run(n);
+  EXPECT_EQ(one.status, NodeStatus::proved);
+  EXPECT_THAT(one.summary, HasSubstr("with L2 = 0, L3 = 0"));
+  EXPECT_THAT(one.summary, HasSubstr("every L1 other than 0"));
+  n.where = {};
+  n.small = {"L1", "L2", "L3"};
+  EXPECT_THAT(run(n).summary, HasSubstr("every (L1, L2, L3) other than (0, 0, 0)"));
+}
+
+// Bodies outside the triangle inequality are left out, and that is said.
+TEST(SplittingStep, SaysThatTheTriangleInequalityWasUsed) {
+  TheoremNode n = node(NodeKind::splitting, "sliding_top.toml");
+  n.where = {{"g", "0"}};
+  n.small = {"L1", "L2", "L3"};
+  n.families = {{"L3 = 0, L2 = 0, 2*A - 2*B - C = 0", "", {}}};
+  EXPECT_THAT(run(n).summary, HasSubstr("A <= B + C"));
+}
+
+namespace {
+
+TheoremResult left_to(const std::string& units, const std::string& other) {
+  return prove(parsed(R"(
+[[node]]
+id = "splitting"
+kind = "splitting"
+statement = ""
+file = "sliding_top.toml"
+where = { g = "0" }
+small = ["L1", "L2", "L3"]
+families = [{ family = "L3 = 0, L2 = 0, 2*A - 2*B - C = 0", by = "other")" +
+                      units + R"( }]
+[[node]]
+id = "other"
+statement = ""
+)" + other));
+}
+
+std::string unchecked(const TheoremResult& r) {
+  const auto all = r.unchecked_hypotheses();
+  return all.empty() ? "" : all.front();
+}
+
+const std::string long_axis = "kind = \"case\"\nfile = \"long_axis.toml\"\n";
+const std::string in_units = ", units = { m = \"1\", L1 = \"1\" }";
+
+} // namespace
+
+// The family needs a proof of non-integrability; a claim about something else is none.
+TEST(SplittingStep, AFamilyIsNotLeftToJustAnyNode) {
+  const TheoremResult claims = left_to("", "kind = \"claims\"\nfile = \"euler.toml\"\n");
+  EXPECT_THAT(unchecked(claims), HasSubstr("'other' is no case"));
+  EXPECT_THAT(claims.trusted_theorems(), testing::ElementsAre("Ziglin 1980"));
+  EXPECT_THAT(claims.conclusion(), HasSubstr("1 hypothesis NOT CHECKED"));
+  const std::string sample = "kind = \"case\"\nfile = \"lemma3_sample.toml\"\n";
+  EXPECT_THAT(unchecked(left_to(in_units, sample)), HasSubstr("its field is another one"));
+}
+
+// The field of the case is that of the splitting step on the family, up to a choice of units.
+TEST(SplittingStep, AFamilyIsLeftToACaseAboutIt) {
+  EXPECT_EQ(unchecked(left_to(in_units, long_axis)), "");
+  EXPECT_THAT(unchecked(left_to("", long_axis)), HasSubstr("its field is another one"));
+  EXPECT_THAT(unchecked(left_to(", units = { m = \"1\", L1 = \"2\" }", long_axis)),
+              HasSubstr("its field is another one"));
+  // one body only
+  EXPECT_NE(unchecked(left_to(in_units, long_axis + "where = { A = \"5/4\", B = \"1\" }\n")), "");
+}
+
+// What the case assumes besides must follow.
+TEST(SplittingStep, AFamilyIsNotLeftToACaseAboutPartOfIt) {
+  std::ifstream file(cases + "sliding_top/long_axis.toml");
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const auto at = text.find("\"3*B - 2*A > 0\"");
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at, "\"4*B - 3*A > 0\", ");
+  const std::string path = written("theorem_test_part.toml", text);
+  EXPECT_THAT(unchecked(left_to(in_units, "kind = \"case\"\nfile = \"" + path + "\"\n")),
+              HasSubstr("it assumes that 4*B - 3*A > 0"));
 }
 
 TEST(SplittingStep, OtherSystemsAreOpenWithAReason) {
@@ -143,6 +364,90 @@ TEST(CaseStep, ASampleIsProvedWithACertificate) {
   EXPECT_EQ(r.status, NodeStatus::proved);
   EXPECT_EQ(r.certificates.size(), 1U);
   EXPECT_FALSE(r.theorems.empty());
+}
+
+// At h = 0 nothing moves along q2: the sample is not decided, and the sentence says so.
+TEST(CaseStep, AnUndecidedSampleIsSaid) {
+  TheoremNode n = node(NodeKind::case_file, "theorem_test_level.toml");
+  n.sample = {{"h", "0"}};
+  const NodeResult r = run_written(n, on_axis("\"h\"", "(p1^2 + p2^2*q2)/2 + q1^2*q2^2"));
+  EXPECT_EQ(r.status, NodeStatus::proved); // other levels are enough
+  EXPECT_THAT(r.summary, HasSubstr("SAMPLE h = 0 BY ITSELF IS UNDECIDED"));
+}
+
+// An irregular place leaves a smaller class of first integrals.
+TEST(CaseStep, TheClassOfFirstIntegralsIsSaid) {
+  const TheoremNode n = node(NodeKind::case_file, "theorem_test_class.toml");
+  const NodeResult r = run_written(n, on_axis("\"h\"", "(p1^2 + p2^2 + q2^2)/2 + q1^2*q2^2"));
+  EXPECT_EQ(r.status, NodeStatus::proved);
+  EXPECT_THAT(r.summary, HasSubstr("meromorphic also at the points at infinity"));
+}
+
+// One level is enough, and a level that is abelian is no counterexample.
+TEST(CaseStep, ASampleOfAnotherLevelIsNoContradiction) {
+  TheoremNode n = node(NodeKind::case_file, "theorem_test_levels.toml");
+  n.where = {{"a", "1"}};
+  n.sample = {{"h", "0"}};
+  const std::string text = on_axis("\"a\", \"h\"", "(p1^2 + p2^2)/2 + a*q2^2 + q1^2*(a/4 + q2^2)");
+  const NodeResult r = run_written(n, text);
+  EXPECT_EQ(r.status, NodeStatus::proved);
+  EXPECT_THAT(r.summary, HasSubstr("at the level of the sample h = 0: no-obstruction"));
+}
+
+TEST(CaseStep, ASampleGivesNoSecondValue) {
+  const std::string text = "[[node]]\nid = \"a\"\nstatement = \"\"\nkind = \"case\"\n"
+                           "file = \"x.toml\"\nwhere = { A = \"1\" }\nsample = { A = \"2\" }\n";
+  EXPECT_THAT(error_of(text), HasSubstr(":10:12: error: 'A' has a value in where already"));
+  EXPECT_THAT(error_of(text), HasSubstr("leaves free"));
+}
+
+// q1 = p1 = 0 passes the test, q2 = p2 = 0 does not: the file as a whole does not.
+TEST(CaseStep, OneManifoldIsEnough) {
+  const std::string text = R"t([system]
+kind = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta = ["p1", "p2"]
+hamiltonian = "(p1^2 + p2^2 + q1^2 + q2^2)/2 + q1^4*q2^2"
+[[manifold]]
+name = "passes"
+equations = ["q1 = 0", "p1 = 0"]
+level = "H = 1"
+[[manifold]]
+name = "other"
+equations = ["q2 = 0", "p2 = 0"]
+level = "H = 1"
+)t";
+  TheoremNode n = node(NodeKind::case_file, "theorem_test_two.toml");
+  n.expect = "any";
+  EXPECT_THAT(run_written(n, text).summary, testing::StartsWith("non-integrable"));
+  n.expect = "no-obstruction";
+  EXPECT_EQ(run_written(n, text).status, NodeStatus::refuted);
+  n.manifold = "passes";
+  EXPECT_EQ(run_written(n, text).status, NodeStatus::proved);
+}
+
+TEST(CaseStep, ADecidedVerdictThatIsAnotherOneRefutes) {
+  TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
+  n.where = {{"A", "1"}, {"C", "3/2"}};
+  n.expect = "no-obstruction";
+  const NodeResult r = run(n);
+  EXPECT_EQ(r.status, NodeStatus::refuted);
+  EXPECT_THAT(r.summary, HasSubstr("expected no-obstruction, found non-integrable"));
+}
+
+TEST(LowestOrderStep, NeedsWeights) {
+  TheoremNode n = node(NodeKind::lowest_order, "../classics/heavy_top.toml");
+  n.other = "../classics/heavy_top.toml";
+  const NodeResult r = run(n);
+  EXPECT_EQ(r.status, NodeStatus::open);
+  EXPECT_THAT(r.summary, HasSubstr("weights"));
+}
+
+TEST(CaseStep, ThePassedTestProvesNothing) {
+  TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
+  n.where = {{"A", "1"}, {"C", "1"}};
+  n.expect = "no-obstruction";
+  EXPECT_THAT(run(n).summary, HasSubstr("nothing follows about integrability"));
 }
 
 // A member of the family that the splitting leaves, and one where singular points meet.

@@ -3,6 +3,7 @@
 #include "present_strata.hpp"
 
 #include "recognized.hpp"
+#include "strata/certificate.hpp"
 
 #include <chrono>
 #include <exception>
@@ -116,12 +117,16 @@ private:
   std::optional<std::string> by_strata(const Question& question, const Json& known) const {
     strata::StrataLimits limits;
     limits.decide = settings_.solver_options();
-    limits.decide.want_trace = limits.decide.want_certificate = false;
+    limits.decide.want_trace = false;
     Json result;
     try {
       const Family f = read_family(question.text);
       limits.decide.variable = f.variable;
-      result = family_result(id_, f, strata::decide_strata(f.question, limits));
+      const strata::StrataAnswer answer = strata::decide_strata(f.question, limits);
+      result = family_result(id_, f, answer);
+      if (limits.decide.want_certificate && answer.tree)
+        result["certificate"] =
+            Json::parse(strata::certificate(answer, limits.decide.budget).json);
     } catch (const FreeParameters&) {
       return std::nullopt;
     }

@@ -89,6 +89,8 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
   if (m.blocks.empty())
     for (const auto& r : m.reasons)
       put(out, "because", r);
+  else if (m.verdict == VerdictKind::no_obstruction && m.blocks.size() > 1)
+    put(out, "note", m.reasons.back());
 }
 
 std::string text_of(const System& s, const ManifoldReport& m) {
@@ -158,7 +160,9 @@ public:
 private:
   void round(const ParameterValues& values) {
     const System s = read_system(document_, values);
-    const CheckReport report = check_system(s, options_);
+    CheckReport report = check_system(s, options_);
+    for (auto& m : report.manifolds)
+      if (m.failure && is_fine_without(values, m.name)) degenerate(m);
     if (report_.json.at("results").empty()) claims(report);
     Json json = json_of_report(s, report);
     for (std::size_t i = 0; i < report.manifolds.size(); ++i) {
@@ -171,6 +175,21 @@ private:
     for (const auto& x : s.expectations)
       if (x.where == values || (values == base_ && x.where.empty()))
         expect(describe(x), unmet(x, report));
+  }
+
+  // Values can turn a curve into points; then they are the reason, and the file is not wrong.
+  bool is_fine_without(const ParameterValues& values, const std::string& manifold) const {
+    if (values.empty()) return false;
+    const System file = read_system(document_, {});
+    for (const auto& spec : file.manifolds)
+      if (spec.name == manifold)
+        return std::holds_alternative<InvariantManifold>(prove_invariant(file.field, spec));
+    return false;
+  }
+
+  static void degenerate(ManifoldReport& m) {
+    m.reasons = {"at these values " + m.failure->message};
+    m.failure.reset();
   }
 
   void file_certificates(const System& s, const ManifoldReport& m, Json& json) {

@@ -1,0 +1,24 @@
+#pragma once
+// What decide_strata() found, written down for the judge: a certificate in the format
+// kovacic-strata/1 (docs/theory/strata_certificates.md).
+
+#include "strata/decide_strata.hpp"
+
+#include <string>
+
+namespace kov::strata {
+
+struct StrataCertificate {
+  std::string json;
+  std::size_t trusted = 0;           ///< nodes that rest on Z3 or on a theorem without a rule
+  std::vector<std::string> uncertified; ///< why: one line for each such node
+};
+
+/// Strata that the rules do not cover become `trusted` (decided by the solver alone) or `open` (undecided)
+/// nodes.
+///
+/// Requires  a = decide_strata(...) with Options::want_certificate
+/// Cost      about that of the verdicts of all leaves once more
+[[nodiscard]] StrataCertificate certificate(const StrataAnswer& a, const Budget& budget = {});
+
+} // namespace kov::strata

@@ -1,0 +1,351 @@
+#include "strata/known_facts.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov::strata {
+namespace {
+
+using certify::Json;
+
+/// c with p = c q, if there is one.
+std::optional<Rational> ratio(const MPoly& p, const MPoly& q) {
+  if (is_zero(p) || is_zero(q)) return std::nullopt;
+  const MFraction f(p, q);
+  if (!is_constant(f)) return std::nullopt;
+  return to_rational(f);
+}
+
+Json text(const std::string& s) { return Json{s}; }
+Json text(long n) { return Json{std::to_string(n)}; }
+
+Rational power(const Rational& k, long n) {
+  return {pow(k.num(), static_cast<unsigned long>(n)), pow(k.den(), static_cast<unsigned long>(n))};
+}
+
+bool ordered(Sign s) { return s == Sign::positive || s == Sign::nonnegative; }
+
+constexpr auto nowhere = static_cast<std::size_t>(-1);
+
+} // namespace
+
+Json to_json(const std::vector<LemmaTerm>& terms) {
+  Json::Array all;
+  for (const auto& t : terms) {
+    Json::Array term{text(to_string(t.c))};
+    for (const auto& [i, e] : t.conditions)
+      term.push_back(Json{Json::Array{text("condition"), text(static_cast<long>(i)), text(e)}});
+    for (const auto& [q, e] : t.squares)
+      term.push_back(Json{Json::Array{text("square"), text(to_string(q)), text(e)}});
+    all.push_back(Json{std::move(term)});
+  }
+  return Json{std::move(all)};
+}
+
+Json to_json(const Lemma& lemma) {
+  Json::Object o{{"p", text(to_string(lemma.p))}};
+  if (lemma.times) o.emplace_back("times", text(to_string(*lemma.times)));
+  o.emplace_back("sign", text(lemma.positive ? "positive" : "nonzero"));
+  if (!lemma.terms.empty()) o.emplace_back("terms", to_json(lemma.terms));
+  return Json{std::move(o)};
+}
+
+KnownFacts::KnownFacts(Ring ring, const Assumptions& assumptions,
+                       std::vector<std::vector<MPoly>> generic)
+    : ring_(std::move(ring)), real_(assumptions.real), generic_(std::move(generic)) {
+  for (const auto& c : assumptions.conditions) {
+    conditions_.push_back({c.p, c.sign, false});
+    if (c.sign == Sign::positive || c.sign == Sign::nonzero) nonzero_.push_back(c.p);
+  }
+}
+
+bool KnownFacts::is_real(const MPoly& p) const {
+  const auto used = used_variables(p);
+  return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+    return std::find(real_.begin(), real_.end(), i) != real_.end();
+  });
+}
+
+MPoly KnownFacts::without_known_factors(MPoly p) const {
+  if (is_zero(p)) return p;
+  for (const auto& q : nonzero_) {
+    if (is_zero(q) || is_constant(q)) continue;
+    while (auto rest = divides(q, p))
+      p = *std::move(rest);
+  }
+  return p;
+}
+
+bool KnownFacts::contains_zero() const {
+  return std::any_of(nonzero_.begin(), nonzero_.end(), [](const MPoly& p) { return is_zero(p); });
+}
+
+void KnownFacts::add(const Lemma& lemma) {
+  nonzero_.push_back(lemma.p);
+  if (lemma.positive) conditions_.push_back({lemma.p, Sign::positive, false});
+}
+
+bool KnownFacts::strict(const LemmaTerm& t) const {
+  const auto known = [&](const MPoly& p) {
+    const MPoly rest = without_known_factors(p);
+    return !is_zero(rest) && is_constant(rest);
+  };
+  return std::all_of(t.conditions.begin(), t.conditions.end(),
+                     [&](const auto& f) {
+                       const Fact& c = conditions_[f.first];
+                       return c.sign == Sign::positive || known(c.p);
+                     }) &&
+         std::all_of(t.squares.begin(), t.squares.end(),
+                     [&](const auto& f) { return known(f.first); });
+}
+
+// The condition "k x > 0" or "k x >= 0", k > 0.
+std::optional<std::size_t> KnownFacts::sign_of_variable(std::size_t x) const {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    const Fact& c = conditions_[i];
+    if (c.dropped || !ordered(c.sign) || (found && c.sign != Sign::positive)) continue;
+    const auto k = ratio(c.p, MPoly::variable(ring_, x));
+    if (k && sign(*k) > 0) found = i;
+  }
+  return found;
+}
+
+// p as it stands, each monomial a product of signs; the variable `shifted` stands for the condition
+// number `shift`.
+std::optional<std::pair<KnownFacts::Terms, int>>
+KnownFacts::by_terms(const MPoly& p, std::size_t shifted, std::size_t shift) const {
+  Terms terms;
+  int common = 0;
+  bool positive = false;
+  for (long i = 0; i < p.length(); ++i) {
+    const Integer c = p.coefficient(i);
+    if (common != 0 && sign(c) != common) return std::nullopt;
+    common = sign(c);
+    LemmaTerm t;
+    t.c = abs(Rational(c));
+    const auto e = p.exponents(i);
+    for (std::size_t x = 0; x < e.size(); ++x) {
+      const auto n = static_cast<long>(e[x]);
+      if (n == 0) continue;
+      if (x == shifted) {
+        t.conditions.emplace_back(shift, n);
+      } else if (const auto known = sign_of_variable(x)) {
+        const Rational k = *ratio(conditions_[*known].p, MPoly::variable(ring_, x));
+        t.c = t.c / power(k, n);
+        t.conditions.emplace_back(*known, n);
+      } else if (n % 2 == 0 && is_real(MPoly::variable(ring_, x))) {
+        t.squares.emplace_back(MPoly::variable(ring_, x), n / 2);
+      } else {
+        return std::nullopt;
+      }
+    }
+    positive = positive || strict(t);
+    terms.push_back(std::move(t));
+  }
+  if (!positive) return std::nullopt;
+  return std::pair(std::move(terms), common);
+}
+
+// A condition s = alpha x + beta turns p(x) into a polynomial in s, whose terms may show more.
+std::optional<std::pair<KnownFacts::Terms, int>> KnownFacts::by_shift(const MPoly& p) const {
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    const Fact& c = conditions_[i];
+    if (c.dropped || !ordered(c.sign) || is_zero(c.p)) continue;
+    for (const std::size_t x : used_variables(c.p)) {
+      if (degree(c.p, x) != 1 || !uses(p, x)) continue;
+      const auto line = coefficients(c.p, x);
+      if (!is_constant(line[1]) || is_zero(line[0])) continue;
+      const MFraction back =
+          (MFraction::variable(ring_, x) - MFraction(line[0])) / MFraction(line[1]);
+      const MFraction q = substitute(p, {{x, back}});
+      if (!is_constant(q.den())) continue;
+      auto found = by_terms(q.num(), x, i);
+      if (!found) continue;
+      const Rational over = Rational(1) / Rational(q.den().coefficient(0));
+      for (auto& t : found->first)
+        t.c = t.c * abs(over);
+      found->second *= sign(over);
+      return found;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::pair<KnownFacts::Terms, int>> KnownFacts::sum_with_sign(const MPoly& p) const {
+  if (auto found = by_terms(p, nowhere, 0)) return found;
+  if (auto found = by_shift(p)) return found;
+  for (std::size_t i = 0; i < conditions_.size(); ++i) { // a positive factor
+    const Fact& c = conditions_[i];
+    if (c.dropped || c.sign != Sign::positive || is_zero(c.p) || is_constant(c.p)) continue;
+    const auto rest = divides(c.p, p);
+    if (!rest) continue;
+    auto found = sum_with_sign(*rest);
+    if (!found) continue;
+    for (auto& t : found->first)
+      t.conditions.emplace_back(i, 1);
+    return found;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::pair<std::size_t, int>> KnownFacts::condition_with_sign(const MPoly& f) const {
+  for (std::size_t i = 0; i < conditions_.size(); ++i)
+    if (!conditions_[i].dropped && conditions_[i].sign == Sign::positive)
+      if (const auto k = ratio(f, conditions_[i].p)) return std::pair(i, sign(*k));
+  return std::nullopt;
+}
+
+// f or -f becomes a positive condition.
+std::optional<std::pair<std::size_t, int>> KnownFacts::ensure_sign(const MPoly& f,
+                                                                   std::vector<Lemma>& lemmas) {
+  if (const auto known = condition_with_sign(f)) return known;
+  const auto conclude = [&](Lemma lemma, int s) {
+    lemma.positive = true;
+    add(lemma);
+    lemmas.push_back(std::move(lemma));
+    return std::pair(conditions_.size() - 1, s);
+  };
+  if (auto sum = sum_with_sign(f))
+    return conclude({sum->second > 0 ? f : -f, {}, true, std::move(sum->first)}, sum->second);
+  for (std::size_t i = 0; i < conditions_.size(); ++i) { // f rest = a positive condition
+    const Fact& c = conditions_[i];
+    if (c.dropped || c.sign != Sign::positive || is_zero(c.p)) continue;
+    const auto rest = divides(f, c.p);
+    if (!rest || is_constant(*rest)) continue;
+    const auto other = by_terms(*rest, nowhere, 0);
+    if (!other) continue;
+    const MPoly times = other->second > 0 ? *rest : -*rest;
+    const auto known = condition_with_sign(times);
+    if (!known) (void)conclude({times, {}, true, other->first}, 1);
+    LemmaTerm whole;
+    whole.conditions.emplace_back(i, 1);
+    return conclude({other->second > 0 ? f : -f, times, true, {whole}}, other->second);
+  }
+  return std::nullopt;
+}
+
+bool KnownFacts::ensure_nonzero(const MPoly& p, std::vector<Lemma>& lemmas) {
+  if (is_zero(p)) return false;
+  const MPoly rest = without_known_factors(p);
+  if (is_constant(rest)) return true;
+  const auto parts = irreducible_parts(rest);
+  return std::all_of(parts.begin(), parts.end(), [&](const MPoly& f) {
+    return divides_known(f, lemmas) || ensure_sign(f, lemmas).has_value();
+  });
+}
+
+// f is a factor of a polynomial that is known not to vanish.
+bool KnownFacts::divides_known(const MPoly& f, std::vector<Lemma>& lemmas) {
+  for (const auto& q : nonzero_) {
+    if (is_zero(q)) continue;
+    auto rest = divides(f, q);
+    if (!rest) continue;
+    Lemma lemma{f, std::move(rest), false, {}};
+    add(lemma);
+    lemmas.push_back(std::move(lemma));
+    return true;
+  }
+  return false;
+}
+
+bool KnownFacts::ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas) {
+  if (is_zero(p)) return false;
+  if (is_constant(p)) return sign(p.coefficient(0)) > 0;
+  if (const auto known = condition_with_sign(p)) return known->second > 0;
+  const auto conclude = [&](std::vector<LemmaTerm> terms) {
+    Lemma lemma{p, {}, true, std::move(terms)};
+    add(lemma);
+    lemmas.push_back(std::move(lemma));
+    return true;
+  };
+  if (auto sum = sum_with_sign(p)) return sum->second > 0 && conclude(std::move(sum->first));
+  const auto [content, factors] = factor(p);
+  LemmaTerm product;
+  product.c = abs(Rational(content));
+  int s = sign(content);
+  for (const auto& f : factors) {
+    if (f.exponent % 2 == 0 && is_real(f.base)) {
+      if (!ensure_nonzero(f.base, lemmas)) return false;
+      product.squares.emplace_back(f.base, f.exponent / 2);
+      continue;
+    }
+    const auto one = ensure_sign(f.base, lemmas);
+    if (!one) return false;
+    const Rational k = *ratio(conditions_[one->first].p, f.base);
+    product.c = product.c / abs(power(k, f.exponent));
+    product.conditions.emplace_back(one->first, f.exponent);
+    if (f.exponent % 2 != 0) s *= one->second;
+  }
+  return s > 0 && conclude({product});
+}
+
+std::optional<std::vector<LemmaTerm>> KnownFacts::contradiction() const {
+  for (std::size_t i = 0; i < conditions_.size(); ++i) {
+    const Fact& c = conditions_[i];
+    if (c.dropped || !ordered(c.sign) || is_zero(c.p)) continue;
+    KnownFacts others(*this); // without this condition
+    others.conditions_[i].dropped = true;
+    std::erase(others.nonzero_, c.p);
+    auto sum = is_constant(c.p) ? std::optional(std::pair(
+                                      Terms{{abs(Rational(c.p.coefficient(0))), {}, {}}},
+                                      sign(c.p.coefficient(0))))
+                                : others.sum_with_sign(c.p);
+    if (!sum || sum->second > 0) continue;
+    LemmaTerm this_one;
+    this_one.conditions.emplace_back(i, 1);
+    sum->first.push_back(this_one);
+    return std::move(sum->first);
+  }
+  return std::nullopt;
+}
+
+MPoly on_line(const MPoly& p, std::size_t x, const MPoly& l, const MPoly& m, long n) {
+  if (is_zero(p)) return p;
+  const auto c = coefficients(p, x);
+  MPoly sum(p.ring());
+  MPoly power(p.ring(), Integer(1)); // (-m)^k
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    sum += c[k] * power * pow(l, static_cast<unsigned long>(n - static_cast<long>(k)));
+    power *= -m;
+  }
+  return sum;
+}
+
+void KnownFacts::solve(const MPoly& p, std::size_t x) {
+  const auto line = coefficients(p, x);
+  const MPoly& l = line[1];
+  const MPoly& m = line[0];
+  const auto there = [&](const MPoly& f, long n) { return on_line(f, x, l, m, n); };
+  const bool real = is_real(l);
+  for (auto& f : nonzero_)
+    f = there(f, std::max(0L, degree(f, x)));
+  for (auto& c : conditions_) {
+    const long n = std::max(0L, degree(c.p, x));
+    const bool even = ordered(c.sign);
+    if (even && n > 0 && !real) {
+      if (c.sign == Sign::positive && !c.dropped) nonzero_.push_back(there(c.p, n));
+      c.dropped = true;
+    }
+    c.p = there(c.p, even ? n + n % 2 : n);
+  }
+  for (auto& group : generic_)
+    for (auto& f : group)
+      f = there(f, std::max(0L, degree(f, x)));
+  nonzero_.push_back(l);
+  const auto used = used_variables(p);
+  if (used.size() == 2 && is_real(MPoly::variable(ring_, x))) {
+    const std::size_t u = used[0] == x ? used[1] : used[0];
+    if (!is_real(MPoly::variable(ring_, u)) && degree(p, u) == 1) {
+      const auto a = [&](const MPoly& f, std::size_t k) { // coefficient of u^k in f
+        const auto c = coefficients(f, u);
+        return k < c.size() ? c[k] : MPoly(ring_);
+      };
+      if (!is_zero(a(l, 1) * a(m, 0) - a(l, 0) * a(m, 1))) real_.push_back(u);
+    }
+  }
+  std::erase(real_, x);
+}
+
+} // namespace kov::strata

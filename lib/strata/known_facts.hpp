@@ -1,0 +1,85 @@
+#pragma once
+// A stratum as the judge of a certificate sees it: conditions with their numbers, polynomials that
+// are known not to vanish, and lemmas that prove more of them.  The solver's own bookkeeping is
+// region.hpp; a certificate is written against this one.
+//
+// docs/theory/strata_certificates.md, 3 and 5
+
+#include "certify/json.hpp"
+#include "strata/conditions.hpp"
+
+#include <map>
+#include <optional>
+
+namespace kov::strata {
+
+/// c > 0 times powers of conditions and of squares of real polynomials.
+struct LemmaTerm {
+  Rational c{1};
+  std::vector<std::pair<std::size_t, long>> conditions; ///< number, exponent
+  std::vector<std::pair<MPoly, long>> squares;          ///< Q, e: the factor Q^(2e)
+};
+/// p times = the sum of the terms, each >= 0 and one of them > 0; without terms: p times is known
+/// not to vanish.
+struct Lemma {
+  MPoly p;
+  std::optional<MPoly> times;
+  bool positive = false; ///< p itself is positive
+  std::vector<LemmaTerm> terms;
+};
+[[nodiscard]] certify::Json to_json(const Lemma& lemma);
+[[nodiscard]] certify::Json to_json(const std::vector<LemmaTerm>& terms);
+
+class KnownFacts {
+public:
+  KnownFacts(Ring ring, const Assumptions& assumptions, std::vector<std::vector<MPoly>> generic);
+
+  struct Fact {
+    MPoly p;
+    Sign sign = Sign::nonzero;
+    bool dropped = false; ///< an inequality that the last substitution made useless
+  };
+  [[nodiscard]] const std::vector<Fact>& conditions() const noexcept { return conditions_; }
+  [[nodiscard]] const std::vector<std::vector<MPoly>>& generic() const noexcept { return generic_; }
+  [[nodiscard]] bool is_real(const MPoly& p) const;
+
+  /// What is left of p after division by the members of `nonzero`: constant if p is known != 0.
+  [[nodiscard]] MPoly without_known_factors(MPoly p) const;
+  [[nodiscard]] bool contains_zero() const; ///< a member of `nonzero` became 0
+
+  /// Makes "p is known != 0" true, with lemmas; false if no proof is found.
+  [[nodiscard]] bool ensure_nonzero(const MPoly& p, std::vector<Lemma>& lemmas);
+  /// The same for "p is known positive".
+  [[nodiscard]] bool ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas);
+  /// Terms with sum 0, one of them positive: the stratum is empty.
+  [[nodiscard]] std::optional<std::vector<LemmaTerm>> contradiction() const;
+
+  void assume_nonzero(const MPoly& p) { nonzero_.push_back(p); }
+  /// p = l x + m is 0, l known != 0: everything in the parameters that are left.
+  void solve(const MPoly& p, std::size_t x);
+
+private:
+  using Terms = std::vector<LemmaTerm>;
+  void add(const Lemma& lemma);
+  [[nodiscard]] std::optional<std::pair<std::size_t, int>> condition_with_sign(const MPoly& f) const;
+  [[nodiscard]] std::optional<std::pair<Terms, int>> sum_with_sign(const MPoly& p) const;
+  [[nodiscard]] std::optional<std::pair<Terms, int>> by_terms(const MPoly& p, std::size_t shifted,
+                                                              std::size_t shift) const;
+  [[nodiscard]] std::optional<std::pair<Terms, int>> by_shift(const MPoly& p) const;
+  [[nodiscard]] std::optional<std::pair<std::size_t, int>> ensure_sign(const MPoly& f,
+                                                                       std::vector<Lemma>& lemmas);
+  [[nodiscard]] bool divides_known(const MPoly& f, std::vector<Lemma>& lemmas);
+  [[nodiscard]] bool strict(const LemmaTerm& t) const;
+  [[nodiscard]] std::optional<std::size_t> sign_of_variable(std::size_t x) const;
+
+  Ring ring_;
+  std::vector<Fact> conditions_;
+  std::vector<MPoly> nonzero_;
+  std::vector<std::size_t> real_;
+  std::vector<std::vector<MPoly>> generic_;
+};
+
+/// l^N p(-m/l), N >= deg_x p: p where l x + m = 0, without a denominator.
+[[nodiscard]] MPoly on_line(const MPoly& p, std::size_t x, const MPoly& l, const MPoly& m, long n);
+
+} // namespace kov::strata

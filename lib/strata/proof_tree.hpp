@@ -1,0 +1,31 @@
+#pragma once
+// How the strata were found: the splits p = 0 / p != 0 with a verdict at each leaf.  What a
+// certificate over strata is written from (docs/theory/strata_certificates.md, 4).
+
+#include "strata/judge.hpp"
+
+#include <memory>
+
+namespace kov::strata {
+
+struct ProofTree;
+using ProofTreePtr = std::shared_ptr<const ProofTree>;
+
+struct ProofTree {
+  enum class Kind : std::uint8_t {
+    split,   ///< p = 0 (zero) and p != 0 (nonzero)
+    assumed, ///< p = 0 follows from an assumed equation: zero only
+    leaf,    ///< the verdict `leaf`
+    root,    ///< the verdict at a root of p, as one number in Q[x]/(p)
+    empty,   ///< the stratum has no point
+    open     ///< nothing is known, because of `why`
+  };
+  Kind kind = Kind::open;
+  MPoly p;
+  std::shared_ptr<const Region> region; ///< of this node; of a zero branch that was not solved: of its parent
+  ProofTreePtr nonzero, zero;
+  std::optional<Leaf> leaf;
+  std::string why;
+};
+
+} // namespace kov::strata

@@ -1,0 +1,195 @@
+// A family that the separatrix criterion leaves to a case: is that case about these bodies?
+//
+// With the equations of the family and the units put in, the field of the splitting step must be
+// that of the case, and what the case assumes must follow from A > B > C > 0.  Units (m = 1, L1 =
+// 1) are units if for each of them there is a group of scalings x -> s^w x of the variables, the
+// time and the parameters that moves it, leaves the others, and maps the field, the manifolds of
+// the case with their levels and its assumptions to themselves.
+
+#include "exact/error.hpp"
+#include "exact/finite_algebra.hpp"
+#include "strata/region.hpp"
+#include "system/claims.hpp"
+#include "theorem/prove.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+using Matrix = std::vector<std::vector<MFraction>>;
+
+/// Weights of variables, known by name, for which given functions are homogeneous.
+class Scalings {
+public:
+  explicit Scalings(const std::vector<const System*>& systems) {
+    for (const System* s : systems)
+      for (const std::string& name : s->ring()->names())
+        if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
+    time_ = names_.size();
+  }
+  // All terms of numerator and denominator have one weight each.
+  void homogeneous(const MFraction& f) {
+    for (const MPoly& p : {f.num(), f.den()})
+      for (long i = 1; i < p.length(); ++i)
+        put(difference(p, i, p, 0));
+  }
+  // The weight of f is that of x' = dx/dt.
+  void derivative_of(const std::string& x, const MFraction& f) {
+    homogeneous(f);
+    if (is_zero(f)) return;
+    auto row = difference(f.num(), 0, f.den(), 0);
+    --row[column(x)];
+    ++row[time_];
+    put(row);
+  }
+  // Some scaling moves this parameter and none of the others.
+  [[nodiscard]] bool moves(const std::string& name, const ParameterValues& units) const {
+    Matrix fixed = rows_;
+    for (const auto& [other, value] : units)
+      if (other != name) {
+        fixed.emplace_back(time_ + 1, MFraction(scalars_));
+        fixed.back()[column(other)] = MFraction(scalars_, Rational(1));
+      }
+    const auto all = null_space(fixed, time_ + 1);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& w) { return !is_zero(w[column(name)]); });
+  }
+
+private:
+  [[nodiscard]] std::size_t column(const std::string& name) const {
+    return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
+  }
+  [[nodiscard]] std::vector<long> difference(const MPoly& p, long i, const MPoly& q, long j) const {
+    std::vector<long> row(time_ + 1, 0);
+    const auto e = p.exponents(i), f = q.exponents(j);
+    for (std::size_t k = 0; k < e.size(); ++k) {
+      row[column(p.ring()->name(k))] += static_cast<long>(e[k]);
+      row[column(q.ring()->name(k))] -= static_cast<long>(f[k]);
+    }
+    return row;
+  }
+  void put(const std::vector<long>& row) {
+    rows_.emplace_back();
+    for (const long x : row)
+      rows_.back().emplace_back(scalars_, Rational(x));
+  }
+
+  std::vector<std::string> names_;
+  std::size_t time_ = 0;
+  Ring scalars_ = make_ring({"s"});
+  Matrix rows_;
+};
+
+// x -> -x changes nothing in the field.
+bool even_in(const System& s, const std::string& name) {
+  const std::size_t i = *s.ring()->find(name);
+  return std::all_of(s.field.components.begin(), s.field.components.end(), [&](const MFraction& f) {
+    return substitute(f, {{i, -MFraction::variable(s.ring(), i)}}) == f;
+  });
+}
+
+bool assumed_positive(const System& s, const std::string& name) {
+  return std::any_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+    return a.relation == Assumption::Relation::positive &&
+           a.value == MFraction::variable(s.ring(), *s.ring()->find(name));
+  });
+}
+
+// The first of the units that is none, or nothing.
+std::string no_unit(const System& family, const System& single, const ParameterValues& units) {
+  Scalings scalings({&family, &single});
+  for (std::size_t j = 0; j < family.field.dimension(); ++j)
+    scalings.derivative_of(family.field.name(j), family.field.components[j]);
+  for (const ManifoldSpec& m : single.manifolds)
+    for (const auto* equations : {&m.equations, &m.levels})
+      for (const Equation& e : *equations)
+        scalings.homogeneous(e.difference);
+  for (const Assumption& a : single.assumptions)
+    scalings.homogeneous(a.value);
+  for (const auto& [name, value] : units)
+    if (value != "1" || !scalings.moves(name, units) ||
+        (!even_in(family, name) && !assumed_positive(family, name)))
+      return name;
+  return "";
+}
+
+// The first thing that the case assumes and that does not follow from A > B > C > 0, or nothing.
+std::string too_much_assumed(const System& single, const ParameterValues& members) {
+  const auto moment = [&](const std::string& name) {
+    for (const auto& [fixed, value] : members)
+      if (fixed == name) return formula(single, value);
+    return formula(single, name);
+  };
+  const MFraction a = moment("A"), b = moment("B"), c = moment("C");
+  strata::Assumptions known;
+  for (const MFraction& f : {a - b, b - c, c, b, a}) // the last two follow, and help
+    known.require(f, strata::Sign::positive);
+  const strata::Region region(single.ring(), known);
+  for (const Assumption& x : single.assumptions) {
+    const int sign = region.exact_sign_of(x.value.num()) * region.exact_sign_of(x.value.den());
+    using Relation = Assumption::Relation;
+    const bool follows = x.relation == Relation::real      ? true
+                         : x.relation == Relation::nonzero ? sign != 0
+                         : x.relation == Relation::positive || x.relation == Relation::nonnegative
+                             ? sign > 0
+                             : false;
+    if (!follows) return x.text;
+  }
+  return "";
+}
+
+// Empty if the case is about the family with these equations, else why not.
+std::string objection(const NodeResult& splitting, const LeftFamily& f,
+                      const ParameterValues& members, const TheoremNode& by,
+                      const std::string& directory) {
+  ParameterValues values = splitting.node.where;
+  values.insert(values.end(), members.begin(), members.end());
+  const std::string path = beside(directory, splitting.node.file);
+  const System family = read_system(path, values);
+  const System single = read_system(beside(directory, by.file), by.where);
+  values.insert(values.end(), f.units.begin(), f.units.end());
+  const ClaimResult same = check_same_field(read_system(path, values).field, single.field);
+  if (!same.proved) return "its field is another one: " + same.detail;
+  if (const auto name = no_unit(family, single, f.units); !name.empty())
+    return name + " = 1 is not seen to be a choice of units";
+  if (const auto text = too_much_assumed(single, members); !text.empty())
+    return "it assumes that " + text;
+  return "";
+}
+
+} // namespace
+
+Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f, const NodeResult* by,
+                         const std::string& directory) {
+  Hypothesis h{"the bodies of the family " + f.left.family + " are not integrable", f.left.by,
+               false};
+  const auto unchecked = [&](const std::string& why) {
+    h.text += " (" + why + ")";
+    return h;
+  };
+  if (!by) return unchecked("no node is named");
+  if (by->node.kind != NodeKind::case_file || by->node.expect != "non-integrable")
+    return unchecked("node '" + f.left.by + "' is no case that is expected to be non-integrable");
+  std::string why = "its equations could not be solved for a parameter";
+  for (const ParameterValues& members : f.members) {
+    try {
+      why = objection(splitting, f.left, members, by->node, directory);
+    } catch (const Error& e) {
+      why = e.what();
+    }
+    if (!why.empty()) continue;
+    std::string units;
+    for (const auto& [name, value] : f.left.units)
+      units += (units.empty() ? ", in units with " : ", ") + name + " = " + value;
+    splitting.checks.push_back({"the field of " + by->node.file + " is that of " +
+                                    splitting.node.file + " on the family" + units +
+                                    ", and what it assumes follows from A > B > C > 0",
+                                true});
+    h.checked = by->status == NodeStatus::proved && !by->rests_on_open;
+    return h;
+  }
+  return unchecked("node '" + f.left.by + "' does not speak about them: " + why);
+}
+
+} // namespace kov
