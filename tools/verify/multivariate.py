@@ -15,8 +15,8 @@ from exact import power
 FIELD, MASK, VARIABLES = 32, 2**32 - 1, 13
 GUARD = sum(1 << FIELD * i + 31 for i in range(VARIABLES))      # no exponent reaches these bits,
 HIGH = GUARD | GUARD >> 1                                       # nor does a sum of two
-POWER = r"[A-Za-z_][A-Za-z0-9_]*(\^[0-9]{1,4})?"
-TERM = re.compile(rf"([0-9]{{1,10000}}|{POWER})(\*{POWER})*\Z")
+POWER = r"[A-Za-z_][A-Za-z0-9_]*(\^(0|[1-9][0-9]{0,3}))?"
+TERM = re.compile(rf"(0|[1-9][0-9]{{0,9999}}|{POWER})(\*{POWER})*\Z")
 
 
 class Work:

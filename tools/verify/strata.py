@@ -291,15 +291,17 @@ def over_field(f, x, powers):
 def verify(top, prove):
     """The number of trusted steps and a summary; prove checks ordinary certificates.  Raises Malformed or Rejected."""
     top, Work.left = read(TOP, top, "certificate"), 4 * 10**7
-    variable, parameters, claim = top["variable"], top["parameters"], top["claim"]["abelian"]
+    variable, parameters, real, claim = top["variable"], top["parameters"], top["real"], top["claim"]["abelian"]
     names = [variable, *parameters]
     if not all(map(NAME.match, names)) or len(set(names)) < len(names) or len(parameters) > 12:
         raise Malformed("a variable and at most 12 parameters with different names are expected")
-    if not set(top["real"]) <= set(parameters) or claim not in (True, False, None):
-        raise Malformed("real parameters are parameters; the claim is true, false or null")
+    if not set(real) <= set(parameters) or len(set(real)) < len(real) or not all(top["generic"]):
+        raise Malformed("real: different parameters; generic: groups with something in them")
+    if claim not in (True, False, None):
+        raise Malformed("the claim is true, false or null")
     try:
         shifts = {x: FIELD * (i + 1) for i, x in enumerate(parameters)}
-        s, tree = Stratum(variable, shifts, {shifts[x] for x in top["real"]}, **top["r"]), Tree(prove)
+        s, tree = Stratum(variable, shifts, {shifts[x] for x in real}, **top["r"]), Tree(prove)
         need(s.den, "the denominator is 0")
         for x in top["assumptions"]:
             need(x["sign"] in ("positive", "nonnegative", "nonzero", "zero"), "an unknown sign")
@@ -310,6 +312,7 @@ def verify(top, prove):
         raise Rejected(f"{type(why).__name__}: {why}") from None
     others = {"yes", "no", "open"} & set(tree.leaves) - {"yes" if claim else "no"}
     need(claim is None or not others, "the claim does not follow")
-    words = {"no": "not abelian", "yes": "abelian", "open": "undecided", "empty": "empty", "outside": "outside"}
+    words = {"yes": "abelian", "no": "not abelian", "open": "undecided"}        # strata without points are left out
     counts = ", ".join(f"{tree.leaves[k]} {word}" for k, word in words.items() if tree.leaves[k])
-    return tree.trust, f"{sum(tree.leaves.values())} strata: {counts}; "
+    total = sum(tree.leaves[k] for k in words)
+    return tree.trust, f"{total} {'stratum' if total == 1 else 'strata'}{': ' * bool(counts)}{counts}; "
