@@ -3,11 +3,16 @@
 leaf and theorem, and refuses what false/strata.jsonl makes of them and whatever is hostile.
 
 A line of strata.jsonl is {"of": name, "at": path, "value": what is put there, "why"}; without "value" the entry is
-taken out."""
+taken out.
+
+usage: strata_python_test.py KOVACIC     (the program; run by ctest)
+"""
 import copy
 import json
 import os
+import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -17,6 +22,11 @@ import certificate_format  # noqa: E402
 import kovacic_verify as V  # noqa: E402
 import multivariate as M  # noqa: E402
 
+KOVACIC = sys.argv[1]
+LEMMAS = {"lemma2": "1 stratum: 1 not abelian; ", "lemma3": "4 strata: 1 abelian, 3 not abelian; ",
+          "gravity": "6 strata: 6 not abelian; ", "remark_n": "6 strata: 6 not abelian; ",
+          "remark_k": "11 strata: 1 abelian, 10 not abelian; ", "euler_manifold": "1 stratum: 1 abelian; ",
+          "lagrange_manifold": "18 strata: 18 abelian; "}
 DATA = os.path.join(HERE, "data/strata")
 SUMMARIES = {"one_open_log": "2 strata: 1 abelian, 1 not abelian; ",
              "outside": "3 strata: 1 not abelian, 2 undecided; ", "torus_log": "2 strata: 1 abelian, 1 not abelian; ",
@@ -68,6 +78,18 @@ class Strata(unittest.TestCase):
                     value = [line["value"]] if "value" in line else []
                     self.assertIn(verdict(json.dumps(changed(genuine(line["of"]), line["at"], *value))), "rm")
 
+    def test_the_lemmas(self):
+        for name, summary in LEMMAS.items():
+            with self.subTest(name), tempfile.TemporaryDirectory() as out:
+                case = os.path.join(HERE, f"../../cases/sliding_top/{name}.toml")
+                subprocess.run([KOVACIC, "check", case, "--certificate", out], stdout=subprocess.DEVNULL, check=False)
+                start, found = time.process_time(), []
+                for entry in os.scandir(out):
+                    with open(entry.path, encoding="utf-8") as f:
+                        found.append(V.check(f.read()))
+                self.assertIn((0, summary), found)
+                self.assertLess(time.process_time() - start, 10)
+
     def test_strict_refuses_trusted_steps(self):
         path = os.path.join(DATA, "trusted.json")
         self.assertEqual(V.judge(path, False), (0, "accepted (2 strata: 1 abelian, 1 not abelian; 2 trusted steps)"))
@@ -118,6 +140,11 @@ class Polynomials(unittest.TestCase):
         for text in ("A^", "A B", "2A", "A*2", "A**2", "x", "", "-", "A +B"):
             with self.assertRaises(certificate_format.Malformed):
                 self.p(text)
+
+    def test_no_exponent_runs_into_the_next_field(self):
+        for n in (2, 100000, 2**32 // 8192):
+            with self.assertRaises(certificate_format.Rejected):
+                self.p("*".join(["z^8192"] * n))
 
     def test_division(self):
         f, g = self.p("A^2*z^3 - 2*B*z + 7*A"), self.p("3*A - B*z^2")

@@ -132,6 +132,7 @@ def parse(text, names):
             if name not in names:
                 raise Malformed(f"{name[:60]!r} is not a variable here")
             k += int(e or 1) << names[name]
+            need(not k & HIGH, "an exponent is too large")
         terms[k] = terms.get(k, 0) + c * (sign if s == "+" else -1)
         sign = 1
     f = P.of(terms)
