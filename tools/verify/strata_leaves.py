@@ -189,15 +189,13 @@ class Leaf:
 
     @staticmethod
     def product(x):
-        """4 - (the order of (y1 y2)^2) at infinity, -order at a finite point (7.7)"""
+        """4 - (the order of (y1 y2)^2) at infinity, -order at a finite point, where no place is a log place (7.7)"""
         if x.order <= 0:
             return {0, 2, 4}
         if x.order >= 3:
             return {4 - x.order if x.side == 1 else -x.order}
         if x.irrational:
             return {2 * x.side}
-        if x.logs:
-            return {2 * x.side - 2 * x.delta}
         return {2 * x.side + i * x.delta for i in ((-2, 0, 2) if (2 * x.delta).denominator == 1 else (0,))}
 
     def no_line(self):
