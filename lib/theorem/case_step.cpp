@@ -7,6 +7,7 @@
 
 #include "exact/algebraic.hpp"
 #include "exact/error.hpp"
+#include "strata/certificate.hpp"
 
 #include <algorithm>
 
@@ -70,6 +71,29 @@ std::string answer(Truth abelian) {
   return abelian == Truth::yes ? "abelian" : abelian == Truth::no ? "not abelian" : "undecided";
 }
 
+// The tree of strata as a certificate; what the judge does not check itself is a trusted step.
+void certify_strata(NodeResult& n, const strata::StrataAnswer& a) {
+  for (const auto& special : a.special)
+    certify_strata(n, *special);
+  if (!a.tree) return;
+  try {
+    auto c = strata::certificate(a);
+    if (!c.says_anything) return;
+    if (!c.refusal.empty()) {
+      n.trusted.push_back("strata without a certificate: " + c.refusal);
+      return;
+    }
+    n.certificates.push_back(std::move(c.json));
+    for (const std::string& why : c.uncertified)
+      if (std::none_of(a.trusted.begin(), a.trusted.end(), [&](const std::string& t) {
+            return why.find(t) != std::string::npos; // Z3, told already
+          }))
+        n.trusted.push_back(why);
+  } catch (const Error& why) {
+    n.trusted.push_back(std::string("strata without a certificate: ") + why.what());
+  }
+}
+
 void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string& where = {}) {
   Grid grid{"Strata of the parameters" + where + ", with the identity component of the group",
             {"stratum", "group", "identity component", "because"},
@@ -84,6 +108,7 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
   n.tables.push_back(std::move(grid));
   for (const std::string& t : a.trusted)
     n.trusted.push_back(t);
+  certify_strata(n, a);
 }
 
 void show_block(NodeResult& n, const System& s, const BlockReport& b) {
