@@ -71,7 +71,7 @@ class Checker:
         need(Checker.spent <= TOTAL, "the certificate is too much work")
 
     def good(self, d):
-        """A prime p where r is integral, and the image a of the generator: p, the reduction K[z] -> F_p[z], num, den."""
+        """A prime p where r is integral, and the image a of the generator: p, reduction K[z] -> F_p[z], num, den."""
         p, a = d["p"], d["a"]
         self.spend(20 * self.length)
         need(2 < p < 2**62 and is_prime(p), "p is not an odd prime below 2^62")
