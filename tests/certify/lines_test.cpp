@@ -4,6 +4,7 @@
 
 #include "certify/check.hpp"
 #include "certify/json.hpp"
+#include "certify/strata_check.hpp"
 #include "exact/error.hpp"
 
 #include <gtest/gtest.h>
@@ -18,6 +19,10 @@ namespace {
 
 char verdict(const std::string& text) {
   try {
+    if (format_of(text) == "kovacic-strata/1") {
+      const auto verdict = check_strata(read_strata_certificate(text));
+      return std::holds_alternative<StrataAccepted>(verdict) ? 'a' : 'r';
+    }
     const Certificate c = read_certificate(text);
     return std::holds_alternative<Accepted>(check(c)) ? 'a' : 'r';
   } catch (const Error&) {

@@ -5,11 +5,12 @@ leaf and theorem, and refuses what false/strata.jsonl makes of them and whatever
 A line of strata.jsonl is {"of": name, "at": path, "value": what is put there, "why"}; without "value" the entry is
 taken out.
 
-usage: strata_python_test.py KOVACIC     (the program; run by ctest)
+usage: strata_python_test.py KOVACIC TEST_CERTIFY     (the two programs; run by ctest)
 """
 import copy
 import json
 import os
+import random
 import subprocess
 import sys
 import tempfile
@@ -17,12 +18,13 @@ import time
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-sys.path.insert(0, os.path.join(HERE, "../../tools/verify"))
+sys.path[:0] = [os.path.join(HERE, "../../tools/verify"), HERE]
 import certificate_format  # noqa: E402
 import kovacic_verify as V  # noqa: E402
 import multivariate as M  # noqa: E402
+import tamper  # noqa: E402
 
-KOVACIC = sys.argv[1]
+KOVACIC, TEST_CERTIFY = sys.argv[1:3]
 LEMMAS = {"lemma2": "1 stratum: 1 not abelian; ", "lemma3": "4 strata: 1 abelian, 3 not abelian; ",
           "gravity": "6 strata: 6 not abelian; ", "remark_n": "6 strata: 6 not abelian; ",
           "remark_k": "11 strata: 1 abelian, 10 not abelian; ", "euler_manifold": "1 stratum: 1 abelian; ",
@@ -71,6 +73,11 @@ class Strata(unittest.TestCase):
                 self.assertEqual(trusted, 2 if name == "trusted" else 0)
                 self.assertEqual(summary, SUMMARIES.get(name, summary))
 
+    def test_accepts_what_the_solver_wrote(self):
+        for entry in os.scandir(os.path.join(HERE, "strata")):
+            with self.subTest(entry.name), open(entry.path, encoding="utf-8") as f:
+                self.assertEqual(V.verify(f.read()), 0)
+
     def test_refuses_the_false_ones(self):
         with open(os.path.join(HERE, "false/strata.jsonl"), encoding="utf-8") as f:
             for line in map(json.loads, f):
@@ -89,6 +96,25 @@ class Strata(unittest.TestCase):
                         found.append(V.check(f.read()))
                 self.assertIn((0, summary), found)
                 self.assertLess(time.process_time() - start, 10)
+
+    def test_agrees_with_the_judge_on_changed_ones(self):
+        random.seed(20261121)
+        texts = []
+        for name in sorted(x[:-5] for x in os.listdir(DATA)):
+            top = genuine(name)
+            todo = list(tamper.mutations(top, (), ""))
+            texts += [json.dumps(tamper.apply(top, *change)) for change in random.sample(todo, min(40, len(todo)))]
+        with tempfile.TemporaryDirectory() as out:
+            lines = os.path.join(out, "lines")
+            with open(lines, "w", encoding="utf-8") as f:
+                f.writelines(json.dumps({"text": x}) + "\n" for x in texts)
+            subprocess.run([TEST_CERTIFY, "--gtest_filter=Lines.Verdicts"], check=True, stdout=subprocess.DEVNULL,
+                           env=os.environ | {"KOV_CERTIFICATE_LINES": lines})
+            with open(lines + ".cpp", encoding="utf-8") as f:
+                theirs = f.read().split()
+        self.assertEqual(len(theirs), len(texts))
+        for text, letter in zip(texts, theirs):
+            self.assertEqual(verdict(text) == "a", letter == "a", text[:2000])
 
     def test_strict_refuses_trusted_steps(self):
         path = os.path.join(DATA, "trusted.json")

@@ -287,8 +287,9 @@ def root_bound(c):
 
 
 def irreducible(m):
-    """Is the monic m in Z[x] proved irreducible over Q?  (docs/theory/certificates.md 3)  Either the degrees of its factors modulo
-    some primes leave no degree for a factor over Q, or |m(n)| is k times a prime for some n > k + (all roots)."""
+    """Is the monic m in Z[x] proved irreducible over Q?  (docs/theory/certificates.md 3)  Either the degrees of its
+    factors modulo some primes leave no degree for a factor over Q, or |m(n)| is k times a prime for some
+    n > k + (all roots)."""
     degrees = set(range(1, len(m) - 1))
     for p in filter(is_prime, range(3, 600)):
         f, x, k, sums = [c % p for c in m], [0, 1], 0, {0}

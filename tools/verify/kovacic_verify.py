@@ -57,7 +57,7 @@ class Invariant(Fact):
         need((w * w - square) % p == 0, "w is not a square root of w^2 modulo p")
 
 
-# ---- the rules: each method checks the data d of one step -------------------------------------------------------------
+# ---- the rules: each method checks the data d of one step -----------------------------------------------------------
 
 class Checker:
     spent = 0                               # of TOTAL, by all certificates of a file
@@ -71,7 +71,7 @@ class Checker:
         need(Checker.spent <= TOTAL, "the certificate is too much work")
 
     def good(self, d):
-        """A prime p with the image a of the generator where r is integral: p, the reduction K[z] -> F_p[z], num, den."""
+        """A prime p where r is integral, and the image a of the generator: p, reduction K[z] -> F_p[z], num, den."""
         p, a = d["p"], d["a"]
         self.spend(20 * self.length)
         need(2 < p < 2**62 and is_prime(p), "p is not an odd prime below 2^62")
@@ -97,7 +97,7 @@ class Checker:
             return num[::-1], den[::-1]
         need(root < p and meval(den, root, p) == 0, "not a root of the place modulo p")
         n, d = mshift(num, root, p), mshift(den, root, p)
-        need(n and n[0] and len(d) > order and not any(d[:order]) and d[order], "the order of the pole changes modulo p")
+        need(n and n[0] and len(d) > order and not any(d[:order]) and d[order], "the order changes modulo p")
         return n, d[order:]
 
     def riccati(self, n, d, order, s0, terms, p):
@@ -122,7 +122,8 @@ class Checker:
     def need_log(self, d, root, delta):
         """A logarithm at the root, or at infinity (local_exponents.md 1.4)."""
         p, _, num, den = self.good(d)
-        need(delta is not None and delta.denominator == 1 and 1 <= delta < p, "a logarithm needs a natural Delta below p")
+        natural = delta is not None and delta.denominator == 1 and 1 <= delta < p
+        need(natural, "a logarithm needs a natural Delta below p")
         n, e = self.expansion(p, num, den, root, 2)
         start = (1 - int(delta)) * (p + 1) // 2 % p
         need(self.riccati(n, e, 2, start, int(delta) + 1, p) is None, "no logarithm is seen")
@@ -395,7 +396,7 @@ class Checker:
         return Fact("good-reduction", p=p, bound=(p + 2 + isqrt(4 * p))**genus, of=v)
 
 
-# ---- conclusions (trichotomy.md) --------------------------------------------------------------------------------------
+# ---- conclusions (trichotomy.md) ------------------------------------------------------------------------------------
 
 COMPONENT = {"SL2": "SL2", "Borel": "Borel", "T": "Ga", "Gm": "Gm", "cyclic": "trivial", "Dinf": "Gm", "D": "trivial",
              "A4": "trivial", "S4": "trivial", "A5": "trivial", None: None}

@@ -46,8 +46,8 @@ def choose(table, key, v):
 
 class Stratum:
     """The state at a node (3).  names {name: variable} and real: of the parameters that are left; conditions: pairs
-    (f, sign); members: what vanishes nowhere; groups: `generic`, and last the coefficients of the den that was stated;
-    num and den: None if den became 0."""
+    (f, sign); members: what vanishes nowhere; groups: `generic`; num and den: None if den became 0.  Where den vanishes
+    identically in z that of the certificate does: fraction."""
 
     def __init__(self, variable, names, real, num, den):
         self.variable, self.names, self.real = variable, names, real
@@ -128,7 +128,7 @@ class Stratum:
 
         def starred(f, n=0):
             return f.substitute(x, l, m, max(n, f.degree(x), 0))
-        for f in (l, *self.members):
+        for f in (*self.members, l):
             s.add(starred(f))
         for f, sign in self.conditions:
             n = f.degree(x)
@@ -149,6 +149,7 @@ class Stratum:
         need(bool(den) == (r is not None), "r must be given if its denominator is not 0, and only then")
         self.num, self.den = (self.poly(r["num"], True), self.poly(r["den"], True)) if r else (None, None)
         need(not r or self.den and self.num * den == num * self.den, "r is not what it becomes where p = 0")
+        need(not r or vanishes(den, self.den), "the denominator vanishes where it did not")
 
 
 class Tree:
@@ -157,15 +158,19 @@ class Tree:
     def __init__(self, prove):
         self.prove, self.leaves, self.nodes, self.trust = prove, Counter(), 0, 0
 
-    def node(self, s, v, depth):
+    def count(self, depth):
         self.nodes += 1
         need(self.nodes <= 10000 and depth <= 64, "the tree is too large")
+
+    def node(self, s, v, depth):
+        self.count(depth)
         name, d = choose(NODES, "node", v)
         if name in ENDS:
             return getattr(self, name)(s, d)
         return getattr(self, name)(s, d, depth)
 
     def zero(self, s, p, v, depth):
+        self.count(depth)
         name, d = choose(ZEROS, "zero", v)
         if name == "solve":
             self.node(s.solve(p, d["variable"], d["r"]), d["then"], depth + 1)
@@ -179,7 +184,7 @@ class Tree:
         need(p.constant() is None, "a split needs a polynomial that is not constant")
         t.add(p)
         self.node(t, d["nonzero"], depth + 1)
-        self.zero(s, p, d["zero"], depth)
+        self.zero(s, p, d["zero"], depth + 1)
 
     def assumed(self, s, d, depth):
         f, p = s.condition(d["condition"], "zero"), s.poly(d["p"])
@@ -187,7 +192,7 @@ class Tree:
         left = quotient(s.rest(f), p.primitive())
         follows = left is not None and remove(left, p.primitive()).constant() is not None
         need(follows, "p = 0 does not follow from the condition")
-        self.zero(s, p, d["zero"], depth)
+        self.zero(s, p, d["zero"], depth + 1)
 
     def lemmas(self, s, d, depth):
         """Signs, by sums of squares and known signs (5)."""
@@ -207,17 +212,16 @@ class Tree:
         if d["terms"] is not None:          # a positive sum that is 0 wherever p is
             total, _, positive = s.total(d["terms"])
             need(positive and vanishes(total, p), "no contradiction")
-        elif p is not None:
-            need(s.is_nonzero(p), "p may vanish")
         else:
-            wrong = any(sign == "zero" and s.is_nonzero(f) for f, sign in s.conditions)
-            need(wrong or not all(s.members), "no contradiction")
+            zeros = [f for f, sign in s.conditions if sign == "zero"] + ([] if p is None else [p])
+            need(not all(s.members) or any(map(s.is_nonzero, zeros)), "no contradiction")
         self.leaves["empty"] += 1
 
     def outside(self, s, d, p=None):
-        i = len(s.groups) - 1 if d["generic"] is None else d["generic"]
-        need(0 <= i < len(s.groups) - (d["generic"] is not None), "no such group")
-        need(all(vanishes(f, p) for f in s.groups[i]), "these points are not outside")
+        i = d["generic"]
+        need(i is None or 0 <= i < len(s.groups), "no such group")
+        group = s.groups[i] if i is not None else s.den.coefficients(Z) if s.den else []
+        need(all(vanishes(f, p) for f in group), "these points are not outside")
         self.leaves["outside"] += 1
 
     def open(self, s, d, p=None):
@@ -306,7 +310,7 @@ def verify(top, prove):
         for x in top["assumptions"]:
             need(x["sign"] in ("positive", "nonnegative", "nonzero", "zero"), "an unknown sign")
             s.assume(s.poly(x["p"]), x["sign"])
-        s.groups = [[s.poly(f) for f in group] for group in top["generic"]] + [s.den.coefficients(Z)]
+        s.groups = [[s.poly(f) for f in group] for group in top["generic"]]
         tree.node(s, top["tree"], 1)
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
         raise Rejected(f"{type(why).__name__}: {why}") from None
