@@ -25,7 +25,7 @@ GROUPS = {"B": ("Borel", None), "Ga": ("T", "1"), "D": ("Gm", None), "trivial": 
 
 def files(folder):
     directory = os.path.join(HERE, folder)
-    return [os.path.join(directory, x) for x in sorted(os.listdir(directory))]
+    return [os.path.join(directory, x) for x in sorted(os.listdir(directory)) if x.endswith(".json")]
 
 
 def text(path):
@@ -86,6 +86,8 @@ class Checker(unittest.TestCase):
             self.assertGreater(len(os.listdir(out)), 3)
             for name in os.listdir(out):
                 certificate = text(os.path.join(out, name))
+                if json.loads(certificate)["format"] != "kovacic-certificate/1":
+                    continue                # strata_python_test.py
                 not_abelian = not json.loads(certificate)["claim"]["abelian"]
                 self.assertEqual(V.verify(certificate), 2 if not_abelian else 1)
                 self.assertEqual(V.judge(os.path.join(out, name), True)[0], 1)
