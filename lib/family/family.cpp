@@ -1,5 +1,6 @@
 #include "family/family.hpp"
 
+#include "family/algebraic_constants.hpp"
 #include "family/assumptions.hpp"
 #include "family/parameter_scope.hpp"
 
@@ -10,19 +11,15 @@
 namespace kov {
 
 Family read_family(const EquationText& text) {
-  std::vector<const Expression*> formulas;
-  for (const auto* e : {&text.r, &text.p, &text.q})
-    if (*e) formulas.push_back(&**e);
-  const bool rational = std::all_of(formulas.begin(), formulas.end(),
-                                    [](const auto* e) { return is_rational_formula(*e); });
-  if (text.ode || text.minpoly || !rational) throw FreeParameters(text.parameters);
+  const auto constants = AlgebraicConstants::in(text);
+  if (text.ode || !constants) throw FreeParameters(text.parameters);
   check_assumptions(text);
   Family f;
   f.variable = equation_names(text).variable;
   std::set<std::string> fixed;
   for (const auto& [name, value] : text.set)
     fixed.insert(name);
-  std::vector<std::string> names;
+  std::vector<std::string> names = constants->names();
   for (const auto& p : text.parameters)
     if (!fixed.contains(p) && p != f.variable &&
         std::find(names.begin(), names.end(), p) == names.end())
@@ -32,7 +29,7 @@ Family read_family(const EquationText& text) {
   std::map<std::string, MFraction> values;
   for (const auto& [name, value] : text.set)
     values[name] = evaluate(value, ParameterScope(ring, values));
-  const ParameterScope scope(ring, values);
+  const ParameterScope scope(ring, values, constants->functions(ring));
   strata::Question& q = f.question;
   q.z = ring->index(f.variable);
   if (text.r) {
@@ -43,6 +40,7 @@ Family read_family(const EquationText& text) {
   }
   if (!q.r.ring()) q.r = MFraction(ring);
   q.assumptions = read_assumptions(text, scope);
+  constants->assume(q.assumptions, scope);
   return f;
 }
 

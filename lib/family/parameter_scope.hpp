@@ -7,11 +7,13 @@
 
 namespace kov {
 
-/// Every variable of the ring by its name, and names with values.
+/// Every variable of the ring by its name, names with values, and roots like sqrt(2) that stand for
+/// a variable.
 class ParameterScope : public Scope {
 public:
-  ParameterScope(Ring ring, std::map<std::string, MFraction> values)
-      : ring_(std::move(ring)), values_(std::move(values)) {}
+  ParameterScope(Ring ring, std::map<std::string, MFraction> values,
+                 std::vector<FunctionMeaning> functions = {})
+      : ring_(std::move(ring)), values_(std::move(values)), functions_(std::move(functions)) {}
 
   [[nodiscard]] const Ring& ring() const override { return ring_; }
   [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override {
@@ -19,13 +21,15 @@ public:
     if (ring_->find(name)) return MFraction::variable(ring_, name);
     return std::nullopt;
   }
-  [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override { return none_; }
+  [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override {
+    return functions_;
+  }
   [[nodiscard]] std::vector<std::string> known_names() const override { return ring_->names(); }
 
 private:
   Ring ring_;
   std::map<std::string, MFraction> values_;
-  std::vector<FunctionMeaning> none_;
+  std::vector<FunctionMeaning> functions_;
 };
 
 } // namespace kov

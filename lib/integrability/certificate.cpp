@@ -60,6 +60,7 @@ public:
       if (a.tree)
         if (const auto c = strata::certificate(a); c.says_anything) add(c.json + "\n", role);
     } catch (const OutOfBudget&) {
+    } catch (const InvalidArgument&) { // a name that the format does not allow
     }
     for (const auto& s : a.special)
       take(*s, role + "-special");

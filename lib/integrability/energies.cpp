@@ -139,6 +139,7 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
   }
   block.special = merging_locus(block.ode->r, block.ode->z, *h);
   if (has_other_parameters(s, block.ode->r, *h)) {
+    if (options.stop_at_r) return; // strata are about the group
     for (const auto& f : block.special) {
       decide_locus(s, spec, claims, generic, f, *h, options, block);
       if (block.abelian == Truth::no) return; // an abelian one says nothing of the others

@@ -36,6 +36,8 @@ void add_assumption(strata::Assumptions& all, const Assumption& a, const Ring& r
 
 strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
   std::vector<std::string> names;
+  for (const std::size_t i : s.field.constants)
+    names.push_back(s.ring()->name(i));
   for (const std::size_t i : s.field.parameters)
     names.push_back(s.ring()->name(i));
   names.push_back(s.ring()->name(ode.z));
@@ -46,12 +48,20 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
                        [&](std::size_t i) { return ring->find(s.ring()->name(i)).has_value(); });
   };
   if (!known(ode.r))
-    throw InvalidArgument("r depends on algebraic constants and on parameters at the same time");
+    throw InvalidArgument("r depends on more than parameters and algebraic constants");
   strata::Question q;
   q.z = ring->index(s.ring()->name(ode.z));
   q.r = transfer(ode.r, ring);
   for (const auto& a : s.assumptions)
     if (known(a.value)) add_assumption(q.assumptions, a, ring);
+  for (const auto& relation : s.field.relations) { // among the algebraic constants
+    const auto used = used_variables(relation);
+    if (std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+          return std::find(s.field.constants.begin(), s.field.constants.end(), i) !=
+                 s.field.constants.end();
+        }))
+      q.assumptions.require(transfer(relation, ring), strata::Sign::zero);
+  }
   const auto levels = level_parameters(s);
   const auto chosen = [&](std::size_t i) {
     return i != ode.z && !uses(ode.r, i) &&

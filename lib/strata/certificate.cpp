@@ -37,6 +37,15 @@ std::vector<std::vector<MPoly>> groups(const Question& q) {
   return all;
 }
 
+bool is_identifier(const std::string& name) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return !name.empty() && letter(name.front()) &&
+         std::all_of(name.begin(), name.end(),
+                     [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
 // r on the stratum, as the judge rewrites it.
 struct Fraction {
   MPoly num, den; ///< den = 0: r has no value
@@ -56,6 +65,10 @@ public:
   Writer(const StrataAnswer& a, const Budget& budget) : a_(a), q_(*a.question), budget_(budget) {}
 
   StrataCertificate write() {
+    for (const auto& name : q_.r.ring()->names())
+      if (!is_identifier(name))
+        throw InvalidArgument("the format has no algebraic constants like " + name +
+                              " beside parameters");
     const State root{KnownFacts(q_.r.ring(), q_.assumptions, groups(q_)), {q_.r.num(), q_.r.den()}};
     Json tree = node(*a_.tree, root);
     Json::Array parameters;
@@ -208,7 +221,7 @@ private:
   static std::optional<std::size_t> solvable(const ProofTree& t, KnownFacts& facts,
                                              std::vector<Lemma>& lemmas) {
     const ProofTree& zero = *t.zero;
-    if (zero.kind == Kind::root) return std::nullopt;
+    if (zero.kind == Kind::root || zero.kind == Kind::related) return std::nullopt;
     for (const std::size_t x : used_variables(t.p)) {
       if (degree(t.p, x) != 1) continue;
       if (zero.kind != Kind::empty && !zero.region->solved().contains(x)) continue;
@@ -220,6 +233,8 @@ private:
   Json zero(const ProofTree& t, State state, const std::optional<std::size_t>& x) {
     const ProofTree& there = *t.zero;
     if (there.kind == Kind::root) return root(there, state);
+    if (there.kind == Kind::related)
+      return open("zero", "the format has no rule for an equation that is not solved");
     if (!x) {
       if (there.kind == Kind::empty) return trusted("zero", "empty", "Z3", there.why);
       return open("zero", "division by a polynomial without an exact proof that it is not 0");

@@ -10,7 +10,7 @@ namespace kov::strata {
 
 struct StrataCertificate {
   std::string json;
-  bool says_anything = false; ///< some stratum is decided
+  bool says_anything = false;           ///< some stratum is decided
   std::size_t trusted = 0;              ///< nodes that rest on Z3 or on a theorem without a rule
   std::vector<std::string> uncertified; ///< why: one line for each such node
 };
@@ -19,6 +19,7 @@ struct StrataCertificate {
 /// (undecided) nodes.
 ///
 /// Requires  a = decide_strata(...) with Options::want_certificate
+/// Throws    InvalidArgument where a name is no identifier; OutOfBudget
 /// Cost      about that of the verdicts of all leaves once more
 [[nodiscard]] StrataCertificate certificate(const StrataAnswer& a, const Budget& budget = {});
 

@@ -60,6 +60,8 @@ std::optional<RootField> root_field(const MPoly& p) {
 
 using Kind = ProofTree::Kind;
 
+constexpr std::size_t max_relations = 3; // algebraic equations that are kept on one stratum
+
 ProofTreePtr grown(Kind kind, const Region& region, MPoly p, std::optional<Leaf> leaf,
                    std::string why, ProofTreePtr nonzero = {}, ProofTreePtr zero = {}) {
   return std::make_shared<ProofTree>(ProofTree{kind, std::move(p), std::make_shared<Region>(region),
@@ -124,7 +126,31 @@ private:
     } catch (const DomainError&) {
       return no_equation("r has no value here");
     }
+    if (const auto* relation = only_constant(r, region))
+      return at_root(r, *relation).value_or(no_equation("r has no value here"));
     return judge(r, q_.z, region, limits_.decide);
+  }
+
+  // The irreducible equation of the one parameter in r: r is a number but for z.
+  [[nodiscard]] const MPoly* only_constant(const MFraction& r, const Region& region) const {
+    std::vector<std::size_t> used = used_variables(r);
+    std::erase(used, q_.z);
+    if (used.size() != 1) return nullptr;
+    for (const auto& relation : region.relations())
+      if (used_variables(relation.p) == used && irreducible_parts(relation.p).size() == 1)
+        return &relation.p;
+    return nullptr;
+  }
+
+  // The verdict over Q[x]/(p), p irreducible in one parameter; unset where r has no value.
+  [[nodiscard]] std::optional<Leaf> at_root(const MFraction& r, const MPoly& p) const {
+    const auto root = root_field(p);
+    if (!is_constant(gcd(r.den(), p))) return std::nullopt;
+    const MFraction x = MFraction::variable(r.ring(), root->variable);
+    const MFraction scaled = substitute(r, {{root->variable, (Rational(1) / root->lead) * x}});
+    NormalForm equation;
+    equation.r = to_rational_function(scaled, q_.z, AlgebraicConstant{root->variable, root->field});
+    return leaf_of(decide(equation, limits_.decide));
   }
 
   // One of the coefficients is known not to vanish, or they are looked at one after the other.
@@ -150,6 +176,10 @@ private:
   ProofTreePtr split(const Region& region, const Needs& needs, int depth) {
     const bool assumed = needs.why == "assumed"; // p = 0 on one of the two sides only
     if (is_constant(needs.p)) return prune(region, {}, "an assumed equation fails");
+    for (const auto& relation : region.relations()) // true here, and r does not show it
+      if (divides(needs.p, relation.p))
+        return add(region, open_leaf(to_string(needs.p) + " = 0 (" + needs.why +
+                                     ") is not solved for a parameter"));
     auto zero = region.where_zero(needs.p);
     if (const auto* first = std::get_if<Region::Split>(&zero))
       return split(region,
@@ -180,7 +210,7 @@ private:
       return grown(Kind::empty, region, needs.p, {},
                    empty->trusted.empty() ? "" : empty->trusted.back().claim);
     }
-    return stuck(region, needs);
+    return stuck(region, needs, depth);
   }
 
   ProofTreePtr prune(const Region& region, const MPoly& p, const std::string& why) {
@@ -195,7 +225,7 @@ private:
   }
 
   // No parameter is linear in p: numbers, or an open stratum.
-  ProofTreePtr stuck(const Region& region, const Needs& needs) {
+  ProofTreePtr stuck(const Region& region, const Needs& needs, int depth) {
     auto path = region.path();
     path.push_back({needs.p, Sign::zero});
     const auto add_here = [&](const Leaf& leaf) {
@@ -209,6 +239,8 @@ private:
                           return i == q_.z || i == root->variable;
                         });
     if (!number)
+      if (auto there = related(region, needs, depth)) return there;
+    if (!number)
       return add_here(
           open_leaf(to_string(needs.p) + " = 0 (" + needs.why + ") is not solved for a parameter"));
     if (region.has_no_real_root(needs.p))
@@ -217,12 +249,19 @@ private:
     for (const auto& g : q_.generic)
       if (!holds_at_root(g, region, needs.p))
         return add_here(no_equation("the reduction to y'' = r y is not valid here: " + g.why));
-    if (!is_constant(gcd(r.den(), needs.p))) return add_here(no_equation("r has no value here"));
-    const MFraction x = MFraction::variable(r.ring(), root->variable);
-    const MFraction scaled = substitute(r, {{root->variable, (Rational(1) / root->lead) * x}});
-    NormalForm equation;
-    equation.r = to_rational_function(scaled, q_.z, AlgebraicConstant{root->variable, root->field});
-    return add_here(leaf_of(decide(equation, limits_.decide)));
+    return add_here(at_root(r, needs.p).value_or(no_equation("r has no value here")));
+  }
+
+  // p = 0 is kept as a relation between the parameters; unset where that has no use.
+  ProofTreePtr related(const Region& region, const Needs& needs, int depth) {
+    if (region.relations().size() >= max_relations) return {};
+    for (const std::size_t x : used_variables(needs.p)) {
+      const MPoly lead = coefficients(needs.p, x).back();
+      if (!is_constant(lead) && region.doubtful_factor(lead)) continue;
+      const Region there = region.with_relation(needs.p, x, needs.why == "assumed");
+      return grown(Kind::related, region, needs.p, {}, needs.why, {}, node(there, depth + 1));
+    }
+    return {};
   }
 
   // One of the coefficients vanishes at no root of p, which is irreducible in one parameter.

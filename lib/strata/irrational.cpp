@@ -123,6 +123,39 @@ std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region)
   return std::nullopt;
 }
 
+void eliminate_relations(std::vector<MFraction>& chi, const Region& region) {
+  const auto related = [&](std::size_t x) {
+    return std::any_of(chi.begin(), chi.end(), [&](const MFraction& c) { return uses(c, x); });
+  };
+  for (const auto& relation : region.relations()) {
+    if (!related(relation.variable)) continue;
+    // T is a new variable of a larger ring
+    const Ring& ring = chi.back().ring();
+    auto names = ring->names();
+    names.emplace_back("T ");
+    const Ring larger = make_ring(names);
+    const std::size_t t = names.size() - 1;
+    MFraction sum(larger);
+    for (std::size_t i = chi.size(); i-- > 0;)
+      sum = sum * MFraction::variable(larger, t) +
+            (is_zero(chi[i]) ? MFraction(larger) : transfer(chi[i], larger));
+    const MPoly p = transfer(MFraction(relation.p), larger).num();
+    if (relation.p.length() * sum.num().length() > 400) return;
+    const MPoly all = resultant(sum.num(), p, larger->index(ring->name(relation.variable)));
+    std::vector<MPoly> in_t;
+    for (const auto& f : irreducible_parts(all))
+      if (uses(f, t)) in_t.push_back(f);
+    if (in_t.size() != 1) return;
+    const auto c = coefficients(in_t.front(), t);
+    if (region.doubtful_factor(transfer(MFraction(c.back()), ring).num())) return;
+    std::vector<MFraction> smaller;
+    for (const auto& f : c)
+      smaller.push_back(is_zero(f) ? MFraction(ring)
+                                   : transfer(MFraction(f) / MFraction(c.back()), ring));
+    chi = std::move(smaller);
+  }
+}
+
 std::optional<Rational> bound_of_square(const ParametricPlace& p, const Region& region) {
   const std::size_t t = place_variable(p);
   for (const bool by_z3 : {false, true})

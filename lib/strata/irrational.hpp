@@ -10,6 +10,10 @@ namespace kov::strata {
 /// but for a factor that may vanish.
 [[nodiscard]] std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region);
 
+/// chi in the parameters that no relation of the region determines, where that leaves one
+/// irreducible polynomial: its roots contain those of chi.
+void eliminate_relations(std::vector<MFraction>& chi, const Region& region);
+
 /// A rational B with Delta^2 <= B for every real Delta^2, on the whole stratum; from a short list.
 [[nodiscard]] std::optional<Rational> bound_of_square(const ParametricPlace& p,
                                                       const Region& region);

@@ -70,7 +70,11 @@ public:
     find_torus();
     if (const auto* log = certain_log(); log != nullptr && !torus_.empty())
       return torus_and_logarithm(*log);
-    if (auto leaf = bessel_leaf(s_, region_)) return *std::move(leaf);
+    const bool irrational = std::any_of(places_.begin(), places_.end(), [](const auto* p) {
+      return p->exponent == ExponentKind::irrational;
+    });
+    if (!irrational)
+      if (auto leaf = bessel_leaf(s_, region_)) return *std::move(leaf);
     if (auto leaf = weber_leaf(s_, region_)) return *std::move(leaf);
     if (!open_.empty()) return with_open_exponents();
     return torus_.empty() ? with_rational_exponents() : with_torus();

@@ -17,6 +17,7 @@ struct ProofTree {
     assumed, ///< p = 0 follows from an assumed equation: zero only
     leaf,    ///< the verdict `leaf`
     root,    ///< the verdict at a root of p, as one number in Q[x]/(p)
+    related, ///< p = 0 is kept as a relation; the stratum goes on with `zero`
     empty,   ///< the stratum has no point
     open     ///< nothing is known, because of `why`
   };

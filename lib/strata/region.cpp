@@ -126,9 +126,30 @@ bool Region::is_nonzero(const MPoly& p) const { return !is_zero(p) && !doubtful_
 std::optional<MPoly> Region::doubtful_factor(const MPoly& p) const {
   if (is_constant(p)) return std::nullopt;
   for (const auto& f : irreducible_parts(p))
-    if (!contains(nonzero_, f) && !has_no_admissible_root(f) && sign_of_irreducible(f) == 0)
+    if (!contains(nonzero_, f) && !differs_from_relations(f) && !has_no_admissible_root(f) &&
+        sign_of_irreducible(f) == 0)
       return f;
   return std::nullopt;
+}
+
+// A common zero of f and p is one of their resultant, as the leading coefficient of p has none.
+bool Region::differs_from_relations(const MPoly& f) const {
+  return std::any_of(relations_.begin(), relations_.end(), [&](const Relation& r) {
+    if (!uses(f, r.variable) || !is_small(f)) return false;
+    const MPoly left = resultant(f, r.p, r.variable);
+    return !is_zero(left) && !doubtful_factor(left);
+  });
+}
+
+Region Region::with_relation(const MPoly& p, std::size_t variable, bool assumed) const {
+  Region r(*this);
+  if (!assumed) r.path_.push_back({p, Sign::zero});
+  r.relations_.push_back({p, variable});
+  r.signs_.clear();
+  std::erase_if(r.assumptions_.conditions, [&](const Condition& c) {
+    return c.sign == Sign::zero && !is_zero(c.p) && divides(p, c.p);
+  });
+  return r;
 }
 
 Truth Region::is_integral(const MFraction& v) const {

@@ -73,6 +73,17 @@ public:
   /// The stratum with p = 0.  p irreducible, not proved nonzero.
   [[nodiscard]] std::variant<Region, Empty, Split, Stuck> where_zero(const MPoly& p) const;
 
+  /// The stratum with p = 0 where no parameter is linear in p: all parameters are kept, and f != 0
+  /// is known where the resultant of f and p in `variable` is.  Requires that the leading
+  /// coefficient of p in `variable` is known != 0.
+  /// An assumed p is not repeated in path().
+  [[nodiscard]] Region with_relation(const MPoly& p, std::size_t variable, bool assumed) const;
+  struct Relation {
+    MPoly p;
+    std::size_t variable;
+  };
+  [[nodiscard]] const std::vector<Relation>& relations() const noexcept { return relations_; }
+
   /// An equation of the assumptions that is not imposed yet, in the parameters that are left; empty
   /// if there is none.
   [[nodiscard]] std::optional<MPoly> pending() const;
@@ -86,6 +97,8 @@ private:
   /// is).
   [[nodiscard]] bool has_no_admissible_root(const MPoly& p) const;
   [[nodiscard]] bool is_real(const MPoly& p) const;
+  /// f has no zero in common with one of the relations.
+  [[nodiscard]] bool differs_from_relations(const MPoly& f) const;
   [[nodiscard]] std::variant<Region, Empty> solve(const MPoly& p, std::size_t variable) const;
   /// The conditions whose variables are all real, for Z3.
   [[nodiscard]] std::vector<Condition> real_conditions() const;
@@ -96,6 +109,7 @@ private:
   std::vector<MPoly> nonzero_;
   std::vector<MPoly> assumed_nonzero_; ///< those that are not splits of the tree
   std::vector<Condition> path_;
+  std::vector<Relation> relations_;
   mutable std::vector<TrustedStep> trusted_;
   mutable std::vector<std::pair<MPoly, int>> signs_; ///< what was asked before
 };

@@ -194,6 +194,7 @@ private:
       if (c.ring() && !is_zero(c))
         if (auto d = region_.doubtful_factor(c.den()))
           return Needs{*std::move(d), "the exponents at " + place_name(p, scheme_.z) + " change"};
+    eliminate_relations(p.chi, region_);
     if (auto n = classify_exponent(p, region_)) return n;
     if (p.exponent == ExponentKind::rational && is_integer(p.delta)) logarithm(p, local);
     return std::nullopt;
@@ -251,10 +252,17 @@ std::string place_name(const ParametricPlace& p, std::size_t z) {
 std::string square_text(const ParametricPlace& p) {
   if (p.chi.size() == 2) return "Delta^2 = " + to_factored_string(-p.chi[0]);
   std::string s;
-  for (std::size_t i = p.chi.size(); i-- > 0;)
-    if (!is_zero(p.chi[i]))
-      s += (s.empty() ? "" : " + ") + ("(" + to_factored_string(p.chi[i]) + ")*T^") +
-           std::to_string(i);
+  for (std::size_t i = p.chi.size(); i-- > 0;) {
+    if (is_zero(p.chi[i])) continue;
+    const bool number = is_constant(p.chi[i]);
+    const bool negative = number && sign(to_rational(p.chi[i])) < 0;
+    const std::string power = i == 0 ? "" : i == 1 ? "T" : "T^" + std::to_string(i);
+    std::string c = to_factored_string(negative ? -p.chi[i] : p.chi[i]);
+    if (!number) c = "(" + c + ")";
+    if (!power.empty())
+      c = number && is_one(negative ? -p.chi[i] : p.chi[i]) ? power : c + "*" + power;
+    s += (s.empty() ? (negative ? "-" : "") : negative ? " - " : " + ") + c;
+  }
   return "Delta^2 a root T of " + s;
 }
 

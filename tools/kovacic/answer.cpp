@@ -126,8 +126,7 @@ private:
       limits.decide.variable = f.variable;
       const strata::StrataAnswer answer = strata::decide_strata(f.question, limits);
       result = family_result(id_, f, answer);
-      if (limits.decide.want_certificate && answer.tree)
-        result["certificate"] = Json::parse(strata::certificate(answer, limits.decide.budget).json);
+      if (limits.decide.want_certificate && answer.tree) put_certificate(result, answer, limits);
     } catch (const FreeParameters&) {
       return std::nullopt;
     }
@@ -137,6 +136,17 @@ private:
         decide_for_all(result))
       result["undecided"] = nullptr;
     return (result.at("undecided").is_null() ? tag_decided : tag_undecided) + dump(result);
+  }
+
+  static void put_certificate(Json& result, const strata::StrataAnswer& answer,
+                              const strata::StrataLimits& limits) {
+    try {
+      const auto c = strata::certificate(answer, limits.decide.budget);
+      result["certificate"] = Json::parse(c.json);
+      if (c.trusted > 0) result["certificate_trusts"] = c.uncertified;
+    } catch (const InvalidArgument& e) {
+      result["no_certificate"] = e.what();
+    }
   }
 
   std::string undecided(const std::string& why, const std::string& detail) {

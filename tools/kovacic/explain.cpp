@@ -19,7 +19,9 @@ constexpr Topic topics[] = {
      "The Galois group is SL(2, C): no solution can be written with integrals, exponentials and\n"
      "algebraic functions (Kovacic's case 4).  The identity component is SL(2, C), not abelian:\n"
      "if the equation is the normal variational equation of a Hamiltonian system, the system has\n"
-     "no second meromorphic first integral (Morales-Ramis)."},
+     "no second first integral that is meromorphic (Morales-Ramis; where the equation is "
+     "irregular\n"
+     "at infinity: meromorphic at infinity, too)."},
     {"Borel",
      "All triangular matrices.  Exactly one exponential solution y = exp(int omega) up to a "
      "factor,\n"
@@ -106,7 +108,8 @@ constexpr Topic topics[] = {
      "With --exit-verdict: 10 identity component not abelian, 20 abelian, 0 undecided."},
     {"batch", "kovacic solve --batch FILE.jsonl reads one JSON object per line, with an id and r, "
               "or p and q,\n"
-              "or ode, and optionally variable, minpoly and parameters, and writes one object per "
+              "or ode, and optionally variable, minpoly, parameters and assumptions, and writes "
+              "one object per "
               "line in the\n"
               "same order.  A bad line gives {\"id\", \"error\"}, and the run goes on."},
 };

@@ -17,6 +17,15 @@ class Malformed(Exception):
     """Not a certificate of this format."""
 
 
+class Rejected(Exception):
+    """A certificate that proves nothing."""
+
+
+def need(condition, why):
+    if not condition:
+        raise Rejected(why)
+
+
 PRIME = {"p": "int", "a": "residue"}
 LOG = PRIME | {"roots?": ["residue"]}
 SERIES = PRIME | {"place": "place", "root": "residue", "delta": "residue", "terms": "int",
@@ -89,8 +98,8 @@ def read_poly(v, right):
                  [y.numerator * (q // y.denominator) for y in row] + [0] * (K.s - len(row))], q)
 
 
-def load(text):
-    """num, den, claim and steps of a certificate; sets the field K."""
+def parse(text):
+    """JSON without numbers and without repeated keys."""
     def no_number(_):
         raise Malformed("numbers must be strings")
 
@@ -99,10 +108,14 @@ def load(text):
             raise Malformed("a key occurs twice")
         return dict(pairs)
     try:
-        top = json.loads(text, object_pairs_hook=unique, parse_int=no_number, parse_float=no_number,
-                         parse_constant=no_number)
+        return json.loads(text, object_pairs_hook=unique, parse_int=no_number, parse_float=no_number,
+                          parse_constant=no_number)
     except (ValueError, RecursionError) as error:
         raise Malformed(f"not JSON: {str(error)[:80]}") from None
+
+
+def load(top):
+    """num, den, claim and steps of a certificate; sets the field K."""
     top = read({"format": "text", "field": "any", "r": "any", "claim": "any", "steps": [STEP]}, top, "certificate")
     field = read({"name": "text", "minpoly": ["short"]}, top["field"], "field")["minpoly"]
     if top["format"] != "kovacic-certificate/1" or not 1 <= len(top["steps"]) <= 1000:

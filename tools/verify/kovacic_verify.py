@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Independent checker for kovacic-certificate/1 (Python 3 standard library only).
+"""Independent checker for kovacic-certificate/1 and kovacic-strata/1 (Python 3 standard library only).
 
 A certificate proves a statement about the differential Galois group G of y'' = r(z) y, r = num/den in K(z), K = Q(a).
 docs/theory/certificates.md defines the format; the pages beside it prove the theorem behind each rule, and the numbers
 in brackets below are theirs.  Nothing is searched for: each step is recomputed from r, its data and its premises.
-Two files beside this one: exact.py has the arithmetic, certificate_format.py the reading.
+Beside this file: exact.py has the arithmetic, certificate_format.py the reading, places.py the degree bounds; strata.py
+and multivariate.py are for equations with parameters (docs/theory/strata_certificates.md).
 
 usage: kovacic_verify.py [--strict] FILE...   (- is standard input)     exit 0 accepted, 1 rejected, 2 malformed
 """
@@ -14,123 +15,16 @@ from math import floor, gcd, isqrt, lcm, prod
 from operator import mul
 from pathlib import Path
 
-from certificate_format import BULK, CLAIM, LENGTH, Malformed, load
-from exact import (K, ONE, ZERO, Poly, division, exact_sqrt, irreducible, is_prime, is_square, madd, mdiff, mdivmod,
-                   meval, mgcd, minverse, mmul, mpow, mshift, power, product, rank, root_bound, sqrt_above)
+import strata
+from certificate_format import BULK, CLAIM, LENGTH, Malformed, Rejected, load, need, parse
+from exact import (K, ONE, ZERO, Poly, division, irreducible, is_prime, is_square, madd, mdiff, mdivmod, meval, mgcd,
+                   minverse, mmul, mpow, mshift, power, product, rank)
+from places import Local, Place
 
 WORK, TOTAL = 4 * 10**9, 2 * 10**10         # elementary operations of one step, of all steps
 
 
-class Rejected(Exception):
-    """A certificate that proves nothing."""
-
-
-def need(condition, why):
-    if not condition:
-        raise Rejected(why)
-
-
 # ---- what checked steps establish -----------------------------------------------------------------------------------
-
-class Place:
-    """n points with the same data, the roots of q (at infinity q = None); order: of the pole of r, at infinity of
-    r(1/t)/t^4 at t = 0.  delta: Delta if proved rational; irrational: proved so at every point; logs: the number of
-    points with a proved logarithm; real: a bound of |Re Delta| (order 2) or of |Re eps| (even order >= 4)."""
-
-    def __init__(self, q, n, order):
-        self.q, self.n, self.order, self.irrational, self.real = q, n, order, False, None
-        self.delta, self.logs = (Fraction(1) if order <= 1 else None), (n if order == 1 else 0)
-        self.ramified = order >= 3 and order % 2 == 1
-
-    def rem(self, f):
-        """f modulo q"""
-        return f if self.q is None or f.degree() < self.n else division(f, self.q)[1]
-
-    def times(self, *factors):
-        """The product in K[c]/q."""
-        v = ONE
-        for f in factors:
-            v = self.rem(v * f)
-        return v
-
-    def set_square(self, value, annihilator):
-        """value = Delta^2 (order 2) or eps^2, a polynomial in c; annihilator(value) = 0 in K[c]/q."""
-        c = value.rational()
-        if self.order == 2:
-            self.delta = exact_sqrt(c) if c is not None else None
-            self.irrational = value.degree() <= 0 and self.delta is None
-            self.logs = self.n if self.delta == 0 else 0
-        if c is not None:
-            self.real = sqrt_above(c)
-        elif annihilator is not None:
-            chi, v = [annihilator.coefficient(i).rational() for i in range(annihilator.degree() + 1)], ZERO
-            need(2 <= len(chi) <= 501 and None not in chi, "the annihilator is constant, too large or not over Q")
-            for x in reversed(chi):
-                v = self.times(v, value) + ONE * x
-            need(not v.c, "the annihilator does not vanish")
-            self.real = sqrt_above(root_bound(chi))
-
-    def infinite_order(self):
-        return self.order >= 3 or self.irrational
-
-    def exchanges_lines(self):
-        """May the two lines of an imprimitive group be exchanged around this place?  (p_curvature.md 3)"""
-        half = self.delta is None or self.delta.denominator == 2
-        return self.ramified or self.order == 2 and not self.irrational and half
-
-    def lowest(self, m):
-        """Lower bound for the order at each point of a rational solution of Sym^m, m even; None: there is none
-        (local_exponents.md 2.1)."""
-        if self.order <= 0:
-            return 0
-        if self.order >= 3:
-            return None if m * self.order % 4 else m * self.order // 4
-        need(self.irrational or self.delta is not None, "a degree bound needs the exponent difference of every place")
-        if self.irrational:
-            return m // 2
-        b = self.delta.denominator
-        return int(m // 2 + (m // 2 if self.logs == self.n else -(m // 2 // b * b)) * self.delta)
-
-    def lowest_exponent(self):
-        """Lower bound for the sum over the points of Re alpha, omega = alpha/t + ... (local_exponents.md 3.1)."""
-        if self.order <= 1:
-            return Fraction(self.n * max(self.order, 0))
-        need(self.real is not None, "D_1 needs delta2 or eps2 (and an annihilator, if it is not rational)")
-        return self.n * (self.order // 2 + (1 if self.logs == self.n else -1) * self.real) / 2
-
-
-class Local:
-    kind = "local"
-
-    def __init__(self, finite, infinity):
-        self.finite, self.infinity, self.all = finite, infinity, finite + [infinity]
-        self.infinite_order, self.log = any(x.infinite_order() for x in self.all), any(x.logs for x in self.all)
-
-    def need_rational(self):
-        need(all(x.order <= 2 and x.delta is not None for x in self.all), "an exponent difference is not proved rational")
-
-    def degree_bound(self, m):
-        """D_m (local_exponents.md 2.2)"""
-        e = [x.lowest(m) for x in self.all]
-        return -1 if None in e else m - sum(x.n * k for x, k in zip(self.all, e))
-
-    def degree_bound_1(self):
-        """D_1 (local_exponents.md 3.2)"""
-        need(not any(x.ramified for x in self.all), "use parity")
-        return floor(1 - sum(x.lowest_exponent() for x in self.all))
-
-    def character_order(self):
-        self.need_rational()
-        return lcm(*(((1 + x.delta) / 2).denominator for x in self.finite))
-
-    def residue_denominator(self, v):
-        """Lcm of the denominators of Delta over the places where v does not branch (dihedral_torsion.md 4)."""
-        self.need_rational()
-        others = [x for x in self.finite if x.rem(v.branch).c]
-        branch = sum(x.n for x in self.finite) - sum(x.n for x in others)
-        need(branch == v.branch.degree(), "the branch places are not places of their own")
-        return lcm(*(x.delta.denominator for x in others + [self.infinity] * (branch % 2 == 0)))
-
 
 class Fact:
     def __init__(self, kind, **data):
@@ -166,13 +60,15 @@ class Invariant(Fact):
 # ---- the rules: each method checks the data d of one step -------------------------------------------------------------
 
 class Checker:
+    spent = 0                               # of TOTAL, by all certificates of a file
+
     def __init__(self, num, den):
         self.num, self.den, self.dn, self.dd = num, den, num.degree(), den.degree()
-        self.length, self.spent = self.dn + self.dd + 2, 0
+        self.length = self.dn + self.dd + 2
 
     def spend(self, work):
-        self.spent += work
-        need(self.spent <= TOTAL, "the certificate is too much work")
+        Checker.spent += work
+        need(Checker.spent <= TOTAL, "the certificate is too much work")
 
     def good(self, d):
         """A prime p with the image a of the generator where r is integral: p, the reduction K[z] -> F_p[z], num, den."""
@@ -581,14 +477,15 @@ def run(checker, rule, data, given):
     return check(data, local, v)
 
 
-def verify(text):
-    """The number of trusted steps; raises Malformed or Rejected."""
-    num, den, claim, steps = load(text)
+def prove(top):
+    """Of an ordinary certificate: the number of trusted steps, num, den and the claim `abelian`."""
+    num, den, claim, steps = load(top)
     size = sum(c * c for c in K.m).bit_length() // 2 + K.d + 1
     need(K.d == 1 or size < 76 and irreducible(K.m), "the minimal polynomial is too large, or not proved irreducible")
     need(den.c and den.lead() == ONE, "den is not monic")
     need(num.c or den.degree() == 0, "r = 0 must be written with den = 1")
     checker, facts, used, trusted, result = Checker(num, den), {}, set(), 0, None
+    checker.spend(10**6)
     for step in steps:
         name, rule, data = step["id"], step["rule"], step["data"]
         try:
@@ -610,7 +507,20 @@ def verify(text):
     need(claim and ("n" not in claim or "group" in claim), "nothing is claimed")
     for key, value in zip(CLAIM, (result[0], result[1], COMPONENT[result[0]], result[2])):
         need(key not in claim or claim[key] == value, f"the claim does not follow: {key}")
-    return trusted
+    return trusted, num, den, claim.get("abelian")
+
+
+def check(text):
+    """The number of trusted steps and a summary; raises Malformed or Rejected."""
+    top, Checker.spent = parse(text), 0
+    if isinstance(top, dict) and top.get("format") == strata.FORMAT:
+        return strata.verify(top, prove)
+    return prove(top)[0], ""
+
+
+def verify(text):
+    """The number of trusted steps; raises Malformed or Rejected."""
+    return check(text)[0]
 
 
 def judge(name, strict):
@@ -618,13 +528,13 @@ def judge(name, strict):
     try:
         text = sys.stdin.buffer.read() if name == "-" else Path(name).read_bytes()
         need(len(text) <= 2**28, "longer than 2^28 bytes")
-        trusted = verify(text.decode("utf-8"))
+        trusted, summary = check(text.decode("utf-8"))
         need(not trusted or not strict, f"{trusted} trusted steps, refused by --strict")
     except (Malformed, OSError, UnicodeDecodeError) as error:
         return 2, f"malformed: {error}"
     except (Rejected, MemoryError) as error:
         return 1, f"rejected: {error or 'out of memory'}"
-    return 0, f"accepted ({trusted} trusted steps)"
+    return 0, f"accepted ({summary}{trusted} trusted steps)"
 
 
 def main(args):

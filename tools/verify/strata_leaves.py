@@ -1,0 +1,300 @@
+"""The leaves of a certificate over strata (docs/theory/strata_certificates.md 6 and 7): solutions of a symmetric power,
+and what the places prove.  s is the state at the leaf, a Stratum of strata.py."""
+from fractions import Fraction
+from functools import reduce
+from math import ceil, isqrt, lcm
+
+from certificate_format import need
+from exact import exact_sqrt, is_prime, mgcd, trim
+from multivariate import ONE, P, determinant, product, pseudo_remainder, quotient, ratio, resultant, spend
+from places import Local, Place
+
+Z = 0                                       # the variable z
+
+
+def factors(s, content, rows):
+    """The q of den = content prod q^order: at every point they keep their degrees, and den is not 0 (6)."""
+    qs, orders, c = [s.poly(e["q"], True) for e in rows], [e["order"] for e in rows], s.poly(content)
+    need(s.is_nonzero(c), "the content may vanish")
+    need(all(q.degree(Z) >= 1 and s.is_nonzero(q.lead(Z)) for q in qs), "a factor may lose degree")
+    need(all(k >= 1 for k in orders), "an order is not positive")
+    need(sum(q.degree(Z) * k for q, k in zip(qs, orders)) == s.den.degree(Z), "the degrees do not add up to deg den")
+    need(product(q**k for q, k in zip(qs, orders)) * c == s.den, "the product is not den")
+    return c, qs, orders
+
+
+def symmetric_power(s, c, factors, m, ps):
+    """T_(m+1) for v = p prod q^e, for each p; factors: (q, order, e) (6)."""
+    S = product(q**((k + 1) // 2) for q, k, _ in factors)
+    theta, W = P(), s.num * c * product(q for q, k, _ in factors if k % 2)
+    for q, _, e in factors:
+        theta += q.diff(Z) * quotient(S, q) * e
+    for p in ps:
+        last = P()
+        for i in range(m + 1):
+            last, p = p, c * (S * p.diff(Z) + (theta - S.diff(Z) * i) * p) - W * last * (i * (m - i + 1))
+        yield p
+
+
+def invariant(s, d):
+    """A solution of Sym^m at every point (strata.md 5.3)."""
+    c, qs, orders = factors(s, d["content"], d["places"])
+    m, p, es = d["m"], s.poly(d["p"], True), [e["e"] for e in d["places"]]
+    need(1 <= m <= 200 and all(abs(e) <= 10**7 for e in es), "m or an exponent is out of range")
+    need(any(s.is_nonzero(f) for f in p.coefficients(Z)), "the solution may vanish")
+    need(not any(symmetric_power(s, c, list(zip(qs, orders, es)), m, [p])), "the symmetric power does not vanish on v")
+
+
+def natural(x):
+    return x >= 0 and x.denominator == 1
+
+
+def root_above(x, k):
+    """The least j/k, j natural, with (j/k)^2 >= x."""
+    n = max(0, ceil(x * k * k))
+    return Fraction(isqrt(n) + (isqrt(n)**2 < n), k)
+
+
+class Leaf:
+    """An equation that is nowhere abelian (7).  A Place is that of places.py, where an open one counts as irrational.
+    Besides it has chi; open; b >= Delta, or None; side, 1 at infinity and -1 elsewhere."""
+
+    def __init__(self, s, d):
+        self.s, self.by, self.absent = s, d["by"], {x["m"]: x for x in d["absent"] or []}
+        need(s.num, "r is 0")
+        self.content, self.qs, self.orders = factors(s, d["content"], d["places"])
+        for i, (q, k) in enumerate(zip(self.qs, self.orders)):
+            need(q.degree(Z) == 1 or s.is_nonzero(resultant(q, q.diff(Z), Z)), "two roots of a place may meet")
+            need(all(s.is_nonzero(resultant(q, f, Z)) for f in self.qs[:i]), "two places may meet")
+            need(k == 2 or s.is_nonzero(resultant(q, s.num, Z)), "the order of a pole may drop")
+        order = 4 - s.den.degree(Z) + s.num.degree(Z)
+        need(order <= 0 or order == 2 or s.is_nonzero(s.num.lead(Z)), "the order at infinity may drop")
+        finite = [self.place(*x) for x in zip(self.qs, self.orders, d["places"])]
+        self.local = Local(finite, self.place(None, order, d["infinity"]))
+        self.open = [x for x in self.local.all if x.open]
+        self.torus = any(x.order >= 3 or x.irrational and not x.open for x in self.local.all)
+
+    # -- places
+
+    def place(self, q, order, d):
+        x = Place(q, q.degree(Z) if q else 1, order)
+        x.chi, x.open, x.b, x.side = None, False, None, -1 if q else 1
+        if order != 2:
+            given = {k for k in d if k not in ("q", "order") and d[k] is not None}
+            need(given <= ({"log"} if order == 1 else set()), "not a regular place")
+            return x
+        x.chi = d["chi"] and self.chi(q, [self.s.poly(f) for f in d["chi"]])
+        linear = x.chi and len(x.chi) == 2
+        square = ratio(x.chi[0] * -1, x.chi[1]) if linear else None
+        x.delta = x.real = exact_sqrt(square) if square is not None else None
+        if d["bound"] is not None:
+            need(linear and self.is_bound(d["bound"], *x.chi), "the bound is not proved")
+            x.b = root_above(d["bound"], 2)
+        if d["irrational"]:
+            proved = x.delta is None and x.chi and self.is_irrational(d["irrational"], x.chi, square)
+            need(proved, "an exponent difference is not proved irrational")
+            negative = linear and d["irrational"] == "positive"
+            x.real = Fraction(0) if negative else root_above(square, 8) if square is not None else None
+        elif x.delta is None:
+            x.open, x.real = True, x.b
+            need(linear or self.by == "irreducible-log", "an exponent difference is not known")
+        x.irrational = x.delta is None
+        if d["log"] and x.delta != 0:
+            need(x.n == 1 and x.delta in range(1, 41), "no logarithm can be seen here")
+            need(self.s.is_nonzero(self.defect(q, int(x.delta))), "no logarithm is seen")
+        x.logs = x.n if d["log"] or x.delta == 0 else 0
+        return x
+
+    def chi(self, q, chi):
+        """All Delta^2 at the place are roots of chi, of constant degree: Delta^2 = X/Y (7.2)."""
+        s, n = self.s, len(chi) - 1
+        need(n >= 1 and s.is_nonzero(chi[n]), "chi may lose degree")
+        if q:
+            Y = q.diff(Z)**2 * quotient(s.den, q**2)
+            X = Y + s.num * 4
+        else:
+            X, Y = s.den.lead(Z) + s.num.lead(Z) * 4, s.den.lead(Z)
+        total = P()
+        for i, f in enumerate(reversed(chi)):       # Horner
+            total = total * X + f * Y**i
+        need(not (pseudo_remainder(total, q, Z) if q else total), "Delta^2 is not a root of chi")
+        return chi
+
+    def is_real(self, *fs):
+        return all(f.variables() <= self.s.real for f in fs)
+
+    def is_bound(self, B, a, b):
+        """B - Delta^2 = (B b + a) b/b^2 >= 0, b real (7.5)"""
+        c, signs = (b * B.numerator + a * B.denominator) * b, (b, b * -1)
+        return (not c or self.s.is_positive(c)) and (self.is_real(b) or any(map(self.s.is_positive, signs)))
+
+    def is_irrational(self, why, chi, square):
+        """chi has no root that is the square of a rational number, at any point (7.2)."""
+        positive = self.s.is_positive
+        if why == "constant":
+            return square is not None
+        if why == "positive":
+            return all(map(positive, chi)) or all(positive(f * -1) for f in chi)
+        need(why == "discriminant" and len(chi) == 3 and self.is_real(*chi), "not a real quadratic polynomial")
+        return positive(chi[2] * chi[0] * 4 - chi[1]**2)
+
+    def defect(self, q, N):
+        """A numerator of the defect at the root of q, or at infinity (7.3).  t^2 r = f/g in the parameter q (infinity:
+        1/z), with coefficients a_k/g_0^(k+1); the solution has u_k/(g_0^(2k) prod_(0 < i <= k) i(i-N)), and u_N, made
+        by the same rule, is the defect."""
+        if q:
+            (low, lead), w = q.coefficients(Z), quotient(self.s.den, q**2)
+            shift, e = low - P({1: 1}), w.degree(Z) - self.s.num.degree(Z) - 2
+            f, g = (v.substitute(Z, lead, shift, v.degree(Z)).coefficients(Z) for v in (self.s.num, w))
+            f, g = [v * lead**max(0, e) for v in f[:N + 1]], [v * lead**max(0, -e) for v in g[:N + 1]]
+        else:
+            f, g = (v.coefficients(Z)[::-1] for v in (self.s.num, self.s.den))
+        f, g = (v + [P()] * (N + 1 - len(v)) for v in (f, g))
+        powers, a, u = [ONE], [], [ONE]
+        for k in range(N + 1):
+            powers.append(powers[-1] * g[0])
+            a.append(sum((g[i] * powers[i - 1] * a[k - i] * -1 for i in range(1, k + 1)), f[k] * powers[k]))
+        for k in range(1, N + 1):
+            total, scale = P(), 1
+            for j in reversed(range(k)):
+                total += a[k - j] * u[j] * powers[k - j - 1] * scale
+                scale *= j * (j - N)
+            u.append(total)
+        return u[N]
+
+    # -- what is excluded (7.4)
+
+    def irreducible(self):
+        return any(x.ramified for x in self.local.all) or self.local.degree_bound_1() < 0
+
+    def sums(self, choice, places, start=()):
+        """All sums of one choice at each point; None if there are more than 4000."""
+        total = {Fraction(sum(start))}
+        for x in places:
+            for _ in range(x.n):
+                values = choice(x)
+                spend(20 + len(total) * len(values))
+                total = {a + b for a in total for b in values}
+                if len(total) > 4000:
+                    return None
+        return total
+
+    @staticmethod
+    def line(x):
+        """1 - alpha at infinity, -alpha at a finite point, for an exponential solution"""
+        if x.order <= 0:
+            return {Fraction(0), Fraction(1)}
+        half = Fraction(x.side, 2)
+        return {half} if x.open else {half - x.delta / 2} if x.logs else {half - x.delta / 2, half + x.delta / 2}
+
+    @staticmethod
+    def product(x):
+        """4 - (the order of (y1 y2)^2) at infinity, -order at a finite point, where no place is a log place (7.7)"""
+        if x.order <= 0:
+            return {0, 2, 4}
+        if x.order >= 3:
+            return {4 - x.order if x.side == 1 else -x.order}
+        if x.irrational:
+            return {2 * x.side}
+        return {2 * x.side + i * x.delta for i in ((-2, 0, 2) if (2 * x.delta).denominator == 1 else (0,))}
+
+    def no_line(self):
+        if self.irreducible():
+            return True
+        lines = self.sums(self.line, self.local.all) if all(x.delta is not None for x in self.local.all) else None
+        return lines is not None and not any(map(natural, lines))
+
+    def no_invariant(self, m):
+        """Of degree m, at any point: by D_m, or by a system of full rank."""
+        D = self.local.degree_bound(m)
+        if D < 0:
+            return True
+        need(m <= 200 and D < 40 and m in self.absent, f"an invariant of degree {m} is not excluded")
+        data = [(q, k, x.lowest(m)) for q, k, x in zip(self.qs, self.orders, self.local.finite)]
+        powers = symmetric_power(self.s, self.content, data, m, [P({j: 1}) for j in range(D + 1)])
+        columns, minors, absent = [f.coefficients(Z) for f in powers], [], self.absent[m]
+        for rows in (minor["rows"] for minor in absent["minors"]):
+            need(len(set(rows)) == len(rows) == D + 1 and min(rows) >= 0, "D + 1 rows are expected")
+            minors.append(determinant([[c[i] if i < len(c) else P() for c in columns] for i in rows]))
+        times = [self.s.poly(minor["times"]) for minor in absent["minors"]]
+        if absent["prime"] is not None:
+            need(all(f == ONE for f in times), "a prime separates the minors themselves")
+            return self.no_common_root([self.s.rest(f) for f in minors if f], absent["prime"])
+        return self.s.is_nonzero(sum((f * t for f, t in zip(minors, times)), P()))
+
+    @staticmethod
+    def no_common_root(fs, p):
+        """A common root would be one of a factor over Q, and modulo p, as the degree of the first does not drop."""
+        xs = set().union(*(f.variables() for f in fs))
+        need(fs and len(xs) <= 1, "no minors, or more than one parameter")
+        need(2 <= p < 2**31 and is_prime(p), "not a prime below 2^31")
+        x = min(xs, default=0)
+        rows = [[c.constant() % p for c in f.coefficients(x)] for f in fs]
+        spend(sum(map(len, rows))**2)
+        return bool(rows[0][-1]) and len(reduce(lambda a, b: mgcd(a, b, p), map(trim, rows))) == 1
+
+    def excluded(self, x, v):
+        """Delta is nowhere v."""
+        return self.s.is_nonzero(x.chi[1] * v.numerator**2 + x.chi[0] * v.denominator**2)
+
+    # -- theorems (7.6)
+
+    def prove(self):
+        local, by = self.local, self.by
+        if by == "torus-log":
+            right = self.torus and local.log
+        elif by == "torus":
+            right = self.torus and not self.open and self.no_invariant(4)
+        elif by == "irreducible-log":
+            right = local.log and self.irreducible()
+        elif by == "rational":
+            local.need_rational()
+            n = lcm(2, local.character_order())
+            right = (local.log or self.no_invariant(12)) and (self.no_line() or self.no_invariant(n))
+        elif by == "open":
+            right = self.several_open()
+        else:
+            right = len(self.open) == 1 and self.no_invariant(4) and self.one_open(self.open[0])
+        need(right, f"the premises of {by} are not all given")
+
+    def several_open(self):
+        need(self.open and all(x.b is not None for x in self.open), "an open place has no bound")
+        right = (self.torus or self.irreducible()) and self.no_invariant(4)
+        for x in self.open if right else []:
+            primitive = x is self.open[0] and not self.torus and not self.local.log
+            right = right and all(self.excluded(x, Fraction(a, n)) for n in ((2, 3, 4, 5) if primitive else (2,))
+                                  for a in range(1, int(x.b * n) + 1))
+        return right
+
+    def one_open(self, x):
+        """No value of Delta at the place x allows an abelian component (7.7, strata.md 6.1)."""
+        local, others, values = self.local, [y for y in self.local.all if y is not x], set()
+        need(x.b is not None or self.torus and local.log, "the open place has no bound")
+        if not local.log:                       # (i)
+            found = self.sums(self.product, others, [2 * x.side * x.n])
+            need(found, "too many sums")
+            for k in range(1, int(2 * x.b) + 1):
+                spend(10 * len(found) * (2 * x.n + 1))
+                if any(natural((f + j * k) / 2) for f in found for j in range(-x.n, x.n + 1)):
+                    values.add(Fraction(k, 2))
+        if not self.torus:
+            if not local.log and all(y.order != 2 or y.delta.denominator <= 5 for y in others):
+                spend(300 * ceil(x.b))
+                fractions = {Fraction(a, n) for n in range(1, 6) for a in range(1, int(x.b * n) + 1)}
+                values |= {v for v in fractions if self.primitive(x, v)}    # (ii)
+            lines = self.sums(self.line, others, [Fraction(x.side * x.n, 2)])
+            need(lines and not (x.n % 2 == 0 and any(map(natural, lines))), "lines with j = 0 are not excluded")
+            for f in lines:                     # (iii)
+                for j in range(x.n, 0, -2):
+                    low, high = max(0, ceil(f - x.b * j / 2)), int(f + x.b * j / 2 + 1)
+                    spend(20 * max(1, high - low))
+                    values |= {v for k in range(low, high + 1) if (v := abs(2 * (k - f) / j)) <= x.b}
+        return all(self.excluded(x, v) for v in values)
+
+    def primitive(self, x, v):
+        """(ii): a finite primitive group is possible for Delta = v."""
+        spend(20 * len(self.local.all))
+        x.delta, x.irrational = v, False
+        possible = self.local.degree_bound(12) >= 0
+        x.delta, x.irrational = None, True
+        return possible
