@@ -58,7 +58,8 @@ public:
   void take(const strata::StrataAnswer& a, const std::string& role) {
     try {
       if (a.tree)
-        if (const auto c = strata::certificate(a); c.says_anything) add(c.json + "\n", role);
+        if (const auto c = strata::certificate(a); c.says_anything && c.refusal.empty())
+          add(c.json + "\n", role);
     } catch (const OutOfBudget&) {
     } catch (const InvalidArgument&) { // a name that the format does not allow
     }

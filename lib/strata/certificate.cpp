@@ -1,5 +1,6 @@
 #include "strata/certificate.hpp"
 
+#include "certify/strata_check.hpp"
 #include "exact/error.hpp"
 #include "strata/leaf_certificate.hpp"
 
@@ -60,6 +61,17 @@ struct State {
   Fraction r;
 };
 
+// What the judge says to the text; empty: accepted.
+std::string judged(const std::string& json) {
+  try {
+    const auto opinion = certify::check_strata(certify::read_strata_certificate(json));
+    if (const auto* no = std::get_if<certify::Rejected>(&opinion)) return no->step + ": " + no->why;
+    return {};
+  } catch (const InvalidArgument& e) {
+    return e.what();
+  }
+}
+
 class Writer {
 public:
   Writer(const StrataAnswer& a, const Budget& budget) : a_(a), q_(*a.question), budget_(budget) {}
@@ -101,6 +113,7 @@ public:
                                   {"tree", std::move(tree)}}};
     result_.json = certify::to_string(whole);
     result_.says_anything = !said_.empty();
+    result_.refusal = judged(result_.json);
     return std::move(result_);
   }
 

@@ -10,8 +10,9 @@ namespace kov::strata {
 
 struct StrataCertificate {
   std::string json;
-  bool says_anything = false;           ///< some stratum is decided
-  std::size_t trusted = 0;              ///< nodes that rest on Z3 or on a theorem without a rule
+  bool says_anything = false; ///< some stratum is decided
+  std::string refusal;        ///< what the judge of lib/certify has against it; empty: accepted
+  std::size_t trusted = 0;    ///< nodes that rest on Z3 or on a theorem without a rule
   std::vector<std::string> uncertified; ///< why: one line for each such node
 };
 

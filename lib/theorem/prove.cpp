@@ -35,18 +35,21 @@ void run_step(NodeResult& n, const std::string& file, const std::string& directo
   const auto start = std::chrono::steady_clock::now();
   try {
     run(n, directory, options);
-  } catch (const InputError& why) {                          // the file is wrong
-    const bool of_values = why.file().starts_with("--set "); // in where, sample or units
+  } catch (const InputError& why) {               // the file is wrong
+    const bool of_values = why.file() == "--set"; // in where, sample or units
     const std::string node = "node '" + n.node.id + "'";
     if (!of_values && !why.file().empty())
       throw InputError(why.file(), why.line(), why.column(), why.length(), why.message(),
                        why.hint() + (why.hint().empty() ? "" : "; ") + "read for " + node + " of " +
                            file,
                        why.source_line());
-    throw InputError(file, n.node.line, 0, 1,
-                     node + (of_values ? ", value of " + why.file().substr(6) : "") + ": " +
-                         why.message(),
-                     why.hint());
+    throw InputError(
+        file, n.node.line, 0, 1,
+        node +
+            (of_values ? ", value of " + why.source_line().substr(0, why.source_line().find('='))
+                       : "") +
+            ": " + why.message(),
+        why.hint());
   } catch (const InternalError&) {
     throw; // the program is
   } catch (const Error& why) {

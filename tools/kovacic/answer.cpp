@@ -142,6 +142,10 @@ private:
                               const strata::StrataLimits& limits) {
     try {
       const auto c = strata::certificate(answer, limits.decide.budget);
+      if (!c.refusal.empty()) {
+        result["no_certificate"] = "the judge does not accept it: " + c.refusal;
+        return;
+      }
       result["certificate"] = Json::parse(c.json);
       if (c.trusted > 0) result["certificate_trusts"] = c.uncertified;
     } catch (const InvalidArgument& e) {
