@@ -1,12 +1,8 @@
-#!/ usr / bin / env python3
-""
-    "The Python checker of certificates over strata: accepts the genuine ones in data/strata, one or more for each node,
-    leaf and theorem,
-    and refuses what false / strata.jsonl makes of them and whatever is hostile
-                                 .
+#!/usr/bin/env python3
+"""The Python checker of certificates over strata: accepts the genuine ones in data/strata, one or more for each node,
+leaf and theorem, and refuses what false/strata.jsonl makes of them and whatever is hostile.
 
-                             A line of strata.jsonl
-                             is{"of" : name, "at" : path, "value" : what is put there, "why"}; without "value" the entry is
+A line of strata.jsonl is {"of": name, "at": path, "value": what is put there, "why"}; without "value" the entry is
 taken out.
 
 usage: strata_python_test.py KOVACIC     (the program; run by ctest)
@@ -100,12 +96,10 @@ class Strata(unittest.TestCase):
         self.assertEqual(V.judge(path, True)[0], 1)
 
     def test_hostile_texts(self):
-        one, texts, tree = genuine("one_open_log"), [], {
-    "node" : "open", "reason" : "x"}
+        one, texts, tree = genuine("one_open_log"), [], {"node": "open", "reason": "x"}
         for key in one:
             for value in (None, 1, "x", "", [], {}, [[]], True, "9" * 10**6, {"a": "1"}, [None], [{}], [["x"]],
-                          {
-    "node" : []}):
+                          {"node": []}):
                 if value != one[key] and (key, value) != ("real", []):      # these are genuine
                     texts.append(changed(one, [key], value))
         for path in ("tree p", "tree nonzero infinity chi 0", "tree nonzero places 0 q", "tree zero r num", "r num"):
@@ -121,8 +115,7 @@ class Strata(unittest.TestCase):
                      [["0"]], [["1", "a"]], [["1", ["square", "a", "9999"], ["square", "a - 1", "9999"]]],
                      [["1", ["condition", "-1", "1"]]], [["1", ["condition", "9" * 99, "1"]]], [["1/2", []]], [[None]],
                      [["1", [[], {}, 1]]]):
-            texts.append(changed(one, ["tree"], {
-    "node" : "empty", "terms" : term}))
+            texts.append(changed(one, ["tree"], {"node": "empty", "terms": term}))
         for _ in range(100):
             tree = {"node": "lemmas", "lemmas": [], "then": tree}
         deep = texts + [changed(one, ["tree"], tree), changed(one, ["parameters"], [f"a{i}" for i in range(13)])]
