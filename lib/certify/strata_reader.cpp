@@ -293,8 +293,8 @@ private:
       s.zero = where_zero(k.at("zero"), depth);
       x->kind = std::move(s);
     } else if (name.text() == "assumed") {
-      x->kind = AssumedNode{index(k.at("condition")), poly(k.at("p")),
-                            where_zero(k.at("zero"), depth)};
+      x->kind =
+          AssumedNode{index(k.at("condition")), poly(k.at("p")), where_zero(k.at("zero"), depth)};
     } else if (name.text() == "lemmas") {
       LemmasNode l;
       for (const Node& v : k.at("lemmas").items())
