@@ -24,7 +24,7 @@ std::optional<AlgebraicConstants> AlgebraicConstants::in(const EquationText& tex
   AlgebraicConstants all;
   const bool i_is_a_parameter =
       std::find(text.parameters.begin(), text.parameters.end(), "I") != text.parameters.end();
-  for (const auto* e : {&text.r, &text.p, &text.q})
+  for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
     if (*e && !all.collect(**e)) return std::nullopt;
   if (i_is_a_parameter) all.i_ = false;
   all.minpoly_ = text.minpoly;
@@ -33,7 +33,8 @@ std::optional<AlgebraicConstants> AlgebraicConstants::in(const EquationText& tex
 
 bool AlgebraicConstants::collect(const Expression& e) {
   if (e.kind() == Kind::name && e.name() == "I") i_ = true;
-  if (e.kind() == Kind::call) {
+  if (e.kind() == Kind::call && e.name() == "root") return false;
+  if (e.kind() == Kind::call && e.name() == "sqrt") {
     const auto n =
         e.name() == "sqrt" && e.operands().size() == 1 ? integer(e.operand(0)) : std::nullopt;
     if (!n || exact_sqrt(Rational(*n))) return false;

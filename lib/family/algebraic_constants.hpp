@@ -13,8 +13,8 @@ namespace kov {
 
 class AlgebraicConstants {
 public:
-  /// The constants in r, p, q.  Unset: some root(...) or a square root of something that is not an
-  /// integer, or that is a square.
+  /// The constants in the formulas.  Unset: some root(...) or a square root of something that is
+  /// not an integer, or that is a square.
   [[nodiscard]] static std::optional<AlgebraicConstants> in(const EquationText& text);
 
   [[nodiscard]] std::vector<std::string> names() const; ///< as variables of the ring

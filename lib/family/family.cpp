@@ -3,6 +3,7 @@
 #include "family/algebraic_constants.hpp"
 #include "family/assumptions.hpp"
 #include "family/parameter_scope.hpp"
+#include "system/linear_formula.hpp"
 
 #include <algorithm>
 #include <map>
@@ -12,10 +13,11 @@ namespace kov {
 
 Family read_family(const EquationText& text) {
   const auto constants = AlgebraicConstants::in(text);
-  if (text.ode || !constants) throw FreeParameters(text.parameters);
+  if (!constants) throw FreeParameters(text.parameters);
   check_assumptions(text);
   Family f;
-  f.variable = equation_names(text).variable;
+  const EquationNames given = equation_names(text);
+  f.variable = given.variable;
   std::set<std::string> fixed;
   for (const auto& [name, value] : text.set)
     fixed.insert(name);
@@ -32,11 +34,17 @@ Family read_family(const EquationText& text) {
   const ParameterScope scope(ring, values, constants->functions(ring));
   strata::Question& q = f.question;
   q.z = ring->index(f.variable);
+  const auto reduced = [&](const MFraction& p, const MFraction& q0) { // y'' + p y' + q0 y = 0
+    return Rational(1, 4) * (p * p) + Rational(1, 2) * derivative(p, q.z) - q0;
+  };
   if (text.r) {
     q.r = evaluate(*text.r, scope);
+  } else if (text.ode) {
+    const auto form = parametric_second_order(*text.ode, given.unknown, q.z, scope);
+    if (!form) throw FreeParameters(text.parameters);
+    q.r = reduced(form->p, form->q);
   } else {
-    const MFraction p = evaluate(*text.p, scope);
-    q.r = Rational(1, 4) * (p * p) + Rational(1, 2) * derivative(p, q.z) - evaluate(*text.q, scope);
+    q.r = reduced(evaluate(*text.p, scope), evaluate(*text.q, scope));
   }
   if (!q.r.ring()) q.r = MFraction(ring);
   q.assumptions = read_assumptions(text, scope);

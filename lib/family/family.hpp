@@ -24,8 +24,8 @@ struct Family {
 };
 
 /// Errors  InputError: an unknown name, a function that is not rational, as check_assumptions
-/// Requires one of the forms r; p and q.  FreeParameters is thrown for a whole equation, and for
-///         constants outside Q beside parameters: not implemented
+///         FreeParameters: root(...) or a square root of something else than an integer that is no
+///         square, beside parameters; an equation that is not linear of the second order
 [[nodiscard]] Family read_family(const EquationText& text);
 
 } // namespace kov

@@ -80,7 +80,7 @@ void classify_constant(ParametricPlace& p) {
     return;
   }
   p.negative_square = sign(square) < 0;
-  set_irrational(p, "= " + kov::to_string(square) + " is not the square of a rational number");
+  set_irrational(p, "is not the square of a rational number");
 }
 
 } // namespace

@@ -42,6 +42,23 @@ TEST(Families, AssumptionsAreAboutParameters) {
   EXPECT_THROW(static_cast<void>(family("a*z", "z > 0")), InputError);
 }
 
+TEST(Families, WholeEquations) {
+  EquationText text;
+  text.ode = parse_expression("(z - b)*y'' = a*(z - b)*z*y + (1/(z - b))*y", "ode", true);
+  text.parameters = {"a", "b"};
+  EquationText r = text;
+  r.ode.reset();
+  r.r = parse_expression("a*z + 1/(z - b)^2", "r");
+  EXPECT_EQ(to_string(read_family(text).question.r), to_string(read_family(r).question.r));
+  text.ode = parse_expression("z*w'' + w' - n*w = 0", "ode", true); // w = y/sqrt(z)
+  text.parameters = {"n"};
+  r.r = parse_expression("n/z - 1/(4*z^2)", "r");
+  r.parameters = {"n"};
+  EXPECT_EQ(to_string(read_family(text).question.r), to_string(read_family(r).question.r));
+  text.ode = parse_expression("w''' = n*w", "ode", true);
+  EXPECT_THROW(static_cast<void>(read_family(text)), FreeParameters);
+}
+
 // What is wrong with a sentence for the equation a*z, a = value; "" for nothing.
 std::string complaint(const std::string& sentence, const std::string& value) {
   EquationText text;
