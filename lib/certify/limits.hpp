@@ -21,6 +21,7 @@ inline constexpr long max_irregular = 200; ///< nu of a pole of order 2 nu
 
 // Certificates over strata (strata_certificates.md 2).
 inline constexpr std::size_t max_terms = 20000;      ///< of a polynomial that is read
+inline constexpr std::size_t max_digits = 10000;     ///< of its coefficients
 inline constexpr unsigned long max_exponent = 10000; ///< the same, exclusive
 inline constexpr std::size_t max_nodes = 10000;
 inline constexpr int max_node_depth = 64;

@@ -201,6 +201,7 @@ void Places::need_no_common_root(const Coefficients& minors, const AbsentInvaria
   NmodPoly common(p);
   for (std::size_t i = 0; i < minors.size(); ++i) {
     need(is_one(x.minors[i].times), "with a prime all times are 1");
+    if (is_zero(minors[i])) continue; // says nothing
     const MPoly rest = s_.stripped(minors[i]);
     for (const std::size_t v : used_variables(rest)) {
       need(!variable || variable == v, "the minors have several parameters");
@@ -210,8 +211,8 @@ void Places::need_no_common_root(const Coefficients& minors, const AbsentInvaria
     long k = 0;
     for (const MPoly& c : coefficients(rest, variable.value_or(0)))
       f.set_coeff(k++, is_zero(c) ? 0 : fmpz_fdiv_ui(c.coefficient(0).raw(), p));
-    need(i > 0 || (k > 0 && degree(f) == k - 1), "the degree of the first minor drops modulo p");
-    common = i == 0 ? f : gcd(common, f);
+    need(!is_zero(common) || degree(f) == k - 1, "the degree of the first minor drops modulo p");
+    common = is_zero(common) ? f : gcd(common, f);
   }
   need(degree(common) == 0, "the minors have a common factor modulo p");
 }

@@ -58,14 +58,15 @@ private:
     bool more = true;
     if (!s_.empty() && digit(s_[0])) {
       const auto digits = word(digit);
-      if (!is_natural(digits)) fail("a natural number is expected");
+      if (digits != "0" && (!is_natural(digits) || digits.size() > max_digits))
+        fail("a natural number of at most 10000 digits is expected");
       c = Integer::parse(digits);
       more = take("*");
     }
     for (; more; more = take("*"))
       factor(e);
     if (negative) c = -c;
-    fmpz_mpoly_push_term_fmpz_ui(f_.raw(), c.raw(), e.data(), f_.ctx());
+    if (!is_zero(c)) fmpz_mpoly_push_term_fmpz_ui(f_.raw(), c.raw(), e.data(), f_.ctx());
   }
 
   void factor(std::vector<unsigned long>& e) {

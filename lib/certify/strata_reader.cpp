@@ -264,7 +264,6 @@ private:
   }
 
   WhereZero where_zero(const Node& n, int depth) {
-    count(n, depth);
     Keys k(n);
     const Node name = k.at("zero");
     WhereZero z;
@@ -291,11 +290,11 @@ private:
     auto x = std::make_unique<StrataNode>();
     if (name.text() == "split") {
       SplitNode s{poly(k.at("p")), node(k.at("nonzero"), depth + 1), {}};
-      s.zero = where_zero(k.at("zero"), depth + 1);
+      s.zero = where_zero(k.at("zero"), depth);
       x->kind = std::move(s);
     } else if (name.text() == "assumed") {
-      x->kind = AssumedNode{index(k.at("condition")), poly(k.at("p")),
-                            where_zero(k.at("zero"), depth + 1)};
+      x->kind =
+          AssumedNode{index(k.at("condition")), poly(k.at("p")), where_zero(k.at("zero"), depth)};
     } else if (name.text() == "lemmas") {
       LemmasNode l;
       for (const Node& v : k.at("lemmas").items())

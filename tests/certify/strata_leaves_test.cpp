@@ -311,6 +311,9 @@ TEST(StrataAbsent, MinorsWithoutCommonRoot) {
   const std::string prime =
       R"("prime":"10007","minors":[{"rows":["2","1"],"times":"1"},{"rows":["3","4"],"times":"1"}])";
   EXPECT_ACCEPTED(with(prime));
+  const std::string zero = R"({"rows":["2","77"],"times":"1"})"; // a minor that is 0
+  EXPECT_ACCEPTED(with(replaced(prime, R"("minors":[)", R"("minors":[)" + zero + ",")));
+  EXPECT_REFUSED(with(R"("prime":"10007","minors":[)" + zero + "," + zero + "]"), "common factor");
   EXPECT_REFUSED(with(replaced(prime, "10007", "3")), "common factor"); // 4A^2 + 1 = 16A^2 - 5
   EXPECT_REFUSED(with(replaced(prime, "10007", "2")), "degree");
   EXPECT_REFUSED(with(replaced(prime, "10007", "10005")), "the prime");

@@ -10,11 +10,12 @@ TEST(StrataReader, Polynomials) {
   const Ring ring = make_ring({"z", "A", "b_1"});
   for (const char* same : {"0", "A", "-A", "-z + 12*A^3*b_1 + 1", "-3*z^2*A + 7"})
     EXPECT_EQ(to_string(read_polynomial(ring, same)), same);
+  EXPECT_EQ(to_string(read_polynomial(ring, "-0 + 0*A - z")), "-z");
   EXPECT_EQ(to_string(read_polynomial(ring, "A*A + A^2 - 2*A^0*A^2 + z^1")), "z");
   for (const char* bad :
-       {"",    " ",    "+A",    "--A",     "A+1",      "A  + 1", "A + ", "1.5",     "01", "00",
-        "A^",  "A^-1", "A^01",  "A^10000", "A^9999*A", "A*2",    "2A",   "*A",      "A*", "B",
-        "A/2", "(A)",  "A + 0", "0*A",     "1e3",      "A - -1", "A\n",  "\xce\xb1"})
+       {"",   " ",  "+A",   "--A",  "A+1",     "A  + 1",   "A + ", "1.5",     "01",
+        "00", "A^", "A^-1", "A^01", "A^10000", "A^9999*A", "A*2",  "2A",      "*A",
+        "A*", "B",  "A/2",  "(A)",  "1e3",     "A - -1",   "A\n",  "\xce\xb1"})
     EXPECT_THROW(read_polynomial(ring, bad), InvalidArgument) << bad;
 }
 
