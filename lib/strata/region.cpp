@@ -141,6 +141,20 @@ bool Region::differs_from_relations(const MPoly& f) const {
   });
 }
 
+// p = 0 as a relation for a variable whose leading coefficient is known, or as a pending equation.
+void Region::relate(const MPoly& p, std::size_t preferred) {
+  auto candidates = used_variables(p);
+  std::stable_partition(candidates.begin(), candidates.end(),
+                        [&](std::size_t x) { return x == preferred; });
+  for (const std::size_t x : candidates) {
+    const MPoly lead = coefficients(p, x).back();
+    if (!is_constant(lead) && doubtful_factor(lead)) continue;
+    relations_.push_back({p, x});
+    return;
+  }
+  assumptions_.conditions.push_back({p, Sign::zero});
+}
+
 Region Region::with_relation(const MPoly& p, std::size_t variable, bool assumed) const {
   Region r(*this);
   if (!assumed) r.path_.push_back({p, Sign::zero});
@@ -286,6 +300,12 @@ std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x)
   if (const auto used = used_variables(step.at(x)); used.size() == 1 && degree(p, used[0]) == 1) {
     if (is_real(x) && !is_real(used[0])) r.assumptions_.real.push_back(used[0]);
     if (is_rational(x) && !is_rational(used[0])) r.assumptions_.rational.push_back(used[0]);
+  }
+  for (const auto& relation : relations_) {
+    const MFraction there = substitute(relation.p, step);
+    if (is_zero(there)) continue;
+    if (is_constant(there)) return Empty{{}};
+    r.relate(there.num(), relation.variable);
   }
   if (r.is_empty()) return Empty{r.trusted_};
   return r;

@@ -75,6 +75,16 @@ TEST(AlgebraicConstants, DecideFamilies) {
   EXPECT_EQ(with_parameter(text_of("a*b/z^3", "a^2 - 5"), "b != 0").abelian(), Truth::no);
 }
 
+// The relation I^2 = -1 stays when another equation is solved.
+TEST(AlgebraicConstants, AreNotLostWhenAParameterIsSolvedFor) {
+  for (const char* r : {"(b^2 - I)*z + I*b*z^3 + 1/z^2", "(b^2 - I)*z + I/(z - b)^2 + b*z^3"}) {
+    const auto answer = with_parameter(text_of(r), "b arbitrary complex");
+    EXPECT_EQ(answer.abelian(), Truth::no) << r;
+    for (const auto& x : answer.strata)
+      EXPECT_FALSE(x.solved.contains(answer.question->r.ring()->index("I"))) << r;
+  }
+}
+
 TEST(AlgebraicConstants, WhatIsNotRead) {
   EXPECT_THROW(static_cast<void>(read_family(text_of("root(x^2 - 2, 1.4)*b*z"))), FreeParameters);
   EXPECT_THROW(static_cast<void>(read_family(text_of("sqrt(4)*b*z"))), FreeParameters);
