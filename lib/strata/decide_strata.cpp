@@ -188,10 +188,15 @@ private:
                    depth);
     ProofTreePtr nonzero;
     if (!assumed || has_other_factor(region, needs.p))
-      nonzero = node(region.where_nonzero(needs.p), depth + 1);
+      nonzero = other_side(region.where_nonzero(needs.p), needs.p, depth);
     const Kind kind = nonzero ? Kind::split : Kind::assumed;
     return grown(kind, region, needs.p, {}, needs.why, std::move(nonzero),
                  where_zero(region, needs, zero, depth));
+  }
+
+  ProofTreePtr other_side(const Region& there, const MPoly& p, int depth) {
+    return there.is_empty_exactly() ? prune(there, p, "contradicts the assumptions")
+                                    : node(there, depth + 1);
   }
 
   ProofTreePtr

@@ -317,7 +317,7 @@ std::optional<MPoly> Region::pending() const {
   return std::nullopt;
 }
 
-bool Region::is_empty() const {
+bool Region::is_empty_exactly() const {
   const SignProver prover(assumptions_.conditions, nonzero_, assumptions_.real);
   for (const auto& c : assumptions_.conditions) {
     if (c.sign == Sign::nonzero && is_zero(c.p)) return true;
@@ -335,6 +335,11 @@ bool Region::is_empty() const {
   }
   for (const auto& m : assumptions_.memberships)
     if (excludes(m, m.value)) return true;
+  return false;
+}
+
+bool Region::is_empty() const {
+  if (is_empty_exactly()) return true;
   const auto conditions = real_conditions();
   const bool ordered = std::any_of(conditions.begin(), conditions.end(), [](const Condition& c) {
     return c.sign == Sign::positive || c.sign == Sign::nonnegative;

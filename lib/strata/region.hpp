@@ -89,6 +89,7 @@ public:
   [[nodiscard]] std::optional<MPoly> pending() const;
   /// Proved: the conditions contradict each other.
   [[nodiscard]] bool is_empty() const;
+  [[nodiscard]] bool is_empty_exactly() const; ///< the same without Z3
 
 private:
   [[nodiscard]] int sign_of_irreducible(const MPoly& p) const;
