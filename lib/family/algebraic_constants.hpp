@@ -1,6 +1,8 @@
 #pragma once
-// Constants outside Q beside parameters: I, sqrt(2), the root of a polynomial.  Each is one more
-// parameter with an assumed equation, which lib/strata keeps as a relation.
+// Constants outside Q beside parameters: I, square roots of integers, the root of a polynomial.
+// They become parameters with an assumed equation, which lib/strata keeps as a relation: I with
+// I^2 = -1, and sqrt(p) for each prime p in a square root, so that they are independent
+// (sqrt(-12) is 2*I*sqrt(3)).
 //
 // What is found holds for every choice of the roots (I and -I, both square roots, all roots of the
 // polynomial): a little more than was asked.
@@ -13,8 +15,8 @@ namespace kov {
 
 class AlgebraicConstants {
 public:
-  /// The constants in the formulas.  Unset: some root(...) or a square root of something that is
-  /// not an integer, or that is a square.
+  /// The constants in the formulas.  Unset: root(...); a square root of something that is not an
+  /// integer, or with a prime factor above 10^6; the root of a polynomial beside other constants.
   [[nodiscard]] static std::optional<AlgebraicConstants> in(const EquationText& text);
 
   [[nodiscard]] std::vector<std::string> names() const; ///< as variables of the ring
@@ -22,11 +24,24 @@ public:
   [[nodiscard]] std::vector<FunctionMeaning> functions(const Ring& ring) const;
   /// I^2 + 1 = 0, ...
   void assume(strata::Assumptions& all, const Scope& scope) const;
+  /// The same value with the powers that the equations allow to lower.  Throws DomainError when the
+  /// denominator is 0.
+  [[nodiscard]] MFraction reduced(const MFraction& f, const Scope& scope) const;
 
 private:
+  /// sqrt(n) = factor * (I if imaginary) * the roots of these primes
+  struct SquareRoot {
+    Integer n, factor{1};
+    bool imaginary = false;
+    std::vector<Integer> primes;
+  };
   bool collect(const Expression& e);
+  static std::optional<SquareRoot> square_root(const Integer& n);
+  [[nodiscard]] std::vector<Integer> primes() const;
+  [[nodiscard]] std::vector<std::pair<std::size_t, MPoly>> equations(const Scope& scope) const;
+
   bool i_ = false;
-  std::vector<Integer> square_roots_; ///< of these integers
+  std::vector<SquareRoot> square_roots_;
   std::optional<Expression> minpoly_;
 };
 

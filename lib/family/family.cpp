@@ -41,12 +41,15 @@ Family read_family(const EquationText& text) {
     q.r = evaluate(*text.r, scope);
   } else if (text.ode) {
     const auto form = parametric_second_order(*text.ode, given.unknown, q.z, scope);
-    if (!form) throw FreeParameters(text.parameters);
+    if (!form)
+      throw text.ode->error("this is not a homogeneous linear equation of the second order",
+                            "only a2*" + given.unknown + "'' + a1*" + given.unknown + "' + a0*" +
+                                given.unknown + " = 0 can be solved");
     q.r = reduced(form->p, form->q);
   } else {
     q.r = reduced(evaluate(*text.p, scope), evaluate(*text.q, scope));
   }
-  if (!q.r.ring()) q.r = MFraction(ring);
+  q.r = q.r.ring() ? constants->reduced(q.r, scope) : MFraction(ring);
   q.assumptions = read_assumptions(text, scope);
   constants->assume(q.assumptions, scope);
   return f;

@@ -9,6 +9,17 @@ bool in_name(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
+bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
+
+// "a natural number", "in a row": between words, not "y'' = a x y".
+bool is_article(const std::string& text, std::string::const_iterator at) {
+  const auto i = static_cast<std::size_t>(at - text.begin());
+  if (text[i] != 'a' || i + 2 >= text.size() || text[i + 1] != ' ' || !is_small_letter(text[i + 2]))
+    return false;
+  const auto before = i == 0 ? std::string::npos : text.find_last_not_of(' ', i - 1);
+  return before == std::string::npos || is_small_letter(text[before]) || text[before] == ',';
+}
+
 } // namespace
 
 std::map<std::string, std::string>
@@ -40,7 +51,8 @@ std::string renamed(const std::string& text, const std::map<std::string, std::st
     }
     const std::string word(at, end);
     const auto found = names.find(word);
-    result += found == names.end() ? word : found->second;
+    const bool stays = found == names.end() || (word.size() == 1 && is_article(text, at));
+    result += stays ? word : found->second;
     at = end;
   }
   return result;

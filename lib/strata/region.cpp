@@ -203,7 +203,8 @@ bool Region::refutes(const std::vector<Condition>& more) const {
   }
   if (has_real_point(all, z3_milliseconds) != Truth::no) return false;
   const std::string where = path_.empty() ? "" : " where " + to_string(path_);
-  trusted_.push_back({"Z3: no real parameters satisfy the assumptions and " + claim + where});
+  trusted_.push_back({"Z3: no real parameters satisfy the assumptions" +
+                      (claim.empty() ? "" : " and " + claim) + where});
   return true;
 }
 

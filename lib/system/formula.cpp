@@ -38,7 +38,7 @@ MFraction evaluate_call(const Expression& e, const Scope& scope) {
     const MFraction argument = evaluate(e.operand(0), scope);
     for (const auto& f : scope.functions())
       if (f.name == e.name() && f.argument == argument)
-        return MFraction::variable(scope.ring(), f.variable);
+        return f.value ? *f.value : MFraction::variable(scope.ring(), f.variable);
   }
   throw e.error("the relation of " + std::string(e.text()) + " is missing",
                 "declare a symbol: [[system.function]] name = \"s\", means = \"" +

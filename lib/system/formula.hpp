@@ -16,6 +16,7 @@ struct FunctionMeaning {
   std::size_t variable = 0;
   std::string name;
   MFraction argument;
+  std::optional<MFraction> value = {}; ///< instead of the variable
 };
 
 /// What the names of a formula mean.

@@ -85,9 +85,24 @@ TEST(AlgebraicConstants, AreNotLostWhenAParameterIsSolvedFor) {
   }
 }
 
+TEST(AlgebraicConstants, AreIndependent) {
+  const auto r = [](const char* text) { return to_string(read_family(text_of(text)).question.r); };
+  EXPECT_EQ(r("(sqrt(8) - 2*sqrt(2))*z^3 + b*z"), r("b*z"));
+  EXPECT_EQ(r("(sqrt(-1) - I)*z^3 + b*z"), r("b*z"));
+  EXPECT_EQ(r("sqrt(4)*b*z"), r("2*b*z"));
+  EXPECT_EQ(r("(sqrt(6)*sqrt(2) - 2*sqrt(3))*z^3 + b*z"), r("b*z"));
+  EXPECT_EQ(r("I^3*b + I*b + z"), r("z"));
+  // c^2 - 2 is 0
+  EXPECT_EQ(
+      to_string(read_family(text_of("(c^2 - 1/4)/z^2 + b*(c^2 - 2)*z", "c^2 - 2")).question.r),
+      "7/(4*z^2)");
+  EXPECT_THROW(static_cast<void>(read_family(text_of("I*z^3 + b*z", "I^2 - 2"))), InputError);
+}
+
 TEST(AlgebraicConstants, WhatIsNotRead) {
   EXPECT_THROW(static_cast<void>(read_family(text_of("root(x^2 - 2, 1.4)*b*z"))), FreeParameters);
-  EXPECT_THROW(static_cast<void>(read_family(text_of("sqrt(4)*b*z"))), FreeParameters);
+  EXPECT_THROW(static_cast<void>(read_family(text_of("sqrt(b)*z"))), FreeParameters);
+  EXPECT_THROW(static_cast<void>(read_family(text_of("sqrt(2)*b*z*c", "c^2 - 2"))), FreeParameters);
 }
 
 } // namespace

@@ -55,8 +55,10 @@ TEST(Families, WholeEquations) {
   r.r = parse_expression("n/z - 1/(4*z^2)", "r");
   r.parameters = {"n"};
   EXPECT_EQ(to_string(read_family(text).question.r), to_string(read_family(r).question.r));
-  text.ode = parse_expression("w''' = n*w", "ode", true);
-  EXPECT_THROW(static_cast<void>(read_family(text)), FreeParameters);
+  for (const char* wrong : {"w''' = n*w", "w'' = n*w^2", "w'' = n*w + 1"}) {
+    text.ode = parse_expression(wrong, "ode", true);
+    EXPECT_THROW(static_cast<void>(read_family(text)), InputError) << wrong;
+  }
 }
 
 // What is wrong with a sentence for the equation a*z, a = value; "" for nothing.
