@@ -57,11 +57,9 @@ public:
   /// The tree of strata, and those of the special strata; a limit leaves a certificate out.
   void take(const strata::StrataAnswer& a, const std::string& role) {
     try {
-      if (a.tree)
-        if (const auto c = strata::certificate(a); c.says_anything && c.refusal.empty())
-          add(c.json + "\n", role);
-    } catch (const OutOfBudget&) {
-    } catch (const InvalidArgument&) { // a name that the format does not allow
+      if (a.tree) take(strata::certificate(a), a, role);
+    } catch (const Error& why) {
+      refuse(why.what(), role);
     }
     for (const auto& s : a.special)
       take(*s, role + "-special");
@@ -70,12 +68,28 @@ public:
   std::vector<NamedCertificate> all;
 
 private:
+  void take(const strata::StrataCertificate& c, const strata::StrataAnswer& a,
+            const std::string& role) {
+    if (!c.refusal.empty())
+      refuse("the judge does not accept it: " + c.refusal, role);
+    else if (c.says_anything)
+      add(c.json + "\n", role);
+    else if (somewhere_decided(a))
+      refuse("the format has no rule for the strata that are decided", role);
+  }
+  static bool somewhere_decided(const strata::StrataAnswer& a) {
+    return std::any_of(a.strata.begin(), a.strata.end(),
+                       [](const strata::Stratum& x) { return x.leaf.abelian != Truth::unknown; });
+  }
+  void refuse(const std::string& why, const std::string& role) {
+    all.push_back({m_.name + role, "", why});
+  }
   void add(const std::string& json, const std::string& role) {
     const std::string name = m_.name + role;
     const auto same = std::count_if(all.begin(), all.end(), [&](const NamedCertificate& c) {
       return c.name == name || c.name.rfind(name + "-", 0) == 0;
     });
-    all.push_back({name + (same == 0 ? "" : "-" + std::to_string(same + 1)), json});
+    all.push_back({name + (same == 0 ? "" : "-" + std::to_string(same + 1)), json, ""});
   }
 
   const System& s_;

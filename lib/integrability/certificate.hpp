@@ -10,6 +10,7 @@ namespace kov {
 struct NamedCertificate {
   std::string name; ///< "manifold", "manifold-level", "manifold-special", "manifold-level-2", ...
   std::string json;
+  std::string none; ///< why there is none
 };
 
 /// One for each equation that was decided with a certificate (Options::want_certificate).  Those

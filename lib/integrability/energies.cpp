@@ -170,6 +170,9 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
     const MFraction f = MFraction::variable(s.ring(), *h) - MFraction(s.ring(), sample);
     run(f.num(), name + " = " + to_string(sample), "sample");
   }
+  if (block.abelian != Truth::no) // perhaps abelian on all levels
+    block.strata = strata::decide_strata(strata_question(s, *block.ode),
+                                         strata_limits(s, *block.ode, options));
 }
 
 } // namespace kov

@@ -146,6 +146,11 @@ private:
         result["no_certificate"] = "the judge does not accept it: " + c.refusal;
         return;
       }
+      if (!c.says_anything) {
+        if (answer.decided())
+          result["no_certificate"] = "the format has no rule for the strata that are decided";
+        return;
+      }
       result["certificate"] = Json::parse(c.json);
       if (c.trusted > 0) result["certificate_trusts"] = c.uncertified;
     } catch (const InvalidArgument& e) {

@@ -198,6 +198,13 @@ private:
       values += "-" + name + "=" + to_string(value);
     json["certificate_files"] = Json::array();
     for (const NamedCertificate& c : certificates(s, m)) {
+      if (c.json.empty()) {
+        json["no_certificate"].push_back(c.name + ": " + c.none);
+        std::ostringstream line;
+        put(line, "no proof", "of " + c.name + ": " + c.none);
+        report_.text += line.str();
+        continue;
+      }
       const std::string path = file_certificate(
           settings_, std::filesystem::path(s.file).stem().string() + values + "-" + c.name, c.json);
       json["certificate_files"].push_back(path);

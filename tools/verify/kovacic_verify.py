@@ -535,7 +535,7 @@ def judge(name, strict):
         return 2, f"malformed: {error}"
     except (Rejected, MemoryError) as error:
         return 1, f"rejected: {error or 'out of memory'}"
-    return 0, f"accepted ({summary}{trusted} trusted steps)"
+    return 0, f"accepted ({summary}{trusted} trusted step{'s' * (trusted != 1)})"
 
 
 def main(args):

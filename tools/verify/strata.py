@@ -200,6 +200,7 @@ class Tree:
         for lemma in d["lemmas"]:
             p, times, sign = s.poly(lemma["p"]), s.poly(lemma["times"] or "1"), lemma["sign"]
             if lemma["terms"] is None:
+                need(lemma["times"], "a lemma without terms needs times")
                 need(sign == "nonzero" and s.is_nonzero(p * times), "p times its factor is not known")
             else:
                 total, k, positive = s.total(lemma["terms"])
