@@ -8,9 +8,13 @@ void Assumptions::require(const MFraction& f, Sign sign) {
   const MPoly num = f.num();
   const MPoly den = f.ring() ? f.den() : MPoly();
   const bool fraction = f.ring() && !is_constant(den);
-  if (fraction) conditions.push_back({den, Sign::nonzero});
+  const auto add = [this](Condition c) {
+    if (std::find(conditions.begin(), conditions.end(), c) == conditions.end())
+      conditions.push_back(std::move(c));
+  };
+  if (fraction) add({den, Sign::nonzero});
   const bool ordered = sign == Sign::positive || sign == Sign::nonnegative;
-  conditions.push_back({ordered && fraction ? num * den : num, sign});
+  add({ordered && fraction ? num * den : num, sign});
   if (!ordered) return;
   for (const std::size_t i : used_variables(f))
     if (std::find(real.begin(), real.end(), i) == real.end()) real.push_back(i);

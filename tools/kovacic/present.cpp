@@ -45,7 +45,9 @@ int present(const Settings& settings, Answer answer, const std::string& title) {
     return report(settings, e);
   }
   report_failure(settings, answer);
-  return exit_code(settings, answer);
+  const int code = exit_code(settings, answer);
+  const bool unproved = code == exit_decided && answer.result.contains("no_certificate");
+  return unproved ? exit_undecided : code;
 }
 
 } // namespace kov::cli
