@@ -140,11 +140,11 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
   if (!on.empty()) out += tag("p", "Rests on: " + on, "class=\"soft\"");
   if (!n.summary.empty()) out += tag("p", tag("b", "Found: ") + prose(n.summary, html));
   for (const Hypothesis& h : n.node.hypotheses)
-    out +=
-        h.checked
-            ? tag("p", "Hypothesis, checked by " + prose(h.by, html) + ": " + prose(h.text, html),
-                  "class=\"soft\"")
-            : tag("p", "Hypothesis not checked: " + prose(h.text, html), "class=\"warn\"");
+    out += h.checked ? tag("p",
+                           "Hypothesis, for which the author names step " + prose(h.by, html) +
+                               ": " + prose(h.text, html),
+                           "class=\"soft\"")
+                     : tag("p", "Hypothesis not checked: " + prose(h.text, html), "class=\"warn\"");
   std::string checks;
   for (const CheckedIdentity& c : n.checks)
     checks += tag("li", prose(c.statement, html), c.holds ? "" : "class=\"no\"");

@@ -84,7 +84,8 @@ std::string step(const TheoremResult& t, const NodeResult& n) {
   }
   if (!n.summary.empty()) out += "\\par\\textbf{Found:} " + prose(n.summary, tex) + ".\n";
   for (const Hypothesis& h : n.node.hypotheses)
-    out += paragraph(h.checked ? "Hypothesis, checked by " + h.by : "HYPOTHESIS NOT CHECKED",
+    out += paragraph(h.checked ? "Hypothesis, for which the author names step " + h.by
+                               : "HYPOTHESIS NOT CHECKED",
                      prose(h.text, tex));
   if (!n.checks.empty()) {
     out += "\\begin{itemize}\\setlength{\\itemsep}{0pt}\\small\n";

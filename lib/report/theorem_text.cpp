@@ -62,7 +62,7 @@ void put_step(std::string& out, const NodeResult& n) {
   out += filled(n.node.statement, 2);
   if (!n.summary.empty()) out += filled("found: " + n.summary, 2);
   for (const Hypothesis& h : n.node.hypotheses)
-    out += filled((h.checked ? "hypothesis, checked by '" + h.by + "': "
+    out += filled((h.checked ? "hypothesis, for which the author names step '" + h.by + "': "
                              : std::string("HYPOTHESIS NOT CHECKED: ")) +
                       h.text,
                   2);

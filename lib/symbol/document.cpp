@@ -208,7 +208,12 @@ std::string read_text(const std::string& path, std::size_t limit) {
     if (std::filesystem::is_directory(path, failed))
       throw InputError(path, 0, 0, 1, "this is a directory, a file is expected");
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(path, 0, 0, 1, "the file cannot be opened");
+    if (!in)
+      throw InputError(
+          path, 0, 0, 1, "the file cannot be opened",
+          path.find_first_of("^*+()=") == std::string::npos
+              ? ""
+              : "a formula is given by an option: kovacic solve -r 'r(z)' or -e \"y'' = r y\"");
     read(in);
   }
   if (text.size() > limit)

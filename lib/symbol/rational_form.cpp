@@ -353,7 +353,8 @@ InputError unknown_name(const Expression& at, const Reading& reading) {
   if (const auto near = nearest(name, known))
     hint += "; did you mean " + *near + "?";
   else if (!reading.variable.empty())
-    hint += "; another name needs a value (--set) or a minimal polynomial (--minpoly)";
+    hint += "; another name is a parameter (--parameter " + name +
+            ": decided for all values), has a value (--set) or a minimal polynomial (--minpoly)";
   return at.error("unknown name '" + name + "'", hint);
 }
 

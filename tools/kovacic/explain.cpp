@@ -42,7 +42,8 @@ constexpr Topic topics[] = {
      "(Kovacic's case 2).  Identity component Gm, abelian."},
     {"D",
      "D_n, binary dihedral of order 4n: like Dinf, but all solutions are algebraic.  Identity\n"
-     "component trivial, abelian.  Finite or infinite is decided by a torsion test on a curve."},
+     "component trivial, abelian.  Finite or infinite is decided by a torsion test on a curve.\n"
+     "In the reason of an answer D_1, D_4, D_12 are degree bounds: see degree-bound."},
     {"A4", "Binary tetrahedral group, order 24: all solutions are algebraic (case 3)."},
     {"S4", "Binary octahedral group, order 48: all solutions are algebraic (case 3)."},
     {"A5", "Binary icosahedral group, order 120: all solutions are algebraic (case 3)."},
@@ -81,9 +82,37 @@ constexpr Topic topics[] = {
      "Lame, Riemann, Euler, Heun, Whittaker, Bessel, Weber or Airy.  The form is proved by\n"
      "transforming back, and the closed answer of the family is compared with the answer that was\n"
      "computed.  See kovacic lame and kovacic potential."},
-    {"parameter", "A name without a value appears.  Give it one: --set n=1/2, or [[expect]] where "
-                  "= { n = \"1/2\" }\n"
-                  "in a file, or minpoly for an algebraic number.  Exit code 3."},
+    {"parameter",
+     "A name without a value.  Declared with --parameter n (or [ode] parameters, [system]\n"
+     "parameters) the question is decided for all its values at once, on strata; --assume 'n > 0'\n"
+     "says which values are meant.  --set n=1/2 gives one value.  'free parameters' in an answer:\n"
+     "the equation has constants that parameters do not go with (root(...), sqrt of a parameter)."},
+    {"stratum",
+     "A set of parameter values, given by equations and inequations that the program found: where\n"
+     "poles merge, an order drops, an exponent difference takes a special value.  The strata are\n"
+     "disjoint and cover everything that is assumed; 'always' means: wherever the assumptions hold."},
+    {"degree-bound",
+     "D_m bounds the degree of the polynomial part of a rational solution of the m-th symmetric\n"
+     "power (m = 4, 6, 8, 12), D_1 that of an exponential solution.  It is a sum of local exponents.\n"
+     "D_m < 0 proves that there is none.  docs/theory/local_exponents.md"},
+    {"Delta",
+     "The exponent difference at a pole of order 2: exponents (1 + Delta)/2 and (1 - Delta)/2,\n"
+     "Delta^2 = 1 + 4 a with r = a/(z-c)^2 + ...  Irrational at one place: the identity component\n"
+     "contains a torus."},
+    {"logarithm",
+     "Delta is an integer and the solutions near the pole contain log(z-c): the group contains a\n"
+     "unipotent matrix.  With a torus, or without an exponential solution, it is not abelian."},
+    {"Sym",
+     "Sym^m is the m-th symmetric power of the equation: its solutions are the products of m\n"
+     "solutions.  A rational one is an invariant of the group; SL(2) and the full triangular group\n"
+     "have none."},
+    {"certificate",
+     "A proof of the answer as data, written with --certificate, checked by kovacic verify and by\n"
+     "tools/verify/kovacic_verify.py, which share no code with the solver.  What a certificate takes\n"
+     "on trust (a theorem of the literature, an answer of Z3) is counted; --strict refuses it."},
+    {"trusted",
+     "A step that is not checked: a theorem of the literature, the way from a system to r, or an\n"
+     "answer of Z3 about real inequalities.  It is named and counted."},
     {"not-implemented",
      "The question is decidable in principle, but this program does not know how yet; the message\n"
      "says which part is missing.  What is reported as known is proved.  Exit code 3."},

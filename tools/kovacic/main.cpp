@@ -219,7 +219,9 @@ struct CommandLine {
     shared_flags(*measure, false);
 
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
-    make->add_option("KIND", word, "ode")->required()->type_name("");
+    make->add_option("KIND", word, "ode, hamiltonian, euler-poisson or vector-field")
+        ->required()
+        ->type_name("");
     shared_flags(*make, false);
 
     CLI::App* explain = app.add_subcommand("explain", "what a word in an answer means");

@@ -23,9 +23,30 @@ Json group_name(const strata::Leaf& leaf) {
   return to_string(leaf.group->type) + (leaf.group->n ? "_" + to_string(*leaf.group->n) : "");
 }
 
+// What the strata are a part of; the equations of algebraic constants are none.
+Json assumed(const strata::Assumptions& all, const Ring& ring) {
+  Json list = Json::array();
+  std::vector<std::size_t> ordered;
+  for (const auto& c : all.conditions) {
+    const auto used = used_variables(c.p);
+    if (c.sign == strata::Sign::positive || c.sign == strata::Sign::nonnegative)
+      ordered.insert(ordered.end(), used.begin(), used.end());
+    list.push_back(strata::to_string(c));
+  }
+  for (const auto& m : all.memberships)
+    list.push_back(to_string(m.value) + (m.in_integers ? " is an integer" : " is no integer"));
+  for (const std::size_t i : all.real)
+    if (std::find(ordered.begin(), ordered.end(), i) == ordered.end()) {
+      list.push_back(ring->name(i) + " is real");
+      ordered.push_back(i);
+    }
+  return list;
+}
+
 } // namespace
 
 void put_strata(Json& j, const strata::StrataAnswer& a) {
+  if (a.question) j["assumed"] = assumed(a.question->assumptions, a.question->r.ring());
   Json all = Json::array();
   for (const auto& s : a.strata) {
     Json conditions = Json::array();
@@ -48,6 +69,10 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
 
 void print_strata(std::ostream& out, const Json& j) {
   if (j.contains("contradictory")) line(out, "strata", "no parameters satisfy the assumptions");
+  std::string given;
+  for (const Json& c : j.value("assumed", Json::array()))
+    given += (given.empty() ? "" : ", ") + c.get<std::string>();
+  if (!given.empty()) line(out, "assumed", given);
   for (const Json& s : j.at("strata")) {
     std::string where;
     for (const Json& c : s.at("conditions"))
