@@ -50,7 +50,7 @@ void assume(strata::Assumptions& all, const Sentence& s, const Scope& scope) {
   case Sentence::Kind::membership:
     value -= evaluate(*s.right, scope);
     if (s.holds) declare(all, value, Sentence::Domain::rational);
-    all.memberships.push_back({Rational(Integer(1), s.modulus) * value, s.holds});
+    all.require_integral(Rational(Integer(1), s.modulus) * value, s.holds);
     return;
   default:
     declare(all, value, s.domain);

@@ -73,7 +73,7 @@ public:
 
   Classification run() {
     if (is_zero(r_)) {
-      settle({GroupType::cyclic, Integer(1)}, "r = 0: the solutions are 1 and z");
+      settle({GroupType::cyclic, Integer(1)}, "r = 0: the solutions are 1 and the variable itself");
       answer_.pair.reset();
       return answer_;
     }

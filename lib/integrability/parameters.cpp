@@ -21,7 +21,7 @@ void add_assumption(strata::Assumptions& all, const Assumption& a, const Ring& r
   case Relation::nonnegative:
     return all.require(value, strata::Sign::nonnegative);
   case Relation::integer:
-    all.memberships.push_back({value, true});
+    all.require_integral(value, true);
     [[fallthrough]];
   default: // real, rational: of a parameter
     if (const auto used = used_variables(value);

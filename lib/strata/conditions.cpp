@@ -20,6 +20,11 @@ void Assumptions::require(const MFraction& f, Sign sign) {
     if (std::find(real.begin(), real.end(), i) == real.end()) real.push_back(i);
 }
 
+void Assumptions::require_integral(const MFraction& f, bool in_integers) {
+  if (f.ring() && !is_constant(f.den())) require(MFraction(f.den()), Sign::nonzero);
+  memberships.push_back({f, in_integers});
+}
+
 namespace {
 
 // x_i = ... for the last variable that is linear with a constant coefficient.

@@ -37,6 +37,8 @@ struct Assumptions {
 
   /// f = 0, f != 0, f > 0, f >= 0 for a rational function, whose denominator is then not 0.
   void require(const MFraction& f, Sign sign);
+  /// f in Z, or not; its denominator is not 0.
+  void require_integral(const MFraction& f, bool in_integers);
 };
 
 /// "C = 2*A", "A - C != 0", "A > 0": an equation is solved where a variable is linear with a

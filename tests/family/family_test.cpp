@@ -42,6 +42,14 @@ TEST(Families, AssumptionsAreAboutParameters) {
   EXPECT_THROW(static_cast<void>(family("a*z", "z > 0")), InputError);
 }
 
+// n/m means something only where m is not 0.
+TEST(Families, AnAssumedIntegerHasADenominator) {
+  const auto a = answer("m*z + n/z^2", "n/m integer");
+  EXPECT_EQ(a.abelian(), Truth::no);
+  for (const auto& x : a.strata)
+    EXPECT_TRUE(x.solved.empty());
+}
+
 TEST(Families, WholeEquations) {
   EquationText text;
   text.ode = parse_expression("(z - b)*y'' = a*(z - b)*z*y + (1/(z - b))*y", "ode", true);
