@@ -45,9 +45,8 @@ TEST(Families, AssumptionsAreAboutParameters) {
 // n/m means something only where m is not 0.
 TEST(Families, AnAssumedIntegerHasADenominator) {
   const auto a = answer("m*z + n/z^2", "n/m integer");
-  EXPECT_EQ(a.abelian(), Truth::no);
-  for (const auto& x : a.strata)
-    EXPECT_TRUE(x.solved.empty());
+  ASSERT_EQ(a.strata.size(), 1U); // no stratum m = 0
+  EXPECT_TRUE(a.strata.front().solved.empty());
 }
 
 TEST(Families, WholeEquations) {
