@@ -42,15 +42,25 @@ void declare(strata::Assumptions& all, const MFraction& v, Sentence::Domain doma
   if (domain == Sentence::Domain::rational) all.rational.push_back(used[0]);
 }
 
+// An inequality is about real numbers.
+void refuse_imaginary_unit(const Sentence& s, const MFraction& value, const Ring& ring) {
+  const bool ordered = s.sign == strata::Sign::positive || s.sign == strata::Sign::nonnegative;
+  const auto i = ring->find("I");
+  if (ordered && i && uses(value, *i))
+    throw s.error("an inequality is about real numbers", "I is the imaginary unit");
+}
+
 void assume(strata::Assumptions& all, const Sentence& s, const Scope& scope) {
   MFraction value = evaluate(s.left, scope);
   switch (s.kind) {
   case Sentence::Kind::sign:
-    return all.require(value - evaluate(*s.right, scope), s.sign);
+    value -= evaluate(*s.right, scope);
+    refuse_imaginary_unit(s, value, scope.ring());
+    return all.require(value, s.sign);
   case Sentence::Kind::membership:
     value -= evaluate(*s.right, scope);
     if (s.holds) declare(all, value, Sentence::Domain::rational);
-    all.require_integral(Rational(Integer(1), s.modulus) * value, s.holds);
+    all.require_integral((Rational(1) / s.modulus) * value, s.holds);
     return;
   default:
     declare(all, value, s.domain);
@@ -96,7 +106,7 @@ Place place(const NfElem& v) {
 bool is_false(const Sentence& s, const NfElem& v) {
   using strata::Sign;
   if (s.kind == Sentence::Kind::membership) {
-    const bool in = is_rational(v) && is_integer(to_rational(v) / Rational(s.modulus));
+    const bool in = is_rational(v) && is_integer(to_rational(v) / s.modulus);
     return in != s.holds;
   }
   if (s.kind == Sentence::Kind::declaration)
@@ -201,6 +211,28 @@ strata::Assumptions read_assumptions(const EquationText& text, const Scope& scop
   return all;
 }
 
+namespace {
+
+// A parameter in an inequality is real: one that is said to be complex is a contradiction in terms.
+void refuse_complex_order(const std::vector<Sentence>& all) {
+  std::set<std::string> complex;
+  for (const Sentence& s : all)
+    if (s.kind == Sentence::Kind::declaration && s.domain == Sentence::Domain::complex)
+      for (const auto& name : names_in(s))
+        complex.insert(name);
+  for (const Sentence& s : all) {
+    if (s.kind != Sentence::Kind::sign ||
+        (s.sign != strata::Sign::positive && s.sign != strata::Sign::nonnegative))
+      continue;
+    for (const auto& name : names_in(s))
+      if (complex.contains(name))
+        throw error_at_name(s, name, "'" + name + "' is said to be complex",
+                            "an inequality is about real parameters");
+  }
+}
+
+} // namespace
+
 void check_assumptions(const EquationText& text) {
   if (text.assume.empty()) return;
   Checker check(text);
@@ -210,6 +242,7 @@ void check_assumptions(const EquationText& text) {
       check(s);
       all.push_back(std::move(s));
     }
+  refuse_complex_order(all);
   refuse_contradictions(text, all);
 }
 

@@ -108,9 +108,44 @@ private:
     std::string_view right = trimmed(whole_.substr(at + 4));
     if (!right.ends_with('Z')) return std::nullopt;
     right = trimmed(right.substr(0, right.size() - 1));
-    if (right.ends_with('+')) right.remove_suffix(1);
-    return Sentence{Sentence::Kind::membership, formula(left),
-                    right.empty() ? number("0") : formula(right), strata::Sign::nonzero, holds};
+    // offset + multiplier Z: what follows the last plus sign is the multiplier
+    const std::size_t plus = last_plus(right);
+    const std::string_view offset = plus == none ? std::string_view{} : right.substr(0, plus);
+    const std::string_view multiplier = plus == none ? right : right.substr(plus + 1);
+    return Sentence{Sentence::Kind::membership,
+                    formula(left),
+                    trimmed(offset).empty() ? number("0") : formula(offset),
+                    strata::Sign::nonzero,
+                    holds,
+                    multiplier_of(multiplier)};
+  }
+
+  static constexpr std::size_t none = std::string_view::npos;
+
+  // Outside parentheses.
+  static std::size_t last_plus(std::string_view s) {
+    long depth = 0;
+    for (std::size_t i = s.size(); i-- > 0;) {
+      depth += s[i] == ')' ? 1 : s[i] == '(' ? -1 : 0;
+      if (s[i] == '+' && depth == 0) return i;
+    }
+    return none;
+  }
+
+  // Of Z: a positive rational number, 1 if nothing stands there.
+  [[nodiscard]] Rational multiplier_of(std::string_view piece) const {
+    using Kind = Expression::Kind;
+    piece = trimmed(piece);
+    if (piece.ends_with('*')) piece = trimmed(piece.substr(0, piece.size() - 1));
+    if (piece.empty()) return Rational(1);
+    const Expression e = formula(piece);
+    const auto digits = [](const Expression& x) { return x.kind() == Kind::number; };
+    if (digits(e) && !is_zero(e.number())) return Rational(e.number());
+    if (e.kind() == Kind::quotient && digits(e.operand(0)) && digits(e.operand(1)) &&
+        !is_zero(e.operand(0).number()) && !is_zero(e.operand(1).number()))
+      return {e.operand(0).number(), e.operand(1).number()};
+    throw e.error("what multiplies Z is a positive rational number",
+                  "write e.g. n in 2Z, nu in 1/2+Z, or nu in a+2Z");
   }
 
   std::optional<Sentence> integer_word() {
@@ -122,7 +157,7 @@ private:
     const bool holds = !drop_tail(rest, "not");
     drop_tail(rest, "is");
     return Sentence{Sentence::Kind::membership, formula(rest), number(odd ? "1" : "0"),
-                    strata::Sign::nonzero,      holds,         Integer(odd || even ? 2 : 1)};
+                    strata::Sign::nonzero,      holds,         Rational(odd || even ? 2 : 1)};
   }
 
   std::optional<Sentence> word() {

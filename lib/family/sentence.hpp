@@ -18,7 +18,7 @@ struct Sentence {
   std::optional<Expression> right; ///< sign: left - right is meant; membership: the offset
   strata::Sign sign = strata::Sign::nonzero;
   bool holds = true;               ///< membership: in, or not in
-  Integer modulus{1};              ///< membership: left - offset in modulus Z
+  Rational modulus{1};             ///< membership: left - offset in modulus Z, positive
   Domain domain = Domain::complex; ///< declaration: where the name lies
   std::string text{};              ///< the sentence itself
   OriginPtr origin{};              ///< where it stands

@@ -120,15 +120,20 @@ private:
     }
     for (const auto& g : q_.generic)
       if (auto answer = generic(g, region)) return *std::move(answer);
-    MFraction r;
+    const auto r = value_on(region);
+    if (!r) return no_equation("r has no value here");
+    if (const auto* relation = only_constant(*r, region))
+      return at_root(*r, *relation).value_or(no_equation("r has no value here"));
+    return judge(*r, q_.z, region, limits_.decide);
+  }
+
+  // r in the parameters that are left.
+  [[nodiscard]] std::optional<MFraction> value_on(const Region& region) const {
     try {
-      r = region.restrict(q_.r);
+      return region.restrict(q_.r);
     } catch (const DomainError&) {
-      return no_equation("r has no value here");
+      return std::nullopt;
     }
-    if (const auto* relation = only_constant(r, region))
-      return at_root(r, *relation).value_or(no_equation("r has no value here"));
-    return judge(r, q_.z, region, limits_.decide);
   }
 
   // The irreducible equation of the one parameter in r: r is a number but for z.
@@ -238,7 +243,9 @@ private:
       return grown(Kind::root, region, needs.p, leaf, "");
     };
     const auto root = root_field(needs.p);
-    const MFraction r = region.restrict(q_.r);
+    const auto restricted = value_on(region);
+    if (!restricted) return add_here(no_equation("r has no value here"));
+    const MFraction& r = *restricted;
     const auto used = used_variables(r);
     const bool number = root && std::all_of(used.begin(), used.end(), [&](std::size_t i) {
                           return i == q_.z || i == root->variable;

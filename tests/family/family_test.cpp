@@ -29,12 +29,37 @@ strata::StrataAnswer answer(const std::string& r, const std::string& assume) {
 TEST(Sentences, AreUnderstood) {
   EXPECT_EQ(sentences({"A > 0, B >= C; n not an integer and nu not in 1/2+Z", nullptr, ""}).size(),
             4U);
-  EXPECT_EQ(sentences({"2*nu odd integer", nullptr, ""}).at(0).modulus, Integer(2));
+  EXPECT_EQ(sentences({"2*nu odd integer", nullptr, ""}).at(0).modulus, Rational(2));
   EXPECT_FALSE(sentences({"n is not an integer", nullptr, ""}).at(0).holds);
   EXPECT_EQ(sentences({"c arbitrary complex", nullptr, ""}).at(0).kind,
             Sentence::Kind::declaration);
   EXPECT_THROW(sentences({"c is blue", nullptr, ""}), InputError);
   EXPECT_THROW(sentences({"A >", nullptr, ""}), InputError);
+}
+
+// k Z is not k + Z.
+TEST(Sentences, MultiplesOfTheIntegers) {
+  const auto sentence = [](const char* text) { return sentences({text, nullptr, ""}).at(0); };
+  EXPECT_EQ(sentence("nu in 1/2Z").modulus, Rational(1, 2));
+  EXPECT_EQ(sentence("nu in (1/2)Z").modulus, Rational(1, 2));
+  EXPECT_EQ(sentence("nu in 1/2 + Z").modulus, Rational(1));
+  EXPECT_EQ(sentence("nu not in 1/2+2*Z").modulus, Rational(2));
+  EXPECT_EQ(sentence("nu not in Z").modulus, Rational(1));
+  EXPECT_THROW((void)sentence("nu in aZ"), InputError);
+  EXPECT_THROW((void)sentence("nu in -2Z"), InputError);
+  EXPECT_THROW((void)sentence("nu in 1/2-Z"), InputError);
+  // Bessel: nu = 1 is SL(2), nu = 1/2 is not
+  EXPECT_EQ(answer("-1 + (nu^2 - 1/4)/z^2", "nu in 1/2Z").abelian(), Truth::unknown);
+  EXPECT_EQ(answer("-1 + (nu^2 - 1/4)/z^2", "nu not in 1/2+2Z").abelian(), Truth::unknown);
+  EXPECT_EQ(answer("-1 + (nu^2 - 1/4)/z^2", "nu in 1/2+Z").abelian(), Truth::yes);
+  EXPECT_EQ(answer("-1 + (nu^2 - 1/4)/z^2", "nu not in 1/2+Z").abelian(), Truth::no);
+}
+
+TEST(Families, AnInequalityIsAboutRealParameters) {
+  EXPECT_THROW((void)answer("(-c^2 - 1)/(4*z^2) - 1", "c != 0, b - c > 0, c complex"), InputError);
+  EXPECT_THROW((void)answer("I*z + a/z^2", "I*a > 0"), InputError);
+  EXPECT_EQ(answer("(b/a)/(z - I)", "a arbitrary complex, b arbitrary complex").abelian(),
+            Truth::unknown); // a = 0: r has no value
 }
 
 TEST(Families, AssumptionsAreAboutParameters) {
