@@ -4,6 +4,7 @@
 #include "exact/factor.hpp"
 #include "strata/bounds.hpp"
 #include "strata/confluent.hpp"
+#include "strata/first_case.hpp"
 #include "strata/open_exponent.hpp"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ Leaf leaf_of(const Decision& d) {
   leaf.reason = d.reason;
   if (d.abelian == Truth::unknown) leaf.open_condition = d.reason;
   leaf.number = d;
+  leaf.trace = d.trace;
   if (!is_zero(d.r)) {
     const auto places = squarefree_factors(d.r.den());
     leaf.irregular =
@@ -296,6 +298,8 @@ Answer judge(const MFraction& r, std::size_t z, const Region& region, const Opti
   if (auto* needs = std::get_if<Needs>(&places)) return std::move(*needs);
   const Scheme& s = std::get<Scheme>(places);
   auto answer = Judge(s, region, options.budget).run();
+  if (auto* leaf = std::get_if<Leaf>(&answer); leaf != nullptr && options.want_trace)
+    leaf->trace = first_case(r, z, region, options.budget);
   if (auto* leaf = std::get_if<Leaf>(&answer))
     leaf->irregular =
         s.infinity.order > 2 || std::any_of(s.finite.begin(), s.finite.end(),

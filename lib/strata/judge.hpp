@@ -28,6 +28,7 @@ struct Leaf {
   bool no_equation = false;       ///< undecided because r does not mean anything here
   std::optional<Decision> number; ///< the equation has no parameters here
   std::optional<ParametricInvariant> invariant; ///< abelian because of it
+  std::vector<TraceStep> trace; ///< if asked for: the first case, as it is done by hand
 };
 
 /// r in the parameters left in the region.

@@ -1,6 +1,7 @@
 #include "strata/region.hpp"
 
 #include "exact/error.hpp"
+#include "exact/ideal.hpp"
 #include "strata/reals.hpp"
 #include "strata/signs.hpp"
 
@@ -12,6 +13,9 @@ namespace {
 constexpr unsigned z3_milliseconds = 300;
 constexpr long z3_terms = 40; // larger polynomials are beyond its limit anyway
 constexpr long z3_degree = 12;
+
+constexpr std::size_t most_saturated = 6; // polynomials that an ideal is saturated by
+constexpr double groebner_seconds = 0.5;
 
 bool is_small(const MPoly& p, long times = 1) {
   if (p.length() > times * z3_terms) return false;
@@ -318,7 +322,35 @@ std::optional<MPoly> Region::pending() const {
   return std::nullopt;
 }
 
+// 1 is in the ideal of the equations that are not solved, saturated by what does not vanish.
+bool Region::equations_contradict() const {
+  std::vector<MPoly> equations;
+  for (const auto& relation : relations_)
+    equations.push_back(relation.p);
+  for (const auto& c : assumptions_.conditions)
+    if (c.sign == Sign::zero && !is_zero(c.p)) equations.push_back(c.p);
+  if (equations.size() < 2) return false;
+  std::vector<std::size_t> variables;
+  for (const auto& p : equations)
+    for (const std::size_t x : used_variables(p))
+      if (!contains(variables, x)) variables.push_back(x);
+  std::vector<MPoly> nonzero;
+  for (const auto& p : nonzero_) {
+    const auto used = used_variables(p);
+    const bool inside = std::all_of(used.begin(), used.end(),
+                                    [&](std::size_t x) { return contains(variables, x); });
+    if (inside && nonzero.size() < most_saturated && is_small(p)) nonzero.push_back(p);
+  }
+  try {
+    return Ideal(ring_, variables, equations, nonzero, Budget::of_seconds(groebner_seconds))
+        .is_unit();
+  } catch (const OutOfBudget&) {
+    return false; // counts as not empty
+  }
+}
+
 bool Region::is_empty_exactly() const {
+  if (equations_contradict()) return true;
   const SignProver prover(assumptions_.conditions, nonzero_, assumptions_.real);
   for (const auto& c : assumptions_.conditions) {
     if (c.sign == Sign::nonzero && is_zero(c.p)) return true;

@@ -98,6 +98,7 @@ private:
   /// is).
   [[nodiscard]] bool has_no_admissible_root(const MPoly& p) const;
   [[nodiscard]] bool is_real(const MPoly& p) const;
+  [[nodiscard]] bool equations_contradict() const;
   void relate(const MPoly& p, std::size_t preferred);
   /// f has no zero in common with one of the relations.
   [[nodiscard]] bool differs_from_relations(const MPoly& f) const;

@@ -28,6 +28,16 @@ TEST(Region, SumsOfPositiveTermsAreNotZero) {
   EXPECT_TRUE(r.trusted().empty());
 }
 
+// A^2 = 2 and A^2 = C^2 + 3, C^2 = 1: no parameter is linear in any of them.
+TEST(Region, EquationsThatContradictEachOtherLeaveNothing) {
+  Assumptions a;
+  a.require(x("A") * x("A") - number(2), Sign::zero);
+  a.require(x("A") * x("A") - x("C") * x("C") - number(3), Sign::zero);
+  EXPECT_FALSE(Region(ring, a).is_empty());
+  a.require(x("C") * x("C") - number(1), Sign::zero);
+  EXPECT_TRUE(Region(ring, a).is_empty());
+}
+
 // x = d^2/c > 0 with complex c, d says nothing about the sign of c d^2.
 TEST(Region, AnInequalityIsCarriedOverARealDenominatorOnly) {
   const Ring complex = make_ring({"c", "d", "x", "z"});

@@ -119,7 +119,6 @@ private:
   std::optional<std::string> by_strata(const Question& question, const Json& known) const {
     strata::StrataLimits limits;
     limits.decide = settings_.solver_options();
-    limits.decide.want_trace = false;
     Json result;
     try {
       const Family f = read_family(question.text);

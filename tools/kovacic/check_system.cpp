@@ -44,6 +44,9 @@ void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent
                                     : ", abelian or not: undecided";
   put(out, "group", group, indent);
   put(out, "because", d.reason, indent);
+  Json steps = Json::object();
+  put_trace(steps, d.trace);
+  print_trace(out, steps);
 }
 
 void print(std::ostringstream& out, const strata::StrataAnswer& a) {

@@ -90,10 +90,12 @@ constexpr Topic topics[] = {
     {"stratum",
      "A set of parameter values, given by equations and inequations that the program found: where\n"
      "poles merge, an order drops, an exponent difference takes a special value.  The strata are\n"
-     "disjoint and cover everything that is assumed; 'always' means: wherever the assumptions hold."},
+     "disjoint and cover everything that is assumed; 'always' means: wherever the assumptions "
+     "hold."},
     {"degree-bound",
      "D_m bounds the degree of the polynomial part of a rational solution of the m-th symmetric\n"
-     "power (m = 4, 6, 8, 12), D_1 that of an exponential solution.  It is a sum of local exponents.\n"
+     "power (m = 4, 6, 8, 12), D_1 that of an exponential solution.  It is a sum of local "
+     "exponents.\n"
      "D_m < 0 proves that there is none.  docs/theory/local_exponents.md"},
     {"Delta",
      "The exponent difference at a pole of order 2: exponents (1 + Delta)/2 and (1 - Delta)/2,\n"
@@ -104,11 +106,13 @@ constexpr Topic topics[] = {
      "unipotent matrix.  With a torus, or without an exponential solution, it is not abelian."},
     {"Sym",
      "Sym^m is the m-th symmetric power of the equation: its solutions are the products of m\n"
-     "solutions.  A rational one is an invariant of the group; SL(2) and the full triangular group\n"
+     "solutions.  A rational one is an invariant of the group; SL(2) and the full triangular "
+     "group\n"
      "have none."},
     {"certificate",
      "A proof of the answer as data, written with --certificate, checked by kovacic verify and by\n"
-     "tools/verify/kovacic_verify.py, which share no code with the solver.  What a certificate takes\n"
+     "tools/verify/kovacic_verify.py, which share no code with the solver.  What a certificate "
+     "takes\n"
      "on trust (a theorem of the literature, an answer of Z3) is counted; --strict refuses it."},
     {"trusted",
      "A step that is not checked: a theorem of the literature, the way from a system to r, or an\n"

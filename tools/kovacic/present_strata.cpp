@@ -59,12 +59,28 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
              {"reason", s.leaf.reason}};
     if (s.leaf.blocks_only) one["blocks_only"] = true;
     if (!s.leaf.open_condition.empty()) one["open"] = s.leaf.open_condition;
+    put_trace(one, s.leaf.trace);
     all.push_back(std::move(one));
   }
   j["strata"] = std::move(all);
   if (!a.unvisited.empty()) j["unvisited"] = a.unvisited;
   if (a.contradictory) j["contradictory"] = true;
   j["trusted"] = a.trusted;
+}
+
+void put_trace(Json& j, const std::vector<TraceStep>& trace) {
+  for (const TraceStep& t : trace)
+    j["trace"].push_back({{"step", t.step}, {"text", t.text}});
+}
+
+void print_trace(std::ostream& out, const Json& j) {
+  if (!j.contains("trace")) return;
+  out << "    steps\n";
+  for (const Json& t : j.at("trace")) {
+    const std::string step = t.at("step");
+    out << "      " << step << "  " << wrapped(t.at("text").get<std::string>(), 8 + step.size())
+        << "\n";
+  }
 }
 
 void print_strata(std::ostream& out, const Json& j) {
@@ -89,6 +105,7 @@ void print_strata(std::ostream& out, const Json& j) {
                                 : "abelian or not: undecided"),
          4);
     line(out, "because", s.at("reason"), 4);
+    print_trace(out, s);
   }
   if (j.contains("unvisited"))
     for (const Json& u : j.at("unvisited"))

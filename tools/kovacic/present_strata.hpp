@@ -13,6 +13,9 @@ namespace kov::cli {
 void put_strata(Json& j, const strata::StrataAnswer& a);
 /// Lines "stratum / group / because", from the JSON.
 void print_strata(std::ostream& out, const Json& j);
+/// The steps of a derivation under the key "trace", if there are any, and from there to lines.
+void put_trace(Json& j, const std::vector<TraceStep>& trace);
+void print_trace(std::ostream& out, const Json& j);
 /// The result of an equation with free parameters.
 [[nodiscard]] Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& a);
 

@@ -1,0 +1,19 @@
+#pragma once
+// The first case of Kovacic's algorithm on a stratum, as it is done by hand in papers: exponents at
+// every place, families whose degree is a natural number, and for degree 0 what the parameters
+// would have to satisfy.  An explanation beside the proof: no verdict rests on it.
+//
+// Source  Kovacic 1986, section 3; the proof of Lemma 3 of the paper on the sliding top
+
+#include "strata/scheme.hpp"
+#include "verdict/decide.hpp"
+
+namespace kov::strata {
+
+/// One sign of Delta for all roots of a factor of the denominator; logarithms are told, and not
+/// used. Cost  2^(number of places) families, at most 4096; a rational function for each of degree
+/// 0
+[[nodiscard]] std::vector<TraceStep> first_case(const MFraction& r, std::size_t z,
+                                                const Region& region, const Budget& budget = {});
+
+} // namespace kov::strata

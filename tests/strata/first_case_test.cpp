@@ -1,0 +1,50 @@
+// The explanation beside the proof: exponents, families and the conditions of degree 0.
+
+#include "strata/first_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kov::strata {
+namespace {
+
+const Ring ring = make_ring({"a", "b", "z"});
+MFraction x(const char* name) { return MFraction::variable(ring, name); }
+MFraction number(long n, long d = 1) { return {ring, Rational(n, d)}; }
+
+std::string steps(const MFraction& r) {
+  Assumptions positive;
+  positive.require(x("a"), Sign::positive);
+  positive.require(x("b"), Sign::positive);
+  std::string all;
+  for (const TraceStep& s : first_case(r, ring->index("z"), Region(ring, positive)))
+    all += s.step + ": " + s.text + "\n";
+  return all;
+}
+
+TEST(FirstCase, DegreeZeroGivesAConditionOnTheParameters) {
+  const MFraction z = x("z");
+  // exponents 3/4, 1/4 at 0 and 1; simple terms a
+  const MFraction r = number(-3, 16) / (z * z) -
+                      number(3, 16) / ((z - number(1)) * (z - number(1))) +
+                      x("a") / (z * (z - number(1)));
+  const std::string text = steps(r);
+  EXPECT_NE(text.find("Case 1, step 1: z = 0: Delta^2 = 1/4, exponents 3/4, 1/4"),
+            std::string::npos)
+      << text;
+  // at infinity the exponent depends on a
+  EXPECT_NE(text.find("no finite list"), std::string::npos) << text;
+}
+
+TEST(FirstCase, FamiliesWithANaturalDegreeAreListed) {
+  const MFraction z = x("z");
+  const MFraction w = z - x("b");
+  // omega = 1/(4 z) - 1/(4 (z - b))
+  const MFraction omega = number(1, 4) / z - number(1, 4) / w;
+  const MFraction r = derivative(omega, ring->index("z")) + omega * omega;
+  const std::string text = steps(r);
+  EXPECT_NE(text.find("step 2: d = 0: 1/4 at z = 0, -1/4 at z = b, "), std::string::npos) << text;
+  EXPECT_NE(text.find("r = omega' + omega^2 holds"), std::string::npos) << text;
+}
+
+} // namespace
+} // namespace kov::strata
