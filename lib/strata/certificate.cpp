@@ -271,7 +271,7 @@ private:
   }
 
   Json empty(const char* key, const ProofTree& t, const State& state) {
-    const Json plain{Json::Object{{key, text("empty")}}};
+    Json plain{Json::Object{{key, text("empty")}}};
     const auto& all = state.facts.conditions();
     const bool plainly = state.facts.contains_zero() ||
                          std::any_of(all.begin(), all.end(), [&](const KnownFacts::Fact& c) {

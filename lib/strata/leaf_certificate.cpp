@@ -30,6 +30,7 @@ std::vector<MPoly> cleared(const std::vector<MFraction>& chi, const Ring& ring) 
   for (const auto& c : chi)
     if (!is_zero(c)) common = common * exact_div(c.den(), gcd(common, c.den()));
   std::vector<MPoly> all;
+  all.reserve(chi.size());
   for (const auto& c : chi)
     all.push_back(is_zero(c) ? MPoly(ring) : (c * MFraction(common)).num());
   for (std::size_t i = 0; i < chi.size(); ++i) // num() keeps no integer denominator
