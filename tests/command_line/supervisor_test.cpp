@@ -49,7 +49,7 @@ TEST(Supervisor, AnswersInOrder) {
 }
 
 TEST(Supervisor, SurvivesEveryDeath) {
-  Worker hasty(misbehave, {.seconds = 0.5, .megabytes = 512});
+  Worker hasty(misbehave, {.seconds = 2, .megabytes = 512});
   Worker patient(misbehave, {.seconds = 60, .megabytes = 512}); // also on a busy machine
   const struct {
     const char* job;
