@@ -104,66 +104,46 @@ void need_eps2(const Judge& j, const PlaceFact& x, const Coefficient& n, const C
   need(is_zero(red(left - scale(red(G[0] * red(total * total)), NfElem(4)))), "eps2 is wrong");
 }
 
-// Delta^2 = value at every root of q iff q divides f = 8 num - (value - 1) den''.  Places often
-// share one constant value: their product is tried at once.
+// Delta^2 = value at every root of q, for all poles of order 2 at once: local_exponents.md (1.8).
+// With Q the product of their q, den = Q^2 S and W = sum (value - 1) q' Q/q, all claims together
+// say that Q divides 4 num - W Q' S.
 class ExponentTest {
 public:
-  explicit ExponentTest(const Judge& judge)
-      : judge_(judge), num_(scale(judge.equation.num, NfElem(8))),
-        second_(derivative(derivative(judge.equation.den))) {}
+  explicit ExponentTest(const Judge& judge) : judge_(judge) {}
 
   void operator()(const PlaceFact& x, const Poly& value) {
     need(x.order == 2 && degree(value) < x.n, "delta2 belongs to a pole of order 2");
-    if (degree(value) > 0) {
-      judge_.spend(judge_.words() * static_cast<double>(std::min(x.n, 50L)));
-      one(num_, second_, *x.q, value);
-    } else {
-      shared(value).second.push_back(*x.q);
-    }
+    claims_.push_back({*x.q, (value - Poly(1)) * derivative(*x.q)});
   }
+  // Requires the product of the places to be squarefree.
   void finish() const {
-    judge_.spend(4 * judge_.words() * static_cast<double>(shared_.size()));
-    std::vector<std::pair<Poly, Poly>> rare; // q and value
-    for (const auto& [value, places] : shared_)
-      if (places.size() < 4)
-        for (const Poly& q : places)
-          rare.emplace_back(q, value);
-      else
-        need(is_zero(mod(num_ - (value - Poly(1)) * second_, product(places, 0, places.size()))),
-             wrong);
-    each_by_itself(rare);
+    if (claims_.empty()) return;
+    const auto [num, den] = judge_.equation;
+    judge_.spend(4 * judge_.words());
+    const auto [Q, W] = sum(0, claims_.size());
+    const double size = bits(W) + bits(Q) + bits(num) + bits(den);
+    need(judge_.length() * size <= max_bulk, "the exponents are too large");
+    judge_.spend(judge_.length() * (1 + size / 64));
+    const Poly S = mod(quotient(den, Q * Q), Q);
+    const Poly right = mod(mod(mod(W, Q) * derivative(Q), Q) * S, Q);
+    need(mod(scale(num, NfElem(4)), Q) == right, "delta2 is wrong");
   }
 
 private:
-  static void one(const Poly& num, const Poly& second, const Poly& q, const Poly& value) {
-    need(is_zero(mod(mod(num, q) - (value - Poly(1)) * mod(second, q), q)), wrong);
-  }
-
-  // Many places: first modulo the product of all.
-  void each_by_itself(const std::vector<std::pair<Poly, Poly>>& rare) const {
-    std::vector<Poly> places;
-    for (const auto& [q, value] : rare)
-      places.push_back(q);
-    const Poly all = product(places, 0, places.size());
-    const bool many = places.size() > 8;
-    const Poly num = many ? mod(num_, all) : num_;
-    const Poly second = many ? mod(second_, all) : second_;
-    for (const auto& [q, value] : rare)
-      one(num, second, q, value);
-  }
-
-  using Shared = std::pair<Poly, std::vector<Poly>>;
-  Shared& shared(const Poly& value) {
-    const auto before = [](const Shared& a, const Poly& v) { return compare(a.first, v) < 0; };
-    const auto at = std::lower_bound(shared_.begin(), shared_.end(), value, before);
-    if (at != shared_.end() && at->first == value) return *at;
-    return *shared_.insert(at, {value, {}});
+  struct Claim {
+    Poly q, w;
+  };
+  // Q and W over a range.
+  [[nodiscard]] Claim sum(std::size_t begin, std::size_t end) const {
+    if (end - begin == 1) return claims_[begin];
+    const std::size_t mid = begin + (end - begin) / 2;
+    const auto [q1, w1] = sum(begin, mid);
+    const auto [q2, w2] = sum(mid, end);
+    return {q1 * q2, w1 * q2 + w2 * q1};
   }
 
   const Judge& judge_;
-  static constexpr const char* wrong = "delta2 is wrong";
-  Poly num_, second_;
-  std::vector<Shared> shared_; // sorted
+  std::vector<Claim> claims_;
 };
 
 void spend_on_annihilator(const Judge& j, const PlaceFact& x, const Poly& value,

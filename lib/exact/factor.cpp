@@ -170,9 +170,10 @@ std::vector<Factor> linear_factors(const Poly& f, Poly& rest) {
       break;
     }
   std::vector<Factor> found;
-  PrimeIdeals primes = PrimeIdeals::large(rationals());
-  const mp_limb_t p = primes.next().p;
-  const mp_limb_t second_prime = primes.next().p;
+  // Splitting costs as many squarings as p has bits; n random roots differ modulo p > 64 n^2.
+  const auto n = static_cast<mp_limb_t>(degree(f));
+  const mp_limb_t p = PrimeIdeals(rationals(), std::max(mp_limb_t{1} << 28, 64 * n * n)).next().p;
+  const mp_limb_t second_prime = PrimeIdeals::large(rationals()).next().p;
   NmodPoly image(p);
   fmpz_poly_get_nmod_poly(image.raw(), g);
   if (degree(image) == degree(f)) {

@@ -2,47 +2,114 @@
 
 #include "exact/modular.hpp"
 
-#include <map>
-
 namespace kov {
 namespace {
 
-// Delta^2 of many double poles at once.  For a double pole den''(c)/2 is the leading coefficient of
-// den, so that Delta^2 = 1 + 8 num(c)/den''(c).  A value that is a rational number of moderate size
-// is guessed modulo one prime; all places with the same guess are then checked by one exact
-// division.
-void find_equal_ones(const RationalFunction& r, const std::vector<Factor>& factors,
-                     std::vector<std::optional<Rational>>& answer) {
-  const PrimeIdeal prime = PrimeIdeals::large(r.field()).next();
-  const auto num = prime.reduce(r.num());
-  const auto den = prime.reduce(r.den());
-  if (!num || !den) return;
-  const NmodPoly second = derivative(derivative(*den));
-  const nmod_t mod = num->mod();
-  std::map<Rational, std::vector<std::size_t>> guesses;
-  for (std::size_t i = 0; i < factors.size(); ++i) {
-    if (factors[i].exponent != 2) continue;
-    const auto q = prime.reduce(factors[i].base);
+constexpr int max_primes = 64;       // for one guess: numbers of about 550 digits
+constexpr std::size_t worth_it = 4;  // a few places are as cheap one by one
+
+using Places = std::vector<std::size_t>; // indices of factors
+
+// Guesses of Delta^2 modulo primes, for each place until one more prime agrees.  For a double pole
+// den''(c)/2 is the leading coefficient of den, so that Delta^2 = 1 + 8 num(c)/den''(c).
+class Guesses {
+public:
+  Guesses(const RationalFunction& r, const std::vector<Factor>& factors, const Budget& budget)
+      : r_(r), factors_(factors), budget_(budget) {}
+
+  void run(const Places& places, std::vector<std::optional<Rational>>& answer) {
+    for (const std::size_t i : places)
+      open_.push_back({i, Integer(0), std::nullopt});
+    PrimeIdeals primes = PrimeIdeals::large(r_.field());
+    for (int k = 0; k < max_primes && !open_.empty(); ++k) {
+      budget_.check();
+      one_prime(primes.next(), answer);
+    }
+  }
+
+private:
+  struct Guess {
+    std::size_t place;
+    Integer residue;
+    std::optional<Rational> value;
+  };
+
+  void one_prime(const PrimeIdeal& prime, std::vector<std::optional<Rational>>& answer) {
+    const auto num = prime.reduce(r_.num());
+    const auto den = prime.reduce(r_.den());
+    if (!num || !den) return;
+    const NmodPoly second = derivative(derivative(*den));
+    const Integer next = modulus_ * Integer(prime.p);
+    std::vector<Guess> still;
+    for (Guess& g : open_) {
+      const auto image = value_at(factors_[g.place].base, prime, *num, second);
+      if (!image) continue;
+      if (g.value && prime.reduce(*g.value) == *image) {
+        answer[g.place] = std::move(g.value);
+        continue;
+      }
+      if (g.value && !sees_all_of(g.place)) continue;
+      fmpz_CRT_ui(g.residue.raw(), g.residue.raw(), modulus_.raw(), *image, prime.p, 0);
+      g.value = rational_reconstruction(g.residue, next);
+      if (g.value || sees_all_of(g.place)) still.push_back(std::move(g));
+    }
+    modulus_ = next;
+    open_ = std::move(still);
+  }
+
+  static std::optional<mp_limb_t> value_at(const Poly& place, const PrimeIdeal& prime,
+                                           const NmodPoly& num, const NmodPoly& second) {
+    const auto q = prime.reduce(place);
     const auto at = q ? roots(*q) : std::vector<mp_limb_t>{};
-    const mp_limb_t below = at.empty() ? 0 : evaluate(second, at.front());
-    if (below == 0) continue;
-    const mp_limb_t value = nmod_div(nmod_mul(8, evaluate(*num, at.front()), mod), below, mod);
-    if (const auto guess =
-            rational_reconstruction(Integer(nmod_add(value, 1, mod)), Integer(prime.p)))
-      guesses[*guess].push_back(i);
+    if (at.empty()) return std::nullopt;
+    const mp_limb_t below = evaluate(second, at.front());
+    if (below == 0) return std::nullopt;
+    const nmod_t mod = num.mod();
+    return nmod_add(1, nmod_div(nmod_mul(8, evaluate(num, at.front()), mod), below, mod), mod);
   }
-  const Poly exact_second = derivative(derivative(r.den()));
-  for (const auto& [guess, places] : guesses) {
-    if (places.size() < 4) continue; // a few places are as cheap one by one
-    std::vector<Poly> layer;
-    for (const std::size_t i : places)
-      layer.push_back(factors[i].base);
-    const Poly difference =
-        scale(r.num(), NfElem(8)) - scale(exact_second, NfElem(guess - Rational(1)));
-    if (!divides(product(std::move(layer)), difference)) continue;
-    for (const std::size_t i : places)
-      answer[i] = guess;
+
+  // One root modulo one prime of degree one tells all about a number only if it is rational.
+  [[nodiscard]] bool sees_all_of(std::size_t place) const {
+    return r_.field()->is_rational() && degree(factors_[place].base) == 1;
   }
+
+  const RationalFunction& r_;
+  const std::vector<Factor>& factors_;
+  const Budget& budget_;
+  std::vector<Guess> open_;
+  Integer modulus_{1};
+};
+
+// Q = prod q and W = sum (v - 1) q' Q/q over the places q with values v.
+struct Claims {
+  Poly q, w;
+};
+
+Claims claims(const Places& places, const std::vector<Factor>& factors,
+              const std::vector<std::optional<Rational>>& values) {
+  std::vector<Claims> layer;
+  for (const std::size_t i : places) {
+    const Poly& q = factors[i].base;
+    layer.push_back({q, scale(derivative(q), NfElem(*values[i] - Rational(1)))});
+  }
+  while (layer.size() > 1) {
+    std::vector<Claims> next;
+    for (std::size_t i = 0; i + 1 < layer.size(); i += 2)
+      next.push_back({layer[i].q * layer[i + 1].q,
+                      layer[i].w * layer[i + 1].q + layer[i + 1].w * layer[i].q});
+    if (layer.size() % 2 == 1) next.push_back(std::move(layer.back()));
+    layer = std::move(next);
+  }
+  return std::move(layer.front());
+}
+
+// All values at once: with den = Q^2 S they are right iff Q divides 4 num - W Q' S
+// (docs/theory/local_exponents.md 1.8).
+bool proved(const RationalFunction& r, const Places& places, const std::vector<Factor>& factors,
+            const std::vector<std::optional<Rational>>& values) {
+  const auto [q, w] = claims(places, factors, values);
+  const Poly s = exact_div(r.den(), q * q) % q;
+  return is_zero((scale(r.num(), NfElem(4)) - w * derivative(q) % q * s) % q);
 }
 
 // With q the product of (z - c) over the open places, den = q^2 s:  b = num(c)/(q'(c)^2 s(c)), and
@@ -50,7 +117,7 @@ void find_equal_ones(const RationalFunction& r, const std::vector<Factor>& facto
 void evaluate_the_rest(const RationalFunction& r, const std::vector<Factor>& factors,
                        std::vector<std::optional<Rational>>& answer, const Budget& budget) {
   if (!r.field()->is_rational()) return;
-  std::vector<std::size_t> open;
+  Places open;
   std::vector<Poly> layer;
   for (std::size_t i = 0; i < factors.size(); ++i)
     if (factors[i].exponent == 2 && degree(factors[i].base) == 1 && !answer[i]) {
@@ -77,7 +144,16 @@ std::vector<std::optional<Rational>> double_pole_delta_squared(const RationalFun
                                                                const std::vector<Factor>& factors,
                                                                const Budget& budget) {
   std::vector<std::optional<Rational>> answer(factors.size());
-  find_equal_ones(r, factors, answer);
+  Places places;
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    if (factors[i].exponent == 2) places.push_back(i);
+  if (places.size() >= worth_it) {
+    Guesses(r, factors, budget).run(places, answer);
+    std::erase_if(places, [&](std::size_t i) { return !answer[i]; });
+    if (!places.empty() && !proved(r, places, factors, answer))
+      for (const std::size_t i : places)
+        answer[i].reset();
+  }
   evaluate_the_rest(r, factors, answer, budget);
   return answer;
 }

@@ -14,8 +14,9 @@ namespace kov {
 /// equal places share, or where the pole itself is rational; unset elsewhere.
 ///
 /// Requires factors = the irreducible factors of den(r)
-/// Cost     one exact division for each value that occurs often; one evaluation of a polynomial
-///          of degree deg den for each rational pole that is left
+/// Cost     for each 19 digits of a value one evaluation modulo a prime at each pole, then one
+///          division of polynomials for all; one exact evaluation for each rational pole that has
+///          longer values
 [[nodiscard]] std::vector<std::optional<Rational>>
 double_pole_delta_squared(const RationalFunction& r, const std::vector<Factor>& factors,
                           const Budget& budget = {});

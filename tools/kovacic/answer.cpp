@@ -18,7 +18,8 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// A message of the child: one letter, then JSON.
+// A message of the child: one letter, then JSON in one line; a certificate may follow as it is, in
+// further lines.
 constexpr char tag_decided = 'd';
 constexpr char tag_undecided = 'u';
 constexpr char tag_disagreement = 'm'; // of two methods: a mistake of ours, with a result
@@ -112,7 +113,12 @@ private:
       result["original"] = std::move(original);
     }
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
-    return tag_of(decision) + dump(result);
+    return with_certificate(tag_of(decision) + dump(result), decision.certificate);
+  }
+
+  static std::string with_certificate(std::string message, const std::string& certificate) {
+    if (!certificate.empty()) message.append(1, '\n').append(certificate);
+    return message;
   }
 
   // All parameters at once; nothing for an equation that lib/family does not read.
@@ -120,12 +126,14 @@ private:
     strata::StrataLimits limits;
     limits.decide = settings_.solver_options();
     Json result;
+    std::string proof;
     try {
       const Family f = read_family(question.text);
       limits.decide.variable = f.variable;
       const strata::StrataAnswer answer = strata::decide_strata(f.question, limits);
       result = family_result(id_, f, answer);
-      if (limits.decide.want_certificate && answer.tree) put_certificate(result, answer, limits);
+      if (limits.decide.want_certificate && answer.tree)
+        proof = certificate_of(answer, limits, result);
     } catch (const FreeParameters&) {
       return std::nullopt;
     }
@@ -134,26 +142,29 @@ private:
     if (!result.at("undecided").is_null() && !result.contains("contradictory") &&
         decide_for_all(result))
       result["undecided"] = nullptr;
-    return (result.at("undecided").is_null() ? tag_decided : tag_undecided) + dump(result);
+    return with_certificate(
+        (result.at("undecided").is_null() ? tag_decided : tag_undecided) + dump(result), proof);
   }
 
-  static void put_certificate(Json& result, const strata::StrataAnswer& answer,
-                              const strata::StrataLimits& limits) {
+  // The certificate, or nothing; the result says why.
+  static std::string certificate_of(const strata::StrataAnswer& answer,
+                                    const strata::StrataLimits& limits, Json& result) {
     try {
       const auto c = strata::certificate(answer, limits.decide.budget);
       if (!c.refusal.empty()) {
         result["no_certificate"] = "the judge does not accept it: " + c.refusal;
-        return;
+        return {};
       }
       if (!c.says_anything) {
         if (answer.decided())
           result["no_certificate"] = "the format has no rule for the strata that are decided";
-        return;
+        return {};
       }
-      result["certificate"] = Json::parse(c.json);
       if (c.trusted > 0) result["certificate_trusts"] = c.uncertified;
+      return c.json;
     } catch (const InvalidArgument& e) {
       result["no_certificate"] = e.what();
+      return {};
     }
   }
 
@@ -201,13 +212,24 @@ Solver::Solver(Read read, const Settings& settings)
                      const Worker::Early& early) { return Job(read_, settings_, early).run(job); },
               settings.process_limits()) {}
 
+namespace {
+
+// The parts of an answered message: JSON and certificate.
+std::pair<std::string_view, std::string_view> parts(std::string_view message) {
+  const auto end = std::min(message.find('\n'), message.size());
+  return {message.substr(1, end - 1), message.substr(std::min(end + 1, message.size()))};
+}
+
+} // namespace
+
 Answer Solver::answer(std::string_view job) {
   const auto start = Clock::now();
   const Reply reply = worker_.ask(job);
   Answer a;
   switch (reply.end) {
   case Reply::End::answered: {
-    const Json body = Json::parse(std::string_view(reply.answer).substr(1));
+    const auto [json, proof] = parts(reply.answer);
+    const Json body = Json::parse(json);
     const char tag = reply.answer.front();
     if (tag == tag_input) {
       a.exit = exit_input;
@@ -218,6 +240,7 @@ Answer Solver::answer(std::string_view job) {
     } else {
       a.exit = exit_of(tag);
       a.result = body;
+      a.certificate = proof;
       if (tag == tag_disagreement) a.internal = body.at("reason").get<std::string>();
     }
     return a;
@@ -238,39 +261,43 @@ Answer Solver::answer(std::string_view job) {
   throw InternalError("unknown end of a job");
 }
 
-std::pair<std::string, int> Solver::line(std::string_view job) {
+Solver::Line Solver::line(std::string_view job) {
   const auto start = Clock::now();
   const Reply reply = worker_.ask(job);
   switch (reply.end) {
   case Reply::End::answered: {
     const char tag = reply.answer.front();
-    if (tag == tag_decided || tag == tag_undecided || tag == tag_disagreement)
-      return {reply.answer.substr(1), exit_of(tag)};
+    if (tag == tag_decided || tag == tag_undecided || tag == tag_disagreement) {
+      const auto [json, proof] = parts(reply.answer);
+      return {std::string(json), exit_of(tag), std::string(proof)};
+    }
     const Json body = Json::parse(std::string_view(reply.answer).substr(1));
     if (tag == tag_internal)
       return {dump({{"id", body.at("id")},
                     {"error", "internal error: " + body.at("message").get<std::string>()}}),
-              exit_internal};
+              exit_internal,
+              ""};
     const InputError e = unpacked(body);
     std::string message = e.message();
     if (e.column() > 0)
       message += " (column " + std::to_string(e.column()) + " of " + e.file() + ")";
     Json j = {{"id", body.at("id")}, {"error", message}};
     if (!e.hint().empty()) j["hint"] = e.hint();
-    return {dump(j), exit_input};
+    return {dump(j), exit_input, ""};
   }
   case Reply::End::timeout:
   case Reply::End::out_of_memory:
     return {dump(unfinished(reply, limit_text(reply, settings_), seconds_since(start))),
-            exit_undecided};
+            exit_undecided, ""};
   case Reply::End::crashed: {
     const Json early = reply.early.empty() ? unread_result(nullptr) : Json::parse(reply.early);
     return {dump({{"id", early.at("id")},
                   {"error", "internal error: the solver process ended with " + reply.detail}}),
-            exit_internal};
+            exit_internal,
+            ""};
   }
   case Reply::End::interrupted:
-    return {"", exit_interrupted};
+    return {"", exit_interrupted, ""};
   }
   throw InternalError("unknown end of a job");
 }

@@ -22,6 +22,7 @@ struct Question {
 struct Answer {
   int exit = exit_decided;         ///< of Exit
   Json result;                     ///< format kovacic-result/1; null after an input error
+  std::string certificate;         ///< its text, as the judge accepted it; may be empty
   std::optional<InputError> error; ///< exit_input
   std::string internal;            ///< exit_internal: what went wrong
 };
@@ -37,8 +38,13 @@ public:
 
   /// Never throws for anything that the question causes.
   [[nodiscard]] Answer answer(std::string_view job);
-  /// The same as one line of JSON, the way `--batch` prints it; second: the exit code.
-  [[nodiscard]] std::pair<std::string, int> line(std::string_view job);
+  /// The same as one line of JSON, the way `--batch` prints it.
+  struct Line {
+    std::string text;
+    int exit = exit_decided;
+    std::string certificate;
+  };
+  [[nodiscard]] Line line(std::string_view job);
 
 private:
   Read read_;

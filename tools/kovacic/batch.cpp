@@ -172,19 +172,18 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   return q;
 }
 
-// Moves the certificate of one answer into a file: named by the id, if that can be a name, else by
+// Puts the certificate of one answer into a file: named by the id, if that can be a name, else by
 // the number of the line.
-void move_certificate(const Settings& settings, std::string& answer, long number) {
-  Json result = Json::parse(answer);
-  if (!result.contains("certificate")) return;
-  const Json& id = result.at("id");
+void keep_certificate(const Settings& settings, std::string_view job, Solver::Line& answer,
+                      long number) {
+  const Json question = Json::parse(job);
+  const Json id = question.contains("id") ? question.at("id") : Json();
   const std::string name = id.is_string() && !id.get<std::string>().empty() ? id.get<std::string>()
                            : id.is_number()                                 ? id.dump()
                                             : "line-" + std::to_string(number);
-  const std::string path = file_certificate(settings, name, dump(result.at("certificate")));
-  result.erase("certificate");
-  result["certificate_file"] = path;
-  answer = dump(result);
+  const Json path = {{"certificate_file", file_certificate(settings, name, answer.certificate)}};
+  answer.text.back() = ','; // one more key at the end of the object
+  answer.text += dump(path).substr(1);
 }
 
 // From line to line; throws InputError for what ends the run.
@@ -197,13 +196,14 @@ int answer_lines(const Settings& settings, const std::string& path, std::FILE* i
   while (next_line(in, line, length)) {
     ++number;
     if (is_blank(line) && length <= max_line) continue;
-    auto [text, code] = length > max_line
-                            ? std::pair(dump({{"id", nullptr}, {"error", too_long(length)}}),
-                                        static_cast<int>(exit_input))
-                            : solver.line(line);
-    if (code == exit_interrupted) return code;
-    exit = worse(exit, code);
-    if (!settings.certificate.empty()) move_certificate(settings, text, number);
+    Solver::Line answer =
+        length > max_line
+            ? Solver::Line{dump({{"id", nullptr}, {"error", too_long(length)}}), exit_input, ""}
+            : solver.line(line);
+    if (answer.exit == exit_interrupted) return answer.exit;
+    exit = worse(exit, answer.exit);
+    if (!answer.certificate.empty()) keep_certificate(settings, line, answer, number);
+    std::string& text = answer.text;
     text += '\n';
     if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
       throw InputError(out == stdout ? "standard output" : settings.output, 0, 0, 1,

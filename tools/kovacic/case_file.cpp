@@ -114,11 +114,10 @@ void take(const Settings& settings, CaseReport& report, const Answer& answer,
   if (answer.result.is_null()) return;
   if (!report.text.empty() && settings.format == "text") report.text += "\n";
   Answer shown = answer;
-  if (!settings.certificate.empty() && shown.result.contains("certificate")) {
+  if (!settings.certificate.empty() && !shown.certificate.empty()) {
     shown.result["certificate_file"] =
         file_certificate(settings, title.substr(title.rfind('/', title.find("  [")) + 1),
-                         dump(shown.result.at("certificate")));
-    shown.result.erase("certificate");
+                         shown.certificate);
   }
   report.text += presented(settings, shown, title);
   report.json.push_back(shown.result);

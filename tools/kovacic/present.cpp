@@ -30,10 +30,8 @@ std::string presented(const Settings& settings, const Answer& answer, const std:
 
 int present(const Settings& settings, Answer answer, const std::string& title) {
   try {
-    if (!settings.certificate.empty() && answer.result.contains("certificate")) {
-      const Json& c = answer.result.at("certificate");
-      write_file(settings.certificate, c.is_string() ? c.get<std::string>() : c.dump(1) + "\n");
-      answer.result.erase("certificate");
+    if (!settings.certificate.empty() && !answer.certificate.empty()) {
+      write_file(settings.certificate, answer.certificate + "\n");
       answer.result["certificate_file"] = settings.certificate;
     }
     if (answer.result.contains("no_certificate"))

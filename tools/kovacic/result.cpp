@@ -33,12 +33,6 @@ const char* text_of(Truth t) {
   return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided";
 }
 
-// Certificates are JSON texts; anything else stays a string.
-Json certificate(const std::string& text) {
-  Json j = Json::parse(text, nullptr, false);
-  return j.is_discarded() ? Json(text) : j;
-}
-
 } // namespace
 
 std::string name_of(Unable::Why why) {
@@ -101,7 +95,6 @@ Json closed_result(Json open, const Decision& d, double seconds) {
     for (const TraceStep& step : d.trace)
       j["trace"].push_back({{"step", step.step}, {"text", step.text}});
   }
-  if (!d.certificate.empty()) j["certificate"] = certificate(d.certificate);
   if (!d.no_certificate.empty()) j["no_certificate"] = d.no_certificate;
   return j;
 }

@@ -3,6 +3,8 @@
 #include "exact/error.hpp"
 #include "exact/flint.hpp"
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -12,9 +14,11 @@
 #include <fcntl.h>
 #include <new>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -74,23 +78,29 @@ constexpr char kind_job = 'j';
 constexpr char kind_early = 'e';
 constexpr char kind_final = 'f';
 
-bool send_all(int fd, const char* data, std::size_t n) {
-  while (n > 0) {
-    const ssize_t sent = ::send(fd, data, n, MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR && ctrl_c == 0) continue;
-    if (sent <= 0) return false;
-    data += sent;
-    n -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
+// Head and text in one call where they fit: each call may wake the other process.
 bool send_message(int fd, char kind, std::string_view text) {
   char head[9];
   head[0] = kind;
   const std::uint64_t n = text.size();
   std::memcpy(head + 1, &n, sizeof n);
-  return send_all(fd, head, sizeof head) && send_all(fd, text.data(), text.size());
+  iovec parts[2] = {{head, sizeof head}, {const_cast<char*>(text.data()), text.size()}};
+  msghdr message = {};
+  message.msg_iov = parts;
+  message.msg_iovlen = 2;
+  while (parts[0].iov_len + parts[1].iov_len > 0) {
+    const ssize_t sent = ::sendmsg(fd, &message, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR && ctrl_c == 0) continue;
+    if (sent <= 0) return false;
+    auto left = static_cast<std::size_t>(sent);
+    for (iovec& part : parts) {
+      const std::size_t done = std::min(left, part.iov_len);
+      part.iov_base = static_cast<char*>(part.iov_base) + done;
+      part.iov_len -= done;
+      left -= done;
+    }
+  }
+  return true;
 }
 
 enum class Got : std::uint8_t { message, closed, late, interrupted };
@@ -98,6 +108,14 @@ enum class Got : std::uint8_t { message, closed, late, interrupted };
 // Waits for n bytes until the deadline (if there is one).
 Got receive_all(int fd, char* data, std::size_t n, const Clock::time_point* deadline) {
   while (n > 0) {
+    const ssize_t there = ::recv(fd, data, n, MSG_DONTWAIT);
+    if (there == 0) return Got::closed;
+    if (there > 0) {
+      data += there;
+      n -= static_cast<std::size_t>(there);
+      continue;
+    }
+    if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) return Got::closed;
     int wait = -1;
     if (deadline != nullptr) {
       const auto left =
@@ -106,14 +124,8 @@ Got receive_all(int fd, char* data, std::size_t n, const Clock::time_point* dead
       wait = static_cast<int>(std::min<long>(left, 1000000));
     }
     pollfd p{fd, POLLIN, 0};
-    const int ready = ::poll(&p, 1, wait);
+    ::poll(&p, 1, wait);
     if (ctrl_c != 0) return Got::interrupted;
-    if (ready <= 0) continue;
-    const ssize_t got = ::recv(fd, data, n, 0);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return Got::closed;
-    data += got;
-    n -= static_cast<std::size_t>(got);
   }
   return Got::message;
 }
@@ -129,6 +141,26 @@ Got receive_message(int fd, char& kind, std::string& text, const Clock::time_poi
 }
 
 } // namespace
+
+// What the child has said early, in memory that both processes see: most jobs end well and then
+// nobody reads it, so that no message is worth its cost.
+struct Worker::Notice {
+  static constexpr std::size_t capacity = (std::size_t{1} << 16) - sizeof(std::size_t);
+  std::atomic<std::size_t> length; // 0: nothing here
+  char text[capacity];
+};
+
+Worker::Worker(Serve serve, ProcessLimits limits) : serve_(std::move(serve)), limits_(limits) {
+  void* shared = ::mmap(nullptr, sizeof(Notice), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
+                        -1, 0);
+  if (shared == MAP_FAILED) throw InternalError("no memory to share with the worker process");
+  notice_ = new (shared) Notice;
+}
+
+Worker::~Worker() {
+  stop();
+  ::munmap(notice_, sizeof(Notice));
+}
 
 void catch_interrupts() {
   struct sigaction action = {};
@@ -159,8 +191,14 @@ void Worker::child(int channel) const {
   char kind = 0;
   std::string job;
   while (receive_message(channel, kind, job, nullptr) == Got::message) {
-    const std::string answer = serve_(job, [channel](std::string_view early) {
-      if (!send_message(channel, kind_early, early)) _exit(0);
+    const std::string answer = serve_(job, [this, channel](std::string_view early) {
+      notice_->length = 0;
+      if (early.size() > Notice::capacity) {
+        if (!send_message(channel, kind_early, early)) _exit(0);
+        return;
+      }
+      std::memcpy(notice_->text, early.data(), early.size());
+      notice_->length = early.size();
     });
     if (!send_message(channel, kind_final, answer)) break;
   }
@@ -177,6 +215,7 @@ void Worker::stop() {
 }
 
 Reply Worker::ask(std::string_view job) {
+  notice_->length = 0;
   if (pid_ < 0) start();
   if (!send_message(channel_, kind_job, job)) {
     if (ctrl_c != 0) return Reply(Reply::End::interrupted);
@@ -184,7 +223,10 @@ Reply Worker::ask(std::string_view job) {
     start();
     if (!send_message(channel_, kind_job, job)) return ended();
   }
-  return wait_for_answer();
+  Reply reply = wait_for_answer();
+  if (reply.end != Reply::End::answered && notice_->length > 0)
+    reply.early.assign(notice_->text, std::min(notice_->length.load(), Notice::capacity));
+  return reply;
 }
 
 Reply Worker::wait_for_answer() {

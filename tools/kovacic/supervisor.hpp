@@ -23,7 +23,7 @@ struct Reply {
 
   End end = End::answered;
   std::string answer; ///< answered only
-  std::string early;  ///< the last early message, however the job ended
+  std::string early;  ///< the last early message of a job that was not answered
   std::string detail; ///< of a crash: "signal 11 (Segmentation fault)"
 };
 
@@ -34,10 +34,10 @@ public:
   /// Runs in the child.  What it passes to Early arrives even if the job is ended from outside.
   using Serve = std::function<std::string(std::string_view job, const Early& early)>;
 
-  Worker(Serve serve, ProcessLimits limits) : serve_(std::move(serve)), limits_(limits) {}
+  Worker(Serve serve, ProcessLimits limits);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
-  ~Worker() { stop(); }
+  ~Worker();
 
   /// Cost  one fork for the first job and after each death; then two small messages per job.
   [[nodiscard]] Reply ask(std::string_view job);
@@ -49,8 +49,11 @@ private:
   Reply wait_for_answer();
   Reply ended();
 
+  struct Notice;
+
   Serve serve_;
   ProcessLimits limits_;
+  Notice* notice_; ///< shared with the child
   pid_t pid_ = -1;
   int channel_ = -1;
 };
