@@ -4,8 +4,13 @@
 #include "settings.hpp"
 
 #include <string>
+#include <string_view>
 
 namespace kov::cli {
+
+/// The same JSON for a reader: a line for each member of an object and for each object in an array;
+/// arrays of numbers stay in one line.
+[[nodiscard]] std::string laid_out(std::string_view json);
 
 /// Writes DIR/name.json, DIR = --certificate, and returns the path.  What cannot stand in the name
 /// of a file becomes '-'.  Throws InputError if the file cannot be written.

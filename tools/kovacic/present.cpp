@@ -1,5 +1,7 @@
 #include "present.hpp"
 
+#include "certificate_file.hpp"
+
 namespace kov::cli {
 
 void report_failure(const Settings& settings, const Answer& answer) {
@@ -31,7 +33,7 @@ std::string presented(const Settings& settings, const Answer& answer, const std:
 int present(const Settings& settings, Answer answer, const std::string& title) {
   try {
     if (!settings.certificate.empty() && !answer.certificate.empty()) {
-      write_file(settings.certificate, answer.certificate + "\n");
+      write_file(settings.certificate, laid_out(answer.certificate) + "\n");
       answer.result["certificate_file"] = settings.certificate;
     }
     if (answer.result.contains("no_certificate"))
