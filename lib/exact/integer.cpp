@@ -69,7 +69,8 @@ std::pair<Integer, Integer> square_part(Integer d) {
     s *= pow(p, e / 2);
     d = e % 2 == 0 ? rest : rest * p;
   };
-  for (ulong p = 2; p < 10000; p = n_nextprime(p, 1))
+  for (ulong p = 2; p < 10000 && fmpz_cmpabs(d.raw(), Integer(p * p).raw()) >= 0;
+       p = n_nextprime(p, 1))
     take(Integer(p));
   Integer size = d;
   fmpz_abs(size.raw(), size.raw());

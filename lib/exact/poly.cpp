@@ -450,36 +450,57 @@ std::optional<Poly> exact_sqrt(const Poly& f) {
   return root;
 }
 
+namespace {
+
+// "+ c z^i" for a rational number c that is not 0.
+void append_term(std::string& s, std::string_view c, const std::string& power) {
+  const bool negative = c.front() == '-';
+  if (negative) c.remove_prefix(1);
+  if (!s.empty())
+    s += negative ? " - " : " + ";
+  else if (negative)
+    s += '-';
+  if (power.empty() || c != "1") s += c;
+  if (!power.empty() && c != "1") s += '*';
+  s += power;
+}
+
+// The same for a constant of a number field.
+void append_irrational_term(std::string& s, const NfElem& c, const std::string& power) {
+  const std::string text = to_string(c);
+  if (power.empty() && s.empty()) {
+    s = text;
+    return;
+  }
+  const bool sum = text.find(' ') != std::string::npos;
+  const bool minus = !sum && text.front() == '-';
+  if (!s.empty()) s += minus ? " - " : " + ";
+  s += sum ? "(" + text + ")" : (minus && !s.empty() ? text.substr(1) : text);
+  if (!power.empty()) s += "*" + power;
+}
+
+} // namespace
+
 std::string to_string(const Poly& f, const std::string& variable) {
   if (is_zero(f)) return "0";
+  const bool integral = f.stride() == 1 && fmpz_is_one(fmpq_poly_denref(f.raw()));
   std::string s;
   for (long i = degree(f); i >= 0; --i) {
-    const NfElem c = f.coeff(i);
-    if (is_zero(c)) continue;
-    std::string power = i == 0 ? "" : i == 1 ? variable : variable + "^" + std::to_string(i);
-    if (!is_rational(c)) {
-      const std::string text = to_string(c);
-      if (power.empty() && s.empty()) return text;
-      const bool sum = text.find(' ') != std::string::npos;
-      const bool minus = !sum && text.front() == '-';
-      if (!s.empty()) s += minus ? " - " : " + ";
-      const std::string body =
-          sum ? "(" + text + ")" : (minus && !s.empty() ? text.substr(1) : text);
-      s += power.empty() ? body : body + "*" + power;
+    const std::string power = i == 0 ? "" : i == 1 ? variable : variable + "^" + std::to_string(i);
+    if (integral) { // no canonical fraction has to be found
+      const fmpz* c = f.raw()->coeffs + i;
+      if (fmpz_is_zero(c)) continue;
+      char* text = fmpz_get_str(nullptr, 10, c);
+      append_term(s, text, power);
+      flint_free(text);
       continue;
     }
-    const Rational q = to_rational(c);
-    const Rational size = abs(q);
-    if (!s.empty())
-      s += sign(q) < 0 ? " - " : " + ";
-    else if (sign(q) < 0)
-      s += "-";
-    if (power.empty())
-      s += to_string(size);
-    else if (size == Rational(1))
-      s += power;
+    const NfElem c = f.coeff(i);
+    if (is_zero(c)) continue;
+    if (is_rational(c))
+      append_term(s, to_string(to_rational(c)), power);
     else
-      s += to_string(size) + "*" + power;
+      append_irrational_term(s, c, power);
   }
   return s;
 }

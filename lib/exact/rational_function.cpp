@@ -107,13 +107,26 @@ long order_at_infinity(const RationalFunction& f) {
   return degree(f.den()) - degree(f.num());
 }
 
+namespace {
+
+// A common denominator of what is shown.
+Integer shown_denominator(const Poly& f) {
+  Integer common(1);
+  if (f.stride() == 1) {
+    fmpz_set(common.raw(), fmpq_poly_denref(f.raw()));
+    return common;
+  }
+  for (long i = 0; i <= degree(f); ++i)
+    for (const Rational& c : shown_coefficients(f.coeff(i)))
+      common = lcm(common, c.den());
+  return common;
+}
+
+} // namespace
+
 std::string to_string(const RationalFunction& f, const std::string& variable) {
   // Without denominators in what is shown; den is monic, so that no common factor is left.
-  Integer common(1);
-  for (const Poly* p : {&f.num(), &f.den()})
-    for (long i = 0; i <= degree(*p); ++i)
-      for (const Rational& c : shown_coefficients(p->coeff(i)))
-        common = lcm(common, c.den());
+  const Integer common = lcm(shown_denominator(f.num()), shown_denominator(f.den()));
   const Poly num = scale(f.num(), NfElem(Rational(common)));
   const Poly den = scale(f.den(), NfElem(Rational(common)));
   const std::string top = to_string(num, variable);

@@ -8,31 +8,47 @@
 
 namespace kov {
 
+namespace {
+
+// S with S u and S^2 r polynomials; S has no superfluous factors if r has double poles only.
+Poly common_denominator(const RationalFunction& u, const RationalFunction& r) {
+  const Poly poles = exact_div(r.den(), gcd(r.den(), derivative(r.den())));
+  const Poly s = lcm(u.den(), poles);
+  return divides(r.den(), s * s) ? s : lcm(u.den(), r.den());
+}
+
+} // namespace
+
 std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction& u,
                                                  const RationalFunction& r) {
-  // A_m = -1, A_(i-1) = -A_i' - u A_i - (m-i)(i+1) r A_(i+1)
-  std::vector<RationalFunction> a(static_cast<std::size_t>(m) + 2);
-  a[static_cast<std::size_t>(m)] = RationalFunction(-1);
-  RationalFunction last;
+  // A_m = -1, A_(i-1) = -A_i' - u A_i - (m-i)(i+1) r A_(i+1); with A_i = P_i/S^(m-i):
+  // P_(i-1) = (m-i) S' P_i - S P_i' - (S u) P_i - (m-i)(i+1) (S^2 r) P_(i+1)
+  const Poly S = common_denominator(u, r);
+  const Poly slope = derivative(S);
+  const Poly Su = u.num() * exact_div(S, u.den());
+  const Poly SSr = r.num() * exact_div(S * S, r.den());
+  std::vector<Poly> P(static_cast<std::size_t>(m) + 2);
+  P[static_cast<std::size_t>(m)] = Poly(-1);
+  Poly last;
   for (long i = m; i >= 0; --i) {
     const auto k = static_cast<std::size_t>(i);
-    const RationalFunction next =
-        -derivative(a[k]) - u * a[k] - RationalFunction(Rational((m - i) * (i + 1))) * r * a[k + 1];
-    if (i > 0)
-      a[k - 1] = next;
-    else
-      last = next;
+    Poly next = (scale(slope, NfElem(m - i)) - Su) * P[k] - S * derivative(P[k]) -
+                scale(SSr * P[k + 1], NfElem((m - i) * (i + 1)));
+    (i > 0 ? P[k - 1] : last) = std::move(next);
   }
   KOV_ENSURE(is_zero(last));
-  a.pop_back();
-  Integer factorial(1); // (m-i)!
+  // monic in w: divided by -(m-i)!
+  std::vector<RationalFunction> a(static_cast<std::size_t>(m) + 1);
+  Integer factorial(1);
+  Poly power(1);
   for (long i = m; i >= 0; --i) {
-    if (i < m) factorial *= Integer(m - i);
-    a[static_cast<std::size_t>(i)] *= RationalFunction(Rational(Integer(1), factorial));
+    const auto k = static_cast<std::size_t>(i);
+    if (i < m) {
+      factorial *= Integer(m - i);
+      power *= S;
+    }
+    a[k] = RationalFunction(scale(P[k], NfElem(Rational(Integer(-1), factorial))), power);
   }
-  // monic in w
-  for (RationalFunction& c : a)
-    c = -c;
   return a;
 }
 

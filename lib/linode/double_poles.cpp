@@ -5,8 +5,8 @@
 namespace kov {
 namespace {
 
-constexpr int max_primes = 64;       // for one guess: numbers of about 550 digits
-constexpr std::size_t worth_it = 4;  // a few places are as cheap one by one
+constexpr int max_primes = 64;      // for one guess: numbers of about 550 digits
+constexpr std::size_t worth_it = 4; // a few places are as cheap one by one
 
 using Places = std::vector<std::size_t>; // indices of factors
 
@@ -95,8 +95,8 @@ Claims claims(const Places& places, const std::vector<Factor>& factors,
   while (layer.size() > 1) {
     std::vector<Claims> next;
     for (std::size_t i = 0; i + 1 < layer.size(); i += 2)
-      next.push_back({layer[i].q * layer[i + 1].q,
-                      layer[i].w * layer[i + 1].q + layer[i + 1].w * layer[i].q});
+      next.push_back(
+          {layer[i].q * layer[i + 1].q, layer[i].w * layer[i + 1].q + layer[i + 1].w * layer[i].q});
     if (layer.size() % 2 == 1) next.push_back(std::move(layer.back()));
     layer = std::move(next);
   }

@@ -8,27 +8,26 @@ std::optional<NmodPoly> p_curvature(const RationalFunction& r, const PrimeIdeal&
   const auto n = prime.reduce(r.num());
   const auto d = prime.reduce(r.den());
   if (!n || !d) return std::nullopt;
-  // A_k = M_k / D^k for k >= 1 with M_1 = (0 D; N 0):
-  //   M_(k+1) = D M_k' - k D' M_k + M_k (0 D; N 0)
+  // y^(k) = (alpha_k y + beta_k y')/D^k on solutions:
+  //   alpha_(k+1) = D alpha_k' - k D' alpha_k + N beta_k,
+  //   beta_(k+1)  = D beta_k' - k D' beta_k + D alpha_k.
+  // The second row of the matrix at k = p is the derivative of the first one, and its trace is 0.
   const mp_limb_t p = prime.p;
   const NmodPoly dd = derivative(*d);
-  NmodPoly m11(p);
-  NmodPoly m12 = *d;
-  NmodPoly m21 = *n;
-  NmodPoly m22(p);
+  NmodPoly alpha(p);
+  NmodPoly beta = *d;
+  const auto derived = [&](mp_limb_t k, const NmodPoly& f) {
+    return *d * derivative(f) - scale(dd * f, k % p);
+  };
   for (mp_limb_t k = 1; k < p; ++k) {
-    const auto step = [&](const NmodPoly& m) { return *d * derivative(m) - scale(dd * m, k); };
-    NmodPoly next11 = step(m11) + m12 * *n;
-    NmodPoly next12 = step(m12) + m11 * *d;
-    NmodPoly next21 = step(m21) + m22 * *n;
-    NmodPoly next22 = step(m22) + m21 * *d;
-    m11 = std::move(next11);
-    m12 = std::move(next12);
-    m21 = std::move(next21);
-    m22 = std::move(next22);
+    NmodPoly next = derived(k, alpha) + *n * beta;
+    beta = derived(k, beta) + *d * alpha;
+    alpha = std::move(next);
   }
-  KOV_ENSURE(is_zero(m11 + m22));
-  return m11 * m11 + m12 * m21; // -det, as the trace is 0
+  // in characteristic p: (alpha/D^p)' = alpha'/D^p, and all is multiplied by D^(2p)
+  KOV_ENSURE(is_zero(scale(alpha, 2) + derivative(beta)));
+  const NmodPoly lower = derivative(alpha) + exact_div(*n * beta, *d);
+  return alpha * alpha + beta * lower; // -det
 }
 
 namespace {

@@ -39,8 +39,7 @@ Rational random_rational(std::mt19937& rng, int digits) {
 TEST(DoublePoles, ValuesOfAllSizesBesideOtherOrders) {
   std::mt19937 rng(1);
   for (const int digits : {1, 5, 9, 10, 30, 100, 400}) {
-    RationalFunction r = RationalFunction(z * z + Poly(1)) +
-                         RationalFunction(Poly(3), z * z * z) +
+    RationalFunction r = RationalFunction(z * z + Poly(1)) + RationalFunction(Poly(3), z * z * z) +
                          RationalFunction(Poly(1), pow(z - Poly(1), 4)) +
                          RationalFunction(Poly(1), z - Poly(2));
     for (int c = 3; c < 10; ++c) {

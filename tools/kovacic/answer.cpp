@@ -275,8 +275,7 @@ Solver::Line Solver::line(std::string_view job) {
     if (tag == tag_internal)
       return {dump({{"id", body.at("id")},
                     {"error", "internal error: " + body.at("message").get<std::string>()}}),
-              exit_internal,
-              ""};
+              exit_internal, ""};
     const InputError e = unpacked(body);
     std::string message = e.message();
     if (e.column() > 0)
@@ -293,8 +292,7 @@ Solver::Line Solver::line(std::string_view job) {
     const Json early = reply.early.empty() ? unread_result(nullptr) : Json::parse(reply.early);
     return {dump({{"id", early.at("id")},
                   {"error", "internal error: the solver process ended with " + reply.detail}}),
-            exit_internal,
-            ""};
+            exit_internal, ""};
   }
   case Reply::End::interrupted:
     return {"", exit_interrupted, ""};

@@ -115,9 +115,8 @@ void take(const Settings& settings, CaseReport& report, const Answer& answer,
   if (!report.text.empty() && settings.format == "text") report.text += "\n";
   Answer shown = answer;
   if (!settings.certificate.empty() && !shown.certificate.empty()) {
-    shown.result["certificate_file"] =
-        file_certificate(settings, title.substr(title.rfind('/', title.find("  [")) + 1),
-                         shown.certificate);
+    shown.result["certificate_file"] = file_certificate(
+        settings, title.substr(title.rfind('/', title.find("  [")) + 1), shown.certificate);
   }
   report.text += presented(settings, shown, title);
   report.json.push_back(shown.result);

@@ -151,8 +151,8 @@ struct Worker::Notice {
 };
 
 Worker::Worker(Serve serve, ProcessLimits limits) : serve_(std::move(serve)), limits_(limits) {
-  void* shared = ::mmap(nullptr, sizeof(Notice), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS,
-                        -1, 0);
+  void* shared =
+      ::mmap(nullptr, sizeof(Notice), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED) throw InternalError("no memory to share with the worker process");
   notice_ = new (shared) Notice;
 }
