@@ -1,6 +1,7 @@
 #include "galois/classify.hpp"
 
 #include "exact/error.hpp"
+#include "kovacic/case1.hpp"
 
 #include <algorithm>
 
@@ -143,6 +144,22 @@ private:
     return true;
   }
 
+  // The exponents may allow a polynomial of a degree that no engine can afford, although each
+  // family of Kovacic's that has a natural number d needs a small one.  Requires at most one line.
+  [[nodiscard]] ExponentialSearch exponentials() {
+    try {
+      return exponential_solutions(local(), budget_);
+    } catch (const OutOfBudget&) {
+      const auto found = kovacic::case1(local(), budget_, nullptr);
+      const auto* line = found ? std::get_if<kovacic::Exponential>(&*found) : nullptr;
+      if (line == nullptr) throw;
+      ExponentialSearch answer;
+      answer.solutions.push_back({line->omega, Poly(1)});
+      KOV_ENSURE(solves(answer.solutions.front(), local().r));
+      return answer;
+    }
+  }
+
   // An immense bound of the degree is no budget matter as long as one prime may settle everything.
   [[nodiscard]] bool exponents_allow_a_line() const {
     try {
@@ -177,7 +194,7 @@ private:
                      (quartic.none->combinatorial ? " (" + quartic.none->why + ")" : "");
     const std::string known = answer_.reason;
     if (exponents_allow_a_line() && one_prime_says_sl2()) return;
-    const ExponentialSearch exponential = exponential_solutions(local(), budget_);
+    const ExponentialSearch exponential = exponentials();
     KOV_ENSURE(!exponential.projectively_trivial);
     if (!exponential.solutions.empty()) {
       answer_.exponential = exponential.solutions.front();
@@ -199,7 +216,7 @@ private:
   void logarithmic() {
     if (exponents_allow_a_line() && one_prime_says_sl2()) return;
 
-    const ExponentialSearch exponential = exponential_solutions(local(), budget_);
+    const ExponentialSearch exponential = exponentials();
     if (!exponential.solutions.empty()) {
       one_radical_line(exponential.solutions.front(),
                        answer_.kind_reason + "; there is one exponential solution, a radical");
@@ -288,7 +305,7 @@ private:
   }
 
   void without_quartic() {
-    const ExponentialSearch exponential = exponential_solutions(local(), budget_);
+    const ExponentialSearch exponential = exponentials();
     if (!exponential.solutions.empty()) {
       one_radical_line(exponential.solutions.front(),
                        "there is exactly one exponential solution, a radical");

@@ -4,6 +4,7 @@
 #include "galois/classify.hpp"
 #include "galois/solutions.hpp"
 #include "kovacic/solve.hpp"
+#include "special/recognize.hpp"
 #include "verdict/certificate.hpp"
 
 namespace kov {
@@ -108,6 +109,29 @@ void second_chance(Decision& d, const NormalForm& equation, const Options& optio
     d.undecided = Unable{Unable::Why::budget, "no certificate: " + d.no_certificate};
 }
 
+// Still nothing: a classical equation may have a formula that asks for no polynomial at all.
+void closed_formula(Decision& d, const Options& options) {
+  std::optional<Recognized> known;
+  try {
+    known = recognize(d.r, options.budget);
+  } catch (const OutOfBudget&) { // what stopped the engines is said already
+  }
+  if (!known || !known->answer || known->answer->abelian == Truth::unknown) return;
+  const ClosedAnswer& answer = *known->answer;
+  const std::string limit = d.undecided ? d.undecided->detail : "";
+  KOV_ENSURE(d.abelian == Truth::unknown || d.abelian == answer.abelian);
+  d.abelian = answer.abelian;
+  d.reason = "by the formula for " + known->family + "'s equation: " + answer.reason;
+  if (!limit.empty()) d.reason += " (no search: " + limit + ")";
+  if (!answer.group) return;
+  d.group = answer.group;
+  d.component = identity_component(*answer.group);
+  d.kovacic_case = kovacic_case(*answer.group);
+  d.undecided.reset();
+  if (options.want_certificate && d.certificate.empty())
+    d.undecided = Unable{Unable::Why::budget, "no certificate: " + d.no_certificate};
+}
+
 void certify_it(Decision& d, const Classification& c, const Options& options) {
   if (!d.group && d.abelian == Truth::unknown) {
     d.no_certificate = "nothing is proved";
@@ -161,6 +185,7 @@ Decision decide(const NormalForm& equation, const Options& options) {
     ask_the_judge(d, c, options);
   if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
     second_chance(d, equation, options);
+  if (!d.group && options.method != Method::engines && !is_zero(d.r)) closed_formula(d, options);
   const bool asked = options.method == Method::kovacic || options.method == Method::all;
   if (asked || options.want_trace) {
     const SecondOpinion other = classical(d, equation, options);

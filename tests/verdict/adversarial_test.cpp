@@ -294,5 +294,34 @@ TEST(Corrections, TorsionOnACurveOfGenusOne) { // 12: the order of E, not of P
   EXPECT_EQ(group_of(lame(NfElem(2), NfElem(2), NfElem(4), NfElem(1))), "Dinf");
 }
 
+// ----- exponents far beyond every degree that could be computed --------------------------------
+
+// omega = a/(z-p) + b/(z-q), a + b = 1/3: the exponents allow a polynomial of about that degree.
+TEST(ImmenseExponents, OneExponentialSolution) {
+  for (const long digits : {5, 10, 30, 100, 300}) {
+    const Rational a = (ten_to(digits) + Rational(3)) / Rational(7) + Rational(1, 21);
+    for (const Rational& first : {a, -a}) {
+      const RationalFunction omega =
+          over(first, -ten_to(digits)) + over(third - first, ten_to(digits) / Rational(2));
+      Options options;
+      options.want_certificate = true;
+      const Decision d = decide({derivative(omega) + omega * omega, {}}, options);
+      ASSERT_TRUE(d.group) << d.reason;
+      EXPECT_EQ(describe(*d.group), describe(GaloisGroup{GroupType::T, Integer(21)}));
+      EXPECT_FALSE(d.certificate.empty()) << d.no_certificate;
+      ASSERT_EQ(d.solutions.size(), 1U);
+    }
+  }
+}
+
+// The polynomial is of degree 10^9: formulas for the families need none.
+TEST(ImmenseExponents, ClosedFormulas) {
+  const Rational n = ten_to(9);
+  EXPECT_EQ(group_of(schwarz(Rational(0), Rational(0), n + n + Rational(1))), "T_2");
+  EXPECT_EQ(group_of(schwarz(Rational(0), Rational(0), n + n + Rational(2))), "SL2");
+  EXPECT_EQ(group_of(z * z - RationalFunction(n + n + Rational(1))), "B");
+  EXPECT_EQ(group_of(z * z - RationalFunction(n + n + Rational(2))), "SL2");
+}
+
 } // namespace
 } // namespace kov
