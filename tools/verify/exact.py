@@ -1,4 +1,5 @@
 """Exact arithmetic for kovacic_verify.py: polynomials over a number field K = Q[x]/(m) and modulo a prime."""
+import decimal
 from fractions import Fraction
 from math import ceil, gcd, isqrt, lcm
 from operator import mul
@@ -27,12 +28,24 @@ class K:
 
 
 def convolve(a, b):
-    """The product in Z[x]."""
-    c = [0] * max(0, len(a) + len(b) - 1)
-    for i, x in enumerate(a):
-        if x:
-            c[i:i + len(b)] = [u + x * v for u, v in zip(c[i:i + len(b)], b)]
-    return c if a and b else []
+    """The product in Z[x]; of long polynomials as one product of two large integers (Kronecker)."""
+    n, short = max(0, len(a) + len(b) - 1), min(len(a), len(b))
+    if short < 9:
+        c = [0] * n
+        for i, x in enumerate(a if len(a) == short else b):
+            if x:
+                c[i:] = [u + x * v for u, v in zip(c[i:], b if len(a) == short else a)] + c[i + n - short + 1:]
+        return c if short else []
+    # |c_i| < 10^width/2; decimal has a fast product of long numbers, int has not
+    width = (sum(max(map(abs, v)).bit_length() for v in (a, b)) + short.bit_length()) * 302 // 1000 + 2
+
+    def pack(v, sign):
+        return decimal.Decimal("".join(str(max(0, sign * x)).zfill(width) for x in reversed(v)))
+    with decimal.localcontext(decimal.Context(prec=decimal.MAX_PREC, Emax=decimal.MAX_EMAX)):
+        value = (pack(a, 1) - pack(a, -1)) * (pack(b, 1) - pack(b, -1))
+        digits = str(value + decimal.Decimal(("5" + "0" * (width - 1)) * n)).zfill(width * n)
+    half = 5 * 10**(width - 1)                 # was added to each c_i, so that no digit is borrowed
+    return [int(digits[i:i + width]) - half for i in range(width * (n - 1), -1, -width)]
 
 
 def reduce_blocks(c):
@@ -85,6 +98,15 @@ class Poly:
     def lead(self):
         return self.coefficient(self.degree())
 
+    def cut(self, n):
+        """modulo z^n"""
+        return Poly(self.c[:n * K.s], self.q)
+
+    def reverse(self, n):
+        """z^n f(1/z), deg f <= n"""
+        c = self.c + [0] * ((n + 1) * K.s - len(self.c))
+        return Poly([x for i in range(n, -1, -1) for x in c[i * K.s:(i + 1) * K.s]], self.q)
+
     def diff(self):
         return Poly([x * (i // K.s) for i, x in enumerate(self.c)][K.s:], self.q)
 
@@ -115,21 +137,15 @@ ZERO, ONE = Poly([]), Poly([1])
 
 
 def division(f, q):
-    """Quotient and remainder by the monic q; with w the denominator of q, w^n f(z/w) and w^m q(z/w) are integral."""
-    n, m, s, d, w = f.degree(), q.degree(), K.s, K.d, q.q
+    """Quotient and remainder by the monic q; 1/q at infinity by Newton's iteration."""
+    n, m, inverse, size = f.degree(), q.degree(), ONE, 1
     if n < m:
         return ZERO, f
-    a = [[x * w**(n - i) for x in (f.c[i * s:i * s + d] + [0] * d)[:d]] for i in range(n + 1)]
-    b = [(Poly(q.c[i * s:i * s + d]) * w**(m - i - 1)).c for i in range(m)]
-    for i in range(n, m - 1, -1):
-        for j in range(m if any(a[i]) else 0):
-            row = a[i - m + j]
-            for k, x in enumerate(reduce_blocks(convolve(a[i], b[j]))):
-                row[k] -= x
-
-    def poly(rows, e):
-        return Poly([x * w**(i + e) for i, row in enumerate(rows) for x in row + [0] * (s - d)], f.q * w**n)
-    return poly(a[m:], m), poly(a[:m], 0)
+    while size < n - m + 1:
+        size = min(2 * size, n - m + 1)
+        inverse = (inverse * (ONE * 2 - q.reverse(m).cut(size) * inverse).cut(size)).cut(size)
+    quotient = (f.reverse(n).cut(n - m + 1) * inverse).cut(n - m + 1).reverse(n - m)
+    return quotient, f - quotient * q
 
 
 def product(polys):

@@ -155,16 +155,17 @@ class Checker:
         need(self.dd * sum(e["order"] * e["q"].bits() for e in rows) <= BULK, "the places are too large")
         need(product(e["q"]**e["order"] for e in rows) == self.den, "the product of the places is not den")
         self.need_squarefree(product(e["q"] for e in rows), d["prime"], self.num if rows else ZERO)
-        shared = {}                         # places with the same constant delta2 are tested at once
-        for e in rows:
-            if e["delta2"] is not None:
-                need(e["order"] == 2 and e["delta2"].degree() < e["q"].degree(), "delta2 belongs to a pole of order 2")
-                shared.setdefault((tuple(e["delta2"].c), e["delta2"].q), []).append(e["q"])
-        self.spend(4 * len(shared) * self.length * (1 + self.den.bits() / 64))
-        for (c, q), factors in shared.items():
-            test = self.num * 8 - (Poly(list(c), q) - ONE) * second
-            for part in [product(factors)] if len(c) <= K.s else factors:
-                need(not division(test, part)[1].c, "delta2 is wrong")
+        claims = [(e["q"], (e["delta2"] - ONE) * e["q"].diff()) for e in rows if e["delta2"] is not None]
+        need(all(e["order"] == 2 and e["delta2"].degree() < e["q"].degree() for e in rows if e["delta2"] is not None),
+             "delta2 belongs to a pole of order 2")
+        size = self.length * sum(q.bits() + w.bits() for q, w in claims)
+        need(size <= BULK, "the exponents are too large")
+        self.spend(4 * self.length * (1 + self.den.bits() / 64) + size / 16)
+        while len(claims) > 1:              # Q = prod q, W = sum (delta2 - 1) q' Q/q   (1.8)
+            claims = [(a * b, u * b + w * a) for (a, u), (b, w) in zip(claims[::2], claims[1::2] + [(ONE, ZERO)])]
+        for Q, W in claims:
+            test = self.num * 4 - W * Q.diff() * division(self.den, Q * Q)[0]
+            need(not division(test, Q)[1].c, "delta2 is wrong")
         return Local([self.place(e, second) for e in rows], self.infinity(d["infinity"]))
 
     def place(self, e, second):
