@@ -63,6 +63,23 @@ NmodPoly taylor_shift(const NmodPoly& f, mp_limb_t c) {
 
 mp_limb_t evaluate(const NmodPoly& f, mp_limb_t c) { return nmod_poly_evaluate_nmod(f.raw(), c); }
 
+namespace {
+
+// The roots of z^2 + 2 b z + c, ascending; p odd.
+std::vector<mp_limb_t> quadratic_roots(const NmodPoly& f) {
+  const nmod_t mod = f.mod();
+  const mp_limb_t b = nmod_div(f.coeff(1), 2, mod);
+  const mp_limb_t square = nmod_sub(nmod_mul(b, b, mod), f.coeff(0), mod);
+  const mp_limb_t w = n_sqrtmod(square, mod.n);
+  if (w == 0 && square != 0) return {}; // not a square
+  const mp_limb_t x = nmod_sub(w, b, mod);
+  const mp_limb_t y = nmod_sub(nmod_neg(w, mod), b, mod);
+  if (x == y) return {x};
+  return {std::min(x, y), std::max(x, y)};
+}
+
+} // namespace
+
 std::vector<mp_limb_t> roots(const NmodPoly& f) {
   if (is_zero(f)) throw InvalidArgument("the zero polynomial has no root list");
   std::vector<mp_limb_t> found;
@@ -75,6 +92,7 @@ std::vector<mp_limb_t> roots(const NmodPoly& f) {
   NmodPoly z(p);
   z.set_coeff(1, 1);
   if (degree(monic) == 1) return {nmod_neg(monic.coeff(0), monic.mod())};
+  if (degree(monic) == 2 && p > 2) return quadratic_roots(monic);
   nmod_poly_powmod_ui_binexp(frobenius.raw(), z.raw(), p, monic.raw());
   const NmodPoly linear = gcd(frobenius - z, monic);
   if (degree(linear) < 1) return found;

@@ -70,7 +70,7 @@ std::optional<PCurvatureProof> sl2_by_p_curvature(const Singularities& s, int tr
     const auto b = p_curvature(s.r, prime);
     if (!b) continue;
     ++good;
-    if (is_zero(*b)) continue;
+    if (is_zero(*b)) return std::nullopt; // most likely so at every prime
     const NmodPoly odd = odd_part(*b);
     // r is integral and den monic, so no pole goes to infinity: infinity is odd exactly when the
     // degree of the odd part is.

@@ -110,6 +110,8 @@ const std::vector<SchwarzClass>& schwarz_classes() {
 }
 
 const SchwarzClass* schwarz_class(const ExponentTriple& exponents) {
+  for (const Rational& e : exponents) // no element of the three groups has a larger order in PSL2
+    if (e.den() > Integer(5)) return nullptr;
   const ExponentTriple t = canonical(exponents);
   for (const SchwarzClass& row : schwarz_classes())
     if (row.exponents == t) return &row;

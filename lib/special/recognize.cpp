@@ -95,10 +95,12 @@ std::optional<Recognized> squared(const RationalFunction& r, const Budget& budge
 
 } // namespace
 
-std::optional<Recognized> recognize(const RationalFunction& r, const Budget& budget) {
+std::optional<Recognized> recognize(const RationalFunction& r, const Budget& budget,
+                                    const Singularities* places) {
   if (is_zero(r)) return std::nullopt;
   std::optional<Recognized> found;
-  if (small(r, largest)) found = recognize(singularities(r, budget), budget);
+  if (small(r, largest))
+    found = recognize(places != nullptr ? *places : singularities(r, budget), budget);
   if ((!found || found->family == "Heun") && small(r, 2 * largest + 2))
     if (auto other = squared(r, budget)) return other;
   return found;

@@ -46,8 +46,10 @@ struct Recognized {
 /// Cost  a few operations with polynomials of degree <= 8; larger denominators are not looked at
 [[nodiscard]] std::optional<Recognized> recognize(const Singularities& s,
                                                   const Budget& budget = {});
-/// The same from r; also for r = 0 (nothing is recognised).
+/// The same from r, also for r = 0 (nothing is recognised).  places: those of r, where they are
+/// known already.
 [[nodiscard]] std::optional<Recognized> recognize(const RationalFunction& r,
-                                                  const Budget& budget = {});
+                                                  const Budget& budget = {},
+                                                  const Singularities* places = nullptr);
 
 } // namespace kov

@@ -113,7 +113,7 @@ void second_chance(Decision& d, const NormalForm& equation, const Options& optio
 void closed_formula(Decision& d, const Options& options) {
   std::optional<Recognized> known;
   try {
-    known = recognize(d.r, options.budget);
+    known = recognize(d.r, options.budget, d.places ? &*d.places : nullptr);
   } catch (const OutOfBudget&) { // what stopped the engines is said already
   }
   if (!known || !known->answer || known->answer->abelian == Truth::unknown) return;
@@ -178,6 +178,7 @@ Decision decide(const NormalForm& equation, const Options& options) {
   d.r = equation.r;
   d.variable = options.variable;
   const Classification c = classify(equation.r, options.budget);
+  d.places = c.local;
   fill(d, c, equation, options);
   if (options.want_certificate)
     certify_it(d, c, options);

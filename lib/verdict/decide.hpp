@@ -5,6 +5,7 @@
 #include "exact/truth.hpp"
 #include "galois/group.hpp"
 #include "linode/normal_form.hpp"
+#include "linode/singularities.hpp"
 
 #include <optional>
 #include <string>
@@ -44,6 +45,7 @@ struct TraceStep {
 struct Decision {
   RationalFunction r;
   std::string variable = "z";
+  std::optional<Singularities> places; ///< of r, if they were looked at
   std::optional<GaloisGroup> group;   ///< unset: not determined (see reason)
   std::optional<Connected> component; ///< may be known where the group is not
   Truth abelian = Truth::unknown;     ///< of the identity component

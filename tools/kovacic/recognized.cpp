@@ -51,7 +51,8 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
                      const Budget& budget) {
   std::optional<Recognized> found;
   try {
-    found = recognize(equation.normal_form.r, budget);
+    found =
+        recognize(equation.normal_form.r, budget, decision.places ? &*decision.places : nullptr);
   } catch (const OutOfBudget&) { // the answer itself is there
   }
   if (!found) return nullptr;
