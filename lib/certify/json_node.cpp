@@ -83,11 +83,55 @@ NfElem Node::element() const {
   return e;
 }
 
+namespace {
+
+// sum num_i/den_i z^i over Q; most of the den_i are often the same number.
+Poly over_common_denominator(const std::vector<Integer>& num, const std::vector<Integer>& den,
+                             const Integer& common) {
+  Poly f;
+  const auto n = static_cast<slong>(num.size());
+  fmpq_poly_fit_length(f.raw(), n);
+  _fmpq_poly_set_length(f.raw(), n);
+  for (std::size_t i = 0; i < num.size(); ++i) {
+    const Integer c = den[i] == common ? num[i] : num[i] * exact_div(common, den[i]);
+    fmpz_set(f.raw()->coeffs + i, c.raw());
+  }
+  fmpz_set(f.raw()->den, common.raw());
+  fmpq_poly_canonicalise(f.raw());
+  return f;
+}
+
+} // namespace
+
+Poly Node::rational_poly(const std::vector<Node>& coefficients) const {
+  std::vector<Integer> num;
+  std::vector<Integer> den;
+  Integer common(1);
+  std::size_t top = 0;
+  for (const Node& n : coefficients) {
+    const std::string_view text = *n.j_->text();
+    if (!is_rational_text(text)) n.fail("a rational number is expected");
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    num.push_back(Integer::parse(text.substr(0, slash)));
+    den.push_back(slash == text.size() ? Integer(1) : Integer::parse(text.substr(slash + 1)));
+    if (den.back() != common) common = lcm(common, den.back());
+    top = std::max<std::size_t>(top, fmpz_bits(num.back().raw()));
+    const auto size = static_cast<double>(top + 2 * fmpz_bits(common.raw()));
+    if (static_cast<double>(num.size()) * size > max_bulk) fail("the polynomial is too large");
+  }
+  if (!num.empty() && is_zero(num.back())) fail("the leading coefficient is 0");
+  return over_common_denominator(num, den, common);
+}
+
 Poly Node::poly() const {
+  const std::vector<Node> all = items();
+  if ((*k_)->is_rational() &&
+      std::ranges::all_of(all, [](const Node& n) { return n.j_->text() != nullptr; }))
+    return rational_poly(all);
   std::vector<NfElem> c;
   Integer common(1);
   std::size_t top = 0;
-  for (const Node& n : items()) {
+  for (const Node& n : all) {
     c.push_back(n.element());
     const Integer below(c.back().raw()->den);
     common = lcm(common, below);

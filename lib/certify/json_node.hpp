@@ -32,6 +32,8 @@ public:
   [[nodiscard]] const std::string& path() const { return path_; }
 
 private:
+  [[nodiscard]] Poly rational_poly(const std::vector<Node>& coefficients) const;
+
   const Json* j_;
   std::string path_;
   const Field* k_;

@@ -115,6 +115,11 @@ NfElem NfElem::generator(const Field& k) {
 
 Rational NfElem::coeff(long i) const {
   Rational q;
+  if (i == 0 && v_->length == 1) { // in lowest terms already
+    fmpz_set(fmpq_numref(q.raw()), v_->coeffs);
+    fmpz_set(fmpq_denref(q.raw()), v_->den);
+    return q;
+  }
   fmpq_poly_get_coeff_fmpq(q.raw(), v_, i);
   return q;
 }

@@ -69,7 +69,7 @@ private:
     else
       data.prime = PrimeIdeals::large(out_.field).next(); // r = 0
     prime_ = data.prime;
-    local_ = certify::check_local(judge_, data);
+    local_ = certify::claimed_local(judge_, data);
     return add("local", {}, std::move(data));
   }
 
