@@ -94,6 +94,10 @@ void print_strata(std::ostream& out, const Json& j) {
     for (const Json& c : s.at("conditions"))
       where += (where.empty() ? "" : ", ") + c.get<std::string>();
     line(out, "stratum", where.empty() ? "always" : where);
+    if (s.contains("no_equation")) {
+      line(out, "none", "no equation y'' = r y: " + s.at("reason").get<std::string>(), 4);
+      continue;
+    }
     const std::string group = s.at("group_text");
     const std::string abelian = s.at("abelian");
     line(out, "group",
@@ -116,14 +120,36 @@ void print_strata(std::ostream& out, const Json& j) {
 
 namespace {
 
+// Values of the parameters for which there is no equation: nothing is asked there.
+void mark_no_equation(Json& j, const strata::StrataAnswer& a) {
+  for (std::size_t i = 0; i < a.strata.size(); ++i)
+    if (a.strata[i].leaf.no_equation) {
+      Json& s = j["strata"][i];
+      s["no_equation"] = true;
+      s["reason"] = a.strata[i].leaf.open_condition;
+      s.erase("open");
+    }
+}
+
+// The strata on which something is asked.
+std::vector<const strata::Stratum*> with_equation(const strata::StrataAnswer& a) {
+  std::vector<const strata::Stratum*> all;
+  for (const strata::Stratum& s : a.strata)
+    if (!s.leaf.no_equation) all.push_back(&s);
+  return all;
+}
+
 // What holds on every stratum stands on top; the rest is in the list.
 void put_common(Json& j, const strata::StrataAnswer& a) {
-  j["abelian"] = word(a.abelian());
-  const auto& first = a.strata.front().leaf;
+  const auto asked = with_equation(a);
+  if (asked.empty()) return;
+  const auto& first = asked.front()->leaf;
+  const auto all = [&](auto same) { return std::all_of(asked.begin(), asked.end(), same); };
+  if (a.unvisited.empty() &&
+      all([&](const strata::Stratum* s) { return s->leaf.abelian == first.abelian; }))
+    j["abelian"] = word(first.abelian);
   const bool one_group =
-      first.group && std::all_of(a.strata.begin(), a.strata.end(), [&](const strata::Stratum& s) {
-        return s.leaf.group == first.group;
-      });
+      first.group && all([&](const strata::Stratum* s) { return s->leaf.group == first.group; });
   if (!one_group || !a.unvisited.empty()) return;
   j["group"] = Json{{"type", to_string(first.group->type)}, {"n", nullptr}};
   if (first.group->n && fits_long(*first.group->n)) j["group"]["n"] = to_long(*first.group->n);
@@ -143,12 +169,15 @@ Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& 
     set_undecided(j, "parameter", "no parameters satisfy the assumptions");
     return j;
   }
-  if (!a.strata.empty()) put_common(j, a);
+  mark_no_equation(j, a);
+  put_common(j, a);
   std::string open;
   for (const auto& s : a.strata)
-    if (s.leaf.abelian == Truth::unknown && open.empty())
+    if (s.leaf.abelian == Truth::unknown && !s.leaf.no_equation && open.empty())
       open = (s.conditions.empty() ? "" : "where " + strata::to_string(s.conditions) + ": ") +
              s.leaf.open_condition;
+  if (with_equation(a).empty() && a.unvisited.empty())
+    open = a.strata.empty() ? "nothing was looked at" : a.strata.front().leaf.open_condition;
   if (open.empty() && !a.unvisited.empty()) open = "not looked at: " + a.unvisited.front();
   if (!open.empty()) {
     set_undecided(j, "parameter", open);

@@ -3,6 +3,7 @@
 #include "present_strata.hpp"
 #include "recognized.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 namespace kov::cli {
@@ -35,11 +36,18 @@ std::string component_text(const std::string& name) {
   return name;
 }
 
+bool something_decided(const Json& result) {
+  const Json& strata = result.at("strata");
+  return std::any_of(strata.begin(), strata.end(),
+                     [](const Json& s) { return s.at("abelian") != "undecided"; });
+}
+
 std::string headline(const Json& result) {
   if (result.contains("strata") && result.at("case").is_null())
     return result.contains("contradictory")   ? "THE ASSUMPTIONS CONTRADICT EACH OTHER"
            : result.at("undecided").is_null() ? "DECIDED FOR ALL PARAMETERS"
-                                              : "UNDECIDED IN PART";
+           : something_decided(result)        ? "UNDECIDED IN PART"
+                                              : "UNDECIDED";
   if (result.at("case").is_null())
     return result.at("undecided").is_null() ? "ANSWERED IN PART" : "UNDECIDED";
   switch (result.at("case").get<int>()) {
