@@ -173,6 +173,8 @@ using Substitution = std::map<std::size_t, MFraction>;
 
 /// Text that the expression parser reads back.
 [[nodiscard]] std::string to_string(const MFraction& f);
+/// The same by falling powers of one variable: ((2*a^2 - 1)*z^4 + a*z^3)/z^2.
+[[nodiscard]] std::string to_string_by_powers(const MFraction& f, std::size_t variable);
 
 /// The same function with numerator and denominator factored over Q; parses back as well.
 [[nodiscard]] std::string to_factored_string(const MFraction& f);

@@ -224,14 +224,51 @@ MFraction transfer(const MFraction& f, const Ring& ring) {
   return {transfer(f.num(), ring), transfer(f.den(), ring)};
 }
 
-std::string to_string(const MFraction& f) {
-  if (is_zero(f)) return "0";
+namespace {
+
+std::string quotient_text(const std::string& top, const std::string& bottom) {
   const auto wrap = [](const std::string& s, const char* marks) {
     return s.find_first_of(marks, 1) != std::string::npos ? "(" + s + ")" : s;
   };
-  const std::string top = to_string(f.num());
-  if (is_one(f.den())) return top;
-  return wrap(top, " ") + "/" + wrap(to_string(f.den()), " */");
+  return bottom == "1" ? top : wrap(top, " ") + "/" + wrap(bottom, " */");
+}
+
+// Adds one term to a sum.
+void append(std::string& sum, const std::string& term) {
+  if (sum.empty())
+    sum = term;
+  else
+    sum += term.front() == '-' ? " - " + term.substr(1) : " + " + term;
+}
+
+std::string by_powers(const MPoly& f, std::size_t variable) {
+  const std::vector<MPoly> c = coefficients(f, variable);
+  std::string sum;
+  for (std::size_t i = c.size(); i-- > 0;) {
+    if (is_zero(c[i])) continue;
+    std::string term = to_string(c[i]);
+    if (i > 0) {
+      const std::string& name = f.ring()->name(variable);
+      const std::string power = i == 1 ? name : name + "^" + std::to_string(i);
+      if (term.find(' ') != std::string::npos) term = "(" + term + ")";
+      term = term == "1" ? power : term == "-1" ? "-" + power : term + "*" + power;
+    }
+    append(sum, term);
+  }
+  return sum;
+}
+
+} // namespace
+
+std::string to_string(const MFraction& f) {
+  return is_zero(f) ? "0" : quotient_text(to_string(f.num()), to_string(f.den()));
+}
+
+std::string to_string_by_powers(const MFraction& f, std::size_t variable) {
+  if (is_zero(f)) return "0";
+  const std::string bottom = by_powers(f.den(), variable);
+  if (bottom.front() != '-') return quotient_text(by_powers(f.num(), variable), bottom);
+  return quotient_text(by_powers(-f.num(), variable), by_powers(-f.den(), variable));
 }
 
 namespace {

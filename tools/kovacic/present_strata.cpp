@@ -162,7 +162,7 @@ void put_common(Json& j, const strata::StrataAnswer& a) {
 Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& a) {
   Json j = unread_result(id);
   j["variable"] = f.variable;
-  j["r"] = to_string(f.question.r);
+  j["r"] = to_string_by_powers(f.question.r, f.question.z);
   put_strata(j, a);
   j["seconds"] = a.seconds;
   if (a.contradictory) {
