@@ -290,8 +290,12 @@ std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
   Integer growth;
   for (const Pole& pole : poles) {
     const Rational order = Rational(m) * pole.rho;
-    KOV_ENSURE(is_integer(order) && fits_long(order.num()));
-    budget.check_degree(to_long(order.num()) * std::max(degree(pole.q), 1L));
+    KOV_ENSURE(is_integer(order));
+    const Integer needed = order.num() * Integer(std::max(degree(pole.q), 1L));
+    if (!fits_long(needed))
+      throw OutOfBudget("degree limit: a polynomial of degree " + to_string(needed) +
+                        " would be needed");
+    budget.check_degree(to_long(needed));
     if (pole.at_infinity)
       growth = order.num();
     else

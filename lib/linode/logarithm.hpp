@@ -16,7 +16,8 @@ namespace kov {
 
 /// Shape   num, den: r = num/den in lowest terms near the place q (monic irreducible), den having
 ///         order exactly 2 there; N >= 0 the exponent difference
-/// Unknown when one prime finds no logarithm and N is too large to ask exactly (N deg q > 4000)
+/// Unknown when one prime finds no logarithm and N is too large to ask exactly (N deg q > 4000), or
+///         when N is above the degree limit of the budget
 /// Cost    O(N deg r) operations modulo q, first modulo one prime: a nonzero value there proves a
 ///         logarithm at once.
 [[nodiscard]] Truth has_logarithm(const Poly& num, const Poly& den, const Poly& q, long N,

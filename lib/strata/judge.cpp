@@ -244,7 +244,7 @@ private:
     for (const long m : degrees) {
       const InvariantBound bound = invariant_bound(s_, m);
       if (bound.form) {
-        auto answer = search(*bound.form, m == 12 ? "finite, or in the normaliser of a torus"
+        auto answer = search(*bound.form, m == 12 ? "finite, in the normaliser of a torus, or T_n"
                                                   : "T_n, or cyclic");
         if (!std::holds_alternative<std::monostate>(answer)) return lift(std::move(answer));
       }
@@ -268,7 +268,8 @@ private:
     if (const auto four = invariant_bound(s_, 4).form; four && four->degree < most_unknowns) {
       auto found = find_invariant(s_, *four, region_, budget_);
       if (auto* needs = std::get_if<Needs>(&found)) return std::move(*needs);
-      if (const auto& v = std::get<0>(found)) return abelian_by(*v, "in the normaliser of a torus");
+      if (const auto& v = std::get<0>(found))
+        return abelian_by(*v, "in the normaliser of a torus, or T_n");
     }
     return judge_open_exponents(s_, open_, torus_, certain_log() != nullptr, region_);
   }

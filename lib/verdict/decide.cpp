@@ -7,6 +7,8 @@
 #include "special/recognize.hpp"
 #include "verdict/certificate.hpp"
 
+#include <algorithm>
+
 namespace kov {
 namespace {
 
@@ -94,6 +96,15 @@ void forget_answer(Decision& d, const std::string& why, Unable::Why kind) {
   d.reason = "undecided: " + why;
 }
 
+// The group was found after the certificate was written, which says less or does not exist.
+void mark_as_uncertified(Decision& d, const Options& options) {
+  if (!options.want_certificate) return;
+  const std::string why = d.certificate.empty()
+                              ? "no certificate: " + d.no_certificate
+                              : "the certificate is about the identity component only";
+  d.undecided = Unable{Unable::Why::budget, why};
+}
+
 // Exponents too large for the engines: that no sum of exponents is a natural number can be seen
 // without a polynomial of that degree.
 void second_chance(Decision& d, const NormalForm& equation, const Options& options) {
@@ -105,15 +116,16 @@ void second_chance(Decision& d, const NormalForm& equation, const Options& optio
   d.kovacic_case = 4;
   d.undecided.reset();
   d.reason = "Kovacic's algorithm excludes its cases 1, 2 and 3";
-  if (options.want_certificate && d.certificate.empty())
-    d.undecided = Unable{Unable::Why::budget, "no certificate: " + d.no_certificate};
+  mark_as_uncertified(d, options);
 }
 
 // Still nothing: a classical equation may have a formula that asks for no polynomial at all.
 void closed_formula(Decision& d, const Options& options) {
   std::optional<Recognized> known;
   try {
-    known = recognize(d.r, options.budget, d.places ? &*d.places : nullptr);
+    Budget little = options.budget;
+    if (d.places) little.deadline.reset(); // the places are there, and time may be over
+    known = recognize(d.r, little, d.places ? &*d.places : nullptr);
   } catch (const OutOfBudget&) { // what stopped the engines is said already
   }
   if (!known || !known->answer || known->answer->abelian == Truth::unknown) return;
@@ -128,8 +140,7 @@ void closed_formula(Decision& d, const Options& options) {
   d.component = identity_component(*answer.group);
   d.kovacic_case = kovacic_case(*answer.group);
   d.undecided.reset();
-  if (options.want_certificate && d.certificate.empty())
-    d.undecided = Unable{Unable::Why::budget, "no certificate: " + d.no_certificate};
+  mark_as_uncertified(d, options);
 }
 
 void certify_it(Decision& d, const Classification& c, const Options& options) {
@@ -172,14 +183,35 @@ void compare(Decision& d, const SecondOpinion& other) {
     d.reason += "; Kovacic's algorithm agrees: case " + std::to_string(*other.kovacic_case);
 }
 
+namespace {
+
+// Above this degree a formula, where there is one, is better than a search: the polynomial takes
+// minutes and gigabytes.
+constexpr long comfortable_degree = 20000;
+
+Classification engines(Decision& d, const NormalForm& equation, const Options& options) {
+  d = Decision{};
+  d.r = equation.r;
+  d.variable = options.variable;
+  Classification c = classify(equation.r, options.budget);
+  d.places = c.local;
+  fill(d, c, equation, options);
+  return c;
+}
+
+} // namespace
+
 Decision decide(const NormalForm& equation, const Options& options) {
   const auto start = Budget::Clock::now();
   Decision d;
-  d.r = equation.r;
-  d.variable = options.variable;
-  const Classification c = classify(equation.r, options.budget);
-  d.places = c.local;
-  fill(d, c, equation, options);
+  Options quick = options;
+  const bool formulas = options.method != Method::engines && !options.want_certificate;
+  if (formulas) quick.budget.max_degree = std::min(quick.budget.max_degree, comfortable_degree);
+  Classification c = engines(d, equation, quick);
+  if (!d.group && quick.budget.max_degree < options.budget.max_degree) {
+    if (!is_zero(d.r)) closed_formula(d, options);
+    if (!d.group) c = engines(d, equation, options);
+  }
   if (options.want_certificate)
     certify_it(d, c, options);
   else if (options.method == Method::all)
