@@ -1,6 +1,7 @@
 #include "galois/dihedral.hpp"
 
 #include "exact/error.hpp"
+#include "exact/factor.hpp"
 #include "exact/modular.hpp"
 #include "galois/jacobian.hpp"
 #include "linode/polynomial_solution.hpp"
@@ -282,12 +283,30 @@ private:
   std::optional<NmodPoly> model_;
 };
 
+// The degrees that a polynomial solution of the Fuchsian equation c2 A'' + c1 A' + c0 A = 0 may
+// have: the natural roots D of lambda_2 D (D-1) + lambda_1 D + lambda_0, lambda_i the coefficient
+// of z^(deg c2 - 2 + i) in c_i.  h(infinity+) = -h(infinity-) is possible: then the leading
+// terms cancel in a = (h + its conjugate)/2, and the smaller root is the degree.
+std::vector<long> degrees_at_infinity(const Poly& c2, const Poly& c1, const Poly& c0) {
+  const long n = degree(c2);
+  KOV_ENSURE(degree(c1) < n && degree(c0) < n - 1);
+  const NfElem lead2 = c2.coeff(n);
+  const Poly indicial = Poly::from_coefficients({c0.coeff(n - 2), c1.coeff(n - 1) - lead2, lead2});
+  std::vector<long> degrees;
+  for (const Factor& f : irreducible_factors(indicial)) {
+    if (degree(f.base) != 1 || !is_rational(f.base.coeff(0))) continue;
+    const Rational root = -to_rational(f.base.coeff(0));
+    if (is_integer(root) && sign(root) >= 0 && fits_long(root.num()))
+      degrees.push_back(to_long(root.num()));
+  }
+  return degrees;
+}
+
 // a with h = a + b s, dh/h = M eta:  (g a')' + g a' F0'/(2 F0) = M^2 W^2 a/(g F0).
 std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
                                                       const std::vector<Pole>& poles,
                                                       const Integer& m, const Budget& budget) {
   Poly denominator(1);
-  Integer growth;
   for (const Pole& pole : poles) {
     const Rational order = Rational(m) * pole.rho;
     KOV_ENSURE(is_integer(order));
@@ -296,9 +315,7 @@ std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
       throw OutOfBudget("degree limit: a polynomial of degree " + to_string(needed) +
                         " would be needed");
     budget.check_degree(to_long(needed));
-    if (pole.at_infinity)
-      growth = order.num();
-    else
+    if (!pole.at_infinity)
       denominator *= pow(pole.q, static_cast<unsigned long>(to_long(order.num())));
   }
   // a = A/denominator; substitute into a'' + (g'/g + F0'/(2F0)) a' - M^2 W^2/(g^2 F0) a = 0
@@ -313,12 +330,9 @@ std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
   const Poly common = lcm(c1.den(), c0.den());
   const Poly q1 = exact_div(common, c1.den()) * c1.num();
   const Poly q0 = exact_div(common, c0.den()) * c0.num();
-  const long d = degree(denominator) + to_long(growth);
-  for (const long degree_a : {d, d - 1}) {
-    if (degree_a < 0) continue;
+  for (const long degree_a : degrees_at_infinity(common, q1, q0))
     if (const auto a = polynomial_solution(common, q1, q0, degree_a, budget))
       return RationalFunction(*a, denominator);
-  }
   return std::nullopt;
 }
 

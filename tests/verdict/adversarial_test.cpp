@@ -294,6 +294,53 @@ TEST(Corrections, TorsionOnACurveOfGenusOne) { // 12: the order of E, not of P
   EXPECT_EQ(group_of(lame(NfElem(2), NfElem(2), NfElem(4), NfElem(1))), "Dinf");
 }
 
+// y1 y2 = v, given by v^2; w is the Wronskian of y1 and y2.
+RationalFunction with_product(const RationalFunction& squared_product, const Rational& w) {
+  const RationalFunction p =
+      derivative(squared_product) / (RationalFunction(2) * squared_product); // v'/v
+  return derivative(p) * RationalFunction(Rational(1, 2)) + p * p * RationalFunction(quarter) +
+         RationalFunction(w * w * quarter) / squared_product;
+}
+
+// Infinity is no branch point and h(infinity+) = -h(infinity-): the leading terms of the torsion
+// function cancel, and it is of smaller degree than its divisor says.
+TEST(Dihedral, TheTwoValuesAtInfinityMayCancel) {
+  const auto power = [](long n) {
+    return RationalFunction(pow(Poly::z(), static_cast<unsigned long>(n)));
+  };
+  const RationalFunction one(1);
+  const auto v = [&](long n, long c) { // v^2 for v = z sqrt(1 + c z^n)
+    return power(2) * (one + RationalFunction(c) * power(n));
+  };
+  EXPECT_EQ(group_of(with_product(v(4, -1), third)), "D_6");
+  EXPECT_EQ(group_of(with_product(v(4, -1), fifth)), "D_10");
+  EXPECT_EQ(group_of(with_product(v(4, -1), Rational(2, 7))), "D_7");
+  EXPECT_EQ(group_of(with_product(v(4, 5), third)), "D_6");
+  EXPECT_EQ(group_of(with_product(v(6, -1), third)), "D_9");
+  EXPECT_EQ(group_of(with_product(v(8, -1), third)), "D_12");
+  const RationalFunction r = // genus 1, a class of order 3
+      RationalFunction(
+          Poly::from_coefficients({NfElem(-2), NfElem(4), NfElem(-21), NfElem(-64), NfElem(-64),
+                                   NfElem(216), NfElem(207), NfElem(180), NfElem(108)}),
+          scale(pow(Poly::z() * (Poly::z() + Poly(1)) *
+                        Poly::from_coefficients({NfElem(-1), NfElem(3), NfElem(0), NfElem(4)}),
+                    2),
+                NfElem(9)));
+  EXPECT_EQ(group_of(r), "D_9");
+}
+
+TEST(Dihedral, ImmenseResidues) {
+  for (const Rational& k : {Rational(pow(Integer(2), 61)) + Rational(3), ten_to(20)}) {
+    const Poly a = scale(pow(Poly::z(), 2), NfElem(2)) + Poly::z() + Poly(3);
+    const RationalFunction x(a, pow(Poly::z(), 2) + Poly(1));
+    const RationalFunction dx = derivative(x);
+    const Decision d =
+        decide({with_product((x * x - RationalFunction(1)) / (dx * dx), k * Rational(2, 3)), {}});
+    EXPECT_EQ(d.abelian, Truth::yes);
+    EXPECT_TRUE(d.group || d.undecided);
+  }
+}
+
 // ----- exponents far beyond every degree that could be computed --------------------------------
 
 // omega = a/(z-p) + b/(z-q), a + b = 1/3: the exponents allow a polynomial of about that degree.
