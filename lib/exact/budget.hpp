@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 
 #include <chrono>
+#include <cstdio>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -31,8 +32,12 @@ struct Budget {
   /// reading.
   void check() const {
     if (stop.stop_requested()) throw OutOfBudget("stopped on request");
-    if (deadline && Clock::now() > *deadline)
-      throw OutOfBudget("time limit of " + std::to_string(seconds) + " s reached");
+    if (deadline && Clock::now() > *deadline) throw OutOfBudget(time_limit(seconds));
+  }
+  [[nodiscard]] static std::string time_limit(double seconds) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.10g", seconds);
+    return "time limit of " + std::string(text) + " s reached";
   }
   void check_degree(long degree) const {
     if (degree > max_degree)

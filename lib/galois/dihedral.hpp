@@ -11,7 +11,7 @@
 // poles of higher order, or no poles at all (genus >= 1): infinite.  Otherwise let L be the common
 // denominator of the residues and E = sum L res(P) P.  Genus 0: N = L.  Genus >= 1: N = L N' with
 // N' the order of E in the Jacobian; reduction modulo good primes is injective on torsion, so two
-// primes that disagree prove "infinite", and an h proves "finite".
+// primes that disagree prove "infinite", and an h proves "finite" (dihedral_torsion.md 9).
 //
 // Source  THEORY 3.4 with Corrections 10-12; docs/theory/dihedral_torsion.md
 

@@ -14,10 +14,11 @@ struct ClosedAnswer {
   std::optional<GaloisGroup> group; ///< unset: the formula does not tell it (see reason)
   Truth abelian = Truth::unknown;   ///< is the identity component abelian?
   std::string reason;
+  std::optional<Connected> component = std::nullopt; ///< known where the group is, or was
 
   [[nodiscard]] static ClosedAnswer of(GaloisGroup g, std::string reason) {
-    const Truth abelian = truth(is_abelian(identity_component(g)));
-    return {std::move(g), abelian, std::move(reason)};
+    const Connected component = identity_component(g);
+    return {std::move(g), truth(is_abelian(component)), std::move(reason), component};
   }
 };
 

@@ -196,10 +196,7 @@ Json unfinished(const Reply& reply, const std::string& detail, double seconds) {
 std::string limit_text(const Reply& reply, const Settings& settings) {
   if (reply.end == Reply::End::out_of_memory)
     return "memory limit of " + std::to_string(settings.memory) + " MiB reached";
-  std::string s = std::to_string(settings.timeout);
-  s.erase(s.find_last_not_of('0') + 1);
-  if (s.back() == '.') s.pop_back();
-  return "time limit of " + s + " s reached";
+  return Budget::time_limit(settings.timeout);
 }
 
 } // namespace

@@ -173,15 +173,18 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
 }
 
 // Puts the certificate of one answer into a file: named by the id, if that can be a name, else by
-// the number of the line.
+// the number of the line, which is added to a name that another answer has.
 void keep_certificate(const Settings& settings, std::string_view job, Solver::Line& answer,
-                      long number) {
+                      long number, std::set<std::string>& used) {
   const Json question = Json::parse(job);
   const Json id = question.contains("id") ? question.at("id") : Json();
   const std::string name = id.is_string() && !id.get<std::string>().empty() ? id.get<std::string>()
                            : id.is_number()                                 ? id.dump()
                                             : "line-" + std::to_string(number);
-  const Json path = {{"certificate_file", file_certificate(settings, name, answer.certificate)}};
+  std::string plain = file_name(name).substr(0, 180); // room for the number
+  while (!used.insert(plain).second)
+    plain += "-line-" + std::to_string(number);
+  const Json path = {{"certificate_file", file_certificate(settings, plain, answer.certificate)}};
   answer.text.back() = ','; // one more key at the end of the object
   answer.text += dump(path).substr(1);
 }
@@ -190,6 +193,7 @@ void keep_certificate(const Settings& settings, std::string_view job, Solver::Li
 int answer_lines(const Settings& settings, const std::string& path, std::FILE* in, std::FILE* out) {
   Solver solver(read_line, settings);
   int exit = exit_decided;
+  std::set<std::string> used; // names of certificates
   long number = 0;
   std::string line;
   std::size_t length = 0;
@@ -202,7 +206,7 @@ int answer_lines(const Settings& settings, const std::string& path, std::FILE* i
             : solver.line(line);
     if (answer.exit == exit_interrupted) return answer.exit;
     exit = worse(exit, answer.exit);
-    if (!answer.certificate.empty()) keep_certificate(settings, line, answer, number);
+    if (!answer.certificate.empty()) keep_certificate(settings, line, answer, number, used);
     std::string& text = answer.text;
     text += '\n';
     if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)

@@ -60,16 +60,20 @@ std::string laid_out(std::string_view json) {
   return out;
 }
 
-std::string file_certificate(const Settings& settings, const std::string& name,
-                             const std::string& json) {
+std::string file_name(const std::string& name) {
   std::string plain = name.substr(0, 200);
   std::replace_if(
       plain.begin(), plain.end(),
       [](unsigned char c) { return c >= 0x80 || (std::isalnum(c) == 0 && c != '_' && c != '.'); },
       '-');
   if (plain.empty() || plain.front() == '.') plain.insert(0, "-");
+  return plain;
+}
+
+std::string file_certificate(const Settings& settings, const std::string& name,
+                             const std::string& json) {
   make_directory(settings.certificate);
-  const std::string path = settings.certificate + "/" + plain + ".json";
+  const std::string path = settings.certificate + "/" + file_name(name) + ".json";
   write_file(path, laid_out(json) + "\n");
   return path;
 }

@@ -12,8 +12,10 @@ namespace kov::cli {
 /// arrays of numbers stay in one line.
 [[nodiscard]] std::string laid_out(std::string_view json);
 
-/// Writes DIR/name.json, DIR = --certificate, and returns the path.  What cannot stand in the name
-/// of a file becomes '-'.  Throws InputError if the file cannot be written.
+/// What cannot stand in the name of a file becomes '-'; 200 characters at most.
+[[nodiscard]] std::string file_name(const std::string& name);
+
+/// Writes DIR/name.json, DIR = --certificate, and returns the path.  Throws InputError if the file cannot be written.
 std::string file_certificate(const Settings& settings, const std::string& name,
                              const std::string& json);
 

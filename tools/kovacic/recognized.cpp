@@ -45,6 +45,7 @@ void ensure_agreement(const ClosedAnswer& closed, const Decision& d) {
   if (closed.abelian != Truth::unknown && d.abelian != Truth::unknown)
     KOV_ENSURE(closed.abelian == d.abelian);
   if (closed.group && d.group) KOV_ENSURE(describe(*closed.group) == describe(*d.group));
+  if (closed.component && d.component) KOV_ENSURE(*closed.component == *d.component);
 }
 
 Json recognized_json(const GivenEquation& equation, const Decision& decision,
