@@ -10,44 +10,57 @@ namespace kov {
 
 namespace {
 
-// S with S u and S^2 r polynomials; S has no superfluous factors if r has double poles only.
-Poly common_denominator(const RationalFunction& u, const RationalFunction& r) {
+// u = P'/P + u0: at the roots of P, ordinary points of the equation, one of the m factors vanishes.
+// T u0 and T^2 r are polynomials.
+struct Denominators {
+  Poly P, T;
+  RationalFunction u0;
+};
+
+Denominators denominators(const RationalFunction& u, const RationalFunction& r) {
   const Poly poles = exact_div(r.den(), gcd(r.den(), derivative(r.den())));
-  const Poly s = lcm(u.den(), poles);
-  return divides(r.den(), s * s) ? s : lcm(u.den(), r.den());
+  Denominators d{exact_div(u.den(), gcd(u.den(), poles)), poles, u};
+  const RationalFunction u0 = u - RationalFunction(derivative(d.P), d.P);
+  if (degree(gcd(u0.den(), d.P)) == 0)
+    d.u0 = u0;
+  else
+    d.P = Poly(1);
+  d.T = lcm(d.u0.den(), poles);
+  if (!divides(r.den(), d.T * d.T)) d.T = lcm(d.u0.den(), r.den());
+  return d;
 }
 
 } // namespace
 
 std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction& u,
                                                  const RationalFunction& r) {
-  // A_m = -1, A_(i-1) = -A_i' - u A_i - (m-i)(i+1) r A_(i+1); with A_i = P_i/S^(m-i):
-  // P_(i-1) = (m-i) S' P_i - S P_i' - (S u) P_i - (m-i)(i+1) (S^2 r) P_(i+1)
-  const Poly S = common_denominator(u, r);
-  const Poly slope = derivative(S);
-  const Poly Su = u.num() * exact_div(S, u.den());
-  const Poly SSr = r.num() * exact_div(S * S, r.den());
-  std::vector<Poly> P(static_cast<std::size_t>(m) + 2);
-  P[static_cast<std::size_t>(m)] = Poly(-1);
+  // A_m = -1, A_(i-1) = -A_i' - u A_i - (m-i)(i+1) r A_(i+1); with A_i = B_i/(P T^(m-i)):
+  // B_(i-1) = (m-i) T' B_i - T B_i' - (T u0) B_i - (m-i)(i+1) (T^2 r) B_(i+1)
+  const auto [P, T, u0] = denominators(u, r);
+  const Poly slope = derivative(T);
+  const Poly Tu = u0.num() * exact_div(T, u0.den());
+  const Poly TTr = r.num() * exact_div(T * T, r.den());
+  std::vector<Poly> B(static_cast<std::size_t>(m) + 2);
+  B[static_cast<std::size_t>(m)] = -P;
   Poly last;
   for (long i = m; i >= 0; --i) {
     const auto k = static_cast<std::size_t>(i);
-    Poly next = (scale(slope, NfElem(m - i)) - Su) * P[k] - S * derivative(P[k]) -
-                scale(SSr * P[k + 1], NfElem((m - i) * (i + 1)));
-    (i > 0 ? P[k - 1] : last) = std::move(next);
+    Poly next = (scale(slope, NfElem(m - i)) - Tu) * B[k] - T * derivative(B[k]) -
+                scale(TTr * B[k + 1], NfElem((m - i) * (i + 1)));
+    (i > 0 ? B[k - 1] : last) = std::move(next);
   }
   KOV_ENSURE(is_zero(last));
   // monic in w: divided by -(m-i)!
   std::vector<RationalFunction> a(static_cast<std::size_t>(m) + 1);
   Integer factorial(1);
-  Poly power(1);
+  Poly power = P;
   for (long i = m; i >= 0; --i) {
     const auto k = static_cast<std::size_t>(i);
     if (i < m) {
       factorial *= Integer(m - i);
-      power *= S;
+      power *= T;
     }
-    a[k] = RationalFunction(scale(P[k], NfElem(Rational(Integer(-1), factorial))), power);
+    a[k] = RationalFunction(scale(B[k], NfElem(Rational(Integer(-1), factorial))), power);
   }
   return a;
 }
