@@ -113,23 +113,32 @@ public:
 
   void operator()(const PlaceFact& x, const Poly& value) {
     need(x.order == 2 && degree(value) < x.n, "delta2 belongs to a pole of order 2");
+    need(!judge_.field->is_rational() || bits(value) <= largest(x), wrong);
     claims_.push_back({*x.q, (value - Poly(1)) * derivative(*x.q)});
+    size_ += bits(*x.q) + bits(claims_.back().w);
   }
   // Requires the product of the places to be squarefree.
   void finish() const {
     if (claims_.empty()) return;
-    const auto [num, den] = judge_.equation;
-    judge_.spend(4 * judge_.words());
+    const auto& [num, den] = judge_.equation;
+    need(judge_.length() * size_ <= max_bulk, "the exponents are too large");
+    judge_.spend(4 * judge_.words() + judge_.length() * size_ / 16);
     const auto [Q, W] = sum(0, claims_.size());
-    const double size = bits(W) + bits(Q) + bits(num) + bits(den);
-    need(judge_.length() * size <= max_bulk, "the exponents are too large");
-    judge_.spend(judge_.length() * (1 + size / 64));
     const Poly S = mod(quotient(den, Q * Q), Q);
     const Poly right = mod(mod(mod(W, Q) * derivative(Q), Q) * S, Q);
-    need(mod(scale(num, NfElem(4)), Q) == right, "delta2 is wrong");
+    need(mod(scale(num, NfElem(4)), Q) == right, wrong);
   }
 
 private:
+  static constexpr const char* wrong = "delta2 is wrong";
+
+  // More bits than this 8 num/den'' cannot have modulo q over Q: Cramer's rule.
+  [[nodiscard]] double largest(const PlaceFact& x) const {
+    const auto n = static_cast<double>(x.n);
+    return 2 * (n + 1) *
+           (bits(judge_.equation.num) + bits(judge_.equation.den) + 128 +
+            4 * (judge_.length() + n) * (bits(*x.q) + 2));
+  }
   struct Claim {
     Poly q, w;
   };
@@ -144,6 +153,7 @@ private:
 
   const Judge& judge_;
   std::vector<Claim> claims_;
+  double size_ = 0; // of the claims, in bits: W is not larger
 };
 
 void spend_on_annihilator(const Judge& j, const PlaceFact& x, const Poly& value,

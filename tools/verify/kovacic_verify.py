@@ -158,6 +158,9 @@ class Checker:
         claims = [(e["q"], (e["delta2"] - ONE) * e["q"].diff()) for e in rows if e["delta2"] is not None]
         need(all(e["order"] == 2 and e["delta2"].degree() < e["q"].degree() for e in rows if e["delta2"] is not None),
              "delta2 belongs to a pole of order 2")
+        for q, w in claims:                 # more bits than 8 num/den'' can have modulo q: Cramer's rule
+            n, of_r = q.degree(), self.num.bits() + self.den.bits() + 128
+            need(K.d > 1 or w.bits() <= 2 * (n + 2) * (of_r + 4 * (self.length + n) * (q.bits() + 2)), "delta2 is wrong")
         size = self.length * sum(q.bits() + w.bits() for q, w in claims)
         need(size <= BULK, "the exponents are too large")
         self.spend(4 * self.length * (1 + self.den.bits() / 64) + size / 16)

@@ -108,7 +108,7 @@ def targets():
     for n in (25, 50, 100):
         yield Target("no solution, equal exponents", n, build.no_solution(n), "SL2", 0.1)
     # r has 200 different denominators of 100 digits: 8 MB of text as one quotient
-    yield Target("no solution, 100-digit fractions", 100, generic(100, fraction(100)), "SL2", 0.5)
+    yield Target("no solution, 100-digit fractions", 100, generic(100, fraction(100)), "SL2", 1)
     for n in (16, 32, 64):
         yield Target("reducible", n, solvable(n), "T_7", 0.2)
     yield Target("irreducible denominator, no solution", 24, no_logarithm(24), "SL2", 0.2)
