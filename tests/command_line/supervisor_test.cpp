@@ -14,7 +14,7 @@
 namespace kov::cli {
 namespace {
 
-volatile int sink = 0;
+volatile unsigned sink = 0;
 
 std::string misbehave(std::string_view job, const Worker::Early& early) {
   early("early " + std::string(job));
