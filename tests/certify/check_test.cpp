@@ -1,6 +1,7 @@
 #include "certify/check.hpp"
 
 #include "exact/error.hpp"
+#include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ std::string read_file(const std::filesystem::path& p) {
 std::vector<std::filesystem::path> certificates(const std::string& folder) {
   std::vector<std::filesystem::path> files;
   for (const auto& e :
-       std::filesystem::directory_iterator(KOV_SOURCE_DIR "/tests/certify/" + folder))
+       std::filesystem::directory_iterator(test::in_source("/tests/certify/") + folder))
     if (e.path().extension() == ".json") files.push_back(e.path());
   std::sort(files.begin(), files.end());
   return files;

@@ -3,6 +3,7 @@
 
 #include "certify/json.hpp"
 #include "certify/strata_text.hpp"
+#include "support/source_dir.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -13,7 +14,7 @@
 namespace kov::certify {
 namespace {
 
-const std::filesystem::path folder = KOV_SOURCE_DIR "/tests/certify";
+const std::filesystem::path folder = test::in_source("/tests/certify");
 
 std::string contents(const std::filesystem::path& p) {
   std::ifstream in(p);

@@ -2,6 +2,7 @@
 // Runs for the tests of lib/flow: scenes from text, orbits, and what is measured on them.
 
 #include "flow/simulate.hpp"
+#include "support/source_dir.hpp"
 
 #include <cmath>
 #include <map>
@@ -11,7 +12,7 @@
 namespace kov::flow::test {
 
 inline std::string scene_path(const std::string& name) {
-  return std::string(KOV_SOURCE_DIR) + "/cases/sliding_top/scenes/" + name + ".toml";
+  return kov::test::in_source("/cases/sliding_top/scenes/") + name + ".toml";
 }
 
 /// Keeps everything.

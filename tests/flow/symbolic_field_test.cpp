@@ -6,6 +6,7 @@
 #include "support.hpp"
 
 #include "system/system.hpp"
+#include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>
 
@@ -85,7 +86,7 @@ std::vector<Rational> by_system(const std::string& file, const Sample& s) {
   for (const auto& [name, value] : s.parameters)
     settings.emplace_back(name, text(value));
   const System system =
-      read_system(std::string(KOV_SOURCE_DIR) + "/cases/sliding_top/" + file, settings);
+      read_system(kov::test::in_source("/cases/sliding_top/") + file, settings);
   const Vec<Rational> m = momentum(s.body, s.x);
   Substitution at;
   for (int i = 0; i < 3; ++i) {

@@ -1,6 +1,7 @@
 // Every system file under cases/: its claims and its [[expect]] blocks.
 
 #include "integrability/expect.hpp"
+#include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ namespace {
 
 std::vector<std::string> system_files() {
   std::vector<std::string> files;
-  const std::string root = std::string(KOV_SOURCE_DIR) + "/cases";
+  const std::string root = test::in_source("/cases");
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root))
     if (entry.path().extension() == ".toml" &&
         is_system_document(read_document(entry.path().string())))

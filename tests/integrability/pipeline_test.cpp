@@ -1,6 +1,7 @@
 #include "integrability/check.hpp"
 
 #include "symbol/input_error.hpp"
+#include "support/source_dir.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,7 +65,7 @@ TEST(Pipeline, WhatIsLeftForFreeParametersIsSaid) {
 }
 
 TEST(Pipeline, QuadraticExtensionsAreRecognised) {
-  const std::string file = std::string(KOV_SOURCE_DIR) + "/cases/sliding_top/lemma2.toml";
+  const std::string file = test::in_source("/cases/sliding_top/lemma2.toml");
   System s = read_system(file, {{"a", "3"}, {"b", "2"}, {"c", "4"}, {"d", "1/2"}, {"h", "1"}});
   s.reductions[0].change = formula(s, "Gamma1");
   const CheckReport given = check_system(s);

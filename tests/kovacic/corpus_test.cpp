@@ -2,6 +2,7 @@
 
 #include "kovacic/reader.hpp"
 #include "kovacic/solve.hpp"
+#include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -51,7 +52,7 @@ RationalFunction equation_of(const nlohmann::json& entry) {
 
 TEST(Corpus, EveryEquationWithoutParameters) {
   const char* path = std::getenv("KOV_CORPUS");
-  std::ifstream file(path != nullptr ? path : KOV_SOURCE_DIR "/tests/corpus/public.jsonl");
+  std::ifstream file(path != nullptr ? path : test::in_source("/tests/corpus/public.jsonl"));
   if (!file) GTEST_SKIP() << "no corpus at hand (set KOV_CORPUS)";
   int count = 0;
   double slowest = 0;

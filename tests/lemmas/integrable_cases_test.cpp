@@ -1,12 +1,13 @@
 // The list of integrable cases and the Hess-Appelrot case, where more than "proved" can be said.
 
 #include "sliding_top.hpp"
+#include "support/source_dir.hpp"
 
 namespace kov::lemmas {
 namespace {
 
 System classic(const std::string& file) {
-  return read_system(std::string(KOV_SOURCE_DIR) + "/cases/classics/" + file);
+  return read_system(test::in_source("/cases/classics/") + file);
 }
 
 TEST(IntegrableCases,
@@ -17,7 +18,7 @@ TEST(IntegrableCases,
 }
 
 TEST(IntegrableCases, KovalevskayaNeedsItsRatio) {
-  const System s = read_system(std::string(KOV_SOURCE_DIR) + "/cases/classics/heavy_top.toml",
+  const System s = read_system(test::in_source("/cases/classics/heavy_top.toml"),
                                {{"B", "A"}, {"L2", "0"}, {"L3", "0"}});
   const MFraction f3 = formula(s, "((M1^2-M2^2)/2 - L1*A*Gamma1)^2 + (M1*M2 - L1*A*Gamma2)^2");
   const MFraction derivative = lie_derivative(s.field, f3);

@@ -3,13 +3,14 @@
 // list of errata that stands beside each; they are compared as exact functions, never as text.
 
 #include "integrability/check.hpp"
+#include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>
 
 namespace kov::lemmas {
 
 inline System sliding_top(const std::string& file, const ParameterValues& values = {}) {
-  return read_system(std::string(KOV_SOURCE_DIR) + "/cases/sliding_top/" + file, values);
+  return read_system(test::in_source("/cases/sliding_top/") + file, values);
 }
 
 /// The stages of the one manifold of a file, without the group.

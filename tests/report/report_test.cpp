@@ -2,6 +2,7 @@
 
 #include "report/render_theorem.hpp"
 #include "theorem/prove.hpp"
+#include "support/source_dir.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ namespace {
 
 const TheoremResult& heavy_top() {
   static const TheoremResult r =
-      prove(read_theorem(read_document(KOV_SOURCE_DIR "/cases/classics/heavy_top_theorem.toml")));
+      prove(read_theorem(read_document(test::in_source("/cases/classics/heavy_top_theorem.toml"))));
   return r;
 }
 

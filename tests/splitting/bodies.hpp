@@ -2,6 +2,7 @@
 // The two perturbations of the Euler top that the tests of this room speak of.
 
 #include "splitting/residue_sums.hpp"
+#include "support/source_dir.hpp"
 
 #include <map>
 #include <string>
@@ -13,14 +14,14 @@ inline const std::vector<std::string> small{"L1", "L2", "L3"};
 
 inline const SplittingData& sliding_top() {
   static const SplittingData d = splitting_data(perturbation_of_euler(
-      read_system(std::string(KOV_SOURCE_DIR "/cases/sliding_top/sliding_top.toml"), {{"g", "0"}}),
+      read_system(test::in_source("/cases/sliding_top/sliding_top.toml"), {{"g", "0"}}),
       small));
   return d;
 }
 
 inline const SplittingData& heavy_top() {
   static const SplittingData d = splitting_data(perturbation_of_euler(
-      read_system(std::string(KOV_SOURCE_DIR "/cases/classics/heavy_top.toml")), small));
+      read_system(test::in_source("/cases/classics/heavy_top.toml")), small));
   return d;
 }
 

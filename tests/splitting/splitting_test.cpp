@@ -3,6 +3,7 @@
 #include "bodies.hpp"
 #include "splitting/contour.hpp"
 #include "splitting/families.hpp"
+#include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +57,7 @@ TEST(Perturbation, OfTheSlidingTopIsOfSecondOrderWithAMinusSign) {
 }
 
 TEST(Perturbation, OfAnotherSystemIsRefused) {
-  const System s = read_system(std::string(KOV_SOURCE_DIR "/cases/classics/henon_heiles.toml"));
+  const System s = read_system(test::in_source("/cases/classics/henon_heiles.toml"));
   EXPECT_THROW((void)perturbation_of_euler(s, small), Error);
 }
 

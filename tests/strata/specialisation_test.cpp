@@ -2,6 +2,7 @@
 
 #include "integrability/parameters.hpp"
 #include "strata/specialisation.hpp"
+#include "support/source_dir.hpp"
 
 namespace kov {
 namespace {
@@ -12,7 +13,7 @@ using strata::Stratum;
 using test::compare;
 
 Question question_of(const std::string& file, const ParameterValues& values = {}) {
-  System s = read_system(KOV_SOURCE_DIR "/cases/" + file, values);
+  System s = read_system(test::in_source("/cases/") + file, values);
   CheckOptions options;
   options.stop_at_r = true;
   const CheckReport report = check_system(s, options);

@@ -3,6 +3,7 @@
 
 #include "symbol/ginac_door.hpp"
 #include "system/system.hpp"
+#include "support/source_dir.hpp"
 
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -54,7 +55,7 @@ std::vector<std::string> case_files() {
   std::vector<std::string> files;
   for (const char* folder : {"/cases/classics", "/cases/sliding_top"})
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(KOV_SOURCE_DIR) + folder))
+         std::filesystem::directory_iterator(test::in_source(folder)))
       if (entry.path().extension() == ".toml" &&
           read_document(entry.path().string()).find("system") != nullptr)
         files.push_back(entry.path().string());

@@ -1,6 +1,7 @@
 // The main theorem of the sliding top, from its file: nothing open, certificates for both judges.
 
 #include "theorem/prove.hpp"
+#include "support/source_dir.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +13,7 @@ using namespace kov;
 
 TEST(MainTheorem, IsProvedFromTheCaseFiles) {
   const TheoremResult r =
-      prove(read_theorem(read_document(KOV_SOURCE_DIR "/cases/sliding_top/main_theorem.toml")));
+      prove(read_theorem(read_document(test::in_source("/cases/sliding_top/main_theorem.toml"))));
   for (const NodeResult& n : r.nodes) {
     EXPECT_NE(n.status, NodeStatus::open) << n.node.id << ": " << n.summary;
     EXPECT_NE(n.status, NodeStatus::refuted) << n.node.id << ": " << n.summary;
@@ -36,7 +37,7 @@ TEST(MainTheorem, IsProvedFromTheCaseFiles) {
     for (const std::string& c : n.certificates) {
       std::ofstream(file) << c;
       const std::string command =
-          "python3 " KOV_SOURCE_DIR "/tools/verify/kovacic_verify.py " + file + " > /dev/null 2>&1";
+          "python3 " + test::in_source("/tools/verify/kovacic_verify.py ") + file + " > /dev/null 2>&1";
       EXPECT_EQ(std::system(command.c_str()), 0) << n.node.id;
     }
   std::filesystem::remove_all(directory);

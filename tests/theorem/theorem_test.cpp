@@ -1,6 +1,7 @@
 // Theorem files: reading, the built-in steps, and what openness does.
 
 #include "theorem/prove.hpp"
+#include "support/source_dir.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ using testing::HasSubstr;
 
 namespace {
 
-const std::string cases = KOV_SOURCE_DIR "/cases/";
+const std::string cases = test::in_source("/cases/");
 
 Theorem parsed(const std::string& nodes) {
   return read_theorem(

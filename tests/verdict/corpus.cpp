@@ -2,6 +2,7 @@
 
 #include "symbol/constants.hpp"
 #include "symbol/rational_form.hpp"
+#include "support/source_dir.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,7 @@
 namespace kov {
 
 std::vector<Json> corpus(const std::string& file) {
-  std::ifstream in(std::string(KOV_SOURCE_DIR "/tests/corpus/") + file);
+  std::ifstream in(test::in_source("/tests/corpus/") + file);
   std::vector<Json> entries;
   for (std::string line; std::getline(in, line);)
     if (Json entry = Json::parse(line); !entry.contains("parameters"))
