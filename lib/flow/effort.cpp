@@ -67,7 +67,7 @@ template <class R> struct Trial {
   int lanes = 8;
 
   Trial(const Scene& s, double log2_tolerance, std::size_t orbits)
-      : body(s.body<R>()), effects(effects_of(body)), model(model_of(body, effects)),
+      : body(s.body<R>()), effects(s.effects()), model(model_of(body, effects)),
         numbers(start_numbers<R>(s, orbits)) {
     run.section = s.section;
     run.t_end = s.time->as<R>();

@@ -65,7 +65,7 @@ template <class R> double escape(const Scene& s, const Quantity& l, double until
     for (const BigReal& c : v)
       numbers.push_back(rounded_to<R>(c));
   const Body<R> body = s.body<R>();
-  const Effects effects = effects_of(body);
+  const Effects effects = s.effects();
   Watch<R> watch(body, plane_of<R>(s));
   Run<R> run;
   run.section = s.section;

@@ -19,7 +19,7 @@ public:
         body_(dual_body(plain_)), levels_{Dual<double>(plain_levels_.energy),
                                           Dual<double>(plain_levels_.length),
                                           Dual<double>(plain_levels_.casimir)},
-        rule_(s.section), effects_(effects_of(plain_)) {}
+        rule_(s.section), effects_(s.effects()) {}
 
   [[nodiscard]] std::optional<double> size_at(double l, double y) const {
     if (std::abs(y) >= 1) return std::nullopt;

@@ -1,21 +1,6 @@
 // Krawczyk's test for a fixed point of the section map, with enclosures all the way; see
 // fixed_points.hpp.
 
-#include "flow/enclosure.hpp"
-#include "flow/quantity.hpp"
-
-namespace kov::flow {
-template <> struct QuantityTraits<Enclosure> {
-  static Enclosure integer(const std::string& digits) {
-    Enclosure x;
-    arb_set_str(x.raw(), digits.c_str(), Enclosure::bits());
-    return x;
-  }
-  static Enclosure root(const Enclosure& x, const Expression&) { return sqrt(x); }
-  static Enclosure pi(const Expression&) { return pi_of(Enclosure()); }
-};
-} // namespace kov::flow
-
 #include "flow/fixed_points.hpp"
 #include "flow/section_map.hpp"
 
@@ -62,8 +47,7 @@ public:
         body_(dual_body(plain_)), levels_{DualBall(s.energy.as<Enclosure>()),
                                           DualBall(s.length.as<Enclosure>()),
                                           DualBall(s.casimir.as<Enclosure>())},
-        jet_(body_, effects_of(s.body<double>()), order_),
-        box_jet_(body_, effects_of(s.body<double>()), order_ + 1) {}
+        jet_(body_, s.effects(), order_), box_jet_(body_, s.effects(), order_ + 1) {}
 
   /// P and DP over the box (l, y); G near `size`.
   SectionImage<Enclosure> operator()(const Enclosure& l, const Enclosure& y, double size) {

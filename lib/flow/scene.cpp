@@ -2,7 +2,7 @@
 
 #include "symbol/document.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace kov::flow {
 namespace {
@@ -18,31 +18,48 @@ void set(Quantity& q, const Entry& table, std::string_view key) {
   if (const Entry* e = table.find(key)) q = quantity(*e);
 }
 
-// Principal moments of a rigid body: positive, and none larger than the sum of the others.  For a
-// full tensor the same in terms of E = tr(I)/2 - I, which must be positive semidefinite.
-void check_inertia(const Entry& at, const Scene& s) {
-  const Mat<double> m = s.body<double>().inertia;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (m[i][k] != m[k][i]) throw at.error("the tensor of inertia is not symmetric");
-  const double trace = m[0][0] + m[1][1] + m[2][2];
-  Mat<double> e{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k)
-      e[i][k] = (i == k ? trace / 2 : 0.0) - m[i][k];
-  const auto minors = [](const Mat<double>& a, double slack) {
-    const double two[3] = {a[0][0] * a[1][1] - a[0][1] * a[0][1],
-                           a[0][0] * a[2][2] - a[0][2] * a[0][2],
-                           a[1][1] * a[2][2] - a[1][2] * a[1][2]};
-    bool good = dot(a[0], cross(a[1], a[2])) >= -slack * slack * slack;
-    for (std::size_t i = 0; i < 3; ++i)
-      good = good && a[i][i] >= -slack && two[i] >= -slack * slack;
-    return good;
+using Matrix = std::array<std::array<Quantity, 3>, 3>;
+
+// The minors of order 2 of a symmetric matrix.
+std::array<Quantity, 3> two_by_two(const Matrix& a) {
+  const auto minor = [&](std::size_t i, std::size_t k) {
+    return a[i][i] * a[k][k] - a[i][k] * a[i][k];
   };
-  const double det = dot(m[0], cross(m[1], m[2]));
-  if (!(m[0][0] > 0 && m[1][1] > 0 && m[2][2] > 0 && det > 0 && minors(m, 0)))
-    throw at.error("the moments of inertia must be positive");
-  if (!minors(e, 1e-12 * trace))
+  return {minor(0, 1), minor(1, 2), minor(2, 0)};
+}
+
+Quantity determinant(const Matrix& a) {
+  const auto part = [&](std::size_t i) {
+    const std::size_t k = (i + 1) % 3, n = (i + 2) % 3;
+    return a[0][i] * (a[1][k] * a[2][n] - a[1][n] * a[2][k]);
+  };
+  return part(0) + part(1) + part(2);
+}
+
+// The least sign of the principal minors: 1 positive definite, 0 semidefinite, -1 neither.
+int definiteness(const Matrix& a) {
+  int least = determinant(a).sign();
+  for (const Quantity& minor : two_by_two(a))
+    least = std::min(least, minor.sign());
+  for (std::size_t i = 0; i < 3; ++i)
+    least = std::min(least, a[i][i].sign());
+  return least;
+}
+
+// Principal moments of a rigid body: positive, and none larger than the sum of the others.  For a
+// full tensor the same in terms of E = tr(I) - 2 I, which must be positive semidefinite.  All
+// exact.
+void check_inertia(const Entry& at, const Matrix& m) {
+  for (std::size_t i = 0; i < 3; ++i)
+    if (!(m[i][(i + 1) % 3] - m[(i + 1) % 3][i]).is_zero())
+      throw at.error("the tensor of inertia is not symmetric");
+  if (definiteness(m) < 1) throw at.error("the moments of inertia must be positive");
+  Matrix e;
+  const Quantity trace = m[0][0] + m[1][1] + m[2][2];
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      e[i][k] = (i == k ? trace : Quantity()) - m[i][k] - m[i][k];
+  if (definiteness(e) < 0)
     throw at.error("these moments of inertia violate the triangle inequality",
                    "no rigid body has a principal moment larger than the sum of the other two");
 }
@@ -58,12 +75,12 @@ void read_body(const Entry& body, Scene& s) {
     else
       s.inertia[i][i] = quantity(inertia.array()[i]);
   }
-  check_inertia(inertia, s);
+  check_inertia(inertia, s.inertia);
   if (const Entry* e = body.find("lever")) s.lever = vector(*e);
   if (const Entry* e = body.find("gyrostat")) s.gyrostat = vector(*e);
   set(s.mass, body, "mass");
   set(s.gravity, body, "gravity");
-  if (s.mass.as<double>() <= 0) throw body.at("mass").error("the mass must be positive");
+  if (s.mass.sign() <= 0) throw body.at("mass").error("the mass must be positive");
   const Entry& tip = body.at("tip");
   if (tip.string() != "sliding" && tip.string() != "fixed")
     throw tip.error("the tip is \"sliding\" or \"fixed\"");
@@ -77,8 +94,8 @@ void read_section(const Entry& e, Scene& s) {
     s.section.axis = static_cast<int>(axis->integer()) - 1;
   }
   if (const Entry* angle = e.find("angle")) {
-    const double turns = quantity(*angle).as<double>() / (2 * pi_of(0.0));
-    const bool first = std::abs(turns - 0.25) < 1e-12, second = std::abs(turns - 0.75) < 1e-12;
+    const Quantity g = quantity(*angle);
+    const bool first = (g - "pi/2").is_zero(), second = (g - "3*pi/2").is_zero();
     if (!first && !second)
       throw angle->error("the section angle must be \"pi/2\" or \"3*pi/2\"",
                          "only there is the section a polynomial in M and Gamma");
@@ -99,7 +116,7 @@ void read_orbits(const Entry& e, Scene& s) {
     for (const Entry& pair : seeds->array()) {
       if (pair.array().size() != 2) throw pair.error("a seed is a pair [l, L/G]");
       s.seeds.push_back({quantity(pair.array()[0]), quantity(pair.array()[1])});
-      if (std::abs(s.seeds.back().y.as<double>()) > 1)
+      if ((s.seeds.back().y - "1").sign() > 0 || (s.seeds.back().y + "1").sign() < 0)
         throw pair.error("L/G lies between -1 and 1");
     }
   if (const Entry* grid = e.find("grid")) {
@@ -112,12 +129,13 @@ void read_orbits(const Entry& e, Scene& s) {
   }
   if (s.seeds.empty() && s.columns == 0) throw e.error("no orbits: give seeds or a grid");
   if (const Entry* n = e.find("crossings")) {
-    if (n->integer() < 1) throw n->error("at least one crossing of each orbit");
+    if (n->integer() < 1 || n->integer() > 1000000000)
+      throw n->error("1 to 10^9 crossings of each orbit");
     s.crossings = n->integer();
   }
   if (const Entry* t = e.find("time")) {
     s.time = quantity(*t);
-    if (!(s.time->as<double>() > 0)) throw t->error("the time must be positive");
+    if (s.time->sign() <= 0) throw t->error("the time must be positive");
   }
   if (s.crossings < 0 && !s.time) throw e.error("no end: give crossings or time");
 }
@@ -170,7 +188,7 @@ Scene scene_of(const Entry& root) {
   s.energy = quantity(levels.at("H"));
   s.casimir = quantity(levels.at("F2"));
   set(s.length, levels, "F1");
-  if (!(s.length.as<double>() > 0)) throw levels.at("F1").error("F1 = |Gamma|^2 must be positive");
+  if (s.length.sign() <= 0) throw levels.at("F1").error("F1 = |Gamma|^2 must be positive");
   if (const Entry* e = root.find("section")) read_section(*e, s);
   read_orbits(root.at("orbits"), s);
   if (const Entry* e = root.find("accuracy")) read_accuracy(*e, s);
@@ -185,6 +203,20 @@ Scene scene_of(const Entry& root) {
 }
 
 } // namespace
+
+Effects Scene::effects() const {
+  Body<int> signs;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      signs.inertia[i][k] = inertia[i][k].sign();
+    signs.lever[i] = lever[i].sign();
+    signs.gyrostat[i] = gyrostat[i].sign();
+  }
+  signs.mass = mass.sign();
+  signs.gravity = gravity.sign();
+  signs.sliding = sliding;
+  return effects_of(signs);
+}
 
 bool is_scene(const Entry& document) {
   const Entry* format = document.find("format");

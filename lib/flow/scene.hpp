@@ -19,6 +19,7 @@
 // Units: mass, length and time are the scene's own; l in radian; L/G, F1, tolerance dimensionless.
 
 #include "flow/andoyer.hpp"
+#include "flow/model.hpp"
 #include "flow/quantity.hpp"
 
 #include <array>
@@ -82,6 +83,8 @@ struct Scene {
   template <class R> [[nodiscard]] Levels<R> levels() const {
     return {energy.as<R>(), length.as<R>(), casimir.as<R>()};
   }
+  /// What the body needs, from the exact signs of its numbers.
+  [[nodiscard]] Effects effects() const;
 };
 
 /// Reads and checks a scene.

@@ -68,7 +68,7 @@ double log2_tolerance(const Scene& s) {
 template <class R> Plan<R> plan_of(const Scene& s, const SimulateOptions& o) {
   Plan<R> p;
   p.body = s.body<R>();
-  p.effects = effects_of(p.body);
+  p.effects = s.effects();
   p.model = model_of(p.body, p.effects);
   p.run.section = s.section;
   p.run.stop = o.stop;
@@ -228,7 +228,7 @@ Section simulate(const Scene& scene, const SimulateOptions& options) {
   Section out;
   const std::vector<Start> starts = starts_of(scene, &out.skipped);
   const Body<double> body = scene.body<double>();
-  const Effects effects = effects_of(body);
+  const Effects effects = scene.effects();
   std::vector<double> numbers;
   for (const Start& s : starts) {
     numbers.insert(numbers.end(), s.x.omega.begin(), s.x.omega.end());

@@ -100,6 +100,9 @@ OriginPtr Entry::origin() const {
 }
 
 Expression Entry::expression(bool allow_equation) const {
+  if (kind_ == Kind::other && !text_.empty())
+    throw error("decimal number '" + text_ + "': only exact numbers are accepted",
+                "write a fraction between quotation marks, e.g. \"3/2\"");
   const std::string text = kind_ == Kind::integer ? std::to_string(number_) : string();
   auto place = std::make_shared<Origin>(*origin());
   place->what = name_;
@@ -165,6 +168,12 @@ private:
     } else if (const auto* i = node.as_integer()) {
       e.kind_ = Entry::Kind::integer;
       e.number_ = i->get();
+    } else if (node.is_floating_point()) { // only for the error of expression()
+      const std::size_t begin =
+          source->lines[node.source().begin.line - 1] + node.source().begin.column - 1;
+      const std::size_t end =
+          source->lines[node.source().end.line - 1] + node.source().end.column - 1;
+      e.text_ = source->text.substr(begin, end - begin);
     } else if (const auto* b = node.as_boolean()) {
       e.kind_ = Entry::Kind::boolean;
       e.flag_ = b->get();

@@ -29,13 +29,13 @@ std::string list(const std::array<flow::Quantity, 3>& v) {
 }
 
 bool is_zero(const std::array<flow::Quantity, 3>& v) {
-  return v[0].as<double>() == 0 && v[1].as<double>() == 0 && v[2].as<double>() == 0;
+  return v[0].is_zero() && v[1].is_zero() && v[2].is_zero();
 }
 
 std::string moments(const Scene& s) {
   bool full = false;
   for (std::size_t i = 0; i < 3; ++i)
-    full = full || s.inertia[i][(i + 1) % 3].as<double>() != 0;
+    full = full || !s.inertia[i][(i + 1) % 3].is_zero();
   if (!full) return list({s.inertia[0][0], s.inertia[1][1], s.inertia[2][2]});
   return "(" + list(s.inertia[0]) + ", " + list(s.inertia[1]) + ", " + list(s.inertia[2]) + ")";
 }
