@@ -1,5 +1,6 @@
 #include "integrability/check.hpp"
 #include "integrability/parameters.hpp"
+#include "variation/whole.hpp"
 
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
@@ -301,13 +302,14 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
       if (e.decision) report.reasons.push_back("at " + e.condition + ": " + e.decision->reason);
   }
   if (options.stop_at_r) return;
-  report.verdict = all == Truth::no    ? VerdictKind::non_integrable
-                   : all == Truth::yes ? VerdictKind::no_obstruction
-                   : by_strata(report) ? VerdictKind::depends
-                                       : VerdictKind::undecided;
-  if (report.verdict == VerdictKind::no_obstruction && report.blocks.size() > 1)
-    report.reasons.emplace_back(
-        "the diagonal blocks of the normal part were studied, not what couples them");
+  const bool whole = report.not_studied.empty();
+  report.verdict = all == Truth::no             ? VerdictKind::non_integrable
+                   : whole && all == Truth::yes ? VerdictKind::no_obstruction
+                   : whole && by_strata(report) ? VerdictKind::depends
+                                                : VerdictKind::undecided;
+  if (!whole && report.verdict == VerdictKind::undecided)
+    report.reasons.push_back("an abelian identity component of every block decides nothing here: " +
+                             report.not_studied);
   report.theorem = s.field.poisson ? "Morales-Ramis" : "Ayoul-Zung";
   report.function_class = "meromorphic";
   for (const auto& block : report.blocks) {
@@ -332,6 +334,19 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
                 report.function_class
           : "not integrable with first integrals and commuting vector fields that are " +
                 report.function_class;
+}
+
+/// For some parameters that the file admits all coefficients of d may be 0.
+bool may_vanish_identically(const System& s, const MPoly& d) {
+  std::vector<MPoly> parts{d};
+  for (const std::size_t i : s.field.main_variables()) {
+    std::vector<MPoly> finer;
+    for (const auto& p : parts)
+      for (auto& c : coefficients(p, i))
+        if (!is_zero(c)) finer.push_back(std::move(c));
+    parts = std::move(finer);
+  }
+  return not_excluded(s, parts).size() == parts.size();
 }
 
 } // namespace
@@ -362,7 +377,11 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
           (c.claim.kind == SystemClaim::Kind::casimir ||
            c.claim.kind == SystemClaim::Kind::integral))
         divisors.insert(divisors.end(), c.result.generic.begin(), c.result.generic.end());
-    for (const auto& members : blocks_to_study(report.reduced.system, m))
+    const auto parts = blocks_to_study(report.reduced.system, m);
+    auto whole = whole_variation(s.field, m, report.normal, report.reduced, parts);
+    report.not_studied = std::move(whole.missing);
+    divisors.insert(divisors.end(), whole.divisors.begin(), whole.divisors.end());
+    for (const auto& members : parts)
       report.blocks.push_back(study_block(s, m, report.reduced.system, divisors, members, options));
     if (reduce && reduce->energy == "auto")
       for (auto& block : report.blocks)
@@ -375,6 +394,11 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
             some_level_is_not_abelian(s, *block.strata) ? Truth::no : block.strata->abelian();
       }
     }
+    if (std::none_of(report.blocks.begin(), report.blocks.end(),
+                     [](const BlockReport& b) { return b.ode.has_value(); }))
+      for (const MPoly& d : whole.divisors) // nothing else asks where they vanish
+        if (may_vanish_identically(s, d))
+          report.not_studied = "the parameters for which " + to_string(d) + " is zero were not studied";
     conclude(s, options, report);
   } catch (const OutOfBudget& e) {
     report.reasons.emplace_back(e.what());

@@ -6,7 +6,8 @@
 //
 // The verdict of a manifold is
 //   non-integrable   a block of order 2 has a non-abelian identity component (a theorem),
-//   no obstruction   all blocks of the normal part have abelian ones: nothing follows,
+//   no obstruction   all blocks have abelian ones, and they are the whole of VE up to a vector
+//                    group (variation/whole.hpp): nothing follows,
 //   undecided        anything else, with the reason.
 //
 // Source  [MoralesRamis2001] Theorem 7 (Hamiltonian systems, also on symplectic leaves of a
@@ -61,6 +62,7 @@ struct ManifoldReport {
   NormalSystem normal;
   ReducedSystem reduced;
   std::vector<BlockReport> blocks;
+  std::string not_studied; ///< what of VE the blocks leave out, as a clause; empty: nothing
   VerdictKind verdict = VerdictKind::undecided;
   std::string theorem, function_class;
   std::string statement; ///< what the theorem says, where it says something

@@ -58,7 +58,7 @@ std::string names_of(const BlockReport& block) {
   return "block (" + names + ")";
 }
 
-// One answer for the whole stratum, from what its diagonal blocks are there.
+// One answer for the whole stratum, from what its blocks are there.
 Stratum whole(const Stratum& x, Truth abelian, const std::string& why) {
   Stratum same{x.conditions, {}, x.solved};
   same.leaf.abelian = abelian;
@@ -85,6 +85,13 @@ Truth of_new_blocks(const ManifoldReport& here, const std::vector<BlockReport>& 
   return all;
 }
 
+// Abelian blocks that are not all of the variational equations here.
+void leave_open(Stratum& x, const std::string& not_studied) {
+  x.leaf.abelian = Truth::unknown;
+  x.leaf.open_condition = not_studied;
+  x.leaf.reason += "; " + not_studied;
+}
+
 // The strata inside x when the block is still one there.
 std::vector<Stratum> same_block(const Stratum& x, const BlockReport& block,
                                 const ManifoldReport& here,
@@ -97,18 +104,23 @@ std::vector<Stratum> same_block(const Stratum& x, const BlockReport& block,
   const Truth others = of_new_blocks(here, generic, why);
   if (others == Truth::no) return {whole(x, Truth::no, why)};
   if (others == Truth::unknown) return {}; // stays open
+  if (!here.not_studied.empty())
+    for (Stratum& p : parts)
+      if (p.leaf.abelian == Truth::yes) leave_open(p, here.not_studied);
   return parts;
 }
 
 // The block falls apart: the verdict on what there is instead.
 std::vector<Stratum> other_blocks(const Stratum& x, const ManifoldReport& here) {
-  if (here.verdict != VerdictKind::no_obstruction && here.verdict != VerdictKind::non_integrable)
-    return {}; // it may depend on the parameters that are left
   std::string why;
   for (const auto& reason : here.reasons)
     why += "; " + reason;
-  Stratum answer = whole(x, truth(here.verdict == VerdictKind::no_obstruction), why);
-  answer.leaf.blocks_only = here.verdict == VerdictKind::no_obstruction && here.blocks.size() > 1;
+  if (here.verdict == VerdictKind::non_integrable) return {whole(x, Truth::no, why)};
+  if (std::any_of(here.blocks.begin(), here.blocks.end(),
+                  [](const BlockReport& b) { return b.abelian != Truth::yes; }))
+    return {}; // it may depend on the parameters that are left
+  Stratum answer = whole(x, Truth::yes, why);
+  if (!here.not_studied.empty()) leave_open(answer, here.not_studied);
   return {answer};
 }
 

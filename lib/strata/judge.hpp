@@ -24,7 +24,6 @@ struct Leaf {
   std::string reason;
   std::string open_condition;     ///< undecided: "abelian only if ..."
   bool irregular = false;         ///< some singular place is irregular on the stratum
-  bool blocks_only = false;       ///< several equations here, and what couples them was not studied
   bool no_equation = false;       ///< undecided because r does not mean anything here
   std::optional<Decision> number; ///< the equation has no parameters here
   std::optional<ParametricInvariant> invariant; ///< abelian because of it

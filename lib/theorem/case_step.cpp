@@ -100,8 +100,7 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
             {}};
   for (const strata::Stratum& s : a.strata)
     grid.rows.push_back(
-        {strata::to_string(s.conditions), s.leaf.group_text,
-         (s.leaf.blocks_only ? "of each diagonal block: " : "") + answer(s.leaf.abelian),
+        {strata::to_string(s.conditions), s.leaf.group_text, answer(s.leaf.abelian),
          s.leaf.reason});
   for (const std::string& u : a.unvisited)
     grid.rows.push_back({u, "", "undecided", "a limit was reached"});

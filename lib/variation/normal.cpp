@@ -21,8 +21,8 @@ void note(std::vector<MPoly>& divisors, const MFraction& pivot) {
       divisors.push_back(f);
 }
 
-/// Coefficients c with target = sum_i c_i rows_i on the phase curve; unset if there are none.
-/// Requires rows that are independent there.
+} // namespace
+
 std::optional<std::vector<MFraction>> combination(const InvariantManifold& m, const Matrix& rows,
                                                   const std::vector<MFraction>& target,
                                                   std::vector<MPoly>& divisors) {
@@ -70,6 +70,20 @@ std::vector<MFraction> restricted_gradient(const VectorField& v, const Invariant
   for (auto& entry : g)
     entry = m.restrict(entry);
   return g;
+}
+
+namespace {
+
+// The Hamiltonian vector field of the covector vanishes on the curve.
+bool is_casimir(const VectorField& v, const InvariantManifold& m,
+                const std::vector<MFraction>& covector) {
+  if (!v.poisson) return false;
+  return std::all_of(v.poisson->begin(), v.poisson->end(), [&](const auto& row) {
+    MFraction sum(v.ring);
+    for (std::size_t j = 0; j < row.size(); ++j)
+      sum += row[j] * covector[j];
+    return m.vanishes_on_curve(m.restrict(sum));
+  });
 }
 
 // "M1" for the equation M1 = 0, otherwise the text of the function.
@@ -156,8 +170,11 @@ NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
     if (std::all_of(c->begin(), c->end(),
                     [&](const MFraction& f) { return m.vanishes_on_curve(f); }))
       continue;
-    n.integrals.push_back({claim.name, *std::move(c)});
+    n.integrals.push_back({claim.name, *std::move(c), is_casimir(v, m, row)});
   }
+  // the leaf first: what is left to the other integrals is counted on it
+  std::stable_partition(n.integrals.begin(), n.integrals.end(),
+                        [](const LinearIntegral& f) { return f.casimir; });
   return n;
 }
 
@@ -201,7 +218,7 @@ ReducedSystem reduce_by_integrals(const VectorField& v, const InvariantManifold&
                         "components, or is not smooth; write one component");
     const auto e = unknown_to_eliminate(m, r.system, c, keep);
     if (!e) continue; // depends on the integrals already used
-    r.eliminations.push_back({integrals[k].name, r.system.names[*e]});
+    r.eliminations.push_back({integrals[k].name, r.system.names[*e], integrals[k].casimir});
     note(r.divisors, c[*e]);
     std::vector<MFraction> w; // y_e = sum_j w_j y_j
     for (const auto& entry : c)

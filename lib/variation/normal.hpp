@@ -28,6 +28,16 @@ struct LinearSystem {
   Matrix a;
 };
 
+/// Coefficients c with target = sum_i c_i rows_i on the phase curve; unset if there are none.  What
+/// was divided by is added to `divisors`.   Requires rows that are independent there.
+[[nodiscard]] std::optional<std::vector<MFraction>>
+combination(const InvariantManifold& m, const Matrix& rows, const std::vector<MFraction>& target,
+            std::vector<MPoly>& divisors);
+
+/// The gradient of f on the manifold.
+[[nodiscard]] std::vector<MFraction>
+restricted_gradient(const VectorField& v, const InvariantManifold& m, const MFraction& f);
+
 /// The full variational equations, in the order of the coordinates.
 [[nodiscard]] LinearSystem variational_equations(const VectorField& v, const InvariantManifold& m);
 
@@ -40,6 +50,7 @@ struct LinearSystem {
 struct LinearIntegral {
   std::string name; ///< of the first integral that it comes from
   std::vector<MFraction> coefficients;
+  bool casimir = false; ///< its level is the tangent space of the symplectic leaves
 };
 
 struct NormalSystem {
@@ -57,6 +68,7 @@ struct NormalSystem {
 struct Elimination {
   std::string integral;
   std::string unknown;
+  bool casimir = false;
 };
 
 struct ReducedSystem {

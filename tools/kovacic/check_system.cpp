@@ -92,8 +92,8 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
   if (m.blocks.empty())
     for (const auto& r : m.reasons)
       put(out, "because", r);
-  else if (m.verdict == VerdictKind::no_obstruction && m.blocks.size() > 1)
-    put(out, "note", m.reasons.back());
+  else if (m.verdict == VerdictKind::undecided && !m.not_studied.empty())
+    put(out, "open", m.reasons.back());
 }
 
 std::string text_of(const System& s, const ManifoldReport& m) {

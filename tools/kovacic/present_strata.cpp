@@ -57,7 +57,6 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
              {"group", group_name(s.leaf)},
              {"group_text", s.leaf.group_text},
              {"reason", s.leaf.reason}};
-    if (s.leaf.blocks_only) one["blocks_only"] = true;
     if (!s.leaf.open_condition.empty()) one["open"] = s.leaf.open_condition;
     put_trace(one, s.leaf.trace);
     all.push_back(std::move(one));
@@ -101,9 +100,7 @@ void print_strata(std::ostream& out, const Json& j) {
     const std::string group = s.at("group_text");
     const std::string abelian = s.at("abelian");
     line(out, "group",
-         (group.empty() ? "" : group + ", ") +
-             (s.contains("blocks_only") ? "identity component of each diagonal block "
-                                        : std::string("identity component ")) +
+         (group.empty() ? "" : group + ", ") + std::string("identity component ") +
              (abelian == "yes"  ? "abelian"
               : abelian == "no" ? "not abelian"
                                 : "abelian or not: undecided"),
