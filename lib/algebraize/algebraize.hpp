@@ -6,7 +6,7 @@
 // r may be a function of z alone where p and q are not: the factor exp(-1/2 int p) that leads to
 // y_zz = r y multiplies the group by scalars only, so that r decides.
 //
-// Source  [MoralesRuiz1999] 4; [AcostaBlazquez2008] (Hamiltonian algebrization); THEORY 4, 8.5
+// Source  [MoralesRuiz1999] 4; [AcostaBlazquez2008] (Hamiltonian algebrization); docs/theory/mechanics.md (6)
 
 #include "algebraize/function_field.hpp"
 #include "variation/normal.hpp"

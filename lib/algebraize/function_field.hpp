@@ -5,7 +5,7 @@
 // is not constant on the curve.  The field gives x_i' in R, z' = X(phi), and d/dz = (1/z') d/dt.  R
 // is a finite extension of K (a field if the curve is irreducible), which is the hypothesis of the
 // theorem that the identity component of the differential Galois group does not change when the
-// equation is written in z (THEORY 4; [MoralesRamis2001] I, 2.2; [AcostaBlazquez2008]).
+// equation is written in z (docs/theory/mechanics.md (6); [MoralesRamis2001] I, 2.2; [AcostaBlazquez2008]).
 
 #include "exact/finite_algebra.hpp"
 #include "manifold/invariant_manifold.hpp"

@@ -8,7 +8,7 @@
 //       else SL2.
 //   T3  regular, rational, no logarithm: cyclic, T_m, D_n, Dinf, A4, S4, A5, SL2 by invariants.
 //
-// Source  THEORY 3; proofs in docs/theory/trichotomy.md
+// Source  docs/theory/trichotomy.md, with proofs
 
 #include "galois/dihedral.hpp"
 #include "galois/exponential_form.hpp"

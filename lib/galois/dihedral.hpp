@@ -13,7 +13,7 @@
 // N' the order of E in the Jacobian; reduction modulo good primes is injective on torsion, so two
 // primes that disagree prove "infinite", and an h proves "finite" (dihedral_torsion.md 9).
 //
-// Source  THEORY 3.4 with Corrections 10-12; docs/theory/dihedral_torsion.md
+// Source  docs/theory/dihedral_torsion.md
 
 #include "exact/budget.hpp"
 #include "exact/modular.hpp"

@@ -25,7 +25,7 @@ struct LiouvillianSolution {
                                                          const Budget& budget = {});
 
 /// The coefficients A_i/(m-i)! of the polynomial that y'/y satisfies for every linear factor y of
-/// the invariant whose value v has the logarithmic derivative u (THEORY 1.4).  InternalError unless
+/// the invariant whose value v has the logarithmic derivative u (docs/theory/descent.md (6)).  InternalError unless
 /// A_-1 = 0.
 [[nodiscard]] std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction& u,
                                                                const RationalFunction& r);

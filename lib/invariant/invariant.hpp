@@ -8,7 +8,7 @@
 // a kernel modulo primes is only a guess until it is lifted and checked by the recurrence of
 // symmetric_power.hpp.
 //
-// Source  THEORY 2.4 with Corrections 7, 8; proofs in docs/theory/invariants_one_point.md
+// Source  docs/theory/invariants_one_point.md, with proofs
 
 #include "exact/modular.hpp"
 #include "linode/degree_bounds.hpp"

@@ -12,7 +12,7 @@
 //   the exponents m/2 + k Delta, |k| <= m/2.  The paper writes e_c = (12/m)(m/2 + k Delta), and
 //   for m = 2 e_c = 2(1 + k Delta): here the exponent of v itself is used.
 //
-// Logarithms sharpen the sets (THEORY 1.5): where the local solutions have one, only powers of the
+// Logarithms sharpen the sets (docs/theory/local_exponents.md 2.1, 3.1): where the local solutions have one, only powers of the
 // log-free solution are left.  Exponents that differ by integers belong to *one* class: the least
 // (at infinity the greatest) of them stands for all, because P may vanish at the place.
 // docs/theory/descent.md (4).
@@ -38,7 +38,7 @@ struct LocalForm {
 /// All exponents of v that the place admits, ascending: m/2 + k Delta, or the one log-free value,
 /// or m*order/4 where the place is irregular.  No condition of integrality yet.
 /// Requires m even, m >= 2
-/// Source   [Kovacic1986] §4.1, §5.1 step 1; THEORY 1.5, 2.4
+/// Source   [Kovacic1986] §4.1, §5.1 step 1; docs/theory/local_exponents.md 2, 3
 [[nodiscard]] std::vector<Rational> exponents(const Singularity& place, long m);
 
 /// Those of `exponents` with N * exponent an integer, one for each class modulo Z: the least of the

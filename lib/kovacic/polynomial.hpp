@@ -17,7 +17,7 @@
 // of P follow from the top, one by one, except where the indicial polynomial at infinity vanishes:
 // at most m + 1 free ones.  First modulo one prime (no solution there: no solution), then exactly.
 //
-// Source  [Kovacic1986] §3.1, §4.1, §5.1 step 3; THEORY 1.4
+// Source  [Kovacic1986] §3.1, §4.1, §5.1 step 3; docs/theory/descent.md (6)
 
 #include "exact/budget.hpp"
 #include "exact/modular.hpp"

@@ -5,7 +5,7 @@
 //   D_m  the largest degree of P in a rational solution v = P prod q^e_q of the m-th symmetric
 //   power
 //
-// Source  THEORY 1.5, 2.3 (Corrections 3, 4), 2.4; docs/theory/local_exponents.md
+// Source  docs/theory/local_exponents.md, 2 to 4
 
 #include "linode/singularities.hpp"
 

@@ -4,7 +4,7 @@
 //   y'' + p y' + q y = 0,   y = u exp(-1/2 int p)   =>   u'' = r u,   r = p^2/4 + p'/2 - q.
 //
 // The factor removed multiplies the Galois group by scalars only, so that the identity component is
-// abelian for the one equation exactly when it is for the other (docs/theory/normal_form.md).
+// abelian for the one equation exactly when it is for the other (docs/theory/normal_form.md, 1.5).
 
 #include "exact/rational_function.hpp"
 
@@ -16,7 +16,7 @@ struct NormalForm {
   RationalFunction p; ///< the factor removed is exp(-1/2 int p)
 };
 
-/// Source  [Kovacic1986] §1.1; THEORY 4
+/// Source  [Kovacic1986] §1.1; docs/theory/normal_form.md, 1.5
 [[nodiscard]] NormalForm normal_form(const RationalFunction& p, const RationalFunction& q);
 
 } // namespace kov

@@ -19,7 +19,7 @@
 //                                               growth exponents (+-eps - nu)/2
 //   o odd <= 1   ramified
 //
-// Source  [Kovacic1986] §3.1, §4.1; THEORY 1.1, 1.5, 5
+// Source  [Kovacic1986] §3.1, §4.1; docs/theory/local_exponents.md, 1
 
 #include "exact/budget.hpp"
 #include "exact/factor.hpp"

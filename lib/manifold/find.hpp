@@ -9,7 +9,7 @@
 //
 // Each set found is proved invariant; nothing is claimed about completeness.
 //
-// Source  THEORY 8.2
+// Source  docs/theory/mechanics.md (4)
 
 #include "manifold/invariant_manifold.hpp"
 

@@ -12,7 +12,7 @@
 //
 // So one prime with B_p != 0 and an odd place that is not admissible leaves SL(2, C) only.
 //
-// Source  THEORY 2.2 with Corrections 1, 2; proof in docs/theory/p_curvature.md
+// Source  docs/theory/p_curvature.md, with the proof
 
 #include "exact/modular.hpp"
 #include "linode/singularities.hpp"

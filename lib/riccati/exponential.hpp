@@ -1,7 +1,7 @@
 #pragma once
 // All exponential solutions y'/y in K(z) from one singular place, without families.
 //
-// Source  THEORY 2.3 with Corrections 3-5; proofs in docs/theory/riccati_one_place.md
+// Source  docs/theory/riccati_one_place.md, with proofs
 
 #include "riccati/lift.hpp"
 #include "riccati/line.hpp"

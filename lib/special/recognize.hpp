@@ -16,7 +16,7 @@
 // What is recognised is proved: the canonical equation is computed from the parameters and compared
 // with the transformed r exactly.
 //
-// Source  THEORY 7.2; docs/theory/recognition.md
+// Source  docs/theory/recognition.md
 
 #include "linode/singularities.hpp"
 #include "special/closed_answer.hpp"

@@ -2,7 +2,7 @@
 // y'' = r(z; parameters) y for all admissible parameters at once: a tree of strata, each split
 // p = 0 / p != 0 with p found on the way, and a verdict with its reason on every leaf.
 //
-// Source  THEORY 6; docs/theory/strata.md
+// Source  docs/theory/strata.md
 
 #include "strata/proof_tree.hpp"
 

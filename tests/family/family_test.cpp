@@ -175,7 +175,7 @@ TEST(Families, WeberIsNeverAbelian) {
   EXPECT_FALSE(any.strata[0].leaf.group.has_value());
 }
 
-// Correction 13: generic irrationality says nothing about a reducible family.
+// Generic irrationality says nothing about a reducible family.
 TEST(Families, AReducibleFamilyIsNotCalledNonAbelian) {
   // omega' + omega^2 for omega = a/z + b/(z-1)
   const auto answered =

@@ -5,7 +5,7 @@
 namespace kov {
 namespace {
 
-// The Riemann form with exponent differences l, m, n at 0, 1, infinity (THEORY 7.2).
+// The Riemann form with exponent differences l, m, n at 0, 1, infinity (docs/theory/recognition.md, 2).
 RationalFunction riemann(const Rational& l, const Rational& m, const Rational& n) {
   const Poly z = Poly::z();
   const Poly one(1);

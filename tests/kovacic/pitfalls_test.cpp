@@ -1,4 +1,4 @@
-// The pitfall suite: equations on which implementations are known to fail.  THEORY 11.
+// The pitfall suite: equations on which implementations are known to fail.
 
 #include "support/equations.hpp"
 #include "kovacic/reader.hpp"

@@ -63,7 +63,7 @@ const char* const r_text =
     " + (a*(5*b+6)*c - 4*a*b*(b+1) - 4*d*((5*b+6)*d + b*z*(b*(z^2+3)+4)))"
     "/((b*(z^2+1)^2+4*z^2)*(a*c-4*d^2))";
 
-TEST_F(Lemma2, NormalForm) { // eq. (rrgeq0dneq0)
+TEST_F(Lemma2, NormalForm) { // the r of Lemma 2 in [PrzybylskaMaciejewski2024]
   EXPECT_TRUE(equal(equation(m).r, f(r_text)));
   EXPECT_EQ(equation(m).singular_places, 6);
 }

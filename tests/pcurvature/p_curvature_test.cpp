@@ -13,7 +13,7 @@ TEST(PCurvature, ProvesAiry) {
   EXPECT_EQ(proof->prime.p, 7U);
 }
 
-// Correction 1: an admissible place that reduces to infinity.  G = Dinf for the dihedral r of
+// An admissible place that reduces to infinity.  G = Dinf for the dihedral r of
 // F = (z-2)(7z-1), and p = 7 must not say SL2; nor may 11, 13 for their analogues.
 TEST(PCurvature, AnAdmissiblePlaceMayGoToInfinity) {
   for (const long p : {7L, 11L, 13L}) {

@@ -34,7 +34,7 @@ TEST(Exponential, WeberWithGenericConstantHasNone) {
   EXPECT_TRUE(found.none);
 }
 
-TEST(Exponential, IrregularInfinityOfHighOrder) { // Correction 3
+TEST(Exponential, IrregularInfinityOfHighOrder) { // docs/theory/riccati_one_place.md
   expect_found(RationalFunction(pow(z, 30)) + RationalFunction(Poly(1), scale(z, NfElem(3))));
 }
 

@@ -104,7 +104,7 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
   result["undecided"] = {{"why", why}, {"detail", detail}};
 }
 
-// y = u exp(-1/2 int p), u'' = r u.  Scalars are central: THEORY 4.
+// y = u exp(-1/2 int p), u'' = r u.  Scalars are central: docs/theory/normal_form.md, 1.5.
 Json original_form(const GivenEquation& e, const Budget& budget) {
   Json j = {{"form", e.form == GivenEquation::Form::pq ? "p, q" : "equation"},
             {"p", to_string(e.p, e.variable)},
