@@ -22,6 +22,12 @@ struct Fraction {
   MPoly num, den;
 };
 
+/// num/den is an integer, or is none; den is not 0.
+struct Membership {
+  Fraction value;
+  bool integral = true;
+};
+
 // ---- 5: lemmas
 
 struct ConditionPower {
@@ -36,11 +42,18 @@ struct LemmaTerm {
   Rational c;
   std::vector<std::variant<ConditionPower, EvenPower>> factors;
 };
+/// The value that a membership would have and has not.
+struct Violation {
+  std::size_t membership = 0;
+  Rational value;
+};
 struct Lemma { ///< p times = sum of the terms; without terms: p times is known to be nonzero
   MPoly p;
   std::optional<MPoly> times;
   bool positive = false;
   std::optional<std::vector<LemmaTerm>> terms;
+  std::optional<Violation> violation; ///< where p = 0
+  std::optional<mp_limb_t> prime;     ///< modulo which p has no root
 };
 
 // ---- 6, 7: what a leaf proves and from what
@@ -91,6 +104,7 @@ using Subtree = std::unique_ptr<const StrataNode>;
 
 struct EmptyStratum {
   std::optional<std::vector<LemmaTerm>> terms;
+  std::optional<Violation> violation;
 };
 struct OutsideStratum {
   std::optional<std::size_t> generic;
@@ -143,8 +157,10 @@ struct StrataNode {
 
 struct StrataCertificate {
   Ring ring; ///< the variable z has the index 0, the parameters follow
-  std::vector<bool> real;
+  std::vector<bool> real;     ///< by variable; the rational ones among them
+  std::vector<bool> rational; ///< by variable
   std::vector<Condition> assumptions;
+  std::vector<Membership> memberships;
   std::vector<std::vector<MPoly>> generic;
   Fraction r;
   std::optional<bool> abelian; ///< what is claimed

@@ -2,7 +2,9 @@
 
 #include "certify/strata_check.hpp"
 
+#include "certify/limits.hpp"
 #include "certify/strata_rules.hpp"
+#include "exact/modular.hpp"
 
 #include <algorithm>
 
@@ -95,7 +97,9 @@ private:
   }
 
   void take(const EmptyStratum& n, Stratum& s, const MPoly* p) {
-    if (n.terms) {
+    if (n.violation) {
+      s.need_violated(*n.violation, p);
+    } else if (n.terms) {
       const MPoly f = sum(*n.terms, s).first;
       need(is_zero(f) || (p && arithmetic_.quotient(primitive(f), primitive(*p))),
            "the sum of the terms is not 0");
@@ -140,6 +144,38 @@ private:
 
   void lemma(const Lemma& l, Stratum& s) {
     s.need_parameters(l.p);
+    if (l.violation) {
+      need(!l.positive && !is_constant(l.p), "a membership shows that a polynomial is not 0");
+      s.need_violated(*l.violation, &l.p);
+    } else if (l.prime) {
+      need(!l.positive, "a prime shows that a polynomial is not 0");
+      need_no_rational_root(l.p, *l.prime, s);
+    } else {
+      need_sum(l, s);
+    }
+    if (l.positive)
+      s.add_positive(l.p);
+    else
+      s.add_nonzero(l.p);
+  }
+
+  // The denominator of a rational root divides the leading coefficient: it has an image modulo q.
+  void need_no_rational_root(const MPoly& p, mp_limb_t q, const Stratum& s) {
+    const auto used = used_variables(p);
+    need(used.size() == 1 && s.is_rational(used[0]), "p is not in one rational parameter");
+    need(q < max_lemma_prime && n_is_prime(q) != 0, "the prime is none below 10000");
+    NmodPoly f(q);
+    const Coefficients c = coefficients(p, used[0]);
+    arithmetic_.charge(static_cast<double>(q) * static_cast<double>(c.size()));
+    for (std::size_t k = 0; k < c.size(); ++k)
+      if (!is_zero(c[k]))
+        f.set_coeff(static_cast<long>(k), fmpz_fdiv_ui(c[k].coefficient(0).raw(), q));
+    need(degree(f) == degree(p, used[0]), "the prime divides the leading coefficient");
+    for (mp_limb_t x = 0; x < q; ++x)
+      need(evaluate(f, x) != 0, "p has a root modulo the prime");
+  }
+
+  void need_sum(const Lemma& l, Stratum& s) {
     MPoly left = l.p;
     if (l.times) {
       s.need_parameters(*l.times);
@@ -152,10 +188,6 @@ private:
     } else {
       need(!l.positive && s.known_nonzero(left), "p times is not known to be nonzero");
     }
-    if (l.positive)
-      s.add_positive(l.p);
-    else
-      s.add_nonzero(l.p);
   }
 
   // The sum of the terms over a common denominator; refuses unless it is known to be positive.

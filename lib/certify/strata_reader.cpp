@@ -27,6 +27,9 @@ public:
       c_.assumptions.push_back({poly(k.at("p")), sign(k.at("sign"))});
       k.done();
     }
+    if (const auto all = top_.find("memberships"))
+      for (const Node& n : all->items())
+        c_.memberships.push_back(membership(n));
     for (const Node& n : top_.at("generic").items()) {
       c_.generic.push_back(polys(n));
       if (c_.generic.back().empty()) n.fail("the group is empty");
@@ -60,12 +63,21 @@ private:
       if (!is_name(s) || std::count(names.begin(), names.end(), s) != 1)
         parameters.fail("different names of letters, digits and _ are expected");
     c_.ring = make_ring(names);
-    c_.real.assign(names.size(), false);
-    for (const Node& n : top_.at("real").items()) {
+    c_.real = marked(top_.at("real"));
+    const auto rational = top_.find("rational");
+    c_.rational = rational ? marked(*rational) : std::vector<bool>(names.size(), false);
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (c_.rational[i]) c_.real[i] = true;
+  }
+
+  [[nodiscard]] std::vector<bool> marked(const Node& list) const {
+    std::vector<bool> all(c_.ring->size(), false);
+    for (const Node& n : list.items()) {
       const std::size_t i = parameter(n);
-      if (c_.real[i]) n.fail("the parameter occurs twice");
-      c_.real[i] = true;
+      if (all[i]) n.fail("the parameter occurs twice");
+      all[i] = true;
     }
+    return all;
   }
 
   [[nodiscard]] std::size_t parameter(const Node& n) const {
@@ -85,6 +97,12 @@ private:
     for (const Node& x : n.items())
       f.push_back(poly(x));
     return f;
+  }
+  [[nodiscard]] Membership membership(const Node& n) const {
+    Keys k(n);
+    Membership m{{poly(k.at("num")), poly(k.at("den"))}, truth(k.at("integral"))};
+    k.done();
+    return m;
   }
   [[nodiscard]] Fraction fraction(const Node& n) const {
     Keys k(n);
@@ -147,16 +165,23 @@ private:
       t.push_back(term(x));
     return t;
   }
+  static std::optional<Violation> violation(Keys& k) {
+    const auto i = k.find("membership");
+    if (!i) return std::nullopt;
+    return Violation{index(*i), k.at("value").rational()};
+  }
   [[nodiscard]] Lemma lemma(const Node& n) const {
     Keys k(n);
-    Lemma x{poly(k.at("p")), {}, false, {}};
+    Lemma x{poly(k.at("p")), {}, false, {}, violation(k), {}};
     if (const auto v = k.find("times")) x.times = poly(*v);
     const Sign s = sign(k.at("sign"));
     if (s != Sign::positive && s != Sign::nonzero) n.fail("a lemma shows positive or nonzero");
     x.positive = s == Sign::positive;
     if (const auto v = k.find("terms")) x.terms = terms(*v);
-    if (!x.terms && (x.positive || !x.times)) n.fail("key 'terms' is missing");
+    if (const auto v = k.find("prime")) x.prime = v->modulus();
     k.done();
+    const int proofs = (x.terms || x.times ? 1 : 0) + (x.violation ? 1 : 0) + (x.prime ? 1 : 0);
+    if (proofs != 1 || (x.positive && !x.terms)) n.fail("one proof of the lemma is expected");
     return x;
   }
 
@@ -184,7 +209,10 @@ private:
       if (x.chi.size() < 2) v->fail("chi has degree 1 at least");
     }
     if (const auto v = k.find("irrational")) x.irrational = v->text();
-    if (const auto v = k.find("log")) x.log = truth(*v);
+    if (const auto v = k.find("log")) {
+      if (!truth(*v)) v->fail("true is expected");
+      x.log = true;
+    }
     if (const auto v = k.find("bound")) x.bound = v->rational();
     k.done();
     return x;
@@ -221,8 +249,12 @@ private:
       x.places.push_back(place(n, true));
     x.infinity = place(k.at("infinity"), false);
     if (const auto v = k.find("absent"))
-      for (const Node& n : v->items())
+      for (const Node& n : v->items()) {
         x.absent.push_back(absent(n));
+        if (std::count_if(x.absent.begin(), x.absent.end(),
+                          [&](const AbsentInvariant& y) { return y.m == x.absent.back().m; }) > 1)
+          n.fail("the degree occurs twice");
+      }
     return {abelian, std::move(x)};
   }
 
@@ -230,7 +262,9 @@ private:
 
   [[nodiscard]] EmptyStratum empty(Keys& k) const {
     const auto v = k.find("terms");
-    return {v ? std::optional(terms(*v)) : std::nullopt};
+    EmptyStratum e{v ? std::optional(terms(*v)) : std::nullopt, violation(k)};
+    if (e.terms && e.violation) v->fail("one proof is expected");
+    return e;
   }
   static OutsideStratum outside(Keys& k) {
     const auto v = k.find("generic");

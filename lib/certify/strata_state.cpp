@@ -37,12 +37,17 @@ private:
 };
 
 Stratum::Stratum(const StrataCertificate& c, Arithmetic& arithmetic)
-    : arithmetic_(&arithmetic), left_(c.ring->size(), true), real_(c.real),
-      conditions_(c.assumptions), generic_(c.generic), r_(c.r) {
+    : arithmetic_(&arithmetic), left_(c.ring->size(), true), real_(c.real), rational_(c.rational),
+      conditions_(c.assumptions), memberships_(c.memberships), generic_(c.generic), r_(c.r) {
   left_[0] = false;
   for (const Condition& f : conditions_) {
     need_parameters(f.f);
     if (f.sign == Sign::positive || f.sign == Sign::nonzero) add_nonzero(f.f);
+  }
+  for (const Membership& m : memberships_) {
+    need_parameters(m.value.num);
+    need_parameters(m.value.den);
+    add_nonzero(m.value.den);
   }
   for (const auto& g : generic_)
     for (const MPoly& f : g)
@@ -78,6 +83,16 @@ void Stratum::need_variables(const MPoly& p) const {
 bool Stratum::all_real(const MPoly& p) const {
   const auto v = used_variables(p);
   return std::all_of(v.begin(), v.end(), [&](std::size_t i) { return real_[i]; });
+}
+
+void Stratum::need_violated(const Violation& v, const MPoly* p) const {
+  need(v.membership < memberships_.size(), "there is no such membership");
+  const auto& [value, integral] = memberships_[v.membership];
+  need(is_integer(v.value) != integral, "the membership allows this value");
+  const MPoly f =
+      arithmetic_->minus(scaled(value.num, v.value.den()), scaled(value.den, v.value.num()));
+  need(is_zero(f) || (p && arithmetic_->quotient(primitive(f), primitive(*p))),
+       "the membership has another value there");
 }
 
 MPoly Stratum::stripped(MPoly p) const {
@@ -147,9 +162,13 @@ void Stratum::solve(const MPoly& p, const SolvedStratum& how) {
     for (MPoly& f : group)
       f = root(f, x, degree(f, x));
   replace_conditions(x, root);
+  for (auto& [value, integral] : memberships_) {
+    const long n = std::max(degree(value.num, x), degree(value.den, x));
+    value = {root(value.num, x, n), root(value.den, x, n)};
+  }
   replace_r(x, root, how.r);
   add_nonzero(root.slope());
-  learn_real(p, x);
+  learn_field(p, x);
   left_[x] = false;
 }
 
@@ -188,18 +207,20 @@ void Stratum::replace_r(std::size_t x, const Root& root, const std::optional<Fra
   r_ = *given;
 }
 
-// x real and (alpha x + beta) u + gamma x + delta = 0, of rank 2: u is real.
-void Stratum::learn_real(const MPoly& p, std::size_t x) {
+// (alpha x + beta) u + gamma x + delta = 0, of rank 2: u is real, or rational, if x is.
+void Stratum::learn_field(const MPoly& p, std::size_t x) {
   const auto v = used_variables(p);
-  if (!real_[x] || v.size() != 2) return;
+  if (v.size() != 2) return;
   const std::size_t u = v[0] == x ? v[1] : v[0];
-  if (real_[u] || degree(p, u) != 1) return;
+  if (degree(p, u) != 1) return;
   const Coefficients in_u = coefficients(p, u);
   const auto at = [&](std::size_t i, std::size_t k) {
     const Coefficients c = coefficients(in_u[i], x);
     return k < c.size() && !is_zero(c[k]) ? c[k].coefficient(0) : Integer(0);
   };
-  real_[u] = at(1, 1) * at(0, 0) != at(1, 0) * at(0, 1);
+  if (at(1, 1) * at(0, 0) == at(1, 0) * at(0, 1)) return;
+  real_[u] = real_[u] || real_[x];
+  rational_[u] = rational_[u] || rational_[x];
 }
 
 double Stratum::size() const {
@@ -209,6 +230,10 @@ double Stratum::size() const {
     add(c.f);
   for (const MPoly& f : nonzero_)
     add(f);
+  for (const Membership& m : memberships_) {
+    add(m.value.num);
+    add(m.value.den);
+  }
   for (const auto& g : generic_)
     for (const MPoly& f : g)
       add(f);

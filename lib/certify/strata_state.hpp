@@ -23,6 +23,10 @@ public:
   void need_parameters(const MPoly& p) const;
   void need_variables(const MPoly& p) const; ///< the same; z is allowed
   [[nodiscard]] bool all_real(const MPoly& p) const;
+  [[nodiscard]] bool is_rational(std::size_t variable) const { return rational_[variable]; }
+  /// Refuses unless a membership would have the value that it has not: where p = 0; everywhere if p
+  /// is null.
+  void need_violated(const Violation& v, const MPoly* p) const;
   /// p without the members of **nonzero**, each as often as it divides what is left.
   [[nodiscard]] MPoly stripped(MPoly p) const;
   [[nodiscard]] bool known_nonzero(const MPoly& p) const;
@@ -42,12 +46,13 @@ public:
 private:
   void replace_conditions(std::size_t x, const class Root& root);
   void replace_r(std::size_t x, const class Root& root, const std::optional<Fraction>& given);
-  void learn_real(const MPoly& p, std::size_t x);
+  void learn_field(const MPoly& p, std::size_t x);
 
   Arithmetic* arithmetic_;
   std::vector<bool> left_; ///< by variable; false for z and for what was solved for
-  std::vector<bool> real_;
+  std::vector<bool> real_, rational_;
   std::vector<Condition> conditions_;
+  std::vector<Membership> memberships_;
   std::vector<MPoly> nonzero_; ///< primitive
   std::vector<std::vector<MPoly>> generic_;
   std::optional<Fraction> r_;

@@ -5,6 +5,7 @@
 #include "strata/leaf_certificate.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace kov::strata {
 namespace {
@@ -87,9 +88,12 @@ public:
     const auto& names = q_.r.ring()->names();
     for (std::size_t i = 0; i < names.size(); ++i)
       if (i != q_.z) parameters.push_back(text(names[i]));
-    Json::Array real;
-    for (const std::size_t i : q_.assumptions.real)
-      real.push_back(text(names[i]));
+    const auto listed = [&](const std::vector<std::size_t>& some) {
+      Json::Array all;
+      for (const std::size_t i : std::set<std::size_t>(some.begin(), some.end()))
+        all.push_back(text(names[i]));
+      return all;
+    };
     Json::Array assumptions;
     for (const auto& c : q_.assumptions.conditions)
       assumptions.push_back(Json{Json::Object{{"p", text(c.p)}, {"sign", text(name_of(c.sign))}}});
@@ -102,22 +106,37 @@ public:
     }
     Json claim;
     if (said_.size() == 1 && !open_) claim = Json{said_.front() == Truth::yes};
-    const Json whole{Json::Object{{"format", text("kovacic-strata/1")},
-                                  {"variable", text(names[q_.z])},
-                                  {"parameters", Json{std::move(parameters)}},
-                                  {"real", Json{std::move(real)}},
-                                  {"assumptions", Json{std::move(assumptions)}},
-                                  {"generic", Json{std::move(generic)}},
-                                  {"r", to_json(root.r)},
-                                  {"claim", Json{Json::Object{{"abelian", std::move(claim)}}}},
-                                  {"tree", std::move(tree)}}};
-    result_.json = certify::to_string(whole);
+    Json::Object whole{{"format", text("kovacic-strata/1")},
+                       {"variable", text(names[q_.z])},
+                       {"parameters", Json{std::move(parameters)}},
+                       {"real", Json{listed(q_.assumptions.real)}},
+                       {"assumptions", Json{std::move(assumptions)}},
+                       {"generic", Json{std::move(generic)}},
+                       {"r", to_json(root.r)},
+                       {"claim", Json{Json::Object{{"abelian", std::move(claim)}}}},
+                       {"tree", std::move(tree)}};
+    if (!q_.assumptions.rational.empty())
+      whole.emplace_back("rational", Json{listed(q_.assumptions.rational)});
+    if (!q_.assumptions.memberships.empty()) whole.emplace_back("memberships", memberships());
+    result_.json = certify::to_string(Json{std::move(whole)});
     result_.says_anything = !said_.empty();
     result_.refusal = judged(result_.json);
     return std::move(result_);
   }
 
 private:
+  [[nodiscard]] Json memberships() const {
+    Json::Array all;
+    for (const auto& [value, integral] : q_.assumptions.memberships) {
+      const MPoly num = value.num();
+      const MPoly den = value.den();
+      KOV_ENSURE(MFraction(num) / MFraction(den) == value);
+      all.push_back(
+          Json{Json::Object{{"num", text(num)}, {"den", text(den)}, {"integral", Json{integral}}}});
+    }
+    return Json{std::move(all)};
+  }
+
   void say(Truth t) {
     if (std::find(said_.begin(), said_.end(), t) == said_.end()) said_.push_back(t);
   }
@@ -281,6 +300,11 @@ private:
                            return is_constant(state.facts.without_known_factors(c.p));
                          });
     if (plainly) return plain;
+    if (const auto v = state.facts.violation()) {
+      Json::Object o{{key, text("empty")}};
+      append(o, *v);
+      return Json{std::move(o)};
+    }
     if (auto terms = state.facts.contradiction())
       return Json{Json::Object{{key, text("empty")}, {"terms", strata::to_json(*terms)}}};
     return trusted(key, "empty", "Z3", t.why);

@@ -1,6 +1,7 @@
 #include "strata/known_facts.hpp"
 
 #include "exact/error.hpp"
+#include "exact/modular.hpp"
 
 #include <algorithm>
 
@@ -28,6 +29,24 @@ bool ordered(Sign s) { return s == Sign::positive || s == Sign::nonnegative; }
 
 constexpr auto nowhere = static_cast<std::size_t>(-1);
 
+constexpr mp_limb_t most_lemma_prime = 1000; // the checkers take more
+
+MPoly denominator(const MFraction& f) { return f.ring() ? f.den() : MPoly(); }
+
+// v, if it is a constant that the membership does not allow.
+std::optional<Rational> violated(const Membership& m, const MFraction& v) {
+  if (!is_zero(v) && !is_constant(v)) return std::nullopt;
+  const Rational c = is_zero(v) ? Rational(0) : to_rational(v);
+  if (is_integer(c) == m.in_integers) return std::nullopt;
+  return c;
+}
+
+bool has_root(const NmodPoly& f) {
+  for (mp_limb_t x = 0; x < f.modulus(); ++x)
+    if (evaluate(f, x) == 0) return true;
+  return false;
+}
+
 } // namespace
 
 Json to_json(const std::vector<LemmaTerm>& terms) {
@@ -48,16 +67,26 @@ Json to_json(const Lemma& lemma) {
   if (lemma.times) o.emplace_back("times", text(to_string(*lemma.times)));
   o.emplace_back("sign", text(lemma.positive ? "positive" : "nonzero"));
   if (!lemma.terms.empty()) o.emplace_back("terms", to_json(lemma.terms));
+  if (lemma.violation) append(o, *lemma.violation);
+  if (lemma.prime) o.emplace_back("prime", text(*lemma.prime));
   return Json{std::move(o)};
+}
+
+void append(Json::Object& o, const Violation& v) {
+  o.emplace_back("membership", text(static_cast<long>(v.membership)));
+  o.emplace_back("value", text(to_string(v.value)));
 }
 
 KnownFacts::KnownFacts(Ring ring, const Assumptions& assumptions,
                        std::vector<std::vector<MPoly>> generic)
-    : ring_(std::move(ring)), real_(assumptions.real), generic_(std::move(generic)) {
+    : ring_(std::move(ring)), memberships_(assumptions.memberships), real_(assumptions.real),
+      rational_(assumptions.rational), generic_(std::move(generic)) {
   for (const auto& c : assumptions.conditions) {
     conditions_.push_back({c.p, c.sign, false});
     if (c.sign == Sign::positive || c.sign == Sign::nonzero) nonzero_.push_back(c.p);
   }
+  for (const auto& m : memberships_)
+    nonzero_.push_back(denominator(m.value));
 }
 
 bool KnownFacts::is_real(const MPoly& p) const {
@@ -232,8 +261,57 @@ bool KnownFacts::ensure_nonzero(const MPoly& p, std::vector<Lemma>& lemmas) {
   if (is_constant(rest)) return true;
   const auto parts = irreducible_parts(rest);
   return std::all_of(parts.begin(), parts.end(), [&](const MPoly& f) {
-    return divides_known(f, lemmas) || ensure_sign(f, lemmas).has_value();
+    return divides_known(f, lemmas) || ensure_sign(f, lemmas).has_value() || violates(f, lemmas) ||
+           has_no_rational_root(f, lemmas);
   });
+}
+
+// Where the irreducible f is 0, a membership would have a value that it has not.
+bool KnownFacts::violates(const MPoly& f, std::vector<Lemma>& lemmas) {
+  for (const std::size_t x : used_variables(f)) {
+    if (degree(f, x) != 1) continue;
+    const auto line = coefficients(f, x);
+    const Substitution root{{x, -(MFraction(line[0]) / MFraction(line[1]))}};
+    for (std::size_t i = 0; i < memberships_.size(); ++i) {
+      if (divides(f, denominator(memberships_[i].value))) continue;
+      const auto c = violated(memberships_[i], substitute(memberships_[i].value, root));
+      if (!c) continue;
+      Lemma lemma{f};
+      lemma.violation = Violation{i, *c};
+      add(lemma);
+      lemmas.push_back(std::move(lemma));
+      return true;
+    }
+  }
+  return false;
+}
+
+// f is a polynomial in one rational parameter, without a root modulo some prime.
+bool KnownFacts::has_no_rational_root(const MPoly& f, std::vector<Lemma>& lemmas) {
+  const auto used = used_variables(f);
+  if (used.size() != 1 || degree(f, used[0]) < 2 ||
+      std::find(rational_.begin(), rational_.end(), used[0]) == rational_.end())
+    return false;
+  const auto c = coefficients(f, used[0]);
+  for (mp_limb_t q = 2; q < most_lemma_prime; q = n_nextprime(q, 1)) {
+    NmodPoly g(q);
+    for (std::size_t k = 0; k < c.size(); ++k)
+      if (!is_zero(c[k]))
+        g.set_coeff(static_cast<long>(k), fmpz_fdiv_ui(c[k].coefficient(0).raw(), q));
+    if (kov::degree(g) != degree(f, used[0]) || has_root(g)) continue;
+    Lemma lemma{f};
+    lemma.prime = static_cast<long>(q);
+    add(lemma);
+    lemmas.push_back(std::move(lemma));
+    return true;
+  }
+  return false;
+}
+
+std::optional<Violation> KnownFacts::violation() const {
+  for (std::size_t i = 0; i < memberships_.size(); ++i)
+    if (const auto c = violated(memberships_[i], memberships_[i].value)) return Violation{i, *c};
+  return std::nullopt;
 }
 
 // f is a factor of a polynomial that is known not to vanish.
@@ -330,22 +408,32 @@ void KnownFacts::solve(const MPoly& p, std::size_t x) {
     }
     c.p = there(c.p, even ? n + n % 2 : n);
   }
+  for (auto& member : memberships_) {
+    const MPoly den = denominator(member.value);
+    if (is_zero(there(den, std::max(0L, degree(den, x))))) continue; // no points
+    member.value = substitute(member.value, {{x, -(MFraction(m) / MFraction(l))}});
+  }
   for (auto& group : generic_)
     for (auto& f : group)
       f = there(f, std::max(0L, degree(f, x)));
   nonzero_.push_back(l);
   const auto used = used_variables(p);
+  const bool rational = std::find(rational_.begin(), rational_.end(), x) != rational_.end();
   if (used.size() == 2 && is_real(MPoly::variable(ring_, x))) {
     const std::size_t u = used[0] == x ? used[1] : used[0];
-    if (!is_real(MPoly::variable(ring_, u)) && degree(p, u) == 1) {
+    if ((rational || !is_real(MPoly::variable(ring_, u))) && degree(p, u) == 1) {
       const auto a = [&](const MPoly& f, std::size_t k) { // coefficient of u^k in f
         const auto c = coefficients(f, u);
         return k < c.size() ? c[k] : MPoly(ring_);
       };
-      if (!is_zero(a(l, 1) * a(m, 0) - a(l, 0) * a(m, 1))) real_.push_back(u);
+      if (!is_zero(a(l, 1) * a(m, 0) - a(l, 0) * a(m, 1))) {
+        real_.push_back(u);
+        if (rational) rational_.push_back(u);
+      }
     }
   }
   std::erase(real_, x);
+  std::erase(rational_, x);
 }
 
 } // namespace kov::strata

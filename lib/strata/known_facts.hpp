@@ -19,15 +19,24 @@ struct LemmaTerm {
   std::vector<std::pair<std::size_t, long>> conditions; ///< number, exponent
   std::vector<std::pair<MPoly, long>> squares;          ///< Q, e: the factor Q^(2e)
 };
+/// Membership number `membership` would have this value and has not.
+struct Violation {
+  std::size_t membership = 0;
+  Rational value;
+};
 /// p times = the sum of the terms, each >= 0 and one of them > 0; without terms: p times is known
-/// not to vanish.
+/// not to vanish.  Or p is not 0 because of a membership, or as it has no root modulo a prime.
 struct Lemma {
   MPoly p;
-  std::optional<MPoly> times;
+  std::optional<MPoly> times = {};
   bool positive = false; ///< p itself is positive
-  std::vector<LemmaTerm> terms;
+  std::vector<LemmaTerm> terms = {};
+  std::optional<Violation> violation = {};
+  std::optional<long> prime = {};
 };
 [[nodiscard]] certify::Json to_json(const Lemma& lemma);
+/// Its two entries.
+void append(certify::Json::Object& o, const Violation& v);
 [[nodiscard]] certify::Json to_json(const std::vector<LemmaTerm>& terms);
 
 class KnownFacts {
@@ -53,6 +62,8 @@ public:
   [[nodiscard]] bool ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas);
   /// Terms with sum 0, one of them positive: the stratum is empty.
   [[nodiscard]] std::optional<std::vector<LemmaTerm>> contradiction() const;
+  /// A membership that is constant and not what is assumed: the stratum is empty.
+  [[nodiscard]] std::optional<Violation> violation() const;
 
   void assume_nonzero(const MPoly& p) { nonzero_.push_back(p); }
   /// p = l x + m is 0, l known != 0: everything in the parameters that are left.
@@ -70,13 +81,16 @@ private:
   [[nodiscard]] std::optional<std::pair<std::size_t, int>> ensure_sign(const MPoly& f,
                                                                        std::vector<Lemma>& lemmas);
   [[nodiscard]] bool divides_known(const MPoly& f, std::vector<Lemma>& lemmas);
+  [[nodiscard]] bool violates(const MPoly& f, std::vector<Lemma>& lemmas);
+  [[nodiscard]] bool has_no_rational_root(const MPoly& f, std::vector<Lemma>& lemmas);
   [[nodiscard]] bool strict(const LemmaTerm& t) const;
   [[nodiscard]] std::optional<std::size_t> sign_of_variable(std::size_t x) const;
 
   Ring ring_;
   std::vector<Fact> conditions_;
   std::vector<MPoly> nonzero_;
-  std::vector<std::size_t> real_;
+  std::vector<Membership> memberships_; ///< with their numbers in the certificate
+  std::vector<std::size_t> real_, rational_;
   std::vector<std::vector<MPoly>> generic_;
 };
 

@@ -17,6 +17,7 @@ sys.path[:0] = [os.path.join(HERE, "../../tools/verify"), HERE]
 import certificate_format  # noqa: E402
 import exact  # noqa: E402
 import kovacic_verify as V  # noqa: E402
+import modular  # noqa: E402
 import tamper  # noqa: E402
 
 KOVACIC, TEST_CERTIFY = sys.argv[1:3]
@@ -57,6 +58,27 @@ class Checker(unittest.TestCase):
         for path in files("data"):
             with self.subTest(path):
                 self.assertEqual(V.verify(text(path)), 0)
+
+    def test_states_what_the_judge_states(self):
+        paths = files("data") + files("data/strata")
+        command = [KOVACIC, "verify", "--format", "json", *paths]
+        theirs = subprocess.run(command, text=True, stdout=subprocess.PIPE, check=True).stdout.splitlines()
+        self.assertEqual(len(theirs), len(paths))
+        for path, line in zip(paths, map(json.loads, theirs)):
+            with self.subTest(path):
+                trusted, _, statement = V.check(text(path))
+                self.assertEqual((trusted, statement), (line["trusted_steps"], line["statement"]))
+
+    def test_quotes_the_texts_of_others(self):
+        for given, shown in (('x"y', '"x"y"'), ("a\nb\x1b[2J", '"a?b?[2J"'), ("\u00e9\u2028\U0001F600.", '"???."')):
+            top = json.loads(text(os.path.join(HERE, "data/strata/open.json")))
+            top["tree"], top["claim"] = {"node": "open", "reason": given}, {"abelian": None}
+            with tempfile.NamedTemporaryFile("w", suffix=".json") as f:
+                json.dump(top, f)
+                f.flush()
+                said = subprocess.run([KOVACIC, "verify", f.name], text=True, stdout=subprocess.PIPE, check=False).stdout
+            self.assertIn(f"always: undecided ({shown})\n", said)
+            self.assertEqual(V.check(json.dumps(top))[2][-1], f"  always: undecided ({shown})")
 
     def test_refuses_the_false_ones(self):
         for path in files("false"):
@@ -133,11 +155,11 @@ class Arithmetic(unittest.TestCase):
             self.assertFalse(exact.irreducible(m), m)
 
     def test_square(self):
-        self.assertTrue(exact.is_square([4], 7))
-        self.assertTrue(exact.is_square([3, 6, 3], 7))
-        self.assertFalse(exact.is_square([1, 1, 1], 7))
-        self.assertTrue(exact.is_square([0, 0, 1, 2, 1], 7))
-        self.assertFalse(exact.is_square([0, 1, 2, 1], 7))
+        self.assertTrue(modular.is_square([4], 7))
+        self.assertTrue(modular.is_square([3, 6, 3], 7))
+        self.assertFalse(modular.is_square([1, 1, 1], 7))
+        self.assertTrue(modular.is_square([0, 0, 1, 2, 1], 7))
+        self.assertFalse(modular.is_square([0, 1, 2, 1], 7))
 
     def test_division(self):
         exact.K.m, exact.K.d, exact.K.s = [-2, 0, 1], 2, 3

@@ -4,9 +4,9 @@
 #include "answer.hpp"
 #include "commands.hpp"
 
+#include "certify/statement.hpp"
 #include "certify/strata_check.hpp"
 #include "exact/error.hpp"
-#include "exact/rational_function.hpp"
 #include "symbol/document.hpp"
 
 #include <nlohmann/json.hpp>
@@ -47,31 +47,12 @@ Report accepted(Report r, std::size_t trusted, bool strict) {
   return r;
 }
 
-// What the certificate is about, cut where it is long.
-std::string shortened(const std::string& text) {
-  constexpr std::size_t most = 120;
-  return text.size() <= most ? text : text.substr(0, most) + " ...";
-}
-
-std::string conditions_text(const certify::StrataCertificate& c) {
-  std::string text;
-  for (const auto& a : c.assumptions) {
-    const char* relation = a.sign == certify::Sign::positive      ? " > 0"
-                           : a.sign == certify::Sign::nonnegative ? " >= 0"
-                           : a.sign == certify::Sign::nonzero     ? " != 0"
-                                                                  : " = 0";
-    text += (text.empty() ? "" : ", ") + to_string(a.f) + relation;
-  }
-  return text;
-}
-
 Report judge_group(Report r, const std::string& certificate, bool strict) {
   const certify::Certificate c = certify::read_certificate(certificate);
   const auto verdict = certify::check(c);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "step", *no);
   r["steps"] = c.steps.size();
-  r["equation"] =
-      "y'' = " + shortened("(" + to_string(RationalFunction(c.num, c.den)) + ")") + " y";
+  r["statement"] = certify::statement(c);
   r = accepted(r, std::get<certify::Accepted>(verdict).trusted_steps, strict);
   r["claim"] = claim_of(c.claim);
   return r;
@@ -83,9 +64,7 @@ Report judge_strata(Report r, const std::string& certificate, bool strict) {
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "node", *no);
   const auto& yes = std::get<certify::StrataAccepted>(verdict);
   r = accepted(r, yes.trusted, strict);
-  r["equation"] =
-      "y'' = ((" + shortened(to_string(c.r.num)) + ")/(" + shortened(to_string(c.r.den)) + ")) y";
-  r["assumptions"] = conditions_text(c);
+  r["statement"] = certify::statement(c);
   r["strata"] = Report{{"abelian", yes.abelian},
                        {"not_abelian", yes.not_abelian},
                        {"undecided", yes.open},
@@ -169,9 +148,8 @@ std::string text(const Report& r) {
   if (r.contains("reason")) s += ": " + r["reason"].get<std::string>();
   s += "\n";
   if (r["verdict"] != "accepted") return s;
-  s += "  " + r["equation"].get<std::string>() + "\n";
-  if (const std::string a = r.value("assumptions", ""); !a.empty())
-    s += "  for " + shortened(a) + "\n";
+  for (const auto& line : r["statement"])
+    s += "  " + line.get<std::string>() + "\n";
   return s;
 }
 

@@ -70,8 +70,8 @@ def read(kind, v, path):
         return [read(kind[0], x, f"{path}[{i}]") for i, x in enumerate(v)]
     if kind == "poly":
         return read_poly(v, right)
-    if kind in ("any", "truth"):
-        right(kind == "any" or isinstance(v, bool), "true or false is expected")
+    if kind in ("any", "truth", "true"):
+        right(kind == "any" or v is True or v is False and kind == "truth", f"{kind} is expected")
         return v
     right(isinstance(v, str), "a string is expected")
     if kind == "text" or kind == "place" and v == "infinity":

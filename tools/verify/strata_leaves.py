@@ -5,7 +5,8 @@ from functools import reduce
 from math import ceil, isqrt, lcm
 
 from certificate_format import need
-from exact import exact_sqrt, is_prime, mgcd, trim
+from exact import exact_sqrt
+from modular import is_prime, mgcd, trim
 from multivariate import ONE, P, determinant, product, pseudo_remainder, quotient, ratio, resultant, spend
 from places import Local, Place
 
@@ -61,7 +62,7 @@ class Leaf:
 
     def __init__(self, s, d):
         self.s, self.by, self.absent = s, d["by"], {x["m"]: x for x in d["absent"] or []}
-        need(s.num, "r is 0")
+        need(s.num and len(self.absent) == len(d["absent"] or []), "r is 0, or a degree occurs twice")
         self.content, self.qs, self.orders = factors(s, d["content"], d["places"])
         for i, (q, k) in enumerate(zip(self.qs, self.orders)):
             need(q.degree(Z) == 1 or s.is_nonzero(resultant(q, q.diff(Z), Z)), "two roots of a place may meet")
@@ -126,7 +127,7 @@ class Leaf:
     def is_bound(self, B, a, b):
         """B - Delta^2 = (B b + a) b/b^2 >= 0, b real (7.5)"""
         c, signs = (b * B.numerator + a * B.denominator) * b, (b, b * -1)
-        return (not c or self.s.is_positive(c)) and (self.is_real(b) or any(map(self.s.is_positive, signs)))
+        return not c or self.s.is_positive(c) and (self.is_real(b) or any(map(self.s.is_positive, signs)))
 
     def is_irrational(self, why, chi, square):
         """chi has no root that is the square of a rational number, at any point (7.2)."""
@@ -206,10 +207,10 @@ class Leaf:
 
     def no_invariant(self, m):
         """Of degree m, at any point: by D_m, or by a system of full rank."""
-        D = self.local.degree_bound(m)
-        if D < 0:
+        need(m <= 200, "the degree of an invariant is too large")
+        if (D := self.local.degree_bound(m)) < 0:
             return True
-        need(m <= 200 and D < 40 and m in self.absent, f"an invariant of degree {m} is not excluded")
+        need(D < 40 and m in self.absent, f"an invariant of degree {m} is not excluded")
         data = [(q, k, x.lowest(m)) for q, k, x in zip(self.qs, self.orders, self.local.finite)]
         powers = symmetric_power(self.s, self.content, data, m, [P({j: 1}) for j in range(D + 1)])
         columns, minors, absent = [f.coefficients(Z) for f in powers], [], self.absent[m]
@@ -218,7 +219,7 @@ class Leaf:
             minors.append(determinant([[c[i] if i < len(c) else P() for c in columns] for i in rows]))
         times = [self.s.poly(minor["times"]) for minor in absent["minors"]]
         if absent["prime"] is not None:
-            need(all(f == ONE for f in times), "a prime separates the minors themselves")
+            need(len(times) >= 2 and all(f == ONE for f in times), "a prime separates two or more minors themselves")
             return self.no_common_root([self.s.rest(f) for f in minors if f], absent["prime"])
         return self.s.is_nonzero(sum((f * t for f, t in zip(minors, times)), P()))
 

@@ -1,0 +1,196 @@
+"""The other rules of kovacic-certificate/1 (docs/theory/certificates.md 2): each method checks the data d of one step;
+the numbers in brackets are those of the pages beside it."""
+from math import isqrt
+from operator import mul
+
+from certificate_format import BULK, LENGTH, need
+from equation import WORK, Fact, Invariant
+from exact import K, ONE, ZERO, division, product
+from modular import is_square, madd, mdiff, mdivmod, meval, mgcd, minverse, mmul, mshift, power, rank
+from singular_points import SingularPoints
+
+
+class Checker(SingularPoints):
+    def exponential(self, d):
+        """omega = n/e + P'/P satisfies omega' + omega^2 = r (normal_form.md 2.6)."""
+        P, n, e = d["p"], d["num"], d["den"]
+        need(P.c and e.c, "omega is not defined")
+        left = e * e * P.diff().diff() + n * e * 2 * P.diff() + (n.diff() * e - n * e.diff() + n * n) * P
+        need(self.den * left == self.num * (e * e) * P, "omega' + omega^2 is not r")
+        return Fact("exponential")
+
+    def invariant(self, d):
+        """v = P prod q^e solves Sym^m (normal_form.md 2.5)."""
+        m, P, factors, S, theta = d["m"], d["p"], [(f["q"], f["e"]) for f in d["factors"]], ONE, ZERO
+        need(1 <= m <= 200 and P.c, "not a nonzero function of degree 1 to 200")
+        need(all(q.degree() >= 1 and q.lead() == ONE for q, _ in factors), "a factor is not a monic polynomial")
+        need(all(abs(e) <= 10**7 and (e * (2 if m == 2 else 1)).denominator == 1 for _, e in factors),
+             "exponents must be integers (half-integers for m = 2)")
+        for q, e in factors:                # theta/S = sum e q'/q
+            S, theta = S * q, theta * q + S * q.diff() * e
+        self.need_squarefree(S, d["prime"])
+        if division(S * S, self.den)[1].c:
+            S, theta = S * self.den, theta * self.den
+        rs, T = self.num * division(S * S, self.den)[0], [P, S * P.diff() + theta * P]
+        length, size = P.degree() + m * S.degree(), P.bits() + (m + 1) * (S.bits() + rs.bits() + theta.bits())
+        need(length * size <= BULK, "the invariant is too large")
+        self.spend(m * length * (1 + size / 64))
+        for i in range(1, m + 1):
+            T.append(S * T[i].diff() + (theta - S.diff() * i) * T[i] - rs * T[i - 1] * (i * (m - i + 1)))
+        need(not T[m + 1].c, "the symmetric power does not vanish on v")
+        v = Invariant("invariant", m=m, p=P, factors=factors, top=ZERO,
+                      branch=product(q for q, e in factors if e.denominator == 2))
+        if m == 2:                          # w^2 at a point where S does not vanish
+            z = next((z for z in range(2000) if S.at(z).c), None)
+            need(z is not None, "no point to evaluate w^2")
+            v.top, v.bottom = T[1].at(z)**2 - T[0].at(z) * T[2].at(z) * 2, S.at(z)**2
+            v.powers = [(q.at(z), int(2 * e)) for q, e in factors if e]
+        return v
+
+    def no_exponential(self, d, local):
+        if d["by"] == "parity":
+            need(any(x.ramified for x in local.all), "no place of odd order")
+        elif d["by"] == "degree":
+            need(local.degree_bound_1() < 0, "D_1 is not negative")
+        else:
+            self.series(d, local)
+        return Fact("irreducible")
+
+    def series(self, d, local):
+        """No exponential solution, from one place modulo p (riccati_one_place.md)."""
+        p, reduce, num, den = self.good(d)
+        root, terms, delta = d["root"], d["terms"], d["delta"]
+        if d["place"] == "infinity":
+            x, root = local.infinity, None
+            need(x.order >= 1, "infinity is not singular")
+        else:
+            need(0 <= d["place"] < len(local.finite), "no such place")
+            x = local.finite[d["place"]]
+            need(root < p and meval(reduce(x.q), root, p) == 0, "not a root of the place modulo p")
+        need(2 <= terms <= LENGTH and delta < p, "too few or too many terms, or delta is not reduced")
+        L = local.degree_bound_1() + sum(y.n * max(1, y.order // 2) for y in local.finite)
+        L += max(1, x.order // 2) if root is None else max(0, local.infinity.order // 2 - 2) + 1
+        n, e = self.expansion(p, num, den, root, x.order)
+        starts = dict.fromkeys((1 + s) * (p + 1) // 2 % p if x.order <= 2 else s % p for s in (delta, -delta))
+        found = [S for S in (self.riccati(n, e, x.order, s, terms, p) for s in starts) if S]
+        need(len(found) == len(d["lines"]), "each line that is left needs one approximant")
+        for S, line in zip(found, d["lines"]):
+            C, length = line["approximant"], line["length"]
+            need(len(C) <= length + 1 and all(v < p for v in C), "the approximant is too long, or not reduced")
+            v = mmul(C, S, p, terms)
+            k = next((i for i in range(length, len(v)) if v[i]), -1)
+            need(k >= 0 and k + 1 - length > L, "a solution of the allowed degree is not excluded")
+
+    def p_curvature(self, d, local):
+        """B_p and what it excludes (p_curvature.md 1, 4, 5)."""
+        p, reduce, n, e = self.good(d)
+        size, e1, rows = len(n) + len(e), mdiff(e, p), [([1], [])]
+        need(p * size <= 10**7 and p * p * size <= WORK, "the prime is too large for a p-curvature")
+        self.spend(p * p * size)
+        for k in range(p + 1):              # y^(k) = (A y + B y')/den^k
+            A, B = rows[-1]
+            rows.append((madd(madd(mmul(e, mdiff(A, p), p), mmul(e1, A, p), p, -k), mmul(n, B, p), p),
+                         madd(madd(mmul(e, A, p), mmul(e, mdiff(B, p), p), p), mmul(e1, B, p), p, -k)))
+        (A, B), (C, _) = rows[-2:]
+        f, rest = mdivmod(madd(mmul(mmul(A, A, p), e, p), mmul(B, C, p), p), e, p)
+        need(not rest and not any(x for i, x in enumerate(f) if i % p), "the p-curvature is not a p-th power")
+        b = rest = f[::p]
+        need(b, "the p-curvature is nilpotent")
+        if d["shows"] == "sl2":
+            need(p >= 7 and local is not None, "sl2 needs p >= 7 and a local premise")
+            for q in (reduce(x.q) for x in local.finite if x.exchanges_lines()):
+                while len(g := mgcd(rest, q, p)) > 1:
+                    rest = mdivmod(rest, g, p)[0]
+            odd_infinity = len(b) % 2 == 0 and not local.infinity.exchanges_lines()
+            need(odd_infinity or len(rest) > 1 and not is_square(rest, p), "no odd place of B_p is excluded")
+        else:
+            need(d["shows"] == "nonzero" or d["shows"] == "irreducible" and not is_square(b, p), "B_p is a square")
+        return Fact("p-curvature", shows=d["shows"], p=p)
+
+    def no_invariant(self, d, local):
+        """Sym^m has no rational solution: degree, or rank m + 1 modulo p (invariants_one_point.md 1)."""
+        m = d["m"]
+        need(2 <= m <= 200 and m % 2 == 0, "m must be even")
+        D = local.degree_bound(m)
+        if d["by"] == "degree":
+            need(D < 0, "D_m is not negative")
+            return Fact("no-invariant", m=m)
+        need(all(x.lowest(m) is not None for x in local.finite), "the degree bound is negative: use degree")
+        p, reduce, num, den = self.good(d)
+        T, x0, groups, U, first = d["terms"], d["x0"], {}, [1], max(D, -1) + 1
+        need(0 <= T - first - m - 1 <= 1000 and T <= p and (m + 1) * T <= 2 * 10**7 and T * self.length <= WORK,
+             "terms out of range")
+        self.spend(T * (self.length + (m + 1)**2))
+        need(x0 < p and meval(den, x0, p), "x0 is a pole modulo p")
+        n, e = mshift(num, x0, p), mshift(den, x0, p)
+        y1, y2 = (self.solution(n, e, y, T, p) for y in ([1, 0], [0, 1]))
+        for x in local.finite:
+            k = x.lowest(m)
+            groups[k] = mmul(groups.get(k, [1]), mshift(reduce(x.q), x0, p), p, T)
+        for k, f in groups.items():         # U = prod q^(-k)
+            need(abs(k) < 10**7, "an exponent is too large")
+            if k:
+                f = power(minverse(f, p, T) if k > 0 else f, abs(k), lambda x, y: mmul(x, y, p, T))
+                U = mmul(U, f, p, T)
+        a, b = [[1]], [U]
+        for i in range(m):
+            a, b = a + [mmul(a[i], y1, p, T)], b + [mmul(b[i], y2, p, T)]
+        rows = [(mmul(a[i], b[m - i], p, T) + [0] * T)[first:T] for i in range(m + 1)]
+        need(rank(rows, p) == m + 1, "the rank is not m + 1")
+        return Fact("no-invariant", m=m)
+
+    @staticmethod
+    def solution(n, e, y, T, p):
+        """The solution of e y'' = n y with given y(0), y'(0), modulo t^T."""
+        u, w, n, e = pow(e[0], -1, p), [], n[::-1], e[:0:-1]     # w_i = (i+2)(i+1) y_(i+2)
+        for k in range(T - 2):
+            s = sum(map(mul, n[-k - 1:], y[max(0, k + 1 - len(n)):k + 1]))
+            s -= sum(map(mul, e[-k:] if k else [], w[max(0, k - len(e)):k]))
+            w.append(s * u % p)
+            y.append(w[-1] * pow((k + 2) * (k + 1), -1, p) % p)
+        return y
+
+    def torsion_function(self, d, local, v):
+        """h = (a + b w s)/c has h' = n (w/v) h, and no root of h does better (dihedral_torsion.md 6)."""
+        n, a, b, c, f = d["n"], d["a"], d["b"], d["den"], v.branch
+        need(1 <= n <= 10**6 and c.c and (a.c or b.c), "not a torsion function")
+        (A, B), top, bottom = v.fraction(), v.top, v.bottom
+        need(sum(abs(k) * (1 + u.bits()) for u, k in v.powers) <= 10**8, "an exponent is too large")
+        for u, k in v.powers:
+            top, bottom = (top * u**k, bottom) if k > 0 else (top, bottom * u**-k)
+        first = (a.diff() * c - a * c.diff()) * A * bottom == top * b * B * c * n
+        second = ((b.diff() * c - b * c.diff()) * f * 2 + b * c * f.diff()) * A == a * B * c * (2 * n)
+        need(first and second, "h' = n (w/v) h fails")
+        L, left, l, seen = local.residue_denominator(v) if local else 1, n, 2, {t["l"] for t in d["minimal"]}
+        while left > 1:
+            k = 1
+            while left % l == 0:
+                left, k = left // l, k * l
+            need(L % k == 0 or l in seen, "it is not shown that h is not a power")
+            l += 1
+        for t in d["minimal"]:
+            self.need_not_a_power(t, n, a, b, c, v)
+        return Fact("torsion-function", n=n, of=v)
+
+    def need_not_a_power(self, t, n, a, b, c, v):
+        """h takes values at two points whose quotient is not an l-th power modulo p."""
+        p, reduce = self.good(t)[:2]
+        l, w, F, h = t["l"], t["w"], reduce(v.branch), []
+        need(l >= 2 and p % l == 1 and n % l == 0, "l must divide n and p - 1")
+        need(meval(mdiff(K.m, p), t["a"], p), "the prime ramifies")
+        v.need_root(w, p, reduce)
+        need(not is_square(F, p), "F0 is a square modulo p")
+        for x, s in ((t["x1"], t["s1"]), (t["x2"], t["s2"])):
+            u, e, g = (meval(reduce(y), x, p) for y in (a, b, c))
+            need(0 < s < p and x < p and (s * s - meval(F, x, p)) % p == 0 and g, "not a point where h is defined")
+            h.append((u + e * w * s) * pow(g, -1, p) % p)
+        need(h[0] and h[1] and pow(h[0] * pow(h[1], -1, p), (p - 1) // l, p) != 1, "h(1)/h(2) is a power")
+
+    def good_reduction(self, d, local, v):
+        """The curve s^2 = F0 stays smooth modulo p: a bound for torsion of order prime to p (dihedral_torsion.md 7)."""
+        p, reduce = self.good(d)[:2]
+        f, genus = reduce(v.branch), (v.branch.degree() - 1) // 2
+        need(len(mgcd(f, mdiff(f, p), p)) == 1, "F0 is not squarefree modulo p")
+        need(meval(mdiff(K.m, p), d["a"], p), "the prime ramifies")
+        need(all(sum(reduce(c)) for c in (v.top, v.bottom, *(c for c, _ in v.powers))), "w^2 is not a unit modulo p")
+        return Fact("good-reduction", p=p, bound=(p + 2 + isqrt(4 * p))**genus, of=v)

@@ -1,0 +1,77 @@
+"""What has been checked, as text (docs/theory/strata_certificates.md 8, certificates.md 4): lines made from what was
+read and from nothing else."""
+import re
+from fractions import Fraction
+
+from exact import K
+from multivariate import FIELD, MASK, VARIABLES
+
+RELATION = {"positive": "> 0", "nonnegative": ">= 0", "nonzero": "!= 0", "zero": "= 0"}
+SAID = {"yes": "abelian", "no": "not abelian", "empty": "no points"}
+
+
+def quoted(text):
+    """The text of somebody else."""
+    return '"' + re.sub(r"[^ -~]", "?", text) + '"'
+
+
+def joined(terms, names):
+    """terms: pairs (exponents, coefficient), in the order in which they are shown"""
+    text = ""
+    for exponents, c in terms:
+        sign, size = "-" if c < 0 else "+", abs(c)
+        powers = [name + f"^{e}" * (e > 1) for name, e in zip(names, exponents) if e]
+        text += f" {sign} " if text else "-" * (c < 0)
+        text += "*".join(([str(size)] if size != 1 or not powers else []) + powers)
+    return text or "0"
+
+
+def polynomial(f, names):
+    """f in several variables, names: of all in their order"""
+    terms = [([k >> FIELD * i & MASK for i in range(VARIABLES)], c) for k, c in f.items()]
+    return joined(sorted(terms, reverse=True), names)
+
+
+def over_field(f):
+    """f in K[z]; the generator is called a."""
+    rows = [(i, f.c[i * K.s:i * K.s + K.d]) for i in range(f.degree(), -1, -1)]
+    return joined([((i, j), Fraction(row[j], f.q)) for i, row in rows for j in range(len(row) - 1, -1, -1) if row[j]],
+                  ("z", "a"))
+
+
+def group(num, den, minimal, claim, trusted):
+    """Of an ordinary certificate; trusted: pairs (theorem, statement)."""
+    field = joined([((j,), c) for j, c in reversed(list(enumerate(minimal))) if c], ("a",))
+    lines = [f"y'' = (({over_field(num)})/({over_field(den)})) y" + f", {field} = 0" * (len(minimal) > 2)]
+    said, word = [], {True: "abelian", False: "not abelian"}.get(claim.get("abelian"))
+    if "group" in claim:
+        said.append(f"the differential Galois group is {claim['group']}" + (f"_{claim['n']}" if "n" in claim else ""))
+    if "component" in claim:
+        said.append(f"its identity component is {claim['component']}")
+    if word:
+        said.append(word if "component" in claim else f"its identity component is {word}")
+    return lines + [", ".join(said)] + [f"trusted, {quoted(a)}: {quoted(b)}" for a, b in trusted]
+
+
+def strata(s, parameters, claim, leaves):
+    """Of a certificate over strata; s: the Stratum of all admitted points; leaves: the lines of the tree."""
+    names = [s.variable, *parameters]
+
+    def show(f):
+        return polynomial(f, names)
+    kinds = {"C": [], "R": [], "Q": []}
+    for i, x in enumerate(parameters):
+        x_is = FIELD * (i + 1)
+        kinds["Q" if x_is in s.rational else "R" if x_is in s.real else "C"].append(x)
+    points = "; ".join(f"{', '.join(xs)} in {kind}" for kind, xs in kinds.items() if xs)
+    given = [f"{show(f)} {RELATION[sign]}" for f, sign in s.conditions]
+    given += [f"({show(a)})/({show(b)}) {'in' if integral else 'not in'} Z" for a, b, integral in s.memberships]
+    given = ", ".join(dict.fromkeys(given))
+    lines = ["for " + (f"all {points}" if points else "the equation") + " with " * bool(given) + given]
+    groups = [group for group in s.groups if not any(f.constant() for f in group)]
+    lines += dict.fromkeys("except where " + " = ".join(map(show, group)) + " = 0" for group in groups)
+    if not s.den.variables() <= {0}:
+        lines.append(f"except where {show(s.den)} = 0 for all {s.variable}")
+    said = {True: "abelian", False: "not abelian", None: "on these strata:"}[claim]
+    subject = "the identity component of the differential Galois group of"
+    return lines + [f"{subject} y'' = (({show(s.num)})/({show(s.den)})) y is {said}", *leaves]
