@@ -21,21 +21,41 @@ bool moves_upward(const Body<double>& b, const State<double>& x, const SectionRu
   return (s_rate < 0) == (r.side > 0);
 }
 
+namespace {
+
+double sum_of_sizes(const Vec<double>& v) {
+  return std::abs(v[0]) + std::abs(v[1]) + std::abs(v[2]);
+}
+
+// |m g L.Gamma| at most
+double weight(const Body<double>& b, const Levels<double>& f) {
+  return b.mass * std::abs(b.gravity) * sum_of_sizes(b.lever) * std::sqrt(f.length);
+}
+
+} // namespace
+
+// H >= M^2/(2 tr J) - weight with J = I + m v v^T, |v| <= |L| |Gamma|, for the sliding tip and J =
+// I otherwise.
+double largest_momentum(const Body<double>& b, const Levels<double>& f) {
+  double moments = b.inertia[0][0] + b.inertia[1][1] + b.inertia[2][2];
+  const double lever = sum_of_sizes(b.lever);
+  if (b.sliding) moments += b.mass * lever * lever * f.length;
+  return std::sqrt(2 * moments * (std::abs(f.energy) + weight(b, f))) * 1.01 +
+         2 * sum_of_sizes(b.gyrostat);
+}
+
+Levels<double> sizes_on_level(const Body<double>& b, const Levels<double>& f) {
+  const double energy = std::max(std::abs(f.energy), weight(b, f));
+  return {energy > 0 ? energy : 1, f.length,
+          std::max(largest_momentum(b, f) * std::sqrt(f.length), 1e-300)};
+}
+
 std::vector<double> momentum_sizes(const Body<double>& b, const Levels<double>& f,
                                    const SectionRule& rule, double l, double y) {
   const auto excess = [&](double g) {
     return integrals(b, section_point(b, f, rule, l, y, g)).energy - f.energy;
   };
-  double moments = 0, gyro = 0, lever = 0;
-  for (int i = 0; i < 3; ++i) {
-    moments += b.inertia[i][i];
-    gyro += std::abs(b.gyrostat[i]);
-    lever += std::abs(b.lever[i]);
-  }
-  const double height = b.mass * std::abs(b.gravity) * lever * std::sqrt(f.length);
-  // H >= (N^2)/(2 tr J) - ... - height bounds G from above; J <= I + m |L|^2 F1.
-  const double inertia = moments + b.mass * lever * lever * f.length;
-  const double most = std::sqrt(2 * inertia * (std::abs(f.energy) + height)) * 1.01 + 2 * gyro;
+  const double most = largest_momentum(b, f);
   const double least = std::abs(f.casimir) / std::sqrt(f.length) * (1 + 1e-13);
   std::vector<double> found;
   const int cells = 400;

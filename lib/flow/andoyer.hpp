@@ -62,6 +62,11 @@ State<R> section_point(const Body<R>& b, const Levels<R>& f, const SectionRule& 
 /// dg/dt > 0?  (Where it is 0 the section is tangent to the flow.)
 [[nodiscard]] bool moves_upward(const Body<double>& b, const State<double>& x, const SectionRule& r);
 
+/// A bound of G on the level.
+[[nodiscard]] double largest_momentum(const Body<double>& b, const Levels<double>& f);
+/// How large H, F1 and F2 can be on the level: drifts are relative to these, whatever the units.
+[[nodiscard]] Levels<double> sizes_on_level(const Body<double>& b, const Levels<double>& f);
+
 /// Every G that the level allows at (l, y) with the wanted direction, ascending; found by a scan of 400 values
 /// and bisection, so that two values closer than the scan may be missed.  Empty: no such point.
 [[nodiscard]] std::vector<double> momentum_sizes(const Body<double>& b, const Levels<double>& f,

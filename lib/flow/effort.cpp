@@ -64,7 +64,7 @@ template <class R> struct Trial {
   Model<R> model;
   Run<R> run;
   std::vector<R> numbers;
-  int lanes = 8;
+  int lanes = 0;
 
   Trial(const Scene& s, double log2_tolerance, std::size_t orbits)
       : body(s.body<R>()), effects(s.effects()), model(model_of(body, effects)),
@@ -117,9 +117,8 @@ double distance(const std::array<BigReal, 2>& a, const std::array<BigReal, 2>& b
 
 template <class R>
 void compare(Effort& e, const Scene& s, const Counter<R>& run, const Reference& reference) {
-  const Levels<double> f = s.levels<double>();
-  const double scale[] = {std::max(1.0, std::abs(f.energy)), f.length,
-                          std::max(1.0, std::abs(f.casimir))};
+  const Levels<double> sizes = sizes_on_level(s.body<double>(), s.levels<double>());
+  const double scale[] = {sizes.energy, sizes.length, sizes.casimir};
   for (std::size_t i = 0; i < run.ends.size(); ++i) {
     e.crossings += run.crossings[i];
     e.wrong += run.crossings[i] != reference.crossings.at(i) ? 1 : 0;
@@ -157,7 +156,7 @@ long bits_of(int digits) { return static_cast<long>(std::ceil(digits * std::log2
 std::string to_string(Arithmetic a) {
   switch (a) {
   case Arithmetic::packs:
-    return "double-8-lanes";
+    return "double-" + std::to_string(best_lanes()) + "-lanes";
   case Arithmetic::one_lane:
     return "double-1-lane";
   case Arithmetic::extended:
@@ -187,13 +186,13 @@ Effort measure(const Scene& scene, Arithmetic arithmetic, int digits, std::size_
   const PrecisionScope scope(bits_of(std::max(digits + 4, 40)));
   switch (arithmetic) {
   case Arithmetic::packs:
-    return measured<double>(scene, digits, orbits, 8, reference);
+    return measured<double>(scene, digits, orbits, best_lanes(), reference);
   case Arithmetic::one_lane:
     return measured<double>(scene, digits, orbits, 1, reference);
   case Arithmetic::extended:
     return measured<long double>(scene, digits, orbits, 1, reference);
   case Arithmetic::pairs:
-    return measured<Twin1>(scene, digits, orbits, 8, reference);
+    return measured<Twin1>(scene, digits, orbits, 0, reference);
   default:
     return measured<BigReal>(scene, digits, orbits, 1, reference);
   }

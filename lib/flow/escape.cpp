@@ -2,8 +2,6 @@
 
 #include "flow/simulate.hpp"
 
-#include "exact/error.hpp"
-
 #include <cmath>
 
 namespace kov::flow {
@@ -80,7 +78,7 @@ template <class R> double escape(const Scene& s, const Quantity& l, double until
   if constexpr (std::is_same_v<R, double>)
     integrate(effects, model, body.sliding, run, 1);
   else if constexpr (std::is_same_v<R, Twin1>)
-    integrate(effects, model, body.sliding, run, 8);
+    integrate(effects, model, body.sliding, run, 0);
   else
     integrate(effects, model, body.sliding, run);
   return watch.off ? watch.time : until;
@@ -90,7 +88,8 @@ template <class R> double escape(const Scene& s, const Quantity& l, double until
 
 double escape_time(const Scene& scene, Arithmetic arithmetic, int digits, const Quantity& l,
                    double until) {
-  if (!scene.sign_of) throw InvalidArgument("the scene names no plane (plot.sign_of)");
+  if (!scene.sign_of)
+    throw InputError(scene.file, 0, 0, 1, "the scene names no plane", "give sign_of in [plot]");
   const int enough = arithmetic == Arithmetic::mpfr ? digits : 40;
   const PrecisionScope scope(static_cast<long>(enough * std::log2(10.0)));
   switch (arithmetic) {

@@ -15,7 +15,7 @@ namespace kov::flow {
 /// l; `until` if there is none.
 ///
 /// Shape   digits: of Arithmetic::mpfr; the others have their own
-/// Errors  InvalidArgument: the scene has no `sign_of`; InputError: the level has no point there
+/// Errors  InputError: the scene has no `sign_of`, or the level has no point there
 [[nodiscard]] double escape_time(const Scene& scene, Arithmetic arithmetic, int digits,
                                  const Quantity& l, double until);
 

@@ -1,5 +1,6 @@
 #include "flow/fixed_points.hpp"
 
+#include "flow/own_units.hpp"
 #include "flow/section_map.hpp"
 
 #include <algorithm>
@@ -11,11 +12,12 @@ namespace {
 
 double wrapped(double angle) { return std::remainder(angle, 2 * pi_of(0.0)); }
 
-// The section map in double, with its derivative.
+// The section map in double, with its derivative, on one sheet of the level: the place in the order
+// of the values of G over (l, L/G), from the largest.
 class SectionMap {
 public:
-  explicit SectionMap(const Scene& s)
-      : plain_(s.body<double>()), plain_levels_(s.levels<double>()),
+  SectionMap(const Scene& s, std::size_t sheet)
+      : sheet_(sheet), plain_(s.body<double>()), plain_levels_(s.levels<double>()),
         body_(dual_body(plain_)), levels_{Dual<double>(plain_levels_.energy),
                                           Dual<double>(plain_levels_.length),
                                           Dual<double>(plain_levels_.casimir)},
@@ -24,8 +26,8 @@ public:
   [[nodiscard]] std::optional<double> size_at(double l, double y) const {
     if (std::abs(y) >= 1) return std::nullopt;
     const auto sizes = momentum_sizes(plain_, plain_levels_, rule_, l, y);
-    if (sizes.empty()) return std::nullopt;
-    return sizes.back();
+    if (sizes.size() <= sheet_) return std::nullopt;
+    return sizes[sizes.size() - 1 - sheet_];
   }
 
   [[nodiscard]] std::optional<SectionImage<double>> operator()(double l, double y) const {
@@ -42,13 +44,14 @@ public:
       double b[order + 1], power = 1;
       for (int k = 0; k <= order; ++k, power *= h)
         b[k] = s[k].v * power;
-      Root<double> roots[8];
+      Root<double> roots[order];
       int tangencies = 0;
-      const int n =
-          sign_changes(b, order, 1e-15, above, rule_.falling, rule_.rising, roots, 8, tangencies);
+      const int n = sign_changes(b, order, 1e-15, above, rule_.falling, rule_.rising, roots, order,
+                                 tangencies);
       for (int i = 0; i < n; ++i) {
         const auto image = land(jet, s, roots[i].x * h, l);
-        if (image) return SectionImage<double>{image->l, image->y, time + roots[i].x * h};
+        if (image)
+          return SectionImage<double>{image->l, image->y, time + roots[i].x * h, image->g_size};
       }
       x = jet.at(Dual<double>(h), order);
       time += h;
@@ -58,6 +61,7 @@ public:
 
 private:
   static constexpr int order = 18;
+  std::size_t sheet_;
   Body<double> plain_;
   Levels<double> plain_levels_;
   Body<Dual<double>> body_;
@@ -66,7 +70,7 @@ private:
   Effects effects_;
 
   static double step_size(const VariationalJet<double>& jet) {
-    double h = 1;
+    double h = 1e100;
     for (const int k : {order - 1, order}) {
       const State<Dual<double>> c = jet.coefficient(k);
       double size = 1e-300;
@@ -76,6 +80,15 @@ private:
       h = std::min(h, std::pow(1e-16 / size, 1.0 / k));
     }
     return h;
+  }
+
+  static State<double> values(const State<Dual<double>>& x) {
+    State<double> v;
+    for (std::size_t i = 0; i < 3; ++i) {
+      v.omega[i] = x.omega[i].v;
+      v.gamma[i] = x.gamma[i].v;
+    }
+    return v;
   }
 
   // On the section with the wanted side; the time of arrival depends on the start too.
@@ -93,6 +106,8 @@ private:
     if ((section_functions(body_, x, rule_.axis).c.v > 0) != (rule_.side > 0)) return std::nullopt;
     SectionImage<double> out;
     chart(body_, x, rule_.axis, Dual<double>(about), out.l, out.y);
+    const Vec<double> n = minus(momentum(plain_, values(x)), plain_.gyrostat);
+    out.g_size = std::sqrt(dot(n, n));
     return out;
   }
 };
@@ -121,6 +136,8 @@ std::optional<FixedPoint> newton(const SectionMap& map, Place u, bool& along_a_c
     }
     if (length < 1e-12 || (length < 1e-10 && i > 12)) {
       FixedPoint f;
+      f.g_size = map.size_at(u.l, u.y).value_or(0);
+      if (!(std::abs(p->g_size - f.g_size) < 1e-6 * f.g_size)) return std::nullopt; // another sheet
       f.l = std::remainder(u.l, 2 * pi_of(0.0));
       if (f.l < -1e-9) f.l += 2 * pi_of(0.0);
       f.l = std::abs(f.l) < 1e-13 ? 0 : f.l;
@@ -159,7 +176,7 @@ struct Displacements {
 };
 
 // How often the displacement turns around the border of a cell; 0 if it is large or unknown there.
-int index_of(const Displacements& d, int i, int k) {
+int turns(const Displacements& d, int i, int k) {
   const std::pair<int, int> corners[] = {{i, k}, {i + 1, k}, {i + 1, k + 1}, {i, k + 1}, {i, k}};
   double turn = 0;
   for (int n = 0; n < 4; ++n) {
@@ -171,9 +188,11 @@ int index_of(const Displacements& d, int i, int k) {
   return static_cast<int>(std::lround(turn / (2 * pi_of(0.0))));
 }
 
+// The search on one sheet of the level.
 class Search {
 public:
-  Search(const Scene& s, const FixedPointOptions& o) : map_(s), o_(o), d_{o.columns, o.rows, {}} {}
+  Search(const Scene& s, const FixedPointOptions& o, std::size_t sheet)
+      : map_(s, sheet), o_(o), d_{o.columns, o.rows, {}} {}
 
   FixedPoints run() {
     displacements();
@@ -187,10 +206,18 @@ public:
         look(i, k);
     for (std::size_t i = 0; i < found_.points.size(); ++i) // grows meanwhile
       look_at_mirror_images(found_.points[i]);
-    std::sort(found_.points.begin(), found_.points.end(), [](const auto& a, const auto& b) {
-      return std::abs(a.l - b.l) > 1e-9 ? a.l < b.l : a.y < b.y;
-    });
+    for (const FixedPoint& f : found_.points)
+      if (f.y > place(0, 0).y && f.y < place(0, o_.rows - 1).y) found_.index_found += index_of(f);
+    found_.at_poles = int(pole_[0]) + int(pole_[1]);
     return found_;
+  }
+
+  /// Anything on this sheet?
+  [[nodiscard]] bool is_empty() const {
+    for (int i = 0; i < o_.columns; i += 4)
+      for (int k = 0; k < o_.rows; k += 4)
+        if (map_.size_at(place(i, k).l, place(i, k).y)) return false;
+    return true;
   }
 
 private:
@@ -198,7 +225,16 @@ private:
   FixedPointOptions o_;
   Displacements d_;
   FixedPoints found_;
+  bool pole_[2] = {false, false};
 
+  static int index_of(const FixedPoint& f) {
+    if (f.stability == Stability::parabolic) return 0;
+    return f.stability == Stability::hyperbolic ? -1 : 1;
+  }
+  bool stopped() {
+    if (o_.stop != nullptr && o_.stop->load()) found_.stopped = true;
+    return found_.stopped;
+  }
   // Away from the lines of symmetry, where the fixed points like to be; rows at equal latitudes
   // asin(L/G).
   [[nodiscard]] Place place(double i, double k) const {
@@ -209,23 +245,24 @@ private:
     for (int i = 0; i < o_.columns; ++i)
       for (int k = 0; k < o_.rows; ++k) {
         const Place u = place(i, k);
-        const auto p = map_(u.l, u.y);
+        const auto p = stopped() ? std::nullopt : map_(u.l, u.y);
         d_.at.push_back(p ? std::optional(Place{wrapped(p->l.v - u.l), p->y.v - u.y})
                           : std::nullopt);
       }
   }
   bool keep(const std::optional<FixedPoint>& f) {
-    if (!f || std::abs(f->y) > 0.9999) return false;
+    if (!f) return false;
+    if (1 - std::abs(f->y) < 1e-9) return pole_[f->y > 0 ? 1 : 0] = true; // no angle l there
     for (const FixedPoint& old : found_.points)
       if (std::abs(wrapped(old.l - f->l)) < 1e-7 && std::abs(old.y - f->y) < 1e-7) return true;
     FixedPoint full = *f;
-    full.g_size = map_.size_at(f->l, f->y).value_or(0);
     classify(full);
     found_.points.push_back(full);
     return true;
   }
   // Many bodies have symmetries that turn or mirror the section: a good guess for the partners, no more.
   void look_at_mirror_images(FixedPoint f) {
+    if (stopped()) return;
     bool curve = false;
     const double pi = pi_of(0.0);
     for (const double l : {f.l, -f.l, f.l + pi, pi - f.l})
@@ -233,7 +270,8 @@ private:
         keep(newton(map_, {l, y}, curve));
   }
   void look(int i, int k) {
-    const int index = k + 1 < o_.rows ? index_of(d_, i, k) : 0;
+    if (stopped()) return;
+    const int index = k + 1 < o_.rows ? turns(d_, i, k) : 0;
     found_.index_sum += index;
     const auto& here = d_(i, k);
     bool curve = false;
@@ -263,18 +301,59 @@ std::string to_string(Stability s) {
   }
 }
 
+namespace {
+
+// All sheets of the level together.
+FixedPoints search(const Scene& own, const FixedPointOptions& options) {
+  FixedPoints all;
+  for (std::size_t sheet = 0; !all.stopped; ++sheet) {
+    Search search(own, options, sheet);
+    if (sheet > 0 && search.is_empty()) break;
+    const FixedPoints one = search.run();
+    all.points.insert(all.points.end(), one.points.begin(), one.points.end());
+    all.index_sum += one.index_sum;
+    all.index_found += one.index_found;
+    all.at_poles += one.at_poles;
+    all.unexplained_cells += one.unexplained_cells;
+    all.curve_cells += one.curve_cells;
+    all.stopped = one.stopped;
+    all.degenerate = all.degenerate || one.degenerate;
+  }
+  std::sort(all.points.begin(), all.points.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.l - b.l) > 1e-9 ? a.l < b.l : a.y < b.y;
+  });
+  return all;
+}
+
+// With more and more bits, until the point is proved and its trace is known well.
+FixedPoint proved(const Scene& scene, const FixedPoint& guess, const FixedPointOptions& o) {
+  FixedPoint best = guess;
+  for (long bits = o.bits; bits <= o.most_bits; bits += o.bits / 2) {
+    const FixedPoint f = prove_fixed_point(scene, guess, bits, o.stop);
+    if (f.proved || !best.proved) best = f;
+    if ((f.proved && f.trace_error <= 1e-9) || (o.stop != nullptr && o.stop->load())) break;
+  }
+  classify(best);
+  return best;
+}
+
+} // namespace
+
 FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options) {
   if (scene.section.falling && scene.section.rising)
-    throw InvalidArgument("fixed points need one direction of crossing, not both");
-  FixedPoints found = Search(scene, options).run();
-  if (options.prove)
-    for (FixedPoint& f : found.points) {
-      const FixedPoint guess = f;
-      f = prove_fixed_point(scene, guess, options.bits);
-      if (f.proved && f.trace_error > 1e-9) // where the enclosures grow fast
-        f = prove_fixed_point(scene, guess, options.bits * 3 / 2);
-      classify(f);
-    }
+    throw InputError(scene.file, 0, 0, 1, "fixed points need one direction of crossing, not both",
+                     "direction = \"upward\" or \"downward\"");
+  const OwnUnits units = own_units(scene);
+  FixedPoints found = search(in_units(scene, units), options);
+  for (std::size_t i = 0; i < found.points.size(); ++i) {
+    FixedPoint& f = found.points[i];
+    f.g_size = std::ldexp(f.g_size, static_cast<int>(units.momentum()));
+    f.period = std::ldexp(f.period, static_cast<int>(units.time));
+    if (!options.prove) continue;
+    if (options.progress) options.progress(i, found.points.size());
+    f = proved(scene, f, options);
+  }
+  found.stopped = found.stopped || (options.stop != nullptr && options.stop->load());
   return found;
 }
 

@@ -21,6 +21,8 @@
 #include "flow/scene.hpp"
 
 #include <array>
+#include <atomic>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -48,27 +50,34 @@ struct FixedPoint {
 struct FixedPointOptions {
   int columns = 48, rows = 40; ///< of the grid of the search; rows at equal latitudes asin(L/G)
   bool prove = true;
-  long bits = 128; ///< of the proof
+  long bits = 128;      ///< of the first proof; where it fails, or says little, half as many more
+  long most_bits = 288; ///< of the last one
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(std::size_t done, std::size_t all)> progress; ///< of the proofs
 };
 
 /// What the search found, sorted by l, then by L/G.
 ///
+/// Errors    InputError: the section is crossed in both directions, which is not one map
 /// Caveat    each point with `proved` exists; that there are no others is not proved: a cell of the
 /// grid may
 ///           hide a pair of points of opposite index.  `index_sum` is the sum of the indices of the
-///           cells that are not 0; it equals (elliptic + inverse hyperbolic) - hyperbolic if all
-///           were found.
+///           cells that are not 0; `index_found` is the number of points there that are elliptic or
+///           inverse hyperbolic, less the hyperbolic ones.  If they differ, something was missed.
 struct FixedPoints {
   std::vector<FixedPoint> points;
-  int index_sum = 0;
+  int index_sum = 0, index_found = 0;
+  int at_poles = 0; ///< of L/G = +-1, where the chart ends: how many of the two Newton ran into
   int unexplained_cells = 0; ///< cells with an index where Newton found nothing
   int curve_cells =
       0; ///< cells from which Newton ran into a curve of fixed points (1 is an eigenvalue of DP)
+  bool stopped = false;    ///< before everything was searched, and proved
   bool degenerate = false; ///< more than half of the grid's points are (nearly) fixed
 };
 [[nodiscard]] FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options = {});
 
 /// Proves the fixed point near (l, y), or says why it cannot.
-[[nodiscard]] FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long bits);
+[[nodiscard]] FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long bits,
+                                           const std::atomic<bool>* stop = nullptr);
 
 } // namespace kov::flow

@@ -35,8 +35,10 @@ void KOV_JOIN(integrate_, KOV_ISA)(std::size_t set, int lanes, const Model<doubl
 void KOV_JOIN(integrate_, KOV_ISA)(std::size_t set, int lanes, const Model<Twin1>& model,
                                    bool sliding, const Run<Twin1>& run) {
   static_cast<void>(lanes); // one pack only: twins are for references, and slow to compile
-#if defined(__FMA__)
+#if defined(__AVX512F__)
   with_storage<Twin<Pack8>>(set, model, sliding, run);
+#elif defined(__FMA__)
+  with_storage<Twin<Pack4>>(set, model, sliding, run);
 #else
   with_storage<Twin<double>>(set, model, sliding, run);
 #endif

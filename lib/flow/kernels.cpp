@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 namespace kov::flow {
@@ -35,6 +36,7 @@ void dispatch(const Effects& e, const Model<R>& model, bool sliding, const Run<R
   check_order(run.order);
   const std::size_t set = std::is_same_v<R, Twin1> ? coarse_index(e) : set_of(e);
   isa = std::min(isa, best_isa());
+  if (lanes == 0) lanes = best_lanes(isa);
 #if defined(__x86_64__)
   if (isa == Isa::avx512) return entry::integrate_avx512(set, lanes, model, sliding, run);
   if (isa == Isa::avx2) return entry::integrate_avx2(set, lanes, model, sliding, run);
@@ -44,21 +46,33 @@ void dispatch(const Effects& e, const Model<R>& model, bool sliding, const Run<R
 
 } // namespace
 
-Isa best_isa() {
+namespace {
+
+Isa isa_of_processor() {
 #if defined(__x86_64__)
-  static const Isa best = [] {
-    __builtin_cpu_init();
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-        __builtin_cpu_supports("avx512vl"))
-      return Isa::avx512;
-    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? Isa::avx2
-                                                                          : Isa::baseline;
-  }();
-  return best;
-#else
-  return Isa::baseline;
+  __builtin_cpu_init();
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl"))
+    return Isa::avx512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) return Isa::avx2;
 #endif
+  return Isa::baseline;
 }
+
+Isa isa_allowed() {
+  const char* name = std::getenv("KOVACIC_ISA");
+  const std::string word = name == nullptr ? "" : name;
+  return word == "baseline" ? Isa::baseline : word == "avx2" ? Isa::avx2 : Isa::avx512;
+}
+
+} // namespace
+
+Isa best_isa() {
+  static const Isa best = std::min(isa_of_processor(), isa_allowed());
+  return best;
+}
+
+int best_lanes(Isa isa) { return isa == Isa::avx512 ? 8 : isa == Isa::avx2 ? 4 : 1; }
 
 std::string to_string(Isa isa) {
   return isa == Isa::avx512 ? "AVX-512" : isa == Isa::avx2 ? "AVX2" : "baseline";

@@ -2,6 +2,7 @@
 // fixed_points.hpp.
 
 #include "flow/fixed_points.hpp"
+#include "flow/own_units.hpp"
 #include "flow/section_map.hpp"
 
 #include <algorithm>
@@ -42,8 +43,8 @@ double magnitude(const State<DualBall>& x) {
 
 class ProvedMap {
 public:
-  explicit ProvedMap(const Scene& s)
-      : rule_(s.section), plain_(s.body<Enclosure>()),
+  ProvedMap(const Scene& s, const std::atomic<bool>* stop)
+      : stop_(stop), rule_(s.section), plain_(s.body<Enclosure>()),
         body_(dual_body(plain_)), levels_{DualBall(s.energy.as<Enclosure>()),
                                           DualBall(s.length.as<Enclosure>()),
                                           DualBall(s.casimir.as<Enclosure>())},
@@ -58,6 +59,7 @@ public:
     bool leaving = true; // the section, on which the orbit starts
     double h = 0.1;
     for (int step = 0; step < most_steps; ++step) {
+      if (stop_ != nullptr && stop_->load()) throw NotProved{"there was no time left"};
       jet_.expand(x, order_);
       Verdict v = Verdict::retry;
       State<DualBall> end;
@@ -78,6 +80,7 @@ public:
 
 private:
   static constexpr int most_steps = 3000;
+  const std::atomic<bool>* stop_;
   enum class Verdict : unsigned char { goes_on, lands, retry };
   // A step's remainder is kept below 2^(-5/8 bits): the other bits are for the growth of the
   // enclosures.
@@ -317,16 +320,22 @@ void krawczyk(FixedPoint& f, ProvedMap& map) {
 
 } // namespace
 
-FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long bits) {
+FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long bits,
+                             const std::atomic<bool>* stop) {
+  const OwnUnits units = own_units(scene);
   FixedPoint f = guess;
+  f.g_size = std::ldexp(f.g_size, static_cast<int>(-units.momentum()));
   const EnclosureScope scope(bits);
   try {
-    ProvedMap map(scene);
+    ProvedMap map(in_units(scene, units), stop);
     krawczyk(f, map);
   } catch (const NotProved& n) {
     f = guess;
     f.why = n.why;
+    return f;
   }
+  f.g_size = guess.g_size;
+  f.period = std::ldexp(f.period, static_cast<int>(units.time));
   return f;
 }
 

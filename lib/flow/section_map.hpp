@@ -18,6 +18,7 @@ template <class R> inline constexpr const auto& sets_of<Dual<R>> = coarse_sets;
 template <class R> struct SectionImage {
   Dual<R> l, y; ///< derivatives with respect to the start's (l, L/G)
   R time{};
+  R g_size{}; ///< G on arrival
 };
 
 template <class R> Body<Dual<R>> dual_body(const Body<R>& b) {

@@ -41,7 +41,7 @@ struct Goal {
   double log2_tolerance = -53;
   long max_crossings = -1;
   bool section = true;
-  int lanes = 8;
+  int lanes = 0;
   int check_every = 16;
   Isa isa = best_isa();
 };

@@ -1,5 +1,7 @@
-// kovacic-peers SCENE T: the orbits of a scene with other people's integrators, for `kovacic bench
-// accuracy`.
+// kovacic-peers SCENE [REFERENCE] [SECONDS]: the orbits of a scene with other people's integrators,
+// for `kovacic bench accuracy`.
+// kovacic-peers --ratios SCENE [SECONDS]: theirs and ours by turns in one process, so that whatever
+// slows the machine slows both: how many times as long they take for the same drift.
 //
 // Boost.odeint: dopri5 (dense output), rkf78 (controlled), Bulirsch-Stoer (dense output);
 // SUNDIALS: CVODE (Adams) and ARKODE (explicit Runge-Kutta, order 8) with their own root finding.
@@ -12,6 +14,8 @@
 // from that in the file REFERENCE (lines: orbit crossings l_1 y_1 ... l_10 y_10);  error10: largest
 // distance of the first 10 section points of each orbit from those there.
 
+// This file is compiled with contraction, as suits the others: its inlined kernels stay its own.
+#define KOV_ISA peers
 #include "flow/simulate.hpp"
 
 #include <boost/numeric/odeint.hpp>
@@ -90,12 +94,14 @@ double section(const Body<double>& b, const X& x, double& side) {
 // What is measured on the way: the same for every method.
 struct Tally {
   const Problem& p;
+  Levels<double> sizes;
   long crossings = 0, wrong = 0;
   double drift = 0, error = 0;
   Integrals<double> first{};
   std::size_t orbit = 0;
   long of_orbit = 0;
-  explicit Tally(const Problem& problem) : p(problem) {}
+  explicit Tally(const Problem& problem)
+      : p(problem), sizes(sizes_on_level(p.body, p.scene.levels<double>())) {}
   static State<double> state(const X& x) { return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}; }
   void begin(std::size_t i) {
     orbit = i;
@@ -104,10 +110,9 @@ struct Tally {
   }
   void look(const X& x) {
     const auto now = integrals(p.body, state(x));
-    drift = std::max(
-        {drift, std::abs(now.energy - first.energy) / std::max(1.0, std::abs(first.energy)),
-         std::abs(now.length - first.length) / first.length,
-         std::abs(now.casimir - first.casimir) / std::max(1.0, std::abs(first.casimir))});
+    drift = std::max({drift, std::abs(now.energy - first.energy) / sizes.energy,
+                      std::abs(now.length - first.length) / sizes.length,
+                      std::abs(now.casimir - first.casimir) / sizes.casimir});
   }
   void cross(const X& x) {
     ++crossings;
@@ -305,27 +310,64 @@ template <class F> void arkode(double tolerance, const F& f, const Problem& p, T
   SUNContext_Free(&context);
 }
 
+// ---- ours ----
+
+struct Count : Sink<double> {
+  Tally& t;
+  explicit Count(Tally& tally) : t(tally) {}
+  void crossing(const Crossing<double>&) override { ++t.crossings; }
+  void finished(std::size_t, const Finish<double>& f) override {
+    const double now[] = {f.drift[0] / t.sizes.energy, f.drift[1] / t.sizes.length,
+                          f.drift[2] / t.sizes.casimir};
+    t.drift = std::max({t.drift, now[0], now[1], now[2]});
+  }
+};
+
+void ours(double tolerance, const Problem& p, Tally& t) {
+  const Effects effects = p.scene.effects();
+  const Model<double> model = model_of(p.body, effects);
+  Count count(t);
+  Run<double> run;
+  run.section = p.scene.section;
+  run.t_end = p.t_end;
+  run.log2_tolerance = std::log2(tolerance) - safety_bits;
+  run.starts = p.starts.front().data();
+  run.orbits = p.starts.size();
+  run.order = choose_order(effects, model, run.starts, run.orbits, run.log2_tolerance);
+  run.sink = &count;
+  integrate(effects, model, p.body.sliding, run);
+}
+
+using Method = std::function<void(double tolerance, Tally&)>;
+
+template <bool sliding>
+std::map<std::string, Method> methods(const Field<sliding>& f, const Problem& p) {
+  return {{"odeint-dopri5",
+           [&](double e, Tally& t) {
+             dense(ode::make_dense_output(e, e, ode::runge_kutta_dopri5<X>()), f, p, t);
+           }},
+          {"odeint-rkf78", [&](double e, Tally& t) { rkf78(e, f, p, t); }},
+          {"odeint-bulirsch-stoer",
+           [&](double e, Tally& t) { dense(ode::bulirsch_stoer_dense_out<X>(e, e), f, p, t); }},
+          {"cvode-adams", [&](double e, Tally& t) { cvode(e, f, p, t); }},
+          {"arkode-erk8", [&](double e, Tally& t) { arkode(e, f, p, t); }}};
+}
+
+double seconds_of(const Method& method, double tolerance, Tally& tally) {
+  const double begun = cpu_seconds();
+  method(tolerance, tally);
+  return cpu_seconds() - begun;
+}
+
 template <bool sliding> void run_all(const Problem& p, double seconds_each) {
   const Field<sliding> f(p.body);
-  const std::map<std::string, std::function<void(double, Tally&)>> methods{
-      {"odeint-dopri5",
-       [&](double e, Tally& t) {
-         dense(ode::make_dense_output(e, e, ode::runge_kutta_dopri5<X>()), f, p, t);
-       }},
-      {"odeint-rkf78", [&](double e, Tally& t) { rkf78(e, f, p, t); }},
-      {"odeint-bulirsch-stoer",
-       [&](double e, Tally& t) { dense(ode::bulirsch_stoer_dense_out<X>(e, e), f, p, t); }},
-      {"cvode-adams", [&](double e, Tally& t) { cvode(e, f, p, t); }},
-      {"arkode-erk8", [&](double e, Tally& t) { arkode(e, f, p, t); }}};
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, method] : methods(f, p))
     for (int digits = 4; digits <= 15; ++digits) {
       double seconds = INFINITY;
       std::string row;
       for (int turn = 0; turn < 3 && (turn == 0 || seconds < 1); ++turn) { // the best of three
         Tally tally(p);
-        const double begun = cpu_seconds();
-        method(std::pow(10.0, -digits), tally);
-        seconds = std::min(seconds, cpu_seconds() - begun);
+        seconds = std::min(seconds, seconds_of(method, std::pow(10.0, -digits), tally));
         row = tally.row();
       }
       std::printf("%s 1e-%d %.6f %s\n", name.c_str(), digits, seconds, row.c_str());
@@ -334,21 +376,60 @@ template <bool sliding> void run_all(const Problem& p, double seconds_each) {
     }
 }
 
-} // namespace
+// The loosest tolerance with which a method stays below the drift; 0 if it does not, within the
+// time.
+double tolerance_for(const Method& method, const Problem& p, double drift, double seconds) {
+  for (int digits = 4; digits <= 15; ++digits) {
+    Tally tally(p);
+    const double spent = seconds_of(method, std::pow(10.0, -digits), tally);
+    if (tally.drift <= drift) return std::pow(10.0, -digits);
+    if (spent > seconds) break;
+  }
+  return 0;
+}
+
+template <bool sliding> void ratios(const Problem& p, double seconds) {
+  const Field<sliding> f(p.body);
+  const Method mine = [&](double e, Tally& t) { ours(e, p, t); };
+  std::printf("drift method median least most pairs\n");
+  for (const double drift : {1e-6, 1e-9, 1e-12})
+    for (const auto& [name, method] : methods(f, p)) {
+      const double e = tolerance_for(method, p, drift, seconds),
+                   my_e = tolerance_for(mine, p, drift, seconds);
+      std::vector<double> seen;
+      Tally t(p);
+      const double begun = cpu_seconds();
+      while (e > 0 && seen.size() < 15 && (seen.size() < 3 || cpu_seconds() - begun < seconds)) {
+        const double before = seconds_of(mine, my_e, t), theirs = seconds_of(method, e, t),
+                     after = seconds_of(mine, my_e, t);
+        seen.push_back(2 * theirs / (before + after));
+      }
+      std::sort(seen.begin(), seen.end());
+      if (seen.empty())
+        std::printf("%.0e %s - - - 0\n", drift, name.c_str());
+      else
+        std::printf("%.0e %s %.3g %.3g %.3g %zu\n", drift, name.c_str(), seen[seen.size() / 2],
+                    seen.front(), seen.back(), seen.size());
+      std::fflush(stdout);
+    }
+}
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fprintf(stderr, "usage: kovacic-peers SCENE [REFERENCE] [SECONDS]\n");
+    std::fprintf(stderr, "usage: kovacic-peers SCENE [REFERENCE] [SECONDS]\n"
+                         "       kovacic-peers --ratios SCENE [SECONDS]\n");
     return 2;
   }
+  const bool by_turns = std::string(argv[1]) == "--ratios";
+  if (by_turns && argc < 3) return 2;
   Problem p;
-  p.scene = read_scene(argv[1]);
+  p.scene = read_scene(argv[by_turns ? 2 : 1]);
   p.body = p.scene.body<double>();
   p.t_end = p.scene.time ? p.scene.time->as<double>() : 1000;
   for (const Start& s : starts_of(p.scene))
     p.starts.push_back(
         {s.x.omega[0], s.x.omega[1], s.x.omega[2], s.x.gamma[0], s.x.gamma[1], s.x.gamma[2]});
-  if (argc > 2) {
+  if (argc > 2 && !by_turns) {
     std::ifstream in(argv[2]);
     for (std::string line; std::getline(in, line);) {
       std::istringstream words(line);
@@ -362,8 +443,8 @@ int main(int argc, char** argv) {
   }
   const double limit = argc > 3 ? std::atof(argv[3]) : 30;
   if (p.body.sliding)
-    run_all<true>(p, limit);
+    by_turns ? ratios<true>(p, limit) : run_all<true>(p, limit);
   else
-    run_all<false>(p, limit);
+    by_turns ? ratios<false>(p, limit) : run_all<false>(p, limit);
   return 0;
 }

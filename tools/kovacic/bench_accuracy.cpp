@@ -112,8 +112,8 @@ std::vector<std::string> methods(const std::vector<Row>& rows) {
 
 std::string summary(const std::vector<Row>& rows) {
   const std::string ours = to_string(Arithmetic::packs);
-  std::string text = "crossings per second at a given drift of the integrals, and the ratio of "
-                     "double-8-lanes to it\n";
+  std::string text = "crossings per second at a given drift of the integrals, and the ratio of " +
+                     ours + " to it\n";
   text += fmt::format("{:24}", "method");
   const double drifts[] = {1e-6, 1e-9, 1e-12};
   for (const double d : drifts)
@@ -132,8 +132,8 @@ std::string summary(const std::vector<Row>& rows) {
   }
   const auto fine = rate_at(rows, ours, 1e-12);
   if (best > 0 && fine)
-    text += fmt::format(
-        "double-8-lanes at drift 1e-12 against the best of odeint at 1e-9: {:.1f}\n", *fine / best);
+    text += fmt::format("{} at drift 1e-12 against the best of odeint at 1e-9: {:.1f}\n", ours,
+                        *fine / best);
   std::map<std::string, std::pair<double, double>> least;
   for (const Row& r : rows) {
     auto [it, fresh] = least.try_emplace(r.method, INFINITY, INFINITY);

@@ -1,22 +1,30 @@
 #pragma once
-// Ctrl-C sets a flag for the duration of a computation, which then keeps what it has; a second
-// Ctrl-C kills.
+// Ctrl-C, or the end of the time, sets a flag for the duration of a computation, which then keeps
+// what it has; a second Ctrl-C kills.
 
 #include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
+#include <mutex>
+#include <thread>
 
 namespace kov::cli {
 
 class Interrupt {
 public:
-  Interrupt() {
+  /// seconds: until the flag is set; 0: never
+  explicit Interrupt(double seconds = 0) {
     raised() = false;
     before_ = std::signal(SIGINT, &handle);
+    if (seconds > 0)
+      timer_ = std::jthread([this, seconds](const std::stop_token& done) { wait(seconds, done); });
   }
   ~Interrupt() { std::signal(SIGINT, before_); }
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
   [[nodiscard]] const std::atomic<bool>* flag() const { return &raised(); }
+  [[nodiscard]] bool timed_out() const { return timed_out_; }
 
 private:
   static std::atomic<bool>& raised() {
@@ -27,7 +35,18 @@ private:
     raised() = true;
     std::signal(SIGINT, SIG_DFL);
   }
+  void wait(double seconds, const std::stop_token& done) {
+    std::mutex mutex;
+    std::unique_lock lock(mutex);
+    std::condition_variable_any bell;
+    bell.wait_for(lock, done, std::chrono::duration<double>(seconds), [] { return false; });
+    if (done.stop_requested()) return;
+    timed_out_ = true;
+    raised() = true;
+  }
   void (*before_)(int) = SIG_DFL;
+  std::atomic<bool> timed_out_{false};
+  std::jthread timer_; // last: it ends before the rest
 };
 
 } // namespace kov::cli

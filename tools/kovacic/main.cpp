@@ -211,6 +211,11 @@ struct CommandLine {
     CLI::App* section =
         app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
     declare_section(*section, section_arguments);
+    section
+        ->add_option("--timeout", settings.timeout,
+                     "seconds in all; 0 = no limit; what is done is kept and marked PARTIAL")
+        ->check(number(1e9, "a number of seconds"))
+        ->type_name("S");
     shared_flags(*section, false);
 
     CLI::App* measure =

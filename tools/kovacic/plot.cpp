@@ -63,9 +63,11 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
                   "set xrange [-pi/4:7*pi/4]\nset yrange [-1:1]\n"
                   "set xtics (\"0\" 0, \"π/2\" pi/2, \"π\" pi, "
                   "\"3π/2\" 3*pi/2)\nset ytics 0.5\n"
-                  "set xlabel \"l\" offset 0,0.5\nset ylabel \"L/G\"\nunset key\n"
+                  "set xlabel \"l\" offset 0,0.5\nset ylabel \"L/G\"\n"
                   "wrap(l) = l >= 7*pi/4 ? l - 2*pi : l\n");
-  const std::string points = "with points pt 7 ps (format eq \"png\" ? 0.15 : 0.08)";
+  fmt::print(out, "{}",
+             plot.fixed_points ? "set key outside above horizontal font \",8\"\n" : "unset key\n");
+  const std::string points = "notitle with points pt 7 ps (format eq \"png\" ? 0.15 : 0.08)";
   std::vector<std::string> layers;
   const auto layer = [&](const std::string& file, const std::string& abscissa,
                          const std::string& style) {
@@ -79,10 +81,20 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   } else {
     layer(data, l, points + " lc rgb \"#102040\"");
   }
-  if (plot.fixed_points) {
-    const std::string marks = name + ".fixed.dat", kind = "strcol(\"kind\") eq \"elliptic\"";
-    layer(marks, kind + " ? " + l + " : NaN", "with points pt 6 ps 1 lw 2 lc rgb \"#007020\"");
-    layer(marks, kind + " ? NaN : " + l, "with points pt 2 ps 1 lw 2 lc rgb \"#c00000\"");
+  if (plot.fixed_points) { // error = inf: not proved
+    const std::string marks = name + ".fixed.dat";
+    const auto mark = [&](const std::string& kind, const std::string& proved, int type,
+                          const std::string& colour, const std::string& title) {
+      layer(marks,
+            "strcol(\"kind\") " + kind + " \"elliptic\" && strcol(\"error\") " + proved +
+                " \"inf\" ? " + l + " : NaN",
+            fmt::format("with points pt {} ps 1 lw 2 lc rgb \"{}\" title \"{}\"", type, colour,
+                        title));
+    };
+    mark("eq", "ne", 6, "#007020", "elliptic, proved");
+    mark("ne", "ne", 2, "#c00000", "hyperbolic, proved");
+    mark("eq", "eq", 4, "#e08000", "elliptic, not proved");
+    mark("ne", "eq", 8, "#e08000", "hyperbolic, not proved");
   }
   std::string all;
   for (const std::string& one : layers)

@@ -40,6 +40,11 @@ std::string moments(const Scene& s) {
   return "(" + list(s.inertia[0]) + ", " + list(s.inertia[1]) + ", " + list(s.inertia[2]) + ")";
 }
 
+std::string orders(const flow::Section& r) {
+  return r.least_order == r.order ? fmt::format("{}", r.order)
+                                  : fmt::format("{} to {}", r.least_order, r.order);
+}
+
 // Two lines: the mechanics; the numerics.
 std::vector<std::string> caption(const Scene& s, const flow::Section& r) {
   const bool g_is_half = s.section.side > 0;
@@ -59,49 +64,135 @@ std::vector<std::string> caption(const Scene& s, const flow::Section& r) {
                       up && down ? "both directions"
                       : up       ? "dg/dt > 0"
                                  : "dg/dt < 0",
-                      axis, r.orbits.size(), r.points.size(), r.order, r.arithmetic,
+                      axis, r.orbits.size(), r.points.size(), orders(r), r.arithmetic,
                       s.tolerance.text(), r.drift)};
 }
 
-void write_data(const fs::path& path, const Scene& s, const flow::Section& r) {
-  std::ofstream out(path);
-  fmt::print(out, "# {}\n", s.title);
-  for (const std::string& line : caption(s, r))
-    fmt::print(out, "# {}\n", line);
-  fmt::print(out,
-             "# l in radian, t and G in the units of the scene, L/G without unit; sign of the form "
-             "'sign_of' at the start of the orbit\n");
-  fmt::print(out, "orbit t l L/G G sign\n");
-  for (const auto& p : r.points)
-    fmt::print(out, "{} {:.12g} {:.12g} {:.12g} {:.12g} {}\n", p.orbit, p.t, p.l, p.y, p.g_size,
-               r.orbits[p.orbit].sign);
-  close_file(out, path.string());
+// What is missing in a result, in words; empty if nothing is.
+std::string shortfall(const flow::Section& r) {
+  const auto ended = [&](flow::Ended how) {
+    return std::count_if(r.orbits.begin(), r.orbits.end(),
+                         [&](const auto& o) { return o.ended == how; });
+  };
+  std::string text;
+  if (r.stopped)
+    text = fmt::format("{} of {} orbits were stopped before their end", ended(flow::Ended::stopped),
+                       r.orbits.size());
+  if (const std::size_t n = r.cut_short(); n > 0)
+    text +=
+        fmt::format("{}{} of {} orbits ended at the limit of {} before their last crossing",
+                    text.empty() ? "" : "; ", n, r.orbits.size(), r.has_time ? "points" : "steps");
+  return text;
 }
 
-void write_orbits(const fs::path& path, const flow::Section& r) {
-  std::ofstream out(path);
-  fmt::print(out, "orbit l0 L0/G0 G0 crossings tangencies steps time drift_H drift_F1 drift_F2\n");
-  for (std::size_t i = 0; i < r.orbits.size(); ++i) {
-    const auto& o = r.orbits[i];
-    fmt::print(out, "{} {:.12g} {:.12g} {:.12g} {} {} {} {:.8g} {:.2e} {:.2e} {:.2e}\n", i, o.l,
-               o.y, o.g_size, o.crossings, o.tangencies, o.steps, o.time, o.drift[0], o.drift[1],
-               o.drift[2]);
+std::string partial(const flow::Section& r) {
+  const std::string missing = shortfall(r);
+  return missing.empty() ? "" : "PARTIAL: " + missing;
+}
+
+// The file appears when it is complete.
+template <class F> void write_whole(const std::string& path, const F& write) {
+  const std::string beside = path + ".part";
+  std::ofstream out(beside);
+  write(out);
+  close_file(out, beside);
+  std::error_code wrong;
+  fs::rename(beside, path, wrong);
+  if (wrong) throw InputError(path, 0, 0, 1, "cannot be written: " + wrong.message());
+}
+
+void write_data(const std::string& path, const Scene& s, const flow::Section& r) {
+  write_whole(path, [&](std::ofstream& out) {
+    if (const std::string missing = partial(r); !missing.empty())
+      fmt::print(out, "# {}\n", missing);
+    fmt::print(out, "# {}\n", s.title);
+    for (const std::string& line : caption(s, r))
+      fmt::print(out, "# {}\n", line);
+    fmt::print(out, "# l in radian, t and G in the units of the scene, L/G without unit; sign of "
+                    "the form 'sign_of' at the start of the orbit\n");
+    fmt::print(out, "orbit t l L/G G sign\n");
+    const int n = flow::digits_shown(s);
+    for (const auto& p : r.points) {
+      const int sign = r.orbits[p.orbit].sign;
+      if (p.digits.empty())
+        fmt::print(out, "{} {:.{}g} {:.{}g} {:.{}g} {:.{}g} {}\n", p.orbit, p.t, n, p.l, n, p.y, n,
+                   p.g_size, n, sign);
+      else
+        fmt::print(out, "{} {} {}\n", p.orbit, p.digits, sign);
+    }
+  });
+}
+
+const char* word(flow::Ended e) {
+  switch (e) {
+  case flow::Ended::time:
+    return "time";
+  case flow::Ended::crossings:
+    return "crossings";
+  case flow::Ended::steps:
+    return "steps";
+  case flow::Ended::stopped:
+    return "stopped";
+  default:
+    return "broken";
   }
-  close_file(out, path.string());
+}
+
+void write_orbits(const std::string& path, const flow::Section& r) {
+  write_whole(path, [&](std::ofstream& out) {
+    if (const std::string missing = partial(r); !missing.empty())
+      fmt::print(out, "# {}\n", missing);
+    fmt::print(out, "orbit l0 L0/G0 G0 crossings tangencies steps time drift_H drift_F1 drift_F2 "
+                    "ended_by\n");
+    for (std::size_t i = 0; i < r.orbits.size(); ++i) {
+      const auto& o = r.orbits[i];
+      fmt::print(out, "{} {:.12g} {:.12g} {:.12g} {} {} {} {:.8g} {:.2e} {:.2e} {:.2e} {}\n", i,
+                 o.l, o.y, o.g_size, o.crossings, o.tangencies, o.steps, o.time, o.drift[0],
+                 o.drift[1], o.drift[2], word(o.ended));
+    }
+  });
+}
+
+// A column has no spaces.
+std::string one_word(flow::Stability s) {
+  std::string text = to_string(s);
+  std::replace(text.begin(), text.end(), ' ', '-');
+  return text;
 }
 
 void write_fixed_points(const fs::path& path, const flow::FixedPoints& found) {
   std::ofstream out(path);
+  if (found.stopped) fmt::print(out, "# PARTIAL: stopped before the search and the proofs ended\n");
   fmt::print(out, "# fixed points of the section map; error: proved distance from the exact point "
                   "in l and in L/G "
                   "(inf: not proved)\n");
   fmt::print(out, "l L/G error kind trace trace_error multiplier_re multiplier_im G period\n");
   for (const auto& f : found.points)
     fmt::print(out, "{:.17g} {:.17g} {:.1e} {} {:.15g} {:.1e} {:.12g} {:.12g} {:.12g} {:.12g}\n",
-               f.l, f.y, f.proved ? f.error : INFINITY, to_string(f.stability), f.trace,
+               f.l, f.y, f.proved ? f.error : INFINITY, one_word(f.stability), f.trace,
                f.proved ? f.trace_error : INFINITY, f.multiplier[0], f.multiplier[1], f.g_size,
                f.period);
   close_file(out, path.string());
+}
+
+// Decimals that an error bound justifies.
+int decimals(double error) {
+  return error > 0 ? std::clamp(static_cast<int>(-std::log10(error)), 1, 16) : 16;
+}
+
+std::string line_of(const flow::FixedPoint& f) {
+  const auto shown = [](double x) { return std::abs(x) < 5e-13 ? 0.0 : x; };
+  const int n = f.proved ? decimals(f.error) : 10;
+  const int m = f.proved ? std::min(decimals(f.trace_error), 14) : 8;
+  const std::string multipliers =
+      f.multiplier[1] == 0
+          ? fmt::format("{:.{}f}, {:.{}f}", f.multiplier[0], m, 1 / f.multiplier[0], m)
+          : fmt::format("{:.{}f} +- {:.{}f} i", f.multiplier[0], m, f.multiplier[1], m);
+  return fmt::format("l = {:.{}f}  L/G = {:.{}f}  period {:.10g}  {:18}  multipliers {}  {}",
+                     shown(f.l), n, shown(f.y), n, f.period, to_string(f.stability), multipliers,
+                     f.proved
+                         ? fmt::format("proved: +-{:.0e}, trace +-{:.0e}", f.error, f.trace_error)
+                         : "not proved: " + f.why);
 }
 
 void print_fixed_points(const flow::FixedPoints& found) {
@@ -117,19 +208,17 @@ void print_fixed_points(const flow::FixedPoints& found) {
     fmt::print(", {} inverse hyperbolic", n);
   if (const auto n = count(flow::Stability::parabolic)) fmt::print(", {} parabolic", n);
   fmt::print("; sum of indices of the grid {}\n", found.index_sum);
+  if (found.stopped) fmt::print("  PARTIAL: stopped before the search and the proofs ended\n");
+  if (!found.stopped && found.index_sum != found.index_found)
+    fmt::print("  the points found there have the sum {}: some were missed, or are no isolated "
+               "points\n",
+               found.index_found);
+  if (found.at_poles > 0)
+    fmt::print("  the map also tends to a steady rotation at L/G = +-1, where l has no meaning\n");
   if (found.curve_cells > 0)
     fmt::print("  and curves of fixed points ({} cells of the grid)\n", found.curve_cells);
-  for (const auto& f : found.points) {
-    const auto shown = [](double x) { return std::abs(x) < 5e-13 ? 0.0 : x; };
-    const std::string multipliers =
-        f.multiplier[1] == 0 ? fmt::format("{:.9f}, {:.9f}", f.multiplier[0], 1 / f.multiplier[0])
-                             : fmt::format("{:.9f} +- {:.9f} i", f.multiplier[0], f.multiplier[1]);
-    fmt::print("    l = {:.12f}  L/G = {:.12f}  period {:.9f}  {:18}  multipliers {}", shown(f.l),
-               shown(f.y), f.period, to_string(f.stability), multipliers);
-    fmt::print("  {}\n",
-               f.proved ? fmt::format("proved: +-{:.0e}, trace +-{:.0e}", f.error, f.trace_error)
-                        : "not proved: " + f.why);
-  }
+  for (const auto& f : found.points)
+    fmt::print("    {}\n", line_of(f));
 }
 
 // "  asymmetric_sliding  32 of 72 orbits, 3 s left" on a terminal, at most ten times a second.
@@ -159,12 +248,12 @@ private:
 
 // What is wrong with the result, in words; empty if nothing.
 std::string complaint(const Scene& s, const flow::Section& r) {
-  if (r.points.empty() && !r.stopped)
-    return fmt::format("the section is never crossed: {} orbits, none within {}", r.orbits.size(),
-                       s.time ? "t = " + s.time->text() : std::string("the limit of steps"));
   for (std::size_t i = 0; i < r.orbits.size(); ++i)
     if (r.orbits[i].ended == flow::Ended::broken)
       return fmt::format("orbit {} could not be continued beyond t = {:.6g}", i, r.orbits[i].time);
+  if (r.points.empty() && !r.stopped && s.time)
+    return fmt::format("the section is never crossed: {} orbits, none within t = {}",
+                       r.orbits.size(), s.time->text());
   if (r.drift > s.drift.as<double>())
     return fmt::format("the integrals drift by {:.1e}, more than the {} that the scene allows; no "
                        "picture is drawn (lower the tolerance)",
@@ -172,52 +261,127 @@ std::string complaint(const Scene& s, const flow::Section& r) {
   return {};
 }
 
-int one_scene(const std::string& file, const Settings& settings, const SectionArguments& o) {
-  const Scene scene = flow::read_scene(file);
-  const std::string name = file == "-" ? "section" : fs::path(file).stem().string();
-  Interrupt interrupt;
-  flow::Section result;
-  const fs::path directory = settings.output.empty() ? "." : settings.output;
-  make_directory(directory.string());
-  const auto begun = std::chrono::steady_clock::now();
-  {
-    Progress progress(name, !settings.quiet);
-    flow::SimulateOptions options;
-    options.threads = o.threads;
-    options.lanes = o.lanes;
-    options.stop = interrupt.flag();
-    options.progress = [&](std::size_t done, std::size_t all) { progress(done, all); };
-    result = flow::simulate(scene, options);
-  }
-  const double seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  const fs::path base = directory / name;
-  write_data(base.string() + ".dat", scene, result);
-  write_orbits(base.string() + ".orbits.dat", result);
-  const std::string wrong = complaint(scene, result);
-  if (!settings.quiet) {
-    fmt::print("{}\n  {}\n", file, scene.title);
-    for (const std::string& line : caption(scene, result))
-      fmt::print("  {}\n", line);
-    if (result.skipped > 0)
-      fmt::print("  {} places of the grid are not on the level\n", result.skipped);
-    fmt::print("  {:.2f} s; data {}.dat\n", seconds, base.string());
-  }
-  if (!wrong.empty()) {
-    complain(settings, file + ": " + wrong);
-    return result.points.empty() ? exit_input : exit_undecided;
-  }
-  if (o.fixed_points && !result.stopped) {
-    const flow::FixedPoints found = flow::fixed_points(scene);
-    write_fixed_points(base.string() + ".fixed.dat", found);
-    if (!settings.quiet) print_fixed_points(found);
-  }
-  const SectionPlot plot{scene.title, caption(scene, result), scene.sign_of.has_value(),
-                         o.fixed_points};
-  for (const std::string& picture : draw_section(base.string(), plot, o.formats))
-    if (!settings.quiet) fmt::print("  picture {}\n", picture);
-  return result.stopped ? exit_interrupted : exit_decided;
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point begun) {
+  return std::chrono::duration<double>(Clock::now() - begun).count();
 }
+
+// One scene on its way to the files.
+class Job {
+public:
+  Job(const std::string& file, const Settings& settings, const SectionArguments& o, double seconds)
+      : file_(file), settings_(settings), o_(o), scene_(flow::read_scene(file)),
+        name_(file == "-" ? "section" : fs::path(file).stem().string()), interrupt_(seconds) {
+    if (o.fixed_points && scene_.section.falling && scene_.section.rising)
+      throw InputError(file, 0, 0, 1, "--fixed-points needs one direction of crossing, not both",
+                       "direction = \"upward\" or \"downward\"");
+    const fs::path directory = settings.output.empty() ? "." : settings.output;
+    make_directory(directory.string());
+    base_ = (directory / name_).string();
+  }
+
+  int run() {
+    simulate();
+    const std::string wrong = complaint(scene_, result_);
+    if (!settings_.quiet) summary();
+    if (!wrong.empty()) {
+      complain(settings_, file_ + ": " + wrong);
+      return result_.points.empty() ? exit_input : exit_undecided;
+    }
+    bool whole = shortfall(result_).empty();
+    if (o_.fixed_points && !result_.stopped) whole = fixed_points() && whole;
+    const int code = pictures();
+    if (whole) return code;
+    if (interrupt_.flag()->load() && !interrupt_.timed_out()) return exit_interrupted; // by hand
+    complain(settings_, file_ + ": the result is partial, and its files say so");
+    return exit_undecided;
+  }
+
+private:
+  std::string file_;
+  const Settings& settings_;
+  const SectionArguments& o_;
+  Scene scene_;
+  std::string name_, base_;
+  Interrupt interrupt_;
+  flow::Section result_;
+  double seconds_ = 0;
+  bool marks_ = false; ///< there are fixed points to draw
+
+  void write(const flow::Section& r) const {
+    write_data(base_ + ".dat", scene_, r);
+    write_orbits(base_ + ".orbits.dat", r);
+  }
+
+  void simulate() {
+    const auto begun = Clock::now();
+    auto written = begun;
+    double cost = 0;
+    Progress progress(name_, !settings_.quiet);
+    flow::SimulateOptions options;
+    options.threads = o_.threads;
+    options.lanes = o_.lanes;
+    options.stop = interrupt_.flag();
+    options.progress = [&](std::size_t done, std::size_t all) { progress(done, all); };
+    options.finished_some = [&](const flow::Section& so_far) { // what a crash must not take away
+      if (seconds_since(written) < std::max(10.0, 20 * cost)) return;
+      const auto now = Clock::now();
+      flow::Section copy = so_far;
+      copy.stopped = true;
+      write(copy);
+      cost = seconds_since(now);
+      written = Clock::now();
+    };
+    result_ = flow::simulate(scene_, options);
+    seconds_ = seconds_since(begun);
+    write(result_);
+  }
+
+  void summary() const {
+    fmt::print("{}\n  {}\n", file_, scene_.title);
+    for (const std::string& line : caption(scene_, result_))
+      fmt::print("  {}\n", line);
+    if (result_.skipped > 0)
+      fmt::print("  {} places of the grid are not on the level\n", result_.skipped);
+    if (const std::string missing = partial(result_); !missing.empty())
+      fmt::print("  {}\n", missing);
+    fmt::print("  {:.2f} s; data {}.dat\n", seconds_, base_);
+  }
+
+  // false: stopped before the end
+  bool fixed_points() {
+    flow::FixedPointOptions options;
+    options.stop = interrupt_.flag();
+    const flow::FixedPoints found = flow::fixed_points(scene_, options);
+    write_fixed_points(base_ + ".fixed.dat", found);
+    marks_ = !found.points.empty();
+    if (!settings_.quiet) print_fixed_points(found);
+    return !found.stopped;
+  }
+
+  [[nodiscard]] int pictures() const {
+    const std::string missing = partial(result_);
+    const std::string title = scene_.title + (missing.empty() ? "" : "  [" + missing + "]");
+    const SectionPlot plot{title, caption(scene_, result_), scene_.sign_of.has_value(), marks_};
+    std::vector<std::string> formats = o_.formats;
+    if (formats.empty()) formats = {"png", "svg", "pdf"};
+    std::erase(formats, "none");
+    if (interrupt_.timed_out() && !formats.empty()) { // gnuplot knows no time limit
+      formats.clear();
+      complain(settings_, "the time is over: no picture is drawn",
+               "gnuplot " + base_ + ".gp draws it");
+    }
+    const auto drawn = draw_section(base_, plot, formats);
+    for (const std::string& picture : drawn)
+      if (!settings_.quiet) fmt::print("  picture {}\n", picture);
+    if (drawn.size() == formats.size()) return exit_decided;
+    complain(settings_,
+             fmt::format("{} of {} pictures were drawn: gnuplot is missing, or fails", drawn.size(),
+                         formats.size()),
+             "install gnuplot-nox; gnuplot " + base_ + ".gp draws them later");
+    return o_.formats.empty() ? exit_decided : exit_input;
+  }
+};
 
 } // namespace
 
@@ -236,15 +400,18 @@ void declare_section(CLI::App& command, SectionArguments& a) {
                    "find and prove the fixed points of the section map");
   command
       .add_option("--lanes", a.lanes,
-                  "orbits at a time in a thread: 1, 4, 8; the answer is the same")
-      ->check(CLI::IsMember({1, 4, 8}).description(""))
+                  "orbits at a time in a thread: 1, 4, 8; 0 = what is fastest here")
+      ->check(CLI::IsMember({0, 1, 4, 8}).description(""))
       ->type_name("N");
 }
 
 int section(const Settings& settings, const SectionArguments& arguments) {
   int code = exit_decided;
+  const auto begun = Clock::now();
   for (const std::string& file : arguments.files) {
-    code = std::max(code, one_scene(file, settings, arguments));
+    const double left = settings.timeout - seconds_since(begun);
+    Job job(file, settings, arguments, settings.timeout > 0 ? std::max(left, 1e-3) : 0);
+    code = std::max(code, job.run());
     if (code == exit_interrupted) break;
   }
   return code;

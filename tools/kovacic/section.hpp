@@ -14,9 +14,9 @@ namespace kov::cli {
 
 struct SectionArguments {
   std::vector<std::string> files;
-  std::vector<std::string> formats = {"png", "svg", "pdf"}; ///< drawn if gnuplot is there
+  std::vector<std::string> formats; ///< empty: png, svg and pdf if gnuplot is there
   int threads = 1;
-  int lanes = 8;
+  int lanes = 0; ///< 0: what is fastest here
   bool fixed_points = false;
 };
 

@@ -1,0 +1,207 @@
+// The same scene in other units; and nothing is left out without a word.
+
+#include "flow/fixed_points.hpp"
+#include "flow/own_units.hpp"
+#include "support.hpp"
+
+#include <gtest/gtest.h>
+
+#include <ctime>
+#include <random>
+
+namespace kov::flow {
+namespace {
+
+using namespace test;
+
+struct Powers { // of ten
+  long mass, length, time, vertical;
+};
+
+Quantity times(const Quantity& q, long p) {
+  return q * Quantity(("10^(" + std::to_string(p) + ")").c_str());
+}
+
+void scale(std::array<Quantity, 3>& v, long p) {
+  for (Quantity& q : v)
+    q = times(q, p);
+}
+
+Scene rescaled(Scene s, const Powers& p) {
+  const long inertia = p.mass + 2 * p.length;
+  for (auto& row : s.inertia)
+    scale(row, inertia);
+  scale(s.lever, p.length - p.vertical);
+  scale(s.gyrostat, inertia - p.time);
+  s.mass = times(s.mass, p.mass);
+  s.gravity = times(s.gravity, p.length - 2 * p.time);
+  s.energy = times(s.energy, inertia - 2 * p.time);
+  s.length = times(s.length, 2 * p.vertical);
+  s.casimir = times(s.casimir, inertia - p.time + p.vertical);
+  if (s.time) s.time = times(*s.time, p.time);
+  return s;
+}
+
+Scene gyrostat() {
+  return parse_scene(
+      "format = \"scene/1\"\n[body]\n"
+      "inertia = [[1, \"1/10\", 0], [\"1/10\", \"4/5\", \"1/20\"], [0, \"1/20\", \"3/5\"]]\n"
+      "gyrostat = [0, \"1/5\", -1]\ntip = \"fixed\"\nlever = [\"1/2\", 0, \"1/3\"]\n"
+      "gravity = \"1/4\"\n[levels]\nH = \"3/4\"\nF2 = \"1/20\"\n"
+      "[section]\ndirection = \"both\"\n[orbits]\ngrid = [5, 5]\ncrossings = 12\n",
+      "gyrostat");
+}
+
+std::vector<Scene> scenes() {
+  std::vector<Scene> all{gyrostat()};
+  for (const char* name :
+       {"asymmetric_sliding", "kovalevskaya_sliding", "hess_classical", "asymmetric_classical"}) {
+    all.push_back(read_scene(scene_path(name)));
+    all.back().columns = 4;
+    all.back().rows = 3;
+    all.back().crossings = 12;
+  }
+  return all;
+}
+
+// The same orbits, crossings and verdicts; and the same times and momenta but for the units.
+void expect_same(const Section& a, const Section& b, const Powers& p) {
+  ASSERT_EQ(a.orbits.size(), b.orbits.size());
+  EXPECT_EQ(a.skipped, b.skipped);
+  EXPECT_EQ(a.cut_short(), b.cut_short());
+  ASSERT_EQ(a.points.size(), b.points.size());
+  EXPECT_LE(b.drift, 1e-13);
+  const double time = std::pow(10.0, p.time),
+               momentum = std::pow(10.0, p.mass + 2 * p.length - p.time);
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    const SectionPoint &u = a.points[i], &v = b.points[i];
+    EXPECT_EQ(u.orbit, v.orbit);
+    EXPECT_NEAR(std::remainder(u.l - v.l, 2 * M_PI), 0, 1e-6);
+    EXPECT_NEAR(u.y, v.y, 1e-6);
+    EXPECT_NEAR(v.t / time / u.t, 1, 1e-6);
+    EXPECT_NEAR(v.g_size / momentum / u.g_size, 1, 1e-6);
+  }
+}
+
+TEST(Units, TheUnitsOfASceneDoNotMatter) {
+  std::mt19937_64 random(15);
+  const auto power = [&](long most) { return static_cast<long>(random() % (2 * most + 1)) - most; };
+  for (const Scene& s : scenes()) {
+    const Section plain = simulate(s);
+    EXPECT_GT(plain.points.size(), 0U);
+    for (int i = 0; i < 6; ++i) {
+      const Powers p{power(30), power(30), power(30), power(20)};
+      SCOPED_TRACE(s.file + " 10^" + std::to_string(p.mass) + " " + std::to_string(p.length) + " " +
+                   std::to_string(p.time) + " " + std::to_string(p.vertical));
+      expect_same(plain, simulate(rescaled(s, p)), p);
+    }
+  }
+}
+
+TEST(Units, NorForFixedPoints) {
+  FixedPointOptions o;
+  o.prove = false;
+  o.columns = 16;
+  o.rows = 10;
+  const Scene s = read_scene(scene_path("asymmetric_classical"));
+  const Powers p{-27, -10, -13, 3}; // a molecule
+  const FixedPoints a = fixed_points(s, o), b = fixed_points(rescaled(s, p), o);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  EXPECT_EQ(a.index_sum, b.index_sum);
+  for (std::size_t i = 0; i < a.points.size(); ++i) {
+    EXPECT_NEAR(a.points[i].l, b.points[i].l, 1e-11);
+    EXPECT_NEAR(a.points[i].trace, b.points[i].trace, 1e-9);
+    EXPECT_NEAR(b.points[i].period / a.points[i].period * 1e13, 1, 1e-9);
+  }
+  const FixedPoint proved = prove_fixed_point(rescaled(s, p), b.points[1], 112);
+  EXPECT_TRUE(proved.proved) << proved.why;
+  EXPECT_NEAR(proved.period, b.points[1].period, 1e-23);
+}
+
+TEST(Units, BeyondTheRangeOfDoublesAreRefused) {
+  Scene s = read_scene(scene_path("asymmetric_classical"));
+  s.energy = Quantity(std::string(6000, '7').c_str());
+  EXPECT_THROW((void)simulate(s), InputError);
+  s = read_scene(scene_path("asymmetric_sliding"));
+  s.lever[0] = "10^200";
+  EXPECT_THROW((void)simulate(s), InputError);
+}
+
+// Starts on every sheet of the level, not on the largest G alone.
+TEST(Starts, AreOnEverySheet) {
+  const Scene s = gyrostat();
+  std::size_t sheets = 0, several = 0;
+  for (const Start& start : starts_of(s)) {
+    const auto sizes =
+        momentum_sizes(s.body<double>(), s.levels<double>(), s.section, start.l, start.y);
+    several += sizes.size() > 1 ? 1 : 0;
+    ++sheets;
+    EXPECT_NEAR(integrals(s.body<double>(), start.x).energy, 0.75, 1e-12);
+  }
+  EXPECT_GT(several, 0U);
+  EXPECT_EQ(simulate(s).orbits.size(), sheets);
+}
+
+// On a pole of the chart nothing ever crosses: the orbit ends, and the result says why.
+TEST(Nothing, IsLeftOutInSilence) {
+  Scene s = read_scene(scene_path("asymmetric_classical"));
+  s.columns = s.rows = 0;
+  s.crossings = 3;
+  s.section.falling = s.section.rising = true;
+  s.seeds = {{"0", "1"}, {"1", "0"}};
+  const Section r = simulate(s);
+  EXPECT_EQ(r.cut_short(), 1U);
+  EXPECT_EQ(r.orbits[0].ended, Ended::steps);
+  EXPECT_EQ(r.points.size(), 3U);
+  s.crossings = 1000000000;
+  EXPECT_THROW((void)simulate(s), InputError);
+}
+
+TEST(Nothing, IsSearchedAfterAStop) {
+  const std::atomic<bool> stop{true};
+  FixedPointOptions o;
+  o.stop = &stop;
+  const FixedPoints f = fixed_points(read_scene(scene_path("asymmetric_sliding")), o);
+  EXPECT_TRUE(f.stopped);
+  EXPECT_TRUE(f.points.empty());
+  FixedPoint guess;
+  guess.g_size = 1.5;
+  EXPECT_FALSE(prove_fixed_point(gyrostat(), guess, 128, &stop).proved);
+}
+
+// More digits of a number type are kept in the points.
+TEST(Digits, ArePrintedAsFarAsTheyAreKnown) {
+  Scene s = read_scene(scene_path("asymmetric_sliding"));
+  EXPECT_EQ(digits_shown(s), 17);
+  s.tolerance = "10^-8";
+  EXPECT_EQ(digits_shown(s), 9);
+  s.columns = s.rows = 1;
+  s.crossings = 2;
+  s.tolerance = "10^-38";
+  s.digits = 40;
+  const std::string coarse = simulate(s).points.at(1).digits;
+  s.tolerance = "10^-48";
+  s.digits = 50;
+  const std::string fine = simulate(s).points.at(1).digits;
+  const std::size_t second = coarse.find(' ') + 1, other = fine.find(' ') + 1;
+  EXPECT_EQ(coarse.substr(second, 36), fine.substr(other, 36)); // l
+}
+
+// The default number of lanes is a good one for every instruction set (AVX2 once ran packs of eight
+// in memory, 30 times slower).
+TEST(Lanes, TheDefaultIsNotSlow) {
+  const Scene s = read_scene(scene_path("lever_half"));
+  const auto starts = states_of<double>(s);
+  for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
+    if (isa > best_isa()) continue;
+    const auto seconds = [&](int lanes) {
+      const std::clock_t begun = std::clock();
+      (void)run(s.body<double>(), starts, {.t_end = 10, .lanes = lanes, .isa = isa}, s.section);
+      return static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+    };
+    EXPECT_LE(seconds(0), 3 * std::min(seconds(1), seconds(4)) + 0.01) << to_string(isa);
+  }
+}
+
+} // namespace
+} // namespace kov::flow
