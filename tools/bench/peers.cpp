@@ -414,6 +414,8 @@ template <bool sliding> void ratios(const Problem& p, double seconds) {
     }
 }
 
+} // namespace
+
 int main(int argc, char** argv) {
   if (argc < 2) {
     std::fprintf(stderr, "usage: kovacic-peers SCENE [REFERENCE] [SECONDS]\n"
