@@ -4,17 +4,38 @@
 
 namespace kov {
 
+namespace {
+
+bool is_irreducible(const fmpz_poly_struct* p) {
+  fmpz_poly_factor_t factors;
+  fmpz_poly_factor_init(factors);
+  fmpz_poly_factor(factors, p);
+  const bool one = factors->num == 1 && factors->exp[0] == 1;
+  fmpz_poly_factor_clear(factors);
+  return one;
+}
+
+// monic, irreducible, of degree >= 1
+fmpz_poly_struct checked(const std::vector<Integer>& ascending) {
+  if (ascending.size() < 2)
+    throw InvalidArgument("a number field needs a minimal polynomial of degree >= 1");
+  if (ascending.back() != Integer(1))
+    throw InvalidArgument("the minimal polynomial of a field generator must be monic");
+  fmpz_poly_struct m;
+  fmpz_poly_init(&m);
+  for (std::size_t i = 0; i < ascending.size(); ++i)
+    fmpz_poly_set_coeff_fmpz(&m, static_cast<slong>(i), ascending[i].raw());
+  if (is_irreducible(&m)) return m;
+  fmpz_poly_clear(&m);
+  throw InvalidArgument("the minimal polynomial of a field generator is reducible");
+}
+
+} // namespace
+
 NumberField::NumberField(const std::vector<Integer>& minpoly, std::string letter, int root,
                          Integer scale)
     : degree_(static_cast<long>(minpoly.size()) - 1), letter_(std::move(letter)), root_(root),
-      scale_(std::move(scale)) {
-  if (degree_ < 1)
-    throw InvalidArgument("a number field needs a minimal polynomial of degree >= 1");
-  if (minpoly.back() != Integer(1))
-    throw InvalidArgument("the minimal polynomial of a field generator must be monic");
-  fmpz_poly_init(minpoly_);
-  for (long i = 0; i <= degree_; ++i)
-    fmpz_poly_set_coeff_fmpz(minpoly_, i, minpoly[static_cast<std::size_t>(i)].raw());
+      scale_(std::move(scale)), minpoly_{checked(minpoly)} {
   fmpq_poly_t m;
   fmpq_poly_init(m);
   fmpq_poly_set_fmpz_poly(m, minpoly_);

@@ -21,7 +21,7 @@ using Field = std::shared_ptr<const NumberField>;
 
 class NumberField {
 public:
-  /// Shape   minpoly: ascending integer coefficients, monic, irreducible (not checked here)
+  /// Shape   minpoly: ascending integer coefficients, monic, irreducible (else InvalidArgument)
   ///         root: which complex root the generator means, as an index into Arb's root list
   ///         scale: the generator is scale times what the letter means; texts show the letter
   NumberField(const std::vector<Integer>& minpoly, std::string letter, int root = 0,

@@ -137,6 +137,10 @@ std::vector<std::pair<std::size_t, MPoly>> AlgebraicConstants::equations(const S
     square_is(name_of_root(p), p);
   if (minpoly_) {
     const MPoly p = evaluate(*minpoly_, scope).num();
+    const auto factors = is_zero(p) ? std::vector<MFactor>{} : factor(p).second;
+    if (factors.size() != 1 || factors.front().exponent != 1)
+      throw minpoly_->error("the minimal polynomial of a constant is reducible",
+                            "write one of its factors");
     for (const auto& name : names_in(*minpoly_))
       if (uses(p, ring->index(name))) all.emplace_back(ring->index(name), p);
   }

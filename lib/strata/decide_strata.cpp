@@ -142,8 +142,7 @@ private:
     std::erase(used, q_.z);
     if (used.size() != 1) return nullptr;
     for (const auto& relation : region.relations())
-      if (used_variables(relation.p) == used && irreducible_parts(relation.p).size() == 1)
-        return &relation.p;
+      if (used_variables(relation.p) == used) return &relation.p;
     return nullptr;
   }
 

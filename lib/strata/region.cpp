@@ -145,20 +145,6 @@ bool Region::differs_from_relations(const MPoly& f) const {
   });
 }
 
-// p = 0 as a relation for a variable whose leading coefficient is known, or as a pending equation.
-void Region::relate(const MPoly& p, std::size_t preferred) {
-  auto candidates = used_variables(p);
-  std::stable_partition(candidates.begin(), candidates.end(),
-                        [&](std::size_t x) { return x == preferred; });
-  for (const std::size_t x : candidates) {
-    const MPoly lead = coefficients(p, x).back();
-    if (!is_constant(lead) && doubtful_factor(lead)) continue;
-    relations_.push_back({p, x});
-    return;
-  }
-  assumptions_.conditions.push_back({p, Sign::zero});
-}
-
 Region Region::with_relation(const MPoly& p, std::size_t variable, bool assumed) const {
   Region r(*this);
   if (!assumed) r.path_.push_back({p, Sign::zero});
@@ -307,10 +293,15 @@ std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x)
     if (is_rational(x) && !is_rational(used[0])) r.assumptions_.rational.push_back(used[0]);
   }
   for (const auto& relation : relations_) {
+    if (!uses(relation.p, x)) {
+      r.relations_.push_back(relation);
+      continue;
+    }
+    // a^3 - b^2 at a = 0 is -b^2, no longer irreducible: an equation that is looked at anew
     const MFraction there = substitute(relation.p, step);
     if (is_zero(there)) continue;
     if (is_constant(there)) return Empty{{}};
-    r.relate(there.num(), relation.variable);
+    r.assumptions_.conditions.push_back({there.num(), Sign::zero});
   }
   if (r.is_empty()) return Empty{r.trusted_};
   return r;

@@ -74,8 +74,8 @@ public:
   [[nodiscard]] std::variant<Region, Empty, Split, Stuck> where_zero(const MPoly& p) const;
 
   /// The stratum with p = 0 where no parameter is linear in p: all parameters are kept, and f != 0
-  /// is known where the resultant of f and p in `variable` is.  Requires that the leading
-  /// coefficient of p in `variable` is known != 0.
+  /// is known where the resultant of f and p in `variable` is.  Requires that p is irreducible over
+  /// Q and its leading coefficient in `variable` known != 0.
   /// An assumed p is not repeated in path().
   [[nodiscard]] Region with_relation(const MPoly& p, std::size_t variable, bool assumed) const;
   struct Relation {
@@ -99,7 +99,6 @@ private:
   [[nodiscard]] bool has_no_admissible_root(const MPoly& p) const;
   [[nodiscard]] bool is_real(const MPoly& p) const;
   [[nodiscard]] bool equations_contradict() const;
-  void relate(const MPoly& p, std::size_t preferred);
   /// f has no zero in common with one of the relations.
   [[nodiscard]] bool differs_from_relations(const MPoly& f) const;
   [[nodiscard]] std::variant<Region, Empty> solve(const MPoly& p, std::size_t variable) const;

@@ -51,5 +51,12 @@ TEST(QQbar, TheFieldKnowsWhichRootIsMeant) {
   EXPECT_THROW((void)field_of(principal_root(QQbar(Rational(1, 2)), 3), "a"), InvalidArgument);
 }
 
+TEST(NumberField, AReduciblePolynomialIsRefused) {
+  for (const std::vector<Integer>& m :
+       {std::vector<Integer>{0, 0, 1}, {-1, 0, 1}, {0, 1, 0, 1}, {4, 0, 0, 0, 1}, {1}, {1, 0, 2}})
+    EXPECT_THROW(static_cast<void>(make_field(m, "a")), InvalidArgument);
+  EXPECT_EQ(make_field({-2, 0, 1}, "a")->degree(), 2);
+}
+
 } // namespace
 } // namespace kov

@@ -52,6 +52,18 @@ TEST(Region, AnInequalityIsCarriedOverARealDenominatorOnly) {
   EXPECT_TRUE(s.is_nonzero(v("d").num()));
 }
 
+// A^3 = C^2 at A = 0 is C^2 = 0: no relation that C is a root of, but the equation C = 0.
+TEST(Region, ARelationStaysIrreducible) {
+  const Region r = Region(ring, {}).with_relation(
+      (x("A") * x("A") * x("A") - x("C") * x("C")).num(), ring->index("A"), true);
+  const auto there = r.where_zero(x("A").num());
+  ASSERT_TRUE(std::holds_alternative<Region>(there));
+  const Region& cusp = std::get<Region>(there);
+  EXPECT_TRUE(cusp.relations().empty());
+  ASSERT_TRUE(cusp.pending());
+  EXPECT_TRUE(cusp.doubtful_factor(*cusp.pending()) == x("C").num());
+}
+
 TEST(Region, EquationsAreSolvedAndCarriedIntoTheAssumptions) {
   const Region r = positive_bodies();
   const auto there = r.where_zero((x("C") - x("A") + number(1)).num());
