@@ -20,6 +20,12 @@ int sign_on(const Region& region, const MFraction& f, bool exact) {
   return exact ? 0 : region.sign_of(f.num()) * region.sign_of(f.den());
 }
 
+// num/den has the sign of num den where den is real: i/i = 1, and i i = -1.
+bool is_positive(const Region& region, const MFraction& f) {
+  if (sign_on(region, f, true) > 0) return true;
+  return region.is_real(f.den()) && region.exact_sign_of(num_times_den(f)) > 0;
+}
+
 // chi(T) with T in the place of the variable z, cleared of denominators: one more real variable.
 MPoly in_one_more_variable(const ParametricPlace& p, std::size_t z) {
   const Ring& ring = p.q.ring();
@@ -164,8 +170,7 @@ std::optional<Rational> bound_of_square(const ParametricPlace& p, const Region& 
       if (!by_z3 && p.chi.size() == 2) {
         const MFraction room = MFraction(p.q.ring(), bound) + p.chi[0]; // B - Delta^2
         if (is_zero(room)) continue;
-        const auto exact = region.exact_sign_of(num_times_den(room));
-        if (exact > 0) return bound;
+        if (is_positive(region, room)) return bound;
       }
       if (!by_z3) continue;
       const MPoly f = in_one_more_variable(p, t);

@@ -34,6 +34,7 @@ public:
   }
   [[nodiscard]] const std::vector<TrustedStep>& trusted() const noexcept { return trusted_; }
   [[nodiscard]] bool is_real(std::size_t variable) const;
+  [[nodiscard]] bool is_real(const MPoly& p) const; ///< all its variables are
   [[nodiscard]] bool is_rational(std::size_t variable) const;
 
   /// f in the parameters that are left.  Throws DomainError if its denominator vanishes here.
@@ -97,7 +98,6 @@ private:
   /// rational; or degree 1, and its root is no integer where one is assumed (or is one where none
   /// is).
   [[nodiscard]] bool has_no_admissible_root(const MPoly& p) const;
-  [[nodiscard]] bool is_real(const MPoly& p) const;
   [[nodiscard]] bool equations_contradict() const;
   /// f has no zero in common with one of the relations.
   [[nodiscard]] bool differs_from_relations(const MPoly& f) const;
