@@ -2,7 +2,6 @@
 
 #include "certify/rules.hpp"
 #include "exact/error.hpp"
-#include "exact/factor.hpp"
 
 #include <algorithm>
 #include <map>
@@ -14,6 +13,7 @@ namespace {
 
 struct Failure { // what check() reports
   std::string step, why;
+  bool limit = false;
 };
 
 class Run {
@@ -41,13 +41,6 @@ private:
   void need_header() const {
     need(!is_zero(c_.den) && is_one(lead(c_.den)), "den is not monic");
     need(!is_zero(c_.num) || degree(c_.den) == 0, "r = 0 must be written with den = 1");
-    if (c_.field->is_rational()) return;
-    Poly m;
-    long i = 0;
-    for (const Integer& a : c_.field->minpoly_coefficients())
-      m.set_coeff(i++, NfElem(Rational(a)));
-    const auto factors = irreducible_factors(m);
-    need(factors.size() == 1 && factors[0].exponent == 1, "the minimal polynomial is reducible");
   }
 
   void take(const Step& s) {
@@ -62,7 +55,7 @@ private:
       facts_.emplace(s.id,
                      std::visit([&](const auto& data) { return fact(data, premises); }, s.rule));
     } catch (const Refused& r) {
-      throw Failure{s.id, rule_name(s.rule) + ": " + r.why};
+      throw Failure{s.id, rule_name(s.rule) + ": " + r.why, r.limit};
     } catch (const std::exception& e) {
       throw Failure{s.id, rule_name(s.rule) + ": " + e.what()};
     }
@@ -154,9 +147,9 @@ std::variant<Accepted, Rejected> check(const Certificate& c, double* spent) {
     if (spent) *spent = run.spent();
     return yes;
   } catch (const Failure& f) {
-    return Rejected{f.step, f.why};
+    return Rejected{f.step, f.why, f.limit};
   } catch (const Refused& r) {
-    return Rejected{"", r.why};
+    return Rejected{"", r.why, r.limit};
   } catch (const std::exception& e) {
     return Rejected{"", e.what()};
   }

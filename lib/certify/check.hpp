@@ -13,6 +13,7 @@ namespace kov::certify {
 struct Rejected {
   std::string step; ///< id of the step; empty: the certificate as a whole
   std::string why;
+  bool limit = false; ///< only a size: nothing in the certificate was found to be false
 };
 
 struct Accepted {

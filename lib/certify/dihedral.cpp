@@ -15,7 +15,7 @@ NfElem square_of_w(const InvariantFact& v) {
   double size = 0;
   for (const auto& [c, k] : v.powers)
     size += static_cast<double>(std::abs(k)) * (1 + bits(Poly(c)));
-  need(size <= 1e8, "an exponent is too large");
+  need_within(size <= 1e8, "an exponent is too large");
   NfElem w2 = v.top / v.bottom;
   for (const auto& [c, k] : v.powers) {
     const NfElem u = pow(c, static_cast<unsigned long>(std::abs(k)));

@@ -29,7 +29,7 @@ bool annihilates(const Poly& chi, const Poly& value, const std::optional<Poly>& 
 }
 
 long to_size(const Integer& n, const char* why) {
-  need(fits_long(n), why);
+  need_within(fits_long(n), why);
   return to_long(n);
 }
 
@@ -158,10 +158,10 @@ std::pair<Poly, Poly> InvariantFact::fraction() const {
   double size = 0;
   for (const InvariantFactor& f : data.factors) {
     const long e = to_long(floor(f.e));
-    need(std::abs(e) * degree(f.q) <= 200000, "an exponent is too large");
+    need_within(std::abs(e) * degree(f.q) <= 200000, "an exponent is too large");
     size += static_cast<double>(std::abs(e)) * bits(f.q);
-    need(static_cast<double>(std::abs(e) * degree(f.q)) * size <= max_bulk,
-         "an exponent is too large");
+    need_within(static_cast<double>(std::abs(e) * degree(f.q)) * size <= max_bulk,
+                "an exponent is too large");
     (e > 0 ? A : B) *= pow(f.q, static_cast<unsigned long>(std::abs(e)));
   }
   return {std::move(A), std::move(B)};

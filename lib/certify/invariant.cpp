@@ -61,7 +61,7 @@ InvariantFact check_invariant(const Judge& j, const Invariant& data) {
   const auto steps = static_cast<double>(data.m + 1);
   const double size = bits(data.p) + steps * (bits(S) + bits(rs) + bits(theta));
   const auto length = static_cast<double>(degree(data.p)) + steps * static_cast<double>(degree(S));
-  need(length * size <= max_bulk, "the invariant is too large");
+  need_within(length * size <= max_bulk, "the invariant is too large");
   j.spend(steps * length * (1 + size / 64));
   const Poly dS = derivative(S);
   std::vector<Poly> T{data.p, S * derivative(data.p) + theta * data.p};

@@ -68,10 +68,11 @@ void need_eps2(const Judge& j, const PlaceFact& x, const Coefficient& n, const C
                const Poly& value) {
   const Residues red(x.q);
   const long nu = x.order / 2;
-  need(nu <= max_irregular, "the order of the pole is too large");
+  need_within(nu <= max_irregular, "the order of the pole is too large");
   const double size = bits(j.equation.num) + bits(j.equation.den) +
                       (x.q ? j.length() / static_cast<double>(x.n) * bits(*x.q) : 0);
-  need(static_cast<double>(nu * nu * x.n) * size <= max_bulk, "the coefficients are too large");
+  need_within(static_cast<double>(nu * nu * x.n) * size <= max_bulk,
+              "the coefficients are too large");
   std::vector<Poly> N, D, G;
   for (long i = 0; i < nu; ++i) {
     N.push_back(n(i));
@@ -121,7 +122,7 @@ public:
   void finish() const {
     if (claims_.empty()) return;
     const auto& [num, den] = judge_.equation;
-    need(judge_.length() * size_ <= max_bulk, "the exponents are too large");
+    need_within(judge_.length() * size_ <= max_bulk, "the exponents are too large");
     judge_.spend(4 * judge_.words() + judge_.length() * size_ / 16);
     const auto [Q, W] = sum(0, claims_.size());
     const Poly S = mod(quotient(den, Q * Q), Q);
@@ -236,7 +237,7 @@ namespace {
 
 // The places are all there are: product and orders.
 void need_all_places(const Judge& j, const Local& data) {
-  need(data.places.size() <= max_places, "too many places");
+  need_within(data.places.size() <= max_places, "too many places");
   std::vector<Poly> powers, bases;
   long total = 0;
   double size = 0;
@@ -246,8 +247,8 @@ void need_all_places(const Judge& j, const Local& data) {
     total += degree(e.q) * e.order;
     need(total <= degree(j.equation.den), "the degrees do not add up to deg den");
     size += static_cast<double>(e.order) * bits(e.q);
-    need(static_cast<double>(degree(j.equation.den)) * size <= max_bulk,
-         "the places are too large");
+    need_within(static_cast<double>(degree(j.equation.den)) * size <= max_bulk,
+                "the places are too large");
     bases.push_back(e.q);
     powers.push_back(pow(e.q, static_cast<unsigned long>(e.order)));
   }

@@ -86,8 +86,8 @@ std::optional<std::vector<mp_limb_t>> riccati(const Expansion& e, mp_limb_t s0, 
   const nmod_t mod = e.num.mod();
   const long nu = std::max(1L, e.order / 2);
   const auto T = static_cast<double>(terms);
-  need(T * T + T * static_cast<double>(degree(e.num) + degree(e.den) + 2) <= max_work,
-       "too many terms");
+  need_within(T * T + T * static_cast<double>(degree(e.num) + degree(e.den) + 2) <= max_work,
+              "too many terms");
   NmodPoly r(mod.n); // t^(2 nu) r
   nmod_poly_shift_left(r.raw(), mul_series(e.num, inverse_series(e.den, terms), terms).raw(),
                        2 * nu - e.order);

@@ -47,7 +47,8 @@ void check_series(const Judge& j, const BySeries& data, const LocalFact& local) 
     need(data.root < mod.n && evaluate(reduce(*x.q, data.prime), data.root) == 0,
          "not a root of the place modulo p");
   }
-  need(data.terms >= 2 && data.terms <= static_cast<long>(max_length), "too few or too many terms");
+  need_within(data.terms >= 2 && data.terms <= static_cast<long>(max_length),
+              "too few or too many terms");
   need(data.delta < mod.n, "delta is not reduced modulo p");
   const Integer L = length_bound(local, x);
   j.spend(static_cast<double>(data.terms) * (static_cast<double>(data.terms) + j.length()));

@@ -54,7 +54,7 @@ NmodPoly denominator(const LocalFact& local, long m, const PrimeIdeal& prime, mp
   NmodPoly U(prime.p);
   U.set_coeff(0, 1);
   for (auto& [e, qs] : groups) {
-    need(std::abs(e) < 10000000, "an exponent is too large");
+    need_within(std::abs(e) < 10000000, "an exponent is too large");
     while (qs.size() > 1) {
       std::vector<NmodPoly> next;
       for (std::size_t i = 0; i < qs.size(); i += 2)
@@ -95,11 +95,12 @@ void check_rank(const Judge& j, const RankModP& data, long m, const Integer& D,
   const long T = data.terms;
   const auto work = static_cast<double>(T) * static_cast<double>(degree(r.num) + degree(r.den) + 2);
   const Integer spare = Integer(T) - (sign(D) < 0 ? Integer(-1) : D) - Integer(m + 2);
-  need(sign(spare) >= 0 && spare <= Integer(1000) && T <= 10 * static_cast<long>(max_length) &&
-           Integer(T) <= Integer(data.prime.p) && work <= max_work,
-       "terms out of range");
+  need_within(sign(spare) >= 0 && spare <= Integer(1000) &&
+                  T <= 10 * static_cast<long>(max_length) && Integer(T) <= Integer(data.prime.p) &&
+                  work <= max_work,
+              "terms out of range");
   const auto rows = static_cast<double>(m + 1);
-  need(rows * static_cast<double>(T) <= max_matrix, "terms out of range");
+  need_within(rows * static_cast<double>(T) <= max_matrix, "terms out of range");
   j.spend(work + 60 * rows * static_cast<double>(T) + rows * rows * static_cast<double>(T));
   need(data.x0 < data.prime.p && evaluate(r.den, data.x0) != 0, "x0 is a pole modulo p");
   const NmodPoly n = taylor_shift(r.num, data.x0);

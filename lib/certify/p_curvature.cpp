@@ -57,7 +57,8 @@ PCurvatureFact check_p_curvature(const Judge& j, const PCurvature& data, const L
   const Reduced r = j.reduced(data.prime);
   const auto p = static_cast<double>(data.prime.p);
   const auto size = static_cast<double>(degree(r.num) + degree(r.den) + 2);
-  need(p * size <= 1e7 && p * p * size <= max_work, "the prime is too large for a p-curvature");
+  need_within(p * size <= 1e7 && p * p * size <= max_work,
+              "the prime is too large for a p-curvature");
   j.spend(p * p * size);
   const NmodPoly b = square_of_curvature(r);
   need(!is_zero(b), "the p-curvature is nilpotent");

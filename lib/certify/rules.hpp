@@ -27,7 +27,7 @@ struct Judge {
   /// Refuses when all steps together cost too much; before the work is done.
   void spend(double work) const {
     spent += work;
-    need(spent <= max_total, "the certificate is too much work");
+    need_within(spent <= max_total, "the certificate is too much work");
   }
 
   mutable double spent = 0;

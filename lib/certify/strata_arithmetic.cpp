@@ -62,8 +62,8 @@ MPoly scaled(const MPoly& f, const Integer& c) {
 void Arithmetic::charge(double products, double words) {
   products_ += products;
   words_ += words;
-  need(products_ <= max_products && words_ <= max_word_work,
-       "a limit: the certificate is too much work");
+  need_within(products_ <= max_products && words_ <= max_word_work,
+              "a limit: the certificate is too much work");
 }
 
 MPoly Arithmetic::times(const MPoly& a, const MPoly& b) {
@@ -76,10 +76,10 @@ MPoly Arithmetic::times(const MPoly& a, const MPoly& b) {
   const auto db = degrees(b);
   double box = 1; // an upper bound for the terms of the product
   for (std::size_t i = 0; i < da.size(); ++i) {
-    need(da[i] + db[i] <= max_degree, "a limit: the degree of a polynomial");
+    need_within(da[i] + db[i] <= max_degree, "a limit: the degree of a polynomial");
     box *= static_cast<double>(da[i] + db[i] + 1);
   }
-  need(std::min(box, pairs) * (wa + wb) <= max_result, "a limit: the size of a polynomial");
+  need_within(std::min(box, pairs) * (wa + wb) <= max_result, "a limit: the size of a polynomial");
   return a * b;
 }
 
@@ -214,7 +214,8 @@ MPoly Elimination::resultant(Coefficients f, Coefficients g) {
 
 MPoly Elimination::determinant(std::vector<std::vector<MPoly>> rows) {
   const std::size_t n = rows.size();
-  need(n > 0 && n <= static_cast<std::size_t>(max_unknowns), "a limit: the size of a matrix");
+  need_within(n > 0 && n <= static_cast<std::size_t>(max_unknowns),
+              "a limit: the size of a matrix");
   bool negative = false;
   MPoly before(rows[0][0].ring(), Integer(1));
   for (std::size_t k = 0; k < n; ++k) {

@@ -138,12 +138,12 @@ std::vector<InvariantPlace> Places::exponents(long m) const {
 }
 
 bool Places::no_invariant(long m) const {
-  need(m >= 2 && m <= max_sym && m % 2 == 0, "a limit: the degree of an invariant");
+  need_within(m >= 2 && m <= max_sym && m % 2 == 0, "a limit: the degree of an invariant");
   const auto D = degree_bound(m);
   if (!D || sign(*D) < 0) return true;
   return std::any_of(leaf_.absent.begin(), leaf_.absent.end(), [&](const AbsentInvariant& x) {
     if (x.m != m) return false;
-    need(*D < Integer(max_unknowns), "a limit: the size of a linear system");
+    need_within(*D < Integer(max_unknowns), "a limit: the size of a linear system");
     need_full_rank(x, to_long(*D));
     return true;
   });

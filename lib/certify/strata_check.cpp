@@ -196,7 +196,7 @@ private:
     for (const LemmaTerm& t : terms) {
       denominator = lcm(denominator, t.c.den());
       const std::size_t bits = fmpz_bits(denominator.raw());
-      need(bits <= max_denominator_bits, "a limit: the common denominator of the terms");
+      need_within(bits <= max_denominator_bits, "a limit: the common denominator of the terms");
       arithmetic_.charge(1, static_cast<double>(bits) / 16);
     }
     MPoly total(c_.ring);
@@ -252,7 +252,7 @@ std::variant<StrataAccepted, Rejected> check_strata(const StrataCertificate& c) 
   try {
     return walk();
   } catch (const Refused& r) {
-    return Rejected{walk.path(), r.why};
+    return Rejected{walk.path(), r.why, r.limit};
   } catch (const std::exception& e) {
     return Rejected{walk.path(), e.what()};
   }

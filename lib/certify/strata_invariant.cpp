@@ -48,7 +48,7 @@ InvariantRecurrence::InvariantRecurrence(const Stratum& s, const MPoly& content,
   }
   theta_ = MPoly(content.ring());
   for (const InvariantPlace& x : places) {
-    need(abs(Rational(x.e)) <= Rational(10000000), "an exponent is too large");
+    need_within(abs(Rational(x.e)) <= Rational(10000000), "an exponent is too large");
     if (is_zero(x.e)) continue;
     const auto rest = a_.quotient(S_, x.q);
     need(rest.has_value(), "internal: a place does not divide S");

@@ -46,7 +46,7 @@ void need_same(const Poly& num, const Poly& den, const Certificate& c) {
   const auto small = [](const Poly& f, const Poly& g) {
     return static_cast<double>(degree(f) + degree(g) + 2) * (bits(f) + bits(g)) <= max_bulk;
   };
-  need(small(num, c.den) && small(c.num, den), "a limit: the size of the equation");
+  need_within(small(num, c.den) && small(c.num, den), "a limit: the size of the equation");
   need(num * c.den == c.num * den, "the nested certificate is about another equation");
 }
 
@@ -57,7 +57,8 @@ std::size_t NestedJudge::accept(const Certificate& c, bool abelian) {
   const auto verdict = check(c, &spent_);
   if (const auto* no = std::get_if<Rejected>(&verdict))
     throw Refused{"the nested certificate is refused: " +
-                  (no->step.empty() ? "" : "step '" + no->step + "': ") + no->why};
+                      (no->step.empty() ? "" : "step '" + no->step + "': ") + no->why,
+                  no->limit};
   return std::get<Accepted>(verdict).trusted_steps;
 }
 

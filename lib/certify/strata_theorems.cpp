@@ -21,7 +21,7 @@ public:
   void add(const Rational& v) {
     s_.arithmetic().charge(work_of_a_rational);
     values_.insert(v);
-    need(values_.size() <= max_values, "a limit: too many values of an exponent difference");
+    need_within(values_.size() <= max_values, "a limit: too many values of an exponent difference");
   }
   /// All a/N, a >= 1, up to b.
   void add_multiples(long N, const Rational& b) {
@@ -70,7 +70,7 @@ private:
     std::optional<Sums> sums{Sums{open_.q ? Rational(-2 * open_.d) : Rational(2)}};
     for (const ProvedPlace& x : places_.all())
       if (!x.open()) sums = add_choices(a_, std::move(sums), products(x), x.d);
-    need(sums.has_value(), "a limit: too many sums of exponents");
+    need_within(sums.has_value(), "a limit: too many sums of exponents");
     for (Integer k(1); Rational(k, Integer(2)) <= *b_; k += Integer(1))
       if (possible(*sums, k)) values_.add(Rational(k, Integer(2)));
   }
@@ -123,7 +123,7 @@ private:
       const auto choices = Places::line_choices(x);
       need(choices.has_value(), "internal: an exponent difference is not rational");
       sums = add_choices(a_, std::move(sums), *choices, x.d);
-      need(sums.has_value(), "a limit: too many sums of exponents");
+      need_within(sums.has_value(), "a limit: too many sums of exponents");
     }
     for (const Rational& f : *sums)
       for (long j = open_.d; j >= 0; j -= 2)
@@ -189,7 +189,7 @@ long character_order(const Places& places) {
   Integer n(2);
   for (const ProvedPlace& x : places.all())
     if (x.q) n = lcm(n, ((Rational(1) + x.delta.value_or(1)) / Rational(2)).den());
-  need(n <= Integer(max_sym), "a limit: the degree of an invariant");
+  need_within(n <= Integer(max_sym), "a limit: the degree of an invariant");
   return to_long(n);
 }
 

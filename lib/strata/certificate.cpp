@@ -62,14 +62,14 @@ struct State {
   Fraction r;
 };
 
-// What the judge says to the text; empty: accepted.
-std::string judged(const std::string& json) {
+// What the judge has against the text.
+std::optional<certify::Rejected> refused(const std::string& json) {
   try {
     const auto opinion = certify::check_strata(certify::read_strata_certificate(json));
-    if (const auto* no = std::get_if<certify::Rejected>(&opinion)) return no->step + ": " + no->why;
+    if (const auto* no = std::get_if<certify::Rejected>(&opinion)) return *no;
     return {};
   } catch (const InvalidArgument& e) {
-    return e.what();
+    return certify::Rejected{"", e.what(), true};
   }
 }
 
@@ -120,7 +120,10 @@ public:
     if (!q_.assumptions.memberships.empty()) whole.emplace_back("memberships", memberships());
     result_.json = certify::to_string(Json{std::move(whole)});
     result_.says_anything = !said_.empty();
-    result_.refusal = judged(result_.json);
+    if (const auto no = refused(result_.json)) {
+      result_.refusal = (no->step.empty() ? "" : no->step + ": ") + no->why;
+      result_.limit = no->limit;
+    }
     return std::move(result_);
   }
 
@@ -349,8 +352,28 @@ private:
 } // namespace
 
 StrataCertificate certificate(const StrataAnswer& a, const Budget& budget) {
+  if (a.certificate) return *a.certificate;
   KOV_ENSURE(a.tree && a.question);
   return Writer(a, budget).write();
+}
+
+void certify(StrataAnswer& a, const Budget& budget) {
+  try {
+    a.certificate = std::make_shared<StrataCertificate>(certificate(a, budget));
+  } catch (const InvalidArgument&) { // who asks for it is told why there is none
+    return;
+  } catch (const OutOfBudget&) {
+    return;
+  }
+  if (a.certificate->refusal.empty() || a.certificate->limit) return;
+  a.refusal = a.certificate->refusal;
+  for (Stratum& s : a.strata) {
+    if (s.leaf.abelian == Truth::unknown) continue;
+    s.leaf = {};
+    s.leaf.open_condition =
+        "our own checker refuses the certificate of what was found: " + a.refusal;
+    s.leaf.reason = "undecided: " + s.leaf.open_condition;
+  }
 }
 
 } // namespace kov::strata

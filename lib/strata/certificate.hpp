@@ -12,6 +12,7 @@ struct StrataCertificate {
   std::string json;
   bool says_anything = false; ///< some stratum is decided
   std::string refusal;        ///< what the judge of lib/certify has against it; empty: accepted
+  bool limit = false;         ///< refused for its size, or not read: nothing was found to be false
   std::size_t trusted = 0;    ///< nodes that rest on Z3 or on a theorem without a rule
   std::vector<std::string> uncertified; ///< why: one line for each such node
 };
@@ -21,7 +22,11 @@ struct StrataCertificate {
 ///
 /// Requires  a = decide_strata(...) with Options::want_certificate
 /// Throws    InvalidArgument where a name is no identifier; OutOfBudget
-/// Cost      about that of the verdicts of all leaves once more
+/// Cost      about that of the verdicts of all leaves once more; none where a.certificate is set
 [[nodiscard]] StrataCertificate certificate(const StrataAnswer& a, const Budget& budget = {});
+
+/// Sets a.certificate, and a.refusal where our own checker refuses it, for another reason than its
+/// size: then every verdict is taken back.  Nothing changes where no certificate can be written.
+void certify(StrataAnswer& a, const Budget& budget = {});
 
 } // namespace kov::strata

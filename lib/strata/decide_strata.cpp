@@ -1,6 +1,7 @@
 #include "strata/decide_strata.hpp"
 
 #include "exact/error.hpp"
+#include "strata/certificate.hpp"
 #include "strata/signs.hpp"
 
 #include <algorithm>
@@ -312,7 +313,9 @@ private:
 } // namespace
 
 StrataAnswer decide_strata(const Question& q, const StrataLimits& limits) {
-  return Tree(q, limits).grow();
+  StrataAnswer a = Tree(q, limits).grow();
+  if (limits.decide.want_certificate && a.tree) certify(a, limits.decide.budget);
+  return a;
 }
 
 const Stratum* stratum_at(const StrataAnswer& a, const std::map<std::size_t, Rational>& point) {

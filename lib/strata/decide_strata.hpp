@@ -34,6 +34,8 @@ struct StrataLimits {
   std::size_t max_strata = 200;
 };
 
+struct StrataCertificate;
+
 struct StrataAnswer {
   std::vector<Stratum> strata;        ///< disjoint; with `unvisited` they cover the assumptions
   std::vector<std::string> unvisited; ///< conditions of strata that a limit left open
@@ -45,6 +47,9 @@ struct StrataAnswer {
   std::vector<std::shared_ptr<const StrataAnswer>> special;
   std::shared_ptr<const Question> question; ///< what was asked
   ProofTreePtr tree;                        ///< how `strata` were found
+  /// If Options::want_certificate, and it could be written.
+  std::shared_ptr<const StrataCertificate> certificate;
+  std::string refusal; ///< what our own checker has against it: every verdict is withdrawn then
 
   /// yes or no: the same on all strata; unknown otherwise.
   [[nodiscard]] Truth abelian() const;

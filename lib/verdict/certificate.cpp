@@ -266,19 +266,24 @@ certify::Certificate certificate(const Classification& c, const RationalFunction
                                  const Budget& budget) {
   try {
     return Writer(c, r, budget).run();
-  } catch (const certify::Refused& r_why) {
-    throw OutOfBudget("the judge refuses a step: " + r_why.why);
+  } catch (const certify::Refused& refused) {
+    const std::string what = "the judge refuses a step: " + refused.why;
+    if (refused.limit) throw OutOfBudget(what);
+    throw RefusedByChecker(what);
   }
 }
 
 Judged judged(const certify::Certificate& c) {
-  Judged j{certify::write_certificate(c), ""};
+  Judged j{certify::write_certificate(c), "", false};
   try {
     const auto verdict = certify::check(certify::read_certificate(j.json));
-    if (const auto* no = std::get_if<certify::Rejected>(&verdict))
+    if (const auto* no = std::get_if<certify::Rejected>(&verdict)) {
       j.refusal = "step '" + no->step + "': " + no->why;
+      j.limit = no->limit;
+    }
   } catch (const Error& e) {
     j.refusal = e.what();
+    j.limit = true;
   }
   return j;
 }

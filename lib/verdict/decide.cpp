@@ -143,6 +143,19 @@ void closed_formula(Decision& d, const Options& options) {
   mark_as_uncertified(d, options);
 }
 
+void withdraw(Decision& d, const std::string& refusal) {
+  const std::string found = d.group ? ", G = " + describe(*d.group) : "";
+  forget_answer(d,
+                "an answer was found" + found +
+                    ", and our own checker refuses its certificate: " + refusal,
+                Unable::Why::methods_disagree);
+  d.no_certificate = refusal;
+}
+
+bool is_withdrawn(const Decision& d) {
+  return d.undecided && d.undecided->why == Unable::Why::methods_disagree;
+}
+
 void certify_it(Decision& d, const Classification& c, const Options& options) {
   if (!d.group && d.abelian == Truth::unknown) {
     d.no_certificate = "nothing is proved";
@@ -150,10 +163,16 @@ void certify_it(Decision& d, const Classification& c, const Options& options) {
   }
   try {
     Judged j = judged(certificate(c, d.r, options.budget));
-    if (j.refusal.empty())
+    if (j.refusal.empty()) {
       d.certificate = std::move(j.json);
-    else
+    } else if (j.limit) {
       d.no_certificate = "the judge refuses it: " + j.refusal;
+    } else {
+      d.refused = std::move(j.json);
+      return withdraw(d, j.refusal);
+    }
+  } catch (const RefusedByChecker& why) {
+    return withdraw(d, why.what());
   } catch (const OutOfBudget& limit) {
     d.no_certificate = limit.what();
   }
@@ -165,6 +184,10 @@ void certify_it(Decision& d, const Classification& c, const Options& options) {
 void ask_the_judge(Decision& d, const Classification& c, const Options& options) {
   Decision judged = d;
   certify_it(judged, c, options);
+  if (is_withdrawn(judged)) {
+    d = std::move(judged);
+    return;
+  }
   d.reason += judged.certificate.empty() ? "; no certificate: " + judged.no_certificate
                                          : "; the judge accepts its certificate";
 }
@@ -216,11 +239,11 @@ Decision decide(const NormalForm& equation, const Options& options) {
     certify_it(d, c, options);
   else if (options.method == Method::all)
     ask_the_judge(d, c, options);
-  if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
-    second_chance(d, equation, options);
-  if (!d.group && options.method != Method::engines && !is_zero(d.r)) closed_formula(d, options);
+  const bool others = options.method != Method::engines && !is_withdrawn(d);
+  if (!d.group && d.abelian != Truth::yes && others) second_chance(d, equation, options);
+  if (!d.group && others && !is_zero(d.r)) closed_formula(d, options);
   const bool asked = options.method == Method::kovacic || options.method == Method::all;
-  if (asked || options.want_trace) {
+  if (!is_withdrawn(d) && (asked || options.want_trace)) {
     const SecondOpinion other = classical(d, equation, options);
     // Only to look at the steps: a limit of the classical algorithm is no news then.
     if (asked || (other.kovacic_case && d.kovacic_case && *other.kovacic_case != *d.kovacic_case))

@@ -46,9 +46,9 @@ struct Decision {
   RationalFunction r;
   std::string variable = "z";
   std::optional<Singularities> places; ///< of r, if they were looked at
-  std::optional<GaloisGroup> group;   ///< unset: not determined (see reason)
-  std::optional<Connected> component; ///< may be known where the group is not
-  Truth abelian = Truth::unknown;     ///< of the identity component
+  std::optional<GaloisGroup> group;    ///< unset: not determined (see reason)
+  std::optional<Connected> component;  ///< may be known where the group is not
+  Truth abelian = Truth::unknown;      ///< of the identity component
   std::optional<int> kovacic_case;
   std::vector<Solution> solutions;
   std::string reason;              ///< full sentences; for "unknown": why
@@ -56,6 +56,7 @@ struct Decision {
   std::vector<TraceStep> trace;
   std::string certificate;    ///< JSON text; empty if not asked for, or
   std::string no_certificate; ///< why there is none
+  std::string refused; ///< the certificate that our own checker refused; with it goes the verdict
   double seconds = 0;
 };
 
@@ -68,7 +69,8 @@ struct SecondOpinion {
 /// (Unable::budget, Unable::methods_disagree).
 void compare(Decision& d, const SecondOpinion& other);
 
-/// Never throws for a legal r: limits end in Decision::undecided.
+/// Never throws for a legal r: limits end in Decision::undecided.  So does a certificate that our
+/// own checker refuses (Unable::methods_disagree): nothing is said then.
 /// Throws InternalError if a self-check fails.
 [[nodiscard]] Decision decide(const NormalForm& equation, const Options& options = {});
 

@@ -113,5 +113,28 @@ TEST(StrataCertificate, WhatHasNoRuleIsTrustedAndCounted) {
   EXPECT_GE(c.trusted, 1U);
 }
 
+// The proof of another equation's group in the place of this one's.
+TEST(StrataCertificate, AVerdictIsWithdrawnWhereOurCheckerRefusesIt) {
+  StrataLimits limits;
+  limits.decide.want_certificate = true;
+  const auto decided = [&](const MFraction& r) {
+    return decide_strata({r, ring->index("z"), positive_bodies(), {}}, limits);
+  };
+  StrataAnswer a = decided(x("z"));
+  ASSERT_EQ(a.abelian(), Truth::no);
+  EXPECT_TRUE(a.refusal.empty());
+  ASSERT_TRUE(a.certificate);
+  ProofTree tampered = *a.tree;
+  tampered.leaf->number->certificate =
+      decided(x("z") * x("z") + x("z")).strata.front().leaf.number->certificate;
+  a.tree = std::make_shared<ProofTree>(tampered);
+  a.certificate.reset();
+  certify(a);
+  EXPECT_NE(a.refusal.find("about another equation"), std::string::npos) << a.refusal;
+  EXPECT_EQ(a.abelian(), Truth::unknown);
+  EXPECT_FALSE(a.strata.front().leaf.group);
+  EXPECT_NE(a.strata.front().leaf.reason.find("our own checker refuses"), std::string::npos);
+}
+
 } // namespace
 } // namespace kov::strata

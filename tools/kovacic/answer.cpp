@@ -22,7 +22,7 @@ double seconds_since(Clock::time_point start) {
 // further lines.
 constexpr char tag_decided = 'd';
 constexpr char tag_undecided = 'u';
-constexpr char tag_disagreement = 'm'; // of two methods: a mistake of ours, with a result
+constexpr char tag_disagreement = 'm'; // of two methods, or of our checker: a mistake of ours
 constexpr char tag_input = 'i';
 constexpr char tag_internal = 'x';
 
@@ -139,6 +139,7 @@ private:
     }
     result["recognized"] = known;
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
+    if (result.contains("refused_by_checker")) return tag_disagreement + dump(result);
     if (!result.at("undecided").is_null() && !result.contains("contradictory") &&
         decide_for_all(result))
       result["undecided"] = nullptr;

@@ -179,6 +179,11 @@ Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& 
   if (!open.empty()) {
     set_undecided(j, "parameter", open);
     return j;
+  if (!a.refusal.empty()) {
+    j["refused_by_checker"] = a.certificate->json;
+    set_undecided(j, name_of(Unable::Why::methods_disagree), open);
+    return j;
+  }
   }
   j["reason"] = a.strata.size() == 1
                     ? a.strata.front().leaf.reason

@@ -96,6 +96,7 @@ Json closed_result(Json open, const Decision& d, double seconds) {
       j["trace"].push_back({{"step", step.step}, {"text", step.text}});
   }
   if (!d.no_certificate.empty()) j["no_certificate"] = d.no_certificate;
+  if (!d.refused.empty()) j["refused_by_checker"] = d.refused;
   return j;
 }
 
