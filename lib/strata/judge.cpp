@@ -29,15 +29,14 @@ Leaf leaf_of(const Decision& d) {
   return leaf;
 }
 
-Leaf unsettled(long m, const Unsettled& where) {
+Leaf unsettled(const Unsettled& where, const std::string& otherwise) {
   Leaf leaf;
-  leaf.open_condition = "abelian only if Sym^" + std::to_string(m) +
-                        " has a rational solution, which it has not for generic parameters";
+  leaf.open_condition = "abelian only if " + otherwise + (otherwise.empty() ? "" : ", or ") +
+                        "these polynomials all vanish, which they do not for generic parameters";
   std::string together;
   for (const auto& p : where.together)
     together += (together.empty() ? "" : ", ") + brief(MFraction(p), 120);
-  leaf.reason = "undecided: " + leaf.open_condition +
-                ": these polynomials would all have to vanish: " + together;
+  leaf.reason = "undecided: " + leaf.open_condition + ": " + together;
   return leaf;
 }
 
@@ -139,7 +138,9 @@ private:
     return std::get<Needs>(std::move(s));
   }
 
-  Searched search(const InvariantForm& form, const std::string& group) {
+  // `otherwise`: where G0 may be abelian without an invariant of this form.
+  Searched search(const InvariantForm& form, const std::string& group,
+                  const std::string& otherwise = {}) {
     if (form.degree >= most_unknowns) {
       Leaf leaf;
       leaf.reason = "Sym^" + std::to_string(form.m) + " has " + std::to_string(form.degree + 1) +
@@ -153,7 +154,7 @@ private:
     if (const auto& v = std::get<0>(found)) return abelian_by(*v, group);
     auto excluded = exclude_invariant(s_, form, region_, budget_);
     if (auto* needs = std::get_if<Needs>(&excluded)) return std::move(*needs);
-    if (const auto* u = std::get_if<Unsettled>(&excluded)) return unsettled(form.m, *u);
+    if (const auto* u = std::get_if<Unsettled>(&excluded)) return unsettled(*u, otherwise);
     return {};
   }
 
@@ -244,8 +245,13 @@ private:
     for (const long m : degrees) {
       const InvariantBound bound = invariant_bound(s_, m);
       if (bound.form) {
-        auto answer = search(*bound.form, m == 12 ? "finite, in the normaliser of a torus, or T_n"
-                                                  : "T_n, or cyclic");
+        // Sym^12 is asked first: where it has no solution Sym^n may have one
+        auto answer =
+            search(*bound.form,
+                   m == 12 ? "finite, in the normaliser of a torus, or T_n" : "T_n, or cyclic",
+                   m == degrees.back()
+                       ? ""
+                       : "Sym^" + std::to_string(degrees.back()) + " has a rational solution");
         if (!std::holds_alternative<std::monostate>(answer)) return lift(std::move(answer));
       }
       none +=

@@ -37,7 +37,8 @@ struct Leaf {
 /// The leaf of an equation without parameters.
 [[nodiscard]] Leaf leaf_of(const Decision& d);
 
-/// Sym^m has a rational solution at most on a thin set, which was not looked at.
-[[nodiscard]] Leaf unsettled(long m, const Unsettled& where);
+/// Abelian at most where `otherwise`, or on a thin set that was not looked at, where the
+/// polynomials vanish.
+[[nodiscard]] Leaf unsettled(const Unsettled& where, const std::string& otherwise = {});
 
 } // namespace kov::strata

@@ -40,7 +40,7 @@ public:
     if (four.form) {
       auto excluded = exclude_invariant(s_, *four.form, region_, budget_);
       if (auto* n = std::get_if<Needs>(&excluded)) return std::move(*n);
-      if (const auto* u = std::get_if<Unsettled>(&excluded)) return unsettled(4, *u);
+      if (const auto* u = std::get_if<Unsettled>(&excluded)) return unsettled(*u, rational_text());
     }
     generic_ = four.form ? "Sym^4 has no rational solution" : four.why;
     for (const auto* p : open_)
@@ -143,7 +143,7 @@ private:
     if (!bounds_[0]) return unbounded();
     const Rational most = root_above(*bounds_[0]);
     const auto products = half_integers(most);
-    if (!products) return undecided("too many families of exponents");
+    if (!products) return undecided(several_text());
     Values values = *products;
     const auto lines = reducible(most);
     if (torus_.empty()) {
@@ -236,11 +236,17 @@ private:
     return "Delta is rational, " + where(p) +
            ", and the equation is reducible or a symmetric power has a rational solution";
   }
-  [[nodiscard]] std::string several_text() const {
-    std::string text = torus_.empty() ? "every Delta is rational" : "some 2*Delta is an integer";
+  // docs/theory/strata.md 6.4: a torus acts where some Delta is not rational, and its invariant has
+  // exponents that are not generic.
+  [[nodiscard]] std::string rational_text() const {
+    std::string text = torus_.empty() ? "every Delta is rational or some 2*Delta is an integer"
+                                      : "some 2*Delta is an integer";
     for (const auto* p : open_)
       text += ", " + where(*p);
-    return text + ", and a symmetric power has a rational solution";
+    return text;
+  }
+  [[nodiscard]] std::string several_text() const {
+    return rational_text() + ", and a symmetric power has a rational solution";
   }
   Leaf undecided(const std::string& condition) const {
     Leaf leaf;
