@@ -10,6 +10,22 @@
 #include <set>
 
 namespace kov {
+namespace {
+
+// Where all coefficients of f in z vanish, f is 0: not there.
+void assume_somewhere_nonzero(strata::Question& q, const MPoly& f, const std::string& otherwise) {
+  std::vector<MPoly> all = coefficients(f, q.z);
+  std::erase_if(all, [](const MPoly& c) { return is_zero(c); });
+  if (std::any_of(all.begin(), all.end(), [](const MPoly& c) { return is_constant(c); })) return;
+  q.generic.push_back({std::move(all), otherwise});
+}
+
+void assume_defined(strata::Question& q, const MFraction& f) {
+  if (!is_zero(f))
+    assume_somewhere_nonzero(q, f.den(), "a coefficient of the equation has no value");
+}
+
+} // namespace
 
 Family read_family(const EquationText& text) {
   const auto constants = AlgebraicConstants::in(text);
@@ -45,9 +61,15 @@ Family read_family(const EquationText& text) {
       throw text.ode->error("this is not a homogeneous linear equation of the second order",
                             "only a2*" + given.unknown + "'' + a1*" + given.unknown + "' + a0*" +
                                 given.unknown + " = 0 can be solved");
-    q.r = reduced(form->p, form->q);
+    for (const MFraction& c : {form->c0, form->c1, form->c2})
+      assume_defined(q, c);
+    assume_somewhere_nonzero(q, form->c2.num(), "the coefficient of " + given.unknown + "'' is 0");
+    q.r = reduced(form->c1 / form->c2, form->c0 / form->c2);
   } else {
-    q.r = reduced(evaluate(*text.p, scope), evaluate(*text.q, scope));
+    const MFraction p = evaluate(*text.p, scope), q0 = evaluate(*text.q, scope);
+    for (const MFraction& c : {p, q0})
+      assume_defined(q, c);
+    q.r = reduced(p, q0);
   }
   q.r = q.r.ring() ? constants->reduced(q.r, scope) : MFraction(ring);
   q.assumptions = read_assumptions(text, scope);

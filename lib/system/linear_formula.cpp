@@ -119,7 +119,7 @@ std::optional<ParametricSecondOrder> parametric_second_order(const Expression& e
     while (!form.c.empty() && is_zero(form.c.back()))
       form.c.pop_back();
     if (form.c.size() != 3 || !is_zero(form.rest)) return std::nullopt;
-    return ParametricSecondOrder{form.c[1] / form.c[2], form.c[0] / form.c[2]};
+    return ParametricSecondOrder{form.c[0], form.c[1], form.c[2]};
   } catch (const NotLinear&) {
     return std::nullopt;
   }

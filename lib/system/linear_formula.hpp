@@ -9,9 +9,9 @@
 
 namespace kov {
 
-/// p and q of y'' + p y' + q y = 0, over Q(parameters)(z).
+/// c2 y'' + c1 y' + c0 y = 0 over Q(parameters)(z), c2 != 0 for generic parameters.
 struct ParametricSecondOrder {
-  MFraction p, q;
+  MFraction c0, c1, c2;
 };
 
 /// Unset for anything but a homogeneous linear equation of second order (the reader of equations

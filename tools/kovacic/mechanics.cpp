@@ -155,7 +155,8 @@ Json json_of(const System& s, const BlockReport& b) {
     }
     j["energies"] = std::move(all);
   }
-  j["abelian"] = yes_no(b.abelian);
+  const bool mixed = b.abelian == Truth::unknown && b.strata && b.strata->decided();
+  j["abelian"] = mixed ? "depends" : yes_no(b.abelian);
   if (!b.note.empty()) j["note"] = b.note;
   return j;
 }

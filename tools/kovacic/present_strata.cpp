@@ -145,6 +145,9 @@ void put_common(Json& j, const strata::StrataAnswer& a) {
   if (a.unvisited.empty() &&
       all([&](const strata::Stratum* s) { return s->leaf.abelian == first.abelian; }))
     j["abelian"] = word(first.abelian);
+  else if (a.unvisited.empty() &&
+           all([](const strata::Stratum* s) { return s->leaf.abelian != Truth::unknown; }))
+    j["abelian"] = "depends";
   const bool one_group =
       first.group && all([&](const strata::Stratum* s) { return s->leaf.group == first.group; });
   if (!one_group || !a.unvisited.empty()) return;
@@ -176,14 +179,14 @@ Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& 
   if (with_equation(a).empty() && a.unvisited.empty())
     open = a.strata.empty() ? "nothing was looked at" : a.strata.front().leaf.open_condition;
   if (open.empty() && !a.unvisited.empty()) open = "not looked at: " + a.unvisited.front();
-  if (!open.empty()) {
-    set_undecided(j, "parameter", open);
-    return j;
   if (!a.refusal.empty()) {
     j["refused_by_checker"] = a.certificate->json;
     set_undecided(j, name_of(Unable::Why::methods_disagree), open);
     return j;
   }
+  if (!open.empty()) {
+    set_undecided(j, "parameter", open);
+    return j;
   }
   j["reason"] = a.strata.size() == 1
                     ? a.strata.front().leaf.reason

@@ -98,8 +98,9 @@ std::optional<MFraction> symbolic_r(const EquationText& text) {
   if (text.p && text.q)
     return normal_form_of(evaluate(*text.p, scope), evaluate(*text.q, scope), 0);
   if (!text.ode) return std::nullopt;
-  const auto order2 = parametric_second_order(*text.ode, unknown, 0, scope);
-  return order2 ? std::optional(normal_form_of(order2->p, order2->q, 0)) : std::nullopt;
+  const auto form = parametric_second_order(*text.ode, unknown, 0, scope);
+  if (!form) return std::nullopt;
+  return normal_form_of(form->c1 / form->c2, form->c0 / form->c2, 0);
 }
 
 } // namespace
