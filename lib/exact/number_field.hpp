@@ -95,7 +95,10 @@ public:
   NfElem& operator+=(const NfElem& b) { return *this = *this + b; }
   NfElem& operator-=(const NfElem& b) { return *this = *this - b; }
   NfElem& operator*=(const NfElem& b) { return *this = *this * b; }
-  friend bool operator==(const NfElem& a, const NfElem& b) { return fmpq_poly_equal(a.v_, b.v_); }
+  /// Irrational elements of two fields are different: each field has a generator of its own.
+  friend bool operator==(const NfElem& a, const NfElem& b) {
+    return fmpq_poly_equal(a.v_, b.v_) && (a.k_ == b.k_ || fmpq_poly_degree(a.v_) <= 0);
+  }
 
 private:
   Field k_;

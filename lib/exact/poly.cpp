@@ -136,6 +136,13 @@ Poly operator-(Poly a) {
   return a;
 }
 
+bool Poly::equal_over_two_fields(const Poly& a, const Poly& b) {
+  if (degree(a) != degree(b)) return false;
+  for (long i = degree(a); i >= 0; --i)
+    if (!(a.coeff(i) == b.coeff(i))) return false;
+  return true;
+}
+
 long degree(const Poly& f) noexcept {
   const long top = fmpq_poly_degree(f.raw());
   return top < 0 ? -1 : top / f.stride();

@@ -51,9 +51,14 @@ public:
   Poly& operator+=(const Poly& b) { return *this = *this + b; }
   Poly& operator-=(const Poly& b) { return *this = *this - b; }
   Poly& operator*=(const Poly& b) { return *this = *this * b; }
-  friend bool operator==(const Poly& a, const Poly& b) { return fmpq_poly_equal(a.v_, b.v_); }
+  friend bool operator==(const Poly& a, const Poly& b) {
+    return a.k_ == b.k_ ? fmpq_poly_equal(a.v_, b.v_) : equal_over_two_fields(a, b);
+  }
 
 private:
+  /// Coefficient by coefficient, since the two flat layouts differ.
+  [[nodiscard]] static bool equal_over_two_fields(const Poly& a, const Poly& b);
+
   Field k_;
   fmpq_poly_t v_;
 };
@@ -95,7 +100,8 @@ private:
 [[nodiscard]] Poly norm(const Poly& f);
 /// A polynomial in z as text that the parser reads back; descending powers.
 [[nodiscard]] std::string to_string(const Poly& f, const std::string& variable = "z");
-/// A total order without meaning, the same in every run (degree, then coefficients).
+/// A total order without meaning, the same in every run (degree, then coefficients), among the
+/// polynomials over one field.
 [[nodiscard]] int compare(const Poly& a, const Poly& b);
 
 } // namespace kov
