@@ -4,10 +4,13 @@
 
 namespace kov {
 
-Integer Integer::parse(std::string_view digits) {
+Integer Integer::parse(std::string_view text) {
+  const std::string_view digits = text.starts_with('-') ? text.substr(1) : text;
+  // GMP would read over white space and stop at a zero byte
+  const bool plain = !digits.empty() && digits.find_first_not_of("0123456789") == digits.npos;
   Integer n;
-  if (digits.empty() || fmpz_set_str(n.v_, std::string(digits).c_str(), 10) != 0)
-    throw InvalidArgument("not an integer: '" + std::string(digits) + "'");
+  if (!plain || fmpz_set_str(n.v_, std::string(text).c_str(), 10) != 0)
+    throw InvalidArgument("not an integer: '" + std::string(text) + "'");
   return n;
 }
 

@@ -26,8 +26,8 @@ public:
   }
   ~Integer() { fmpz_clear(v_); }
 
-  /// Decimal digits with an optional sign.  Throws InvalidArgument.
-  [[nodiscard]] static Integer parse(std::string_view digits);
+  /// Decimal digits, perhaps after a minus sign, and nothing else.  Throws InvalidArgument.
+  [[nodiscard]] static Integer parse(std::string_view text);
 
   [[nodiscard]] const fmpz* raw() const noexcept { return v_; }
   [[nodiscard]] fmpz* raw() noexcept { return v_; }
