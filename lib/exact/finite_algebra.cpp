@@ -187,7 +187,7 @@ std::optional<std::vector<MFraction>> solve_linear(std::vector<std::vector<MFrac
 }
 
 std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction>> m,
-                                               std::size_t columns) {
+                                               std::size_t columns, const Ring& ring) {
   const auto pivots = row_reduce(m, columns);
   std::vector<std::vector<MFraction>> basis;
   for (std::size_t c = 0, r = 0; c < columns; ++c) {
@@ -195,13 +195,10 @@ std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction
       ++r;
       continue;
     }
-    std::vector<MFraction> v(columns);
+    std::vector<MFraction> v(columns, MFraction(ring));
     for (std::size_t k = 0; k < pivots.size(); ++k)
       v[pivots[k]] = -m[k][c];
-    // the one at the free place needs a ring; take it from any entry of the matrix
-    for (const auto& row : m)
-      for (const auto& entry : row)
-        if (entry.ring()) v[c] = MFraction(entry.ring(), Rational(1));
+    v[c] = MFraction(ring, Rational(1));
     basis.push_back(std::move(v));
   }
   return basis;

@@ -61,8 +61,8 @@ private:
 /// length. Unset if there is none.  Free unknowns are 0.
 [[nodiscard]] std::optional<std::vector<MFraction>>
 solve_linear(std::vector<std::vector<MFraction>> m, std::vector<MFraction> b);
-/// A basis of {x : m x = 0}; `columns` is needed when m has no rows.
+/// A basis of {x : m x = 0} over the fractions of `ring`; a matrix without rows has `columns` too.
 [[nodiscard]] std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction>> m,
-                                                             std::size_t columns);
+                                                             std::size_t columns, const Ring& ring);
 
 } // namespace kov

@@ -266,7 +266,7 @@ int independent_integrals(const VectorField& v, const std::vector<MFraction>& in
       rows.pop_back();
     }
   }
-  return static_cast<int>(v.dimension() - null_space(rows, v.dimension()).size());
+  return static_cast<int>(v.dimension() - null_space(rows, v.dimension(), v.ring).size());
 }
 
 Substitution solve(const FoundManifold& m) {

@@ -100,7 +100,8 @@ std::variant<std::optional<ParametricInvariant>, Needs> find_invariant(const Sch
       rows.emplace_back(row.begin(), row.end());
   MFraction p(s.r.ring(), Rational(1)); // no conditions: every P will do
   if (!rows.empty()) {
-    const auto kernel = null_space(std::move(rows), static_cast<std::size_t>(form.degree + 1));
+    const auto kernel =
+        null_space(std::move(rows), static_cast<std::size_t>(form.degree + 1), s.r.ring());
     if (kernel.empty()) return std::nullopt;
     p = MFraction(s.r.ring());
     for (std::size_t j = kernel[0].size(); j-- > 0;)

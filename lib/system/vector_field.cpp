@@ -132,7 +132,7 @@ Legendre legendre(const MFraction& lagrangian, const std::vector<std::size_t>& v
     }
     rest.push_back(MFraction::variable(ring, momenta[i]) - substitute(momentum, at_rest));
   }
-  if (!null_space(mass, n).empty())
+  if (!null_space(mass, n, ring).empty())
     throw DomainError("the kinetic energy is degenerate: dL/dOmega = M cannot be solved");
   Legendre result;
   result.velocities = *solve_linear(mass, rest);

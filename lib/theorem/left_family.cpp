@@ -51,7 +51,7 @@ public:
         fixed.emplace_back(time_ + 1, MFraction(scalars_));
         fixed.back()[column(other)] = MFraction(scalars_, Rational(1));
       }
-    const auto all = null_space(fixed, time_ + 1);
+    const auto all = null_space(fixed, time_ + 1, scalars_);
     return std::any_of(all.begin(), all.end(),
                        [&](const auto& w) { return !is_zero(w[column(name)]); });
   }
