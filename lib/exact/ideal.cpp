@@ -83,8 +83,13 @@ Ideal::Ideal(Ring ring, std::vector<std::size_t> main, const std::vector<MPoly>&
   if (std::set<std::size_t>(main_.begin(), main_.end()).size() != main_.size())
     throw InvalidArgument("a main variable of an ideal is repeated");
   MPoly product(ring_, Integer(1));
-  for (const auto& g : nonzero)
+  for (const auto& g : nonzero) {
+    if (is_zero(g)) { // I : 0^infinity is the whole ring
+      basis_.push_back(to_kpoly(MFraction(ring_, Rational(1))));
+      return;
+    }
     if (!is_constant(g)) product *= g;
+  }
   const bool saturate = !is_constant(product);
   extra_ = saturate ? 1 : 0;
   std::vector<KPoly> start;
