@@ -14,6 +14,13 @@ const Ring& common_ring(const Ring& a, const Ring& b) {
   throw InvalidArgument("two multivariate values from different rings cannot be combined");
 }
 
+// FLINT stops the program when it is asked for an exponent that is no machine word.
+MPoly checked_exponents(MPoly f) {
+  if (fmpz_mpoly_degrees_fit_si(f.raw(), f.ctx()) == 0)
+    throw DomainError("the exponents of a polynomial are too large");
+  return f;
+}
+
 } // namespace
 
 Variables::Variables(std::vector<std::string> names) : names_(std::move(names)) {
@@ -109,7 +116,7 @@ MPoly operator*(const MPoly& a, const MPoly& b) {
   MPoly r(common_ring(a.ring_, b.ring_));
   if (!a.ring_ || !b.ring_) return r;
   fmpz_mpoly_mul(r.v_, a.v_, b.v_, r.ctx());
-  return r;
+  return checked_exponents(std::move(r));
 }
 MPoly operator-(const MPoly& a) {
   MPoly r(a.ring_);
@@ -129,7 +136,7 @@ MPoly pow(const MPoly& f, unsigned long e) {
   MPoly r(f.ring());
   if (r.ring() && fmpz_mpoly_pow_ui(r.raw(), f.raw(), e, r.ctx()) == 0)
     throw DomainError("the power " + std::to_string(e) + " of a polynomial is too large");
-  return r;
+  return r.ring() ? checked_exponents(std::move(r)) : r;
 }
 
 MPoly derivative(const MPoly& f, std::size_t i) {
@@ -150,9 +157,11 @@ std::vector<std::size_t> used_variables(const MPoly& f) {
 }
 
 MPoly gcd(const MPoly& a, const MPoly& b) {
-  if (!a.ring() || !b.ring()) return a.ring() ? a : b;
   MPoly r(common_ring(a.ring(), b.ring()));
-  if (fmpz_mpoly_gcd(r.raw(), a.raw(), b.raw(), r.ctx()) == 0)
+  if (!r.ring()) return r;
+  const MPoly zero(r.ring());
+  const auto raw = [&](const MPoly& f) { return f.ring() ? f.raw() : zero.raw(); };
+  if (fmpz_mpoly_gcd(r.raw(), raw(a), raw(b), r.ctx()) == 0)
     throw DomainError("a greatest common divisor could not be computed: exponents too large");
   return r;
 }

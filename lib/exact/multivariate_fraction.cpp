@@ -20,7 +20,11 @@ MFraction combine(const MFraction& a, const MFraction& b, Binary op) {
   if (a.ring() != b.ring())
     throw InvalidArgument("two multivariate values from different rings cannot be combined");
   MFraction r(a.ring());
-  op(MFractionAccess::raw(r), a.raw(), b.raw(), r.ring()->ctx());
+  const auto* ctx = r.ring()->ctx();
+  op(MFractionAccess::raw(r), a.raw(), b.raw(), ctx);
+  if (fmpz_mpoly_degrees_fit_si(&r.raw()->num, ctx) == 0 ||
+      fmpz_mpoly_degrees_fit_si(&r.raw()->den, ctx) == 0)
+    throw DomainError("the exponents of a rational function are too large");
   return r;
 }
 
