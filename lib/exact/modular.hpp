@@ -78,12 +78,12 @@ struct PrimeIdeal {
   [[nodiscard]] std::optional<mp_limb_t> reduce(const Rational& q) const;
 };
 
-/// Walks through prime ideals of degree one, from large primes downwards or small ones upwards.
+/// Walks through prime ideals of degree one, their primes ascending from just above `start`.
 /// Requires that the minimal polynomial stay squarefree modulo p (others are skipped).
 class PrimeIdeals {
 public:
   PrimeIdeals(Field k, mp_limb_t start);
-  [[nodiscard]] static PrimeIdeals large(const Field& k); ///< from just below 2^61
+  [[nodiscard]] static PrimeIdeals large(const Field& k); ///< from just above 2^60
   /// The next prime ideal; one per rational prime.
   [[nodiscard]] PrimeIdeal next();
   /// The next rational prime that splits completely: all [K:Q] ideals above it.
