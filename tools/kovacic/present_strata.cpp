@@ -3,6 +3,7 @@
 #include "mechanics.hpp"
 #include "present.hpp"
 #include "render.hpp"
+#include "strata/certificate.hpp"
 
 #include <algorithm>
 
