@@ -138,7 +138,7 @@ TEST_P(Groups, MoebiusTransformationsAndGaugesKeepThem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Groups, ::testing::ValuesIn(known()),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& test) { return test.param.name; });
 
 // y = exp int omega for random omega: the group is reducible, and the solution found is verified.
 TEST(Classify, PlantedExponentialsAreFound) {

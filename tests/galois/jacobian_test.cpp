@@ -186,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Curve{"Genus2Lead", 211, {7, 1, 0, -3, 0, 3}},
                       Curve{"Genus3", 61, {1, 1, 0, 0, 2, 0, 0, 1}},
                       Curve{"SmallField", 7, {1, 0, 1, 0, 0, 1}}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& test) { return test.param.name; });
 
 // On S^2 = x^n + 1, n odd, the function S - 1 vanishes n times at (0, 1): order n.
 TEST(Jacobian, KnownTorsionPoints) {
