@@ -79,6 +79,10 @@ Field make_field(const std::vector<Integer>& minpoly, std::string letter, int ro
   return std::make_shared<const NumberField>(minpoly, std::move(letter), root, std::move(scale));
 }
 
+bool same_minimal_polynomial(const Field& a, const Field& b) {
+  return a == b || fmpz_poly_equal(a->minpoly(), b->minpoly()) != 0;
+}
+
 const Field& common_field(const Field& a, const Field& b) {
   if (a == b || b->is_rational()) return a;
   if (a->is_rational()) return b;

@@ -55,6 +55,8 @@ private:
 [[nodiscard]] const Field& rationals();
 [[nodiscard]] Field make_field(const std::vector<Integer>& minpoly, std::string letter,
                                int root = 0, Integer scale = Integer(1));
+/// The same object, or the same minimal polynomial: then the same coordinates are the same element of Q[x]/(m).
+[[nodiscard]] bool same_minimal_polynomial(const Field& a, const Field& b);
 /// The larger of two fields, one of which is Q or both of which are the same object.
 [[nodiscard]] const Field& common_field(const Field& a, const Field& b);
 
@@ -95,9 +97,9 @@ public:
   NfElem& operator+=(const NfElem& b) { return *this = *this + b; }
   NfElem& operator-=(const NfElem& b) { return *this = *this - b; }
   NfElem& operator*=(const NfElem& b) { return *this = *this * b; }
-  /// Irrational elements of two fields are different: each field has a generator of its own.
+  /// Irrational elements of fields with two minimal polynomials are different.
   friend bool operator==(const NfElem& a, const NfElem& b) {
-    return fmpq_poly_equal(a.v_, b.v_) && (a.k_ == b.k_ || fmpq_poly_degree(a.v_) <= 0);
+    return fmpq_poly_equal(a.v_, b.v_) && (fmpq_poly_degree(a.v_) <= 0 || same_minimal_polynomial(a.k_, b.k_));
   }
 
 private:
