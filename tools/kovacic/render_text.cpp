@@ -176,10 +176,9 @@ std::string text_of_result(const Json& result, const std::string& title, const S
                                     : result.at("identity_component").get<std::string>();
   if (!component.empty()) line += ", identity component " + component_text(component);
   const std::string abelian = result.at("abelian").get<std::string>();
-  if (component.empty() && abelian != "undecided")
-    line += abelian == "yes" ? ", identity component abelian" : ", identity component not abelian";
-  else if (abelian != "undecided")
-    line += abelian == "yes" ? ", abelian" : ", not abelian";
+  const std::string noun = component.empty() ? ", identity component " : ", ";
+  if (abelian == "yes") line += noun + "abelian";
+  if (abelian == "no") line += noun + "not abelian"; // "depends": the strata say it
   if (!open || line != "G = ?") out << "  " << wrapped(line, 2) << '\n';
   if (style.quiet && result.at("undecided").is_null()) return out.str();
   if (result.contains("strata")) {
