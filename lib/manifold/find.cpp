@@ -258,12 +258,12 @@ int independent_integrals(const VectorField& v, const std::vector<MFraction>& in
   for (const auto& f : integrals) {
     try {
       const MFraction g = substitute(f, solved);
-      rows.emplace_back();
+      std::vector<MFraction> row;
       for (std::size_t j = 0; j < v.dimension(); ++j)
-        rows.back().push_back(solved.count(v.coordinates[j]) ? MFraction(v.ring)
-                                                             : substitute(partial(v, g, j), point));
-    } catch (const DomainError&) {
-      rows.pop_back();
+        row.push_back(solved.count(v.coordinates[j]) ? MFraction(v.ring)
+                                                     : substitute(partial(v, g, j), point));
+      rows.push_back(std::move(row));
+    } catch (const DomainError&) { // not defined on the set, or not at this point
     }
   }
   return static_cast<int>(v.dimension() - null_space(rows, v.dimension(), v.ring).size());
@@ -298,7 +298,8 @@ std::vector<FoundManifold> find_manifolds(const VectorField& v,
     for (const auto& e : m.equations)
       generators.push_back(e.difference.num());
     const Ideal ideal = relation_ideal(v, generators);
-    if (ideal.is_unit() || invariance_failure(v, m.equations, ideal)) continue;
+    if (ideal.is_unit() || pole_along(v, ideal) || invariance_failure(v, m.equations, ideal))
+      continue;
     std::string key;
     for (const auto& g : ideal.basis())
       key += to_string(ideal.from_kpoly(g)) + ";";

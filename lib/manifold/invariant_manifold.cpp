@@ -7,11 +7,6 @@
 namespace kov {
 namespace {
 
-bool zero_on(const MFraction& f, const Ideal& ideal) {
-  return is_zero_modulo(f, ideal) || ideal.vanishes(f.num()) ||
-         ideal.vanishes(f.num() * ideal.normal_form(MFraction(f.den())).num());
-}
-
 // What f is on the manifold, for a message: numerator reduced, denominator kept.
 MFraction value_on(const MFraction& f, const Ideal& ideal) {
   const MFraction d = ideal.normal_form(MFraction(f.den()));
@@ -43,6 +38,22 @@ void solve_linear_equations(const VectorField& v, InvariantManifold& m) {
   }
 }
 
+// The same set, and one line for each equation that is written in another way.
+std::vector<Equation> without_multiplicities(std::vector<Equation> equations,
+                                             std::vector<std::string>& rewritten) {
+  for (Equation& e : equations) {
+    if (is_zero(e.difference)) continue;
+    const auto factors = factor(e.difference.num()).second;
+    if (std::all_of(factors.begin(), factors.end(),
+                    [](const MFactor& f) { return f.exponent == 1; }))
+      continue;
+    const MFraction reduced(squarefree_part(e.difference.num()));
+    rewritten.push_back("'" + e.text + "' is read as " + to_string(reduced) + " = 0, the same set");
+    e.difference = reduced;
+  }
+  return equations;
+}
+
 std::vector<MPoly> numerators(const std::vector<Equation>& equations) {
   std::vector<MPoly> all;
   for (const auto& e : equations)
@@ -69,8 +80,14 @@ std::optional<ManifoldFailure> invariance_failure(const VectorField& v,
                                                   const Ideal& ideal) {
   for (const auto& e : equations) {
     const MFraction d = lie_derivative(v, e.difference);
-    if (zero_on(d, ideal)) continue;
+    if (is_in(d, ideal)) continue;
     const MFraction value = value_on(d, ideal);
+    if (vanishes_on(d, ideal))
+      return ManifoldFailure{
+          "the derivative " + brief(value) + " of '" + e.text + "' vanishes on " +
+              "the set but is not in the ideal of its equations, so that the set " +
+              "is not proved invariant: write equations without multiplicities",
+          e.text, value};
     return ManifoldFailure{"the set is not invariant: on it the derivative of the left side minus "
                            "the right side of '" +
                                e.text + "' is " + brief(value) + ", not 0",
@@ -84,7 +101,7 @@ namespace {
 std::optional<ManifoldFailure> level_failure(const VectorField& v, const InvariantManifold& m) {
   for (const auto& e : m.levels) {
     const MFraction d = lie_derivative(v, e.difference);
-    if (zero_on(d, *m.ideal)) continue;
+    if (vanishes_on(d, *m.ideal)) continue;
     const MFraction value = value_on(d, *m.ideal);
     return ManifoldFailure{"the level '" + e.text + "' is not one of a first integral: on the " +
                                "manifold its derivative is " + brief(value) + ", not 0",
@@ -135,19 +152,18 @@ std::variant<InvariantManifold, ManifoldFailure> prove_invariant(const VectorFie
                                                                  const ManifoldSpec& spec) {
   InvariantManifold m;
   m.name = spec.name;
-  m.equations = spec.equations;
-  m.levels = spec.levels;
+  m.equations = without_multiplicities(spec.equations, m.rewritten);
+  m.levels = without_multiplicities(spec.levels, m.rewritten);
   m.nonzero = spec.nonzero;
   auto generators = numerators(m.equations);
   m.ideal = std::make_shared<const Ideal>(relation_ideal(v, generators, m.nonzero));
   if (m.ideal->is_unit())
     return ManifoldFailure{"the manifold is empty: its equations contradict each other", m.name,
                            MFraction(v.ring)};
-  for (const auto& x : v.components)
-    if (m.ideal->vanishes(x.den()))
-      return ManifoldFailure{"the vector field is not defined on the manifold: the denominator " +
-                                 to_string(x.den()) + " vanishes there",
-                             m.name, MFraction(x.den())};
+  if (const auto den = pole_along(v, *m.ideal))
+    return ManifoldFailure{"the vector field is not defined on the manifold: the denominator " +
+                               to_string(*den) + " vanishes there",
+                           m.name, MFraction(*den)};
   if (auto failure = invariance_failure(v, m.equations, *m.ideal)) return *std::move(failure);
   for (const auto& e : m.equations)
     m.proof.push_back("d/dt of '" + e.text + "' is in the ideal of the manifold");

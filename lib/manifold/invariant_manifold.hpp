@@ -23,8 +23,9 @@ struct InvariantManifold {
   std::vector<MPoly> nonzero;
   /// Variables that the equations determine, e.g. M1 -> 0; applied everywhere for readable results.
   Substitution solved;
-  bool linear = false;            ///< `solved` says everything that the equations say
-  std::vector<std::string> proof; ///< one line per statement proved
+  bool linear = false;                ///< `solved` says everything that the equations say
+  std::vector<std::string> proof;     ///< one line per statement proved
+  std::vector<std::string> rewritten; ///< one line per equation read without its multiplicities
 
   /// f restricted to the manifold (not to the levels).
   [[nodiscard]] MFraction restrict(const MFraction& f) const;

@@ -7,19 +7,6 @@
 namespace kov {
 namespace {
 
-Ideal level_ideal(const VectorField& v, const std::vector<Equation>& on) {
-  std::vector<MPoly> levels;
-  for (const auto& e : on)
-    levels.push_back(e.difference.num());
-  return relation_ideal(v, levels);
-}
-
-/// f = 0 on the level, where its denominator is not 0.
-bool holds_on(const MFraction& f, const Ideal& level) {
-  return is_zero_modulo(f, level) || level.vanishes(f.num()) ||
-         level.vanishes(f.num() * level.normal_form(MFraction(f.den())).num());
-}
-
 MFraction reduced(const MFraction& f, const Ideal& level) {
   if (level.is_zero_ideal() || is_zero(f)) return f;
   return level.normal_form(MFraction(f.num())) / MFraction(f.den());
@@ -36,14 +23,17 @@ ClaimResult check_darboux(const VectorField& v, const SystemClaim& claim) {
   const MFraction cofactor = derivative / claim.value;
   if (!is_zero(gcd(cofactor.den(), g)) && is_constant(gcd(cofactor.den(), g)))
     return {true, "X(G) = K G with K = " + brief(cofactor), cofactor, {}};
-  std::vector<Equation> on(claim.on);
-  on.push_back({claim.value, claim.text});
-  const Ideal level = level_ideal(v, on);
+  auto generators = set_generators(claim.on);
+  generators.push_back(g); // with its multiplicities: 2 x is no multiple of x^2
+  const Ideal level = relation_ideal(v, generators);
   if (level.is_unit()) return refuted("G = 0 is empty; X(G)", derivative);
-  if (holds_on(derivative, level))
+  if (is_in(derivative, level))
     return {true, "X(G) is in the ideal of G and the relations", MFraction(v.ring),
             level.inverted()};
-  return refuted("on G = 0: X(G)", reduced(derivative, level));
+  return refuted(vanishes_on(derivative, level)
+                     ? "X(G) vanishes on G = 0 and is no multiple of G; modulo G: X(G)"
+                     : "on G = 0: X(G)",
+                 reduced(derivative, level));
 }
 
 // Factors in the parameters alone.
@@ -70,14 +60,35 @@ std::vector<MPoly> meaningless(const VectorField& v, const SystemClaim& claim) {
   return of_claim;
 }
 
+// The ideal of the level has to contain the derivatives of its generators: that they vanish on the
+// level proves nothing where it has multiplicities.
+std::optional<ClaimResult> not_invariant(const VectorField& v, const std::vector<Equation>& on,
+                                         const Ideal& level) {
+  for (const Equation& e : on) {
+    if (is_zero(e.difference)) continue;
+    const MFraction d = lie_derivative(v, MFraction(squarefree_part(e.difference.num())));
+    if (is_in(d, level)) continue;
+    return refuted(vanishes_on(d, level)
+                       ? "the level " + e.text +
+                             " has multiplicities, and is not proved invariant; " +
+                             "modulo its equations the derivative"
+                       : "the level " + e.text + " is not invariant; its derivative",
+                   reduced(d, level));
+  }
+  return std::nullopt;
+}
+
 ClaimResult checked(const VectorField& v, const SystemClaim& claim) {
   if (claim.kind == SystemClaim::Kind::darboux) return check_darboux(v, claim);
-  const Ideal level = level_ideal(v, claim.on);
+  const Ideal level = relation_ideal(v, set_generators(claim.on));
   if (level.is_unit())
     throw InvalidArgument("the level of the claim '" + claim.name + "' is empty");
+  if (const auto den = pole_along(v, level); den && !claim.on.empty())
+    throw InvalidArgument("the vector field is not defined on the level of the claim '" +
+                          claim.name + "': the denominator " + to_string(*den) + " vanishes there");
   const auto decide = [&](const MFraction& f, const std::string& what) -> ClaimResult {
     if (is_zero(f)) return {true, what + " = 0 identically", f, {}};
-    if (holds_on(f, level))
+    if (vanishes_on(f, level))
       return {true, what + " = 0 modulo the relations and the level", MFraction(v.ring),
               level.inverted()};
     return refuted(what, reduced(f, level));
@@ -85,10 +96,7 @@ ClaimResult checked(const VectorField& v, const SystemClaim& claim) {
   switch (claim.kind) {
   case SystemClaim::Kind::integral:
     // On a level set that is not itself invariant the statement would be empty: check it first.
-    for (const auto& e : claim.on)
-      if (const MFraction d = lie_derivative(v, e.difference); !holds_on(d, level))
-        return refuted("the level " + e.text + " is not invariant; its derivative",
-                       reduced(d, level));
+    if (const auto failure = not_invariant(v, claim.on, level)) return *failure;
     return decide(lie_derivative(v, claim.value), "d/dt " + claim.name);
   case SystemClaim::Kind::casimir: {
     if (!v.poisson) throw InvalidArgument("this system has no Poisson structure");

@@ -23,12 +23,6 @@ enum class SystemKind : std::uint8_t {
   poisson
 };
 
-/// left = right, kept as its difference and its text.
-struct Equation {
-  MFraction difference;
-  std::string text;
-};
-
 struct SystemClaim {
   enum class Kind : std::uint8_t { integral, casimir, darboux, poisson, equal };
   Kind kind = Kind::integral;

@@ -176,4 +176,46 @@ bool is_zero_modulo(const MFraction& f, const Ideal& ideal) {
   return is_zero(f) || ideal.contains(f.num());
 }
 
+namespace {
+
+// What is 0 where f is defined and 0; unset if f is defined nowhere on the set.
+std::optional<MPoly> where_defined(const MFraction& f, const Ideal& ideal) {
+  if (ideal.vanishes(f.den())) return std::nullopt;
+  return f.num() * ideal.normal_form(MFraction(f.den())).num();
+}
+
+} // namespace
+
+bool is_in(const MFraction& f, const Ideal& ideal) {
+  if (is_zero_modulo(f, ideal)) return true;
+  const auto g = where_defined(f, ideal);
+  return g && ideal.contains(*g);
+}
+
+bool vanishes_on(const MFraction& f, const Ideal& ideal) {
+  if (is_zero_modulo(f, ideal) || ideal.vanishes(f.num())) return true;
+  const auto g = where_defined(f, ideal);
+  return g && ideal.vanishes(*g);
+}
+
+std::optional<MPoly> pole_along(const VectorField& v, const Ideal& ideal) {
+  for (const MFraction& x : v.components)
+    if (ideal.vanishes(x.den())) return x.den();
+  return std::nullopt;
+}
+
+MPoly squarefree_part(const MPoly& f) {
+  MPoly product(f.ring(), Integer(1));
+  for (const MFactor& x : factor(f).second)
+    product *= x.base;
+  return product;
+}
+
+std::vector<MPoly> set_generators(const std::vector<Equation>& equations) {
+  std::vector<MPoly> all;
+  for (const Equation& e : equations)
+    if (!is_zero(e.difference)) all.push_back(squarefree_part(e.difference.num()));
+  return all;
+}
+
 } // namespace kov

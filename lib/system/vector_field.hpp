@@ -26,6 +26,12 @@ struct FunctionSymbol {
 
 using Matrix = std::vector<std::vector<MFraction>>;
 
+/// left = right, kept as its difference and its text.
+struct Equation {
+  MFraction difference;
+  std::string text;
+};
+
 struct VectorField {
   Ring ring;
   std::vector<std::size_t> coordinates; ///< phase variables
@@ -86,5 +92,18 @@ struct Legendre {
                                    const std::vector<MPoly>& nonzero = {});
 /// f = 0 modulo the ideal, where f is defined; decides by its numerator.
 [[nodiscard]] bool is_zero_modulo(const MFraction& f, const Ideal& ideal);
+
+/// f is in the ideal, or is where its denominator is inverted.  For f = X(g) and the generators g
+/// this makes V(I) invariant; for a radical ideal it is the same as vanishes_on.
+[[nodiscard]] bool is_in(const MFraction& f, const Ideal& ideal);
+/// f = 0 at every point of V(I) where its denominator is not 0.  For f = X(g) this does not make
+/// V(I) invariant: g = x^2 and x' = 1.
+[[nodiscard]] bool vanishes_on(const MFraction& f, const Ideal& ideal);
+/// A denominator of the field that vanishes on V(I), so that the field is not defined there.
+[[nodiscard]] std::optional<MPoly> pole_along(const VectorField& v, const Ideal& ideal);
+/// The product of the irreducible factors, each once; 1 for a constant.  Requires f != 0.
+[[nodiscard]] MPoly squarefree_part(const MPoly& f);
+/// The numerators of left - right, without multiple factors: the same set.
+[[nodiscard]] std::vector<MPoly> set_generators(const std::vector<Equation>& equations);
 
 } // namespace kov
