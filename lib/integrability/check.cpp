@@ -1,5 +1,6 @@
 #include "integrability/check.hpp"
 #include "integrability/parameters.hpp"
+#include "manifold/existence.hpp"
 #include "variation/whole.hpp"
 
 #include "exact/error.hpp"
@@ -170,7 +171,7 @@ void decide_block(const System& s, const CheckOptions& options, bool one_level,
   const ConstantField constants = ConstantField::make(s.field);
   NormalForm equation;
   equation.r = constants.convert(ode.r, ode.z);
-  if (ode.p) {
+  if (ode.p && parameter_names(*ode.p, s).empty() && parameter_names(*ode.q, s).empty()) {
     equation.p = constants.convert(*ode.p, ode.z);
     const NormalForm again = normal_form(equation.p, constants.convert(*ode.q, ode.z));
     KOV_ENSURE(again.r == equation.r); // two ways to r
@@ -275,15 +276,31 @@ std::vector<const strata::StrataAnswer*> strata_of(const BlockReport& block) {
   return all;
 }
 
+bool on_all_strata(const BlockReport& block) {
+  return block.abelian != Truth::unknown || (block.strata && block.strata->decided());
+}
+
+/// A level on each of whose strata the block is decided.
+const EnergyResult* deciding_level(const BlockReport& block) {
+  const auto e = std::find_if(block.energies.begin(), block.energies.end(), [](const auto& x) {
+    return x.strata && x.strata->decided() && somewhere_not_abelian(*x.strata);
+  });
+  return e == block.energies.end() ? nullptr : &*e;
+}
+
 /// Every block is decided, as a whole or on each of its strata (for one choice of the level).
 bool by_strata(const ManifoldReport& report) {
   return std::all_of(report.blocks.begin(), report.blocks.end(), [](const BlockReport& block) {
-    if (block.abelian != Truth::unknown) return true;
-    if (block.strata && block.strata->decided()) return true;
-    return std::any_of(block.energies.begin(), block.energies.end(), [](const EnergyResult& e) {
-      return e.strata && e.strata->decided() && somewhere_not_abelian(*e.strata);
-    });
+    return on_all_strata(block) || deciding_level(block);
   });
+}
+
+std::string decided_where(const ManifoldReport& report) {
+  std::string levels;
+  for (const auto& block : report.blocks)
+    if (!on_all_strata(block))
+      levels += (levels.empty() ? " of the level " : ", ") + deciding_level(block)->condition;
+  return "decided on every stratum" + levels;
 }
 
 void conclude(const System& s, const CheckOptions& options, ManifoldReport& report) {
@@ -310,6 +327,7 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
   if (!whole && report.verdict == VerdictKind::undecided)
     report.reasons.push_back("an abelian identity component of every block decides nothing here: " +
                              report.not_studied);
+  if (report.verdict == VerdictKind::depends) report.statement = decided_where(report);
   report.theorem = s.field.poisson ? "Morales-Ramis" : "Ayoul-Zung";
   report.function_class = "meromorphic";
   for (const auto& block : report.blocks) {
@@ -364,6 +382,9 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     }
     report.manifold = std::get<InvariantManifold>(std::move(proved));
     const InvariantManifold& m = *report.manifold;
+    if (const std::string functions = unchecked_functions(s.field, m); !functions.empty())
+      report.not_checked = "that the phase curve has points for the functions meant by " +
+                           functions + ": only their derivatives and relations are known";
     report.variational = variational_equations(s.field, m);
     report.variational_blocks = blocks(report.variational, m);
     report.normal = normal_system(s.field, m, usable_integrals(s, claims));
@@ -398,7 +419,8 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
                      [](const BlockReport& b) { return b.ode.has_value(); }))
       for (const MPoly& d : whole.divisors) // nothing else asks where they vanish
         if (may_vanish_identically(s, d))
-          report.not_studied = "the parameters for which " + to_string(d) + " is zero were not studied";
+          report.not_studied =
+              "the parameters for which " + to_string(d) + " is zero were not studied";
     conclude(s, options, report);
   } catch (const OutOfBudget& e) {
     report.reasons.emplace_back(e.what());

@@ -66,6 +66,7 @@ struct ManifoldReport {
   VerdictKind verdict = VerdictKind::undecided;
   std::string theorem, function_class;
   std::string statement; ///< what the theorem says, where it says something
+  std::string not_checked; ///< a hypothesis of the verdict that is not proved, as a sentence
   std::vector<std::string> reasons;
 };
 

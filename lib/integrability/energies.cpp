@@ -132,12 +132,14 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
                     const std::vector<ClaimReport>& claims, const CheckOptions& options,
                     const std::vector<BlockReport>& generic, BlockReport& block) {
   const auto h = energy_parameter(s, reduce, block.ode->r);
-  if (!h) {
-    block.note += (block.note.empty() ? "" : "; ") +
-                  std::string("r does not depend on a parameter of the level");
+  if (!h) { // every level is like every other
+    if (!options.stop_at_r && !block.decision && !block.strata)
+      block.strata = strata::decide_strata(strata_question(s, *block.ode),
+                                           strata_limits(s, *block.ode, options));
     return;
   }
   block.special = merging_locus(block.ode->r, block.ode->z, *h);
+  std::erase_if(block.special, [&](const MPoly& f) { return not_excluded(s, {f}).empty(); });
   if (has_other_parameters(s, block.ode->r, *h)) {
     if (options.stop_at_r) return; // strata are about the group
     for (const auto& f : block.special) {
@@ -168,6 +170,7 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
   for (const Rational& sample : {Rational(1), Rational(2), Rational(1, 2)}) {
     if (block.abelian == Truth::no) return;
     const MFraction f = MFraction::variable(s.ring(), *h) - MFraction(s.ring(), sample);
+    if (not_excluded(s, {f.num()}).empty()) continue; // the file assumes another one
     run(f.num(), name + " = " + to_string(sample), "sample");
   }
   if (block.abelian != Truth::no) // perhaps abelian on all levels

@@ -40,7 +40,12 @@ void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
       const Expression e = means->expression();
       if (e.kind() != Expression::Kind::call || e.operands().size() != 1)
         throw e.error("a function of one argument was expected", "for example means = \"sin(q1)\"");
-      scope.meanings.push_back({symbol.variable, e.name(), evaluate(e.operand(0), scope)});
+      FunctionMeaning meaning{symbol.variable, e.name(), evaluate(e.operand(0), scope)};
+      for (const FunctionMeaning& other : scope.meanings)
+        if (other.name == meaning.name && other.argument == meaning.argument)
+          throw means->error("'" + v.ring->name(symbol.variable) + "' and '" +
+                             v.ring->name(other.variable) + "' are the same function");
+      scope.meanings.push_back(std::move(meaning));
     }
     v.functions.push_back(std::move(symbol));
   }

@@ -223,6 +223,7 @@ const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
     return m;
   }
   n.status = NodeStatus::proved;
+  if (!m.not_checked.empty()) n.trusted.push_back(m.not_checked);
   if (m.verdict == VerdictKind::no_obstruction)
     n.summary += " (the test passes; nothing follows about integrability)";
   if (m.verdict == VerdictKind::non_integrable) {

@@ -30,7 +30,7 @@ std::string headline(const ManifoldReport& m) {
     return "NO OBSTRUCTION  (the first-order test of " + m.theorem +
            " passes; this does not prove integrability)";
   case VerdictKind::depends:
-    return "DEPENDS ON THE PARAMETERS  (" + m.theorem + "; decided on every stratum)";
+    return "DEPENDS ON THE PARAMETERS  (" + m.theorem + "; " + m.statement + ")";
   default:
     return "UNDECIDED";
   }
@@ -84,6 +84,11 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
     return;
   }
   out << "  " << wrapped(headline(m), 2) << "\n";
+  if (m.manifold)
+    for (const auto& line : m.manifold->rewritten)
+      put(out, "note", line);
+  if (!m.not_checked.empty() && m.verdict != VerdictKind::undecided)
+    put(out, "NOT CHECKED", m.not_checked);
   for (const auto& e : m.reduced.eliminations)
     put(out, "reduced",
         "the variation of " + e.unknown + " by the linear integral d" + e.integral + " = 0");

@@ -172,6 +172,7 @@ Json json_of(const System& s, const ManifoldReport& m) {
   j["theorem"] = m.theorem;
   j["function_class"] = m.function_class;
   if (!m.statement.empty()) j["statement"] = m.statement;
+  if (!m.not_checked.empty()) j["not_checked"] = m.not_checked;
   if (m.manifold) {
     Json equations = Json::array();
     for (const auto& e : m.manifold->equations)
@@ -182,6 +183,7 @@ Json json_of(const System& s, const ManifoldReport& m) {
     j["equations"] = equations;
     j["level"] = levels;
     j["proof"] = m.manifold->proof;
+    if (!m.manifold->rewritten.empty()) j["rewritten"] = m.manifold->rewritten;
   }
   Json eliminations = Json::array();
   for (const auto& e : m.reduced.eliminations)

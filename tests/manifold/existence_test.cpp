@@ -1,0 +1,77 @@
+// A point of the ideal need not be one for the functions that are meant.
+
+#include "manifold/existence.hpp"
+#include "manifold/find.hpp"
+
+#include "symbol/input_error.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+/// H = (p^2 + r^2)/2 + potential in x, y with functions u, v of x, on y = r = 0 and `more`.
+System system_with(const std::string& u, const std::string& v, const std::string& relations,
+                   const std::string& more, const std::string& potential = "u^2 + v*y^2") {
+  return read_system(parse_document(
+      "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"x\", \"y\"]\nmomenta = [\"p\", \"r\"]\n" +
+          relations + "hamiltonian = \"(p^2 + r^2)/2 + " + potential +
+          "\"\n[[system.function]]\nname = \"u\"\n" + u + "[[system.function]]\nname = \"v\"\n" +
+          v + "[[manifold]]\nequations = [\"y = 0\", \"r = 0\"" + more + "]\nlevel = \"H = 1\"\n",
+      "test.toml"));
+}
+
+std::string unchecked(const System& s) {
+  const auto m = prove_invariant(s.field, s.manifolds.at(0));
+  if (const auto* failure = std::get_if<ManifoldFailure>(&m)) return failure->message;
+  return unchecked_functions(s.field, std::get<InvariantManifold>(m));
+}
+
+const std::string exp_u = "derivative = { x = \"u\" }\n";
+const std::string exp_v = "derivative = { x = \"v\" }\n";
+
+TEST(Existence, TwoFunctionsWithARatioOfTheirOwn) {
+  for (const char* more : {", \"u = 2*v\"", ", \"3*u = v\"", ", \"u = 0\"", ""})
+    EXPECT_EQ(unchecked(system_with(exp_u, exp_v, "", more)).empty(), false) << more;
+}
+
+TEST(Existence, OneFunctionHasNoTwoNames) {
+  EXPECT_THROW(static_cast<void>(system_with("means = \"exp(x)\"\n" + exp_u,
+                                             "means = \"exp(2*x/2)\"\n" + exp_v, "", "")),
+               InputError);
+}
+
+TEST(Existence, APeriodicFunctionTakesItsValues) {
+  const std::string circle = "relations = [\"u^2 + v^2 = 1\"]\n";
+  const std::string u = "derivative = { x = \"v\" }\n";
+  const std::string v = "derivative = { x = \"-u\" }\n";
+  EXPECT_EQ(unchecked(system_with(u, v, circle, "", "v*(1 + y^2)")), "");
+}
+
+TEST(Existence, AlgebraicFunctionsHaveTheirPoints) {
+  const std::string roots = "relations = [\"u^2 = x\", \"v^2 = x + 1\"]\n";
+  EXPECT_EQ(unchecked(system_with("derivative = { x = \"1/(2*u)\" }\n",
+                                  "derivative = { x = \"1/(2*v)\" }\n", roots, "")),
+            "");
+}
+
+TEST(FindManifolds, WhereTheFieldHasPolesThereIsNone) {
+  const std::vector<std::pair<std::string, std::string>> potentials{
+      {"1/(x - y)^2", "x = y"},
+      {"1/(x + y)^2 + 1/(x - y)^2", "x = -y"},
+      {"1/x^2 + 1/y^2", "x = 0"}};
+  for (const auto& [potential, pole] : potentials) {
+    const System s = read_system(
+        parse_document("[system]\nkind = \"hamiltonian\"\ncoordinates = [\"x\", \"y\"]\n"
+                       "momenta = [\"p\", \"r\"]\nhamiltonian = \"(p^2 + r^2)/2 + " +
+                           potential + "\"\n",
+                       "test.toml"));
+    for (const FoundManifold& m : find_manifolds(s.field, {*s.field.hamiltonian}))
+      for (const Equation& e : m.equations)
+        EXPECT_NE(e.text, pole) << potential;
+  }
+}
+
+} // namespace
+} // namespace kov
