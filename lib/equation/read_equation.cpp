@@ -7,6 +7,15 @@
 #include <set>
 
 namespace kov {
+bool is_name(const std::string& text) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return !text.empty() && letter(text.front()) &&
+         std::all_of(text.begin(), text.end(),
+                     [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
 namespace {
 
 std::vector<Expression> formulas(const EquationText& text) {
@@ -14,15 +23,6 @@ std::vector<Expression> formulas(const EquationText& text) {
   for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
     if (*e) all.push_back(**e);
   return all;
-}
-
-bool is_name(const std::string& s) {
-  const auto letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  return !s.empty() && letter(s.front()) && std::all_of(s.begin(), s.end(), [&](char c) {
-    return letter(c) || (c >= '0' && c <= '9');
-  });
 }
 
 // Which of the three forms; an error for none and for two.
@@ -195,6 +195,13 @@ private:
 
 FreeParameters::FreeParameters(std::vector<std::string> names)
     : Error("free parameters: " + enumerate(names)), names_(std::move(names)) {}
+
+void check_names(const EquationText& text) {
+  for (const std::string& name : text.parameters)
+    if (!is_name(name) || name == "I")
+      throw InputError("", 0, 0, 1, "'" + printable(name) + "' cannot be the name of a parameter",
+                       "a name has letters, digits and _ only; I is the imaginary unit");
+}
 
 EquationNames equation_names(const EquationText& text) {
   const Budget budget;

@@ -33,7 +33,8 @@ Denominators denominators(const RationalFunction& u, const RationalFunction& r) 
 } // namespace
 
 std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction& u,
-                                                 const RationalFunction& r) {
+                                                 const RationalFunction& r,
+                                                 const Budget& budget) {
   // A_m = -1, A_(i-1) = -A_i' - u A_i - (m-i)(i+1) r A_(i+1); with A_i = B_i/(P T^(m-i)):
   // B_(i-1) = (m-i) T' B_i - T B_i' - (T u0) B_i - (m-i)(i+1) (T^2 r) B_(i+1)
   const auto [P, T, u0] = denominators(u, r);
@@ -44,6 +45,7 @@ std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction&
   B[static_cast<std::size_t>(m)] = -P;
   Poly last;
   for (long i = m; i >= 0; --i) {
+    budget.check();
     const auto k = static_cast<std::size_t>(i);
     Poly next = (scale(slope, NfElem(m - i)) - Tu) * B[k] - T * derivative(B[k]) -
                 scale(TTr * B[k + 1], NfElem((m - i) * (i + 1)));
@@ -55,6 +57,7 @@ std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction&
   Integer factorial(1);
   Poly power = P;
   for (long i = m; i >= 0; --i) {
+    budget.check();
     const auto k = static_cast<std::size_t>(i);
     if (i < m) {
       factorial *= Integer(m - i);
@@ -139,9 +142,10 @@ std::vector<LiouvillianSolution> square_roots(const Singularities& s, const Rati
   return found;
 }
 
-LiouvillianSolution algebraic(long m, const RationalFunction& u, const RationalFunction& r) {
+LiouvillianSolution algebraic(long m, const RationalFunction& u, const RationalFunction& r,
+                              const Budget& budget) {
   LiouvillianSolution s;
-  s.minimal_polynomial = riccati_polynomial(m, u, r);
+  s.minimal_polynomial = riccati_polynomial(m, u, r, budget);
   return s;
 }
 
@@ -195,17 +199,17 @@ std::vector<LiouvillianSolution> solutions(const Classification& c, const Ration
     const InvariantSearch* quartic = of_degree(c, 4);
     KOV_ENSURE(quartic != nullptr);
     if (quartic->basis.size() > 1) return {quaternion(r, budget)};
-    return {algebraic(2, half * log_derivative(*quartic, c), r)};
+    return {algebraic(2, half * log_derivative(*quartic, c), r, budget)};
   }
   case GroupType::A4:
-    return {algebraic(6, log_derivative(*of_degree(c, 6), c), r)};
+    return {algebraic(6, log_derivative(*of_degree(c, 6), c), r, budget)};
   case GroupType::S4: { // Sym^12 is spanned by the square of the semi-invariant of degree 6
     const InvariantSearch twelve = invariants(*c.local, 12, budget);
     KOV_ENSURE(twelve.basis.size() == 1);
-    return {algebraic(6, half * log_derivative(twelve, c), r)};
+    return {algebraic(6, half * log_derivative(twelve, c), r, budget)};
   }
   case GroupType::A5:
-    return {algebraic(12, log_derivative(*of_degree(c, 12), c), r)};
+    return {algebraic(12, log_derivative(*of_degree(c, 12), c), r, budget)};
   default:
     return {};
   }

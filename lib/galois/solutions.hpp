@@ -28,6 +28,7 @@ struct LiouvillianSolution {
 /// the invariant whose value v has the logarithmic derivative u (docs/theory/descent.md (6)).  InternalError unless
 /// A_-1 = 0.
 [[nodiscard]] std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction& u,
-                                                               const RationalFunction& r);
+                                                               const RationalFunction& r,
+                                                               const Budget& budget = {});
 
 } // namespace kov

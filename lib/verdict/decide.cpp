@@ -12,7 +12,12 @@
 namespace kov {
 namespace {
 
-Solution printed(const LiouvillianSolution& s, const std::string& variable) {
+std::string size_limit(const Options& options) {
+  return "size limit: they take more than " + std::to_string(options.max_printed >> 20) + " MiB";
+}
+
+Solution printed(const LiouvillianSolution& s, const std::string& variable,
+                 const Options& options) {
   Solution out;
   out.note = s.note;
   if (s.exponential) {
@@ -25,8 +30,14 @@ Solution printed(const LiouvillianSolution& s, const std::string& variable) {
                   to_string(RationalFunction::from_coprime(derivative(p), p), variable);
   } else {
     out.kind = "minimal-polynomial";
-    for (const RationalFunction& c : s.minimal_polynomial)
+    std::size_t bytes = 0;
+    for (const RationalFunction& c : s.minimal_polynomial) {
+      options.budget.check();
       out.minimal_polynomial.push_back(to_string(c, variable));
+      bytes += out.minimal_polynomial.back().size();
+      if (options.max_printed > 0 && bytes > options.max_printed)
+        throw OutOfBudget(size_limit(options));
+    }
   }
   return out;
 }
@@ -54,20 +65,40 @@ std::vector<TraceStep> printed(const kovacic::Trace& trace) {
   return steps;
 }
 
-void fill(Decision& d, const Classification& c, const NormalForm& equation,
-          const Options& options) {
+void fill(Decision& d, const Classification& c) {
   d.group = c.group;
   d.component = c.component;
   d.abelian = c.abelian;
   d.reason = c.reason;
   d.undecided = c.undecided;
   if (c.group) d.kovacic_case = kovacic_case(*c.group);
-  if (!options.want_solutions) return;
+}
+
+std::size_t size_of(const Solution& s) {
+  std::size_t bytes = s.y.size() + s.omega.size();
+  for (const std::string& c : s.minimal_polynomial)
+    bytes += c.size();
+  return bytes;
+}
+
+// All or none: a limit here is no news about the group.
+void add_solutions(Decision& d, const Classification& c, const NormalForm& equation,
+                   const Options& options) {
+  if (!options.want_solutions) {
+    d.no_solutions = Decision::not_asked_for;
+    return;
+  }
   try {
-    for (const LiouvillianSolution& s : solutions(c, equation.r, d.variable, options.budget))
-      d.solutions.push_back(printed(s, d.variable));
+    std::size_t bytes = 0;
+    for (const LiouvillianSolution& s : solutions(c, equation.r, d.variable, options.budget)) {
+      d.solutions.push_back(printed(s, d.variable, options));
+      bytes += size_of(d.solutions.back());
+      if (options.max_printed > 0 && bytes > options.max_printed)
+        throw OutOfBudget(size_limit(options));
+    }
   } catch (const OutOfBudget& limit) {
-    d.reason += "; solutions not printed: " + std::string(limit.what());
+    d.solutions.clear();
+    d.no_solutions = limit.what();
   }
 }
 
@@ -96,9 +127,18 @@ void forget_answer(Decision& d, const std::string& why, Unable::Why kind) {
   d.reason = "undecided: " + why;
 }
 
-// The group was found after the certificate was written, which says less or does not exist.
-void mark_as_uncertified(Decision& d, const Options& options) {
+bool taken_back(const Decision& d) {
+  return d.undecided && d.undecided->why == Unable::Why::methods_disagree;
+}
+
+// The group was found by other means than those that certificates are written from.
+void mark_as_uncertified(Decision& d, const Options& options, const std::string& source) {
   if (!options.want_certificate) return;
+  if (d.certificate.empty())
+    d.no_certificate = "the group is known " + source +
+                       ", for which the format has no rule; the engines that proofs are written "
+                       "from stopped: " +
+                       d.no_certificate;
   const std::string why = d.certificate.empty()
                               ? "no certificate: " + d.no_certificate
                               : "the certificate is about the identity component only";
@@ -116,7 +156,7 @@ void second_chance(Decision& d, const NormalForm& equation, const Options& optio
   d.kovacic_case = 4;
   d.undecided.reset();
   d.reason = "Kovacic's algorithm excludes its cases 1, 2 and 3";
-  mark_as_uncertified(d, options);
+  mark_as_uncertified(d, options, "from Kovacic's algorithm");
 }
 
 // Still nothing: a classical equation may have a formula that asks for no polynomial at all.
@@ -140,39 +180,18 @@ void closed_formula(Decision& d, const Options& options) {
   d.component = identity_component(*answer.group);
   d.kovacic_case = kovacic_case(*answer.group);
   d.undecided.reset();
-  mark_as_uncertified(d, options);
-}
-
-void withdraw(Decision& d, const std::string& refusal) {
-  const std::string found = d.group ? ", G = " + describe(*d.group) : "";
-  forget_answer(d,
-                "an answer was found" + found +
-                    ", and our own checker refuses its certificate: " + refusal,
-                Unable::Why::methods_disagree);
-  d.no_certificate = refusal;
-}
-
-bool is_withdrawn(const Decision& d) {
-  return d.undecided && d.undecided->why == Unable::Why::methods_disagree;
+  mark_as_uncertified(d, options, "from the formula for " + known->family + "'s equation");
 }
 
 void certify_it(Decision& d, const Classification& c, const Options& options) {
   if (!d.group && d.abelian == Truth::unknown) {
-    d.no_certificate = "nothing is proved";
+    d.no_certificate = d.undecided ? d.undecided->detail : "nothing is proved";
     return;
   }
   try {
-    Judged j = judged(certificate(c, d.r, options.budget));
-    if (j.refusal.empty()) {
-      d.certificate = std::move(j.json);
-    } else if (j.limit) {
-      d.no_certificate = "the judge refuses it: " + j.refusal;
-    } else {
-      d.refused = std::move(j.json);
-      return withdraw(d, j.refusal);
-    }
+    take(d, judged(certificate(c, d.r, options.budget)));
   } catch (const RefusedByChecker& why) {
-    return withdraw(d, why.what());
+    take(d, Judged{"", why.what(), false});
   } catch (const OutOfBudget& limit) {
     d.no_certificate = limit.what();
   }
@@ -184,7 +203,7 @@ void certify_it(Decision& d, const Classification& c, const Options& options) {
 void ask_the_judge(Decision& d, const Classification& c, const Options& options) {
   Decision judged = d;
   certify_it(judged, c, options);
-  if (is_withdrawn(judged)) {
+  if (taken_back(judged)) {
     d = std::move(judged);
     return;
   }
@@ -194,9 +213,25 @@ void ask_the_judge(Decision& d, const Classification& c, const Options& options)
 
 } // namespace
 
+void take(Decision& d, Judged opinion) {
+  if (opinion.refusal.empty()) {
+    d.certificate = std::move(opinion.json);
+    return;
+  }
+  const std::string found = d.group ? ", G = " + describe(*d.group) : "";
+  d.no_certificate = "the judge refuses it: " + opinion.refusal;
+  if (opinion.limit) return;
+  forget_answer(d,
+                "an answer was found" + found +
+                    ", and our own checker refuses its certificate: " + opinion.refusal,
+                Unable::Why::methods_disagree);
+  d.no_certificate = opinion.refusal;
+  d.refused = std::move(opinion.json);
+}
+
 void compare(Decision& d, const SecondOpinion& other) {
   if (!other.kovacic_case)
-    forget_answer(d, "Kovacic's algorithm stopped: " + other.limit, Unable::Why::budget);
+    d.undecided = Unable{Unable::Why::budget, "Kovacic's algorithm stopped: " + other.limit};
   else if (d.kovacic_case && *d.kovacic_case != *other.kovacic_case)
     forget_answer(d,
                   "the methods disagree: the engines find case " + std::to_string(*d.kovacic_case) +
@@ -218,8 +253,54 @@ Classification engines(Decision& d, const NormalForm& equation, const Options& o
   d.variable = options.variable;
   Classification c = classify(equation.r, options.budget);
   d.places = c.local;
-  fill(d, c, equation, options);
+  fill(d, c);
   return c;
+}
+
+bool asked_to_compare(const Options& options) {
+  return options.method == Method::kovacic || options.method == Method::all;
+}
+
+// Tells the caller what is proved so far; what was asked for beside it is still open.
+void announce(const Decision& d, const Options& options) {
+  if (!options.proved || (!d.group && d.abelian == Truth::unknown)) return;
+  if (!asked_to_compare(options)) return options.proved(d);
+  Decision so_far = d;
+  so_far.undecided = Unable{Unable::Why::budget, "Kovacic's algorithm did not come to its end"};
+  options.proved(so_far);
+}
+
+// The engines; where they would need a polynomial of an uncomfortable degree, formulas first.
+Classification prove(Decision& d, const NormalForm& equation, const Options& options) {
+  Options quick = options;
+  const bool formulas = options.method != Method::engines && !options.want_certificate;
+  if (formulas) quick.budget.max_degree = std::min(quick.budget.max_degree, comfortable_degree);
+  Classification c = engines(d, equation, quick);
+  if (d.group || quick.budget.max_degree == options.budget.max_degree) return c;
+  if (!is_zero(d.r)) closed_formula(d, options);
+  return d.group ? c : engines(d, equation, options);
+}
+
+// The judge's opinion and what is known without the engines.
+void support(Decision& d, const Classification& c, const NormalForm& equation,
+             const Options& options) {
+  if (options.want_certificate)
+    certify_it(d, c, options);
+  else if (options.method == Method::all)
+    ask_the_judge(d, c, options);
+  if (taken_back(d)) return;
+  if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
+    second_chance(d, equation, options);
+  if (!d.group && options.method != Method::engines && !is_zero(d.r)) closed_formula(d, options);
+}
+
+// Only to look at the steps: a limit of the classical algorithm is no news then.
+void compare_methods(Decision& d, const NormalForm& equation, const Options& options) {
+  if ((!asked_to_compare(options) && !options.want_trace) || taken_back(d)) return;
+  const SecondOpinion other = classical(d, equation, options);
+  if (asked_to_compare(options) ||
+      (other.kovacic_case && d.kovacic_case && *other.kovacic_case != *d.kovacic_case))
+    compare(d, other);
 }
 
 } // namespace
@@ -227,32 +308,16 @@ Classification engines(Decision& d, const NormalForm& equation, const Options& o
 Decision decide(const NormalForm& equation, const Options& options) {
   const auto start = Budget::Clock::now();
   Decision d;
-  Options quick = options;
-  const bool formulas = options.method != Method::engines && !options.want_certificate;
-  if (formulas) quick.budget.max_degree = std::min(quick.budget.max_degree, comfortable_degree);
-  Classification c = engines(d, equation, quick);
-  if (!d.group && quick.budget.max_degree < options.budget.max_degree) {
-    if (!is_zero(d.r)) closed_formula(d, options);
-    if (!d.group) c = engines(d, equation, options);
-  }
-  if (options.want_certificate)
-    certify_it(d, c, options);
-  else if (options.method == Method::all)
-    ask_the_judge(d, c, options);
-  const bool others = options.method != Method::engines && !is_withdrawn(d);
-  if (!d.group && d.abelian != Truth::yes && others) second_chance(d, equation, options);
-  if (!d.group && others && !is_zero(d.r)) closed_formula(d, options);
-  const bool asked = options.method == Method::kovacic || options.method == Method::all;
-  if (!is_withdrawn(d) && (asked || options.want_trace)) {
-    const SecondOpinion other = classical(d, equation, options);
-    // Only to look at the steps: a limit of the classical algorithm is no news then.
-    if (asked || (other.kovacic_case && d.kovacic_case && *other.kovacic_case != *d.kovacic_case))
-      compare(d, other);
-  }
+  const Classification c = prove(d, equation, options);
+  announce(d, options);
+  support(d, c, equation, options);
+  announce(d, options);
+  compare_methods(d, equation, options);
   if (options.only_case && d.kovacic_case && *options.only_case != *d.kovacic_case)
     d.reason = "case " + std::to_string(*options.only_case) +
                " does not occur, the equation belongs to case " + std::to_string(*d.kovacic_case) +
                ": " + d.reason;
+  if (!taken_back(d)) add_solutions(d, c, equation, options);
   d.seconds = std::chrono::duration<double>(Budget::Clock::now() - start).count();
   return d;
 }

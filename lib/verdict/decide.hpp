@@ -7,6 +7,8 @@
 #include "linode/normal_form.hpp"
 #include "linode/singularities.hpp"
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +16,9 @@
 namespace kov {
 
 enum class Method : std::uint8_t { automatic, kovacic, engines, all };
+
+struct Decision;
+struct Judged; // verdict/certificate.hpp
 
 struct Options {
   Budget budget;
@@ -23,6 +28,10 @@ struct Options {
   bool want_solutions = true;
   bool want_trace = false;
   bool want_certificate = false; ///< written, and accepted by the judge of lib/certify
+  std::size_t max_printed = std::size_t{4} << 20; ///< bytes of solutions; 0 = no limit
+  /// Told as soon as something is proved, and again when the certificate is there: before steps
+  /// and solutions are made, which can take longer than the proof.
+  std::function<void(const Decision&)> proved;
 };
 
 /// A Liouvillian solution of y'' = r y.
@@ -51,6 +60,8 @@ struct Decision {
   Truth abelian = Truth::unknown;      ///< of the identity component
   std::optional<int> kovacic_case;
   std::vector<Solution> solutions;
+  std::string no_solutions; ///< why they are not there: a limit, or
+  static constexpr const char* not_asked_for = "not asked for";
   std::string reason;              ///< full sentences; for "unknown": why
   std::optional<Unable> undecided; ///< set when anything asked stayed open
   std::vector<TraceStep> trace;
@@ -65,9 +76,13 @@ struct SecondOpinion {
   std::optional<int> kovacic_case;
   std::string limit;
 };
-/// Two methods, one answer: agreement is noted, a limit or a disagreement takes the answer back
-/// (Unable::budget, Unable::methods_disagree).
+/// Two methods, one answer: agreement is noted, and a limit of the second one beside the answer
+/// (Unable::budget); a disagreement takes the answer back (Unable::methods_disagree).
 void compare(Decision& d, const SecondOpinion& other);
+
+/// The judge's opinion of the certificate of d: an accepted one is kept; one that is too large says
+/// nothing; any other refusal takes the answer back (Unable::methods_disagree).
+void take(Decision& d, Judged opinion);
 
 /// Never throws for a legal r: limits end in Decision::undecided.  So does a certificate that our
 /// own checker refuses (Unable::methods_disagree): nothing is said then.

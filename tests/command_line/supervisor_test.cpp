@@ -33,6 +33,8 @@ std::string misbehave(std::string_view job, const Worker::Early& early) {
     fmpz_pow_ui(n.raw(), n.raw(), 1UL << 34);
   }
   if (job == "interrupt") ::raise(SIGINT);
+  if (job == "kill") ::raise(SIGKILL); // what the kernel does where memory is short
+  if (job == "term") ::raise(SIGTERM);
   if (job == "big") return std::string(std::size_t{8} << 20, 'b');
   return "done " + std::string(job);
 }
@@ -58,6 +60,7 @@ TEST(Supervisor, SurvivesEveryDeath) {
       {"hang", Reply::End::timeout},      {"crash", Reply::End::crashed},
       {"abort", Reply::End::crashed},     {"exit", Reply::End::crashed},
       {"flint", Reply::End::crashed},     {"interrupt", Reply::End::interrupted},
+      {"kill", Reply::End::killed},       {"term", Reply::End::killed},
 #ifndef KOV_SANITIZED // the ceiling needs an address space of its own
       {"new", Reply::End::out_of_memory}, {"gmp", Reply::End::out_of_memory},
 #endif

@@ -2,6 +2,8 @@
 
 #include "verdict/decide.hpp"
 
+#include "verdict/certificate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <random>
@@ -104,6 +106,29 @@ TEST(Methods, NoAnswerFromAMethodThatWasStopped) {
   ASSERT_TRUE(d.undecided);
   EXPECT_EQ(d.undecided->why, Unable::Why::budget);
   EXPECT_FALSE(d.group);
+}
+
+TEST(Methods, ARefusedCertificateTakesTheAnswerBack) {
+  const Decision known = decide({.r = RationalFunction(z), .p = RationalFunction()});
+  ASSERT_TRUE(known.group);
+  Decision d = known;
+  take(d, {.json = "{}", .refusal = "step 'local': no", .limit = false});
+  EXPECT_FALSE(d.group || d.component || d.kovacic_case);
+  EXPECT_EQ(d.abelian, Truth::unknown);
+  EXPECT_EQ(d.undecided->why, Unable::Why::methods_disagree);
+  d = known;
+  take(d, {.json = "{}", .refusal = "step 'local': too large", .limit = true});
+  EXPECT_EQ(d.group, known.group);
+  EXPECT_FALSE(d.no_certificate.empty());
+  EXPECT_TRUE(d.certificate.empty());
+}
+
+TEST(Methods, ALimitOfTheSecondOneTakesNothingBack) {
+  const Decision known = decide({.r = RationalFunction(z), .p = RationalFunction()});
+  Decision d = known;
+  compare(d, {.kovacic_case = std::nullopt, .limit = "time limit"});
+  EXPECT_EQ(d.group, known.group);
+  EXPECT_EQ(d.undecided->why, Unable::Why::budget);
 }
 
 } // namespace

@@ -18,13 +18,52 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// A message of the child: one letter, then JSON in one line; a certificate may follow as it is, in
-// further lines.
+// A message of the child, early or final: one letter, then JSON in one line; a certificate may
+// follow as it is, in further lines.
 constexpr char tag_decided = 'd';
 constexpr char tag_undecided = 'u';
 constexpr char tag_disagreement = 'm'; // of two methods, or of our checker: a mistake of ours
 constexpr char tag_input = 'i';
 constexpr char tag_internal = 'x';
+
+std::string message(char tag, const Json& body, std::string_view certificate = {}) {
+  std::string text = tag + dump(body);
+  if (!certificate.empty()) text.append(1, '\n').append(certificate);
+  return text;
+}
+
+// JSON and certificate.
+std::pair<std::string_view, std::string_view> parts(std::string_view message) {
+  const auto end = std::min(message.find('\n'), message.size());
+  return {message.substr(1, end - 1), message.substr(std::min(end + 1, message.size()))};
+}
+
+bool proves_something(const Json& result) {
+  return !result.at("group").is_null() || result.at("abelian") != "undecided";
+}
+
+// The answer of a job that was stopped: what its last early message says, and what is missing.
+std::string stopped(std::string_view early, const std::string& why, const std::string& detail,
+                    double seconds, const Settings& settings) {
+  if (early.empty()) early = "u";
+  const auto [json, certificate] = parts(early);
+  Json result = json.empty() ? unread_result(nullptr) : Json::parse(json);
+  result["seconds"] = seconds;
+  if (!proves_something(result)) {
+    set_undecided(result, why, detail);
+    return message(tag_undecided, result);
+  }
+  result["no_solutions"] =
+      settings.solver_options().want_solutions ? detail : Decision::not_asked_for;
+  Json open = result.at("undecided");
+  if (early.front() == tag_undecided && open.is_null()) open = {{"why", why}, {"detail", detail}};
+  if (!settings.certificate.empty() && certificate.empty() && !result.contains("no_certificate")) {
+    result["no_certificate"] = detail;
+    open = {{"why", why}, {"detail", "no certificate: " + detail}};
+  }
+  result["undecided"] = open;
+  return message(open.is_null() ? tag_decided : tag_undecided, result, certificate);
+}
 
 Json packed(const InputError& e, const Json& id) {
   return {{"id", id},
@@ -61,7 +100,7 @@ public:
     try {
       return decide_it(job);
     } catch (const InputError& e) {
-      return tag_input + dump(packed(e, id_));
+      return message(tag_input, packed(e, id_));
     } catch (const FreeParameters& e) {
       return undecided("parameter", e.what());
     } catch (const OutOfBudget& e) {
@@ -70,7 +109,7 @@ public:
       return undecided("budget",
                        "memory limit of " + std::to_string(settings_.memory) + " MiB reached");
     } catch (const std::exception& e) {
-      return tag_internal + dump({{"id", id_}, {"message", e.what()}});
+      return message(tag_internal, {{"id", id_}, {"message", e.what()}});
     }
   }
 
@@ -78,9 +117,10 @@ private:
   std::string decide_it(std::string_view job) {
     const Question question = read_(job, [&](const Json& id) {
       id_ = id;
-      early_(dump(unread_result(id)));
+      say(message(tag_undecided, unread_result(id)));
     });
     id_ = question.id;
+    check_names(question.text);
     check_assumptions(question.text);
     try {
       return decided(question);
@@ -91,8 +131,13 @@ private:
       if (auto answer = by_strata(question, known)) return *std::move(answer);
       if (!decide_for_all(open_)) throw;
       open_["seconds"] = seconds_since(start_);
-      return tag_decided + dump(open_);
+      return message(tag_decided, open_);
     }
+  }
+
+  void say(std::string early) {
+    said_ = std::move(early);
+    early_(said_);
   }
 
   std::string decided(const Question& question) {
@@ -100,25 +145,30 @@ private:
     const GivenEquation equation = read_equation(question.text, options.budget);
     options.variable = equation.variable;
     open_ = open_result(id_, equation);
-    Json original;
     if (equation.form != GivenEquation::Form::r)
-      open_["original"] = original = original_form(equation, options.budget);
-    early_(dump(open_));
+      open_["original"] = original_form(equation, options.budget);
+    say(message(tag_undecided, open_));
+    options.proved = [this](const Decision& d) {
+      say(message(tag_of(d), closed(d, nullptr), d.certificate));
+    };
     const Decision decision = decide(equation.normal_form, options);
-    open_.erase("original"); // it is printed last
-    Json result = closed_result(std::move(open_), decision, seconds_since(start_));
-    result["recognized"] = recognized_json(equation, decision, options.budget);
-    if (!original.is_null()) {
+    Json result = closed(decision, recognized_json(equation, decision, options.budget));
+    if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
+    return message(tag_of(decision), result, decision.certificate);
+  }
+
+  // The original equation is printed last.
+  Json closed(const Decision& decision, const Json& recognized) const {
+    Json open = open_;
+    open.erase("original");
+    Json result = closed_result(std::move(open), decision, seconds_since(start_));
+    result["recognized"] = recognized;
+    if (open_.contains("original")) {
+      Json original = open_.at("original");
       original["identity_component_abelian"] = result.at("abelian");
       result["original"] = std::move(original);
     }
-    if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
-    return with_certificate(tag_of(decision) + dump(result), decision.certificate);
-  }
-
-  static std::string with_certificate(std::string message, const std::string& certificate) {
-    if (!certificate.empty()) message.append(1, '\n').append(certificate);
-    return message;
+    return result;
   }
 
   // All parameters at once; nothing for an equation that lib/family does not read.
@@ -143,8 +193,7 @@ private:
     if (!result.at("undecided").is_null() && !result.contains("contradictory") &&
         decide_for_all(result))
       result["undecided"] = nullptr;
-    return with_certificate(
-        (result.at("undecided").is_null() ? tag_decided : tag_undecided) + dump(result), proof);
+    return message(result.at("undecided").is_null() ? tag_decided : tag_undecided, result, proof);
   }
 
   // The certificate, or nothing; the result says why.
@@ -169,13 +218,16 @@ private:
     }
   }
 
+  // What was proved before stays.
   std::string undecided(const std::string& why, const std::string& detail) {
+    if (!said_.empty() && proves_something(Json::parse(parts(said_).first)))
+      return stopped(said_, why, detail, seconds_since(start_), settings_);
     Json result = open_.is_null() ? unread_result(id_) : open_;
     set_undecided(result, why, detail);
     if (const Json& known = result.at("recognized"); !known.is_null())
       result["reason"] = detail + "; " + recognized_text(known);
     result["seconds"] = seconds_since(start_);
-    return tag_undecided + dump(result);
+    return message(tag_undecided, result);
   }
 
   const Solver::Read& read_;
@@ -184,20 +236,38 @@ private:
   Clock::time_point start_ = Clock::now();
   Json id_;
   Json open_;
+  std::string said_; // the last early message
 };
 
-// The result of a job that did not come to its end.
-Json unfinished(const Reply& reply, const std::string& detail, double seconds) {
-  Json result = reply.early.empty() ? unread_result(nullptr) : Json::parse(reply.early);
-  set_undecided(result, "budget", detail);
-  result["seconds"] = seconds;
-  return result;
+std::string crash_text(const Reply& reply) {
+  return "the solver process ended with " + reply.detail;
 }
 
+// Why a job was not answered.
 std::string limit_text(const Reply& reply, const Settings& settings) {
-  if (reply.end == Reply::End::out_of_memory)
+  switch (reply.end) {
+  case Reply::End::out_of_memory:
     return "memory limit of " + std::to_string(settings.memory) + " MiB reached";
-  return Budget::time_limit(settings.timeout);
+  case Reply::End::killed:
+    return "the solver process was ended from outside by " + reply.detail +
+           ": by a user, or by the system where memory is short";
+  case Reply::End::interrupted:
+    return "interrupted";
+  case Reply::End::crashed:
+    return crash_text(reply);
+  default:
+    return Budget::time_limit(settings.timeout);
+  }
+}
+
+// The final message of a job that was answered or stopped by a limit.
+std::string final_message(const Reply& reply, const Settings& settings, double seconds) {
+  if (reply.end == Reply::End::answered) return reply.answer;
+  return stopped(reply.early, "budget", limit_text(reply, settings), seconds, settings);
+}
+
+bool early_proof(const Reply& reply) {
+  return !reply.early.empty() && proves_something(Json::parse(parts(reply.early).first));
 }
 
 } // namespace
@@ -212,10 +282,45 @@ Solver::Solver(Read read, const Settings& settings)
 
 namespace {
 
-// The parts of an answered message: JSON and certificate.
-std::pair<std::string_view, std::string_view> parts(std::string_view message) {
-  const auto end = std::min(message.find('\n'), message.size());
-  return {message.substr(1, end - 1), message.substr(std::min(end + 1, message.size()))};
+Answer read_answer(const std::string& text) {
+  const auto [json, proof] = parts(text);
+  const Json body = Json::parse(json);
+  Answer a;
+  switch (text.front()) {
+  case tag_input:
+    a.exit = exit_input;
+    a.error = unpacked(body);
+    break;
+  case tag_internal:
+    a.exit = exit_internal;
+    a.internal = body.at("message").get<std::string>();
+    break;
+  default:
+    a.exit = exit_of(text.front());
+    a.result = body;
+    a.certificate = proof;
+    if (a.exit == exit_internal) a.internal = body.at("reason").get<std::string>();
+  }
+  return a;
+}
+
+Solver::Line read_line(const std::string& text) {
+  const auto [json, proof] = parts(text);
+  const char tag = text.front();
+  if (tag != tag_internal && tag != tag_input)
+    return {std::string(json), exit_of(tag), std::string(proof)};
+  const Json body = Json::parse(json);
+  if (tag == tag_internal)
+    return {dump({{"id", body.at("id")},
+                  {"error", "internal error: " + body.at("message").get<std::string>()}}),
+            exit_internal, ""};
+  const InputError e = unpacked(body);
+  std::string text_of_error = e.message();
+  if (e.column() > 0)
+    text_of_error += " (column " + std::to_string(e.column()) + " of " + e.file() + ")";
+  Json j = {{"id", body.at("id")}, {"error", text_of_error}};
+  if (!e.hint().empty()) j["hint"] = e.hint();
+  return {dump(j), exit_input, ""};
 }
 
 } // namespace
@@ -223,79 +328,26 @@ std::pair<std::string_view, std::string_view> parts(std::string_view message) {
 Answer Solver::answer(std::string_view job) {
   const auto start = Clock::now();
   const Reply reply = worker_.ask(job);
+  const bool finished = reply.end != Reply::End::crashed && reply.end != Reply::End::interrupted;
   Answer a;
-  switch (reply.end) {
-  case Reply::End::answered: {
-    const auto [json, proof] = parts(reply.answer);
-    const Json body = Json::parse(json);
-    const char tag = reply.answer.front();
-    if (tag == tag_input) {
-      a.exit = exit_input;
-      a.error = unpacked(body);
-    } else if (tag == tag_internal) {
-      a.exit = exit_internal;
-      a.internal = body.at("message").get<std::string>();
-    } else {
-      a.exit = exit_of(tag);
-      a.result = body;
-      a.certificate = proof;
-      if (tag == tag_disagreement) a.internal = body.at("reason").get<std::string>();
-    }
-    return a;
-  }
-  case Reply::End::timeout:
-  case Reply::End::out_of_memory:
-    a.exit = exit_undecided;
-    a.result = unfinished(reply, limit_text(reply, settings_), seconds_since(start));
-    return a;
-  case Reply::End::crashed:
-    a.exit = exit_internal;
-    a.internal = "the solver process ended with " + reply.detail;
-    return a;
-  case Reply::End::interrupted:
-    a.exit = exit_interrupted;
-    return a;
-  }
-  throw InternalError("unknown end of a job");
+  if (finished || early_proof(reply))
+    a = read_answer(final_message(reply, settings_, seconds_since(start)));
+  if (finished) return a;
+  a.exit = reply.end == Reply::End::crashed ? exit_internal : exit_interrupted;
+  if (a.exit == exit_internal) a.internal = crash_text(reply);
+  return a;
 }
 
 Solver::Line Solver::line(std::string_view job) {
   const auto start = Clock::now();
   const Reply reply = worker_.ask(job);
-  switch (reply.end) {
-  case Reply::End::answered: {
-    const char tag = reply.answer.front();
-    if (tag == tag_decided || tag == tag_undecided || tag == tag_disagreement) {
-      const auto [json, proof] = parts(reply.answer);
-      return {std::string(json), exit_of(tag), std::string(proof)};
-    }
-    const Json body = Json::parse(std::string_view(reply.answer).substr(1));
-    if (tag == tag_internal)
-      return {dump({{"id", body.at("id")},
-                    {"error", "internal error: " + body.at("message").get<std::string>()}}),
-              exit_internal, ""};
-    const InputError e = unpacked(body);
-    std::string message = e.message();
-    if (e.column() > 0)
-      message += " (column " + std::to_string(e.column()) + " of " + e.file() + ")";
-    Json j = {{"id", body.at("id")}, {"error", message}};
-    if (!e.hint().empty()) j["hint"] = e.hint();
-    return {dump(j), exit_input, ""};
-  }
-  case Reply::End::timeout:
-  case Reply::End::out_of_memory:
-    return {dump(unfinished(reply, limit_text(reply, settings_), seconds_since(start))),
-            exit_undecided, ""};
-  case Reply::End::crashed: {
-    const Json early = reply.early.empty() ? unread_result(nullptr) : Json::parse(reply.early);
-    return {dump({{"id", early.at("id")},
-                  {"error", "internal error: the solver process ended with " + reply.detail}}),
-            exit_internal, ""};
-  }
-  case Reply::End::interrupted:
-    return {"", exit_interrupted, ""};
-  }
-  throw InternalError("unknown end of a job");
+  if (reply.end == Reply::End::interrupted) return {"", exit_interrupted, ""};
+  if (reply.end != Reply::End::crashed)
+    return read_line(final_message(reply, settings_, seconds_since(start)));
+  const Json early =
+      reply.early.empty() ? unread_result(nullptr) : Json::parse(parts(reply.early).first);
+  return {dump({{"id", early.at("id")}, {"error", "internal error: " + crash_text(reply)}}),
+          exit_internal, ""};
 }
 
 TextAnswer limited(const Settings& settings, const std::function<int(std::ostream&)>& work) {
@@ -304,13 +356,13 @@ TextAnswer limited(const Settings& settings, const std::function<int(std::ostrea
         try {
           std::ostringstream out;
           const int exit = work(out);
-          return tag_decided + dump({{"exit", exit}, {"text", out.str()}});
+          return message(tag_decided, {{"exit", exit}, {"text", out.str()}});
         } catch (const InputError& e) {
-          return tag_input + dump(packed(e, nullptr));
+          return message(tag_input, packed(e, nullptr));
         } catch (const OutOfBudget& e) {
-          return tag_undecided + dump({{"limit", e.what()}});
+          return message(tag_undecided, {{"limit", e.what()}});
         } catch (const std::exception& e) {
-          return tag_internal + dump({{"message", e.what()}});
+          return message(tag_internal, {{"message", e.what()}});
         }
       },
       settings.process_limits());
@@ -320,7 +372,7 @@ TextAnswer limited(const Settings& settings, const std::function<int(std::ostrea
     a.exit = exit_interrupted;
   } else if (reply.end == Reply::End::crashed) {
     a.exit = exit_internal;
-    a.internal = "the solver process ended with " + reply.detail;
+    a.internal = crash_text(reply);
   } else if (reply.end != Reply::End::answered) {
     a.exit = exit_undecided;
     a.limit = limit_text(reply, settings);

@@ -109,7 +109,7 @@ std::string title_of(const EquationFile& file,
 void take(const Settings& settings, CaseReport& report, const Answer& answer,
           const std::string& title) {
   if (answer.error) throw *answer.error;
-  report.exit = worse(report.exit, answer.exit);
+  report.exit = worse(report.exit, exit_code(settings, answer));
   if (answer.exit >= exit_internal) report_failure(settings, answer);
   if (answer.result.is_null()) return;
   if (!report.text.empty() && settings.format == "text") report.text += "\n";
@@ -126,7 +126,11 @@ void take(const Settings& settings, CaseReport& report, const Answer& answer,
 
 CaseReport check_equation(const Settings& settings, const Entry& document) {
   const EquationFile file = read_equation_file(document);
+  if (!settings.manifold.empty())
+    throw InputError(file.path, 0, 0, 1, "an equation file has no manifolds",
+                     "leave out --manifold");
   CaseReport report;
+  report.exit = settings.nothing_yet();
   report.json = Json::array();
   std::map<std::string, Answer> answers; // by the values of the block
   const auto answer_for = [&](const std::vector<std::pair<std::string, Expression>>& where) {
@@ -171,8 +175,11 @@ CaseReport check_case(const Settings& settings, const std::string& path) {
   if (flow::is_scene(document))
     throw InputError(path, 0, 0, 1, "this file describes a scene to simulate",
                      "write: kovacic section " + path + "   or   kovacic test " + path);
-  return is_equation_file(document) ? check_equation(settings, document)
-                                    : check_system_file(settings, path);
+  if (is_equation_file(document)) return check_equation(settings, document);
+  if (settings.format == "tex")
+    throw InputError(path, 0, 0, 1, "a system file is reported as text or json",
+                     "write: kovacic report " + path + " --format tex");
+  return check_system_file(settings, path);
 }
 
 CaseReport test_case(const Settings& settings, const std::string& path) {

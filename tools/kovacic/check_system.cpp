@@ -2,12 +2,16 @@
 
 #include "case_file.hpp"
 #include "certificate_file.hpp"
+#include "commands.hpp"
 #include "integrability/certificate.hpp"
 #include "integrability/expect.hpp"
 #include "integrability/parameters.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -74,7 +78,7 @@ void put_block(std::ostringstream& out, const System& s, const BlockReport& b) {
   if (!b.note.empty()) put(out, "note", b.note);
 }
 
-void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport& m) {
+void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport& m, bool quiet) {
   out << s.file << "  [" << m.name << "]";
   for (const auto& [name, value] : s.values)
     out << "  " << name << " = " << to_string(value);
@@ -89,6 +93,7 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
       put(out, "note", line);
   if (!m.not_checked.empty() && m.verdict != VerdictKind::undecided)
     put(out, "NOT CHECKED", m.not_checked);
+  if (quiet && m.verdict != VerdictKind::undecided) return;
   for (const auto& e : m.reduced.eliminations)
     put(out, "reduced",
         "the variation of " + e.unknown + " by the linear integral d" + e.integral + " = 0");
@@ -101,9 +106,9 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
     put(out, "open", m.reasons.back());
 }
 
-std::string text_of(const System& s, const ManifoldReport& m) {
+std::string text_of(const System& s, const ManifoldReport& m, bool quiet) {
   std::ostringstream out;
-  put_manifold(out, s, m);
+  put_manifold(out, s, m, quiet);
   return out.str();
 }
 
@@ -131,16 +136,19 @@ Json json_of_report(const System& s, const CheckReport& report) {
 }
 
 int exit_of(const Settings& settings, const CheckReport& report) {
-  bool undecided = false;
-  bool obstruction = false;
-  for (const auto& m : report.manifolds) {
+  const auto any = [&](VerdictKind kind) {
+    return std::any_of(report.manifolds.begin(), report.manifolds.end(),
+                       [kind](const ManifoldReport& m) { return !m.failure && m.verdict == kind; });
+  };
+  for (const auto& m : report.manifolds)
     if (m.failure) return exit_input;
-    undecided = undecided || m.verdict == VerdictKind::undecided;
-    obstruction = obstruction || m.verdict == VerdictKind::non_integrable;
-  }
-  if (settings.exit_verdict)
-    return obstruction ? exit_not_abelian : undecided ? exit_decided : exit_abelian;
-  return undecided && !obstruction ? exit_undecided : exit_decided;
+  const bool obstruction = any(VerdictKind::non_integrable);
+  const bool open = any(VerdictKind::undecided);
+  const bool none = !report.manifolds.empty() && !open && !any(VerdictKind::depends);
+  return settings.exit_of(obstruction ? Truth::no
+                          : none      ? Truth::yes
+                                      : Truth::unknown,
+                          obstruction || !open);
 }
 
 /// One reading of the file with its values: a report, and the expectations that apply to them.
@@ -154,6 +162,7 @@ public:
 
   Report run() {
     const System file = read_system(document_, base_);
+    report_.exit = settings_.nothing_yet();
     report_.json = Json{{"results", Json::array()}, {"expected", Json::array()}};
     std::vector<ParameterValues> rounds; // each set of values once
     for (const auto& x : file.expectations)
@@ -174,12 +183,14 @@ private:
     if (report_.json.at("results").empty()) claims(report);
     Json json = json_of_report(s, report);
     for (std::size_t i = 0; i < report.manifolds.size(); ++i) {
-      report_.text += text_of(s, report.manifolds[i]);
+      report_.text += text_of(s, report.manifolds[i], settings_.quiet);
       if (!settings_.certificate.empty())
         file_certificates(s, report.manifolds[i], json.at("manifolds").at(i));
     }
+    if (settings_.verbose > 0)
+      report_.text += fmt::format("  time      {:.1f} ms\n", 1000 * report.seconds);
     report_.json.at("results").push_back(std::move(json));
-    report_.exit = std::max(report_.exit, exit_of(settings_, report));
+    report_.exit = worse(report_.exit, exit_of(settings_, report));
     for (const auto& x : s.expectations)
       if (x.where == values || (values == base_ && x.where.empty()))
         expect(describe(x), unmet(x, report));
@@ -257,7 +268,7 @@ CaseReport check_system_file(const Settings& settings, const std::string& path) 
     return SystemRun(settings, document).run();
   });
   CaseReport report;
-  report.exit = r.exit;
+  report.exit = settings.exit_verdict && r.exit == exit_undecided ? exit_decided : r.exit;
   report.text = r.text;
   report.json = r.json;
   if (!r.json.contains("expected")) return report;

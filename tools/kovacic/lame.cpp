@@ -97,10 +97,8 @@ Report numbers(const Settings& settings, const LameQuestion& q) {
   put(out, "closed", closed.reason);
   put(out, "engines", d.reason);
   put(out, "algebraic", "y'' = r y in x = wp(t), r = " + to_string(d.r, "x"));
-  int exit = group && abelian != Truth::unknown ? exit_decided : exit_undecided;
-  if (settings.exit_verdict)
-    exit = abelian == Truth::yes ? exit_abelian : abelian == Truth::no ? exit_not_abelian : 0;
-  return {exit, out.str(), j};
+  const bool decided = group && abelian != Truth::unknown;
+  return {settings.exit_of(abelian, decided), out.str(), j};
 }
 
 // --- free names: a condition
@@ -128,7 +126,8 @@ std::string cusp_text(const LameIndex& index) {
 }
 
 // On the curve g2^3 = 27 g3^2: Riemann's equation.
-Report degenerate(const LameQuestion& q, const LameParameters<MFraction>& p) {
+Report degenerate(const Settings& settings, const LameQuestion& q,
+                  const LameParameters<MFraction>& p) {
   Json j = opened(q);
   std::ostringstream out;
   out << title(q, j);
@@ -142,14 +141,14 @@ Report degenerate(const LameQuestion& q, const LameParameters<MFraction>& p) {
     j["condition"] = {
         {"abelian", integer ? "always" : "all-zero"},
         {"polynomials", integer ? Json::array() : Json::array({to_string(p.b.num())})}};
-    return {exit_decided, out.str(), j};
+    return {settings.exit_of(integer ? Truth::yes : Truth::unknown, true), out.str(), j};
   }
   const MFraction alpha(p.g3.ring(),
                         is_rational(*q.degree.alpha) ? to_rational(*q.degree.alpha) : Rational(0));
   if (!is_rational(*q.degree.alpha)) {
     put(out, "open", "an irrational n beside free names on a degenerate curve");
     j["condition"] = nullptr;
-    return {exit_undecided, out.str(), j};
+    return {settings.exit_of(Truth::unknown, false), out.str(), j};
   }
   const MFraction l2 = degenerate_exponent_squared(alpha, p);
   const ThirdExponents third = degenerate_exponents(index);
@@ -159,22 +158,25 @@ Report degenerate(const LameQuestion& q, const LameParameters<MFraction>& p) {
   for (const ExponentClass& c : third.classes)
     classes.push_back({{"l", class_text(c)}, {"reason", c.reason}});
   j["condition"] = {{"abelian", "exponent"}, {"l_squared", to_string(l2)}, {"l", classes}};
+  Truth abelian = third.all ? Truth::yes : Truth::unknown; // for all values at once
   if (number && !third.all) {
     const bool yes = contains_root(third, is_zero(l2) ? Rational(0) : to_rational(l2));
     j["condition"]["abelian"] = yes ? "always" : "never";
+    abelian = yes ? Truth::yes : Truth::no;
     put(out, "abelian",
         (yes ? "always: l is one of " : "never: l is none of ") + classes_text(third) + where);
   } else {
     put(out, "abelian", degenerate_text(third) + where);
   }
-  const MFraction cusp = is_zero(p.g2) ? p.g3 : p.g2; // g2 = 0 and g3 = 0 say the same here
+  const MFraction cusp = is_zero(p.g2) ? p.g3 : p.g2;      // g2 = 0 and g3 = 0 say the same here
   if (!is_constant(cusp)) {
+    if (index.kind != LameCase::hermite || abelian != Truth::yes) abelian = Truth::unknown;
     j["condition"]["assuming"] = Json::array({to_string(cusp.num()) + " != 0"});
     j["condition"]["cusp"] = cusp_text(index);
     put(out, "assuming", "g2 != 0: " + to_string(cusp.num()) + " != 0");
     put(out, "else", cusp_text(index));
   }
-  return {exit_decided, out.str(), j};
+  return {settings.exit_of(abelian, true), out.str(), j};
 }
 
 // Which group where the identity component is abelian.
@@ -211,7 +213,7 @@ Report condition(const Settings& settings, const LameQuestion& q) {
   const auto& p = std::get<LameParameters<MFraction>>(q.parameters);
   const LameIndex index = lame_index(*q.degree.alpha);
   const LameConditions c = lame_conditions(index, p, settings.solver_options().budget);
-  if (is_zero(c.discriminant)) return degenerate(q, p);
+  if (is_zero(c.discriminant)) return degenerate(settings, q, p);
   Json j = opened(q);
   j["condition"] = {{"abelian", c.always()  ? "always"
                                 : c.never() ? "never"
@@ -231,11 +233,15 @@ Report condition(const Settings& settings, const LameQuestion& q) {
     j["degenerate"] = when;
     put(out, "else", "Riemann's equation with exponent differences l, 1/2, n + 1/2, where " + when);
   }
-  return {exit_decided, out.str(), j};
+  const bool everywhere = is_constant(c.discriminant);
+  const Truth abelian = everywhere && c.always()  ? Truth::yes
+                        : everywhere && c.never() ? Truth::no
+                                                  : Truth::unknown;
+  return {settings.exit_of(abelian, true), out.str(), j};
 }
 
 // n(n+1) with free names: the values that leave a chance.
-Report families(const LameQuestion& q) {
+Report families(const Settings& settings, const LameQuestion& q) {
   Json j = opened(q);
   std::ostringstream out;
   out << title(q, j);
@@ -260,7 +266,7 @@ Report families(const LameQuestion& q) {
       "which of these happen depends on " + enumerate(names) +
           "; everything else: G = SL(2, C), for every B, g2, g3 with g2^3 != 27 g3^2");
   j["condition"] = {{"abelian", "only-if"}, {"square", d}, {"families", list}};
-  return {exit_undecided, out.str(), j};
+  return {settings.exit_of(Truth::unknown, false), out.str(), j};
 }
 
 } // namespace
@@ -281,7 +287,7 @@ int lame(const Settings& settings, const LameArguments& a) {
   const Report report = supervised(settings, a.file.empty() ? "lame" : a.file, [&] {
     const LameQuestion q =
         read_lame(document ? lame_texts(settings, *document) : lame_texts(settings, a));
-    if (!q.degree.alpha) return families(q);
+    if (!q.degree.alpha) return families(settings, q);
     return std::holds_alternative<LameParameters<NfElem>>(q.parameters) ? numbers(settings, q)
                                                                         : condition(settings, q);
   });

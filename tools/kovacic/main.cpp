@@ -3,6 +3,7 @@
 #include "bench.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
+#include "reproducer.hpp"
 #include "section.hpp"
 #include "symbol/suggest.hpp"
 
@@ -52,47 +53,82 @@ struct CommandLine {
   std::string word;
   std::string stage = "r";
 
-  void shared_flags(CLI::App& command, bool solver) {
-    if (solver) {
-      command.add_option("--set", settings.set, "give a name a value: --set a=1/2 (repeatable)")
-          ->type_name("NAME=VALUE")
-          ->expected(1)
-          ->take_all();
-      command.add_option("--case", settings.only_case, "say whether this case of Kovacic's occurs")
-          ->check(silent(CLI::IsMember({"1", "2", "3"})))
-          ->type_name("1|2|3");
-      command
-          .add_option("--method", settings.method, "automatic, kovacic, engines or all (compare)")
-          ->check(silent(CLI::IsMember({"automatic", "kovacic", "engines", "all"})))
-          ->type_name("M");
-      command.add_option("--timeout", settings.timeout, "seconds for each equation; 0 = no limit")
-          ->check(number(1e9, "a number of seconds"))
-          ->type_name("S");
-      command.add_option("--memory", settings.memory, "ceiling in MiB (default 4096); 0 = none")
-          ->check(number(1L << 30, "a number of MiB"))
-          ->type_name("MIB");
-      command.add_option("--max-degree", settings.max_degree, "largest degree of a polynomial")
-          ->check(number(1e12, "a degree"))
-          ->type_name("N");
-      command.add_option("--max-families", settings.max_families, "largest number of families")
-          ->check(number(1e18, "a number of families"))
-          ->type_name("N");
-      command.add_flag("--trace", settings.trace, "show every step");
-      command.add_option("--format", settings.format, "text, json or tex")
-          ->check(silent(CLI::IsMember({"text", "json", "tex"})))
-          ->type_name("F");
-      command.add_flag("--exit-verdict", settings.exit_verdict,
-                       "exit 10: not abelian, 20: abelian, 0: undecided");
-    }
+  // Each command declares the flags that it obeys; the others are refused.
+
+  void output_flags(CLI::App& command) {
     command.add_option("-o,--output", settings.output, "write to a file")->type_name("FILE");
-    command.add_flag("-q,--quiet", settings.quiet, "the answer only");
-    command.add_flag("-v,--verbose", settings.verbose, "times as well");
     command.add_option("--color", settings.color, "auto, always or never (see also NO_COLOR)")
         ->check(silent(CLI::IsMember({"auto", "always", "never"})))
         ->type_name("WHEN");
   }
+  void quiet_flag(CLI::App& command) {
+    command.add_flag("-q,--quiet", settings.quiet, "the answer only");
+  }
+  void verbose_flag(CLI::App& command) {
+    command.add_flag("-v,--verbose", settings.verbose, "times as well");
+  }
+  void format_flag(CLI::App& command, const std::vector<std::string>& formats,
+                   const std::string& description) {
+    command.add_option("--format", settings.format, description)
+        ->check(silent(CLI::IsMember(formats)))
+        ->type_name("F");
+  }
+  void set_flag(CLI::App& command) {
+    command.add_option("--set", settings.set, "give a name a value: --set a=1/2 (repeatable)")
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->take_all();
+  }
+  void manifold_flag(CLI::App& command) {
+    command.add_option("--manifold", settings.manifold, "system files: only this manifold")
+        ->type_name("NAME");
+  }
+  void process_flags(CLI::App& command) {
+    command.add_option("--timeout", settings.timeout, "seconds for each question; 0 = no limit")
+        ->check(number(1e9, "a number of seconds"))
+        ->type_name("S");
+    command.add_option("--memory", settings.memory, "ceiling in MiB (default 4096); 0 = none")
+        ->check(number(1L << 30, "a number of MiB"))
+        ->type_name("MIB");
+  }
+  void budget_flags(CLI::App& command) {
+    process_flags(command);
+    command.add_option("--max-degree", settings.max_degree, "largest degree of a polynomial")
+        ->check(number(1e12, "a degree"))
+        ->type_name("N");
+    command.add_option("--max-families", settings.max_families, "largest number of families")
+        ->check(number(1e18, "a number of families"))
+        ->type_name("N");
+  }
+  void method_flags(CLI::App& command) {
+    command.add_option("--case", settings.only_case, "say whether this case of Kovacic's occurs")
+        ->check(silent(CLI::IsMember({"1", "2", "3"})))
+        ->type_name("1|2|3");
+    command.add_option("--method", settings.method, "automatic, kovacic, engines or all (compare)")
+        ->check(silent(CLI::IsMember({"automatic", "kovacic", "engines", "all"})))
+        ->type_name("M");
+  }
+  void exit_verdict_flag(CLI::App& command) {
+    command.add_flag("--exit-verdict", settings.exit_verdict,
+                     "exit 10: not abelian, 20: abelian, 0: undecided or depends");
+  }
 
-  void certificate_flag(CLI::App& command) {
+  // solve and check
+  void solver_flags(CLI::App& command) {
+    set_flag(command);
+    budget_flags(command);
+    method_flags(command);
+    command
+        .add_option("--max-print", settings.max_print,
+                    "print solutions up to this size (default 4); 0 = any")
+        ->check(number(1L << 30, "a number of MiB"))
+        ->type_name("MIB");
+    command.add_flag("--trace", settings.trace, "show every step");
+    format_flag(command, {"text", "json", "tex"}, "text, json or tex");
+    exit_verdict_flag(command);
+    quiet_flag(command);
+    verbose_flag(command);
+    output_flags(command);
     command
         .add_option("--certificate", settings.certificate,
                     "write the proof (check, --batch: a directory)")
@@ -107,7 +143,11 @@ struct CommandLine {
     lame->add_option("--B", lame_arguments.b, "what is not given stays a name")->type_name("B");
     lame->add_option("--g2", lame_arguments.g2, "a number or a formula")->type_name("G");
     lame->add_option("--g3", lame_arguments.g3, "a number or a formula")->type_name("G");
-    shared_flags(*lame, true);
+    set_flag(*lame);
+    budget_flags(*lame);
+    format_flag(*lame, {"text", "json"}, "text or json");
+    exit_verdict_flag(*lame);
+    output_flags(*lame);
 
     CLI::App* potential =
         app.add_subcommand("potential", "eigenvalues of integrable homogeneous potentials");
@@ -116,17 +156,21 @@ struct CommandLine {
         ->type_name("K");
     potential->add_option("--eigenvalue", potential_arguments.eigenvalue, "only this one")
         ->type_name("L");
-    shared_flags(*potential, true);
+    process_flags(*potential);
+    format_flag(*potential, {"text", "json"}, "text or json");
+    exit_verdict_flag(*potential);
+    output_flags(*potential);
   }
 
   void report_flags(CLI::App& command) {
-    command.add_option("--format", settings.format, "text, json, tex or html (also: -o NAME.html)")
-        ->check(silent(CLI::IsMember({"text", "json", "tex", "html"})))
-        ->type_name("F");
+    format_flag(command, {"text", "json", "tex", "html"},
+                "text, json, tex or html (also: -o NAME.html)");
     command.add_option("--timeout", settings.timeout, "seconds in all; 0 = no limit")
         ->check(number(1e9, "a number of seconds"))
         ->type_name("S");
-    shared_flags(command, false);
+    quiet_flag(command);
+    verbose_flag(command);
+    output_flags(command);
   }
 
   void declare(CLI::App& app) {
@@ -159,38 +203,48 @@ struct CommandLine {
         ->take_all();
     solve->add_option("--batch", solve_arguments.batch, "JSON lines in, JSON lines out; - is stdin")
         ->type_name("FILE.jsonl");
-    shared_flags(*solve, true);
-    certificate_flag(*solve);
+    solver_flags(*solve);
 
     declare_families(app);
 
     CLI::App* check = app.add_subcommand("check", "files: the answer and what was expected");
     check->add_option("FILE", files, "equation or system files")->required()->type_name("");
-    shared_flags(*check, true);
-    certificate_flag(*check);
-    check->add_option("--manifold", settings.manifold, "system files: only this manifold")
-        ->type_name("NAME");
+    solver_flags(*check);
+    manifold_flag(*check);
 
     CLI::App* show = app.add_subcommand("show", "a system file up to a stage of the reduction");
     show->add_option("FILE", word, "a system file")->required()->type_name("");
     show->add_option("--stage", stage, "system, lowest, ve, nve, ode or r (default)")
         ->check(silent(CLI::IsMember({"system", "lowest", "ve", "nve", "ode", "r"})))
         ->type_name("STAGE");
-    show->add_option("--manifold", settings.manifold, "only this manifold")->type_name("NAME");
-    shared_flags(*show, true);
+    manifold_flag(*show);
+    set_flag(*show);
+    process_flags(*show);
+    format_flag(*show, {"text", "json"}, "text or json");
+    output_flags(*show);
 
     CLI::App* find = app.add_subcommand("find-manifolds", "invariant linear subspaces of a system");
     find->add_option("FILE", word, "a system file")->required()->type_name("");
-    shared_flags(*find, true);
+    set_flag(*find);
+    process_flags(*find);
+    format_flag(*find, {"text", "json"}, "text or json");
+    output_flags(*find);
 
     CLI::App* test = app.add_subcommand("test", "run the [[expect]] blocks of files (TAP)");
     test->add_option("DIR|FILE", files, "default: cases")->type_name("");
-    shared_flags(*test, true);
+    set_flag(*test);
+    budget_flags(*test);
+    method_flags(*test);
+    quiet_flag(*test);
+    output_flags(*test);
 
     CLI::App* verify = app.add_subcommand("verify", "check a certificate independently");
     verify->add_option("CERT", files, "a certificate; - is stdin")->required()->type_name("");
     verify->add_flag("--strict", settings.strict, "refuse steps that are taken on trust");
-    shared_flags(*verify, false);
+    process_flags(*verify);
+    format_flag(*verify, {"text", "json"}, "text or json, one line for each file");
+    quiet_flag(*verify);
+    output_flags(*verify);
 
     CLI::App* prove =
         app.add_subcommand("prove", "a theorem file: what rests on what, and a report");
@@ -201,11 +255,8 @@ struct CommandLine {
 
     CLI::App* report = app.add_subcommand("report", "a system file as a report");
     report->add_option("FILE", word, "a system file")->required()->type_name("");
-    report->add_option("--set", settings.set, "give a name a value: --set a=1/2 (repeatable)")
-        ->type_name("NAME=VALUE")
-        ->expected(1)
-        ->take_all();
-    report->add_option("--manifold", settings.manifold, "only this manifold")->type_name("NAME");
+    set_flag(*report);
+    manifold_flag(*report);
     report_flags(*report);
 
     CLI::App* section =
@@ -216,22 +267,23 @@ struct CommandLine {
                      "seconds in all; 0 = no limit; what is done is kept and marked PARTIAL")
         ->check(number(1e9, "a number of seconds"))
         ->type_name("S");
-    shared_flags(*section, false);
+    quiet_flag(*section);
+    output_flags(*section);
 
     CLI::App* measure =
         app.add_subcommand("bench", "what accuracy costs: tables and charts (-o DIR)");
     declare_bench(*measure, bench_arguments);
-    shared_flags(*measure, false);
+    output_flags(*measure);
 
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
     make->add_option("KIND", word, "ode, hamiltonian, euler-poisson or vector-field")
         ->required()
         ->type_name("");
-    shared_flags(*make, false);
+    output_flags(*make);
 
     CLI::App* explain = app.add_subcommand("explain", "what a word in an answer means");
     explain->add_option("CODE", word, "e.g. SL2, budget, exit-codes")->type_name("");
-    shared_flags(*explain, false);
+    output_flags(*explain);
   }
 
   int run(const std::string& command) {
@@ -278,6 +330,13 @@ std::string option_hint(const CLI::App& app, const std::string& flag) {
   return "see: kovacic " + (app.get_parent() != nullptr ? app.get_name() + " " : "") + "--help";
 }
 
+bool known_elsewhere(const CLI::App& app, const std::string& flag) {
+  const auto commands = app.get_subcommands({});
+  return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
+    return command->get_option_no_throw(flag) != nullptr;
+  });
+}
+
 int usage_error(const CLI::App& app, const Settings& settings, const CLI::ParseError& error,
                 const std::vector<std::string>& arguments) {
   const CLI::App& sub = meant(app, arguments);
@@ -292,6 +351,11 @@ int usage_error(const CLI::App& app, const Settings& settings, const CLI::ParseE
     const std::vector<std::string> extra = sub.remaining();
     const std::string first = extra.empty() ? std::string("?") : extra.front();
     const bool flag = first.starts_with('-');
+    if (flag && known_elsewhere(app, first.substr(0, first.find('=')))) {
+      complain(settings, sub.get_name() + " has no use for " + first.substr(0, first.find('=')),
+               "see: kovacic " + sub.get_name() + " --help");
+      return exit_input;
+    }
     complain(settings, (flag ? "unknown option '" : "unexpected argument '") + first + "'",
              flag ? option_hint(sub, first.substr(0, first.find('='))) : option_hint(sub, ""));
     return exit_input;
@@ -307,6 +371,7 @@ int usage_error(const CLI::App& app, const Settings& settings, const CLI::ParseE
 }
 
 int main(int argc, char** argv) {
+  remember_command(argc, argv);
   CommandLine line;
   CLI::App app;
   app.name("kovacic");
@@ -326,7 +391,8 @@ int main(int argc, char** argv) {
     return report(line.settings, error);
   } catch (const std::exception& error) {
     complain(line.settings, "internal error: " + std::string(error.what()),
-             "this is a mistake of the program, not of the input: please send us the input");
+             "this is a mistake of the program, not of the input");
+    leave_reproducer(error.what());
     return exit_internal;
   }
 }

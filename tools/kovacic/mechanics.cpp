@@ -3,6 +3,7 @@
 #include "answer.hpp"
 #include "present.hpp"
 #include "present_strata.hpp"
+#include "recognized.hpp"
 
 #include <algorithm>
 #include <ostream>
@@ -25,17 +26,9 @@ std::string yes_no(Truth t) {
   return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided";
 }
 
-Json json_of(const GaloisGroup& g) {
-  Json n = nullptr;
-  if (g.n)
-    n = fits_long(*g.n) && abs(Rational(*g.n)) < Rational(1L << 53) ? Json(to_long(*g.n))
-                                                                    : Json(to_string(*g.n));
-  return Json{{"type", to_string(g.type)}, {"n", n}};
-}
-
 Json json_of(const Decision& d) {
   Json j;
-  j["group"] = d.group ? json_of(*d.group) : Json(nullptr);
+  j["group"] = d.group ? group_json(*d.group) : Json(nullptr);
   j["identity_component"] = d.component ? Json(to_string(*d.component)) : Json(nullptr);
   j["abelian"] = yes_no(d.abelian);
   j["case"] = d.kovacic_case ? Json(*d.kovacic_case) : Json(nullptr);

@@ -88,6 +88,7 @@ Report one(const Settings& settings, const PotentialArguments& a, Report report)
       << "\n  G = " << describe(*closed.group)
       << (abelian ? ", identity component abelian" : ", identity component not abelian")
       << "\n  because   " << wrapped(closed.reason, 12) << '\n';
+  report.exit = settings.exit_of(closed.abelian, true);
   report.text = out.str();
   report.json["eigenvalue"] = to_string(lambda);
   report.json["r"] = to_string(d.r);
@@ -103,7 +104,8 @@ Report one(const Settings& settings, const PotentialArguments& a, Report report)
 int potential(const Settings& settings, const PotentialArguments& a) {
   const Report report = supervised(settings, "--degree", [&] {
     const EigenvalueTable table = eigenvalue_table(a.degree);
-    Report r{exit_decided, text_of(table), json_of(table)};
+    const Truth abelian = table.all ? Truth::yes : Truth::unknown;
+    Report r{settings.exit_of(abelian, true), text_of(table), json_of(table)};
     return a.eigenvalue ? one(settings, a, std::move(r)) : r;
   });
   write_output(settings,

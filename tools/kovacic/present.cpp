@@ -1,6 +1,7 @@
 #include "present.hpp"
 
 #include "certificate_file.hpp"
+#include "reproducer.hpp"
 
 namespace kov::cli {
 
@@ -9,7 +10,8 @@ void report_failure(const Settings& settings, const Answer& answer) {
     report(settings, *answer.error);
   } else if (answer.exit == exit_internal) {
     complain(settings, "internal error: " + answer.internal,
-             "this is a mistake of the program, not of the input: please send us the equation");
+             "this is a mistake of the program, not of the input");
+    leave_reproducer(answer.internal);
   } else if (answer.exit == exit_interrupted) {
     complain(settings, "interrupted");
   }

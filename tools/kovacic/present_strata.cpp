@@ -2,6 +2,7 @@
 
 #include "mechanics.hpp"
 #include "present.hpp"
+#include "recognized.hpp"
 #include "render.hpp"
 #include "strata/certificate.hpp"
 
@@ -152,8 +153,7 @@ void put_common(Json& j, const strata::StrataAnswer& a) {
   const bool one_group =
       first.group && all([&](const strata::Stratum* s) { return s->leaf.group == first.group; });
   if (!one_group || !a.unvisited.empty()) return;
-  j["group"] = Json{{"type", to_string(first.group->type)}, {"n", nullptr}};
-  if (first.group->n && fits_long(*first.group->n)) j["group"]["n"] = to_long(*first.group->n);
+  j["group"] = group_json(*first.group);
   j["identity_component"] = to_string(identity_component(*first.group));
   j["case"] = kovacic_case(*first.group);
 }

@@ -30,9 +30,7 @@ std::set<std::string> letters_of(const std::string& generator) {
 } // namespace
 
 Json group_json(const GaloisGroup& g) {
-  Json n = nullptr;
-  if (g.n) n = fits_long(*g.n) ? Json(to_long(*g.n)) : Json(to_string(*g.n));
-  return {{"type", to_string(g.type)}, {"n", n}};
+  return {{"type", to_string(g.type)}, {"n", g.n ? json_integer(*g.n) : Json(nullptr)}};
 }
 
 Json closed_json(const ClosedAnswer& answer) {

@@ -1,21 +1,17 @@
 #include "result.hpp"
 
 #include "galois/exponential_form.hpp"
+#include "recognized.hpp"
 
 namespace kov::cli {
-namespace {
 
-Json integer(const Integer& n) {
+Json json_integer(const Integer& n) {
   const Integer limit = pow(Integer(2), 53);
   if (n <= limit && n >= -limit) return to_long(n);
   return to_string(n);
 }
 
-Json group(const GaloisGroup& g) {
-  Json j = {{"type", to_string(g.type)}, {"n", nullptr}};
-  if (g.n) j["n"] = integer(*g.n);
-  return j;
-}
+namespace {
 
 Json solution(const Solution& s) {
   Json j = {{"kind", s.kind}};
@@ -77,11 +73,13 @@ Json open_result(const Json& id, const GivenEquation& equation) {
 
 Json closed_result(Json open, const Decision& d, double seconds) {
   Json j = std::move(open);
-  if (d.group) j["group"] = group(*d.group);
+  if (d.group) j["group"] = group_json(*d.group);
   if (d.component) j["identity_component"] = to_string(*d.component);
   j["abelian"] = text_of(d.abelian);
   if (d.kovacic_case) j["case"] = *d.kovacic_case;
-  if (d.group || !d.solutions.empty()) {
+  if (!d.no_solutions.empty()) {
+    j["no_solutions"] = d.no_solutions;
+  } else if (d.group || !d.solutions.empty()) {
     j["solutions"] = Json::array();
     for (const Solution& s : d.solutions)
       j["solutions"].push_back(solution(s));

@@ -25,6 +25,9 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
 /// What the factor exp(-1/2 int p) does: the object under "original".
 [[nodiscard]] Json original_form(const GivenEquation& equation, const Budget& budget);
 
+/// A number, or a string where a reader of JSON would round it (beyond 2^53).
+[[nodiscard]] Json json_integer(const Integer& n);
+
 [[nodiscard]] std::string name_of(Unable::Why why);
 
 } // namespace kov::cli

@@ -2,10 +2,10 @@
 
 #include "commands.hpp"
 
+#include "equation/read_equation.hpp"
 #include "symbol/expression.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -25,13 +25,23 @@ Options Settings::solver_options() const {
   if (method == "all") o.method = Method::all;
   if (only_case != 0) o.only_case = only_case;
   o.want_trace = trace;
+  o.want_solutions = !quiet && !exit_verdict;
+  o.max_printed = max_print << 20;
   o.want_certificate = !certificate.empty();
   return o;
 }
 
+int Settings::exit_of(Truth abelian, bool decided) const {
+  if (!exit_verdict) return decided ? exit_decided : exit_undecided;
+  return abelian == Truth::yes  ? exit_abelian
+         : abelian == Truth::no ? exit_not_abelian
+                                : exit_decided;
+}
+
 int worse(int a, int b) {
-  static constexpr int order[] = {exit_decided, exit_undecided, exit_no,
-                                  exit_input,   exit_internal,  exit_interrupted};
+  // With --exit-verdict "abelian" is said only if nothing else is.
+  static constexpr int order[] = {exit_abelian, exit_decided, exit_undecided, exit_not_abelian,
+                                  exit_no,      exit_input,   exit_internal,  exit_interrupted};
   const auto rank = [](int code) { return std::find(std::begin(order), std::end(order), code); };
   return rank(a) > rank(b) ? a : b;
 }
@@ -58,13 +68,7 @@ std::vector<std::pair<std::string, Expression>> Settings::settings() const {
     origin->text = s;
     const auto equal = s.find('=');
     const std::string name = s.substr(0, equal);
-    const auto is_name = [&] {
-      if (name.empty() || (name[0] >= '0' && name[0] <= '9')) return false;
-      for (const char c : name)
-        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_') return false;
-      return true;
-    };
-    if (equal == std::string::npos || !is_name())
+    if (equal == std::string::npos || !is_name(name))
       throw InputError(*origin, Span{0, static_cast<std::uint32_t>(name.size())},
                        "a name with a value is expected", "write e.g. --set a=1/2");
     for (const auto& [known, value] : all)

@@ -3,6 +3,7 @@
 
 #include "render.hpp"
 #include "supervisor.hpp"
+#include "exact/truth.hpp"
 #include "symbol/input_error.hpp"
 #include "verdict/decide.hpp"
 
@@ -30,6 +31,7 @@ struct Settings {
   long max_degree = Budget{}.max_degree;
   long max_families = Budget{}.max_families;
   std::size_t memory = 4 * 1024; ///< MiB
+  std::size_t max_print = 4;     ///< MiB of solutions; 0 = no limit
   std::string manifold;          ///< system files: only this one
   int only_case = 0;
   std::string method = "automatic";
@@ -48,6 +50,10 @@ struct Settings {
   /// Colours on this stream (a file descriptor)?  --color, NO_COLOR, is it a terminal.
   [[nodiscard]] bool colors(int descriptor) const;
   [[nodiscard]] Style style() const;
+  /// The exit code before anything is answered, for worse() to start from.
+  [[nodiscard]] Exit nothing_yet() const { return exit_verdict ? exit_abelian : exit_decided; }
+  /// The exit code of a question about an identity component, --exit-verdict taken into account.
+  [[nodiscard]] int exit_of(Truth abelian, bool decided) const;
   /// --set as name and formula.  Throws InputError.
   [[nodiscard]] std::vector<std::pair<std::string, Expression>> settings() const;
 };

@@ -67,6 +67,8 @@ std::string not_in_a_batch(const Settings& settings, const SolveArguments& a) {
   if (!a.parameters.empty()) return "--parameter";
   if (!a.assume.empty()) return "--assume";
   if (settings.trace) return "--trace";
+  if (settings.exit_verdict) return "--exit-verdict";
+  if (settings.verbose > 0) return "--verbose";
   return settings.format == "tex" ? "--format tex" : "";
 }
 

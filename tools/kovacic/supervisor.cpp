@@ -140,6 +140,12 @@ Got receive_message(int fd, char& kind, std::string& text, const Clock::time_poi
   return receive_all(fd, text.data(), n, deadline);
 }
 
+// Signals that a process brings upon itself; any other one was sent by somebody else.
+bool by_own_mistake(int signal) {
+  return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL ||
+         signal == SIGABRT || signal == SIGTRAP || signal == SIGSYS;
+}
+
 } // namespace
 
 // What the child has said early, in memory that both processes see: most jobs end well and then
@@ -278,10 +284,11 @@ Reply Worker::ended() {
     reply.end = Reply::End::out_of_memory;
   else if (WIFEXITED(status) && WEXITSTATUS(status) == exit_library_abort)
     reply.detail = "a library gave up (flint_abort)";
-  else if (WIFSIGNALED(status))
+  else if (WIFSIGNALED(status)) {
     reply.detail =
         "signal " + std::to_string(WTERMSIG(status)) + " (" + ::strsignal(WTERMSIG(status)) + ")";
-  else
+    if (!by_own_mistake(WTERMSIG(status))) reply.end = Reply::End::killed;
+  } else
     reply.detail = "exit status " + std::to_string(WEXITSTATUS(status));
   return reply;
 }

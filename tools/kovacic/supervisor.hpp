@@ -17,14 +17,15 @@ struct ProcessLimits {
 
 /// How a job ended.
 struct Reply {
-  enum class End : std::uint8_t { answered, timeout, out_of_memory, crashed, interrupted };
+  /// killed: by a signal from outside, e.g. of the kernel that is short of memory
+  enum class End : std::uint8_t { answered, timeout, out_of_memory, killed, crashed, interrupted };
   Reply() = default;
   explicit Reply(End how) : end(how) {}
 
   End end = End::answered;
   std::string answer; ///< answered only
   std::string early;  ///< the last early message of a job that was not answered
-  std::string detail; ///< of a crash: "signal 11 (Segmentation fault)"
+  std::string detail; ///< of an end by a signal: "signal 11 (Segmentation fault)"
 };
 
 /// A child process that answers jobs one after the other, and is replaced when it dies.

@@ -1,0 +1,99 @@
+// What is proved is said, whatever becomes of the solutions, the steps and the certificate.
+
+#include "answer.hpp"
+
+#include "exact/poly.hpp"
+#include "support/equations.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kov::cli {
+namespace {
+
+using testing::gauge;
+using testing::pull_back;
+using testing::riemann;
+
+NfElem over(long n, long d) { return NfElem(Rational(n, d)); }
+
+// Riemann's equation of a finite primitive group after a gauge transformation, which makes about 2k
+// apparent singularities, and a shift by a long number, which makes every coefficient long.
+RationalFunction with_apparent_singularities(const NfElem& at1, const NfElem& at_infinity,
+                                             unsigned long k, unsigned long digits) {
+  const RationalFunction a(pow(Poly::z(), k) + Poly(3));
+  const RationalFunction r = gauge(riemann(over(1, 4), at1, at_infinity), a);
+  const Poly shift(NfElem(Rational(pow(Integer(10), digits) + Integer(1), Integer(3))));
+  return compose(r, RationalFunction(Poly::z() + shift));
+}
+
+struct Case {
+  const char* group;
+  NfElem at1, at_infinity;
+  unsigned long apparent, digits;
+};
+
+std::string equation_of(const Case& c) {
+  return to_string(with_apparent_singularities(c.at1, c.at_infinity, c.apparent, c.digits));
+}
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all{{"A5", over(1, 9), over(1, 25), 24, 40},
+                                     {"S4", over(1, 9), over(1, 16), 24, 60},
+                                     {"A4", over(1, 9), over(1, 9), 24, 60}};
+  return all;
+}
+
+Answer answer(const std::string& r, const Settings& settings) {
+  Solver solver(fixed_question([&] {
+                  Question q;
+                  q.text.r = parse_expression(r, "-r");
+                  return q;
+                }),
+                settings);
+  return solver.answer("");
+}
+
+bool decided(const Answer& a) {
+  return a.exit == exit_decided && a.result.at("undecided").is_null();
+}
+
+// Each of these equations takes a fraction of a second to decide and tens of seconds to print.
+TEST(ProvedFirst, DecidedInATimeIsDecidedInEveryLongerTime) {
+  for (const Case& c : cases()) {
+    const std::string r = equation_of(c);
+    Settings settings;
+    settings.max_print = 0;
+    bool before = false;
+    for (const double seconds : {0.05, 0.2, 0.5, 1.0, 2.0, 4.0}) {
+      settings.timeout = seconds;
+      const Answer a = answer(r, settings);
+      EXPECT_TRUE(decided(a) || !before) << c.group << " in " << seconds << " s: " << a.result;
+      before = before || decided(a);
+      if (decided(a)) EXPECT_EQ(a.result.at("group").at("type"), c.group);
+    }
+    EXPECT_TRUE(before) << c.group;
+  }
+}
+
+// Verdict, certificate, solutions: each stays where the next one is cut short.
+TEST(ProvedFirst, ADecisionIsAnnouncedBeforeItsSolutions) {
+  const RationalFunction r = with_apparent_singularities(over(1, 9), over(1, 25), 4, 0);
+  std::vector<Decision> said;
+  Options options;
+  options.want_certificate = true;
+  options.max_printed = 1000;
+  options.proved = [&](const Decision& d) { said.push_back(d); };
+  const Decision d = decide({.r = r, .p = RationalFunction()}, options);
+  ASSERT_EQ(said.size(), 2U);
+  for (const Decision& early : said) {
+    EXPECT_EQ(early.group, d.group);
+    EXPECT_TRUE(early.solutions.empty());
+  }
+  EXPECT_FALSE(said.back().certificate.empty());
+  EXPECT_NE(d.no_solutions.find("size limit"), std::string::npos) << d.no_solutions;
+  EXPECT_TRUE(d.solutions.empty());
+  EXPECT_FALSE(d.undecided);
+}
+
+} // namespace
+} // namespace kov::cli
