@@ -432,6 +432,20 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
   return report;
 }
 
+std::vector<std::string> trusted_steps(const ManifoldReport& m) {
+  std::vector<std::string> all;
+  const auto add = [&](const std::string& step) {
+    if (std::find(all.begin(), all.end(), step) == all.end()) all.push_back(step);
+  };
+  for (const BlockReport& b : m.blocks) {
+    if (b.ode) add("the way from the system to r(z), along the manifold " + m.name);
+    for (const auto* answer : strata_of(b))
+      for (const std::string& step : answer->trusted)
+        add(step);
+  }
+  return all;
+}
+
 CheckReport check_system(const System& s, const CheckOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   CheckReport report;

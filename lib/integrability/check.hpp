@@ -94,6 +94,10 @@ struct CheckOptions {
                                             const std::vector<ClaimReport>& claims,
                                             const CheckOptions& options = {});
 
+/// The steps on which a verdict rests besides the theorem, exact computation and certificates that
+/// the judges accept: the one list for `check`, `prove`, `report` and certificates.
+[[nodiscard]] std::vector<std::string> trusted_steps(const ManifoldReport& m);
+
 /// The values of parameter `h` at which two singular places of r meet or one goes to infinity, as
 /// irreducible polynomials that use h: factors of the leading coefficients, the discriminants and
 /// the resultants of the factors of den(r).

@@ -32,4 +32,20 @@ PlacedPicture place(const PolePicture& p, long width, long height) {
   return out;
 }
 
+std::string name_of(const std::string& id) {
+  const LiteratureTheorem* t = literature_theorem(id);
+  return t ? t->name : id;
+}
+
+std::string settled(const LiteratureHypothesis& h) {
+  return h.settled == Settled::checked  ? "checked (" + h.how + "): "
+         : h.settled == Settled::stated ? "part of the statement: "
+                                        : "NOT CHECKED: ";
+}
+
+std::string remark(const NodeResult& n) {
+  return n.statement.empty() && n.node.kind == NodeKind::argument ? "argument in words: "
+                                                                  : "the author's remark: ";
+}
+
 } // namespace kov::report

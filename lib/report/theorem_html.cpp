@@ -1,5 +1,6 @@
 #include "report/render_theorem.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -20,7 +21,7 @@ h1{font-size:1.7rem;line-height:1.25;margin:0 0 .6rem}h2{font-size:1.15rem;margi
 .counts{display:flex;flex-wrap:wrap;gap:.5rem 1.6rem;color:var(--soft);font-size:.9rem;margin:.5rem 0 0;padding:0;list-style:none}
 .counts b{color:var(--ink)}
 .badge{display:inline-block;font:600 .72rem/1.5 system-ui,"DejaVu Sans",sans-serif;letter-spacing:.03em;border-radius:1em;padding:0 .6em;color:#fff;vertical-align:.12em;white-space:nowrap}
-.proved{background:var(--proved)}.trusted{background:var(--trusted)}.reasoned{background:var(--reasoned)}.open,.refuted{background:var(--open)}
+.proved{background:var(--proved)}.trusted{background:var(--trusted)}.reasoned{background:var(--reasoned)}.open,.refuted,.unbound{background:var(--open)}.in{background:var(--reasoned)}
 .tree,.tree ul{list-style:none;margin:0;padding-left:1.1rem}.tree{padding-left:0}.tree ul{border-left:1px solid var(--line);margin-left:.45rem}
 .tree li{margin:.22rem 0}.tree a{color:inherit;text-decoration:none}.tree a:hover{text-decoration:underline}
 details{border:1px solid var(--line);border-radius:.4rem;margin:.6rem 0;background:var(--paper)}
@@ -71,7 +72,7 @@ std::string tree(const TheoremResult& t) {
         inner += tag("li", tag("span", "not checked", "class=\"badge open\"") +
                                " hypothesis: " + prose(h.text, html));
     for (const std::string& s : n.theorems)
-      inner += tag("li", badge(NodeStatus::trusted) + " the theorem of " + prose(s, html));
+      inner += tag("li", badge(NodeStatus::trusted) + " the theorem of " + prose(name_of(s), html));
     for (const std::string& c : n.node.needs)
       inner += item(node_of(t, c));
     return tag("li", out + (inner.empty() ? "" : tag("ul", inner)));
@@ -131,8 +132,32 @@ std::string picture(const PolePicture& p) {
                            tag("figcaption", prose(p.caption, html)));
 }
 
+// A theorem of the literature with its hypotheses.
+std::string hypotheses_of(const TheoremUse& use) {
+  const LiteratureTheorem* t = literature_theorem(use.id);
+  if (!t) return "";
+  std::string list;
+  for (const LiteratureHypothesis& h : t->hypotheses)
+    list += tag("li", prose(settled(h) + h.text, html),
+                h.settled == Settled::open ? "class=\"warn\"" : "class=\"soft\"");
+  return tag("li", tag("b", prose(t->name, html)) + " [" + prose(t->cite, html) +
+                       "]: " + prose(t->statement, html) + tag("ul", list));
+}
+
+// The places of the first step, open to the eye.
+std::string first_pictures(const TheoremResult& t) {
+  std::string out;
+  if (!t.nodes.empty() && t.nodes.front().node.kind == NodeKind::case_file)
+    for (const PolePicture& p : t.nodes.front().pictures)
+      if (!p.points.empty() && out.empty()) out = picture(p);
+  return out;
+}
+
 std::string details_of(const TheoremResult& t, const NodeResult& n) {
-  std::string out = tag("p", prose(n.node.statement, html));
+  std::string out;
+  if (!n.statement.empty()) out += tag("p", prose(n.statement, html) + ".");
+  if (!n.node.statement.empty())
+    out += tag("p", prose(remark(n) + n.node.statement, html), "class=\"soft\"");
   std::string on;
   for (const std::string& c : n.node.needs)
     on += (on.empty() ? "" : ", ") +
@@ -187,11 +212,15 @@ std::string counts(const TheoremResult& t) {
 std::string theorem_html(const TheoremResult& t) {
   std::string trusted;
   for (const std::string& s : t.trusted_theorems())
-    trusted += tag("li", prose(s, html));
+    if (!std::any_of(literature().begin(), literature().end(),
+                     [&](const LiteratureTheorem& known) { return known.name == s; }))
+      trusted += tag("li", prose(s, html));
   for (const std::string& s : t.trusted_steps())
     trusted += tag("li", prose(s, html));
   for (const std::string& s : t.unchecked_hypotheses())
     trusted += tag("li", "Hypothesis not checked: " + prose(s, html), "class=\"warn\"");
+  for (const TheoremUse& use : t.uses())
+    trusted += hypotheses_of(use);
   if (trusted.empty()) trusted = tag("li", "nothing");
   std::string steps;
   for (const NodeResult& n : t.nodes)
@@ -202,13 +231,18 @@ std::string theorem_html(const TheoremResult& t) {
                      (n.status == NodeStatus::open ? " open" : ""));
   const std::string body =
       tag("h1", prose(t.theorem.title, html)) +
-      tag("p", prose(t.theorem.statement, html), "class=\"statement\"") +
+      (t.theorem.statement.empty()
+           ? std::string()
+           : tag("p", "The author&rsquo;s words: " + prose(t.theorem.statement, html),
+                 "class=\"soft\"")) +
       tag("div", prose(t.conclusion(), html) + ".",
           std::string("class=\"verdict") + (!t.complete() || t.count(NodeStatus::proved) == 0
                                                 ? " no\""
                                             : t.unchecked_hypotheses().empty() ? "\""
                                                                                : " but\"")) +
-      counts(t) + tag("h2", "What rests on what") + tree(t) +
+      (t.statement().empty() ? std::string()
+                             : tag("p", prose(t.statement(), html) + ".", "class=\"statement\"")) +
+      counts(t) + first_pictures(t) + tag("h2", "What rests on what") + tree(t) +
       tag("h2", "Trusted, not proved here") + tag("ul", trusted) + tag("h2", "The steps") + steps;
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
          "content=\"width=device-width\">"

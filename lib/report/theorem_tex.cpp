@@ -72,7 +72,10 @@ std::string picture(const PolePicture& p) {
 std::string step(const TheoremResult& t, const NodeResult& n) {
   std::string out = "\n\\subsection*{" + std::to_string(number_of(t, n.node.id)) + ". " +
                     title_of(n) + "\\quad\\status{" + to_string(n.status) + "}}\n" +
-                    prose(n.node.statement, tex) + "\n";
+                    (n.statement.empty() ? "" : prose(n.statement, tex) + ".\n") +
+                    (n.node.statement.empty()
+                         ? ""
+                         : "\\par\\textit{" + prose(remark(n) + n.node.statement, tex) + "}\n");
   if (!n.node.needs.empty()) {
     out += "\\par Rests on";
     bool first = true;
@@ -101,7 +104,7 @@ std::string step(const TheoremResult& t, const NodeResult& n) {
   for (const PolePicture& p : n.pictures)
     if (!p.points.empty()) out += picture(p);
   for (const std::string& s : n.theorems)
-    out += "\\par By the theorem of " + prose(s, tex) + ".\n";
+    out += "\\par By the theorem of " + prose(name_of(s), tex) + ".\n";
   if (!n.node.note.empty()) out += paragraph("Note", prose(n.node.note, tex));
   return out;
 }
@@ -129,7 +132,7 @@ std::string tree(const TheoremResult& t) {
     }
     for (const std::string& s : n.theorems) {
       tabs(depth + 1);
-      out += "the theorem of " + prose(s, tex) + " \\status{trusted}\\\\\n";
+      out += "the theorem of " + prose(name_of(s), tex) + " \\status{trusted}\\\\\n";
     }
     for (const std::string& c : n.node.needs)
       put(t.nodes[number_of(t, c) - 1], depth + 1);
@@ -144,7 +147,10 @@ std::string theorem_tex(const TheoremResult& t) {
   std::string out = preamble;
   out += "\\title{" + prose(t.theorem.title, tex) +
          "}\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
-  out += "\\textbf{Theorem.} \\emph{" + prose(t.theorem.statement, tex) + "}\n\n";
+  if (!t.statement().empty())
+    out += "\\textbf{Theorem.} \\emph{" + prose(t.statement(), tex) + ".}\n\n";
+  if (!t.theorem.statement.empty())
+    out += "\\textit{The author's words:} " + prose(t.theorem.statement, tex) + "\n\n";
   out += prose(t.conclusion(), tex) + ". " + std::to_string(t.identities()) +
          " exact identities were checked, " + std::to_string(t.certificates()) +
          " certificates accepted, in " + t.time() + ".\n";
@@ -156,6 +162,14 @@ std::string theorem_tex(const TheoremResult& t) {
     out += "\\item " + prose(s, tex) + "\n";
   for (const std::string& s : t.unchecked_hypotheses())
     out += "\\item \\textbf{Hypothesis not checked.} " + prose(s, tex) + "\n";
+  for (const TheoremUse& use : t.uses())
+    if (const LiteratureTheorem* theorem = literature_theorem(use.id)) {
+      out += "\\item " + prose(theorem->name, tex) + " [" + prose(theorem->cite, tex) +
+             "]: " + prose(theorem->statement, tex) + "\n\\begin{itemize}\n";
+      for (const LiteratureHypothesis& h : theorem->hypotheses)
+        out += "\\item " + prose(settled(h) + h.text, tex) + "\n";
+      out += "\\end{itemize}\n";
+    }
   if (out.ends_with("\\begin{itemize}\n")) out += "\\item nothing\n";
   out += "\\item[] \n\\end{itemize}\n\\section*{The steps}\n";
   for (const NodeResult& n : t.nodes)

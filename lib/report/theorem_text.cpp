@@ -52,14 +52,15 @@ void put_tree(std::string& out, const TheoremResult& t, const std::string& id, s
   for (const Hypothesis& h : n.node.hypotheses)
     if (!h.checked) out += mark("unchecked") + inner + "hypothesis: " + h.text + "\n";
   for (const std::string& s : n.theorems)
-    out += mark("trusted") + inner + "the theorem of " + s + "\n";
+    out += mark("trusted") + inner + "the theorem of " + name_of(s) + "\n";
   for (const std::string& child : n.node.needs)
     put_tree(out, t, child, depth + 1, seen);
 }
 
 void put_step(std::string& out, const NodeResult& n) {
   out += "\n" + n.node.title + "  [" + to_string(n.status) + ", " + to_string(n.node.kind) + "]\n";
-  out += filled(n.node.statement, 2);
+  if (!n.statement.empty()) out += filled(n.statement + ".", 2);
+  if (!n.node.statement.empty()) out += filled(remark(n) + n.node.statement, 2);
   if (!n.summary.empty()) out += filled("found: " + n.summary, 2);
   for (const Hypothesis& h : n.node.hypotheses)
     out += filled((h.checked ? "hypothesis, for which the author names step '" + h.by + "': "
@@ -81,15 +82,27 @@ void put_step(std::string& out, const NodeResult& n) {
     }
   }
   for (const std::string& s : n.theorems)
-    out += filled("by the theorem of " + s, 4);
+    out += filled("by the theorem of " + name_of(s), 4);
   if (!n.node.note.empty()) out += filled("note: " + n.node.note, 2);
+}
+
+void put_hypotheses(std::string& out, const TheoremResult& t) {
+  for (const TheoremUse& use : t.uses())
+    if (const LiteratureTheorem* theorem = literature_theorem(use.id)) {
+      out += filled(theorem->name + " [" + theorem->cite + "]: " + theorem->statement, 2);
+      for (const LiteratureHypothesis& h : theorem->hypotheses)
+        out += filled(settled(h) + h.text, 4);
+    }
 }
 
 } // namespace
 
 std::string theorem_text(const TheoremResult& t) {
-  std::string out = t.theorem.title + "\n" + filled(t.theorem.statement, 2) + "\n";
-  out += filled(t.conclusion() + ".", 0) + "time " + t.time() + "\n\n";
+  std::string out = t.theorem.title + "  (the author's title)\n";
+  if (!t.theorem.statement.empty()) out += filled("the author's words: " + t.theorem.statement, 2);
+  out += "\n" + filled(t.conclusion() + ".", 0);
+  if (!t.statement().empty()) out += filled(t.statement() + ".", 2);
+  out += "time " + t.time() + "\n\n";
   std::set<std::string> seen;
   put_tree(out, t, t.nodes.front().node.id, 0, seen);
   out += "\ntrusted\n";
@@ -99,6 +112,7 @@ std::string theorem_text(const TheoremResult& t) {
     out += filled(s, 2);
   for (const std::string& s : t.unchecked_hypotheses())
     out += filled("HYPOTHESIS NOT CHECKED  " + s, 2);
+  put_hypotheses(out, t);
   if (out.ends_with("\ntrusted\n")) out += "  nothing\n";
   for (const NodeResult& n : t.nodes)
     put_step(out, n);
@@ -114,7 +128,8 @@ std::string theorem_json(const TheoremResult& t) {
            {"kind", to_string(n.node.kind)},
            {"status", to_string(n.status)},
            {"rests_on_open", n.rests_on_open},
-           {"statement", n.node.statement},
+           {"statement", n.statement},
+           {"remark", n.node.statement},
            {"summary", n.summary},
            {"needs", n.node.needs},
            {"cite", n.node.cite},
@@ -144,7 +159,8 @@ std::string theorem_json(const TheoremResult& t) {
   }
   const Json all{{"format", "kovacic-theorem/1"},
                  {"title", t.theorem.title},
-                 {"statement", t.theorem.statement},
+                 {"statement", t.statement()},
+                 {"remark", t.theorem.statement},
                  {"complete", t.complete()},
                  {"conclusion", t.conclusion()},
                  {"verdict", t.verdict()},
@@ -152,6 +168,7 @@ std::string theorem_json(const TheoremResult& t) {
                  {"open", t.count(NodeStatus::open)},
                  {"refuted", t.count(NodeStatus::refuted)},
                  {"arguments", t.count(NodeStatus::reasoned)},
+                 {"unbound", t.count(NodeStatus::unbound)},
                  {"trusted", t.trusted_theorems()},
                  {"trusted_steps", t.trusted_steps()},
                  {"unchecked_hypotheses", t.unchecked_hypotheses()},

@@ -5,6 +5,9 @@
 #include "exact/truth.hpp"
 #include "strata/conditions.hpp"
 
+#include <string>
+#include <vector>
+
 namespace kov::strata {
 
 /// no       Z3 has refuted the conjunction over the reals
@@ -12,5 +15,14 @@ namespace kov::strata {
 /// unknown  its limit was reached
 /// Cost     at most `milliseconds`
 [[nodiscard]] Truth has_real_point(const std::vector<Condition>& conditions, unsigned milliseconds);
+
+/// Does every real point with all conditions of `known` satisfy all conditions of one of `regions`?
+struct Covered {
+  Truth holds = Truth::unknown;
+  std::string gap; ///< no: a point outside, "A = 1, B = 2"
+};
+[[nodiscard]] Covered is_covered(const std::vector<Condition>& known,
+                                 const std::vector<std::vector<Condition>>& regions,
+                                 unsigned milliseconds);
 
 } // namespace kov::strata

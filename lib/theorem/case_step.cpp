@@ -202,6 +202,56 @@ void unexpected(NodeResult& n, const ManifoldReport& m) {
   if (m.verdict == VerdictKind::non_integrable) n.status = NodeStatus::refuted;
 }
 
+// "C = A; A = 2, C = 1" for the strata with this answer.
+std::string strata_with(const ManifoldReport& m, Truth abelian) {
+  std::string text;
+  for (const BlockReport& b : m.blocks)
+    if (b.strata)
+      for (const strata::Stratum& s : b.strata->strata)
+        if (s.leaf.abelian == abelian)
+          text += (text.empty() ? "" : "; ") + strata::to_string(s.conditions);
+  return text;
+}
+
+std::string assumptions_of(const System& s) {
+  std::string text;
+  for (const auto& [name, value] : s.values)
+    text += (text.empty() ? "" : ", ") + name + " = " + to_string(value);
+  for (const Assumption& a : s.assumptions)
+    text += (text.empty() ? "" : ", ") + a.text;
+  return text.empty() ? "" : "Let " + text + ". ";
+}
+
+// What follows, in words and as the headline of a report.
+void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
+  const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
+  const std::string by = " (" + m.theorem + ", along the manifold " + m.name + ")";
+  for (const std::string& step : trusted_steps(m))
+    n.trusted.push_back(step);
+  n.theorems.push_back(m.theorem);
+  if (m.verdict == VerdictKind::non_integrable) {
+    n.says = Conclusion::not_integrable;
+    n.excluded = {m.function_class};
+    n.headline = "NON-INTEGRABLE" + by;
+    n.statement = subject + m.statement + by;
+    n.formulas.push_back({"so", m.statement});
+    if (m.function_class != "meromorphic")
+      n.summary += "; for first integrals that are " + m.function_class;
+  } else if (m.verdict == VerdictKind::no_obstruction) {
+    n.headline = "NO OBSTRUCTION" + by + ": nothing follows about integrability";
+    n.statement = subject + "not obstructed by the first variational equation" + by +
+                  ": nothing follows about integrability";
+    n.summary += " (the test passes; nothing follows about integrability)";
+  } else {
+    const std::string passes = strata_with(m, Truth::yes), open = strata_with(m, Truth::unknown);
+    const std::string except =
+        "except where " + passes + (open.empty() ? "" : " (no obstruction) and where " + open);
+    n.headline = "NON-INTEGRABLE " + except + by;
+    n.statement = subject + "not integrable with first integrals that are " + m.function_class +
+                  ", " + except + by + ". In the exceptions nothing follows about integrability";
+  }
+}
+
 // The manifold that decides, with its material.
 const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
   const auto& all = report.manifolds;
@@ -224,14 +274,7 @@ const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
   }
   n.status = NodeStatus::proved;
   if (!m.not_checked.empty()) n.trusted.push_back(m.not_checked);
-  if (m.verdict == VerdictKind::no_obstruction)
-    n.summary += " (the test passes; nothing follows about integrability)";
-  if (m.verdict == VerdictKind::non_integrable) {
-    n.theorems.push_back(m.theorem);
-    n.formulas.push_back({"so", m.statement});
-    if (m.function_class != "meromorphic")
-      n.summary += "; for first integrals that are " + m.function_class;
-  }
+  conclude(n, report.system, m);
   return m;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 
 namespace kov {
 namespace {
@@ -21,7 +22,8 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
   case NodeKind::lowest_order:
     return prove_lowest_order(n, directory);
   case NodeKind::theorem:
-    n.status = NodeStatus::trusted;
+    return n.node.theorem.empty() ? void(n.status = NodeStatus::reasoned) : prove_theorem(n);
+  case NodeKind::cover: // when its needs are known
     return;
   case NodeKind::argument:
     n.status = NodeStatus::reasoned;
@@ -30,11 +32,15 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
 }
 
 // A limit of one step is not an error of the file.
-void run_step(NodeResult& n, const std::string& file, const std::string& directory,
+void run_step(NodeResult& n, const TheoremResult& result, const std::string& directory,
               const ProveOptions& options) {
+  const std::string& file = result.theorem.file;
   const auto start = std::chrono::steady_clock::now();
   try {
+    options.decide.budget.check();
+    n.summary.clear();
     run(n, directory, options);
+    settle_place(n, result, directory);
   } catch (const InputError& why) {               // the file is wrong
     const bool of_values = why.file() == "--set"; // in where, sample or units
     const std::string node = "node '" + n.node.id + "'";
@@ -54,6 +60,7 @@ void run_step(NodeResult& n, const std::string& file, const std::string& directo
     throw; // the program is
   } catch (const Error& why) {
     n.status = NodeStatus::open;
+    n.says = Conclusion::none;
     n.summary = why.what();
   }
   n.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -81,8 +88,8 @@ private:
     NodeResult& n = *by_id_.at(id);
     for (const std::string& child : n.node.needs)
       n.rests_on_open = reaches(child) || n.rests_on_open;
-    return open_[id] =
-               n.rests_on_open || n.status == NodeStatus::open || n.status == NodeStatus::refuted;
+    return open_[id] = n.rests_on_open || n.status == NodeStatus::open ||
+                       n.status == NodeStatus::refuted || n.status == NodeStatus::unbound;
   }
 
   std::map<std::string, NodeResult*> by_id_;
@@ -101,27 +108,34 @@ void settle_hypotheses(TheoremResult& result, const std::string& directory) {
   }
 }
 
-// "Morales-Ramis" -> the node that stands for it among the needs: known by its id or by what it
-// cites.
-bool covers(const TheoremNode& node, const std::string& theorem) {
-  static const std::map<std::string, std::string> sources{{"Morales-Ramis", "MoralesRamis2001"},
-                                                          {"Ayoul-Zung", "AyoulZung2010"},
-                                                          {"Ziglin 1980", "Ziglin1980"}};
-  if (node.kind != NodeKind::theorem) return false;
-  const auto source = sources.find(theorem);
-  return source != sources.end() &&
-         std::find(node.cite.begin(), node.cite.end(), source->second) != node.cite.end();
-}
+// Covers after their needs; the file has no circles.
+class Covers {
+public:
+  Covers(TheoremResult& result, std::string directory)
+      : result_(result), directory_(std::move(directory)) {
+    for (NodeResult& n : result_.nodes)
+      settle(n);
+  }
 
-// A theorem that a step uses is trusted, whether the file names it or not.
-void settle_theorems(TheoremResult& result) {
-  for (NodeResult& n : result.nodes)
-    std::erase_if(n.theorems, [&](const std::string& theorem) {
-      return std::any_of(n.node.needs.begin(), n.node.needs.end(), [&](const std::string& id) {
-        return covers(find(result, id)->node, theorem);
-      });
-    });
-}
+private:
+  void settle(NodeResult& n) {
+    if (n.node.kind != NodeKind::cover || !done_.insert(n.node.id).second) return;
+    for (NodeResult& need : result_.nodes)
+      if (std::find(n.node.needs.begin(), n.node.needs.end(), need.node.id) != n.node.needs.end())
+        settle(need);
+    n.summary.clear();
+    try {
+      prove_cover(n, result_, directory_);
+    } catch (const DomainError& why) {
+      n.status = NodeStatus::open;
+      n.summary = why.what();
+    }
+  }
+
+  TheoremResult& result_;
+  std::string directory_;
+  std::set<std::string> done_;
+};
 
 } // namespace
 
@@ -131,15 +145,20 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
   const std::string directory = slash == std::string::npos ? "" : t.file.substr(0, slash + 1);
   TheoremResult result{t, {}, 0};
   for (const TheoremNode& node : t.nodes) {
-    NodeResult n;
-    n.node = node;
-    run_step(n, t.file, directory, options);
-    if (options.progress) options.progress(n);
-    result.nodes.push_back(std::move(n));
+    result.nodes.emplace_back();
+    result.nodes.back().node = node;
+    result.nodes.back().summary = "not reached";
   }
+  for (NodeResult& n : result.nodes) {
+    run_step(n, result, directory, options);
+    if (!options.progress) continue;
+    TheoremResult so_far = result;
+    const Openness known(so_far);
+    options.progress(n, so_far);
+  }
+  const Covers composed(result, directory);
   const Openness settled(result);
   settle_hypotheses(result, directory);
-  settle_theorems(result);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -10,10 +10,12 @@ namespace kov {
 
 struct ProveOptions {
   Options decide;
-  std::function<void(const NodeResult&)> progress; ///< after each node
+  /// After each step: the step, and what is known so far (the rest is open).
+  std::function<void(const NodeResult&, const TheoremResult&)> progress;
 };
 
-/// Files are found beside the theorem file.  Errors of one node make it open, with the reason.
+/// Files are found beside the theorem file.  Errors of one node make it open, with the reason; so
+/// does the deadline of the budget, which is for all steps together.
 /// Errors  InputError: a file that cannot be read
 [[nodiscard]] TheoremResult prove(const Theorem& t, const ProveOptions& options = {});
 
@@ -23,6 +25,12 @@ void prove_case(NodeResult& n, const std::string& directory, const ProveOptions&
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options);
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);
+void prove_theorem(NodeResult& n);
+
+/// The step's system is the theorem's, or one that a step `of` leads to: its region, or unbound.
+void settle_place(NodeResult& n, const TheoremResult& result, const std::string& directory);
+/// The regions of the needs cover that of the node, up to the symmetries of the system.
+void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory);
 
 /// "The family is not integrable": checked if `by` is a case that proves it, and that is about it.
 [[nodiscard]] Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f,

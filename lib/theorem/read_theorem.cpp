@@ -1,6 +1,7 @@
 #include "theorem/theorem.hpp"
 
 #include "symbol/suggest.hpp"
+#include "theorem/literature.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -16,6 +17,7 @@ const std::map<std::string, NodeKind>& kinds() {
                                                      {"scaling", NodeKind::scaling},
                                                      {"lowest-order", NodeKind::lowest_order},
                                                      {"theorem", NodeKind::theorem},
+                                                     {"cover", NodeKind::cover},
                                                      {"argument", NodeKind::argument}};
   return names;
 }
@@ -83,15 +85,21 @@ struct Keys {
 Keys keys_of(NodeKind kind) {
   switch (kind) {
   case NodeKind::claims:
-    return {{"file"}, {"where"}};
+    return {{"file"}, {"where", "of", "at", "if", "as", "roots", "time"}};
   case NodeKind::case_file:
-    return {{"file"}, {"where", "sample", "manifold", "expect"}};
+    return {{"file"},
+            {"where", "sample", "manifold", "expect", "of", "at", "if", "as", "roots", "time"}};
   case NodeKind::splitting:
-    return {{"file", "small"}, {"where", "families", "triangle"}};
+    return {{"file", "small"},
+            {"where", "families", "triangle", "of", "at", "if", "as", "roots", "time"}};
   case NodeKind::scaling:
-    return {{"file", "small", "scaled"}, {"where"}};
+    return {{"file", "small", "scaled"}, {"where", "of", "at", "if", "as", "roots", "time"}};
   case NodeKind::lowest_order:
     return {{"file", "other"}, {"where"}};
+  case NodeKind::theorem:
+    return {{}, {"theorem", "of", "at", "if", "as", "roots", "time"}};
+  case NodeKind::cover:
+    return {{"needs"}, {"at", "if"}};
   default:
     return {};
   }
@@ -107,14 +115,28 @@ void check_keys_of_kind(const Entry& e, NodeKind kind) {
     if (found->strings().empty() || found->strings().front().empty())
       throw found->error("'" + key + "' of a node of kind '" + name + "' is empty");
   }
-  for (const char* key : {"file", "other", "where", "manifold", "expect", "small", "families",
-                          "triangle", "scaled", "sample"}) {
+  for (const char* key :
+       {"file", "other", "where", "manifold", "expect", "small", "families", "triangle", "scaled",
+        "sample", "theorem", "of", "at", "if", "as", "roots", "time"}) {
     const auto among = [&](const std::vector<std::string>& all) {
       return std::find(all.begin(), all.end(), key) != all.end();
     };
     if (e.find(key) && !among(keys.must) && !among(keys.may))
       throw e.find(key)->key_error("a node of kind '" + name + "' does not look at '" + key + "'");
   }
+}
+
+// A theorem node that names a theorem of literature.hpp is that theorem.
+std::string read_literature(const Entry& e) {
+  const Entry* named = e.find("theorem");
+  if (!named) return "";
+  if (literature_theorem(named->string())) return named->string();
+  std::vector<std::string> known;
+  for (const LiteratureTheorem& t : literature())
+    known.push_back(t.id);
+  const auto near = nearest(named->string(), known);
+  throw named->error("'" + named->string() + "' is no theorem that this program knows",
+                     near ? "did you mean " + *near + "?" : "known: " + enumerate(known));
 }
 
 // Certificates are files of this name.
@@ -130,17 +152,20 @@ std::string read_id(const Entry& e) {
 }
 
 TheoremNode read_node(const Entry& e) {
-  e.check_keys({"id", "title", "statement", "note", "kind", "needs", "cite", "hypotheses", "file",
-                "other", "where", "manifold", "expect", "small", "families", "triangle", "scaled",
-                "sample"});
+  e.check_keys({"id",         "title",    "statement", "note",   "kind",     "needs",  "cite",
+                "hypotheses", "file",     "other",     "where",  "manifold", "expect", "small",
+                "families",   "triangle", "scaled",    "sample", "theorem",  "of",     "at",
+                "if",         "as",       "roots",     "time"});
   TheoremNode n;
   n.kind = kind_of(e.at("kind"));
   check_keys_of_kind(e, n.kind);
   n.id = read_id(e.at("id"));
   n.title = text_of(e, "title");
   if (n.title.empty()) n.title = n.id;
-  n.statement = e.at("statement").string();
+  n.statement = text_of(e, "statement");
+  if (n.kind == NodeKind::argument) n.statement = e.at("statement").string();
   n.note = text_of(e, "note");
+  n.theorem = read_literature(e);
   n.needs = texts_of(e, "needs");
   n.cite = texts_of(e, "cite");
   n.file = text_of(e, "file");
@@ -158,6 +183,9 @@ TheoremNode read_node(const Entry& e) {
     }
   if (const Entry* t = e.find("triangle")) n.triangle = t->boolean();
   n.where = read_values(e, "where");
+  n.place = {text_of(e, "of"),        read_values(e, "at"), texts_of(e, "if"),
+             read_values(e, "roots"), read_values(e, "as"), text_of(e, "time")};
+  if (!n.place.of.empty()) n.needs.push_back(n.place.of);
   n.sample = read_values(e, "sample");
   check_sample(e, n);
   if (const Entry* h = e.find("hypotheses"))
@@ -165,6 +193,20 @@ TheoremNode read_node(const Entry& e) {
       n.hypotheses.push_back(read_hypothesis(*one));
   n.line = e.line();
   return n;
+}
+
+Symmetry read_symmetry(const Entry& e) {
+  e.check_keys({"title", "as"});
+  (void)e.at("as");
+  return {text_of(e, "title"), read_values(e, "as")};
+}
+
+bool read_expectation(const Entry& document) {
+  const Entry* e = document.find("expect");
+  if (!e) return false;
+  if (e->string() != "open" && e->string() != "proved")
+    throw e->error("a theorem is expected to be 'proved' or 'open'");
+  return e->string() == "open";
 }
 
 using NodesById = std::map<std::string, const TheoremNode*>;
@@ -241,9 +283,11 @@ std::string to_string(NodeStatus s) {
   case NodeStatus::trusted:
     return "trusted";
   case NodeStatus::reasoned:
-    return "reasoned";
+    return "in words";
   case NodeStatus::refuted:
     return "refuted";
+  case NodeStatus::unbound:
+    return "unbound";
   default:
     return "open";
   }
@@ -256,7 +300,8 @@ bool is_theorem_document(const Entry& document) {
 }
 
 Theorem read_theorem(const Entry& document) {
-  document.check_keys({"format", "title", "statement", "cite", "node"});
+  document.check_keys(
+      {"format", "title", "statement", "cite", "node", "system", "symmetry", "expect"});
   if (!is_theorem_document(document))
     throw document.error("a theorem file begins with format = \"theorem/1\"");
   if (document.at("format").string() != "theorem/1")
@@ -264,7 +309,12 @@ Theorem read_theorem(const Entry& document) {
   Theorem t;
   t.file = document.file();
   t.title = document.at("title").string();
-  t.statement = document.at("statement").string();
+  t.statement = text_of(document, "statement");
+  t.system = text_of(document, "system");
+  if (const Entry* all = document.find("symmetry"))
+    for (const Entry* e : all->list())
+      t.symmetries.push_back(read_symmetry(*e));
+  t.expected_open = read_expectation(document);
   t.cite = texts_of(document, "cite");
   for (const Entry* e : document.at("node").list())
     t.nodes.push_back(read_node(*e));

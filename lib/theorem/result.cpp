@@ -1,6 +1,7 @@
 #include "theorem/theorem.hpp"
 
 #include "symbol/suggest.hpp"
+#include "theorem/literature.hpp"
 
 #include <algorithm>
 
@@ -22,13 +23,21 @@ std::size_t TheoremResult::count(NodeStatus s) const {
       nodes.begin(), nodes.end(), [s](const NodeResult& n) { return n.status == s; }));
 }
 
+std::vector<TheoremUse> TheoremResult::uses() const {
+  std::vector<TheoremUse> all;
+  for (const NodeResult& n : nodes)
+    for (const std::string& id : n.theorems)
+      if (std::none_of(all.begin(), all.end(), [&](const TheoremUse& u) { return u.id == id; }))
+        all.push_back({id, n.node.title});
+  return all;
+}
+
 std::vector<std::string> TheoremResult::trusted_theorems() const {
   std::vector<std::string> all;
-  for (const NodeResult& n : nodes)
-    if (n.status == NodeStatus::trusted) all.push_back(n.node.title);
-  for (const NodeResult& n : nodes)
-    for (const std::string& t : n.theorems)
-      add_once(all, t);
+  for (const TheoremUse& u : uses()) {
+    const LiteratureTheorem* t = literature_theorem(u.id);
+    add_once(all, t ? t->name : u.id);
+  }
   return all;
 }
 
@@ -45,6 +54,10 @@ std::vector<std::string> TheoremResult::unchecked_hypotheses() const {
   for (const NodeResult& n : nodes)
     for (const Hypothesis& h : n.node.hypotheses)
       if (!h.checked) all.push_back(n.node.title + ": " + h.text);
+  for (const TheoremUse& u : uses())
+    if (const LiteratureTheorem* t = literature_theorem(u.id))
+      for (const LiteratureHypothesis& h : t->hypotheses)
+        if (h.settled == Settled::open) all.push_back(t->name + ": " + h.text);
   return all;
 }
 
@@ -63,7 +76,8 @@ std::size_t TheoremResult::identities() const {
 }
 
 bool TheoremResult::complete() const {
-  return count(NodeStatus::open) == 0 && count(NodeStatus::refuted) == 0;
+  return count(NodeStatus::open) == 0 && count(NodeStatus::refuted) == 0 &&
+         count(NodeStatus::unbound) == 0 && count(NodeStatus::reasoned) == 0;
 }
 
 std::string TheoremResult::time() const {
@@ -79,8 +93,6 @@ std::string TheoremResult::given() const {
     all.push_back(plural(n, "theorem") + " of the literature");
   if (const auto n = trusted_steps().size(); n > 0)
     all.push_back(plural(n, "other step") + " on trust");
-  if (const auto n = count(NodeStatus::reasoned); n > 0)
-    all.push_back(plural(n, "argument") + " in words");
   if (unchecked > 0) all.push_back(plural(unchecked, "hypothesis", "hypotheses") + " NOT CHECKED");
   return enumerate(all);
 }
@@ -90,17 +102,37 @@ std::string TheoremResult::verdict() const {
                           nodes.front().node.expect != "non-integrable";
   if (const auto n = count(NodeStatus::refuted); n > 0)
     return "NOT PROVED: " + plural(n, "step was", "steps were") + " refuted";
+  std::vector<std::string> missing;
   if (const auto n = count(NodeStatus::open); n > 0)
-    return std::string(is_verdict ? "NOT DECIDED: " : "NOT YET PROVED: ") +
-           plural(n, "step is", "steps are") + " open";
+    missing.push_back(plural(n, "step is", "steps are") + " open");
+  if (const auto n = count(NodeStatus::unbound); n > 0)
+    missing.push_back(plural(n, "step is", "steps are") +
+                      " NOT CHECKED to be about the theorem's system");
+  if (const auto n = count(NodeStatus::reasoned); n > 0)
+    missing.push_back(plural(n, "argument") + " in words " + (n == 1 ? "is" : "are") +
+                      " NOT CHECKED");
+  if (!missing.empty())
+    return std::string(is_verdict ? "NOT DECIDED: " : "NOT PROVED: ") + enumerate(missing);
   if (count(NodeStatus::proved) == 0) return "NOTHING IS PROVED HERE";
-  return is_verdict ? "DECIDED" : "PROVED";
+  return is_verdict ? nodes.front().headline.empty() ? "DECIDED" : nodes.front().headline
+                    : "PROVED";
+}
+
+std::string TheoremResult::statement() const {
+  return complete() && !nodes.empty() ? nodes.front().statement : "";
+}
+
+// The steps that can be certified, and those that are.
+std::string TheoremResult::computed() const {
+  const auto certified = static_cast<std::size_t>(std::count_if(
+      nodes.begin(), nodes.end(), [](const NodeResult& n) { return !n.certificates.empty(); }));
+  return plural(count(NodeStatus::proved), "step") + " computed here, " +
+         std::to_string(certified) + " of them with certificates";
 }
 
 std::string TheoremResult::conclusion() const {
   const std::string conditions = complete() ? given() : "";
-  return verdict() + (conditions.empty() ? "" : ", given " + conditions) + "; " +
-         plural(count(NodeStatus::proved), "step") + " proved here";
+  return verdict() + (conditions.empty() ? "" : ", given " + conditions) + "; " + computed();
 }
 
 } // namespace kov

@@ -91,6 +91,28 @@ std::vector<ParameterValues> members(const System& s, const std::vector<std::str
   return all;
 }
 
+// What the criterion needs of the body: it is no member of a family, and so on.
+void put_domain(NodeResult& n, const System& s, bool triangle) {
+  std::string direction;
+  for (const std::string& name : n.node.small)
+    direction += (direction.empty() ? "" : " + ") + name + "^2";
+  n.domain = {"A - B > 0", "B - C > 0", "C > 0", direction + " > 0"};
+  if (triangle) n.domain.emplace_back("B + C - A >= 0");
+  if (!has_moments(perturbation_of_euler(s, n.node.small))) n.domain.clear();
+}
+
+// A family is left: its equations do not all hold.
+bool put_family(NodeResult& n, const SplittingFamily& f) {
+  if (f.direction) return false;
+  std::string sum;
+  for (const std::string& name : f.zero)
+    sum += (sum.empty() ? "" : " + ") + name + "^2";
+  for (const MPoly& g : f.moments)
+    sum += (sum.empty() ? "(" : " + (") + to_string(g) + ")^2";
+  n.domain.push_back(sum + " > 0");
+  return true;
+}
+
 // The bodies and the directions that the criterion was asked about.
 std::string range(const System& s, const TheoremNode& node, bool triangle) {
   std::string direction, zero;
@@ -106,6 +128,40 @@ std::string range(const System& s, const TheoremNode& node, bool triangle) {
   return "every body with three different moments" +
          std::string(triangle ? " A > B > C, A <= B + C," : "") + " and every " + direction +
          " other than " + zero;
+}
+
+// What the criterion leaves, compared with what the file lists.
+struct Families {
+  std::string left, admitted; ///< in words: left open, and left to other steps
+  bool triangle = false;      ///< a family was left out because of the triangle inequality
+  std::vector<const SplittingFamily*> remaining; ///< of the classification
+};
+
+Families sorted(NodeResult& n, const System& s, const SplittingClassification& k) {
+  Families all;
+  for (const SplittingFamily& f : k.families) {
+    const std::string name = describe(f);
+    if (n.node.triangle && f.triangle == Truth::no) {
+      all.triangle = true;
+      continue;
+    }
+    const auto listed = std::find_if(n.node.families.begin(), n.node.families.end(),
+                                     [&](const LeftFamily& x) { return x.family == name; });
+    if (listed == n.node.families.end()) {
+      all.left += (all.left.empty() ? "" : "; ") + name;
+      continue;
+    }
+    all.remaining.push_back(&f);
+    n.admitted.push_back({*listed, members(s, n.node.small, f)});
+    all.admitted += (all.admitted.empty() ? ", except for the family " : "; ") + name +
+                    (listed->by.empty() ? "" : ", left to '" + listed->by + "'");
+  }
+  for (const LeftFamily& f : n.node.families)
+    if (std::none_of(k.families.begin(), k.families.end(),
+                     [&](const SplittingFamily& x) { return describe(x) == f.family; }))
+      all.left += (all.left.empty() ? "" : "; ") + f.family +
+                  " (listed, but the criterion leaves no such family)";
+  return all;
 }
 
 } // namespace
@@ -130,35 +186,23 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
     n.summary = "an identity fails";
     return;
   }
-  std::string left, admitted;
-  bool triangle = false; // a family was left out because of it
-  for (const SplittingFamily& f : k.families) {
-    const std::string name = describe(f);
-    if (n.node.triangle && f.triangle == Truth::no) {
-      triangle = true;
-      continue;
-    }
-    const auto listed = std::find_if(n.node.families.begin(), n.node.families.end(),
-                                     [&](const LeftFamily& x) { return x.family == name; });
-    if (listed == n.node.families.end()) {
-      left += (left.empty() ? "" : "; ") + name;
-      continue;
-    }
-    n.admitted.push_back({*listed, members(s, n.node.small, f)});
-    admitted += (admitted.empty() ? ", except for the family " : "; ") + name +
-                (listed->by.empty() ? "" : ", left to '" + listed->by + "'");
-  }
-  for (const LeftFamily& f : n.node.families)
-    if (std::none_of(k.families.begin(), k.families.end(),
-                     [&](const SplittingFamily& x) { return describe(x) == f.family; }))
-      left += (left.empty() ? "" : "; ") + f.family +
-              " (listed, but the criterion leaves no such family)";
+  const Families found = sorted(n, s, k);
+  const std::string& left = found.left;
   n.status = left.empty() ? NodeStatus::proved : NodeStatus::open;
+  put_domain(n, s, found.triangle);
+  bool describable = true;
+  for (const SplittingFamily* f : found.remaining)
+    describable = !n.domain.empty() && put_family(n, *f) && describable;
+  if (left.empty() && describable && !n.domain.empty()) {
+    n.says = Conclusion::not_integrable;
+    n.excluded = {"real-analytic on the whole real phase space"};
+  }
   n.summary = fixed(s) + (left.empty() ? "a sum of residues is not zero for " +
-                                             range(s, n.node, triangle) + admitted +
+                                             range(s, n.node, found.triangle) + found.admitted +
                                              "; by Ziglin's theorem there is no further integral "
                                              "when these parameters are small"
                                        : "the criterion says nothing for: " + left);
+  n.statement = "For the system of " + n.node.file + ": " + n.summary;
 }
 
 } // namespace kov

@@ -3,6 +3,7 @@
 #include "theorem/prove.hpp"
 
 #include "exact/error.hpp"
+#include "exact/finite_algebra.hpp"
 #include "integrability/parameters.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
@@ -57,12 +58,109 @@ bool same_function(const MFraction& f, const MFraction& g) {
   return transfer(f, g.ring()) == g;
 }
 
+// The brackets of coordinates with the same names are the same; true if `g` has no bracket.
+bool same_bracket(const VectorField& f, const VectorField& g) {
+  if (!g.poisson) return true;
+  if (!f.poisson || f.dimension() != g.dimension()) return false;
+  std::vector<std::size_t> place; // of the coordinates of g in f
+  for (std::size_t j = 0; j < g.dimension(); ++j)
+    for (std::size_t k = 0; k < f.dimension(); ++k)
+      if (f.name(k) == g.name(j)) place.push_back(k);
+  if (place.size() != g.dimension()) return false;
+  for (std::size_t i = 0; i < place.size(); ++i)
+    for (std::size_t j = 0; j < place.size(); ++j) {
+      const MFraction &x = (*f.poisson)[place[i]][place[j]], &y = (*g.poisson)[i][j];
+      if (is_zero(x) != is_zero(y) || (!is_zero(x) && !same_function(x, y))) return false;
+    }
+  return true;
+}
+
 void conclude(NodeResult& n, const std::string& proved) {
   n.status = all_hold(n.checks) ? NodeStatus::proved : NodeStatus::refuted;
   n.summary = proved;
   if (n.status == NodeStatus::refuted)
     for (const CheckedIdentity& c : n.checks)
       if (!c.holds) n.summary = "false: " + c.statement;
+}
+
+// A point with small coordinates, pseudo-random, where the equations hold and f is defined.
+class Points {
+public:
+  explicit Points(const Ring& ring) : ring_(ring) {}
+  Substitution next() {
+    Substitution point;
+    for (std::size_t i = 0; i < ring_->size(); ++i) {
+      state_ = state_ * 6364136223846793005UL + 1442695040888963407UL;
+      point[i] = MFraction(ring_, Rational(static_cast<long>((state_ >> 33U) % 7U) - 3));
+    }
+    return point;
+  }
+
+private:
+  Ring ring_;
+  std::uint64_t state_ = 1;
+};
+
+// The rank of a matrix of functions at a point, or 0 if one is not defined there: at most the rank
+// in general.
+std::size_t rank_at(const System& s, const Matrix& fields, const Substitution& point) {
+  Matrix rows = fields;
+  try {
+    for (auto& row : rows)
+      for (MFraction& x : row)
+        x = is_zero(x) ? MFraction(s.ring(), Rational(0)) : substitute(x, point);
+  } catch (const DomainError&) {
+    return 0;
+  }
+  return s.field.dimension() - null_space(rows, s.field.dimension(), s.ring()).size();
+}
+
+constexpr int most_points = 3000, most_points_on_level = 12;
+
+// Enough commuting integrals for Liouville's sense: H and those that the file claims, with as many
+// independent Hamiltonian fields as half the rank of the bracket; on the level of the claims.
+void put_further_integrals(NodeResult& n, const System& s) {
+  if (n.status != NodeStatus::proved || !s.field.poisson || !s.field.hamiltonian) return;
+  if (!s.field.relations.empty() || !s.field.functions.empty()) return;
+  std::vector<MFraction> functions{*s.field.hamiltonian}, level;
+  std::string names;
+  for (const SystemClaim& c : s.claims) {
+    if (c.kind != SystemClaim::Kind::integral || !c.holds) continue;
+    functions.push_back(c.value);
+    names += (names.empty() ? "" : ", ") + words(c);
+    for (const Equation& e : c.on)
+      level.push_back(e.difference);
+  }
+  for (std::size_t i = 1; i < functions.size() && level.empty(); ++i)
+    for (std::size_t j = 1; j < i; ++j)
+      if (!is_zero(poisson_bracket(s.field, functions[i], functions[j]))) return;
+  if (functions.size() > 2 && !level.empty()) return; // do they commute there?
+  // the rank in general: at special points the bracket has a smaller one
+  const std::size_t needed =
+      s.field.dimension() - null_space(*s.field.poisson, s.field.dimension(), s.ring()).size();
+  Matrix fields;
+  for (const MFraction& f : functions)
+    fields.push_back(hamiltonian_field(s.field, *s.field.poisson, f));
+  Points points(s.ring());
+  int on_level = 0;
+  for (int tries = 0; tries < most_points && on_level < most_points_on_level; ++tries) {
+    const Substitution point = points.next();
+    if (std::any_of(level.begin(), level.end(), [&](const MFraction& f) {
+          return !is_zero(substitute(f.num(), point)) || is_zero(substitute(f.den(), point));
+        }))
+      continue;
+    ++on_level;
+    if (2 * rank_at(s, fields, point) < needed) continue;
+    n.says = Conclusion::has_integral;
+    n.integrals = names;
+    n.checks.push_back({"H and these integrals commute, and are independent for generic values: at "
+                        "a rational point their Hamiltonian fields are",
+                        true});
+    n.statement += ". So it is integrable in Liouville's sense" +
+                   std::string(level.empty() ? "" : " on that level") +
+                   " for generic values of its parameters";
+    return;
+  }
 }
 
 } // namespace
@@ -114,6 +212,10 @@ void prove_claims(NodeResult& n, const std::string& directory) {
   }
   if (n.checks.empty()) throw DomainError(n.node.file + " claims nothing");
   conclude(n, "every claim of " + n.node.file + " is decided by an exact identity");
+  for (const CheckedIdentity& c : n.checks)
+    n.statement +=
+        (n.statement.empty() ? "For the system of " + n.node.file + ": " : "; ") + c.statement;
+  put_further_integrals(n, s);
 }
 
 void prove_scaling(NodeResult& n, const std::string& directory) {
@@ -142,6 +244,10 @@ void prove_scaling(NodeResult& n, const std::string& directory) {
              x + "' at scaled parameters",
          left == right});
   }
+  n.statement = "In the system of " + n.node.file + " the field with parameters epsilon (" +
+                enumerate(n.node.small) +
+                ") is the field with the original ones in the variables " + "epsilon (" +
+                enumerate(n.node.scaled) + ")";
   conclude(n, "the field with parameters epsilon (" + enumerate(n.node.small) +
                   ") is the field with the original ones in the variables epsilon (" +
                   enumerate(n.node.scaled) + ")");
@@ -156,6 +262,8 @@ void prove_lowest_order(NodeResult& n, const std::string& directory) {
   n.checks.push_back({"both systems have " + std::to_string(s.field.dimension()) + " coordinates",
                       s.field.dimension() == other.field.dimension()});
   n.checks.push_back({"the bracket is weight-homogeneous", low.structure.has_value()});
+  n.checks.push_back({"the bracket of " + n.node.other + " is that of " + n.node.file,
+                      same_bracket(s.field, other.field)});
   n.checks.push_back({"the lowest-order field is the Hamiltonian field of the lowest term of H",
                       low.is_hamiltonian});
   for (std::size_t j = 0; j < s.field.dimension(); ++j) {
@@ -168,6 +276,7 @@ void prove_lowest_order(NodeResult& n, const std::string& directory) {
   }
   for (const WeightTerm& t : low.hamiltonian)
     n.formulas.push_back({"H_" + std::to_string(t.degree), to_string(t.value)});
+  n.statement = "The lowest-order system of " + n.node.file + " is that of " + n.node.other;
   conclude(n, "the lowest-order system is that of " + n.node.other);
 }
 

@@ -8,12 +8,18 @@
 //   scaling         an exact identity between fields: from small parameters to all
 //   lowest-order    the lowest weight-homogeneous part is another file's system
 //   theorem         a theorem of the literature, with its hypotheses: taken on trust
+//   cover           composition: the parameters of the other steps cover those of the statement
 //   argument        a step of reasoning in words: read by people, checked by none
-// and rests on other nodes.  docs/theory/splitting.md describes the built-in steps.
+// and rests on other nodes.  docs/theory/splitting.md describes the built-in steps,
+// docs/theory/composition.md how they are put together.
+//
+// What a step says is generated from what was computed.  The words of the author are a title and a
+// remark; they carry no mark of their own.
 
 #include "splitting/checked.hpp"
 #include "symbol/document.hpp"
 #include "system/system.hpp"
+#include "theorem/place.hpp"
 
 #include <cstdint>
 #include <map>
@@ -29,12 +35,14 @@ enum class NodeKind : std::uint8_t {
   scaling,
   lowest_order,
   theorem,
+  cover,
   argument
 };
 enum class NodeStatus : std::uint8_t {
   proved,   ///< here, by exact computation (and the theorems named)
   trusted,  ///< a theorem of the literature
-  reasoned, ///< an argument in words
+  reasoned, ///< an argument in words: not checked
+  unbound,  ///< computed, but about another system than that of the theorem: not checked
   open,     ///< not decided
   refuted   ///< something that was claimed is false
 };
@@ -61,7 +69,10 @@ struct AdmittedFamily {
 };
 
 struct TheoremNode {
-  std::string id, title, statement, note;
+  std::string id, title;
+  std::string statement, note; ///< the author's words: an argument, or a remark
+  std::string theorem;         ///< kind theorem: its id in literature.hpp, or empty
+  Place place;                 ///< where among the theorem's systems; cover: what is covered
   NodeKind kind = NodeKind::argument;
   std::vector<std::string> needs;
   std::vector<std::string> cite;
@@ -79,8 +90,18 @@ struct TheoremNode {
   long line = 0;
 };
 
+/// y = S x, q = q(p) that maps the system to itself.
+struct Symmetry {
+  std::string title;
+  ParameterValues as;
+};
+
 struct Theorem {
-  std::string file, title, statement;
+  std::string file, title;
+  std::string statement; ///< the author's words
+  std::string system;    ///< the file of the system that the theorem is about; empty: none is named
+  std::vector<Symmetry> symmetries;
+  bool expected_open = false; ///< for tests: the proof is not complete, and that is known
   std::vector<std::string> cite;
   std::vector<TheoremNode> nodes; ///< the root first
 };
@@ -110,17 +131,34 @@ struct PolePicture {
   bool strip = false; ///< draw the strip between y = 0 and y = 2
 };
 
+/// A theorem of the literature in use.
+struct TheoremUse {
+  std::string id;   ///< in literature.hpp
+  std::string step; ///< title of the step that uses it
+};
+
+/// What a step says about the parameters of its region.
+enum class Conclusion : std::uint8_t { none, not_integrable, has_integral };
+
 struct NodeResult {
   TheoremNode node;
+  std::string statement; ///< what was computed, in words; empty for an argument
+  Conclusion says = Conclusion::none;
+  std::string integrals;             ///< says has_integral: which
+  std::vector<std::string> excluded; ///< says not_integrable: classes of first integrals
+  /// What the step needs of the parameters of its file besides what the file assumes.
+  std::vector<std::string> domain;
+  ParameterRegion region; ///< of the theorem's parameters, if the step is about its system
   NodeStatus status = NodeStatus::open;
   bool rests_on_open = false;           ///< something below it is open or refuted
   std::vector<AdmittedFamily> admitted; ///< splitting: families that are left to other nodes
   std::string summary;                  ///< one sentence: what was found
+  std::string headline;                 ///< case: the verdict in a few words
   CheckedIdentities checks;             ///< each identity that was verified
   std::vector<Formula> formulas;
   std::vector<Grid> tables;
   std::vector<PolePicture> pictures;
-  std::vector<std::string> theorems;     ///< of the literature, used and not among the needs
+  std::vector<std::string> theorems;     ///< of the literature, in use: ids
   std::vector<std::string> trusted;      ///< other steps on faith
   std::vector<std::string> certificates; ///< JSON, accepted by the judge
   double seconds = 0;
@@ -132,16 +170,21 @@ struct TheoremResult {
   double seconds = 0;
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
-  [[nodiscard]] std::vector<std::string> trusted_theorems() const; ///< each once
-  [[nodiscard]] std::vector<std::string> trusted_steps() const;    ///< e.g. decisions of Z3
+  [[nodiscard]] std::vector<std::string> trusted_theorems() const; ///< names, each once
+  [[nodiscard]] std::vector<TheoremUse> uses() const; ///< of theorems in literature.hpp, each once
+  /// What is proved: the statement of the first step; empty while it is not.
+  [[nodiscard]] std::string statement() const;
+  [[nodiscard]] std::vector<std::string> trusted_steps() const; ///< e.g. decisions of Z3
   [[nodiscard]] std::vector<std::string> unchecked_hypotheses() const;
   [[nodiscard]] std::size_t certificates() const;
   [[nodiscard]] std::size_t identities() const;
-  /// Nothing open or refuted.
+  /// Every step is proved or a theorem of the literature: nothing open, refuted, unbound or in
+  /// words.
   [[nodiscard]] bool complete() const;
-  [[nodiscard]] std::string time() const;    ///< "1.2 s"
-  [[nodiscard]] std::string given() const;   ///< "4 theorems of the literature and 6 arguments ..."
-  [[nodiscard]] std::string verdict() const; ///< "PROVED", "NOT YET PROVED: 2 steps are open", ...
+  [[nodiscard]] std::string time() const;  ///< "1.2 s"
+  [[nodiscard]] std::string given() const; ///< "4 theorems of the literature and 6 other steps ..."
+  [[nodiscard]] std::string computed() const; ///< "16 steps computed here, 4 of them with ..."
+  [[nodiscard]] std::string verdict() const;  ///< "PROVED", "NOT YET PROVED: 2 steps are open", ...
   /// "PROVED, given 4 theorems of the literature and 6 arguments in words; 16 steps proved here"
   [[nodiscard]] std::string conclusion() const;
 };

@@ -1,7 +1,7 @@
 // Theorem files: reading, the built-in steps, and what openness does.
 
-#include "theorem/prove.hpp"
 #include "support/source_dir.hpp"
+#include "theorem/prove.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -16,9 +16,9 @@ namespace {
 const std::string cases = test::in_source("/cases/");
 
 Theorem parsed(const std::string& nodes) {
-  return read_theorem(
-      parse_document("format = \"theorem/1\"\ntitle = \"T\"\nstatement = \"S\"\n" + nodes,
-                     cases + "sliding_top/test.toml"));
+  return read_theorem(parse_document(
+      "format = \"theorem/1\"\ntitle = \"T\"\nsystem = \"sliding_top.toml\"\n" + nodes,
+      cases + "sliding_top/test.toml"));
 }
 
 TheoremNode node(NodeKind kind, const std::string& file) {
@@ -29,8 +29,24 @@ TheoremNode node(NodeKind kind, const std::string& file) {
   return n;
 }
 
+// A theorem about the system of its only step.
+Theorem alone(TheoremNode n, const std::string& directory) {
+  if (n.kind != NodeKind::lowest_order) n.place.at = n.where;
+  if (n.kind == NodeKind::splitting) {
+    n.place.conditions = {"A > B", "B > C", "C > 0", "B + C - A >= 0"};
+    std::string direction;
+    for (const std::string& name : n.small)
+      direction += (direction.empty() ? "" : " + ") + name + "^2";
+    n.place.conditions.push_back(direction + " > 0");
+    if (!n.families.empty()) n.place.conditions.emplace_back("L2^2 + L3^2 + (2*A - 2*B - C)^2 > 0");
+  }
+  Theorem t{.file = directory + "test.toml", .title = "T", .system = n.file};
+  t.nodes.push_back(std::move(n));
+  return t;
+}
+
 NodeResult run(const TheoremNode& n) {
-  return prove({cases + "sliding_top/test.toml", "T", "S", {}, {n}}).nodes.front();
+  return prove(alone(n, cases + "sliding_top/")).nodes.front();
 }
 
 // A system file for one test.
@@ -51,7 +67,7 @@ std::string on_axis(const std::string& parameters, const std::string& hamiltonia
 // The step by itself, with a file that is not among the cases.
 NodeResult run_written(TheoremNode n, const std::string& text) {
   n.file = written(n.file, text).substr(testing::TempDir().size());
-  return prove({testing::TempDir() + "test.toml", "T", "S", {}, {n}}).nodes.front();
+  return prove(alone(n, testing::TempDir())).nodes.front();
 }
 
 std::string error_of(const std::string& nodes) {
@@ -97,19 +113,21 @@ TEST(Conclusion, SaysWhatTheProofIsGiven) {
   const TheoremResult r = prove(parsed("[[node]]\nid = \"a\"\nstatement = \"\"\n"
                                        "kind = \"argument\"\nneeds = [\"b\"]\n"
                                        "[[node]]\nid = \"b\"\nstatement = \"\"\n"
-                                       "kind = \"claims\"\nfile = \"euler.toml\"\n"));
-  EXPECT_EQ(r.conclusion(), "PROVED, given 1 argument in words; 1 step proved here");
+                                       "kind = \"claims\"\nfile = \"euler.toml\"\n"
+                                       "at = { L1 = \"0\", L2 = \"0\", L3 = \"0\" }\n"));
+  EXPECT_EQ(r.conclusion(), "NOT PROVED: 1 argument in words is NOT CHECKED; 1 step computed here, "
+                            "0 of them with certificates");
   const TheoremResult nothing =
       prove(parsed("[[node]]\nid = \"a\"\nstatement = \"\"\nkind = \"argument\"\n"));
-  EXPECT_THAT(nothing.conclusion(), HasSubstr("NOTHING IS PROVED HERE"));
+  EXPECT_THAT(nothing.conclusion(), HasSubstr("NOT PROVED"));
 }
 
 // The theorem of the literature is counted, whether the file names it or not.
 TEST(Conclusion, CountsTheTheoremsThatStepsUse) {
   TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
   n.where = {{"A", "1"}, {"C", "3/2"}};
-  const TheoremResult r = prove({cases + "sliding_top/test.toml", "T", "S", {}, {n}});
-  EXPECT_THAT(r.trusted_theorems(), testing::ElementsAre("Morales-Ramis"));
+  const TheoremResult r = prove(alone(n, cases + "sliding_top/"));
+  EXPECT_THAT(r.trusted_theorems(), testing::ElementsAre(HasSubstr("Morales-Ruiz and Ramis")));
 }
 
 TEST(TheoremFile, KeysThatAKindDoesNotLookAtAreErrors) {
@@ -176,7 +194,9 @@ TEST(TheoremFile, ManyPathsAreNoTrouble) {
     }
   for (const std::string side : {"a60", "b60"})
     text += "[[node]]\nid = \"" + side + "\"\nstatement = \"\"\nkind = \"argument\"\n";
-  EXPECT_TRUE(prove(parsed(text)).complete());
+  const TheoremResult r = prove(parsed(text));
+  EXPECT_EQ(r.count(NodeStatus::open), 0U);
+  EXPECT_FALSE(r.complete()); // words are not checked
 }
 
 TEST(TheoremFile, OpennessTravelsUpAndUncheckedHypothesesShow) {
@@ -202,6 +222,7 @@ id = "fine"
 kind = "claims"
 statement = "euler"
 file = "euler.toml"
+at = { L1 = "0", L2 = "0", L3 = "0" }
 )");
   const TheoremResult r = prove(t);
   EXPECT_FALSE(r.complete());
@@ -209,7 +230,7 @@ file = "euler.toml"
   EXPECT_TRUE(r.nodes[1].rests_on_open);
   EXPECT_EQ(r.nodes[3].status, NodeStatus::proved);
   EXPECT_EQ(r.unchecked_hypotheses().size(), 2U);
-  EXPECT_THAT(r.conclusion(), HasSubstr("NOT YET PROVED"));
+  EXPECT_THAT(r.conclusion(), HasSubstr("NOT PROVED"));
 }
 
 TEST(ClaimsStep, AFalseClaimRefutes) {
@@ -324,8 +345,9 @@ const std::string in_units = ", units = { m = \"1\", L1 = \"1\" }";
 TEST(SplittingStep, AFamilyIsNotLeftToJustAnyNode) {
   const TheoremResult claims = left_to("", "kind = \"claims\"\nfile = \"euler.toml\"\n");
   EXPECT_THAT(unchecked(claims), HasSubstr("'other' is no case"));
-  EXPECT_THAT(claims.trusted_theorems(), testing::ElementsAre("Ziglin 1980"));
-  EXPECT_THAT(claims.conclusion(), HasSubstr("1 hypothesis NOT CHECKED"));
+  EXPECT_THAT(claims.trusted_theorems(),
+              testing::ElementsAre(HasSubstr("splitting of separatrices")));
+  EXPECT_THAT(claims.conclusion(), HasSubstr("NOT CHECKED"));
   const std::string sample = "kind = \"case\"\nfile = \"lemma3_sample.toml\"\n";
   EXPECT_THAT(unchecked(left_to(in_units, sample)), HasSubstr("its field is another one"));
 }
@@ -471,8 +493,8 @@ TEST(Conclusion, OfAVerdictSaysDecidedAndNotProved) {
   TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
   n.where = {{"A", "1"}, {"C", "1"}};
   n.expect = "any";
-  const TheoremResult r = prove({cases + "sliding_top/test.toml", "T", "S", {}, {n}});
-  EXPECT_THAT(r.conclusion(), HasSubstr("DECIDED"));
+  const TheoremResult r = prove(alone(n, cases + "sliding_top/"));
+  EXPECT_THAT(r.conclusion(), HasSubstr("NO OBSTRUCTION"));
   EXPECT_THAT(r.conclusion(), testing::Not(HasSubstr("PROVED")));
   EXPECT_THAT(r.nodes[0].summary, HasSubstr("no-obstruction"));
 }

@@ -351,11 +351,16 @@ Solver::Line Solver::line(std::string_view job) {
 }
 
 TextAnswer limited(const Settings& settings, const std::function<int(std::ostream&)>& work) {
+  return limited(settings, [&](std::ostream& out, const Worker::Early&) { return work(out); });
+}
+
+TextAnswer limited(const Settings& settings,
+                   const std::function<int(std::ostream&, const Worker::Early&)>& work) {
   Worker worker(
-      [&](std::string_view, const Worker::Early&) {
+      [&](std::string_view, const Worker::Early& early) {
         try {
           std::ostringstream out;
-          const int exit = work(out);
+          const int exit = work(out, early);
           return message(tag_decided, {{"exit", exit}, {"text", out.str()}});
         } catch (const InputError& e) {
           return message(tag_input, packed(e, nullptr));
@@ -376,6 +381,7 @@ TextAnswer limited(const Settings& settings, const std::function<int(std::ostrea
   } else if (reply.end != Reply::End::answered) {
     a.exit = exit_undecided;
     a.limit = limit_text(reply, settings);
+    a.early = reply.early;
   } else {
     const Json body = Json::parse(std::string_view(reply.answer).substr(1));
     switch (reply.answer.front()) {

@@ -57,6 +57,7 @@ struct TextAnswer {
   int exit = exit_decided;
   std::string text;
   std::string limit;               ///< exit_undecided because a limit ended the work
+  std::string early;               ///< and this was known by then
   std::optional<InputError> error; ///< exit_input
   std::string internal;            ///< exit_internal
 };
@@ -65,6 +66,10 @@ struct TextAnswer {
 /// Errors and limits are values here, as in Solver.
 [[nodiscard]] TextAnswer limited(const Settings& settings,
                                  const std::function<int(std::ostream&)>& work);
+/// The same for work that says early what it knows.
+[[nodiscard]] TextAnswer
+limited(const Settings& settings,
+        const std::function<int(std::ostream&, const Worker::Early&)>& work);
 
 /// An EquationText that is known beforehand (single questions).
 [[nodiscard]] Solver::Read fixed_question(std::function<Question()> question);

@@ -4,6 +4,7 @@
 #include "certificate_file.hpp"
 #include "commands.hpp"
 #include "flow/scene.hpp"
+#include "mechanics.hpp"
 #include "present.hpp"
 #include "theorem/prove.hpp"
 
@@ -153,16 +154,40 @@ CaseReport check_equation(const Settings& settings, const Entry& document) {
 
 namespace {
 
-// A theorem file: each step that computes is an expectation that it is not refuted.
-CaseReport test_theorem(const Settings& settings, const Entry& document) {
-  ProveOptions options;
-  options.decide = settings.solver_options();
-  CaseReport report;
-  for (const NodeResult& n : kov::prove(read_theorem(document), options).nodes)
+// A theorem file: each step that computes is an expectation that it is proved, and the whole that
+// the proof is complete; unless the file expects it to be open.
+Json theorem_expectations(const TheoremResult& result) {
+  const bool open = result.theorem.expected_open;
+  Json all = Json::array();
+  for (const NodeResult& n : result.nodes)
     if (n.node.kind != NodeKind::argument && n.node.kind != NodeKind::theorem)
-      report.expected.push_back({.name = n.node.id + ": " + to_string(n.status),
-                                 .met = n.status != NodeStatus::refuted,
-                                 .found = n.summary});
+      all.push_back(
+          {{"name", n.node.id + ": " + to_string(n.status)},
+           {"met", n.status == NodeStatus::proved || (open && n.status != NodeStatus::refuted)},
+           {"found", n.summary}});
+  all.push_back({{"name", open ? "the proof is open" : "the proof is complete"},
+                 {"met", result.complete() != open},
+                 {"found", result.conclusion()}});
+  return all;
+}
+
+CaseReport test_theorem(const Settings& settings, const std::string& path) {
+  const Report r = supervised(settings, path, [&] {
+    ProveOptions options;
+    options.decide = settings.solver_options();
+    const TheoremResult result = kov::prove(read_theorem(read_document(path)), options);
+    return Report{exit_decided, "", Json{{"expected", theorem_expectations(result)}}};
+  });
+  CaseReport report;
+  report.exit = r.exit;
+  if (!r.json.contains("expected")) {
+    report.expected.push_back({.name = "the proof is complete",
+                               .met = false,
+                               .found = r.json.value("reason", "a limit")});
+    return report;
+  }
+  for (const Json& e : r.json.at("expected"))
+    report.expected.push_back({e.at("name"), e.at("met"), e.at("found")});
   return report;
 }
 
@@ -184,7 +209,7 @@ CaseReport check_case(const Settings& settings, const std::string& path) {
 
 CaseReport test_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
-  if (is_theorem_document(document)) return test_theorem(settings, document);
+  if (is_theorem_document(document)) return test_theorem(settings, path);
   if (flow::is_scene(document)) return test_scene(path);
   return is_equation_file(document) ? check_equation(settings, document)
                                     : test_system_file(settings, path);

@@ -78,6 +78,16 @@ void put_block(std::ostringstream& out, const System& s, const BlockReport& b) {
   if (!b.note.empty()) put(out, "note", b.note);
 }
 
+// On what the verdict rests; the steps of the strata are named with them.
+void put_trust(std::ostringstream& out, const ManifoldReport& m) {
+  const auto steps = trusted_steps(m);
+  if (m.verdict == VerdictKind::undecided || steps.empty()) return;
+  put(out, "trusted",
+      steps.size() == 1
+          ? "1 step: " + steps.front()
+          : std::to_string(steps.size()) + " steps: " + steps.front() + ", and those named above");
+}
+
 void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport& m, bool quiet) {
   out << s.file << "  [" << m.name << "]";
   for (const auto& [name, value] : s.values)
@@ -104,6 +114,7 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
       put(out, "because", r);
   else if (m.verdict == VerdictKind::undecided && !m.not_studied.empty())
     put(out, "open", m.reasons.back());
+  put_trust(out, m);
 }
 
 std::string text_of(const System& s, const ManifoldReport& m, bool quiet) {

@@ -187,6 +187,7 @@ Json json_of(const System& s, const ManifoldReport& m) {
     blocks.push_back(json_of(s, b));
   j["blocks"] = blocks;
   j["reasons"] = m.reasons;
+  j["trusted_steps"] = trusted_steps(m);
   return j;
 }
 

@@ -1,15 +1,18 @@
 // kovacic prove FILE: a theorem file, step by step, and its report.
 
 #include "theorem/prove.hpp"
+#include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
 #include "mechanics.hpp"
+#include "present.hpp"
 #include "report/render_theorem.hpp"
 #include "settings.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <unistd.h>
 
@@ -41,27 +44,78 @@ void write_certificates(const Settings& settings, const TheoremResult& result) {
                        n.certificates[i]);
 }
 
-int run(const Settings& settings, const Theorem& theorem) {
-  ProveOptions options;
-  options.decide = settings.solver_options();
-  if (!settings.quiet && isatty(STDERR_FILENO) != 0)
-    options.progress = [](const NodeResult& n) {
-      fmt::print(stderr, "{:9} {:5.1f} s  {}\n", to_string(n.status), n.seconds,
-                 n.node.title.empty() ? n.node.id : n.node.title);
-    };
-  const TheoremResult result = kov::prove(theorem, options);
-  write_certificates(settings, result);
-  write_output(settings, rendered(result, format_of(settings)));
-  if (settings.verbose > 0) fmt::print(stderr, "{:.1f} s\n", result.seconds);
+int exit_of(const TheoremResult& result) {
   if (result.count(NodeStatus::refuted) > 0) return exit_no;
   return result.complete() ? exit_decided : exit_undecided;
+}
+
+// Runs in a child process, whose standard error is not ours: the terminal is `screen`, or -1.
+int run_steps(const Settings& settings, const Theorem& theorem, int screen, std::ostream& out,
+              const Worker::Early& early) {
+  const std::string format = format_of(settings);
+  ProveOptions options;
+  options.decide = settings.solver_options();
+  options.progress = [&](const NodeResult& n, const TheoremResult& so_far) {
+    if (screen >= 0)
+      (void)::dprintf(screen, "%-9s %5.1f s  %s\n", to_string(n.status).c_str(), n.seconds,
+                      n.node.title.c_str());
+    early(rendered(so_far, format));
+  };
+  const TheoremResult result = kov::prove(theorem, options);
+  write_certificates(settings, result);
+  out << rendered(result, format);
+  return exit_of(result);
+}
+
+int run(const Settings& settings, const std::string& file, const Theorem& theorem) {
+  const int screen = !settings.quiet && isatty(STDERR_FILENO) != 0 ? ::dup(STDERR_FILENO) : -1;
+  const TextAnswer a = limited(settings, [&](std::ostream& out, const Worker::Early& early) {
+    return run_steps(settings, theorem, screen, out, early);
+  });
+  if (screen >= 0) ::close(screen);
+  if (a.error) throw *a.error;
+  if (a.exit >= exit_internal) {
+    Answer failure;
+    failure.exit = a.exit;
+    failure.internal = a.internal;
+    report_failure(settings, failure);
+    return a.exit;
+  }
+  if (!a.limit.empty()) {
+    fmt::print(stderr, "{}: {}{}\n", file, a.limit,
+               a.early.empty() ? "" : "; the steps that were reached are shown");
+    if (a.early.empty()) return exit_undecided;
+  }
+  write_output(settings, a.limit.empty() ? a.text : a.early);
+  return a.exit;
 }
 
 } // namespace
 
 int prove(const Settings& settings, const std::string& file) {
-  return run(settings, read_theorem(read_document(file)));
+  return run(settings, file, read_theorem(read_document(file)));
 }
+
+namespace {
+
+// The values that the expectations of the file are about, each once; --set takes their place.
+std::vector<ParameterValues> rounds_of(const System& s, const ParameterValues& set) {
+  std::vector<ParameterValues> rounds;
+  for (const SystemExpectation& x : s.expectations)
+    if (set.empty() && std::find(rounds.begin(), rounds.end(), x.where) == rounds.end())
+      rounds.push_back(x.where);
+  if (rounds.empty()) rounds.push_back(set);
+  return rounds;
+}
+
+std::string at(const ParameterValues& values) {
+  std::string text;
+  for (const auto& [name, value] : values)
+    text += (text.empty() ? " at " : ", ") + name + " = " + value;
+  return text;
+}
+
+} // namespace
 
 // A system file by itself: its claims and its verdict, in the same form.
 int report_system(const Settings& settings, const std::string& file) {
@@ -69,29 +123,34 @@ int report_system(const Settings& settings, const std::string& file) {
   if (is_theorem_document(document)) return prove(settings, file);
   const System s = read_system(document, parameter_values(settings));
   const auto slash = file.rfind('/');
-  TheoremNode verdict, claims;
-  verdict.id = "verdict";
-  verdict.title = "The verdict";
-  verdict.statement = "The variational equations along " +
-                      std::string(s.manifolds.size() == 1 ? "the manifold" : "each manifold") +
-                      " of the file.";
-  verdict.kind = NodeKind::case_file;
-  verdict.expect = "any";
-  verdict.manifold = settings.manifold;
-  claims.id = "claims";
-  claims.title = "The claims";
-  claims.statement = "First integrals, Casimir functions and identities that the file claims.";
-  claims.kind = NodeKind::claims;
-  Theorem t{file, s.title, "A report on the system file " + file + ".", s.cite, {}};
-  for (TheoremNode* n : {&verdict, &claims}) {
-    n->file = slash == std::string::npos ? file : file.substr(slash + 1);
-    n->where = parameter_values(settings);
-  }
-  if (!s.manifolds.empty()) t.nodes.push_back(verdict);
-  if (!s.claims.empty()) t.nodes.push_back(claims);
+  Theorem t{.file = file,
+            .title = s.title,
+            .system = slash == std::string::npos ? file : file.substr(slash + 1),
+            .cite = s.cite};
+  const auto add = [&](NodeKind kind, const std::string& id, const std::string& title,
+                       const ParameterValues& where) -> TheoremNode& {
+    TheoremNode& n = t.nodes.emplace_back();
+    n.kind = kind;
+    n.id = id;
+    n.title = title;
+    n.file = t.system;
+    n.where = n.place.at = where;
+    return n;
+  };
+  if (!s.manifolds.empty())
+    for (const ParameterValues& where : rounds_of(s, parameter_values(settings))) {
+      const std::size_t number = t.nodes.size();
+      TheoremNode& verdict = add(NodeKind::case_file,
+                                 "verdict" + (number == 0 ? "" : "-" + std::to_string(number + 1)),
+                                 "The verdict" + at(where), where);
+      verdict.expect = "any";
+      verdict.manifold = settings.manifold;
+    }
+  if (!s.claims.empty()) add(NodeKind::claims, "claims", "The claims", parameter_values(settings));
   if (t.nodes.empty()) throw document.error("the file has neither claims nor manifolds");
-  if (t.nodes.size() == 2) t.nodes[0].needs = {"claims"};
-  return run(settings, t);
+  for (std::size_t i = 1; i < t.nodes.size(); ++i)
+    t.nodes[0].needs.push_back(t.nodes[i].id);
+  return run(settings, file, t);
 }
 
 } // namespace kov::cli

@@ -1,0 +1,328 @@
+// How steps are put together: the place of a step, and the cover of parameters by regions.
+// docs/theory/composition.md
+
+#include "exact/error.hpp"
+#include "strata/reals.hpp"
+#include "symbol/suggest.hpp"
+#include "system/claims.hpp"
+#include "theorem/literature.hpp"
+#include "theorem/prove.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr unsigned cover_milliseconds = 20000;
+constexpr std::size_t most_symmetries = 48;
+
+const NodeResult* find(const TheoremResult& result, const std::string& id) {
+  for (const NodeResult& n : result.nodes)
+    if (n.node.id == id) return &n;
+  return nullptr;
+}
+
+bool has_system(const NodeResult& n) {
+  using enum NodeKind;
+  return n.node.kind != argument && n.node.kind != cover &&
+         (n.node.kind != theorem || (literature_theorem(n.node.theorem) != nullptr &&
+                                     !literature_theorem(n.node.theorem)->system.empty()));
+}
+
+System system_of(const NodeResult& n, const std::string& directory) {
+  System s =
+      n.node.kind == NodeKind::theorem
+          ? read_system(parse_document(literature_theorem(n.node.theorem)->system, n.node.theorem))
+          : read_system(beside(directory, n.node.file), n.node.where);
+  for (const std::string& text : n.domain) { // "A - B > 0" or ">= 0"
+    const bool strict = text.find(">=") == std::string::npos;
+    s.assumptions.push_back(
+        {strict ? Assumption::Relation::positive : Assumption::Relation::nonnegative,
+         formula(s, text.substr(0, text.find('>'))), text, 0});
+  }
+  return s;
+}
+
+// The file of the system that the step speaks about.
+std::string base_of(const NodeResult& n, const TheoremResult& result,
+                    const std::string& directory) {
+  if (n.node.place.of.empty()) return beside(directory, result.theorem.system);
+  for (const TheoremNode& other : result.theorem.nodes)
+    if (other.id == n.node.place.of && other.kind == NodeKind::lowest_order) {
+      if (!other.where.empty() || !other.place.at.empty() || !other.place.conditions.empty())
+        throw DomainError("'" + other.id + "' is not for all parameters");
+      return beside(directory, other.other);
+    }
+  throw DomainError("'" + n.node.place.of + "' is no step of kind lowest-order");
+}
+
+void unbind(NodeResult& n, const std::string& why) {
+  n.summary = "NOT CHECKED to be about the theorem's system: " + why +
+              (n.summary.empty() ? "" : ". Computed: " + n.summary);
+  if (n.status == NodeStatus::proved || n.status == NodeStatus::trusted)
+    n.status = NodeStatus::unbound;
+  n.says = Conclusion::none;
+}
+
+std::string text_of(const ParameterRegion& r) {
+  return r.conditions.empty() ? "all parameters" : strata::to_string(r.conditions);
+}
+
+// Linear maps of the parameters, as the values of all names of the ring.
+using ParameterMap = std::vector<MFraction>;
+
+ParameterMap identity(const Ring& ring) {
+  ParameterMap map;
+  for (std::size_t i = 0; i < ring->size(); ++i)
+    map.push_back(MFraction::variable(ring, i));
+  return map;
+}
+
+Substitution as_substitution(const ParameterMap& map) {
+  Substitution put;
+  for (std::size_t i = 0; i < map.size(); ++i)
+    put[i] = map[i];
+  return put;
+}
+
+ParameterMap after(const ParameterMap& f, const ParameterMap& g) {
+  ParameterMap all;
+  for (const MFraction& x : f)
+    all.push_back(substitute(x, as_substitution(g)));
+  return all;
+}
+
+// The group that the symmetries of the theorem generate, on the parameters; each is checked.
+std::vector<ParameterMap> symmetries(NodeResult& n, const Theorem& t, const System& whole,
+                                     const std::string& path) {
+  const Ring& ring = whole.ring();
+  std::vector<ParameterMap> generators, all{identity(ring)};
+  for (const Symmetry& s : t.symmetries) {
+    Place place;
+    place.as = s.as;
+    const Located found = locate(path, path, whole, place);
+    const std::string name = s.title.empty() ? "a symmetry" : s.title;
+    n.checks.push_back({name + " maps the system to itself", found.objection.empty()});
+    if (!found.objection.empty())
+      throw DomainError(name + " is no symmetry of the system: " + found.objection);
+    ParameterMap map = identity(ring);
+    for (const auto& [variable, value] : s.as)
+      map[ring->index(variable)] = formula(whole, value);
+    generators.push_back(std::move(map));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const ParameterMap& g : generators) {
+      ParameterMap next = after(all[i], g);
+      if (std::find(all.begin(), all.end(), next) == all.end()) all.push_back(std::move(next));
+      if (all.size() > most_symmetries) throw DomainError("the symmetries generate too many maps");
+    }
+  return all;
+}
+
+// The points that the map sends to the region.
+std::vector<strata::Condition> image(const ParameterRegion& region, const ParameterMap& map) {
+  strata::Assumptions there;
+  for (const strata::Condition& c : region.conditions)
+    there.require(substitute(transfer(MFraction(c.p), map.front().ring()), as_substitution(map)),
+                  c.sign);
+  return there.conditions;
+}
+
+// A splitting holds for small parameters; a scaling carries it to all.
+bool reaches_all(const NodeResult& n, const TheoremResult& result) {
+  if (n.node.kind != NodeKind::splitting) return true;
+  return std::any_of(n.node.needs.begin(), n.node.needs.end(), [&](const std::string& id) {
+    const NodeResult& s = *find(result, id);
+    return s.node.kind == NodeKind::scaling && s.status == NodeStatus::proved &&
+           s.node.file == n.node.file && s.node.where == n.node.where &&
+           s.node.small == n.node.small;
+  });
+}
+
+// Why a need adds nothing to a cover, or nothing.
+std::string adds_nothing(const NodeResult& part, const TheoremResult& result) {
+  if (part.status != NodeStatus::proved && part.status != NodeStatus::trusted)
+    return "it is " + to_string(part.status);
+  if (part.says == Conclusion::none) return "it says nothing about integrability";
+  if (!reaches_all(part, result)) return "it is for small parameters, and no scaling is needed";
+  return "";
+}
+
+void add_once(std::vector<std::string>& all, const std::string& one) {
+  if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+std::string joined(const std::vector<std::string>& all, const std::string& between) {
+  std::string text;
+  for (const std::string& s : all)
+    text += (text.empty() ? "" : between) + s;
+  return text;
+}
+
+} // namespace
+
+namespace {
+
+// The step reads the theorem's own file, with the same values: nothing has to be compared.
+bool is_the_same_file(const NodeResult& n, const std::string& base, const std::string& directory) {
+  const Place& p = n.node.place;
+  return n.domain.empty() && n.node.kind != NodeKind::theorem &&
+         beside(directory, n.node.file) == base && n.node.where == p.at && p.as.empty() &&
+         p.roots.empty() && p.time.empty();
+}
+
+void settle(NodeResult& n, const TheoremResult& result, const std::string& directory) {
+  const std::string whole = beside(directory, result.theorem.system);
+  const std::string base = base_of(n, result, directory);
+  if (n.node.kind == NodeKind::splitting && !n.node.place.roots.empty())
+    return unbind(n, "the criterion is about the real system, and a root may be complex");
+  if (is_the_same_file(n, base, directory)) {
+    n.region = region_of(read_system(whole), n.node.place);
+    return;
+  }
+  Located found = locate(whole, base, system_of(n, directory), n.node.place);
+  for (CheckedIdentity& c : found.checks)
+    n.checks.push_back(std::move(c));
+  for (std::string& t : found.trusted)
+    n.trusted.push_back(std::move(t));
+  n.region = std::move(found.region);
+  if (!found.objection.empty()) unbind(n, found.objection);
+}
+
+} // namespace
+
+// An integral that is analytic at the origin has a polynomial as lowest-order part, a meromorphic
+// one a rational function; both belong to the class that is excluded, besides that at the origin.
+void transport_from_lowest_order(NodeResult& n) {
+  n.theorems.emplace_back("Ziglin 1982");
+  n.excluded.emplace_back("meromorphic near the origin");
+}
+
+void settle_place(NodeResult& n, const TheoremResult& result, const std::string& directory) {
+  if (!has_system(n) || (n.status != NodeStatus::proved && n.status != NodeStatus::trusted)) return;
+  if (result.theorem.system.empty())
+    return unbind(n, "the theorem file names no system (system = \"...\")");
+  try {
+    settle(n, result, directory);
+    if (n.status == NodeStatus::unbound) return;
+    if (!n.node.place.of.empty() && n.says == Conclusion::has_integral) n.says = Conclusion::none;
+    if (!n.node.place.of.empty() && n.says == Conclusion::not_integrable)
+      transport_from_lowest_order(n);
+    if (!n.statement.empty() && !n.region.conditions.empty())
+      n.statement += ". In the parameters of the theorem: " + text_of(n.region);
+  } catch (const DomainError& why) {
+    unbind(n, why.what());
+  }
+}
+
+namespace {
+
+// What the needs of a cover say, put together.
+struct Pieces {
+  std::vector<std::vector<strata::Condition>> regions;
+  std::vector<std::string> exceptions, idle;
+};
+
+void add(Pieces& all, NodeResult& n, const NodeResult& part,
+         const std::vector<ParameterMap>& maps) {
+  for (const ParameterMap& map : maps)
+    all.regions.push_back(image(part.region, map));
+  const bool excluded = part.says == Conclusion::not_integrable;
+  n.tables.back().rows.push_back(
+      {part.node.title, text_of(part.region), excluded ? "not integrable" : part.integrals});
+  for (const std::string& c : part.excluded)
+    add_once(n.excluded, c);
+  if (!part.integrals.empty())
+    all.exceptions.push_back(excluded ? part.integrals
+                                      : "(" + text_of(part.region) + "), with " + part.integrals);
+}
+
+Pieces pieces(NodeResult& n, const TheoremResult& result, const std::vector<ParameterMap>& maps) {
+  Pieces all;
+  n.tables.push_back(
+      {"Regions of the parameters, up to " +
+           (maps.size() == 1 ? "1 symmetry" : std::to_string(maps.size()) + " symmetries"),
+       {"step", "region", "there"},
+       {}});
+  for (const std::string& id : n.node.needs) {
+    const NodeResult& part = *find(result, id);
+    if (const auto why = adds_nothing(part, result); !why.empty())
+      all.idle.push_back("'" + id + "' (" + why + ")");
+    else
+      add(all, n, part, maps);
+  }
+  if (!all.idle.empty()) n.formulas.push_back({"needs that add no region", joined(all.idle, "; ")});
+  return all;
+}
+
+// The real parameters that the node speaks about.
+std::vector<strata::Condition> range_of(const NodeResult& n, const System& whole) {
+  strata::Assumptions known;
+  require(known, whole.assumptions, whole.ring());
+  for (const strata::Condition& c : n.region.conditions)
+    known.require(transfer(MFraction(c.p), whole.ring()), c.sign);
+  for (const std::size_t i : whole.field.parameters)
+    if (std::find(known.real.begin(), known.real.end(), i) == known.real.end())
+      throw DomainError("the parameter " + whole.ring()->name(i) +
+                        " is not assumed to be real: a cover is decided for real parameters");
+  if (strata::has_real_point(known.conditions, cover_milliseconds) == Truth::no)
+    throw DomainError("no parameters satisfy what the system assumes");
+  return known.conditions;
+}
+
+void state(NodeResult& n, const System& whole, const std::string& file, bool has_symmetries) {
+  std::vector<std::string> assumed;
+  for (const Assumption& a : whole.assumptions)
+    assumed.push_back(a.text);
+  n.statement =
+      (assumed.empty() ? "The" : "Let " + joined(assumed, ", ") + ". The") + " system of " + file;
+  if (!n.region.conditions.empty()) n.statement += ", where " + text_of(n.region) + ",";
+  n.statement += " is not integrable with first integrals that are " + joined(n.excluded, ", and ");
+  if (!n.integrals.empty())
+    n.statement += ", except possibly in these cases" +
+                   std::string(has_symmetries ? " and their images under the symmetries" : "") +
+                   ": " + n.integrals;
+}
+
+} // namespace
+
+void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory) {
+  if (result.theorem.system.empty()) throw DomainError("the theorem file names no system");
+  const std::string path = beside(directory, result.theorem.system);
+  const System whole = read_system(path);
+  const auto maps = symmetries(n, result.theorem, whole, path);
+  const Pieces found = pieces(n, result, maps);
+  n.region = region_of(whole, n.node.place);
+  const strata::Covered covered =
+      strata::is_covered(range_of(n, whole), found.regions, cover_milliseconds);
+  if (covered.holds != Truth::yes || n.excluded.empty()) {
+    n.status = NodeStatus::open;
+    n.summary = covered.holds == Truth::no
+                    ? "the steps do not cover the parameters: nothing is proved at " + covered.gap
+                : covered.holds == Truth::unknown
+                    ? "whether the steps cover the parameters was not decided"
+                    : "no step says that the system is not integrable somewhere";
+    return;
+  }
+  n.status = NodeStatus::proved;
+  n.says = Conclusion::not_integrable;
+  n.trusted.emplace_back("Z3: the regions of the steps cover the parameters");
+  n.checks.push_back({"the regions of the steps cover the parameters (Z3)", true});
+  n.integrals = joined(found.exceptions, "; ");
+  state(n, whole, result.theorem.system, maps.size() > 1);
+  n.summary = "the regions of " + std::to_string(n.tables.back().rows.size()) +
+              " steps cover the parameters";
+}
+
+void prove_theorem(NodeResult& n) {
+  n.status = NodeStatus::trusted;
+  const LiteratureTheorem* t = literature_theorem(n.node.theorem);
+  if (!t) return;
+  n.theorems.push_back(t->id);
+  n.statement = t->statement.substr(0, t->statement.find_last_not_of('.') + 1);
+  if (t->system.empty()) return;
+  n.says = Conclusion::not_integrable;
+  n.excluded = {"meromorphic on the leaves with F2 = 0"};
+}
+
+} // namespace kov

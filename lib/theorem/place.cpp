@@ -1,0 +1,461 @@
+#include "theorem/place.hpp"
+
+#include "exact/error.hpp"
+#include "exact/finite_algebra.hpp"
+#include "strata/region.hpp"
+#include "symbol/input_error.hpp"
+#include "system/formula.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kov {
+namespace {
+
+using strata::Condition;
+using strata::Sign;
+
+/// Parameters, coordinates and roots of the theorem's side; values of `at` are put in.
+class PlaceScope : public Scope {
+public:
+  PlaceScope(const System& s, const ParameterValues& roots) : system_(&s) {
+    std::vector<std::string> names = s.ring()->names();
+    for (const auto& [name, square] : roots)
+      names.push_back(name);
+    ring_ = make_ring(names);
+  }
+  [[nodiscard]] const Ring& ring() const override { return ring_; }
+  [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override {
+    const auto fixed = system_->values.find(name);
+    if (fixed != system_->values.end()) return transfer(fixed->second, ring_);
+    const auto i = ring_->find(name);
+    return i ? std::optional(MFraction::variable(ring_, *i)) : std::nullopt;
+  }
+  [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override { return none_; }
+  [[nodiscard]] std::vector<std::string> known_names() const override { return ring_->names(); }
+  [[nodiscard]] MFraction read(const std::string& text) const {
+    return evaluate(parse_expression(text, origin_of_text("theorem file", text)), *this);
+  }
+
+private:
+  const System* system_;
+  Ring ring_;
+  std::vector<FunctionMeaning> none_;
+};
+
+/// Computing with square roots: names r with r^2 = f.
+class Roots {
+public:
+  Roots(const PlaceScope& scope, const ParameterValues& roots) {
+    for (const auto& [name, square] : roots)
+      squares_.emplace_back(*scope.ring()->find(name), scope.read(square));
+  }
+  // p with r^2 replaced by f, as a fraction.
+  [[nodiscard]] MFraction reduced(const MPoly& p) const {
+    MFraction value(p);
+    for (auto root = squares_.rbegin(); root != squares_.rend(); ++root)
+      value = reduced(value.num(), *root) / reduced(value.den(), *root);
+    return value;
+  }
+  [[nodiscard]] bool vanishes(const MFraction& f) const { return is_zero(reduced(f.num())); }
+  // A polynomial without roots that vanishes wherever p does: the product over the conjugates.
+  [[nodiscard]] MPoly norm(const MPoly& p) const {
+    MPoly value = p;
+    for (auto root = squares_.rbegin(); root != squares_.rend(); ++root) {
+      if (!kov::uses(value, root->first)) continue;
+      const MFraction r = MFraction::variable(p.ring(), root->first);
+      value =
+          reduced((MFraction(value) * substitute(value, {{root->first, -r}})).num(), *root).num();
+    }
+    return value;
+  }
+  [[nodiscard]] bool uses_root(const MFraction& f) const {
+    return std::any_of(squares_.begin(), squares_.end(),
+                       [&](const auto& root) { return kov::uses(f, root.first); });
+  }
+
+private:
+  using Root = std::pair<std::size_t, MFraction>;
+  static MFraction reduced(const MPoly& p, const Root& root) {
+    const auto c = coefficients(p, root.first);
+    if (c.size() < 3) return MFraction(p);
+    const MFraction r = MFraction::variable(p.ring(), root.first);
+    MFraction even = MFraction(c[0]) - MFraction(c[0]), odd = even,
+              power = MFraction(p.ring(), Rational(1));
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      (i % 2 == 0 ? even : odd) = (i % 2 == 0 ? even : odd) + MFraction(c[i]) * power;
+      if (i % 2 == 1) power = power * root.second;
+    }
+    return even + odd * r;
+  }
+  std::vector<Root> squares_; ///< a root may occur in the squares of later ones
+};
+
+Sign sign_of(Assumption::Relation r) {
+  using Relation = Assumption::Relation;
+  return r == Relation::positive      ? Sign::positive
+         : r == Relation::nonnegative ? Sign::nonnegative
+         : r == Relation::zero        ? Sign::zero
+                                      : Sign::nonzero;
+}
+
+// "A > B", "L3 != 0", "A*C >= 1" as a relation of left - right.
+std::pair<MFraction, Sign> read_condition(const std::string& text, const PlaceScope& scope) {
+  static const std::array<std::pair<const char*, Sign>, 6> signs{{{">=", Sign::nonnegative},
+                                                                  {"<=", Sign::nonnegative},
+                                                                  {"!=", Sign::nonzero},
+                                                                  {">", Sign::positive},
+                                                                  {"<", Sign::positive},
+                                                                  {"=", Sign::zero}}};
+  for (const auto& [word, sign] : signs) {
+    const std::size_t at = text.find(word);
+    if (at == std::string::npos) continue;
+    MFraction left = scope.read(text.substr(0, at));
+    MFraction right = scope.read(text.substr(at + std::string(word).size()));
+    if (*word == '<') std::swap(left, right);
+    return {left - right, sign};
+  }
+  throw InputError("theorem file", 0, 0, 1, "'" + text + "' is no condition",
+                   "for example \"A > B\" or \"L3 != 0\"");
+}
+
+std::vector<std::pair<MFraction, Sign>> read_conditions(const Place& place,
+                                                        const PlaceScope& scope) {
+  std::vector<std::pair<MFraction, Sign>> all;
+  for (const std::string& text : place.conditions)
+    all.push_back(read_condition(text, scope));
+  return all;
+}
+
+// f, which may use the names of another ring, with its variables replaced by values in `ring`.
+MFraction composed(const MFraction& f, const std::map<std::size_t, MFraction>& values,
+                   const Ring& ring) {
+  // one ring for both sides, so that nothing is confused: y0, y1, ... stand for the variables of f
+  std::vector<std::string> names = ring->names();
+  const std::size_t first = names.size();
+  for (std::size_t i = 0; i < f.ring()->size(); ++i)
+    names.push_back("y_" + std::to_string(i));
+  const Ring both = make_ring(names);
+  const auto moved = [&](const MPoly& p) {
+    MPoly sum = MPoly::term(both, Integer(0), std::vector<unsigned long>(names.size(), 0));
+    for (long i = 0; i < p.length(); ++i) {
+      std::vector<unsigned long> e(names.size(), 0);
+      const auto exponents = p.exponents(i);
+      std::copy(exponents.begin(), exponents.end(), e.begin() + static_cast<long>(first));
+      sum = sum + MPoly::term(both, p.coefficient(i), e);
+    }
+    return sum;
+  };
+  Substitution put;
+  for (const auto& [i, value] : values)
+    put[first + i] = transfer(value, both);
+  return transfer(substitute(moved(f.num()), put) / substitute(moved(f.den()), put), ring);
+}
+
+/// One comparison of two fields.
+class Comparison {
+public:
+  Comparison(const System& whole, const System& base, const System& single, const Place& place)
+      : whole_(whole), base_(base), single_(single), place_(place), scope_(base, place.roots),
+        roots_(scope_, place.roots), region_(parameters()) {}
+
+  Located run() {
+    Located found;
+    try {
+      found.objection = objection();
+    } catch (const DomainError& why) {
+      found.objection = why.what();
+    }
+    found.checks = checks_;
+    for (const strata::TrustedStep& t : region_.trusted())
+      found.trusted.push_back(t.claim);
+    return found;
+  }
+
+private:
+  [[nodiscard]] const Ring& ring() const { return scope_.ring(); }
+
+  // What is known about the parameters.
+  [[nodiscard]] strata::Region parameters() const {
+    strata::Assumptions known;
+    require(known, whole_.assumptions, scope_.ring());
+    for (const auto& [value, sign] : read_conditions(place_, scope_))
+      known.require(value, sign);
+    return {scope_.ring(), known};
+  }
+  [[nodiscard]] bool is_parametric(const MFraction& f) const {
+    const auto used = used_variables(f);
+    return std::none_of(used.begin(), used.end(), [&](std::size_t i) {
+      const auto here = base_.ring()->find(ring()->name(i));
+      return here && std::find(base_.field.coordinates.begin(), base_.field.coordinates.end(),
+                               *here) != base_.field.coordinates.end();
+    });
+  }
+  // Nowhere zero for the parameters of the place.
+  [[nodiscard]] bool is_nonzero(const MPoly& p) const {
+    return is_parametric(MFraction(p)) && region_.is_nonzero(roots_.norm(p));
+  }
+
+  std::string objection() {
+    if (single_.field.dimension() != base_.field.dimension())
+      return "it has " + std::to_string(single_.field.dimension()) + " variables, and not " +
+             std::to_string(base_.field.dimension());
+    if (!single_.field.relations.empty() || !base_.field.relations.empty())
+      return "systems with relations are not compared";
+    for (const auto& [name, text] : place_.roots) {
+      const MFraction square = scope_.read(text);
+      if (!is_parametric(square) || !is_nonzero(square.den()))
+        return name + " is not a function of the parameters there";
+    }
+    if (const auto why = read_maps(); !why.empty()) return why;
+    if (const auto why = not_a_change_of_variables(); !why.empty()) return why;
+    if (const auto why = other_field(); !why.empty()) return why;
+    if (const auto why = other_bracket(); !why.empty()) return why;
+    return too_much_assumed();
+  }
+
+  // y and q as functions of x and p.
+  std::string read_maps() {
+    for (const auto& [name, text] : place_.as) {
+      const auto i = single_.ring()->find(name);
+      if (!i) return "'" + name + "' is no name of " + single_.file;
+      map_[*i] = scope_.read(text);
+    }
+    for (std::size_t i = 0; i < single_.ring()->size(); ++i) {
+      const std::string& name = single_.ring()->name(i);
+      if (!map_.contains(i) && base_.ring()->find(name))
+        if (const auto same = scope_.value(name)) map_[i] = *same;
+    }
+    time_ = place_.time.empty() ? MFraction(ring(), Rational(1)) : scope_.read(place_.time);
+    for (const auto& [i, value] : map_) {
+      if (!is_nonzero(value.den()))
+        return single_.ring()->name(i) + " = " + brief(value) + " divides by what may be 0";
+      if (!is_coordinate(i) && !is_parametric(value))
+        return "the parameter " + single_.ring()->name(i) +
+               " is put to a function of the variables";
+    }
+    if (is_zero(time_) || !is_nonzero(time_.num()) || !is_nonzero(time_.den()))
+      return "the factor of time may be 0";
+    return "";
+  }
+
+  [[nodiscard]] bool is_coordinate(std::size_t i) const {
+    const auto& all = single_.field.coordinates;
+    return std::find(all.begin(), all.end(), i) != all.end();
+  }
+
+  std::string not_a_change_of_variables() {
+    const std::size_t n = base_.field.dimension();
+    std::vector<std::vector<MFraction>> jacobian;
+    for (const std::size_t i : single_.field.coordinates) {
+      jacobian.emplace_back();
+      if (!map_.contains(i)) return "nothing is said about " + single_.ring()->name(i);
+      for (std::size_t j = 0; j < n; ++j) {
+        jacobian.back().push_back(derivative(map_.at(i), *ring()->find(base_.field.name(j))));
+        if (!is_parametric(jacobian.back().back()))
+          return single_.ring()->name(i) + " is no linear function of the variables";
+      }
+    }
+    const MFraction d = determinant(jacobian);
+    if (is_zero(d) || !is_nonzero(d.num())) return "the change of variables may be singular";
+    jacobian_ = std::move(jacobian);
+    return "";
+  }
+
+  // Division-free enough for six variables: expansion along the first row.
+  [[nodiscard]] MFraction determinant(const std::vector<std::vector<MFraction>>& m) const {
+    if (m.empty()) return MFraction(ring(), Rational(1));
+    MFraction sum = MFraction(ring(), Rational(0));
+    for (std::size_t j = 0; j < m.size(); ++j) {
+      if (is_zero(m[0][j])) continue;
+      std::vector<std::vector<MFraction>> minor;
+      for (std::size_t i = 1; i < m.size(); ++i) {
+        minor.emplace_back();
+        for (std::size_t k = 0; k < m.size(); ++k)
+          if (k != j) minor.back().push_back(m[i][k]);
+      }
+      const MFraction part = m[0][j] * determinant(minor);
+      sum = j % 2 == 0 ? sum + part : sum - part;
+    }
+    return sum;
+  }
+
+  std::string other_field() {
+    for (std::size_t i = 0; i < single_.field.dimension(); ++i) {
+      const MFraction& y = single_.field.components[i];
+      if (!is_zero(y))
+        for (const std::size_t v : used_variables(y))
+          if (!map_.contains(v)) return "nothing is said about " + single_.ring()->name(v);
+      MFraction left = MFraction(ring(), Rational(0));
+      for (std::size_t j = 0; j < base_.field.dimension(); ++j)
+        if (!is_zero(jacobian_[i][j]) && !is_zero(base_.field.components[j]))
+          left = left + jacobian_[i][j] * transfer(base_.field.components[j], ring());
+      const MFraction right =
+          is_zero(y) ? MFraction(ring(), Rational(0)) : time_ * composed(y, map_, ring());
+      if (!roots_.vanishes(left - right)) {
+        checks_.push_back(
+            {single_.field.name(i) + "' of " + single_.file + " is that of " + base_.file, false});
+        return "its field is another one: " + single_.field.name(i) + "' differs";
+      }
+    }
+    checks_.push_back(
+        {"the field of " + single_.file + " is that of " + base_.file + words(), true});
+    return "";
+  }
+
+  // Commuting integrals stay so if the bracket is the same up to a factor that depends on the
+  // parameters only.
+  std::string other_bracket() {
+    if (!single_.field.poisson) return "";
+    if (!base_.field.poisson) return base_.file + " has no bracket";
+    const Matrix& theirs = *single_.field.poisson;
+    std::optional<MFraction> factor;
+    for (std::size_t i = 0; i < theirs.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const MFraction ours = bracket(i, j);
+        const MFraction other = is_zero(theirs[i][j]) ? MFraction(ring(), Rational(0))
+                                                      : composed(theirs[i][j], map_, ring());
+        if (!factor && !roots_.vanishes(other)) factor = ours / other;
+        if (factor ? !roots_.vanishes(ours - *factor * other) : !roots_.vanishes(ours))
+          return "its Poisson bracket is another one";
+      }
+    if (factor && (!is_parametric(*factor) || is_zero(*factor) || !is_nonzero(factor->num())))
+      return "its Poisson bracket is another one";
+    checks_.push_back({"the Poisson brackets agree, up to a constant factor", true});
+    return "";
+  }
+  // {y_i, y_j} by the bracket of the theorem's system.
+  [[nodiscard]] MFraction bracket(std::size_t i, std::size_t j) const {
+    MFraction sum = MFraction(ring(), Rational(0));
+    for (std::size_t k = 0; k < jacobian_.size(); ++k)
+      for (std::size_t l = 0; l < jacobian_.size(); ++l) {
+        const MFraction& b = (*base_.field.poisson)[k][l];
+        if (!is_zero(b) && !is_zero(jacobian_[i][k]) && !is_zero(jacobian_[j][l]))
+          sum = sum + jacobian_[i][k] * jacobian_[j][l] * transfer(b, ring());
+      }
+    return sum;
+  }
+
+  [[nodiscard]] std::string words() const {
+    std::string text;
+    for (const auto& [name, value] : place_.at)
+      text += (text.empty() ? " at " : ", ") + name + " = " + value;
+    std::string put;
+    for (const auto& [name, value] : place_.as)
+      put += (put.empty() ? ", with " : ", ") + name + " = " + value;
+    for (const auto& [name, value] : place_.roots)
+      put += (put.empty() ? ", with " : ", ") + name + "^2 = " + value;
+    if (!place_.time.empty()) put += ", time multiplied by " + place_.time;
+    return text + put;
+  }
+
+  // What the file of the step assumes must follow.
+  std::string too_much_assumed() {
+    using Relation = Assumption::Relation;
+    std::vector<std::size_t> chosen;
+    for (const Assumption& a : single_.assumptions) {
+      for (const std::size_t v : used_variables(a.value))
+        if (!map_.contains(v) && !is_level(v)) return "it assumes that " + a.text;
+      if (uses_level(a.value)) { // levels may be chosen: one linear condition leaves some
+        if (used_variables(a.value).size() != 1 || degree_of(a.value) != 1)
+          return "it assumes that " + a.text;
+        if (a.relation == Relation::real) continue;
+        chosen.push_back(used_variables(a.value).front());
+        if (std::count(chosen.begin(), chosen.end(), chosen.back()) > 1)
+          return "it assumes that " + a.text + ", besides another condition on this level";
+        continue;
+      }
+      const MFraction value = composed(a.value, map_, ring());
+      if (a.relation == Relation::rational || a.relation == Relation::integer ||
+          !follows(value, a.relation))
+        return "it assumes that " + a.text;
+      checks_.push_back({"it assumes that " + a.text + ", which follows", true});
+    }
+    return "";
+  }
+  [[nodiscard]] bool is_level(std::size_t v) const {
+    const auto& x = single_.field.components;
+    return std::none_of(x.begin(), x.end(),
+                        [&](const MFraction& f) { return !is_zero(f) && uses(f, v); });
+  }
+  [[nodiscard]] bool uses_level(const MFraction& f) const {
+    const auto used = used_variables(f);
+    return std::any_of(used.begin(), used.end(), [&](std::size_t v) { return is_level(v); });
+  }
+  static long degree_of(const MFraction& f) {
+    return is_constant(f.den()) ? degree(f.num(), used_variables(f).front()) : -1;
+  }
+  [[nodiscard]] bool follows(const MFraction& value, Assumption::Relation relation) const {
+    using Relation = Assumption::Relation;
+    const MFraction num = roots_.reduced(value.num()), den = roots_.reduced(value.den());
+    if (relation == Relation::zero) return is_zero(num);
+    if (relation == Relation::nonzero) return !is_zero(num) && is_nonzero(num.num());
+    const MFraction whole = num / den;
+    const auto used = used_variables(whole);
+    if (roots_.uses_root(whole) ||
+        !std::all_of(used.begin(), used.end(), [&](std::size_t i) { return region_.is_real(i); }))
+      return false;
+    if (relation == Relation::real) return true;
+    const MPoly product = whole.num() * whole.den();
+    if (relation == Relation::nonnegative && is_zero(product)) return true;
+    if (region_.sign_of(product) > 0) return true;
+    return region_.refutes(
+        {{-product, relation == Relation::positive ? Sign::nonnegative : Sign::positive}});
+  }
+
+  const System& whole_;
+  const System& base_;
+  const System& single_;
+  const Place& place_;
+  PlaceScope scope_;
+  Roots roots_;
+  strata::Region region_;
+  std::map<std::size_t, MFraction> map_;
+  std::vector<std::vector<MFraction>> jacobian_;
+  MFraction time_;
+  CheckedIdentities checks_;
+};
+
+} // namespace
+
+void require(strata::Assumptions& known, const std::vector<Assumption>& assumed, const Ring& ring) {
+  using Relation = Assumption::Relation;
+  for (const Assumption& a : assumed) {
+    if (is_constant(a.value) || is_zero(a.value)) continue;
+    const MFraction value = transfer(a.value, ring);
+    if (a.relation == Relation::real) {
+      for (const std::size_t i : used_variables(value))
+        if (std::find(known.real.begin(), known.real.end(), i) == known.real.end())
+          known.real.push_back(i);
+    } else if (a.relation != Relation::rational && a.relation != Relation::integer) {
+      known.require(value, sign_of(a.relation));
+    }
+  }
+}
+
+ParameterRegion region_of(const System& whole, const Place& place) {
+  const PlaceScope scope(whole, {});
+  ParameterRegion region{scope.ring(), {}};
+  strata::Assumptions all;
+  for (const auto& [name, text] : place.at) {
+    const auto i = scope.ring()->find(name);
+    if (!i)
+      throw InputError("theorem file", 0, 0, 1, "'" + name + "' is no parameter of " + whole.file);
+    all.require(MFraction::variable(scope.ring(), *i) - scope.read(text), Sign::zero);
+  }
+  for (const auto& [value, sign] : read_conditions(place, scope))
+    all.require(value, sign);
+  region.conditions = all.conditions;
+  return region;
+}
+
+Located locate(const std::string& whole, const std::string& base, const System& single,
+               const Place& place) {
+  const System there = read_system(whole, place.at);
+  const System here = read_system(base, place.at);
+  Located found = Comparison(there, here, single, place).run();
+  found.region = region_of(read_system(whole), place);
+  return found;
+}
+
+} // namespace kov

@@ -1,0 +1,58 @@
+#pragma once
+// Where the system of a step has its place among those of the theorem.
+//
+// A theorem is about one vector field X(p) with parameters p.  A step computes with a field Y(q) of
+// a file of its own.  The step is about X(p) for the p of its place if there are
+//
+//   q = q(p)          parameters of Y as functions of p,
+//   y = S(p) x        an affine change of variables, det S != 0,
+//   tau(p) != 0       a change of time,
+//
+// with S X(p)(x) = tau Y(q(p))(S x) for all x: an identity of rational functions, which is
+// expanded.  Substitution of parameters, scaling, the choice of units and a change of axes are of
+// this form.  docs/theory/composition.md
+
+#include "splitting/checked.hpp"
+#include "strata/conditions.hpp"
+#include "system/system.hpp"
+
+namespace kov {
+
+/// What a theorem file says about the place of a step.
+struct Place {
+  std::string of;                      ///< id of a lowest-order step; empty: the theorem's system
+  ParameterValues at;                  ///< parameters of X that are functions of the others there
+  std::vector<std::string> conditions; ///< on the parameters of X, besides
+  ParameterValues roots;               ///< names, and what each is a square root of
+  ParameterValues as;                  ///< parameters and variables of Y, by those of X
+  std::string time;                    ///< tau, or empty: 1
+};
+
+/// A conjunction of conditions on the parameters of the theorem's system, in its ring.
+struct ParameterRegion {
+  Ring ring;
+  std::vector<strata::Condition> conditions;
+};
+
+struct Located {
+  std::string objection;            ///< why the step is not about the system; empty: it is
+  ParameterRegion region;           ///< where it is
+  CheckedIdentities checks;         ///< what was verified
+  std::vector<std::string> trusted; ///< decisions of Z3
+};
+
+/// The parameters that a place describes, and nothing else.
+/// Errors  InputError: a formula that cannot be read
+[[nodiscard]] ParameterRegion region_of(const System& whole, const Place& place);
+
+/// Checks that `single` is `base` in other words.
+/// Requires that `whole` is the theorem's system and `base` has parameters of the same names; both
+///          without values for `at`.
+/// Errors  InputError: a formula that cannot be read
+[[nodiscard]] Located locate(const std::string& whole, const std::string& base,
+                             const System& single, const Place& place);
+
+/// All conditions of `assumed` as conditions on parameters, those that can be written so.
+void require(strata::Assumptions& known, const std::vector<Assumption>& assumed, const Ring& ring);
+
+} // namespace kov
