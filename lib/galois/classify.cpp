@@ -7,34 +7,33 @@
 
 namespace kov {
 
-Trichotomy trichotomy(const Singularities& s, std::string& reason) {
-  std::vector<const Singularity*> places;
-  for (const Singularity& p : s.finite)
-    places.push_back(&p);
-  places.push_back(&s.infinity);
-  for (const Singularity* p : places) {
-    if (p->kind == PlaceKind::irregular || p->kind == PlaceKind::ramified) {
-      reason = "the equation is irregular at " + place_name(*p);
-      return Trichotomy::irregular_or_irrational;
-    }
-    if (p->kind == PlaceKind::regular && !p->delta) {
-      reason = "the exponent difference at " + place_name(*p) + " is not rational";
-      return Trichotomy::irregular_or_irrational;
-    }
-  }
-  for (const Singularity* p : places)
-    if (p->log == Truth::yes) {
-      reason = "the equation is regular singular with rational exponents and has a logarithm at " +
-               place_name(*p);
-      return Trichotomy::logarithmic;
-    }
-  for (const Singularity* p : places)
-    if (p->log == Truth::unknown) {
-      reason = "whether there is a logarithm at " + place_name(*p) + " is not known";
-      return Trichotomy::undetermined;
-    }
-  reason = "the equation is regular singular with rational exponents and without logarithms";
-  return Trichotomy::rational_without_log;
+namespace {
+
+// The local group is infinite (docs/theory/trichotomy.md, 2).
+bool has_infinite_order(const Singularity& p) {
+  return p.kind == PlaceKind::irregular || p.kind == PlaceKind::ramified ||
+         (p.kind == PlaceKind::regular && !p.delta);
+}
+
+} // namespace
+
+Branch trichotomy(const Singularities& s) {
+  std::vector<PlaceIndex> places;
+  for (std::size_t i = 0; i < s.finite.size(); ++i)
+    places.emplace_back(i);
+  places.emplace_back();
+  const auto first = [&](const auto& has) -> const PlaceIndex* {
+    const auto found = std::find_if(places.begin(), places.end(),
+                                    [&](const PlaceIndex& i) { return has(place_at(s, i)); });
+    return found == places.end() ? nullptr : &*found;
+  };
+  if (const auto* i = first([](const Singularity& p) { return has_infinite_order(p); }))
+    return {Trichotomy::irregular_or_irrational, *i};
+  if (const auto* i = first([](const Singularity& p) { return p.log == Truth::yes; }))
+    return {Trichotomy::logarithmic, *i};
+  if (const auto* i = first([](const Singularity& p) { return p.log == Truth::unknown; }))
+    return {Trichotomy::undetermined, *i};
+  return {Trichotomy::rational_without_log, {}};
 }
 
 namespace {
@@ -74,13 +73,15 @@ public:
 
   Classification run() {
     if (is_zero(r_)) {
-      settle({GroupType::cyclic, Integer(1)}, "r = 0: the solutions are 1 and the variable itself");
+      settle({GroupType::cyclic, Integer(1)}, Argument::zero);
       answer_.pair.reset();
       return answer_;
     }
     try {
       answer_.local = singularities(r_, budget_);
-      answer_.kind = trichotomy(*answer_.local, answer_.kind_reason);
+      const Branch branch = trichotomy(*answer_.local);
+      answer_.kind = branch.kind;
+      answer_.decisive = branch.decisive;
       switch (answer_.kind) {
       case Trichotomy::irregular_or_irrational:
         irregular_or_irrational();
@@ -94,8 +95,6 @@ public:
       }
     } catch (const OutOfBudget& limit) {
       answer_.undecided = Unable{Unable::Why::budget, limit.what()};
-      if (!answer_.reason.empty()) answer_.reason += "; ";
-      answer_.reason += std::string("undecided: ") + limit.what();
     }
     return answer_;
   }
@@ -103,11 +102,11 @@ public:
 private:
   [[nodiscard]] const Singularities& local() const { return *answer_.local; }
 
-  void settle(const GaloisGroup& g, const std::string& why) {
+  void settle(const GaloisGroup& g, Argument argument) {
     answer_.group = g;
     answer_.component = identity_component(g);
     answer_.abelian = truth(is_abelian(*answer_.component));
-    answer_.reason = why;
+    answer_.argument = argument;
   }
 
   // The invariants of degree m, recorded either way.
@@ -138,9 +137,7 @@ private:
   bool one_prime_says_sl2() {
     answer_.p_curvature = sl2_by_p_curvature(local(), 3, budget_);
     if (!answer_.p_curvature) return false;
-    settle({GroupType::SL2, {}},
-           "the p-curvature modulo p = " + std::to_string(answer_.p_curvature->prime.p) +
-               " has places of odd order that no solvable or finite group allows");
+    settle({GroupType::SL2, {}}, Argument::p_curvature);
     return true;
   }
 
@@ -163,16 +160,14 @@ private:
   // An immense bound of the degree is no budget matter as long as one prime may settle everything.
   [[nodiscard]] bool exponents_allow_a_line() const {
     try {
-      return exponential_shape(local()).possible;
+      return !exponential_shape(local()).obstruction;
     } catch (const OutOfBudget&) {
       return true;
     }
   }
 
   void irregular_or_irrational() {
-    const std::string because =
-        answer_.kind_reason + ", so that the identity component contains a torus";
-    if (invariant_shape(local(), 4).possible && one_prime_says_sl2()) return;
+    if (!invariant_shape(local(), 4).obstruction && one_prime_says_sl2()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none) {
       answer_.abelian = Truth::yes;
@@ -181,36 +176,33 @@ private:
       const QuarticRoot root = quartic_root(quartic.basis.front(), local());
       if (is_square(root)) {
         found_pair(product_of_lines(root, local()), root.w_squared / root.k);
-        settle({GroupType::Gm, {}},
-               because + "; y1*y2 is rational, so that there are two exponential solutions");
+        settle({GroupType::Gm, {}}, Argument::torus_two_lines);
       } else {
         answer_.curve = dihedral_curve(root, local());
-        settle({GroupType::Dinf, {}}, because + "; (y1*y2)^2 is rational and y1*y2 is not");
+        settle({GroupType::Dinf, {}}, Argument::torus_dihedral);
       }
       return;
     }
     answer_.abelian = Truth::no;
-    answer_.reason = because + ", and Sym^4 has no rational solution" +
-                     (quartic.none->combinatorial ? " (" + quartic.none->why + ")" : "");
-    const std::string known = answer_.reason;
+    answer_.argument = Argument::torus_no_invariant;
     if (exponents_allow_a_line() && one_prime_says_sl2()) return;
     const ExponentialSearch exponential = exponentials();
     KOV_ENSURE(!exponential.projectively_trivial);
     if (!exponential.solutions.empty()) {
       answer_.exponential = exponential.solutions.front();
-      settle({GroupType::Borel, {}}, known + "; there is exactly one exponential solution");
+      settle({GroupType::Borel, {}}, Argument::torus_one_line);
     } else {
       answer_.no_exponential = exponential.none;
-      settle({GroupType::SL2, {}}, known + "; there is no exponential solution");
+      settle({GroupType::SL2, {}}, Argument::torus_no_line);
     }
   }
 
   // One exponential solution y with y^m rational for some m, and no second one.
-  void one_radical_line(const ExponentialSolution& y, const std::string& why) {
+  void one_radical_line(const ExponentialSolution& y, Argument argument) {
     answer_.exponential = y;
     const auto m = radical_order(logarithmic_parts(y.theta, budget_)); // P does not matter
     KOV_ENSURE(m); // regular singular with rational exponents
-    settle({GroupType::T, *m}, why);
+    settle({GroupType::T, *m}, argument);
   }
 
   void logarithmic() {
@@ -218,14 +210,11 @@ private:
 
     const ExponentialSearch exponential = exponentials();
     if (!exponential.solutions.empty()) {
-      one_radical_line(exponential.solutions.front(),
-                       answer_.kind_reason + "; there is one exponential solution, a radical");
+      one_radical_line(exponential.solutions.front(), Argument::logarithm_one_line);
       return;
     }
     answer_.no_exponential = exponential.none;
-    settle({GroupType::SL2, {}},
-           answer_.kind_reason + ", and there is no exponential solution" +
-               (exponential.none->combinatorial ? " (" + exponential.none->why + ")" : ""));
+    settle({GroupType::SL2, {}}, Argument::logarithm_no_line);
   }
 
   [[nodiscard]] bool all_differences_integral() const {
@@ -236,13 +225,12 @@ private:
 
   void rational_exponents() {
     if (all_differences_integral()) {
-      if (answer_.kind == Trichotomy::undetermined) throw OutOfBudget(answer_.kind_reason);
+      if (answer_.kind == Trichotomy::undetermined)
+        throw OutOfBudget("whether there is a logarithm at " +
+                          place_name(place_at(local(), answer_.decisive)) + " is not known");
       const auto odd = [](const Singularity& p) { return fmpz_is_odd(p.delta->num().raw()) != 0; };
       const bool rational = std::all_of(local().finite.begin(), local().finite.end(), odd);
-      settle({GroupType::cyclic, Integer(rational ? 1 : 2)},
-             answer_.kind_reason + "; all exponent differences are integers" +
-                 (rational ? ", odd at every finite place: all solutions are rational"
-                           : ": all solutions are square roots of rational functions"));
+      settle({GroupType::cyclic, Integer(rational ? 1 : 2)}, Argument::integral_exponents);
       return;
     }
     if (one_prime_says_sl2()) return;
@@ -256,8 +244,7 @@ private:
   void with_quartic(const InvariantSearch& quartic) {
     answer_.abelian = Truth::yes; // a nonzero invariant: neither SL2 nor Borel
     if (quartic.basis.size() == 2) {
-      settle({GroupType::D, Integer(2)},
-             "Sym^4 has exactly two independent rational solutions: the quaternion group");
+      settle({GroupType::D, Integer(2)}, Argument::two_quartics);
       return;
     }
     if (quartic.basis.size() > 2) { // cyclic of order 4: Sym^2 has one solution
@@ -269,9 +256,7 @@ private:
     }
     const QuarticRoot root = quartic_root(quartic.basis.front(), local());
     if (is_zero(root.w_squared)) { // F = y^4
-      one_radical_line(fourth_root(root, local()),
-                       "the rational solution of Sym^4 is the fourth power of a solution, "
-                       "the only exponential one");
+      one_radical_line(fourth_root(root, local()), Argument::fourth_power);
       return;
     }
     if (is_square(root)) {
@@ -285,38 +270,31 @@ private:
     found_pair(v, w_squared);
     const auto m = radical_order(*answer_.pair, budget_);
     KOV_ENSURE(m);
-    settle({GroupType::cyclic, *m},
-           "two exponential solutions, both radicals of order " + to_string(*m));
+    settle({GroupType::cyclic, *m}, Argument::two_radicals);
   }
 
   void dihedral(const QuarticRoot& root) {
     answer_.curve = dihedral_curve(root, local());
-    const std::string shape = "(y1*y2)^2 is rational and y1*y2 is not: a dihedral group";
-
     answer_.dihedral = decide_dihedral(*answer_.curve, budget_);
-    if (answer_.dihedral->finite == Truth::unknown) {
-      answer_.reason = shape + "; undecided which of the two: " + answer_.dihedral->reason;
-      answer_.undecided = Unable{Unable::Why::not_implemented, answer_.reason};
-    } else if (answer_.dihedral->finite == Truth::yes) {
-      settle({GroupType::D, answer_.dihedral->n}, shape + ", finite: " + answer_.dihedral->reason);
-    } else {
-      settle({GroupType::Dinf, {}}, shape + ", infinite: " + answer_.dihedral->reason);
-    }
+    answer_.argument = Argument::dihedral;
+    if (answer_.dihedral->finite == Truth::yes)
+      settle({GroupType::D, answer_.dihedral->n}, Argument::dihedral);
+    else if (answer_.dihedral->finite == Truth::no)
+      settle({GroupType::Dinf, {}}, Argument::dihedral);
+    else
+      answer_.undecided = Unable{Unable::Why::not_implemented, reason(answer_)};
   }
 
   void without_quartic() {
     const ExponentialSearch exponential = exponentials();
     if (!exponential.solutions.empty()) {
-      one_radical_line(exponential.solutions.front(),
-                       "there is exactly one exponential solution, a radical");
+      one_radical_line(exponential.solutions.front(), Argument::one_radical);
       return;
     }
     answer_.no_exponential = exponential.none;
     if (const auto none = no_invariant(local(), 12, budget_)) {
       answer_.no_invariants.push_back(*none);
-      settle({GroupType::SL2, {}},
-             "there is no exponential solution, and Sym^12 has no rational solution" +
-                 (none->combinatorial ? " (" + none->why + ")" : std::string()));
+      settle({GroupType::SL2, {}}, Argument::no_invariant);
       return;
     }
     const struct {
@@ -325,17 +303,12 @@ private:
     } primitive[] = {{6, GroupType::A4}, {8, GroupType::S4}, {12, GroupType::A5}};
     for (const auto& [m, group] : primitive) {
       if (search(m).none) continue;
-      settle(
-          {group, {}},
-          "there is no exponential solution; Sym^4 has no rational solution; the first symmetric "
-          "power of even degree that has one is Sym^" +
-              std::to_string(m));
+      settle({group, {}}, Argument::primitive);
       return;
     }
     // The kernel of degree 12 was an accident of its prime: search(12) has proved that there is
     // none.
-    settle({GroupType::SL2, {}},
-           "there is no exponential solution, and Sym^12 has no rational solution");
+    settle({GroupType::SL2, {}}, Argument::no_invariant);
   }
 
   const RationalFunction& r_;

@@ -103,16 +103,25 @@ struct Pole {
 
 struct Poles {
   std::vector<Pole> list;
-  std::string infinite; ///< not empty: a residue or pole that already proves "infinite"
+  std::optional<DihedralAnswer> infinite; ///< a residue or pole that already proves it
 };
 
-std::string at(const Poly& q) { return "at the roots of " + to_string(q); }
+DihedralAnswer infinite_by(Torsion by, std::optional<Poly> pole,
+                           std::optional<NfElem> residue_squared = {}) {
+  DihedralAnswer answer;
+  answer.finite = Truth::no;
+  answer.by = by;
+  answer.pole = std::move(pole);
+  answer.residue_squared = std::move(residue_squared);
+  return answer;
+}
 
 void add_pole(Poles& poles, Pole pole, const NfElem& square) {
   const auto rho = is_rational(square) ? exact_sqrt(to_rational(square)) : std::nullopt;
   if (!rho) {
-    poles.infinite = "the residue of w dz/v " + (pole.at_infinity ? "at infinity" : at(pole.q)) +
-                     " is not rational (its square is " + to_string(square) + ")";
+    poles.infinite =
+        infinite_by(Torsion::irrational_residue,
+                    pole.at_infinity ? std::nullopt : std::optional(pole.q), square);
     return;
   }
   pole.rho = *rho;
@@ -125,7 +134,7 @@ Poles poles_of(const DihedralCurve& c) {
   for (std::size_t i = 0; i < c.singular.size(); ++i) {
     const Poly& q = c.singular[i];
     if (c.order[i] > 1 || divides(q, c.branch)) {
-      poles.infinite = "w dz/v has a multiple pole " + at(q);
+      poles.infinite = infinite_by(Torsion::multiple_pole, q);
       return poles;
     }
     // residue^2 = W^2/(g'(c)^2 F0(c)) in K[c]/q; g = q * rest
@@ -135,11 +144,11 @@ Poles poles_of(const DihedralCurve& c) {
     const Poly den_squared = c.g.den() * c.g.den() % q;
     const Poly square = scale(den_squared * inverse_mod(value, q) % q, scale_squared);
     if (degree(square) > 0) {
-      poles.infinite = "the residue of w dz/v " + at(q) + " is not rational";
+      poles.infinite = infinite_by(Torsion::irrational_residue, q);
       return poles;
     }
     add_pole(poles, {q, false, {}}, square.coeff(0));
-    if (!poles.infinite.empty()) return poles;
+    if (poles.infinite) return poles;
   }
   // At an ordinary point y1/y2 has a simple zero or pole.
   if (degree(c.ordinary) > 0) poles.list.push_back({c.ordinary, false, Rational(1)});
@@ -149,7 +158,7 @@ Poles poles_of(const DihedralCurve& c) {
   // order of eta at infinity in t (in sqrt t for a branch point)
   const long order = branched ? 2 * deg_g + degree(c.branch) - 3 : deg_g + c.genus - 1;
   if (order < -1 || (branched && order < 0)) {
-    poles.infinite = "w dz/v has a multiple pole at infinity";
+    poles.infinite = infinite_by(Torsion::multiple_pole, {});
   } else if (order == -1) {
     const NfElem leading = lead(c.g.num());
     add_pole(poles, {Poly(1), true, {}}, scale_squared / (leading * leading));
@@ -341,26 +350,20 @@ std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
 DihedralAnswer decide_dihedral(const DihedralCurve& c, const Budget& budget) {
   DihedralAnswer answer;
   const Poles poles = poles_of(c);
-  if (!poles.infinite.empty()) {
-    answer.finite = Truth::no;
-    answer.reason = poles.infinite;
-    return answer;
-  }
+  if (poles.infinite) return *poles.infinite;
   for (const Pole& pole : poles.list)
     answer.residue_denominator = lcm(answer.residue_denominator, pole.rho.den());
   const Integer& l = answer.residue_denominator;
   if (poles.list.empty()) {
     KOV_ENSURE(c.genus >= 1); // a nonzero differential without poles needs genus >= 1
     answer.finite = Truth::no;
-    answer.reason = "w dz/v is a nonzero holomorphic differential on a curve of genus " +
-                    std::to_string(c.genus);
+    answer.by = Torsion::holomorphic;
     return answer;
   }
   if (c.genus == 0) {
     answer.finite = Truth::yes;
+    answer.by = Torsion::genus_zero;
     answer.n = l;
-    answer.reason = "on a curve of genus 0 the residues of w dz/v, with common denominator " +
-                    to_string(l) + ", give y1/y2 as a " + to_string(l) + "-th root of a function";
     return answer;
   }
   PrimeIdeals primes(c.field, 2);
@@ -376,29 +379,15 @@ DihedralAnswer decide_dihedral(const DihedralCurve& c, const Budget& budget) {
       break;
     }
     answer.finite = Truth::no;
-    answer.reason = "the divisor class of w dz/v has order " +
-                    to_string(answer.orders.front().order) + " modulo " +
-                    std::to_string(answer.orders.front().prime.p) + " and order " +
-                    to_string(*order) + " modulo " + std::to_string(prime.p) +
-                    ", so that it has infinite order (genus " + std::to_string(c.genus) + ")";
+    answer.by = Torsion::orders_differ;
     return answer;
   }
-  if (answer.orders.size() < 2) {
-    answer.reason = "finite or infinite: the curve has genus " + std::to_string(c.genus) +
-                    " and no two primes with a small enough Jacobian were found";
-    return answer;
-  }
+  if (answer.orders.size() < 2) return answer;
   const Integer m = l * answer.orders.front().order;
   answer.a = function_with_divisor(c, poles.list, m, budget);
   answer.finite = truth(answer.a.has_value());
+  answer.by = answer.a ? Torsion::function : Torsion::no_function;
   answer.n = m;
-  answer.reason = answer.a
-                      ? "y1/y2 is a " + to_string(m) +
-                            "-th root of a function on a curve of genus " + std::to_string(c.genus)
-                      : "the divisor class of w dz/v could only have order " +
-                            to_string(answer.orders.front().order) +
-                            " (that of its reductions), and no function has that divisor and "
-                            "logarithmic differential";
   return answer;
 }
 

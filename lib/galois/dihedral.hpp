@@ -58,19 +58,33 @@ struct ReducedOrder {
   Integer order;
 };
 
+/// What settles the question "finite or infinite?" (docs/theory/dihedral_torsion.md, 4 to 9).
+enum class Torsion : std::uint8_t {
+  undecided,          ///< no two primes with a small enough Jacobian were found
+  irrational_residue, ///< of w dz/v at `pole`: infinite
+  multiple_pole,      ///< of w dz/v at `pole`: infinite
+  holomorphic,        ///< no poles at all, genus >= 1: infinite
+  genus_zero,         ///< rational residues: finite, n their common denominator
+  orders_differ,      ///< modulo two primes: infinite
+  no_function,        ///< with the only possible order: infinite
+  function            ///< h = a + b s: finite
+};
+
 struct DihedralAnswer {
   Truth finite = Truth::unknown;
-  Integer n;                         ///< of D_n, if finite
-  std::string reason;                ///< a full sentence
-  Integer residue_denominator{1};    ///< L
-  std::vector<ReducedOrder> orders;  ///< what primes said, where they were asked
-  std::optional<RationalFunction> a; ///< finite, genus >= 1: h = a + b s
+  Torsion by = Torsion::undecided;
+  Integer n;                ///< of D_n, if finite
+  std::optional<Poly> pole; ///< where by = irrational_residue or multiple_pole; unset: infinity
+  std::optional<NfElem> residue_squared; ///< of the irrational residue, where it is one number
+  Integer residue_denominator{1};        ///< L
+  std::vector<ReducedOrder> orders;      ///< what primes said, where they were asked
+  std::optional<RationalFunction> a;     ///< finite, genus >= 1: h = a + b s
 };
 
 /// Requires w^2 != 0 and some e odd.
 [[nodiscard]] DihedralCurve dihedral_curve(const QuarticRoot& root, const Singularities& s);
 /// Requires  every exponent difference rational and no logarithm (otherwise the group is infinite).
-/// Unknown   large genus without two comparable primes; the reason says so
+/// Unknown   large genus without two comparable primes
 [[nodiscard]] DihedralAnswer decide_dihedral(const DihedralCurve& curve, const Budget& budget = {});
 
 } // namespace kov

@@ -174,8 +174,7 @@ struct FirstLook {
 };
 
 FirstLook first_look(const Singularities& s, const InvariantShape& shape, const Budget& budget) {
-  if (!shape.possible)
-    return {NoInvariant{.m = shape.m, .combinatorial = true, .why = shape.why}, 0};
+  if (shape.obstruction) return {NoInvariant{.m = shape.m, .obstruction = shape.obstruction}, 0};
   budget.check_degree(shape.degree);
   const Search search{s, shape, shape.degree + 1 + shape.m + 1 + spare_columns};
   PrimeIdeals primes = PrimeIdeals::large(s.r.field());

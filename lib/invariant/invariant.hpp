@@ -28,8 +28,7 @@ struct Invariant {
 /// Why Sym^m has no rational solution.
 struct NoInvariant {
   long m = 0;
-  bool combinatorial = false; ///< no integer exponents, or D_m < 0: `why` says it
-  std::string why{};
+  std::optional<Obstruction> obstruction{}; ///< the exponents alone exclude it
   PrimeIdeal prime{};  ///< otherwise: rank m+1 modulo this prime ...
   mp_limb_t point = 0; ///< ... at this ordinary point ...
   long terms = 0;      ///< ... from this many terms

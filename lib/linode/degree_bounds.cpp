@@ -81,6 +81,25 @@ std::string place_name(const Singularity& s, const std::string& variable) {
   return to_string(s.place, variable) + " = 0";
 }
 
+std::string to_string(const Obstruction& o, const Singularities& s, const std::string& variable) {
+  const Singularity& p = place_at(s, o.place);
+  const std::string m = std::to_string(o.m);
+  switch (o.kind) {
+  case Obstruction::Kind::odd_order:
+    return "the order of r at " + place_name(p, variable) + " is odd (" + std::to_string(p.order) +
+           "), so that no exponential solution exists";
+  case Obstruction::Kind::no_integral_exponent:
+    return "at " + place_name(p, variable) + " no exponent of Sym^" + m + " is an integer";
+  default:
+    break;
+  }
+  if (o.m == 1)
+    return "the exponents bound the degree of the polynomial part by " + to_string(o.degree) +
+           " < 0, so that no exponential solution exists";
+  return "the exponents bound the degree of a rational solution of Sym^" + m + " by D_" + m +
+         " = " + to_string(o.degree) + " < 0";
+}
+
 namespace {
 
 // The sum over the roots of the place of the least real part of an exponent, log-aware.
@@ -122,10 +141,9 @@ ExponentialShape exponential_shape(const Singularities& s) {
   const auto ramified = [](const Singularity& p) { return p.kind == PlaceKind::ramified; };
   const auto bad = std::find_if(s.finite.begin(), s.finite.end(), ramified);
   if (bad != s.finite.end() || ramified(s.infinity)) {
-    shape.possible = false;
-    const Singularity& p = bad != s.finite.end() ? *bad : s.infinity;
-    shape.why = "the order of r at " + place_name(p) + " is odd (" + std::to_string(p.order) +
-                "), so that no exponential solution exists";
+    PlaceIndex where;
+    if (bad != s.finite.end()) where = static_cast<std::size_t>(bad - s.finite.begin());
+    shape.obstruction = Obstruction{Obstruction::Kind::odd_order, 1, where, {}};
     shape.degree = -1;
     return shape;
   }
@@ -136,11 +154,8 @@ ExponentialShape exponential_shape(const Singularities& s) {
   }
   if (s.infinity.kind == PlaceKind::irregular) shape.nu_infinity = s.infinity.nu();
   shape.degree = to_bounded_long(floor(bound));
-  if (shape.degree < 0) {
-    shape.possible = false;
-    shape.why = "the exponents bound the degree of the polynomial part by " +
-                to_string(floor(bound)) + " < 0, so that no exponential solution exists";
-  }
+  if (shape.degree < 0)
+    shape.obstruction = Obstruction{Obstruction::Kind::negative_degree, 1, {}, floor(bound)};
   return shape;
 }
 
@@ -189,30 +204,24 @@ InvariantShape invariant_shape(const Singularities& s, long m) {
   InvariantShape shape;
   shape.m = m;
   Integer bound;
-  const auto refuse = [&](const Singularity& p) {
-    shape.possible = false;
+  const auto refuse = [&](PlaceIndex where) {
+    shape.obstruction = Obstruction{Obstruction::Kind::no_integral_exponent, m, where, {}};
     shape.degree = -1;
-    shape.why =
-        "at " + place_name(p) + " no exponent of Sym^" + std::to_string(m) + " is an integer";
     return shape;
   };
   const auto tau = invariant_exponent(s.infinity, m).value;
-  if (!tau) return refuse(s.infinity);
+  if (!tau) return refuse({});
   bound = *tau;
-  for (const Singularity& p : s.finite) {
-    const auto e = invariant_exponent(p, m).value;
-    if (!e) return refuse(p);
-    bound -= *e * Integer(p.degree());
+  for (std::size_t i = 0; i < s.finite.size(); ++i) {
+    const auto e = invariant_exponent(s.finite[i], m).value;
+    if (!e) return refuse(i);
+    bound -= *e * Integer(s.finite[i].degree());
     shape.e.push_back(to_bounded_long(*e));
   }
   shape.tau = to_bounded_long(*tau);
   shape.degree = to_bounded_long(bound);
-  if (shape.degree < 0) {
-    shape.possible = false;
-    shape.why = "the exponents bound the degree of a rational solution of Sym^" +
-                std::to_string(m) + " by D_" + std::to_string(m) + " = " + to_string(bound) +
-                " < 0";
-  }
+  if (shape.degree < 0)
+    shape.obstruction = Obstruction{Obstruction::Kind::negative_degree, m, {}, bound};
   return shape;
 }
 

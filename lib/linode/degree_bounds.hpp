@@ -14,10 +14,22 @@
 
 namespace kov {
 
+/// Why the exponents at the places leave no solution: local_exponents.md, 2.2 and 3.2.
+struct Obstruction {
+  enum class Kind : std::uint8_t {
+    odd_order,            ///< of r at `place`: no exponential solution (3.1)
+    no_integral_exponent, ///< of Sym^m at `place` (2.1)
+    negative_degree       ///< `degree` < 0 of the polynomial part
+  };
+  Kind kind = Kind::negative_degree;
+  long m = 1;         ///< of the symmetric power; 1: exponential solutions
+  PlaceIndex place{}; ///< where it is seen; negative_degree: not used
+  Integer degree{};   ///< the bound D_m, for negative_degree
+};
+
 /// What an exponential solution must look like.
 struct ExponentialShape {
-  bool possible = true;
-  std::string why;      ///< if not possible: the place and the reason, a full sentence
+  std::optional<Obstruction> obstruction{}; ///< set: there is none
   long denominator = 0; ///< N_den = sum deg q max(1, nu_q)
   long degree = 0;      ///< D_1; negative = impossible
   long nu_infinity = 0; ///< degree of the polynomial part of y'/y, 0 if infinity is not irregular
@@ -26,8 +38,7 @@ struct ExponentialShape {
 /// What a rational solution of Sym^m must look like.  Shape: e parallel to Singularities::finite.
 struct InvariantShape {
   long m = 0;
-  bool possible = true;
-  std::string why;
+  std::optional<Obstruction> obstruction{}; ///< set: there is none but 0
   std::vector<long> e; ///< least admissible integer exponents
   long tau = 0;        ///< greatest admissible growth exponent at infinity
   long degree = 0;     ///< D_m = tau - sum deg q e_q; negative = impossible
@@ -43,5 +54,8 @@ struct InvariantShape {
 
 /// A place named for people: "z^2 - 2 = 0", "z = 1", "infinity".
 [[nodiscard]] std::string place_name(const Singularity& s, const std::string& variable = "z");
+/// "the order of r at z = 1 is odd (3), so that no exponential solution exists", ...
+[[nodiscard]] std::string to_string(const Obstruction& o, const Singularities& s,
+                                    const std::string& variable = "z");
 
 } // namespace kov

@@ -29,7 +29,8 @@ struct ModularEquation {
 };
 
 /// The shortest linear recurrence of the sequence: its length L and V(x) of degree L with
-/// sum_i V_i s_(i+j) = 0 (Berlekamp-Massey, by half-gcd in FLINT).
+/// sum_i V_i s_(i+j) = 0 (Berlekamp-Massey, by half-gcd in FLINT).  Requires 2L <= n for the true
+/// L; otherwise the result means nothing more than that no recurrence has a length <= n/2.
 struct Recurrence {
   long length = 0;
   NmodPoly characteristic;

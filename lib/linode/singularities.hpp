@@ -72,6 +72,12 @@ struct Singularities {
   Singularity infinity;
 };
 
+/// One of the places of an equation: an index into Singularities::finite; unset: infinity.
+using PlaceIndex = std::optional<std::size_t>;
+[[nodiscard]] inline const Singularity& place_at(const Singularities& s, PlaceIndex i) {
+  return i ? s.finite.at(*i) : s.infinity;
+}
+
 /// Requires r != 0.
 /// Cost  one factorisation of den(r); per place a few products modulo q; for Delta a natural number
 /// N

@@ -167,8 +167,8 @@ ExponentialSolution lift_by_primes(const Search& search, const Budget& budget) {
 ExponentialSearch exponential_solutions(const Singularities& s, const Budget& budget) {
   ExponentialSearch answer;
   const ExponentialShape shape = exponential_shape(s);
-  if (!shape.possible) {
-    answer.none = NoExponential{.combinatorial = true, .why = shape.why};
+  if (shape.obstruction) {
+    answer.none = NoExponential{.obstruction = shape.obstruction};
     return answer;
   }
   budget.check_degree(shape.degree + shape.denominator);

@@ -13,8 +13,7 @@ namespace kov {
 
 /// Why no exponential solution exists.
 struct NoExponential {
-  bool combinatorial = false; ///< from parity or D_1 < 0 alone; then `why` says it
-  std::string why{};
+  std::optional<Obstruction> obstruction{}; ///< the exponents alone exclude it
   // otherwise, from one place modulo one prime:
   bool at_infinity = false;
   long place = -1; ///< index into Singularities::finite

@@ -69,7 +69,7 @@ void fill(Decision& d, const Classification& c) {
   d.group = c.group;
   d.component = c.component;
   d.abelian = c.abelian;
-  d.reason = c.reason;
+  d.reason = kov::reason(c);
   d.undecided = c.undecided;
   if (c.group) d.kovacic_case = kovacic_case(*c.group);
 }

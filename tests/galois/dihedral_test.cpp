@@ -30,7 +30,7 @@ Classification decided(const RationalFunction& r) { return classify(r); }
 
 void expect_group(const RationalFunction& r, const GaloisGroup& expected) {
   const Classification c = decided(r);
-  ASSERT_TRUE(c.group) << to_string(r) << ": " << c.reason;
+  ASSERT_TRUE(c.group) << to_string(r) << ": " << reason(c);
   EXPECT_EQ(describe(*c.group), describe(expected)) << to_string(r);
 }
 

@@ -50,6 +50,7 @@ void expect_shortest(const std::vector<mp_limb_t>& s, mp_limb_t p) {
   std::size_t shortest = 0;
   while (!has_recurrence(s, shortest, p))
     ++shortest;
+  if (2 * shortest > s.size()) return; // not determined by so few terms
   std::string text;
   for (const mp_limb_t x : s)
     text += std::to_string(x) + " ";

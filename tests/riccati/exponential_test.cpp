@@ -20,7 +20,7 @@ void expect_found(const RationalFunction& omega) {
 TEST(Exponential, AiryHasNone) {
   const auto found = exponential_solutions(singularities(RationalFunction(z)));
   ASSERT_TRUE(found.none);
-  EXPECT_TRUE(found.none->combinatorial);
+  EXPECT_TRUE(found.none->obstruction.has_value());
 }
 
 TEST(Exponential, WeberHasOne) { // x^2 + 1: exp(x^2/2)

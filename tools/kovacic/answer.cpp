@@ -189,7 +189,7 @@ private:
     }
     result["recognized"] = known;
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
-    if (result.contains("refused_by_checker")) return tag_disagreement + dump(result);
+    if (result.contains("refused_by_checker")) return message(tag_disagreement, result);
     if (!result.at("undecided").is_null() && !result.contains("contradictory") &&
         decide_for_all(result))
       result["undecided"] = nullptr;
