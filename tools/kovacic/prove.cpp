@@ -123,10 +123,11 @@ int report_system(const Settings& settings, const std::string& file) {
   if (is_theorem_document(document)) return prove(settings, file);
   const System s = read_system(document, parameter_values(settings));
   const auto slash = file.rfind('/');
-  Theorem t{.file = file,
-            .title = s.title,
-            .system = slash == std::string::npos ? file : file.substr(slash + 1),
-            .cite = s.cite};
+  Theorem t;
+  t.file = file;
+  t.title = s.title;
+  t.system = slash == std::string::npos ? file : file.substr(slash + 1);
+  t.cite = s.cite;
   const auto add = [&](NodeKind kind, const std::string& id, const std::string& title,
                        const ParameterValues& where) -> TheoremNode& {
     TheoremNode& n = t.nodes.emplace_back();
