@@ -262,6 +262,9 @@ System read_system(const std::string& path, const ParameterValues& settings) {
   return read_system(read_document(path), settings);
 }
 
-bool is_system_document(const Entry& document) { return document.find("system") != nullptr; }
+bool is_system_document(const Entry& document) {
+  const Entry* system = document.find("system"); // in a theorem file: the name of one
+  return system != nullptr && system->is_table();
+}
 
 } // namespace kov

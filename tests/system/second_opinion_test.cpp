@@ -57,7 +57,7 @@ std::vector<std::string> case_files() {
     for (const auto& entry :
          std::filesystem::directory_iterator(test::in_source(folder)))
       if (entry.path().extension() == ".toml" &&
-          read_document(entry.path().string()).find("system") != nullptr)
+          is_system_document(read_document(entry.path().string())))
         files.push_back(entry.path().string());
   std::sort(files.begin(), files.end());
   return files;

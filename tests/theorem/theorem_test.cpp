@@ -40,7 +40,10 @@ Theorem alone(TheoremNode n, const std::string& directory) {
     n.place.conditions.push_back(direction + " > 0");
     if (!n.families.empty()) n.place.conditions.emplace_back("L2^2 + L3^2 + (2*A - 2*B - C)^2 > 0");
   }
-  Theorem t{.file = directory + "test.toml", .title = "T", .system = n.file};
+  Theorem t;
+  t.file = directory + "test.toml";
+  t.title = "T";
+  t.system = n.file;
   t.nodes.push_back(std::move(n));
   return t;
 }
@@ -336,7 +339,12 @@ std::string unchecked(const TheoremResult& r) {
   return all.empty() ? "" : all.front();
 }
 
-const std::string long_axis = "kind = \"case\"\nfile = \"long_axis.toml\"\n";
+const std::string long_axis = R"x(kind = "case"
+file = "long_axis.toml"
+at = { C = "2*A - 2*B", L2 = "0", L3 = "0", g = "0" }
+if = ["A > B", "3*B > 2*A", "L1 != 0"]
+as = { A = "A/(m*L1^2)", B = "B/(m*L1^2)", M1 = "M1/(m*L1^2)", M2 = "M2/(m*L1^2)", M3 = "M3/(m*L1^2)" }
+)x";
 const std::string in_units = ", units = { m = \"1\", L1 = \"1\" }";
 
 } // namespace
