@@ -17,4 +17,4 @@ include(${CMAKE_CURRENT_LIST_DIR}/kovacicTargets.cmake)
 ]])
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/kovacicConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/kovacicConfig.cmake ${CMAKE_BINARY_DIR}/kovacicConfigVersion.cmake
-        ${PROJECT_SOURCE_DIR}/cmake/FindFlint.cmake ${PROJECT_SOURCE_DIR}/cmake/FindZ3.cmake DESTINATION ${config_dir})
+        ${PROJECT_SOURCE_DIR}/tools/cmake/FindFlint.cmake ${PROJECT_SOURCE_DIR}/tools/cmake/FindZ3.cmake DESTINATION ${config_dir})
