@@ -50,6 +50,23 @@ std::vector<MPoly> relations_in(const VectorField& v, const Indices& variables) 
   return all;
 }
 
+// The coordinate is 0 on the curve, and each function has the value that its meaning has there.
+bool has_values_at_zero(const VectorField& v, const InvariantManifold& m, std::size_t j,
+                        const Group& g) {
+  static const std::map<std::string, int> at_zero{{"sin", 0},  {"cos", 1},  {"tan", 0}, {"exp", 1},
+                                                  {"sinh", 0}, {"cosh", 1}, {"tanh", 0}};
+  const auto value = [&](std::size_t i, int at) {
+    return m.vanishes_on_curve(MFraction::variable(v.ring, i) - MFraction(v.ring, Rational(at)));
+  };
+  return value(v.coordinates[j], 0) &&
+         std::all_of(g.functions.begin(), g.functions.end(), [&](const FunctionSymbol* f) {
+           return std::any_of(at_zero.begin(), at_zero.end(), [&](const auto& known) {
+             return f->meaning == known.first + "(" + v.name(j) + ")" &&
+                    value(f->variable, known.second);
+           });
+         });
+}
+
 // The values of the functions run through an irreducible curve, all of it but the zeros of g, and
 // nothing else says where the coordinate is.
 bool takes_every_value(const VectorField& v, const InvariantManifold& m, std::size_t j,
@@ -76,7 +93,7 @@ bool takes_every_value(const VectorField& v, const InvariantManifold& m, std::si
 std::string unchecked_functions(const VectorField& v, const InvariantManifold& m) {
   Indices free;
   for (const auto& [j, group] : groups_of(v))
-    if (takes_every_value(v, m, j, group))
+    if (takes_every_value(v, m, j, group) || has_values_at_zero(v, m, j, group))
       free.insert(free.end(), group.variables.begin(), group.variables.end());
   Indices others;
   for (const FunctionSymbol& f : v.functions)

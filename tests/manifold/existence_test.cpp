@@ -49,6 +49,23 @@ TEST(Existence, APeriodicFunctionTakesItsValues) {
   EXPECT_EQ(unchecked(system_with(u, v, circle, "", "v*(1 + y^2)")), "");
 }
 
+// The equations say x = 0, and what the functions are there.
+TEST(Existence, AFunctionHasItsValueAtZero) {
+  const auto with = [](const std::string& u, const std::string& v, const std::string& value) {
+    return read_system(parse_document(
+        "[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\"]\n"
+        "relations = [\"u^2 + v^2 = 1\"]\n[system.field]\nx = \"u*y\"\ny = \"v\"\n"
+        "[[system.function]]\nname = \"u\"\nmeans = \"" +
+            u + "\"\nderivative = { x = \"v\" }\n[[system.function]]\nname = \"v\"\nmeans = \"" +
+            v + "\"\nderivative = { x = \"-u\" }\n[[manifold]]\n" +
+            "equations = [\"x = 0\", \"u = 0\", \"v = " + value + "\"]\n",
+        "test.toml"));
+  };
+  EXPECT_EQ(unchecked(with("sin(x)", "cos(x)", "1")), "");
+  EXPECT_EQ(unchecked(with("sin(x)", "cos(x)", "-1")), "u, v"); // cos(0) is 1
+  EXPECT_EQ(unchecked(with("f(x)", "g(x)", "1")), "u, v");
+}
+
 TEST(Existence, AlgebraicFunctionsHaveTheirPoints) {
   const std::string roots = "relations = [\"u^2 = x\", \"v^2 = x + 1\"]\n";
   EXPECT_EQ(unchecked(system_with("derivative = { x = \"1/(2*u)\" }\n",
