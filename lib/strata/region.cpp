@@ -128,21 +128,32 @@ int Region::exact_sign_of(const MPoly& p) const {
 bool Region::is_nonzero(const MPoly& p) const { return !is_zero(p) && !doubtful_factor(p); }
 
 std::optional<MPoly> Region::doubtful_factor(const MPoly& p) const {
+  return doubtful_factor(p, relations_);
+}
+
+std::optional<MPoly> Region::doubtful_factor(const MPoly& p,
+                                             const std::vector<Relation>& unused) const {
   if (is_constant(p)) return std::nullopt;
   for (const auto& f : irreducible_parts(p))
-    if (!contains(nonzero_, f) && !differs_from_relations(f) && !has_no_admissible_root(f) &&
-        sign_of_irreducible(f) == 0)
+    if (!contains(nonzero_, f) && !differs_from_relations(f, unused) &&
+        !has_no_admissible_root(f) && sign_of_irreducible(f) == 0)
       return f;
   return std::nullopt;
 }
 
 // A common zero of f and p is one of their resultant, as the leading coefficient of p has none.
-bool Region::differs_from_relations(const MPoly& f) const {
-  return std::any_of(relations_.begin(), relations_.end(), [&](const Relation& r) {
-    if (!uses(f, r.variable) || !is_small(f)) return false;
+// Each relation is used once: two of them in each other's variables would go round for ever.
+bool Region::differs_from_relations(const MPoly& f, const std::vector<Relation>& unused) const {
+  for (std::size_t i = 0; i < unused.size(); ++i) {
+    const Relation& r = unused[i];
+    if (!uses(f, r.variable) || !is_small(f)) continue;
     const MPoly left = resultant(f, r.p, r.variable);
-    return !is_zero(left) && !doubtful_factor(left);
-  });
+    if (is_zero(left)) continue;
+    std::vector<Relation> others(unused);
+    others.erase(others.begin() + static_cast<long>(i));
+    if (!doubtful_factor(left, others)) return true;
+  }
+  return false;
 }
 
 Region Region::with_relation(const MPoly& p, std::size_t variable, bool assumed) const {

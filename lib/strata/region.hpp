@@ -99,8 +99,12 @@ private:
   /// is).
   [[nodiscard]] bool has_no_admissible_root(const MPoly& p) const;
   [[nodiscard]] bool equations_contradict() const;
-  /// f has no zero in common with one of the relations.
-  [[nodiscard]] bool differs_from_relations(const MPoly& f) const;
+  /// As above, by way of these relations, each of them once.
+  [[nodiscard]] std::optional<MPoly> doubtful_factor(const MPoly& p,
+                                                     const std::vector<Relation>& unused) const;
+  /// f has no zero in common with one of these relations.
+  [[nodiscard]] bool differs_from_relations(const MPoly& f,
+                                            const std::vector<Relation>& unused) const;
   [[nodiscard]] std::variant<Region, Empty> solve(const MPoly& p, std::size_t variable) const;
   /// The conditions whose variables are all real, for Z3.
   [[nodiscard]] std::vector<Condition> real_conditions() const;
