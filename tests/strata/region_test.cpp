@@ -64,6 +64,17 @@ TEST(Region, ARelationStaysIrreducible) {
   EXPECT_TRUE(cusp.doubtful_factor(*cusp.pending()) == x("C").num());
 }
 
+// Resultants with two relations, each in the variable of the other one, must not go round for ever.
+TEST(Region, RelationsInEachOthersVariablesEnd) {
+  const auto cube = [](const MFraction& t) { return t * t * t; };
+  const Region r =
+      Region(ring, {})
+          .with_relation((x("A") * x("A") - cube(x("C")) - number(1)).num(), ring->index("A"), true)
+          .with_relation((x("C") * x("C") - cube(x("A")) - number(2)).num(), ring->index("C"), true);
+  (void)r.doubtful_factor((x("A") + x("C") + number(7)).num());
+  EXPECT_EQ(r.relations().size(), 2U);
+}
+
 TEST(Region, EquationsAreSolvedAndCarriedIntoTheAssumptions) {
   const Region r = positive_bodies();
   const auto there = r.where_zero((x("C") - x("A") + number(1)).num());
