@@ -138,7 +138,14 @@ TEST(NormalSystem, AnEquationTooManyIsLeftOut) {
 TEST(NormalSystem, EquationsAreReadWithoutMultiplicities) {
   const OnManifold s = henon_heiles(R"(["q1^2 = 0", "p1 = 0"])");
   const OnManifold plain = henon_heiles(R"(["q1 = 0", "p1 = 0"])");
-  EXPECT_EQ(normal_system(s.v(), s.m, {}).system.a, normal_system(plain.v(), plain.m, {}).system.a);
+  const auto matrix = [](const OnManifold& x) { // as text: the two files have two rings
+    std::string text;
+    for (const auto& row : normal_system(x.v(), x.m, {}).system.a)
+      for (const auto& entry : row)
+        text += to_string(entry) + "; ";
+    return text;
+  };
+  EXPECT_EQ(matrix(s), matrix(plain));
 }
 
 // c . y is constant for y' = C y, and what is left on its zero level is the original system there.
