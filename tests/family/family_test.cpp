@@ -175,6 +175,15 @@ TEST(Families, WeberIsNeverAbelian) {
   EXPECT_FALSE(any.strata[0].leaf.group.has_value());
 }
 
+// A = C D > 0 says nothing about the sign of C/D: at C = I, D = -I it is -1, and the group is
+// abelian.
+TEST(Families, ASignOfNumTimesDenIsNoneOfTheQuotientWhereDenIsComplex) {
+  const auto answered =
+      answer("(1/9-1)/(4*z^2)-3/(16*(z-1)^2)+(8/9-C/D)/(4*z*(z-1))", "A > 0, A = C*D");
+  for (const auto& s : answered.strata)
+    EXPECT_NE(s.leaf.abelian, Truth::no) << strata::to_string(s.conditions) << s.leaf.reason;
+}
+
 // Generic irrationality says nothing about a reducible family.
 TEST(Families, AReducibleFamilyIsNotCalledNonAbelian) {
   // omega' + omega^2 for omega = a/z + b/(z-1)
