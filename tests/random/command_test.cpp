@@ -230,7 +230,7 @@ std::string shown(const Words& words) {
 TEST(RandomCommands, EndWithADocumentedExitCode) {
   fs::path directory = fs::temp_directory_path() / ("kovacic-attack-" + std::to_string(::getpid()));
   fs::create_directories(directory);
-  random_rounds(60, [&](Random& random) {
+  random_rounds(400, [&](Random& random) {
     const long kind = random.between(0, 5);
     const Words words = kind < 3   ? solve_line(random)
                         : kind < 4 ? family_line(random)
