@@ -264,7 +264,7 @@ TEST(RandomFamilies, UnderNonlinearRelations) {
 
 TEST(RandomFamilies, AtComplexValuesBesideInequalities) {
   compared = 0;
-  random_rounds(50, [](Random& random) {
+  random_rounds(220, [](Random& random) {
     // A is positive; nothing is said of C and D, nor of the sign of the quotient
     struct Given {
       std::string relation, quotient;
@@ -275,23 +275,28 @@ TEST(RandomFamilies, AtComplexValuesBesideInequalities) {
         {"A = C^2+D^2", "A/C^2"}, {"A*C = D", "D/C"},   {"A*C = D^2", "C/D^2"},
         {"C != 0", "A/C"},        {"D > A", "A/C"},     {"A = C-D", "C/D"}};
     const Given given = random.one_of(all);
-    const Texts squares{"1/9", "1/4", "4/9", "1", "1/16", "0", "1/25", "9/4"};
+    const Texts differences{"1/3", "1/2", "1/2", "2/3", "1", "1/4", "0", "1/5", "3/2"};
     const Texts scales{"", "4*", "1/9*", "-", "-4*"};
+    const auto squared = [](const std::string& x) { return "(" + x + ")^2"; };
     const std::string open =
-        random.one_of(squares) + " - (" + random.one_of(scales) + given.quotient + ")";
-    const auto other = [&] { return random.one_of(squares); };
-    std::vector<std::string> three{open, other(), other()};
+        squared(random.one_of(differences)) + " - (" + random.one_of(scales) + given.quotient + ")";
+    const std::string second = random.one_of(differences), third = random.one_of(differences);
+    std::vector<std::string> three{open, squared(second), squared(third)};
     std::shuffle(three.begin(), three.end(), random.bits());
-    const Asked asked{
-        "-r",
-        random.once_in(4)
-            ? replaced(random.one_of(forms), {{'P', open}, {'Q', other()}, {'R', other()}})
-            : replaced(riemann, {{'P', three[0]}, {'Q', three[1]}, {'R', three[2]}}),
-        {"A", "C", "D"},
-        {"A > 0", given.relation}};
+    const Asked asked{"-r",
+                      random.once_in(4)
+                          ? replaced(random.one_of(forms),
+                                     {{'P', open}, {'Q', squared(second)}, {'R', squared(third)}})
+                          : replaced(riemann, {{'P', three[0]}, {'Q', three[1]}, {'R', three[2]}}),
+                      {"A", "C", "D"},
+                      {"A > 0", given.relation}};
     Texts targets;
-    for (const char* special : {"1/4", "1/9", "4/9", "16/9", "4/25", "1", "9/4", "25/4", "0"})
-      targets.push_back("(" + open + ") - " + special);
+    for (const char* finite : {"1/2", "1/3", "4/3", "5/3", "5/4", "7/4", "6/5", "8/5", "0"})
+      targets.push_back("(" + open + ") - " + squared(finite));
+    for (const char* odd : {"1", "-1", "3"}) // where a sum of differences is odd: reducible
+      for (const char* sign : {"+", "-"})
+        targets.push_back("(" + open + ") - " +
+                          squared(odd + ("+(" + second) + ")" + sign + "(" + third + ")"));
     attack(asked, targets, 6, random);
   });
   report();
