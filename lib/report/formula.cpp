@@ -233,11 +233,11 @@ std::string script(const std::string& inner, bool above, Markup m) {
 
 } // namespace
 
-// Greek names, indices, powers and relations inside a sentence are set as such.
+// Greek names, indices, powers and relations inside a sentence are set as such; Z3 is a program.
 std::string prose(const std::string& source, Markup m) {
   if (m == Markup::text) return source;
   static const std::regex piece(
-      R"(\b(Gamma|Omega|lambda|alpha|beta|delta|nu|epsilon|mu|pi)(\d?)(?![A-Za-z])|\b([A-Z])(\d)\b|\^(\([^()]*\)|[A-Za-z0-9]+)|_(ijk|[a-z+-]|\d+)(?![A-Za-z])|(<=|>=|!=|\+-|-\+|->))");
+      R"(\b(Gamma|Omega|lambda|alpha|beta|delta|nu|epsilon|mu|pi)(\d?)(?![A-Za-z])|\b(?!Z3\b)([A-Z])(\d)\b|\^(\([^()]*\)|[A-Za-z0-9]+)|_(ijk|[a-z+-]|\d+)(?![A-Za-z])|(<=|>=|!=|\+-|-\+|->))");
   std::string out;
   std::size_t last = 0;
   for (std::sregex_iterator it(source.begin(), source.end(), piece), end; it != end; ++it) {

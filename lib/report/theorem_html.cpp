@@ -192,18 +192,20 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
 }
 
 std::string counts(const TheoremResult& t) {
-  const auto one = [](std::size_t n, const std::string& what) {
-    return tag("li", tag("b", std::to_string(n)) + " " + what);
+  const auto count = [](std::size_t n, const std::string& one, const std::string& many) {
+    return tag("li", tag("b", std::to_string(n)) + " " + (n == 1 ? one : many));
   };
   return tag("ul",
-             one(t.count(NodeStatus::proved), "steps proved here") +
-                 one(t.identities(), "exact identities checked") +
-                 one(t.certificates(), "certificates accepted") +
-                 one(t.trusted_theorems().size(), "theorems trusted") +
-                 one(t.trusted_steps().size(), "other steps on trust") +
-                 one(t.count(NodeStatus::reasoned), "arguments in words") +
-                 one(t.unchecked_hypotheses().size(), "hypotheses not checked") +
-                 one(t.count(NodeStatus::open), "open") + tag("li", "in " + tag("b", t.time())),
+             count(t.count(NodeStatus::proved), "step proved here", "steps proved here") +
+                 count(t.identities(), "exact identity checked", "exact identities checked") +
+                 count(t.certificates(), "certificate accepted", "certificates accepted") +
+                 count(t.trusted_theorems().size(), "theorem trusted", "theorems trusted") +
+                 count(t.trusted_steps().size(), "other step on trust", "other steps on trust") +
+                 count(t.count(NodeStatus::reasoned), "argument in words", "arguments in words") +
+                 count(t.unchecked_hypotheses().size(), "hypothesis not checked",
+                       "hypotheses not checked") +
+                 count(t.count(NodeStatus::open), "open", "open") +
+                 tag("li", "in " + tag("b", t.time())),
              "class=\"counts\"");
 }
 
@@ -212,9 +214,7 @@ std::string counts(const TheoremResult& t) {
 std::string theorem_html(const TheoremResult& t) {
   std::string trusted;
   for (const std::string& s : t.trusted_theorems())
-    if (!std::any_of(literature().begin(), literature().end(),
-                     [&](const LiteratureTheorem& known) { return known.name == s; }))
-      trusted += tag("li", prose(s, html));
+    if (!is_in_literature(s)) trusted += tag("li", prose(s, html));
   for (const std::string& s : t.trusted_steps())
     trusted += tag("li", prose(s, html));
   for (const std::string& s : t.unchecked_hypotheses())

@@ -157,7 +157,7 @@ std::string theorem_tex(const TheoremResult& t) {
   out += "\\section*{What rests on what}\n" + tree(t);
   out += "\\section*{Trusted}\n\\begin{itemize}\n";
   for (const std::string& s : t.trusted_theorems())
-    out += "\\item " + prose(s, tex) + "\n";
+    if (!is_in_literature(s)) out += "\\item " + prose(s, tex) + "\n"; // else with its hypotheses
   for (const std::string& s : t.trusted_steps())
     out += "\\item " + prose(s, tex) + "\n";
   for (const std::string& s : t.unchecked_hypotheses())

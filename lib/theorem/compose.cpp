@@ -152,6 +152,14 @@ void add_once(std::vector<std::string>& all, const std::string& one) {
   if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
+// "a", "a and b", "a, b and c"
+std::string enumerated(const std::vector<std::string>& all) {
+  std::string text;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == all.size() ? " and " : ", ") + all[i];
+  return text;
+}
+
 std::string joined(const std::vector<std::string>& all, const std::string& between) {
   std::string text;
   for (const std::string& s : all)
@@ -277,7 +285,8 @@ void state(NodeResult& n, const System& whole, const std::string& file, bool has
   n.statement =
       (assumed.empty() ? "The" : "Let " + joined(assumed, ", ") + ". The") + " system of " + file;
   if (!n.region.conditions.empty()) n.statement += ", where " + text_of(n.region) + ",";
-  n.statement += " is not integrable with first integrals that are " + joined(n.excluded, ", and ");
+  n.statement += " is not integrable with first integrals that are ";
+  n.statement += (n.excluded.size() > 1 ? "at once " : "") + enumerated(n.excluded);
   if (!n.integrals.empty())
     n.statement += ", except possibly in these cases" +
                    std::string(has_symmetries ? " and their images under the symmetries" : "") +

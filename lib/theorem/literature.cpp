@@ -100,4 +100,9 @@ const LiteratureTheorem* literature_theorem(const std::string& id) {
   return found == all.end() ? nullptr : &*found;
 }
 
+bool is_in_literature(const std::string& name) {
+  return std::any_of(literature().begin(), literature().end(),
+                     [&](const LiteratureTheorem& known) { return known.name == name; });
+}
+
 } // namespace kov

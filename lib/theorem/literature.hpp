@@ -36,5 +36,7 @@ struct LiteratureTheorem {
 [[nodiscard]] const std::vector<LiteratureTheorem>& literature();
 /// Nothing if there is no theorem of this id.
 [[nodiscard]] const LiteratureTheorem* literature_theorem(const std::string& id);
+/// Whether a theorem of that name stands in literature().
+[[nodiscard]] bool is_in_literature(const std::string& name);
 
 } // namespace kov
