@@ -59,5 +59,6 @@ private:
 
 /// A certificate of the format kovacic-certificate/1 inside other data.
 [[nodiscard]] Certificate read_certificate(const Node& n);
+[[nodiscard]] Json to_json(const Certificate& c);
 
 } // namespace kov::certify

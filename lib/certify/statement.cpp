@@ -134,7 +134,7 @@ private:
   [[nodiscard]] std::string given() const {
     std::vector<std::string> all;
     for (const Condition& x : c_.assumptions)
-      once(all, to_string(x.f) + relation(x.sign));
+      once(all, to_string(x.p) + relation(x.sign));
     for (const auto& [value, integral] : c_.memberships)
       once(all, "(" + to_string(value.num) + ")/(" + to_string(value.den) + ") " +
                     (integral ? "in Z" : "not in Z"));

@@ -1,21 +1,24 @@
 #pragma once
-// The certificate format kovacic-strata/1 as plain data, with its JSON reader: a tree of strata of
-// parameter values, each leaf with its own proof.  docs/theory/strata_certificates.md defines every
-// entry (numbers in comments are its sections); strata_check.hpp is the judge.  Nothing here is
-// checked beyond syntax and the limits of section 2.
+// The certificate format kovacic-strata/1 as plain data, with its JSON reader and writer: a tree of
+// strata of parameter values, each leaf with its own proof.  docs/theory/strata_certificates.md
+// defines every entry (numbers in comments are its sections); strata_check.hpp is the judge.
+// Nothing here is checked beyond syntax and the limits of section 2.
 
 #include "certify/certificate.hpp"
 #include "exact/multivariate.hpp"
 
+#include <cstdint>
 #include <memory>
 
 namespace kov::certify {
 
-enum class Sign { positive, nonnegative, nonzero, zero, dropped };
+/// dropped: an inequality that a substitution made useless.
+enum class Sign : std::uint8_t { positive, nonnegative, nonzero, zero, dropped };
 
 struct Condition {
-  MPoly f;
+  MPoly p;
   Sign sign = Sign::nonzero;
+  friend bool operator==(const Condition&, const Condition&) = default;
 };
 
 struct Fraction {
@@ -38,9 +41,9 @@ struct EvenPower { ///< base^(2e)
   MPoly base;
   unsigned long e = 1;
 };
-struct LemmaTerm {
-  Rational c;
-  std::vector<std::variant<ConditionPower, EvenPower>> factors;
+struct LemmaTerm { ///< c > 0 times powers that are not negative
+  Rational c{1};
+  std::vector<std::variant<ConditionPower, EvenPower>> factors{};
 };
 /// The value that a membership would have and has not.
 struct Violation {
@@ -49,11 +52,11 @@ struct Violation {
 };
 struct Lemma { ///< p times = sum of the terms; without terms: p times is known to be nonzero
   MPoly p;
-  std::optional<MPoly> times;
+  std::optional<MPoly> times{};
   bool positive = false;
-  std::optional<std::vector<LemmaTerm>> terms;
-  std::optional<Violation> violation; ///< where p = 0
-  std::optional<mp_limb_t> prime;     ///< modulo which p has no root
+  std::optional<std::vector<LemmaTerm>> terms{};
+  std::optional<Violation> violation{}; ///< where p = 0
+  std::optional<mp_limb_t> prime{};     ///< modulo which p has no root
 };
 
 // ---- 6, 7: what a leaf proves and from what
@@ -73,12 +76,12 @@ struct ByInvariant { ///< v = p prod q^e solves Sym^m
 };
 
 struct StratumPlace {
-  std::optional<MPoly> q; ///< unset at infinity
-  long order = 0;         ///< as stated; at infinity it is computed
-  std::vector<MPoly> chi; ///< empty: not given
-  std::optional<std::string> irrational;
+  std::optional<MPoly> q{}; ///< unset at infinity
+  long order = 0;           ///< as stated; at infinity it is computed
+  std::vector<MPoly> chi{}; ///< empty: not given
+  std::optional<std::string> irrational{};
   bool log = false;
-  std::optional<Rational> bound;
+  std::optional<Rational> bound{};
 };
 struct Minor {
   std::vector<long> rows;
@@ -103,11 +106,11 @@ struct StrataNode;
 using Subtree = std::unique_ptr<const StrataNode>;
 
 struct EmptyStratum {
-  std::optional<std::vector<LemmaTerm>> terms;
-  std::optional<Violation> violation;
+  std::optional<std::vector<LemmaTerm>> terms{};
+  std::optional<Violation> violation{};
 };
 struct OutsideStratum {
-  std::optional<std::size_t> generic;
+  std::optional<std::size_t> generic{};
 };
 struct OpenStratum {
   std::string reason;
@@ -156,7 +159,8 @@ struct StrataNode {
 };
 
 struct StrataCertificate {
-  Ring ring; ///< the variable z has the index 0, the parameters follow
+  Ring ring;                  ///< of z and the parameters
+  std::size_t variable = 0;   ///< z: the reader puts it first, and the checker takes no other place
   std::vector<bool> real;     ///< by variable; the rational ones among them
   std::vector<bool> rational; ///< by variable
   std::vector<Condition> assumptions;
@@ -174,6 +178,9 @@ struct StrataCertificate {
 /// Throws InvalidArgument (one sentence, with the path of the offending entry) on anything that is
 /// not a certificate of this format or exceeds its limits.
 [[nodiscard]] StrataCertificate read_strata_certificate(std::string_view text);
+
+/// What read_strata_certificate() reads.
+[[nodiscard]] std::string write_strata_certificate(const StrataCertificate& c);
 
 /// A polynomial in the notation of section 2; Throws InvalidArgument with what is wrong.
 [[nodiscard]] MPoly read_polynomial(const Ring& ring, std::string_view text);

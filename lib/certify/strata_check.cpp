@@ -68,8 +68,8 @@ private:
     s.need_parameters(n.p);
     need(!is_constant(n.p), "the polynomial is constant");
     const Condition& c = s.condition(n.condition);
-    need(c.sign == Sign::zero && !is_zero(c.f), "the condition is no equation");
-    MPoly rest = s.stripped(c.f);
+    need(c.sign == Sign::zero && !is_zero(c.p), "the condition is no equation");
+    MPoly rest = s.stripped(c.p);
     const MPoly base = primitive(n.p);
     bool divided = false;
     while (const auto q = is_constant(rest) ? std::nullopt : arithmetic_.quotient(rest, base)) {
@@ -227,7 +227,7 @@ private:
     }
     const Condition& c = s.condition(std::get<ConditionPower>(x).condition);
     need(c.sign == Sign::positive || c.sign == Sign::nonnegative, "the condition has no sign");
-    return c.f;
+    return c.p;
   }
   static bool is_positive(const Factor& x, const Stratum& s) {
     const auto* c = std::get_if<ConditionPower>(&x);
@@ -248,6 +248,7 @@ private:
 } // namespace
 
 std::variant<StrataAccepted, Rejected> check_strata(const StrataCertificate& c) {
+  if (c.variable != 0) return Rejected{"", "the variable is not the first one of the ring"};
   Walk walk(c);
   try {
     return walk();

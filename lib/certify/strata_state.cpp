@@ -41,8 +41,8 @@ Stratum::Stratum(const StrataCertificate& c, Arithmetic& arithmetic)
       conditions_(c.assumptions), memberships_(c.memberships), generic_(c.generic), r_(c.r) {
   left_[0] = false;
   for (const Condition& f : conditions_) {
-    need_parameters(f.f);
-    if (f.sign == Sign::positive || f.sign == Sign::nonzero) add_nonzero(f.f);
+    need_parameters(f.p);
+    if (f.sign == Sign::positive || f.sign == Sign::nonzero) add_nonzero(f.p);
   }
   for (const Membership& m : memberships_) {
     need_parameters(m.value.num);
@@ -118,8 +118,8 @@ bool Stratum::known_positive(const MPoly& p) const {
   const MPoly f = primitive(p);
   return std::any_of(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
     if (c.sign != Sign::positive) return false;
-    arithmetic_->charge(1 + static_cast<double>(c.f.length()));
-    return primitive(c.f) == f;
+    arithmetic_->charge(1 + static_cast<double>(c.p.length()));
+    return primitive(c.p) == f;
   });
 }
 
@@ -139,8 +139,8 @@ void Stratum::add_nonzero(const MPoly& p) {
 bool Stratum::plainly_empty() const {
   return std::any_of(nonzero_.begin(), nonzero_.end(), [](const MPoly& f) { return is_zero(f); }) ||
          std::any_of(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
-           return (c.sign == Sign::positive && is_zero(c.f)) ||
-                  (c.sign == Sign::zero && known_nonzero(c.f));
+           return (c.sign == Sign::positive && is_zero(c.p)) ||
+                  (c.sign == Sign::zero && known_nonzero(c.p));
          });
 }
 
@@ -175,12 +175,12 @@ void Stratum::solve(const MPoly& p, const SolvedStratum& how) {
 void Stratum::replace_conditions(std::size_t x, const Root& root) {
   const bool real = all_real(root.slope());
   for (Condition& c : conditions_) {
-    const long n = degree(c.f, x);
+    const long n = degree(c.p, x);
     if (n <= 0 || c.sign == Sign::dropped) continue;
     const bool ordered = c.sign == Sign::positive || c.sign == Sign::nonnegative;
-    c.f = root(c.f, x, ordered && real ? n + n % 2 : n);
+    c.p = root(c.p, x, ordered && real ? n + n % 2 : n);
     if (!ordered || real) continue;
-    if (c.sign == Sign::positive) add_nonzero(c.f);
+    if (c.sign == Sign::positive) add_nonzero(c.p);
     c.sign = Sign::dropped;
   }
 }
@@ -227,7 +227,7 @@ double Stratum::size() const {
   double n = 1;
   const auto add = [&](const MPoly& f) { n += 4 + static_cast<double>(f.length()); };
   for (const Condition& c : conditions_)
-    add(c.f);
+    add(c.p);
   for (const MPoly& f : nonzero_)
     add(f);
   for (const Membership& m : memberships_) {

@@ -1,7 +1,6 @@
 // Certificate -> JSON, keys in the order of docs/theory/certificates.md.
 
-#include "certify/certificate.hpp"
-#include "certify/json.hpp"
+#include "certify/json_node.hpp"
 
 namespace kov::certify {
 
@@ -179,7 +178,7 @@ std::string rule_name(const Rule& rule) {
                     rule);
 }
 
-std::string write_certificate(const Certificate& c) {
+Json to_json(const Certificate& c) {
   Json::Array steps;
   for (const Step& s : c.steps) {
     Json::Array premises;
@@ -191,12 +190,13 @@ std::string write_certificate(const Certificate& c) {
                       {"premises", {premises}},
                       {"data", std::visit([](const auto& x) { return data(x); }, s.rule)}}});
   }
-  return to_string(
-      Json{Json::Object{{"format", text("kovacic-certificate/1")},
-                        {"field", field(*c.field)},
-                        {"r", {Json::Object{{"num", poly(c.num)}, {"den", poly(c.den)}}}},
-                        {"claim", claim(c.claim)},
-                        {"steps", {steps}}}});
+  return {Json::Object{{"format", text("kovacic-certificate/1")},
+                       {"field", field(*c.field)},
+                       {"r", {Json::Object{{"num", poly(c.num)}, {"den", poly(c.den)}}}},
+                       {"claim", claim(c.claim)},
+                       {"steps", {steps}}}};
 }
+
+std::string write_certificate(const Certificate& c) { return to_string(to_json(c)); }
 
 } // namespace kov::certify

@@ -5,6 +5,7 @@
 
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
+#include "strata/words.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -137,7 +138,7 @@ void except_where_invalid(const System& s, const CheckOptions& options, BlockRep
   if (s.field.constants.empty()) {
     decide_parameters(s, options, block);
     const auto& all = block.strata->strata;
-    if (all.size() == 1 && !all.front().leaf.no_equation && block.strata->unvisited.empty()) {
+    if (all.size() == 1 && !all.front().leaf.no_equation() && block.strata->unvisited.empty()) {
       block.strata.reset(); // valid for all parameters
       block.abelian = block.decision->abelian;
     } else {
@@ -314,7 +315,7 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
     if (block.decision) report.reasons.push_back("block (" + name + "): " + block.decision->reason);
     if (block.strata)
       for (const auto& x : block.strata->strata)
-        report.reasons.push_back("where " + strata::to_string(x.conditions) + ": " + x.leaf.reason);
+        report.reasons.push_back("where " + strata::to_string(x.conditions) + ": " + strata::reason(x.leaf));
     for (const auto& e : block.energies)
       if (e.decision) report.reasons.push_back("at " + e.condition + ": " + e.decision->reason);
   }
@@ -338,7 +339,7 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
         report.function_class = first_integral_class(*e.r);
     for (const auto* answer : strata_of(block))
       for (const auto& x : answer->strata)
-        if (x.leaf.abelian == Truth::no && x.leaf.irregular)
+        if (x.leaf.abelian == Truth::no && strata::has_irregular_place(x.leaf))
           report.function_class = "meromorphic also at the points at infinity of the phase curve";
   }
   if (report.verdict != VerdictKind::non_integrable) return;

@@ -89,9 +89,9 @@ std::optional<strata::Stratum> without_level(const strata::Question& q, const MP
     if (is_constant(c) || !all.doubtful_factor(c)) return std::nullopt;
     nowhere.conditions.push_back({c, strata::Sign::zero});
   }
-  nowhere.leaf.no_equation = true;
-  nowhere.leaf.open_condition = "there is no level " + name + " with " + to_string(f) + " = 0";
-  nowhere.leaf.reason = "undecided: " + nowhere.leaf.open_condition;
+  nowhere.leaf = strata::open_leaf(
+      strata::NoEquation{strata::NoEquation::Why::no_level,
+                         "there is no level " + name + " with " + to_string(f) + " = 0"});
   return nowhere;
 }
 

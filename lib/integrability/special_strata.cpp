@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
+#include "strata/decide_leaf.hpp"
 
 #include <algorithm>
 
@@ -35,8 +36,8 @@ std::vector<Stratum> inside(const Stratum& outer, const BlockReport& block) {
     }
   }
   for (auto& x : all)
-    x.leaf.reason = "with the equation for the variation of " + block.ode->unknown +
-                    ", r = " + to_factored_string(block.ode->r) + ": " + x.leaf.reason;
+    x.leaf.because.insert(x.leaf.because.begin(),
+                          strata::OfEquation{block.ode->unknown, block.ode->r});
   return all;
 }
 
@@ -62,7 +63,8 @@ std::string names_of(const BlockReport& block) {
 Stratum whole(const Stratum& x, Truth abelian, const std::string& why) {
   Stratum same{x.conditions, {}, x.solved};
   same.leaf.abelian = abelian;
-  same.leaf.reason = "the normal system has other blocks here" + why;
+  same.leaf.by = strata::Conclusion::other_blocks;
+  same.leaf.because.emplace_back(strata::OtherBlocks{why});
   return same;
 }
 
@@ -88,8 +90,7 @@ Truth of_new_blocks(const ManifoldReport& here, const std::vector<BlockReport>& 
 // Abelian blocks that are not all of the variational equations here.
 void leave_open(Stratum& x, const std::string& not_studied) {
   x.leaf.abelian = Truth::unknown;
-  x.leaf.open_condition = not_studied;
-  x.leaf.reason += "; " + not_studied;
+  x.leaf.open = strata::NotStudied{not_studied};
 }
 
 // The strata inside x when the block is still one there.
@@ -158,7 +159,7 @@ void decide_special_strata(const System& s, const ManifoldSpec& spec,
   std::vector<Stratum> all;
   for (auto& x : answer.strata) {
     std::vector<Stratum> parts;
-    if (x.leaf.no_equation && !x.solved.empty())
+    if (x.leaf.no_equation() && !x.solved.empty())
       parts = again(s, spec, claims, options, generic, unknowns, x, answer);
     if (parts.empty()) parts.push_back(std::move(x));
     std::move(parts.begin(), parts.end(), std::back_inserter(all));

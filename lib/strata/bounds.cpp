@@ -48,27 +48,18 @@ InvariantBound invariant_bound(const Scheme& s, long m) {
   InvariantBound bound;
   InvariantForm form;
   form.m = m;
-  const auto refuse = [&](const ParametricPlace& p) {
-    bound.degree = -1;
-    bound.why =
-        "at " + place_name(p, s.z) + " no exponent of Sym^" + std::to_string(m) + " is an integer";
-    return bound;
-  };
   const auto tau = exponent(s.infinity, m);
-  if (!tau) return refuse(s.infinity);
+  if (!tau) return {.no_exponent = s.finite.size()};
   Rational d = *tau;
-  for (const auto& p : s.finite) {
-    const auto e = exponent(p, m);
-    if (!e) return refuse(p);
-    d -= *e * Rational(p.degree(s.z));
+  for (PlaceIndex i = 0; i < s.finite.size(); ++i) {
+    const auto e = exponent(s.finite[i], m);
+    if (!e) return {.no_exponent = i};
+    d -= *e * Rational(s.finite[i].degree(s.z));
     form.e.push_back(to_long(e->num()));
   }
   bound.degree = to_long(d.num());
   form.degree = bound.degree;
-  if (bound.degree >= 0)
-    bound.form = std::move(form);
-  else
-    bound.why = "D_" + std::to_string(m) + " = " + to_string(d) + " < 0";
+  if (bound.degree >= 0) bound.form = std::move(form);
   return bound;
 }
 
@@ -194,6 +185,13 @@ Families exponential_families(const Scheme& s, const ParametricPlace& open) {
 }
 Families exponential_families(const Scheme& s) {
   return families(s, nullptr, Rational(0), exponential_choices);
+}
+
+Integer common_denominator(const Scheme& s) {
+  Integer n(2);
+  for (const auto& p : s.finite)
+    n = lcm(n, ((Rational(1) + p.delta) * half).den());
+  return n;
 }
 
 Families product_families(const Scheme& s, const ParametricPlace& open) {

@@ -8,10 +8,13 @@
 namespace kov::strata {
 
 struct InvariantBound {
-  std::optional<InvariantForm> form; ///< unset: no invariant, because of `why`
-  long degree = 0;                   ///< D_m, also when negative
-  std::string why;
+  std::optional<InvariantForm> form{};     ///< unset: no invariant
+  std::optional<PlaceIndex> no_exponent{}; ///< of Sym^m is an integer there; or
+  long degree = 0;                         ///< D_m is negative
 };
+/// Invariants with more unknowns are not looked for.
+inline constexpr long most_unknowns = 40;
+
 /// m even.  An open exponent difference is taken as one with no multiple j Delta, 0 < j <= m/2, in
 /// Z: what holds for it holds for those only.
 [[nodiscard]] InvariantBound invariant_bound(const Scheme& s, long m);
@@ -37,6 +40,9 @@ struct Families {
 [[nodiscard]] Families exponential_families(const Scheme& s, const ParametricPlace& open);
 /// No exponent is open: d = fixed.
 [[nodiscard]] Families exponential_families(const Scheme& s);
+/// The least even n that makes y^n rational for every exponential solution y.  Requires that all
+/// exponent differences are rational constants.
+[[nodiscard]] Integer common_denominator(const Scheme& s);
 [[nodiscard]] Families product_families(const Scheme& s, const ParametricPlace& open);
 
 } // namespace kov::strata

@@ -3,34 +3,26 @@
 #include "certify/strata_check.hpp"
 #include "exact/error.hpp"
 #include "strata/leaf_certificate.hpp"
+#include "strata/words.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace kov::strata {
 namespace {
 
-using certify::Json;
+using certify::EmptyStratum;
+using certify::Fraction;
+using certify::OpenStratum;
+using certify::OutsideStratum;
+using certify::StrataNode;
+using certify::Subtree;
+using certify::TrustedStratum;
+using certify::WhereZero;
 using Kind = ProofTree::Kind;
 
-Json text(const std::string& s) { return Json{s}; }
-Json text(const MPoly& p) { return Json{to_string(p)}; }
-Json text(std::size_t n) { return Json{std::to_string(n)}; }
-
-const char* name_of(Sign s) {
-  switch (s) {
-  case Sign::zero:
-    return "zero";
-  case Sign::nonzero:
-    return "nonzero";
-  case Sign::positive:
-    return "positive";
-  default:
-    return "nonnegative";
-  }
+template <class Node> Subtree node_of(Node n) {
+  return std::make_unique<const StrataNode>(StrataNode{std::move(n)});
 }
-
-const char* name_of(Truth t) { return t == Truth::yes ? "yes" : "no"; }
 
 std::vector<std::vector<MPoly>> groups(const Question& q) {
   std::vector<std::vector<MPoly>> all;
@@ -48,21 +40,12 @@ bool is_identifier(const std::string& name) {
                      [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
-// r on the stratum, as the judge rewrites it.
-struct Fraction {
-  MPoly num, den; ///< den = 0: r has no value
-};
-
-Json to_json(const Fraction& r) {
-  return Json{Json::Object{{"num", text(r.num)}, {"den", text(r.den)}}};
-}
-
 struct State {
   KnownFacts facts;
-  Fraction r;
+  Fraction r; ///< on the stratum, as the checker rewrites it; den = 0: r has no value
 };
 
-// What the judge has against the text.
+// What the checker has against the text.
 std::optional<certify::Rejected> refused(const std::string& json) {
   try {
     const auto opinion = certify::check_strata(certify::read_strata_certificate(json));
@@ -82,43 +65,13 @@ public:
       if (!is_identifier(name))
         throw InvalidArgument("the format has no algebraic constants like " + name +
                               " beside parameters");
-    const State root{KnownFacts(q_.r.ring(), q_.assumptions, groups(q_)), {q_.r.num(), q_.r.den()}};
-    Json tree = node(*a_.tree, root);
-    Json::Array parameters;
-    const auto& names = q_.r.ring()->names();
-    for (std::size_t i = 0; i < names.size(); ++i)
-      if (i != q_.z) parameters.push_back(text(names[i]));
-    const auto listed = [&](const std::vector<std::size_t>& some) {
-      Json::Array all;
-      for (const std::size_t i : std::set<std::size_t>(some.begin(), some.end()))
-        all.push_back(text(names[i]));
-      return all;
-    };
-    Json::Array assumptions;
-    for (const auto& c : q_.assumptions.conditions)
-      assumptions.push_back(Json{Json::Object{{"p", text(c.p)}, {"sign", text(name_of(c.sign))}}});
-    Json::Array generic;
-    for (const auto& g : q_.generic) {
-      Json::Array group;
-      for (const auto& p : g.not_all_zero)
-        if (!is_zero(p)) group.push_back(text(p));
-      generic.push_back(Json{std::move(group)});
-    }
-    Json claim;
-    if (said_.size() == 1 && !open_) claim = Json{said_.front() == Truth::yes};
-    Json::Object whole{{"format", text("kovacic-strata/1")},
-                       {"variable", text(names[q_.z])},
-                       {"parameters", Json{std::move(parameters)}},
-                       {"real", Json{listed(q_.assumptions.real)}},
-                       {"assumptions", Json{std::move(assumptions)}},
-                       {"generic", Json{std::move(generic)}},
-                       {"r", to_json(root.r)},
-                       {"claim", Json{Json::Object{{"abelian", std::move(claim)}}}},
-                       {"tree", std::move(tree)}};
-    if (!q_.assumptions.rational.empty())
-      whole.emplace_back("rational", Json{listed(q_.assumptions.rational)});
-    if (!q_.assumptions.memberships.empty()) whole.emplace_back("memberships", memberships());
-    result_.json = certify::to_string(Json{std::move(whole)});
+    whole_.ring = q_.r.ring();
+    whole_.variable = q_.z;
+    whole_.r = {q_.r.num(), q_.r.den()};
+    take_assumptions();
+    whole_.tree = node(*a_.tree, {KnownFacts(q_.r.ring(), q_.assumptions, groups(q_)), whole_.r});
+    if (said_.size() == 1 && !open_) whole_.abelian = said_.front() == Truth::yes;
+    result_.json = certify::write_strata_certificate(whole_);
     result_.says_anything = !said_.empty();
     if (const auto no = refused(result_.json)) {
       result_.refusal = (no->step.empty() ? "" : no->step + ": ") + no->why;
@@ -128,47 +81,55 @@ public:
   }
 
 private:
-  [[nodiscard]] Json memberships() const {
-    Json::Array all;
+  void take_assumptions() {
+    const auto marked = [&](const std::vector<std::size_t>& some) {
+      std::vector<bool> all(q_.r.ring()->size(), false);
+      for (const std::size_t i : some)
+        all[i] = true;
+      return all;
+    };
+    whole_.real = marked(q_.assumptions.real);
+    whole_.rational = marked(q_.assumptions.rational);
+    whole_.assumptions = q_.assumptions.conditions;
     for (const auto& [value, integral] : q_.assumptions.memberships) {
-      const MPoly num = value.num();
-      const MPoly den = value.den();
-      KOV_ENSURE(MFraction(num) / MFraction(den) == value);
-      all.push_back(
-          Json{Json::Object{{"num", text(num)}, {"den", text(den)}, {"integral", Json{integral}}}});
+      const Fraction f{value.num(), value.den()};
+      KOV_ENSURE(MFraction(f.num) / MFraction(f.den) == value);
+      whole_.memberships.push_back({f, integral});
     }
-    return Json{std::move(all)};
+    whole_.generic = groups(q_);
+    for (auto& group : whole_.generic)
+      std::erase_if(group, [](const MPoly& p) { return is_zero(p); });
   }
 
   void say(Truth t) {
     if (std::find(said_.begin(), said_.end(), t) == said_.end()) said_.push_back(t);
   }
 
-  static Json with_lemmas(const std::vector<Lemma>& lemmas, Json then) {
+  static Subtree with_lemmas(std::vector<Lemma> lemmas, Subtree then) {
     if (lemmas.empty()) return then;
-    Json::Array all;
-    for (const auto& l : lemmas)
-      all.push_back(strata::to_json(l));
-    return Json{Json::Object{
-        {"node", text("lemmas")}, {"lemmas", Json{std::move(all)}}, {"then", std::move(then)}}};
+    return node_of(certify::LemmasNode{std::move(lemmas), std::move(then)});
   }
 
-  // key: "node" or "zero", by the place of the object.
-  Json open(const char* key, const std::string& why) {
+  OpenStratum open(const std::string& why) {
     open_ = true;
-    return Json{Json::Object{{key, text("open")}, {"reason", text(why)}}};
+    return {why};
   }
-  Json trusted(const char* key, const char* abelian, const std::string& theorem,
-               const std::string& why) {
+  TrustedStratum trusted(const char* abelian, const std::string& theorem, Gap gap,
+                         const std::string& why) {
     ++result_.trusted;
     result_.uncertified.push_back(theorem + ": " + why);
-    return Json{Json::Object{{key, text("trusted")},
-                             {"abelian", text(abelian)},
-                             {"theorem", text(theorem)},
-                             {"statement", text(why)}}};
+    result_.gaps.push_back(gap);
+    return {abelian, theorem, why};
+  }
+  TrustedStratum trusted(const Leaf& leaf, const NoProof& why) {
+    return trusted(leaf.abelian == Truth::yes ? "yes" : "no", "the solver", why.gap,
+                   reason(leaf) + " (" + why.what() + ")");
+  }
+  TrustedStratum trusted_empty(const ProofTree& t) {
+    return trusted("empty", "Z3", Gap::emptiness, t.why);
   }
 
-  Json node(const ProofTree& t, State state) {
+  Subtree node(const ProofTree& t, State state) {
     budget_.check();
     switch (t.kind) {
     case Kind::split:
@@ -177,63 +138,55 @@ private:
     case Kind::leaf:
       return leaf(t, std::move(state));
     case Kind::empty:
-      return empty("node", t, state);
+      return empty(t, state);
     default:
-      return open("node", t.why);
+      return node_of(open(t.why));
     }
   }
 
-  Json leaf(const ProofTree& t, State state) {
+  Subtree leaf(const ProofTree& t, State state) {
     const Leaf& l = *t.leaf;
-    if (l.no_equation) {
-      if (auto outside = no_points(state)) return *std::move(outside);
-      return open("node", l.open_condition);
-    }
-    if (l.abelian == Truth::unknown) return open("node", l.open_condition);
+    if (l.no_equation())
+      if (auto outside = no_points(state)) return node_of(*outside);
+    if (l.abelian == Truth::unknown) return node_of(open(open_condition(l)));
     say(l.abelian);
     std::vector<Lemma> lemmas;
     try {
       const MFraction r(state.r.num, state.r.den);
-      Json n = leaf_certificate(l, r, q_.z, *t.region, state.facts, lemmas, budget_);
-      return with_lemmas(lemmas, std::move(n));
+      auto n = leaf_certificate(l, r, *t.region, state.facts, lemmas, budget_);
+      return with_lemmas(std::move(lemmas), node_of(std::move(n)));
     } catch (const NoProof& why) {
-      return trusted("node", name_of(l.abelian), "the solver", l.reason + " (" + why.what() + ")");
+      return node_of(trusted(l, why));
     }
   }
 
   // No admitted points: r has no value, or all polynomials of a group are 0.
-  [[nodiscard]] static std::optional<Json> no_points(const State& state) {
-    Json::Object o{{"node", text("outside")}};
-    if (is_zero(state.r.den)) return Json{std::move(o)};
+  [[nodiscard]] static std::optional<OutsideStratum> no_points(const State& state) {
+    if (is_zero(state.r.den)) return OutsideStratum{};
     const auto& generic = state.facts.generic();
     for (std::size_t i = 0; i < generic.size(); ++i)
       if (std::all_of(generic[i].begin(), generic[i].end(),
-                      [](const MPoly& p) { return is_zero(p); })) {
-        o.emplace_back("generic", text(i));
-        return Json{std::move(o)};
-      }
+                      [](const MPoly& p) { return is_zero(p); }))
+        return OutsideStratum{i};
     return std::nullopt;
   }
 
-  Json split(const ProofTree& t, State state) {
-    std::vector<Lemma> lemmas;
-    Json::Object o;
-    if (t.kind == Kind::split) {
-      o = {{"node", text("split")}, {"p", text(t.p)}};
-    } else {
-      const auto i = assumed(t.p, state.facts);
-      if (!i) return open("node", "an assumed equation is not recognised");
-      o = {{"node", text("assumed")}, {"condition", text(*i)}, {"p", text(t.p)}};
-    }
+  Subtree split(const ProofTree& t, State state) {
+    const bool both = t.kind == Kind::split;
+    const auto condition = both ? std::nullopt : assumed(t.p, state.facts);
+    if (!both && !condition) return node_of(open("an assumed equation is not recognised"));
     // what the branches need is proved before the split
+    std::vector<Lemma> lemmas;
     const auto x = solvable(t, state.facts, lemmas);
-    if (t.kind == Kind::split) {
-      State other(state);
-      other.facts.assume_nonzero(t.p);
-      o.emplace_back("nonzero", node(*t.nonzero, std::move(other)));
-    }
-    o.emplace_back("zero", zero(t, std::move(state), x));
-    return with_lemmas(lemmas, Json{std::move(o)});
+    if (!both)
+      return with_lemmas(std::move(lemmas), node_of(certify::AssumedNode{
+                                                *condition, t.p, zero(t, std::move(state), x)}));
+    State other(state);
+    other.facts.assume_nonzero(t.p);
+    Subtree nonzero = node(*t.nonzero, std::move(other));
+    return with_lemmas(
+        std::move(lemmas),
+        node_of(certify::SplitNode{t.p, std::move(nonzero), zero(t, std::move(state), x)}));
   }
 
   // The condition from which p = 0 follows.
@@ -265,85 +218,80 @@ private:
     return std::nullopt;
   }
 
-  Json zero(const ProofTree& t, State state, const std::optional<std::size_t>& x) {
+  WhereZero zero(const ProofTree& t, State state, const std::optional<std::size_t>& x) {
     const ProofTree& there = *t.zero;
     if (there.kind == Kind::root) return root(there, state);
     if (there.kind == Kind::related)
-      return open("zero", "the format has no rule for an equation that is not solved");
+      return open("the format has no rule for an equation that is not solved");
     if (!x) {
-      if (there.kind == Kind::empty) return trusted("zero", "empty", "Z3", there.why);
-      return open("zero", "division by a polynomial without an exact proof that it is not 0");
+      if (there.kind == Kind::empty) return trusted_empty(there);
+      return open("division by a polynomial without an exact proof that it is not 0");
     }
-    const auto line = coefficients(t.p, *x);
-    const long n = std::max({0L, degree(state.r.num, *x), degree(state.r.den, *x)});
-    const Fraction r{on_line(state.r.num, *x, line[1], line[0], n),
-                     on_line(state.r.den, *x, line[1], line[0], n)};
+    certify::SolvedStratum solved;
+    solved.variable = *x;
+    solved.r = substituted(state.r, coefficients(t.p, *x), *x);
     state.facts.solve(t.p, *x);
-    Json::Object o{{"zero", text("solve")}, {"variable", text(q_.r.ring()->name(*x))}};
-    state.r = r;
-    if (!is_zero(r.den)) {
-      const MFraction reduced(r.num, r.den);
-      state.r = {reduced.num(), reduced.den()};
-      o.emplace_back("r", to_json(state.r));
-    }
-    Json then =
-        there.kind == Kind::empty ? empty("node", there, state) : node(there, std::move(state));
-    o.emplace_back("then", std::move(then));
-    return Json{std::move(o)};
+    state.r = *solved.r;
+    if (is_zero(solved.r->den)) solved.r.reset();
+    solved.then = there.kind == Kind::empty ? empty(there, state) : node(there, std::move(state));
+    return solved;
   }
 
-  Json empty(const char* key, const ProofTree& t, const State& state) {
-    Json plain{Json::Object{{key, text("empty")}}};
+  // r where line[1] x + line[0] = 0.
+  static Fraction substituted(const Fraction& r, const std::vector<MPoly>& line, std::size_t x) {
+    const long n = std::max({0L, degree(r.num, x), degree(r.den, x)});
+    Fraction f{on_line(r.num, x, line[1], line[0], n), on_line(r.den, x, line[1], line[0], n)};
+    if (is_zero(f.den)) return f;
+    const MFraction reduced(f.num, f.den);
+    return {reduced.num(), reduced.den()};
+  }
+
+  Subtree empty(const ProofTree& t, const State& state) {
     const auto& all = state.facts.conditions();
-    const bool plainly = state.facts.contains_zero() ||
-                         std::any_of(all.begin(), all.end(), [&](const KnownFacts::Fact& c) {
-                           if (c.dropped) return false;
-                           if (c.sign == Sign::positive) return is_zero(c.p);
-                           if (c.sign != Sign::zero || is_zero(c.p)) return false;
-                           return is_constant(state.facts.without_known_factors(c.p));
-                         });
-    if (plainly) return plain;
-    if (const auto v = state.facts.violation()) {
-      Json::Object o{{key, text("empty")}};
-      append(o, *v);
-      return Json{std::move(o)};
-    }
-    if (auto terms = state.facts.contradiction())
-      return Json{Json::Object{{key, text("empty")}, {"terms", strata::to_json(*terms)}}};
-    return trusted(key, "empty", "Z3", t.why);
+    const bool plainly =
+        state.facts.contains_zero() || std::any_of(all.begin(), all.end(), [&](const Condition& c) {
+          if (c.sign == Sign::positive) return is_zero(c.p);
+          if (c.sign != Sign::zero || is_zero(c.p)) return false;
+          return is_constant(state.facts.without_known_factors(c.p));
+        });
+    if (plainly) return node_of(EmptyStratum{});
+    if (const auto v = state.facts.violation()) return node_of(EmptyStratum{{}, v});
+    if (auto terms = state.facts.contradiction()) return node_of(EmptyStratum{std::move(terms)});
+    return node_of(trusted_empty(t));
   }
 
-  Json root(const ProofTree& t, const State& state) {
+  // No admitted points with p = 0.
+  [[nodiscard]] std::optional<OutsideStratum> outside(const MPoly& p, const State& state) const {
+    const auto divisible = [&](const std::vector<MPoly>& all) {
+      return std::all_of(all.begin(), all.end(),
+                         [&](const MPoly& f) { return is_zero(f) || divides(p, f); });
+    };
+    if (divisible(coefficients(state.r.den, q_.z))) return OutsideStratum{};
+    const auto& generic = state.facts.generic();
+    for (std::size_t i = 0; i < generic.size(); ++i)
+      if (divisible(generic[i])) return OutsideStratum{i};
+    return std::nullopt;
+  }
+
+  WhereZero root(const ProofTree& t, const State& state) {
     const Leaf& l = *t.leaf;
-    if (l.no_equation) {
-      Json::Object o{{"zero", text("outside")}};
-      const auto divisible = [&](const std::vector<MPoly>& all) {
-        return std::all_of(all.begin(), all.end(),
-                           [&](const MPoly& f) { return is_zero(f) || divides(t.p, f); });
-      };
-      if (divisible(coefficients(state.r.den, q_.z))) return Json{std::move(o)};
-      const auto& generic = state.facts.generic();
-      for (std::size_t i = 0; i < generic.size(); ++i)
-        if (divisible(generic[i])) {
-          o.emplace_back("generic", text(i));
-          return Json{std::move(o)};
-        }
-    }
-    if (l.abelian == Truth::unknown || !l.number) return open("zero", l.open_condition);
+    if (l.no_equation())
+      if (const auto none = outside(t.p, state)) return *none;
+    const auto* number = evidence<Number>(l);
+    if (l.abelian == Truth::unknown || number == nullptr) return open(open_condition(l));
     say(l.abelian);
     try {
-      return Json{Json::Object{{"zero", text("root")},
-                               {"variable", text(q_.r.ring()->name(used_variables(t.p).front()))},
-                               {"certificate", number_certificate(*l.number)},
-                               {"abelian", text(name_of(l.abelian))}}};
+      return certify::RootStratum{used_variables(t.p).front(), number_certificate(number->decision),
+                                  l.abelian == Truth::yes};
     } catch (const NoProof& why) {
-      return trusted("zero", name_of(l.abelian), "the solver", l.reason + " (" + why.what() + ")");
+      return trusted(l, why);
     }
   }
 
   const StrataAnswer& a_;
   const Question& q_;
   const Budget& budget_;
+  certify::StrataCertificate whole_;
   StrataCertificate result_;
   std::vector<Truth> said_;
   bool open_ = false;
@@ -369,10 +317,7 @@ void certify(StrataAnswer& a, const Budget& budget) {
   a.refusal = a.certificate->refusal;
   for (Stratum& s : a.strata) {
     if (s.leaf.abelian == Truth::unknown) continue;
-    s.leaf = {};
-    s.leaf.open_condition =
-        "our own checker refuses the certificate of what was found: " + a.refusal;
-    s.leaf.reason = "undecided: " + s.leaf.open_condition;
+    s.leaf = open_leaf(RefusedByChecker{a.refusal});
   }
 }
 

@@ -1,8 +1,9 @@
 #pragma once
-// What decide_strata() found, written down for the judge: a certificate in the format
+// What decide_strata() found, written down for the checker: a certificate in the format
 // kovacic-strata/1 (docs/theory/strata_certificates.md).
 
 #include "strata/decide_strata.hpp"
+#include "strata/leaf_certificate.hpp"
 
 #include <string>
 
@@ -11,10 +12,11 @@ namespace kov::strata {
 struct StrataCertificate {
   std::string json;
   bool says_anything = false; ///< some stratum is decided
-  std::string refusal;        ///< what the judge of lib/certify has against it; empty: accepted
+  std::string refusal;        ///< what the checker of lib/certify has against it; empty: accepted
   bool limit = false;         ///< refused for its size, or not read: nothing was found to be false
   std::size_t trusted = 0;    ///< nodes that rest on Z3 or on a theorem without a rule
   std::vector<std::string> uncertified; ///< why: one line for each such node
+  std::vector<Gap> gaps;                ///< what is missing there, in the same order
 };
 
 /// Strata that the rules do not cover become `trusted` (decided by the solver alone) or `open`

@@ -6,7 +6,7 @@
 //
 // A parameter that occurs in an inequality is real; the others range over the complex numbers.
 
-#include "exact/multivariate.hpp"
+#include "certify/strata_certificate.hpp"
 
 #include <cstdint>
 #include <string>
@@ -14,13 +14,8 @@
 
 namespace kov::strata {
 
-enum class Sign : std::uint8_t { zero, nonzero, positive, nonnegative };
-
-struct Condition {
-  MPoly p;
-  Sign sign = Sign::nonzero;
-  friend bool operator==(const Condition&, const Condition&) = default;
-};
+using certify::Condition;
+using certify::Sign;
 
 /// `value` is an integer, or is none.
 struct Membership {

@@ -23,18 +23,14 @@ std::optional<MFraction> exact_sqrt(const MFraction& f) {
 
 namespace {
 
-Leaf leaf(Truth abelian, const std::optional<GaloisGroup>& group, const std::string& reason) {
-  Leaf l;
-  l.abelian = abelian;
-  l.group = group;
-  if (group) l.group_text = describe(*group);
-  l.reason = reason;
-  return l;
+// Is nu - 1/2 an integer?
+Truth half_integral(const BesselForm& form, const Region& region) {
+  if (form.nu) return region.is_integral(*form.nu - MFraction(region.ring(), Rational(1, 2)));
+  return is_constant(form.nu_squared) ? Truth::no : Truth::unknown; // no: nu is irrational
 }
 
-} // namespace
-
-std::optional<Leaf> bessel_leaf(const Scheme& s, const Region& region) {
+// The form, if r is of this family.
+std::optional<BesselForm> bessel_form(const Scheme& s, const Region& region) {
   if (s.finite.size() != 1 || kov::degree(s.finite[0].q, s.z) != 1 || s.finite[0].order != 2)
     return std::nullopt;
   const Ring& ring = s.r.ring();
@@ -47,38 +43,33 @@ std::optional<Leaf> bessel_leaf(const Scheme& s, const Region& region) {
   std::vector<std::size_t> powers;
   for (std::size_t i = 1; i < c.size(); ++i)
     if (!is_zero(c[i])) powers.push_back(i);
-  if (powers.size() != 1 || !region.is_nonzero(c[powers[0]])) return std::nullopt;
+  if (powers.size() != 1 || !region.provably_nonzero(c[powers[0]])) return std::nullopt;
   const Rational step(static_cast<long>(powers[0]));
   const MFraction square =
       MFraction(ring, Rational(1)) + Rational(4) * (MFraction(c[0]) / MFraction(shifted.den()));
-  const std::string family = "z = x^(2/s) turns the equation into one of Bessel, nu^2 = " +
-                             to_factored_string((Rational(1) / (step * step)) * square) +
-                             " (s = " + kov::to_string(step) + ")";
-  const auto delta = exact_sqrt(square);
-  Truth half = Truth::unknown;
-  std::string condition =
-      "sqrt(" + to_factored_string((Rational(1) / (step * step)) * square) + ")";
-  if (delta) {
-    const MFraction nu = (Rational(1) / step) * *delta;
-    condition = to_factored_string(nu);
-    half = region.is_integral(nu - MFraction(ring, Rational(1, 2)));
-  } else if (is_constant(square)) {
-    half = Truth::no; // nu is irrational
+  BesselForm form{(Rational(1) / (step * step)) * square, {}, step};
+  if (const auto delta = exact_sqrt(square)) form.nu = (Rational(1) / step) * *delta;
+  return form;
+}
+
+} // namespace
+
+std::optional<Leaf> bessel_leaf(const Scheme& s, const Region& region) {
+  const auto form = bessel_form(s, region);
+  if (!form) return std::nullopt;
+  Leaf leaf;
+  leaf.because.emplace_back(*form);
+  leaf.abelian = half_integral(*form, region);
+  if (leaf.abelian == Truth::unknown) {
+    leaf.open = IntegralNu{};
+    return leaf;
   }
-  const std::optional<GaloisGroup> torus =
-      step == Rational(2) ? std::optional(GaloisGroup{GroupType::Gm, {}}) : std::nullopt;
-  switch (half) {
-  case Truth::yes:
-    return leaf(Truth::yes, torus, family + ", and nu - 1/2 is an integer");
-  case Truth::no:
-    return leaf(Truth::no, GaloisGroup{GroupType::SL2, {}},
-                family + ", and nu - 1/2 is not an integer");
-  default:
-    Leaf open;
-    open.open_condition = "abelian exactly where " + condition + " - 1/2 is an integer";
-    open.reason = "undecided: " + open.open_condition + "; " + family;
-    return open;
-  }
+  leaf.by = Conclusion::bessel;
+  if (leaf.abelian == Truth::no)
+    leaf.group = GaloisGroup{GroupType::SL2, {}};
+  else if (form->s == Rational(2))
+    leaf.group = GaloisGroup{GroupType::Gm, {}};
+  return leaf;
 }
 
 std::optional<Leaf> weber_leaf(const Scheme& s, const Region& region) {
@@ -86,24 +77,21 @@ std::optional<Leaf> weber_leaf(const Scheme& s, const Region& region) {
   if (!s.finite.empty() || c.size() != 3) return std::nullopt;
   const MFraction den(s.r.den());
   const auto a = exact_sqrt(MFraction(c[2]) / den);
-  const std::string torus = "the equation is irregular at infinity, and D_4 = -2 < 0";
-  Leaf l = leaf(Truth::no, std::nullopt, torus);
-  l.group_text = "SL(2, C) or the full triangular group";
-  if (!a) return l;
+  Leaf leaf;
+  leaf.abelian = Truth::no;
+  leaf.by = Conclusion::weber;
+  leaf.bound = GroupBound::SL2_or_Borel;
+  leaf.because = {IrregularPlace{0}, NoInvariant{4, invariant_bound(s, 4)}};
+  if (!a) return leaf;
   const MFraction b = MFraction(c[1]) / den;
   const MFraction e = (MFraction(c[0]) / den - b * b / (Rational(4) * (*a * *a))) / *a;
-  const MFraction v = Rational(1, 2) * (e - MFraction(s.r.ring(), Rational(1)));
-  const Truth odd = region.is_integral(v);
-  const std::string condition = to_factored_string(e) + " is an odd integer";
-  if (odd == Truth::unknown) {
-    l.group_text = "the full triangular group where " + condition + ", SL(2, C) elsewhere";
-    l.reason += "; there is an exponential solution exactly where " + condition;
-    return l;
-  }
-  return leaf(Truth::no, GaloisGroup{odd == Truth::yes ? GroupType::Borel : GroupType::SL2, {}},
-              torus + "; there is " + (odd == Truth::yes ? "an" : "no") +
-                  " exponential solution, since " + to_factored_string(e) +
-                  (odd == Truth::yes ? " is" : " is not") + " an odd integer");
+  const Truth odd = region.is_integral(Rational(1, 2) * (e - MFraction(s.r.ring(), Rational(1))));
+  leaf.because.emplace_back(WeberForm{e, odd});
+  if (odd == Truth::unknown)
+    leaf.bound = GroupBound::Borel_where_odd;
+  else
+    leaf.group = GaloisGroup{odd == Truth::yes ? GroupType::Borel : GroupType::SL2, {}};
+  return leaf;
 }
 
 } // namespace kov::strata

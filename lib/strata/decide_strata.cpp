@@ -2,7 +2,9 @@
 
 #include "exact/error.hpp"
 #include "strata/certificate.hpp"
+#include "strata/decide_leaf.hpp"
 #include "strata/signs.hpp"
+#include "strata/words.hpp"
 
 #include <algorithm>
 
@@ -24,18 +26,12 @@ bool StrataAnswer::decided() const {
 
 namespace {
 
-Leaf open_leaf(const std::string& condition) {
-  Leaf leaf;
-  leaf.open_condition = condition;
-  leaf.reason = "undecided: " + condition;
-  return leaf;
+Leaf no_value() { return open_leaf(NoEquation{}); }
+Leaf no_reduction(const Genericity& g) {
+  return open_leaf(NoEquation{NoEquation::Why::reduction, g.why});
 }
 
-Leaf no_equation(const std::string& condition) {
-  Leaf leaf = open_leaf(condition);
-  leaf.no_equation = true;
-  return leaf;
-}
+bool is_assumed(const Needs& needs) { return needs.why.kind == Event::Kind::assumed; }
 
 // The field of a root of p in its one variable x, and x in it: x = generator/lead; texts show x.
 struct RootField {
@@ -116,16 +112,17 @@ private:
 
   std::variant<Leaf, Needs> look(const Region& region) const {
     if (const auto p = region.pending()) {
-      if (const auto doubt = region.doubtful_factor(*p)) return Needs{*doubt, "assumed"};
-      return Needs{MPoly(region.ring(), Integer(1)), "assumed"};
+      if (const auto doubt = region.doubtful_factor(*p))
+        return Needs{*doubt, {Event::Kind::assumed}};
+      return Needs{MPoly(region.ring(), Integer(1)), {Event::Kind::assumed}};
     }
     for (const auto& g : q_.generic)
       if (auto answer = generic(g, region)) return *std::move(answer);
     const auto r = value_on(region);
-    if (!r) return no_equation("r has no value here");
+    if (!r) return no_value();
     if (const auto* relation = only_constant(*r, region))
-      return at_root(*r, *relation).value_or(no_equation("r has no value here"));
-    return judge(*r, q_.z, region, limits_.decide);
+      return at_root(*r, *relation).value_or(no_value());
+    return decide_leaf(*r, q_.z, region, limits_.decide);
   }
 
   // r in the parameters that are left.
@@ -172,30 +169,27 @@ private:
       if (is_zero(there)) continue;
       const auto doubt = region.doubtful_factor(there.num());
       if (!doubt) return std::nullopt;
-      if (!needs) needs = Needs{*doubt, g.why};
+      if (!needs) needs = Needs{*doubt, {.kind = Event::Kind::reduction, .shown = g.why}};
     }
     if (needs) return *needs;
-    return no_equation("the reduction to y'' = r y is not valid here: " + g.why);
+    return no_reduction(g);
   }
 
   ProofTreePtr split(const Region& region, const Needs& needs, int depth) {
-    const bool assumed = needs.why == "assumed"; // p = 0 on one of the two sides only
+    const bool assumed = is_assumed(needs); // p = 0 on one of the two sides only
     if (is_constant(needs.p)) return prune(region, {}, "an assumed equation fails");
     for (const auto& relation : region.relations()) // true here, and r does not show it
       if (divides(needs.p, relation.p))
-        return add(region, open_leaf(to_string(needs.p) + " = 0 (" + needs.why +
-                                     ") is not solved for a parameter"));
+        return add(region, open_leaf(NotSolved{needs.p, needs.why}));
     auto zero = region.where_zero(needs.p);
     if (const auto* first = std::get_if<Region::Split>(&zero))
-      return split(region,
-                   Needs{first->by,
-                         "the equation " + to_string(needs.p) + " = 0 is solved by division by it"},
+      return split(region, Needs{first->by, {.kind = Event::Kind::divided_by, .solved = needs.p}},
                    depth);
     ProofTreePtr nonzero;
     if (!assumed || has_other_factor(region, needs.p))
       nonzero = other_side(region.where_nonzero(needs.p), needs.p, depth);
     const Kind kind = nonzero ? Kind::split : Kind::assumed;
-    return grown(kind, region, needs.p, {}, needs.why, std::move(nonzero),
+    return grown(kind, region, needs.p, {}, to_string(needs.why), std::move(nonzero),
                  where_zero(region, needs, zero, depth));
   }
 
@@ -244,7 +238,7 @@ private:
     };
     const auto root = root_field(needs.p);
     const auto restricted = value_on(region);
-    if (!restricted) return add_here(no_equation("r has no value here"));
+    if (!restricted) return add_here(no_value());
     const MFraction& r = *restricted;
     const auto used = used_variables(r);
     const bool number = root && std::all_of(used.begin(), used.end(), [&](std::size_t i) {
@@ -252,16 +246,13 @@ private:
                         });
     if (!number)
       if (auto there = related(region, needs, depth)) return there;
-    if (!number)
-      return add_here(
-          open_leaf(to_string(needs.p) + " = 0 (" + needs.why + ") is not solved for a parameter"));
+    if (!number) return add_here(open_leaf(NotSolved{needs.p, needs.why}));
     if (region.has_no_real_root(needs.p))
       return prune(region, needs.p,
                    "Z3: no real root of " + to_string(needs.p) + " satisfies the conditions");
     for (const auto& g : q_.generic)
-      if (!holds_at_root(g, region, needs.p))
-        return add_here(no_equation("the reduction to y'' = r y is not valid here: " + g.why));
-    return add_here(at_root(r, needs.p).value_or(no_equation("r has no value here")));
+      if (!holds_at_root(g, region, needs.p)) return add_here(no_reduction(g));
+    return add_here(at_root(r, needs.p).value_or(no_value()));
   }
 
   // p = 0 is kept as a relation between the parameters; unset where that has no use.
@@ -270,8 +261,9 @@ private:
     for (const std::size_t x : used_variables(needs.p)) {
       const MPoly lead = coefficients(needs.p, x).back();
       if (!is_constant(lead) && region.doubtful_factor(lead)) continue;
-      const Region there = region.with_relation(needs.p, x, needs.why == "assumed");
-      return grown(Kind::related, region, needs.p, {}, needs.why, {}, node(there, depth + 1));
+      const Region there = region.with_relation(needs.p, x, is_assumed(needs));
+      return grown(Kind::related, region, needs.p, {}, to_string(needs.why), {},
+                   node(there, depth + 1));
     }
     return {};
   }

@@ -126,7 +126,7 @@ private:
     std::optional<MPoly> simplest;
     for (const auto& c : coefficients(left.num(), s_.z)) {
       if (is_zero(c)) continue;
-      if (region_.is_nonzero(c))
+      if (region_.provably_nonzero(c))
         return "d = 0: r = omega' + omega^2 needs " + to_factored_string(MFraction(c)) +
                " = 0, which does not happen here";
       if (!simplest || c.length() < simplest->length()) simplest = c;
@@ -145,11 +145,8 @@ private:
 
 } // namespace
 
-std::vector<TraceStep> first_case(const MFraction& r, std::size_t z, const Region& region,
-                                  const Budget& budget) {
-  const auto places = scheme(r, z, region, budget);
-  const auto* s = std::get_if<Scheme>(&places);
-  return s == nullptr ? std::vector<TraceStep>() : FirstCase(*s, region, budget).run();
+std::vector<TraceStep> first_case(const Scheme& s, const Region& region, const Budget& budget) {
+  return FirstCase(s, region, budget).run();
 }
 
 } // namespace kov::strata

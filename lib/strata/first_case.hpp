@@ -13,7 +13,7 @@ namespace kov::strata {
 /// One sign of Delta for all roots of a factor of the denominator; logarithms are told, and not
 /// used. Cost  2^(number of places) families, at most 4096; a rational function for each of degree
 /// 0
-[[nodiscard]] std::vector<TraceStep> first_case(const MFraction& r, std::size_t z,
-                                                const Region& region, const Budget& budget = {});
+[[nodiscard]] std::vector<TraceStep> first_case(const Scheme& s, const Region& region,
+                                                const Budget& budget = {});
 
 } // namespace kov::strata

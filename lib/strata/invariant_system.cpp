@@ -121,14 +121,14 @@ std::variant<std::optional<ParametricInvariant>, Needs> find_invariant(const Sch
     if (!d) return found;
     if (!doubt || simpler(*d, *doubt)) doubt = d;
   }
-  return Needs{*doubt, "the invariant that was found may vanish"};
+  return Needs{*doubt, {Event::Kind::invariant_vanishes}};
 }
 
 namespace {
 
 // A maximal minor, by Bareiss's elimination with the rows taken in the given order of preference.
-Minor maximal_minor(const Matrix& rows, const std::vector<std::size_t>& preference,
-                    const Budget& budget) {
+MaximalMinor maximal_minor(const Matrix& rows, const std::vector<std::size_t>& preference,
+                           const Budget& budget) {
   const std::size_t columns = rows.front().size();
   Matrix sorted;
   for (const std::size_t i : preference)
@@ -156,7 +156,7 @@ Minor maximal_minor(const Matrix& rows, const std::vector<std::size_t>& preferen
     previous = p;
   }
   order.resize(columns);
-  return {std::move(order), previous};
+  return {{order.begin(), order.end()}, previous};
 }
 
 // Several orders of the rows: simplest first, from the top, from the bottom, from the middle.
@@ -194,7 +194,7 @@ std::optional<MPoly> simplest_doubt(const MPoly& p, const Region& region) {
   std::optional<MPoly> doubt;
   if (is_constant(p)) return doubt;
   for (const auto& f : irreducible_parts(p))
-    if (!region.is_nonzero(f) && (!doubt || simpler(f, *doubt))) doubt = f;
+    if (!region.provably_nonzero(f) && (!doubt || simpler(f, *doubt))) doubt = f;
   return doubt;
 }
 
@@ -209,12 +209,12 @@ std::variant<Excluded, Needs, Unsettled> exclude_invariant(const Scheme& s,
                                                            const Budget& budget) {
   const Matrix rows = matrix(s, form, budget);
   const bool univariate = one_parameter(rows);
-  const std::string why = "Sym^" + std::to_string(form.m) + " may have a rational solution";
+  const Event why{.kind = Event::Kind::invariant_appears, .m = form.m};
   MPoly common(s.r.ring());
   Excluded proof;
   std::vector<MPoly> doubts; // the simplest one of each minor
   for (const auto& preference : preferences(rows)) {
-    const Minor minor = maximal_minor(rows, preference, budget);
+    const MaximalMinor minor = maximal_minor(rows, preference, budget);
     const auto doubt = simplest_doubt(minor.value, region);
     if (!doubt) return Excluded{{minor}};
     doubts.push_back(*doubt);

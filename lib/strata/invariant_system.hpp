@@ -34,14 +34,14 @@ find_invariant(const Scheme& s, const InvariantForm& form, const Region& region,
                const Budget& budget = {});
 
 /// A maximal minor of the system: the rows are powers of z.
-struct Minor {
-  std::vector<std::size_t> rows;
+struct MaximalMinor {
+  std::vector<long> rows;
   MPoly value;
 };
 /// The system has only the zero solution at every point of the stratum, because these minors have
 /// no common zero there: one is known not to vanish, or they have one parameter, and their gcd is.
 struct Excluded {
-  std::vector<Minor> minors;
+  std::vector<MaximalMinor> minors;
 };
 /// It has a nonzero solution at most where these polynomials vanish together.
 struct Unsettled {

@@ -40,9 +40,9 @@ MPoly in_one_more_variable(const ParametricPlace& p, std::size_t z) {
 
 std::size_t place_variable(const ParametricPlace& p) { return used_variables(p.q).back(); }
 
-void set_irrational(ParametricPlace& p, const std::string& why) {
+void set_irrational(ParametricPlace& p, Irrationality why) {
   p.exponent = ExponentKind::irrational;
-  p.irrational_because = why;
+  p.irrational = why;
 }
 
 // (c1^2 - 4 c0) with everything known about its factors: negative, negative where a factor is not
@@ -67,7 +67,7 @@ DiscriminantSign discriminant_sign(const ParametricPlace& p, const Region& regio
       s *= region.exact_sign_of(f.base);
       continue;
     }
-    if (!region.is_nonzero(f.base)) result.doubt = f.base;
+    if (!region.provably_nonzero(f.base)) result.doubt = f.base;
   }
   if (s >= 0) return {};
   result.negative = true;
@@ -76,7 +76,7 @@ DiscriminantSign discriminant_sign(const ParametricPlace& p, const Region& regio
 
 void classify_constant(ParametricPlace& p) {
   if (p.chi.size() > 2) {
-    set_irrational(p, "is an algebraic number of degree " + std::to_string(p.chi.size() - 1));
+    set_irrational(p, Irrationality::constant);
     return;
   }
   const Rational square = is_zero(p.chi[0]) ? Rational(0) : -to_rational(p.chi[0]);
@@ -86,7 +86,7 @@ void classify_constant(ParametricPlace& p) {
     return;
   }
   p.negative_square = sign(square) < 0;
-  set_irrational(p, "is not the square of a rational number");
+  set_irrational(p, Irrationality::constant);
 }
 
 } // namespace
@@ -104,16 +104,15 @@ std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region)
     if (std::all_of(p.chi.begin(), p.chi.end(),
                     [&](const MFraction& c) { return sign_on(region, c, exact) > 0; })) {
       p.negative_square = n == 1;
-      set_irrational(p, n == 1 ? "is negative" : "is not a real number >= 0");
+      set_irrational(p, Irrationality::coefficients);
       return std::nullopt;
     }
     if (n != 2 || !exact) continue;
     const DiscriminantSign d = discriminant_sign(p, region);
     if (d.negative && d.doubt)
-      return Needs{*d.doubt, "the exponent difference at " + place_name(p, place_variable(p)) +
-                                 " becomes real"};
+      return Needs{*d.doubt, {Event::Kind::difference_real, name_of(p, place_variable(p))}};
     if (d.negative) {
-      set_irrational(p, "is not real");
+      set_irrational(p, Irrationality::discriminant);
       return std::nullopt;
     }
   }
@@ -125,7 +124,7 @@ std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region)
                                 [&](std::size_t i) { return i == t || region.is_real(i); });
   if (real &&
       region.refutes({{f, Sign::zero}, {MPoly::variable(p.q.ring(), t), Sign::nonnegative}}))
-    set_irrational(p, "is not a real number >= 0");
+    set_irrational(p, Irrationality::refuted);
   return std::nullopt;
 }
 

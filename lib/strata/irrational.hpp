@@ -6,7 +6,7 @@
 
 namespace kov::strata {
 
-/// Sets exponent, delta, irrational_because from chi.  Needs: the discriminant of chi is negative
+/// Sets exponent, delta, irrational from chi.  Needs: the discriminant of chi is negative
 /// but for a factor that may vanish.
 [[nodiscard]] std::optional<Needs> classify_exponent(ParametricPlace& p, const Region& region);
 

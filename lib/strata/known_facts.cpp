@@ -8,7 +8,8 @@
 namespace kov::strata {
 namespace {
 
-using certify::Json;
+using certify::ConditionPower;
+using certify::EvenPower;
 
 /// c with p = c q, if there is one.
 std::optional<Rational> ratio(const MPoly& p, const MPoly& q) {
@@ -18,14 +19,16 @@ std::optional<Rational> ratio(const MPoly& p, const MPoly& q) {
   return to_rational(f);
 }
 
-Json text(const std::string& s) { return Json{s}; }
-Json text(long n) { return Json{std::to_string(n)}; }
-
 Rational power(const Rational& k, long n) {
   return {pow(k.num(), static_cast<unsigned long>(n)), pow(k.den(), static_cast<unsigned long>(n))};
 }
 
 bool ordered(Sign s) { return s == Sign::positive || s == Sign::nonnegative; }
+
+ConditionPower power_of(std::size_t condition, long e = 1) {
+  return {condition, static_cast<unsigned long>(e)};
+}
+EvenPower square_of(const MPoly& base, long e) { return {base, static_cast<unsigned long>(e)}; }
 
 constexpr auto nowhere = static_cast<std::size_t>(-1);
 
@@ -49,40 +52,12 @@ bool has_root(const NmodPoly& f) {
 
 } // namespace
 
-Json to_json(const std::vector<LemmaTerm>& terms) {
-  Json::Array all;
-  for (const auto& t : terms) {
-    Json::Array term{text(to_string(t.c))};
-    for (const auto& [i, e] : t.conditions)
-      term.push_back(Json{Json::Array{text("condition"), text(static_cast<long>(i)), text(e)}});
-    for (const auto& [q, e] : t.squares)
-      term.push_back(Json{Json::Array{text("square"), text(to_string(q)), text(e)}});
-    all.push_back(Json{std::move(term)});
-  }
-  return Json{std::move(all)};
-}
-
-Json to_json(const Lemma& lemma) {
-  Json::Object o{{"p", text(to_string(lemma.p))}};
-  if (lemma.times) o.emplace_back("times", text(to_string(*lemma.times)));
-  o.emplace_back("sign", text(lemma.positive ? "positive" : "nonzero"));
-  if (!lemma.terms.empty()) o.emplace_back("terms", to_json(lemma.terms));
-  if (lemma.violation) append(o, *lemma.violation);
-  if (lemma.prime) o.emplace_back("prime", text(*lemma.prime));
-  return Json{std::move(o)};
-}
-
-void append(Json::Object& o, const Violation& v) {
-  o.emplace_back("membership", text(static_cast<long>(v.membership)));
-  o.emplace_back("value", text(to_string(v.value)));
-}
-
 KnownFacts::KnownFacts(Ring ring, const Assumptions& assumptions,
                        std::vector<std::vector<MPoly>> generic)
     : ring_(std::move(ring)), memberships_(assumptions.memberships), real_(assumptions.real),
       rational_(assumptions.rational), generic_(std::move(generic)) {
   for (const auto& c : assumptions.conditions) {
-    conditions_.push_back({c.p, c.sign, false});
+    conditions_.push_back(c);
     if (c.sign == Sign::positive || c.sign == Sign::nonzero) nonzero_.push_back(c.p);
   }
   for (const auto& m : memberships_)
@@ -112,7 +87,7 @@ bool KnownFacts::contains_zero() const {
 
 void KnownFacts::add(const Lemma& lemma) {
   nonzero_.push_back(lemma.p);
-  if (lemma.positive) conditions_.push_back({lemma.p, Sign::positive, false});
+  if (lemma.positive) conditions_.push_back({lemma.p, Sign::positive});
 }
 
 bool KnownFacts::strict(const LemmaTerm& t) const {
@@ -120,21 +95,19 @@ bool KnownFacts::strict(const LemmaTerm& t) const {
     const MPoly rest = without_known_factors(p);
     return !is_zero(rest) && is_constant(rest);
   };
-  return std::all_of(t.conditions.begin(), t.conditions.end(),
-                     [&](const auto& f) {
-                       const Fact& c = conditions_[f.first];
-                       return c.sign == Sign::positive || known(c.p);
-                     }) &&
-         std::all_of(t.squares.begin(), t.squares.end(),
-                     [&](const auto& f) { return known(f.first); });
+  return std::all_of(t.factors.begin(), t.factors.end(), [&](const auto& f) {
+    if (const auto* even = std::get_if<EvenPower>(&f)) return known(even->base);
+    const Condition& c = conditions_[std::get<ConditionPower>(f).condition];
+    return c.sign == Sign::positive || known(c.p);
+  });
 }
 
 // The condition "k x > 0" or "k x >= 0", k > 0.
 std::optional<std::size_t> KnownFacts::sign_of_variable(std::size_t x) const {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    const Fact& c = conditions_[i];
-    if (c.dropped || !ordered(c.sign) || (found && c.sign != Sign::positive)) continue;
+    const Condition& c = conditions_[i];
+    if (!ordered(c.sign) || (found && c.sign != Sign::positive)) continue;
     const auto k = ratio(c.p, MPoly::variable(ring_, x));
     if (k && sign(*k) > 0) found = i;
   }
@@ -159,13 +132,13 @@ KnownFacts::by_terms(const MPoly& p, std::size_t shifted, std::size_t shift) con
       const auto n = static_cast<long>(e[x]);
       if (n == 0) continue;
       if (x == shifted) {
-        t.conditions.emplace_back(shift, n);
+        t.factors.emplace_back(power_of(shift, n));
       } else if (const auto known = sign_of_variable(x)) {
         const Rational k = *ratio(conditions_[*known].p, MPoly::variable(ring_, x));
         t.c = t.c / power(k, n);
-        t.conditions.emplace_back(*known, n);
+        t.factors.emplace_back(power_of(*known, n));
       } else if (n % 2 == 0 && is_real(MPoly::variable(ring_, x))) {
-        t.squares.emplace_back(MPoly::variable(ring_, x), n / 2);
+        t.factors.emplace_back(square_of(MPoly::variable(ring_, x), n / 2));
       } else {
         return std::nullopt;
       }
@@ -180,8 +153,8 @@ KnownFacts::by_terms(const MPoly& p, std::size_t shifted, std::size_t shift) con
 // A condition s = alpha x + beta turns p(x) into a polynomial in s, whose terms may show more.
 std::optional<std::pair<KnownFacts::Terms, int>> KnownFacts::by_shift(const MPoly& p) const {
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    const Fact& c = conditions_[i];
-    if (c.dropped || !ordered(c.sign) || is_zero(c.p)) continue;
+    const Condition& c = conditions_[i];
+    if (!ordered(c.sign) || is_zero(c.p)) continue;
     for (const std::size_t x : used_variables(c.p)) {
       if (degree(c.p, x) != 1 || !uses(p, x)) continue;
       const auto line = coefficients(c.p, x);
@@ -206,14 +179,14 @@ std::optional<std::pair<KnownFacts::Terms, int>> KnownFacts::sum_with_sign(const
   if (auto found = by_terms(p, nowhere, 0)) return found;
   if (auto found = by_shift(p)) return found;
   for (std::size_t i = 0; i < conditions_.size(); ++i) { // a positive factor
-    const Fact& c = conditions_[i];
-    if (c.dropped || c.sign != Sign::positive || is_zero(c.p) || is_constant(c.p)) continue;
+    const Condition& c = conditions_[i];
+    if (c.sign != Sign::positive || is_zero(c.p) || is_constant(c.p)) continue;
     const auto rest = divides(c.p, p);
     if (!rest) continue;
     auto found = sum_with_sign(*rest);
     if (!found) continue;
     for (auto& t : found->first)
-      t.conditions.emplace_back(i, 1);
+      t.factors.emplace_back(power_of(i));
     return found;
   }
   return std::nullopt;
@@ -221,7 +194,7 @@ std::optional<std::pair<KnownFacts::Terms, int>> KnownFacts::sum_with_sign(const
 
 std::optional<std::pair<std::size_t, int>> KnownFacts::condition_with_sign(const MPoly& f) const {
   for (std::size_t i = 0; i < conditions_.size(); ++i)
-    if (!conditions_[i].dropped && conditions_[i].sign == Sign::positive)
+    if (conditions_[i].sign == Sign::positive)
       if (const auto k = ratio(f, conditions_[i].p)) return std::pair(i, sign(*k));
   return std::nullopt;
 }
@@ -237,20 +210,21 @@ std::optional<std::pair<std::size_t, int>> KnownFacts::ensure_sign(const MPoly& 
     return std::pair(conditions_.size() - 1, s);
   };
   if (auto sum = sum_with_sign(f))
-    return conclude({sum->second > 0 ? f : -f, {}, true, std::move(sum->first)}, sum->second);
+    return conclude({.p = sum->second > 0 ? f : -f, .terms = std::move(sum->first)}, sum->second);
   for (std::size_t i = 0; i < conditions_.size(); ++i) { // f rest = a positive condition
-    const Fact& c = conditions_[i];
-    if (c.dropped || c.sign != Sign::positive || is_zero(c.p)) continue;
+    const Condition& c = conditions_[i];
+    if (c.sign != Sign::positive || is_zero(c.p)) continue;
     const auto rest = divides(f, c.p);
     if (!rest || is_constant(*rest)) continue;
     const auto other = by_terms(*rest, nowhere, 0);
     if (!other) continue;
     const MPoly times = other->second > 0 ? *rest : -*rest;
     const auto known = condition_with_sign(times);
-    if (!known) (void)conclude({times, {}, true, other->first}, 1);
+    if (!known) (void)conclude({.p = times, .terms = other->first}, 1);
     LemmaTerm whole;
-    whole.conditions.emplace_back(i, 1);
-    return conclude({other->second > 0 ? f : -f, times, true, {whole}}, other->second);
+    whole.factors.emplace_back(power_of(i));
+    return conclude({.p = other->second > 0 ? f : -f, .times = times, .terms = Terms{whole}},
+                    other->second);
   }
   return std::nullopt;
 }
@@ -276,7 +250,7 @@ bool KnownFacts::violates(const MPoly& f, std::vector<Lemma>& lemmas) {
       if (divides(f, denominator(memberships_[i].value))) continue;
       const auto c = violated(memberships_[i], substitute(memberships_[i].value, root));
       if (!c) continue;
-      Lemma lemma{f};
+      Lemma lemma{.p = f};
       lemma.violation = Violation{i, *c};
       add(lemma);
       lemmas.push_back(std::move(lemma));
@@ -299,8 +273,8 @@ bool KnownFacts::has_no_rational_root(const MPoly& f, std::vector<Lemma>& lemmas
       if (!is_zero(c[k]))
         g.set_coeff(static_cast<long>(k), fmpz_fdiv_ui(c[k].coefficient(0).raw(), q));
     if (kov::degree(g) != degree(f, used[0]) || has_root(g)) continue;
-    Lemma lemma{f};
-    lemma.prime = static_cast<long>(q);
+    Lemma lemma{.p = f};
+    lemma.prime = q;
     add(lemma);
     lemmas.push_back(std::move(lemma));
     return true;
@@ -320,7 +294,7 @@ bool KnownFacts::divides_known(const MPoly& f, std::vector<Lemma>& lemmas) {
     if (is_zero(q)) continue;
     auto rest = divides(f, q);
     if (!rest) continue;
-    Lemma lemma{f, std::move(rest), false, {}};
+    Lemma lemma{.p = f, .times = std::move(rest)};
     add(lemma);
     lemmas.push_back(std::move(lemma));
     return true;
@@ -333,7 +307,7 @@ bool KnownFacts::ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas) {
   if (is_constant(p)) return sign(p.coefficient(0)) > 0;
   if (const auto known = condition_with_sign(p)) return known->second > 0;
   const auto conclude = [&](std::vector<LemmaTerm> terms) {
-    Lemma lemma{p, {}, true, std::move(terms)};
+    Lemma lemma{.p = p, .positive = true, .terms = std::move(terms)};
     add(lemma);
     lemmas.push_back(std::move(lemma));
     return true;
@@ -346,14 +320,14 @@ bool KnownFacts::ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas) {
   for (const auto& f : factors) {
     if (f.exponent % 2 == 0 && is_real(f.base)) {
       if (!ensure_nonzero(f.base, lemmas)) return false;
-      product.squares.emplace_back(f.base, f.exponent / 2);
+      product.factors.emplace_back(square_of(f.base, f.exponent / 2));
       continue;
     }
     const auto one = ensure_sign(f.base, lemmas);
     if (!one) return false;
     const Rational k = *ratio(conditions_[one->first].p, f.base);
     product.c = product.c / abs(power(k, f.exponent));
-    product.conditions.emplace_back(one->first, f.exponent);
+    product.factors.emplace_back(power_of(one->first, f.exponent));
     if (f.exponent % 2 != 0) s *= one->second;
   }
   return s > 0 && conclude({product});
@@ -361,18 +335,18 @@ bool KnownFacts::ensure_positive(const MPoly& p, std::vector<Lemma>& lemmas) {
 
 std::optional<std::vector<LemmaTerm>> KnownFacts::contradiction() const {
   for (std::size_t i = 0; i < conditions_.size(); ++i) {
-    const Fact& c = conditions_[i];
-    if (c.dropped || !ordered(c.sign) || is_zero(c.p)) continue;
+    const Condition& c = conditions_[i];
+    if (!ordered(c.sign) || is_zero(c.p)) continue;
     KnownFacts others(*this); // without this condition
-    others.conditions_[i].dropped = true;
+    others.conditions_[i].sign = Sign::dropped;
     std::erase(others.nonzero_, c.p);
     auto sum = is_constant(c.p)
-                   ? std::optional(std::pair(Terms{{abs(Rational(c.p.coefficient(0))), {}, {}}},
+                   ? std::optional(std::pair(Terms{{abs(Rational(c.p.coefficient(0)))}},
                                              sign(c.p.coefficient(0))))
                    : others.sum_with_sign(c.p);
     if (!sum || sum->second > 0) continue;
     LemmaTerm this_one;
-    this_one.conditions.emplace_back(i, 1);
+    this_one.factors.emplace_back(power_of(i));
     sum->first.push_back(this_one);
     return std::move(sum->first);
   }
@@ -403,8 +377,8 @@ void KnownFacts::solve(const MPoly& p, std::size_t x) {
     const long n = std::max(0L, degree(c.p, x));
     const bool even = ordered(c.sign);
     if (even && n > 0 && !real) {
-      if (c.sign == Sign::positive && !c.dropped) nonzero_.push_back(there(c.p, n));
-      c.dropped = true;
+      if (c.sign == Sign::positive) nonzero_.push_back(there(c.p, n));
+      c.sign = Sign::dropped;
     }
     c.p = there(c.p, even ? n + n % 2 : n);
   }

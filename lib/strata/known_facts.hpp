@@ -1,11 +1,10 @@
 #pragma once
-// A stratum as the judge of a certificate sees it: conditions with their numbers, polynomials that
-// are known not to vanish, and lemmas that prove more of them.  The solver's own bookkeeping is
-// region.hpp; a certificate is written against this one.
+// A stratum as the checker of a certificate sees it: conditions with their numbers, polynomials
+// that are known not to vanish, and lemmas that prove more of them.  The solver's own bookkeeping
+// is region.hpp; a certificate is written against this one.
 //
 // docs/theory/strata_certificates.md, 3 and 5
 
-#include "certify/json.hpp"
 #include "strata/conditions.hpp"
 
 #include <map>
@@ -13,42 +12,15 @@
 
 namespace kov::strata {
 
-/// c > 0 times powers of conditions and of squares of real polynomials.
-struct LemmaTerm {
-  Rational c{1};
-  std::vector<std::pair<std::size_t, long>> conditions; ///< number, exponent
-  std::vector<std::pair<MPoly, long>> squares;          ///< Q, e: the factor Q^(2e)
-};
-/// Membership number `membership` would have this value and has not.
-struct Violation {
-  std::size_t membership = 0;
-  Rational value;
-};
-/// p times = the sum of the terms, each >= 0 and one of them > 0; without terms: p times is known
-/// not to vanish.  Or p is not 0 because of a membership, or as it has no root modulo a prime.
-struct Lemma {
-  MPoly p;
-  std::optional<MPoly> times = {};
-  bool positive = false; ///< p itself is positive
-  std::vector<LemmaTerm> terms = {};
-  std::optional<Violation> violation = {};
-  std::optional<long> prime = {};
-};
-[[nodiscard]] certify::Json to_json(const Lemma& lemma);
-/// Its two entries.
-void append(certify::Json::Object& o, const Violation& v);
-[[nodiscard]] certify::Json to_json(const std::vector<LemmaTerm>& terms);
+using certify::Lemma;
+using certify::LemmaTerm;
+using certify::Violation;
 
 class KnownFacts {
 public:
   KnownFacts(Ring ring, const Assumptions& assumptions, std::vector<std::vector<MPoly>> generic);
 
-  struct Fact {
-    MPoly p;
-    Sign sign = Sign::nonzero;
-    bool dropped = false; ///< an inequality that the last substitution made useless
-  };
-  [[nodiscard]] const std::vector<Fact>& conditions() const noexcept { return conditions_; }
+  [[nodiscard]] const std::vector<Condition>& conditions() const noexcept { return conditions_; }
   [[nodiscard]] const std::vector<std::vector<MPoly>>& generic() const noexcept { return generic_; }
   [[nodiscard]] bool is_real(const MPoly& p) const;
 
@@ -87,7 +59,7 @@ private:
   [[nodiscard]] std::optional<std::size_t> sign_of_variable(std::size_t x) const;
 
   Ring ring_;
-  std::vector<Fact> conditions_;
+  std::vector<Condition> conditions_; ///< with their numbers in the certificate
   std::vector<MPoly> nonzero_;
   std::vector<Membership> memberships_; ///< with their numbers in the certificate
   std::vector<std::size_t> real_, rational_;

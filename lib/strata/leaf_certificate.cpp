@@ -2,27 +2,89 @@
 
 #include "exact/error.hpp"
 #include "exact/modular.hpp"
-#include "strata/bounds.hpp"
+#include "strata/decide_leaf.hpp"
 #include "strata/irrational.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace kov::strata {
 
-using certify::Json;
+const char* to_string(Gap gap) {
+  switch (gap) {
+  case Gap::rule:
+    return "no rule for the theorem";
+  case Gap::places:
+    return "no exact proof that the places stay apart";
+  case Gap::irrational:
+    return "no exact proof that an exponent difference is irrational";
+  case Gap::bound:
+    return "no exact proof of a bound of an exponent difference";
+  case Gap::difference:
+    return "no exact proof that an exponent difference has not a value";
+  case Gap::degree:
+    return "no rule for an open exponent difference of degree > 1";
+  case Gap::invariant:
+    return "no exact proof about a symmetric power";
+  case Gap::logarithm:
+    return "no exact proof of a logarithm, or no rule for it";
+  case Gap::number:
+    return "no certificate of the equation without parameters";
+  case Gap::emptiness:
+    return "no exact proof that the stratum is empty";
+  }
+  return "";
+}
 
-Json number_certificate(const Decision& d) {
+certify::Certificate number_certificate(const Decision& d) {
   if (d.certificate.empty())
-    throw NoProof(d.no_certificate.empty() ? "no certificate was asked for" : d.no_certificate);
-  return certify::parse_json(d.certificate);
+    throw NoProof(Gap::number,
+                  d.no_certificate.empty() ? "no certificate was asked for" : d.no_certificate);
+  return certify::read_certificate(d.certificate);
 }
 
 namespace {
 
-Json text(const std::string& s) { return Json{s}; }
-Json text(const MPoly& p) { return Json{to_string(p)}; }
-Json text(long n) { return Json{std::to_string(n)}; }
+using certify::AbsentInvariant;
+using certify::ByInvariant;
+using certify::ByPlaces;
+using certify::LeafNode;
+using certify::StratumPlace;
+
+// The name of the rule that shows "not abelian" by the places, or null.
+const char* rule_of(Conclusion by) {
+  switch (by) {
+  case Conclusion::torus_log:
+    return "torus-log";
+  case Conclusion::irreducible_log:
+    return "irreducible-log";
+  case Conclusion::torus:
+  case Conclusion::weber:
+    return "torus";
+  case Conclusion::rational:
+    return "rational";
+  case Conclusion::one_open:
+    return "one-open";
+  case Conclusion::several_open:
+    return "open";
+  default:
+    return nullptr;
+  }
+}
+
+std::string why_no_rule(Conclusion by) {
+  switch (by) {
+  case Conclusion::half_integers:
+    return "the format has no rule for exponents in Z/2 without an invariant";
+  case Conclusion::no_products:
+    return "the format has no rule for an exponent difference without a bound";
+  case Conclusion::assumed_integers:
+    return "the format has no rule for an exponent difference that is no integer";
+  case Conclusion::bessel:
+    return "the format has no rule for the family of Bessel";
+  default:
+    return "the format has no rule for this theorem";
+  }
+}
 
 // The polynomials chi_i of the format: chi without denominators.
 std::vector<MPoly> cleared(const std::vector<MFraction>& chi, const Ring& ring) {
@@ -38,76 +100,92 @@ std::vector<MPoly> cleared(const std::vector<MFraction>& chi, const Ring& ring) 
   return all;
 }
 
-// A place as the judge will see it.
-struct CertifiedPlace {
-  const ParametricPlace* place;
-  Json::Object json;
-  std::vector<MPoly> chi;
-  bool open = false;
-};
+// A prime modulo which the polynomials in x have no common root.
+std::optional<mp_limb_t> separating_prime(const std::vector<MPoly>& polynomials, std::size_t x) {
+  mp_limb_t p = 1UL << 30;
+  const auto modulo = [&](const MPoly& f) {
+    NmodPoly g(p);
+    const auto c = coefficients(f, x);
+    for (std::size_t i = 0; i < c.size(); ++i)
+      if (!is_zero(c[i]))
+        g.set_coeff(static_cast<long>(i), fmpz_fdiv_ui(c[i].coefficient(0).raw(), p));
+    return g;
+  };
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    p = n_nextprime(p, 1);
+    NmodPoly common = modulo(polynomials.front());
+    if (kov::degree(common) != degree(polynomials.front(), x)) continue;
+    for (const auto& f : polynomials)
+      common = gcd(common, modulo(f));
+    if (kov::degree(common) <= 0) return p;
+  }
+  return std::nullopt;
+}
 
 class LeafWriter {
 public:
-  LeafWriter(const MFraction& r, std::size_t z, const Region& region, KnownFacts& facts,
-             std::vector<Lemma>& lemmas, const Budget& budget)
-      : r_(r), z_(z), region_(region), facts_(facts), lemmas_(lemmas), budget_(budget) {
-    auto found = scheme(r, z, region, budget);
-    if (!std::holds_alternative<Scheme>(found)) throw NoProof("the places are not known");
-    s_ = std::get<Scheme>(std::move(found));
-  }
+  LeafWriter(const Leaf& leaf, const Region& region, KnownFacts& facts, std::vector<Lemma>& lemmas,
+             const Budget& budget)
+      : leaf_(leaf), s_(*leaf.scheme), region_(region), facts_(facts), lemmas_(lemmas),
+        budget_(budget) {}
 
-  Json invariant(const ParametricInvariant& v) {
+  ByInvariant invariant(const ParametricInvariant& v) {
     leading_coefficients();
-    const auto c = coefficients(v.p, z_);
+    const auto c = coefficients(v.p, s_.z);
     if (std::none_of(c.begin(), c.end(),
                      [&](const MPoly& f) { return facts_.ensure_nonzero(f, lemmas_); }))
-      throw NoProof("the invariant may vanish");
-    Json::Array places;
+      throw NoProof(Gap::invariant, "the invariant may vanish");
+    ByInvariant by{content(), v.p, {}, v.form.m};
     for (std::size_t i = 0; i < s_.finite.size(); ++i)
-      places.push_back(Json{Json::Object{{"q", text(s_.finite[i].q)},
-                                         {"order", text(s_.finite[i].order)},
-                                         {"e", text(v.form.e[i])}}});
-    return leaf("yes", "invariant",
-                {{"content", text(content())},
-                 {"places", Json{std::move(places)}},
-                 {"m", text(v.form.m)},
-                 {"p", text(v.p)}});
+      by.places.push_back({s_.finite[i].q, s_.finite[i].order, Integer(v.form.e[i])});
+    return by;
   }
 
-  Json not_abelian() {
+  ByPlaces places() {
     leading_coefficients();
     separate_places();
-    for (auto& p : s_.finite)
-      places_.push_back({&p, {{"q", text(p.q)}, {"order", text(p.order)}}, {}});
-    places_.push_back({&s_.infinity, {}, {}});
-    for (auto& p : places_)
-      describe(p);
-    const std::string by = theorem();
-    Json::Array finite;
-    for (std::size_t i = 0; i + 1 < places_.size(); ++i)
-      finite.push_back(Json{std::move(places_[i].json)});
-    Json::Object data{{"content", text(content())},
-                      {"places", Json{std::move(finite)}},
-                      {"infinity", Json{std::move(places_.back().json)}}};
-    if (!absent_.empty()) data.emplace_back("absent", Json{std::move(absent_)});
-    return leaf("no", by, std::move(data));
+    ByPlaces by{rule_of(leaf_.by), content(), {}, {}, {}};
+    for (const auto& p : s_.finite) {
+      by.places.push_back({.q = p.q, .order = p.order});
+      describe(p, by.places.back());
+    }
+    describe(s_.infinity, by.infinity);
+    for (const Evidence& e : leaf_.because) {
+      if (const auto* bound = std::get_if<DifferenceBound>(&e))
+        write(*bound, bound->place < by.places.size() ? by.places[bound->place] : by.infinity);
+      if (const auto* values = std::get_if<ExcludedDifferences>(&e)) write(*values);
+    }
+    if (needs_invariants()) by.absent = absent();
+    return by;
+  }
+
+  // No logarithm is known where the format cannot show it.
+  [[nodiscard]] std::optional<Scheme> with_fewer_logarithms() {
+    std::optional<Scheme> fewer;
+    for (PlaceIndex i = 0; i < number_of_places(s_); ++i) {
+      const ParametricPlace& p = place_at(s_, i);
+      if (!is_regular_logarithm(p) || p.delta == Rational(0)) continue;
+      if (p.degree(s_.z) == 1 && facts_.ensure_nonzero(*p.log_norm, lemmas_)) continue;
+      if (!fewer) fewer = s_;
+      (i < s_.finite.size() ? fewer->finite[i] : fewer->infinity).log = Truth::unknown;
+    }
+    return fewer;
   }
 
 private:
-  static Json leaf(const char* abelian, const std::string& by, Json::Object data) {
-    Json::Object o{{"node", text("leaf")}, {"abelian", text(abelian)}, {"by", text(by)}};
-    std::move(data.begin(), data.end(), std::back_inserter(o));
-    return Json{std::move(o)};
+  static bool is_regular_logarithm(const ParametricPlace& p) {
+    return p.kind == PlaceKind::regular && p.exponent == ExponentKind::rational &&
+           p.log == Truth::yes;
   }
 
-  void need(const MPoly& p, const char* what) {
+  void need(const MPoly& p, const char* what, Gap gap = Gap::places) {
     if (!facts_.ensure_nonzero(p, lemmas_))
-      throw NoProof(std::string(what) + ": " + brief(MFraction(p), 120) +
-                    " != 0 has no exact proof");
+      throw NoProof(gap, std::string(what) + ": " + brief(MFraction(p), 120) +
+                             " != 0 has no exact proof");
   }
 
   [[nodiscard]] MPoly content() const {
-    MPoly den = r_.den();
+    MPoly den = s_.r.den();
     for (const auto& p : s_.finite)
       den = exact_div(den, pow(p.q, static_cast<unsigned long>(p.order)));
     return den;
@@ -115,46 +193,30 @@ private:
   void leading_coefficients() {
     need(content(), "the content of the denominator");
     for (const auto& p : s_.finite)
-      need(coefficients(p.q, z_).back(), "a leading coefficient");
+      need(coefficients(p.q, s_.z).back(), "a leading coefficient");
   }
   void separate_places() {
     for (std::size_t i = 0; i < s_.finite.size(); ++i) {
       const MPoly& q = s_.finite[i].q;
-      if (degree(q, z_) > 1) need(resultant(q, derivative(q, z_), z_), "a discriminant");
+      if (degree(q, s_.z) > 1) need(resultant(q, derivative(q, s_.z), s_.z), "a discriminant");
       for (std::size_t j = 0; j < i; ++j)
-        need(resultant(q, s_.finite[j].q, z_), "a resultant");
-      if (s_.finite[i].order != 2) need(resultant(q, r_.num(), z_), "the order of a pole");
+        need(resultant(q, s_.finite[j].q, s_.z), "a resultant");
+      if (s_.finite[i].order != 2) need(resultant(q, s_.r.num(), s_.z), "the order of a pole");
     }
     const long o = s_.infinity.order;
-    if (o == 1 || o >= 3) need(coefficients(r_.num(), z_).back(), "the order at infinity");
+    if (o == 1 || o >= 3) need(coefficients(s_.r.num(), s_.z).back(), "the order at infinity");
   }
 
-  // chi, irrational, log; places whose logarithms the format does not show count as unknown.
-  void describe(CertifiedPlace& p) {
-    auto& place = const_cast<ParametricPlace&>(*p.place); // of s_
-    if (place.kind != PlaceKind::regular) return;
-    p.chi = cleared(place.chi, r_.ring());
-    Json::Array chi;
-    for (const auto& c : p.chi)
-      chi.push_back(text(c));
-    p.json.emplace_back("chi", Json{std::move(chi)});
-    need(p.chi.back(), "chi");
-    if (place.exponent == ExponentKind::irrational)
-      p.json.emplace_back("irrational", text(irrational(p.chi)));
-    p.open = place.exponent == ExponentKind::open;
-    if (place.exponent != ExponentKind::rational || place.log != Truth::yes ||
-        place.delta == Rational(0))
-      return;
-    const auto defect = place.degree(z_) == 1 ? log_norm(place) : std::nullopt;
-    if (defect && facts_.ensure_nonzero(*defect, lemmas_))
-      p.json.emplace_back("log", Json{true});
-    else
-      place.log = Truth::unknown;
-  }
-  [[nodiscard]] std::optional<MPoly> log_norm(const ParametricPlace& p) const {
-    return logarithm_defect(r_, z_, p, region_);
+  // chi, irrational, log
+  void describe(const ParametricPlace& p, StratumPlace& x) {
+    if (p.kind != PlaceKind::regular) return;
+    x.chi = cleared(p.chi, s_.r.ring());
+    need(x.chi.back(), "chi");
+    if (p.exponent == ExponentKind::irrational) x.irrational = irrational(x.chi);
+    x.log = is_regular_logarithm(p) && p.delta != Rational(0);
   }
 
+  // The rule that shows it: the solver's own sign proofs may rest on Z3.
   std::string irrational(const std::vector<MPoly>& chi) {
     if (chi.size() == 2 && (is_zero(chi[0]) || is_constant(MFraction(chi[0], chi[1]))))
       return "constant";
@@ -164,194 +226,138 @@ private:
           }))
         return "positive";
     if (chi.size() == 3) {
-      const MPoly four(r_.ring(), Integer(4));
+      const MPoly four(s_.r.ring(), Integer(4));
       if (std::all_of(chi.begin(), chi.end(), [&](const MPoly& c) { return facts_.is_real(c); }) &&
           facts_.ensure_positive(four * chi[2] * chi[0] - chi[1] * chi[1], lemmas_))
         return "discriminant";
     }
-    throw NoProof("that an exponent is irrational has no exact proof");
+    throw NoProof(Gap::irrational, "that an exponent is irrational has no exact proof");
   }
 
-  [[nodiscard]] bool has_torus() const {
-    return std::any_of(places_.begin(), places_.end(), [](const CertifiedPlace& p) {
-      return p.place->kind == PlaceKind::irregular || p.place->kind == PlaceKind::ramified ||
-             (p.place->kind == PlaceKind::regular && p.place->exponent == ExponentKind::irrational);
-    });
-  }
-  [[nodiscard]] bool has_log() const {
-    return std::any_of(places_.begin(), places_.end(), [](const CertifiedPlace& p) {
-      return p.place->kind == PlaceKind::simple ||
-             (p.place->kind == PlaceKind::regular && p.place->exponent == ExponentKind::rational &&
-              p.place->log == Truth::yes);
-    });
+  // B - Delta^2 = (B chi_1 + chi_0) chi_1/chi_1^2
+  void write(const DifferenceBound& bound, StratumPlace& x) {
+    if (x.chi.size() != 2) throw NoProof(Gap::degree, "an open exponent of degree > 1");
+    const MPoly num(s_.r.ring(), bound.square.num());
+    const MPoly den(s_.r.ring(), bound.square.den());
+    const MPoly room = (num * x.chi[1] + den * x.chi[0]) * x.chi[1];
+    if (!is_zero(room) && !facts_.ensure_positive(room, lemmas_))
+      throw NoProof(Gap::bound, "no bound of Delta^2 has an exact proof");
+    x.bound = bound.square;
   }
 
-  // B with Delta^2 <= B, written to the place.
-  void bound(CertifiedPlace& p) {
-    const auto b = p.place->chi.size() == 2 ? bound_of_square(*p.place, region_) : std::nullopt;
-    if (b) {
-      const MPoly den(r_.ring(), b->den());
-      const MPoly room = (MPoly(r_.ring(), b->num()) * p.chi[1] + den * p.chi[0]) * p.chi[1];
-      if (is_zero(room) || facts_.ensure_positive(room, lemmas_)) {
-        p.json.emplace_back("bound", text(to_string(*b)));
-        bounds_.push_back(*b);
-      }
-    }
+  void write(const ExcludedDifferences& excluded) {
+    const ParametricPlace& p = place_at(s_, excluded.place);
+    if (p.chi.size() != 2) throw NoProof(Gap::degree, "an open exponent of degree > 1");
+    for (const Rational& v : excluded.values)
+      if (!facts_.ensure_nonzero(where_square_is(p, v * v), lemmas_))
+        throw NoProof(Gap::difference, "Delta != " + kov::to_string(v) + " has no exact proof");
   }
 
-  std::string theorem() {
-    const bool torus = has_torus();
-    const bool log = has_log();
-    if (torus && log) return "torus-log";
-    std::vector<CertifiedPlace*> open;
-    for (auto& p : places_)
-      if (p.open) open.push_back(&p);
-    for (auto* p : open)
-      bound(*p);
-    std::optional<Rational> largest;
-    if (!open.empty() && bounds_.size() == open.size())
-      largest = *std::max_element(bounds_.begin(), bounds_.end());
-    const bool no_line = exponential_bound(s_, largest).excludes();
-    if (log && no_line) return "irreducible-log";
-    if (bounds_.size() < open.size()) throw NoProof("no bound of Delta^2 has an exact proof");
-    if (open.empty() && !torus) {
-      rational(log, no_line || !lines_possible());
-      return "rational";
-    }
-    absent(4);
-    if (open.empty()) return "torus";
-    exclude_values(open);
-    return open.size() == 1 ? "one-open" : "open";
+  [[nodiscard]] bool needs_invariants() const {
+    return leaf_.by != Conclusion::torus_log && leaf_.by != Conclusion::irreducible_log;
   }
 
-  // The judge wants to see that Delta has none of certain values: the solver has split those that
-  // signs do not exclude.
-  void exclude_values(const std::vector<CertifiedPlace*>& open) {
-    for (const auto* p : open) {
-      if (p->chi.size() != 2) throw NoProof("an open exponent of degree > 1");
-      for (const Rational& v : candidates(*p->place)) {
-        const MPoly at = where_square_is(*p->place, v * v);
-        if (!facts_.ensure_nonzero(at, lemmas_) && region_.is_nonzero(at))
-          throw NoProof("Delta != " + to_string(v) + " has no exact proof");
-      }
-    }
-  }
-
-  // More values than the judge asks for: all with a small denominator, and those of lines.
-  [[nodiscard]] std::set<Rational> candidates(const ParametricPlace& p) const {
-    const Rational most =
-        bounds_.empty() ? Rational(0) : *std::max_element(bounds_.begin(), bounds_.end());
-    std::set<Rational> all;
-    for (long n = 1; n <= 5; ++n)
-      for (long a = 0; Rational(a * a, n * n) <= most + Rational(2); ++a)
-        all.insert(Rational(a, n));
-    const Families lines = exponential_families(s_, p);
-    const long d = p.degree(z_);
-    for (const Rational& fixed : lines.fixed)
-      for (long j = -d; lines.complete && j <= d; j += 2)
-        for (long k = 0; j != 0 && all.size() < 4000; ++k) {
-          const Rational v = Rational(2) * (Rational(k) - fixed) / Rational(j);
-          if (sign(Rational(k) - fixed) > 0 && v * v > most) break;
-          if (v * v <= most) all.insert(abs(v));
-        }
+  std::vector<AbsentInvariant> absent() {
+    std::vector<AbsentInvariant> all;
+    for (const Evidence& e : leaf_.because)
+      if (const auto* none = std::get_if<NoInvariant>(&e); none != nullptr && none->excluded)
+        all.push_back(absent(none->m, *none->excluded));
+    if (const auto m = implied_degree())
+      if (const auto form = invariant_bound(s_, *m).form) all.push_back(implied(*form));
     return all;
   }
 
-  [[nodiscard]] bool lines_possible() const {
-    const Families f = exponential_families(s_);
-    return !f.complete || std::any_of(f.fixed.begin(), f.fixed.end(), [](const Rational& d) {
-      return is_integer(d) && sign(d) >= 0;
-    });
+  // Where Sym^12 has no solution Sym^m has none for the divisors m of 12: v^(12/m) would be one.
+  // The rule "rational" wants to see the minors of Sym^m all the same.
+  [[nodiscard]] std::optional<long> implied_degree() const {
+    if (leaf_.by != Conclusion::rational || evidence<NoExponential>(leaf_) != nullptr ||
+        evidence<NoFamilies>(leaf_) != nullptr)
+      return std::nullopt;
+    const long m = to_long(common_denominator(s_));
+    const bool shown =
+        std::any_of(leaf_.because.begin(), leaf_.because.end(), [&](const Evidence& e) {
+          const auto* none = std::get_if<NoInvariant>(&e);
+          return none != nullptr && none->m == m;
+        });
+    return shown ? std::nullopt : std::optional(m);
   }
-
-  void rational(bool log, bool no_line) {
-    if (!log) absent(12);
-    if (no_line) return;
-    Integer n(2);
-    for (const auto& p : s_.finite)
-      n = lcm(n, ((Rational(1) + p.delta) * Rational(1, 2)).den());
-    if (n > Integer(200))
-      throw NoProof("the exponents have the common denominator " + to_string(n));
-    if (log || n != Integer(12)) absent(to_long(n));
-  }
-
-  // Sym^m has no rational solution: by degree, or by minors.
-  void absent(long m) {
-    const InvariantBound bound = invariant_bound(s_, m);
-    if (!bound.form) return;
-    const auto answer = exclude_invariant(s_, *bound.form, region_, budget_);
+  AbsentInvariant implied(const InvariantForm& form) {
+    const auto answer = exclude_invariant(s_, form, region_, budget_);
     const auto* excluded = std::get_if<Excluded>(&answer);
-    if (excluded == nullptr) throw NoProof("Sym^" + std::to_string(m) + " is not excluded");
-    Json::Array minors;
-    for (const auto& minor : excluded->minors) {
-      Json::Array rows;
-      for (const std::size_t i : minor.rows)
-        rows.push_back(text(static_cast<long>(i)));
-      minors.push_back(Json{Json::Object{{"rows", Json{std::move(rows)}}, {"times", text(1L)}}});
-    }
-    Json::Object data{{"m", text(m)}, {"minors", Json{std::move(minors)}}};
-    if (excluded->minors.size() == 1)
-      need(excluded->minors.front().value, "a minor");
+    if (excluded == nullptr)
+      throw NoProof(Gap::invariant, "Sym^" + std::to_string(form.m) + " is not excluded");
+    return absent(form.m, *excluded);
+  }
+
+  AbsentInvariant absent(long m, const Excluded& excluded) {
+    const MPoly one(s_.r.ring(), Integer(1));
+    AbsentInvariant x{m, {}, {}};
+    for (const auto& minor : excluded.minors)
+      x.minors.push_back({minor.rows, one});
+    if (excluded.minors.size() == 1)
+      need(excluded.minors.front().value, "a minor", Gap::invariant);
     else
-      data.emplace_back("prime", text(separating_prime(excluded->minors)));
-    absent_.push_back(Json{std::move(data)});
+      x.prime = without_common_root(excluded.minors);
+    return x;
   }
 
   // A prime modulo which the minors, without the factors that are known, stay without a common
   // root.
-  long separating_prime(const std::vector<Minor>& minors) {
+  mp_limb_t without_common_root(const std::vector<MaximalMinor>& minors) {
     std::vector<MPoly> rest;
     for (const auto& minor : minors) {
       for (const auto& f : irreducible_parts(minor.value))
         (void)facts_.ensure_nonzero(f, lemmas_);
       rest.push_back(facts_.without_known_factors(minor.value));
     }
-    const auto x = used_variables(minors.front().value).front();
-    mp_limb_t p = 1UL << 30;
-    for (int attempt = 0; attempt < 20; ++attempt) {
-      p = n_nextprime(p, 1);
-      const auto modulo = [&](const MPoly& f) {
-        NmodPoly g(p);
-        const auto c = coefficients(f, x);
-        for (std::size_t i = 0; i < c.size(); ++i)
-          if (!is_zero(c[i]))
-            g.set_coeff(static_cast<long>(i), fmpz_fdiv_ui(c[i].coefficient(0).raw(), p));
-        return g;
-      };
-      NmodPoly common = modulo(rest.front());
-      if (kov::degree(common) != degree(rest.front(), x)) continue;
-      for (const auto& f : rest)
-        common = gcd(common, modulo(f));
-      if (kov::degree(common) <= 0) return static_cast<long>(p);
-    }
-    throw NoProof("no prime separates the minors");
+    const auto p = separating_prime(rest, used_variables(minors.front().value).front());
+    if (!p) throw NoProof(Gap::invariant, "no prime separates the minors");
+    return *p;
   }
 
-  const MFraction& r_;
-  std::size_t z_;
+  const Leaf& leaf_;
+  const Scheme& s_;
   const Region& region_;
   KnownFacts& facts_;
   std::vector<Lemma>& lemmas_;
   const Budget& budget_;
-  Scheme s_;
-  std::vector<CertifiedPlace> places_;
-  std::vector<Rational> bounds_; // of the open places
-  Json::Array absent_;
 };
+
+// What the places alone prove, without the closed answers.
+Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s, const Region& region,
+               const Budget& budget, const NoProof& otherwise) {
+  auto answer = decide_by_places(s, region, budget);
+  const auto* other = std::get_if<Leaf>(&answer);
+  if (other == nullptr || other->abelian != leaf.abelian) throw otherwise;
+  return *other;
+}
 
 } // namespace
 
-Json leaf_certificate(const Leaf& leaf, const MFraction& r, std::size_t z, const Region& region,
-                      KnownFacts& facts, std::vector<Lemma>& lemmas, const Budget& budget) {
-  if (leaf.number)
-    return Json{Json::Object{{"node", text("leaf")},
-                             {"abelian", text(leaf.abelian == Truth::yes ? "yes" : "no")},
-                             {"by", text("number")},
-                             {"certificate", number_certificate(*leaf.number)}}};
-  if (leaf.invariant)
-    return LeafWriter(r, z, region, facts, lemmas, budget).invariant(*leaf.invariant);
-  if (leaf.abelian != Truth::no) throw NoProof(leaf.reason);
-  return LeafWriter(r, z, region, facts, lemmas, budget).not_abelian();
+LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& region,
+                          KnownFacts& facts, std::vector<Lemma>& lemmas, const Budget& budget) {
+  if (const auto* number = evidence<Number>(leaf))
+    return {leaf.abelian == Truth::yes, certify::ByNumber{number_certificate(number->decision)}};
+  const NoProof no_rule(Gap::rule, why_no_rule(leaf.by));
+  if (!leaf.scheme || !(leaf.scheme->r == r)) throw no_rule;
+  const auto written = [&](const Leaf& one) -> std::optional<LeafNode> {
+    LeafWriter writer(one, region, facts, lemmas, budget);
+    if (const auto* found = evidence<InvariantFound>(one))
+      return LeafNode{true, writer.invariant(found->v)};
+    if (rule_of(one.by) == nullptr) return std::nullopt;
+    return LeafNode{false, writer.places()};
+  };
+  const bool invariant = evidence<InvariantFound>(leaf) != nullptr;
+  auto fewer = invariant ? std::nullopt
+                         : LeafWriter(leaf, region, facts, lemmas, budget).with_fewer_logarithms();
+  auto node = fewer ? written(by_places(
+                          leaf, std::make_shared<const Scheme>(*std::move(fewer)), region, budget,
+                          {Gap::logarithm, "a logarithm has no exact proof that the format shows"}))
+              : leaf.by == Conclusion::bessel
+                  ? written(by_places(leaf, leaf.scheme, region, budget, no_rule))
+                  : written(leaf);
+  if (!node) throw no_rule;
+  return *std::move(node);
 }
 
 } // namespace kov::strata

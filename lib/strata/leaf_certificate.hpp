@@ -1,6 +1,7 @@
 #pragma once
-// One leaf of a certificate over strata: the places, the exponents and the theorem that make the
-// solver's verdict checkable.  docs/theory/strata_certificates.md, 6 and 7
+// One leaf of a certificate over strata: the places, the exponents and the theorem of the leaf in
+// the words of the format.  What is searched for here are the lemmas, proofs that polynomials do
+// not vanish.  docs/theory/strata_certificates.md, 6 and 7
 
 #include "strata/known_facts.hpp"
 #include "strata/proof_tree.hpp"
@@ -9,20 +10,36 @@
 
 namespace kov::strata {
 
+/// What is missing where a verdict cannot be written down.
+enum class Gap : std::uint8_t {
+  rule,       ///< the theorem has no rule in the format
+  places,     ///< lemma: places stay apart, orders and degrees stay
+  irrational, ///< lemma: an exponent difference is irrational
+  bound,      ///< lemma: a bound of an exponent difference
+  difference, ///< lemma: an exponent difference has not a value
+  degree,     ///< an open exponent difference of degree > 1
+  invariant,  ///< lemma: a symmetric power has no solution, or the solution is not 0
+  logarithm,  ///< lemma: a logarithm, or no rule for it
+  number,     ///< the equation without parameters has no certificate
+  emptiness   ///< the stratum is empty by Z3
+};
+[[nodiscard]] const char* to_string(Gap gap);
+
 /// The verdict of the solver is not a case of the certificate's rules, or rests on Z3.
 class NoProof : public std::runtime_error {
 public:
-  using std::runtime_error::runtime_error;
+  NoProof(Gap what, const std::string& why) : std::runtime_error(why), gap(what) {}
+  Gap gap;
 };
 
-/// The leaf node for y'' = r y on the stratum `region`, known to the judge as `facts`; the lemmas
-/// that it needs are appended.  Requires leaf.abelian = yes or no.
+/// The leaf node on the stratum `region`, known to the checker as `facts`, where the equation is
+/// y'' = r y; the lemmas that it needs are appended.  Requires leaf.abelian = yes or no.
 /// Throws  NoProof, OutOfBudget
-[[nodiscard]] certify::Json leaf_certificate(const Leaf& leaf, const MFraction& r, std::size_t z,
-                                             const Region& region, KnownFacts& facts,
-                                             std::vector<Lemma>& lemmas, const Budget& budget);
+[[nodiscard]] certify::LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r,
+                                                 const Region& region, KnownFacts& facts,
+                                                 std::vector<Lemma>& lemmas, const Budget& budget);
 
-/// The certificate of an equation without parameters, as a JSON value.
-[[nodiscard]] certify::Json number_certificate(const Decision& d);
+/// The certificate of an equation without parameters.
+[[nodiscard]] certify::Certificate number_certificate(const Decision& d);
 
 } // namespace kov::strata

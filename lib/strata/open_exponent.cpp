@@ -20,57 +20,69 @@ Rational root_above(const Rational& b) {
     if (Rational(k * k, 4) >= b) return Rational(k, 2);
 }
 
-Leaf no(const std::string& why, bool irreducible) {
-  Leaf leaf;
-  leaf.abelian = Truth::no;
-  if (irreducible) leaf.group = GaloisGroup{GroupType::SL2, {}};
-  leaf.group_text = irreducible ? describe(*leaf.group) : "SL(2, C) or the full triangular group";
-  leaf.reason = why;
-  return leaf;
-}
-
-class OpenJudge {
+class OpenDifferences {
 public:
-  OpenJudge(const Scheme& s, const std::vector<const ParametricPlace*>& open,
-            const std::string& torus, bool log, const Region& region, const Budget& budget)
+  OpenDifferences(const Scheme& s, const std::vector<PlaceIndex>& open,
+                  const std::optional<Evidence>& torus, const std::optional<Logarithm>& log,
+                  const Region& region, const Budget& budget)
       : s_(s), open_(open), torus_(torus), log_(log), region_(region), budget_(budget) {}
 
   std::variant<Leaf, Needs> run() {
-    const InvariantBound four = invariant_bound(s_, 4);
-    if (four.form) {
-      auto excluded = exclude_invariant(s_, *four.form, region_, budget_);
+    NoInvariant four{4, invariant_bound(s_, 4)};
+    if (four.bound.form) {
+      auto excluded = exclude_invariant(s_, *four.bound.form, region_, budget_);
       if (auto* n = std::get_if<Needs>(&excluded)) return std::move(*n);
-      if (const auto* u = std::get_if<Unsettled>(&excluded)) return unsettled(*u, rational_text());
+      if (auto* u = std::get_if<Unsettled>(&excluded))
+        return open_leaf(MinorsVanish{std::move(u->together), some_difference()});
+      four.excluded = std::get<Excluded>(std::move(excluded));
     }
-    generic_ = four.form ? "Sym^4 has no rational solution" : four.why;
-    for (const auto* p : open_)
-      bounds_.push_back(bound_of_square(*p, region_));
-    const bool bounded =
-        std::all_of(bounds_.begin(), bounds_.end(), [](const auto& b) { return b.has_value(); });
-    std::optional<Rational> largest; // of |Re Delta|^2: where Delta^2 is real
-    const bool real =
-        std::all_of(open_.begin(), open_.end(), [](const auto* p) { return p->chi.size() == 2; });
-    for (const auto& b : bounds_)
-      if (bounded && real && (!largest || *b > *largest)) largest = b;
-    const ExponentialBound exponential = exponential_bound(s_, largest);
-    irreducible_ = exponential.excludes();
-    if (irreducible_ && log_)
-      return no("there is a logarithm, and no exponential solution: its polynomial part would have "
-                "a degree < 0",
-                true);
-    if (open_.size() == 1 && open_[0]->chi.size() == 2) return one_difference();
-    if (!bounded || (torus_.empty() && !irreducible_)) return undecided(several_text());
+    known_.emplace_back(std::move(four));
+    find_bounds();
+    if (exponential_.excludes() && log_) {
+      known_.emplace_back(*log_);
+      return not_abelian(Conclusion::irreducible_log, true);
+    }
+    if (open_.size() == 1 && first().chi.size() == 2) return one_difference();
+    if (!bounded() || (!torus_ && !exponential_.excludes())) return open_leaf(some_difference());
     return several();
   }
 
 private:
-  [[nodiscard]] std::string where(const ParametricPlace& p) const {
-    return "Delta at " + place_name(p, s_.z) + ", " + square_text(p);
+  [[nodiscard]] const ParametricPlace& first() const { return place_at(s_, open_[0]); }
+  [[nodiscard]] bool bounded() const {
+    return std::all_of(bounds_.begin(), bounds_.end(), [](const auto& b) { return b.has_value(); });
+  }
+
+  // The bounds are of |Re Delta|^2 where Delta^2 is real.
+  void find_bounds() {
+    bool real = true;
+    for (const PlaceIndex i : open_) {
+      const ParametricPlace& p = place_at(s_, i);
+      real = real && p.chi.size() == 2;
+      bounds_.push_back(bound_of_square(p, region_));
+      if (bounds_.back()) known_.emplace_back(DifferenceBound{i, *bounds_.back()});
+    }
+    std::optional<Rational> largest;
+    for (const auto& b : bounds_)
+      if (bounded() && real && (!largest || *b > *largest)) largest = b;
+    exponential_ = exponential_bound(s_, largest);
+  }
+
+  [[nodiscard]] Leaf not_abelian(Conclusion by, bool irreducible) const {
+    Leaf leaf;
+    leaf.abelian = Truth::no;
+    leaf.by = by;
+    leaf.because = known_;
+    if (torus_) leaf.because.push_back(*torus_);
+    if (exponential_.excludes()) leaf.because.emplace_back(NoExponential{exponential_});
+    if (irreducible) leaf.group = GaloisGroup{GroupType::SL2, {}};
+    leaf.bound = GroupBound::SL2_or_Borel;
+    return leaf;
   }
 
   // The multiples of 1/2 for which a product y1 y2 with rational square is possible.
   [[nodiscard]] std::optional<Values> half_integers(const Rational& most) const {
-    const Families f = product_families(s_, *open_[0]);
+    const Families f = product_families(s_, first());
     if (!f.complete) return std::nullopt;
     Values values;
     if (log_) return values; // no logarithms there
@@ -79,7 +91,7 @@ private:
     return values;
   }
   [[nodiscard]] bool product_possible(const Families& f, long k) const {
-    const long n = open_[0]->degree(s_.z);
+    const long n = first().degree(s_.z);
     for (const auto& fixed : f.fixed)
       for (long j = -n; j <= n; ++j)
         if (is_natural((fixed + Rational(j * k)) * Rational(1, 2))) return true;
@@ -90,8 +102,9 @@ private:
   [[nodiscard]] Values primitive(const Rational& most) const {
     Values values;
     if (log_) return values;
-    for (const auto* p : every_place())
-      if (p != open_[0] && (p->exponent != ExponentKind::rational || p->delta.den() > Integer(5)))
+    for (PlaceIndex i = 0; i < number_of_places(s_); ++i)
+      if (const auto& p = place_at(s_, i);
+          i != open_[0] && (p.exponent != ExponentKind::rational || p.delta.den() > Integer(5)))
         return values;
     for (long n = 1; n <= 5; ++n)
       for (long a = 1; Rational(a, n) <= most; ++a) {
@@ -113,9 +126,9 @@ private:
 
   // Delta with fixed + j Delta/2 a natural number; unset: possible for every Delta.
   [[nodiscard]] std::optional<Values> reducible(const Rational& most) const {
-    const Families f = exponential_families(s_, *open_[0]);
+    const Families f = exponential_families(s_, first());
     if (!f.complete) return std::nullopt;
-    const long n = open_[0]->degree(s_.z);
+    const long n = first().degree(s_.z);
     Values values;
     for (const auto& fixed : f.fixed)
       for (long j = -n; j <= n; j += 2) {
@@ -131,148 +144,116 @@ private:
     return values;
   }
 
-  [[nodiscard]] std::vector<const ParametricPlace*> every_place() const {
-    std::vector<const ParametricPlace*> all{&s_.infinity};
-    for (const auto& p : s_.finite)
-      all.push_back(&p);
-    return all;
-  }
-
   std::variant<Leaf, Needs> one_difference() {
-    const ParametricPlace& p = *open_[0];
+    const PlaceIndex i = open_[0];
     if (!bounds_[0]) return unbounded();
     const Rational most = root_above(*bounds_[0]);
     const auto products = half_integers(most);
-    if (!products) return undecided(several_text());
+    if (!products) return open_leaf(some_difference());
     Values values = *products;
     const auto lines = reducible(most);
-    if (torus_.empty()) {
-      if (!lines) return undecided(reducible_text());
+    if (!torus_) {
+      if (!lines) return open_leaf(RationalDifference{i});
       values.merge(Values(*lines));
       values.merge(primitive(most));
     }
-    if (auto n = exclude(p, values)) return *std::move(n);
-    return no(where(p) + ": " + text_of(values, *bounds_[0]), irreducible_ || lines.has_value());
+    if (auto n = exclude(i, values)) return *std::move(n);
+    return not_abelian(Conclusion::one_open, exponential_.excludes() || lines.has_value());
   }
 
   // The differences are none of these: or the strata where they are come first.
-  std::optional<Needs> exclude(const ParametricPlace& p, const Values& values) const {
+  std::optional<Needs> exclude(PlaceIndex i, const Values& values, const Values& more = {}) {
+    if (auto n = doubtful(place_at(s_, i), values)) return n;
+    if (auto n = doubtful(place_at(s_, i), more)) return n;
+    Values all = values;
+    all.insert(more.begin(), more.end());
+    known_.emplace_back(ExcludedDifferences{i, {all.begin(), all.end()}});
+    return std::nullopt;
+  }
+  [[nodiscard]] std::optional<Needs> doubtful(const ParametricPlace& p,
+                                              const Values& values) const {
     for (const auto& v : values) {
       const MPoly at = where_square_is(p, v * v);
       KOV_ENSURE(!is_zero(at)); // Delta^2 is not constant
       if (auto d = region_.doubtful_factor(at))
-        return Needs{*std::move(d), "Delta = " + to_string(v) + " at " + place_name(p, s_.z)};
+        return Needs{*std::move(d),
+                     {.kind = Event::Kind::difference_is, .place = name_of(p, s_.z), .value = v}};
     }
     return std::nullopt;
   }
 
-  [[nodiscard]] std::string text_of(const Values& values, const Rational& bound) const {
-    std::string list;
-    for (const auto& v : values)
-      list += (list.empty() ? "" : ", ") + to_string(v);
-    std::string text = "not larger than " + to_string(bound) + "; ";
-    text += torus_.empty() ? "if Delta is not rational, "
-                           : torus_ + ", and unless 2*Delta is an "
-                                      "integer, ";
-    text += generic_ + "; an abelian identity component is possible only for ";
-    text +=
-        list.empty() ? "no value of Delta" : "Delta in {" + list + "}, none of which occurs here";
-    return text;
-  }
-
+  // All multiples of 1/2 within the bound; of the first one also a/3, a/4, a/5.
   std::variant<Leaf, Needs> several() {
     Values halves, others;
     for (std::size_t i = 0; i < open_.size(); ++i) {
       const Rational most = root_above(*bounds_[i]);
       for (long k = 1; Rational(k, 2) <= most; ++k)
         halves.insert(Rational(k, 2));
-      if (i == 0 && torus_.empty() && !log_)
+      if (i == 0 && !torus_ && !log_)
         for (long n = 3; n <= 5; ++n)
           for (long a = 1; Rational(a, n) <= most; ++a)
             others.insert(Rational(a, n));
     }
-    for (std::size_t i = 0; i < open_.size(); ++i) {
-      if (auto n = exclude(*open_[i], halves)) return *std::move(n);
-      if (i == 0)
-        if (auto n = exclude(*open_[i], others)) return *std::move(n);
-    }
-    std::string text = torus_.empty() ? "there is no exponential solution" : torus_;
-    for (const auto* p : open_)
-      text += "; " + where(*p) + ", 2*Delta is not an integer";
-    return no(text + "; " + generic_, irreducible_);
+    for (const PlaceIndex i : open_)
+      if (auto n = exclude(i, halves, i == open_[0] ? others : Values{})) return *std::move(n);
+    return not_abelian(Conclusion::several_open, exponential_.excludes());
   }
 
   std::variant<Leaf, Needs> unbounded() {
-    const ParametricPlace& p = *open_[0];
-    const Families f = product_families(s_, p);
-    if (torus_.empty() || !f.complete) return undecided(reducible_text());
+    const PlaceIndex i = open_[0];
+    const Families f = product_families(s_, first());
+    if (!torus_ || !f.complete) return open_leaf(RationalDifference{i});
     // y1 y2 needs 2 Delta = k, for which k?  (fixed + j k)/2 is natural for some |j| <= n: beyond
     // k = max |fixed| the sign is that of j, and the condition has period 2 in k.
     Rational largest;
     for (const auto& fixed : f.fixed)
       largest = std::max(largest, abs(fixed));
-    if (largest > Rational(100000)) return undecided(reducible_text());
+    if (largest > Rational(100000)) return open_leaf(RationalDifference{i});
     bool odd = false;
     bool even = false;
     for (long k = 1; !(odd && even) && Rational(k) <= largest + Rational(4); ++k)
       if (product_possible(f, k)) (k % 2 != 0 ? odd : even) = true;
-    if (!odd && !even)
-      return no(torus_ + "; " + where(p) + "; no exponents of y1*y2 are possible", irreducible_);
-    if (const auto g = exponent_difference(p)) {
-      const MFraction twice = Rational(2) * *g;
-      const bool none =
-          region_.is_integral(twice) == Truth::no || (!odd && region_.is_integral(*g) == Truth::no);
-      if (none)
-        return no(torus_ + "; " + where(p) + ", and by assumption " + (odd ? "2*Delta" : "Delta") +
-                      " is not an integer; " + generic_,
-                  irreducible_);
+    if (!odd && !even) {
+      known_.emplace_back(NoProducts{i});
+      return not_abelian(Conclusion::no_products, exponential_.excludes());
     }
-    return undecided(std::string(odd ? "2*Delta" : "Delta") + " is a positive integer, " +
-                     where(p) + ", and Sym^4 has a rational solution");
+    if (is_assumed_not_integer(odd)) {
+      known_.emplace_back(AssumedNotInteger{i, odd});
+      return not_abelian(Conclusion::assumed_integers, exponential_.excludes());
+    }
+    return open_leaf(IntegralDifference{i, odd});
   }
 
-  [[nodiscard]] std::string reducible_text() const {
-    const ParametricPlace& p = *open_[0];
-    return "Delta is rational, " + where(p) +
-           ", and the equation is reducible or a symmetric power has a rational solution";
+  // 2 Delta, or at least Delta where only even values of it matter.
+  [[nodiscard]] bool is_assumed_not_integer(bool odd) const {
+    const auto g = exponent_difference(first());
+    return g && (region_.is_integral(Rational(2) * *g) == Truth::no ||
+                 (!odd && region_.is_integral(*g) == Truth::no));
   }
+
   // docs/theory/strata.md 6.4: a torus acts where some Delta is not rational, and its invariant has
   // exponents that are not generic.
-  [[nodiscard]] std::string rational_text() const {
-    std::string text = torus_.empty() ? "every Delta is rational or some 2*Delta is an integer"
-                                      : "some 2*Delta is an integer";
-    for (const auto* p : open_)
-      text += ", " + where(*p);
-    return text;
-  }
-  [[nodiscard]] std::string several_text() const {
-    return rational_text() + ", and a symmetric power has a rational solution";
-  }
-  Leaf undecided(const std::string& condition) const {
-    Leaf leaf;
-    leaf.open_condition = "abelian only if " + condition;
-    leaf.reason = "undecided: " + leaf.open_condition;
-    return leaf;
-  }
+  [[nodiscard]] SomeDifference some_difference() const { return {open_, torus_.has_value()}; }
 
   const Scheme& s_;
-  const std::vector<const ParametricPlace*>& open_;
-  const std::string& torus_;
-  bool log_;
+  const std::vector<PlaceIndex>& open_;
+  const std::optional<Evidence>& torus_;
+  const std::optional<Logarithm>& log_;
   const Region& region_;
   const Budget& budget_;
-  std::string generic_;
-  std::vector<std::optional<Rational>> bounds_;
-  bool irreducible_ = false;
+  std::vector<std::optional<Rational>> bounds_; ///< parallel to open_
+  ExponentialBound exponential_;
+  std::vector<Evidence> known_;
 };
 
 } // namespace
 
-std::variant<Leaf, Needs> judge_open_exponents(const Scheme& s,
-                                               const std::vector<const ParametricPlace*>& open,
-                                               const std::string& torus, bool log,
-                                               const Region& region, const Budget& budget) {
-  return OpenJudge(s, open, torus, log, region, budget).run();
+std::variant<Leaf, Needs> decide_open_exponents(const Scheme& s,
+                                                const std::vector<PlaceIndex>& open,
+                                                const std::optional<Evidence>& torus,
+                                                const std::optional<Logarithm>& log,
+                                                const Region& region, const Budget& budget) {
+  return OpenDifferences(s, open, torus, log, region, budget).run();
 }
 
 } // namespace kov::strata

@@ -2,7 +2,7 @@
 // How the strata were found: the splits p = 0 / p != 0 with a verdict at each leaf.  What a
 // certificate over strata is written from (docs/theory/strata_certificates.md, 4).
 
-#include "strata/judge.hpp"
+#include "strata/leaf.hpp"
 
 #include <memory>
 

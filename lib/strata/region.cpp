@@ -102,7 +102,7 @@ int Region::sign_of(const MPoly& p) const {
   const auto [content, factors] = factor(p);
   int s = sign(content);
   for (const auto& f : factors) {
-    if (f.exponent % 2 == 0 && is_real(f.base) && is_nonzero(f.base)) continue;
+    if (f.exponent % 2 == 0 && is_real(f.base) && provably_nonzero(f.base)) continue;
     const int one = sign_of_irreducible(f.base);
     if (one == 0) return 0;
     if (f.exponent % 2 != 0) s *= one;
@@ -125,7 +125,7 @@ int Region::exact_sign_of(const MPoly& p) const {
   return s;
 }
 
-bool Region::is_nonzero(const MPoly& p) const { return !is_zero(p) && !doubtful_factor(p); }
+bool Region::provably_nonzero(const MPoly& p) const { return !is_zero(p) && !doubtful_factor(p); }
 
 std::optional<MPoly> Region::doubtful_factor(const MPoly& p) const {
   return doubtful_factor(p, relations_);

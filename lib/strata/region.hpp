@@ -42,7 +42,7 @@ public:
 
   /// Does p, written in the parameters that are left, vanish nowhere on the stratum?  no means: not
   /// proved.
-  [[nodiscard]] bool is_nonzero(const MPoly& p) const;
+  [[nodiscard]] bool provably_nonzero(const MPoly& p) const;
   /// +1 or -1 if p is proved to be positive or negative on the whole stratum, else 0.
   [[nodiscard]] int sign_of(const MPoly& p) const;
   /// The same without Z3.

@@ -15,17 +15,18 @@ using Element = FiniteAlgebra::Element;
 // resultants.
 std::optional<Needs> merging(const std::vector<MPoly>& places, std::size_t z,
                              const Region& region) {
-  const auto need = [&](const MPoly& event, const std::string& why) -> std::optional<Needs> {
-    if (auto p = region.doubtful_factor(event)) return Needs{*std::move(p), why};
+  using enum Event::Kind;
+  const auto need = [&](const MPoly& event, Event::Kind why) -> std::optional<Needs> {
+    if (auto p = region.doubtful_factor(event)) return Needs{*std::move(p), {why}};
     return std::nullopt;
   };
   for (const auto& q : places)
-    if (auto n = need(coefficients(q, z).back(), "a pole goes to infinity")) return n;
+    if (auto n = need(coefficients(q, z).back(), pole_to_infinity)) return n;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (degree(places[i], z) > 1)
-      if (auto n = need(discriminant(places[i], z), "two poles meet")) return n;
+      if (auto n = need(discriminant(places[i], z), poles_meet)) return n;
     for (std::size_t j = 0; j < i; ++j)
-      if (auto n = need(resultant(places[i], places[j], z), "two poles meet")) return n;
+      if (auto n = need(resultant(places[i], places[j], z), poles_meet)) return n;
   }
   return std::nullopt;
 }
@@ -129,7 +130,7 @@ public:
       if (uses(f.base, scheme_.z)) {
         places.push_back(f.base);
       } else if (auto p = region_.doubtful_factor(f.base)) {
-        return Needs{*std::move(p), "r has no value"};
+        return Needs{*std::move(p), {Event::Kind::no_value}};
       }
     }
     if (auto n = merging(places, scheme_.z, region_)) return *n;
@@ -163,8 +164,7 @@ private:
   std::optional<Needs> lower_order(const ParametricPlace& p, const MPoly& top) const {
     if (p.order == 2) return std::nullopt;
     if (auto d = region_.doubtful_factor(top))
-      return Needs{*std::move(d),
-                   "the order of the pole at " + place_name(p, scheme_.z) + " drops"};
+      return Needs{*std::move(d), {Event::Kind::order_drops, name_of(p, scheme_.z)}};
     return std::nullopt;
   }
 
@@ -188,12 +188,12 @@ private:
   std::optional<Needs> regular(ParametricPlace& p, const Local& local) const {
     const Element square = local.delta_squared();
     if (auto d = local.doubtful_denominator(square))
-      return Needs{*std::move(d), "the exponents at " + place_name(p, scheme_.z) + " change"};
+      return Needs{*std::move(d), {Event::Kind::exponents_change, name_of(p, scheme_.z)}};
     p.chi = local.minimal_polynomial(square);
     for (const auto& c : p.chi)
       if (c.ring() && !is_zero(c))
         if (auto d = region_.doubtful_factor(c.den()))
-          return Needs{*std::move(d), "the exponents at " + place_name(p, scheme_.z) + " change"};
+          return Needs{*std::move(d), {Event::Kind::exponents_change, name_of(p, scheme_.z)}};
     eliminate_relations(p.chi, region_);
     if (auto n = classify_exponent(p, region_)) return n;
     if (p.exponent == ExponentKind::rational && is_integer(p.delta)) logarithm(p, local);
@@ -214,10 +214,12 @@ private:
     }
     MPoly norm = local.norm(defect);
     const auto doubt = region_.doubtful_factor(norm);
-    if (!doubt && !is_zero(norm))
-      p.log = Truth::yes;
-    else if (doubt)
+    if (doubt) {
       p.log_norm = doubt;
+    } else if (!is_zero(norm)) {
+      p.log = Truth::yes;
+      p.log_norm = std::move(norm);
+    }
   }
 
   const Region& region_;
@@ -232,38 +234,6 @@ std::variant<Scheme, Needs> scheme(const MFraction& r, std::size_t z, const Regi
   return SchemeBuilder(r, z, region, budget).build();
 }
 
-std::optional<MPoly> logarithm_defect(const MFraction& r, std::size_t z, const ParametricPlace& p,
-                                      const Region& region) {
-  if (p.delta > Rational(max_log_order)) return std::nullopt;
-  const Local local(p.at_infinity ? at_infinity(r, z) : r, z, p.q, region);
-  const Element defect = local.log_defect(to_long(p.delta.num()));
-  if (is_zero(defect)) return std::nullopt;
-  return local.norm(defect);
-}
-
-std::string place_name(const ParametricPlace& p, std::size_t z) {
-  if (p.at_infinity) return "infinity";
-  const std::string name = p.q.ring()->name(z);
-  if (kov::degree(p.q, z) > 1) return to_string(p.q) + " = 0";
-  const auto c = coefficients(p.q, z);
-  return name + " = " + to_factored_string(-(MFraction(c[0]) / MFraction(c[1])));
-}
-
-std::string square_text(const ParametricPlace& p) {
-  if (p.chi.size() == 2) return "Delta^2 = " + to_factored_string(-p.chi[0]);
-  std::string s;
-  for (std::size_t i = p.chi.size(); i-- > 0;) {
-    if (is_zero(p.chi[i])) continue;
-    const bool number = is_constant(p.chi[i]);
-    const bool negative = number && sign(to_rational(p.chi[i])) < 0;
-    const std::string power = i == 0 ? "" : i == 1 ? "T" : "T^" + std::to_string(i);
-    std::string c = to_factored_string(negative ? -p.chi[i] : p.chi[i]);
-    if (!number) c = "(" + c + ")";
-    if (!power.empty())
-      c = number && is_one(negative ? -p.chi[i] : p.chi[i]) ? power : c + "*" + power;
-    s += (s.empty() ? (negative ? "-" : "") : negative ? " - " : " + ") + c;
-  }
-  return "Delta^2 a root T of " + s;
-}
+PlaceName name_of(const ParametricPlace& p, std::size_t z) { return {p.q, p.at_infinity, z}; }
 
 } // namespace kov::strata

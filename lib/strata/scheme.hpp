@@ -12,10 +12,51 @@
 
 namespace kov::strata {
 
+/// A place by its name alone.
+struct PlaceName {
+  MPoly q;
+  bool at_infinity = false;
+  std::size_t z = 0;
+};
+
+/// What changes where a polynomial vanishes.
+struct Event {
+  enum class Kind : std::uint8_t {
+    assumed,            ///< it is assumed to vanish
+    no_value,           ///< r has none there
+    pole_to_infinity,   ///< a pole goes to infinity
+    poles_meet,         ///< two poles meet
+    order_drops,        ///< of the pole at `place`
+    exponents_change,   ///< at `place`
+    difference_real,    ///< the exponent difference at `place` becomes real
+    logarithm_vanishes, ///< there is none at `place`
+    difference_is,      ///< Delta = value at `place`
+    invariant_vanishes, ///< the one that was found may be 0
+    invariant_appears,  ///< Sym^m may have one
+    divided_by,         ///< the equation `solved` = 0 is solved by division by it
+    reduction           ///< the reduction to y'' = r y divides by it: `shown`
+  };
+  Kind kind = Kind::assumed;
+  PlaceName place{};
+  long m = 0;
+  Rational value{};
+  MPoly solved{};
+  std::string shown{}; ///< in the words of who made the reduction
+};
+
 /// Whether this polynomial vanishes matters, and is not known on the stratum.
 struct Needs {
   MPoly p; ///< irreducible, in the parameters that are left
-  std::string why;
+  Event why;
+};
+
+/// How it is known that Delta is not rational.
+enum class Irrationality : std::uint8_t {
+  none,
+  constant,     ///< Delta^2 is an algebraic constant, not the square of a rational number
+  coefficients, ///< those of chi are positive: no root is >= 0
+  discriminant, ///< chi is real of degree 2 and its discriminant negative: no root is real
+  refuted       ///< Z3: no root of chi is real and >= 0
 };
 
 enum class ExponentKind : std::uint8_t {
@@ -32,10 +73,12 @@ struct ParametricPlace {
   ExponentKind exponent = ExponentKind::rational;
   std::vector<MFraction> chi; ///< minimal polynomial of Delta^2 over Q(parameters), ascending
   Rational delta = 1;         ///< if rational
-  std::string irrational_because;
-  bool negative_square = false;  ///< Delta^2 < 0 on the whole stratum
-  Truth log = Truth::no;         ///< Delta in N: yes = at every root, everywhere; no = nowhere
-  std::optional<MPoly> log_norm; ///< log unknown: no root has a log-free point unless this is 0
+  Irrationality irrational = Irrationality::none;
+  bool negative_square = false; ///< Delta^2 < 0 on the whole stratum
+  Truth log = Truth::no;        ///< Delta in N: yes = at every root, everywhere; no = nowhere
+  /// Delta >= 1: no root is without logarithm unless this is 0.  log = yes: it is proved not to be;
+  /// unknown: a factor of it that is in doubt.
+  std::optional<MPoly> log_norm;
 
   [[nodiscard]] long degree(std::size_t z) const { return at_infinity ? 1 : kov::degree(q, z); }
 };
@@ -47,15 +90,20 @@ struct Scheme {
   ParametricPlace infinity;
 };
 
+/// The number of a place: those of Scheme::finite, then infinity.
+using PlaceIndex = std::size_t;
+[[nodiscard]] inline const ParametricPlace& place_at(const Scheme& s, PlaceIndex i) {
+  return i < s.finite.size() ? s.finite[i] : s.infinity;
+}
+[[nodiscard]] inline PlaceIndex number_of_places(const Scheme& s) { return s.finite.size() + 1; }
+
 /// Requires r != 0, in the parameters left in the region.
 [[nodiscard]] std::variant<Scheme, Needs> scheme(const MFraction& r, std::size_t z,
                                                  const Region& region, const Budget& budget = {});
 
-/// At a regular place with Delta = N >= 1 in N: vanishes where some root of q has no logarithm.
-/// Unset: identically 0, or N is too large to look.
-[[nodiscard]] std::optional<MPoly> logarithm_defect(const MFraction& r, std::size_t z,
-                                                    const ParametricPlace& p, const Region& region);
-
+[[nodiscard]] PlaceName name_of(const ParametricPlace& p, std::size_t z);
+/// "z = a/b", "z^2 - a = 0", "infinity"
+[[nodiscard]] std::string place_name(const PlaceName& p);
 [[nodiscard]] std::string place_name(const ParametricPlace& p, std::size_t z);
 /// "Delta^2 = 9/4 - 2*A/C", or what Delta^2 is a root of.
 [[nodiscard]] std::string square_text(const ParametricPlace& p);

@@ -8,6 +8,7 @@
 #include "exact/algebraic.hpp"
 #include "exact/error.hpp"
 #include "strata/certificate.hpp"
+#include "strata/words.hpp"
 
 #include <algorithm>
 
@@ -100,8 +101,8 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
             {}};
   for (const strata::Stratum& s : a.strata)
     grid.rows.push_back(
-        {strata::to_string(s.conditions), s.leaf.group_text, answer(s.leaf.abelian),
-         s.leaf.reason});
+        {strata::to_string(s.conditions), strata::group_text(s.leaf), answer(s.leaf.abelian),
+         strata::reason(s.leaf)});
   for (const std::string& u : a.unvisited)
     grid.rows.push_back({u, "", "undecided", "a limit was reached"});
   n.tables.push_back(std::move(grid));
@@ -137,7 +138,7 @@ std::string reason_of(const strata::StrataAnswer& a) {
   for (const strata::Stratum& s : a.strata)
     if (s.leaf.abelian == Truth::no)
       return "not abelian where " + strata::to_string(s.conditions) +
-             ", and there are such levels: " + s.leaf.reason;
+             ", and there are such levels: " + strata::reason(s.leaf);
   return "";
 }
 

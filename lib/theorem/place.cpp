@@ -193,7 +193,7 @@ private:
   }
   // Nowhere zero for the parameters of the place.
   [[nodiscard]] bool is_nonzero(const MPoly& p) const {
-    return is_parametric(MFraction(p)) && region_.is_nonzero(roots_.norm(p));
+    return is_parametric(MFraction(p)) && region_.provably_nonzero(roots_.norm(p));
   }
 
   std::string objection() {

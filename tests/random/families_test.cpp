@@ -6,6 +6,7 @@
 #include "family/family.hpp"
 #include "family/parameter_scope.hpp"
 #include "parameter_points.hpp"
+#include "strata/words.hpp"
 
 #include <gmock/gmock.h>
 
@@ -74,7 +75,7 @@ public:
 
   /// What "abelian only if ..." says; unset where this test does not read the sentence.
   [[nodiscard]] std::optional<bool> possible(const Leaf& leaf) const {
-    const std::string& text = leaf.open_condition;
+    const std::string text = open_condition(leaf);
     std::smatch found;
     if (std::regex_match(text, found, std::regex("abelian exactly where (.*) is an integer")))
       return is_integer_there(found[1]);
@@ -108,7 +109,8 @@ public:
   [[nodiscard]] std::optional<GroupType> group(const Leaf& leaf) const {
     std::smatch found;
     const std::regex weber("the full triangular group where (.*) is an odd integer, .*");
-    if (!std::regex_match(leaf.group_text, found, weber)) return std::nullopt;
+    const std::string text = group_text(leaf);
+    if (!std::regex_match(text, found, weber)) return std::nullopt;
     const NfElem e = value(found[1]);
     const bool odd = is_rational(e) && is_integer((to_rational(e) - Rational(1)) / Rational(2));
     return odd ? GroupType::Borel : GroupType::SL2;
@@ -160,7 +162,7 @@ void compare_at(const Asked& asked, const Family& f, const StrataAnswer& a,
   SCOPED_TRACE(asked.command() + "\nat " + point.text(f.question.r.ring()) +
                ":\nkovacic solve -r '" + to_string(equation.r) + "'" + point.minpoly_option());
   const Stratum* s = stratum_of(a, point);
-  if (s == nullptr || s->leaf.no_equation) return;
+  if (s == nullptr || s->leaf.no_equation()) return;
   Options options;
   options.budget = Budget::of_seconds(1.5);
   options.want_solutions = false;
@@ -168,7 +170,7 @@ void compare_at(const Asked& asked, const Family& f, const StrataAnswer& a,
   if (d.abelian == Truth::unknown) return;
   ++compared;
   const std::string why =
-      "stratum " + strata::to_string(s->conditions) + "\n" + s->leaf.reason + "\nbut " + d.reason;
+      "stratum " + strata::to_string(s->conditions) + "\n" + reason(s->leaf) + "\nbut " + d.reason;
   if (s->leaf.abelian != Truth::unknown) {
     EXPECT_EQ(s->leaf.abelian, d.abelian) << why;
   }
@@ -185,7 +187,7 @@ void compare_at(const Asked& asked, const Family& f, const StrataAnswer& a,
   if (d.abelian == Truth::yes) {
     EXPECT_TRUE(*possible) << why;
   }
-  if (s->leaf.open_condition.find("exactly") != std::string::npos) {
+  if (open_condition(s->leaf).find("exactly") != std::string::npos) {
     EXPECT_EQ(*possible, d.abelian == Truth::yes) << why;
   }
 }
@@ -401,7 +403,7 @@ TEST(RandomFamilies, ALeadingCoefficientThatVanishesIsAnException) {
       ++compared;
       const Stratum* s = stratum_of(a, *point);
       if (s != nullptr) {
-        EXPECT_TRUE(s->leaf.no_equation) << point->text(f.question.r.ring());
+        EXPECT_TRUE(s->leaf.no_equation()) << point->text(f.question.r.ring());
       }
     }
   });
@@ -409,7 +411,7 @@ TEST(RandomFamilies, ALeadingCoefficientThatVanishesIsAnException) {
   const StrataAnswer a = decide_strata(airy.question);
   ASSERT_EQ(a.strata.size(), 2U);
   EXPECT_THAT(a.strata, ::testing::Contains(::testing::Truly([](const Stratum& s) {
-                return s.leaf.no_equation && strata::to_string(s.conditions) == "a = 0";
+                return s.leaf.no_equation() && strata::to_string(s.conditions) == "a = 0";
               })));
   report();
 }

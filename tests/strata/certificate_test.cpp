@@ -4,6 +4,7 @@
 #include "strata/certificate.hpp"
 
 #include "strata/known_facts.hpp"
+#include "strata/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,12 +26,14 @@ Assumptions positive_bodies() {
 // p times = the sum of the terms, with the conditions of `facts`.
 void expect_identity(const Lemma& lemma, const KnownFacts& facts) {
   MFraction sum(ring);
-  for (const auto& t : lemma.terms) {
+  for (const auto& t : *lemma.terms) {
     MFraction product = MFraction(ring, t.c);
-    for (const auto& [i, e] : t.conditions)
-      product *= pow(MFraction(facts.conditions().at(i).p), e);
-    for (const auto& [q, e] : t.squares)
-      product *= pow(MFraction(q), 2 * e);
+    for (const auto& f : t.factors) {
+      if (const auto* even = std::get_if<certify::EvenPower>(&f))
+        product *= pow(MFraction(even->base), static_cast<long>(2 * even->e));
+      else if (const auto* c = std::get_if<certify::ConditionPower>(&f))
+        product *= pow(MFraction(facts.conditions().at(c->condition).p), static_cast<long>(c->e));
+    }
     sum += product;
   }
   const MFraction left = MFraction(lemma.p) * (lemma.times ? MFraction(*lemma.times) : number(1));
@@ -63,15 +66,15 @@ TEST(KnownFacts, AFactorOfAKnownPolynomialIsKnown) {
   std::vector<Lemma> lemmas;
   EXPECT_TRUE(facts.ensure_nonzero(poly(x("h")), lemmas));
   ASSERT_EQ(lemmas.size(), 1U);
-  EXPECT_TRUE(lemmas[0].terms.empty());
+  EXPECT_FALSE(lemmas[0].terms);
 }
 
 TEST(KnownFacts, AnInequalityIsLostOverAComplexDenominator) {
   KnownFacts facts(ring, positive_bodies(), {});
   facts.assume_nonzero(poly(x("h")));
   facts.solve(poly(x("h") * x("A") - number(1)), ring->index("A")); // A = 1/h, h complex
-  EXPECT_TRUE(facts.conditions().at(0).dropped);
-  EXPECT_FALSE(facts.conditions().at(1).dropped);
+  EXPECT_EQ(facts.conditions().at(0).sign, Sign::dropped);
+  EXPECT_EQ(facts.conditions().at(1).sign, Sign::positive);
 }
 
 TEST(KnownFacts, AContradictionIsASumThatVanishes) {
@@ -79,7 +82,7 @@ TEST(KnownFacts, AContradictionIsASumThatVanishes) {
   facts.solve(poly(x("A") + x("C") + number(1)), ring->index("C"));
   const auto terms = facts.contradiction();
   ASSERT_TRUE(terms);
-  expect_identity({MPoly(ring), {}, false, *terms}, facts);
+  expect_identity({.p = MPoly(ring), .terms = *terms}, facts);
 }
 
 StrataCertificate written(const MFraction& r, const Assumptions& a = positive_bodies()) {
@@ -111,6 +114,8 @@ TEST(StrataCertificate, WhatHasNoRuleIsTrustedAndCounted) {
   const StrataCertificate c = written(
       (number(4) * x("h") * x("h") - number(1)) / (number(4) * x("z") * x("z")) - number(1), a);
   EXPECT_GE(c.trusted, 1U);
+  for (const Gap gap : c.gaps)
+    EXPECT_EQ(gap, Gap::rule) << c.uncertified.front();
 }
 
 // The proof of another equation's group in the place of this one's.
@@ -125,15 +130,15 @@ TEST(StrataCertificate, AVerdictIsWithdrawnWhereOurCheckerRefusesIt) {
   EXPECT_TRUE(a.refusal.empty());
   ASSERT_TRUE(a.certificate);
   ProofTree tampered = *a.tree;
-  tampered.leaf->number->certificate =
-      decided(x("z") * x("z") + x("z")).strata.front().leaf.number->certificate;
+  const StrataAnswer other = decided(x("z") * x("z") + x("z"));
+  tampered.leaf->because.front() = *evidence<Number>(other.strata.front().leaf);
   a.tree = std::make_shared<ProofTree>(tampered);
   a.certificate.reset();
   certify(a);
   EXPECT_NE(a.refusal.find("about another equation"), std::string::npos) << a.refusal;
   EXPECT_EQ(a.abelian(), Truth::unknown);
   EXPECT_FALSE(a.strata.front().leaf.group);
-  EXPECT_NE(a.strata.front().leaf.reason.find("our own checker refuses"), std::string::npos);
+  EXPECT_NE(reason(a.strata.front().leaf).find("our own checker refuses"), std::string::npos);
 }
 
 } // namespace

@@ -16,7 +16,9 @@ std::string steps(const MFraction& r) {
   positive.require(x("a"), Sign::positive);
   positive.require(x("b"), Sign::positive);
   std::string all;
-  for (const TraceStep& s : first_case(r, ring->index("z"), Region(ring, positive)))
+  const Region region(ring, positive);
+  const auto places = scheme(r, ring->index("z"), region);
+  for (const TraceStep& s : first_case(std::get<Scheme>(places), region))
     all += s.step + ": " + s.text + "\n";
   return all;
 }

@@ -20,11 +20,11 @@ Region positive_bodies() {
 
 TEST(Region, SumsOfPositiveTermsAreNotZero) {
   const Region r = positive_bodies();
-  EXPECT_TRUE(r.is_nonzero((x("A") + number(1)).num()));
-  EXPECT_TRUE(r.is_nonzero((x("A") * x("C") + x("A") * x("A")).num()));
+  EXPECT_TRUE(r.provably_nonzero((x("A") + number(1)).num()));
+  EXPECT_TRUE(r.provably_nonzero((x("A") * x("C") + x("A") * x("A")).num()));
   EXPECT_EQ(r.sign_of((-x("A") - x("C") * x("C")).num()), -1);
-  EXPECT_FALSE(r.is_nonzero((x("A") - x("C")).num()));
-  EXPECT_FALSE(r.is_nonzero((x("h") * x("h") + number(1)).num())); // h is complex
+  EXPECT_FALSE(r.provably_nonzero((x("A") - x("C")).num()));
+  EXPECT_FALSE(r.provably_nonzero((x("h") * x("h") + number(1)).num())); // h is complex
   EXPECT_TRUE(r.trusted().empty());
 }
 
@@ -49,7 +49,7 @@ TEST(Region, AnInequalityIsCarriedOverARealDenominatorOnly) {
   ASSERT_TRUE(std::holds_alternative<Region>(there));
   const Region& s = std::get<Region>(there);
   EXPECT_EQ(s.sign_of((v("c") * v("d") * v("d")).num()), 0);
-  EXPECT_TRUE(s.is_nonzero(v("d").num()));
+  EXPECT_TRUE(s.provably_nonzero(v("d").num()));
 }
 
 // A^3 = C^2 at A = 0 is C^2 = 0: no relation that C is a root of, but the equation C = 0.
@@ -83,7 +83,7 @@ TEST(Region, EquationsAreSolvedAndCarriedIntoTheAssumptions) {
   EXPECT_TRUE(line.restrict(x("C")) == x("A") - number(1));
   EXPECT_EQ(line.exact_sign_of((x("A") - number(1)).num()), 1); // C > 0
   EXPECT_EQ(line.exact_sign_of((x("A") * x("A") + x("A") - number(2)).num()), 1);
-  EXPECT_FALSE(line.is_nonzero((x("A") - number(2)).num()));
+  EXPECT_FALSE(line.provably_nonzero((x("A") - number(2)).num()));
 }
 
 TEST(Region, ContradictionsAreSeen) {

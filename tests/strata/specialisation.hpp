@@ -2,6 +2,7 @@
 // The verdict of a tree of strata against the solver without parameters, at random rational points.
 
 #include "strata/decide_strata.hpp"
+#include "strata/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,7 +99,7 @@ inline int compare(const Question& q, const StrataAnswer& answer, unsigned seed)
       EXPECT_EQ(d.abelian, x.leaf.abelian)
           << "seed " << seed << ": " << text(q, *point) << "\nstratum "
           << strata::to_string(x.conditions) << "\n"
-          << x.leaf.reason << "\nbut " << d.reason;
+          << reason(x.leaf) << "\nbut " << d.reason;
       if (x.leaf.group && d.group) {
         EXPECT_TRUE(*x.leaf.group == *d.group) << text(q, *point) << describe(*d.group);
       }

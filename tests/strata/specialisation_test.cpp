@@ -47,7 +47,7 @@ TEST(Specialisation, GravityOnTheLevelOfLame) {
   const StrataAnswer a = decide_strata(q);
   EXPECT_TRUE(a.trusted.empty());
   for (const Stratum& s : a.strata)
-    EXPECT_TRUE(s.leaf.abelian == Truth::no || s.leaf.no_equation)
+    EXPECT_TRUE(s.leaf.abelian == Truth::no || s.leaf.no_equation())
         << strata::to_string(s.conditions);
   EXPECT_GT(compare(q, a, 5), 2);
 }
@@ -58,7 +58,7 @@ TEST(Specialisation, TheTwoOtherManifoldsWithoutGravity) {
     const StrataAnswer a = decide_strata(q);
     EXPECT_TRUE(a.trusted.empty()) << file;
     for (const Stratum& x : a.strata)
-      EXPECT_TRUE(x.leaf.abelian != Truth::unknown || x.leaf.no_equation)
+      EXPECT_TRUE(x.leaf.abelian != Truth::unknown || x.leaf.no_equation())
           << file << ": " << strata::to_string(x.conditions);
     EXPECT_GT(compare(q, a, 7), 2) << file;
   }

@@ -5,6 +5,7 @@
 #include "recognized.hpp"
 #include "render.hpp"
 #include "strata/certificate.hpp"
+#include "strata/words.hpp"
 
 #include <algorithm>
 
@@ -57,9 +58,9 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
     Json one{{"conditions", conditions},
              {"abelian", word(s.leaf.abelian)},
              {"group", group_name(s.leaf)},
-             {"group_text", s.leaf.group_text},
-             {"reason", s.leaf.reason}};
-    if (!s.leaf.open_condition.empty()) one["open"] = s.leaf.open_condition;
+             {"group_text", strata::group_text(s.leaf)},
+             {"reason", strata::reason(s.leaf)}};
+    if (s.leaf.open) one["open"] = strata::open_condition(s.leaf);
     put_trace(one, s.leaf.trace);
     all.push_back(std::move(one));
   }
@@ -122,10 +123,10 @@ namespace {
 // Values of the parameters for which there is no equation: nothing is asked there.
 void mark_no_equation(Json& j, const strata::StrataAnswer& a) {
   for (std::size_t i = 0; i < a.strata.size(); ++i)
-    if (a.strata[i].leaf.no_equation) {
+    if (a.strata[i].leaf.no_equation()) {
       Json& s = j["strata"][i];
       s["no_equation"] = true;
-      s["reason"] = a.strata[i].leaf.open_condition;
+      s["reason"] = strata::open_condition(a.strata[i].leaf);
       s.erase("open");
     }
 }
@@ -134,7 +135,7 @@ void mark_no_equation(Json& j, const strata::StrataAnswer& a) {
 std::vector<const strata::Stratum*> with_equation(const strata::StrataAnswer& a) {
   std::vector<const strata::Stratum*> all;
   for (const strata::Stratum& s : a.strata)
-    if (!s.leaf.no_equation) all.push_back(&s);
+    if (!s.leaf.no_equation()) all.push_back(&s);
   return all;
 }
 
@@ -174,11 +175,11 @@ Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& 
   put_common(j, a);
   std::string open;
   for (const auto& s : a.strata)
-    if (s.leaf.abelian == Truth::unknown && !s.leaf.no_equation && open.empty())
+    if (s.leaf.abelian == Truth::unknown && !s.leaf.no_equation() && open.empty())
       open = (s.conditions.empty() ? "" : "where " + strata::to_string(s.conditions) + ": ") +
-             s.leaf.open_condition;
+             strata::open_condition(s.leaf);
   if (with_equation(a).empty() && a.unvisited.empty())
-    open = a.strata.empty() ? "nothing was looked at" : a.strata.front().leaf.open_condition;
+    open = a.strata.empty() ? "nothing was looked at" : strata::open_condition(a.strata.front().leaf);
   if (open.empty() && !a.unvisited.empty()) open = "not looked at: " + a.unvisited.front();
   if (!a.refusal.empty()) {
     j["refused_by_checker"] = a.certificate->json;
@@ -190,7 +191,7 @@ Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& 
     return j;
   }
   j["reason"] = a.strata.size() == 1
-                    ? a.strata.front().leaf.reason
+                    ? strata::reason(a.strata.front().leaf)
                     : "decided on each of " + std::to_string(a.strata.size()) + " strata";
   return j;
 }

@@ -1,0 +1,280 @@
+#include "strata/decide_leaf.hpp"
+
+#include "exact/error.hpp"
+#include "exact/factor.hpp"
+#include "strata/confluent.hpp"
+#include "strata/first_case.hpp"
+#include "strata/open_exponent.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace kov::strata {
+
+Leaf leaf_of(const Decision& d) {
+  Leaf leaf;
+  leaf.abelian = d.abelian;
+  leaf.group = d.group;
+  leaf.by = Conclusion::number;
+  leaf.because.push_back(Number{d});
+  if (d.abelian == Truth::unknown) leaf.open = OpenNumber{};
+  leaf.trace = d.trace;
+  return leaf;
+}
+
+bool has_irregular_place(const Leaf& leaf) {
+  if (leaf.scheme) {
+    const auto& all = leaf.scheme->finite;
+    return leaf.scheme->infinity.order > 2 ||
+           std::any_of(all.begin(), all.end(), [](const auto& p) { return p.order > 2; });
+  }
+  const auto* number = evidence<Number>(leaf);
+  if (number == nullptr || is_zero(number->decision.r)) return false;
+  const RationalFunction& r = number->decision.r;
+  const auto places = squarefree_factors(r.den());
+  return order_at_infinity(r) < 2 ||
+         std::any_of(places.begin(), places.end(), [](const Factor& f) { return f.exponent > 2; });
+}
+
+namespace {
+
+using Answer = std::variant<Leaf, Needs>;
+
+GaloisGroup sl2() { return {GroupType::SL2, {}}; }
+
+class LeafDecision {
+public:
+  LeafDecision(const Scheme& s, const Region& region, const Budget& budget)
+      : s_(s), region_(region), budget_(budget) {
+    for (PlaceIndex i = 0; i < number_of_places(s); ++i)
+      if (place_at(s, i).exponent == ExponentKind::open) open_.push_back(i);
+    find_torus();
+    find_logarithm();
+  }
+
+  /// A torus and a logarithm are enough; else what the families of confluent.hpp know.
+  std::optional<Answer> at_once() {
+    if (torus_ && log_) return torus_and_logarithm();
+    const bool irrational =
+        any_place([](const ParametricPlace& p) { return p.exponent == ExponentKind::irrational; });
+    if (!irrational)
+      if (auto leaf = bessel_leaf(s_, region_)) return *std::move(leaf);
+    if (auto leaf = weber_leaf(s_, region_)) return *std::move(leaf);
+    return std::nullopt;
+  }
+
+  Answer by_places() {
+    if (torus_ && log_) return torus_and_logarithm();
+    if (!open_.empty()) return with_open_exponents();
+    return torus_ ? with_torus() : with_rational_exponents();
+  }
+
+private:
+  template <class Property> [[nodiscard]] bool any_place(Property has) const {
+    return has(s_.infinity) || std::any_of(s_.finite.begin(), s_.finite.end(), has);
+  }
+  void find_torus() {
+    for (PlaceIndex i = 0; i < number_of_places(s_) && !torus_; ++i) {
+      const ParametricPlace& p = place_at(s_, i);
+      if (p.kind == PlaceKind::irregular || p.kind == PlaceKind::ramified)
+        torus_ = IrregularPlace{i};
+      else if (p.exponent == ExponentKind::irrational)
+        torus_ = IrrationalDifference{i};
+    }
+  }
+  void find_logarithm() {
+    for (PlaceIndex i = 0; i < number_of_places(s_) && !log_; ++i) {
+      const ParametricPlace& p = place_at(s_, i);
+      if (p.log == Truth::yes && p.exponent == ExponentKind::rational) log_ = Logarithm{i};
+    }
+  }
+
+  // For these reasons, and without an exponential solution where none is possible.
+  [[nodiscard]] Leaf not_abelian(Conclusion by, std::vector<Evidence> because,
+                                 const ExponentialBound& exponential) const {
+    Leaf leaf;
+    leaf.abelian = Truth::no;
+    leaf.by = by;
+    leaf.because = std::move(because);
+    leaf.bound = GroupBound::SL2_or_Borel;
+    if (exponential.excludes()) {
+      leaf.because.push_back(NoExponential{exponential});
+      leaf.group = sl2();
+    }
+    return leaf;
+  }
+
+  Leaf torus_and_logarithm() const {
+    return not_abelian(Conclusion::torus_log, {*torus_, *log_}, exponential_bound(s_));
+  }
+
+  // Some Delta irrational or a place irregular, everywhere: only Sym^4 matters.
+  Answer with_torus() {
+    auto answer = no_invariant(4, GroupBound::torus_normaliser);
+    if (auto* none = std::get_if<NoInvariant>(&answer))
+      return not_abelian(Conclusion::torus, {*torus_, std::move(*none)}, exponential_bound(s_));
+    return lift(std::move(answer));
+  }
+
+  using Searched = std::variant<NoInvariant, Leaf, Needs>;
+
+  static Answer lift(Searched s) {
+    if (auto* leaf = std::get_if<Leaf>(&s)) return std::move(*leaf);
+    return std::get<Needs>(std::move(s));
+  }
+
+  // `other`: G0 may be abelian without an invariant of degree m, if Sym^other has one.
+  Searched no_invariant(long m, GroupBound group, std::optional<long> other = {}) {
+    NoInvariant none{m, invariant_bound(s_, m)};
+    if (!none.bound.form) return none;
+    const InvariantForm& form = *none.bound.form;
+    if (form.degree >= most_unknowns) return open_leaf(TooManyUnknowns{m, form.degree});
+    auto found = find_invariant(s_, form, region_, budget_);
+    if (auto* needs = std::get_if<Needs>(&found)) return std::move(*needs);
+    if (auto& v = std::get<0>(found)) return abelian_by(*std::move(v), group);
+    auto excluded = exclude_invariant(s_, form, region_, budget_);
+    if (auto* needs = std::get_if<Needs>(&excluded)) return std::move(*needs);
+    if (auto* u = std::get_if<Unsettled>(&excluded)) {
+      MinorsVanish open{std::move(u->together)};
+      if (other) open.otherwise = *other;
+      return open_leaf(std::move(open));
+    }
+    none.excluded = std::get<Excluded>(std::move(excluded));
+    return none;
+  }
+
+  [[nodiscard]] static Leaf abelian_by(ParametricInvariant v, GroupBound group) {
+    Leaf leaf;
+    leaf.abelian = Truth::yes;
+    leaf.by = Conclusion::invariant;
+    leaf.bound = group;
+    leaf.because.push_back(InvariantFound{std::move(v)});
+    return leaf;
+  }
+
+  // An invariant of degree 4 over Q(parameters), if there is one.
+  std::optional<Answer> degree_four(long most) {
+    const auto four = invariant_bound(s_, 4).form;
+    if (!four || four->degree >= most) return std::nullopt;
+    auto found = find_invariant(s_, *four, region_, budget_);
+    if (auto* needs = std::get_if<Needs>(&found)) return std::move(*needs);
+    if (auto& v = std::get<0>(found))
+      return abelian_by(*std::move(v), GroupBound::torus_normaliser_or_T);
+    return std::nullopt;
+  }
+
+  // All Delta are rational constants and all places regular.
+  Answer with_rational_exponents() {
+    const ExponentialBound exponential = exponential_bound(s_);
+    if (log_ && exponential.excludes())
+      return not_abelian(Conclusion::irreducible_log, {*log_}, exponential);
+    if (auto answer = all_integral()) return *std::move(answer);
+    if (auto answer = degree_four(std::numeric_limits<long>::max())) return *std::move(answer);
+    return by_invariants(exponential);
+  }
+
+  std::optional<Answer> all_integral() const {
+    if (any_place([](const ParametricPlace& p) { return !is_integer(p.delta); }))
+      return std::nullopt;
+    for (PlaceIndex i = 0; i < number_of_places(s_); ++i)
+      if (const auto& p = place_at(s_, i); p.log == Truth::unknown && p.log_norm)
+        return Needs{*p.log_norm, {Event::Kind::logarithm_vanishes, name_of(p, s_.z)}};
+    if (any_place([](const ParametricPlace& p) { return p.log != Truth::no; })) return std::nullopt;
+    const bool odd = std::all_of(s_.finite.begin(), s_.finite.end(), [](const auto& p) {
+      return fmpz_is_odd(p.delta.num().raw()) != 0;
+    });
+    Leaf leaf;
+    leaf.abelian = Truth::yes;
+    leaf.by = Conclusion::half_integers;
+    leaf.group = GaloisGroup{GroupType::cyclic, Integer(odd ? 1 : 2)};
+    if (const auto two = invariant_bound(s_, 2).form; two && two->degree < most_unknowns)
+      if (auto found = find_invariant(s_, *two, region_, budget_);
+          found.index() == 0 && std::get<0>(found))
+        leaf.because.push_back(InvariantFound{*std::get<0>(std::move(found))}); // for a certificate
+    return leaf;
+  }
+
+  // Some choice of exponents leaves a natural number for the polynomial part.
+  [[nodiscard]] bool lines_possible() const {
+    const Families f = exponential_families(s_);
+    return !f.complete || std::any_of(f.fixed.begin(), f.fixed.end(), [](const Rational& d) {
+      return is_integer(d) && sign(d) >= 0;
+    });
+  }
+
+  Answer by_invariants(const ExponentialBound& exponential) {
+    std::vector<Evidence> because;
+    std::vector<long> degrees;
+    if (log_) because.push_back(*log_);
+    if (!log_) degrees.push_back(12);
+    if (!exponential.excludes() && !lines_possible()) because.push_back(NoFamilies{});
+    if (!exponential.excludes() && lines_possible()) {
+      const Integer n = common_denominator(s_);
+      if (n > Integer(200)) return open_leaf(LargeDenominator{n});
+      if (log_ || n != Integer(12)) degrees.push_back(to_long(n));
+    }
+    for (const long m : degrees) {
+      // Sym^12 is asked first: where it has no solution Sym^n may have one
+      auto answer = no_invariant(
+          m, m == 12 ? GroupBound::finite_or_normaliser_or_T : GroupBound::triangular_or_cyclic,
+          m == degrees.back() ? std::nullopt : std::optional(degrees.back()));
+      if (auto* none = std::get_if<NoInvariant>(&answer))
+        because.push_back(std::move(*none));
+      else
+        return lift(std::move(answer));
+    }
+    Leaf leaf = not_abelian(Conclusion::rational, std::move(because), exponential);
+    leaf.group = sl2();
+    return leaf;
+  }
+
+  Answer with_open_exponents() {
+    // An invariant of degree 4 for generic exponents settles all of them.
+    if (auto answer = degree_four(most_unknowns)) return *std::move(answer);
+    return decide_open_exponents(s_, open_, torus_, log_, region_, budget_);
+  }
+
+  const Scheme& s_;
+  const Region& region_;
+  const Budget& budget_;
+  std::vector<PlaceIndex> open_;
+  std::optional<Evidence> torus_; ///< why G0 contains a torus, if that is known
+  std::optional<Logarithm> log_;
+};
+
+bool depends_on_parameters(const MFraction& r, std::size_t z) {
+  const auto used = used_variables(r);
+  return std::any_of(used.begin(), used.end(), [&](std::size_t i) { return i != z; });
+}
+
+Answer with_scheme(Answer answer, const std::shared_ptr<const Scheme>& s) {
+  if (auto* leaf = std::get_if<Leaf>(&answer)) leaf->scheme = s;
+  return answer;
+}
+
+} // namespace
+
+Answer decide_by_places(const std::shared_ptr<const Scheme>& s, const Region& region,
+                        const Budget& budget) {
+  return with_scheme(LeafDecision(*s, region, budget).by_places(), s);
+}
+
+Answer decide_leaf(const MFraction& r, std::size_t z, const Region& region,
+                   const Options& options) {
+  if (is_zero(r) || !depends_on_parameters(r, z)) {
+    NormalForm equation;
+    if (!is_zero(r)) equation.r = to_rational_function(r, z);
+    return leaf_of(decide(equation, options));
+  }
+  auto places = scheme(r, z, region, options.budget);
+  if (auto* needs = std::get_if<Needs>(&places)) return std::move(*needs);
+  const auto s = std::make_shared<const Scheme>(std::get<Scheme>(std::move(places)));
+  auto closed = LeafDecision(*s, region, options.budget).at_once();
+  auto answer =
+      closed ? with_scheme(*std::move(closed), s) : decide_by_places(s, region, options.budget);
+  if (auto* leaf = std::get_if<Leaf>(&answer); leaf != nullptr && options.want_trace)
+    leaf->trace = first_case(*s, region, options.budget);
+  return answer;
+}
+
+} // namespace kov::strata

@@ -1,0 +1,166 @@
+#pragma once
+// What proves the verdict on a stratum, and what is left open, as values: the report (words.hpp)
+// and the certificate (leaf_certificate.hpp) are two renderings of them.  Places are given by their
+// number in the scheme of the leaf.
+//
+// Source  docs/theory/strata.md, 3 to 8
+
+#include "strata/bounds.hpp"
+#include "verdict/decide.hpp"
+
+namespace kov::strata {
+
+/// The theorem that was used.  `certificate`: the rule of strata_certificates.md 6 and 7, if it has
+/// one.
+enum class Conclusion : std::uint8_t {
+  none,             ///< nothing was decided
+  number,           ///< an equation without parameters (certificate: number)
+  invariant,        ///< a symmetric power has a rational solution (invariant)
+  half_integers,    ///< exponents in Z/2, no logarithm (invariant, where one of degree 2 was found)
+  torus_log,        ///< a torus and a unipotent matrix (torus-log)
+  irreducible_log,  ///< no exponential solution, and a logarithm (irreducible-log)
+  torus,            ///< a torus, and Sym^4 without solution (torus)
+  rational,         ///< all Delta rational, no invariants (rational)
+  one_open,         ///< one Delta depends on the parameters and is bounded (one-open)
+  several_open,     ///< several are (open)
+  no_products,      ///< a torus, and no exponents of y1 y2 whatever Delta is
+  assumed_integers, ///< a torus, and Delta or 2 Delta is assumed to be no integer
+  bessel,           ///< the family of Bessel
+  weber,            ///< the family of Weber (torus)
+  other_blocks      ///< there is another equation here: what was decided of it
+};
+
+/// What is known of the group where it is not the same on the whole stratum, or not known.
+enum class GroupBound : std::uint8_t {
+  unknown,
+  SL2_or_Borel,
+  Borel_where_odd,           ///< where the integer of WeberForm is odd; SL(2) elsewhere
+  torus_normaliser,          ///< inside the normaliser of a torus
+  torus_normaliser_or_T,     ///< or in T_n
+  finite_or_normaliser_or_T, ///< or finite
+  triangular_or_cyclic       ///< T_n, or cyclic
+};
+
+// ---- places
+
+struct IrregularPlace {
+  PlaceIndex place = 0;
+};
+struct IrrationalDifference { ///< how it is known: ParametricPlace::irrational
+  PlaceIndex place = 0;
+};
+struct Logarithm { ///< at every root of the place
+  PlaceIndex place = 0;
+};
+struct DifferenceBound { ///< Delta^2 <= square, where it is real
+  PlaceIndex place = 0;
+  Rational square;
+};
+struct ExcludedDifferences { ///< Delta is none of these
+  PlaceIndex place = 0;
+  std::vector<Rational> values; ///< ascending
+};
+struct NoProducts { ///< no exponents of y1 y2, whatever Delta is there
+  PlaceIndex place = 0;
+};
+struct AssumedNotInteger { ///< by assumption: Delta, or 2 Delta
+  PlaceIndex place = 0;
+  bool twice = false;
+};
+
+// ---- solutions
+
+struct NoExponential { ///< bound.excludes()
+  ExponentialBound bound;
+};
+/// No exponents of an exponential solution leave a natural number for the degree.
+struct NoFamilies {};
+struct NoInvariant { ///< Sym^m has no rational solution: the exponents say it, or minors
+  long m = 0;
+  InvariantBound bound;
+  std::optional<Excluded> excluded{}; ///< set where bound.form is
+};
+struct InvariantFound {
+  ParametricInvariant v;
+};
+
+// ---- closed answers and other equations
+
+struct BesselForm { ///< z = x^(2/s) turns the equation into one of Bessel
+  MFraction nu_squared;
+  std::optional<MFraction> nu; ///< if it is a rational function
+  Rational s;
+};
+struct WeberForm { ///< an exponential solution exactly where e is an odd integer
+  MFraction e;
+  Truth odd = Truth::unknown;
+};
+struct Number {
+  Decision decision;
+};
+/// A verdict on other equations than r: told, and used by nobody.
+struct OtherBlocks {
+  std::string shown;
+};
+/// The equation that was decided is not the one of the question: told, and used by nobody.
+struct OfEquation {
+  std::string unknown;
+  MFraction r;
+};
+
+using Evidence = std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
+                              ExcludedDifferences, NoProducts, AssumedNotInteger, NoExponential,
+                              NoFamilies, NoInvariant, InvariantFound, BesselForm, WeberForm,
+                              Number, OtherBlocks, OfEquation>;
+
+// ---- what is left open
+
+struct NoEquation { ///< r does not mean anything here
+  enum class Why : std::uint8_t { no_value, reduction, no_level };
+  Why why = Why::no_value;
+  std::string shown{}; ///< in the words of who made the reduction
+};
+struct NotSolved { ///< p = 0 is not solved for a parameter
+  MPoly p;
+  Event why;
+};
+/// Abelian only if some 2 Delta is an integer at these places or, without a torus, all Delta are
+/// rational.
+struct SomeDifference {
+  std::vector<PlaceIndex> places;
+  bool torus = false;
+};
+struct RationalDifference { ///< only if Delta is rational there
+  PlaceIndex place = 0;
+};
+struct IntegralDifference { ///< only if Delta, or 2 Delta, is a positive integer there
+  PlaceIndex place = 0;
+  bool twice = false;
+};
+/// Only where these vanish together, or: another symmetric power of degree m has a solution; or the
+/// differences are special.
+struct MinorsVanish {
+  std::vector<MPoly> together;
+  std::variant<std::monostate, long, SomeDifference> otherwise{};
+};
+struct IntegralNu {};    ///< exactly where nu - 1/2 is an integer: BesselForm
+struct TooManyUnknowns { ///< of Sym^m
+  long m = 0, degree = 0;
+};
+struct LargeDenominator { ///< of the exponents
+  Integer n;
+};
+struct OpenNumber {}; ///< Number says why
+struct RefusedByChecker {
+  std::string shown;
+};
+/// The equation is decided, and is not all of the question: told, and used by nobody.
+struct NotStudied {
+  std::string shown;
+};
+
+using OpenCondition = std::variant<NoEquation, NotSolved, SomeDifference, RationalDifference,
+                                   IntegralDifference, MinorsVanish, IntegralNu, TooManyUnknowns,
+                                   LargeDenominator, OpenNumber, RefusedByChecker, NotStudied>;
+
+} // namespace kov::strata

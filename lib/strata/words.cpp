@@ -1,0 +1,401 @@
+#include "strata/words.hpp"
+
+namespace kov::strata {
+namespace {
+
+template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
+template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
+
+std::string power(long m) { return "Sym^" + std::to_string(m); }
+
+std::string name(const Leaf& leaf, PlaceIndex i) {
+  return place_name(place_at(*leaf.scheme, i), leaf.scheme->z);
+}
+std::string difference(const Leaf& leaf, PlaceIndex i) {
+  return "Delta at " + name(leaf, i) + ", " + square_text(place_at(*leaf.scheme, i));
+}
+
+// ---- the evidence
+
+std::string irrational(const ParametricPlace& p) {
+  const std::size_t n = p.chi.size() - 1;
+  switch (p.irrational) {
+  case Irrationality::constant:
+    return n > 1 ? "is an algebraic number of degree " + std::to_string(n)
+                 : "is not the square of a rational number";
+  case Irrationality::discriminant:
+    return "is not real";
+  case Irrationality::coefficients:
+    if (n == 1) return "is negative";
+    [[fallthrough]];
+  default:
+    return "is not a real number >= 0";
+  }
+}
+
+// Why G0 contains a torus; empty if that is not known.
+std::string torus(const Leaf& leaf) {
+  if (const auto* e = evidence<IrregularPlace>(leaf))
+    return "the equation is irregular at " + name(leaf, e->place);
+  const auto* e = evidence<IrrationalDifference>(leaf);
+  if (e == nullptr) return "";
+  const ParametricPlace& p = place_at(*leaf.scheme, e->place);
+  return "at " + name(leaf, e->place) + " " + square_text(p) + " " + irrational(p) +
+         ", so that Delta is not rational";
+}
+
+std::string logarithm(const Leaf& leaf) {
+  return "there is a logarithm at " + name(leaf, evidence<Logarithm>(leaf)->place);
+}
+
+// Empty: not known.
+std::string irreducible(const Leaf& leaf) {
+  const auto* none = evidence<NoExponential>(leaf);
+  if (none == nullptr) return "";
+  return none->bound.odd_order
+             ? "a place of odd order admits no exponential solution"
+             : "no exponential solution: its polynomial part would have degree at most " +
+                   to_string(*none->bound.d) + " < 0";
+}
+std::string and_irreducible(const Leaf& leaf) {
+  const std::string text = irreducible(leaf);
+  return text.empty() ? "" : "; " + text;
+}
+
+std::string obstruction(const Leaf& leaf, const NoInvariant& none) {
+  if (none.bound.no_exponent)
+    return "at " + name(leaf, *none.bound.no_exponent) + " no exponent of " + power(none.m) +
+           " is an integer";
+  return "D_" + std::to_string(none.m) + " = " + std::to_string(none.bound.degree) + " < 0";
+}
+std::string without_invariant(const Leaf& leaf) {
+  const auto* none = evidence<NoInvariant>(leaf);
+  return none->bound.form ? power(none->m) + " has no rational solution" : obstruction(leaf, *none);
+}
+
+std::string listed(const std::vector<Rational>& values) {
+  std::string list;
+  for (const auto& v : values)
+    list += (list.empty() ? "" : ", ") + to_string(v);
+  return list;
+}
+
+// ---- one sentence for each theorem
+
+std::string invariant(const Leaf& leaf) {
+  const ParametricInvariant& v = evidence<InvariantFound>(leaf)->v;
+  std::string text = to_string(v.p);
+  if (v.p.length() > 1) text = "(" + text + ")";
+  for (PlaceIndex i = 0; i < v.form.e.size(); ++i)
+    if (v.form.e[i] != 0)
+      text +=
+          "*(" + to_string(place_at(*leaf.scheme, i).q) + ")^(" + std::to_string(v.form.e[i]) + ")";
+  return "v = " + text + " solves the symmetric power " + power(v.form.m) +
+         " for all parameters of the stratum, and SL(2) and the full triangular group have no "
+         "invariants";
+}
+
+std::string irreducible_log(const Leaf& leaf) {
+  if (evidence<DifferenceBound>(leaf) != nullptr) // exponents that depend on the parameters
+    return "there is a logarithm, and no exponential solution: its polynomial part would have a "
+           "degree < 0";
+  return "the exponents are rational, " + logarithm(leaf) + and_irreducible(leaf);
+}
+
+std::string rational(const Leaf& leaf) {
+  std::string text;
+  const auto also = [&](const std::string& more) { text += (text.empty() ? "" : ", and ") + more; };
+  if (evidence<Logarithm>(leaf) != nullptr)
+    also(logarithm(leaf));
+  else if (evidence<NoExponential>(leaf) != nullptr)
+    also(irreducible(leaf));
+  if (evidence<NoFamilies>(leaf) != nullptr)
+    also("no exponents of an exponential solution leave a natural number for the degree of its "
+         "polynomial part");
+  std::string none;
+  for (const Evidence& e : leaf.because)
+    if (const auto* one = std::get_if<NoInvariant>(&e))
+      none += (none.empty() ? "" : ", ") + power(one->m) + " has no rational solution" +
+              (one->bound.form ? "" : " (" + obstruction(leaf, *one) + ")");
+  if (!none.empty()) also(none);
+  return "the exponents are rational constants; " + text;
+}
+
+std::string one_open(const Leaf& leaf) {
+  const auto& bound = *evidence<DifferenceBound>(leaf);
+  const std::string list = listed(evidence<ExcludedDifferences>(leaf)->values);
+  const std::string torus_text = torus(leaf);
+  return difference(leaf, bound.place) + ": not larger than " + to_string(bound.square) + "; " +
+         (torus_text.empty() ? "if Delta is not rational, "
+                             : torus_text + ", and unless 2*Delta is an integer, ") +
+         without_invariant(leaf) + "; an abelian identity component is possible only for " +
+         (list.empty() ? "no value of Delta"
+                       : "Delta in {" + list + "}, none of which occurs here");
+}
+
+std::string several_open(const Leaf& leaf) {
+  std::string text = torus(leaf);
+  if (text.empty()) text = "there is no exponential solution";
+  for (const Evidence& e : leaf.because)
+    if (const auto* one = std::get_if<ExcludedDifferences>(&e))
+      text += "; " + difference(leaf, one->place) + ", 2*Delta is not an integer";
+  return text + "; " + without_invariant(leaf);
+}
+
+std::string bessel_family(const Leaf& leaf) {
+  const auto& form = *evidence<BesselForm>(leaf);
+  return "z = x^(2/s) turns the equation into one of Bessel, nu^2 = " +
+         to_factored_string(form.nu_squared) + " (s = " + to_string(form.s) + ")";
+}
+
+std::string weber_condition(const Leaf& leaf) {
+  return to_factored_string(evidence<WeberForm>(leaf)->e) + " is an odd integer";
+}
+
+std::string weber(const Leaf& leaf) {
+  const std::string text = torus(leaf) + ", and " + without_invariant(leaf);
+  const auto* form = evidence<WeberForm>(leaf);
+  if (form == nullptr) return text;
+  if (form->odd == Truth::unknown)
+    return text + "; there is an exponential solution exactly where " + weber_condition(leaf);
+  const bool odd = form->odd == Truth::yes;
+  return text + "; there is " + (odd ? "an" : "no") + " exponential solution, since " +
+         to_factored_string(form->e) + (odd ? " is" : " is not") + " an odd integer";
+}
+
+std::string assumed_integers(const Leaf& leaf) {
+  const auto& e = *evidence<AssumedNotInteger>(leaf);
+  return torus(leaf) + "; " + difference(leaf, e.place) + ", and by assumption " +
+         (e.twice ? "2*Delta" : "Delta") + " is not an integer; " + without_invariant(leaf);
+}
+
+std::string argument(const Leaf& leaf) {
+  switch (leaf.by) {
+  case Conclusion::none:
+    return "";
+  case Conclusion::number:
+    return evidence<Number>(leaf)->decision.reason;
+  case Conclusion::invariant:
+    return invariant(leaf);
+  case Conclusion::half_integers:
+    return "all exponents are half-integers and there is no logarithm";
+  case Conclusion::torus_log:
+    return torus(leaf) + ", and " + logarithm(leaf) +
+           ": the group contains a torus and a unipotent matrix" + and_irreducible(leaf);
+  case Conclusion::irreducible_log:
+    return irreducible_log(leaf);
+  case Conclusion::torus:
+    return torus(leaf) + ": the identity component contains a torus; " + without_invariant(leaf) +
+           ", so that it is not one" + and_irreducible(leaf);
+  case Conclusion::rational:
+    return rational(leaf);
+  case Conclusion::one_open:
+    return one_open(leaf);
+  case Conclusion::several_open:
+    return several_open(leaf);
+  case Conclusion::no_products:
+    return torus(leaf) + "; " + difference(leaf, evidence<NoProducts>(leaf)->place) +
+           "; no exponents of y1*y2 are possible";
+  case Conclusion::assumed_integers:
+    return assumed_integers(leaf);
+  case Conclusion::bessel:
+    return bessel_family(leaf) + ", and nu - 1/2 is" + (leaf.abelian == Truth::yes ? "" : " not") +
+           " an integer";
+  case Conclusion::weber:
+    return weber(leaf);
+  case Conclusion::other_blocks:
+    return "the normal system has other blocks here" + evidence<OtherBlocks>(leaf)->shown;
+  }
+  return "";
+}
+
+// ---- what is left open
+
+std::string some_difference(const Leaf& leaf, const SomeDifference& open) {
+  std::string text = open.torus ? "some 2*Delta is an integer"
+                                : "every Delta is rational or some 2*Delta is an integer";
+  for (const PlaceIndex i : open.places)
+    text += ", " + difference(leaf, i);
+  return text;
+}
+
+std::string condition(const Leaf& leaf, const MinorsVanish& open) {
+  const std::string otherwise =
+      std::visit(Overloaded{[](std::monostate) { return std::string(); },
+                            [](long m) { return power(m) + " has a rational solution"; },
+                            [&](const SomeDifference& d) { return some_difference(leaf, d); }},
+                 open.otherwise);
+  return "abelian only if " + otherwise + (otherwise.empty() ? "" : ", or ") +
+         "these polynomials all vanish, which they do not for generic parameters";
+}
+std::string condition(const Leaf&, const NoEquation& open) {
+  switch (open.why) {
+  case NoEquation::Why::no_value:
+    return "r has no value here";
+  case NoEquation::Why::reduction:
+    return "the reduction to y'' = r y is not valid here: " + open.shown;
+  default:
+    return open.shown;
+  }
+}
+std::string condition(const Leaf&, const NotSolved& open) {
+  return to_string(open.p) + " = 0 (" + to_string(open.why) + ") is not solved for a parameter";
+}
+std::string condition(const Leaf& leaf, const SomeDifference& open) {
+  return "abelian only if " + some_difference(leaf, open) +
+         ", and a symmetric power has a rational solution";
+}
+std::string condition(const Leaf& leaf, const RationalDifference& open) {
+  return "abelian only if Delta is rational, " + difference(leaf, open.place) +
+         ", and the equation is reducible or a symmetric power has a rational solution";
+}
+std::string condition(const Leaf& leaf, const IntegralDifference& open) {
+  return std::string("abelian only if ") + (open.twice ? "2*Delta" : "Delta") +
+         " is a positive integer, " + difference(leaf, open.place) +
+         ", and Sym^4 has a rational solution";
+}
+std::string condition(const Leaf& leaf, const IntegralNu&) {
+  const auto& form = *evidence<BesselForm>(leaf);
+  return "abelian exactly where " +
+         (form.nu ? to_factored_string(*form.nu)
+                  : "sqrt(" + to_factored_string(form.nu_squared) + ")") +
+         " - 1/2 is an integer";
+}
+std::string condition(const Leaf&, const TooManyUnknowns& open) {
+  return power(open.m) + " has a rational solution or not: not looked at";
+}
+std::string condition(const Leaf&, const LargeDenominator&) {
+  return "reducible or not: not looked at";
+}
+std::string condition(const Leaf& leaf, const OpenNumber&) {
+  return evidence<Number>(leaf)->decision.reason;
+}
+std::string condition(const Leaf&, const RefusedByChecker& open) {
+  return "our own checker refuses the certificate of what was found: " + open.shown;
+}
+std::string condition(const Leaf&, const NotStudied& open) { return open.shown; }
+
+std::string undecided(const Leaf& leaf) {
+  const std::string plain = "undecided: " + open_condition(leaf);
+  return std::visit(
+      Overloaded{[&](const MinorsVanish& open) {
+                   std::string together;
+                   for (const auto& p : open.together)
+                     together += (together.empty() ? "" : ", ") + brief(MFraction(p), 120);
+                   return plain + ": " + together;
+                 },
+                 [&](const IntegralNu&) { return plain + "; " + bessel_family(leaf); },
+                 [](const TooManyUnknowns& open) {
+                   return power(open.m) + " has " + std::to_string(open.degree + 1) +
+                          " unknowns, the limit is " + std::to_string(most_unknowns);
+                 },
+                 [](const LargeDenominator& open) {
+                   return "the exponents have the common denominator " + to_string(open.n);
+                 },
+                 [&](const OpenNumber&) { return open_condition(leaf); },
+                 [&](const NotStudied& open) { return argument(leaf) + "; " + open.shown; },
+                 [&](const auto&) { return plain; }},
+      *leaf.open);
+}
+
+std::string prefix(const Leaf& leaf) {
+  std::string text;
+  for (const Evidence& e : leaf.because)
+    if (const auto* of = std::get_if<OfEquation>(&e))
+      text += "with the equation for the variation of " + of->unknown +
+              ", r = " + to_factored_string(of->r) + ": ";
+  return text;
+}
+
+} // namespace
+
+std::string reason(const Leaf& leaf) {
+  return prefix(leaf) + (leaf.open ? undecided(leaf) : argument(leaf));
+}
+
+std::string group_text(const Leaf& leaf) {
+  if (leaf.group) return describe(*leaf.group);
+  switch (leaf.bound) {
+  case GroupBound::SL2_or_Borel:
+    return "SL(2, C) or the full triangular group";
+  case GroupBound::Borel_where_odd:
+    return "the full triangular group where " + weber_condition(leaf) + ", SL(2, C) elsewhere";
+  case GroupBound::torus_normaliser:
+    return "in the normaliser of a torus";
+  case GroupBound::torus_normaliser_or_T:
+    return "in the normaliser of a torus, or T_n";
+  case GroupBound::finite_or_normaliser_or_T:
+    return "finite, in the normaliser of a torus, or T_n";
+  case GroupBound::triangular_or_cyclic:
+    return "T_n, or cyclic";
+  case GroupBound::unknown:
+    break;
+  }
+  return "";
+}
+
+std::string open_condition(const Leaf& leaf) {
+  if (!leaf.open) return "";
+  return std::visit([&](const auto& open) { return condition(leaf, open); }, *leaf.open);
+}
+
+std::string to_string(const Event& e) {
+  const std::string at = place_name(e.place);
+  switch (e.kind) {
+  case Event::Kind::assumed:
+    return "assumed";
+  case Event::Kind::no_value:
+    return "r has no value";
+  case Event::Kind::pole_to_infinity:
+    return "a pole goes to infinity";
+  case Event::Kind::poles_meet:
+    return "two poles meet";
+  case Event::Kind::order_drops:
+    return "the order of the pole at " + at + " drops";
+  case Event::Kind::exponents_change:
+    return "the exponents at " + at + " change";
+  case Event::Kind::difference_real:
+    return "the exponent difference at " + at + " becomes real";
+  case Event::Kind::logarithm_vanishes:
+    return "there is no logarithm at " + at;
+  case Event::Kind::difference_is:
+    return "Delta = " + to_string(e.value) + " at " + at;
+  case Event::Kind::invariant_vanishes:
+    return "the invariant that was found may vanish";
+  case Event::Kind::invariant_appears:
+    return power(e.m) + " may have a rational solution";
+  case Event::Kind::divided_by:
+    return "the equation " + to_string(e.solved) + " = 0 is solved by division by it";
+  case Event::Kind::reduction:
+    return e.shown;
+  }
+  return "";
+}
+
+std::string place_name(const PlaceName& p) {
+  if (p.at_infinity || !p.q.ring()) return "infinity";
+  if (kov::degree(p.q, p.z) > 1) return to_string(p.q) + " = 0";
+  const auto c = coefficients(p.q, p.z);
+  return p.q.ring()->name(p.z) + " = " + to_factored_string(-(MFraction(c[0]) / MFraction(c[1])));
+}
+std::string place_name(const ParametricPlace& p, std::size_t z) {
+  return place_name(name_of(p, z));
+}
+
+std::string square_text(const ParametricPlace& p) {
+  if (p.chi.size() == 2) return "Delta^2 = " + to_factored_string(-p.chi[0]);
+  std::string s;
+  for (std::size_t i = p.chi.size(); i-- > 0;) {
+    if (is_zero(p.chi[i])) continue;
+    const bool number = is_constant(p.chi[i]);
+    const bool negative = number && sign(to_rational(p.chi[i])) < 0;
+    const std::string t = i == 0 ? "" : i == 1 ? "T" : "T^" + std::to_string(i);
+    std::string c = to_factored_string(negative ? -p.chi[i] : p.chi[i]);
+    if (!number) c = "(" + c + ")";
+    if (!t.empty()) c = number && is_one(negative ? -p.chi[i] : p.chi[i]) ? t : c + "*" + t;
+    s += (s.empty() ? (negative ? "-" : "") : negative ? " - " : " + ") + c;
+  }
+  return "Delta^2 a root T of " + s;
+}
+
+} // namespace kov::strata

@@ -1,0 +1,17 @@
+#pragma once
+// Every sentence about a stratum: read from its values, never read back.
+
+#include "strata/leaf.hpp"
+
+namespace kov::strata {
+
+/// Why the verdict holds, or "undecided: ..."
+[[nodiscard]] std::string reason(const Leaf& leaf);
+/// "SL(2, C)", "in the normaliser of a torus"; empty where nothing is known.
+[[nodiscard]] std::string group_text(const Leaf& leaf);
+/// "abelian only if ..."; empty where the stratum is decided.
+[[nodiscard]] std::string open_condition(const Leaf& leaf);
+/// "two poles meet"
+[[nodiscard]] std::string to_string(const Event& e);
+
+} // namespace kov::strata
