@@ -261,7 +261,8 @@ private:
     for (const std::size_t x : used_variables(needs.p)) {
       const MPoly lead = coefficients(needs.p, x).back();
       if (!is_constant(lead) && region.doubtful_factor(lead)) continue;
-      const Region there = region.with_relation(needs.p, x, is_assumed(needs));
+      const bool implied = is_assumed(needs) && !has_other_factor(region, needs.p);
+      const Region there = region.with_relation(needs.p, x, implied);
       return grown(Kind::related, region, needs.p, {}, to_string(needs.why), {},
                    node(there, depth + 1));
     }

@@ -156,9 +156,9 @@ bool Region::differs_from_relations(const MPoly& f, const std::vector<Relation>&
   return false;
 }
 
-Region Region::with_relation(const MPoly& p, std::size_t variable, bool assumed) const {
+Region Region::with_relation(const MPoly& p, std::size_t variable, bool implied) const {
   Region r(*this);
-  if (!assumed) r.path_.push_back({p, Sign::zero});
+  if (!implied) r.path_.push_back({p, Sign::zero});
   r.relations_.push_back({p, variable});
   r.signs_.clear();
   std::erase_if(r.assumptions_.conditions, [&](const Condition& c) {

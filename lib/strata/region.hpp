@@ -77,8 +77,8 @@ public:
   /// The stratum with p = 0 where no parameter is linear in p: all parameters are kept, and f != 0
   /// is known where the resultant of f and p in `variable` is.  Requires that p is irreducible over
   /// Q and its leading coefficient in `variable` known != 0.
-  /// An assumed p is not repeated in path().
-  [[nodiscard]] Region with_relation(const MPoly& p, std::size_t variable, bool assumed) const;
+  /// A p = 0 that the assumptions and path() imply is not repeated in path().
+  [[nodiscard]] Region with_relation(const MPoly& p, std::size_t variable, bool implied) const;
   struct Relation {
     MPoly p;
     std::size_t variable;

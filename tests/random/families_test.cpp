@@ -264,6 +264,17 @@ TEST(RandomFamilies, UnderNonlinearRelations) {
   report();
 }
 
+// A relation that falls apart on a stratum: its factors are strata of their own, told apart.
+TEST(RandomFamilies, WhereARelationFallsApart) {
+  compared = 0;
+  random_rounds(6, [](Random& random) {
+    const Texts relations{"a^2+a*b+b^2=0", "a^2+b^2=0", "a^4=b^2", "a^2-2*b^2=0", "a^3=b^3"};
+    const Asked asked{"-r", "(c*z+(b-1))/(z^2-(a*b))", {"a", "b", "c"}, {random.one_of(relations)}};
+    attack(asked, {"a*b*c^2-(b-1)^2", "b+1", "c"}, 12, random);
+  });
+  report();
+}
+
 TEST(RandomFamilies, AtComplexValuesBesideInequalities) {
   compared = 0;
   random_rounds(220, [](Random& random) {
