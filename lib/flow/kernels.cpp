@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <vector>
 
@@ -95,6 +96,35 @@ void integrate(const Effects& e, const Model<long double>& model, bool sliding,
   integrate_with<long double>(set_of(e), model, sliding, run, storage.data());
 }
 
+namespace {
+
+// Of one orbit: log2 of ||x_k|| as the stepper measures it, k = 0 ... most.
+std::vector<double> log2_sizes(const Jet<double>& jet, int most) {
+  double spin = 1e-100;
+  for (int i = 0; i < 3; ++i)
+    spin = std::max(spin, std::abs(jet.s[i][0]));
+  std::vector<double> sizes;
+  for (int k = 0; k <= most; ++k) {
+    double size = 1e-300;
+    for (int i = 0; i < 3; ++i)
+      size = std::max({size, std::abs(jet.s[i][k]) / spin, std::abs(jet.s[3 + i][k])});
+    sizes.push_back(std::log2(size));
+  }
+  return sizes;
+}
+
+// Work for a unit of time with steps of order p: p^2 for the products, 6 p for what is done once in
+// each order, 40 for what is done once in a step.
+double work(const std::vector<double>& log2_size, int p, double log2_tolerance) {
+  const double reach = log2_reach(log2_tolerance, log2_estimate(unit_roundoff<double>()));
+  double log_h = std::min(reach - log2_size[1], reach - (log2_size[2] + 1) / 2);
+  for (const int k : {p - 1, p})
+    log_h = std::min(log_h, (log2_tolerance - log2_size[static_cast<std::size_t>(k)]) / k);
+  return (p * (p + 6.0) + 40.0) * std::exp2(-log_h);
+}
+
+} // namespace
+
 int choose_order(const Effects& e, const Model<double>& model, const double* starts,
                  std::size_t orbits, double log2_tolerance) {
   const std::size_t set = set_of(e);
@@ -105,28 +135,16 @@ int choose_order(const Effects& e, const Model<double>& model, const double* sta
   for (int i = 0; i < Jet<double>::count; ++i)
     jet.s[i] = storage.data() + i * (most + 2);
   std::vector<double> cost(static_cast<std::size_t>(most) + 1, 0.0);
-  const std::size_t samples = std::min<std::size_t>(orbits, 16);
-  for (std::size_t s = 0; s < samples; ++s) {
+  for (std::size_t s = 0; s < orbits; ++s) {
     for (int i = 0; i < 3; ++i) {
       const int inner = (i + 3 - model.shift) % 3;
       jet.s[inner][0] = starts[6 * s + i];
       jet.s[3 + inner][0] = starts[6 * s + 3 + i];
     }
     kernel_table<double>.of[set].jets(model, jet, most);
-    double spin = 1e-100;
-    for (int i = 0; i < 3; ++i)
-      spin = std::max(spin, std::abs(jet.s[i][0]));
-    double before = 0;
-    for (int p = 1; p <= most; ++p) {
-      double size = 1e-300;
-      for (int i = 0; i < 3; ++i)
-        size = std::max({size, std::abs(jet.s[i][p]) / spin, std::abs(jet.s[3 + i][p])});
-      const double log_h = (log2_tolerance - std::log2(size)) / p;
-      // p^2 for the products, 6 p for what is done once in each order, 40 for what is done once in a step
-      if (p >= least)
-        cost[p] += (p * (p + 6.0) + 40.0) * std::exp2(-std::min(log_h, p > 1 ? before : log_h));
-      before = log_h;
-    }
+    const std::vector<double> sizes = log2_sizes(jet, most);
+    for (int p = least; p <= most; ++p)
+      cost[static_cast<std::size_t>(p)] += work(sizes, p, log2_tolerance);
   }
   return static_cast<int>(std::min_element(cost.begin() + least, cost.end()) - cost.begin());
 }

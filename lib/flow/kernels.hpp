@@ -35,7 +35,8 @@ void integrate(const Effects& e, const Model<long double>& model, bool sliding,
 void integrate(const Effects& e, const Model<BigReal>& model, bool sliding,
                const Run<BigReal>& run);
 
-/// The order that costs least for the given tolerance, measured on the first starts of the run.
+/// The order with which the orbits together cost least for the given tolerance, measured at their
+/// starts.
 [[nodiscard]] int choose_order(const Effects& e, const Model<double>& model, const double* starts,
                                std::size_t orbits, double log2_tolerance);
 

@@ -1,16 +1,19 @@
 #pragma once
 // Integration of many orbits, lane by lane, with section crossings.
 //
-// Step   h = min_{k = p-1, p} (epsilon/||x_k||)^(1/k)    [JorbaZou2005] (3-6), per lane
+// Step   h = min_{k = p-1, p} (epsilon/||x_k||)^(1/k)    [JorbaZou2005] (3-6), per lane; and not so
+//        long that the terms x_k h^k outgrow the state, or their rounding drowns epsilon (log2_reach)
 // State  x + x_low, two doubles whose sum is the state: the increment of a step is added without rounding away
 //        its low half (Kahan, Babuska); the jets start from x.
 // Order  fixed for the run: the work per unit of time, p^2/h(p), has a flat minimum near p = -ln(epsilon)/2 that
 //        does not depend on the radius of convergence, i.e. not on where the orbit is (choose_order measures it).
+//        A bad order costs time, not accuracy.
 
 #include "flow/roots.hpp"
 #include "flow/section_jets.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 
 namespace kov::flow {
@@ -63,6 +66,14 @@ template <class R> struct Run {
 };
 
 inline namespace KOV_ISA {
+
+/// log2 of the longest step in units of ||x_1||^-1 and (2 ||x_2||)^(-1/2).  Where x turns at the
+/// rate w, the terms of its series add up to e^(w h), and their rounding to u e^(w h), u being the
+/// unit roundoff.  So w h is at most 1, or what makes that e epsilon if epsilon is larger than u.
+inline double log2_reach(double log2_tolerance, double log2_roundoff) {
+  const double spare = log2_tolerance - log2_roundoff;
+  return spare > 0 ? std::log2(1 + spare * 0.6931471805599453) : 0;
+}
 
 /// A compiled set of effects for one pack type.
 template <class T> struct Kernel {
@@ -151,6 +162,7 @@ private:
   const Run<Real>& run_;
   bool sliding_;
   int axis_ = 2;
+  double log2_reach_ = log2_reach(run_.log2_tolerance, log2_estimate(unit_roundoff<Real>()));
   Jet<T> jet_{};
   T x_[6]{}, low_[6]{}, first_[3]{}, drift_[3]{};
   T t_{}, t_low_{}, above_{};
@@ -207,23 +219,24 @@ private:
     account(h, left);
   }
 
-  // (epsilon/||x_k||)^(1/k) for the last two orders.
-  T step_size() const {
-    const int p = run_.order;
-    T spin = larger(larger(absolute(x_[0]), absolute(x_[1])), absolute(x_[2]));
-    const T tiny = L::all(Real(1e-100));
-    spin = L::all(Real(1)) / larger(spin, tiny);
-    Step best{};
-    for (int k = p - 1; k <= p; ++k) {
-      T omega{}, gamma{};
-      for (int i = 0; i < 3; ++i) {
-        omega = larger(omega, absolute(jet_.s[i][k]));
-        gamma = larger(gamma, absolute(jet_.s[3 + i][k]));
-      }
-      const T size = larger(T(omega * spin), gamma);
-      const Step log_h = (run_.log2_tolerance - log2_estimate(size)) * (1.0 / k);
-      best = k == p - 1 || log_h < best ? log_h : best;
+  // log2 of ||x_k||: Gamma as it is, Omega relative to the state's.
+  Step log2_size(int k, const T& per_spin) const {
+    T omega{}, gamma{};
+    for (int i = 0; i < 3; ++i) {
+      omega = larger(omega, absolute(jet_.s[i][k]));
+      gamma = larger(gamma, absolute(jet_.s[3 + i][k]));
     }
+    return log2_estimate(larger(T(omega * per_spin), gamma));
+  }
+
+  T step_size() const {
+    T spin = larger(larger(absolute(x_[0]), absolute(x_[1])), absolute(x_[2]));
+    spin = L::all(Real(1)) / larger(spin, L::all(Real(1e-100)));
+    Step best = log2_reach_ - log2_size(1, spin);
+    const auto at_most = [&best](const Step& log_h) { best = log_h < best ? log_h : best; };
+    at_most(log2_reach_ - (log2_size(2, spin) + 1.0) * 0.5);
+    for (int k = run_.order - 1; k <= run_.order; ++k)
+      at_most((run_.log2_tolerance - log2_size(k, spin)) * (1.0 / k));
     return T(exp2_estimate(best));
   }
 
