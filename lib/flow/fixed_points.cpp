@@ -1,5 +1,6 @@
 #include "flow/fixed_points.hpp"
 
+#include "flow/index_grid.hpp"
 #include "flow/own_units.hpp"
 #include "flow/section_map.hpp"
 
@@ -28,6 +29,12 @@ public:
     const auto sizes = momentum_sizes(plain_, plain_levels_, rule_, l, y);
     if (sizes.size() <= sheet_) return std::nullopt;
     return sizes[sizes.size() - 1 - sheet_];
+  }
+
+  /// The image lies on this sheet, too.
+  [[nodiscard]] bool returns(const SectionImage<double>& image) const {
+    const auto size = size_at(image.l.v, image.y.v);
+    return size && std::abs(image.g_size - *size) < 1e-6 * *size;
   }
 
   [[nodiscard]] std::optional<SectionImage<double>> operator()(double l, double y) const {
@@ -166,89 +173,70 @@ void classify(FixedPoint& f) {
     f.multiplier = {f.trace / 2, std::sqrt(-q)};
 }
 
-// The displacement on the grid; columns go round in l.
-struct Displacements {
-  int columns, rows;
-  std::vector<std::optional<Place>> at;
-  [[nodiscard]] const std::optional<Place>& operator()(int i, int k) const {
-    return at[static_cast<std::size_t>(i % columns * rows + k)];
-  }
-};
-
-// How often the displacement turns around the border of a cell; 0 if it is large or unknown there.
-int turns(const Displacements& d, int i, int k) {
-  const std::pair<int, int> corners[] = {{i, k}, {i + 1, k}, {i + 1, k + 1}, {i, k + 1}, {i, k}};
-  double turn = 0;
-  for (int n = 0; n < 4; ++n) {
-    const auto &a = d(corners[n].first, corners[n].second),
-               &b = d(corners[n + 1].first, corners[n + 1].second);
-    if (!a || !b || std::hypot(a->l, a->y) > 1.5) return 0;
-    turn += wrapped(std::atan2(b->y, b->l) - std::atan2(a->y, a->l));
-  }
-  return static_cast<int>(std::lround(turn / (2 * pi_of(0.0))));
-}
+int index_of(const FixedPoint& f) { return f.stability == Stability::hyperbolic ? -1 : 1; }
 
 // The search on one sheet of the level.
 class Search {
 public:
   Search(const Scene& s, const FixedPointOptions& o, std::size_t sheet)
-      : map_(s, sheet), o_(o), d_{o.columns, o.rows, {}} {}
+      : map_(s, sheet), o_(o),
+        grid_(o.columns, o.rows, [this](const Latitude& u) { return displaced(u); }) {}
 
   FixedPoints run() {
-    displacements();
     std::size_t still = 0;
-    for (const auto& p : d_.at)
-      still += p && std::hypot(p->l, p->y) < 1e-7 ? 1 : 0;
-    found_.degenerate = 2 * still > d_.at.size();
+    for_cells([&](int i, int k) { still += size_at(grid_.node(i, k)) < 1e-7 ? 1 : 0; });
+    found_.degenerate = 2 * still > static_cast<std::size_t>(o_.columns * (o_.rows - 1));
     if (found_.degenerate) return found_;
-    for (int i = 0; i < o_.columns; ++i)
-      for (int k = 0; k < o_.rows; ++k)
-        look(i, k);
-    for (std::size_t i = 0; i < found_.points.size(); ++i) // grows meanwhile
-      look_at_mirror_images(found_.points[i]);
-    for (const FixedPoint& f : found_.points)
-      if (f.y > place(0, 0).y && f.y < place(0, o_.rows - 1).y) found_.index_found += index_of(f);
+    grid_.count();
+    for_cells([&](int i, int k) { look(i, k); });
+    look_at_mirror_images(0);
+    for_cells([&](int i, int k) {
+      if (!is_explained(i, k)) look_closer(i, k);
+    });
+    for_cells([&](int i, int k) { tally(i, k); });
     found_.at_poles = int(pole_[0]) + int(pole_[1]);
     return found_;
   }
 
-  /// Anything on this sheet?
+  /// The level has no such sheet.
   [[nodiscard]] bool is_empty() const {
-    for (int i = 0; i < o_.columns; i += 4)
-      for (int k = 0; k < o_.rows; k += 4)
-        if (map_.size_at(place(i, k).l, place(i, k).y)) return false;
-    return true;
+    bool empty = true;
+    for_cells([&](int i, int k) {
+      const Latitude u = grid_.place(i, k);
+      empty = empty && !map_.size_at(u.l, std::sin(u.y));
+    });
+    return empty;
   }
 
 private:
   SectionMap map_;
   FixedPointOptions o_;
-  Displacements d_;
   FixedPoints found_;
+  IndexGrid grid_; // samples the map when it is made: after what the map needs
   bool pole_[2] = {false, false};
 
-  static int index_of(const FixedPoint& f) {
-    if (f.stability == Stability::parabolic) return 0;
-    return f.stability == Stability::hyperbolic ? -1 : 1;
+  template <class F> void for_cells(const F& f) const {
+    for (int i = 0; i < o_.columns; ++i)
+      for (int k = 0; k + 1 < o_.rows; ++k)
+        f(i, k);
   }
   bool stopped() {
     if (o_.stop != nullptr && o_.stop->load()) found_.stopped = true;
     return found_.stopped;
   }
-  // Away from the lines of symmetry, where the fixed points like to be; rows at equal latitudes
-  // asin(L/G).
-  [[nodiscard]] Place place(double i, double k) const {
-    return {2 * pi_of(0.0) * (i + 0.381966) / o_.columns,
-            std::sin(pi_of(0.0) * (-0.5 + (k + 0.4142) / o_.rows))};
+  static double size_at(const std::optional<Displaced>& d) {
+    return d ? std::hypot(d->by.l, d->by.y) : INFINITY;
   }
-  void displacements() {
-    for (int i = 0; i < o_.columns; ++i)
-      for (int k = 0; k < o_.rows; ++k) {
-        const Place u = place(i, k);
-        const auto p = stopped() ? std::nullopt : map_(u.l, u.y);
-        d_.at.push_back(p ? std::optional(Place{wrapped(p->l.v - u.l), p->y.v - u.y})
-                          : std::nullopt);
-      }
+  // Nothing where the orbit comes back to another sheet: this sheet has no map there.
+  std::optional<Displaced> displaced(const Latitude& u) {
+    if (stopped()) return std::nullopt;
+    const double y = std::sin(u.y);
+    const auto p = map_(u.l, y);
+    if (!p || !map_.returns(*p)) return std::nullopt;
+    const double from = std::cos(u.y), to = std::sqrt(1 - p->y.v * p->y.v);
+    return Displaced{u,
+                     {wrapped(p->l.v - u.l), std::asin(p->y.v) - u.y},
+                     {p->l.d[0] - 1, p->l.d[1] * from, p->y.d[0] / to, p->y.d[1] * from / to - 1}};
   }
   bool keep(const std::optional<FixedPoint>& f) {
     if (!f) return false;
@@ -260,29 +248,55 @@ private:
     found_.points.push_back(full);
     return true;
   }
-  // Many bodies have symmetries that turn or mirror the section: a good guess for the partners, no more.
-  void look_at_mirror_images(FixedPoint f) {
-    if (stopped()) return;
-    bool curve = false;
+  void start_at(const Latitude& u, bool& curve) {
+    if (!stopped()) keep(newton(map_, {u.l, std::sin(u.y)}, curve));
+  }
+  // Many bodies have symmetries that turn or mirror the section: a good guess for the partners, no
+  // more.
+  void look_at_mirror_images(std::size_t first) {
     const double pi = pi_of(0.0);
-    for (const double l : {f.l, -f.l, f.l + pi, pi - f.l})
-      for (const double y : {f.y, -f.y})
-        keep(newton(map_, {l, y}, curve));
+    bool curve = false;
+    for (std::size_t i = first; i < found_.points.size() && !stopped(); ++i) { // grows meanwhile
+      const FixedPoint f = found_.points[i];
+      for (const double l : {f.l, -f.l, f.l + pi, pi - f.l})
+        for (const double y : {f.y, -f.y})
+          keep(newton(map_, {l, y}, curve));
+    }
   }
   void look(int i, int k) {
-    if (stopped()) return;
-    const int index = k + 1 < o_.rows ? turns(d_, i, k) : 0;
-    found_.index_sum += index;
-    const auto& here = d_(i, k);
     bool curve = false;
-    if (index != 0) {
-      const bool kept = keep(newton(map_, place(i + 0.5, k + 0.5), curve));
-      found_.curve_cells += curve ? 1 : 0;
-      found_.unexplained_cells += kept || curve ? 0 : 1;
-    } else if (here && std::hypot(here->l, here->y) < 0.5) {
-      keep(newton(map_, place(i, k), curve));
-      found_.curve_cells += curve ? 1 : 0;
+    if (grid_.on_level(i, k) && grid_.index(i, k).value_or(1) != 0)
+      start_at(grid_.place(i + 0.5, k + 0.5), curve);
+    if (size_at(grid_.node(i, k)) < 0.5) start_at(grid_.place(i, k), curve);
+    found_.curve_cells += curve ? 1 : 0;
+  }
+  // The cell has no index, or the points found in it add up to it.
+  [[nodiscard]] bool is_explained(int i, int k) const {
+    const auto index = grid_.index(i, k);
+    if (!index) return true;
+    int sum = 0;
+    for (const FixedPoint& f : found_.points) {
+      if (grid_.cell_of({f.l, std::asin(f.y)}) != std::array{i, k}) continue;
+      if (f.stability == Stability::parabolic) return true; // its index may be anything
+      sum += index_of(f);
     }
+    return sum == *index;
+  }
+  // From many places of the cell.
+  void look_closer(int i, int k) {
+    constexpr int n = 5;
+    bool curve = false;
+    const std::size_t before = found_.points.size();
+    for (int place = 0; place < n * n && !is_explained(i, k); ++place)
+      start_at(grid_.place(i + (place % n + 0.5) / n, k + (place / n + 0.5) / n), curve);
+    look_at_mirror_images(before);
+  }
+  void tally(int i, int k) {
+    if (!grid_.on_level(i, k)) return;
+    const auto index = grid_.index(i, k);
+    ++(index ? found_.cells : found_.cells_without_index);
+    found_.index_sum += index.value_or(0);
+    found_.unexplained_cells += is_explained(i, k) ? 0 : 1;
   }
 };
 
@@ -312,7 +326,8 @@ FixedPoints search(const Scene& own, const FixedPointOptions& options) {
     const FixedPoints one = search.run();
     all.points.insert(all.points.end(), one.points.begin(), one.points.end());
     all.index_sum += one.index_sum;
-    all.index_found += one.index_found;
+    all.cells += one.cells;
+    all.cells_without_index += one.cells_without_index;
     all.at_poles += one.at_poles;
     all.unexplained_cells += one.unexplained_cells;
     all.curve_cells += one.curve_cells;
@@ -345,13 +360,14 @@ FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options) {
                      "direction = \"upward\" or \"downward\"");
   const OwnUnits units = own_units(scene);
   FixedPoints found = search(in_units(scene, units), options);
-  for (std::size_t i = 0; i < found.points.size(); ++i) {
-    FixedPoint& f = found.points[i];
+  for (FixedPoint& f : found.points) {
     f.g_size = std::ldexp(f.g_size, static_cast<int>(units.momentum()));
     f.period = std::ldexp(f.period, static_cast<int>(units.time));
-    if (!options.prove) continue;
-    if (options.progress) options.progress(i, found.points.size());
-    f = proved(scene, f, options);
+    f.why = "not tried";
+  }
+  for (std::size_t i = 0; options.prove && i < found.points.size(); ++i) {
+    if (options.progress) options.progress(found, i);
+    found.points[i] = proved(scene, found.points[i], options);
   }
   found.stopped = found.stopped || (options.stop != nullptr && options.stop->load());
   return found;

@@ -3,9 +3,9 @@
 // stability.
 //
 // Search (double): the displacement P(u) - u of the section map, u = (l, L/G), on a grid; Newton
-// from every cell around whose border the displacement turns (its index is not 0), and from every
-// grid point that moves little.  DP comes from the variational equations (dual numbers through the
-// Taylor kernels).
+// from every cell whose index (index_grid.hpp) is not 0 or not known, and from every grid point
+// that moves little; from many places of a cell whose index the points found in it do not make up.
+// DP comes from the variational equations (dual numbers through the Taylor kernels).
 //
 // Proof (balls): integration with enclosures, i.e. Taylor polynomials whose remainder is the next
 // coefficient over a box that provably contains the orbit during the step, of the orbit and its
@@ -47,28 +47,30 @@ struct FixedPoint {
   std::string why;
 };
 
+struct FixedPoints;
+
 struct FixedPointOptions {
   int columns = 48, rows = 40; ///< of the grid of the search; rows at equal latitudes asin(L/G)
   bool prove = true;
   long bits = 128;      ///< of the first proof; where it fails, or says little, half as many more
   long most_bits = 288; ///< of the last one
   const std::atomic<bool>* stop = nullptr;
-  std::function<void(std::size_t done, std::size_t all)> progress; ///< of the proofs
+  std::function<void(const FixedPoints& so_far, std::size_t proofs)> progress; ///< before a proof
 };
 
 /// What the search found, sorted by l, then by L/G.
 ///
 /// Errors    InputError: the section is crossed in both directions, which is not one map
 /// Caveat    each point with `proved` exists; that there are no others is not proved: a cell of the
-/// grid may
-///           hide a pair of points of opposite index.  `index_sum` is the sum of the indices of the
-///           cells that are not 0; `index_found` is the number of points there that are elliptic or
-///           inverse hyperbolic, less the hyperbolic ones.  If they differ, something was missed.
+///           grid may hide a pair of points of opposite index, and beyond the outermost rows (L/G
+///           near +-1) there are no cells.
 struct FixedPoints {
   std::vector<FixedPoint> points;
-  int index_sum = 0, index_found = 0;
+  int cells = 0;               ///< of the grid that have an index
+  int cells_without_index = 0; ///< the others that meet the level (index_grid.hpp says why)
+  int index_sum = 0;           ///< over those that have one
+  int unexplained_cells = 0;   ///< cells whose points do not make up their index: some were missed
   int at_poles = 0; ///< of L/G = +-1, where the chart ends: how many of the two Newton ran into
-  int unexplained_cells = 0; ///< cells with an index where Newton found nothing
   int curve_cells =
       0; ///< cells from which Newton ran into a curve of fixed points (1 is an eigenvalue of DP)
   bool stopped = false;    ///< before everything was searched, and proved

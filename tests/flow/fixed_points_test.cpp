@@ -52,6 +52,7 @@ TEST(FixedPoints, SlidingTopHasFourUnstableAndEightStable) {
   o.rows = 16;
   const FixedPoints f = fixed_points(s, o);
   ASSERT_EQ(f.points.size(), 12U);
+  EXPECT_EQ(f.unexplained_cells, 0);
   std::vector<FixedPoint> equator;
   for (const FixedPoint& p : f.points) {
     EXPECT_NEAR(p.determinant, 1, 1e-11); // the map preserves area
@@ -79,6 +80,44 @@ TEST(FixedPoints, SlidingTopHasFourUnstableAndEightStable) {
   EXPECT_NEAR(equator[1].l, M_PI / 2, 1e-13); // the stable ones: two exactly on the first axis,
   EXPECT_NEAR(equator[3].l, M_PI, 0.02);      // two only near the second
   EXPECT_NEAR(equator[7].l, 2 * M_PI, 0.02);
+}
+
+// Strong multipliers, points near the poles, a level with two sheets: what is found makes up the
+// index of every cell that has one.  (An index taken from the corners of a cell alone differed.)
+TEST(FixedPoints, ThePointsMakeUpTheIndices) {
+  FixedPointOptions o;
+  o.prove = false;
+  o.columns = 32;
+  o.rows = 24;
+  for (const auto& [name, points] :
+       {std::pair{"kovalevskaya_classical", 8}, {"hess_classical", 6}, {"lever_quarter", 6}}) {
+    const FixedPoints f = fixed_points(read_scene(scene_path(name)), o);
+    EXPECT_EQ(f.points.size(), static_cast<std::size_t>(points)) << name;
+    EXPECT_EQ(f.unexplained_cells, 0) << name;
+    EXPECT_LE(f.cells_without_index, 80) << name;
+    EXPECT_GE(f.cells, 600) << name;
+  }
+}
+
+// A search that was stopped says so, and names no point without the reason why it is not proved.
+TEST(FixedPoints, AStoppedSearchSaysSo) {
+  const Scene s = read_scene(scene_path("asymmetric_classical"));
+  std::atomic<bool> stop{true};
+  FixedPointOptions o;
+  o.stop = &stop;
+  EXPECT_TRUE(fixed_points(s, o).stopped);
+  stop = false;
+  o.columns = 12;
+  o.rows = 8;
+  o.progress = [&](const FixedPoints&, std::size_t proofs) { stop = proofs >= 1; };
+  const FixedPoints f = fixed_points(s, o);
+  EXPECT_TRUE(f.stopped);
+  ASSERT_EQ(f.points.size(), 4U);
+  EXPECT_TRUE(f.points[0].proved);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_FALSE(f.points[i].proved);
+    EXPECT_FALSE(f.points[i].why.empty());
+  }
 }
 
 // The other code, without derivatives: an orbit from each fixed point comes back to it.

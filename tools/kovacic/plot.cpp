@@ -49,6 +49,25 @@ std::vector<std::string> run_gnuplot(const std::string& base,
   return drawn;
 }
 
+// Unproved points have shapes and a colour of their own.
+std::string style_of(const FixedPointMark& m) {
+  struct Shapes {
+    const char *kind, *colour;
+    int proved, unproved; // gnuplot's point types
+  };
+  static constexpr Shapes styles[] = {{"elliptic", "#007020", 6, 4},
+                                     {"hyperbolic", "#c00000", 2, 8},
+                                     {"inverse-hyperbolic", "#8000a0", 1, 10},
+                                     {"parabolic", "#0060c0", 12, 14}};
+  const Shapes* style = std::begin(styles);
+  while (m.kind != style->kind && style + 1 != std::end(styles))
+    ++style;
+  return fmt::format("with points pt {} ps 1 lw 2 lc rgb \"{}\" title \"{}{}\"",
+                     m.proved ? style->proved : style->unproved,
+                     m.proved ? style->colour : "#e08000", m.kind,
+                     m.proved ? ", proved" : ", not proved");
+}
+
 std::vector<std::string> draw_section(const std::string& base, const SectionPlot& plot,
                                       const std::vector<std::string>& formats) {
   const std::string name = fs::path(base).filename().string();
@@ -60,13 +79,14 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
     fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
                i + 1, gnuplot_quoted(plot.caption[i]), 0.065 - 0.035 * static_cast<double>(i));
   fmt::print(out, "set bmargin 6.5\n"
-                  "set xrange [-pi/4:7*pi/4]\nset yrange [-1:1]\n"
+                  "set xrange [-pi/4:7*pi/4]\nset yrange [-1.03:1.03]\n"
                   "set xtics (\"0\" 0, \"π/2\" pi/2, \"π\" pi, "
                   "\"3π/2\" 3*pi/2)\nset ytics 0.5\n"
                   "set xlabel \"l\" offset 0,0.5\nset ylabel \"L/G\"\n"
                   "wrap(l) = l >= 7*pi/4 ? l - 2*pi : l\n");
   fmt::print(out, "{}",
-             plot.fixed_points ? "set key outside above horizontal font \",8\"\n" : "unset key\n");
+             plot.marks.empty() ? "unset key\n"
+                                : "set key outside above horizontal maxrows 1 font \",8\"\n");
   const std::string points = "notitle with points pt 7 ps (format eq \"png\" ? 0.15 : 0.08)";
   std::vector<std::string> layers;
   const auto layer = [&](const std::string& file, const std::string& abscissa,
@@ -81,21 +101,11 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   } else {
     layer(data, l, points + " lc rgb \"#102040\"");
   }
-  if (plot.fixed_points) { // error = inf: not proved
-    const std::string marks = name + ".fixed.dat";
-    const auto mark = [&](const std::string& kind, const std::string& proved, int type,
-                          const std::string& colour, const std::string& title) {
-      layer(marks,
-            "strcol(\"kind\") " + kind + " \"elliptic\" && strcol(\"error\") " + proved +
-                " \"inf\" ? " + l + " : NaN",
-            fmt::format("with points pt {} ps 1 lw 2 lc rgb \"{}\" title \"{}\"", type, colour,
-                        title));
-    };
-    mark("eq", "ne", 6, "#007020", "elliptic, proved");
-    mark("ne", "ne", 2, "#c00000", "hyperbolic, proved");
-    mark("eq", "eq", 4, "#e08000", "elliptic, not proved");
-    mark("ne", "eq", 8, "#e08000", "hyperbolic, not proved");
-  }
+  for (const FixedPointMark& m : plot.marks)
+    layer(name + ".fixed.dat",
+          fmt::format("strcol(\"kind\") eq \"{}\" && strcol(\"error\") {} \"inf\" ? {} : NaN",
+                      m.kind, m.proved ? "ne" : "eq", l),
+          style_of(m));
   std::string all;
   for (const std::string& one : layers)
     all += (all.empty() ? "plot " : ", \\\n     ") + one;

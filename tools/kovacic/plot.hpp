@@ -1,16 +1,24 @@
 #pragma once
 // Pictures by gnuplot: a script that the user can edit, and what it draws if gnuplot is there.
 
+#include <compare>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace kov::cli {
 
+struct FixedPointMark {
+  std::string kind; ///< as in the column "kind"
+  bool proved = false;
+  auto operator<=>(const FixedPointMark&) const = default;
+};
+
 struct SectionPlot {
   std::string title;
   std::vector<std::string> caption;
-  bool two_colours = false;  ///< by the column "sign"
-  bool fixed_points = false; ///< mark those of BASE.fixed.dat
+  bool two_colours = false;            ///< by the column "sign"
+  std::set<FixedPointMark> marks = {}; ///< those that occur in BASE.fixed.dat
 };
 
 /// Writes BASE.gp for BASE.dat and draws BASE.png, ...; returns the pictures drawn (none without

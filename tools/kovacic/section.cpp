@@ -160,19 +160,20 @@ std::string one_word(flow::Stability s) {
   return text;
 }
 
-void write_fixed_points(const fs::path& path, const flow::FixedPoints& found) {
-  std::ofstream out(path);
-  if (found.stopped) fmt::print(out, "# PARTIAL: stopped before the search and the proofs ended\n");
-  fmt::print(out, "# fixed points of the section map; error: proved distance from the exact point "
-                  "in l and in L/G "
-                  "(inf: not proved)\n");
-  fmt::print(out, "l L/G error kind trace trace_error multiplier_re multiplier_im G period\n");
-  for (const auto& f : found.points)
-    fmt::print(out, "{:.17g} {:.17g} {:.1e} {} {:.15g} {:.1e} {:.12g} {:.12g} {:.12g} {:.12g}\n",
-               f.l, f.y, f.proved ? f.error : INFINITY, one_word(f.stability), f.trace,
-               f.proved ? f.trace_error : INFINITY, f.multiplier[0], f.multiplier[1], f.g_size,
-               f.period);
-  close_file(out, path.string());
+constexpr const char* partial_points = "PARTIAL: stopped before the search and the proofs ended";
+
+void write_fixed_points(const std::string& path, const flow::FixedPoints& found) {
+  write_whole(path, [&](std::ofstream& out) {
+    if (found.stopped) fmt::print(out, "# {}\n", partial_points);
+    fmt::print(out, "# fixed points of the section map; error: proved distance from the exact "
+                    "point in l and in L/G (inf: not proved)\n");
+    fmt::print(out, "l L/G error kind trace trace_error multiplier_re multiplier_im G period\n");
+    for (const auto& f : found.points)
+      fmt::print(out, "{:.17g} {:.17g} {:.1e} {} {:.15g} {:.1e} {:.12g} {:.12g} {:.12g} {:.12g}\n",
+                 f.l, f.y, f.proved ? f.error : INFINITY, one_word(f.stability), f.trace,
+                 f.proved ? f.trace_error : INFINITY, f.multiplier[0], f.multiplier[1], f.g_size,
+                 f.period);
+  });
 }
 
 // Decimals that an error bound justifies.
@@ -195,6 +196,24 @@ std::string line_of(const flow::FixedPoint& f) {
                          : "not proved: " + f.why);
 }
 
+// "1 cell", "2 cells"
+std::string cells(int n) { return fmt::format("{} cell{}", n, n == 1 ? "" : "s"); }
+
+// What the grid says about points that the list below may lack.
+void print_indices(const flow::FixedPoints& found) {
+  if (found.stopped) return fmt::print("  {}\n", partial_points);
+  fmt::print("  sum of indices {} over {} of the grid\n", found.index_sum, cells(found.cells));
+  if (const int n = found.cells_without_index)
+    fmt::print("  {} without an index: the map jumps there, leaves the sheet of the level, or has "
+               "fixed points on the border\n",
+               cells(n));
+  if (const int n = found.unexplained_cells)
+    fmt::print("  {} whose index the points found in it do not make up: some were missed\n",
+               cells(n));
+  if (found.curve_cells > 0)
+    fmt::print("  curves of fixed points ({})\n", cells(found.curve_cells));
+}
+
 void print_fixed_points(const flow::FixedPoints& found) {
   const auto count = [&](flow::Stability s) {
     return std::count_if(found.points.begin(), found.points.end(),
@@ -207,16 +226,10 @@ void print_fixed_points(const flow::FixedPoints& found) {
   if (const auto n = count(flow::Stability::inverse_hyperbolic))
     fmt::print(", {} inverse hyperbolic", n);
   if (const auto n = count(flow::Stability::parabolic)) fmt::print(", {} parabolic", n);
-  fmt::print("; sum of indices of the grid {}\n", found.index_sum);
-  if (found.stopped) fmt::print("  PARTIAL: stopped before the search and the proofs ended\n");
-  if (!found.stopped && found.index_sum != found.index_found)
-    fmt::print("  the points found there have the sum {}: some were missed, or are no isolated "
-               "points\n",
-               found.index_found);
+  fmt::print("\n");
+  print_indices(found);
   if (found.at_poles > 0)
     fmt::print("  the map also tends to a steady rotation at L/G = +-1, where l has no meaning\n");
-  if (found.curve_cells > 0)
-    fmt::print("  and curves of fixed points ({} cells of the grid)\n", found.curve_cells);
   for (const auto& f : found.points)
     fmt::print("    {}\n", line_of(f));
 }
@@ -224,7 +237,8 @@ void print_fixed_points(const flow::FixedPoints& found) {
 // "  asymmetric_sliding  32 of 72 orbits, 3 s left" on a terminal, at most ten times a second.
 class Progress {
 public:
-  Progress(std::string name, bool on) : name_(std::move(name)), on_(on && isatty(2) != 0) {}
+  Progress(std::string name, std::string what, bool on)
+      : name_(std::move(name)), what_(std::move(what)), on_(on && isatty(2) != 0) {}
   void operator()(std::size_t done, std::size_t all) {
     const auto now = Clock::now();
     if (!on_ || (done < all && now - shown_ < std::chrono::milliseconds(100))) return;
@@ -232,7 +246,7 @@ public:
     const double spent = std::chrono::duration<double>(now - begun_).count();
     const double left =
         done == 0 ? 0 : spent * static_cast<double>(all - done) / static_cast<double>(done);
-    fmt::print(stderr, "\r\033[K  {}  {} of {} orbits, {:.0f} s left", name_, done, all, left);
+    fmt::print(stderr, "\r\033[K  {}  {} of {} {}, {:.0f} s left", name_, done, all, what_, left);
     std::fflush(stderr);
   }
   ~Progress() {
@@ -241,7 +255,7 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  std::string name_;
+  std::string name_, what_;
   bool on_;
   Clock::time_point begun_ = Clock::now(), shown_{};
 };
@@ -306,7 +320,7 @@ private:
   Interrupt interrupt_;
   flow::Section result_;
   double seconds_ = 0;
-  bool marks_ = false; ///< there are fixed points to draw
+  std::set<FixedPointMark> marks_; ///< of the fixed points
 
   void write(const flow::Section& r) const {
     write_data(base_ + ".dat", scene_, r);
@@ -317,7 +331,7 @@ private:
     const auto begun = Clock::now();
     auto written = begun;
     double cost = 0;
-    Progress progress(name_, !settings_.quiet);
+    Progress progress(name_, "orbits", !settings_.quiet);
     flow::SimulateOptions options;
     options.threads = o_.threads;
     options.lanes = o_.lanes;
@@ -350,11 +364,26 @@ private:
 
   // false: stopped before the end
   bool fixed_points() {
-    flow::FixedPointOptions options;
-    options.stop = interrupt_.flag();
-    const flow::FixedPoints found = flow::fixed_points(scene_, options);
-    write_fixed_points(base_ + ".fixed.dat", found);
-    marks_ = !found.points.empty();
+    const std::string path = base_ + ".fixed.dat";
+    auto written = Clock::now();
+    flow::FixedPoints found;
+    {
+      Progress progress(name_, "proofs", !settings_.quiet);
+      flow::FixedPointOptions options;
+      options.stop = interrupt_.flag();
+      options.progress = [&](const flow::FixedPoints& so_far, std::size_t proofs) {
+        progress(proofs, so_far.points.size());
+        if (seconds_since(written) < 10) return;
+        flow::FixedPoints copy = so_far; // what a crash must not take away
+        copy.stopped = true;
+        write_fixed_points(path, copy);
+        written = Clock::now();
+      };
+      found = flow::fixed_points(scene_, options);
+    }
+    write_fixed_points(path, found);
+    for (const auto& f : found.points)
+      marks_.insert({one_word(f.stability), f.proved});
     if (!settings_.quiet) print_fixed_points(found);
     return !found.stopped;
   }
