@@ -1,10 +1,11 @@
 // kovacic-peers SCENE [REFERENCE] [SECONDS]: the orbits of a scene with other people's integrators,
 // for `kovacic bench accuracy`.
-// kovacic-peers --ratios SCENE [SECONDS]: theirs and ours by turns in one process, so that whatever
+// kovacic-peers --ratios SCENE [SECONDS [TIME]]: theirs and ours by turns in one process, so that whatever
 // slows the machine slows both: how many times as long they take for the same drift.
 //
 // Boost.odeint: dopri5 (dense output), rkf78 (controlled), Bulirsch-Stoer (dense output);
-// SUNDIALS: CVODE (Adams) and ARKODE (explicit Runge-Kutta, order 8) with their own root finding.
+// SUNDIALS: CVODE (Adams) and ARKODE (explicit Runge-Kutta, order 8) with their own root finding;
+// heyoka (peers_heyoka.cpp; the CMake option KOV_HEYOKA): Taylor series in batches, its own events.
 // Each gets the same right-hand side, written out for the effects of the scene and compiled for
 // this machine, the same starts, and the same section: sign change of S at the end of a step, then
 // the crossing is located (dense output with bisection and secant, or the package's root finder).
@@ -14,9 +15,7 @@
 // from that in the file REFERENCE (lines: orbit crossings l_1 y_1 ... l_10 y_10);  error10: largest
 // distance of the first 10 section points of each orbit from those there.
 
-// This file is compiled with contraction, as suits the others: its inlined kernels stay its own.
-#define KOV_ISA peers
-#include "flow/simulate.hpp"
+#include "peers.hpp"
 
 #include <boost/numeric/odeint.hpp>
 
@@ -25,118 +24,15 @@
 #include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
-#include <functional>
-#include <map>
-#include <sstream>
 
+namespace kov::peers {
 namespace {
 
-using namespace kov::flow;
 namespace ode = boost::numeric::odeint;
-using X = std::array<double, 6>;
-
-// Omega' and Gamma' for principal axes, written as a person would.
-template <bool sliding> struct Field {
-  double i1, i2, i3, l1, l2, l3, m, g;
-  explicit Field(const Body<double>& b)
-      : i1(b.inertia[0][0]), i2(b.inertia[1][1]), i3(b.inertia[2][2]), l1(b.lever[0]),
-        l2(b.lever[1]), l3(b.lever[2]), m(b.mass), g(b.gravity) {}
-  void operator()(const X& x, X& d, double = 0) const {
-    const auto [w1, w2, w3, g1, g2, g3] = x;
-    d[3] = g2 * w3 - g3 * w2;
-    d[4] = g3 * w1 - g1 * w3;
-    d[5] = g1 * w2 - g2 * w1;
-    const double y1 = (i2 - i3) / i1 * w2 * w3, y2 = (i3 - i1) / i2 * w3 * w1,
-                 y3 = (i1 - i2) / i3 * w1 * w2;
-    const double v1 = l2 * g3 - l3 * g2, v2 = l3 * g1 - l1 * g3, v3 = l1 * g2 - l2 * g1;
-    const double u1 = v1 / i1, u2 = v2 / i2, u3 = v3 / i3;
-    double push = m * g;
-    if constexpr (sliding) {
-      const double e1 = l2 * d[5] - l3 * d[4], e2 = l3 * d[3] - l1 * d[5],
-                   e3 = l1 * d[4] - l2 * d[3];
-      const double dm1 = m * (v1 * u1 + v2 * u2 + v3 * u3);
-      push += m * (e1 * w1 + e2 * w2 + e3 * w3 + v1 * y1 + v2 * y2 + v3 * y3 - g * dm1) / (1 + dm1);
-    }
-    d[0] = y1 - push * u1;
-    d[1] = y2 - push * u2;
-    d[2] = y3 - push * u3;
-  }
-};
 
 double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-// What a precise run found: the number of crossings of an orbit, and (l, y) of its first 10.
-struct Reference {
-  long crossings = -1;
-  std::vector<std::array<double, 2>> points;
-};
-
-struct Problem {
-  Scene scene;
-  Body<double> body;
-  std::vector<X> starts;
-  double t_end = 0;
-  std::vector<Reference> reference;
-};
-
-double section(const Body<double>& b, const X& x, double& side) {
-  const State<double> s{{x[0], x[1], x[2]}, {x[3], x[4], x[5]}};
-  const Vec<double> n = momentum(b, s);
-  side = n[1] * s.gamma[0] - n[0] * s.gamma[1];
-  return dot(n, s.gamma) * n[2] - dot(n, n) * s.gamma[2];
-}
-
-// What is measured on the way: the same for every method.
-struct Tally {
-  const Problem& p;
-  Levels<double> sizes;
-  long crossings = 0, wrong = 0;
-  double drift = 0, error = 0;
-  Integrals<double> first{};
-  std::size_t orbit = 0;
-  long of_orbit = 0;
-  explicit Tally(const Problem& problem)
-      : p(problem), sizes(sizes_on_level(p.body, p.scene.levels<double>())) {}
-  static State<double> state(const X& x) { return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}}; }
-  void begin(std::size_t i) {
-    orbit = i;
-    of_orbit = 0;
-    first = integrals(p.body, state(p.starts[i]));
-  }
-  void look(const X& x) {
-    const auto now = integrals(p.body, state(x));
-    drift = std::max({drift, std::abs(now.energy - first.energy) / sizes.energy,
-                      std::abs(now.length - first.length) / sizes.length,
-                      std::abs(now.casimir - first.casimir) / sizes.casimir});
-  }
-  void cross(const X& x) {
-    ++crossings;
-    look(x);
-    if (orbit < p.reference.size() &&
-        of_orbit < static_cast<long>(p.reference[orbit].points.size())) {
-      const auto a = andoyer_of(p.body, state(x), 2);
-      const auto& r = p.reference[orbit].points[of_orbit];
-      error =
-          std::max({error, std::abs(std::remainder(a.l - r[0], 2 * M_PI)), std::abs(a.y - r[1])});
-    }
-    ++of_orbit;
-  }
-  // The end of an orbit.
-  void end(const X& x) {
-    look(x);
-    if (orbit < p.reference.size() && of_orbit != p.reference[orbit].crossings) ++wrong;
-  }
-  [[nodiscard]] std::string row() const {
-    std::ostringstream out;
-    out << crossings << ' ' << wrong << ' ' << drift << ' ' << error;
-    return out.str();
-  }
-};
 
 // Locates S = 0 in (a, b] given a way to evaluate the orbit there: the Illinois variant of the
 // secant.
@@ -312,45 +208,63 @@ template <class F> void arkode(double tolerance, const F& f, const Problem& p, T
 
 // ---- ours ----
 
-struct Count : Sink<double> {
+template <class R> struct Count : Sink<R> {
   Tally& t;
   explicit Count(Tally& tally) : t(tally) {}
-  void crossing(const Crossing<double>&) override { ++t.crossings; }
-  void finished(std::size_t, const Finish<double>& f) override {
-    const double now[] = {f.drift[0] / t.sizes.energy, f.drift[1] / t.sizes.length,
-                          f.drift[2] / t.sizes.casimir};
-    t.drift = std::max({t.drift, now[0], now[1], now[2]});
+  void crossing(const Crossing<R>&) override { ++t.crossings; }
+  void finished(std::size_t, const Finish<R>& f) override {
+    const double sizes[] = {t.sizes.energy, t.sizes.length, t.sizes.casimir};
+    for (int i = 0; i < 3; ++i)
+      t.drift = std::max(t.drift, static_cast<double>(f.drift[i]) / sizes[i]);
   }
 };
 
-void ours(double tolerance, const Problem& p, Tally& t) {
+template <class R> void ours(double tolerance, int lanes, const Problem& p, Tally& t) {
   const Effects effects = p.scene.effects();
-  const Model<double> model = model_of(p.body, effects);
-  Count count(t);
-  Run<double> run;
+  const Body<R> body = p.scene.body<R>();
+  std::vector<R> starts;
+  for (const X& x : p.starts)
+    starts.insert(starts.end(), x.begin(), x.end());
+  Count<R> count(t);
+  Run<R> run;
   run.section = p.scene.section;
   run.t_end = p.t_end;
   run.log2_tolerance = std::log2(tolerance) - safety_bits;
-  run.starts = p.starts.front().data();
+  run.starts = starts.data();
   run.orbits = p.starts.size();
-  run.order = choose_order(effects, model, run.starts, run.orbits, run.log2_tolerance);
+  run.order = choose_order(effects, model_of(p.body, effects), p.starts.front().data(), run.orbits,
+                           run.log2_tolerance);
   run.sink = &count;
-  integrate(effects, model, p.body.sliding, run);
+  if constexpr (std::is_same_v<R, double>)
+    integrate(effects, model_of(body, effects), body.sliding, run, lanes);
+  else
+    integrate(effects, model_of(body, effects), body.sliding, run);
 }
 
-using Method = std::function<void(double tolerance, Tally&)>;
+// Beside the fastest: in other packs, and in long double.
+std::map<std::string, Method> our_variants(const Problem& p) {
+  const auto packs = [&p](int lanes) {
+    return [&p, lanes](double e, Tally& t) { ours<double>(e, lanes, p, t); };
+  };
+  return {{"kovacic-1-lane", packs(1)},
+          {"kovacic-4-lanes", packs(4)},
+          {"kovacic-long-double", [&p](double e, Tally& t) { ours<long double>(e, 1, p, t); }}};
+}
 
 template <bool sliding>
 std::map<std::string, Method> methods(const Field<sliding>& f, const Problem& p) {
-  return {{"odeint-dopri5",
-           [&](double e, Tally& t) {
-             dense(ode::make_dense_output(e, e, ode::runge_kutta_dopri5<X>()), f, p, t);
-           }},
-          {"odeint-rkf78", [&](double e, Tally& t) { rkf78(e, f, p, t); }},
-          {"odeint-bulirsch-stoer",
-           [&](double e, Tally& t) { dense(ode::bulirsch_stoer_dense_out<X>(e, e), f, p, t); }},
-          {"cvode-adams", [&](double e, Tally& t) { cvode(e, f, p, t); }},
-          {"arkode-erk8", [&](double e, Tally& t) { arkode(e, f, p, t); }}};
+  std::map<std::string, Method> all = heyoka_methods(p);
+  all.merge(std::map<std::string, Method>{
+      {"odeint-dopri5",
+       [&](double e, Tally& t) {
+         dense(ode::make_dense_output(e, e, ode::runge_kutta_dopri5<X>()), f, p, t);
+       }},
+      {"odeint-rkf78", [&](double e, Tally& t) { rkf78(e, f, p, t); }},
+      {"odeint-bulirsch-stoer",
+       [&](double e, Tally& t) { dense(ode::bulirsch_stoer_dense_out<X>(e, e), f, p, t); }},
+      {"cvode-adams", [&](double e, Tally& t) { cvode(e, f, p, t); }},
+      {"arkode-erk8", [&](double e, Tally& t) { arkode(e, f, p, t); }}});
+  return all;
 }
 
 double seconds_of(const Method& method, double tolerance, Tally& tally) {
@@ -376,50 +290,102 @@ template <bool sliding> void run_all(const Problem& p, double seconds_each) {
     }
 }
 
-// The loosest tolerance with which a method stays below the drift; 0 if it does not, within the
-// time.
+// The loosest tolerance, to a quarter of a digit, with which a method stays below the drift; 0 if
+// it does not, within the time.
 double tolerance_for(const Method& method, const Problem& p, double drift, double seconds) {
-  for (int digits = 4; digits <= 15; ++digits) {
+  const auto keeps = [&](int quarters) {
     Tally tally(p);
-    const double spent = seconds_of(method, std::pow(10.0, -digits), tally);
-    if (tally.drift <= drift) return std::pow(10.0, -digits);
-    if (spent > seconds) break;
+    const double spent = seconds_of(method, std::pow(10.0, -quarters / 4.0), tally);
+    if (spent > seconds) seconds = 0;
+    return tally.drift <= drift;
+  };
+  int q = 16;
+  while (q < 64 && !keeps(q)) {
+    if (seconds == 0) return 0;
+    q += 4;
   }
-  return 0;
+  if (q == 64) return 0;
+  for (int looser = q - 3; looser < q; ++looser)
+    if (keeps(looser)) return std::pow(10.0, -looser / 4.0);
+  return std::pow(10.0, -q / 4.0);
+}
+
+// Median, least and most.
+std::string spread(std::vector<double> seen) {
+  if (seen.empty()) return "- - - 0";
+  std::sort(seen.begin(), seen.end());
+  std::ostringstream out;
+  out.precision(3);
+  out << seen[seen.size() / 2] << ' ' << seen.front() << ' ' << seen.back() << ' ' << seen.size();
+  return out.str();
+}
+
+struct Timed {
+  Method method;
+  double tolerance;
+  double operator()(const Problem& p) const {
+    Tally t(p);
+    return seconds_of(method, tolerance, t);
+  }
+};
+
+// Ours, theirs, ours: theirs in units of the mean of ours.
+std::vector<double> by_turns(const Timed& mine, const Timed& theirs, const Problem& p,
+                             double seconds) {
+  std::vector<double> seen;
+  const double begun = cpu_seconds();
+  while (seen.size() < 25 && (seen.size() < 3 || cpu_seconds() - begun < seconds)) {
+    const double before = mine(p), middle = theirs(p), after = mine(p);
+    seen.push_back(2 * middle / (before + after));
+  }
+  return seen;
+}
+
+void print_rate(const Timed& mine, const Problem& p, double drift) {
+  std::vector<double> rates;
+  for (int turn = 0; turn < 25; ++turn) {
+    Tally t(p);
+    const double spent = seconds_of(mine.method, mine.tolerance, t);
+    rates.push_back(static_cast<double>(t.crossings) / spent);
+  }
+  std::printf("# drift %.0e: crossings per second %s\n", drift, spread(rates).c_str());
 }
 
 template <bool sliding> void ratios(const Problem& p, double seconds) {
   const Field<sliding> f(p.body);
-  const Method mine = [&](double e, Tally& t) { ours(e, p, t); };
-  std::printf("drift method median least most pairs\n");
-  for (const double drift : {1e-6, 1e-9, 1e-12})
-    for (const auto& [name, method] : methods(f, p)) {
-      const double e = tolerance_for(method, p, drift, seconds),
-                   my_e = tolerance_for(mine, p, drift, seconds);
-      std::vector<double> seen;
-      Tally t(p);
-      const double begun = cpu_seconds();
-      while (e > 0 && seen.size() < 15 && (seen.size() < 3 || cpu_seconds() - begun < seconds)) {
-        const double before = seconds_of(mine, my_e, t), theirs = seconds_of(method, e, t),
-                     after = seconds_of(mine, my_e, t);
-        seen.push_back(2 * theirs / (before + after));
-      }
-      std::sort(seen.begin(), seen.end());
-      if (seen.empty())
-        std::printf("%.0e %s - - - 0\n", drift, name.c_str());
-      else
-        std::printf("%.0e %s %.3g %.3g %.3g %zu\n", drift, name.c_str(), seen[seen.size() / 2],
-                    seen.front(), seen.back(), seen.size());
+  std::map<std::string, Method> all = methods(f, p);
+  all.merge(our_variants(p));
+  const Method best = [&](double e, Tally& t) { ours<double>(e, 0, p, t); };
+  std::map<double, Timed> mine; // by drift
+  for (const double drift : {1e-6, 1e-9, 1e-12}) {
+    mine[drift] = {best, tolerance_for(best, p, drift, seconds)};
+    print_rate(mine[drift], p, drift);
+  }
+  std::printf("drift method median least most turns\n");
+  for (auto peer = all.rbegin(); peer != all.rend(); ++peer) // by chance the fastest first
+    for (const auto& [drift, ours_then] : mine) {
+      const Timed theirs{peer->second, tolerance_for(peer->second, p, drift, seconds)};
+      const std::vector<double> seen = theirs.tolerance > 0
+                                           ? by_turns(ours_then, theirs, p, seconds / 4)
+                                           : std::vector<double>{};
+      std::printf("%.0e %s %s\n", drift, peer->first.c_str(), spread(seen).c_str());
       std::fflush(stdout);
     }
 }
 
 } // namespace
 
+#ifndef KOV_HEYOKA
+std::map<std::string, Method> heyoka_methods(const Problem&) { return {}; }
+#endif
+
+} // namespace kov::peers
+
 int main(int argc, char** argv) {
+  using namespace kov::peers;
   if (argc < 2) {
     std::fprintf(stderr, "usage: kovacic-peers SCENE [REFERENCE] [SECONDS]\n"
-                         "       kovacic-peers --ratios SCENE [SECONDS]\n");
+                         "       kovacic-peers --ratios SCENE [SECONDS [TIME]]\n");
     return 2;
   }
   const bool by_turns = std::string(argv[1]) == "--ratios";
@@ -443,6 +409,7 @@ int main(int argc, char** argv) {
       p.reference.push_back(r);
     }
   }
+  if (argc > 4 && by_turns) p.t_end = std::atof(argv[4]);
   const double limit = argc > 3 ? std::atof(argv[3]) : 30;
   if (p.body.sliding)
     by_turns ? ratios<true>(p, limit) : run_all<true>(p, limit);
