@@ -67,7 +67,7 @@ std::optional<Poly> common_divisor(const ChineseLift& lift, const Poly& a, const
 } // namespace
 
 std::optional<Poly> modular_gcd(const Poly& a, const Poly& b) {
-  const Field& k = a.field();
+  const Field& k = common_field(a.field(), b.field());
   if (k->degree() > largest_degree) return std::nullopt;
   PrimeIdeals primes = PrimeIdeals::large(k);
   std::optional<ChineseLift> lift;
@@ -91,7 +91,7 @@ std::optional<Poly> modular_gcd(const Poly& a, const Poly& b) {
 }
 
 std::optional<Poly> modular_inverse(const Poly& a, const Poly& q) {
-  const Field& k = q.field();
+  const Field& k = common_field(a.field(), q.field());
   if (k->degree() > largest_degree) return std::nullopt;
   PrimeIdeals primes = PrimeIdeals::large(k);
   ChineseLift lift(k, static_cast<std::size_t>(degree(q)));

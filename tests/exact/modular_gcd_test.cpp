@@ -50,6 +50,24 @@ TEST_P(ModularGcdLaws, InverseModulo) {
   EXPECT_FALSE(modular_inverse(common * (z() + constant(2)), common * (z() * z() + constant(43))));
 }
 
+// Either argument may have rational coefficients and say so: the answer is over the larger field.
+TEST_P(ModularGcdLaws, OneArgumentOverTheRationals) {
+  if (k->is_rational()) return;
+  const Poly rational = (Poly::z() - Poly(2)) * (Poly::z() * Poly::z() + Poly(43));
+  const Poly common = z() - constant(2);
+  const Poly other = common * (z() - Poly(NfElem::generator(k)) - constant(5));
+  EXPECT_EQ(modular_gcd(rational, other), common);
+  EXPECT_EQ(modular_gcd(other, rational), common);
+  const Poly unit = z() - Poly(NfElem::generator(k)) - constant(5);
+  const Poly square = Poly::z() * Poly::z() - Poly(6) * Poly::z() + Poly(9);
+  const auto s = modular_inverse(unit, square);
+  ASSERT_TRUE(s);
+  EXPECT_TRUE(is_one((*s * unit) % square));
+  const auto t = modular_inverse(Poly::z() - Poly(3), unit * unit);
+  ASSERT_TRUE(t);
+  EXPECT_TRUE(is_one((*t * (Poly::z() - Poly(3))) % (unit * unit)));
+}
+
 KOV_OVER_ALL_FIELDS(ModularGcdLaws);
 
 TEST(ModularGcd, RefusesFieldsWithoutSplitPrimesInReach) {
