@@ -2,6 +2,7 @@
 
 #include "galois/dihedral.hpp"
 
+#include "exact/fields.hpp"
 #include "galois/classify.hpp"
 #include "support/equations.hpp"
 
@@ -10,9 +11,7 @@
 namespace kov {
 namespace {
 
-using testing::from_square;
-using testing::pull_back;
-using testing::riemann;
+using namespace testing;
 
 const Poly z = Poly::z();
 
@@ -97,6 +96,77 @@ TEST(Dihedral, TheCurveAndTheDifferentialAreThoseThatWerePut) {
   EXPECT_EQ(from_square(F, c.curve->w_squared), with_ratio(F0, Poly(-1), Poly(1), 5));
   EXPECT_EQ(decide_dihedral(*c.curve).n, Integer(5));
 }
+
+class DihedralLaws : public OverFields {
+protected:
+  // dh/h = M eta for h = a + b s: then b = g a'/(M W), and h h* = a^2 - b^2 F0 is a constant.
+  static void expect_function(const DihedralCurve& c, const DihedralAnswer& answer) {
+    ASSERT_TRUE(answer.a);
+    const RationalFunction slope = c.g * derivative(*answer.a);
+    const NfElem square = NfElem(Rational(answer.n * answer.n)) * c.w_squared / c.k; // M^2 W^2
+    const RationalFunction norm =
+        *answer.a * *answer.a - slope * slope * RationalFunction(scale(c.branch, inverse(square)));
+    EXPECT_FALSE(is_zero(norm));
+    EXPECT_TRUE(is_zero(derivative(norm)));
+    EXPECT_FALSE(is_zero(derivative(*answer.a)));
+  }
+};
+
+// S - c on S^2 = x^m + c^2 vanishes m times at (0, c), for every c != 0 of the field.
+TEST_P(DihedralLaws, TorsionFunctionsAreFoundAndHaveTheirDivisor) {
+  for (const unsigned long m : {3UL, 5UL}) {
+    if (m == 5 && k->degree() > 2) continue; // the same again, and slow
+    const NfElem c = nonzero();
+    const Poly F0 = pow(z() - Poly(element()), m) + Poly(c * c);
+    const long N = number(3, 5);
+    const RationalFunction r = with_ratio(F0, Poly(-c), constant(1), N);
+    const Classification found = classify(r);
+    ASSERT_TRUE(found.group) << to_string(r) << ": " << reason(found);
+    EXPECT_EQ(describe(*found.group), describe({GroupType::D, Integer(N)}));
+    ASSERT_TRUE(found.curve && found.dihedral);
+    EXPECT_EQ(found.curve->genus, static_cast<long>(m / 2));
+    EXPECT_EQ(found.dihedral->by, Torsion::function);
+    EXPECT_EQ(found.dihedral->n, Integer(N));
+    expect_function(*found.curve, *found.dihedral);
+  }
+}
+
+// Genus 0: h = A + B s on s^2 = F0 of degree 1 or 2 has degree 1 in z; its N-th roots.
+TEST_P(DihedralLaws, GenusZero) {
+  const NfElem c = nonzero();
+  for (const Poly& F0 : {z() + Poly(c * c), z() * z() + Poly(c * c)}) {
+    // s - c vanishes once at (0, c), or twice where F0 has no term of degree 1
+    const long N = 2 * number(1, 3) + 1;
+    const RationalFunction r = with_ratio(F0, Poly(-c), constant(1), N);
+    const Classification found = classify(r);
+    ASSERT_TRUE(found.dihedral) << to_string(r) << ": " << reason(found);
+    EXPECT_EQ(found.dihedral->by, Torsion::genus_zero);
+    EXPECT_EQ(found.dihedral->n, Integer(N));
+  }
+}
+
+// F = (y1 y2)^2 comes back from the quartic invariant up to a constant, with its Wronskian.
+TEST_P(DihedralLaws, TheQuarticRootIsTheSquareOfTheProduct) {
+  for (int i = 0; i < 3; ++i) {
+    const Poly f = (z() * z() + constant(43)) * (z() - constant(5)) * pow(monic_poly(1), 2);
+    const RationalFunction r = from_square(RationalFunction(f), nonzero());
+    const Singularities s = singularities(r);
+    const InvariantSearch quartic = invariants(s, 4);
+    ASSERT_EQ(quartic.basis.size(), 1U) << to_string(r);
+    const QuarticRoot root = quartic_root(quartic.basis.front(), s);
+    RationalFunction F(scale(root.q * root.q, root.k));
+    ASSERT_EQ(root.e.size(), s.finite.size());
+    for (std::size_t j = 0; j < root.e.size(); ++j)
+      F *= pow(RationalFunction(s.finite[j].place), root.e[j]);
+    EXPECT_TRUE(is_zero(derivative(F / RationalFunction(f))));
+    EXPECT_EQ(from_square(F, root.w_squared), r);
+    const DihedralCurve curve = dihedral_curve(root, s);
+    EXPECT_EQ(RationalFunction(scale(curve.branch, curve.k)) * curve.g * curve.g, F);
+    EXPECT_EQ(degree(gcd(curve.branch, derivative(curve.branch))), 0);
+  }
+}
+
+KOV_OVER_ALL_FIELDS(DihedralLaws);
 
 } // namespace
 } // namespace kov
