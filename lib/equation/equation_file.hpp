@@ -33,9 +33,15 @@ struct EquationFile {
 };
 
 /// Does the document describe a scalar equation (an [ode] table), and not a system?
+/// Given   const Entry airy =
+///             parse_document("format = 'equation/1'\n[ode]\nr = 'z'\n", "airy.toml");
+/// Example is_equation_file(airy)  // -> yes
 [[nodiscard]] bool is_equation_file(const Entry& document);
 
 /// Errors  InputError: a wrong format, unknown keys (with the nearest known one), wrong types
+/// Example read_equation(read_equation_file(airy).text).normal_form.r  // -> z
+/// Example read_equation_file(parse_document("ode = {R = 'z'}", "wrong.toml")).path
+///         // -> throws InputError
 [[nodiscard]] EquationFile read_equation_file(const Entry& document);
 
 } // namespace kov

@@ -23,10 +23,15 @@ struct OdeNames {
 };
 
 /// Errors  InputError: nothing is differentiated, or two different functions are
+/// Given   const Expression ode = parse_expression("z^2*diff(u, z, 2) + z*u' = u", "ode", true);
+/// Example ode_names(ode)  // -> {u, z}
 [[nodiscard]] OdeNames ode_names(const Expression& equation);
 
 /// left side - right side (or the formula itself if it has no '=').
 /// Errors  InputError where the formula is not linear in the unknown function and its derivatives
+/// Given   Constants none; none.gather({&ode, 1});
+/// Given   const Reading reading{"z", &none, {}};
+/// Example linear_form(ode, "u", reading)  // -> {{-1, z, z^2}, 0}
 [[nodiscard]] LinearForm linear_form(const Expression& equation, const std::string& unknown,
                                      const Reading& reading);
 
@@ -36,6 +41,7 @@ struct SecondOrder {
 };
 
 /// Errors  InputError: an order other than 2, a term without y, y'' cancels
+/// Example second_order(ode, "u", reading)  // -> {1/z, -1/z^2}
 [[nodiscard]] SecondOrder second_order(const Expression& equation, const std::string& unknown,
                                        const Reading& reading);
 

@@ -67,6 +67,11 @@ struct EquationNames {
 [[nodiscard]] std::vector<std::string> settable_names(const EquationText& text);
 
 /// Errors  InputError; FreeParameters; OutOfBudget for degrees above the budget
+/// Given   EquationText bessel, weber;
+/// Given   bessel.ode = parse_expression("z^2*y'' + z*y' + (z^2 - 1/4)*y = 0", "ode", true);
+/// Given   weber.r = parse_expression("z^2 + a", "r"), weber.parameters = {"a"};
+/// Example read_equation(bessel).normal_form.r  // -> -1
+/// Example read_equation(weber).variable  // -> throws FreeParameters
 [[nodiscard]] GivenEquation read_equation(const EquationText& text, const Budget& budget = {});
 
 } // namespace kov

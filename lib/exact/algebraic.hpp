@@ -46,8 +46,10 @@ private:
 };
 
 /// Ascending, primitive, irreducible, positive leading coefficient.
+/// Example minimal_polynomial(QQbar::i() + principal_root(2, 2))  // -> {9, 0, -2, 0, 1}
 [[nodiscard]] std::vector<Integer> minimal_polynomial(const QQbar& a);
 [[nodiscard]] long degree(const QQbar& a);
+/// A ball around a, its parts rounded to `bits` bits.
 [[nodiscard]] ComplexBall enclosure(const QQbar& a, long bits);
 /// All roots of f (ascending coefficients, f != 0) with multiplicity: the real ones first, from the
 /// largest down, then the others in a fixed order.
@@ -57,7 +59,8 @@ private:
 /// f(a) for a rational polynomial f.
 [[nodiscard]] QQbar evaluate(const fmpq_poly_struct* f, const QQbar& a);
 
-/// a = (u + v sqrt(n))/w for a number of degree 2, n free of small squares.
+/// a = (u + v sqrt(n))/w for a number of degree 2 (checked), n free of small squares.
+/// Example quadratic_parts(roots({-1, -1, 1}).front())  // -> {1, 1, 2, 5}
 struct Quadratic {
   Integer u, v, w, n;
 };
@@ -66,6 +69,7 @@ struct Quadratic {
 /// The field Q(a) for an algebraic integer a, with the embedding that sends its generator to a,
 /// which is `scale` times what the letter means.
 /// Errors  InvalidArgument if a is not an algebraic integer
+/// Example field_of(principal_root(Rational(1, 2), 2), "a")->degree()  // -> throws InvalidArgument
 [[nodiscard]] Field field_of(const QQbar& a, std::string letter, Integer scale = Integer(1));
 /// Is x, under the chosen embedding of its field, the number a?  Decided exactly.
 [[nodiscard]] bool equals(const NfElem& x, const QQbar& a);

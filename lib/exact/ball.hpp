@@ -44,8 +44,11 @@ private:
 };
 
 /// A rational number >= every point of the ball (dyadic, exact).  Requires a finite ball.
+/// Given   Ball root; arb_sqrt_ui(root.raw(), 2, 30);
+/// Example upper_bound(root) * upper_bound(root) > 2  // -> yes
 [[nodiscard]] Rational upper_bound(const Ball& x);
-/// A rational number <= every point of the ball.
+/// A rational number <= every point of the ball.  Requires a finite ball.
+/// Example lower_bound(root) * lower_bound(root) < 2  // -> yes
 [[nodiscard]] Rational lower_bound(const Ball& x);
 
 } // namespace kov

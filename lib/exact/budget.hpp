@@ -11,6 +11,9 @@
 
 namespace kov {
 
+/// What a search may spend; by default no time limit.
+/// Example Budget small; small.max_degree = 10; small.check_degree(11)  // -> throws OutOfBudget
+/// Example Budget::of_seconds(60).check()  // -> done
 struct Budget {
   using Clock = std::chrono::steady_clock;
 
@@ -39,6 +42,7 @@ struct Budget {
     std::snprintf(text, sizeof text, "%.10g", seconds);
     return "time limit of " + std::string(text) + " s reached";
   }
+  /// Throws OutOfBudget for a degree above max_degree.
   void check_degree(long degree) const {
     if (degree > max_degree)
       throw OutOfBudget("degree limit: a polynomial of degree up to " + std::to_string(degree) +

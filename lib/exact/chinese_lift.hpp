@@ -9,6 +9,9 @@
 namespace kov {
 
 /// Collects residues of a fixed list of elements of K and reconstructs them.
+///
+/// Given   ChineseLift lift(rationals(), 1); lift.add({PrimeIdeal{101, 0}}, {{51}});
+/// Example lift.reconstruct()  // -> {1/2}
 class ChineseLift {
 public:
   ChineseLift(Field k, std::size_t count);

@@ -37,6 +37,7 @@ namespace detail {
 }
 
 /// Always on, also in release builds: a false theorem is worse than a stopped program.
+/// Example KOV_ENSURE(1 + 1 == 3)  // -> throws InternalError
 #define KOV_ENSURE(condition)                                                                      \
   ((condition) ? static_cast<void>(0)                                                              \
                : ::kov::detail::ensure_failed(#condition, __FILE__, __LINE__))

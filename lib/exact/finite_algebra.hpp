@@ -14,6 +14,15 @@
 
 namespace kov {
 
+/// The algebra R with its multiplication.
+///
+/// Given   const Ring ring = make_ring({"x"});
+/// Given   const MFraction x = MFraction::variable(ring, "x"), one(ring, 1), two(ring, 2);
+/// Given   const FiniteAlgebra field(Ideal(ring, {0}, {(x*x - two).num()}));
+/// Given   const FiniteAlgebra split(Ideal(ring, {0}, {(x*x - one).num()}));
+/// Example field.lift(*field.invert(*field.evaluate(x + one)))  // -> x - 1
+/// Example split.invert(*split.evaluate(x + one))  // -> none
+/// Example field.minimal_polynomial(*field.evaluate(x + one))  // -> {-1, -2, 1}
 class FiniteAlgebra {
 public:
   using Element = std::vector<MFraction>;

@@ -35,6 +35,14 @@ struct MonomialOrder {
 /// A polynomial in the main variables with coefficients in k.
 using KPoly = std::map<Monomial, MFraction, MonomialOrder>;
 
+/// An ideal with its reduced Groebner basis.
+///
+/// Given   const Ring ring = make_ring({"x", "y", "a"});
+/// Given   const MPoly x = MPoly::variable(ring, "x"), y = MPoly::variable(ring, "y");
+/// Given   const MPoly a = MPoly::variable(ring, "a");
+/// Example Ideal(ring, {0, 1}, {x*x + y*y - a, x - y}).normal_form(x*x)  // -> a/2
+/// Example Ideal(ring, {0, 1}, {x*x}).contains(x)  // -> no
+/// Example Ideal(ring, {0, 1}, {x*x}).vanishes(x)  // -> yes
 class Ideal {
 public:
   /// The ideal of `generators`, saturated by the product of `nonzero`.

@@ -12,6 +12,8 @@
 
 namespace kov {
 
+/// An integer of any size.
+/// Example pow(Integer(2), 100)  // -> 1267650600228229401496703205376
 class Integer {
 public:
   Integer() noexcept { fmpz_init(v_); }
@@ -53,8 +55,8 @@ private:
 [[nodiscard]] inline bool fits_long(const Integer& n) { return fmpz_fits_si(n.raw()) != 0; }
 [[nodiscard]] long to_long(const Integer& n); ///< Requires fits_long(n).
 [[nodiscard]] std::string to_string(const Integer& n);
-[[nodiscard]] Integer gcd(const Integer& a, const Integer& b);
-[[nodiscard]] Integer lcm(const Integer& a, const Integer& b);
+[[nodiscard]] Integer gcd(const Integer& a, const Integer& b); ///< >= 0; gcd(0, 0) = 0
+[[nodiscard]] Integer lcm(const Integer& a, const Integer& b); ///< >= 0
 [[nodiscard]] Integer pow(const Integer& a, unsigned long e);
 [[nodiscard]] Integer exact_div(const Integer& a, const Integer& b);
 [[nodiscard]] Integer floor_div(const Integer& a, const Integer& b);
@@ -63,8 +65,12 @@ exact_sqrt(const Integer& n); ///< the root >= 0, if n is a square
 
 /// d = s^2 n with s > 0; returns (s, n).  n is free of squares of primes below 10000, and of all
 /// squares if it then fits a machine word.  Requires d != 0.
+/// Example square_part(-12)  // -> {2, -3}
 [[nodiscard]] std::pair<Integer, Integer> square_part(Integer d);
 
+/// A fraction in lowest terms with a positive denominator.
+/// Example Rational(6, -4)  // -> -3/2
+/// Example Rational(1, 0)  // -> throws DomainError
 class Rational {
 public:
   Rational() noexcept { fmpq_init(v_); }

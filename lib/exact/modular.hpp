@@ -68,6 +68,8 @@ private:
 [[nodiscard]] std::vector<mp_limb_t> roots(const NmodPoly& f);
 
 /// A prime ideal of degree one of K, given by p and the image of the generator.
+/// Example PrimeIdeal{7, 0}.reduce(Rational(1, 2))  // -> 4
+/// Example PrimeIdeal{7, 0}.reduce(Rational(1, 7))  // -> none
 struct PrimeIdeal {
   mp_limb_t p = 0;
   mp_limb_t generator = 0;
@@ -80,6 +82,7 @@ struct PrimeIdeal {
 
 /// Walks through prime ideals of degree one, their primes ascending from just above `start`.
 /// Requires that the minimal polynomial stay squarefree modulo p (others are skipped).
+/// Example PrimeIdeals(make_field({1, 0, 1}, "I"), 2).next().p  // -> 5
 class PrimeIdeals {
 public:
   PrimeIdeals(Field k, mp_limb_t start);

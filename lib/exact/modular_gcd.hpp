@@ -9,15 +9,20 @@
 namespace kov {
 
 /// The monic gcd of a and b over their common number field K != Q, both not zero; nothing if K has
-/// no completely split primes within reach (then Euclid decides). Source  Brown 1971, Langemyr &
-/// McCallum 1989; the result divides a and b exactly and its degree is
-///         an upper bound from a good prime, so it is the gcd, not a guess.
-/// Cost    O~(n) residue operations per prime, as many primes as the coefficients of the gcd need.
+/// no completely split primes within reach (then Euclid decides).  The result divides a and b
+/// exactly and its degree is an upper bound from a good prime, so it is the gcd, not a guess.
+///
+/// Source  Brown 1971, Langemyr & McCallum 1989
+/// Cost    O~(n) residue operations per prime, as many primes as the coefficients of the gcd need
+/// Given   const Field k = make_field({-2, 0, 1}, "s");
+/// Given   const Poly s(NfElem::generator(k));
+/// Example modular_gcd(coerce(z*z - 2, k), (z - s) * (z + 1))  // -> z - s
 [[nodiscard]] std::optional<Poly> modular_gcd(const Poly& a, const Poly& b);
 
 /// a^-1 modulo q over their common number field K != Q, deg a < deg q; nothing if K has no
 /// completely split primes within reach, or if a common factor of a and q is likely.  The result s
 /// is checked by s a = 1 (mod q).
+/// Example modular_inverse(s, (z - s) * (z + 1))  // -> 1/2*s
 [[nodiscard]] std::optional<Poly> modular_inverse(const Poly& a, const Poly& q);
 
 } // namespace kov

@@ -93,7 +93,7 @@ private:
 [[nodiscard]] long degree(const MPoly& f, std::size_t i); ///< in x_i; -1 for 0
 [[nodiscard]] bool uses(const MPoly& f, std::size_t i);
 [[nodiscard]] std::vector<std::size_t> used_variables(const MPoly& f);
-[[nodiscard]] MPoly gcd(const MPoly& a, const MPoly& b);
+[[nodiscard]] MPoly gcd(const MPoly& a, const MPoly& b); ///< positive leading coefficient
 [[nodiscard]] MPoly exact_div(const MPoly& a,
                               const MPoly& b); ///< the remainder must be 0 (checked)
 [[nodiscard]] std::optional<MPoly> divides(const MPoly& b, const MPoly& a); ///< a/b, if it exists
@@ -106,8 +106,11 @@ struct MFactor {
   MPoly base; ///< primitive, positive leading coefficient
   long exponent = 1;
 };
-/// f = content * prod base^exponent with irreducible bases over Q, in a fixed order.  Requires f !=
-/// 0.
+/// f = content * prod base^exponent with irreducible bases over Q, in a fixed order.
+/// Requires f != 0.
+/// Given   const Ring ring = make_ring({"x", "y"});
+/// Given   const MPoly x = MPoly::variable(ring, "x"), y = MPoly::variable(ring, "y");
+/// Example factor(x*x*y - pow(y, 3))  // -> {1, {{y, 1}, {x - y, 1}, {x + y, 1}}}
 [[nodiscard]] std::pair<Integer, std::vector<MFactor>> factor(const MPoly& f);
 /// Descending lexicographic order of terms; the expression parser reads it back.
 [[nodiscard]] std::string to_string(const MPoly& f);
@@ -116,6 +119,7 @@ struct MFactor {
 
 /// A rational function num/den over Q: coprime, integer content removed, leading coefficient of den
 /// positive; a canonical form, so that == decides equality.
+/// Example MFraction(x*x - y*y, x - y)  // -> x + y
 class MFraction {
 public:
   MFraction() = default; ///< zero, without variables
@@ -165,6 +169,7 @@ private:
 using Substitution = std::map<std::size_t, MFraction>;
 /// f with x_i replaced by values[i], all at the same time.  Throws DomainError when the denominator
 /// becomes 0.  Cost: polynomial arithmetic with one gcd at the end.
+/// Example substitute(MFraction(x, y), {{0, MFraction(y)}, {1, MFraction(x)}})  // -> y/x
 [[nodiscard]] MFraction substitute(const MFraction& f, const Substitution& values);
 [[nodiscard]] MFraction substitute(const MPoly& f, const Substitution& values);
 
@@ -188,6 +193,7 @@ struct AlgebraicConstant {
 };
 /// f as an element of K(z), z = x_i, K = Q or Q(a).  Requires that f uses no other variables;
 /// otherwise InvalidArgument, naming one.
+/// Example to_rational_function(MFraction(x, y), 0)  // -> throws InvalidArgument
 [[nodiscard]] RationalFunction to_rational_function(const MFraction& f, std::size_t i,
                                                     const std::optional<AlgebraicConstant>& a = {});
 /// The way back, for K = Q.

@@ -52,12 +52,16 @@ private:
   nf_t nf_;
 };
 
+/// The field Q itself.
 [[nodiscard]] const Field& rationals();
+/// A new field; arguments and errors as for NumberField.
+/// Example make_field({-4, 0, 1}, "s")->degree()  // -> throws InvalidArgument
 [[nodiscard]] Field make_field(const std::vector<Integer>& minpoly, std::string letter,
                                int root = 0, Integer scale = Integer(1));
 /// The same object, or the same minimal polynomial: then the same coordinates are the same element of Q[x]/(m).
 [[nodiscard]] bool same_minimal_polynomial(const Field& a, const Field& b);
-/// The larger of two fields, one of which is Q or both of which are the same object.
+/// The larger of two fields, one of which is Q or both of which are the same object; otherwise
+/// InvalidArgument.
 [[nodiscard]] const Field& common_field(const Field& a, const Field& b);
 
 /// Reduces every block of length 2d-1 of a flat integer polynomial modulo m, in place.
@@ -65,6 +69,8 @@ private:
 void reduce_blocks(fmpz_poly_t flat, const NumberField& k);
 
 /// An element of K, as a polynomial of degree < [K:Q] in the generator.
+/// Given   const NfElem s = NfElem::generator(make_field({-2, 0, 1}, "s"));
+/// Example inverse(s - 1)  // -> s + 1
 class NfElem {
 public:
   NfElem() : NfElem(rationals()) {}
@@ -122,6 +128,7 @@ private:
 /// Text that the expression parser reads back, in the letter of the field.
 [[nodiscard]] std::string to_string(const NfElem& a);
 /// A square root in K, if there is one (of the two, no particular one).
+/// Example exact_sqrt(s)  // -> none
 [[nodiscard]] std::optional<NfElem> exact_sqrt(const NfElem& a);
 
 } // namespace kov

@@ -13,6 +13,9 @@
 
 namespace kov {
 
+/// A polynomial in z.  Two may be combined when their fields may (number_field.hpp).
+/// Given   const Field k = make_field({-2, 0, 1}, "s");
+/// Example pow(z - Poly(NfElem::generator(k)), 2)  // -> z^2 - 2*s*z + 2
 class Poly {
 public:
   Poly() : Poly(rationals()) {}
@@ -77,6 +80,8 @@ private:
 [[nodiscard]] Poly truncate(const Poly& f, long n);       ///< f mod z^n
 [[nodiscard]] Poly reverse(const Poly& f, long n);        ///< z^(n-1) f(1/z); Requires deg f < n.
 [[nodiscard]] Poly inverse_series(const Poly& f, long n); ///< Requires f(0) != 0.
+/// Quotient and remainder.  Throws DomainError for b = 0.
+/// Example divrem(z*z + 1, z - 1)  // -> {z + 1, 2}
 [[nodiscard]] std::pair<Poly, Poly> divrem(const Poly& a, const Poly& b);
 [[nodiscard]] Poly operator%(const Poly& a, const Poly& b);
 [[nodiscard]] Poly quotient(const Poly& a, const Poly& b);
@@ -88,6 +93,7 @@ private:
 [[nodiscard]] Poly gcd(const Poly& a, const Poly& b); ///< monic; gcd(0,0) = 0
 [[nodiscard]] Poly lcm(const Poly& a, const Poly& b); ///< monic
 /// a^-1 modulo q.  Throws DomainError when a and q have a common factor.
+/// Example inverse_mod(z, z*z)  // -> throws DomainError
 [[nodiscard]] Poly inverse_mod(const Poly& a, const Poly& q);
 [[nodiscard]] Poly compose(const Poly& f, const Poly& g);        ///< f(g(z))
 [[nodiscard]] Poly taylor_shift(const Poly& f, const NfElem& c); ///< f(z+c)

@@ -5,6 +5,9 @@
 
 namespace kov {
 
+/// An element of K(z).
+/// Example RationalFunction(z*z - 1, 2*z - 2)  // -> (z + 1)/2
+/// Example RationalFunction(1, z) / RationalFunction(0)  // -> throws DomainError
 class RationalFunction {
 public:
   RationalFunction() : den_(1) {}
@@ -40,9 +43,11 @@ private:
 [[nodiscard]] inline bool is_zero(const RationalFunction& f) { return is_zero(f.num()); }
 [[nodiscard]] RationalFunction derivative(const RationalFunction& f);  ///< d/dz
 [[nodiscard]] RationalFunction pow(const RationalFunction& f, long e); ///< e may be negative
+/// f(g(z)).  Throws DomainError where the denominator of f vanishes at a constant g.
 [[nodiscard]] RationalFunction compose(const RationalFunction& f, const RationalFunction& g);
 [[nodiscard]] RationalFunction coerce(const RationalFunction& f, const Field& k);
 /// deg den - deg num, Kovacic's "order at infinity".  Requires f != 0.
+/// Example order_at_infinity(RationalFunction(z, pow(z, 3) + 1))  // -> 2
 [[nodiscard]] long order_at_infinity(const RationalFunction& f);
 /// Text that the parser reads back.
 [[nodiscard]] std::string to_string(const RationalFunction& f, const std::string& variable = "z");

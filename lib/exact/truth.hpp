@@ -8,6 +8,9 @@
 
 namespace kov {
 
+/// An answer.  It never converts to bool: ask certainly(t).
+/// Example !Truth::unknown  // -> Truth::unknown
+/// Example certainly(Truth::unknown)  // -> no
 enum class Truth : std::uint8_t { no, yes, unknown };
 
 [[nodiscard]] constexpr bool certainly(Truth t) noexcept { return t == Truth::yes; }

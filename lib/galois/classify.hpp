@@ -76,6 +76,11 @@ struct Classification {
 };
 
 /// Never throws for lack of budget: what stayed open is in `undecided`.
+/// Cost    local data, then at most one exponential and three invariant searches, polynomial in the
+///         degrees and the bounds D_m
+/// Example describe(*classify(z).group)  // -> SL(2, C)
+/// Example classify(z*z + 3).argument  // -> Argument::torus_one_line
+/// Example classify(RationalFunction(16*z - 3, 16*z*z)).component  // -> Gm
 [[nodiscard]] Classification classify(const RationalFunction& r, const Budget& budget = {});
 
 /// The local data decide the branch, by the place `decisive`.
@@ -83,6 +88,8 @@ struct Branch {
   Trichotomy kind = Trichotomy::undetermined;
   PlaceIndex decisive{};
 };
+/// Given   const Singularities s = singularities(RationalFunction(-1, 4*z*z));
+/// Example trichotomy(s).kind  // -> Trichotomy::logarithmic
 [[nodiscard]] Branch trichotomy(const Singularities& s);
 
 /// The argument as a sentence.  (words.cpp has every sentence about a classification.)

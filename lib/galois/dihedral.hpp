@@ -85,6 +85,12 @@ struct DihedralAnswer {
 [[nodiscard]] DihedralCurve dihedral_curve(const QuarticRoot& root, const Singularities& s);
 /// Requires  every exponent difference rational and no logarithm (otherwise the group is infinite).
 /// Unknown   large genus without two comparable primes
+/// Throws    OutOfBudget
+/// Given     const RationalFunction r = RationalFunction(-3, 16*z*z) -
+///               RationalFunction(3, 16*(z - 1)*(z - 1)) + RationalFunction(11, 72*z*(z - 1));
+/// Given     const DihedralCurve curve = *classify(r).curve;
+/// Example   curve.branch  // -> z^2 - z
+/// Example   decide_dihedral(curve).n  // -> 3
 [[nodiscard]] DihedralAnswer decide_dihedral(const DihedralCurve& curve, const Budget& budget = {});
 
 } // namespace kov

@@ -22,15 +22,21 @@ struct LogarithmicParts {
 };
 
 /// Hermite's reduction.
+/// Throws  OutOfBudget
+/// Cost    one factorisation of the denominator, an inverse modulo each place and order
+/// Given   const LogarithmicParts parts = logarithmic_parts(RationalFunction(z*z + 1, z));
+/// Example parts.rational_part  // -> z^2/2
 [[nodiscard]] LogarithmicParts logarithmic_parts(const RationalFunction& omega,
                                                  const Budget& budget = {});
 
 /// The least m >= 1 with y^m in Kbar(z); unset when there is none (R not constant, or a residue
 /// that is not rational).
+/// Example radical_order(logarithmic_parts(RationalFunction(1, 4*z)))  // -> 4
 [[nodiscard]] std::optional<Integer> radical_order(const LogarithmicParts& parts);
 
 /// P exp(int theta) as text: P*(q)^(e)*exp(R), with an integral sign where residues differ between
 /// conjugates.
+/// Example exponential_text(1, parts)  // -> z*exp(z^2/2)
 [[nodiscard]] std::string exponential_text(const Poly& p, const LogarithmicParts& parts,
                                            const std::string& variable = "z");
 

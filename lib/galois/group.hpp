@@ -31,13 +31,17 @@ struct GaloisGroup {
 
 enum class Connected : std::uint8_t { trivial, additive, torus, borel, sl2 };
 
+/// The component of the identity, a connected group.
+/// Example identity_component({GroupType::Dinf, {}})  // -> Gm
 [[nodiscard]] Connected identity_component(const GaloisGroup& g);
 [[nodiscard]] constexpr bool is_abelian(Connected c) noexcept { return c < Connected::borel; }
 [[nodiscard]] std::string to_string(GroupType t); ///< "SL2", "Borel", "T", ..., as in the JSON
 [[nodiscard]] std::string to_string(Connected c); ///< "trivial", "Ga", "Gm", "Borel", "SL2"
-/// For people: "SL(2, C)", "T_4 = {(c d; 0 1/c) : c^4 = 1}", "D_3 (binary dihedral, order 12)", ...
+/// For people.
+/// Example describe({GroupType::D, 3})  // -> D_3 (binary dihedral of order 12)
 [[nodiscard]] std::string describe(const GaloisGroup& g);
 /// Kovacic's case: 1 reducible, 2 imprimitive, 3 finite primitive, 4 SL(2).
+/// Example kovacic_case({GroupType::A5, {}})  // -> 3
 [[nodiscard]] int kovacic_case(const GaloisGroup& g);
 
 } // namespace kov

@@ -16,6 +16,12 @@ struct DivisorClass {
   friend bool operator==(const DivisorClass&, const DivisorClass&) = default;
 };
 
+/// The group of the classes of degree 0.
+///
+/// Given   const auto mod1009 = [](const Poly& f) { return *PrimeIdeal{1009, 0}.reduce(f); };
+/// Given   const Jacobian curve(mod1009(pow(z, 3) + 1));
+/// Example curve.order({mod1009(z - 2), mod1009(3)}, {})  // -> 6
+/// Example curve.multiply({mod1009(z - 2), mod1009(3)}, 6) == curve.zero()  // -> yes
 class Jacobian {
 public:
   /// Requires G squarefree of odd degree, p odd.

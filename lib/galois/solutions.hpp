@@ -19,6 +19,11 @@ struct LiouvillianSolution {
 
 /// At most two: exponentials where they exist, else one irreducible minimal polynomial of y'/y
 /// (degree 2, 6, 6, 12 for dihedral, A4, S4, A5).  Each is verified before it is returned.
+/// Throws  OutOfBudget; InternalError if a verification fails
+/// Given   const RationalFunction hermite(z*z + 3), dihedral(16*z - 3, 16*z*z);
+/// Example solutions(classify(hermite), hermite).front().exponential->omega()  // -> (z^2 + 1)/z
+/// Example solutions(classify(dihedral), dihedral).front().minimal_polynomial
+///         // -> {(-16*z + 1)/(16*z^2), -1/(2*z), 1}
 [[nodiscard]] std::vector<LiouvillianSolution> solutions(const Classification& c,
                                                          const RationalFunction& r,
                                                          const std::string& variable = "z",

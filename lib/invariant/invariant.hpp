@@ -45,10 +45,15 @@ struct InvariantSearch {
 /// Requires  m even
 /// Cost      O(m (n + D_m)) modulo each prime; as many primes as the answer has digits
 /// Throws    OutOfBudget
+/// Given     const Singularities s = singularities(RationalFunction(16*z - 3, 16*z*z));
+/// Example   value(invariants(s, 4).basis.front(), s)  // -> z
 [[nodiscard]] InvariantSearch invariants(const Singularities& s, long m, const Budget& budget = {});
 
 /// Absence alone: a proof that Sym^m has no rational solution, or nothing (which proves nothing).
 /// Cost  O(m (n + D_m)) modulo one prime
+/// Throws OutOfBudget
+/// Example no_invariant(singularities(z), 4)->obstruction->kind  // -> Kind::negative_degree
+/// Example no_invariant(s, 4).has_value()  // -> no
 [[nodiscard]] std::optional<NoInvariant> no_invariant(const Singularities& s, long m,
                                                       const Budget& budget = {});
 

@@ -8,6 +8,8 @@
 namespace kov {
 
 /// Cost  m+1 derivations of polynomials of degree <= deg P + (m+1) deg prod q^(order/2)
+/// Example solves_symmetric_power({2, 1, {}}, singularities(1))  // -> yes
+/// Example solves_symmetric_power({2, z, {}}, singularities(1))  // -> no
 [[nodiscard]] bool solves_symmetric_power(const Invariant& v, const Singularities& s);
 
 } // namespace kov

@@ -21,11 +21,14 @@ namespace kov::kovacic {
 ///
 /// Throws  OutOfBudget
 /// Source  [Kovacic1986] §3.1; docs/theory/descent.md (5)
+/// Example std::get<ExponentialPair>(*case1(singularities(1), {}, nullptr)).w_squared  // -> 4
+/// Example case1(singularities(z), {}, nullptr).has_value()  // -> no
 [[nodiscard]] std::optional<Outcome> case1(const Singularities& s, const Budget& budget,
                                            Trace* trace);
 
 /// v'^2 - 2 v v'' + 4 r v^2: for a solution v of the second symmetric power a constant, the square
 /// of the Wronskian of its two factors.  Requires v such a solution.
+/// Example squared_wronskian(z, RationalFunction(2, z*z))  // -> 9
 [[nodiscard]] NfElem squared_wronskian(const RationalFunction& v, const RationalFunction& r);
 
 } // namespace kov::kovacic

@@ -18,6 +18,8 @@ namespace kov::kovacic {
 /// Requires case1 found no line: the group is irreducible
 /// Throws   OutOfBudget
 /// Source   [Kovacic1986] §4.1; docs/theory/descent.md (7)
+/// Given    const Singularities s = singularities(RationalFunction(16*z - 3, 16*z*z));
+/// Example  std::get<Imprimitive>(*case2(s, {}, nullptr)).phi  // -> 1/(2*z)
 [[nodiscard]] std::optional<Outcome> case2(const Singularities& s, const Budget& budget,
                                            Trace* trace);
 

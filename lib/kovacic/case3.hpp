@@ -22,6 +22,10 @@ namespace kov::kovacic {
 /// Requires case1 and case2 found nothing
 /// Throws   OutOfBudget
 /// Source   [Kovacic1986] §5.1; docs/theory/descent.md (8)
+/// Given    const RationalFunction r = RationalFunction(-3, 16*z*z) -
+///              RationalFunction(2, 9*(z - 1)*(z - 1)) + RationalFunction(3, 16*z*(z - 1));
+/// Example  std::get<Algebraic>(*case3(singularities(r), {}, nullptr)).group
+///          // -> Primitive::tetrahedral
 [[nodiscard]] std::optional<Outcome> case3(const Singularities& s, const Budget& budget,
                                            Trace* trace);
 

@@ -33,16 +33,21 @@ struct LocalForm {
 /// The classes at a place that an exponential solution with y'/y in K(z) can have; empty when
 /// there is none (ramified, or Delta or sqrt(leading) is not in the residue field).
 /// Source  [Kovacic1986] §3.1 step 1; docs/theory/descent.md (5)
+/// Throws  OutOfBudget
+/// Example local_forms(singularities(z*z + 3).infinity, {})  // -> {{1, 1}, {-2, -1}}
 [[nodiscard]] std::vector<LocalForm> local_forms(const Singularity& place, const Budget& budget);
 
 /// All exponents of v that the place admits, ascending: m/2 + k Delta, or the one log-free value,
 /// or m*order/4 where the place is irregular.  No condition of integrality yet.
 /// Requires m even, m >= 2
 /// Source   [Kovacic1986] §4.1, §5.1 step 1; docs/theory/local_exponents.md 2, 3
+/// Example  exponents(singularities(RationalFunction(2, z*z)).finite.front(), 2)
+///          // -> {-2, 1, 4}
 [[nodiscard]] std::vector<Rational> exponents(const Singularity& place, long m);
 
 /// Those of `exponents` with N * exponent an integer, one for each class modulo Z: the least of the
 /// class, at infinity the greatest.
+/// Example classes(singularities(RationalFunction(2, z*z)).finite.front(), 2, 2)  // -> {-2}
 [[nodiscard]] std::vector<Rational> classes(const Singularity& place, long m, long N);
 
 /// The set as the paper writes it, "{2, 3, 1}": `scale` times those exponents that times N are

@@ -35,6 +35,8 @@ inline constexpr long many_choices = 9;
 /// Throws  OutOfBudget("family limit: ...") when more than max_families families pass, or more
 ///         than that many partial sums are different
 /// Cost    about the square root of `total` when all sums differ, polynomial when many agree
+/// Example admissible_families({{1, -2}, {0, Rational(1, 2)}, {2, 3}}, {})
+///         // -> {{{{1, 0, 0}, 0}, {{1, 0, 1}, 1}, {{0, 0, 0}, 3}, {{0, 0, 1}, 4}}, 8}
 [[nodiscard]] Families admissible_families(const std::vector<std::vector<NfElem>>& contributions,
                                            const Budget& budget);
 

@@ -42,11 +42,15 @@ struct ProductSearch {
 products(const Singularities& s, const ProductSearch& search, const Budget& budget, Trace* trace);
 
 /// Rational v (N = 1): one family stands for all, so that this is one linear system.
+/// Throws  OutOfBudget
+/// Example rational_products(singularities(RationalFunction(2, z*z)), 2, 1, "", {}, nullptr).size()
+///         // -> 3
 [[nodiscard]] std::vector<RadicalProduct> rational_products(const Singularities& s, long m,
                                                             int kovacic_case, std::string name,
                                                             const Budget& budget, Trace* trace);
 
 /// prod of q^(max(1, ceil(order/2))): S^2 r is a polynomial, and S theta is one for every family.
+/// Example common_denominator(singularities(RationalFunction(1, pow(z, 3))))  // -> z^2
 [[nodiscard]] Poly common_denominator(const Singularities& s);
 
 /// prod q^(e_q) * P for integral exponents.

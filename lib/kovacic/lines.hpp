@@ -19,6 +19,8 @@ namespace kov::kovacic {
 /// Requires not two lines exactly (the second symmetric power has been searched)
 /// Throws   OutOfBudget
 /// Source   [Kovacic1986] §3.1 steps 1 - 3; docs/theory/descent.md (5)
+/// Example  std::get<Exponential>(*rational_lines(singularities(z*z + 3), {}, nullptr)).omega
+///          // -> (z^2 + 1)/z
 [[nodiscard]] std::optional<Outcome> rational_lines(const Singularities& s, const Budget& budget,
                                                     Trace* trace);
 

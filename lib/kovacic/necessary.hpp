@@ -25,6 +25,9 @@ struct Conditions {
 };
 
 /// Source  [Kovacic1986] §2.1, theorem; sharpened by logarithms and by the denominators of Delta
+/// Example necessary_conditions(singularities(z)).case1  // -> no
+/// Example necessary_conditions(singularities(z)).why_not3
+///         // -> The place infinity is irregular.
 [[nodiscard]] Conditions necessary_conditions(const Singularities& s);
 
 /// Calls f on every finite place, then on infinity.

@@ -29,6 +29,10 @@
 namespace kov::kovacic {
 
 /// The equation for P, for all families of one case.
+/// (y'' = (z^2 + 5) y with theta = z: P'' + 2 z P' - 4 P = 0.)
+/// Given   PolynomialStep hermite(1, 1, z*z + 5);
+/// Example hermite.solutions(z, 2, {})  // -> {z^2 + 1/2}
+/// Example hermite.chain(z*z + Rational(1, 2), z).back()  // -> 0
 class PolynomialStep {
 public:
   /// Requires S^2 r a polynomial.

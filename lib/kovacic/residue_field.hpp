@@ -16,9 +16,11 @@
 namespace kov::kovacic {
 
 /// sum over the roots c of q of b(c), an element of K.  Requires q monic, squarefree.
+/// Example trace(z, z*z - z - 1)  // -> 1
 [[nodiscard]] NfElem trace(const Poly& b, const Poly& q);
 
 /// sum over the roots c of q of b(c)/(z-c)^j.  Requires q monic, squarefree; j >= 1.
+/// Example sum_over_roots(1, z*z - 2, 1)  // -> 2*z/(z^2 - 2)
 [[nodiscard]] RationalFunction sum_over_roots(const Poly& b, const Poly& q, long j);
 
 /// A square root of u in K[c]/q, if there is one.  Requires q monic, irreducible over K.
@@ -26,6 +28,8 @@ namespace kov::kovacic {
 /// Cost    usually one prime: u is a non-residue at a prime of degree one.  A square is found by
 ///         factoring g(T^2) over K, g the characteristic polynomial of a primitive u s^2.
 /// Source  docs/theory/descent.md (2)
+/// Throws  OutOfBudget
+/// Example square_root(3, z*z - 2, {})  // -> none
 [[nodiscard]] std::optional<Poly> square_root(const Poly& u, const Poly& q, const Budget& budget);
 
 } // namespace kov::kovacic

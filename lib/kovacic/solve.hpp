@@ -17,8 +17,7 @@
 namespace kov::kovacic {
 
 /// Cost    cases 1 to 3 look at the families that pass the degree condition, one linear system
-/// each;
-///         rational products need one system of at most D_m + 1 unknowns (m = 2, 6, 12)
+///         each; rational products need one system of at most D_m + 1 unknowns (m = 2, 6, 12)
 /// Unknown Unable::budget with the limit that was reached
 /// Throws  InternalError if a self-check fails
 /// Source  [Kovacic1986] §2 - §5
@@ -26,6 +25,9 @@ namespace kov::kovacic {
                             Trace* trace = nullptr);
 
 /// The same for r, which may be 0.
+/// Example case_of(solve(z))  // -> 4
+/// Example std::get<Exponential>(solve(z*z + 3)).omega  // -> (z^2 + 1)/z
+/// Example std::get<ExponentialPair>(solve(-1)).w_squared  // -> -4
 [[nodiscard]] Outcome solve(const RationalFunction& r, const Budget& budget = {},
                             Trace* trace = nullptr);
 

@@ -9,6 +9,9 @@
 namespace kov::kovacic {
 
 /// One step, with the numbers of the 1986 paper.
+/// Given   Trace steps; static_cast<void>(solve(z, {}, &steps));
+/// Example steps.front().text
+///         // -> Case 1 is excluded. The order at infinity, -1, is odd and at most 2.
 struct Step {
   int kovacic_case = 0; ///< 0: before the cases; 1, 2, 3
   int number = 0;       ///< 0: necessary conditions; 1: exponent sets; 2: families; 3: polynomial

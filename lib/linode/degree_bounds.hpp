@@ -44,8 +44,18 @@ struct InvariantShape {
   long degree = 0;     ///< D_m = tau - sum deg q e_q; negative = impossible
 };
 
+/// The shape of every exponential solution of the equation of s, or why there is none.
+/// Cost    one enclosure of each irrational exponent difference
+/// Source  docs/theory/local_exponents.md, 3
+/// Given   const Singularities airy = singularities(z);
+/// Example exponential_shape(singularities(z*z + 3)).degree  // -> 1
+/// Example to_string(*exponential_shape(airy).obstruction, airy)
+///         // -> the order of r at infinity is odd (-1), so that no exponential solution exists
 [[nodiscard]] ExponentialShape exponential_shape(const Singularities& s);
+/// The same for the rational solutions of Sym^m.
 /// Requires m even, m >= 2.
+/// Source  docs/theory/local_exponents.md, 2
+/// Example invariant_shape(singularities(RationalFunction(2, z*z)), 2)  // -> {2, none, {-2}, 4, 6}
 [[nodiscard]] InvariantShape invariant_shape(const Singularities& s, long m);
 
 /// An upper bound of the sum of |Re Delta_c| (or |Re eps_c|) over all roots c of the place, with

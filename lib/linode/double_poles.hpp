@@ -17,6 +17,9 @@ namespace kov {
 /// Cost     for each 19 digits of a value one evaluation modulo a prime at each pole, then one
 ///          division of polynomials for all; one exact evaluation for each rational pole that has
 ///          longer values
+/// Throws   OutOfBudget
+/// Given    const RationalFunction r = RationalFunction(2, z*z) + RationalFunction(1, z - 1);
+/// Example  double_pole_delta_squared(r, irreducible_factors(r.den()))  // -> {none, 9}
 [[nodiscard]] std::vector<std::optional<Rational>>
 double_pole_delta_squared(const RationalFunction& r, const std::vector<Factor>& factors,
                           const Budget& budget = {});

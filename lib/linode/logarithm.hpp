@@ -20,6 +20,8 @@ namespace kov {
 ///         when N is above the degree limit of the budget
 /// Cost    O(N deg r) operations modulo q, first modulo one prime: a nonzero value there proves a
 ///         logarithm at once.
+/// Example has_logarithm(2, z*z, z, 3)  // -> Truth::no
+/// Example has_logarithm(2 + z, z*z, z, 3)  // -> Truth::yes
 [[nodiscard]] Truth has_logarithm(const Poly& num, const Poly& den, const Poly& q, long N,
                                   const Budget& budget = {});
 

@@ -17,6 +17,7 @@ struct NormalForm {
 };
 
 /// Source  [Kovacic1986] §1.1; docs/theory/normal_form.md, 1.5
+/// Example normal_form(RationalFunction(1, z), 1 - RationalFunction(1, 4*z*z)).r  // -> -1
 [[nodiscard]] NormalForm normal_form(const RationalFunction& p, const RationalFunction& q);
 
 } // namespace kov

@@ -12,6 +12,9 @@ namespace kov {
 /// If the solutions of degree d form an affine space, any one of them is returned.
 ///
 /// Cost  O(d (deg c2 + deg c1 + deg c0)) operations in K
+/// Throws OutOfBudget
+/// Example polynomial_solution(1 - z*z, -2*z, 12, 3)  // -> z^3 - 3/5*z
+/// Example polynomial_solution(1 - z*z, -2*z, 12, 2)  // -> none
 [[nodiscard]] std::optional<Poly> polynomial_solution(const Poly& c2, const Poly& c1,
                                                       const Poly& c0, long d,
                                                       const Budget& budget = {});

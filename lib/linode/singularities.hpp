@@ -4,20 +4,20 @@
 // A place is an irreducible factor q of den(r) over K, or infinity; its residue field is K[c]/q,
 // where c stands for any root of q.  Nothing here splits q.  With t = z - c:
 //
-//   order 1      r = b1/t + ...                 one log-free line, exponent 1; Delta = 1, always a
-//   log order 2      r = b/t^2 + ...                exponents (1 +- Delta)/2, Delta^2 = 1 + 4b
-//   order 2nu    r = u t^(-2nu) (1 + ...)       [sqrt r]_c = a (t^-nu + ... + s_2 t^-2), a^2 = u,
-//     (>= 4)                                    exponents (nu +- eps)/2, eps = beta/a, eps^2 =
-//     beta^2/u
+//   order 1      r = b1/t + ...            one log-free line, exponent 1; Delta = 1, always a log
+//   order 2      r = b/t^2 + ...           exponents (1 +- Delta)/2, Delta^2 = 1 + 4b
+//   order 2nu    r = u t^(-2nu) (1 + ...)  [sqrt r]_c = a (t^-nu + ... + s_2 t^-2), a^2 = u,
+//     (>= 4)                               exponents (nu +- eps)/2, eps = beta/a, eps^2 = beta^2/u
 //   odd >= 3     ramified: exponent order/4 in case 2 only
 //
 // and at infinity, with t = 1/z and o = deg den - deg num:
 //
-//   o >= 4       regular point of the sphere or apparent: Delta = 1, no log;   o = 3: Delta = 1,
-//   log o = 2        growth exponents (1 +- Delta)/2 o = -2nu <= 0  r = u z^(2nu) (1 + ...), [sqrt
-//   r]_inf = a (z^nu + ... + s_0),
-//                                               growth exponents (+-eps - nu)/2
-//   o odd <= 1   ramified
+//   o >= 4         regular point of the sphere or apparent: Delta = 1, no log
+//   o = 3          Delta = 1, log
+//   o = 2          growth exponents (1 +- Delta)/2
+//   o = -2nu <= 0  r = u z^(2nu) (1 + ...), [sqrt r]_inf = a (z^nu + ... + s_0),
+//                  growth exponents (+-eps - nu)/2
+//   o odd <= 1     ramified
 //
 // Source  [Kovacic1986] §3.1, §4.1; docs/theory/local_exponents.md, 1
 
@@ -78,10 +78,13 @@ using PlaceIndex = std::optional<std::size_t>;
   return i ? s.finite.at(*i) : s.infinity;
 }
 
-/// Requires r != 0.
-/// Cost  one factorisation of den(r); per place a few products modulo q; for Delta a natural number
-/// N
-///       the logarithm test costs O(N) operations modulo q (first modulo one prime).
+/// Requires r != 0; otherwise InvalidArgument.
+/// Throws   OutOfBudget
+/// Cost     one factorisation of den(r); per place a few products modulo q; for Delta a natural
+///          number N the logarithm test costs O(N) operations modulo q (first modulo one prime)
+/// Example  singularities(z).infinity.kind  // -> PlaceKind::ramified
+/// Example  singularities(RationalFunction(2, z*z)).finite.front().delta  // -> 3
+/// Example  singularities(RationalFunction(1, z*z - 2)).finite.front().place  // -> z^2 - 2
 [[nodiscard]] Singularities singularities(const RationalFunction& r, const Budget& budget = {});
 
 } // namespace kov

@@ -6,8 +6,8 @@
 //
 //   case 1  =>  B_p is a square in Fbar_p(z);
 //   case 2  =>  B_p becomes a square after adjoining a square root that is branched at reductions
-//   of
-//               admissible places only: Delta in 1/2 + Z, or odd order >= 3 (infinity: odd o <= 1);
+//               of admissible places only: Delta in 1/2 + Z, or odd order >= 3 (infinity: odd
+//               o <= 1);
 //   finite primitive  =>  B_p = 0.
 //
 // So one prime with B_p != 0 and an odd place that is not admissible leaves SL(2, C) only.
@@ -30,10 +30,15 @@ struct PCurvatureProof {
 
 /// B_p times the square den^(2p).  Requires p odd and r integral at p (unset otherwise).
 /// Cost  p steps on polynomials of degree <= p deg r
+/// Source  docs/theory/p_curvature.md
+/// Example degree(*p_curvature(z, {7, 0}))  // -> 7
 [[nodiscard]] std::optional<NmodPoly> p_curvature(const RationalFunction& r,
                                                   const PrimeIdeal& prime);
 
 /// Tries the first good primes from 7 on; nothing found proves nothing.
+/// Throws  OutOfBudget
+/// Example sl2_by_p_curvature(singularities(z))->prime.p  // -> 7
+/// Example sl2_by_p_curvature(singularities(z*z + 3)).has_value()  // -> no
 [[nodiscard]] std::optional<PCurvatureProof>
 sl2_by_p_curvature(const Singularities& s, int primes = 3, const Budget& budget = {});
 

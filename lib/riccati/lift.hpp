@@ -30,9 +30,11 @@ struct PolynomialEquation {
   Poly c1;
   Poly c0;
 };
+/// Example polynomial_equation(z, z*z + 3)  // -> {1, 2*z, -2}
 [[nodiscard]] PolynomialEquation polynomial_equation(const RationalFunction& theta,
                                                      const RationalFunction& r);
 /// Does y solve y'' = r y?  Linear in P.
+/// Example solves({z, z}, z*z + 3)  // -> yes
 [[nodiscard]] bool solves(const ExponentialSolution& y, const RationalFunction& r);
 
 /// Unset when an exponent does not lie in K[c]/q by inspection (a square root in a residue field of

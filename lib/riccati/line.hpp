@@ -20,6 +20,9 @@ namespace kov {
 
 /// How many formal lines the place has; 0 for ramified places; -1 if they are not finite in number
 /// (Delta an integer without logarithm, or not known to have one).
+/// Example formal_lines(singularities(z*z + 3).infinity)  // -> 2
+/// Example formal_lines(singularities(RationalFunction(1, z)).finite.front())  // -> 1
+/// Example formal_lines(singularities(RationalFunction(2, z*z)).finite.front())  // -> -1
 [[nodiscard]] int formal_lines(const Singularity& s);
 
 /// A place with its local equation modulo one prime ideal of degree one.

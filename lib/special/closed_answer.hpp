@@ -10,6 +10,7 @@
 namespace kov {
 
 /// The group by a closed formula; nothing here was found by a search.
+/// Example ClosedAnswer::of({GroupType::Dinf, {}}, "m is in 1/2 + Z").abelian  // -> Truth::yes
 struct ClosedAnswer {
   std::optional<GaloisGroup> group; ///< unset: the formula does not tell it (see reason)
   Truth abelian = Truth::unknown;   ///< is the identity component abelian?

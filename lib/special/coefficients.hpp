@@ -14,6 +14,7 @@ namespace kov {
 [[nodiscard]] inline MFraction scaled(const Rational& c, const MFraction& a) { return c * a; }
 
 /// Ascending; the last one need not be different from 0.
+/// Given   using C = Coefficients<NfElem>;
 template <class R> using Coefficients = std::vector<R>;
 
 /// to += c x^at
@@ -57,6 +58,7 @@ template <class R> [[nodiscard]] Coefficients<R> trimmed(Coefficients<R> a) {
 }
 
 /// a(x + c)
+/// Example shifted(C{0, 0, 1}, NfElem(1))  // -> {1, 2, 1}
 template <class R> [[nodiscard]] Coefficients<R> shifted(Coefficients<R> a, const R& c) {
   for (std::size_t i = 0; i + 1 < a.size(); ++i)
     for (std::size_t j = a.size() - 1; j-- > i;)
@@ -65,6 +67,7 @@ template <class R> [[nodiscard]] Coefficients<R> shifted(Coefficients<R> a, cons
 }
 
 /// Quotient and remainder.  Requires b trimmed and not empty.
+/// Example divided(C{-1, 0, 1}, C{-1, 1})  // -> {{1, 1}, {}}
 template <class R>
 [[nodiscard]] std::pair<Coefficients<R>, Coefficients<R>> divided(Coefficients<R> a,
                                                                   const Coefficients<R>& b) {

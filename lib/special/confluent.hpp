@@ -16,10 +16,13 @@ namespace kov {
 
 /// Reducible <=> some +-k +- m is in 1/2 + N; diagonal <=> of k + m - 1/2 and k - m - 1/2 one is
 /// in {0, 1, 2, ...} and the other in {-1, -2, ...}.  Given k^2 and m^2.
+/// Example whittaker_answer(0, Rational(1, 4)).group->type  // -> Gm
+/// Example whittaker_answer(0, Rational(1, 9)).group->type  // -> SL2
 [[nodiscard]] ClosedAnswer whittaker_answer(const NfElem& k_squared, const NfElem& m_squared);
 /// y'' = (b/x + (m^2-1)/(4x^2)) y, b != 0: Dinf <=> m in 1/2 + Z, else SL2.  Given m^2.
 [[nodiscard]] ClosedAnswer ramified_bessel_answer(const NfElem& m_squared);
 /// Borel <=> a is an odd integer, else SL2.  Given a^2.
+/// Example weber_answer(9).group->type  // -> Borel
 [[nodiscard]] ClosedAnswer weber_answer(const NfElem& a_squared);
 /// y'' = r y with r a polynomial of this degree >= 3: not abelian.  Odd degree: SL2.
 [[nodiscard]] ClosedAnswer polynomial_answer(long degree);

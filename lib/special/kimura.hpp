@@ -35,6 +35,8 @@ struct SchwarzClass {
 
 /// The row of a triple of rational exponent differences; null if there is none.
 /// Requires  an irreducible equation (a row's triples are irreducible by themselves)
+/// Example schwarz_class({Rational(4, 3), Rational(3, 2), Rational(1, 5)})->group  // -> A5
+/// Example schwarz_class({Rational(1, 2), Rational(1, 3), Rational(1, 7)})  // -> none
 [[nodiscard]] const SchwarzClass* schwarz_class(const ExponentTriple& exponents);
 
 /// q modulo 2 and sign, in [0, 1].
@@ -53,6 +55,7 @@ struct ThirdExponents {
 };
 /// The third exponents nu (complex numbers, up to sign) for which the equation with rational
 /// exponent differences l, m, nu has an abelian identity component: the closed answer in families.
+/// Example abelian_third_exponents(Rational(1, 2), Rational(1, 2)).all  // -> yes
 [[nodiscard]] ThirdExponents abelian_third_exponents(const Rational& l, const Rational& m);
 
 } // namespace kov

@@ -38,6 +38,8 @@ struct LameIndex {
   LameCase kind = LameCase::other;
   std::optional<Rational> n; ///< >= -1/2; unset if n is irrational
 };
+/// Example lame_index(NfElem(2))  // -> {LameCase::hermite, 1}
+/// Example lame_index(NfElem(3))  // -> {LameCase::other, none}
 [[nodiscard]] LameIndex lame_index(const NfElem& alpha);
 [[nodiscard]] LameIndex lame_index(const Rational& n);
 
@@ -46,6 +48,8 @@ struct LameIndex {
 
 /// The closed answer for numbers.  Also for g2^3 = 27 g3^2.
 /// Unknown  the group (not "abelian?") for n in Z with w^2 != 0: dihedral, finite or infinite
+/// Source   docs/theory/lame.md
+/// Example  describe(*lame_answer(2, {0, 4, 0}).group)  // -> T_4 = {(c d; 0 1/c) : c^4 = 1}
 [[nodiscard]] ClosedAnswer lame_answer(const NfElem& alpha, const LameParameters<NfElem>& p,
                                        const Budget& budget = {});
 

@@ -30,6 +30,14 @@ struct LameFamilyForm {
 
 /// Unset for other equations, and for places that are rational for special parameters only.
 /// Cost  one factorisation of the denominator; a few operations with polynomials of degree <= 8
+/// Throws OutOfBudget
+/// Given  const Ring ring = make_ring({"z", "a", "b"});
+/// Given  const MFraction x = MFraction::variable(ring, "z"), a = MFraction::variable(ring, "a"),
+///            b = MFraction::variable(ring, "b"), f = pow(x, 3) - x, df = derivative(f, 0);
+/// Given  const MFraction r = derivative(df, 0) / (Rational(4) * f) -
+///            Rational(3, 16) * df * df / (f * f) + (a * x + b) / (Rational(4) * f);
+/// Example recognize_lame(r, 0)->alpha  // -> a
+/// Example recognize_lame(r, 0)->parameters  // -> {b, 4, 0}
 [[nodiscard]] std::optional<LameFamilyForm> recognize_lame(const MFraction& r, std::size_t z,
                                                            const Budget& budget = {});
 

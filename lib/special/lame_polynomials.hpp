@@ -26,11 +26,16 @@ template <class R> struct LameParameters {
 
 /// The determinant of Brioschi, monic in B: there is no logarithm at infinity for n = m - 1/2
 /// exactly when Q_m(B, g2, g3) = 0.  Requires m >= 1.   Cost  O(m) operations in R
+/// Given   const Ring ring = make_ring({"B", "g2", "g3"});
+/// Given   const LameParameters<MFraction> p{MFraction::variable(ring, 0),
+///             MFraction::variable(ring, 1), MFraction::variable(ring, 2)};
+/// Example brioschi(2, p)  // -> (4*B^2 - 3*g2)/4
 template <class R> [[nodiscard]] R brioschi(long m, const LameParameters<R>& p);
 
 /// n >= 0 an integer: X(x) = product of two solutions, a polynomial of degree n, monic; ascending.
 /// w^2 = X_t^2 - 2 X X_tt + 4 (n(n+1) x + B) X^2 is constant, of degree 2n+1 in B.
-/// Cost  O(n^2) operations in R.  Throws InternalError if w^2 is not constant
+/// Cost    O(n^2) operations in R.  Throws InternalError if w^2 is not constant
+/// Example lame_hermite(1, p)  // -> {{-B, 1}, 4*B^3 - B*g2 - g3}
 template <class R> struct LameHermite {
   std::vector<R> x;
   R w_squared;

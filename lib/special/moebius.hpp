@@ -15,9 +15,12 @@ struct Moebius {
 };
 
 /// (ad - bc)^2/(cx + d)^4 r((ax + b)/(cx + d)).  Throws InvalidArgument for ad = bc.
+/// Example pull_back(z, {0, 1, 1, 0})  // -> 1/z^5
+/// Example pull_back(z, {1, 1, 1, 1})  // -> throws InvalidArgument
 [[nodiscard]] RationalFunction pull_back(const RationalFunction& r, const Moebius& m);
 [[nodiscard]] Moebius inverse(const Moebius& m);
 /// (a*x + b)/(c*x + d) as text.
+/// Example to_string(inverse({1, -1, 1, 1}), "x")  // -> (-x - 1)/(x - 1)
 [[nodiscard]] std::string to_string(const Moebius& m, const std::string& variable);
 
 } // namespace kov

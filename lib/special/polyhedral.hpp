@@ -25,6 +25,9 @@ struct Surd {
 
 using Quaternion = std::array<Surd, 4>; ///< w, x, y, z
 
+/// A group with all its elements.
+/// Example PolyhedralGroup(GroupType::A5).elements().size()  // -> 120
+/// Example PolyhedralGroup(GroupType::D).elements().size()  // -> throws InvalidArgument
 class PolyhedralGroup {
 public:
   /// A4, S4 or A5; otherwise InvalidArgument.

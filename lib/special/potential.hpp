@@ -37,9 +37,13 @@ struct EigenvalueTable {
   std::vector<EigenvalueFamily> families;
 };
 /// Requires k != 0; otherwise InvalidArgument.
+/// Example eigenvalue_table(3).families.front().polynomial()  // -> {3/2, 1/2, 0}
+/// Example eigenvalue_table(-2).all  // -> yes
+/// Example eigenvalue_table(0).all  // -> throws InvalidArgument
 [[nodiscard]] EigenvalueTable eigenvalue_table(long k);
 
 /// l^2, m^2, n^2 of the equation for one lambda.
+/// Example potential_exponents(3, 1)  // -> {1/9, 1/4, 25/36}
 [[nodiscard]] SquaredExponents potential_exponents(long k, const NfElem& lambda);
 /// The normal form of the variational equation in z, from its derivation, not from the exponents.
 [[nodiscard]] RationalFunction potential_equation(long k, const NfElem& lambda);

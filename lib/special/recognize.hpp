@@ -3,10 +3,11 @@
 // it)?
 //
 //   places                                        family
-//   none                                          constant, Airy, Weber, polynomial (one irregular
-//   place) two regular                                   Euler three regular Riemann four regular,
-//   three of them with Delta = 1/2  Lame: the fourth one goes to infinity, the sum of
-//                                                 the others to 0, without splitting them
+//   infinity only, irregular                      constant, Airy, Weber, polynomial
+//   two regular                                   Euler
+//   three regular                                 Riemann
+//   four regular, three of them with Delta = 1/2  Lame: the fourth one goes to infinity, the sum
+//                                                 of the others to 0, without splitting them
 //   four regular                                  Heun
 //   one irregular of order 4, one regular         Whittaker, Bessel
 //   one of order 3, one regular                   Bessel in sqrt(x)
@@ -48,6 +49,9 @@ struct Recognized {
                                                   const Budget& budget = {});
 /// The same from r, also for r = 0 (nothing is recognised).  places: those of r, where they are
 /// known already.
+/// Example recognize(RationalFunction(2 - z*z, z*z))->family  // -> Bessel
+/// Example recognize(RationalFunction(2 - z*z, z*z))->parameters  // -> {{m, 3/2}, {a, -1}}
+/// Example recognize(RationalFunction(1, z*z*(z - 1)*(z - 1)*(z - 2)*(z - 3)))->family  // -> Heun
 [[nodiscard]] std::optional<Recognized> recognize(const RationalFunction& r,
                                                   const Budget& budget = {},
                                                   const Singularities* places = nullptr);

@@ -30,6 +30,9 @@ using SquaredExponents = std::array<NfElem, 3>;
 
 /// The Galois group of Riemann's equation; always determined.
 /// Cost  a few operations in the field and factorisations of degree 3 and 4 over Q
+/// Given   const Rational half(1, 2), third(1, 3), fifth(1, 5);
+/// Example riemann_answer({half*half, third*third, fifth*fifth}).group->type  // -> A5
+/// Example riemann_answer({half*half, third*third, 2}).group->type  // -> SL2
 [[nodiscard]] ClosedAnswer riemann_answer(const SquaredExponents& squares);
 
 /// The same where the squares are the values of one element at the roots of an irreducible cubic,
@@ -38,6 +41,7 @@ using SquaredExponents = std::array<NfElem, 3>;
 [[nodiscard]] ClosedAnswer riemann_answer(const Poly& squares);
 
 /// Two regular places with exponent difference l and nothing else: y'' = (l^2-1)/(4 z^2) y.
+/// Example describe(*euler_answer(Rational(1, 4)).group)  // -> cyclic of order 4 (diagonal)
 [[nodiscard]] ClosedAnswer euler_answer(const NfElem& square);
 
 /// The odd integers k > 0 with k = +-l +- m +- n for some signs, given e1, e2, e3 of the squares.

@@ -43,6 +43,13 @@ struct SymbolicFamily {
 
 /// Unset for other equations.
 /// Cost  one factorisation of the denominator, operations with polynomials of degree <= 9 in z
+/// Throws OutOfBudget
+/// Given  const Ring ring = make_ring({"z", "nu"});
+/// Given  const MFraction x = MFraction::variable(ring, "z"), nu = MFraction::variable(ring, "nu");
+/// Given  const MFraction one(ring, 1), bessel = (nu * nu - Rational(1, 4) * one) / (x * x) - one;
+/// Example symbolic_family(bessel, 0)->parameters  // -> {{m, nu}, {a, -1}}
+/// Example symbolic_family(bessel, 0)->summary()
+///         // -> where m is in 1/2 + Z: abelian; else not abelian
 [[nodiscard]] std::optional<SymbolicFamily> symbolic_family(const MFraction& r, std::size_t z,
                                                             const Budget& budget = {});
 

@@ -16,6 +16,8 @@ struct Point {
 /// Decimals are allowed here: the point only chooses.  Throws InputError.
 [[nodiscard]] Point read_approximation(const Expression& e);
 /// The root nearest to p; nothing when two are equally near (as far as 4096 bits tell).
+/// Example approximate_text(*nearest_root(roots({-2, 0, 1}), {1, 0}))  // -> 1.41421356
+/// Example nearest_root(roots({-2, 0, 1}), {0, 0}).has_value()  // -> no
 [[nodiscard]] std::optional<QQbar> nearest_root(const std::vector<QQbar>& all, const Point& p);
 /// An approximation of a that chooses a among its conjugates: "1.25992105", "0.5 - 0.866025404*I".
 [[nodiscard]] std::string approximate_text(const QQbar& a);

@@ -23,6 +23,11 @@
 
 namespace kov {
 
+/// Given   const std::vector<Expression> input{
+///             parse_expression("sqrt(2)*sqrt(3) - sqrt(6)", "-r")};
+/// Given   Constants constants; constants.gather(input);
+/// Example constants.field()->degree()  // -> 4
+/// Example rational_function(input.front(), {"z", &constants, {}})  // -> 0
 class Constants {
 public:
   explicit Constants(long max_degree = 24) : max_degree_(max_degree) {}
@@ -72,6 +77,7 @@ private:
 };
 
 /// p/q for an expression made of integers, -, * and / only; nothing for others.
+/// Example as_rational(parse_expression("-3/(4*2)", "-r"))  // -> -3/8
 [[nodiscard]] std::optional<Rational> as_rational(const Expression& e);
 /// "root(x^2 - 2, 1.414213562)" for the letter of k under its embedding; "" for Q.
 [[nodiscard]] std::string generator_definition(const NumberField& k);

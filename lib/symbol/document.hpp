@@ -14,6 +14,12 @@
 
 namespace kov {
 
+/// One value of the file: the whole document is a table.
+///
+/// Given   const Entry file = parse_document("[system]\nkind = 'poisson'\n", "my.toml");
+/// Example file.at("system").at("kind").string()  // -> poisson
+/// Example file.at("system").at("kind").line()  // -> 2
+/// Example file.at("system").check_keys({"kinds"})  // -> throws InputError
 class Entry {
 public:
   enum class Kind : std::uint8_t { string, integer, boolean, array, table, other };

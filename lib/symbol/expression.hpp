@@ -85,17 +85,19 @@ struct ParseLimits {
 ///         decimal number, implied multiplication, a missing operand or parenthesis, an '=' where
 ///         `equation` is false, a limit of `limits`
 /// Cost    linear in the text, except for the conversion of long numbers
-/// Example parse_expression("z^2*y'' + z*y' = 0", origin, true).kind()  // -> Kind::equation
 [[nodiscard]] Expression parse_expression(std::string_view text, OriginPtr origin,
                                           bool allow_equation = false,
                                           const ParseLimits& limits = {});
 /// The same for a text by itself; `name` is what messages call it, e.g. "-r".
+/// Example parse_expression("z^2*y'' + z*y' = 0", "-e", true).kind()  // -> Kind::equation
+/// Example parse_expression("2z", "-r").kind()  // -> throws InputError
 [[nodiscard]] Expression parse_expression(std::string text, const std::string& name,
                                           bool allow_equation = false,
                                           const ParseLimits& limits = {});
 
 /// Every name that stands for a value in the tree, sorted, once each: not those of functions, and
 /// not the variable inside root(p(x), approx).
+/// Example names_in(parse_expression("a*z^2 + sin(q)", "-r"))  // -> {a, q, z}
 [[nodiscard]] std::vector<std::string> names_in(const Expression& e);
 
 } // namespace kov

@@ -27,8 +27,11 @@ private:
 [[nodiscard]] GiNaC::ex to_ginac(const Expression& formula, SymbolTable& symbols);
 
 /// The text of a GiNaC expression in our grammar, fully parenthesized; parse_expression reads it
-/// back. Errors  InvalidArgument for inexact numbers and for functions other than sqrt, sin, cos,
-/// exp
+/// back.
+/// Errors  InvalidArgument for inexact numbers and for functions other than sqrt, sin, cos, exp
+/// Given   SymbolTable symbols;
+/// Given   const GiNaC::ex f = to_ginac(parse_expression("x^3 + a", "f"), symbols);
+/// Example to_formula(f.diff(symbols["x"]))  // -> ((x^(2))*(3))
 [[nodiscard]] std::string to_formula(const GiNaC::ex& expression);
 
 } // namespace kov

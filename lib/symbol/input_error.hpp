@@ -34,6 +34,8 @@ struct Span {
 };
 
 /// A mistake in an input.  what() is "file:line:column: error: message".
+/// Example throw InputError("my.toml", 3, 7, 2, "unknown name 'q3'")
+///         // -> throws InputError: my.toml:3:7: error: unknown name 'q3'
 class InputError : public Error {
 public:
   /// At bytes of an expression.
@@ -78,6 +80,7 @@ private:
 [[nodiscard]] std::string render(const InputError& error, bool color = false);
 
 /// Bytes made fit for a terminal: control characters and broken UTF-8 become '?', tabs one space.
+/// Example printable("a\tb\x07")  // -> a b?
 [[nodiscard]] std::string printable(std::string_view bytes);
 
 } // namespace kov

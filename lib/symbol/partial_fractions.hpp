@@ -25,6 +25,9 @@ struct SplitFraction {
 ///
 /// Cost    a balanced tree of products, and one gcd at the end (which is 1 unless terms cancel)
 /// Errors  OutOfBudget when the denominator exceeds the largest degree
+/// Given   const Budget budget; PartialFractions two(rationals(), budget);
+/// Given   two.add({1, {{z, -1}}}); two.add({1, {{z - 1, -1}}});
+/// Example two.sum()  // -> (2*z - 1)/(z^2 - z)
 class PartialFractions {
 public:
   PartialFractions(Field k, const Budget& budget) : k_(std::move(k)), budget_(budget) {}

@@ -23,9 +23,13 @@ struct Reading {
 ///          rational, an exponent that is not an integer, division by zero
 ///          OutOfBudget: a degree above the budget, a power with absurdly long numbers
 /// Cost     sums of monomials are linear; other sums are halved recursively
+/// Given    const Constants none; const Reading in_z{"z", &none, {}};
+/// Example  rational_function(parse_expression("(z^2 - 1)/(z - 1)", "-r"), in_z)  // -> z + 1
+/// Example  rational_function(parse_expression("z + w", "-r"), in_z)  // -> throws InputError
 [[nodiscard]] RationalFunction rational_function(const Expression& e, const Reading& reading);
 
 /// The polynomial c0, c1, ... in `variable` with rational coefficients.  Throws InputError.
+/// Example rational_polynomial(parse_expression("x^2 - 1/2", "p"), "x")  // -> {-1/2, 0, 1}
 [[nodiscard]] std::vector<Rational> rational_polynomial(const Expression& e,
                                                         const std::string& variable);
 

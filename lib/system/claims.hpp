@@ -1,10 +1,11 @@
 #pragma once
 // Claims about a system, proved or refuted exactly.
 //
-//   integral F      X(F) = 0                      modulo the relations, and on the level if one is
-//   named casimir  F      J grad F = 0 darboux  G      X(G) = K G for a function K defined where G
-//   = 0 is poisson         {F, G} = value equal           left = right, or: this field equals
-//   another one (Euler-Lagrange form, other file)
+//   integral F   X(F) = 0        modulo the relations, and on the level if one is named
+//   casimir  F   J grad F = 0
+//   darboux  G   X(G) = K G      for a function K defined where G = 0 is
+//   poisson      {F, G} = value
+//   equal        left = right, or: this field equals another one (Euler-Lagrange form, other file)
 //
 // A proof is an ideal membership; a refutation shows the function that is not zero.
 
@@ -22,6 +23,13 @@ struct ClaimResult {
 
 /// Requires a claim with a function, not `other`.
 /// Errors  InvalidArgument for a casimir or poisson claim on a system without a bracket
+/// Given   const System oscillator = read_system(parse_document(
+///             "system = {kind = 'hamiltonian', coordinates = ['q'], momenta = ['p'], "
+///             "parameters = ['a'], hamiltonian = 'p^2/2 + a*q^2/2'}", "oscillator.toml"));
+/// Given   SystemClaim energy, position;
+/// Given   energy.value = formula(oscillator, "H"), position.value = formula(oscillator, "q");
+/// Example check_claim(oscillator.field, energy).proved  // -> yes
+/// Example check_claim(oscillator.field, position).witness  // -> p
 [[nodiscard]] ClaimResult check_claim(const VectorField& v, const SystemClaim& claim);
 
 /// The Euler-Lagrange form on the group against the Poisson form, component by component:

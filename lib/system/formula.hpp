@@ -33,6 +33,11 @@ public:
 
 /// Errors  InputError at the piece of text: unknown name, division by zero, an exponent that is not
 ///         an integer, a function without a declared relation
+/// Given   const Entry file = parse_document("system = {kind = 'vector-field', "
+///             "coordinates = ['x'], field = {x = '1'}}", "f.toml");
+/// Given   const SystemScope scope(file, {});
+/// Example evaluate(parse_expression("(x^2 - 1)/(x - 1)", "f"), scope)  // -> x + 1
+/// Example evaluate(parse_expression("sin(x)", "f"), scope)  // -> throws InputError
 [[nodiscard]] MFraction evaluate(const Expression& e, const Scope& scope);
 
 /// left - right of an equation.

@@ -117,11 +117,18 @@ using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 
 /// Errors  InputError with the place in the file; a setting for an unknown parameter; a violated
 ///         assumption; a structure matrix that is not Poisson; a relation that is not invariant
+/// Given   const System oscillator = read_system(parse_document(
+///             "system = {kind = 'hamiltonian', coordinates = ['q'], momenta = ['p'], "
+///             "parameters = ['a'], hamiltonian = 'p^2/2 + a*q^2/2'}", "oscillator.toml"));
+/// Example oscillator.field.components  // -> {p, -q*a}
+/// Example read_system(parse_document("system = {kind = 'newtonian'}", "n.toml")).kind
+///         // -> throws InputError
 [[nodiscard]] System read_system(const Entry& document, const ParameterValues& settings = {});
 [[nodiscard]] System read_system(const std::string& path, const ParameterValues& settings = {});
 
 /// A formula in the names of the system (variables, fixed values, definitions, integrals).
 /// Errors  InputError
+/// Example formula(oscillator, "2*H - p^2")  // -> q^2*a
 [[nodiscard]] MFraction formula(const System& s, const std::string& text);
 
 /// True if the document has a [system] table (and is not a scalar equation).

@@ -53,8 +53,14 @@ struct VectorField {
 [[nodiscard]] MFraction partial(const VectorField& v, const MFraction& f, std::size_t j);
 [[nodiscard]] std::vector<MFraction> gradient(const VectorField& v, const MFraction& f);
 /// X(f) = sum_j X_j d_j f.
+/// Given   const Ring ring = make_ring({"q", "p"});
+/// Given   const MFraction q = MFraction::variable(ring, "q"), p = MFraction::variable(ring, "p");
+/// Given   VectorField circle; circle.ring = ring, circle.coordinates = {0, 1};
+/// Given   circle.components = {p, -q}, circle.poisson = canonical_structure(ring, 1);
+/// Example lie_derivative(circle, q * q + p * p)  // -> 0
 [[nodiscard]] MFraction lie_derivative(const VectorField& v, const MFraction& f);
 /// {f, g} = grad f . J grad g.  Requires v.poisson.
+/// Example poisson_bracket(circle, q, p)  // -> 1
 [[nodiscard]] MFraction poisson_bracket(const VectorField& v, const MFraction& f,
                                         const MFraction& g);
 /// J grad h.
@@ -102,6 +108,7 @@ struct Legendre {
 /// A denominator of the field that vanishes on V(I), so that the field is not defined there.
 [[nodiscard]] std::optional<MPoly> pole_along(const VectorField& v, const Ideal& ideal);
 /// The product of the irreducible factors, each once; 1 for a constant.  Requires f != 0.
+/// Example squarefree_part((q * q * p).num())  // -> q*p
 [[nodiscard]] MPoly squarefree_part(const MPoly& f);
 /// The numerators of left - right, without multiple factors: the same set.
 [[nodiscard]] std::vector<MPoly> set_generators(const std::vector<Equation>& equations);

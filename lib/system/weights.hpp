@@ -21,6 +21,10 @@ struct WeightTerm {
 
 /// The first `count` nonzero terms, fewer if f is the sum of fewer (at most `depth` degrees are
 /// looked at beyond the lowest one).  Requires f != 0.
+/// Given   const Ring ring = make_ring({"x", "y"});
+/// Given   const MFraction x = MFraction::variable(ring, "x"), y = MFraction::variable(ring, "y");
+/// Example weight_expansion(x / (MFraction(ring, 1) - y), {{0, 1}, {1, 2}}, 2)
+///         // -> {{1, x}, {3, x*y}}
 [[nodiscard]] std::vector<WeightTerm> weight_expansion(const MFraction& f, const Weights& weights,
                                                        long count, long depth = 64);
 

@@ -79,9 +79,14 @@ endfunction()
 
 # kov_tests(exact LINKS kov::exact) makes the test program of one room from tests/exact/*.cpp.
 function(kov_tests name)
-  cmake_parse_arguments(TESTS "" "" "LINKS;LABELS" ${ARGN})
   kov_sources(sources ${CMAKE_CURRENT_SOURCE_DIR}/${name})
-  add_executable(test_${name} ${sources})
+  kov_test_program(${name} ${sources} ${ARGN})
+endfunction()
+
+# kov_test_program(NAME SOURCE... LINKS kov::exact [LABELS slow])
+function(kov_test_program name)
+  cmake_parse_arguments(TESTS "" "" "LINKS;LABELS" ${ARGN})
+  add_executable(test_${name} ${TESTS_UNPARSED_ARGUMENTS})
   target_link_libraries(test_${name} PRIVATE ${TESTS_LINKS} kov_warnings kov_test_source_dir GTest::gmock
                         GTest::gtest_main)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)

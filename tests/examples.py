@@ -1,0 +1,108 @@
+"""The examples of the headers as tests.  Usage: examples.py SOURCE_DIR ROOM OUTPUT.cpp
+
+In the documentation of lib/ROOM/*.hpp the lines
+
+    /// Given   const Ring ring = make_ring({"x", "y"});
+    /// Example gcd(Integer(12), Integer(-18))  // -> 6
+    /// Example inverse(NfElem(0))  // -> throws DomainError
+
+become one test for each header: the text of each value (tests/support/shown.hpp) is compared with what stands
+behind the arrow.  An example may go on in the lines below it; declarations may stand before its expression, each
+with a semicolon.  What is Given holds for all examples below it in the header; everywhere z = Poly::z().
+"""
+import os
+import re
+import sys
+
+# Headers without examples, and why.
+excused = {
+    "exact/flint.hpp": "includes only",
+    "kovacic/family_log.hpp": "two steps of the trace, used by the cases",
+    "kovacic/polynomial_kernel.hpp": "a part of polynomial.cpp, compiled for two fields",
+    "special/recognize_families.hpp": "the parts of recognize.cpp",
+    "symbol/tokens.hpp": "a part of expression.cpp",
+    "system/read_system.hpp": "the parts of read_system.cpp",
+}
+
+
+class Example:
+    def __init__(self, line, text, expected=None):
+        self.line, self.text, self.expected = line, text, expected  # expected None: Given
+
+
+def examples(lines):
+    """The examples of a header, in its order."""
+    found, open_one = [], None
+    for number, line in enumerate(lines, 1):
+        start = re.match(r"\s*/// (Given|Example)\s+(.*)", line)
+        further = re.match(r"\s*///\s+(.*)", line)
+        if start:
+            if open_one:
+                raise SystemExit(f"line {open_one.line}: an example without '// -> VALUE'")
+            open_one, rest, given = Example(number, ""), start[2], start[1] == "Given"
+        elif open_one and further:
+            rest = further[1]
+        elif open_one:
+            raise SystemExit(f"line {open_one.line}: an example without end")
+        else:
+            continue
+        code, arrow, value = re.fullmatch(r"(.*?)(?:(?:^|\s+)(// -> )(.*))?", rest).groups()
+        open_one.text += code + "\n"
+        if arrow:
+            open_one.expected = value.strip()
+        if arrow or (given and code.rstrip().endswith(";")):
+            found.append(open_one)
+            open_one = None
+    return found
+
+
+def function_body(code):
+    """The declarations, then the value of the last expression."""
+    declarations, semicolon, expression = code.strip().rpartition(";")
+    return f"{declarations}{semicolon} return {expression.strip()};"
+
+
+def test(room, header, found):
+    name = header.removesuffix(".hpp")
+    path = f"{room}/{header}"
+    yield f"TEST(Examples, {room}_{name}) {{\n"
+    if found and path in excused:
+        yield f'  FAIL() << "{path} has examples and need not be excused";\n'
+    if not found and path not in excused:
+        yield f'  FAIL() << "lib/{path} has no example";\n'
+    if found and room == "kovacic":
+        yield "  using namespace kovacic;\n"
+    for e in found:
+        yield f'#line {e.line} "lib/{path}"\n'
+        if e.expected is None:
+            yield e.text
+        else:
+            yield f"  example(__FILE__, __LINE__, [&] {{ {function_body(e.text)} }},\n"
+            yield f'          R"~({e.expected})~");\n'
+    yield "}\n"
+
+
+def main(source, room, output):
+    folder = os.path.join(source, "lib", room)
+    headers = sorted(name for name in os.listdir(folder) if name.endswith(".hpp"))
+    out = [f"// The examples of lib/{room}, written by tests/examples.py.\n"]
+    out += [f'#include "{room}/{h}"\n' for h in headers]
+    out += ['#include "exact/poly.hpp"\n', '#include "support/shown.hpp"\n']
+    out += ["namespace kov {\n", "namespace {\n", "using testing::example;\n",
+            "[[maybe_unused]] const Poly z = Poly::z();\n"]
+    for header in headers:
+        with open(os.path.join(folder, header), encoding="utf-8") as text:
+            try:
+                found = examples(text.read().split("\n"))
+            except SystemExit as mistake:
+                raise SystemExit(f"lib/{room}/{header}: {mistake}") from None
+        out += test(room, header, found)
+    gone = [p for p in excused if p.startswith(room + "/") and p.split("/")[1] not in headers]
+    out += [f'TEST(Examples, {room}_excuses) {{ FAIL() << "there is no lib/{p}"; }}\n' for p in gone]
+    out += ["} // namespace\n", "} // namespace kov\n"]
+    with open(output, "w", encoding="utf-8") as file:
+        file.write("".join(out))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:4])
