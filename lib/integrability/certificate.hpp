@@ -15,6 +15,14 @@ struct NamedCertificate {
 
 /// One for each equation that was decided with a certificate (Options::want_certificate).  Those
 /// that force "non-integrable" go on to that statement.
+/// Given   const System system = read_system(parse_document("system = {kind = 'hamiltonian', "
+///             "coordinates = ['q1', 'q2'], momenta = ['p1', 'p2'], parameters = ['h'], "
+///             "hamiltonian = '(p1^2 + p2^2)/2 + q1^2*q2 + q2^3/2'}\n"
+///             "manifold = [{name = 'N', equations = ['q1 = 0', 'p1 = 0'], level = ['H = h']}]",
+///             "cubic.toml"), {{"h", "1"}});
+/// Given   CheckOptions options; options.decide.want_certificate = true;
+/// Given   const CheckReport report = check_system(system, options);
+/// Example certificates(system, report.manifolds.front()).front().name  // -> N
 [[nodiscard]] std::vector<NamedCertificate> certificates(const System& s, const ManifoldReport& m);
 
 } // namespace kov

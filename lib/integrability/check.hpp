@@ -89,6 +89,12 @@ struct CheckOptions {
 };
 
 /// Errors  OutOfBudget is turned into "undecided"; InputError and InternalError pass
+/// Given   const System system = read_system(parse_document("system = {kind = 'hamiltonian', "
+///             "coordinates = ['q1', 'q2'], momenta = ['p1', 'p2'], parameters = ['h'], "
+///             "hamiltonian = '(p1^2 + p2^2)/2 + q1^2*q2 + q2^3/2'}\n"
+///             "manifold = [{name = 'N', equations = ['q1 = 0', 'p1 = 0'], level = ['H = h']}]",
+///             "cubic.toml"), {{"h", "1"}});
+/// Example check_system(system).manifolds.front().verdict  // -> non-integrable
 [[nodiscard]] CheckReport check_system(const System& s, const CheckOptions& options = {});
 [[nodiscard]] ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
                                             const std::vector<ClaimReport>& claims,
@@ -101,10 +107,15 @@ struct CheckOptions {
 /// The values of parameter `h` at which two singular places of r meet or one goes to infinity, as
 /// irreducible polynomials that use h: factors of the leading coefficients, the discriminants and
 /// the resultants of the factors of den(r).
+/// Given   const Ring ring = make_ring({"z", "h"});
+/// Given   const MFraction x = MFraction::variable(ring, "z"), h = MFraction::variable(ring, "h");
+/// Example merging_locus(MFraction(ring, 1) / (x * (x - h)), 0, 1)  // -> {h}
 [[nodiscard]] std::vector<MPoly> merging_locus(const MFraction& r, std::size_t z, std::size_t h);
 
-/// "meromorphic in a neighbourhood of the phase curve", or the smaller class that an irregular
-/// place of r leaves.
+/// "meromorphic", or the smaller class that an irregular place of r leaves.
+/// Example first_integral_class(RationalFunction(2, z*z))  // -> meromorphic
+/// Example first_integral_class(z)
+///         // -> meromorphic also at the points at infinity of the phase curve
 [[nodiscard]] std::string first_integral_class(const RationalFunction& r);
 
 } // namespace kov

@@ -27,6 +27,8 @@ private:
 
 /// Q(theta) for a root theta of f in Q[x]: an integral multiple generates.  Returns the field and
 /// theta in it.  Requires f irreducible (checked; InvalidArgument).
+/// Example pow(field_of_root(2*z*z - 1, "s").second, 2)  // -> 1/2
+/// Example field_of_root(z*z - 1, "s").second  // -> throws InvalidArgument
 [[nodiscard]] std::pair<Field, NfElem> field_of_root(const Poly& f, const std::string& name);
 
 } // namespace kov

@@ -18,6 +18,8 @@ struct ExpectationResult {
 /// Requires an expectation read with the same parameter values as the report.
 [[nodiscard]] std::string unmet(const SystemExpectation& x, const CheckReport& report);
 /// "A = 1, C = 3/2: non-integrable, group SL2 (Lemma 3)"
+/// Given   SystemExpectation said; said.where = {{"A", "1"}}, said.group = "SL2";
+/// Example describe(said)  // -> A = 1: the stages, group SL2
 [[nodiscard]] std::string describe(const SystemExpectation& x);
 
 /// Each claim must be proved (or refuted, where the file says holds = false); each [[expect]] is

@@ -10,6 +10,11 @@ namespace kov {
 [[nodiscard]] strata::Question strata_question(const System& s, const AlgebraicOde& ode);
 
 /// Parameters of the levels only: the vector field does not contain them, and they may be chosen.
+/// Given   const System free = read_system(parse_document("system = {kind = 'hamiltonian', "
+///             "coordinates = ['q'], momenta = ['p'], parameters = ['a', 'h'], "
+///             "hamiltonian = 'p^2/2 + a*q^2'}\n"
+///             "manifold = [{name = 'all', equations = [], level = ['H = h']}]", "free.toml"));
+/// Example level_parameters(free).size()  // -> 1
 [[nodiscard]] std::vector<std::size_t> level_parameters(const System& s);
 
 /// For all other parameters there is a level at which the identity component is not abelian: one

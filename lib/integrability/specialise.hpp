@@ -7,6 +7,11 @@ namespace kov {
 
 /// The parameters of `values` replaced everywhere that check_manifold looks at, and removed from
 /// the list of parameters.  Errors  DomainError: something has no value there
+/// Given   const System free = read_system(parse_document("system = {kind = 'hamiltonian', "
+///             "coordinates = ['q'], momenta = ['p'], parameters = ['a'], "
+///             "hamiltonian = 'p^2/2 + a*q^2'}", "free.toml"));
+/// Given   const Substitution three{{free.ring()->index("a"), MFraction(free.ring(), 3)}};
+/// Example at_values(free, three).field.components  // -> {p, -6*q}
 [[nodiscard]] System at_values(const System& s, const Substitution& values);
 [[nodiscard]] ManifoldSpec at_values(const ManifoldSpec& spec, const Substitution& values);
 [[nodiscard]] std::vector<ClaimReport> at_values(std::vector<ClaimReport> claims,

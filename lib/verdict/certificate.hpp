@@ -30,6 +30,7 @@ struct Judged {
   std::string refusal; ///< empty: accepted
   bool limit = false;  ///< refused for its size, or not read: nothing was found to be false
 };
+/// Example judged(certificate(classify(z), z)).refusal.empty()  // -> yes
 [[nodiscard]] Judged judged(const certify::Certificate& c);
 
 } // namespace kov

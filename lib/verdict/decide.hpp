@@ -87,6 +87,11 @@ void take(Decision& d, Judged opinion);
 /// Never throws for a legal r: limits end in Decision::undecided.  So does a certificate that our
 /// own checker refuses (Unable::methods_disagree): nothing is said then.
 /// Throws InternalError if a self-check fails.
+/// Cost    that of classify() (lib/galois), of solutions and of the certificate where they are
+///         asked for
+/// Example decide({z, 0}).abelian  // -> Truth::no
+/// Example decide({z*z + 3, 0}).kovacic_case  // -> 1
+/// Example decide({RationalFunction(16*z - 3, 16*z*z), 0}).component  // -> Gm
 [[nodiscard]] Decision decide(const NormalForm& equation, const Options& options = {});
 
 } // namespace kov
