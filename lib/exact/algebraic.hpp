@@ -13,6 +13,7 @@ struct kov_qqbar_struct;
 
 namespace kov {
 
+/// An algebraic number.  Cost of + and *: a polynomial of degree deg a deg b is factored.
 class QQbar {
 public:
   QQbar();
@@ -48,7 +49,7 @@ private:
 /// Ascending, primitive, irreducible, positive leading coefficient.
 /// Example minimal_polynomial(QQbar::i() + principal_root(2, 2))  // -> {9, 0, -2, 0, 1}
 [[nodiscard]] std::vector<Integer> minimal_polynomial(const QQbar& a);
-[[nodiscard]] long degree(const QQbar& a);
+[[nodiscard]] long degree(const QQbar& a); ///< of the minimal polynomial
 /// A ball around a, its parts rounded to `bits` bits.
 [[nodiscard]] ComplexBall enclosure(const QQbar& a, long bits);
 /// All roots of f (ascending coefficients, f != 0) with multiplicity: the real ones first, from the

@@ -26,6 +26,7 @@ private:
   arb_t v_;
 };
 
+/// A rectangle in the complex plane: a ball for each part.
 class ComplexBall {
 public:
   ComplexBall() noexcept { acb_init(v_); }

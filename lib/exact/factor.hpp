@@ -9,6 +9,7 @@
 
 namespace kov {
 
+/// base^exponent.
 struct Factor {
   Poly base; ///< monic
   long exponent = 1;
@@ -31,6 +32,7 @@ struct Factor {
 /// The product of a list, by a balanced tree: far cheaper than one factor after the other.
 [[nodiscard]] Poly product(std::vector<Poly> factors);
 
+/// No factor of positive degree occurs twice; yes for constants.  Cost: first one prime.
 [[nodiscard]] bool is_squarefree(const Poly& f);
 
 } // namespace kov

@@ -59,6 +59,7 @@ private:
   mutable std::vector<std::optional<Element>> table_;
 };
 
+// Coordinate by coordinate.  Requires elements of one algebra.
 [[nodiscard]] FiniteAlgebra::Element operator+(const FiniteAlgebra::Element& a,
                                                const FiniteAlgebra::Element& b);
 [[nodiscard]] FiniteAlgebra::Element operator-(const FiniteAlgebra::Element& a,

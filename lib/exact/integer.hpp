@@ -58,8 +58,8 @@ private:
 [[nodiscard]] Integer gcd(const Integer& a, const Integer& b); ///< >= 0; gcd(0, 0) = 0
 [[nodiscard]] Integer lcm(const Integer& a, const Integer& b); ///< >= 0
 [[nodiscard]] Integer pow(const Integer& a, unsigned long e);
-[[nodiscard]] Integer exact_div(const Integer& a, const Integer& b);
-[[nodiscard]] Integer floor_div(const Integer& a, const Integer& b);
+[[nodiscard]] Integer exact_div(const Integer& a, const Integer& b); ///< Requires b != 0, b | a.
+[[nodiscard]] Integer floor_div(const Integer& a, const Integer& b); ///< Requires b != 0.
 [[nodiscard]] std::optional<Integer>
 exact_sqrt(const Integer& n); ///< the root >= 0, if n is a square
 

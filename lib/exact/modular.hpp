@@ -54,14 +54,15 @@ private:
 
 [[nodiscard]] inline long degree(const NmodPoly& f) { return nmod_poly_degree(f.raw()); }
 [[nodiscard]] inline bool is_zero(const NmodPoly& f) { return nmod_poly_is_zero(f.raw()) != 0; }
+// As for Poly; polynomials of one modulus only.
 [[nodiscard]] NmodPoly derivative(const NmodPoly& f);
 [[nodiscard]] NmodPoly scale(const NmodPoly& f, mp_limb_t c);
 [[nodiscard]] NmodPoly gcd(const NmodPoly& a, const NmodPoly& b);
-[[nodiscard]] NmodPoly exact_div(const NmodPoly& a, const NmodPoly& b);
-[[nodiscard]] NmodPoly truncate(const NmodPoly& f, long n);
-[[nodiscard]] NmodPoly mul_series(const NmodPoly& a, const NmodPoly& b, long n);
+[[nodiscard]] NmodPoly exact_div(const NmodPoly& a, const NmodPoly& b); ///< Requires b | a.
+[[nodiscard]] NmodPoly truncate(const NmodPoly& f, long n);             ///< f mod z^n
+[[nodiscard]] NmodPoly mul_series(const NmodPoly& a, const NmodPoly& b, long n); ///< ab mod z^n
 [[nodiscard]] NmodPoly inverse_series(const NmodPoly& f, long n); ///< Requires f(0) != 0.
-[[nodiscard]] NmodPoly pow_series(const NmodPoly& f, unsigned long e, long n);
+[[nodiscard]] NmodPoly pow_series(const NmodPoly& f, unsigned long e, long n); ///< f^e mod z^n
 [[nodiscard]] NmodPoly taylor_shift(const NmodPoly& f, mp_limb_t c); ///< f(z+c)
 [[nodiscard]] mp_limb_t evaluate(const NmodPoly& f, mp_limb_t c);
 /// The roots of f in F_p, without multiplicity.

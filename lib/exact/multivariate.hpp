@@ -43,6 +43,7 @@ private:
 };
 
 using Ring = std::shared_ptr<const Variables>;
+/// The ring of these variables.  Throws InvalidArgument for an empty or repeated name.
 [[nodiscard]] Ring make_ring(std::vector<std::string> names);
 
 /// A polynomial with integer coefficients.
@@ -99,9 +100,11 @@ private:
 [[nodiscard]] std::optional<MPoly> divides(const MPoly& b, const MPoly& a); ///< a/b, if it exists
 /// Coefficients of f in x_i, ascending; empty for 0.
 [[nodiscard]] std::vector<MPoly> coefficients(const MPoly& f, std::size_t i);
+/// With respect to x_i; free of it.  Throws DomainError for exponents beyond a machine word.
 [[nodiscard]] MPoly resultant(const MPoly& a, const MPoly& b, std::size_t i);
 [[nodiscard]] MPoly discriminant(const MPoly& f, std::size_t i);
 
+/// base^exponent.
 struct MFactor {
   MPoly base; ///< primitive, positive leading coefficient
   long exponent = 1;

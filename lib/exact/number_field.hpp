@@ -19,6 +19,7 @@ namespace kov {
 class NumberField;
 using Field = std::shared_ptr<const NumberField>;
 
+/// Q(a).  Made by make_field, and shared.
 class NumberField {
 public:
   /// Shape   minpoly: ascending integer coefficients, monic, irreducible (else InvalidArgument)

@@ -70,6 +70,7 @@ private:
 [[nodiscard]] inline bool is_one(const Poly& f) { return fmpq_poly_is_one(f.raw()) != 0; }
 [[nodiscard]] long degree(const Poly& f) noexcept; ///< -1 for the zero polynomial
 [[nodiscard]] NfElem lead(const Poly& f);          ///< leading coefficient; 0 for 0
+/// The same polynomial over k.  Throws InvalidArgument unless k is its field or f is over Q.
 [[nodiscard]] Poly coerce(const Poly& f, const Field& k);
 [[nodiscard]] Poly derivative(const Poly& f); ///< d/dz
 [[nodiscard]] Poly monic(const Poly& f);      ///< Throws DomainError for 0.
@@ -83,8 +84,8 @@ private:
 /// Quotient and remainder.  Throws DomainError for b = 0.
 /// Example divrem(z*z + 1, z - 1)  // -> {z + 1, 2}
 [[nodiscard]] std::pair<Poly, Poly> divrem(const Poly& a, const Poly& b);
-[[nodiscard]] Poly operator%(const Poly& a, const Poly& b);
-[[nodiscard]] Poly quotient(const Poly& a, const Poly& b);
+[[nodiscard]] Poly operator%(const Poly& a, const Poly& b); ///< Throws DomainError for b = 0.
+[[nodiscard]] Poly quotient(const Poly& a, const Poly& b);  ///< Throws DomainError for b = 0.
 /// a/b; the remainder must be zero (checked).
 [[nodiscard]] Poly exact_div(const Poly& a, const Poly& b);
 [[nodiscard]] bool divides(const Poly& b, const Poly& a); ///< b | a

@@ -70,6 +70,7 @@ enum class Torsion : std::uint8_t {
   function            ///< h = a + b s: finite
 };
 
+/// Finite (D_n) or infinite, and what settles it.
 struct DihedralAnswer {
   Truth finite = Truth::unknown;
   Torsion by = Torsion::undecided;

@@ -22,6 +22,7 @@ enum class GroupType : std::uint8_t {
   A5      ///< binary icosahedral, order 120
 };
 
+/// A subgroup of SL(2, C) up to conjugation.
 struct GaloisGroup {
   GroupType type = GroupType::SL2;
   std::optional<Integer> n; ///< T, cyclic and D only; unset there = not determined

@@ -96,6 +96,7 @@ struct CheckOptions {
 ///             "cubic.toml"), {{"h", "1"}});
 /// Example check_system(system).manifolds.front().verdict  // -> non-integrable
 [[nodiscard]] CheckReport check_system(const System& s, const CheckOptions& options = {});
+/// One manifold of it; claims: those of the system with their results.
 [[nodiscard]] ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
                                             const std::vector<ClaimReport>& claims,
                                             const CheckOptions& options = {});

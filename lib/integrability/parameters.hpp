@@ -36,6 +36,7 @@ void decide_special_strata(const System& s, const ManifoldSpec& spec,
                            const std::vector<BlockReport>& generic,
                            const std::vector<std::string>& unknowns, strata::StrataAnswer& answer);
 
+/// The limits for the strata of this equation, in the names of the system.
 [[nodiscard]] strata::StrataLimits strata_limits(const System& s, const AlgebraicOde& ode,
                                                  const CheckOptions& options);
 

@@ -34,6 +34,7 @@ struct NoInvariant {
   long terms = 0;      ///< ... from this many terms
 };
 
+/// All rational solutions of Sym^m, with the proof that there are no more.
 struct InvariantSearch {
   long m = 0;
   std::vector<Invariant> basis; ///< a basis of all rational solutions, each verified

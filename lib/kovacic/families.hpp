@@ -17,11 +17,13 @@
 
 namespace kov::kovacic {
 
+/// One choice for every place, with its d.
 struct Family {
   std::vector<std::size_t> choice; ///< one index for each place, in the order given
   long degree = 0;                 ///< d
 };
 
+/// Those with d a natural number, among all.
 struct Families {
   std::vector<Family> admissible; ///< d a natural number; by ascending d
   Integer total;                  ///< how many there were before that condition

@@ -15,6 +15,7 @@
 
 namespace kov::kovacic {
 
+/// Which cases are possible, and why the others are not.
 struct Conditions {
   bool case1 = true; ///< true: the case is still possible
   bool case2 = true;

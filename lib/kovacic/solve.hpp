@@ -31,6 +31,7 @@ namespace kov::kovacic {
 [[nodiscard]] Outcome solve(const RationalFunction& r, const Budget& budget = {},
                             Trace* trace = nullptr);
 
+/// The same for the r of a normal form.
 [[nodiscard]] Outcome solve(const NormalForm& equation, const Budget& budget = {},
                             Trace* trace = nullptr);
 

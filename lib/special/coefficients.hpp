@@ -24,6 +24,7 @@ template <class R> void add(Coefficients<R>& to, std::size_t at, const R& c) {
   to[at] = to[at] + c;
 }
 
+/// a b
 template <class R>
 [[nodiscard]] Coefficients<R> product(const Coefficients<R>& a, const Coefficients<R>& b) {
   Coefficients<R> c;
@@ -34,6 +35,7 @@ template <class R>
   return c;
 }
 
+/// da/dx
 template <class R> [[nodiscard]] Coefficients<R> derivative(const Coefficients<R>& a) {
   Coefficients<R> c;
   for (std::size_t i = 1; i < a.size(); ++i)

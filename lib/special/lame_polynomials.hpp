@@ -18,6 +18,7 @@
 
 namespace kov {
 
+/// B, g2, g3.
 template <class R> struct LameParameters {
   R b;
   R g2;

@@ -8,6 +8,7 @@
 
 namespace kov {
 
+/// x -> (a x + b)/(c x + d).
 struct Moebius {
   NfElem a{1}, b{0}, c{0}, d{1};
 
@@ -18,6 +19,7 @@ struct Moebius {
 /// Example pull_back(z, {0, 1, 1, 0})  // -> 1/z^5
 /// Example pull_back(z, {1, 1, 1, 1})  // -> throws InvalidArgument
 [[nodiscard]] RationalFunction pull_back(const RationalFunction& r, const Moebius& m);
+/// The inverse map.  Requires ad != bc.
 [[nodiscard]] Moebius inverse(const Moebius& m);
 /// (a*x + b)/(c*x + d) as text.
 /// Example to_string(inverse({1, -1, 1, 1}), "x")  // -> (-x - 1)/(x - 1)

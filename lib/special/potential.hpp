@@ -31,6 +31,7 @@ struct EigenvalueFamily {
   [[nodiscard]] bool contains(const Rational& lambda) const;
 };
 
+/// All lambda with an abelian identity component, for one degree k.
 struct EigenvalueTable {
   long k = 1;
   bool all = false; ///< every lambda (k = 2, -2)

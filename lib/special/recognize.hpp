@@ -30,6 +30,7 @@
 
 namespace kov {
 
+/// A classical equation with its parameters, and what its closed answer says.
 struct Recognized {
   std::string family;   ///< "Lame", "Riemann", "Euler", "Heun", "Whittaker", "Bessel", "Weber", ...
   std::string equation; ///< the canonical form, in x: "y'' = (1/4 - k/x + (m^2-1/4)/x^2) y"

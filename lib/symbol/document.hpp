@@ -84,6 +84,7 @@ private:
 [[nodiscard]] std::string read_text(const std::string& path, std::size_t limit);
 /// Reads a file; "-" is standard input.  Errors  InputError: not readable, not TOML, or over 16 MB
 [[nodiscard]] Entry read_document(const std::string& path);
+/// Reads a text; `name` is what messages call it.  Errors  InputError: not TOML
 [[nodiscard]] Entry parse_document(std::string text, const std::string& name);
 
 } // namespace kov

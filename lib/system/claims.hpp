@@ -13,6 +13,7 @@
 
 namespace kov {
 
+/// Proved or refuted, with the function that shows it.
 struct ClaimResult {
   bool proved = false;
   std::string detail; ///< proved: how; refuted: the function that is not zero

@@ -23,6 +23,7 @@ enum class SystemKind : std::uint8_t {
   poisson
 };
 
+/// What a file says of the system, to be proved or refuted (claims.hpp).
 struct SystemClaim {
   enum class Kind : std::uint8_t { integral, casimir, darboux, poisson, equal };
   Kind kind = Kind::integral;
@@ -37,6 +38,7 @@ struct SystemClaim {
   long line = 0;
 };
 
+/// [[manifold]]: equations of a set that is to be proved invariant, and levels of integrals on it.
 struct ManifoldSpec {
   std::string name;
   std::vector<Equation> equations;
@@ -89,6 +91,7 @@ struct SystemExpectation {
   long line = 0;
 };
 
+/// All that a system file says.
 struct System {
   std::string file, title;
   std::vector<std::string> cite;
@@ -124,6 +127,7 @@ using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 /// Example read_system(parse_document("system = {kind = 'newtonian'}", "n.toml")).kind
 ///         // -> throws InputError
 [[nodiscard]] System read_system(const Entry& document, const ParameterValues& settings = {});
+/// The same from a file.
 [[nodiscard]] System read_system(const std::string& path, const ParameterValues& settings = {});
 
 /// A formula in the names of the system (variables, fixed values, definitions, integrals).

@@ -18,6 +18,7 @@
 
 namespace kov {
 
+/// A variable that stands for a function of the phase variables.
 struct FunctionSymbol {
   std::size_t variable = 0;
   std::string meaning;             ///< "sin(q1)", for messages
@@ -32,6 +33,7 @@ struct Equation {
   std::string text;
 };
 
+/// x_j' = X_j with what is known of the functions in X.
 struct VectorField {
   Ring ring;
   std::vector<std::size_t> coordinates; ///< phase variables
