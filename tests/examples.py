@@ -8,7 +8,8 @@ In the documentation of lib/ROOM/*.hpp the lines
 
 become one test for each header: the text of each value (tests/support/shown.hpp) is compared with what stands
 behind the arrow.  An example may go on in the lines below it; declarations may stand before its expression, each
-with a semicolon.  What is Given holds for all examples below it in the header; everywhere z = Poly::z().
+with a semicolon.  What is Given holds for all examples below it in the header; z = Poly::z() always, but in lib/strata
+z, a, one are elements of Q(z, a), and `everywhere` is the region of all a.
 """
 import os
 import re
@@ -20,12 +21,20 @@ excused = {
     "kovacic/family_log.hpp": "two steps of the trace, used by the cases",
     "kovacic/polynomial_kernel.hpp": "a part of polynomial.cpp, compiled for two fields",
     "special/recognize_families.hpp": "the parts of recognize.cpp",
+    "strata/open_exponent.hpp": "a part of decide_leaf.cpp",
     "symbol/tokens.hpp": "a part of expression.cpp",
     "system/read_system.hpp": "the parts of read_system.cpp",
     "verdict/witness.hpp": "the searches of certificate.cpp",
 }
 
 own_namespace = {"kovacic", "strata"}  # the others are in namespace kov
+
+names = """[[maybe_unused]] const Poly z = Poly::z();
+"""
+names_of_strata = """const Ring ring = make_ring({"z", "a"});
+const MFraction z = MFraction::variable(ring, "z"), a = MFraction::variable(ring, "a"), one(ring, 1);
+const strata::Region everywhere(ring, {});
+"""
 
 
 class Example:
@@ -92,7 +101,7 @@ def main(source, room, output):
     out += [f'#include "{room}/{h}"\n' for h in headers]
     out += ['#include "exact/poly.hpp"\n', '#include "support/shown.hpp"\n']
     out += ["namespace kov {\n", "namespace {\n", "using testing::example;\n",
-            "[[maybe_unused]] const Poly z = Poly::z();\n"]
+            names_of_strata if room == "strata" else names]
     for header in headers:
         with open(os.path.join(folder, header), encoding="utf-8") as text:
             try:

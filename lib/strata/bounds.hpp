@@ -17,6 +17,9 @@ inline constexpr long most_unknowns = 40;
 
 /// m even.  An open exponent difference is taken as one with no multiple j Delta, 0 < j <= m/2, in
 /// Z: what holds for it holds for those only.
+/// Given   const MFraction r = Rational(2) * one / (z * z);
+/// Given   const Scheme s = std::get<Scheme>(scheme(r, 0, everywhere));
+/// Example invariant_bound(s, 2).form->e  // -> {-2}
 [[nodiscard]] InvariantBound invariant_bound(const Scheme& s, long m);
 
 /// The greatest d = alpha_inf - sum alpha_c over the exponents of exponential solutions; unset when
@@ -26,6 +29,7 @@ struct ExponentialBound {
   bool odd_order = false; ///< no exponential solution at all: a place of odd order >= 3
   [[nodiscard]] bool excludes() const { return odd_order || (d && *d < Rational(0)); }
 };
+/// Example exponential_bound(s).d  // -> 3
 [[nodiscard]] ExponentialBound
 exponential_bound(const Scheme& s, const std::optional<Rational>& open_square_bound = {});
 

@@ -38,11 +38,14 @@ struct Assumptions {
 
 /// "C = 2*A", "A - C != 0", "A > 0": an equation is solved where a variable is linear with a
 /// constant coefficient.
+/// Given   Assumptions assumed; assumed.require(a, Sign::positive);
+/// Example to_string(assumed.conditions)  // -> a > 0
 [[nodiscard]] std::string to_string(const Condition& c);
 /// Joined by ", "; "always" for none.
 [[nodiscard]] std::string to_string(const std::vector<Condition>& all);
 
 /// The irreducible factors of p that are not constant, each once.  Requires p != 0.
+/// Example irreducible_parts((a * a * (z - a)).num())  // -> {z - a, a}
 [[nodiscard]] std::vector<MPoly> irreducible_parts(const MPoly& p);
 
 } // namespace kov::strata

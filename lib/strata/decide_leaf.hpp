@@ -17,6 +17,9 @@
 namespace kov::strata {
 
 /// r in the parameters left in the region.
+/// Throws  OutOfBudget
+/// Example std::get<Leaf>(decide_leaf(z + a, 0, everywhere)).group->type  // -> SL2
+/// Example std::get<Needs>(decide_leaf(a / z, 0, everywhere)).p  // -> a
 [[nodiscard]] std::variant<Leaf, Needs>
 decide_leaf(const MFraction& r, std::size_t z, const Region& region, const Options& options = {});
 

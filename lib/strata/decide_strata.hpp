@@ -57,10 +57,15 @@ struct StrataAnswer {
 };
 
 /// Never throws for a legal question: limits end in open strata.
+/// Given   Question bessel; bessel.r = a / z;
+/// Given   const StrataAnswer answer = decide_strata(bessel);
+/// Example answer.strata.size()  // -> 2
+/// Example answer.abelian()  // -> Truth::unknown
 [[nodiscard]] StrataAnswer decide_strata(const Question& q, const StrataLimits& limits = {});
 
 /// The stratum that contains a point (values for all parameters), if its conditions can be checked
 /// there.
+/// Example stratum_at(answer, {{1, Rational(0)}})->leaf.abelian  // -> Truth::yes
 [[nodiscard]] const Stratum* stratum_at(const StrataAnswer& a,
                                         const std::map<std::size_t, Rational>& point);
 

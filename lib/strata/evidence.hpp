@@ -12,6 +12,8 @@ namespace kov::strata {
 
 /// The theorem that was used.  `certificate`: the rule of strata_certificates.md 6 and 7, if it has
 /// one.
+/// Example std::get<Leaf>(decide_leaf(z * z + a, 0, everywhere)).by  // -> Conclusion::weber
+/// Example std::get<Leaf>(decide_leaf(z + a, 0, everywhere)).by  // -> Conclusion::torus
 enum class Conclusion : std::uint8_t {
   none,             ///< nothing was decided
   number,           ///< an equation without parameters (certificate: number)

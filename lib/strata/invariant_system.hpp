@@ -29,6 +29,8 @@ struct ParametricInvariant {
 /// Solves the system over Q(parameters).  Unset: only the zero solution there.
 /// Needs  the solution found may vanish identically somewhere
 /// Checked: L_(m+1) v = 0 by the recurrence of (2.1) on v itself
+/// Given   const Scheme s = std::get<Scheme>(scheme(a, 0, everywhere.where_nonzero(a.num())));
+/// Example std::get<0>(find_invariant(s, {2, {}, 0}, everywhere))->p  // -> 1
 [[nodiscard]] std::variant<std::optional<ParametricInvariant>, Needs>
 find_invariant(const Scheme& s, const InvariantForm& form, const Region& region,
                const Budget& budget = {});

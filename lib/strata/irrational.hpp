@@ -19,9 +19,15 @@ void eliminate_relations(std::vector<MFraction>& chi, const Region& region);
                                                       const Region& region);
 
 /// Delta as a rational function of the parameters, if Delta^2 is a square there.
+/// Given   const MFraction r = Rational(1, 4) * (a * a - one) / (z * z);
+/// Given   const Region pole = everywhere.where_nonzero((a - one).num())
+///                                 .where_nonzero((a + one).num());
+/// Given   const Scheme s = std::get<Scheme>(scheme(r, 0, pole));
+/// Example exponent_difference(s.finite.front())  // -> a
 [[nodiscard]] std::optional<MFraction> exponent_difference(const ParametricPlace& p);
 
 /// The numerator of chi(x): zero exactly where x is a value of Delta^2.
+/// Example where_square_is(s.finite.front(), 4)  // -> -a^2 + 4
 [[nodiscard]] MPoly where_square_is(const ParametricPlace& p, const Rational& x);
 
 } // namespace kov::strata

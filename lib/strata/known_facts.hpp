@@ -16,6 +16,12 @@ using certify::Lemma;
 using certify::LemmaTerm;
 using certify::Violation;
 
+/// What the checker knows; what is proved is added.
+///
+/// Given   Assumptions assumed; assumed.require(a, Sign::positive);
+/// Given   KnownFacts facts(ring, assumed, {}); std::vector<Lemma> lemmas;
+/// Example facts.ensure_nonzero((a + one).num(), lemmas)  // -> yes
+/// Example facts.ensure_nonzero((a - one).num(), lemmas)  // -> no
 class KnownFacts {
 public:
   KnownFacts(Ring ring, const Assumptions& assumptions, std::vector<std::vector<MPoly>> generic);

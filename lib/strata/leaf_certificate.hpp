@@ -23,6 +23,7 @@ enum class Gap : std::uint8_t {
   number,     ///< the equation without parameters has no certificate
   emptiness   ///< the stratum is empty by Z3
 };
+/// Example to_string(Gap::emptiness)  // -> no exact proof that the stratum is empty
 [[nodiscard]] const char* to_string(Gap gap);
 
 /// The verdict of the solver is not a case of the certificate's rules, or rests on Z3.

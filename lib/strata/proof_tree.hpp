@@ -11,6 +11,9 @@ namespace kov::strata {
 struct ProofTree;
 using ProofTreePtr = std::shared_ptr<const ProofTree>;
 
+/// Given   Question bessel; bessel.r = a / z;
+/// Example decide_strata(bessel).tree->kind  // -> Kind::split
+/// Example decide_strata(bessel).tree->p  // -> a
 struct ProofTree {
   enum class Kind : std::uint8_t {
     split,   ///< p = 0 (zero) and p != 0 (nonzero)

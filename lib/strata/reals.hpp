@@ -14,6 +14,9 @@ namespace kov::strata {
 /// yes      it has found a point
 /// unknown  its limit was reached
 /// Cost     at most `milliseconds`
+/// Given    const Condition positive{a.num(), Sign::positive};
+/// Given    const Condition negative{(-a).num(), Sign::positive};
+/// Example  has_real_point({positive, negative}, 1000)  // -> Truth::no
 [[nodiscard]] Truth has_real_point(const std::vector<Condition>& conditions, unsigned milliseconds);
 
 /// Does every real point with all conditions of `known` satisfy all conditions of one of `regions`?
@@ -21,6 +24,7 @@ struct Covered {
   Truth holds = Truth::unknown;
   std::string gap; ///< no: a point outside, "A = 1, B = 2"
 };
+/// Example is_covered({}, {{positive}, {negative}}, 1000).holds  // -> Truth::no
 [[nodiscard]] Covered is_covered(const std::vector<Condition>& known,
                                  const std::vector<std::vector<Condition>>& regions,
                                  unsigned milliseconds);

@@ -21,6 +21,12 @@ struct TrustedStep {
   std::string claim;
 };
 
+/// The points of the parameter space that satisfy the conditions met so far.
+///
+/// Given   Assumptions assumed; assumed.require(a, Sign::positive);
+/// Example Region(ring, assumed).sign_of((a + one).num())  // -> 1
+/// Example Region(ring, assumed).provably_nonzero((a - one).num())  // -> no
+/// Example to_string(Region(ring, {}).where_nonzero(a.num()).path())  // -> a != 0
 class Region {
 public:
   /// Nothing is solved yet: the equations of the assumptions are pending().

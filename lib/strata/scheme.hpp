@@ -98,6 +98,10 @@ using PlaceIndex = std::size_t;
 [[nodiscard]] inline PlaceIndex number_of_places(const Scheme& s) { return s.finite.size() + 1; }
 
 /// Requires r != 0, in the parameters left in the region.
+/// Throws  OutOfBudget
+/// Given   const Scheme airy = std::get<Scheme>(scheme(z + a, 0, everywhere));
+/// Example airy.infinity.kind  // -> PlaceKind::ramified
+/// Example std::get<Needs>(scheme(a / z, 0, everywhere)).p  // -> a
 [[nodiscard]] std::variant<Scheme, Needs> scheme(const MFraction& r, std::size_t z,
                                                  const Region& region, const Budget& budget = {});
 

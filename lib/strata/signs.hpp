@@ -6,6 +6,12 @@
 namespace kov::strata {
 
 /// What is known of the variables and polynomials, as conditions; `real` lists the real variables.
+/// Proofs by the signs of the terms, also after a shift of one variable.
+///
+/// Given   Assumptions assumed; assumed.require(a, Sign::positive);
+/// Given   const SignProver signs(assumed.conditions, {}, {1});
+/// Example signs.sign_of((a * a + a + one).num())  // -> 1
+/// Example signs.sign_of((a * a - a + one).num())  // -> 0
 class SignProver {
 public:
   SignProver(const std::vector<Condition>& conditions, const std::vector<MPoly>& nonzero,

@@ -8,6 +8,7 @@ namespace kov::strata {
 /// Why the verdict holds, or "undecided: ..."
 [[nodiscard]] std::string reason(const Leaf& leaf);
 /// "SL(2, C)", "in the normaliser of a torus"; empty where nothing is known.
+/// Example group_text(std::get<Leaf>(decide_leaf(z + a, 0, everywhere)))  // -> SL(2, C)
 [[nodiscard]] std::string group_text(const Leaf& leaf);
 /// "abelian only if ..."; empty where the stratum is decided.
 [[nodiscard]] std::string open_condition(const Leaf& leaf);
