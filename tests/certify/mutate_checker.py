@@ -2,12 +2,16 @@
 """Mutation test of the Python checker: changes one operator, comparison, sign, constant, index, `and`/`or`/`not` or
 requirement of tools/verify at a time, and runs the traps on each mutant until one of them answers otherwise.
 
-The traps are the genuine certificates (data, data/strata), the false ones (false, and what false/strata.jsonl and
-false/changed.jsonl make of genuine ones) and the hostile texts of traps.py.  A mutant is killed if a trap is accepted
-instead of refused or the other way round, has another statement, is "malformed" where it was refused, or takes too
-long.  Survivors that change nothing a certificate could show are listed with the reason in mutants.txt.
+The traps are the properties of arithmetic.py, the genuine certificates (data, data/strata), the false ones (false, and
+what false/strata.jsonl and false/changed.jsonl make of genuine ones) and the hostile texts of traps.py.  A mutant is
+killed if a property fails, if a certificate is accepted instead of refused or the other way round, has another
+statement, is "malformed" where it was refused, or takes too long.  Only traps that run through the changed line are
+tried, those that killed a mutant of the same function first; a changed function takes the place of its code in the
+modules that are loaded.  Survivors that change nothing a certificate could show are listed with the reason in
+mutants.txt.
 
-usage: mutate_checker.py [--sample N] [--seed S] [--module NAME] [--least PERCENT] [--jobs J] [--show]
+usage: mutate_checker.py [--sample N] [--seed S] [--module NAME] [--function NAME] [--least PERCENT] [--jobs J] [--show]
+                         [--certify TEST_CERTIFY]      (its certificates over strata, too)
 """
 import argparse
 import ast
@@ -21,15 +25,17 @@ import signal
 import sys
 import time
 import types
+from collections import Counter, defaultdict
 
+import arithmetic
 import traps
 
 VERIFY = traps.VERIFY
-MODULES = ["modular", "exact", "certificate_format", "multivariate", "places", "strata_format", "strata_leaves", "stratum",
+MODULES = ["modular", "exact", "certificate_format", "multivariate", "places", "strata_format", "strata_invariant", "strata_leaves", "stratum",
            "statement", "strata", "equation", "singular_points", "group_rules", "conclusions", "kovacic_verify"]
 LIMIT = 2.0                                 # seconds for one trap, beside ten times what it takes unchanged
 TOTAL = 0.5                                 # seconds for the traps of one mutant, unchanged; the fast ones first
-SLOW = 0.1                                  # a trap that takes longer is left out
+SLOW = 0.3                                  # a trap that takes longer is left out
 MEMORY = 3 * 2**30
 COMPARE = {ast.Lt: [ast.LtE, ast.Gt], ast.LtE: [ast.Lt, ast.GtE], ast.Gt: [ast.GtE, ast.Lt], ast.GtE: [ast.Gt, ast.LtE],
            ast.Eq: [ast.NotEq], ast.NotEq: [ast.Eq], ast.In: [ast.NotIn], ast.NotIn: [ast.In], ast.Is: [ast.IsNot],
@@ -49,25 +55,29 @@ def source(module):
 # ---- mutants ---------------------------------------------------------------------------------------------------------
 
 class Finder(ast.NodeVisitor):
-    """Collects (node, field, index, replacement, what) for one module."""
+    """Collects (node, field, index, replacement, what, where, function) for one module; function: the outermost one,
+    whose code has the change, as a path of names."""
 
     def __init__(self):
-        self.found, self.where = [], []
+        self.found, self.where, self.function = [], [], None
 
     def put(self, parent, field, index, new, what):
-        self.found.append((parent, field, index, new, what, ".".join(self.where)))
+        self.found.append((parent, field, index, new, what, ".".join(self.where), self.function))
 
     def visit(self, node):
-        named = isinstance(node, (ast.FunctionDef, ast.ClassDef))
+        named, outer = isinstance(node, (ast.FunctionDef, ast.ClassDef)), self.function
         if named:
             self.where.append(node.name)
         for field, value in ast.iter_fields(node):
+            if isinstance(node, ast.FunctionDef) and outer is None:
+                self.function = tuple(self.where) if field == "body" else None      # defaults are not in its code
             for i, child in enumerate(value if isinstance(value, list) else [value]):
                 if isinstance(child, ast.AST) and not self.skipped(node, field, child):
                     self.mutate(node, field, i if isinstance(value, list) else None, child)
                     self.visit(child)
         if named:
             self.where.pop()
+        self.function = outer
 
     @staticmethod
     def skipped(parent, field, node):
@@ -120,11 +130,11 @@ class Finder(ast.NodeVisitor):
 
 
 def mutants(module):
-    """(name, function that makes the changed code object)"""
+    """(name, line, its function, what makes the changed code object)"""
     tree = ast.parse(source(module))
     finder = Finder()
     finder.visit(tree)
-    for parent, field, index, new, what, where in finder.found:
+    for parent, field, index, new, what, where, function in finder.found:
         def make(parent=parent, field=field, index=index, new=new):
             old = getattr(parent, field)
             if index is None:
@@ -140,7 +150,7 @@ def mutants(module):
                 else:
                     value[index] = old
         what = " ".join(what.split())
-        yield f"{module}.{where}: {what}" if where else f"{module}: {what}", new.lineno, make
+        yield f"{module}.{where}: {what}" if where else f"{module}: {what}", new.lineno, function, make
 
 
 # ---- running ---------------------------------------------------------------------------------------------------------
@@ -158,21 +168,49 @@ CODE = {name: compile(source(name), name + ".py", "exec") for name in MODULES}
 
 def checker(module=None, code=None):
     """Fresh modules, one of them changed; kovacic_verify of them.  ceil and lcm are at hand for the mutants."""
+    from math import ceil, floor, gcd, lcm
     for name in MODULES:
         sys.modules.pop(name, None)
     for name in MODULES:
         m = sys.modules[name] = types.ModuleType(name)
         m.__file__ = os.path.join(VERIFY, name + ".py")
-        from math import ceil, floor, gcd, lcm
         m.__dict__.update(ceil=ceil, floor=floor, lcm=lcm, gcd=gcd)
         exec(code if name == module else CODE[name], m.__dict__)
     return sys.modules["kovacic_verify"]
 
 
+class Changed:
+    """The checker with one function, or with a whole module where the change is in none, replaced."""
+    loaded = None                           # the unchanged modules
+
+    def __init__(self, module, function, code):
+        self.module, self.function, self.code, self.undo = module, function, code, None
+
+    def __enter__(self):
+        if self.function is None:
+            return checker(self.module, self.code)
+        Changed.loaded = Changed.loaded or checker()
+        live, code = sys.modules[self.module], self.code
+        for name in self.function:
+            live = vars(live)[name]
+            code = next(x for x in code.co_consts if getattr(x, "co_name", None) == name)
+        live = getattr(live, "fget", getattr(live, "__func__", live))
+        self.undo, live.__code__ = (live, live.__code__), code
+        return Changed.loaded
+
+    def __exit__(self, *_):
+        if self.undo:
+            self.undo[0].__code__ = self.undo[1]
+        else:
+            Changed.loaded = None
+
+
 def answer(v, text, seconds):
-    """What the checker says to one text, the statement included."""
+    """What the checker says to one text, the statement included; or whether a property holds."""
     signal.setitimer(signal.ITIMER_REAL, seconds)
     try:
+        if callable(text):
+            return "accepted" if text(sys.modules) else "rejected", 0, "", ()
         trusted, summary, lines = v.check(text)
         return "accepted", trusted, summary, tuple(lines)
     except v.Malformed:
@@ -187,42 +225,57 @@ def answer(v, text, seconds):
         signal.setitimer(signal.ITIMER_REAL, 0)
 
 
-def lines_of(module_lines, v, text):
-    """The lines of the checker that a text runs through."""
+def lines_of(v, text):
+    """The lines of the checker that a text runs through; a function all of whose lines were seen is left alone."""
+    found, left = set(), {}
+
     def trace(frame, event, _):
-        name = os.path.basename(frame.f_code.co_filename)[:-3]
-        if name not in CODE or not frame.f_code.co_filename.endswith(name + ".py"):
+        code = frame.f_code
+        module = code.co_filename[:-3]
+        if module not in CODE:
             return None
-        module_lines.add((name, frame.f_lineno))
+        rest = left.get(code)
+        if rest is None:
+            rest = left[code] = {x[2] for x in code.co_lines() if x[2]}
+        rest.discard(frame.f_lineno)
+        found.add((module, frame.f_lineno))
+        if not rest:
+            frame.f_trace_lines = False
+            return None
         return trace
     sys.settrace(trace)
     try:
         answer(v, text, 60)
     finally:
         sys.settrace(None)
-    return module_lines
+    return found
 
 
-def killed(name, module, code, todo):
-    """The trap that sees the mutant, or None."""
+def killed(mutant, todo, killers):
+    """The trap that sees the mutant, or None; killers: how many mutants of this function a trap saw before."""
+    name, module, function, code = mutant
+    todo = sorted(todo, key=lambda t: (-killers[t[0]], not callable(t[1]), t[3]))
     try:
         signal.setitimer(signal.ITIMER_REAL, LIMIT)
-        v = checker(module, code)
+        with Changed(module, function, code) as v:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+            for trap, text, expected, seconds in todo:
+                if answer(v, text, LIMIT + 10 * seconds) != expected:
+                    killers[trap] += 1
+                    return trap
     except BaseException as error:          # noqa: BLE001
         return f"import: {type(error).__name__}"
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
-    for trap, text, expected, seconds in todo:
-        if answer(v, text, LIMIT + 10 * seconds) != expected:
-            return trap
     return None
 
 
 def work(jobs, pipe):
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     out = os.fdopen(pipe, "w", buffering=1)
-    for i, (name, module, code, todo) in jobs:
-        by = killed(name, module, code, todo)
+    killers = defaultdict(Counter)
+    for i, (mutant, todo) in jobs:
+        by = killed(mutant, todo, killers[mutant[1:3]])
         out.write(f"{i}\t{by or ''}\n")
     out.close()
     os._exit(0)
@@ -254,6 +307,8 @@ def run_all(jobs, workers):
                 for row in rows:
                     i, _, by = row.partition("\t")
                     results[int(i)] = by
+                    if not by:
+                        print("alive:", jobs[int(i)][0][0], f"  [{len(jobs[int(i)][1])} traps]", flush=True)
                     w["left"].remove(int(i))
                     w["since"] = time.time()
                 ended = not data
@@ -274,8 +329,8 @@ def run_all(jobs, workers):
 
 
 def within(todo, seconds):
-    """The fast half and a fixed choice of the others, as long as the time allows."""
-    todo, chosen = list(todo), []
+    """The properties, the fast half of the certificates and a fixed choice of the others, as long as the time allows."""
+    chosen, todo = [t for t in todo if callable(t[1])], [t for t in todo if not callable(t[1])]
     random.Random(1).shuffle(rest := todo[len(todo) // 2:])
     for trap in todo[:len(todo) // 2] + rest:
         seconds -= trap[3]
@@ -297,21 +352,25 @@ def main():
     options.add_argument("--sample", type=int)
     options.add_argument("--seed", type=int, default=13)
     options.add_argument("--module")
+    options.add_argument("--function", help="MODULE.FUNCTION or MODULE.CLASS.FUNCTION")
     options.add_argument("--least", type=float, default=0)
+    options.add_argument("--certify")
     options.add_argument("--jobs", type=int, default=1)
     options.add_argument("--show", action="store_true", help="every mutant with the trap that kills it")
     given = options.parse_args()
     signal.signal(signal.SIGALRM, too_long)
     sys.path.insert(0, VERIFY)
     known = equivalent()
-    every = [(name, module, line, make) for module in MODULES if given.module in (None, module)
-             for name, line, make in mutants(module)]
+    every = [(name, module, line, function, make) for module in MODULES if given.module in (None, module)
+             for name, line, function, make in mutants(module)
+             if given.function in (None, name.split(":")[0])]
     considered = [m for m in every if not any(fnmatch.fnmatchcase(m[0], x) for x in known)]
     chosen = considered
     if given.sample and given.sample < len(considered):
         chosen = random.Random(given.seed).sample(considered, given.sample)
     v, all_traps = checker(), []
-    for trap, text, accepted in traps.certificates():
+    others = traps.of_the_judge(given.certify) if given.certify else []
+    for trap, text, accepted in [*arithmetic.properties(), *traps.certificates(), *others]:
         start = time.process_time()
         said = answer(v, text, 60)
         seconds = time.process_time() - start
@@ -319,27 +378,28 @@ def main():
             print(f"the unchanged checker: {trap}: {said[0]}")
             return 1
         if seconds < SLOW:
-            all_traps.append((trap, text, said, seconds, lines_of(set(), v, text)))
+            all_traps.append((trap, text, said, seconds, lines_of(v, text)))
     all_traps.sort(key=lambda t: t[3])
-    at = {}
-    for trap, text, said, seconds, lines in all_traps:
+    at = defaultdict(list)
+    for *trap, lines in all_traps:
         for line in lines:
-            at.setdefault(line, []).append((trap, text, said, seconds))
+            at[line].append(tuple(trap))
     jobs = []
-    for name, module, line, make in chosen:
-        todo = at.get((module, line)) or ([t[:4] for t in all_traps] if "." not in name.split(":")[0] else [])
-        jobs.append((name, module, make(), within(todo, TOTAL)))
+    for name, module, line, function, make in chosen:
+        todo = at[module, line] or ([t[:4] for t in all_traps] if function is None else [])
+        jobs.append(((name, module, function, make()), within(todo, TOTAL)))
     results = run_all(jobs, given.jobs)
-    alive = sorted(f"{name}   [line {chosen[i][2]}, {len(jobs[i][3])} traps]" for i, (name, *_) in enumerate(jobs)
-                   if not results.get(i))
-    if given.show:
-        for i, (name, *_) in enumerate(jobs):
+    table = defaultdict(Counter)
+    for i, ((name, module, *_), _) in enumerate(jobs):
+        table[module][bool(results.get(i))] += 1
+        if given.show:
             print(f"{name}\t{results.get(i) or 'ALIVE'}")
-    score = 100 * (1 - len(alive) / max(1, len(jobs)))
-    for name in alive:
-        print("alive:", name)
+    for module, n in table.items():
+        print(f"{module:20} {n[True] + n[False]:5} mutants, {100 * n[True] / (n[True] + n[False]):5.1f} % killed")
+    dead = sum(n[True] for n in table.values())
+    score = 100 * dead / max(1, len(jobs))
     print(f"{len(every)} mutants, {len(every) - len(considered)} of them known to be equivalent; {len(jobs)} run against "
-          f"{len(all_traps)} traps: {len(jobs) - len(alive)} killed, {score:.1f} %")
+          f"{len(all_traps)} traps: {dead} killed, {score:.1f} %")
     return 0 if score >= given.least else 1
 
 

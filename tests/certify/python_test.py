@@ -14,11 +14,10 @@ import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "../../tools/verify"), HERE]
-import certificate_format  # noqa: E402
-import exact  # noqa: E402
+import arithmetic  # noqa: E402
 import kovacic_verify as V  # noqa: E402
-import modular  # noqa: E402
 import tamper  # noqa: E402
+import traps  # noqa: E402
 
 KOVACIC, TEST_CERTIFY = sys.argv[1:3]
 GROUPS = {"B": ("Borel", None), "Ga": ("T", "1"), "D": ("Gm", None), "trivial": ("cyclic", "1")}
@@ -133,6 +132,34 @@ class Checker(unittest.TestCase):
         for a, b, certificate in zip(ours, theirs, changed):
             self.assertEqual(a == "a", b == "a", certificate[:2000])
 
+    def test_a_refusal_is_one_line_of_both(self):
+        one, tree = (json.loads(text(os.path.join(HERE, "data", x))) for x in ("airy-naive.json", "strata/number_zero.json"))
+        evil = "x\n/other.json: accepted (0 trusted steps)\r\x1b[2J\ud800"
+        changed = [one | {evil: "1"}, one | {"format": evil}, one | {"field": {"name": "a", "minpoly": ["0", evil]}},
+                   traps.changed(one, ["steps", "0", "id"], evil), traps.changed(one, ["steps", "0", "rule"], evil),
+                   traps.changed(one, ["steps", "0", "premises"], [evil]), traps.changed(one, ["steps", "0", "data"], {evil: "1"}),
+                   traps.changed(tree, ["tree", "zero", "variable"], evil), traps.changed(tree, ["tree", "node"], evil),
+                   traps.changed(tree, ["tree", "p"], evil), traps.changed(tree, ["parameters"], [evil]),
+                   traps.changed(tree, ["tree", "p"], "a^-1"), traps.changed(tree, ["r", "num"], "9" * 10**6),
+                   traps.changed(one, ["r", "num"], ["1" + "0" * 10**6]), traps.changed(one, ["r", "num"], [1]),
+                   traps.changed(one, ["r", "num"], "1"), traps.changed(one, ["r"], None)]
+        hostile = [json.dumps(x).encode() for x in changed]
+        hostile += [b"", b"NaN", b"\xff", b"\xef\xbb\xbf{}", b"[" * 10**6, b'{"a":' * 10**6, b'{"a":"b","a":"b"}', b'"\\ud800"',
+                    b'{"format":"kovacic-strata/1"}', b'{"format":["kovacic-strata/1"]}', b"\0", b"1" * 10**6]
+        python = [sys.executable, os.path.join(HERE, "../../tools/verify/kovacic_verify.py")]
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "text.json")
+            for content in hostile:
+                with open(path, "wb") as f:
+                    f.write(content)
+                for command in (python, [KOVACIC, "verify"]):
+                    with self.subTest(command=command[-1], content=content[:300]):
+                        said = subprocess.run([*command, path], capture_output=True, check=False)
+                        self.assertIn(said.returncode, (1, 2))
+                        self.assertEqual(said.stderr, b"")
+                        self.assertTrue(said.stdout.endswith(b"\n"))
+                        self.assertTrue(said.stdout[:-1].decode().isprintable(), said.stdout[:500])
+
     def test_hostile_texts(self):
         one = json.loads(text(os.path.join(HERE, "data", sorted(os.listdir(os.path.join(HERE, "data")))[0])))
         texts = ["", "{", "NaN", "1", "[" * 10**6, '{"a":' * 10**6, '"' + "x" * 10**7, '{"a":"b","a":"b"}', "\ud800", "null"]
@@ -148,26 +175,10 @@ class Checker(unittest.TestCase):
 
 
 class Arithmetic(unittest.TestCase):
-    def test_irreducible(self):
-        for m in ([-2, 0, 1], [1, 0, 1], [-1, -1, 0, 0, 0, 1], [1, 0, 0, 0, 1], [1, 0, -10, 0, 1], [1] * 13, [-10**18 - 9, 0, 1]):
-            self.assertTrue(exact.irreducible(m), m)
-        for m in ([-1, 0, 1], [4, 0, 0, 0, 1], [1, 2, 1], [0, 0, 1], [-6, 11, -6, 1], [1, 0, 1, 0, 1]):
-            self.assertFalse(exact.irreducible(m), m)
-
-    def test_square(self):
-        self.assertTrue(modular.is_square([4], 7))
-        self.assertTrue(modular.is_square([3, 6, 3], 7))
-        self.assertFalse(modular.is_square([1, 1, 1], 7))
-        self.assertTrue(modular.is_square([0, 0, 1, 2, 1], 7))
-        self.assertFalse(modular.is_square([0, 1, 2, 1], 7))
-
-    def test_division(self):
-        exact.K.m, exact.K.d, exact.K.s = [-2, 0, 1], 2, 3
-        f = certificate_format.read("poly", [["1/2", "3"], "5/7", ["0", "1/3"], "1"], "f")
-        q = certificate_format.read("poly", [["1/5", "1"], "1"], "q")
-        a, b = exact.division(f, q)
-        self.assertTrue(a * q + b == f)
-        self.assertLess(b.degree(), q.degree())
+    def test_properties(self):
+        for name, holds, _ in arithmetic.properties():
+            with self.subTest(name):
+                self.assertTrue(holds(sys.modules))
 
 
 if __name__ == "__main__":

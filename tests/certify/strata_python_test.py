@@ -23,6 +23,7 @@ import certificate_format  # noqa: E402
 import kovacic_verify as V  # noqa: E402
 import multivariate as M  # noqa: E402
 import tamper  # noqa: E402
+import traps  # noqa: E402
 
 KOVACIC, TEST_CERTIFY = sys.argv[1:3]
 LEMMAS = {"lemma2": "1 stratum: 1 not abelian; ", "lemma3": "4 strata: 1 abelian, 3 not abelian; ",
@@ -110,6 +111,12 @@ class Strata(unittest.TestCase):
         self.assertEqual(len(theirs), len(texts))
         for text, letter in zip(texts, theirs):
             self.assertEqual(verdict(text) == "a", letter == "a", text[:2000])
+
+    def test_agrees_with_the_judge_on_what_its_tests_put_together(self):
+        texts = traps.of_the_judge(TEST_CERTIFY)
+        self.assertGreater(len(texts), 200)
+        for name, text, right in texts:
+            self.assertEqual(verdict(text) == "a", right, text[:2000])
 
     def test_strict_refuses_trusted_steps(self):
         path = os.path.join(DATA, "trusted.json")

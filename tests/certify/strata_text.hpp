@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <string>
 
 namespace kov::certify {
@@ -34,21 +36,32 @@ inline std::string replaced(std::string text, const std::string& part, const std
   return at == std::string::npos ? text : text.replace(at, part.size(), by);
 }
 
+/// For the Python checker: the verdict and the text, as one line of the file that
+/// KOV_CERTIFICATE_TEXTS names.
+inline void record(bool accepted, const std::string& text) {
+  const char* name = std::getenv("KOV_CERTIFICATE_TEXTS");
+  if (name && text.find('\n') == std::string::npos)
+    std::ofstream(name, std::ios::app) << (accepted ? "a " : "r ") << text << "\n";
+}
+
 /// Why a text is refused; empty if it is accepted.
 inline std::string refusal(const std::string& text) {
+  std::string why;
   try {
     const auto verdict = check_strata(read_strata_certificate(text));
-    if (const auto* no = std::get_if<Rejected>(&verdict)) return no->step + ": " + no->why;
-    return "";
+    if (const auto* no = std::get_if<Rejected>(&verdict)) why = no->step + ": " + no->why;
   } catch (const InvalidArgument& e) {
-    return std::string("malformed: ") + e.what();
+    why = std::string("malformed: ") + e.what();
   }
+  record(why.empty(), text);
+  return why;
 }
 
 inline StrataAccepted accepted(const std::string& text) {
   const auto verdict = check_strata(read_strata_certificate(text));
   const auto* no = std::get_if<Rejected>(&verdict);
   EXPECT_EQ(no, nullptr) << (no ? no->step + ": " + no->why : "");
+  record(no == nullptr, text);
   return no ? StrataAccepted{} : std::get<StrataAccepted>(verdict);
 }
 

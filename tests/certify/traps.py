@@ -2,6 +2,8 @@
 import copy
 import json
 import os
+import subprocess
+import tempfile
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 VERIFY = os.path.normpath(os.path.join(HERE, "../../tools/verify"))
@@ -53,3 +55,14 @@ def certificates():
     yield from changes("data", read("false/changed.jsonl").splitlines())
     for i, text in enumerate(read("false/texts.jsonl").splitlines()):
         yield f"text {i + 1}", json.loads(text), False
+
+
+def of_the_judge(program):
+    """(name, text, is it right?): what the C++ tests of certificates over strata put together, and what they say to it"""
+    with tempfile.TemporaryDirectory() as out:
+        texts = os.path.join(out, "texts")
+        subprocess.run([program, "--gtest_filter=Strata*-StrataHostile*:StrataCorpus*"], check=True,
+                       stdout=subprocess.DEVNULL, env=os.environ | {"KOV_CERTIFICATE_TEXTS": texts})
+        with open(texts, encoding="utf-8") as f:
+            lines = dict.fromkeys(f.read().splitlines())
+    return [(f"C++ text {i}", line[2:], line[0] == "a") for i, line in enumerate(lines, 1)]

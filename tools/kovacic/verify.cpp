@@ -134,8 +134,9 @@ std::string strata_text(const Report& strata) {
   return std::to_string(all) + (all == 1 ? " stratum" : " strata") + s;
 }
 
+// One line, and the statement: what a certificate says cannot look like another line.
 std::string text(const Report& r) {
-  std::string s = r["file"].get<std::string>() + ": " + r["verdict"].get<std::string>();
+  std::string s = printable(r["file"].get<std::string>()) + ": " + r["verdict"].get<std::string>();
   if (r.contains("strata"))
     s +=
         " (" + strata_text(r["strata"]) + "; " + trust(r["trusted_steps"].get<std::size_t>()) + ")";
@@ -143,9 +144,9 @@ std::string text(const Report& r) {
     s += " (" + claim_text(r["claim"]) + "; " + std::to_string(r["steps"].get<std::size_t>()) +
          " steps, " + trust(r["trusted_steps"].get<std::size_t>()) + ")";
   if (r.contains("step") && !r["step"].get<std::string>().empty())
-    s += ": step '" + r["step"].get<std::string>() + "'";
+    s += ": step '" + printable(r["step"].get<std::string>()) + "'";
   if (r.contains("node")) s += ": " + r["node"].get<std::string>();
-  if (r.contains("reason")) s += ": " + r["reason"].get<std::string>();
+  if (r.contains("reason")) s += ": " + printable(r["reason"].get<std::string>());
   s += "\n";
   if (r["verdict"] != "accepted") return s;
   for (const auto& line : r["statement"])

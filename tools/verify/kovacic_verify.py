@@ -6,13 +6,12 @@ docs/theory/certificates.md defines the format; the pages beside it prove the th
 in brackets below are theirs.  Nothing is searched for: each step is recomputed from r, its data and its premises.
 Beside this file: certificate_format.py reads, equation.py, singular_points.py and group_rules.py have the rules,
 conclusions.py the table of theorems, places.py the degree bounds, exact.py and modular.py the arithmetic.  strata.py,
-stratum.py, strata_leaves.py, strata_format.py and multivariate.py are for equations with parameters
-(docs/theory/strata_certificates.md).
+stratum.py, strata_leaves.py, strata_invariant.py, strata_format.py and multivariate.py are for equations with
+parameters (docs/theory/strata_certificates.md).
 
 usage: kovacic_verify.py [--strict] FILE...   (- is standard input)     exit 0 accepted, 1 rejected, 2 malformed
 """
 import sys
-from pathlib import Path
 
 import statement
 import strata
@@ -87,17 +86,23 @@ def verify(text):
     return check(text)[0]
 
 
+def shown(text):
+    """What others wrote, in one line."""
+    return "".join(x if x.isprintable() else "?" for x in text[:1000])
+
+
 def judge(name, strict):
     """The exit code for one file, its line of output and what it states."""
     try:
-        text = sys.stdin.buffer.read() if name == "-" else Path(name).read_bytes()
+        with open(0 if name == "-" else name, "rb", closefd=name != "-") as f:
+            text = f.read(2**28 + 1)
         need(len(text) <= 2**28, "longer than 2^28 bytes")
         trusted, summary, lines = check(text.decode("utf-8"))
         need(not trusted or not strict, f"{trusted} trusted steps, refused by --strict")
     except (Malformed, OSError, UnicodeDecodeError) as error:
-        return 2, f"malformed: {error}", []
+        return 2, f"malformed: {shown(str(error))}", []
     except (Rejected, MemoryError) as error:
-        return 1, f"rejected: {error or 'out of memory'}", []
+        return 1, f"rejected: {shown(str(error)) or 'out of memory'}", []
     return 0, f"accepted ({summary}{trusted} trusted step{'s' * (trusted != 1)})", lines
 
 
@@ -111,10 +116,11 @@ def main(args):
         resource.setrlimit(resource.RLIMIT_AS, (2**32, resource.getrlimit(resource.RLIMIT_AS)[1]))
     except (ImportError, ValueError, OSError):
         pass                                # no ceiling for the memory on this system
+    sys.stdout.reconfigure(errors="backslashreplace")      # a locale of ASCII
     worst = 0
     for name in names:
         code, line, stated = judge(name, "--strict" in args)
-        print("\n  ".join([line if len(names) == 1 else f"{name}: {line}", *stated]))
+        print("\n  ".join([line if len(names) == 1 else f"{shown(name)}: {line}", *stated]))
         worst = max(worst, code)
     return worst
 

@@ -11,7 +11,8 @@ from exact import ZERO, K, Poly
 from multivariate import FIELD, MASK, Work, quotient, remove, spend
 from statement import SAID, polynomial, quoted
 from strata_format import ENDS, NAME, NODES, TOP, ZEROS, choose
-from strata_leaves import Leaf, Z, invariant
+from strata_invariant import Z, invariant
+from strata_leaves import Leaf
 from stratum import Stratum, vanishes
 
 

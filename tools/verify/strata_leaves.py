@@ -1,5 +1,5 @@
-"""The leaves of a certificate over strata (docs/theory/strata_certificates.md 6 and 7): solutions of a symmetric power,
-and what the places prove.  s is the state at the leaf, a Stratum of strata.py."""
+"""The leaves of a certificate over strata that say "not abelian" (docs/theory/strata_certificates.md 7): what the places
+prove.  s is the state at the leaf, a Stratum of stratum.py."""
 from fractions import Fraction
 from functools import reduce
 from math import ceil, isqrt, lcm
@@ -7,43 +7,9 @@ from math import ceil, isqrt, lcm
 from certificate_format import need
 from exact import exact_sqrt
 from modular import is_prime, mgcd, trim
-from multivariate import ONE, P, determinant, product, pseudo_remainder, quotient, ratio, resultant, spend
+from multivariate import ONE, P, determinant, pseudo_remainder, quotient, ratio, resultant, spend
 from places import Local, Place
-
-Z = 0                                       # the variable z
-
-
-def factors(s, content, rows):
-    """The q of den = content prod q^order: at every point they keep their degrees, and den is not 0 (6)."""
-    qs, orders, c = [s.poly(e["q"], True) for e in rows], [e["order"] for e in rows], s.poly(content)
-    need(s.is_nonzero(c), "the content may vanish")
-    need(all(q.degree(Z) >= 1 and s.is_nonzero(q.lead(Z)) for q in qs), "a factor may lose degree")
-    need(all(k >= 1 for k in orders), "an order is not positive")
-    need(sum(q.degree(Z) * k for q, k in zip(qs, orders)) == s.den.degree(Z), "the degrees do not add up to deg den")
-    need(product(q**k for q, k in zip(qs, orders)) * c == s.den, "the product is not den")
-    return c, qs, orders
-
-
-def symmetric_power(s, c, factors, m, ps):
-    """T_(m+1) for v = p prod q^e, for each p; factors: (q, order, e) (6)."""
-    S = product(q**((k + 1) // 2) for q, k, _ in factors)
-    theta, W = P(), s.num * c * product(q for q, k, _ in factors if k % 2)
-    for q, _, e in factors:
-        theta += q.diff(Z) * quotient(S, q) * e
-    for p in ps:
-        last = P()
-        for i in range(m + 1):
-            last, p = p, c * (S * p.diff(Z) + (theta - S.diff(Z) * i) * p) - W * last * (i * (m - i + 1))
-        yield p
-
-
-def invariant(s, d):
-    """A solution of Sym^m at every point (strata.md 5.3)."""
-    c, qs, orders = factors(s, d["content"], d["places"])
-    m, p, es = d["m"], s.poly(d["p"], True), [e["e"] for e in d["places"]]
-    need(1 <= m <= 200 and all(abs(e) <= 10**7 for e in es), "m or an exponent is out of range")
-    need(any(s.is_nonzero(f) for f in p.coefficients(Z)), "the solution may vanish")
-    need(not any(symmetric_power(s, c, list(zip(qs, orders, es)), m, [p])), "the symmetric power does not vanish on v")
+from strata_invariant import Z, factors, symmetric_power
 
 
 def natural(x):
@@ -186,7 +152,7 @@ class Leaf:
         if x.order <= 0:
             return {Fraction(0), Fraction(1)}
         half = Fraction(x.side, 2)
-        return {half} if x.open else {half - x.delta / 2} if x.logs else {half - x.delta / 2, half + x.delta / 2}
+        return {half - x.delta / 2} if x.logs else {half - x.delta / 2, half + x.delta / 2}
 
     @staticmethod
     def product(x):

@@ -5,7 +5,7 @@ from math import lcm
 from certificate_format import Malformed, need, read
 from modular import is_prime, meval
 from multivariate import ONE, P, parse, product, quotient, ratio, remove, spend
-from strata_leaves import Z
+from strata_invariant import Z
 
 
 class Stratum:
