@@ -2,7 +2,7 @@
 """Mutation test of the Python checker: changes one operator, comparison, sign, constant, index, `and`/`or`/`not` or
 requirement of tools/verify at a time, and runs the traps on each mutant until one of them answers otherwise.
 
-The traps are the properties of arithmetic.py, the genuine certificates (data, data/strata), the false ones (false, and
+The traps are the properties of arithmetic.py and groups.py, the genuine certificates (data, data/strata), the false ones (false, and
 what false/strata.jsonl and false/changed.jsonl make of genuine ones) and the hostile texts of traps.py.  A mutant is
 killed if a property fails, if a certificate is accepted instead of refused or the other way round, has another
 statement, is "malformed" where it was refused, or takes too long.  Only traps that run through the changed line are
@@ -10,7 +10,7 @@ tried, those that killed a mutant of the same function first; a changed function
 modules that are loaded.  Survivors that change nothing a certificate could show are listed with the reason in
 mutants.txt.
 
-usage: mutate_checker.py [--sample N] [--seed S] [--module NAME] [--function NAME] [--least PERCENT] [--jobs J] [--show]
+usage: mutate_checker.py [--sample N] [--seed S] [--module NAME...] [--function NAME] [--least PERCENT] [--jobs J] [--show]
                          [--certify TEST_CERTIFY]      (its certificates over strata, too)
 """
 import argparse
@@ -19,6 +19,7 @@ import copy
 import fnmatch
 import os
 import random
+import re
 import resource
 import select
 import signal
@@ -28,12 +29,13 @@ import types
 from collections import Counter, defaultdict
 
 import arithmetic
+import groups
 import traps
 
 VERIFY = traps.VERIFY
 MODULES = ["modular", "exact", "certificate_format", "multivariate", "places", "strata_format", "strata_invariant", "strata_leaves", "stratum",
            "statement", "strata", "equation", "singular_points", "group_rules", "conclusions", "kovacic_verify"]
-LIMIT = 2.0                                 # seconds for one trap, beside ten times what it takes unchanged
+SECONDS = 2.0                               # for one trap, beside ten times what it takes unchanged
 TOTAL = 0.5                                 # seconds for the traps of one mutant, unchanged; the fast ones first
 SLOW = 0.3                                  # a trap that takes longer is left out
 MEMORY = 3 * 2**30
@@ -44,7 +46,9 @@ OPERATOR = {ast.Add: [ast.Sub], ast.Sub: [ast.Add], ast.Mult: [ast.Add], ast.Flo
             ast.Mod: [ast.Mult], ast.Pow: [ast.Mult], ast.LShift: [ast.RShift], ast.RShift: [ast.LShift],
             ast.BitAnd: [ast.BitOr], ast.BitOr: [ast.BitAnd]}
 SWAPPED = {"any": "all", "all": "any", "min": "max", "max": "min", "ceil": "floor", "floor": "ceil", "lcm": "gcd"}
-UNTOUCHED = ("spend", "charge", "cost")     # estimates of work: limits, not rules
+UNTOUCHED = ("spend", "charge", "cost")     # estimates of work: limits, not rules;
+LIMIT_NAMES = {"size", "most", "of_r", "length"}                # so is what these names get,
+LIMIT = re.compile("too (large|many|much)|a limit")             # and what is required with such a reason
 
 
 def source(module):
@@ -85,10 +89,14 @@ class Finder(ast.NodeVisitor):
             return True
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
             return True                     # a docstring
+        if isinstance(node, ast.Assign):
+            names = {x.id for t in node.targets for x in ast.walk(t) if isinstance(x, ast.Name)}
+            return bool(names) and names <= LIMIT_NAMES
         call = node.value if isinstance(node, ast.Expr) else node
         if isinstance(call, ast.Call):
             name = getattr(call.func, "id", getattr(call.func, "attr", ""))
-            return name in UNTOUCHED
+            why = getattr(call.args[-1], "value", "") if name in ("need", "right") and call.args else ""
+            return name in UNTOUCHED or isinstance(why, str) and bool(LIMIT.search(why))
         return isinstance(node, ast.FunctionDef) and node.name in UNTOUCHED
 
     def mutate(self, parent, field, index, node):
@@ -226,8 +234,8 @@ def answer(v, text, seconds):
 
 
 def lines_of(v, text):
-    """The lines of the checker that a text runs through; a function all of whose lines were seen is left alone."""
-    found, left = set(), {}
+    """The lines of the checker that a text runs through; a function is left alone that goes round in circles."""
+    found, left, old = set(), {}, Counter()
 
     def trace(frame, event, _):
         code = frame.f_code
@@ -237,9 +245,10 @@ def lines_of(v, text):
         rest = left.get(code)
         if rest is None:
             rest = left[code] = {x[2] for x in code.co_lines() if x[2]}
+        old[code] += frame.f_lineno not in rest
         rest.discard(frame.f_lineno)
         found.add((module, frame.f_lineno))
-        if not rest:
+        if not rest or old[code] > 500:
             frame.f_trace_lines = False
             return None
         return trace
@@ -256,11 +265,11 @@ def killed(mutant, todo, killers):
     name, module, function, code = mutant
     todo = sorted(todo, key=lambda t: (-killers[t[0]], not callable(t[1]), t[3]))
     try:
-        signal.setitimer(signal.ITIMER_REAL, LIMIT)
+        signal.setitimer(signal.ITIMER_REAL, SECONDS)
         with Changed(module, function, code) as v:
             signal.setitimer(signal.ITIMER_REAL, 0)
             for trap, text, expected, seconds in todo:
-                if answer(v, text, LIMIT + 10 * seconds) != expected:
+                if answer(v, text, SECONDS + 10 * seconds) != expected:
                     killers[trap] += 1
                     return trap
     except BaseException as error:          # noqa: BLE001
@@ -351,7 +360,7 @@ def main():
     options = argparse.ArgumentParser()
     options.add_argument("--sample", type=int)
     options.add_argument("--seed", type=int, default=13)
-    options.add_argument("--module")
+    options.add_argument("--module", nargs="+", default=MODULES)
     options.add_argument("--function", help="MODULE.FUNCTION or MODULE.CLASS.FUNCTION")
     options.add_argument("--least", type=float, default=0)
     options.add_argument("--certify")
@@ -361,7 +370,7 @@ def main():
     signal.signal(signal.SIGALRM, too_long)
     sys.path.insert(0, VERIFY)
     known = equivalent()
-    every = [(name, module, line, function, make) for module in MODULES if given.module in (None, module)
+    every = [(name, module, line, function, make) for module in given.module
              for name, line, function, make in mutants(module)
              if given.function in (None, name.split(":")[0])]
     considered = [m for m in every if not any(fnmatch.fnmatchcase(m[0], x) for x in known)]
@@ -370,7 +379,7 @@ def main():
         chosen = random.Random(given.seed).sample(considered, given.sample)
     v, all_traps = checker(), []
     others = traps.of_the_judge(given.certify) if given.certify else []
-    for trap, text, accepted in [*arithmetic.properties(), *traps.certificates(), *others]:
+    for trap, text, accepted in [*arithmetic.properties(), *groups.properties(), *traps.certificates(), *others]:
         start = time.process_time()
         said = answer(v, text, 60)
         seconds = time.process_time() - start

@@ -3,14 +3,18 @@
 
 usage: tamper.py DIR OUT.jsonl [MAX_PER_FILE]     each line: {"file", "path", "kind", "text"} (text = the changed certificate)
        tamper.py --judge IN.jsonl OUT             verdicts of the Python checker, one letter per line: a r m
+       tamper.py --changed TEST_CERTIFY           writes false/changed.jsonl: a few changes of each kind at each key of each
+                                                  rule, and false steps of adversary.py, with the verdicts of the C++ checker
 """
 import copy
 import glob
 import json
 import os
+import random
 import re
 import sys
 import time
+from collections import defaultdict
 
 NUMBER = re.compile(r"-?[0-9]+(/[0-9]+)?\Z")
 THEOREMS = ["sl2-p-curvature", "sl2-irreducible-log", "sl2-irreducible-infinite", "sl2-irreducible-12", "borel", "additive", "diagonal",
@@ -116,8 +120,63 @@ def judge(source, out):
                 print("line", number, round(time.time() - start, 1), "s", json.loads(line)["file"], json.loads(line)["path"], flush=True)
 
 
+def key(top, path):
+    """The rule or the leaf at a path, and the names of the keys that lead there"""
+    words, node, rule = [], top, ""
+    for k in path:
+        if isinstance(node, dict):
+            rule = next((" ".join([node[x], str(node.get("by", ""))]) for x in ("rule", "node", "zero")
+                         if isinstance(node.get(x), str)), rule)
+        words.append("*" if isinstance(node, list) else k)
+        node = node[k]
+    return rule, *words[-3:]
+
+
+def line(name, top, path, kind, value):
+    """The change as a line of changed.jsonl"""
+    parent = top
+    for k in path[:-1]:
+        parent = parent[k]
+    if kind in ("swap", "double"):
+        for k in path[:-1]:
+            value = (value if value is not None else apply(top, path, kind, None))[k]
+        path = path[:-1]
+    return {"of": name, "at": [str(k) for k in path], **({} if kind == "drop" else {"value": value}), "why": kind}
+
+
+def change(program, most=2, longest=2500):
+    """Few of the changes that make no sense, some of the others; of short certificates, as they are judged often."""
+    import adversary
+    import traps
+    rng, found, lines = random.Random(13), defaultdict(list), []
+    for folder in ("data", "data/strata"):
+        for name in traps.names(folder):
+            top = json.loads(traps.read(folder, name))
+            for path, kind, value in mutations(top, (), "") if len(json.dumps(top)) < longest else []:
+                found[key(top, path), kind].append((os.path.join(folder, name[:-5]), top, path, kind, value))
+    for (where, kind), some in found.items():
+        clear = kind in ("text", "null", "swap", "double") or kind == "drop" and where[0] == ""
+        lines += [line(*x) for x in rng.sample(some, min(len(some), 1 if clear else most))]
+    names = [x[:-5] for x in traps.names("data") if len(traps.read("data", x)) < longest]
+    by_kind = defaultdict(list)
+    for name, rule, premises, data, why in [*adversary.steps(names), *adversary.steps(names[::2], True)]:
+        row = {"of": "data/" + name, "step": {"rule": rule, "premises": premises, "data": data}, "why": why}
+        of = "infinity" if data.get("place") == "infinity" else len(data.get("lines", []))
+        by_kind[rule, data.get("by"), data.get("shows"), data.get("m"), of, why.split(" (")[0]].append(row)
+    for some in by_kind.values():
+        lines += sorted(rng.sample(some, min(len(some), 30)), key=lambda x: len(str(x)))[:6 if "series" in str(some[0]) else 2]
+    texts = [text for _, text, _ in traps.changes(lines)]
+    for entry, letter in zip(lines, traps.judged(program, texts)):
+        entry |= {"right": True} if letter == "a" else {}
+    with open(os.path.join(traps.HERE, "false/changed.jsonl"), "w", encoding="utf-8") as f:
+        f.writelines(json.dumps(x) + "\n" for x in lines if len(json.dumps(x)) < 500)
+
+
 if __name__ == "__main__":
     if sys.argv[1] == "--judge":
         judge(sys.argv[2], sys.argv[3])
+    elif sys.argv[1] == "--changed":
+        sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../tools/verify"))
+        change(sys.argv[2])
     else:
         write(sys.argv[1], sys.argv[2], *map(int, sys.argv[3:]))

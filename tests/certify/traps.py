@@ -34,16 +34,32 @@ def changed(top, path, *value):
     return top
 
 
-def changes(folder, lines):
-    """What the lines {"of", "at", ["value"], "why", ["right"]} make of the certificates of a folder: name, text, right."""
+def with_step(top, rule, premises, data):
+    """The certificate with one more step, which its conclusion names and does not need."""
+    top = copy.deepcopy(top)
+    at = next(i for i, s in enumerate(top["steps"]) if s["rule"] == "conclude")
+    top["steps"][at]["premises"].append("idle")
+    top["steps"].insert(at, {"id": "idle", "rule": rule, "premises": premises, "data": data})
+    return top
+
+
+def changes(lines, folder=""):
+    """What the lines {"of", "at", ["value"], "why", ["right"]} or {"of", "step", "why"} make of the certificates of a folder:
+    name, text, right."""
     cache = {}
-    for i, line in enumerate(map(json.loads, lines)):
-        name = line["of"]
+    for i, line in enumerate(lines):
+        name = os.path.join(folder, line["of"])
         if name not in cache:
-            cache[name] = json.loads(read(folder, name + ".json"))
-        value = [line["value"]] if "value" in line else []
-        text = json.dumps(changed(cache[name], line["at"], *value))
-        yield f"{folder}/{name} {i + 1}: {line['why']}", text, line.get("right", False)
+            cache[name] = json.loads(read(name + ".json"))
+        if "step" in line:
+            text = with_step(cache[name], **line["step"])
+        else:
+            text = changed(cache[name], line["at"], *([line["value"]] if "value" in line else []))
+        yield f"{name} {i + 1}: {line['why']}", json.dumps(text), line.get("right", False)
+
+
+def lines_of(*path):
+    return map(json.loads, read(*path).splitlines())
 
 
 def certificates():
@@ -51,8 +67,8 @@ def certificates():
     for folder, right in (("data", True), ("data/strata", True), ("false", False)):
         for name in names(folder):
             yield f"{folder}/{name}", read(folder, name), right
-    yield from changes("data/strata", read("false/strata.jsonl").splitlines())
-    yield from changes("data", read("false/changed.jsonl").splitlines())
+    yield from changes(lines_of("false/strata.jsonl"), "data/strata")
+    yield from changes(lines_of("false/changed.jsonl"))
     for i, text in enumerate(read("false/texts.jsonl").splitlines()):
         yield f"text {i + 1}", json.loads(text), False
 
@@ -66,3 +82,15 @@ def of_the_judge(program):
         with open(texts, encoding="utf-8") as f:
             lines = dict.fromkeys(f.read().splitlines())
     return [(f"C++ text {i}", line[2:], line[0] == "a") for i, line in enumerate(lines, 1)]
+
+
+def judged(program, texts):
+    """What the C++ checker says to each text: a accepted, r rejected, m malformed"""
+    with tempfile.TemporaryDirectory() as out:
+        lines = os.path.join(out, "lines")
+        with open(lines, "w", encoding="utf-8") as f:
+            f.writelines(json.dumps({"text": x}) + "\n" for x in texts)
+        subprocess.run([program, "--gtest_filter=Lines.Verdicts"], check=True, stdout=subprocess.DEVNULL,
+                       env=os.environ | {"KOV_CERTIFICATE_LINES": lines})
+        with open(lines + ".cpp", encoding="utf-8") as f:
+            return f.read().split()

@@ -118,8 +118,8 @@ class Checker(SingularPoints):
         need(all(x.lowest(m) is not None for x in local.finite), "the degree bound is negative: use degree")
         p, reduce, num, den = self.good(d)
         T, x0, groups, U, first = d["terms"], d["x0"], {}, [1], max(D, -1) + 1
-        need(0 <= T - first - m - 1 <= 1000 and T <= p and (m + 1) * T <= 2 * 10**7 and T * self.length <= WORK,
-             "terms out of range")
+        need(first + m + 1 <= T <= p, "too few terms, or more than the prime allows")
+        need(T <= first + m + 1001 and (m + 1) * T <= 2 * 10**7 and T * self.length <= WORK, "too many terms")
         self.spend(T * (self.length + (m + 1)**2))
         need(x0 < p and meval(den, x0, p), "x0 is a pole modulo p")
         n, e = mshift(num, x0, p), mshift(den, x0, p)
