@@ -86,9 +86,12 @@ class Adversary:
         local = [self.given["id"]] if self.given else []
         for _, prime in list(self.primes())[:4]:
             yield from (("p-curvature", local, prime | {"shows": x}, f"{x} or not") for x in ("nonzero", "irreducible", "sl2"))
-        for m in (2, 4, 6) if local else []:
+        for m in (0, 2, 3, 4, 6, 200, 202) if local else []:
+            ranks = [*self.ranks(m, (53, 211))] if 0 < m < 7 else []
+            ranks += [x | {"terms": str(n)} for x in ranks[:1] for n in (52, 53, 54)]
+            ranks += [x | {"x0": str(n)} for x in ranks[1:2] for n in (0, 1, 52, 53)]
             yield from (("no-invariant", local, {"m": str(m)} | x, f"an invariant of degree {m} or none")
-                        for x in [{"by": "degree"}, *self.ranks(m, (53, 211))])
+                        for x in [{"by": "degree"}, *ranks])
         yield from (("no-exponential", local, x, "a line or none") for x in (self.series(True) if local else []))
 
     # ---- no exponential solution

@@ -14,8 +14,12 @@ import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "../../tools/verify"), HERE]
+import adversary  # noqa: E402
 import arithmetic  # noqa: E402
+import asymmetric  # noqa: E402
+import groups  # noqa: E402
 import kovacic_verify as V  # noqa: E402
+import several_variables  # noqa: E402
 import tamper  # noqa: E402
 import traps  # noqa: E402
 
@@ -121,16 +125,24 @@ class Checker(unittest.TestCase):
             todo = list(tamper.mutations(top, (), ""))
             for path, kind, value in random.sample(todo, min(25, len(todo))):
                 changed.append(json.dumps(tamper.apply(top, path, kind, value)))
-        with tempfile.TemporaryDirectory() as out:
-            lines = os.path.join(out, "lines")
-            with open(lines, "w", encoding="utf-8") as f:
-                f.writelines(json.dumps({"text": x}) + "\n" for x in changed)
-            subprocess.run([TEST_CERTIFY, "--gtest_filter=Lines.Verdicts"], check=True, stdout=subprocess.DEVNULL,
-                           env=os.environ | {"KOV_CERTIFICATE_LINES": lines})
-            theirs = text(lines + ".cpp").split()
-        ours = [verdict(x) for x in changed]
-        for a, b, certificate in zip(ours, theirs, changed):
+        ours, theirs = [verdict(x) for x in changed], traps.judged(TEST_CERTIFY, changed)
+        for a, b, certificate in zip(ours, theirs, changed, strict=True):
             self.assertEqual(a == "a", b == "a", certificate[:2000])
+
+    def test_both_judge_changed_ones_and_asymmetric_ones(self):
+        names, texts, right = zip(*traps.changes(traps.lines_of("false/changed.jsonl")), *asymmetric.certificates())
+        for name, certificate, letter, expected in zip(names, texts, traps.judged(TEST_CERTIFY, texts), right, strict=True):
+            with self.subTest(name):
+                self.assertEqual([letter == "a", verdict(certificate) == "a"], [expected] * 2)
+
+    def test_an_adversary_convinces_nobody(self):
+        names, texts = random.Random(20261122).sample([x[:-5] for x in traps.names("data")], 12), []
+        for name, *step, _ in adversary.steps(names):
+            texts.append(json.dumps(traps.with_step(json.loads(traps.read("data", name + ".json")), *step)))
+        self.assertGreater(len(texts), 500)
+        self.assertNotIn("a", traps.judged(TEST_CERTIFY, texts))
+        for certificate in random.sample(texts, 300):
+            self.assertNotEqual(verdict(certificate), "a", certificate[:2000])
 
     def test_a_refusal_is_one_line_of_both(self):
         one, tree = (json.loads(text(os.path.join(HERE, "data", x))) for x in ("airy-naive.json", "strata/number_zero.json"))
@@ -174,9 +186,9 @@ class Checker(unittest.TestCase):
             self.assertLess(time.process_time() - start, 10, x[:200])
 
 
-class Arithmetic(unittest.TestCase):
+class Parts(unittest.TestCase):
     def test_properties(self):
-        for name, holds, _ in arithmetic.properties():
+        for name, holds, _ in arithmetic.properties() + several_variables.properties() + groups.properties():
             with self.subTest(name):
                 self.assertTrue(holds(sys.modules))
 

@@ -41,20 +41,6 @@ def genuine(name):
         return json.load(f)
 
 
-def changed(top, path, *value):
-    """A copy with another value at the path, or with the entry taken out."""
-    top = parent = copy.deepcopy(top)
-    *path, last = path
-    for key in path:
-        parent = parent[int(key) if isinstance(parent, list) else key]
-    last = int(last) if isinstance(parent, list) else last
-    if value:
-        parent[last] = value[0]
-    else:
-        del parent[last]
-    return top
-
-
 def verdict(text):
     """a accepted, r rejected, m malformed"""
     try:
@@ -79,7 +65,7 @@ class Strata(unittest.TestCase):
             for line in map(json.loads, f):
                 with self.subTest(line):
                     value = [line["value"]] if "value" in line else []
-                    self.assertIn(verdict(json.dumps(changed(genuine(line["of"]), line["at"], *value))), "rm")
+                    self.assertIn(verdict(json.dumps(traps.changed(genuine(line["of"]), line["at"], *value))), "rm")
 
     def test_the_lemmas(self):
         for name, summary in LEMMAS.items():
@@ -100,14 +86,7 @@ class Strata(unittest.TestCase):
             top = genuine(name)
             todo = list(tamper.mutations(top, (), ""))
             texts += [json.dumps(tamper.apply(top, *change)) for change in random.sample(todo, min(12, len(todo)))]
-        with tempfile.TemporaryDirectory() as out:
-            lines = os.path.join(out, "lines")
-            with open(lines, "w", encoding="utf-8") as f:
-                f.writelines(json.dumps({"text": x}) + "\n" for x in texts)
-            subprocess.run([TEST_CERTIFY, "--gtest_filter=Lines.Verdicts"], check=True, stdout=subprocess.DEVNULL,
-                           env=os.environ | {"KOV_CERTIFICATE_LINES": lines})
-            with open(lines + ".cpp", encoding="utf-8") as f:
-                theirs = f.read().split()
+        theirs = traps.judged(TEST_CERTIFY, texts)
         self.assertEqual(len(theirs), len(texts))
         for text, letter in zip(texts, theirs):
             self.assertEqual(verdict(text) == "a", letter == "a", text[:2000])
@@ -129,24 +108,24 @@ class Strata(unittest.TestCase):
             for value in (None, 1, "x", "", [], {}, [[]], True, "9" * 10**6, {"a": "1"}, [None], [{}], [["x"]],
                           {"node": []}):
                 if value != one[key] and (key, value) != ("real", []):      # these are genuine
-                    texts.append(changed(one, [key], value))
+                    texts.append(traps.changed(one, [key], value))
         for path in ("tree p", "tree nonzero infinity chi 0", "tree nonzero places 0 q", "tree zero r num", "r num"):
             for value in (None, 1, [], "", "z^", "z^99999", "9" * 20000, "z + ", "+z", "z  + 1", "z*", "2*2*z", "z^-1",
                           "z^1.5", " + ".join(["z"] * 50000), "(z)", "--z", "Z", "z\n", "\u0661*z", "z^9999",
                           "9" * 9999 + "*z^9999"):
-                texts.append(changed(one, path.split(), value))
+                texts.append(traps.changed(one, path.split(), value))
         for path in ("tree nonzero places 0 order", "tree zero then m", "tree zero then places 0 e",
                      "tree nonzero infinity bound"):
             for value in ("-1", "0", "1/0", "1" + "0" * 30, "9" * 100000, "1e9", "x", None, []):
-                texts.append(changed(one, path.split(), value))
+                texts.append(traps.changed(one, path.split(), value))
         for term in ([], [[]], ["1"], [["1", ["square", "a", "9" * 50]]], [["1", ["square", "2", "9999"]] * 999],
                      [["0"]], [["1", "a"]], [["1", ["square", "a", "9999"], ["square", "a - 1", "9999"]]],
                      [["1", ["condition", "-1", "1"]]], [["1", ["condition", "9" * 99, "1"]]], [["1/2", []]], [[None]],
                      [["1", [[], {}, 1]]]):
-            texts.append(changed(one, ["tree"], {"node": "empty", "terms": term}))
+            texts.append(traps.changed(one, ["tree"], {"node": "empty", "terms": term}))
         for _ in range(100):
             tree = {"node": "lemmas", "lemmas": [], "then": tree}
-        deep = texts + [changed(one, ["tree"], tree), changed(one, ["parameters"], [f"a{i}" for i in range(13)])]
+        deep = texts + [traps.changed(one, ["tree"], tree), traps.changed(one, ["parameters"], [f"a{i}" for i in range(13)])]
         for x in map(json.dumps, deep):
             start = time.process_time()
             self.assertIn(verdict(x), "rm", x[:300])
