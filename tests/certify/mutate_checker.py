@@ -22,6 +22,7 @@ import select
 import signal
 import sys
 import time
+import traceback
 import types
 from collections import Counter, defaultdict
 
@@ -112,8 +113,9 @@ def answer(v, text, seconds):
 
 
 def lines_of(v, text):
-    """The lines of the checker that a text runs through; a function is left alone that goes round in circles."""
-    found, left, old = set(), {}, Counter()
+    """The lines of the checker that a text runs through, and those on the way to its refusal.  A function is left alone
+    that goes round in circles."""
+    found, left, old, refused = set(), {}, Counter(), set()
 
     def trace(frame, event, _):
         code = frame.f_code
@@ -132,16 +134,21 @@ def lines_of(v, text):
         return trace
     sys.settrace(trace)
     try:
-        answer(v, text, 60)
+        text(sys.modules) if callable(text) else v.check(text)
+    except Exception as error:              # noqa: BLE001
+        while error:
+            for frame, line in traceback.walk_tb(error.__traceback__):
+                refused.add((frame.f_code.co_filename[:-3], line))
+            error = error.__context__
     finally:
         sys.settrace(None)
-    return found
+    return found, refused
 
 
 def killed(mutant, todo, killers):
     """The trap that sees the mutant, or None; killers: how many mutants of this function a trap saw before."""
     name, module, function, code = mutant
-    todo = sorted(todo, key=lambda t: (-killers[t[0]], not callable(t[1]), t[3]))
+    todo = sorted(todo, key=lambda t: -killers[t[0]])
     try:
         signal.setitimer(signal.ITIMER_REAL, SECONDS)
         with Changed(module, function, code) as v:
@@ -215,16 +222,20 @@ def run_all(jobs, workers):
     return results
 
 
-def within(todo, seconds):
-    """The properties, the fast half of the certificates and a fixed choice of the others, as long as the time allows."""
-    chosen, todo = [t for t in todo if callable(t[1])], [t for t in todo if not callable(t[1])]
+def within(todo, refused_here, seconds):
+    """The properties, what is refused at the changed line, and of the others the fast ones and a fixed choice, as long as
+    the time allows."""
+    first = [t for t in todo if callable(t[1])] + refused_here[:20]
+    names = {t[0] for t in first}
+    todo = [t for t in todo if t[0] not in names]
     random.Random(1).shuffle(rest := todo[len(todo) // 2:])
+    chosen = []
     for trap in todo[:len(todo) // 2] + rest:
         seconds -= trap[3]
         if seconds < 0:
             break
         chosen.append(trap)
-    return chosen
+    return first + chosen
 
 
 def equivalent():
@@ -265,17 +276,20 @@ def main():
         if (said[0] == "accepted") != accepted:
             print(f"the unchanged checker: {trap}: {said[0]}")
             return 1
-        if seconds < SLOW:
-            all_traps.append((trap, text, said, seconds, lines_of(v, text)))
+        if seconds < SLOW or callable(text):
+            all_traps.append((trap, text, said, seconds, *lines_of(v, text)))
     all_traps.sort(key=lambda t: t[3])
-    at = defaultdict(list)
-    for *trap, lines in all_traps:
+    at, refused_at = defaultdict(list), defaultdict(list)
+    for *trap, lines, refused in all_traps:
         for line in lines:
             at[line].append(tuple(trap))
+        for line in refused:
+            refused_at[line].append(tuple(trap))
     jobs = []
     for name, module, line, function, make in chosen:
         todo = at[module, line] or ([t[:4] for t in all_traps] if function is None else [])
-        jobs.append(((name, module, function, make()), within(todo, TOTAL)))
+        here = [t for i in range(line, line - 3, -1) for t in refused_at[module, i]]        # the start of a statement
+        jobs.append(((name, module, function, make()), within(todo, here, TOTAL)))
     results = run_all(jobs, given.jobs)
     table = defaultdict(Counter)
     for i, ((name, module, *_), _) in enumerate(jobs):
