@@ -1,0 +1,36 @@
+#pragma once
+// First-order systems Y' = A(z) Y over K(z), row by row over a common denominator:
+//
+//   den_i(z) Y_i' = sum_j num_ij(z) Y_j.
+//
+// A row of its own denominator keeps the companion form of a scalar equation as cheap as the
+// equation: its first row is y0' = y1.
+
+#include "exact/rational_function.hpp"
+
+#include <vector>
+
+namespace kov::monodromy {
+
+struct Row {
+  Poly den;              ///< integral over Z[generator]
+  std::vector<Poly> num; ///< likewise
+};
+
+struct DifferentialSystem {
+  Field field;
+  std::vector<Row> rows;
+
+  [[nodiscard]] long size() const noexcept { return static_cast<long>(rows.size()); }
+};
+
+inline constexpr long largest_size = 8;
+
+/// Errors  InvalidArgument: not square, empty, larger than 8
+[[nodiscard]] DifferentialSystem make_system(const std::vector<std::vector<RationalFunction>>& a);
+/// y'' + p y' + q y = 0 for the vector (y, y').
+[[nodiscard]] DifferentialSystem companion(const RationalFunction& p, const RationalFunction& q);
+/// The trace of A.
+[[nodiscard]] RationalFunction trace(const DifferentialSystem& s);
+
+} // namespace kov::monodromy

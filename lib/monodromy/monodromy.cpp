@@ -1,0 +1,91 @@
+#include "monodromy/monodromy.hpp"
+
+#include "monodromy/imprecise.hpp"
+#include "monodromy/magnitude.hpp"
+#include "monodromy/transitions.hpp"
+
+namespace kov::monodromy {
+namespace {
+
+constexpr long pilot_bits = 160;  // a cheap first run tells what the radii lose on the way
+constexpr long spare_bits = 32;
+constexpr long most_bits = 1L << 22;
+constexpr int most_attempts = 24;
+
+// 10^-digits <= 2^-bits
+long bits_for(long digits) { return digits * 3322 / 1000 + 2; }
+
+// The matrix of one loop: to the circle, around, and back.
+BallMatrix around(const Loop& loop, const Transitions& t, long bits) {
+  const BallMatrix there = t.along(loop.approach);
+  return multiply(inverse(there, bits), multiply(t.along(loop.circle), there, bits), bits);
+}
+
+Monodromy attempt(const DifferentialSystem& s, const std::vector<SingularPoint>& places,
+                  const LoopTree& tree, long bits, const Budget& budget) {
+  const EmbeddedSystem embedded(s, 2 * bits + 256);
+  Transitions t(embedded, bits, budget);
+  for (const Loop& loop : tree.loops) {
+    t.announce(loop.approach);
+    t.announce(loop.circle);
+  }
+  if (tree.large_circle) t.announce(*tree.large_circle);
+  t.compute();
+  Monodromy m{tree.base, {}, {}, {}, bits};
+  for (const Loop& loop : tree.loops)
+    m.loops.push_back({places[loop.singularity], around(loop, t, bits)});
+  if (tree.large_circle) m.large_circle = t.along(*tree.large_circle);
+  return m;
+}
+
+// How many bits more are needed; 0 when the radii are small enough.
+long missing_bits(const Monodromy& m, long wanted) {
+  const Ball radius = largest_radius(m);
+  if (arb_is_finite(radius.raw()) == 0) return m.bits;
+  Magnitude bound;
+  arb_get_mag(bound.raw(), radius.raw());
+  return is_zero(bound) ? 0 : std::max(0L, exponent(bound) + wanted);
+}
+
+Monodromy accurate(const DifferentialSystem& s, const std::vector<SingularPoint>& places,
+                   const LoopTree& tree, const Request& request) {
+  const long wanted = bits_for(request.digits);
+  long bits = std::min(wanted + spare_bits, pilot_bits);
+  for (int k = 0; k < most_attempts && bits < most_bits; ++k) {
+    long missing = bits;
+    try {
+      Monodromy m = attempt(s, places, tree, bits, request.budget);
+      missing = missing_bits(m, wanted);
+      if (missing == 0) return m;
+    } catch (const Imprecise&) { // twice the bits
+    }
+    bits += missing + spare_bits;
+  }
+  throw OutOfBudget("the matrices could not be computed to " + std::to_string(request.digits) +
+                    " digits");
+}
+
+} // namespace
+
+LoopTree loops_of(const std::vector<SingularPoint>& places, const std::optional<Point>& base) {
+  std::vector<ComplexBall> points;
+  for (const SingularPoint& p : places)
+    points.push_back(p.at);
+  return loop_tree(points, base);
+}
+
+Ball largest_radius(const Monodromy& m) {
+  Ball most;
+  for (const LoopMatrix& l : m.loops) {
+    const Ball one = largest_radius(l.matrix);
+    if (arb_lt(most.raw(), one.raw()) != 0) most = one;
+  }
+  return most;
+}
+
+Monodromy monodromy(const DifferentialSystem& s, const Request& request) {
+  const auto places = singular_points(s, plan_bits, request.budget);
+  return accurate(s, places, loops_of(places, request.base), request);
+}
+
+} // namespace kov::monodromy

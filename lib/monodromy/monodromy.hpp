@@ -1,0 +1,54 @@
+#pragma once
+// Monodromy matrices with proven radii.
+//
+// Y is the fundamental matrix with Y(base) = 1; continued along a loop it becomes Y M.  The matrix of
+// "loop 1, then loop 2" is M_2 M_1.
+
+#include "monodromy/ball_matrix.hpp"
+#include "monodromy/loops.hpp"
+#include "monodromy/singular_points.hpp"
+
+namespace kov::monodromy {
+
+struct LoopMatrix {
+  SingularPoint place;
+  BallMatrix matrix;
+};
+
+/// A property that holds for every correct answer, tested on this one.
+struct SelfTest {
+  std::string name;
+  bool passed = false;
+};
+
+struct Monodromy {
+  Point base;
+  std::vector<LoopMatrix> loops; ///< in the order of loops.hpp
+  /// Along the large circle, counterclockwise; for a base inside it is not computed.
+  std::optional<BallMatrix> large_circle;
+  std::vector<SelfTest> self_tests;
+  long bits = 0; ///< of the precision that was enough
+
+  [[nodiscard]] long size() const noexcept {
+    return loops.empty() ? 0 : loops.front().matrix.size();
+  }
+};
+
+struct Request {
+  long digits = 30; ///< every radius at most 10^-digits
+  std::optional<Point> base;
+  Budget budget;
+};
+
+/// Errors   InvalidArgument (the base); OutOfBudget when the accuracy is not reached within the
+///          budget or at all; InternalError when a self-test fails
+/// Source   docs/theory/monodromy.md
+[[nodiscard]] Monodromy monodromy(const DifferentialSystem& s, const Request& request = {});
+
+/// An upper bound of all radii.
+[[nodiscard]] Ball largest_radius(const Monodromy& m);
+/// The tree of loops that `monodromy` uses.
+[[nodiscard]] LoopTree loops_of(const std::vector<SingularPoint>& places,
+                                const std::optional<Point>& base);
+
+} // namespace kov::monodromy
