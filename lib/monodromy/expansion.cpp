@@ -10,66 +10,45 @@ namespace {
 
 constexpr long guard_bits = 24;
 constexpr long growth_bits = 128;
+constexpr long tail_bits = 64;
+constexpr long slack_bits = 16;
 constexpr long largest_growth = 1L << 24; // bits; beyond, nothing could be stored
 
-struct Gaussian {
-  Integer re, im;
-};
-
-void add_product(Gaussian& sum, const Gaussian& a, const Integer& re, const Integer& im) {
-  fmpz_addmul(sum.re.raw(), a.re.raw(), re.raw());
-  fmpz_addmul(sum.im.raw(), a.im.raw(), re.raw());
-  if (is_zero(im)) return;
-  fmpz_submul(sum.re.raw(), a.im.raw(), im.raw());
-  fmpz_addmul(sum.im.raw(), a.re.raw(), im.raw());
-}
-
-void subtract_product(Gaussian& sum, const Gaussian& a, const Integer& re, const Integer& im) {
-  fmpz_submul(sum.re.raw(), a.re.raw(), re.raw());
-  fmpz_submul(sum.im.raw(), a.im.raw(), re.raw());
-  if (is_zero(im)) return;
-  fmpz_addmul(sum.re.raw(), a.im.raw(), im.raw());
-  fmpz_submul(sum.im.raw(), a.re.raw(), im.raw());
-}
-
-// x / (a n), each part rounded towards 0: the error is less than 1.5 units.
-class Divisor {
-public:
-  Divisor(const Integer& re, const Integer& im) : re_(re), im_(-im), norm_(re * re + im * im) {}
-  [[nodiscard]] Gaussian divide(const Gaussian& x, long n) const {
-    Gaussian y;
-    add_product(y, x, re_, im_);
-    const Integer by = norm_ * Integer(n);
-    fmpz_tdiv_q(y.re.raw(), y.re.raw(), by.raw());
-    fmpz_tdiv_q(y.im.raw(), y.im.raw(), by.raw());
-    return y;
-  }
-
-private:
-  Integer re_, im_, norm_;
-};
-
-// What one unit, lost by rounding, can become before it dies away.
+// What one rounding of size 1 can become before it dies away, in bits.
 long noise_bits(const LocalSystem& s) { return 4 + s.degree; }
 
-bool negligible(const Gaussian& y, long noise) {
-  return static_cast<long>(fmpz_bits(y.re.raw())) <= noise &&
-         static_cast<long>(fmpz_bits(y.im.raw())) <= noise;
+static_assert(sizeof(ComplexBall) == sizeof(acb_struct)); // so that a Series is a vector of Arb's
+
+using Series = std::vector<ComplexBall>;
+
+// sum_l f[first + l] y[k - first - l] for l < length
+void dot(acb_struct* sum, const Coefficients& f, long first, const Series& y, long k, long length,
+         bool subtract, long precision) {
+  if (length > 0)
+    acb_dot(sum, sum, subtract ? 1 : 0, f[first].raw(), 1, y[k - first].raw(), -1, length,
+            precision);
 }
 
-using Series = std::vector<Gaussian>;
+Magnitude radius(const ComplexBall& z) {
+  Magnitude m;
+  mag_hypot(m.raw(), arb_radref(acb_realref(z.raw())), arb_radref(acb_imagref(z.raw())));
+  return m;
+}
 
-// One column of the fundamental matrix: the solution with Y(0) = e_m.
+// e with |z| <= 2^e; very small for 0.
+long size_of(const ComplexBall& z, long least) {
+  const Magnitude m = Magnitude::of(z.raw());
+  return is_zero(m) ? least : std::max(least, exponent(m));
+}
+
+// One column of the fundamental matrix: the solution with Y(0) = e_m, to 2^-fixed.
 class Column {
 public:
   Column(const LocalSystem& s, std::size_t m, long fixed, const Budget& budget)
-      : s_(s), y_(s.rows.size()), v_(s.rows.size()) {
-    for (const LocalRow& row : s.rows)
-      divisors_.emplace_back(row.den.re.front(), row.den.im.front());
+      : s_(s), fixed_(fixed), y_(s.rows.size()), v_(s.rows.size()), rounding_(s.rows.size()) {
     for (Series& y : y_)
       y.emplace_back();
-    fmpz_one(y_[m].front().re.raw());
-    fmpz_mul_2exp(y_[m].front().re.raw(), y_[m].front().re.raw(), static_cast<ulong>(fixed));
+    acb_one(y_[m].front().raw());
     const long most_terms = 4 * fixed + 64; // then the residual tells what is missing
     while (quiet_ <= s.degree + 1 && terms() < most_terms) {
       if (terms() % 256 == 0) budget.check();
@@ -81,89 +60,82 @@ public:
   [[nodiscard]] long terms() const noexcept { return static_cast<long>(v_.front().size()); }
   [[nodiscard]] const Series& component(std::size_t i) const { return y_[i]; }
 
-  /// An upper bound of |den_i dY_i/dt - sum num_ij Y_j|/|den_i(0)| for |t| <= 1, in units.
+  /// An upper bound of |den_i dY_i/dt - sum num_ij Y_j|/|den_i(0)| for |t| <= 1.
   [[nodiscard]] Magnitude residual(std::size_t i) const {
-    const auto n = static_cast<unsigned long>(terms());
-    const LocalRow& row = s_.rows[i];
-    Magnitude sum = Magnitude::of(row.den.re.front(), row.den.im.front()) *
-                    Magnitude(n * (n + 1)); // 1.5 (1 + ... + n) |den_0|
-    for (long k = terms(); k <= terms() + s_.degree; ++k) {
-      const Gaussian e = right_side(i, k);
-      sum += Magnitude::of(e.re, e.im);
-    }
-    if (!is_zero(row.error)) sum += row.error * lost_by_rounding(i);
-    return sum / least_head(row);
+    Magnitude tail;
+    for (long k = terms(); k <= terms() + s_.degree; ++k)
+      tail += Magnitude::of(right_side(i, k, tail_bits).raw());
+    Magnitude head;
+    acb_get_mag_lower(head.raw(), s_.rows[i].den.front().raw());
+    return rounding_[i] + tail / head;
   }
 
 private:
-  [[nodiscard]] static Magnitude least_head(const LocalRow& row) {
-    ComplexBall head;
-    acb_set_fmpz_fmpz(head.raw(), row.den.re.front().raw(), row.den.im.front().raw());
-    Magnitude least;
-    acb_get_mag_lower(least.raw(), head.raw());
-    return less(least, row.error);
-  }
-
   // What the recurrence puts on the right at index k; coefficients behind the last one are 0.
-  [[nodiscard]] Gaussian right_side(std::size_t i, long k) const {
-    Gaussian sum;
+  [[nodiscard]] ComplexBall right_side(std::size_t i, long k, long precision) const {
+    ComplexBall sum;
     const LocalRow& row = s_.rows[i];
-    for (std::size_t j = 0; j < row.num.size(); ++j)
-      for (long l = std::max(0L, k - terms()); l < row.num[j].length() && l <= k; ++l)
-        add_product(sum, y_[j][k - l], row.num[j].re[l], row.num[j].im[l]);
-    for (long l = std::max(1L, k - terms() + 1); l < row.den.length() && l <= k; ++l)
-      subtract_product(sum, v_[i][k - l], row.den.re[l], row.den.im[l]);
+    for (std::size_t j = 0; j < row.num.size(); ++j) {
+      const long first = std::max(0L, k - terms());
+      const long end = std::min(k + 1, static_cast<long>(row.num[j].size()));
+      dot(sum.raw(), row.num[j], first, y_[j], k, end - first, false, precision);
+    }
+    const long first = std::max(1L, k - terms() + 1);
+    const long end = std::min(k + 1, static_cast<long>(row.den.size()));
+    dot(sum.raw(), row.den, first, v_[i], k, end - first, true, precision);
     return sum;
   }
 
   void advance() {
     const long k = terms();
-    bool quiet = true;
-    std::vector<Gaussian> next;
+    const long precision = std::max(tail_bits, fixed_ + largest_ + slack_bits);
+    const long noise = noise_bits(s_) - fixed_;
+    std::vector<ComplexBall> next;
+    long largest = -fixed_ - 1;
     for (std::size_t i = 0; i < s_.rows.size(); ++i) {
-      next.push_back(divisors_[i].divide(right_side(i, k), k + 1));
-      quiet = quiet && negligible(next.back(), noise_bits(s_));
+      next.push_back(right_side(i, k, precision));
+      acb_struct* y = next.back().raw();
+      acb_div(y, y, s_.rows[i].den.front().raw(), precision);
+      acb_div_si(y, y, k + 1, precision);
+      rounding_[i] += radius(next.back()) * Magnitude(static_cast<unsigned long>(k + 1));
+      acb_get_mid(y, y);
+      largest = std::max(largest, size_of(next.back(), -fixed_ - 1));
     }
     for (std::size_t i = 0; i < s_.rows.size(); ++i) {
-      v_[i].push_back({next[i].re * Integer(k + 1), next[i].im * Integer(k + 1)});
+      v_[i].emplace_back();
+      acb_mul_si(v_[i].back().raw(), next[i].raw(), k + 1, ARF_PREC_EXACT);
       y_[i].push_back(std::move(next[i]));
     }
-    quiet_ = quiet ? quiet_ + 1 : 0;
-  }
-
-  // (degree + 1) (sum |dY_i coefficients| + sum_j sum |Y_j coefficients|)
-  [[nodiscard]] Magnitude lost_by_rounding(std::size_t i) const {
-    Magnitude sum;
-    for (const Gaussian& v : v_[i])
-      sum += Magnitude::of(v.re, v.im);
-    for (const Series& y : y_)
-      for (const Gaussian& a : y)
-        sum += Magnitude::of(a.re, a.im);
-    return sum * Magnitude(static_cast<unsigned long>(s_.degree + 1));
+    largest_ = std::max(largest, largest_ - 1); // the coefficients in use shrink slowly
+    quiet_ = largest < noise ? quiet_ + 1 : 0;
   }
 
   const LocalSystem& s_;
-  std::vector<Series> y_; // y_[i][k]: the coefficient of t^k
-  std::vector<Series> v_; // v_[i][k] = (k+1) y_[i][k+1]
-  std::vector<Divisor> divisors_;
-  long quiet_ = 0; // negligible coefficients in a row
+  long fixed_;
+  std::vector<Series> y_; // y_[i][k]: the coefficient of t^k, exact
+  std::vector<Series> v_; // v_[i][k] = (k+1) y_[i][k+1], exact
+  std::vector<Magnitude> rounding_; // of the residual, relative to den_i(0)
+  long largest_ = 0; // the coefficients of late are at most about 2^largest
+  long quiet_ = 0;   // negligible coefficients in a row
 };
 
-// t = (re + i im)/(odd 2^shift), |t| <= 1.
+// t = numerator/divisor with short numbers, |t| <= 1.
 struct Ratio {
-  Integer re, im, divisor;
+  ComplexBall numerator;
+  long divisor = 1;
+  long shift = 0; // and a power of two
 };
 
-// sum y_k t^k, each step rounded towards 0: the error is less than 1.5 (terms + 1) units.
-Gaussian evaluate(const Series& y, const Ratio& t) {
-  Gaussian value;
+// sum y_k t^k to about 2^-fixed, with a radius for what is rounded here.
+ComplexBall evaluate(const Series& y, const Ratio& t, long fixed) {
+  ComplexBall value;
   for (std::size_t k = y.size(); k-- > 0;) {
-    Gaussian product;
-    add_product(product, value, t.re, t.im);
-    fmpz_tdiv_q(value.re.raw(), product.re.raw(), t.divisor.raw());
-    fmpz_tdiv_q(value.im.raw(), product.im.raw(), t.divisor.raw());
-    value.re += y[k].re;
-    value.im += y[k].im;
+    const long size = std::max(size_of(value, -fixed), size_of(y[k], -fixed));
+    const long precision = fixed + slack_bits + size;
+    acb_mul(value.raw(), value.raw(), t.numerator.raw(), precision);
+    acb_div_si(value.raw(), value.raw(), t.divisor, precision);
+    acb_mul_2exp_si(value.raw(), value.raw(), t.shift);
+    acb_add(value.raw(), value.raw(), y[k].raw(), precision);
   }
   return value;
 }
@@ -189,28 +161,6 @@ Scale scale_of(const std::vector<ComplexBall>& steps) {
   arb_set_si(s.value.raw(), s.m);
   arb_mul_2exp_si(s.value.raw(), s.value.raw(), s.e);
   return s;
-}
-
-// h = (re + i im) 2^e, exactly.
-Ratio ratio(const ComplexBall& h, const Scale& scale) {
-  Ratio r;
-  Integer e_re, e_im;
-  arf_get_fmpz_2exp(r.re.raw(), e_re.raw(), arb_midref(acb_realref(h.raw())));
-  arf_get_fmpz_2exp(r.im.raw(), e_im.raw(), arb_midref(acb_imagref(h.raw())));
-  if (is_zero(r.re)) e_re = e_im;
-  if (is_zero(r.im)) e_im = e_re;
-  const Integer e = std::min(e_re, e_im);
-  fmpz_mul_2exp(r.re.raw(), r.re.raw(), static_cast<ulong>(to_long(e_re - e)));
-  fmpz_mul_2exp(r.im.raw(), r.im.raw(), static_cast<ulong>(to_long(e_im - e)));
-  r.divisor = Integer(scale.m);
-  const long shift = to_long(Integer(scale.e) - e);
-  if (shift >= 0) {
-    fmpz_mul_2exp(r.divisor.raw(), r.divisor.raw(), static_cast<ulong>(shift));
-  } else {
-    fmpz_mul_2exp(r.re.raw(), r.re.raw(), static_cast<ulong>(-shift));
-    fmpz_mul_2exp(r.im.raw(), r.im.raw(), static_cast<ulong>(-shift));
-  }
-  return r;
 }
 
 ComplexBall quotient(const ComplexBall& h, const Scale& scale) {
@@ -254,7 +204,7 @@ public:
       : scale_(scale_of(steps)) {
     const LocalSystem coarse = s.at(centre, scale_.value, growth_bits);
     for (const ComplexBall& h : steps) {
-      ratios_.push_back(ratio(h, scale_));
+      ratios_.push_back({h, scale_.m, -scale_.e});
       lengths_.push_back(Magnitude::of(quotient(h, scale_).raw()));
       growths_.push_back(growth(coarse, quotient(h, scale_)));
     }
@@ -270,31 +220,23 @@ public:
     for (std::size_t m = 0; m < columns_.size(); ++m) {
       const Magnitude error = weighted_error(columns_[m], step);
       for (std::size_t i = 0; i < columns_.size(); ++i) {
-        const auto terms = static_cast<unsigned long>(columns_[m].terms());
-        const Magnitude radius = times_power_of_two(error, growths_[step].weights[i]) +
-                                 Magnitude(2 * (terms + 1));
-        set(y.entry(static_cast<long>(i), static_cast<long>(m)),
-            evaluate(columns_[m].component(i), ratios_[step]), radius);
+        const Magnitude radius = times_power_of_two(error, growths_[step].weights[i]);
+        acb_struct* entry = y.entry(static_cast<long>(i), static_cast<long>(m));
+        acb_set(entry, evaluate(columns_[m].component(i), ratios_[step], fixed_).raw());
+        acb_add_error_mag(entry, radius.raw());
       }
     }
     return y;
   }
 
 private:
-  // |D|_w at the end, in units.
+  // |D|_w at the end.
   [[nodiscard]] Magnitude weighted_error(const Column& column, std::size_t step) const {
     const Growth& g = growths_[step];
     Magnitude most;
     for (std::size_t i = 0; i < local_.rows.size(); ++i)
       most = max(most, times_power_of_two(column.residual(i) * g.inverse[i], -g.weights[i]));
     return most * lengths_[step] * exp(g.exponent);
-  }
-
-  void set(acb_struct* z, const Gaussian& value, const Magnitude& radius) const {
-    acb_set_fmpz_fmpz(z, value.re.raw(), value.im.raw());
-    mag_set(arb_radref(acb_realref(z)), radius.raw());
-    mag_set(arb_radref(acb_imagref(z)), radius.raw());
-    acb_mul_2exp_si(z, z, -fixed_);
   }
 
   Scale scale_;

@@ -2,11 +2,12 @@
 // The Taylor expansion of a fundamental matrix at an ordinary point, and its values with proven
 // radii.
 //
-// The coefficients are Gaussian integers in units of 2^-P; each is the exact value of the recurrence
+// The coefficients are exact complex numbers: each is what the recurrence
 //   den_0 (k+1) Y_{k+1} = sum_j num_j Y_{k-j} - sum_{j>=1} den_j (k+1-j) Y_{k+1-j}
-// on the integers before it, rounded once.  So the residual of the polynomial in the differential
-// equation is known, term by term, and Gronwall's inequality turns it into a bound of the error.
-// No ball enters the recurrence: nothing can explode.  docs/theory/monodromy.md 1, 2
+// gives for the exact numbers before it, rounded once, with the radius of that one rounding set
+// aside.  So the residual of the polynomial in the differential equation is known, term by term, and
+// Gronwall's inequality turns it into a bound of the error.  Radii never enter the recurrence:
+// nothing can explode.  docs/theory/monodromy.md 1, 2
 
 #include "exact/budget.hpp"
 #include "monodromy/ball_matrix.hpp"

@@ -12,27 +12,16 @@ constexpr long fewest_pieces = 3; // binary logarithms of their number
 constexpr long most_pieces = 12;
 constexpr int balancing_rounds = 8;
 
-using Balls = std::vector<ComplexBall>;
 using Table = std::vector<std::vector<Magnitude>>;
 
-Balls balls(const GaussianPoly& f) {
-  Balls c(f.re.size());
-  for (std::size_t i = 0; i < c.size(); ++i) {
-    acb_set_fmpz_fmpz(c[i].raw(), f.re[i].raw(), f.im[i].raw());
-    acb_set_round(c[i].raw(), c[i].raw(), bits);
-  }
-  return c;
-}
-
-Balls shifted(Balls f, const ComplexBall& c) {
-  for (std::size_t i = 0; i + 1 < f.size(); ++i)
-    for (std::size_t j = f.size() - 1; j-- > i;)
-      acb_addmul(f[j].raw(), f[j + 1].raw(), c.raw(), bits);
+Coefficients short_numbers(Coefficients f) {
+  for (ComplexBall& a : f)
+    acb_set_round(a.raw(), a.raw(), bits);
   return f;
 }
 
 // |f_1| h + |f_2| h^2 + ...
-Magnitude variation(const Balls& f, const Magnitude& h) {
+Magnitude variation(const Coefficients& f, const Magnitude& h) {
   Magnitude sum;
   for (std::size_t i = f.size(); i-- > 1;)
     sum = (sum + Magnitude::of(f[i].raw())) * h;
@@ -55,12 +44,12 @@ Piece piece_of(const ComplexBall& t, long k, long log_count) {
 
 class Segment {
 public:
-  Segment(const LocalSystem& s, const ComplexBall& t) : system_(s), t_(t) {
+  Segment(const LocalSystem& s, const ComplexBall& t) : t_(t) {
     for (const LocalRow& row : s.rows) {
-      den_.push_back(balls(row.den));
+      den_.push_back(short_numbers(row.den));
       num_.emplace_back();
-      for (const GaussianPoly& f : row.num)
-        num_.back().push_back(balls(f));
+      for (const Coefficients& f : row.num)
+        num_.back().push_back(short_numbers(f));
     }
   }
 
@@ -81,43 +70,38 @@ private:
   }
 
   bool bound(const Piece& piece) {
-    const std::size_t n = system_.rows.size();
+    const std::size_t n = den_.size();
     least_den_.resize(n);
     Table norms(n, std::vector<Magnitude>(n));
     for (std::size_t i = 0; i < n; ++i) {
-      const Magnitude slack =
-          system_.rows[i].error * Magnitude(static_cast<unsigned long>(system_.degree + 1));
-      const Magnitude least = least_den(i, piece, slack);
+      const Magnitude least = least_den(i, piece);
       if (is_zero(least)) return false;
       const bool first = norms_.empty();
       if (first || least < least_den_[i]) least_den_[i] = least;
       for (std::size_t j = 0; j < n; ++j)
-        norms[i][j] = most_num(i, j, piece, slack) / least;
+        norms[i][j] = most_num(i, j, piece) / least;
     }
     norms_.push_back(std::move(norms));
     return true;
   }
 
-  [[nodiscard]] Magnitude least_den(std::size_t i, const Piece& piece,
-                                    const Magnitude& slack) const {
-    const Balls f = shifted(den_[i], piece.middle);
+  [[nodiscard]] Magnitude least_den(std::size_t i, const Piece& piece) const {
+    const Coefficients f = shifted(den_[i], piece.middle, bits);
     Magnitude at_middle;
     acb_get_mag_lower(at_middle.raw(), f.front().raw());
-    return less(at_middle, variation(f, piece.radius) + slack);
+    return less(at_middle, variation(f, piece.radius));
   }
 
-  [[nodiscard]] Magnitude most_num(std::size_t i, std::size_t j, const Piece& piece,
-                                   const Magnitude& slack) const {
+  [[nodiscard]] Magnitude most_num(std::size_t i, std::size_t j, const Piece& piece) const {
     if (num_[i][j].empty()) return {};
-    const Balls f = shifted(num_[i][j], piece.middle);
-    return Magnitude::of(f.front().raw()) + variation(f, piece.radius) + slack;
+    const Coefficients f = shifted(num_[i][j], piece.middle, bits);
+    return Magnitude::of(f.front().raw()) + variation(f, piece.radius);
   }
 
   [[nodiscard]] Growth finish(long log_count) const {
     Growth g{balanced(), {}, {}};
     for (std::size_t i = 0; i < least_den_.size(); ++i)
-      g.inverse.push_back((Magnitude::of(den_[i].front().raw()) + system_.rows[i].error) /
-                          least_den_[i]);
+      g.inverse.push_back(Magnitude::of(den_[i].front().raw()) / least_den_[i]);
     for (const Table& norms : norms_)
       g.exponent += weighted(norms, g.weights);
     g.exponent = times_power_of_two(g.exponent * Magnitude::of(t_.raw()), -log_count);
@@ -137,7 +121,7 @@ private:
 
   // Osborne's balancing of the largest entries: rows and columns of like size.
   [[nodiscard]] std::vector<long> balanced() const {
-    const std::size_t n = system_.rows.size();
+    const std::size_t n = den_.size();
     std::vector<long> w(n, 0);
     for (int round = 0; round < balancing_rounds; ++round)
       for (std::size_t i = 0; i < n; ++i) {
@@ -159,10 +143,9 @@ private:
     return most;
   }
 
-  const LocalSystem& system_;
   ComplexBall t_;
-  std::vector<Balls> den_;
-  std::vector<std::vector<Balls>> num_;
+  std::vector<Coefficients> den_;
+  std::vector<std::vector<Coefficients>> num_;
   std::vector<Magnitude> least_den_;
   std::vector<Table> norms_;
 };

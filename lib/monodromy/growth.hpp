@@ -7,6 +7,7 @@
 // |v|_w = max_i |v_i| 2^-w_i.  The weights make the norm of A small; any choice is correct.
 
 #include "monodromy/local_system.hpp"
+#include "monodromy/magnitude.hpp"
 
 namespace kov::monodromy {
 

@@ -1,27 +1,21 @@
 #pragma once
-// A system at a centre c in the variable t, z = c + scale t, with Gaussian integer coefficients:
+// A system at a centre c in the variable t, z = c + scale t:
 //
 //   den_i(t) dY_i/dt = sum_j num_ij(t) Y_j        (the factor `scale` is in num)
 //
-// Over Q, and for a centre of few bits, the integers are exact and small, so that a product of a
-// long number by a coefficient costs no more than reading the long number.  Otherwise they are
-// rounded, and `error` bounds what was lost.
+// Over Q, and for a centre of few bits, the coefficients are exact and short, so that a product of a
+// long number by a coefficient costs no more than reading the long number.
 
 #include "monodromy/differential_system.hpp"
-#include "monodromy/magnitude.hpp"
 
 namespace kov::monodromy {
 
-/// Ascending coefficients re + i im.
-struct GaussianPoly {
-  std::vector<Integer> re, im;
-  [[nodiscard]] long length() const noexcept { return static_cast<long>(re.size()); }
-};
+/// Ascending coefficients of a polynomial, side by side in memory.
+using Coefficients = std::vector<ComplexBall>;
 
 struct LocalRow {
-  GaussianPoly den; ///< den(0) != 0
-  std::vector<GaussianPoly> num;
-  Magnitude error; ///< of every coefficient
+  Coefficients den; ///< den(0) does not contain 0
+  std::vector<Coefficients> num;
 };
 
 struct LocalSystem {
@@ -37,17 +31,16 @@ public:
   EmbeddedSystem(const DifferentialSystem& s, long bits);
 
   [[nodiscard]] long size() const noexcept { return static_cast<long>(rows_.size()); }
-  /// Requires c and scale exact (dyadic).  The integers have about `bits` bits behind den_i(0).
+  /// Coefficients longer than `bits` bits are rounded.  Requires c and scale exact (dyadic).
   /// Errors  Imprecise when den_i(c) cannot be told from 0
   [[nodiscard]] LocalSystem at(const ComplexBall& c, const Ball& scale, long bits) const;
 
 private:
-  struct Embedded {
-    std::vector<ComplexBall> den;
-    std::vector<std::vector<ComplexBall>> num;
-  };
-  std::vector<Embedded> rows_;
+  std::vector<LocalRow> rows_;
   long precision_;
 };
+
+/// f(t + c), by Horner's scheme: additions and products only, so that exact numbers stay exact.
+[[nodiscard]] Coefficients shifted(Coefficients f, const ComplexBall& c, long bits);
 
 } // namespace kov::monodromy

@@ -2,13 +2,14 @@
 
 #include "monodromy/imprecise.hpp"
 #include "monodromy/magnitude.hpp"
+#include "monodromy/self_tests.hpp"
 #include "monodromy/transitions.hpp"
 
 namespace kov::monodromy {
 namespace {
 
 constexpr long pilot_bits = 160;  // a cheap first run tells what the radii lose on the way
-constexpr long spare_bits = 32;
+constexpr long spare_bits = 64;
 constexpr long most_bits = 1L << 22;
 constexpr int most_attempts = 24;
 
@@ -85,7 +86,17 @@ Ball largest_radius(const Monodromy& m) {
 
 Monodromy monodromy(const DifferentialSystem& s, const Request& request) {
   const auto places = singular_points(s, plan_bits, request.budget);
-  return accurate(s, places, loops_of(places, request.base), request);
+  Monodromy m = accurate(s, places, loops_of(places, request.base), request);
+  m.self_tests = tested_identities(s, m);
+  return m;
+}
+
+Monodromy monodromy(const RationalFunction& p, const RationalFunction& q,
+                    const Request& request) {
+  Monodromy m = monodromy(companion(p, q), request);
+  for (std::string& passed : tested_traces(normal_form(p, q), m, request.budget))
+    m.self_tests.push_back(std::move(passed));
+  return m;
 }
 
 } // namespace kov::monodromy

@@ -4,6 +4,7 @@
 // Y is the fundamental matrix with Y(base) = 1; continued along a loop it becomes Y M.  The matrix of
 // "loop 1, then loop 2" is M_2 M_1.
 
+#include "linode/normal_form.hpp"
 #include "monodromy/ball_matrix.hpp"
 #include "monodromy/loops.hpp"
 #include "monodromy/singular_points.hpp"
@@ -15,18 +16,12 @@ struct LoopMatrix {
   BallMatrix matrix;
 };
 
-/// A property that holds for every correct answer, tested on this one.
-struct SelfTest {
-  std::string name;
-  bool passed = false;
-};
-
 struct Monodromy {
   Point base;
   std::vector<LoopMatrix> loops; ///< in the order of loops.hpp
   /// Along the large circle, counterclockwise; for a base inside it is not computed.
   std::optional<BallMatrix> large_circle;
-  std::vector<SelfTest> self_tests;
+  std::vector<std::string> self_tests; ///< what was tested, and held (self_tests.hpp)
   long bits = 0; ///< of the precision that was enough
 
   [[nodiscard]] long size() const noexcept {
@@ -44,6 +39,9 @@ struct Request {
 ///          budget or at all; InternalError when a self-test fails
 /// Source   docs/theory/monodromy.md
 [[nodiscard]] Monodromy monodromy(const DifferentialSystem& s, const Request& request = {});
+/// The same for y'' + p y' + q y = 0 and the vector (y, y').
+[[nodiscard]] Monodromy monodromy(const RationalFunction& p, const RationalFunction& q,
+                                  const Request& request = {});
 
 /// An upper bound of all radii.
 [[nodiscard]] Ball largest_radius(const Monodromy& m);

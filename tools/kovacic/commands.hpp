@@ -29,7 +29,17 @@ struct PotentialArguments {
   std::optional<std::string> eigenvalue;
 };
 
+struct MonodromyArguments {
+  std::optional<std::string> r, ode, p, q;
+  std::string variable;
+  std::optional<std::string> minpoly;
+  std::optional<std::string> base; ///< x + y*I
+  long digits = 30;
+};
+
 int solve(const Settings& settings, const SolveArguments& arguments);
+/// Monodromy matrices with proven radii.
+int monodromy(const Settings& settings, const MonodromyArguments& arguments);
 /// Lame's equation: the closed answer, or the condition on what is left free.
 int lame(const Settings& settings, const LameArguments& arguments);
 /// The eigenvalues that an integrable homogeneous potential may have.

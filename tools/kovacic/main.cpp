@@ -47,6 +47,7 @@ struct CommandLine {
   SolveArguments solve_arguments;
   LameArguments lame_arguments;
   PotentialArguments potential_arguments;
+  MonodromyArguments monodromy_arguments;
   SectionArguments section_arguments;
   BenchArguments bench_arguments;
   std::vector<std::string> files;
@@ -162,6 +163,36 @@ struct CommandLine {
     output_flags(*potential);
   }
 
+  void declare_monodromy(CLI::App& app) {
+    MonodromyArguments& a = monodromy_arguments;
+    CLI::App* command = app.add_subcommand("monodromy", "monodromy matrices with proven radii");
+    command->add_option("-r", a.r, "y'' = R y")->type_name("R(z)");
+    command->add_option("-e,--ode", a.ode, "a linear equation, e.g. y'' = z*y")
+        ->type_name("EQUATION");
+    command->add_option("--p", a.p, "with --q: y'' + P y' + Q y = 0")->type_name("P(z)");
+    command->add_option("--q", a.q, "with --p")->type_name("Q(z)");
+    command->add_option("--variable", a.variable, "its name, if not clear (z)")->type_name("NAME");
+    command->add_option("--minpoly", a.minpoly, "a constant by its polynomial: a^2 - 5")
+        ->type_name("POLY");
+    command->add_option("--digits", a.digits, "every radius is at most 10^-N (default 30)")
+        ->type_name("N");
+    command->add_option("--base", a.base, "the base point x + y*I, dyadic")->type_name("POINT");
+    command->add_option("--set", settings.set, "give a name a value: --set a=1/2 (repeatable)")
+        ->type_name("NAME=VALUE")
+        ->expected(1)
+        ->take_all();
+    command->add_option("--timeout", settings.timeout, "seconds; 0 = no limit")
+        ->check(number(1e9, "a number of seconds"))
+        ->type_name("S");
+    command->add_option("--memory", settings.memory, "ceiling in MiB (default 4096); 0 = none")
+        ->check(number(1L << 30, "a number of MiB"))
+        ->type_name("MIB");
+    command->add_option("--format", settings.format, "text or json")
+        ->check(silent(CLI::IsMember({"text", "json"})))
+        ->type_name("F");
+    shared_flags(*command, false);
+  }
+
   void report_flags(CLI::App& command) {
     format_flag(command, {"text", "json", "tex", "html"},
                 "text, json, tex or html (also: -o NAME.html)");
@@ -206,6 +237,7 @@ struct CommandLine {
     solver_flags(*solve);
 
     declare_families(app);
+    declare_monodromy(app);
 
     CLI::App* check = app.add_subcommand("check", "files: the answer and what was expected");
     check->add_option("FILE", files, "equation or system files")->required()->type_name("");
@@ -290,6 +322,7 @@ struct CommandLine {
     if (command == "solve") return solve(settings, solve_arguments);
     if (command == "lame") return lame(settings, lame_arguments);
     if (command == "potential") return potential(settings, potential_arguments);
+    if (command == "monodromy") return monodromy(settings, monodromy_arguments);
     if (command == "check") return check(settings, files);
     if (command == "show") return show(settings, word, stage);
     if (command == "find-manifolds") return find_manifolds(settings, word);
