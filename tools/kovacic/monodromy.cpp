@@ -5,6 +5,7 @@
 #include "mechanics.hpp"
 #include "monodromy/decimal.hpp"
 #include "monodromy/monodromy.hpp"
+#include "monodromy/words.hpp"
 #include "render.hpp"
 #include "symbol/rational_form.hpp"
 
@@ -81,6 +82,24 @@ Json json_of(const mo::Monodromy& m, long digits, const std::string& variable) {
   return j;
 }
 
+std::string ball_text(const ComplexBall& z) {
+  char* re = arb_get_str(acb_realref(z.raw()), 10, 0);
+  char* im = arb_get_str(acb_imagref(z.raw()), 10, 0);
+  const std::string text = std::string(re) + " + " + im + "*I";
+  flint_free(re);
+  flint_free(im);
+  return text;
+}
+
+Json json_of(const mo::Sl2Proof& p) {
+  return {{"proves", "SL2"},
+          {"A", p.a},
+          {"B", p.b},
+          {"trace_A", ball_text(p.trace_a)},
+          {"trace_commutator", ball_text(p.trace_commutator)},
+          {"trace_ABAB^-1", ball_text(p.trace_normalizer)}};
+}
+
 std::string entry_text(const Json& entry, long shown) {
   const auto cut = [&](std::string s) {
     const auto dot = s.find('.');
@@ -111,6 +130,13 @@ std::string text_of(const Json& j) {
   if (j.at("loops").empty()) out << "  no finite singularity: every loop gives the identity\n";
   for (const Json& t : j.at("self_tests"))
     out << "  tested    " << t.get<std::string>() << '\n';
+  if (j.contains("certificate") && !j.at("certificate").is_null())
+    out << "  proved    the group of the normal form y'' = r y is SL(2, C): words A, B in the loops "
+           "with\n            tr A = "
+        << j.at("certificate").at("trace_A").get<std::string>() << "\n            tr [A, B] = "
+        << j.at("certificate").at("trace_commutator").get<std::string>()
+        << "\n            tr A B A B^-1 = "
+        << j.at("certificate").at("trace_ABAB^-1").get<std::string>() << '\n';
   return out.str();
 }
 
@@ -123,6 +149,8 @@ Report matrices(const Settings& settings, const MonodromyArguments& a) {
   if (a.base) request.base = read_base(*a.base);
   const mo::Monodromy m = mo::monodromy(e.p, e.q, request);
   Json j = json_of(m, a.digits, e.variable);
+  const auto proof = mo::prove_sl2(m, request.budget);
+  j["certificate"] = proof ? json_of(*proof) : Json(nullptr);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   j["seconds"] = seconds.count();
   return {exit_decided, text_of(j), j};

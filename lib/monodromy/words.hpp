@@ -1,0 +1,35 @@
+#pragma once
+// Proofs from strict inequalities: two words in the matrices that generate a group dense in SL(2, C).
+//
+//   tr(A)^2/det A not in [0, 4],   tr(A B A^-1 B^-1) != 2,   tr(A B A B^-1) != 2 det A
+//
+// Equality is never concluded from balls.  docs/theory/monodromy.md 6
+
+#include "monodromy/monodromy.hpp"
+
+namespace kov::monodromy {
+
+/// Indices of loops, the first one continued along first.
+using Word = std::vector<std::size_t>;
+
+struct Sl2Proof {
+  Word a, b;
+  ComplexBall trace_a;          ///< tr(A)/sqrt(det A)
+  ComplexBall trace_commutator; ///< tr(A B A^-1 B^-1)
+  ComplexBall trace_normalizer; ///< tr(A B A B^-1)/det A
+};
+
+inline constexpr std::size_t longest_word = 6;
+
+/// The group of y'' = r y (r the normal form) is SL(2, C); nothing when no pair of words with
+/// |A| <= 6, |B| = 1 shows it, which proves nothing.  Requires size 2.
+/// Cost  at most some ten thousand products of 2 x 2 matrices
+[[nodiscard]] std::optional<Sl2Proof> prove_sl2(const Monodromy& m, const Budget& budget = {});
+
+/// Do these two words satisfy the three inequalities?
+[[nodiscard]] std::optional<Sl2Proof> checked(const Monodromy& m, const Word& a, const Word& b);
+
+/// The matrix of the loops of a word, one after the other.
+[[nodiscard]] BallMatrix matrix_of(const Monodromy& m, const Word& w);
+
+} // namespace kov::monodromy
