@@ -8,7 +8,7 @@
 namespace kov::monodromy {
 namespace {
 
-constexpr long guard_bits = 24;
+constexpr long guard_bits = 12;
 constexpr long growth_bits = 128;
 constexpr long tail_bits = 64;
 constexpr long slack_bits = 16;
@@ -194,7 +194,7 @@ long fixed_bits(const std::vector<Growth>& ends, long degree, long bits) {
     extra = std::max(extra, one);
   }
   const auto terms = static_cast<ulong>(bits + extra);
-  return bits + extra + 2 * static_cast<long>(FLINT_BIT_COUNT(terms)) + 3 * degree + guard_bits;
+  return bits + extra + static_cast<long>(FLINT_BIT_COUNT(terms)) + degree + guard_bits;
 }
 
 class Expansion {

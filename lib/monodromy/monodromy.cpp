@@ -9,7 +9,7 @@ namespace kov::monodromy {
 namespace {
 
 constexpr long pilot_bits = 160;  // a cheap first run tells what the radii lose on the way
-constexpr long spare_bits = 64;
+constexpr long spare_bits = 48;
 constexpr long most_bits = 1L << 22;
 constexpr int most_attempts = 24;
 
