@@ -41,7 +41,8 @@ Ball largest_radius(const BallMatrix& a) {
   mag_init(one);
   for (long i = 0; i < a.size(); ++i)
     for (long j = 0; j < a.size(); ++j) {
-      mag_hypot(one, arb_radref(acb_realref(a.entry(i, j))), arb_radref(acb_imagref(a.entry(i, j))));
+      mag_hypot(one, arb_radref(acb_realref(a.entry(i, j))),
+                arb_radref(acb_imagref(a.entry(i, j))));
       mag_max(most, most, one);
     }
   Ball r;
@@ -51,9 +52,7 @@ Ball largest_radius(const BallMatrix& a) {
   return r;
 }
 
-bool contains_identity(const BallMatrix& a) {
-  return overlap(a, BallMatrix::identity(a.size()));
-}
+bool contains_identity(const BallMatrix& a) { return overlap(a, BallMatrix::identity(a.size())); }
 
 bool overlap(const BallMatrix& a, const BallMatrix& b) {
   return acb_mat_overlaps(a.raw(), b.raw()) != 0;

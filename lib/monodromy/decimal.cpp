@@ -21,8 +21,8 @@ std::string with_point(const Integer& n, long digits) {
 }
 
 std::string rounded(const arf_struct* x, long digits) {
-  return with_point(
-      floor(exact_value(x) * power_of_ten(digits) + Rational(Integer(1), Integer(2))), digits);
+  return with_point(floor(exact_value(x) * power_of_ten(digits) + Rational(Integer(1), Integer(2))),
+                    digits);
 }
 
 std::string all_digits(const Real& x) {

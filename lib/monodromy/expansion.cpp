@@ -112,11 +112,11 @@ private:
 
   const LocalSystem& s_;
   long fixed_;
-  std::vector<Series> y_; // y_[i][k]: the coefficient of t^k, exact
-  std::vector<Series> v_; // v_[i][k] = (k+1) y_[i][k+1], exact
+  std::vector<Series> y_;           // y_[i][k]: the coefficient of t^k, exact
+  std::vector<Series> v_;           // v_[i][k] = (k+1) y_[i][k+1], exact
   std::vector<Magnitude> rounding_; // of the residual, relative to den_i(0)
-  long largest_ = 0; // the coefficients of late are at most about 2^largest
-  long quiet_ = 0;   // negligible coefficients in a row
+  long largest_ = 0;                // the coefficients of late are at most about 2^largest
+  long quiet_ = 0;                  // negligible coefficients in a row
 };
 
 // t = numerator/divisor with short numbers, |t| <= 1.

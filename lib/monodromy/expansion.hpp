@@ -5,8 +5,8 @@
 // The coefficients are exact complex numbers: each is what the recurrence
 //   den_0 (k+1) Y_{k+1} = sum_j num_j Y_{k-j} - sum_{j>=1} den_j (k+1-j) Y_{k+1-j}
 // gives for the exact numbers before it, rounded once, with the radius of that one rounding set
-// aside.  So the residual of the polynomial in the differential equation is known, term by term, and
-// Gronwall's inequality turns it into a bound of the error.  Radii never enter the recurrence:
+// aside.  So the residual of the polynomial in the differential equation is known, term by term,
+// and Gronwall's inequality turns it into a bound of the error.  Radii never enter the recurrence:
 // nothing can explode.  docs/theory/monodromy.md 1, 2
 
 #include "exact/budget.hpp"

@@ -13,7 +13,7 @@ namespace kov::monodromy {
 
 struct Growth {
   std::vector<long> weights;
-  Magnitude exponent;               ///< of the integral of ||A||_w over the segment
+  Magnitude exponent;             ///< of the integral of ||A||_w over the segment
   std::vector<Magnitude> inverse; ///< of |den_i(0)/den_i| on the segment
 };
 

@@ -3,8 +3,8 @@
 //
 //   den_i(t) dY_i/dt = sum_j num_ij(t) Y_j        (the factor `scale` is in num)
 //
-// Over Q, and for a centre of few bits, the coefficients are exact and short, so that a product of a
-// long number by a coefficient costs no more than reading the long number.
+// Over Q, and for a centre of few bits, the coefficients are exact and short, so that a product of
+// a long number by a coefficient costs no more than reading the long number.
 
 #include "monodromy/differential_system.hpp"
 

@@ -89,8 +89,7 @@ Real clearance(const Landscape& land, const Point& b) {
   Real least(1);
   for (std::size_t i = 0; i < land.size(); ++i)
     for (std::size_t j = 0; j < land.size(); ++j)
-      if (i != j)
-        least = min(least, distance_to_segment(land[j], b, land[i]) / land.isolation(j));
+      if (i != j) least = min(least, distance_to_segment(land[j], b, land[i]) / land.isolation(j));
   return least;
 }
 
@@ -100,8 +99,8 @@ Point choose_base(const Landscape& land) {
   Real best_clearance;
   for (long k = 0; k < base_directions; ++k) {
     const Point down{Real(0), Real(-3) * land.spread()};
-    const Point b = rounded(land.centre() + turned(down, k, base_directions),
-                            Real(16) * land.spread());
+    const Point b =
+        rounded(land.centre() + turned(down, k, base_directions), Real(16) * land.spread());
     const Real c = clearance(land, b);
     if (!best || best_clearance < part(1, 2) * c) {
       best = b;

@@ -1,10 +1,11 @@
 #pragma once
-// A tree of loops from one base point b: for every singularity s the straight segment from b towards
-// s, once around s on a small circle, counterclockwise, and back on the segment.
+// A tree of loops from one base point b: for every singularity s the straight segment from b
+// towards s, once around s on a small circle, counterclockwise, and back on the segment.
 //
-// Order: by the angle under which b sees the singularities, counterclockwise.  For a base outside the
-// circle that holds all singularities the angle is counted from the direction of its centre, so that
-// loop 1, then loop 2, ..., then the last one together are the large circle from b, counterclockwise:
+// Order: by the angle under which b sees the singularities, counterclockwise.  For a base outside
+// the circle that holds all singularities the angle is counted from the direction of its centre, so
+// that loop 1, then loop 2, ..., then the last one together are the large circle from b,
+// counterclockwise:
 //
 //   M_n ... M_2 M_1 = M_circle             (continuation along loop 1 first)
 //

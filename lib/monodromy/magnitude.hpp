@@ -50,9 +50,7 @@ private:
   mag_t v_;
 };
 
-[[nodiscard]] inline Magnitude max(const Magnitude& a, const Magnitude& b) {
-  return a < b ? b : a;
-}
+[[nodiscard]] inline Magnitude max(const Magnitude& a, const Magnitude& b) { return a < b ? b : a; }
 [[nodiscard]] inline Magnitude exp(const Magnitude& a) {
   Magnitude m;
   mag_exp(m.raw(), a.raw());

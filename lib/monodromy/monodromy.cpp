@@ -8,7 +8,7 @@
 namespace kov::monodromy {
 namespace {
 
-constexpr long pilot_bits = 160;  // a cheap first run tells what the radii lose on the way
+constexpr long pilot_bits = 160; // a cheap first run tells what the radii lose on the way
 constexpr long spare_bits = 48;
 constexpr long most_bits = 1L << 22;
 constexpr int most_attempts = 24;
@@ -77,10 +77,13 @@ LoopTree loops_of(const std::vector<SingularPoint>& places, const std::optional<
 
 Ball largest_radius(const Monodromy& m) {
   Ball most;
-  for (const LoopMatrix& l : m.loops) {
-    const Ball one = largest_radius(l.matrix);
+  const auto include = [&](const BallMatrix& matrix) {
+    const Ball one = largest_radius(matrix);
     if (arb_lt(most.raw(), one.raw()) != 0) most = one;
-  }
+  };
+  for (const LoopMatrix& l : m.loops)
+    include(l.matrix);
+  if (m.large_circle) include(*m.large_circle);
   return most;
 }
 
@@ -91,8 +94,7 @@ Monodromy monodromy(const DifferentialSystem& s, const Request& request) {
   return m;
 }
 
-Monodromy monodromy(const RationalFunction& p, const RationalFunction& q,
-                    const Request& request) {
+Monodromy monodromy(const RationalFunction& p, const RationalFunction& q, const Request& request) {
   Monodromy m = monodromy(companion(p, q), request);
   for (std::string& passed : tested_traces(normal_form(p, q), m, request.budget))
     m.self_tests.push_back(std::move(passed));

@@ -1,8 +1,8 @@
 #pragma once
 // Monodromy matrices with proven radii.
 //
-// Y is the fundamental matrix with Y(base) = 1; continued along a loop it becomes Y M.  The matrix of
-// "loop 1, then loop 2" is M_2 M_1.
+// Y is the fundamental matrix with Y(base) = 1; continued along a loop it becomes Y M.  The matrix
+// of "loop 1, then loop 2" is M_2 M_1.
 
 #include "linode/normal_form.hpp"
 #include "monodromy/ball_matrix.hpp"
@@ -22,7 +22,7 @@ struct Monodromy {
   /// Along the large circle, counterclockwise; for a base inside it is not computed.
   std::optional<BallMatrix> large_circle;
   std::vector<std::string> self_tests; ///< what was tested, and held (self_tests.hpp)
-  long bits = 0; ///< of the precision that was enough
+  long bits = 0;                       ///< of the precision that was enough
 
   [[nodiscard]] long size() const noexcept {
     return loops.empty() ? 0 : loops.front().matrix.size();

@@ -1,8 +1,8 @@
 #pragma once
 // Points of the plane where paths are planned: long floating-point numbers without radii.
 //
-// A plan needs no proof: the vertices are rounded to exact dyadic points, and what is claimed of the
-// finished path is checked with balls (loops.hpp).
+// A plan needs no proof: the vertices are rounded to exact dyadic points, and what is claimed of
+// the finished path is checked with balls (loops.hpp).
 
 #include "exact/ball.hpp"
 

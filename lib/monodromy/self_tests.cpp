@@ -26,8 +26,8 @@ BallMatrix ordered_product(const Monodromy& m) {
 }
 
 // exp(2 pi i residue of f at the root `at` of q); nothing at a pole of order two or more.
-std::optional<ComplexBall> exponential_of_residue(const RationalFunction& f,
-                                                  const SingularPoint& p, long bits) {
+std::optional<ComplexBall> exponential_of_residue(const RationalFunction& f, const SingularPoint& p,
+                                                  long bits) {
   const Poly q = coerce(p.factor, f.field());
   ComplexBall value;
   acb_one(value.raw());
@@ -84,8 +84,7 @@ std::vector<std::string> tested_identities(const DifferentialSystem& s, const Mo
     ensure(overlap(ordered_product(m), *m.large_circle), "the ordered product", "");
     passed.emplace_back("the ordered product meets the large circle");
   }
-  if (test_determinants(s, m))
-    passed.emplace_back("the determinants contain exp(2 pi i res tr A)");
+  if (test_determinants(s, m)) passed.emplace_back("the determinants contain exp(2 pi i res tr A)");
   return passed;
 }
 

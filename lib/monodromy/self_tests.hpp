@@ -13,9 +13,9 @@ namespace kov::monodromy {
 [[nodiscard]] std::vector<std::string> tested_identities(const DifferentialSystem& s,
                                                          const Monodromy& m);
 
-/// At a regular singular place with exponent difference Delta: tr(M)^2 = 4 cos(pi Delta)^2 det M, and
-/// tr M = -2 cos(pi Delta) when the equation has no first-order term.
-[[nodiscard]] std::vector<std::string> tested_traces(const NormalForm& equation,
-                                                     const Monodromy& m, const Budget& budget = {});
+/// At a regular singular place with exponent difference Delta: tr(M)^2 = 4 cos(pi Delta)^2 det M,
+/// and tr M = -2 cos(pi Delta) when the equation has no first-order term.
+[[nodiscard]] std::vector<std::string> tested_traces(const NormalForm& equation, const Monodromy& m,
+                                                     const Budget& budget = {});
 
 } // namespace kov::monodromy

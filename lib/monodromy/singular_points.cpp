@@ -23,12 +23,20 @@ std::vector<ComplexBall> rational_roots(const Poly& f, long bits) {
   return roots;
 }
 
+// Roots of different factors are different numbers; their enclosures must be, too.
+void ensure_disjoint(const std::vector<SingularPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (acb_overlaps(points[i].at.raw(), points[j].at.raw()) != 0)
+        throw OutOfBudget("two singularities are too near to each other");
+}
+
 Poly squarefree_part(const Poly& f) { return exact_div(f, gcd(f, derivative(f))); }
 
 } // namespace
 
-// Over K the roots are among those of the norm; exactly deg f of these are roots of f, so as soon as
-// only deg f values can be 0, those are.
+// Over K the roots are among those of the norm; exactly deg f of these are roots of f, so as soon
+// as only deg f values can be 0, those are.
 std::vector<ComplexBall> embedded_roots(const Poly& f, long bits) {
   if (degree(f) < 1) return {};
   if (f.field()->is_rational()) return rational_roots(f, bits);
@@ -55,6 +63,7 @@ std::vector<SingularPoint> singular_points(const DifferentialSystem& s, long bit
     for (const ComplexBall& z : embedded_roots(f.base, bits))
       points.push_back({f.base, z});
   }
+  ensure_disjoint(points);
   return points;
 }
 

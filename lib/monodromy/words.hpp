@@ -1,5 +1,6 @@
 #pragma once
-// Proofs from strict inequalities: two words in the matrices that generate a group dense in SL(2, C).
+// Proofs from strict inequalities: two words in the matrices that generate a group dense in SL(2,
+// C).
 //
 //   tr(A)^2/det A not in [0, 4],   tr(A B A^-1 B^-1) != 2,   tr(A B A B^-1) != 2 det A
 //

@@ -144,8 +144,7 @@ TEST(Monodromy, DiagonalSystemsInDisguise) {
     diagonal_in_disguise(n, {q(0), q(1), q(-3, 2)}, 20, static_cast<std::uint32_t>(n));
 }
 
-TEST(Monodromy, TheLargestSystems) { diagonal_in_disguise(8, {q(0)}, 10, 8);
-}
+TEST(Monodromy, TheLargestSystems) { diagonal_in_disguise(8, {q(0)}, 10, 8); }
 
 TEST(Monodromy, NearlyMergedSingularities) {
   for (const long digits : {3, 12}) {
@@ -190,9 +189,9 @@ TEST(Monodromy, KnownSolutions) {
 }
 
 TEST(Monodromy, LargeExponents) {
-  known_solution({{q(0), Rational(Integer(301), Integer(3))},
-                  {q(1), Rational(Integer(-200), Integer(7))}},
-                 30);
+  known_solution(
+      {{q(0), Rational(Integer(301), Integer(3))}, {q(1), Rational(Integer(-200), Integer(7))}},
+      30);
 }
 
 // A logarithm: Y' = N/z Y with N nilpotent gives exp(2 pi i N).
@@ -210,19 +209,21 @@ TEST(Monodromy, NilpotentResidue) {
   EXPECT_TRUE(overlap(n, m.loops.front().matrix));
 }
 
-// Euler's y'' = a/z^2 y at irrational exponents, over Q(sqrt 5) with its generator as a coefficient.
+// Euler's y'' = a/z^2 y at irrational exponents, over Q(sqrt 5) with its generator as a
+// coefficient.
 TEST(Monodromy, NumberFieldCoefficients) {
   const Field k = make_field({-5, 0, 1}, "s", 0);
   const RationalFunction s{Poly(NfElem::generator(k))};
-  const Monodromy m =
-      monodromy::monodromy(RationalFunction(0), -(s / (z() * z()) + q(1) / (z() - s)), {30, {}, {}});
+  const Monodromy m = monodromy::monodromy(RationalFunction(0),
+                                           -(s / (z() * z()) + q(1) / (z() - s)), {30, {}, {}});
   EXPECT_EQ(m.loops.size(), 2U);
   EXPECT_THAT(m.self_tests, testing::SizeIs(3));
   expect_accurate(m, 30);
 }
 
 TEST(Monodromy, AnotherBaseHasTheSameTraces) {
-  const RationalFunction r = q(1, 7) / pow(z(), 2) + q(3) / pow(z() - q(1), 2) + q(1) / (z() + q(2));
+  const RationalFunction r =
+      q(1, 7) / pow(z(), 2) + q(3) / pow(z() - q(1), 2) + q(1) / (z() + q(2));
   const Monodromy a = monodromy::monodromy(RationalFunction(0), -r, {30, {}, {}});
   const Monodromy b =
       monodromy::monodromy(RationalFunction(0), -r, {30, Point{Real(0), Real(2)}, {}});

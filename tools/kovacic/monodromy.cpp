@@ -1,10 +1,10 @@
 // kovacic monodromy: matrices with proven radii, and what they prove.
 
+#include "monodromy/monodromy.hpp"
 #include "commands.hpp"
 #include "equation/read_equation.hpp"
 #include "mechanics.hpp"
 #include "monodromy/decimal.hpp"
-#include "monodromy/monodromy.hpp"
 #include "monodromy/words.hpp"
 #include "render.hpp"
 #include "symbol/rational_form.hpp"
@@ -131,7 +131,8 @@ std::string text_of(const Json& j) {
   for (const Json& t : j.at("self_tests"))
     out << "  tested    " << t.get<std::string>() << '\n';
   if (j.contains("certificate") && !j.at("certificate").is_null())
-    out << "  proved    the group of the normal form y'' = r y is SL(2, C): words A, B in the loops "
+    out << "  proved    the group of the normal form y'' = r y is SL(2, C): words A, B in the "
+           "loops "
            "with\n            tr A = "
         << j.at("certificate").at("trace_A").get<std::string>() << "\n            tr [A, B] = "
         << j.at("certificate").at("trace_commutator").get<std::string>()
