@@ -2,8 +2,7 @@
 // Square matrices of complex balls (Arb).
 
 #include "exact/ball.hpp"
-
-#include <acb_mat.h>
+#include "exact/flint_matrix.hpp"
 
 namespace kov::monodromy {
 

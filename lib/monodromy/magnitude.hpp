@@ -3,8 +3,6 @@
 
 #include "exact/ball.hpp"
 
-#include <mag.h>
-
 namespace kov::monodromy {
 
 class Magnitude {
