@@ -23,6 +23,12 @@ BallMatrix inverse(const BallMatrix& a, long bits) {
   return c;
 }
 
+BallMatrix inverse_or_unknown(const BallMatrix& a, long bits) {
+  BallMatrix c(a.size());
+  if (acb_mat_inv(c.raw(), a.raw(), bits) == 0) acb_mat_indeterminate(c.raw());
+  return c;
+}
+
 ComplexBall trace(const BallMatrix& a, long bits) {
   ComplexBall t;
   acb_mat_trace(t.raw(), a.raw(), bits);

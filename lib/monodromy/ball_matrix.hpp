@@ -35,6 +35,8 @@ private:
 [[nodiscard]] BallMatrix multiply(const BallMatrix& a, const BallMatrix& b, long bits);
 /// Throws Imprecise when the enclosure of the determinant contains 0.
 [[nodiscard]] BallMatrix inverse(const BallMatrix& a, long bits);
+/// The same, with entries that may be anything then: nothing can be concluded from them.
+[[nodiscard]] BallMatrix inverse_or_unknown(const BallMatrix& a, long bits);
 [[nodiscard]] ComplexBall trace(const BallMatrix& a, long bits);
 [[nodiscard]] ComplexBall determinant(const BallMatrix& a, long bits);
 /// An upper bound of the radius of every entry, as a ball that is one point.

@@ -2,6 +2,8 @@
 
 #include "exact/error.hpp"
 
+#include <algorithm>
+
 namespace kov::monodromy {
 namespace {
 
@@ -46,6 +48,41 @@ DifferentialSystem make_system(const std::vector<std::vector<RationalFunction>>&
 
 DifferentialSystem companion(const RationalFunction& p, const RationalFunction& q) {
   return make_system({{RationalFunction(0), RationalFunction(1)}, {-q, -p}});
+}
+
+RationalFunction entry(const DifferentialSystem& s, std::size_t i, std::size_t j) {
+  return {s.rows.at(i).num.at(j), s.rows.at(i).den};
+}
+
+std::vector<std::vector<std::size_t>> diagonal_blocks(const DifferentialSystem& s) {
+  const std::size_t n = s.rows.size();
+  std::vector<std::vector<bool>> uses(n, std::vector<bool>(n)); // directly or not (Warshall)
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      uses[i][j] = i == j || !is_zero(s.rows[i].num[j]);
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j)
+        if (uses[i][k] && uses[k][j]) uses[i][j] = true;
+  std::vector<std::vector<std::size_t>> blocks;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto same = [&](const std::vector<std::size_t>& block) {
+      return uses[i][block.front()] && uses[block.front()][i];
+    };
+    const auto it = std::find_if(blocks.begin(), blocks.end(), same);
+    if (it == blocks.end())
+      blocks.push_back({i});
+    else
+      it->push_back(i);
+  }
+  return blocks;
+}
+
+Poly common_denominator(const DifferentialSystem& s) {
+  Poly common = coerce(Poly(1), s.field);
+  for (const Row& row : s.rows)
+    common = lcm(common, row.den);
+  return common;
 }
 
 RationalFunction trace(const DifferentialSystem& s) {

@@ -30,6 +30,13 @@ inline constexpr long largest_size = 8;
 [[nodiscard]] DifferentialSystem make_system(const std::vector<std::vector<RationalFunction>>& a);
 /// y'' + p y' + q y = 0 for the vector (y, y').
 [[nodiscard]] DifferentialSystem companion(const RationalFunction& p, const RationalFunction& q);
+/// An entry of A.
+[[nodiscard]] RationalFunction entry(const DifferentialSystem& s, std::size_t i, std::size_t j);
+/// The strongly connected parts of "Y_i' uses Y_j": A is block triangular, and these are its
+/// diagonal blocks.  Ascending inside a part.
+[[nodiscard]] std::vector<std::vector<std::size_t>> diagonal_blocks(const DifferentialSystem& s);
+/// The least common denominator of A, monic.
+[[nodiscard]] Poly common_denominator(const DifferentialSystem& s);
 /// The trace of A.
 [[nodiscard]] RationalFunction trace(const DifferentialSystem& s);
 

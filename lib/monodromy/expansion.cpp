@@ -48,6 +48,10 @@ public:
       : s_(s), fixed_(fixed), y_(s.rows.size()), v_(s.rows.size()), rounding_(s.rows.size()) {
     for (Series& y : y_)
       y.emplace_back();
+    for (const LocalRow& row : s.rows) {
+      inverse_.emplace_back();
+      acb_inv(inverse_.back().raw(), row.den.front().raw(), fixed + guard_bits);
+    }
     acb_one(y_[m].front().raw());
     const long most_terms = 4 * fixed + 64; // then the residual tells what is missing
     while (quiet_ <= s.degree + 1 && terms() < most_terms) {
@@ -95,7 +99,7 @@ private:
     for (std::size_t i = 0; i < s_.rows.size(); ++i) {
       next.push_back(right_side(i, k, precision));
       acb_struct* y = next.back().raw();
-      acb_div(y, y, s_.rows[i].den.front().raw(), precision);
+      acb_mul(y, y, inverse_[i].raw(), precision);
       acb_div_si(y, y, k + 1, precision);
       rounding_[i] += radius(next.back()) * Magnitude(static_cast<unsigned long>(k + 1));
       acb_get_mid(y, y);
@@ -112,11 +116,12 @@ private:
 
   const LocalSystem& s_;
   long fixed_;
-  std::vector<Series> y_;           // y_[i][k]: the coefficient of t^k, exact
-  std::vector<Series> v_;           // v_[i][k] = (k+1) y_[i][k+1], exact
-  std::vector<Magnitude> rounding_; // of the residual, relative to den_i(0)
-  long largest_ = 0;                // the coefficients of late are at most about 2^largest
-  long quiet_ = 0;                  // negligible coefficients in a row
+  std::vector<ComplexBall> inverse_; // of den_i(0)
+  std::vector<Series> y_;            // y_[i][k]: the coefficient of t^k, exact
+  std::vector<Series> v_;            // v_[i][k] = (k+1) y_[i][k+1], exact
+  std::vector<Magnitude> rounding_;  // of the residual, relative to den_i(0)
+  long largest_ = 0;                 // the coefficients of late are at most about 2^largest
+  long quiet_ = 0;                   // negligible coefficients in a row
 };
 
 // t = numerator/divisor with short numbers, |t| <= 1.
@@ -126,9 +131,12 @@ struct Ratio {
   long shift = 0; // and a power of two
 };
 
-// sum y_k t^k to about 2^-fixed, with a radius for what is rounded here.
-ComplexBall evaluate(const Series& y, const Ratio& t, long fixed) {
+// sum y_k t^k to about 2^-fixed for |t| <= length, by Horner's scheme on exact numbers.  A ball
+// that is turned at every step would swell by up to sqrt 2 each time; what a step rounds is set
+// aside and shrinks with t.
+ComplexBall evaluate(const Series& y, const Ratio& t, const Magnitude& length, long fixed) {
   ComplexBall value;
+  Magnitude error;
   for (std::size_t k = y.size(); k-- > 0;) {
     const long size = std::max(size_of(value, -fixed), size_of(y[k], -fixed));
     const long precision = fixed + slack_bits + size;
@@ -136,7 +144,10 @@ ComplexBall evaluate(const Series& y, const Ratio& t, long fixed) {
     acb_div_si(value.raw(), value.raw(), t.divisor, precision);
     acb_mul_2exp_si(value.raw(), value.raw(), t.shift);
     acb_add(value.raw(), value.raw(), y[k].raw(), precision);
+    error = error * length + radius(value);
+    acb_get_mid(value.raw(), value.raw());
   }
+  acb_add_error_mag(value.raw(), error.raw());
   return value;
 }
 
@@ -222,7 +233,8 @@ public:
       for (std::size_t i = 0; i < columns_.size(); ++i) {
         const Magnitude radius = times_power_of_two(error, growths_[step].weights[i]);
         acb_struct* entry = y.entry(static_cast<long>(i), static_cast<long>(m));
-        acb_set(entry, evaluate(columns_[m].component(i), ratios_[step], fixed_).raw());
+        acb_set(entry,
+                evaluate(columns_[m].component(i), ratios_[step], lengths_[step], fixed_).raw());
         acb_add_error_mag(entry, radius.raw());
       }
     }

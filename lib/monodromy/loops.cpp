@@ -179,16 +179,36 @@ Ball modulus(const ComplexBall& z) {
   return r;
 }
 
-// Each step turns by less than a right angle to the left: 8 (or 12) of them, which end where they
-// began, turn once, as 12 steps of less than 60 degrees do.
-void ensure_turns_once(const Path& circle, const ComplexBall& s) {
-  for (std::size_t k = 0; k + 1 < circle.vertices.size(); ++k) {
-    ComplexBall turn;
-    acb_div(turn.raw(), difference(circle.vertices[k + 1], s).raw(),
-            difference(circle.vertices[k], s).raw(), plan_bits);
-    KOV_ENSURE(arb_is_positive(acb_realref(turn.raw())) != 0);
-    KOV_ENSURE(arb_is_positive(acb_imagref(turn.raw())) != 0);
+std::vector<Point> polygon(const Path& path) {
+  std::vector<Point> all{path.vertices.front()};
+  for (std::size_t k = 0; k < path.joints.size(); ++k) {
+    all.push_back(path.joints[k]);
+    all.push_back(path.vertices[k + 1]);
   }
+  return all;
+}
+
+// Every segment of the closed polygon has s on its left, and seen from s they turn by 2 pi
+// together.
+void ensure_turns_once(const Path& circle, const ComplexBall& s) {
+  const std::vector<Point> points = polygon(circle);
+  Ball sum, one_turn;
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    ComplexBall turn;
+    acb_div(turn.raw(), difference(points[k + 1], s).raw(), difference(points[k], s).raw(),
+            plan_bits);
+    KOV_ENSURE(arb_is_positive(acb_imagref(turn.raw())) != 0);
+    Ball angle;
+    acb_arg(angle.raw(), turn.raw(), plan_bits);
+    arb_add(sum.raw(), sum.raw(), angle.raw(), plan_bits);
+  }
+  arb_const_pi(one_turn.raw(), plan_bits);
+  arb_mul_2exp_si(one_turn.raw(), one_turn.raw(), 1);
+  arb_sub(sum.raw(), sum.raw(), one_turn.raw(), plan_bits);
+  Ball one;
+  arb_one(one.raw());
+  arb_abs(sum.raw(), sum.raw());
+  KOV_ENSURE(arb_lt(sum.raw(), one.raw()) != 0); // a multiple of 2 pi
 }
 
 // All other singularities are outside the disc about s that holds the circle.
@@ -217,7 +237,11 @@ public:
     LoopTree t{base_, {}, {}};
     for (const std::size_t i : order())
       t.loops.push_back(loop(i));
-    if (outside_) t.large_circle = walker_.around(land_.centre(), base_, large_vertices());
+    if (outside_) {
+      t.large_circle = walker_.around(land_.centre(), base_, large_vertices());
+      for (const ComplexBall& s : singularities_)
+        ensure_turns_once(*t.large_circle, s);
+    }
     return t;
   }
 

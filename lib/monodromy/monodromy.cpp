@@ -8,6 +8,7 @@
 namespace kov::monodromy {
 namespace {
 
+constexpr long dear_bits = 1200; // beyond,
 constexpr long pilot_bits = 160; // a cheap first run tells what the radii lose on the way
 constexpr long spare_bits = 48;
 constexpr long most_bits = 1L << 22;
@@ -51,7 +52,8 @@ long missing_bits(const Monodromy& m, long wanted) {
 Monodromy accurate(const DifferentialSystem& s, const std::vector<SingularPoint>& places,
                    const LoopTree& tree, const Request& request) {
   const long wanted = bits_for(request.digits);
-  long bits = std::min(wanted + spare_bits, pilot_bits);
+  long bits = wanted + spare_bits;
+  if (bits > dear_bits) bits = pilot_bits;
   for (int k = 0; k < most_attempts && bits < most_bits; ++k) {
     long missing = bits;
     try {
@@ -73,6 +75,22 @@ LoopTree loops_of(const std::vector<SingularPoint>& places, const std::optional<
   for (const SingularPoint& p : places)
     points.push_back(p.at);
   return loop_tree(points, base);
+}
+
+Monodromy diagonal_block(const Monodromy& m, const std::vector<std::size_t>& indices) {
+  const auto part = [&](const BallMatrix& whole) {
+    BallMatrix block(static_cast<long>(indices.size()));
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      for (std::size_t j = 0; j < indices.size(); ++j)
+        acb_set(block.entry(static_cast<long>(i), static_cast<long>(j)),
+                whole.entry(static_cast<long>(indices[i]), static_cast<long>(indices[j])));
+    return block;
+  };
+  Monodromy block{m.base, {}, {}, {}, m.bits};
+  for (const LoopMatrix& l : m.loops)
+    block.loops.push_back({l.place, part(l.matrix)});
+  if (m.large_circle) block.large_circle = part(*m.large_circle);
+  return block;
 }
 
 Ball largest_radius(const Monodromy& m) {

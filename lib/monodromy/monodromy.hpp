@@ -45,6 +45,9 @@ struct Request {
 
 /// An upper bound of all radii.
 [[nodiscard]] Ball largest_radius(const Monodromy& m);
+/// The matrices of the unknowns with these indices, where they are a diagonal block of the system
+/// (differential_system.hpp).
+[[nodiscard]] Monodromy diagonal_block(const Monodromy& m, const std::vector<std::size_t>& indices);
 /// The tree of loops that `monodromy` uses.
 [[nodiscard]] LoopTree loops_of(const std::vector<SingularPoint>& places,
                                 const std::optional<Point>& base);

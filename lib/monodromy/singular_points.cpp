@@ -53,9 +53,7 @@ std::vector<ComplexBall> embedded_roots(const Poly& f, long bits) {
 
 std::vector<SingularPoint> singular_points(const DifferentialSystem& s, long bits,
                                            const Budget& budget) {
-  Poly common = coerce(Poly(1), s.field);
-  for (const Row& row : s.rows)
-    common = lcm(common, row.den);
+  const Poly common = common_denominator(s);
   std::vector<SingularPoint> points;
   if (degree(common) < 1) return points;
   for (const Factor& f : irreducible_factors(common, budget)) {

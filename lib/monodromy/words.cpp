@@ -35,13 +35,21 @@ ComplexBall normalized_square(const BallMatrix& a, long bits) {
   return quotient(t, determinant(a, bits), bits);
 }
 
+// tr(A B A^-1 B^-1)
+ComplexBall trace_commutator(const BallMatrix& a, const BallMatrix& b, long bits) {
+  return trace(multiply(multiply(a, b, bits),
+                        multiply(inverse_or_unknown(a, bits), inverse_or_unknown(b, bits), bits),
+                        bits),
+               bits);
+}
+
 std::optional<Sl2Proof> inequalities(const BallMatrix& a, const BallMatrix& b, long bits) {
   ComplexBall square = normalized_square(a, bits);
   if (!square_outside(square)) return std::nullopt;
   const BallMatrix ab = multiply(a, b, bits);
-  const BallMatrix b_inverse = inverse(b, bits);
+  const BallMatrix b_inverse = inverse_or_unknown(b, bits);
   Sl2Proof p;
-  p.trace_commutator = trace(multiply(ab, multiply(inverse(a, bits), b_inverse, bits), bits), bits);
+  p.trace_commutator = trace_commutator(a, b, bits);
   p.trace_normalizer = quotient(trace(multiply(ab, multiply(a, b_inverse, bits), bits), bits),
                                 determinant(a, bits), bits);
   if (!differs_from_two(p.trace_commutator) || !differs_from_two(p.trace_normalizer))
@@ -60,6 +68,25 @@ std::optional<Sl2Proof> with_any_loop(const Monodromy& m, const Word& a, const B
     }
   }
   return std::nullopt;
+}
+
+// Calls visit(w, matrix, tr^2/det) for words whose tr^2/det is certainly outside of [0, 4], shorter
+// ones first, until it returns true.
+template <class Visit>
+void each_hyperbolic_word(const Monodromy& m, const Budget& budget, Visit visit) {
+  std::deque<std::pair<Word, BallMatrix>> words{{{}, BallMatrix::identity(m.size())}};
+  for (std::size_t tried = 0; !words.empty() && tried < most_words; ++tried) {
+    budget.check();
+    const auto [w, a] = std::move(words.front());
+    words.pop_front();
+    const ComplexBall square = normalized_square(a, m.bits);
+    if (!w.empty() && square_outside(square) && visit(w, a, square)) return;
+    if (w.size() == longest_word) continue;
+    for (std::size_t i = 0; i < m.loops.size(); ++i) {
+      words.emplace_back(w, multiply(m.loops[i].matrix, a, m.bits));
+      words.back().first.push_back(i);
+    }
+  }
 }
 
 } // namespace
@@ -81,22 +108,36 @@ std::optional<Sl2Proof> checked(const Monodromy& m, const Word& a, const Word& b
 }
 
 std::optional<Sl2Proof> prove_sl2(const Monodromy& m, const Budget& budget) {
+  std::optional<Sl2Proof> proof;
+  if (m.size() == 2)
+    each_hyperbolic_word(m, budget, [&](const Word& w, const BallMatrix& a, const ComplexBall&) {
+      proof = with_any_loop(m, w, a);
+      return proof.has_value();
+    });
+  return proof;
+}
+
+std::optional<NoCommonLine> prove_irreducible(const Monodromy& m) {
   if (m.size() != 2) return std::nullopt;
-  std::deque<Word> words{{}}; // shorter ones first
-  for (std::size_t tried = 0; !words.empty() && tried < most_words; ++tried) {
-    budget.check();
-    const Word w = words.front();
-    words.pop_front();
-    const BallMatrix a = matrix_of(m, w);
-    if (!w.empty() && square_outside(normalized_square(a, m.bits)))
-      if (auto proof = with_any_loop(m, w, a)) return proof;
-    if (w.size() == longest_word) continue;
-    for (std::size_t i = 0; i < m.loops.size(); ++i) {
-      words.push_back(w);
-      words.back().push_back(i);
+  for (std::size_t i = 0; i < m.loops.size(); ++i)
+    for (std::size_t j = i + 1; j < m.loops.size(); ++j) {
+      const ComplexBall t = trace_commutator(m.loops[i].matrix, m.loops[j].matrix, m.bits);
+      if (differs_from_two(t)) return NoCommonLine{i, j, t};
     }
-  }
   return std::nullopt;
+}
+
+std::optional<HyperbolicWord> prove_infinite(const Monodromy& m, const Budget& budget) {
+  std::optional<HyperbolicWord> proof;
+  if (m.size() == 2)
+    each_hyperbolic_word(m, budget,
+                         [&](const Word& w, const BallMatrix&, const ComplexBall& square) {
+                           proof = HyperbolicWord{w, square};
+                           ComplexBall& t = proof->trace;
+                           acb_sqrt(t.raw(), t.raw(), m.bits);
+                           return true;
+                         });
+  return proof;
 }
 
 } // namespace kov::monodromy

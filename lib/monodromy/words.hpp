@@ -30,6 +30,23 @@ inline constexpr std::size_t longest_word = 6;
 /// Do these two words satisfy the three inequalities?
 [[nodiscard]] std::optional<Sl2Proof> checked(const Monodromy& m, const Word& a, const Word& b);
 
+/// Two loops whose matrices have no common eigenvector: the group is irreducible.
+struct NoCommonLine {
+  std::size_t a = 0, b = 0;
+  ComplexBall trace_commutator; ///< not 2
+};
+/// Requires size 2; nothing found proves nothing.
+[[nodiscard]] std::optional<NoCommonLine> prove_irreducible(const Monodromy& m);
+
+/// A word whose matrix, divided by a root of its determinant, has infinite order.
+struct HyperbolicWord {
+  Word word;
+  ComplexBall trace; ///< tr/sqrt(det), not in [-2, 2]
+};
+/// Requires size 2; nothing found with words of at most longest_word loops proves nothing.
+[[nodiscard]] std::optional<HyperbolicWord> prove_infinite(const Monodromy& m,
+                                                           const Budget& budget = {});
+
 /// The matrix of the loops of a word, one after the other.
 [[nodiscard]] BallMatrix matrix_of(const Monodromy& m, const Word& w);
 

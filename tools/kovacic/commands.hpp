@@ -33,6 +33,8 @@ struct MonodromyArguments {
   std::optional<std::string> r, ode, p, q;
   std::string variable;
   std::optional<std::string> minpoly;
+  std::string system;              ///< a system file instead of one equation
+  std::string stage = "ve";        ///< which of its linear systems
   std::optional<std::string> base; ///< x + y*I
   long digits = 30;
 };

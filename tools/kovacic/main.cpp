@@ -177,20 +177,16 @@ struct CommandLine {
     command->add_option("--digits", a.digits, "every radius is at most 10^-N (default 30)")
         ->type_name("N");
     command->add_option("--base", a.base, "the base point x + y*I, dyadic")->type_name("POINT");
-    command->add_option("--set", settings.set, "give a name a value: --set a=1/2 (repeatable)")
-        ->type_name("NAME=VALUE")
-        ->expected(1)
-        ->take_all();
-    command->add_option("--timeout", settings.timeout, "seconds; 0 = no limit")
-        ->check(number(1e9, "a number of seconds"))
-        ->type_name("S");
-    command->add_option("--memory", settings.memory, "ceiling in MiB (default 4096); 0 = none")
-        ->check(number(1L << 30, "a number of MiB"))
-        ->type_name("MIB");
-    command->add_option("--format", settings.format, "text or json")
-        ->check(silent(CLI::IsMember({"text", "json"})))
-        ->type_name("F");
-    shared_flags(*command, false);
+    command->add_option("--system", a.system, "a system file: its variational equation")
+        ->type_name("FILE");
+    command->add_option("--stage", a.stage, "with --system: ve (the default), or nve")
+        ->check(silent(CLI::IsMember({"ve", "nve"})))
+        ->type_name("STAGE");
+    manifold_flag(*command);
+    set_flag(*command);
+    process_flags(*command);
+    format_flag(*command, {"text", "json"}, "text or json");
+    output_flags(*command);
   }
 
   void report_flags(CLI::App& command) {

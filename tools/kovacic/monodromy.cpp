@@ -3,6 +3,8 @@
 #include "monodromy/monodromy.hpp"
 #include "commands.hpp"
 #include "equation/read_equation.hpp"
+#include "exact/factor.hpp"
+#include "integrability/variational_monodromy.hpp"
 #include "mechanics.hpp"
 #include "monodromy/decimal.hpp"
 #include "monodromy/words.hpp"
@@ -64,7 +66,8 @@ Json json_of(const mo::BallMatrix& m, long digits) {
   return rows;
 }
 
-Json json_of(const mo::Monodromy& m, long digits, const std::string& variable) {
+Json json_of(const mo::Monodromy& m, long digits, const std::string& variable,
+             const std::string& rows) {
   Json loops = Json::array();
   for (const mo::LoopMatrix& l : m.loops)
     loops.push_back({{"place", mo::to_string(l.place, variable)},
@@ -72,7 +75,7 @@ Json json_of(const mo::Monodromy& m, long digits, const std::string& variable) {
                      {"radius", mo::decimal_radius(l.matrix, digits)}});
   Json j{{"format", "kovacic-monodromy/1"},
          {"base", mo::exact_decimals(m.base)},
-         {"basis", "Y(base) = 1, rows (y, y'); continued along a loop Y becomes Y M"},
+         {"basis", "Y(base) = 1, rows " + rows + "; continued along a loop Y becomes Y M"},
          {"loops", loops},
          {"digits", digits}};
   if (m.large_circle)
@@ -98,6 +101,71 @@ Json json_of(const mo::Sl2Proof& p) {
           {"trace_A", ball_text(p.trace_a)},
           {"trace_commutator", ball_text(p.trace_commutator)},
           {"trace_ABAB^-1", ball_text(p.trace_normalizer)}};
+}
+
+Json json_of(const mo::UnipotentElement& u) {
+  return {{"loops", u.loops ? Json(*u.loops) : Json("large circle")},
+          {"power", u.power},
+          {"conjugated_by", u.conjugator}};
+}
+
+constexpr const char* not_abelian = "the identity component is not abelian";
+
+Json json_of(const mo::NonAbelianProof& p, bool by_blocks) {
+  return {{"proves", not_abelian},
+          {"unipotent_by", by_blocks ? "blocks" : "exponents"},
+          {"A", json_of(p.a)},
+          {"B", json_of(p.b)},
+          {"row", p.row},
+          {"column", p.column},
+          {"commutator_entry", ball_text(p.entry)}};
+}
+
+Json json_of(const std::optional<NonAbelianVariation>& p, const std::vector<std::string>& names) {
+  if (!p) return nullptr;
+  if (p->unipotent) return json_of(*p->unipotent, p->by_blocks);
+  Json j = json_of(*p->block_proof);
+  j["proves"] = not_abelian;
+  j["block"] = "(d" + names.at(p->block.at(0)) + ", d" + names.at(p->block.at(1)) + ")";
+  return j;
+}
+
+std::string numbers_text(const Json& word) {
+  std::string text;
+  for (const Json& i : word)
+    text += (text.empty() ? "" : ", ") + std::to_string(i.get<long>() + 1);
+  return text;
+}
+
+std::string element_text(const Json& u) {
+  const Json& loops = u.at("loops");
+  std::string text = loops.is_string()   ? "the large circle"
+                     : loops.size() == 1 ? "loop " + numbers_text(loops)
+                                         : "loops " + numbers_text(loops);
+  if (u.at("power") != 1) text += ", " + std::to_string(u.at("power").get<long>()) + " times";
+  if (!u.at("conjugated_by").empty()) text += ", behind " + numbers_text(u.at("conjugated_by"));
+  return text;
+}
+
+std::string inequalities_text(const Json& proof) {
+  return "words A, B in the loops with tr A = " + proof.at("trace_A").get<std::string>() +
+         ", tr A B A^-1 B^-1 = " + proof.at("trace_commutator").get<std::string>() +
+         ", tr A B A B^-1 = " + proof.at("trace_ABAB^-1").get<std::string>();
+}
+
+// What a certificate says, in one sentence.
+std::string proof_text(const Json& proof) {
+  if (proof.at("proves") == "SL2")
+    return "the group of the normal form y'' = r y is SL(2, C): " + inequalities_text(proof);
+  const std::string claim = "the identity component of the group is not abelian: ";
+  if (proof.contains("block"))
+    return claim + "on " + proof.at("block").get<std::string>() + ", " + inequalities_text(proof);
+  return claim + "A (" + element_text(proof.at("A")) + ") and B (" + element_text(proof.at("B")) +
+         ") are unipotent by " +
+         (proof.at("unipotent_by") == "exponents" ? "their exponents"
+                                                  : "the groups of the diagonal blocks") +
+         " and do not commute: an entry of A B - B A is " +
+         proof.at("commutator_entry").get<std::string>();
 }
 
 std::string entry_text(const Json& entry, long shown) {
@@ -130,28 +198,98 @@ std::string text_of(const Json& j) {
   if (j.at("loops").empty()) out << "  no finite singularity: every loop gives the identity\n";
   for (const Json& t : j.at("self_tests"))
     out << "  tested    " << t.get<std::string>() << '\n';
-  if (j.contains("certificate") && !j.at("certificate").is_null())
-    out << "  proved    the group of the normal form y'' = r y is SL(2, C): words A, B in the "
-           "loops "
-           "with\n            tr A = "
-        << j.at("certificate").at("trace_A").get<std::string>() << "\n            tr [A, B] = "
-        << j.at("certificate").at("trace_commutator").get<std::string>()
-        << "\n            tr A B A B^-1 = "
-        << j.at("certificate").at("trace_ABAB^-1").get<std::string>() << '\n';
+  if (j.contains("irregular") && !j.at("irregular").empty()) {
+    std::string places;
+    for (const Json& p : j.at("irregular"))
+      places += (places.empty() ? "" : ", ") + p.get<std::string>();
+    out << "  note      "
+        << wrapped("irregular at " + places +
+                       ": there the Galois group is more than monodromy "
+                       "(exponential torus and Stokes matrices, which are not computed)",
+                   12)
+        << '\n';
+  }
+  if (const Json& proof = j.at("certificate"); !proof.is_null())
+    out << "  proved    " << wrapped(proof_text(proof), 12) << '\n';
   return out.str();
 }
 
-Report matrices(const Settings& settings, const MonodromyArguments& a) {
-  const auto start = std::chrono::steady_clock::now();
-  const GivenEquation e = given(settings, a);
+mo::Request request_of(const Settings& settings, const MonodromyArguments& a) {
   mo::Request request;
   request.digits = a.digits;
   request.budget = settings.solver_options().budget;
   if (a.base) request.base = read_base(*a.base);
+  return request;
+}
+
+// Places where monodromy is not all: "infinity", or the polynomial that vanishes there.
+Json irregular_places(const RationalFunction& r, const std::string& variable) {
+  Json places = Json::array();
+  if (is_zero(r)) return places;
+  for (const Factor& f : squarefree_factors(r.den()))
+    if (f.exponent > 2 && degree(f.base) > 0)
+      places.push_back(to_string(f.base, variable) + " = 0");
+  if (order_at_infinity(r) < 2) places.push_back("infinity");
+  return places;
+}
+
+Json equation_json(const Settings& settings, const MonodromyArguments& a) {
+  const GivenEquation e = given(settings, a);
+  const mo::Request request = request_of(settings, a);
   const mo::Monodromy m = mo::monodromy(e.p, e.q, request);
-  Json j = json_of(m, a.digits, e.variable);
+  Json j = json_of(m, a.digits, e.variable, "(y, y')");
   const auto proof = mo::prove_sl2(m, request.budget);
   j["certificate"] = proof ? json_of(*proof) : Json(nullptr);
+  j["irregular"] = irregular_places(e.normal_form.r, e.variable);
+  return j;
+}
+
+LinearSystem linear_system(const System& s, const MonodromyArguments& a, const Settings& settings,
+                           const InvariantManifold& m) {
+  if (a.stage == "ve") return variational_equations(s.field, m);
+  CheckOptions options;
+  options.decide = settings.solver_options();
+  options.only_manifold = m.name;
+  options.stop_at_r = true;
+  return kov::check_system(s, options).manifolds.at(0).reduced.system;
+}
+
+// The one manifold that is meant.
+InvariantManifold manifold_of(const System& s, const Settings& settings) {
+  const ManifoldSpec* chosen = nullptr;
+  for (const ManifoldSpec& spec : s.manifolds)
+    if (settings.manifold.empty() || spec.name == settings.manifold) {
+      if (chosen != nullptr)
+        throw InvalidArgument("several manifolds in this file: choose one with --manifold NAME");
+      chosen = &spec;
+    }
+  if (chosen == nullptr) throw InvalidArgument("no such manifold in this file");
+  auto proved = prove_invariant(s.field, *chosen);
+  if (const auto* failure = std::get_if<ManifoldFailure>(&proved))
+    throw InvalidArgument(failure->message);
+  return std::get<InvariantManifold>(std::move(proved));
+}
+
+Json system_json(const Settings& settings, const MonodromyArguments& a) {
+  const System s = read_system(a.system, parameter_values(settings));
+  const InvariantManifold manifold = manifold_of(s, settings);
+  const mo::Request request = request_of(settings, a);
+  const NumericalVariation v =
+      numerical_variation(s, manifold, linear_system(s, a, settings, manifold), request.budget);
+  const mo::Monodromy m = mo::monodromy(v.system, request);
+  std::string rows;
+  for (const std::string& name : v.names)
+    rows += (rows.empty() ? "(d" : ", d") + name;
+  Json j = json_of(m, a.digits, s.ring()->name(s.z), rows + ")");
+  j["unknowns"] = v.names;
+  j["change"] = v.change;
+  j["certificate"] = json_of(prove_non_abelian(v.system, m, request.budget), v.names);
+  return j;
+}
+
+Report matrices(const Settings& settings, const MonodromyArguments& a) {
+  const auto start = std::chrono::steady_clock::now();
+  Json j = a.system.empty() ? equation_json(settings, a) : system_json(settings, a);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   j["seconds"] = seconds.count();
   return {exit_decided, text_of(j), j};
@@ -160,15 +298,19 @@ Report matrices(const Settings& settings, const MonodromyArguments& a) {
 } // namespace
 
 int monodromy(const Settings& settings, const MonodromyArguments& a) {
-  if (!a.r && !a.ode && !a.p && !a.q) {
-    complain(settings, "no equation is given", "write e.g. kovacic monodromy -r '-3/16/z^2 + 1/z'");
+  const bool one_liner = a.r || a.ode || a.p || a.q;
+  if (one_liner != a.system.empty()) {
+    complain(
+        settings, one_liner ? "an equation and a system are given" : "no equation is given",
+        "write e.g. kovacic monodromy -r '-3/16/z^2 + 1/z'   or   kovacic monodromy --system FILE");
     return exit_input;
   }
   if (a.digits < 1 || a.digits > most_digits) {
     complain(settings, "--digits: 1 to " + std::to_string(most_digits) + " are expected");
     return exit_input;
   }
-  const Report report = supervised(settings, "monodromy", [&] { return matrices(settings, a); });
+  const std::string about = one_liner ? "monodromy" : a.system;
+  const Report report = supervised(settings, about, [&] { return matrices(settings, a); });
   write_output(settings, settings.format == "json" && !report.json.is_null()
                              ? report.json.dump(2) + "\n"
                              : report.text);

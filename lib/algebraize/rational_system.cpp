@@ -1,0 +1,173 @@
+#include "algebraize/rational_system.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace kov {
+namespace {
+
+using Element = FunctionField::Element;
+
+// A basis of the function field over K(z), K with the algebraic constants: the standard monomials
+// are those in the constants times those in the rest.
+class Basis {
+public:
+  Basis(const FunctionField& f, const VectorField& v) : f_(f) {
+    const FiniteAlgebra& algebra = f.algebra();
+    const auto& main = algebra.ideal().main();
+    for (const std::size_t i : main)
+      constant_.push_back(std::find(v.constants.begin(), v.constants.end(), i) !=
+                          v.constants.end());
+    for (const Monomial& monomial : algebra.basis()) {
+      const Monomial rest = part(monomial, false);
+      if (std::find(rests_.begin(), rests_.end(), rest) == rests_.end()) rests_.push_back(rest);
+    }
+  }
+
+  [[nodiscard]] std::size_t size() const noexcept { return rests_.size(); }
+  /// No relation between a constant and the rest.
+  [[nodiscard]] bool is_product() const { return size() == f_.degree(); }
+
+  [[nodiscard]] Element element(std::size_t k) const {
+    Element e = f_.algebra().zero();
+    const auto& all = f_.algebra().basis();
+    const auto at = std::find(all.begin(), all.end(), rests_[k]) - all.begin();
+    e[static_cast<std::size_t>(at)] = MFraction(f_.algebra().ring(), Rational(1));
+    return e;
+  }
+
+  /// The coefficients of an element, functions of z, the parameters and the constants.
+  [[nodiscard]] std::vector<MFraction> coordinates(const Element& e) const {
+    std::vector<MFraction> c(size(), MFraction(f_.algebra().ring()));
+    const auto& all = f_.algebra().basis();
+    for (std::size_t i = 0; i < e.size(); ++i) {
+      if (is_zero(e[i])) continue;
+      const auto k = std::find(rests_.begin(), rests_.end(), part(all[i], false)) - rests_.begin();
+      c[static_cast<std::size_t>(k)] += e[i] * value(part(all[i], true));
+    }
+    return c;
+  }
+
+  [[nodiscard]] std::string name(std::size_t k) const {
+    return k == 0 ? std::string() : "/(" + to_string(value(rests_[k])) + ")";
+  }
+
+private:
+  [[nodiscard]] Monomial part(Monomial m, bool constant) const {
+    for (std::size_t i = 0; i < m.size(); ++i)
+      if (constant_[i] != constant) m[i] = 0;
+    return m;
+  }
+  [[nodiscard]] MFraction value(const Monomial& m) const {
+    KPoly p(MonomialOrder{0});
+    p.emplace(m, MFraction(f_.algebra().ring(), Rational(1)));
+    return f_.algebra().ideal().from_kpoly(p);
+  }
+
+  const FunctionField& f_;
+  std::vector<bool> constant_; // by main variable
+  std::vector<Monomial> rests_;
+};
+
+using ElementMatrix = std::vector<std::vector<Element>>;
+
+// J/z'
+std::optional<ElementMatrix> divided_by_z_dot(const FunctionField& f, const Matrix& j) {
+  ElementMatrix a;
+  for (const auto& row : j) {
+    a.emplace_back();
+    for (const MFraction& entry : row) {
+      const auto e = f.evaluate(entry);
+      if (!e) return std::nullopt;
+      a.back().push_back(f.algebra().multiply(*e, f.inverse_z_dot()));
+    }
+  }
+  return a;
+}
+
+// Row (i, k) and column (j, l) at i d + k and j d + l.
+Matrix restricted(const FunctionField& f, const Basis& basis, const ElementMatrix& a) {
+  const std::size_t d = basis.size(), n = a.size();
+  Matrix big(n * d, std::vector<MFraction>(n * d, MFraction(f.algebra().ring())));
+  for (std::size_t l = 0; l < d; ++l) {
+    const Element b = basis.element(l);
+    const auto change = basis.coordinates(f.derivative(b));
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        const auto c = basis.coordinates(f.algebra().multiply(a[i][j], b));
+        for (std::size_t k = 0; k < d; ++k) {
+          big[i * d + k][j * d + l] = c[k];
+          if (i == j) big[i * d + k][j * d + l] -= change[k];
+        }
+      }
+  }
+  return big;
+}
+
+// The connected part of the graph "uses or is used by" that holds `start`, ascending.
+std::vector<std::size_t> connected_part(const Matrix& a, std::size_t start) {
+  std::vector<bool> seen(a.size());
+  std::vector<std::size_t> part{start};
+  seen[start] = true;
+  for (std::size_t k = 0; k < part.size(); ++k)
+    for (std::size_t j = 0; j < a.size(); ++j)
+      if (!seen[j] && (!is_zero(a[part[k]][j]) || !is_zero(a[j][part[k]]))) {
+        seen[j] = true;
+        part.push_back(j);
+      }
+  std::sort(part.begin(), part.end());
+  return part;
+}
+
+// One connected part for each unknown.
+std::vector<std::size_t> enough(const Matrix& a, std::size_t d) {
+  std::vector<bool> covered(a.size() / d);
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < covered.size(); ++i) {
+    if (covered[i]) continue;
+    for (const std::size_t j : connected_part(a, i * d)) {
+      covered[j / d] = true;
+      chosen.push_back(j);
+    }
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+Matrix selected(const Matrix& a, const std::vector<std::size_t>& indices) {
+  Matrix b;
+  for (const std::size_t i : indices) {
+    b.emplace_back();
+    for (const std::size_t j : indices)
+      b.back().push_back(a[i][j]);
+  }
+  return b;
+}
+
+} // namespace
+
+std::variant<RationalSystem, ChangeFailure>
+rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,
+                const MFraction& phi, const LinearSystem& s, const Budget& budget) {
+  auto field = FunctionField::make(v, m, z, phi, {}, budget);
+  if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
+  const auto& f = std::get<FunctionField>(field);
+  const Basis basis(f, v);
+  if (!basis.is_product())
+    return ChangeFailure{"the algebraic constants are not independent of the curve"};
+  const auto a = divided_by_z_dot(f, s.a);
+  if (!a) return ChangeFailure{"an entry of the system has a pole along the whole curve"};
+  const Matrix all = restricted(f, basis, *a);
+  const std::vector<std::size_t> indices = enough(all, basis.size());
+  RationalSystem result;
+  for (const std::size_t i : indices)
+    result.names.push_back(s.names[i / basis.size()] + basis.name(i % basis.size()));
+  result.a = selected(all, indices);
+  result.change = v.ring->name(z) + " = " + to_string(phi);
+  result.z = z;
+  result.field_degree = f.degree();
+  result.inverted = f.inverted();
+  return result;
+}
+
+} // namespace kov

@@ -1,0 +1,34 @@
+#pragma once
+// A linear system along a phase curve, xi' = J(t) xi, as a system dY/dz = A(z) Y over K(z).
+//
+// The entries of J lie in the function field F of the curve, of degree d over K(z), with a basis
+// b_k. Writing xi_i = sum_k y_ik b_k gives a system of size n d over K(z) (restriction of scalars).
+// It falls into blocks that do not use each other; one block for each unknown xi_i is enough. Where
+// the entries of J have parities (as for a natural Hamiltonian on a curve w^2 = f(z)) a block has
+// the size n.
+//
+// Every solution xi is a combination of those of the blocks, and the identity component of the
+// group of xi' = J xi over F is abelian exactly when that of every block over K(z) is.
+// docs/theory/monodromy.md 8
+
+#include "algebraize/function_field.hpp"
+#include "variation/normal.hpp"
+
+namespace kov {
+
+struct RationalSystem {
+  std::vector<std::string> names; ///< "q1", or "q1/(b)" for the coordinate of q1 that belongs to b
+  Matrix a;
+  std::string change; ///< text of phi
+  std::size_t z = 0;  ///< the variable of the ring
+  std::size_t field_degree = 1;
+  std::vector<MPoly> inverted; ///< polynomials in the parameters and z that were divided by
+};
+
+/// Errors   ChangeFailure: phi is no change of variable on this curve, or an entry of J has a pole
+/// along all of it Source   docs/theory/monodromy.md 8
+[[nodiscard]] std::variant<RationalSystem, ChangeFailure>
+rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,
+                const MFraction& phi, const LinearSystem& s, const Budget& budget = {});
+
+} // namespace kov

@@ -1,0 +1,56 @@
+#include "integrability/monodromy_opinion.hpp"
+
+namespace kov {
+namespace {
+
+bool is_reducible(GroupType t) {
+  return t == GroupType::Borel || t == GroupType::T || t == GroupType::Gm || t == GroupType::cyclic;
+}
+
+bool is_finite(GroupType t) {
+  return t == GroupType::cyclic || t == GroupType::D || t == GroupType::A4 || t == GroupType::S4 ||
+         t == GroupType::A5;
+}
+
+std::string against_sl2(const Decision& d) {
+  if (d.group && d.group->type != GroupType::SL2) return "the group is " + describe(*d.group);
+  if (d.component && *d.component != Connected::sl2)
+    return "the identity component is " + to_string(*d.component);
+  if (d.abelian == Truth::yes) return "the identity component is abelian";
+  if (d.kovacic_case && *d.kovacic_case != 4)
+    return "Kovacic's case " + std::to_string(*d.kovacic_case) + " occurs";
+  return {};
+}
+
+} // namespace
+
+MonodromyOpinion monodromy_opinion(const RationalFunction& r, long digits, const Budget& budget) {
+  MonodromyOpinion o;
+  try {
+    const monodromy::Monodromy m =
+        monodromy::monodromy(RationalFunction(0), -r, {digits, {}, budget});
+    o.loops = m.loops.size();
+    o.sl2 = monodromy::prove_sl2(m, budget);
+    if (o.sl2) return o;
+    o.irreducible = monodromy::prove_irreducible(m);
+    o.infinite = monodromy::prove_infinite(m, budget);
+  } catch (const OutOfBudget& limit) {
+    o.limit = limit.what();
+  }
+  return o;
+}
+
+std::string contradiction(const MonodromyOpinion& o, const Decision& d) {
+  if (o.sl2) return against_sl2(d);
+  if (o.irreducible && d.group && is_reducible(d.group->type))
+    return "the group is " + describe(*d.group) + ", which is reducible";
+  if (o.irreducible && d.kovacic_case && *d.kovacic_case == 1)
+    return "an exponential solution exists";
+  if (o.infinite && d.group && is_finite(d.group->type))
+    return "the group is " + describe(*d.group) + ", which is finite";
+  if (o.infinite && d.component && *d.component == Connected::trivial)
+    return "the identity component is trivial";
+  return {};
+}
+
+} // namespace kov

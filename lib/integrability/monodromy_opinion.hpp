@@ -1,0 +1,29 @@
+#pragma once
+// The monodromy matrices as a second opinion on y'' = r y: what strict inequalities between balls
+// prove of the group, beside the answer that was found by algebra.
+//
+// Equality is never concluded from balls, so the opinion is a lower bound of the group: it can
+// prove SL(2, C), irreducibility, that the group is infinite, and contradict an answer that is too
+// small.
+
+#include "monodromy/words.hpp"
+#include "verdict/decide.hpp"
+
+namespace kov {
+
+struct MonodromyOpinion {
+  std::size_t loops = 0; ///< around the finite singularities
+  std::optional<monodromy::Sl2Proof> sl2;
+  std::optional<monodromy::NoCommonLine> irreducible; ///< looked for where sl2 is unset
+  std::optional<monodromy::HyperbolicWord> infinite;  ///< likewise
+  std::string limit; ///< why there are no matrices; empty: there are
+};
+
+/// Matrices of y'' = r y with radii below 10^-digits, and what they prove.
+[[nodiscard]] MonodromyOpinion monodromy_opinion(const RationalFunction& r, long digits,
+                                                 const Budget& budget = {});
+
+/// What of the answer cannot be, as a clause; empty: nothing.
+[[nodiscard]] std::string contradiction(const MonodromyOpinion& opinion, const Decision& answer);
+
+} // namespace kov

@@ -1,0 +1,48 @@
+#pragma once
+// Monodromy matrices of the whole variational equation along a phase curve, and what they prove.
+
+#include "algebraize/algebraize.hpp"
+#include "algebraize/rational_system.hpp"
+#include "monodromy/identity_component.hpp"
+#include "system/system.hpp"
+
+namespace kov {
+
+/// The variational equation as a system over K(z) with numbers only.
+struct NumericalVariation {
+  std::vector<std::string> names; ///< of the unknowns (algebraize/rational_system.hpp)
+  std::string change;
+  monodromy::DifferentialSystem system;
+};
+
+/// With the change of variable of the file or, without one, the proposed one that gives the
+/// smallest system. Errors  InvalidArgument: parameters without values; no change of variable leads
+/// to a system of
+///         size <= 8; OutOfBudget
+[[nodiscard]] NumericalVariation numerical_variation(const System& s, const InvariantManifold& m,
+                                                     const LinearSystem& linear,
+                                                     const Budget& budget = {});
+
+/// N such that all eigenvalues of every element of the group are N-th roots of unity: from
+/// the diagonal blocks of the system, each of order 1 or 2, whose groups are found by algebra.
+/// Nothing where a block is larger, its group has other eigenvalues or is not determined.
+/// Cost  `decide` for each block of order 2
+[[nodiscard]] std::optional<long> eigenvalue_order(const monodromy::DifferentialSystem& s,
+                                                   const Budget& budget = {});
+
+/// Why the identity component of the group of a system is not abelian: one of these.
+struct NonAbelianVariation {
+  std::optional<monodromy::NonAbelianProof> unipotent;
+  bool by_blocks = false; ///< the powers are unipotent by eigenvalue_order, not by local exponents
+  std::optional<monodromy::Sl2Proof>
+      block_proof; ///< a diagonal block is dense in SL(2, C), up to scalars
+  std::vector<std::size_t> block;
+};
+
+/// Unset when nothing is seen, which proves nothing.
+/// Source  docs/theory/monodromy.md 6, 7
+[[nodiscard]] std::optional<NonAbelianVariation>
+prove_non_abelian(const monodromy::DifferentialSystem& s, const monodromy::Monodromy& m,
+                  const Budget& budget = {});
+
+} // namespace kov
