@@ -12,6 +12,11 @@ RationalFunction antiderivative(const Poly& f) {
   return RationalFunction(sum);
 }
 
+// f % q, by one value where q is linear.
+Poly modulo(const Poly& f, const Poly& q) {
+  return degree(q) == 1 ? Poly(evaluate(f, -q.coeff(0) / lead(q))) : f % q;
+}
+
 } // namespace
 
 LogarithmicParts logarithmic_parts(const RationalFunction& omega, const Budget& budget) {
@@ -35,8 +40,13 @@ LogarithmicParts logarithmic_parts(const RationalFunction& omega, const Budget& 
       rest -= derivative(piece);
     }
   }
+  const Poly slope = derivative(rest.den());
   for (const Factor& place : places) {
     const Poly& q = place.base;
+    if (place.exponent == 1) { // num/den' at the roots of q
+      parts.residues.push_back({q, modulo(rest.num(), q) * inverse_mod(modulo(slope, q), q) % q});
+      continue;
+    }
     if (!divides(q, rest.den())) continue;
     const Poly cofactor = exact_div(rest.den(), q);
     const Poly rho = rest.num() * inverse_mod(derivative(q) * cofactor % q, q) % q;

@@ -37,11 +37,42 @@ constexpr std::size_t long_series = 32;
 
 } // namespace
 
+namespace {
+
+// At z = a/b over Q: with F(x) = b^m f(x/b) integral but for one denominator, synthetic divisions
+// by x - a are without fractions, and f = sum F_k b^(k-m) (z - a/b)^k.
+ResidueSeries taylor_at_rational(const Poly& f, const Rational& c, long n) {
+  ResidueSeries series;
+  const long m = std::max(degree(f), 0L);
+  fmpz_poly_t F;
+  fmpz_poly_init(F);
+  fmpq_poly_get_numerator(F, f.raw());
+  const Integer b = c.den();
+  Integer power(1);
+  for (long i = m; i >= 0; --i, power *= b)
+    if (i < F->length) fmpz_mul(F->coeffs + i, F->coeffs + i, power.raw());
+  Rational weight(Integer(1), pow(b, static_cast<unsigned long>(m)));
+  Integer value;
+  Integer den;
+  fmpz_set(den.raw(), fmpq_poly_denref(f.raw()));
+  for (long k = 0; k < n; ++k, weight *= Rational(b)) {
+    fmpz_poly_evaluate_fmpz(value.raw(), F, c.num().raw());
+    series.emplace_back(Rational(value, den) * weight);
+    fmpz_poly_div_root(F, F, c.num().raw());
+  }
+  fmpz_poly_clear(F);
+  return series;
+}
+
+} // namespace
+
 ResidueSeries taylor_at(const Poly& f, const Poly& q, long n) {
   ResidueSeries series;
   Poly rest = f;
   if (degree(q) == 1 && (is_zero(q.coeff(0)) || n > static_cast<long>(long_series)))
     return unpacked(taylor_shift(f, -q.coeff(0) / lead(q)), static_cast<std::size_t>(n));
+  if (degree(q) == 1 && f.field()->is_rational() && q.field()->is_rational())
+    return taylor_at_rational(f, to_rational(-q.coeff(0) / lead(q)), n);
   if (degree(q) == 1) { // repeated synthetic division
     for (long k = 0; k < n; ++k) {
       auto [quot, value] = divrem(rest, q);

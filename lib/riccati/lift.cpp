@@ -64,12 +64,18 @@ std::optional<std::vector<RationalFunction>> polar_parts(const Singularity& s) {
   return parts;
 }
 
+bool divides(const NmodPoly& q, const NmodPoly& f) { return degree(gcd(f, q)) == degree(q); }
+
 // Does omega - part lose its pole at q modulo the prime?  (true also says: part is integral there)
 bool fits(const RationalFunction& part, const Poly& q, const ModularOmega& image) {
   const auto n = image.prime.reduce(part.num());
   const auto d = image.prime.reduce(part.den());
   const auto place = image.prime.reduce(q);
   if (!n || !d || !place || degree(*d) != degree(part.den())) return false;
+  if (*d == *place && divides(*place, image.den)) { // a simple pole of both?
+    const NmodPoly rest = exact_div(image.den, *place);
+    if (degree(gcd(rest, *place)) == 0) return divides(*place, image.num - *n * rest);
+  }
   NmodPoly num = image.num * *d - *n * image.den;
   NmodPoly den = image.den * *d;
   if (is_zero(num)) return true;
@@ -97,13 +103,18 @@ std::optional<Poly> polynomial_part(const Singularity& s, const ModularOmega& im
   return std::nullopt;
 }
 
+// By halves, so that the denominators stay small for long.
+RationalFunction sum_of(const RationalFunction* f, std::size_t n) {
+  return n == 1 ? *f : sum_of(f, n / 2) + sum_of(f + n / 2, n - n / 2);
+}
+
 } // namespace
 
 std::optional<ExponentialSolution>
 lift_by_exponents(const Singularities& s, const ModularOmega& image, const Budget& budget) {
   const auto regular_part = polynomial_part(s.infinity, image);
   if (!regular_part) return std::nullopt;
-  RationalFunction theta(*regular_part);
+  std::vector<RationalFunction> summands{RationalFunction(*regular_part)};
   for (const Singularity& place : s.finite) {
     const auto parts = polar_parts(place);
     if (!parts) return std::nullopt;
@@ -111,8 +122,9 @@ lift_by_exponents(const Singularities& s, const ModularOmega& image, const Budge
     for (const RationalFunction& part : *parts)
       if (fits(part, place.place, image)) chosen = &part;
     if (chosen == nullptr) return std::nullopt;
-    theta += *chosen;
+    summands.push_back(*chosen);
   }
+  const RationalFunction theta = sum_of(summands.data(), summands.size());
   // omega = theta + P'/P: the remaining poles are the roots of P.
   const auto theta_den = image.prime.reduce(theta.den());
   if (!theta_den) return std::nullopt;
