@@ -1,7 +1,8 @@
 #include "galois/classify.hpp"
 
 #include "exact/error.hpp"
-#include "kovacic/case1.hpp"
+#include "kovacic/lines.hpp"
+#include "riccati/second_line.hpp"
 
 #include <algorithm>
 
@@ -66,6 +67,10 @@ ExponentialSolution fourth_root(const QuarticRoot& root, const Singularities& s)
   KOV_ENSURE(solves(y, s.r));
   return y;
 }
+
+// Of polynomials: above the first a line is looked for with one below the second.
+constexpr long large_degree = 1000;
+constexpr long small_degree = 100;
 
 class Classifier {
 public:
@@ -141,20 +146,78 @@ private:
     return true;
   }
 
+  // One line by families, those of small degree first.  With two lines it may be either of them.
+  [[nodiscard]] std::optional<ExponentialSolution> line_by_families(const Budget& budget) const {
+    const auto found = kovacic::rational_lines(local(), budget, nullptr);
+    const auto* line = found ? std::get_if<kovacic::Exponential>(&*found) : nullptr;
+    if (line == nullptr) return std::nullopt;
+    const ExponentialSolution y{line->omega, Poly(1)};
+    KOV_ENSURE(solves(y, local().r));
+    return y;
+  }
+
+  // The same where no more than `largest_degree` is asked of any polynomial.
+  [[nodiscard]] std::optional<ExponentialSolution> line_of_degree(long largest_degree) const {
+    Budget little = budget_;
+    little.max_degree = std::min(little.max_degree, largest_degree);
+    little.max_families = std::min(little.max_families, 1000L);
+    try {
+      return line_by_families(little);
+    } catch (const OutOfBudget&) {
+      return std::nullopt;
+    }
+  }
+
   // The exponents may allow a polynomial of a degree that no engine can afford, although each
   // family of Kovacic's that has a natural number d needs a small one.  Requires at most one line.
   [[nodiscard]] ExponentialSearch exponentials() {
     try {
       return exponential_solutions(local(), budget_);
     } catch (const OutOfBudget&) {
-      const auto found = kovacic::case1(local(), budget_, nullptr);
-      const auto* line = found ? std::get_if<kovacic::Exponential>(&*found) : nullptr;
-      if (line == nullptr) throw;
-      ExponentialSearch answer;
-      answer.solutions.push_back({line->omega, Poly(1)});
-      KOV_ENSURE(solves(answer.solutions.front(), local().r));
-      return answer;
+      const auto line = line_by_families(budget_);
+      if (!line) throw;
+      return {{*line}, std::nullopt, false};
     }
+  }
+
+  // Does the search for the invariants of degree 4 ask for a polynomial of a degree above `limit`?
+  [[nodiscard]] bool quartic_is_above(long limit) const {
+    try {
+      const InvariantShape shape = invariant_shape(local(), 4);
+      return !shape.obstruction && shape.degree > limit;
+    } catch (const OutOfBudget&) {
+      return true;
+    }
+  }
+
+  // Where exponents are large: one line of small degree, then the second one or its absence
+  // (docs/theory/riccati_one_place.md, 7).  No logarithm is excluded; not all solutions are
+  // square roots of rational functions.
+  bool one_small_line_says_it() {
+    const bool beyond = quartic_is_above(budget_.max_degree);
+    if (!beyond && !quartic_is_above(large_degree)) return false;
+    const auto y = line_of_degree(beyond ? budget_.max_degree : small_degree);
+    if (!y) return false;
+    try {
+      const auto v = product_with_second_line(*y, local(), budget_);
+      v ? two_lines(*v) : line_alone(*y);
+      return true;
+    } catch (const OutOfBudget&) {
+      return false;
+    }
+  }
+
+  void two_lines(const RationalFunction& v) {
+    if (answer_.kind != Trichotomy::irregular_or_irrational) return diagonal(v, NfElem(1));
+    found_pair(v, NfElem(1));
+    settle({GroupType::Gm, {}}, Argument::torus_two_lines);
+  }
+
+  void line_alone(const ExponentialSolution& y) {
+    if (answer_.kind != Trichotomy::irregular_or_irrational)
+      return one_radical_line(y, Argument::line_alone);
+    answer_.exponential = y;
+    settle({GroupType::Borel, {}}, Argument::line_alone);
   }
 
   // An immense bound of the degree is no budget matter as long as one prime may settle everything.
@@ -167,7 +230,8 @@ private:
   }
 
   void irregular_or_irrational() {
-    if (!invariant_shape(local(), 4).obstruction && one_prime_says_sl2()) return;
+    if (quartic_is_above(-1) && one_prime_says_sl2()) return;
+    if (one_small_line_says_it()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none) {
       answer_.abelian = Truth::yes;
@@ -233,7 +297,7 @@ private:
       settle({GroupType::cyclic, Integer(rational ? 1 : 2)}, Argument::integral_exponents);
       return;
     }
-    if (one_prime_says_sl2()) return;
+    if (one_prime_says_sl2() || one_small_line_says_it()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none)
       with_quartic(quartic);

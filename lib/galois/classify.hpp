@@ -48,6 +48,7 @@ enum class Argument : std::uint8_t {
   fourth_power,        ///< the invariant of degree 4 is y^4: T_n
   dihedral,            ///< (y1 y2)^2 rational and y1 y2 not: D_n or Dinf, as `dihedral` says
   one_radical,         ///< exactly one line, and no invariant of degree 4: T_n
+  line_alone,          ///< one line y, and v' = 2 (y'/y) v + 1 has no rational solution v
   no_invariant,        ///< no line, no invariant of degree 12: SL2
   primitive            ///< no line, none of degree 4: A4, S4 or A5 by the first invariant
 };

@@ -150,6 +150,9 @@ std::string argument(const Classification& c) {
     return dihedral(c);
   case Argument::one_radical:
     return "there is exactly one exponential solution, a radical";
+  case Argument::line_alone:
+    return branch(c) + "; y is an exponential solution and the only one: the equation v' = "
+                       "2*(y'/y)*v + 1 for the product v of two has no rational solution";
   case Argument::no_invariant:
     return "there is no exponential solution, and Sym^12 has no rational solution" +
            why_no_invariant(c, 12);

@@ -168,6 +168,12 @@ std::vector<std::vector<Sum>> scaled(const std::vector<std::vector<NfElem>>& con
 
 } // namespace
 
+void Families::require_all(const Budget& budget) const {
+  if (left_out)
+    throw OutOfBudget("degree limit: a polynomial of degree " + to_string(*left_out) +
+                      " would be needed, the limit is " + std::to_string(budget.max_degree));
+}
+
 Families admissible_families(const std::vector<std::vector<NfElem>>& contributions,
                              const Budget& budget) {
   Families result;
@@ -198,9 +204,10 @@ Families admissible_families(const std::vector<std::vector<NfElem>>& contributio
   }
   for (const Match& match : meet(left, right, den, budget)) {
     budget.check();
-    if (!fits_long(match.degree) || to_long(match.degree) > budget.max_degree)
-      throw OutOfBudget("degree limit: a polynomial of degree " + to_string(match.degree) +
-                        " would be needed, the limit is " + std::to_string(budget.max_degree));
+    if (!fits_long(match.degree) || to_long(match.degree) > budget.max_degree) {
+      result.left_out = match.degree;
+      break;
+    }
     Family family{std::vector<std::size_t>(options.size()), to_long(match.degree)};
     left.each(*match.left, family.choice, [&] {
       right.each(*match.right, family.choice, [&] { result.admissible.push_back(family); });

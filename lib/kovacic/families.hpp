@@ -13,6 +13,7 @@
 #include "exact/budget.hpp"
 #include "exact/number_field.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace kov::kovacic {
@@ -27,6 +28,11 @@ struct Family {
 struct Families {
   std::vector<Family> admissible; ///< d a natural number; by ascending d
   Integer total;                  ///< how many there were before that condition
+  /// Set when the families of this d and of all greater ones are left out: above max_degree.
+  std::optional<Integer> left_out{};
+
+  /// For whoever needs them all.  Throws OutOfBudget("degree limit: ...") when some are left out.
+  void require_all(const Budget& budget) const;
 };
 
 /// With more than this many places that leave a choice, a power of what is looked for is sought

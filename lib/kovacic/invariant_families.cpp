@@ -69,6 +69,7 @@ std::vector<RadicalProduct> products(const Singularities& s, const ProductSearch
   const Families families = admissible_families(contributions(s, classes), budget);
   note_families(trace, c, search.name, families);
   std::vector<RadicalProduct> found;
+  if (search.all || families.admissible.empty()) families.require_all(budget);
   if (families.admissible.empty()) return found;
   PolynomialStep step(search.m, common_denominator(s), s.r);
   FamilyLog log(trace, c);
@@ -87,6 +88,7 @@ std::vector<RadicalProduct> products(const Singularities& s, const ProductSearch
       if (!search.all) return found;
     }
   }
+  families.require_all(budget);
   return found;
 }
 

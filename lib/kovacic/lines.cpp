@@ -146,7 +146,10 @@ std::optional<Outcome> search_families(const Singularities& s, const LineSearch&
                                        const Budget& budget, Trace* trace) {
   const Families families = admissible_families(search.contributions, budget);
   note_families(trace, 1, search.N == 1 ? "y" : "y^" + std::to_string(search.N), families);
-  if (families.admissible.empty()) return std::nullopt;
+  if (families.admissible.empty()) {
+    families.require_all(budget);
+    return std::nullopt;
+  }
   PolynomialStep step(search.N, common_denominator(s), s.r);
   std::vector<std::vector<Poly>> numerators; // S times each principal part
   for (const auto& parts : search.parts) {
@@ -165,6 +168,7 @@ std::optional<Outcome> search_families(const Singularities& s, const LineSearch&
     log.tried(P, family.degree, [&] { return "theta = " + to_string(theta); });
     if (auto found = lines_of(P, theta, search.N, s.r)) return found;
   }
+  families.require_all(budget);
   return std::nullopt;
 }
 

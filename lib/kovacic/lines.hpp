@@ -16,7 +16,11 @@ namespace kov::kovacic {
 
 /// Exponential, ExponentialPair{every_line} or nothing.
 ///
-/// Requires not two lines exactly (the second symmetric power has been searched)
+/// Small degrees come first: a line of small degree is found although other families allow immense
+/// ones.
+///
+/// Requires not two lines exactly (the second symmetric power has been searched); if there are two,
+///          an Exponential is one of them, and "nothing" means nothing
 /// Throws   OutOfBudget
 /// Source   [Kovacic1986] §3.1 steps 1 - 3; docs/theory/descent.md (5)
 /// Example  std::get<Exponential>(*rational_lines(singularities(z*z + 3), {}, nullptr)).omega

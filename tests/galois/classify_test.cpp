@@ -177,5 +177,30 @@ TEST(Classify, FreeMotion) {
   EXPECT_FALSE(c.local);
 }
 
+// One line of degree 0, made from large exponents, and an invariant of degree 4 that would need an
+// immense polynomial.  The group is that of the same shape with small exponents.
+TEST(Classify, LargeExponentsDoNotHideASmallLine) {
+  const auto pole = [](const Rational& a, long c) {
+    return RationalFunction(Poly(a), z - Poly(c));
+  };
+  for (const long k : {1L, 1000L, 30000L, 1000000L, 1000000000000L}) {
+    SCOPED_TRACE(k);
+    const Rational a(3 * k + 1, 3);
+    const Rational b(3 * k + 2, 3);
+    const auto alone = classify(from_omega(pole(a, 0) + pole(b, 1) + pole(Rational(1, 5), 2)));
+    ASSERT_TRUE(alone.group);
+    EXPECT_EQ(*alone.group, (GaloisGroup{GroupType::T, Integer(15)}));
+    const auto borel = classify(from_omega(pole(a, 0) + pole(b, 1) + RationalFunction(z)));
+    ASSERT_TRUE(borel.group);
+    EXPECT_EQ(borel.group->type, GroupType::Borel);
+    // y1 y2 = v with opposite large exponents
+    const RationalFunction v(z * (z - Poly(1)));
+    const RationalFunction w(Poly(Rational(10 * k + 1, 5)));
+    const auto two = classify(from_omega((derivative(v) + w) / (RationalFunction(2) * v)));
+    ASSERT_TRUE(two.group);
+    EXPECT_EQ(*two.group, (GaloisGroup{GroupType::cyclic, Integer(5)}));
+  }
+}
+
 } // namespace
 } // namespace kov

@@ -74,6 +74,22 @@ TEST(Families, EqualPlacesAreCounted) {
   EXPECT_EQ(admissible_families(powers, {}).admissible.size(), 1u);
 }
 
+// Small degrees are there although others are beyond every limit; who needs all is told.
+TEST(Families, ImmenseDegreesAreLeftOut) {
+  for (const long k : {6, 12, 18}) {
+    NfElem immense(1);
+    for (long i = 0; i < k; ++i)
+      immense = immense * NfElem(10);
+    const Families found = admissible_families({{q(0), immense}, {q(1), q(1, 2)}, {q(2)}}, {});
+    ASSERT_EQ(found.admissible.size(), 1u);
+    EXPECT_EQ(found.admissible.front().degree, 3);
+    ASSERT_TRUE(found.left_out);
+    EXPECT_EQ(NfElem(Rational(*found.left_out)), immense + NfElem(3));
+    EXPECT_THROW(found.require_all({}), OutOfBudget);
+  }
+  EXPECT_NO_THROW(admissible_families({{q(0), q(5)}, {q(1, 2), q(0)}}, {}).require_all({}));
+}
+
 TEST(Families, TheLimitIsAnErrorNotAnAnswer) {
   std::vector<std::vector<NfElem>> c(40, {q(1), q(2)});
   EXPECT_THROW((void)admissible_families(c, {}), OutOfBudget);
