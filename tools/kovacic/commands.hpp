@@ -39,6 +39,12 @@ struct MonodromyArguments {
   long digits = 30;
 };
 
+struct IntegralsArguments {
+  std::string file;
+  long degree = 2;
+  std::optional<long> coefficients;
+};
+
 int solve(const Settings& settings, const SolveArguments& arguments);
 /// Monodromy matrices with proven radii.
 int monodromy(const Settings& settings, const MonodromyArguments& arguments);
@@ -52,6 +58,8 @@ int test(const Settings& settings, const std::vector<std::string>& paths);
 /// Stages of the way from a system to r(z).
 int show(const Settings& settings, const std::string& file, const std::string& stage);
 int find_manifolds(const Settings& settings, const std::string& file);
+/// First integrals, at all parameter values.
+int integrals(const Settings& settings, const IntegralsArguments& arguments);
 int explain(const Settings& settings, const std::string& code);
 int make_new(const Settings& settings, const std::string& kind);
 int verify(const Settings& settings, const std::vector<std::string>& arguments);

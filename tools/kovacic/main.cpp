@@ -48,6 +48,7 @@ struct CommandLine {
   LameArguments lame_arguments;
   PotentialArguments potential_arguments;
   MonodromyArguments monodromy_arguments;
+  IntegralsArguments integrals_arguments;
   SectionArguments section_arguments;
   BenchArguments bench_arguments;
   std::vector<std::string> files;
@@ -189,6 +190,28 @@ struct CommandLine {
     output_flags(*command);
   }
 
+  void declare_integrals(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("integrals", "first integrals of a system, for all parameter values");
+    command->add_option("FILE", integrals_arguments.file, "a system file")
+        ->required()
+        ->type_name("");
+    command
+        ->add_option("--degree", integrals_arguments.degree,
+                     "in the momenta (without momenta: in all variables); default 2")
+        ->check(silent(CLI::Range(1, 20)))
+        ->type_name("D");
+    command
+        ->add_option("--coefficients", integrals_arguments.coefficients,
+                     "degree of the coefficients in the coordinates")
+        ->check(silent(CLI::Range(0, 60)))
+        ->type_name("E");
+    set_flag(*command);
+    process_flags(*command);
+    format_flag(*command, {"text", "json"}, "text or json");
+    output_flags(*command);
+  }
+
   void report_flags(CLI::App& command) {
     format_flag(command, {"text", "json", "tex", "html"},
                 "text, json, tex or html (also: -o NAME.html)");
@@ -258,6 +281,8 @@ struct CommandLine {
     format_flag(*find, {"text", "json"}, "text or json");
     output_flags(*find);
 
+    declare_integrals(app);
+
     CLI::App* test = app.add_subcommand("test", "run the [[expect]] blocks of files (TAP)");
     test->add_option("DIR|FILE", files, "default: cases")->type_name("");
     set_flag(*test);
@@ -322,6 +347,7 @@ struct CommandLine {
     if (command == "check") return check(settings, files);
     if (command == "show") return show(settings, word, stage);
     if (command == "find-manifolds") return find_manifolds(settings, word);
+    if (command == "integrals") return integrals(settings, integrals_arguments);
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
     if (command == "prove") return prove(settings, word);

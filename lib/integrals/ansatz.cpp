@@ -1,0 +1,329 @@
+#include "integrals/independence.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+bool is_parametric(const PhaseSpace& p, const MPoly& f) {
+  return std::none_of(p.variables.begin(), p.variables.end(),
+                      [&](std::size_t i) { return uses(f, i); });
+}
+
+MPoly common_multiple(const MPoly& a, const MPoly& b) { return exact_div(a * b, gcd(a, b)); }
+
+void add_new(std::vector<MPoly>& all, const MPoly& f) {
+  if (std::find(all.begin(), all.end(), f) == all.end()) all.push_back(f);
+}
+
+// The exponents of the phase variables, and the rest of the term.
+std::pair<std::vector<unsigned long>, MPoly> split_term(const PhaseSpace& p, const MPoly& f,
+                                                        long t) {
+  auto rest = f.exponents(t);
+  std::vector<unsigned long> phase;
+  for (const std::size_t i : p.variables) {
+    phase.push_back(rest[i]);
+    rest[i] = 0;
+  }
+  return {std::move(phase), MPoly::term(p.field.ring, f.coefficient(t), rest)};
+}
+
+std::map<std::vector<unsigned long>, MPoly> by_monomials(const PhaseSpace& p, const MPoly& f) {
+  std::map<std::vector<unsigned long>, MPoly> all;
+  for (long t = 0; t < f.length(); ++t) {
+    auto [phase, rest] = split_term(p, f, t);
+    all.try_emplace(std::move(phase), p.field.ring).first->second += rest;
+  }
+  return all;
+}
+
+// Where all coefficients of a denominator vanish the system has no meaning; a denominator without a
+// constant coefficient is asked to keep its first one.
+void require_denominator(PhaseSpace& p, const MPoly& den, std::vector<MPoly>& required) {
+  for (const MFactor& f : factor(den).second) {
+    const auto parts = by_monomials(p, f.base);
+    if (std::any_of(parts.begin(), parts.end(),
+                    [](const auto& c) { return is_constant(c.second); }))
+      continue;
+    for (const MFactor& c : factor(parts.begin()->second).second)
+      add_new(required, c.base);
+  }
+}
+
+void read_relations(PhaseSpace& p, const Budget& budget, std::vector<MPoly>& required) {
+  std::vector<MPoly> between_variables;
+  for (const MPoly& r : p.field.relations)
+    (is_parametric(p, r) ? p.equations : between_variables).push_back(r);
+  if (between_variables.empty()) return;
+  p.relations.emplace(p.field.ring, p.variables, between_variables, std::vector<MPoly>{}, budget);
+  for (const MPoly& c : p.relations->inverted())
+    add_new(required, c);
+}
+
+void read_assumptions(PhaseSpace& p, const System& s) {
+  using Relation = Assumption::Relation;
+  for (const Assumption& a : s.assumptions) {
+    if (!a.value.ring() || is_constant(a.value) || !is_parametric(p, a.value.num())) continue;
+    if (a.relation == Relation::zero) p.equations.push_back(a.value.num());
+    if (a.relation == Relation::nonzero || a.relation == Relation::positive)
+      for (const MFactor& f : factor(a.value.num()).second)
+        add_new(p.nonzero, f.base);
+  }
+}
+
+MPoly field_denominator(const PhaseSpace& p, const std::vector<MFraction>& components) {
+  MPoly den(p.field.ring, Integer(1));
+  for (const MFraction& x : components)
+    if (!is_zero(x)) den = common_multiple(den, x.den());
+  return den;
+}
+
+// The field on the variables: functions by the chain rule.
+std::vector<MFraction> on_variables(const PhaseSpace& p, const std::vector<MFraction>& x) {
+  std::vector<MFraction> all(x);
+  for (const FunctionSymbol& f : p.field.functions) {
+    MFraction sum(p.field.ring);
+    for (std::size_t j = 0; j < x.size(); ++j)
+      sum += x[j] * f.gradient[j];
+    all.push_back(std::move(sum));
+  }
+  return all;
+}
+
+} // namespace
+
+PhaseSpace::PhaseSpace(const System& s, const Budget& budget)
+    : field(s.field), variables(s.field.coordinates), parameters(s.field.parameters) {
+  momentum.assign(variables.size(), false);
+  if (s.kind == SystemKind::hamiltonian)
+    std::fill(momentum.begin() + static_cast<long>(variables.size() / 2), momentum.end(), true);
+  for (const FunctionSymbol& f : field.functions)
+    variables.push_back(f.variable), momentum.push_back(false);
+  parameters.insert(parameters.end(), field.constants.begin(), field.constants.end());
+  std::vector<MPoly> required;
+  read_relations(*this, budget, required);
+  read_assumptions(*this, s);
+  require_denominator(*this, field_denominator(*this, on_variables(*this, field.components)),
+                      required);
+  denominator =
+      field.hamiltonian ? field.hamiltonian->den() : field_denominator(*this, field.components);
+  require_denominator(*this, denominator, required);
+  for (const MPoly& f : required)
+    if (std::find(nonzero.begin(), nonzero.end(), f) == nonzero.end()) {
+      not_covered.push_back(f);
+      nonzero.push_back(f);
+    }
+}
+
+std::map<std::vector<unsigned long>, MPoly> PhaseSpace::coefficients(const MPoly& f,
+                                                                     MPoly* scale) const {
+  if (!relations || is_zero(f)) return by_monomials(*this, f);
+  const MFraction reduced = relations->normal_form(MFraction(f));
+  if (scale != nullptr && !is_zero(reduced)) *scale = reduced.den();
+  return by_monomials(*this, reduced.num());
+}
+
+bool PhaseSpace::vanishes(const ParameterSet& where, const MFraction& f) const {
+  if (is_zero(f)) return true;
+  const auto all = coefficients(f.num(), nullptr);
+  return std::all_of(all.begin(), all.end(),
+                     [&](const auto& c) { return is_zero(where.restrict(c.second)); });
+}
+
+std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p) {
+  if (!p.is_polynomial_ring() || !p.field.hamiltonian) return std::nullopt;
+  const std::size_t n = p.variables.size() / 2;
+  if (n == 0 || !p.momentum.back() || !is_parametric(p, p.field.hamiltonian->den()))
+    return std::nullopt;
+  std::vector<std::vector<MPoly>> metric(n, std::vector<MPoly>(n, MPoly(p.field.ring)));
+  NaturalHamiltonian natural;
+  for (const auto& [e, c] : by_monomials(p, p.field.hamiltonian->num())) {
+    unsigned long q = 0;
+    std::vector<std::size_t> momenta;
+    for (std::size_t i = 0; i < n; ++i) {
+      q += e[i];
+      momenta.insert(momenta.end(), std::min<unsigned long>(e[n + i], 3), i);
+    }
+    if (momenta.empty())
+      natural.degree = std::max(natural.degree, static_cast<long>(q));
+    else if (momenta.size() != 2 || q != 0)
+      return std::nullopt;
+    else {
+      metric[momenta[0]][momenta[1]] += c;
+      metric[momenta[1]][momenta[0]] += c; // a square is counted twice: the Hessian
+    }
+  }
+  natural.determinant = determinant(metric);
+  if (is_zero(natural.determinant)) return std::nullopt;
+  return natural;
+}
+
+namespace {
+
+/// The largest degree of the coefficients beside momenta of degree k.
+long coefficient_bound(const AnsatzBounds& b, const std::optional<NaturalHamiltonian>& natural,
+                       long k, long denominator_degree) {
+  if (b.coefficients) return *b.coefficients + denominator_degree;
+  const long top = b.degree - (b.degree - k) % 2;
+  return top + (top - k) / 2 * natural.value().degree;
+}
+
+long degree_of(const PhaseSpace& p, const MPoly& f) {
+  unsigned long degree = 0;
+  for (long t = 0; t < f.length(); ++t) {
+    const auto e = f.exponents(t);
+    unsigned long here = 0;
+    for (const std::size_t i : p.variables)
+      here += e[i];
+    degree = std::max(degree, here);
+  }
+  return static_cast<long>(degree);
+}
+
+bool is_standard(const PhaseSpace& p, const std::vector<unsigned long>& e) {
+  if (!p.relations) return true;
+  return std::none_of(p.relations->basis().begin(), p.relations->basis().end(),
+                      [&](const KPoly& f) {
+                        const Monomial& lead = f.begin()->first;
+                        for (std::size_t i = 0; i < e.size(); ++i)
+                          if (lead[i] > e[i]) return false;
+                        return true;
+                      });
+}
+
+class MonomialList {
+public:
+  MonomialList(const PhaseSpace& p, const AnsatzBounds& b,
+               const std::optional<NaturalHamiltonian>& natural, long denominator_degree)
+      : p_(p), bounds_(b), natural_(natural), extra_(denominator_degree),
+        mechanical_(std::find(p.momentum.begin(), p.momentum.end(), true) != p.momentum.end()) {}
+
+  std::vector<std::vector<unsigned long>> all() {
+    e_.assign(p_.variables.size(), 0);
+    add(0, 0, 0);
+    return std::move(found_);
+  }
+
+private:
+  // Momenta come after the coordinates and before the functions, so that bounds are tested at the
+  // end and, for the sake of time, on the way.
+  void add(std::size_t i, long momenta, long others) {
+    if (momenta > bounds_.degree || others > largest(momenta)) return;
+    if (i == p_.variables.size()) {
+      if (momenta + others + extra_ > 0 && others <= bound(momenta) && is_standard(p_, e_)) {
+        if (found_.size() >= 4000) throw OutOfBudget("an ansatz with more than 4000 unknowns");
+        found_.push_back(e_);
+      }
+      return;
+    }
+    for (e_[i] = 0;; ++e_[i]) {
+      const long k = static_cast<long>(e_[i]);
+      const long m = momenta + (p_.momentum[i] ? k : 0);
+      const long o = others + (p_.momentum[i] ? 0 : k);
+      if (m > bounds_.degree || o > largest(m)) break;
+      add(i + 1, m, o);
+    }
+    e_[i] = 0;
+  }
+  long bound(long momenta) const {
+    return mechanical_ ? coefficient_bound(bounds_, natural_, momenta, extra_)
+                       : bounds_.degree + extra_;
+  }
+  // Over all momenta that may still come: the bounds fall when these grow.
+  long largest(long momenta) const {
+    return std::max(bound(momenta), momenta < bounds_.degree ? bound(momenta + 1) : 0);
+  }
+
+  const PhaseSpace& p_;
+  const AnsatzBounds& bounds_;
+  const std::optional<NaturalHamiltonian>& natural_;
+  long extra_;
+  bool mechanical_;
+  std::vector<unsigned long> e_;
+  std::vector<std::vector<unsigned long>> found_;
+};
+
+} // namespace
+
+Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
+                   const std::optional<NaturalHamiltonian>& natural) {
+  Ansatz a;
+  const bool mechanical = std::find(p.momentum.begin(), p.momentum.end(), true) != p.momentum.end();
+  const long power = is_parametric(p, p.denominator) ? 0 : mechanical ? (bounds.degree + 1) / 2 : 1;
+  a.denominator = pow(p.denominator, static_cast<unsigned long>(power));
+  if (power == 0) a.denominator = MPoly(p.field.ring, Integer(1));
+  for (const auto& e : MonomialList(p, bounds, natural, degree_of(p, a.denominator)).all()) {
+    std::vector<unsigned long> exponents(p.field.ring->size(), 0);
+    for (std::size_t i = 0; i < e.size(); ++i)
+      exponents[p.variables[i]] = e[i];
+    a.column.emplace(e, a.numerators.size());
+    a.numerators.push_back(MPoly::term(p.field.ring, Integer(1), exponents));
+  }
+  return a;
+}
+
+namespace {
+
+// D X(f) for a field with denominator D, its numerators given on the variables.
+MPoly derived(const PhaseSpace& p, const std::vector<MPoly>& numerators, const MPoly& f) {
+  MPoly sum(p.field.ring);
+  for (std::size_t i = 0; i < p.variables.size(); ++i)
+    if (uses(f, p.variables[i]) && !is_zero(numerators[i]))
+      sum += derivative(f, p.variables[i]) * numerators[i];
+  return sum;
+}
+
+} // namespace
+
+EchelonForm equations_of(const PhaseSpace& p, const Ansatz& ansatz,
+                         const std::vector<std::vector<MFraction>>& fields, const Budget& budget) {
+  EchelonForm e;
+  e.columns = ansatz.numerators.size();
+  for (const auto& field : fields) {
+    const auto x = on_variables(p, field);
+    const MPoly den = field_denominator(p, x);
+    std::vector<MPoly> numerators;
+    for (const MFraction& c : x)
+      numerators.push_back((c * MFraction(den)).num());
+    std::map<std::vector<unsigned long>, SparseRow> rows;
+    MPoly scale(p.field.ring, Integer(1));
+    const MPoly dw = derived(p, numerators, ansatz.denominator);
+    for (std::size_t j = 0; j < e.columns; ++j) {
+      budget.check();
+      const MPoly& n = ansatz.numerators[j];
+      const MPoly d = ansatz.denominator * derived(p, numerators, n) - n * dw;
+      MPoly here(p.field.ring, Integer(1));
+      const auto column = p.coefficients(d, &here);
+      // All columns over one denominator: what is there already is multiplied.
+      const MPoly all = common_multiple(scale, here);
+      if (const MPoly more = exact_div(all, scale); !is_one(more))
+        for (auto& [m, row] : rows)
+          for (auto& [i, c] : row)
+            c *= more;
+      scale = all;
+      const MPoly own = exact_div(all, here);
+      for (const auto& [m, c] : column)
+        if (!is_zero(c)) rows[m].emplace(j, c * own);
+    }
+    for (auto& [m, row] : rows)
+      e.rows.push_back(std::move(row));
+  }
+  return e;
+}
+
+std::optional<SparseRow> coordinates(const PhaseSpace& p, const Ansatz& ansatz,
+                                     const MFraction& f) {
+  const MFraction over = f * MFraction(ansatz.denominator);
+  if (!is_parametric(p, over.den())) return std::nullopt;
+  SparseRow row;
+  for (const auto& [m, c] : p.coefficients(over.num(), nullptr)) {
+    const bool constant = std::all_of(m.begin(), m.end(), [](unsigned long k) { return k == 0; });
+    if (constant && is_one(ansatz.denominator)) continue;
+    const auto column = ansatz.column.find(m);
+    if (column == ansatz.column.end()) return std::nullopt;
+    row.emplace(column->second, c);
+  }
+  return row;
+}
+
+} // namespace kov

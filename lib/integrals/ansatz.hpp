@@ -1,0 +1,79 @@
+#pragma once
+// Polynomials in the phase variables with unknown coefficients, and the linear equations that make
+// them first integrals.
+//
+//   I = (sum of u_m m over monomials m) / W,   W a denominator that is fixed beforehand
+//
+// Function symbols count as phase variables, modulo their relations; algebraic constants count as
+// parameters, with their relations as equations.
+//
+// Source  docs/theory/integrals.md (1)
+
+#include "integrals/kernel.hpp"
+#include "system/system.hpp"
+
+namespace kov {
+
+/// The variables of one system in their two roles, with what is divided by.
+struct PhaseSpace {
+  explicit PhaseSpace(const System& s, const Budget& budget = {});
+
+  VectorField field;
+  std::vector<std::size_t> variables; ///< coordinates and function symbols
+  std::vector<bool> momentum; ///< is variables[i] a momentum?  none outside kind hamiltonian
+  std::vector<std::size_t> parameters; ///< with the algebraic constants
+  std::optional<Ideal> relations;      ///< those between phase variables
+  std::vector<MPoly> equations;        ///< between parameters: relations and assumptions
+  std::vector<MPoly> nonzero;          ///< in the parameters: what is assumed or divided by
+  std::vector<MPoly> not_covered;      ///< those of `nonzero` that the file does not assume
+  MPoly denominator;                   ///< of the Hamiltonian, or of the field: for W
+
+  /// Only parameters, the phase variables being free: a polynomial that is not 0 is a function that
+  /// is not 0, so that absence in the ansatz is absence.
+  [[nodiscard]] bool is_polynomial_ring() const { return field.functions.empty() && !relations; }
+  /// f by monomials in the phase variables, reduced by the relations; up to a common factor that
+  /// vanishes nowhere in `nonzero`, which `scale` receives.
+  [[nodiscard]] std::map<std::vector<unsigned long>, MPoly> coefficients(const MPoly& f,
+                                                                         MPoly* scale) const;
+  /// f = 0 wherever it is defined, at all parameter values of the set.  f is reduced by the
+  /// relations.
+  [[nodiscard]] bool vanishes(const ParameterSet& where, const MFraction& f) const;
+};
+
+/// H = p^T G p/2 + V(q) with a constant matrix G and polynomial V, in canonical coordinates.
+struct NaturalHamiltonian {
+  MPoly determinant; ///< of G, up to a factor; the bounds below hold where it is not 0
+  long degree = 0;   ///< of V, for generic parameters: an upper bound for all of them
+};
+[[nodiscard]] std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p);
+
+/// Which monomials the numerator may have.
+struct AnsatzBounds {
+  long degree = 0; ///< in the momenta; in all phase variables where there are none
+  /// of the coefficients in the other variables; unset: by docs/theory/integrals.md, Theorem 2,
+  /// which needs a natural Hamiltonian
+  std::optional<long> coefficients = {};
+};
+
+/// The columns of the linear problem.
+struct Ansatz {
+  std::vector<MPoly> numerators;
+  MPoly denominator;                                        ///< W
+  std::map<std::vector<unsigned long>, std::size_t> column; ///< of a monomial (variables only)
+};
+/// Errors  OutOfBudget above 4000 unknowns
+[[nodiscard]] Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
+                                 const std::optional<NaturalHamiltonian>& natural);
+
+/// The equations X(I) = 0 for all fields in `fields` at the same time (one field for integrals, all
+/// {x_j, .} for Casimirs).
+[[nodiscard]] EchelonForm equations_of(const PhaseSpace& p, const Ansatz& ansatz,
+                                       const std::vector<std::vector<MFraction>>& fields,
+                                       const Budget& budget = {});
+
+/// The coordinates of a function in the ansatz, up to a factor that vanishes nowhere; unset if it
+/// lies outside.
+[[nodiscard]] std::optional<SparseRow> coordinates(const PhaseSpace& p, const Ansatz& ansatz,
+                                                   const MFraction& f);
+
+} // namespace kov

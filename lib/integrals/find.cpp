@@ -1,0 +1,282 @@
+#include "integrals/find.hpp"
+
+#include "exact/error.hpp"
+#include "integrals/independence.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+std::vector<std::vector<MFraction>> bracket_fields(const VectorField& v) {
+  std::vector<std::vector<MFraction>> all;
+  for (std::size_t j = 0; j < v.dimension(); ++j) {
+    all.emplace_back();
+    for (std::size_t i = 0; i < v.dimension(); ++i)
+      all.back().push_back((*v.poisson)[i][j]);
+  }
+  return all;
+}
+
+class Search {
+public:
+  Search(const System& s, const IntegralOptions& o)
+      : options_(o), space_(s, o.budget), natural_(natural_hamiltonian(space_)),
+        mechanical_(s.kind == SystemKind::hamiltonian) {
+    if (!natural_ && !options_.coefficients) options_.coefficients = options_.degree;
+    if (!mechanical_ && space_.field.poisson)
+      for (long k = 1; k <= std::min(options_.degree, 2L); ++k)
+        stages_.push_back({Stage::Kind::casimirs, k});
+    if (space_.field.hamiltonian) stages_.push_back({Stage::Kind::hamiltonian});
+    for (long k = 1; k <= options_.degree; ++k)
+      stages_.push_back({Stage::Kind::integrals, k});
+  }
+
+  IntegralSearch run() {
+    ParameterSet all(space_.field.ring, space_.parameters, options_.budget);
+    for (const MPoly& f : space_.nonzero)
+      all = all.where_nonzero(f);
+    for (const MPoly& f : space_.equations)
+      all = all.where_zero(f);
+    if (all.is_empty())
+      throw InvalidArgument("no parameter value satisfies the relations and assumptions");
+    result_.searched = searched();
+    result_.not_covered = space_.not_covered;
+    for (const MPoly& f : space_.nonzero)
+      if (std::find(space_.not_covered.begin(), space_.not_covered.end(), f) ==
+          space_.not_covered.end())
+        result_.assumed.push_back(f);
+    start(all);
+    return std::move(result_);
+  }
+
+private:
+  struct Stage {
+    enum class Kind : std::uint8_t { casimirs, hamiltonian, integrals };
+    Kind kind;
+    long degree = 0;
+  };
+  struct State {
+    ParameterSet where;
+    std::vector<FoundIntegral> found;
+    IndependentRows gradients;
+  };
+  using Candidates = std::vector<FoundIntegral>;
+
+  std::string searched() const {
+    const std::string d = std::to_string(options_.degree);
+    if (!mechanical_) return "polynomials of degree <= " + d + " in the phase variables";
+    const std::string first = "polynomials of degree <= " + d + " in the momenta";
+    if (!options_.coefficients) return first;
+    const std::string e = std::to_string(*options_.coefficients);
+    const std::string den = to_string(space_.denominator);
+    if (is_constant(space_.denominator))
+      return first + ", their coefficients polynomials of degree <= " + e;
+    return first + ", their coefficients polynomials of degree <= " + e +
+           " in the other variables, or with denominators that divide a power of " + den;
+  }
+
+  void start(const ParameterSet& where) { enter({where, {}, IndependentRows(space_)}, 0); }
+
+  void enter(State s, std::size_t stage) {
+    if (stage == stages_.size()) return conclude(std::move(s));
+    if (stages_[stage].kind != Stage::Kind::hamiltonian) return look(s, stage);
+    const MFraction& value = *space_.field.hamiltonian;
+    take(std::move(s), {{value, degree_of(value), false, true}}, stage + 1);
+  }
+
+  // The integrals of one degree, on each part of the set.
+  void look(const State& s, std::size_t stage) {
+    try {
+      const Ansatz ansatz =
+          make_ansatz(space_, {stages_[stage].degree, options_.coefficients}, natural_);
+      EchelonForm e = equations(s, ansatz, stages_[stage]);
+      if (independent_modulo_a_prime(e)) return enter(s, stage + 1);
+      for_each_kernel(
+          s.where, std::move(e),
+          [&](const ParameterSet& where, const EchelonForm& done) {
+            State part = s;
+            part.where = where;
+            Candidates all =
+                candidates(where, done, ansatz, stages_[stage].kind == Stage::Kind::casimirs);
+            take(std::move(part), std::move(all), stage + 1);
+          },
+          options_.budget);
+    } catch (const OutOfBudget& limit) {
+      conclude(s, limit.what());
+    }
+  }
+
+  // Without the columns that known integrals allow to be left out.
+  EchelonForm equations(const State& s, const Ansatz& ansatz, const Stage& stage) {
+    const auto fields = stage.kind == Stage::Kind::casimirs
+                            ? bracket_fields(space_.field)
+                            : std::vector<std::vector<MFraction>>{space_.field.components};
+    EchelonForm e = equations_of(space_, ansatz, fields, options_.budget);
+    EchelonForm known{e.columns, products(s, ansatz, stage.degree)};
+    for (const std::size_t j : gauge_columns(s.where, std::move(known), options_.budget))
+      e.rows.push_back({{j, MPoly(space_.field.ring, Integer(1))}});
+    return e;
+  }
+
+  // Products of known integrals inside the ansatz, and 1 where it is no constant term there.
+  std::vector<SparseRow> products(const State& s, const Ansatz& ansatz, long degree) const {
+    std::vector<SparseRow> rows;
+    const MFraction one(space_.field.ring, Rational(1));
+    add_products(s, ansatz, 0, one, degree, rows);
+    return rows;
+  }
+  void add_products(const State& s, const Ansatz& ansatz, std::size_t i, const MFraction& product,
+                    long left, std::vector<SparseRow>& rows) const {
+    if (rows.size() > 400) return;
+    if (i == s.found.size()) {
+      if (auto row = coordinates(space_, ansatz, product); row && !row->empty())
+        rows.push_back(std::move(*row));
+      return;
+    }
+    MFraction power = product;
+    const long step = std::max(s.found[i].degree, 1L);
+    for (long rest = left; rest >= 0; rest -= step) {
+      add_products(s, ansatz, i + 1, power, rest, rows);
+      if (rest >= step) power *= s.found[i].value;
+    }
+  }
+
+  Candidates candidates(const ParameterSet& where, const EchelonForm& e, const Ansatz& ansatz,
+                        bool casimirs) const {
+    Candidates all;
+    for (const auto& vector : kernel_basis(where, e)) {
+      MPoly den(space_.field.ring, Integer(1));
+      for (const auto& [j, x] : vector)
+        den = exact_div(den * x.den(), gcd(den, x.den()));
+      SparseRow row;
+      for (const auto& [j, x] : vector)
+        row.emplace(j, (x * MFraction(den)).num());
+      MPoly sum(space_.field.ring);
+      for (const auto& [j, c] : restricted(where, row))
+        sum += c * ansatz.numerators[j];
+      const MFraction value(sum, ansatz.denominator);
+      all.push_back({value, degree_of(value), casimirs});
+    }
+    std::stable_sort(all.begin(), all.end(), [](const FoundIntegral& a, const FoundIntegral& b) {
+      return std::pair(a.degree, a.value.num().length()) <
+             std::pair(b.degree, b.value.num().length());
+    });
+    return all;
+  }
+
+  // Those that are independent of what is known; the parameters are split where that depends on
+  // them.
+  void take(State s, const Candidates& all, std::size_t stage) {
+    try {
+      for (const FoundIntegral& f : all) {
+        verify(s.where, f);
+        for (;;) {
+          const auto answer =
+              s.gradients.add(s.where, gradient(space_.field, f.value), options_.budget);
+          if (answer.taken) s.found.push_back(f);
+          if (!answer.split) break;
+          if (const auto zero = s.where.where_zero(*answer.split); !zero.is_empty()) start(zero);
+          s.where = s.where.where_nonzero(*answer.split);
+          if (s.where.is_empty()) return;
+        }
+      }
+    } catch (const OutOfBudget& limit) {
+      return conclude(std::move(s), limit.what());
+    }
+    enter(std::move(s), stage);
+  }
+
+  // By the formulas of lib/system.
+  void verify(const ParameterSet& where, const FoundIntegral& f) const {
+    KOV_ENSURE(space_.vanishes(where, lie_derivative(space_.field, f.value)));
+    if (!f.casimir) return;
+    for (const MFraction& x : hamiltonian_field(space_.field, *space_.field.poisson, f.value))
+      KOV_ENSURE(space_.vanishes(where, x));
+  }
+
+  void conclude(State s, std::string open = {}) {
+    if (result_.sets.size() >= options_.max_sets && open.empty())
+      open = "more than " + std::to_string(options_.max_sets) + " sets of parameter values";
+    IntegralsOfSet set;
+    set.equations = s.where.equations();
+    set.open = std::move(open);
+    set.integrals = std::move(s.found);
+    set.complete = set.open.empty() && space_.is_polynomial_ring();
+    set.complete_for_smooth = set.complete && natural_ && !options_.coefficients &&
+                              s.where.is_nonzero(natural_->determinant);
+    try {
+      set.inequations = s.where.proper_inequations();
+      if (space_.field.poisson) find_commuting(s.where, set);
+    } catch (const OutOfBudget& limit) {
+      if (set.inequations.empty()) set.inequations = s.where.inequations();
+      if (set.open.empty()) set.open = limit.what();
+    }
+    result_.sets.push_back(std::move(set));
+  }
+
+  // The first set that the order of discovery gives, with the Hamiltonian in it.
+  void find_commuting(const ParameterSet& where, IntegralsOfSet& set) const {
+    for (std::size_t i = 0; i < set.integrals.size(); ++i) {
+      const bool commutes =
+          std::all_of(set.commuting.begin(), set.commuting.end(), [&](std::size_t j) {
+            return space_.vanishes(where, poisson_bracket(space_.field, set.integrals[i].value,
+                                                          set.integrals[j].value));
+          });
+      if (commutes) set.commuting.push_back(i);
+    }
+    const auto casimirs =
+        static_cast<std::size_t>(std::count_if(set.integrals.begin(), set.integrals.end(),
+                                               [](const FoundIntegral& f) { return f.casimir; }));
+    const std::size_t leaf = space_.field.dimension() - casimirs;
+    set.liouville = leaf % 2 == 0 && set.commuting.size() == casimirs + leaf / 2 &&
+                    bracket_has_rank(where, leaf);
+  }
+
+  bool bracket_has_rank(const ParameterSet& where, std::size_t rank) const {
+    if (mechanical_) return true;
+    IndependentRows rows(space_);
+    for (const auto& row : *space_.field.poisson)
+      static_cast<void>(rows.add(where, row, options_.budget));
+    return rows.size() == rank;
+  }
+
+  long degree_of(const MFraction& f) const {
+    const MPoly num = f.num();
+    unsigned long degree = 0;
+    for (long t = 0; t < num.length(); ++t) {
+      const auto e = num.exponents(t);
+      unsigned long here = 0;
+      for (std::size_t i = 0; i < space_.variables.size(); ++i)
+        if (!mechanical_ || space_.momentum[i]) here += e[space_.variables[i]];
+      degree = std::max(degree, here);
+    }
+    return static_cast<long>(degree);
+  }
+
+  IntegralOptions options_;
+  PhaseSpace space_;
+  std::optional<NaturalHamiltonian> natural_;
+  bool mechanical_;
+  std::vector<Stage> stages_;
+  IntegralSearch result_;
+};
+
+} // namespace
+
+std::size_t IntegralsOfSet::found() const {
+  return static_cast<std::size_t>(
+      std::count_if(integrals.begin(), integrals.end(),
+                    [](const FoundIntegral& f) { return !f.casimir && !f.hamiltonian; }));
+}
+
+bool IntegralSearch::finished() const {
+  return std::all_of(sets.begin(), sets.end(),
+                     [](const IntegralsOfSet& s) { return s.open.empty(); });
+}
+
+IntegralSearch find_integrals(const System& s, const IntegralOptions& options) {
+  return Search(s, options).run();
+}
+
+} // namespace kov

@@ -1,0 +1,67 @@
+#pragma once
+// First integrals of a system, at all values of its parameters.
+//
+// Hamiltonian systems: polynomials in the momenta.  Poisson systems: polynomials in all variables,
+// modulo Casimirs, which are found first.  Vector fields: polynomials.
+//
+// Every integral is expanded again by lie_derivative (lib/system), which shares nothing with the
+// linear algebra that found it.  Nothing that the file claims is used.
+//
+// Source  docs/theory/integrals.md
+
+#include "integrals/ansatz.hpp"
+
+namespace kov {
+
+struct IntegralOptions {
+  long degree = 2; ///< in the momenta; in all variables for systems without momenta
+  /// Of the coefficients in the coordinates.  Unset: where the Hamiltonian is p^T G p/2 + V(q) with
+  /// a constant G and polynomial V, what is needed for a complete answer; else the same as
+  /// `degree`.
+  std::optional<long> coefficients = {};
+  Budget budget = {};
+  std::size_t max_sets = 200; ///< of parameter values
+};
+
+struct FoundIntegral {
+  MFraction value;
+  long degree = 0;
+  bool casimir = false;
+  bool hamiltonian = false; ///< H itself, and not found
+};
+
+/// What is known at the parameter values with these equations and inequations.
+struct IntegralsOfSet {
+  std::vector<MPoly> equations, inequations;
+  /// Functionally independent at each parameter value of the set.
+  std::vector<FoundIntegral> integrals;
+  std::vector<std::size_t> commuting; ///< indices of integrals in involution, Casimirs among them
+  bool liouville = false; ///< as many of them in involution as Liouville's theorem wants
+  /// Every integral of the class depends on those listed.
+  bool complete = false;
+  /// The same for all coefficients that are smooth functions of the coordinates.
+  bool complete_for_smooth = false;
+  std::string open; ///< why the search ended early, or empty
+
+  /// Those beside the Hamiltonian and the Casimirs.
+  [[nodiscard]] std::size_t found() const;
+};
+
+struct IntegralSearch {
+  std::string searched; ///< the class, in words
+  std::vector<IntegralsOfSet> sets;
+  std::vector<MPoly> not_covered; ///< nothing is said where one of these vanishes
+  std::vector<MPoly> assumed;     ///< those of the file that were used, each != 0
+  [[nodiscard]] bool finished() const;
+};
+
+/// Errors  InvalidArgument: contradictory assumptions.  A budget that is spent is no error.
+/// Given   const System oscillator = read_system(parse_document(
+///             "system = {kind = 'hamiltonian', coordinates = ['x', 'y'], momenta = ['u', 'v'], "
+///             "parameters = ['a'], hamiltonian = '(u^2 + v^2 + x^2 + a*y^2)/2'}", "o.toml"));
+/// Given   const IntegralSearch found = find_integrals(oscillator, {.degree = 1});
+/// Example to_string(found.sets.at(0).equations.at(0))  // -> a - 1
+/// Example to_string(found.sets.at(0).integrals.at(1).value)  // -> x*v - y*u
+[[nodiscard]] IntegralSearch find_integrals(const System& s, const IntegralOptions& options = {});
+
+} // namespace kov

@@ -1,0 +1,192 @@
+#include "integrals/kernel.hpp"
+
+#include "exact/flint.hpp"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+namespace kov {
+namespace {
+
+// The integer or polynomial common divisor of a row that vanishes nowhere is taken out.
+void make_primitive(const ParameterSet& where, SparseRow& row) {
+  MPoly common(where.ring());
+  for (const auto& [j, c] : row) {
+    common = gcd(common, c);
+    if (is_one(common)) return;
+  }
+  const auto [content, factors] = factor(common);
+  MPoly unit(where.ring(), content);
+  for (const MFactor& f : factors)
+    if (where.is_nonzero(f.base)) unit *= pow(f.base, static_cast<unsigned long>(f.exponent));
+  if (is_one(unit)) return;
+  for (auto& [j, c] : row)
+    c = exact_div(c, unit);
+}
+
+} // namespace
+
+SparseRow restricted(const ParameterSet& where, const SparseRow& row) {
+  std::map<std::size_t, MFraction> values;
+  MPoly den(where.ring(), Integer(1));
+  for (const auto& [j, c] : row) {
+    MFraction f = where.restrict(c);
+    if (is_zero(f)) continue;
+    den = exact_div(den * f.den(), gcd(den, f.den()));
+    values.emplace(j, std::move(f));
+  }
+  SparseRow result;
+  for (const auto& [j, f] : values)
+    result.emplace(j, f.num() * exact_div(den, f.den()));
+  if (!result.empty()) make_primitive(where, result);
+  return result;
+}
+
+namespace {
+
+void restrict_rows(const ParameterSet& where, std::vector<SparseRow>& rows) {
+  for (SparseRow& row : rows)
+    row = restricted(where, row);
+  std::erase_if(rows, [](const SparseRow& row) { return row.empty(); });
+}
+
+struct Place {
+  std::size_t row, column;
+};
+
+// The shortest row with a constant, else the shortest with an entry that vanishes nowhere.
+std::optional<Place> best_pivot(const ParameterSet& where, const std::vector<SparseRow>& rows) {
+  std::optional<Place> best;
+  std::tuple<int, std::size_t, long> cost{2, 0, 0};
+  for (const bool constants : {true, false}) {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const auto& [j, c] : rows[i]) {
+        const std::tuple<int, std::size_t, long> here{constants ? 0 : 1, rows[i].size(),
+                                                      c.length()};
+        if (here >= cost || is_constant(c) != constants) continue;
+        if (!constants && !where.is_nonzero(c)) continue;
+        cost = here;
+        best = Place{i, j};
+      }
+    if (best) break;
+  }
+  return best;
+}
+
+// row := (pivot row)[column] row - row[column] (pivot row), without common factors.
+void reduce_row(const ParameterSet& where, SparseRow& row, const SparseRow& pivot,
+                std::size_t column) {
+  const MPoly& p = pivot.at(column);
+  const MPoly g = gcd(p, row.at(column));
+  const MPoly a = exact_div(p, g);
+  const MPoly b = exact_div(row.at(column), g);
+  if (!is_one(a))
+    for (auto& [j, c] : row)
+      c *= a;
+  for (const auto& [j, c] : pivot) {
+    MPoly& entry = row.try_emplace(j, where.ring()).first->second;
+    entry -= b * c;
+    if (is_zero(entry)) row.erase(j);
+  }
+  row = restricted(where, row);
+}
+
+void take_pivot(const ParameterSet& where, EchelonForm& e, Place at) {
+  EchelonForm::Pivot pivot{at.column, std::move(e.rows[at.row])};
+  e.rows.erase(e.rows.begin() + static_cast<long>(at.row));
+  for (SparseRow& row : e.rows)
+    if (row.contains(at.column)) reduce_row(where, row, pivot.row, at.column);
+  std::erase_if(e.rows, [](const SparseRow& row) { return row.empty(); });
+  e.pivots.push_back(std::move(pivot));
+}
+
+void take_pivots(const ParameterSet& where, EchelonForm& e, const Budget& budget) {
+  while (const auto at = best_pivot(where, e.rows)) {
+    budget.check();
+    take_pivot(where, e, *at);
+  }
+}
+
+// An irreducible polynomial that decides whether some entry is a pivot: of the shortest row, the
+// simplest.  Requires rows, and no entry that vanishes nowhere.
+MPoly splitting_factor(const ParameterSet& where, const std::vector<SparseRow>& rows) {
+  const MPoly* best = nullptr;
+  std::pair<std::size_t, long> cost;
+  for (const SparseRow& row : rows)
+    for (const auto& [j, c] : row)
+      if (const std::pair here{row.size(), c.length()}; best == nullptr || here < cost) {
+        best = &c;
+        cost = here;
+      }
+  return where.doubtful_factors(*best).front();
+}
+
+} // namespace
+
+void for_each_kernel(ParameterSet where, EchelonForm e, const KernelLeaf& leaf,
+                     const Budget& budget) {
+  restrict_rows(where, e.rows);
+  for (;;) {
+    take_pivots(where, e, budget);
+    if (e.rows.empty()) return leaf(where, e);
+    const MPoly f = splitting_factor(where, e.rows);
+    if (const ParameterSet zero = where.where_zero(f); !zero.is_empty())
+      for_each_kernel(zero, e, leaf, budget);
+    where = where.where_nonzero(f);
+    if (where.is_empty()) return;
+    restrict_rows(where, e.rows);
+  }
+}
+
+std::vector<std::map<std::size_t, MFraction>> kernel_basis(const ParameterSet& where,
+                                                           const EchelonForm& e) {
+  std::set<std::size_t> bound;
+  for (const auto& pivot : e.pivots)
+    bound.insert(pivot.column);
+  std::vector<std::map<std::size_t, MFraction>> basis;
+  for (std::size_t free = 0; free < e.columns; ++free) {
+    if (bound.contains(free)) continue;
+    std::map<std::size_t, MFraction> v{{free, MFraction(where.ring(), Rational(1))}};
+    for (auto pivot = e.pivots.rbegin(); pivot != e.pivots.rend(); ++pivot) {
+      MFraction sum(where.ring());
+      for (const auto& [j, c] : pivot->row)
+        if (const auto x = v.find(j); x != v.end()) sum += MFraction(c) * x->second;
+      if (is_zero(sum)) continue;
+      const MFraction num = where.restrict(sum.num());
+      if (is_zero(num)) continue;
+      v[pivot->column] = -(num / MFraction(sum.den())) / MFraction(pivot->row.at(pivot->column));
+    }
+    basis.push_back(std::move(v));
+  }
+  return basis;
+}
+
+std::vector<std::size_t> gauge_columns(const ParameterSet& where, EchelonForm e,
+                                       const Budget& budget) {
+  restrict_rows(where, e.rows);
+  take_pivots(where, e, budget);
+  std::vector<std::size_t> columns;
+  for (const auto& pivot : e.pivots)
+    columns.push_back(pivot.column);
+  return columns;
+}
+
+bool independent_modulo_a_prime(const EchelonForm& e) {
+  const std::size_t n = e.columns;
+  if (e.rows.size() < n || e.rows.size() * n > 20'000'000) return false;
+  for (const SparseRow& row : e.rows)
+    for (const auto& [j, c] : row)
+      if (!is_constant(c)) return false;
+  const mp_limb_t p = 2305843009213693951UL; // 2^61 - 1
+  nmod_mat_t m;
+  nmod_mat_init(m, static_cast<slong>(e.rows.size()), static_cast<slong>(n), p);
+  for (std::size_t i = 0; i < e.rows.size(); ++i)
+    for (const auto& [j, c] : e.rows[i])
+      nmod_mat_entry(m, i, j) = fmpz_fdiv_ui(c.coefficient(0).raw(), p);
+  const bool full = nmod_mat_rank(m) == static_cast<slong>(n);
+  nmod_mat_clear(m);
+  return full;
+}
+
+} // namespace kov

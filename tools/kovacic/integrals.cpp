@@ -1,0 +1,164 @@
+// kovacic integrals FILE: first integrals that are polynomial in the momenta, at all parameter
+// values.
+
+#include "integrals/find.hpp"
+
+#include "commands.hpp"
+#include "mechanics.hpp"
+#include "render.hpp"
+
+#include <sstream>
+
+namespace kov::cli {
+namespace {
+
+// What is left for the answer when the search has to end by itself.
+constexpr double part_of_the_time = 0.8;
+constexpr double default_seconds = 60;
+
+std::string condition_text(const IntegralsOfSet& set) {
+  std::string text;
+  const auto add = [&](const MPoly& f, const char* relation) {
+    text += (text.empty() ? "" : ", ") + to_string(f) + relation;
+  };
+  for (const MPoly& f : set.equations)
+    add(f, " = 0");
+  for (const MPoly& f : set.inequations)
+    add(f, " != 0");
+  return text.empty() ? "all parameter values" : text;
+}
+
+std::string names(const IntegralsOfSet& set, const std::vector<std::string>& labels) {
+  std::string text;
+  for (const std::size_t i : set.commuting)
+    text += (text.empty() ? "" : ", ") + labels[i];
+  return text;
+}
+
+// H, C1, C2, ..., F1, F2, ...
+std::vector<std::string> labels(const IntegralsOfSet& set) {
+  std::vector<std::string> all;
+  long casimirs = 0;
+  long found = 0;
+  for (const FoundIntegral& f : set.integrals)
+    all.push_back(f.hamiltonian ? "H"
+                  : f.casimir   ? "C" + std::to_string(++casimirs)
+                                : "F" + std::to_string(++found));
+  return all;
+}
+
+std::string completeness(const IntegralsOfSet& set) {
+  if (!set.open.empty()) return "";
+  if (set.complete_for_smooth)
+    return "proved: every other integral of this degree, its coefficients smooth functions of the "
+           "coordinates, depends on these";
+  if (set.complete) return "proved: every other integral of the class depends on these";
+  return "others are not excluded: the function symbols may satisfy more relations than the file "
+         "declares";
+}
+
+void print(const IntegralsOfSet& set, std::ostringstream& out) {
+  const auto label = labels(set);
+  out << "  where     " << wrapped(condition_text(set), 12) << '\n';
+  for (std::size_t i = 0; i < set.integrals.size(); ++i) {
+    const FoundIntegral& f = set.integrals[i];
+    const std::string title = label[i] + (f.casimir ? " (Casimir) = " : " = ");
+    out << "    " << wrapped(title + to_string(f.value), 6) << '\n';
+  }
+  if (set.found() == 0 && set.open.empty()) out << "    no other integral found\n";
+  if (set.liouville)
+    out << "    INTEGRABLE: " << names(set, label) << " independent and in involution\n";
+  if (const std::string text = completeness(set); !text.empty())
+    out << "    " << wrapped(text, 6) << '\n';
+  if (!set.open.empty())
+    out << "    open: "
+        << wrapped(set.open + "; parts of this set that are listed by themselves "
+                              "are decided",
+                   6)
+        << '\n';
+}
+
+Json texts(const std::vector<MPoly>& polynomials) {
+  Json all = Json::array();
+  for (const MPoly& f : polynomials)
+    all.push_back(to_string(f));
+  return all;
+}
+
+Json json_of(const IntegralsOfSet& set) {
+  const auto label = labels(set);
+  Json all = Json::array();
+  for (std::size_t i = 0; i < set.integrals.size(); ++i) {
+    const FoundIntegral& f = set.integrals[i];
+    all.push_back({{"name", label[i]},
+                   {"value", to_string(f.value)},
+                   {"degree", f.degree},
+                   {"kind", f.hamiltonian ? "hamiltonian"
+                            : f.casimir   ? "casimir"
+                                          : "integral"}});
+  }
+  Json commuting = Json::array();
+  for (const std::size_t i : set.commuting)
+    commuting.push_back(label[i]);
+  return {{"equations", texts(set.equations)},
+          {"inequations", texts(set.inequations)},
+          {"integrals", all},
+          {"in_involution", commuting},
+          {"integrable", set.liouville},
+          {"complete", set.complete_for_smooth ? "smooth coefficients"
+                       : set.complete          ? "class"
+                                               : "no"},
+          {"open", set.open.empty() ? Json(nullptr) : Json(set.open)}};
+}
+
+std::string text_of(const std::string& file, const IntegralSearch& search) {
+  std::ostringstream out;
+  out << file << "\n  searched  " << wrapped(search.searched, 12) << '\n';
+  const auto list = [&](const char* title, const std::vector<MPoly>& all) {
+    for (const MPoly& f : all)
+      out << title << to_string(f) << " != 0\n";
+  };
+  list("  assumed   ", search.assumed);
+  list("  left out  unless ", search.not_covered);
+  for (const bool special : {true, false})
+    for (const IntegralsOfSet& set : search.sets)
+      if ((set.found() > 0) == special) print(set, out);
+  return out.str();
+}
+
+Json json_of(const std::string& file, const IntegralSearch& search) {
+  Json sets = Json::array();
+  for (const IntegralsOfSet& set : search.sets)
+    sets.push_back(json_of(set));
+  return {{"format", "kovacic-integrals/1"},
+          {"file", file},
+          {"searched", search.searched},
+          {"parameters", "complex"},
+          {"assumed_nonzero", texts(search.assumed)},
+          {"not_covered_unless_nonzero", texts(search.not_covered)},
+          {"sets", sets},
+          {"finished", search.finished()}};
+}
+
+} // namespace
+
+int integrals(const Settings& settings, const IntegralsArguments& arguments) {
+  const Report report = supervised(settings, arguments.file, [&] {
+    const System s = read_system(arguments.file, parameter_values(settings));
+    IntegralOptions options;
+    options.degree = arguments.degree;
+    options.coefficients = arguments.coefficients;
+    options.budget = Budget::of_seconds(settings.timeout > 0 ? settings.timeout * part_of_the_time
+                                                             : default_seconds);
+    const IntegralSearch search = find_integrals(s, options);
+    return Report{search.finished() ? exit_decided : exit_undecided,
+                  text_of(arguments.file, search), json_of(arguments.file, search)};
+  });
+  write_output(settings,
+               settings.format == "json" && !report.json.is_null()
+                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                   : report.text);
+  return report.exit;
+}
+
+} // namespace kov::cli
