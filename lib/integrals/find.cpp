@@ -47,6 +47,7 @@ public:
           space_.not_covered.end())
         result_.assumed.push_back(f);
     start(all);
+    gather_elsewhere();
     return std::move(result_);
   }
 
@@ -74,6 +75,29 @@ private:
       return first + ", their coefficients polynomials of degree <= " + e;
     return first + ", their coefficients polynomials of degree <= " + e +
            " in the other variables, or with denominators that divide a power of " + den;
+  }
+
+  static bool same_answer(const IntegralsOfSet& a, const IntegralsOfSet& b) {
+    const auto same = [](const FoundIntegral& f, const FoundIntegral& g) {
+      return f.value == g.value;
+    };
+    return a.liouville == b.liouville && a.complete == b.complete &&
+           a.complete_for_smooth == b.complete_for_smooth && a.open == b.open &&
+           std::equal(a.integrals.begin(), a.integrals.end(), b.integrals.begin(),
+                      b.integrals.end(), same);
+  }
+
+  // Sets on which nothing was found, with one and the same answer, are one.
+  void gather_elsewhere() {
+    const auto is_plain = [](const IntegralsOfSet& s) { return s.found() == 0 && s.open.empty(); };
+    const auto last = std::find_if(result_.sets.rbegin(), result_.sets.rend(), is_plain);
+    if (last == result_.sets.rend()) return;
+    IntegralsOfSet rest = *last;
+    std::erase_if(result_.sets,
+                  [&](const IntegralsOfSet& s) { return is_plain(s) && same_answer(s, rest); });
+    rest.equations.clear();
+    rest.inequations.clear();
+    result_.elsewhere = std::move(rest);
   }
 
   void start(const ParameterSet& where) { enter({where, {}, IndependentRows(space_)}, 0); }

@@ -48,8 +48,11 @@ struct IntegralsOfSet {
 };
 
 struct IntegralSearch {
-  std::string searched; ///< the class, in words
-  std::vector<IntegralsOfSet> sets;
+  std::string searched;             ///< the class, in words
+  std::vector<IntegralsOfSet> sets; ///< disjoint
+  /// All parameter values that are in none of the sets: nothing was found there beside the
+  /// Hamiltonian and the Casimirs.  Without conditions of its own.
+  std::optional<IntegralsOfSet> elsewhere;
   std::vector<MPoly> not_covered; ///< nothing is said where one of these vanishes
   std::vector<MPoly> assumed;     ///< those of the file that were used, each != 0
   [[nodiscard]] bool finished() const;

@@ -57,9 +57,9 @@ std::string completeness(const IntegralsOfSet& set) {
          "declares";
 }
 
-void print(const IntegralsOfSet& set, std::ostringstream& out) {
+void print(const std::string& where, const IntegralsOfSet& set, std::ostringstream& out) {
   const auto label = labels(set);
-  out << "  where     " << wrapped(condition_text(set), 12) << '\n';
+  out << "  where     " << wrapped(where, 12) << '\n';
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
     const FoundIntegral& f = set.integrals[i];
     const std::string title = label[i] + (f.casimir ? " (Casimir) = " : " = ");
@@ -120,9 +120,10 @@ std::string text_of(const std::string& file, const IntegralSearch& search) {
   };
   list("  assumed   ", search.assumed);
   list("  left out  unless ", search.not_covered);
-  for (const bool special : {true, false})
-    for (const IntegralsOfSet& set : search.sets)
-      if ((set.found() > 0) == special) print(set, out);
+  for (const IntegralsOfSet& set : search.sets)
+    print(condition_text(set), set, out);
+  if (search.elsewhere)
+    print(search.sets.empty() ? "all parameter values" : "everywhere else", *search.elsewhere, out);
   return out.str();
 }
 
@@ -137,6 +138,7 @@ Json json_of(const std::string& file, const IntegralSearch& search) {
           {"assumed_nonzero", texts(search.assumed)},
           {"not_covered_unless_nonzero", texts(search.not_covered)},
           {"sets", sets},
+          {"elsewhere", search.elsewhere ? json_of(*search.elsewhere) : Json(nullptr)},
           {"finished", search.finished()}};
 }
 
