@@ -78,6 +78,14 @@ MPoly field_denominator(const PhaseSpace& p, const std::vector<MFraction>& compo
   return den;
 }
 
+// Without the factors that are constant or parametric.
+MPoly phase_part(const PhaseSpace& p, const MPoly& f) {
+  MPoly product(p.field.ring, Integer(1));
+  for (const MFactor& x : factor(f).second)
+    if (!is_parametric(p, x.base)) product *= pow(x.base, static_cast<unsigned long>(x.exponent));
+  return product;
+}
+
 // The field on the variables: functions by the chain rule.
 std::vector<MFraction> on_variables(const PhaseSpace& p, const std::vector<MFraction>& x) {
   std::vector<MFraction> all(x);
@@ -105,9 +113,10 @@ PhaseSpace::PhaseSpace(const System& s, const Budget& budget)
   read_assumptions(*this, s);
   require_denominator(*this, field_denominator(*this, on_variables(*this, field.components)),
                       required);
-  denominator =
+  const MPoly den =
       field.hamiltonian ? field.hamiltonian->den() : field_denominator(*this, field.components);
-  require_denominator(*this, denominator, required);
+  require_denominator(*this, den, required);
+  denominator = phase_part(*this, den);
   for (const MPoly& f : required)
     if (std::find(nonzero.begin(), nonzero.end(), f) == nonzero.end()) {
       not_covered.push_back(f);
@@ -158,16 +167,6 @@ std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p) {
   return natural;
 }
 
-namespace {
-
-/// The largest degree of the coefficients beside momenta of degree k.
-long coefficient_bound(const AnsatzBounds& b, const std::optional<NaturalHamiltonian>& natural,
-                       long k, long denominator_degree) {
-  if (b.coefficients) return *b.coefficients + denominator_degree;
-  const long top = b.degree - (b.degree - k) % 2;
-  return top + (top - k) / 2 * natural.value().degree;
-}
-
 long degree_of(const PhaseSpace& p, const MPoly& f) {
   unsigned long degree = 0;
   for (long t = 0; t < f.length(); ++t) {
@@ -178,6 +177,16 @@ long degree_of(const PhaseSpace& p, const MPoly& f) {
     degree = std::max(degree, here);
   }
   return static_cast<long>(degree);
+}
+
+namespace {
+
+/// The largest degree of the coefficients beside momenta of degree k.
+long coefficient_bound(const AnsatzBounds& b, const std::optional<NaturalHamiltonian>& natural,
+                       long k, long denominator_degree) {
+  if (b.coefficients) return *b.coefficients + denominator_degree;
+  const long top = b.degree - (b.degree - k) % 2;
+  return top + (top - k) / 2 * natural.value().degree;
 }
 
 bool is_standard(const PhaseSpace& p, const std::vector<unsigned long>& e) {
@@ -209,6 +218,7 @@ private:
   // end and, for the sake of time, on the way.
   void add(std::size_t i, long momenta, long others) {
     if (momenta > bounds_.degree || others > largest(momenta)) return;
+    if (++steps_ > 2'000'000) throw OutOfBudget("an ansatz with too many monomials");
     if (i == p_.variables.size()) {
       if (momenta + others + extra_ > 0 && others <= bound(momenta) && is_standard(p_, e_)) {
         if (found_.size() >= 4000) throw OutOfBudget("an ansatz with more than 4000 unknowns");
@@ -239,19 +249,22 @@ private:
   const std::optional<NaturalHamiltonian>& natural_;
   long extra_;
   bool mechanical_;
+  long steps_ = 0;
   std::vector<unsigned long> e_;
   std::vector<std::vector<unsigned long>> found_;
 };
 
 } // namespace
 
+MPoly ansatz_denominator(const PhaseSpace& p, long degree) {
+  const bool mechanical = std::find(p.momentum.begin(), p.momentum.end(), true) != p.momentum.end();
+  return pow(p.denominator, static_cast<unsigned long>(mechanical ? (degree + 1) / 2 : 1));
+}
+
 Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
                    const std::optional<NaturalHamiltonian>& natural) {
   Ansatz a;
-  const bool mechanical = std::find(p.momentum.begin(), p.momentum.end(), true) != p.momentum.end();
-  const long power = is_parametric(p, p.denominator) ? 0 : mechanical ? (bounds.degree + 1) / 2 : 1;
-  a.denominator = pow(p.denominator, static_cast<unsigned long>(power));
-  if (power == 0) a.denominator = MPoly(p.field.ring, Integer(1));
+  a.denominator = ansatz_denominator(p, bounds.degree);
   for (const auto& e : MonomialList(p, bounds, natural, degree_of(p, a.denominator)).all()) {
     std::vector<unsigned long> exponents(p.field.ring->size(), 0);
     for (std::size_t i = 0; i < e.size(); ++i)

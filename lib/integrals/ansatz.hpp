@@ -26,7 +26,7 @@ struct PhaseSpace {
   std::vector<MPoly> equations;        ///< between parameters: relations and assumptions
   std::vector<MPoly> nonzero;          ///< in the parameters: what is assumed or divided by
   std::vector<MPoly> not_covered;      ///< those of `nonzero` that the file does not assume
-  MPoly denominator;                   ///< of the Hamiltonian, or of the field: for W
+  MPoly denominator; ///< of the Hamiltonian, or of the field, in the phase variables
 
   /// Only parameters, the phase variables being free: a polynomial that is not 0 is a function that
   /// is not 0, so that absence in the ansatz is absence.
@@ -61,6 +61,10 @@ struct Ansatz {
   MPoly denominator;                                        ///< W
   std::map<std::vector<unsigned long>, std::size_t> column; ///< of a monomial (variables only)
 };
+/// W: a power of the denominator of the system.
+[[nodiscard]] MPoly ansatz_denominator(const PhaseSpace& p, long degree);
+/// The degree of f in the phase variables; 0 for 0.
+[[nodiscard]] long degree_of(const PhaseSpace& p, const MPoly& f);
 /// Errors  OutOfBudget above 4000 unknowns
 [[nodiscard]] Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
                                  const std::optional<NaturalHamiltonian>& natural);

@@ -23,7 +23,6 @@ public:
   Search(const System& s, const IntegralOptions& o)
       : options_(o), space_(s, o.budget), natural_(natural_hamiltonian(space_)),
         mechanical_(s.kind == SystemKind::hamiltonian) {
-    if (!natural_ && !options_.coefficients) options_.coefficients = options_.degree;
     if (!mechanical_ && space_.field.poisson)
       for (long k = 1; k <= std::min(options_.degree, 2L); ++k)
         stages_.push_back({Stage::Kind::casimirs, k});
@@ -40,13 +39,16 @@ public:
       all = all.where_zero(f);
     if (all.is_empty())
       throw InvalidArgument("no parameter value satisfies the relations and assumptions");
-    result_.searched = searched();
     result_.not_covered = space_.not_covered;
     for (const MPoly& f : space_.nonzero)
       if (std::find(space_.not_covered.begin(), space_.not_covered.end(), f) ==
           space_.not_covered.end())
         result_.assumed.push_back(f);
-    start(all);
+    for (const auto& [where, natural] : by_metric(all)) {
+      coefficients_ = options_.coefficients;
+      if (!natural && !coefficients_) coefficients_ = options_.degree;
+      start(where);
+    }
     gather_elsewhere();
     return std::move(result_);
   }
@@ -64,24 +66,37 @@ private:
   };
   using Candidates = std::vector<FoundIntegral>;
 
+  // The part on which Theorem 2 bounds the coefficients, and the rest.
+  std::vector<std::pair<ParameterSet, bool>> by_metric(const ParameterSet& all) const {
+    if (!natural_) return {{all, false}};
+    std::vector<std::pair<ParameterSet, bool>> parts;
+    if (const auto regular = all.where_nonzero(natural_->determinant); !regular.is_empty())
+      parts.emplace_back(regular, true);
+    if (all.is_nonzero(natural_->determinant)) return parts;
+    if (const auto degenerate = all.where_zero(natural_->determinant); !degenerate.is_empty())
+      parts.emplace_back(degenerate, false);
+    return parts;
+  }
+
   std::string searched() const {
     const std::string d = std::to_string(options_.degree);
-    if (!mechanical_) return "polynomials of degree <= " + d + " in the phase variables";
+    const MPoly den = ansatz_denominator(space_, options_.degree);
+    const long more = degree_of(space_, den);
+    const std::string over = more > 0 ? ", over " + to_string(den) : "";
+    if (!mechanical_)
+      return "polynomials of degree <= " + std::to_string(options_.degree + more) +
+             " in the phase variables" + over;
     const std::string first = "polynomials of degree <= " + d + " in the momenta";
-    if (!options_.coefficients) return first;
-    const std::string e = std::to_string(*options_.coefficients);
-    const std::string den = to_string(space_.denominator);
-    if (is_constant(space_.denominator))
-      return first + ", their coefficients polynomials of degree <= " + e;
-    return first + ", their coefficients polynomials of degree <= " + e +
-           " in the other variables, or with denominators that divide a power of " + den;
+    if (!coefficients_) return first;
+    return first + ", their coefficients polynomials of degree <= " +
+           std::to_string(*coefficients_ + more) + " in the other variables" + over;
   }
 
   static bool same_answer(const IntegralsOfSet& a, const IntegralsOfSet& b) {
     const auto same = [](const FoundIntegral& f, const FoundIntegral& g) {
       return f.value == g.value;
     };
-    return a.liouville == b.liouville && a.complete == b.complete &&
+    return a.searched == b.searched && a.liouville == b.liouville && a.complete == b.complete &&
            a.complete_for_smooth == b.complete_for_smooth && a.open == b.open &&
            std::equal(a.integrals.begin(), a.integrals.end(), b.integrals.begin(),
                       b.integrals.end(), same);
@@ -106,14 +121,13 @@ private:
     if (stage == stages_.size()) return conclude(std::move(s));
     if (stages_[stage].kind != Stage::Kind::hamiltonian) return look(s, stage);
     const MFraction& value = *space_.field.hamiltonian;
-    take(std::move(s), {{value, degree_of(value), false, true}}, stage + 1);
+    take(std::move(s), {{value, degree_in_momenta(value), false, true}}, stage + 1);
   }
 
   // The integrals of one degree, on each part of the set.
   void look(const State& s, std::size_t stage) {
     try {
-      const Ansatz ansatz =
-          make_ansatz(space_, {stages_[stage].degree, options_.coefficients}, natural_);
+      const Ansatz ansatz = make_ansatz(space_, {stages_[stage].degree, coefficients_}, natural_);
       EchelonForm e = equations(s, ansatz, stages_[stage]);
       if (independent_modulo_a_prime(e)) return enter(s, stage + 1);
       for_each_kernel(
@@ -180,7 +194,7 @@ private:
       for (const auto& [j, c] : restricted(where, row))
         sum += c * ansatz.numerators[j];
       const MFraction value(sum, ansatz.denominator);
-      all.push_back({value, degree_of(value), casimirs});
+      all.push_back({value, degree_in_momenta(value), casimirs});
     }
     std::stable_sort(all.begin(), all.end(), [](const FoundIntegral& a, const FoundIntegral& b) {
       return std::pair(a.degree, a.value.num().length()) <
@@ -223,12 +237,13 @@ private:
     if (result_.sets.size() >= options_.max_sets && open.empty())
       open = "more than " + std::to_string(options_.max_sets) + " sets of parameter values";
     IntegralsOfSet set;
+    set.searched = searched();
     set.equations = s.where.equations();
     set.open = std::move(open);
     set.integrals = std::move(s.found);
+    set.only_declared_relations = !space_.is_polynomial_ring();
     set.complete = set.open.empty() && space_.is_polynomial_ring();
-    set.complete_for_smooth = set.complete && natural_ && !options_.coefficients &&
-                              s.where.is_nonzero(natural_->determinant);
+    set.complete_for_smooth = set.complete && natural_ && !coefficients_;
     try {
       set.inequations = s.where.proper_inequations();
       if (space_.field.poisson) find_commuting(s.where, set);
@@ -265,7 +280,7 @@ private:
     return rows.size() == rank;
   }
 
-  long degree_of(const MFraction& f) const {
+  long degree_in_momenta(const MFraction& f) const {
     const MPoly num = f.num();
     unsigned long degree = 0;
     for (long t = 0; t < num.length(); ++t) {
@@ -281,6 +296,7 @@ private:
   IntegralOptions options_;
   PhaseSpace space_;
   std::optional<NaturalHamiltonian> natural_;
+  std::optional<long> coefficients_; ///< on the part that is looked at
   bool mechanical_;
   std::vector<Stage> stages_;
   IntegralSearch result_;

@@ -32,11 +32,15 @@ struct FoundIntegral {
 
 /// What is known at the parameter values with these equations and inequations.
 struct IntegralsOfSet {
+  std::string searched; ///< the class of functions, in words
   std::vector<MPoly> equations, inequations;
   /// Functionally independent at each parameter value of the set.
   std::vector<FoundIntegral> integrals;
   std::vector<std::size_t> commuting; ///< indices of integrals in involution, Casimirs among them
   bool liouville = false; ///< as many of them in involution as Liouville's theorem wants
+  /// There are function symbols: independence is proved for symbols that satisfy no relations but
+  /// those declared, and nothing is complete.
+  bool only_declared_relations = false;
   /// Every integral of the class depends on those listed.
   bool complete = false;
   /// The same for all coefficients that are smooth functions of the coordinates.

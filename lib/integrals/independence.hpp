@@ -32,6 +32,8 @@ private:
 };
 
 /// Of a square matrix; fraction-free elimination (Bareiss).
+/// Given   const Ring ring = make_ring({"a", "b"});
+/// Given   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b");
 /// Example determinant({{a, b}, {b, a}})  // -> a^2 - b^2
 [[nodiscard]] MPoly determinant(std::vector<std::vector<MPoly>> m);
 

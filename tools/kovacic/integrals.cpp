@@ -53,21 +53,28 @@ std::string completeness(const IntegralsOfSet& set) {
     return "proved: every other integral of this degree, its coefficients smooth functions of the "
            "coordinates, depends on these";
   if (set.complete) return "proved: every other integral of the class depends on these";
-  return "others are not excluded: the function symbols may satisfy more relations than the file "
-         "declares";
+  return "others are not excluded, as function symbols may satisfy more relations than declared";
+}
+
+std::string integrable_text(const IntegralsOfSet& set, const std::vector<std::string>& label) {
+  const std::string claim = names(set, label) + " independent and in involution";
+  return set.only_declared_relations
+             ? "integrable if the function symbols satisfy no relations but those declared: " +
+                   claim
+             : "INTEGRABLE: " + claim;
 }
 
 void print(const std::string& where, const IntegralsOfSet& set, std::ostringstream& out) {
   const auto label = labels(set);
-  out << "  where     " << wrapped(where, 12) << '\n';
+  out << "  where     " << wrapped(where, 12) << "\n    searched: " << wrapped(set.searched, 14)
+      << '\n';
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
     const FoundIntegral& f = set.integrals[i];
     const std::string title = label[i] + (f.casimir ? " (Casimir) = " : " = ");
     out << "    " << wrapped(title + to_string(f.value), 6) << '\n';
   }
   if (set.found() == 0 && set.open.empty()) out << "    no other integral found\n";
-  if (set.liouville)
-    out << "    INTEGRABLE: " << names(set, label) << " independent and in involution\n";
+  if (set.liouville) out << "    " << wrapped(integrable_text(set, label), 6) << '\n';
   if (const std::string text = completeness(set); !text.empty())
     out << "    " << wrapped(text, 6) << '\n';
   if (!set.open.empty())
@@ -100,11 +107,14 @@ Json json_of(const IntegralsOfSet& set) {
   Json commuting = Json::array();
   for (const std::size_t i : set.commuting)
     commuting.push_back(label[i]);
-  return {{"equations", texts(set.equations)},
+  return {{"searched", set.searched},
+          {"equations", texts(set.equations)},
           {"inequations", texts(set.inequations)},
           {"integrals", all},
           {"in_involution", commuting},
-          {"integrable", set.liouville},
+          {"integrable", !set.liouville                ? "not shown"
+                         : set.only_declared_relations ? "if only the declared relations hold"
+                                                       : "yes"},
           {"complete", set.complete_for_smooth ? "smooth coefficients"
                        : set.complete          ? "class"
                                                : "no"},
@@ -113,7 +123,7 @@ Json json_of(const IntegralsOfSet& set) {
 
 std::string text_of(const std::string& file, const IntegralSearch& search) {
   std::ostringstream out;
-  out << file << "\n  searched  " << wrapped(search.searched, 12) << '\n';
+  out << file << "\n";
   const auto list = [&](const char* title, const std::vector<MPoly>& all) {
     for (const MPoly& f : all)
       out << title << to_string(f) << " != 0\n";
@@ -133,7 +143,6 @@ Json json_of(const std::string& file, const IntegralSearch& search) {
     sets.push_back(json_of(set));
   return {{"format", "kovacic-integrals/1"},
           {"file", file},
-          {"searched", search.searched},
           {"parameters", "complex"},
           {"assumed_nonzero", texts(search.assumed)},
           {"not_covered_unless_nonzero", texts(search.not_covered)},

@@ -1,0 +1,174 @@
+// First integrals that are known, found without a hint, and the parameters at which they exist.
+
+#include "integrals/find.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::Field;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+System planar(const std::string& hamiltonian, const std::string& parameters = "") {
+  return read_system(parse_document(
+      "system = {kind = 'hamiltonian', coordinates = ['x', 'y'], momenta = ['u', 'v'], "
+      "parameters = [" +
+          parameters + "], hamiltonian = '" + hamiltonian + "'}",
+      "test.toml"));
+}
+
+System field(const std::string& x, const std::string& y, const std::string& z,
+             const std::string& parameters) {
+  return read_system(parse_document(
+      "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y', 'z']\nparameters = [" +
+          parameters + "]\n[system.field]\nx = '" + x + "'\ny = '" + y + "'\nz = '" + z + "'\n",
+      "test.toml"));
+}
+
+/// The equations of the sets on which something was found, as texts.
+std::vector<std::vector<std::string>> where_found(const IntegralSearch& search) {
+  std::vector<std::vector<std::string>> all;
+  for (const IntegralsOfSet& s : search.sets) {
+    all.emplace_back();
+    for (const MPoly& f : s.equations)
+      all.back().push_back(to_string(f));
+  }
+  return all;
+}
+
+bool all_proved(const IntegralSearch& search) {
+  return std::all_of(search.sets.begin(), search.sets.end(), [](const IntegralsOfSet& s) {
+    return s.complete_for_smooth && s.liouville && s.commuting.size() == 2;
+  });
+}
+
+TEST(Integrals, HenonHeiles) {
+  const auto found = find_integrals(
+      planar("(u^2 + v^2 + A*x^2 + B*y^2)/2 + x^2*y + b/3*y^3", "'A', 'B', 'b'"), {.degree = 4});
+  EXPECT_THAT(where_found(found),
+              UnorderedElementsAre(ElementsAre("b - 1", "A - B"), ElementsAre("b - 6"),
+                                   ElementsAre("b - 6", "A - B"), ElementsAre("b - 16", "B", "A"),
+                                   ElementsAre("b - 16", "16*A - B")));
+  EXPECT_TRUE(all_proved(found));
+  ASSERT_TRUE(found.elsewhere);
+  EXPECT_EQ(found.elsewhere->found(), 0);
+  EXPECT_TRUE(found.elsewhere->complete_for_smooth);
+}
+
+// The same with the axes exchanged, other units, and a potential that is shifted.
+TEST(Integrals, AnotherFrame) {
+  const auto found = find_integrals(
+      planar("(u^2 + 4*v^2)/2 + x*y^2 + b*x^3 + c*(x + y)", "'b', 'c'"), {.degree = 2});
+  EXPECT_TRUE(all_proved(found));
+  // y = 2 Y, v = V/2: (u^2 + V^2)/2 + 4 (x Y^2 + b x^3/4) + c (x + 2 Y), so b/4 = 2 (1:6) or, where
+  // the linear force allows it, 1/3 (1:1).
+  for (const auto& equations : where_found(found))
+    EXPECT_THAT(equations, testing::AnyOf(testing::Contains("b - 8"), testing::Contains("3*b - 4")))
+        << testing::PrintToString(equations);
+  EXPECT_THAT(found.sets, testing::SizeIs(testing::Ge(2)));
+}
+
+TEST(Integrals, QuarticPotentials) {
+  const auto found = find_integrals(planar("(u^2 + v^2)/2 + x^4 + b*x^2*y^2 + c*y^4", "'b', 'c'"));
+  for (const auto& equations : where_found(found))
+    EXPECT_THAT(equations,
+                testing::AnyOf(ElementsAre("b"), ElementsAre("c", "b"),
+                               ElementsAre("c - 1", "b - 2"), ElementsAre("c - 1", "b - 6"),
+                               ElementsAre("c - 16", "b - 12"), ElementsAre("16*c - 1", "4*b - 3"),
+                               ElementsAre("c - 1", "b")))
+        << testing::PrintToString(equations);
+  EXPECT_TRUE(all_proved(found));
+}
+
+// A leading coefficient that vanishes makes no new integral, and loses none.
+TEST(Integrals, WhereTheKineticEnergyDegeneratesNothingSmoothIsExcluded) {
+  const auto found = find_integrals(planar("u^2 + m*v^2 + x*y", "'m'"), {.degree = 1});
+  ASSERT_EQ(found.sets.size(), 1);
+  EXPECT_THAT(where_found(found), ElementsAre(ElementsAre("m")));
+  EXPECT_TRUE(found.sets[0].complete);
+  EXPECT_EQ(to_string(found.sets[0].integrals.at(1).value), "y");
+  EXPECT_FALSE(found.sets[0].complete_for_smooth); // y is constant, and so is any function of it
+  EXPECT_TRUE(found.elsewhere->complete_for_smooth);
+}
+
+TEST(Integrals, PowersOfTheHamiltonianAreNothingNew) {
+  for (const char* h : {"(u^2 + v^2)/2 + x^4*y + y^3 + x", "u^2 + v^2 + 2*u*v/3 + x^3*y + x"}) {
+    const auto found = find_integrals(planar(h), {.degree = 4});
+    EXPECT_THAT(found.sets, IsEmpty()) << h;
+    EXPECT_EQ(found.elsewhere->integrals.size(), 1) << h;
+    EXPECT_TRUE(found.elsewhere->complete_for_smooth) << h;
+  }
+}
+
+// With u v = 1 undeclared, u v is a constant and not an integral; nothing is said to be complete.
+TEST(Integrals, FunctionSymbolsProveNoAbsence) {
+  const System s = read_system(parse_document(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['p', 'r']\n"
+      "hamiltonian = '(p^2 + r^2)/2 + u + v*y^2'\n"
+      "[[system.function]]\nname = 'u'\nderivative = { x = 'u' }\n"
+      "[[system.function]]\nname = 'v'\nderivative = { x = '-v' }\n",
+      "test.toml"));
+  const auto found = find_integrals(s, {.degree = 2});
+  EXPECT_THAT(found.sets, IsEmpty());
+  EXPECT_FALSE(found.elsewhere->complete);
+  EXPECT_FALSE(found.elsewhere->complete_for_smooth);
+  EXPECT_TRUE(found.elsewhere->only_declared_relations);
+}
+
+TEST(Integrals, TheTop) {
+  const System top = read_system(parse_document(
+      "system = {kind = 'euler-poisson', coordinates = ['M1', 'M2', 'M3', 'G1', 'G2', 'G3'], "
+      "parameters = ['c', 'x'], hamiltonian = '(M1^2 + M2^2 + c*M3^2)/2 + x*G1'}\n"
+      "assume = {x = 'nonzero'}",
+      "top.toml"));
+  const auto found = find_integrals(top, {.degree = 4});
+  EXPECT_THAT(where_found(found), UnorderedElementsAre(ElementsAre("c - 1"), ElementsAre("c - 2")));
+  for (const IntegralsOfSet& s : found.sets)
+    EXPECT_TRUE(s.liouville && s.complete && s.commuting.size() == 4);
+  EXPECT_EQ(found.elsewhere->integrals.size(), 3);
+}
+
+TEST(Integrals, LotkaVolterra) {
+  const auto found = find_integrals(
+      field("x*(a*y + z)", "y*(b*z + x)", "z*(c*x + y)", "'a', 'b', 'c'"), {.degree = 1});
+  EXPECT_THAT(where_found(found), ElementsAre(ElementsAre("a*b*c + 1")));
+}
+
+// At a = 0 y is constant; (x + a y)^3 with a^2 = -1 is a null direction, and has p, too.
+TEST(Integrals, ComplexParameterValues) {
+  const auto found =
+      find_integrals(planar("(u^2 + a*v^2)/2 + (x^2 + y^2)^2", "'a'"), {.degree = 1});
+  EXPECT_THAT(where_found(found), UnorderedElementsAre(ElementsAre("a - 1"), ElementsAre("a")));
+  const auto line = find_integrals(planar("(u^2 + v^2)/2 + (x + a*y)^3", "'a'"), {.degree = 2});
+  bool null_direction = false;
+  for (const IntegralsOfSet& s : line.sets) {
+    EXPECT_TRUE(s.liouville);
+    for (const MPoly& f : s.equations)
+      if (to_string(f) == "a^2 + 1") null_direction = true;
+  }
+  EXPECT_TRUE(null_direction);
+}
+
+TEST(Integrals, ABudgetEndsInWhatIsKnown) {
+  const auto found =
+      find_integrals(planar("(u^2 + v^2 + A*x^2 + B*y^2)/2 + x^2*y + b/3*y^3", "'A', 'B', 'b'"),
+                     {.degree = 4, .budget = Budget::of_seconds(0)});
+  EXPECT_FALSE(found.finished());
+  EXPECT_FALSE(found.elsewhere);
+}
+
+TEST(Integrals, ContradictoryAssumptions) {
+  const System s = read_system(parse_document(
+      "system = {kind = 'hamiltonian', coordinates = ['x'], momenta = ['u'], parameters = ['a'], "
+      "hamiltonian = 'u^2 + a*x^2'}\nassume = {conditions = ['a = 0', 'a - 0 != 0']}",
+      "test.toml"));
+  EXPECT_THROW(static_cast<void>(find_integrals(s)), InvalidArgument);
+}
+
+} // namespace
+} // namespace kov

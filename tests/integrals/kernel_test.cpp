@@ -1,0 +1,79 @@
+// The dimension of the kernel of a matrix with parameters is right at every point.
+
+#include "integrals/kernel.hpp"
+
+#include "exact/finite_algebra.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace kov {
+namespace {
+
+const Ring ring = make_ring({"a", "b"});
+
+MPoly value(const MPoly& f, long a, long b) {
+  return substitute(f, {{0, MFraction(ring, Rational(a))}, {1, MFraction(ring, Rational(b))}})
+      .num();
+}
+
+bool contains(const ParameterSet& s, long a, long b) {
+  for (const MPoly& f : s.equations())
+    if (!is_zero(value(f, a, b))) return false;
+  for (const MPoly& f : s.inequations())
+    if (is_zero(value(f, a, b))) return false;
+  return true;
+}
+
+std::size_t kernel_dimension(const EchelonForm& e, long a, long b) {
+  std::vector<std::vector<MFraction>> m;
+  for (const SparseRow& row : e.rows) {
+    m.emplace_back(e.columns, MFraction(ring));
+    for (const auto& [j, c] : row)
+      m.back()[j] = value(c, a, b);
+  }
+  return null_space(m, e.columns, ring).size();
+}
+
+EchelonForm random_matrix(std::mt19937& random) {
+  const auto draw = [&](int n) { return static_cast<long>(random() % static_cast<unsigned>(n)); };
+  EchelonForm e{4, {}};
+  for (int i = 0; i < 4; ++i) {
+    SparseRow row;
+    for (std::size_t j = 0; j < 4; ++j) {
+      MPoly c(ring, Integer(draw(3) - 1));
+      for (const char* x : {"a", "b"})
+        c += MPoly(ring, Integer(draw(3) - 1)) * MPoly::variable(ring, x);
+      if (draw(3) == 0) c *= MPoly::variable(ring, "a") - MPoly(ring, Integer(1));
+      if (!is_zero(c) && draw(3) > 0) row.emplace(j, c);
+    }
+    e.rows.push_back(std::move(row));
+  }
+  return e;
+}
+
+TEST(Kernel, OnePartForEachPoint) {
+  std::mt19937 random(7);
+  for (int sample = 0; sample < 25; ++sample) {
+    const EchelonForm e = random_matrix(random);
+    std::vector<std::pair<ParameterSet, std::size_t>> parts;
+    for_each_kernel(ParameterSet(ring, {0, 1}), e,
+                    [&](const ParameterSet& where, const EchelonForm& done) {
+                      parts.emplace_back(where, kernel_basis(where, done).size());
+                    });
+    for (long a = -2; a <= 2; ++a)
+      for (long b = -2; b <= 2; ++b) {
+        int covered = 0;
+        for (const auto& [where, dimension] : parts)
+          if (contains(where, a, b)) {
+            ++covered;
+            EXPECT_EQ(dimension, kernel_dimension(e, a, b)) << sample << ": " << a << ", " << b;
+          }
+        EXPECT_EQ(covered, 1) << sample << ": " << a << ", " << b;
+      }
+  }
+}
+
+} // namespace
+} // namespace kov
