@@ -67,8 +67,8 @@ struct IntegralSearch {
 ///             "system = {kind = 'hamiltonian', coordinates = ['x', 'y'], momenta = ['u', 'v'], "
 ///             "parameters = ['a'], hamiltonian = '(u^2 + v^2 + x^2 + a*y^2)/2'}", "o.toml"));
 /// Given   const IntegralSearch found = find_integrals(oscillator, {.degree = 1});
-/// Example to_string(found.sets.at(0).equations.at(0))  // -> a - 1
-/// Example to_string(found.sets.at(0).integrals.at(1).value)  // -> x*v - y*u
+/// Example to_string(found.sets.at(0).equations.at(0))  // -> a
+/// Example to_string(found.sets.at(0).integrals.at(1).value)  // -> v
 [[nodiscard]] IntegralSearch find_integrals(const System& s, const IntegralOptions& options = {});
 
 } // namespace kov
