@@ -8,7 +8,8 @@
 
 #include <chrono>
 #include <csignal>
-
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace kov::cli {
@@ -82,6 +83,28 @@ TEST(Supervisor, TheTimeLimitIsKept) {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   EXPECT_GE(seconds, 0.2);
   EXPECT_LT(seconds, 5.0);
+}
+
+// Several at once: one that hangs or dies holds nobody up, and the messages stay apart.
+TEST(Workers, AHardJobHoldsTheOthersUpInNothing) {
+  Worker hard(misbehave, {.seconds = 3, .megabytes = 0});
+  Worker other(misbehave, {.seconds = 60, .megabytes = 0});
+  hard.begin("hang");
+  for (const char* job : {"one", "crash", "big", "two"}) {
+    other.begin(job);
+    std::optional<Reply> reply;
+    while (!(reply = other.finished()))
+      ASSERT_TRUE(Worker::wait({&hard, &other}, -1));
+    EXPECT_EQ(reply->end == Reply::End::crashed, job == std::string("crash"));
+    if (job == std::string("two")) {
+      EXPECT_EQ(reply->answer, "done two");
+    }
+  }
+  std::optional<Reply> late;
+  while (!(late = hard.finished()))
+    ASSERT_TRUE(Worker::wait({&hard}, -1));
+  EXPECT_EQ(late->end, Reply::End::timeout);
+  EXPECT_EQ(late->early, "early hang");
 }
 
 } // namespace

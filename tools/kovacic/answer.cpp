@@ -338,16 +338,28 @@ Answer Solver::answer(std::string_view job) {
   return a;
 }
 
-Solver::Line Solver::line(std::string_view job) {
-  const auto start = Clock::now();
-  const Reply reply = worker_.ask(job);
+namespace {
+
+Solver::Line line_of(const Reply& reply, const Settings& settings, double seconds) {
   if (reply.end == Reply::End::interrupted) return {"", exit_interrupted, ""};
-  if (reply.end != Reply::End::crashed)
-    return read_line(final_message(reply, settings_, seconds_since(start)));
+  if (reply.end != Reply::End::crashed) return read_line(final_message(reply, settings, seconds));
   const Json early =
       reply.early.empty() ? unread_result(nullptr) : Json::parse(parts(reply.early).first);
   return {dump({{"id", early.at("id")}, {"error", "internal error: " + crash_text(reply)}}),
           exit_internal, ""};
+}
+
+} // namespace
+
+void Solver::begin(std::string_view job) {
+  start_ = Clock::now();
+  worker_.begin(job);
+}
+
+std::optional<Solver::Line> Solver::finished() {
+  const auto reply = worker_.finished();
+  if (!reply) return std::nullopt;
+  return line_of(*reply, settings_, seconds_since(start_));
 }
 
 TextAnswer limited(const Settings& settings, const std::function<int(std::ostream&)>& work) {

@@ -4,6 +4,7 @@
 #include "equation/read_equation.hpp"
 #include "settings.hpp"
 
+#include <chrono>
 #include <functional>
 #include <iosfwd>
 #include <optional>
@@ -44,12 +45,16 @@ public:
     int exit = exit_decided;
     std::string certificate;
   };
-  [[nodiscard]] Line line(std::string_view job);
+  void begin(std::string_view job);
+  /// If it is there: for several solvers at once (see Worker).
+  [[nodiscard]] std::optional<Line> finished();
+  [[nodiscard]] const Worker& worker() const { return worker_; }
 
 private:
   Read read_;
   const Settings& settings_;
   Worker worker_;
+  std::chrono::steady_clock::time_point start_; ///< of the job
 };
 
 /// What a command that writes its own text (the mechanics commands) came to.

@@ -1,4 +1,5 @@
-// kovacic solve --batch: one JSON object per line in, one per line out, in the same order.
+// kovacic solve --batch: one JSON object per line in, one per line out, in the same order; several
+// lines at a time.
 
 #include "answer.hpp"
 #include "certificate_file.hpp"
@@ -8,9 +9,17 @@
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <deque>
+#include <fcntl.h>
 #include <map>
+#include <memory>
+#include <poll.h>
+#include <sched.h>
 #include <set>
+#include <unistd.h>
+#include <utility>
 
 namespace kov::cli {
 namespace {
@@ -18,21 +27,60 @@ namespace {
 constexpr std::size_t max_line = std::size_t{16} << 20;
 constexpr std::size_t max_skipped = std::size_t{128} << 20; // /dev/zero has no end
 
-// The next line without its end; false at the end of the input.  Of lines beyond the limit only
-// the length is kept, up to max_skipped.
-bool next_line(std::FILE* in, std::string& line, std::size_t& length) {
-  line.clear();
-  length = 0;
-  bool any = false;
-  for (int c = std::getc(in); c != EOF; c = std::getc(in)) {
-    any = true;
-    if (c == '\n' || length == max_skipped) break;
-    ++length;
-    if (length <= max_line) line += static_cast<char>(c);
+// A line without its end.  Of lines beyond the limit only the length is kept, up to max_skipped.
+struct InputLine {
+  std::string text;
+  std::size_t length = 0;
+  long number = 0;
+};
+
+// The lines of a file descriptor, read in pieces, so that nobody waits for a line that is not
+// there yet.
+class Lines {
+public:
+  explicit Lines(int input) : input_(input) {}
+
+  // The next line, if it is there as a whole.
+  std::optional<InputLine> next() {
+    while (at_ < size_) {
+      const char c = buffer_[at_++];
+      any_ = true;
+      if (c == '\n' || line_.length == max_skipped) return taken();
+      ++line_.length;
+      if (line_.length <= max_line) line_.text += c;
+    }
+    if (ended_ && any_) return taken();
+    return std::nullopt;
   }
-  if (!line.empty() && line.back() == '\r') line.pop_back();
-  return any;
-}
+  // Waits for more, unless the input has ended.
+  void read_more() {
+    const ssize_t got = ::read(input_, buffer_.data(), buffer_.size());
+    if (got < 0 && errno == EINTR) return;
+    ended_ = got <= 0;
+    at_ = 0;
+    size_ = ended_ ? 0 : static_cast<std::size_t>(got);
+  }
+  [[nodiscard]] bool ended() const { return ended_; }
+  [[nodiscard]] int descriptor() const { return input_; }
+
+private:
+  InputLine taken() {
+    InputLine line = std::exchange(line_, {});
+    any_ = false;
+    line.number = ++number_;
+    if (!line.text.empty() && line.text.back() == '\r') line.text.pop_back();
+    return line;
+  }
+
+  int input_;
+  std::vector<char> buffer_ = std::vector<char>(std::size_t{1} << 16);
+  std::size_t at_ = 0;
+  std::size_t size_ = 0;
+  bool ended_ = false;
+  bool any_ = false; // the line has begun
+  InputLine line_;
+  long number_ = 0;
+};
 
 bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r\v\f") == std::string::npos;
@@ -241,45 +289,157 @@ void keep_certificate(const Settings& settings, std::string_view job, Solver::Li
   answer.text += dump(path).substr(1);
 }
 
-// From line to line; throws InputError for what ends the run.
-int answer_lines(const Settings& settings, const std::string& path, std::FILE* in, std::FILE* out) {
-  Solver solver(read_line, settings);
-  int exit = exit_decided;
-  std::set<std::string> used; // names of certificates
-  long number = 0;
-  std::string line;
-  std::size_t length = 0;
-  while (next_line(in, line, length)) {
-    ++number;
-    if (is_blank(line) && length <= max_line) continue;
-    Solver::Line answer =
-        length > max_line
-            ? Solver::Line{dump({{"id", nullptr}, {"error", too_long(length)}}), exit_input, ""}
-            : solver.line(line);
-    if (answer.exit == exit_interrupted) return answer.exit;
-    exit = worse(exit, answer.exit);
-    if (answer.exit == exit_internal) leave_reproducer(answer.text, line);
-    if (!answer.certificate.empty()) keep_certificate(settings, line, answer, number, used);
-    std::string& text = answer.text;
-    restore_id(text, line);
-    text += '\n';
-    if (std::fwrite(text.data(), 1, text.size(), out) != text.size() || std::fflush(out) != 0)
-      throw InputError(out == stdout ? "standard output" : settings.output, 0, 0, 1,
-                       "not everything could be written");
-    if (length >= max_skipped)
-      throw InputError(path, number, 0, 1, "this line does not end", "the rest is not read");
-  }
-  return exit;
+// Answers that wait for an earlier one, together with their questions: beyond this no further
+// line is read.
+constexpr std::size_t max_waiting = std::size_t{256} << 20;
+
+long cores() {
+  cpu_set_t set;
+  return ::sched_getaffinity(0, sizeof set, &set) == 0 ? std::max(1, CPU_COUNT(&set)) : 1;
 }
+
+// Several lines at the same time, their answers in the order of the lines.
+class Batch {
+public:
+  Batch(const Settings& settings, std::string path, int in, std::FILE* out)
+      : settings_(settings), path_(std::move(path)), lines_(in), out_(out) {
+    const long jobs = settings.jobs > 0 ? settings.jobs : cores();
+    for (long i = 0; i < jobs; ++i)
+      solvers_.push_back({std::make_unique<Solver>(read_line, settings), nullptr});
+  }
+
+  // Throws InputError for what ends the run.
+  int run() {
+    for (;;) {
+      const bool hungry = give();
+      if (!print_what_is_ready()) return exit_interrupted;
+      if (waiting_.empty() && lines_.ended()) return exit_;
+      std::vector<const Worker*> at_work;
+      for (const Seat& seat : solvers_)
+        if (seat.entry != nullptr) at_work.push_back(&seat.solver->worker());
+      const bool more = hungry && !lines_.ended();
+      if (!Worker::wait(at_work, more ? lines_.descriptor() : -1)) return exit_interrupted;
+      if (more && readable(lines_.descriptor())) lines_.read_more();
+      collect();
+    }
+  }
+
+private:
+  struct Entry {
+    InputLine line;
+    std::optional<Solver::Line> answer;
+  };
+  struct Seat {
+    std::unique_ptr<Solver> solver;
+    Entry* entry; // what it works at; nullptr: nothing
+  };
+
+  static bool readable(int input) {
+    pollfd p{input, POLLIN, 0};
+    return ::poll(&p, 1, 0) > 0;
+  }
+
+  // Of the idle ones one whose process runs already.
+  Seat* idle() {
+    Seat* found = nullptr;
+    for (Seat& seat : solvers_)
+      if (seat.entry == nullptr && (found == nullptr || seat.solver->worker().started())) {
+        found = &seat;
+        if (seat.solver->worker().started()) break;
+      }
+    return found;
+  }
+
+  // Lines to idle solvers; true if more lines could be used.
+  bool give() {
+    while (bytes_ < max_waiting && !endless_) {
+      Seat* seat = idle();
+      if (seat == nullptr) return false;
+      auto line = lines_.next();
+      if (!line) return true;
+      if (is_blank(line->text) && line->length <= max_line) continue;
+      bytes_ += line->text.size();
+      Entry& entry = waiting_.emplace_back(Entry{*std::move(line), std::nullopt});
+      endless_ = entry.line.length >= max_skipped;
+      if (entry.line.length > max_line) {
+        entry.answer = {dump({{"id", nullptr}, {"error", too_long(entry.line.length)}}), exit_input,
+                        ""};
+        bytes_ += size_of(*entry.answer);
+        continue;
+      }
+      seat->entry = &entry;
+      seat->solver->begin(entry.line.text);
+    }
+    return false;
+  }
+
+  void collect() {
+    for (Seat& seat : solvers_) {
+      if (seat.entry == nullptr) continue;
+      auto answer = seat.solver->finished();
+      if (!answer) continue;
+      bytes_ += size_of(*answer);
+      seat.entry->answer = std::move(answer);
+      seat.entry = nullptr;
+    }
+  }
+
+  // False: interrupted.
+  bool print_what_is_ready() {
+    bool any = false;
+    for (; !waiting_.empty() && waiting_.front().answer; waiting_.pop_front()) {
+      Entry& entry = waiting_.front();
+      if (entry.answer->exit == exit_interrupted) return false;
+      bytes_ -= entry.line.text.size() + size_of(*entry.answer);
+      print(entry.line, *entry.answer);
+      any = true;
+    }
+    if (any && std::fflush(out_) != 0) not_written();
+    return true;
+  }
+  static std::size_t size_of(const Solver::Line& answer) {
+    return answer.text.size() + answer.certificate.size();
+  }
+
+  void print(const InputLine& line, Solver::Line& answer) {
+    exit_ = worse(exit_, answer.exit);
+    if (answer.exit == exit_internal) leave_reproducer(answer.text, line.text);
+    if (!answer.certificate.empty())
+      keep_certificate(settings_, line.text, answer, line.number, used_);
+    std::string& text = answer.text;
+    restore_id(text, line.text);
+    text += '\n';
+    if (std::fwrite(text.data(), 1, text.size(), out_) != text.size()) not_written();
+    if (line.length >= max_skipped) {
+      std::fflush(out_);
+      throw InputError(path_, line.number, 0, 1, "this line does not end", "the rest is not read");
+    }
+  }
+
+  [[noreturn]] void not_written() const {
+    throw InputError(out_ == stdout ? "standard output" : settings_.output, 0, 0, 1,
+                     "not everything could be written");
+  }
+
+  const Settings& settings_;
+  std::string path_;
+  Lines lines_;
+  std::FILE* out_;
+  std::vector<Seat> solvers_;
+  std::deque<Entry> waiting_;  // in the order of the lines; a deque does not move its elements
+  std::size_t bytes_ = 0;      // of what waits
+  bool endless_ = false;       // the last line has no end: nothing is read behind it
+  std::set<std::string> used_; // names of certificates
+  int exit_ = exit_decided;
+};
 
 } // namespace
 
 int batch(const Settings& settings, const std::string& path) {
   if (path != "-" && is_directory(path))
     return report(settings, InputError(path, 0, 0, 1, "this is a directory, a file is expected"));
-  std::FILE* in = path == "-" ? stdin : std::fopen(path.c_str(), "rb");
-  if (in == nullptr)
-    return report(settings, InputError(path, 0, 0, 1, "the file cannot be opened"));
+  const int in = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (in < 0) return report(settings, InputError(path, 0, 0, 1, "the file cannot be opened"));
   std::FILE* out = stdout;
   if (!settings.output.empty() && settings.output != "-") {
     out = std::fopen(settings.output.c_str(), "wb");
@@ -288,11 +448,11 @@ int batch(const Settings& settings, const std::string& path) {
   }
   int exit = exit_decided;
   try {
-    exit = answer_lines(settings, path, in, out);
+    exit = Batch(settings, path, in, out).run();
   } catch (const InputError& e) {
     exit = report(settings, e);
   }
-  if (in != stdin) std::fclose(in);
+  if (in != STDIN_FILENO) ::close(in);
   if (out != stdout) std::fclose(out);
   if (exit == exit_interrupted) complain(settings, "interrupted");
   return exit;

@@ -253,6 +253,9 @@ struct CommandLine {
         ->take_all();
     solve->add_option("--batch", solve_arguments.batch, "JSON lines in, JSON lines out; - is stdin")
         ->type_name("FILE.jsonl");
+    solve->add_option("--jobs", settings.jobs, "--batch: lines at the same time (default: cores)")
+        ->check(number(1024, "a number of processes"))
+        ->type_name("N");
     solver_flags(*solve);
 
     declare_families(app);

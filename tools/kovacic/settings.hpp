@@ -43,6 +43,7 @@ struct Settings {
   bool quiet = false;
   int verbose = 0;
   bool exit_verdict = false;
+  long jobs = 0;       ///< --batch: so many lines at the same time; 0 = as many as there are cores
   bool strict = false; ///< verify: refuse trusted steps
 
   [[nodiscard]] Options solver_options() const;

@@ -93,6 +93,10 @@ int solve(const Settings& settings, const SolveArguments& a) {
     }
     return batch(settings, a.batch);
   }
+  if (settings.jobs > 0) {
+    complain(settings, "--jobs is for --batch", "one equation is decided by one process");
+    return exit_input;
+  }
   std::optional<Entry> document;
   if (!one_liner) document = read_document(a.file);
   Solver solver(fixed_question([&] {

@@ -21,6 +21,7 @@
 #include <sys/uio.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace kov::cli {
 namespace {
@@ -221,53 +222,83 @@ void Worker::stop() {
 }
 
 Reply Worker::ask(std::string_view job) {
-  notice_->length = 0;
-  if (pid_ < 0) start();
-  if (!send_message(channel_, kind_job, job)) {
-    if (ctrl_c != 0) return Reply(Reply::End::interrupted);
-    stop(); // it died between two jobs
-    start();
-    if (!send_message(channel_, kind_job, job)) return ended();
-  }
-  Reply reply = wait_for_answer();
-  if (reply.end != Reply::End::answered && notice_->length > 0)
-    reply.early.assign(notice_->text, std::min(notice_->length.load(), Notice::capacity));
-  return reply;
+  begin(job);
+  if (lost_) return *std::exchange(lost_, std::nullopt);
+  for (;;)
+    if (auto reply = next_message()) return *std::move(reply);
 }
 
-Reply Worker::wait_for_answer() {
+void Worker::begin(std::string_view job) {
+  notice_->length = 0;
+  early_.clear();
+  if (pid_ < 0) start();
+  if (!send_message(channel_, kind_job, job)) {
+    if (ctrl_c == 0) {
+      stop(); // it died between two jobs
+      start();
+    }
+    if (ctrl_c != 0)
+      lost_ = Reply(Reply::End::interrupted);
+    else if (!send_message(channel_, kind_job, job))
+      lost_ = ended();
+  }
   // The job watches its own clock; this one is for library calls that cannot be interrupted.
   const double patience = limits_.seconds + 0.25 + limits_.seconds / 20;
-  const Clock::time_point deadline =
-      Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                         std::chrono::duration<double>(std::min(patience, 1e9)));
-  Reply reply;
-  for (;;) {
-    char kind = 0;
-    std::string text;
-    switch (receive_message(channel_, kind, text, limits_.seconds > 0 ? &deadline : nullptr)) {
-    case Got::message:
-      if (kind == kind_early) {
-        reply.early = std::move(text);
-        continue;
-      }
-      reply.answer = std::move(text);
-      return reply;
-    case Got::closed: {
-      Reply end = ended();
-      end.early = std::move(reply.early);
-      return end;
-    }
-    case Got::late:
-      stop();
-      reply.end = Reply::End::timeout;
-      return reply;
-    case Got::interrupted:
-      stop();
-      reply.end = Reply::End::interrupted;
-      return reply;
-    }
+  deadline_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                 std::chrono::duration<double>(std::min(patience, 1e9)));
+}
+
+std::optional<Reply> Worker::finished() {
+  if (lost_) return std::exchange(lost_, std::nullopt);
+  pollfd p{channel_, POLLIN, 0};
+  const bool late = limits_.seconds > 0 && Clock::now() > deadline_;
+  if (::poll(&p, 1, 0) <= 0 && !late) return std::nullopt;
+  return next_message();
+}
+
+bool Worker::wait(const std::vector<const Worker*>& at_work, int input) {
+  std::vector<pollfd> all;
+  auto until = Clock::now() + std::chrono::hours(1);
+  for (const Worker* w : at_work) {
+    if (w->lost_) return true;
+    all.push_back({w->channel_, POLLIN, 0});
+    if (w->limits_.seconds > 0) until = std::min(until, w->deadline_);
   }
+  if (input >= 0) all.push_back({input, POLLIN, 0});
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(until - Clock::now()).count();
+  ::poll(all.data(), all.size(), static_cast<int>(std::max<long>(left, 0)));
+  return ctrl_c == 0;
+}
+
+// Waits for the next message of the job; unset if it was an early one.
+std::optional<Reply> Worker::next_message() {
+  char kind = 0;
+  std::string text;
+  Reply reply;
+  switch (receive_message(channel_, kind, text, limits_.seconds > 0 ? &deadline_ : nullptr)) {
+  case Got::message:
+    if (kind == kind_early) {
+      early_ = std::move(text);
+      return std::nullopt;
+    }
+    reply.answer = std::move(text);
+    return reply;
+  case Got::closed:
+    reply = ended();
+    break;
+  case Got::late:
+    stop();
+    reply.end = Reply::End::timeout;
+    break;
+  case Got::interrupted:
+    stop();
+    reply.end = Reply::End::interrupted;
+    break;
+  }
+  reply.early = notice_->length > 0
+                    ? std::string(notice_->text, std::min(notice_->length.load(), Notice::capacity))
+                    : std::move(early_);
+  return reply;
 }
 
 // The child is gone: why?

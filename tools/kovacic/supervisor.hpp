@@ -2,11 +2,14 @@
 // The work is done in a child process, so that a time limit holds inside any library call, the
 // memory has a ceiling, and a crash costs one answer and not the run.
 
+#include <chrono>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <sys/types.h>
+#include <vector>
 
 namespace kov::cli {
 
@@ -43,19 +46,33 @@ public:
   /// Cost  one fork for the first job and after each death; then two small messages per job.
   [[nodiscard]] Reply ask(std::string_view job);
 
+  /// The same in two steps, for several workers at once: begin() after the reply to the last job.
+  void begin(std::string_view job);
+  /// The reply, if it is there or the time is over; does not wait for a job that goes on.
+  [[nodiscard]] std::optional<Reply> finished();
+  [[nodiscard]] bool started() const { return pid_ >= 0; }
+
+  /// Waits until finished() of one of the workers, all of them at work, may have news, or `input`
+  /// (a file descriptor; -1: none) something to read; false: interrupted by Ctrl-C.
+  [[nodiscard]] static bool wait(const std::vector<const Worker*>& at_work, int input);
+
 private:
   void start();
   void stop();
   [[noreturn]] void child(int channel) const;
-  Reply wait_for_answer();
+  std::optional<Reply> next_message();
   Reply ended();
 
   struct Notice;
+  using Clock = std::chrono::steady_clock;
 
   Serve serve_;
   ProcessLimits limits_;
   Notice* notice_; ///< shared with the child
   pid_t pid_ = -1;
+  Clock::time_point deadline_; ///< of the job, if there is a limit
+  std::optional<Reply> lost_;  ///< of a job that could not be given to the child
+  std::string early_;          ///< what the job has said too long for the notice
   int channel_ = -1;
 };
 
