@@ -197,11 +197,23 @@ private:
     conclude("diagonal", {"local", product_of_lines()});
   }
 
+  // v = p prod q^e; y1 y2 has no other poles.
+  [[nodiscard]] Invariant factored(const RationalFunction& v) const {
+    Invariant found{2, v.num(), {}};
+    for (const Singularity& place : c_.local->finite) {
+      const auto [zeros, rest] = remove_factor(found.p, place.place);
+      found.e.push_back(zeros - remove_factor(v.den(), place.place).first);
+      found.p = rest;
+    }
+    found.p = scale(found.p, inverse(lead(found.p)));
+    return found;
+  }
   // A rational v = y1 y2 with w != 0.
   std::string product_of_lines() {
     if (!c_.local) return add("invariant", {}, certify::Invariant{prime_, 2, Poly::z(), {}});
     const InvariantSearch* quartic = search(4);
     if (quartic && quartic->basis.size() == 1) return root_of_quartic();
+    if (c_.pair) return invariant(factored(c_.pair->v));
     const InvariantSearch* known = search(2);
     const InvariantSearch square = known ? *known : invariants(*c_.local, 2, budget_);
     // forms of rank 1 are squares of one line; of three forms or their sums one has rank 2
