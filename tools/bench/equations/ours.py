@@ -43,7 +43,7 @@ def ask(program, r, timeout):
 
 
 def claims(result):
-    """What the answer asserts, in the form of the judge."""
+    """What the answer asserts, in the form of substitute.cpp."""
     for s in result.get("solutions") or []:
         if s["kind"] == "exponential":
             yield {"omega": s["omega"]}

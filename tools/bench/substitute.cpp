@@ -1,5 +1,5 @@
-// judge: does a claimed solution satisfy y'' = r y?  For tools/bench/peers; claims come from any
-// program.
+// substitute: does a claimed solution satisfy y'' = r y?  For tools/bench/peers; claims come from
+// any program.
 //
 // One JSON object per line in, one out:
 //   {"r": R, "y": Y}              a solution, with exp, log, sqrt, powers, erf, Ei, integrate(f,
@@ -337,7 +337,7 @@ private:
   Expression text_;
 };
 
-std::pair<std::string, std::string> judged(const nlohmann::json& line) {
+std::pair<std::string, std::string> substituted(const nlohmann::json& line) {
   const Claim claim(line);
   bool failed = false;
   for (const auto& [a, b] :
@@ -357,7 +357,7 @@ int main() {
     nlohmann::json answer;
     try {
       const auto line = nlohmann::json::parse(text);
-      std::tie(answer["verdict"], answer["why"]) = judged(line);
+      std::tie(answer["verdict"], answer["why"]) = substituted(line);
     } catch (const std::exception& e) {
       answer = {{"verdict", "unreadable"}, {"why", e.what()}};
     }
