@@ -114,19 +114,25 @@ private:
     open_ = true;
     return {why};
   }
-  TrustedStratum trusted(const char* abelian, const std::string& theorem, Gap gap,
-                         const std::string& why) {
-    ++result_.trusted;
-    result_.uncertified.push_back(theorem + ": " + why);
-    result_.gaps.push_back(gap);
-    return {abelian, theorem, why};
+  // The decided strata of this tree are not written.
+  void leave_out(const ProofTree& t, Gap gap) {
+    if (t.leaf && t.leaf->abelian != Truth::unknown)
+      result_.left_out.push_back({gap, t.leaf->by, to_string(gap)});
+    for (const ProofTreePtr& child : {t.nonzero, t.zero})
+      if (child) leave_out(*child, gap);
+  }
+  OpenStratum open(const ProofTree& there, Gap gap) {
+    leave_out(there, gap);
+    return open(to_string(gap));
   }
   TrustedStratum trusted(const Leaf& leaf, const NoProof& why) {
-    return trusted(leaf.abelian == Truth::yes ? "yes" : "no", "the solver", why.gap,
-                   reason(leaf) + " (" + why.what() + ")");
+    const std::string statement = reason(leaf) + " (" + why.what() + ")";
+    result_.trusted.push_back({why.gap, leaf.by, "the solver: " + statement});
+    return {leaf.abelian == Truth::yes ? "yes" : "no", "the solver", statement};
   }
   TrustedStratum trusted_empty(const ProofTree& t) {
-    return trusted("empty", "Z3", Gap::emptiness, t.why);
+    result_.trusted.push_back({Gap::emptiness, Conclusion::none, "Z3: " + t.why});
+    return {"empty", "Z3", t.why};
   }
 
   Subtree node(const ProofTree& t, State state) {
@@ -174,7 +180,7 @@ private:
   Subtree split(const ProofTree& t, State state) {
     const bool both = t.kind == Kind::split;
     const auto condition = both ? std::nullopt : assumed(t.p, state.facts);
-    if (!both && !condition) return node_of(open("an assumed equation is not recognised"));
+    if (!both && !condition) return node_of(open(t, Gap::assumption));
     // what the branches need is proved before the split
     std::vector<Lemma> lemmas;
     const auto x = solvable(t, state.facts, lemmas);
@@ -221,11 +227,10 @@ private:
   WhereZero zero(const ProofTree& t, State state, const std::optional<std::size_t>& x) {
     const ProofTree& there = *t.zero;
     if (there.kind == Kind::root) return root(there, state);
-    if (there.kind == Kind::related)
-      return open("the format has no rule for an equation that is not solved");
+    if (there.kind == Kind::related) return open(there, Gap::relation);
     if (!x) {
       if (there.kind == Kind::empty) return trusted_empty(there);
-      return open("division by a polynomial without an exact proof that it is not 0");
+      return open(there, Gap::division);
     }
     certify::SolvedStratum solved;
     solved.variable = *x;
@@ -298,6 +303,10 @@ private:
 };
 
 } // namespace
+
+std::string missing(const Uncertified& u) {
+  return u.gap == Gap::rule ? "rule: " + rule_name(u.theorem) : to_string(u.gap);
+}
 
 StrataCertificate certificate(const StrataAnswer& a, const Budget& budget) {
   if (a.certificate) return *a.certificate;

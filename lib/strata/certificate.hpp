@@ -9,15 +9,24 @@
 
 namespace kov::strata {
 
+/// A verdict that the checker has to believe, or does not hear of.
+struct Uncertified {
+  Gap gap = Gap::rule;                   ///< what is missing
+  Conclusion theorem = Conclusion::none; ///< that shows the verdict; none: the stratum is empty
+  std::string told;                      ///< for people
+};
+
 struct StrataCertificate {
   std::string json;
   bool says_anything = false; ///< some stratum is decided
   std::string refusal;        ///< what the checker of lib/certify has against it; empty: accepted
   bool limit = false;         ///< refused for its size, or not read: nothing was found to be false
-  std::size_t trusted = 0;    ///< nodes that rest on Z3 or on a theorem without a rule
-  std::vector<std::string> uncertified; ///< why: one line for each such node
-  std::vector<Gap> gaps;                ///< what is missing there, in the same order
+  std::vector<Uncertified> trusted;  ///< nodes that rest on Z3 or on a theorem without a rule
+  std::vector<Uncertified> left_out; ///< decided strata below a node that is left open
 };
+
+/// The missing rule or lemma by its name: "the family of Bessel".
+[[nodiscard]] std::string missing(const Uncertified& u);
 
 /// Strata that the rules do not cover become `trusted` (decided by the solver alone) or `open`
 /// (undecided) nodes.

@@ -29,10 +29,31 @@ const char* to_string(Gap gap) {
     return "no exact proof of a logarithm, or no rule for it";
   case Gap::number:
     return "no certificate of the equation without parameters";
+  case Gap::relation:
+    return "the format has no rule for an equation that is not solved";
+  case Gap::division:
+    return "division by a polynomial without an exact proof that it is not 0";
+  case Gap::assumption:
+    return "an assumed equation is not recognised";
   case Gap::emptiness:
     return "no exact proof that the stratum is empty";
   }
   return "";
+}
+
+std::string rule_name(Conclusion theorem) {
+  switch (theorem) {
+  case Conclusion::half_integers:
+    return "exponents in Z/2 without an invariant";
+  case Conclusion::no_products:
+    return "an exponent difference without a bound";
+  case Conclusion::assumed_integers:
+    return "an exponent difference that is no integer";
+  case Conclusion::bessel:
+    return "the family of Bessel";
+  default:
+    return "this theorem";
+  }
 }
 
 certify::Certificate number_certificate(const Decision& d) {
@@ -68,21 +89,6 @@ const char* rule_of(Conclusion by) {
     return "open";
   default:
     return nullptr;
-  }
-}
-
-std::string why_no_rule(Conclusion by) {
-  switch (by) {
-  case Conclusion::half_integers:
-    return "the format has no rule for exponents in Z/2 without an invariant";
-  case Conclusion::no_products:
-    return "the format has no rule for an exponent difference without a bound";
-  case Conclusion::assumed_integers:
-    return "the format has no rule for an exponent difference that is no integer";
-  case Conclusion::bessel:
-    return "the format has no rule for the family of Bessel";
-  default:
-    return "the format has no rule for this theorem";
   }
 }
 
@@ -338,7 +344,7 @@ LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& re
                           KnownFacts& facts, std::vector<Lemma>& lemmas, const Budget& budget) {
   if (const auto* number = evidence<Number>(leaf))
     return {leaf.abelian == Truth::yes, certify::ByNumber{number_certificate(number->decision)}};
-  const NoProof no_rule(Gap::rule, why_no_rule(leaf.by));
+  const NoProof no_rule(Gap::rule, "the format has no rule for " + rule_name(leaf.by));
   if (!leaf.scheme || !(leaf.scheme->r == r)) throw no_rule;
   const auto written = [&](const Leaf& one) -> std::optional<LeafNode> {
     LeafWriter writer(one, region, facts, lemmas, budget);

@@ -21,10 +21,15 @@ enum class Gap : std::uint8_t {
   invariant,  ///< lemma: a symmetric power has no solution, or the solution is not 0
   logarithm,  ///< lemma: a logarithm, or no rule for it
   number,     ///< the equation without parameters has no certificate
+  relation,   ///< a rule for an equation between parameters that is not solved for one
+  division,   ///< lemma: the polynomial that an equation is solved by division by is not 0
+  assumption, ///< the condition that an equation follows from
   emptiness   ///< the stratum is empty by Z3
 };
 /// Example to_string(Gap::emptiness)  // -> no exact proof that the stratum is empty
 [[nodiscard]] const char* to_string(Gap gap);
+/// What a rule of the format would be about: "the family of Bessel".
+[[nodiscard]] std::string rule_name(Conclusion theorem);
 
 /// The verdict of the solver is not a case of the certificate's rules, or rests on Z3.
 class NoProof : public std::runtime_error {

@@ -85,11 +85,9 @@ void certify_strata(NodeResult& n, const strata::StrataAnswer& a) {
       return;
     }
     n.certificates.push_back(std::move(c.json));
-    for (const std::string& why : c.uncertified)
-      if (std::none_of(a.trusted.begin(), a.trusted.end(), [&](const std::string& t) {
-            return why.find(t) != std::string::npos; // Z3, told already
-          }))
-        n.trusted.push_back(why);
+    for (const strata::Uncertified& u : c.trusted)
+      if (u.gap != strata::Gap::emptiness || a.trusted.empty()) // Z3, told already
+        n.trusted.push_back(u.told);
   } catch (const Error& why) {
     n.trusted.push_back(std::string("strata without a certificate: ") + why.what());
   }

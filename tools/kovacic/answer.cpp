@@ -210,7 +210,8 @@ private:
           result["no_certificate"] = "the format has no rule for the strata that are decided";
         return {};
       }
-      if (c.trusted > 0) result["certificate_trusts"] = c.uncertified;
+      for (const strata::Uncertified& u : c.trusted)
+        result["certificate_trusts"].push_back(u.told);
       return c.json;
     } catch (const InvalidArgument& e) {
       result["no_certificate"] = e.what();
