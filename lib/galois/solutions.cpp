@@ -70,23 +70,14 @@ std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction&
 
 namespace {
 
-LiouvillianSolution exponential(const ExponentialSolution& y, const std::string& variable,
-                                const Budget& budget) {
-  LiouvillianSolution s;
-  s.exponential = y;
-  s.text = exponential_text(y.p, logarithmic_parts(y.theta, budget), variable);
-  return s;
-}
-
 // omega = (v' +- w)/(2v): over K if w is in K, over K(w) if K = Q, otherwise by its quadratic
 // equation.
 std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
-                                              const RationalFunction& r,
-                                              const std::string& variable, const Budget& budget) {
+                                              const RationalFunction& r) {
   std::optional<NfElem> w = exact_sqrt(pair.w_squared);
   RationalFunction v = pair.v;
-  std::string note;
-  if (!w && v.field()->is_rational()) {
+  const bool adjoin = !w && v.field()->is_rational();
+  if (adjoin) {
     // w^2 = n/d: w = sqrt(n d)/d with the square part taken out
     const Rational square = to_rational(pair.w_squared);
     const auto [outside, inside] = square_part(square.num() * square.den());
@@ -94,7 +85,6 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
     const Field k = make_field({-inside, Integer(0), Integer(1)}, name);
     w = NfElem::generator(k) * NfElem(Rational(outside, square.den()));
     v = coerce(v, k);
-    note = "over Q(" + name + ")";
   }
   std::vector<LiouvillianSolution> found;
   if (!w) {
@@ -103,7 +93,7 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
     const RationalFunction half(Rational(1, 2));
     s.minimal_polynomial = {derivative(phi) * half + phi * phi * half - r, -phi,
                             RationalFunction(1)};
-    s.note = "both roots are rational functions over K(sqrt(" + to_string(pair.w_squared) + "))";
+    s.radicand = pair.w_squared;
     found.push_back(std::move(s));
     return found;
   }
@@ -111,8 +101,7 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
     const RationalFunction omega =
         (derivative(v) + RationalFunction(Poly(sign))) / (RationalFunction(2) * v);
     KOV_ENSURE(derivative(omega) + omega * omega == coerce(r, omega.field()));
-    found.push_back(exponential({omega, Poly(1)}, variable, budget));
-    found.back().note = note;
+    found.push_back({.exponential = ExponentialSolution{omega, Poly(1)}, .adjoined = adjoin});
   }
   return found;
 }
@@ -120,7 +109,7 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
 // All exponent differences are integers and nothing is logarithmic: y = P prod q^((1-Delta)/2), and
 // the growth exponents at infinity give the two degrees of P.
 std::vector<LiouvillianSolution> square_roots(const Singularities& s, const RationalFunction& r,
-                                              const std::string& variable, const Budget& budget) {
+                                              const Budget& budget) {
   RationalFunction theta;
   Rational total;
   for (const Singularity& p : s.finite) {
@@ -136,7 +125,7 @@ std::vector<LiouvillianSolution> square_roots(const Singularities& s, const Rati
     if (kov::sign(d) < 0) continue;
     const auto p = polynomial_solution(e.c2, e.c1, e.c0, to_long(d.num()), budget);
     if (!p) continue;
-    found.push_back(exponential({theta, *p}, variable, budget));
+    found.push_back({.exponential = ExponentialSolution{theta, *p}});
   }
   KOV_ENSURE(found.size() == 2);
   return found;
@@ -160,7 +149,7 @@ LiouvillianSolution quaternion(const RationalFunction& r, const Budget& budget) 
                             RationalFunction(1)};
   } else if (const auto* three = std::get_if<kovacic::ImprimitiveTriple>(&outcome)) {
     s.minimal_polynomial = three->riccati;
-    s.note = "the product of three quadratics that are conjugate over the constants";
+    s.three_quadratics = true;
   } else {
     throw OutOfBudget("the quadratic of the quaternion group was not separated");
   }
@@ -181,17 +170,15 @@ const InvariantSearch* of_degree(const Classification& c, long m) {
 } // namespace
 
 std::vector<LiouvillianSolution> solutions(const Classification& c, const RationalFunction& r,
-                                           const std::string& variable, const Budget& budget) {
+                                           const Budget& budget) {
   const RationalFunction half(Rational(1, 2));
-  if (is_zero(r)) {
-    LiouvillianSolution one{ExponentialSolution{RationalFunction(0), Poly(1)}, {}, "1", ""};
-    LiouvillianSolution z{ExponentialSolution{RationalFunction(0), Poly::z()}, {}, variable, ""};
-    return {one, z};
-  }
+  if (is_zero(r))
+    return {{.exponential = ExponentialSolution{RationalFunction(0), Poly(1)}},
+            {.exponential = ExponentialSolution{RationalFunction(0), Poly::z()}}};
   if (c.group && c.group->type == GroupType::cyclic && !c.pair)
-    return square_roots(*c.local, r, variable, budget);
-  if (c.pair) return exponentials(*c.pair, r, variable, budget);
-  if (c.exponential) return {exponential(*c.exponential, variable, budget)};
+    return square_roots(*c.local, r, budget);
+  if (c.pair) return exponentials(*c.pair, r);
+  if (c.exponential) return {{.exponential = *c.exponential}};
   if (!c.group) return {};
   switch (c.group->type) {
   case GroupType::Dinf:

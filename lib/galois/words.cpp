@@ -1,6 +1,6 @@
-// Every sentence about a classification: read from its values, never read back.
+// Every sentence about a classification and its solutions: read from values, never read back.
 
-#include "galois/classify.hpp"
+#include "galois/solutions.hpp"
 
 namespace kov {
 namespace {
@@ -169,6 +169,22 @@ std::string reason(const Classification& c) {
   if (c.undecided && c.undecided->why == Unable::Why::budget)
     text += (text.empty() ? "" : "; ") + ("undecided: " + c.undecided->detail);
   return text;
+}
+
+std::string text(const LiouvillianSolution& s, const std::string& variable, const Budget& budget) {
+  if (!s.exponential) return "";
+  const auto& [theta, p] = *s.exponential;
+  return exponential_text(p, is_zero(theta) ? LogarithmicParts() : logarithmic_parts(theta, budget),
+                          variable);
+}
+
+std::string note(const LiouvillianSolution& s) {
+  if (s.adjoined) return "over Q(" + s.exponential->theta.field()->letter() + ")";
+  if (s.radicand)
+    return "both roots are rational functions over K(sqrt(" + to_string(*s.radicand) + "))";
+  if (s.three_quadratics)
+    return "the product of three quadratics that are conjugate over the constants";
+  return "";
 }
 
 } // namespace kov

@@ -6,6 +6,7 @@
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
 #include "strata/words.hpp"
+#include "verdict/words.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -151,7 +152,7 @@ void except_where_invalid(const System& s, const CheckOptions& options, BlockRep
       if (uses(g, i)) {
         block.abelian = Truth::unknown;
         block.note =
-            "decided only where " + to_string(g) + " is not zero: " + block.decision->reason;
+            "decided only where " + to_string(g) + " is not zero: " + reason(*block.decision);
         return;
       }
 }
@@ -312,12 +313,13 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
     for (const auto& u : block.unknowns)
       name += (name.empty() ? "" : ", ") + u;
     if (!block.note.empty()) report.reasons.push_back("block (" + name + "): " + block.note);
-    if (block.decision) report.reasons.push_back("block (" + name + "): " + block.decision->reason);
+    if (block.decision)
+      report.reasons.push_back("block (" + name + "): " + reason(*block.decision));
     if (block.strata)
       for (const auto& x : block.strata->strata)
         report.reasons.push_back("where " + strata::to_string(x.conditions) + ": " + strata::reason(x.leaf));
     for (const auto& e : block.energies)
-      if (e.decision) report.reasons.push_back("at " + e.condition + ": " + e.decision->reason);
+      if (e.decision) report.reasons.push_back("at " + e.condition + ": " + reason(*e.decision));
   }
   if (options.stop_at_r) return;
   const bool whole = report.not_studied.empty();

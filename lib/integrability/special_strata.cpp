@@ -5,6 +5,7 @@
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "strata/decide_leaf.hpp"
+#include "verdict/words.hpp"
 
 #include <algorithm>
 
@@ -79,7 +80,7 @@ Truth of_new_blocks(const ManifoldReport& here, const std::vector<BlockReport>& 
       continue;
     if (b.abelian == Truth::no) {
       why = "; " + names_of(b) + " is not abelian";
-      if (b.decision) why += ": " + b.decision->reason;
+      if (b.decision) why += ": " + reason(*b.decision);
       return Truth::no;
     }
     all = Truth::unknown;

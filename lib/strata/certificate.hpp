@@ -36,7 +36,7 @@ struct StrataCertificate {
 /// Cost      about that of the verdicts of all leaves once more; none where a.certificate is set
 /// Given   Question airy; airy.r = z + a;
 /// Given   StrataLimits limits; limits.decide.want_certificate = true;
-/// Example certificate(decide_strata(airy, limits)).trusted  // -> 0
+/// Example certificate(decide_strata(airy, limits)).trusted.size()  // -> 0
 [[nodiscard]] StrataCertificate certificate(const StrataAnswer& a, const Budget& budget = {});
 
 /// Sets a.certificate, and a.refusal where our own checker refuses it, for another reason than its

@@ -1,5 +1,7 @@
 #include "strata/words.hpp"
 
+#include "verdict/words.hpp"
+
 namespace kov::strata {
 namespace {
 
@@ -174,7 +176,7 @@ std::string argument(const Leaf& leaf) {
   case Conclusion::none:
     return "";
   case Conclusion::number:
-    return evidence<Number>(leaf)->decision.reason;
+    return kov::reason(evidence<Number>(leaf)->decision);
   case Conclusion::invariant:
     return invariant(leaf);
   case Conclusion::half_integers:
@@ -268,7 +270,7 @@ std::string condition(const Leaf&, const LargeDenominator&) {
   return "reducible or not: not looked at";
 }
 std::string condition(const Leaf& leaf, const OpenNumber&) {
-  return evidence<Number>(leaf)->decision.reason;
+  return kov::reason(evidence<Number>(leaf)->decision);
 }
 std::string condition(const Leaf&, const RefusedByChecker& open) {
   return "our own checker refuses the certificate of what was found: " + open.shown;

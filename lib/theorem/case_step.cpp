@@ -9,6 +9,7 @@
 #include "exact/error.hpp"
 #include "strata/certificate.hpp"
 #include "strata/words.hpp"
+#include "verdict/words.hpp"
 
 #include <algorithm>
 
@@ -143,11 +144,11 @@ std::string reason_of(const strata::StrataAnswer& a) {
 std::string reason_of(const ManifoldReport& m) {
   std::string text;
   for (const BlockReport& b : m.blocks) {
-    if (b.decision) return b.decision->reason;
+    if (b.decision) return reason(*b.decision);
     if (b.strata && b.abelian == Truth::no) return reason_of(*b.strata);
     for (const EnergyResult& e : b.energies)
       if (e.decision && e.decision->abelian == Truth::no)
-        return e.condition + ": " + e.decision->reason;
+        return e.condition + ": " + reason(*e.decision);
     for (const EnergyResult& e : b.energies)
       if (e.strata && e.strata->abelian() == Truth::no)
         return "at the energy " + e.condition +

@@ -1,46 +1,14 @@
 #include "verdict/decide.hpp"
 
 #include "exact/error.hpp"
-#include "galois/classify.hpp"
-#include "galois/solutions.hpp"
 #include "kovacic/solve.hpp"
-#include "special/recognize.hpp"
 #include "verdict/certificate.hpp"
+#include "verdict/words.hpp"
 
 #include <algorithm>
 
 namespace kov {
 namespace {
-
-std::string size_limit(const Options& options) {
-  return "size limit: they take more than " + std::to_string(options.max_printed >> 20) + " MiB";
-}
-
-Solution printed(const LiouvillianSolution& s, const std::string& variable,
-                 const Options& options) {
-  Solution out;
-  out.note = s.note;
-  if (s.exponential) {
-    out.kind = "exponential";
-    out.y = s.text;
-    const auto& [theta, p] = *s.exponential;
-    out.omega = to_string(theta, variable);
-    if (degree(p) > 0)
-      out.omega = (is_zero(theta) ? "" : out.omega + " + ") +
-                  to_string(RationalFunction::from_coprime(derivative(p), p), variable);
-  } else {
-    out.kind = "minimal-polynomial";
-    std::size_t bytes = 0;
-    for (const RationalFunction& c : s.minimal_polynomial) {
-      options.budget.check();
-      out.minimal_polynomial.push_back(to_string(c, variable));
-      bytes += out.minimal_polynomial.back().size();
-      if (options.max_printed > 0 && bytes > options.max_printed)
-        throw OutOfBudget(size_limit(options));
-    }
-  }
-  return out;
-}
 
 const char* step_name(int number) {
   switch (number) {
@@ -65,40 +33,25 @@ std::vector<TraceStep> printed(const kovacic::Trace& trace) {
   return steps;
 }
 
-void fill(Decision& d, const Classification& c) {
-  d.group = c.group;
-  d.component = c.component;
-  d.abelian = c.abelian;
-  d.reason = kov::reason(c);
-  d.undecided = c.undecided;
-  if (c.group) d.kovacic_case = kovacic_case(*c.group);
-}
-
-std::size_t size_of(const Solution& s) {
-  std::size_t bytes = s.y.size() + s.omega.size();
-  for (const std::string& c : s.minimal_polynomial)
-    bytes += c.size();
-  return bytes;
+void fill(Decision& d, const std::shared_ptr<const Classification>& c) {
+  d.group = c->group;
+  d.component = c->component;
+  d.abelian = c->abelian;
+  d.because = ByEngines{c};
+  d.undecided = c->undecided;
+  if (c->group) d.kovacic_case = kovacic_case(*c->group);
 }
 
 // All or none: a limit here is no news about the group.
-void add_solutions(Decision& d, const Classification& c, const NormalForm& equation,
-                   const Options& options) {
+void add_solutions(Decision& d, const Classification& c, const Options& options) {
   if (!options.want_solutions) {
-    d.no_solutions = Decision::not_asked_for;
+    d.no_solutions = SolutionsMissing{};
     return;
   }
   try {
-    std::size_t bytes = 0;
-    for (const LiouvillianSolution& s : solutions(c, equation.r, d.variable, options.budget)) {
-      d.solutions.push_back(printed(s, d.variable, options));
-      bytes += size_of(d.solutions.back());
-      if (options.max_printed > 0 && bytes > options.max_printed)
-        throw OutOfBudget(size_limit(options));
-    }
+    d.solutions = solutions(c, d.r, options.budget);
   } catch (const OutOfBudget& limit) {
-    d.solutions.clear();
-    d.no_solutions = limit.what();
+    d.no_solutions = SolutionsMissing{SolutionsMissing::Why::limit, limit.what()};
   }
 }
 
@@ -116,19 +69,15 @@ SecondOpinion classical(Decision& d, const NormalForm& equation, const Options& 
   return {kovacic::case_of(outcome), unable ? unable->detail : ""};
 }
 
-void forget_answer(Decision& d, const std::string& why, Unable::Why kind) {
+void forget_answer(Decision& d, Withdrawn why) {
   d.group.reset();
   d.component.reset();
   d.abelian = Truth::unknown;
   d.kovacic_case.reset();
   d.solutions.clear();
   d.certificate.clear();
-  d.undecided = Unable{kind, why};
-  d.reason = "undecided: " + why;
-}
-
-bool taken_back(const Decision& d) {
-  return d.undecided && d.undecided->why == Unable::Why::methods_disagree;
+  d.undecided = Unable{Unable::Why::methods_disagree, to_string(why)};
+  d.withdrawn = std::move(why);
 }
 
 // The group was found by other means than those that certificates are written from.
@@ -155,7 +104,7 @@ void second_chance(Decision& d, const NormalForm& equation, const Options& optio
   d.abelian = Truth::no;
   d.kovacic_case = 4;
   d.undecided.reset();
-  d.reason = "Kovacic's algorithm excludes its cases 1, 2 and 3";
+  d.because = ByKovacic{};
   mark_as_uncertified(d, options, "from Kovacic's algorithm");
 }
 
@@ -170,11 +119,9 @@ void closed_formula(Decision& d, const Options& options) {
   }
   if (!known || !known->answer || known->answer->abelian == Truth::unknown) return;
   const ClosedAnswer& answer = *known->answer;
-  const std::string limit = d.undecided ? d.undecided->detail : "";
   KOV_ENSURE(d.abelian == Truth::unknown || d.abelian == answer.abelian);
   d.abelian = answer.abelian;
-  d.reason = "by the formula for " + known->family + "'s equation: " + answer.reason;
-  if (!limit.empty()) d.reason += " (no search: " + limit + ")";
+  d.because = ByFormula{*known, d.undecided};
   if (!answer.group) return;
   d.group = answer.group;
   d.component = identity_component(*answer.group);
@@ -203,12 +150,11 @@ void certify_it(Decision& d, const Classification& c, const Options& options) {
 void ask_the_judge(Decision& d, const Classification& c, const Options& options) {
   Decision judged = d;
   certify_it(judged, c, options);
-  if (taken_back(judged)) {
+  if (judged.withdrawn) {
     d = std::move(judged);
     return;
   }
-  d.reason += judged.certificate.empty() ? "; no certificate: " + judged.no_certificate
-                                         : "; the judge accepts its certificate";
+  d.third_opinion = ThirdOpinion{!judged.certificate.empty(), judged.no_certificate};
 }
 
 } // namespace
@@ -218,13 +164,9 @@ void take(Decision& d, Judged opinion) {
     d.certificate = std::move(opinion.json);
     return;
   }
-  const std::string found = d.group ? ", G = " + describe(*d.group) : "";
   d.no_certificate = "the judge refuses it: " + opinion.refusal;
   if (opinion.limit) return;
-  forget_answer(d,
-                "an answer was found" + found +
-                    ", and our own checker refuses its certificate: " + opinion.refusal,
-                Unable::Why::methods_disagree);
+  forget_answer(d, CertificateRefused{d.group, opinion.refusal});
   d.no_certificate = opinion.refusal;
   d.refused = std::move(opinion.json);
 }
@@ -233,12 +175,9 @@ void compare(Decision& d, const SecondOpinion& other) {
   if (!other.kovacic_case)
     d.undecided = Unable{Unable::Why::budget, "Kovacic's algorithm stopped: " + other.limit};
   else if (d.kovacic_case && *d.kovacic_case != *other.kovacic_case)
-    forget_answer(d,
-                  "the methods disagree: the engines find case " + std::to_string(*d.kovacic_case) +
-                      ", Kovacic's algorithm finds case " + std::to_string(*other.kovacic_case),
-                  Unable::Why::methods_disagree);
+    forget_answer(d, MethodsDisagree{*d.kovacic_case, *other.kovacic_case});
   else
-    d.reason += "; Kovacic's algorithm agrees: case " + std::to_string(*other.kovacic_case);
+    d.second_opinion = other.kovacic_case;
 }
 
 namespace {
@@ -247,12 +186,14 @@ namespace {
 // minutes and gigabytes.
 constexpr long comfortable_degree = 20000;
 
-Classification engines(Decision& d, const NormalForm& equation, const Options& options) {
+using Proof = std::shared_ptr<const Classification>;
+
+Proof engines(Decision& d, const NormalForm& equation, const Options& options) {
   d = Decision{};
   d.r = equation.r;
   d.variable = options.variable;
-  Classification c = classify(equation.r, options.budget);
-  d.places = c.local;
+  const auto c = std::make_shared<const Classification>(classify(equation.r, options.budget));
+  d.places = c->local;
   fill(d, c);
   return c;
 }
@@ -271,11 +212,11 @@ void announce(const Decision& d, const Options& options) {
 }
 
 // The engines; where they would need a polynomial of an uncomfortable degree, formulas first.
-Classification prove(Decision& d, const NormalForm& equation, const Options& options) {
+Proof prove(Decision& d, const NormalForm& equation, const Options& options) {
   Options quick = options;
   const bool formulas = options.method != Method::engines && !options.want_certificate;
   if (formulas) quick.budget.max_degree = std::min(quick.budget.max_degree, comfortable_degree);
-  Classification c = engines(d, equation, quick);
+  Proof c = engines(d, equation, quick);
   if (d.group || quick.budget.max_degree == options.budget.max_degree) return c;
   if (!is_zero(d.r)) closed_formula(d, options);
   return d.group ? c : engines(d, equation, options);
@@ -288,7 +229,7 @@ void support(Decision& d, const Classification& c, const NormalForm& equation,
     certify_it(d, c, options);
   else if (options.method == Method::all)
     ask_the_judge(d, c, options);
-  if (taken_back(d)) return;
+  if (d.withdrawn) return;
   if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
     second_chance(d, equation, options);
   if (!d.group && options.method != Method::engines && !is_zero(d.r)) closed_formula(d, options);
@@ -296,7 +237,7 @@ void support(Decision& d, const Classification& c, const NormalForm& equation,
 
 // Only to look at the steps: a limit of the classical algorithm is no news then.
 void compare_methods(Decision& d, const NormalForm& equation, const Options& options) {
-  if ((!asked_to_compare(options) && !options.want_trace) || taken_back(d)) return;
+  if ((!asked_to_compare(options) && !options.want_trace) || d.withdrawn) return;
   const SecondOpinion other = classical(d, equation, options);
   if (asked_to_compare(options) ||
       (other.kovacic_case && d.kovacic_case && *other.kovacic_case != *d.kovacic_case))
@@ -308,16 +249,13 @@ void compare_methods(Decision& d, const NormalForm& equation, const Options& opt
 Decision decide(const NormalForm& equation, const Options& options) {
   const auto start = Budget::Clock::now();
   Decision d;
-  const Classification c = prove(d, equation, options);
+  const Proof c = prove(d, equation, options);
   announce(d, options);
-  support(d, c, equation, options);
+  support(d, *c, equation, options);
   announce(d, options);
   compare_methods(d, equation, options);
-  if (options.only_case && d.kovacic_case && *options.only_case != *d.kovacic_case)
-    d.reason = "case " + std::to_string(*options.only_case) +
-               " does not occur, the equation belongs to case " + std::to_string(*d.kovacic_case) +
-               ": " + d.reason;
-  if (!taken_back(d)) add_solutions(d, c, equation, options);
+  d.only_case = options.only_case;
+  if (!d.withdrawn) add_solutions(d, *c, options);
   d.seconds = std::chrono::duration<double>(Budget::Clock::now() - start).count();
   return d;
 }

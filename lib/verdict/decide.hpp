@@ -1,16 +1,18 @@
 #pragma once
-// y'' = r y  ->  Galois group, identity component, "is it abelian?", solutions, and the reason.
+// y'' = r y  ->  Galois group, identity component, "is it abelian?", solutions, and why: values, to
+// be asked by pattern matching; words.hpp makes sentences of them.
 
 #include "exact/budget.hpp"
 #include "exact/truth.hpp"
-#include "galois/group.hpp"
+#include "galois/solutions.hpp"
 #include "linode/normal_form.hpp"
-#include "linode/singularities.hpp"
+#include "special/recognize.hpp"
 
-#include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace kov {
@@ -28,21 +30,9 @@ struct Options {
   bool want_solutions = true;
   bool want_trace = false;
   bool want_certificate = false; ///< written, and accepted by the judge of lib/certify
-  std::size_t max_printed = std::size_t{4} << 20; ///< bytes of solutions; 0 = no limit
   /// Told as soon as something is proved, and again when the certificate is there: before steps
   /// and solutions are made, which can take longer than the proof.
   std::function<void(const Decision&)> proved;
-};
-
-/// A Liouvillian solution of y'' = r y.
-struct Solution {
-  /// "exponential": y itself, as P*prod(z-c)^e*exp(...)
-  /// "minimal-polynomial": polynomial in w = y'/y over K(z), ascending coefficients
-  std::string kind;
-  std::string y;                               ///< exponential: text of y
-  std::string omega;                           ///< exponential: y'/y as text
-  std::vector<std::string> minimal_polynomial; ///< ascending, text in z (and constants)
-  std::string note; ///< e.g. "delta^2 = 5" when a square root of a constant is adjoined
 };
 
 /// One line of the derivation, for --trace.
@@ -51,24 +41,72 @@ struct TraceStep {
   std::string text;
 };
 
+// ---- why: the argument that an answer rests on
+
+/// The engines of lib/galois: `proof->argument` with its evidence, or `proof->undecided`.
+struct ByEngines {
+  std::shared_ptr<const Classification> proof;
+};
+/// Kovacic's algorithm excludes its cases 1, 2 and 3: SL(2, C).
+struct ByKovacic {};
+/// The closed answer of a classical equation.
+struct ByFormula {
+  Recognized known;              ///< known.answer is set
+  std::optional<Unable> engines; ///< what had stopped them
+};
+using Because = std::variant<std::monostate, ByEngines, ByKovacic, ByFormula>;
+
+// ---- what became of an answer
+
+struct MethodsDisagree { ///< Kovacic's cases that they find
+  int engines = 0, kovacic = 0;
+};
+struct CertificateRefused {
+  std::optional<GaloisGroup> found; ///< what had been found
+  std::string by_checker;           ///< told, and used by nobody
+};
+/// Why an answer was taken back.
+using Withdrawn = std::variant<MethodsDisagree, CertificateRefused>;
+
+/// The checker's opinion of an answer for which no certificate is kept.
+struct ThirdOpinion {
+  bool accepted = false;
+  std::string no_certificate; ///< otherwise; told, and used by nobody
+};
+
+struct SolutionsMissing {
+  enum class Why : std::uint8_t { not_asked_for, limit };
+  Why why = Why::not_asked_for;
+  std::string limit{}; ///< told, and used by nobody
+};
+
 struct Decision {
   RationalFunction r;
   std::string variable = "z";
   std::optional<Singularities> places; ///< of r, if they were looked at
-  std::optional<GaloisGroup> group;    ///< unset: not determined (see reason)
+  std::optional<GaloisGroup> group;    ///< unset: not determined
   std::optional<Connected> component;  ///< may be known where the group is not
   Truth abelian = Truth::unknown;      ///< of the identity component
   std::optional<int> kovacic_case;
-  std::vector<Solution> solutions;
-  std::string no_solutions; ///< why they are not there: a limit, or
-  static constexpr const char* not_asked_for = "not asked for";
-  std::string reason;              ///< full sentences; for "unknown": why
+  Because because;
+  std::optional<int> second_opinion;         ///< Kovacic's case, by his algorithm as well
+  std::optional<ThirdOpinion> third_opinion; ///< Method::all
+  std::optional<Withdrawn> withdrawn;        ///< then nothing else is stated
+  std::vector<LiouvillianSolution> solutions;
+  std::optional<SolutionsMissing> no_solutions;
+  std::optional<int> only_case;    ///< that was asked for
   std::optional<Unable> undecided; ///< set when anything asked stayed open
   std::vector<TraceStep> trace;
   std::string certificate;    ///< JSON text; empty if not asked for, or
-  std::string no_certificate; ///< why there is none
+  std::string no_certificate; ///< why there is none: told, and used by nobody
   std::string refused; ///< the certificate that our own checker refused; with it goes the verdict
   double seconds = 0;
+
+  /// The engines' proof, where the answer is theirs; else null.
+  [[nodiscard]] const Classification* proof() const {
+    const auto* engines = std::get_if<ByEngines>(&because);
+    return engines == nullptr ? nullptr : engines->proof.get();
+  }
 };
 
 /// What Kovacic's algorithm came to: its case, or the limit that stopped it.
@@ -76,7 +114,7 @@ struct SecondOpinion {
   std::optional<int> kovacic_case;
   std::string limit;
 };
-/// Two methods, one answer: agreement is noted, and a limit of the second one beside the answer
+/// Two methods, one answer: agreement is kept, and a limit of the second one beside the answer
 /// (Unable::budget); a disagreement takes the answer back (Unable::methods_disagree).
 void compare(Decision& d, const SecondOpinion& other);
 

@@ -99,7 +99,7 @@ TEST_P(Groups, SolutionsPlugBack) {
   for (const LiouvillianSolution& y : all) {
     if (y.exponential) {
       EXPECT_EQ(from_omega(y.exponential->omega()), r);
-      EXPECT_FALSE(y.text.empty());
+      EXPECT_FALSE(text(y).empty());
     } else if (!y.minimal_polynomial.empty()) {
       expect_riccati(y.minimal_polynomial, r);
       const std::size_t degree = y.minimal_polynomial.size() - 1;

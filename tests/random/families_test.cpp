@@ -7,6 +7,7 @@
 #include "family/parameter_scope.hpp"
 #include "parameter_points.hpp"
 #include "strata/words.hpp"
+#include "verdict/words.hpp"
 
 #include <gmock/gmock.h>
 
@@ -170,7 +171,7 @@ void compare_at(const Asked& asked, const Family& f, const StrataAnswer& a,
   if (d.abelian == Truth::unknown) return;
   ++compared;
   const std::string why =
-      "stratum " + strata::to_string(s->conditions) + "\n" + reason(s->leaf) + "\nbut " + d.reason;
+      "stratum " + strata::to_string(s->conditions) + "\n" + reason(s->leaf) + "\nbut " + reason(d);
   if (s->leaf.abelian != Truth::unknown) {
     EXPECT_EQ(s->leaf.abelian, d.abelian) << why;
   }

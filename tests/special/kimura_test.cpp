@@ -4,6 +4,7 @@
 #include "special/polyhedral.hpp"
 #include "special/riemann.hpp"
 #include "verdict/decide.hpp"
+#include "verdict/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ void expect_agreement(const ExponentTriple& t) {
   const std::string name = to_string(t[0]) + ", " + to_string(t[1]) + ", " + to_string(t[2]);
   const ClosedAnswer answer = closed(t);
   const Decision decision = engines(t);
-  ASSERT_TRUE(answer.group && decision.group) << name << ": " << decision.reason;
+  ASSERT_TRUE(answer.group && decision.group) << name << ": " << reason(decision);
   EXPECT_EQ(describe(*answer.group), describe(*decision.group)) << name << ": " << answer.reason;
   EXPECT_EQ(answer.abelian, decision.abelian) << name;
 }
@@ -155,7 +156,7 @@ TEST(Kimura, IrrationalExponents) { // squares in Q and in Q(sqrt 2)
     Options options;
     options.want_solutions = false;
     const Decision d = decide({.r = riemann_equation(x), .p = RationalFunction()}, options);
-    ASSERT_TRUE(d.group) << d.reason;
+    ASSERT_TRUE(d.group) << reason(d);
     EXPECT_EQ(describe(*answer.group), describe(*d.group))
         << to_string(x[0]) << ", " << to_string(x[1]) << ", " << to_string(x[2]);
   }

@@ -3,6 +3,7 @@
 
 #include "special/lame.hpp"
 #include "verdict/decide.hpp"
+#include "verdict/words.hpp"
 
 #include "exact/factor.hpp"
 
@@ -86,7 +87,7 @@ TEST(LamePoints, TheEnginesFindTheGroup) {
       Options options;
       options.want_solutions = false;
       const Decision d = decide({.r = lame_equation(alpha, p), .p = RationalFunction()}, options);
-      ASSERT_TRUE(d.group) << d.reason;
+      ASSERT_TRUE(d.group) << reason(d);
       EXPECT_EQ(d.group->type, group) << to_string(n) << ", g3 = " << to_string(p.g3);
     }
   EXPECT_GE(seen, 8);

@@ -2,6 +2,7 @@
 
 #include "special/lame.hpp"
 #include "verdict/decide.hpp"
+#include "verdict/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -47,8 +48,8 @@ Decision engines(const NfElem& a, const LameParameters<NfElem>& p) {
 void expect_agreement(const NfElem& a, const LameParameters<NfElem>& p, const std::string& name) {
   const ClosedAnswer answer = lame_answer(a, p);
   const Decision d = engines(a, p);
-  ASSERT_NE(d.abelian, Truth::unknown) << name << ": " << d.reason;
-  EXPECT_EQ(answer.abelian, d.abelian) << name << ": " << answer.reason << " | " << d.reason;
+  ASSERT_NE(d.abelian, Truth::unknown) << name << ": " << reason(d);
+  EXPECT_EQ(answer.abelian, d.abelian) << name << ": " << answer.reason << " | " << reason(d);
   if (answer.group && d.group) {
     EXPECT_EQ(describe(*answer.group), describe(*d.group)) << name << ": " << answer.reason;
   }

@@ -3,6 +3,7 @@
 #include "special/potential.hpp"
 
 #include "verdict/decide.hpp"
+#include "verdict/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -146,7 +147,7 @@ TEST(Potential, TheEnginesAgree) {
                                    [&](const auto& f) { return f.contains(lambda); });
       const Decision d =
           decide({.r = potential_equation(k, NfElem(lambda)), .p = RationalFunction()}, options);
-      EXPECT_EQ(d.abelian, truth(listed)) << k << ", " << to_string(lambda) << ": " << d.reason;
+      EXPECT_EQ(d.abelian, truth(listed)) << k << ", " << to_string(lambda) << ": " << reason(d);
     }
   }
 }

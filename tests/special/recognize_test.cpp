@@ -5,6 +5,7 @@
 #include "special/lame.hpp"
 #include "special/riemann.hpp"
 #include "verdict/decide.hpp"
+#include "verdict/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +42,7 @@ Recognized expect_family(const RationalFunction& r, const std::string& family) {
   options.want_solutions = false;
   const Decision d = decide({.r = r, .p = RationalFunction()}, options);
   if (found->answer) {
-    EXPECT_EQ(found->answer->abelian, d.abelian) << to_string(r) << ": " << d.reason;
+    EXPECT_EQ(found->answer->abelian, d.abelian) << to_string(r) << ": " << reason(d);
     if (found->answer->group && d.group) {
       EXPECT_EQ(describe(*found->answer->group), describe(*d.group)) << to_string(r);
     }

@@ -4,6 +4,7 @@
 
 #include "special/recognize.hpp"
 #include "verdict/decide.hpp"
+#include "verdict/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,7 +55,7 @@ void expect_specialisations(const MFraction& r, std::uint32_t seed) {
     options.want_solutions = false;
     const Decision d = decide({.r = special, .p = RationalFunction()}, options);
     if (symbolic->abelian() != Truth::unknown) {
-      EXPECT_EQ(symbolic->abelian(), d.abelian) << to_string(special) << ": " << d.reason;
+      EXPECT_EQ(symbolic->abelian(), d.abelian) << to_string(special) << ": " << reason(d);
     }
     bool group_listed = false;
     for (const FamilyCase& x : symbolic->cases)

@@ -353,7 +353,7 @@ TEST(ImmenseExponents, OneExponentialSolution) {
       Options options;
       options.want_certificate = true;
       const Decision d = decide({derivative(omega) + omega * omega, {}}, options);
-      ASSERT_TRUE(d.group) << d.reason;
+      ASSERT_TRUE(d.group) << reason(d);
       EXPECT_EQ(describe(*d.group), describe(GaloisGroup{GroupType::T, Integer(21)}));
       EXPECT_FALSE(d.certificate.empty()) << d.no_certificate;
       ASSERT_EQ(d.solutions.size(), 1U);

@@ -48,7 +48,7 @@ TEST(LongCoefficients, OnePrimeIsEnough) {
   Options options;
   options.want_certificate = true;
   const Decision d = decide({.r = r, .p = RationalFunction()}, options);
-  ASSERT_TRUE(d.group) << d.reason;
+  ASSERT_TRUE(d.group) << reason(d);
   EXPECT_EQ(d.group->type, GroupType::SL2);
   EXPECT_FALSE(d.certificate.empty()) << d.no_certificate;
 }

@@ -69,7 +69,7 @@ RationalFunction read(const std::string& r, const std::string& minpoly) {
 
 std::string group_of(const RationalFunction& r) {
   const Decision d = decide({.r = r, .p = RationalFunction()});
-  return d.group ? corpus_name(*d.group) : d.reason;
+  return d.group ? corpus_name(*d.group) : reason(d);
 }
 
 std::string name_of(const testing::TestParamInfo<Json>& entry) {

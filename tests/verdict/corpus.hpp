@@ -1,7 +1,7 @@
 #pragma once
 // The entries of tests/corpus as parameters of tests; equations and groups as text.
 
-#include "verdict/decide.hpp"
+#include "verdict/words.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -11,9 +11,9 @@ class Corpus : public testing::TestWithParam<Json> {};
 TEST_P(Corpus, GroupAndIdentityComponent) {
   const Json& entry = GetParam();
   const Decision d = decide(equation_of(entry));
-  ASSERT_TRUE(d.group) << d.reason;
+  ASSERT_TRUE(d.group) << reason(d);
   const Json& expected = entry.at("expected");
-  EXPECT_EQ(corpus_name(*d.group), expected.at("group").get<std::string>()) << d.reason;
+  EXPECT_EQ(corpus_name(*d.group), expected.at("group").get<std::string>()) << reason(d);
   EXPECT_EQ(certainly(d.abelian), expected.at("identity_component_abelian").get<bool>());
   EXPECT_EQ(*d.kovacic_case, expected.at("kovacic_case").get<int>());
   EXPECT_EQ(d.solutions.empty(), d.group->type == GroupType::SL2);

@@ -105,7 +105,7 @@ TEST_P(Invariance, PullBacksOfFiniteGroupsByBothMethods) {
     Options options;
     options.method = Method::all;
     const Decision d = decide({.r = r, .p = RationalFunction()}, options);
-    ASSERT_TRUE(d.component) << to_string(r) << ": " << d.reason;
+    ASSERT_TRUE(d.component) << to_string(r) << ": " << reason(d);
     EXPECT_EQ(*d.component, Connected::trivial) << to_string(r);
   }
 }
@@ -122,7 +122,7 @@ TEST_P(Invariance, RandomRiemannEquationsByBothMethods) {
     Options options;
     options.method = Method::all;
     const Decision d = decide({.r = r, .p = RationalFunction()}, options);
-    EXPECT_TRUE(d.group) << to_string(r) << ": " << d.reason;
+    EXPECT_TRUE(d.group) << to_string(r) << ": " << reason(d);
     const RationalFunction f = moebius();
     EXPECT_EQ(group_of(pull_back(r, f)), group_of(r)) << to_string(r) << " at " << to_string(f);
   }

@@ -1,6 +1,6 @@
 // The engines and the classical algorithm are two proofs of one answer.
 
-#include "verdict/decide.hpp"
+#include "verdict/words.hpp"
 
 #include "verdict/certificate.hpp"
 
@@ -33,10 +33,10 @@ TEST(Methods, AgreeOnEquationsBuiltFromAnExponential) {
   for (int i = 0; i < 150; ++i) {
     const RationalFunction w = random_omega(gen);
     const Decision d = both(derivative(w) + w * w);
-    ASSERT_TRUE(d.group) << to_string(w) << ": " << d.reason;
+    ASSERT_TRUE(d.group) << to_string(w) << ": " << reason(d);
     EXPECT_EQ(*d.kovacic_case, 1) << to_string(w);
     EXPECT_EQ(d.abelian, Truth::yes) << to_string(w); // simple poles, rational residues
-    EXPECT_NE(d.reason.find("the judge accepts"), std::string::npos) << to_string(w) << d.reason;
+    EXPECT_NE(reason(d).find("the judge accepts"), std::string::npos) << to_string(w) << reason(d);
   }
 }
 
@@ -53,11 +53,11 @@ TEST(Methods, AgreeOnDihedralEquations) { // r = (w^2 + 2 v v'' - v'^2)/(4 v^2),
         (c + derivative(dF) - RationalFunction(Rational(3, 4)) * dF * dF / F) /
         (RationalFunction(4) * F);
     const Decision d = both(r);
-    ASSERT_TRUE(d.kovacic_case) << to_string(r) << ": " << d.reason;
+    ASSERT_TRUE(d.kovacic_case) << to_string(r) << ": " << reason(d);
     // With two branch points and integral residues "D_1" is the cyclic group of order 4: case 1.
     EXPECT_EQ(*d.kovacic_case, degree(f) == 2 ? kovacic_case(*d.group) : 2) << to_string(r);
     EXPECT_LE(*d.kovacic_case, 2) << to_string(r);
-    EXPECT_NE(d.reason.find("the judge accepts"), std::string::npos) << to_string(r) << d.reason;
+    EXPECT_NE(reason(d).find("the judge accepts"), std::string::npos) << to_string(r) << reason(d);
     EXPECT_EQ(d.abelian, Truth::yes);
   }
 }
@@ -71,8 +71,8 @@ TEST(Methods, AgreeOnRandomEquations) {
       r += RationalFunction(c, pow(z - Poly(k), 1 + gen() % 2));
     }
     const Decision d = both(r);
-    EXPECT_TRUE(d.group) << to_string(r) << ": " << d.reason;
-    EXPECT_NE(d.reason.find("the judge accepts"), std::string::npos) << to_string(r) << d.reason;
+    EXPECT_TRUE(d.group) << to_string(r) << ": " << reason(d);
+    EXPECT_NE(reason(d).find("the judge accepts"), std::string::npos) << to_string(r) << reason(d);
   }
 }
 
@@ -96,8 +96,8 @@ TEST(Methods, NoAnswerWhenTheyDisagree) {
   EXPECT_FALSE(d.component);
   EXPECT_EQ(d.abelian, Truth::unknown);
   EXPECT_TRUE(d.certificate.empty());
-  EXPECT_NE(d.reason.find("case 4"), std::string::npos) << d.reason;
-  EXPECT_NE(d.reason.find("case 1"), std::string::npos) << d.reason;
+  EXPECT_NE(reason(d).find("case 4"), std::string::npos) << reason(d);
+  EXPECT_NE(reason(d).find("case 1"), std::string::npos) << reason(d);
 }
 
 // What the engines proved stays proved; that the other method was asked and did not end is said.
@@ -131,6 +131,82 @@ TEST(Methods, ALimitOfTheSecondOneTakesNothingBack) {
   compare(d, {.kovacic_case = std::nullopt, .limit = "time limit"});
   EXPECT_EQ(d.group, known.group);
   EXPECT_EQ(d.undecided->why, Unable::Why::budget);
+}
+
+// Why an answer holds is asked by its values; no text is read.
+TEST(Why, IsAValue) {
+  const auto decided = [](const RationalFunction& r, Method method = Method::automatic) {
+    Options options;
+    options.method = method;
+    return decide({.r = r, .p = RationalFunction()}, options);
+  };
+  const Decision airy = decided(RationalFunction(z));
+  ASSERT_NE(airy.proof(), nullptr);
+  EXPECT_EQ(airy.proof()->argument, Argument::torus_no_line);
+  EXPECT_EQ(airy.proof()->kind, Trichotomy::irregular_or_irrational);
+  EXPECT_FALSE(airy.second_opinion || airy.third_opinion || airy.withdrawn);
+  const Decision both = decided(RationalFunction(z), Method::all);
+  EXPECT_EQ(both.second_opinion, 4);
+  ASSERT_TRUE(both.third_opinion);
+  EXPECT_TRUE(both.third_opinion->accepted);
+  // exponents beyond every degree limit: the formula, and what had stopped the engines
+  const Rational immense(pow(Integer(10), 21) + Integer(1), Integer(2));
+  const Decision far =
+      decided(RationalFunction(Poly(immense * immense - Rational(1, 4)) + z * z * Poly(-1), z * z));
+  const auto* formula = std::get_if<ByFormula>(&far.because);
+  ASSERT_NE(formula, nullptr) << reason(far);
+  EXPECT_EQ(formula->known.family, "Bessel");
+  ASSERT_TRUE(formula->engines);
+  EXPECT_EQ(formula->engines->why, Unable::Why::budget);
+}
+
+TEST(Why, AnAnswerThatWasTakenBackSaysByWhom) {
+  Decision d = decide({.r = RationalFunction(z), .p = RationalFunction()});
+  const Decision known = d;
+  compare(d, {.kovacic_case = 1, .limit = ""});
+  ASSERT_TRUE(d.withdrawn);
+  const auto* cases = std::get_if<MethodsDisagree>(&*d.withdrawn);
+  ASSERT_NE(cases, nullptr);
+  EXPECT_EQ(cases->engines, 4);
+  EXPECT_EQ(cases->kovacic, 1);
+  d = known;
+  take(d, {.json = "{}", .refusal = "step 'local': no", .limit = false});
+  ASSERT_TRUE(d.withdrawn);
+  const auto* refused = std::get_if<CertificateRefused>(&*d.withdrawn);
+  ASSERT_NE(refused, nullptr);
+  EXPECT_EQ(refused->found, known.group);
+}
+
+// y'' = r y is checked on the values; the texts say the same.
+TEST(Solutions, AreExactValues) {
+  const Poly z2 = z * z;
+  for (const RationalFunction& r :
+       {RationalFunction(z2 + Poly(3)), RationalFunction(Poly(2), z2), RationalFunction(0),
+        RationalFunction(Poly(Rational(3, 16)), z2), RationalFunction(Poly(5)),
+        RationalFunction(Poly(Rational(1)), z) - RationalFunction(Poly(Rational(3, 16)), z2)}) {
+    const Decision d = decide({.r = r, .p = RationalFunction()});
+    ASSERT_FALSE(d.solutions.empty()) << to_string(r);
+    const auto printed = printed_solutions(d, 0);
+    ASSERT_EQ(printed.size(), d.solutions.size());
+    for (std::size_t i = 0; i < printed.size(); ++i) {
+      const LiouvillianSolution& s = d.solutions[i];
+      EXPECT_EQ(s.exponential.has_value(), s.minimal_polynomial.empty());
+      EXPECT_EQ(printed[i].minimal_polynomial.size(), s.minimal_polynomial.size());
+      EXPECT_EQ(printed[i].y.empty(), !s.exponential);
+      if (!s.exponential) continue;
+      const RationalFunction omega = s.exponential->omega();
+      EXPECT_EQ(derivative(omega) + omega * omega, coerce(r, omega.field())) << printed[i].y;
+    }
+    EXPECT_THROW((void)printed_solutions(d, 1), OutOfBudget);
+  }
+}
+
+TEST(Solutions, ThatAreNotThereSayWhy) {
+  Options options;
+  options.want_solutions = false;
+  const Decision d = decide({.r = RationalFunction(Poly(5)), .p = RationalFunction()}, options);
+  ASSERT_TRUE(d.no_solutions);
+  EXPECT_EQ(d.no_solutions->why, SolutionsMissing::Why::not_asked_for);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "present_strata.hpp"
 #include "recognized.hpp"
 #include "strata/certificate.hpp"
+#include "verdict/words.hpp"
 
 #include <chrono>
 #include <exception>
@@ -53,8 +54,7 @@ std::string stopped(std::string_view early, const std::string& why, const std::s
     set_undecided(result, why, detail);
     return message(tag_undecided, result);
   }
-  result["no_solutions"] =
-      settings.solver_options().want_solutions ? detail : Decision::not_asked_for;
+  result["no_solutions"] = settings.wants_solutions() ? detail : to_string(SolutionsMissing{});
   Json open = result.at("undecided");
   if (early.front() == tag_undecided && open.is_null()) open = {{"why", why}, {"detail", detail}};
   if (!settings.certificate.empty() && certificate.empty() && !result.contains("no_certificate")) {
@@ -161,7 +161,8 @@ private:
   Json closed(const Decision& decision, const Json& recognized) const {
     Json open = open_;
     open.erase("original");
-    Json result = closed_result(std::move(open), decision, seconds_since(start_));
+    Json result = closed_result(std::move(open), decision, seconds_since(start_),
+                                settings_.max_print << 20, settings_.solver_options().budget);
     result["recognized"] = recognized;
     if (open_.contains("original")) {
       Json original = open_.at("original");

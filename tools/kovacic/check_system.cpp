@@ -8,6 +8,7 @@
 #include "integrability/parameters.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
+#include "verdict/words.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent
            : d.abelian == Truth::no ? ", not abelian"
                                     : ", abelian or not: undecided";
   put(out, "group", group, indent);
-  put(out, "because", d.reason, indent);
+  put(out, "because", reason(d), indent);
   Json steps = Json::object();
   put_trace(steps, d.trace);
   print_trace(out, steps);

@@ -5,6 +5,7 @@
 #include "recognized.hpp"
 #include "render.hpp"
 #include "symbol/suggest.hpp"
+#include "verdict/words.hpp"
 
 #include <sstream>
 
@@ -85,7 +86,7 @@ Report numbers(const Settings& settings, const LameQuestion& q) {
   j["abelian"] = abelian == Truth::yes ? "yes" : abelian == Truth::no ? "no" : "undecided";
   j["group"] = group ? group_json(*group) : Json(nullptr);
   j["closed_answer"] = closed_json(closed);
-  j["reason"] = d.reason;
+  j["reason"] = reason(d);
   std::ostringstream out;
   out << title(q, j);
   if (!q.constants.empty()) put(out, "where", q.constants);
@@ -95,7 +96,7 @@ Report numbers(const Settings& settings, const LameQuestion& q) {
                                  : "undecided")
       << '\n';
   put(out, "closed", closed.reason);
-  put(out, "engines", d.reason);
+  put(out, "engines", reason(d));
   put(out, "algebraic", "y'' = r y in x = wp(t), r = " + to_string(d.r, "x"));
   const bool decided = group && abelian != Truth::unknown;
   return {settings.exit_of(abelian, decided), out.str(), j};

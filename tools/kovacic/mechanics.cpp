@@ -4,6 +4,7 @@
 #include "present.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
+#include "verdict/words.hpp"
 
 #include <algorithm>
 #include <ostream>
@@ -32,7 +33,7 @@ Json json_of(const Decision& d) {
   j["identity_component"] = d.component ? Json(to_string(*d.component)) : Json(nullptr);
   j["abelian"] = yes_no(d.abelian);
   j["case"] = d.kovacic_case ? Json(*d.kovacic_case) : Json(nullptr);
-  j["reason"] = d.reason;
+  j["reason"] = reason(d);
   return j;
 }
 

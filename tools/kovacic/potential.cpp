@@ -6,6 +6,7 @@
 #include "mechanics.hpp"
 #include "recognized.hpp"
 #include "render.hpp"
+#include "verdict/words.hpp"
 
 #include <sstream>
 
@@ -95,7 +96,7 @@ Report one(const Settings& settings, const PotentialArguments& a, Report report)
   report.json["abelian"] = abelian ? "yes" : "no";
   report.json["group"] = group_json(*closed.group);
   report.json["reason"] = closed.reason;
-  report.json["engines"] = d.reason;
+  report.json["engines"] = reason(d);
   return report;
 }
 

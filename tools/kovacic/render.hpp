@@ -10,7 +10,8 @@ namespace kov::cli {
 struct Style {
   bool color = false;
   bool trace = false;
-  bool quiet = false; ///< the first lines only
+  bool quiet = false;    ///< the first lines only
+  bool solutions = true; ///< or why there are none
 };
 
 /// Answer first, then the reason, then what can be done next.

@@ -202,9 +202,8 @@ std::string text_of_result(const Json& result, const std::string& title, const S
       put(out, "this is", known);
   if (result.contains("original")) put_original(out, result.at("original"));
   put_solutions(out, result.at("solutions"));
-  if (const std::string none = result.value("no_solutions", Decision::not_asked_for);
-      none != Decision::not_asked_for)
-    put(out, "solutions", "not printed: " + none);
+  if (style.solutions && result.contains("no_solutions"))
+    put(out, "solutions", "not printed: " + result.at("no_solutions").get<std::string>());
   if (style.trace && result.contains("trace")) {
     out << "  steps\n";
     for (const Json& step : result.at("trace"))

@@ -2,6 +2,7 @@
 
 #include "galois/exponential_form.hpp"
 #include "recognized.hpp"
+#include "verdict/words.hpp"
 
 namespace kov::cli {
 
@@ -13,16 +14,31 @@ Json json_integer(const Integer& n) {
 
 namespace {
 
-Json solution(const Solution& s) {
-  Json j = {{"kind", s.kind}};
-  if (s.kind == "exponential") {
-    j["y"] = s.y;
-    j["omega"] = s.omega;
-  } else {
-    j["minimal_polynomial"] = s.minimal_polynomial;
-  }
+Json solution(const PrintedSolution& s) {
+  Json j;
+  if (s.minimal_polynomial.empty())
+    j = {{"kind", "exponential"}, {"y", s.y}, {"omega", s.omega}};
+  else
+    j = {{"kind", "minimal-polynomial"}, {"minimal_polynomial", s.minimal_polynomial}};
   if (!s.note.empty()) j["note"] = s.note;
   return j;
+}
+
+// Absent where nothing is known; all of them, or why there are none.
+void put_solutions(Json& j, const Decision& d, std::size_t most_bytes, const Budget& budget) {
+  if (d.no_solutions) {
+    j["no_solutions"] = to_string(*d.no_solutions);
+    return;
+  }
+  if (!d.group && d.solutions.empty()) return;
+  try {
+    Json all = Json::array();
+    for (const PrintedSolution& s : printed_solutions(d, most_bytes, budget))
+      all.push_back(solution(s));
+    j["solutions"] = std::move(all);
+  } catch (const OutOfBudget& limit) {
+    j["no_solutions"] = limit.what();
+  }
 }
 
 const char* text_of(Truth t) {
@@ -71,20 +87,15 @@ Json open_result(const Json& id, const GivenEquation& equation) {
   return j;
 }
 
-Json closed_result(Json open, const Decision& d, double seconds) {
+Json closed_result(Json open, const Decision& d, double seconds, std::size_t most_bytes,
+                   const Budget& budget) {
   Json j = std::move(open);
   if (d.group) j["group"] = group_json(*d.group);
   if (d.component) j["identity_component"] = to_string(*d.component);
   j["abelian"] = text_of(d.abelian);
   if (d.kovacic_case) j["case"] = *d.kovacic_case;
-  if (!d.no_solutions.empty()) {
-    j["no_solutions"] = d.no_solutions;
-  } else if (d.group || !d.solutions.empty()) {
-    j["solutions"] = Json::array();
-    for (const Solution& s : d.solutions)
-      j["solutions"].push_back(solution(s));
-  }
-  j["reason"] = d.reason;
+  put_solutions(j, d, most_bytes, budget);
+  j["reason"] = reason(d);
   if (d.undecided)
     j["undecided"] = {{"why", name_of(d.undecided->why)}, {"detail", d.undecided->detail}};
   j["seconds"] = seconds;

@@ -15,8 +15,10 @@ using Json = nlohmann::ordered_json;
 
 /// Everything that is known before the solver runs; what it will find is null.
 [[nodiscard]] Json open_result(const Json& id, const GivenEquation& equation);
-/// The whole answer from the open result.  `seconds` is the time of reading and deciding.
-[[nodiscard]] Json closed_result(Json open, const Decision& decision, double seconds);
+/// The whole answer from the open result.  `seconds` is the time of reading and deciding;
+/// solutions of more than `most_bytes` are not printed (0: no limit).
+[[nodiscard]] Json closed_result(Json open, const Decision& decision, double seconds,
+                                 std::size_t most_bytes, const Budget& budget);
 /// The answer for an equation that could not even be read within the limits.
 [[nodiscard]] Json unread_result(const Json& id);
 /// Marks a result as undecided.  why: "budget", "parameter", "not-implemented", "inexact"

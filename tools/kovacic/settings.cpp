@@ -25,8 +25,7 @@ Options Settings::solver_options() const {
   if (method == "all") o.method = Method::all;
   if (only_case != 0) o.only_case = only_case;
   o.want_trace = trace;
-  o.want_solutions = !quiet && !exit_verdict;
-  o.max_printed = max_print << 20;
+  o.want_solutions = wants_solutions();
   o.want_certificate = !certificate.empty();
   return o;
 }
@@ -57,7 +56,10 @@ bool Settings::colors(int descriptor) const {
 }
 
 Style Settings::style() const {
-  return {.color = output.empty() && colors(STDOUT_FILENO), .trace = trace, .quiet = quiet};
+  return {.color = output.empty() && colors(STDOUT_FILENO),
+          .trace = trace,
+          .quiet = quiet,
+          .solutions = wants_solutions()};
 }
 
 std::vector<std::pair<std::string, Expression>> Settings::settings() const {
