@@ -95,11 +95,12 @@ std::optional<MFraction> parametrization(const MPoly& core, const MFraction& w,
 // What is left when r is not a function of z: in one sentence, and the way out if there is one.
 ChangeFailure what_is_left(const FunctionField& f, const FunctionField::Element& r, std::size_t z,
                            const MFraction& phi) {
-  const auto minimal = f.algebra().minimal_polynomial(r);
+  const auto quadratic = f.algebra().minimal_polynomial(r, 2);
   ChangeFailure failure{"z = " + to_string(phi) + " does not rationalize the equation: r is " +
-                        "algebraic of degree " + std::to_string(minimal.size() - 1) +
+                        "algebraic of degree " + (quadratic ? "2" : "3 or more") +
                         " over the rational functions of z: r = " + brief(f.lift(r))};
-  if (minimal.size() != 3) return failure;
+  if (!quadratic) return failure;
+  const auto& minimal = *quadratic;
   // (2 r + c1)^2 = c1^2 - 4 c0
   const MFraction discriminant = minimal[1] * minimal[1] - Rational(4) * minimal[0];
   const auto [square, core] = split_squares(discriminant);

@@ -19,6 +19,7 @@ struct Budget {
 
   long max_degree = 100000;    ///< largest degree of a polynomial unknown
   long max_families = 1000000; ///< largest number of families that one case may look at
+  double max_work = 1e8;       ///< products of terms in one search among polynomials (work.hpp)
   std::optional<Clock::time_point> deadline;
   double seconds = 0; ///< what the deadline was made from, for the message
   std::stop_token stop;
@@ -38,9 +39,12 @@ struct Budget {
     if (deadline && Clock::now() > *deadline) throw OutOfBudget(time_limit(seconds));
   }
   [[nodiscard]] static std::string time_limit(double seconds) {
+    return "time limit of " + number(seconds) + " s reached";
+  }
+  [[nodiscard]] static std::string number(double x) {
     char text[40];
-    std::snprintf(text, sizeof text, "%.10g", seconds);
-    return "time limit of " + std::string(text) + " s reached";
+    std::snprintf(text, sizeof text, "%.10g", x);
+    return text;
   }
   /// Throws OutOfBudget for a degree above max_degree.
   void check_degree(long degree) const {

@@ -1,6 +1,9 @@
 #include "exact/finite_algebra.hpp"
 
 #include "exact/error.hpp"
+#include "exact/flint.hpp"
+
+#include <random>
 
 namespace kov {
 
@@ -22,6 +25,22 @@ FiniteAlgebra::Element scale(const FiniteAlgebra::Element& a, const MFraction& c
     entry *= c;
   return r;
 }
+namespace {
+
+// a <- a + c b
+void add_multiple(FiniteAlgebra::Element& a, const MFraction& c, const FiniteAlgebra::Element& b,
+                  Work& work) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (is_zero(b[i])) continue;
+    work.add(c, b[i]);
+    const MFraction product = c * b[i];
+    work.add(a[i], product);
+    a[i] += product;
+  }
+}
+
+} // namespace
+
 bool is_zero(const FiniteAlgebra::Element& a) {
   for (const auto& entry : a)
     if (!is_zero(entry)) return false;
@@ -72,9 +91,13 @@ const FiniteAlgebra::Element& FiniteAlgebra::product_of_basis(std::size_t i, std
 
 FiniteAlgebra::Element FiniteAlgebra::multiply(const Element& a, const Element& b) const {
   Element sum = zero();
+  Work work(ideal_.budget(), "a product in the function field of the curve");
   for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b.size(); ++j)
-      if (!is_zero(a[i]) && !is_zero(b[j])) sum = sum + scale(product_of_basis(i, j), a[i] * b[j]);
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      if (is_zero(a[i]) || is_zero(b[j])) continue;
+      work.add(a[i], b[j]);
+      add_multiple(sum, a[i] * b[j], product_of_basis(i, j), work);
+    }
   return sum;
 }
 
@@ -89,7 +112,7 @@ std::optional<FiniteAlgebra::Element> FiniteAlgebra::invert(const Element& a) co
       m[i][j] = column[i];
   }
   Element one = constant(MFraction(ring(), Rational(1)));
-  auto x = solve_linear(std::move(m), one);
+  auto x = solve_linear(std::move(m), one, ideal_.budget());
   // In a finite algebra a x = 1 has a solution exactly when a is a unit.
   if (!x) return std::nullopt;
   KOV_ENSURE(multiply(a, *x) == one);
@@ -122,28 +145,32 @@ MFraction FiniteAlgebra::lift(const Element& a) const {
   return ideal_.from_kpoly(f);
 }
 
-std::vector<MFraction> FiniteAlgebra::minimal_polynomial(const Element& a) const {
+std::optional<std::vector<MFraction>> FiniteAlgebra::minimal_polynomial(const Element& a,
+                                                                        std::size_t most) const {
   std::vector<Element> powers{constant(MFraction(ring(), Rational(1)))};
-  while (true) {
+  while (powers.size() <= most) {
     const Element next = multiply(powers.back(), a);
     std::vector<std::vector<MFraction>> rows(basis_.size());
     for (std::size_t i = 0; i < basis_.size(); ++i)
       for (const auto& p : powers)
         rows[i].push_back(p[i]);
-    if (auto x = solve_linear(rows, next)) {
+    if (auto x = solve_linear(std::move(rows), next, ideal_.budget())) {
       for (auto& c : *x)
         c = -c;
       x->push_back(MFraction(ring(), Rational(1)));
-      return *std::move(x);
+      return x;
     }
     powers.push_back(next);
   }
+  return std::nullopt;
 }
 
 namespace {
 
 // Gauss-Jordan on the first `columns` columns; returns the pivot column of each leading row.
-std::vector<std::size_t> row_reduce(std::vector<std::vector<MFraction>>& m, std::size_t columns) {
+std::vector<std::size_t> row_reduce(std::vector<std::vector<MFraction>>& m, std::size_t columns,
+                                    const Budget& budget) {
+  Work work(budget, "a system of linear equations");
   std::vector<std::size_t> pivots;
   for (std::size_t c = 0; c < columns && pivots.size() < m.size(); ++c) {
     const std::size_t top = pivots.size();
@@ -156,28 +183,64 @@ std::vector<std::size_t> row_reduce(std::vector<std::vector<MFraction>>& m, std:
     if (best == m.size()) continue;
     std::swap(m[top], m[best]);
     const MFraction pivot = m[top][c];
-    for (auto& entry : m[top])
+    for (auto& entry : m[top]) {
+      work.add(entry, pivot);
       entry = entry / pivot;
+    }
     for (std::size_t r = 0; r < m.size(); ++r) {
       if (r == top || is_zero(m[r][c])) continue;
-      const MFraction factor = m[r][c];
-      for (std::size_t k = c; k < m[r].size(); ++k)
-        m[r][k] -= factor * m[top][k];
+      const MFraction factor = -m[r][c];
+      add_multiple(m[r], factor, m[top], work); // columns before c are 0 in the pivot's row
     }
     pivots.push_back(c);
   }
   return pivots;
 }
 
+// The value of f at a point modulo a prime; unset where its denominator vanishes.
+std::optional<ulong> value_at(const MFraction& f, const std::vector<ulong>& point, nmod_t mod) {
+  if (is_zero(f)) return 0;
+  const auto value = [&](const MPoly& g) {
+    return fmpz_mpoly_evaluate_all_nmod(g.raw(), point.data(), g.ctx(), mod);
+  };
+  const ulong den = value(f.den());
+  if (den == 0) return std::nullopt;
+  return nmod_div(value(f.num()), den, mod);
+}
+
+// A minor that is not 0 at some point modulo a prime is not 0.
+bool full_rank_at_a_point(const std::vector<std::vector<MFraction>>& m, std::size_t columns,
+                          const Ring& ring) {
+  if (m.size() < columns || columns == 0) return false;
+  nmod_t mod;
+  nmod_init(&mod, 2147483629UL);
+  std::mt19937_64 generator(20240501);
+  std::vector<ulong> point(ring->size());
+  for (ulong& x : point)
+    x = generator() % mod.n;
+  nmod_mat_t values;
+  nmod_mat_init(values, static_cast<slong>(m.size()), static_cast<slong>(columns), mod.n);
+  bool defined = true;
+  for (std::size_t r = 0; r < m.size() && defined; ++r)
+    for (std::size_t c = 0; c < columns && defined; ++c) {
+      const auto x = value_at(m[r][c], point, mod);
+      defined = x.has_value();
+      if (defined) nmod_mat_entry(values, r, c) = *x;
+    }
+  const bool full = defined && nmod_mat_rank(values) == static_cast<slong>(columns);
+  nmod_mat_clear(values);
+  return full;
+}
+
 } // namespace
 
 std::optional<std::vector<MFraction>> solve_linear(std::vector<std::vector<MFraction>> m,
-                                                   std::vector<MFraction> b) {
+                                                   std::vector<MFraction> b, const Budget& budget) {
   KOV_ENSURE(m.size() == b.size());
   const std::size_t columns = m.empty() ? 0 : m.front().size();
   for (std::size_t r = 0; r < m.size(); ++r)
     m[r].push_back(b[r]);
-  const auto pivots = row_reduce(m, columns);
+  const auto pivots = row_reduce(m, columns, budget);
   for (std::size_t r = pivots.size(); r < m.size(); ++r)
     if (!is_zero(m[r].back())) return std::nullopt;
   std::vector<MFraction> x(columns);
@@ -187,8 +250,10 @@ std::optional<std::vector<MFraction>> solve_linear(std::vector<std::vector<MFrac
 }
 
 std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction>> m,
-                                               std::size_t columns, const Ring& ring) {
-  const auto pivots = row_reduce(m, columns);
+                                               std::size_t columns, const Ring& ring,
+                                               const Budget& budget) {
+  if (full_rank_at_a_point(m, columns, ring)) return {};
+  const auto pivots = row_reduce(m, columns, budget);
   std::vector<std::vector<MFraction>> basis;
   for (std::size_t c = 0, r = 0; c < columns; ++c) {
     if (r < pivots.size() && pivots[r] == c) {

@@ -46,8 +46,14 @@ public:
   [[nodiscard]] std::optional<MFraction> in_base_field(const Element& a) const;
   /// The element written in the main variables.
   [[nodiscard]] MFraction lift(const Element& a) const;
-  /// Coefficients of the minimal polynomial of a over k, ascending, monic.
-  [[nodiscard]] std::vector<MFraction> minimal_polynomial(const Element& a) const;
+  /// Coefficients of the minimal polynomial of a over k, ascending, monic; nothing if its degree is
+  /// above `most`.
+  /// Cost  the numbers grow fast with the degree: say `most` where a small one is meant
+  [[nodiscard]] std::optional<std::vector<MFraction>> minimal_polynomial(const Element& a,
+                                                                         std::size_t most) const;
+  [[nodiscard]] std::vector<MFraction> minimal_polynomial(const Element& a) const {
+    return *minimal_polynomial(a, dimension());
+  }
 
 private:
   [[nodiscard]] Element coordinates(const KPoly& f) const;
@@ -68,11 +74,15 @@ private:
 [[nodiscard]] bool is_zero(const FiniteAlgebra::Element& a);
 
 /// A solution x of the square or rectangular system m x = b over Q(x1, ..., xn); rows of equal
-/// length. Unset if there is none.  Free unknowns are 0.
+/// length. Unset if there is none.  Free unknowns are 0.   Errors  OutOfBudget
 [[nodiscard]] std::optional<std::vector<MFraction>>
-solve_linear(std::vector<std::vector<MFraction>> m, std::vector<MFraction> b);
+solve_linear(std::vector<std::vector<MFraction>> m, std::vector<MFraction> b,
+             const Budget& budget = {});
 /// A basis of {x : m x = 0} over the fractions of `ring`; a matrix without rows has `columns` too.
+/// Cost    full rank is usually seen at one point modulo a prime, which proves it
+/// Errors  OutOfBudget
 [[nodiscard]] std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction>> m,
-                                                             std::size_t columns, const Ring& ring);
+                                                             std::size_t columns, const Ring& ring,
+                                                             const Budget& budget = {});
 
 } // namespace kov

@@ -41,13 +41,17 @@ Monomial lcm(const Monomial& a, const Monomial& b) {
 const Monomial& lead(const KPoly& f) { return f.begin()->first; }
 
 // f <- f - c x^m g
-void subtract_multiple(KPoly& f, const MFraction& c, const Monomial& m, const KPoly& g) {
+void subtract_multiple(KPoly& f, const MFraction& c, const Monomial& m, const KPoly& g,
+                       Work& work) {
   for (const auto& [n, coefficient] : g) {
+    work.add(c, coefficient);
     Monomial product(n);
     for (std::size_t i = 0; i < product.size(); ++i)
       product[i] += m[i];
     const auto [place, fresh] = f.try_emplace(std::move(product));
-    place->second = place->second - c * coefficient;
+    const MFraction product_of_coefficients = c * coefficient;
+    work.add(place->second, product_of_coefficients);
+    place->second = place->second - product_of_coefficients;
     if (is_zero(place->second)) f.erase(place);
   }
 }
@@ -79,7 +83,7 @@ bool MonomialOrder::operator()(const Monomial& a, const Monomial& b) const {
 
 Ideal::Ideal(Ring ring, std::vector<std::size_t> main, const std::vector<MPoly>& generators,
              const std::vector<MPoly>& nonzero, const Budget& budget)
-    : ring_(std::move(ring)), main_(std::move(main)) {
+    : ring_(std::move(ring)), main_(std::move(main)), budget_(budget) {
   if (std::set<std::size_t>(main_.begin(), main_.end()).size() != main_.size())
     throw InvalidArgument("a main variable of an ideal is repeated");
   MPoly product(ring_, Integer(1));
@@ -105,7 +109,7 @@ Ideal::Ideal(Ring ring, std::vector<std::size_t> main, const std::vector<MPoly>&
     relation.emplace(one(), MFraction(ring_, Rational(-1)));
     start.push_back(std::move(relation));
   }
-  buchberger(std::move(start), budget);
+  buchberger(std::move(start));
   if (!saturate) return;
   extra_ = 0; // keep what does not use t
   std::vector<KPoly> kept;
@@ -173,7 +177,7 @@ void Ideal::note_inverted(const MFraction& c) {
 }
 
 // The remainder with respect to basis_, whose elements are monic.
-KPoly Ideal::divide(KPoly f) const {
+KPoly Ideal::divide(KPoly f, Work& work) const {
   KPoly rest(MonomialOrder{extra_});
   while (!f.empty()) {
     const auto top = f.begin();
@@ -185,12 +189,13 @@ KPoly Ideal::divide(KPoly f) const {
     }
     const MFraction c = top->second;
     const Monomial m = quotient(top->first, lead(*divisor));
-    subtract_multiple(f, c, m, *divisor);
+    subtract_multiple(f, c, m, *divisor, work);
   }
   return rest;
 }
 
-void Ideal::buchberger(std::vector<KPoly> generators, const Budget& budget) {
+void Ideal::buchberger(std::vector<KPoly> generators) {
+  Work work(budget_, "a Gröbner basis");
   struct Pair {
     std::size_t i, j;
     Monomial l;
@@ -200,8 +205,10 @@ void Ideal::buchberger(std::vector<KPoly> generators, const Budget& budget) {
   const auto add = [&](KPoly f) {
     const MFraction c = f.begin()->second;
     note_inverted(c);
-    for (auto& [m, coefficient] : f)
+    for (auto& [m, coefficient] : f) {
+      work.add(coefficient, c);
       coefficient = coefficient / c;
+    }
     for (std::size_t i = 0; i < basis_.size(); ++i)
       if (!coprime(lead(basis_[i]), lead(f)))
         pairs.push_back({i, basis_.size(), lcm(lead(basis_[i]), lead(f))});
@@ -210,9 +217,9 @@ void Ideal::buchberger(std::vector<KPoly> generators, const Budget& budget) {
   std::sort(generators.begin(), generators.end(),
             [&](const KPoly& a, const KPoly& b) { return order(lead(b), lead(a)); });
   for (auto& g : generators)
-    if (KPoly f = divide(std::move(g)); !f.empty()) add(std::move(f));
+    if (KPoly f = divide(std::move(g), work); !f.empty()) add(std::move(f));
   while (!pairs.empty()) {
-    budget.check();
+    work.add(static_cast<double>(pairs.size()));
     // normal strategy: the smallest least common multiple first
     const auto next = std::min_element(
         pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return order(b.l, a.l); });
@@ -220,15 +227,15 @@ void Ideal::buchberger(std::vector<KPoly> generators, const Budget& budget) {
     pairs.erase(next);
     KPoly s(order);
     const MFraction unit(ring_, Rational(1));
-    subtract_multiple(s, -unit, quotient(pair.l, lead(basis_[pair.i])), basis_[pair.i]);
-    subtract_multiple(s, unit, quotient(pair.l, lead(basis_[pair.j])), basis_[pair.j]);
-    if (KPoly f = divide(std::move(s)); !f.empty()) add(std::move(f));
+    subtract_multiple(s, -unit, quotient(pair.l, lead(basis_[pair.i])), basis_[pair.i], work);
+    subtract_multiple(s, unit, quotient(pair.l, lead(basis_[pair.j])), basis_[pair.j], work);
+    if (KPoly f = divide(std::move(s), work); !f.empty()) add(std::move(f));
   }
-  minimise();
+  minimise(work);
 }
 
 // The reduced Gröbner basis, sorted ascending by leading monomial.
-void Ideal::minimise() {
+void Ideal::minimise(Work& work) {
   std::vector<KPoly> all = std::move(basis_);
   basis_.clear();
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -250,7 +257,7 @@ void Ideal::minimise() {
     auto top = f.extract(f.begin());
     const KPoly hold = std::move(basis_[i]);
     basis_.erase(basis_.begin() + static_cast<long>(i));
-    KPoly rest = divide(std::move(f));
+    KPoly rest = divide(std::move(f), work);
     rest.insert(std::move(top));
     basis_.insert(basis_.begin() + static_cast<long>(i), std::move(rest));
   }
@@ -258,17 +265,20 @@ void Ideal::minimise() {
             [](const MPoly& a, const MPoly& b) { return compare(a, b) < 0; });
 }
 
-KPoly Ideal::reduce(const MFraction& f) const { return divide(to_kpoly(f)); }
+KPoly Ideal::reduce(const MFraction& f) const {
+  Work work(budget_, "a reduction modulo an ideal");
+  return divide(to_kpoly(f), work);
+}
 bool Ideal::contains(const MPoly& f) const { return reduce(f).empty(); }
 MFraction Ideal::normal_form(const MFraction& f) const { return from_kpoly(reduce(f)); }
 
-bool Ideal::vanishes(const MPoly& f, const Budget& budget) const {
+bool Ideal::vanishes(const MPoly& f) const {
   const MFraction reduced = normal_form(MFraction(f));
   if (is_zero(reduced)) return true;
   if (is_constant(f)) return is_unit();
   if (is_unit()) return true;
-  if (nonzero_on_a_fibre(reduced, budget)) return false;
-  return Ideal(ring_, main_, numerators(*this), {reduced.num()}, budget).is_unit();
+  if (nonzero_on_a_fibre(reduced)) return false;
+  return Ideal(ring_, main_, numerators(*this), {reduced.num()}, budget_).is_unit();
 }
 
 // Over K(U), U a largest independent set, the algebra A = K(U)[other variables]/I has finite
@@ -276,13 +286,13 @@ bool Ideal::vanishes(const MPoly& f, const Budget& budget) const {
 // so that at a point where these are defined A becomes an algebra over Q with the same basis, and a
 // nilpotent f becomes nilpotent.  So one point where f is not nilpotent shows that f does not
 // vanish.
-bool Ideal::nonzero_on_a_fibre(const MFraction& f, const Budget& budget) const {
+bool Ideal::nonzero_on_a_fibre(const MFraction& f) const {
   const auto independent = independent_variables();
   std::vector<std::size_t> rest;
   for (const std::size_t i : main_)
     if (std::find(independent.begin(), independent.end(), i) == independent.end())
       rest.push_back(i);
-  const Ideal generic(ring_, rest, numerators(*this), {}, budget);
+  const Ideal generic(ring_, rest, numerators(*this), {}, budget_);
   if (generic.dimension() != 0) return false;
   const MFraction g = generic.normal_form(MFraction(f.num()));
   std::mt19937 generator(31);
@@ -296,7 +306,7 @@ bool Ideal::nonzero_on_a_fibre(const MFraction& f, const Budget& budget) const {
       std::vector<MPoly> fibre;
       for (const auto& b : generic.basis_)
         fibre.push_back(substitute(generic.from_kpoly(b), point).num());
-      const Ideal special(ring_, rest, fibre, {}, budget);
+      const Ideal special(ring_, rest, fibre, {}, budget_);
       MFraction power = special.normal_form(substitute(g, point));
       const std::size_t size = special.standard_monomials().size();
       for (std::size_t e = 1; e < size && !is_zero(power); e *= 2)
@@ -318,8 +328,10 @@ using Support = std::vector<std::size_t>;
 
 // The largest subset of `kept` that contains no support whole: some variable of each must go.
 void largest_independent(const std::vector<Support>& supports, std::vector<bool>& kept,
-                         std::size_t size, std::vector<bool>& best, std::size_t& best_size) {
+                         std::size_t size, std::vector<bool>& best, std::size_t& best_size,
+                         Work& work) {
   if (size <= best_size) return;
+  work.add(static_cast<double>(supports.size()));
   const auto whole = std::find_if(supports.begin(), supports.end(), [&](const Support& s) {
     return std::all_of(s.begin(), s.end(), [&](std::size_t i) { return kept[i]; });
   });
@@ -330,7 +342,7 @@ void largest_independent(const std::vector<Support>& supports, std::vector<bool>
   }
   for (const std::size_t i : *whole) {
     kept[i] = false;
-    largest_independent(supports, kept, size - 1, best, best_size);
+    largest_independent(supports, kept, size - 1, best, best_size, work);
     kept[i] = true;
   }
 }
@@ -352,7 +364,8 @@ std::vector<std::size_t> Ideal::independent_variables() const {
   std::vector<bool> kept(n, true);
   std::vector<bool> best(n, false);
   std::size_t best_size = 0;
-  largest_independent(supports, kept, n, best, best_size);
+  Work work(budget_, "a largest independent set of variables");
+  largest_independent(supports, kept, n, best, best_size, work);
   std::vector<std::size_t> variables;
   for (std::size_t i = 0; i < n; ++i)
     if (best[i]) variables.push_back(main_[i]);
@@ -363,7 +376,9 @@ std::vector<Monomial> Ideal::standard_monomials() const {
   KOV_ENSURE(dimension() == 0);
   std::set<Monomial, MonomialOrder> found(MonomialOrder{0});
   std::vector<Monomial> queue{one()};
+  Work work(budget_, "the monomials outside an ideal");
   while (!queue.empty()) {
+    work.add(static_cast<double>((1 + basis_.size()) * main_.size()));
     Monomial m = std::move(queue.back());
     queue.pop_back();
     const bool standard = std::none_of(basis_.begin(), basis_.end(),

@@ -13,8 +13,7 @@
 //
 // Source  [CoxLittleOShea2007] 2.6-2.9 (Buchberger's algorithm and its criteria), 4.2, 4.4, 5.3
 
-#include "exact/budget.hpp"
-#include "exact/multivariate.hpp"
+#include "exact/work.hpp"
 
 #include <cstdint>
 #include <map>
@@ -45,13 +44,15 @@ using KPoly = std::map<Monomial, MFraction, MonomialOrder>;
 /// Example Ideal(ring, {0, 1}, {x*x}).vanishes(x)  // -> yes
 class Ideal {
 public:
-  /// The ideal of `generators`, saturated by the product of `nonzero`.
+  /// The ideal of `generators`, saturated by the product of `nonzero`.  Every search in it, now and
+  /// later, obeys the budget.
   /// Errors  InvalidArgument if a main variable is repeated; OutOfBudget
   Ideal(Ring ring, std::vector<std::size_t> main, const std::vector<MPoly>& generators,
         const std::vector<MPoly>& nonzero = {}, const Budget& budget = {});
 
   [[nodiscard]] const Ring& ring() const noexcept { return ring_; }
   [[nodiscard]] const std::vector<std::size_t>& main() const noexcept { return main_; }
+  [[nodiscard]] const Budget& budget() const noexcept { return budget_; }
   [[nodiscard]] const std::vector<KPoly>& basis() const noexcept { return basis_; }
   [[nodiscard]] bool is_zero_ideal() const noexcept { return basis_.empty(); }
   [[nodiscard]] bool is_unit() const; ///< 1 in I: the variety is empty
@@ -65,13 +66,14 @@ public:
   /// f = 0 at every point of V(I) (radical membership).
   /// Cost  membership first; then one fibre over a random point of a largest independent set of
   ///       variables, which usually decides "no"; the general test last
-  [[nodiscard]] bool vanishes(const MPoly& f, const Budget& budget = {}) const;
+  [[nodiscard]] bool vanishes(const MPoly& f) const;
 
   /// Dimension of V(I) over the algebraic closure of k; -1 if it is empty.
   [[nodiscard]] int dimension() const;
   /// A largest set of main variables that is algebraically independent modulo I.
   [[nodiscard]] std::vector<std::size_t> independent_variables() const;
   /// The monomials outside the leading ideal, ascending.  Requires dimension() == 0.
+  /// Errors  OutOfBudget
   [[nodiscard]] std::vector<Monomial> standard_monomials() const;
 
   /// What was inverted in k on the way: polynomials in the parameters, irreducible, sorted.
@@ -82,14 +84,15 @@ public:
 
 private:
   void note_inverted(const MFraction& c);
-  [[nodiscard]] bool nonzero_on_a_fibre(const MFraction& f, const Budget& budget) const;
-  [[nodiscard]] KPoly divide(KPoly f) const;
-  void buchberger(std::vector<KPoly> generators, const Budget& budget);
-  void minimise();
+  [[nodiscard]] bool nonzero_on_a_fibre(const MFraction& f) const;
+  [[nodiscard]] KPoly divide(KPoly f, Work& work) const;
+  void buchberger(std::vector<KPoly> generators);
+  void minimise(Work& work);
   [[nodiscard]] Monomial one() const;
 
   Ring ring_;
   std::vector<std::size_t> main_;
+  Budget budget_;
   std::size_t extra_ = 0; ///< 1 while the variable t of the saturation is present
   std::vector<KPoly> basis_;
   std::vector<MPoly> inverted_;

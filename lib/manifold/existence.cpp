@@ -99,7 +99,8 @@ std::string unchecked_functions(const VectorField& v, const InvariantManifold& m
   for (const FunctionSymbol& f : v.functions)
     if (!among(free, f.variable)) others.push_back(f.variable);
   // algebraic over the coordinates and the free ones: every point is one of a branch
-  if (others.empty() || Ideal(v.ring, others, v.relations).dimension() == 0) return {};
+  if (others.empty() || Ideal(v.ring, others, v.relations, {}, m.curve->budget()).dimension() == 0)
+    return {};
   std::string names;
   for (const std::size_t i : others)
     if (among(m.curve->main(), i)) names += (names.empty() ? "" : ", ") + v.ring->name(i);

@@ -41,11 +41,20 @@ std::vector<std::uint32_t> masks(const MPoly& f, const std::vector<std::size_t>&
   return {all.begin(), all.end()};
 }
 
+constexpr std::size_t most_for_subspaces = 16;  // 2^n subsets
+constexpr std::size_t most_for_involutions = 8; // about n! / (n/2)! pairings with signs
+
+void require_few(const char* what, std::size_t n, std::size_t most) {
+  if (n > most)
+    throw OutOfBudget(std::string(what) + " are looked for among at most " + std::to_string(most) +
+                      " variables, here are " + std::to_string(n));
+}
+
 std::vector<FoundManifold> coordinate_subspaces(const VectorField& v, const Extended& x,
                                                 const Budget& budget) {
   std::vector<FoundManifold> found;
   const std::size_t n = x.variables.size();
-  if (n > 16) return found;
+  require_few("coordinate subspaces", n, most_for_subspaces);
   std::vector<std::vector<std::uint32_t>> num, den;
   for (const auto& c : x.components) {
     num.push_back(masks(c.num(), x.variables));
@@ -178,7 +187,7 @@ std::vector<FoundManifold> fixed_sets(const VectorField& v, const Extended& x,
                                       const Budget& budget) {
   std::vector<FoundManifold> found;
   const std::size_t n = x.variables.size();
-  if (n > 8) return found;
+  require_few("fixed sets of involutions", n, most_for_involutions);
   Involution s{std::vector<std::size_t>(n), std::vector<int>(n, 0)};
   std::vector<Involution> all;
   involutions(0, s, all);
@@ -282,35 +291,76 @@ Substitution solve(const FoundManifold& m) {
 
 } // namespace
 
-std::vector<FoundManifold> find_manifolds(const VectorField& v,
-                                          const std::vector<MFraction>& integrals,
-                                          const Budget& budget) {
-  const Extended x = extend(v);
-  std::vector<FoundManifold> all = coordinate_subspaces(v, x, budget);
-  for (auto& m : fixed_sets(v, x, budget))
-    all.push_back(std::move(m));
-  for (auto& m : lines(v))
-    all.push_back(std::move(m));
-  std::vector<FoundManifold> proved;
-  std::set<std::string> seen;
-  for (auto& m : all) {
+namespace {
+
+std::string equations_of(const FoundManifold& m) {
+  std::string text;
+  for (const auto& e : m.equations)
+    text += (text.empty() ? "" : ", ") + e.text;
+  return text;
+}
+
+/// Collects what is proved, and the limits that were met.
+class Prover {
+public:
+  Prover(const VectorField& v, const std::vector<MFraction>& integrals, const Budget& budget)
+      : v_(v), integrals_(integrals), budget_(budget) {}
+
+  template <class Search> void look(Search search) {
+    std::vector<FoundManifold> all;
+    try {
+      all = search();
+    } catch (const OutOfBudget& limit) {
+      result_.left_out.emplace_back(limit.what());
+    }
+    for (auto& m : all)
+      try {
+        prove(m);
+      } catch (const OutOfBudget& limit) {
+        result_.left_out.push_back(equations_of(m) + ": " + limit.what());
+      }
+  }
+  FoundManifolds result() && { return std::move(result_); }
+
+private:
+  void prove(FoundManifold& m) {
+    budget_.check();
     std::vector<MPoly> generators;
     for (const auto& e : m.equations)
       generators.push_back(e.difference.num());
-    const Ideal ideal = relation_ideal(v, generators);
-    if (ideal.is_unit() || pole_along(v, ideal) || invariance_failure(v, m.equations, ideal))
-      continue;
+    const Ideal ideal = relation_ideal(v_, generators, {}, budget_);
+    if (ideal.is_unit() || pole_along(v_, ideal) || invariance_failure(v_, m.equations, ideal))
+      return;
     std::string key;
     for (const auto& g : ideal.basis())
       key += to_string(ideal.from_kpoly(g)) + ";";
-    if (!seen.insert(key).second) continue;
+    if (!seen_.insert(key).second) return;
     m.dimension = ideal.dimension();
-    if (m.dimension == 0) continue;
-    m.equilibria = std::all_of(v.components.begin(), v.components.end(),
+    if (m.dimension == 0) return;
+    m.equilibria = std::all_of(v_.components.begin(), v_.components.end(),
                                [&](const MFraction& c) { return is_zero_modulo(c, ideal); });
-    m.integrals = independent_integrals(v, integrals, solve(m));
-    proved.push_back(std::move(m));
+    m.integrals = independent_integrals(v_, integrals_, solve(m));
+    result_.proved.push_back(std::move(m));
   }
+
+  const VectorField& v_;
+  const std::vector<MFraction>& integrals_;
+  const Budget& budget_;
+  std::set<std::string> seen_;
+  FoundManifolds result_;
+};
+
+} // namespace
+
+FoundManifolds find_manifolds(const VectorField& v, const std::vector<MFraction>& integrals,
+                              const Budget& budget) {
+  const Extended x = extend(v);
+  Prover prover(v, integrals, budget);
+  prover.look([&] { return coordinate_subspaces(v, x, budget); });
+  prover.look([&] { return fixed_sets(v, x, budget); });
+  prover.look([&] { return lines(v); });
+  FoundManifolds found = std::move(prover).result();
+  auto& proved = found.proved;
   std::stable_sort(proved.begin(), proved.end(),
                    [](const FoundManifold& a, const FoundManifold& b) {
                      const auto rank = [](const FoundManifold& m) {
@@ -318,7 +368,7 @@ std::vector<FoundManifold> find_manifolds(const VectorField& v,
                      };
                      return rank(a) < rank(b);
                    });
-  return proved;
+  return found;
 }
 
 } // namespace kov

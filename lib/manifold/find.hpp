@@ -25,10 +25,16 @@ struct FoundManifold {
   [[nodiscard]] int leaf_dimension() const noexcept { return dimension - integrals; }
 };
 
-/// Shape  those with leaf dimension 1 first, then by dimension; sets of equilibria last
+struct FoundManifolds {
+  /// Those with leaf dimension 1 first, then by dimension; sets of equilibria last.
+  std::vector<FoundManifold> proved;
+  std::vector<std::string> left_out; ///< searches and sets that a limit left out, as sentences
+};
+
 /// Cost   2^n subsets of n variables (n <= 16), involutions for n <= 8
-[[nodiscard]] std::vector<FoundManifold> find_manifolds(const VectorField& v,
-                                                        const std::vector<MFraction>& integrals,
-                                                        const Budget& budget = {});
+/// Errors none of limits: what was proved before one is returned, with the limit
+[[nodiscard]] FoundManifolds find_manifolds(const VectorField& v,
+                                            const std::vector<MFraction>& integrals,
+                                            const Budget& budget = {});
 
 } // namespace kov

@@ -75,6 +75,18 @@ bool InvariantManifold::vanishes_on_curve(const MFraction& f) const {
   return is_zero_modulo(f, *curve);
 }
 
+std::vector<MPoly> factors_on_components(const InvariantManifold& m) {
+  for (const KPoly& g : m.curve->basis()) {
+    std::vector<MPoly> bases;
+    for (MFactor& f : factor(m.curve->from_kpoly(g).num()).second)
+      bases.push_back(std::move(f.base));
+    if (bases.size() > 1 && std::none_of(bases.begin(), bases.end(),
+                                         [&](const MPoly& f) { return m.curve->vanishes(f); }))
+      return bases;
+  }
+  return {};
+}
+
 std::optional<ManifoldFailure> invariance_failure(const VectorField& v,
                                                   const std::vector<Equation>& equations,
                                                   const Ideal& ideal) {
@@ -130,8 +142,8 @@ std::optional<ManifoldFailure> curve_failure(const VectorField& v, const Invaria
 // nothing depends may still move, like the time of a linear system with constant coefficients: it
 // runs through a line over each point, at constant speed.
 Ideal phase_curve(const VectorField& v, std::vector<MPoly> generators,
-                  const std::vector<MPoly>& nonzero) {
-  Ideal points = relation_ideal(v, generators, nonzero);
+                  const std::vector<MPoly>& nonzero, const Budget& budget) {
+  Ideal points = relation_ideal(v, generators, nonzero, budget);
   if (points.dimension() != 0) return points;
   std::vector<std::size_t> main = points.main();
   for (std::size_t j = 0; j < v.dimension(); ++j) {
@@ -141,22 +153,22 @@ Ideal phase_curve(const VectorField& v, std::vector<MPoly> generators,
       continue;
     main.insert(std::upper_bound(main.begin(), main.end(), x), x);
     generators.insert(generators.begin(), v.relations.begin(), v.relations.end());
-    return {v.ring, main, generators, nonzero};
+    return {v.ring, main, generators, nonzero, budget};
   }
   return points;
 }
 
 } // namespace
 
-std::variant<InvariantManifold, ManifoldFailure> prove_invariant(const VectorField& v,
-                                                                 const ManifoldSpec& spec) {
+std::variant<InvariantManifold, ManifoldFailure>
+prove_invariant(const VectorField& v, const ManifoldSpec& spec, const Budget& budget) {
   InvariantManifold m;
   m.name = spec.name;
   m.equations = without_multiplicities(spec.equations, m.rewritten);
   m.levels = without_multiplicities(spec.levels, m.rewritten);
   m.nonzero = spec.nonzero;
   auto generators = numerators(m.equations);
-  m.ideal = std::make_shared<const Ideal>(relation_ideal(v, generators, m.nonzero));
+  m.ideal = std::make_shared<const Ideal>(relation_ideal(v, generators, m.nonzero, budget));
   if (m.ideal->is_unit())
     return ManifoldFailure{"the manifold is empty: its equations contradict each other", m.name,
                            MFraction(v.ring)};
@@ -172,7 +184,7 @@ std::variant<InvariantManifold, ManifoldFailure> prove_invariant(const VectorFie
     m.proof.push_back("'" + e.text + "': its derivative is in the ideal of the manifold");
   const auto levels = numerators(m.levels);
   generators.insert(generators.end(), levels.begin(), levels.end());
-  m.curve = std::make_shared<const Ideal>(phase_curve(v, generators, m.nonzero));
+  m.curve = std::make_shared<const Ideal>(phase_curve(v, generators, m.nonzero, budget));
   solve_linear_equations(v, m);
   if (auto failure = curve_failure(v, m)) return *std::move(failure);
   m.proof.push_back("the manifold with its levels is a curve, and the field is not zero on it");

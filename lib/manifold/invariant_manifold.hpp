@@ -43,9 +43,13 @@ struct ManifoldFailure {
 };
 
 /// Proves invariance and that the levels are first integrals on it, and that the result is a curve
-/// on which the field is not zero.
+/// on which the field is not zero.   Errors  OutOfBudget, here and in all work with its ideals
 [[nodiscard]] std::variant<InvariantManifold, ManifoldFailure>
-prove_invariant(const VectorField& v, const ManifoldSpec& spec);
+prove_invariant(const VectorField& v, const ManifoldSpec& spec, const Budget& budget = {});
+
+/// Factors of a function that vanishes on the phase curve, none of which does: the curve has
+/// several components.  Empty: none was seen, which proves nothing.
+[[nodiscard]] std::vector<MPoly> factors_on_components(const InvariantManifold& m);
 
 /// Invariance alone: the reduced derivative of the first equation that fails, or nothing.
 [[nodiscard]] std::optional<ManifoldFailure>

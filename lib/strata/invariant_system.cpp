@@ -101,7 +101,7 @@ std::variant<std::optional<ParametricInvariant>, Needs> find_invariant(const Sch
   MFraction p(s.r.ring(), Rational(1)); // no conditions: every P will do
   if (!rows.empty()) {
     const auto kernel =
-        null_space(std::move(rows), static_cast<std::size_t>(form.degree + 1), s.r.ring());
+        null_space(std::move(rows), static_cast<std::size_t>(form.degree + 1), s.r.ring(), budget);
     if (kernel.empty()) return std::nullopt;
     p = MFraction(s.r.ring());
     for (std::size_t j = kernel[0].size(); j-- > 0;)

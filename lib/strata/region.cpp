@@ -15,7 +15,7 @@ constexpr long z3_terms = 40; // larger polynomials are beyond its limit anyway
 constexpr long z3_degree = 12;
 
 constexpr std::size_t most_saturated = 6; // polynomials that an ideal is saturated by
-constexpr double groebner_seconds = 0.5;
+constexpr double groebner_work = 1e5;     // the same on every machine
 
 bool is_small(const MPoly& p, long times = 1) {
   if (p.length() > times * z3_terms) return false;
@@ -344,8 +344,9 @@ bool Region::equations_contradict() const {
     if (inside && nonzero.size() < most_saturated && is_small(p)) nonzero.push_back(p);
   }
   try {
-    return Ideal(ring_, variables, equations, nonzero, Budget::of_seconds(groebner_seconds))
-        .is_unit();
+    Budget little;
+    little.max_work = groebner_work;
+    return Ideal(ring_, variables, equations, nonzero, little).is_unit();
   } catch (const OutOfBudget&) {
     return false; // counts as not empty
   }

@@ -1,12 +1,67 @@
 #include "system/formula.hpp"
 
-#include "exact/error.hpp"
+#include "exact/budget.hpp"
 #include "symbol/suggest.hpp"
+
+#include <algorithm>
+#include <cmath>
 
 namespace kov {
 namespace {
 
 constexpr long max_exponent = 1000;
+constexpr double max_terms = 1e5; // of a polynomial that is multiplied out
+constexpr double max_bits = 1e7;  // of a number in it
+
+// At most so many terms has f^n: those of a general sum of as many terms, and those with exponents
+// up to n times the ones of f.
+double terms_of_power(const MPoly& f, double n) {
+  const auto t = static_cast<double>(f.length());
+  if (t <= 1) return 1;
+  const double general = std::lgamma(n + t) - std::lgamma(n + 1) - std::lgamma(t);
+  double box = 0;
+  for (const std::size_t i : used_variables(f))
+    box += std::log(n * static_cast<double>(degree(f, i)) + 1);
+  return std::exp(std::min(general, box));
+}
+
+void check_terms(double terms) {
+  if (terms > max_terms)
+    throw OutOfBudget("size limit: multiplied out, a formula would have more than " +
+                      Budget::number(max_terms) + " terms");
+}
+
+void check_power(const MFraction& f, double n) {
+  for (const MPoly& part : {f.num(), f.den()}) {
+    check_terms(terms_of_power(part, n));
+    const double bits = n * std::abs(static_cast<double>(fmpz_mpoly_max_bits(part.raw())));
+    if (bits > max_bits)
+      throw OutOfBudget("size limit: a power would have a number of more than " +
+                        Budget::number(max_bits) + " binary digits");
+  }
+}
+
+void check_product(const MPoly& a, const MPoly& b) {
+  const double all = static_cast<double>(a.length()) * static_cast<double>(b.length());
+  if (all <= max_terms) return;
+  double box = 1;
+  for (std::size_t i = 0; i < a.ring()->size(); ++i)
+    box *= static_cast<double>(std::max(degree(a, i), 0L) + std::max(degree(b, i), 0L)) + 1;
+  check_terms(std::min(all, box));
+}
+
+MFraction product(const MFraction& a, const MFraction& b) {
+  check_product(a.num(), b.num());
+  check_product(a.den(), b.den());
+  return a * b;
+}
+
+MFraction sum(const MFraction& a, const MFraction& b) {
+  check_product(a.num(), b.den());
+  check_product(b.num(), a.den());
+  check_product(a.den(), b.den());
+  return a + b;
+}
 
 MFraction evaluate_name(const Expression& e, const Scope& scope) {
   if (auto v = scope.value(e.name())) return *std::move(v);
@@ -27,9 +82,11 @@ MFraction evaluate_power(const Expression& e, const Scope& scope) {
                              "[[system.function]] name = \"s\", means = \"sqrt(...)\"");
   const Rational k = to_rational(exponent);
   if (abs(k) > Rational(max_exponent))
-    throw e.operand(1).error("the exponent is larger than " + std::to_string(max_exponent));
+    throw OutOfBudget("size limit: the exponent of " + std::string(e.text()) + " is larger than " +
+                      std::to_string(max_exponent));
   const long n = to_long(floor(k));
   if (n < 0 && is_zero(base)) throw e.operand(0).error("division by zero: this is 0");
+  if (n != 0 && !is_zero(base)) check_power(base, static_cast<double>(std::abs(n)));
   return pow(base, n);
 }
 
@@ -56,23 +113,23 @@ MFraction evaluate(const Expression& e, const Scope& scope) {
   case Kind::name:
     return evaluate_name(e, scope);
   case Kind::sum: {
-    MFraction sum(scope.ring());
+    MFraction all(scope.ring());
     for (const auto& x : e.operands())
-      sum += evaluate(x, scope);
-    return sum;
+      all = sum(all, evaluate(x, scope));
+    return all;
   }
   case Kind::negate:
     return -evaluate(e.operand(0), scope);
   case Kind::product: {
-    MFraction product(scope.ring(), Rational(1));
+    MFraction all(scope.ring(), Rational(1));
     for (const auto& x : e.operands())
-      product *= evaluate(x, scope);
-    return product;
+      all = product(all, evaluate(x, scope));
+    return all;
   }
   case Kind::quotient: {
     const MFraction denominator = evaluate(e.operand(1), scope);
     if (is_zero(denominator)) throw e.operand(1).error("division by zero: this is 0");
-    return evaluate(e.operand(0), scope) / denominator;
+    return product(evaluate(e.operand(0), scope), MFraction(denominator.den(), denominator.num()));
   }
   case Kind::power:
     return evaluate_power(e, scope);

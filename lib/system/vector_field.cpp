@@ -166,10 +166,10 @@ std::vector<std::size_t> variables_that_matter(const VectorField& v,
 } // namespace
 
 Ideal relation_ideal(const VectorField& v, const std::vector<MPoly>& more,
-                     const std::vector<MPoly>& nonzero) {
+                     const std::vector<MPoly>& nonzero, const Budget& budget) {
   std::vector<MPoly> generators(v.relations);
   generators.insert(generators.end(), more.begin(), more.end());
-  return {v.ring, variables_that_matter(v, generators, nonzero), generators, nonzero};
+  return {v.ring, variables_that_matter(v, generators, nonzero), generators, nonzero, budget};
 }
 
 bool is_zero_modulo(const MFraction& f, const Ideal& ideal) {
@@ -199,8 +199,12 @@ bool vanishes_on(const MFraction& f, const Ideal& ideal) {
 }
 
 std::optional<MPoly> pole_along(const VectorField& v, const Ideal& ideal) {
-  for (const MFraction& x : v.components)
-    if (ideal.vanishes(x.den())) return x.den();
+  std::vector<MFraction> all(v.components);
+  for (const auto& f : v.functions) // y u = x says nothing of u where x = y = 0
+    if (std::find(ideal.main().begin(), ideal.main().end(), f.variable) != ideal.main().end())
+      all.push_back(lie_derivative(v, MFraction::variable(v.ring, f.variable)));
+  for (const MFraction& x : all)
+    if (!is_zero(x) && ideal.vanishes(x.den())) return x.den();
   return std::nullopt;
 }
 

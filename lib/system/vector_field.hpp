@@ -97,7 +97,8 @@ struct Legendre {
 /// coordinate on which nothing depends (an angle that occurs through its sine and cosine only, a
 /// cyclic coordinate) is left out, so that an algebraic curve stays one.
 [[nodiscard]] Ideal relation_ideal(const VectorField& v, const std::vector<MPoly>& more = {},
-                                   const std::vector<MPoly>& nonzero = {});
+                                   const std::vector<MPoly>& nonzero = {},
+                                   const Budget& budget = {});
 /// f = 0 modulo the ideal, where f is defined; decides by its numerator.
 [[nodiscard]] bool is_zero_modulo(const MFraction& f, const Ideal& ideal);
 
@@ -107,7 +108,7 @@ struct Legendre {
 /// f = 0 at every point of V(I) where its denominator is not 0.  For f = X(g) this does not make
 /// V(I) invariant: g = x^2 and x' = 1.
 [[nodiscard]] bool vanishes_on(const MFraction& f, const Ideal& ideal);
-/// A denominator of the field that vanishes on V(I), so that the field is not defined there.
+/// A denominator of the field, or of the derivative of a function along it, that vanishes on V(I).
 [[nodiscard]] std::optional<MPoly> pole_along(const VectorField& v, const Ideal& ideal);
 /// The product of the irreducible factors, each once; 1 for a constant.  Requires f != 0.
 /// Example squarefree_part((q * q * p).num())  // -> q*p

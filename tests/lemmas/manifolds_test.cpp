@@ -13,7 +13,7 @@ std::set<std::set<std::string>> phase_curve_manifolds(const System& s) {
   for (const auto& claim : s.claims)
     integrals.push_back(claim.value);
   std::set<std::set<std::string>> found;
-  for (const auto& m : find_manifolds(s.field, integrals))
+  for (const auto& m : find_manifolds(s.field, integrals).proved)
     if (m.leaf_dimension() == 1 && !m.equilibria) {
       std::set<std::string> equations;
       for (const auto& e : m.equations)

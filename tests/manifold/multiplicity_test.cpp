@@ -82,6 +82,33 @@ TEST(Multiplicity, HiddenInSeveralEquations) {
   ASSERT_TRUE(std::holds_alternative<ManifoldFailure>(proved));
 }
 
+// Products and components of several dimensions; what the equations say together counts.
+TEST(Multiplicity, OfSeveralComponents) {
+  const struct {
+    const char *x, *y, *z, *equations;
+    bool invariant;
+  } table[] = {
+      {"x", "y*z", "z", "\"x*y = 0\", \"x*z = 0\"", true},           // a plane and a line
+      {"x", "y*(1 + z)", "1", "\"x*y = 0\", \"x*z = 0\"", false},    // the line moves
+      {"x*y", "x^2", "z*x", "\"x*y = 0\", \"x^2 = 0\"", true},       // an embedded line
+      {"x", "y*z", "1", "\"x^2 = 0\", \"x*y = 0\"", true},           //
+      {"1", "x", "y*z", "\"y*z = 0\", \"y^2 = 0\"", false},          // the plane y = 0, y' = x
+      {"1", "2*x", "x", "\"y = x^2\", \"y = 0\"", false},            // curves that touch
+      {"x", "2*y", "1", "\"y^2 = x^4\", \"x*(y - x^2) = 0\"", true}, // y = x^2
+      {"x", "y", "1", "\"y^2 = x^4\", \"x*(y - x^2) = 0\"", false},
+  };
+  for (const auto& t : table) {
+    const System s = read_system(parse_document(
+        std::string("[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y\", \"z\"]\n") +
+            "[system.field]\nx = \"" + t.x + "\"\ny = \"" + t.y + "\"\nz = \"" + t.z +
+            "\"\n[[manifold]]\nequations = [" + t.equations + "]\n",
+        "test.toml"));
+    const auto& equations = s.manifolds.at(0).equations;
+    const Ideal ideal = relation_ideal(s.field, set_generators(equations));
+    EXPECT_EQ(!invariance_failure(s.field, equations, ideal), t.invariant) << t.x << t.equations;
+  }
+}
+
 // c = 1 touches the circle: on it s = 0, and c' = -s vanishes there.
 TEST(Multiplicity, HiddenInARelation) {
   const std::string text = R"t([system]
