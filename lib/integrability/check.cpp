@@ -79,8 +79,16 @@ public:
   }
 
 private:
+  // A limit is one of this change: others may be easier.
   void attempt(const MFraction& phi) {
     budget_.check();
+    try {
+      find_equations(phi);
+    } catch (const OutOfBudget& limit) {
+      note({"z = " + to_string(phi) + ": " + limit.what()});
+    }
+  }
+  void find_equations(const MFraction& phi) {
     // a map of much higher degree than one that works brings more singular places
     const auto field =
         FunctionField::make(s_.field, m_, s_.z, phi, divisors_, budget_, 2 * smallest_);
@@ -102,8 +110,17 @@ private:
     if (failure.better) better_ = failure.better;
   }
   void finish() {
-    if (!block_.ode)
-      block_.note = failures_.empty() ? "no change of variable was found" : failures_;
+    if (block_.ode) return;
+    block_.note = failures_.empty() ? "no change of variable was found" : failures_;
+    const auto factors = factors_on_components(m_);
+    if (factors.empty()) return;
+    std::string product;
+    for (const MPoly& f : factors)
+      product += (product.empty() ? "(" : "*(") + to_string(f) + ")";
+    block_.note =
+        "the phase curve has several components, " + product +
+        " = 0 on it: study one of them, with one factor = 0 among the equations; on all " +
+        "together " + block_.note;
   }
 
   const System& s_;
@@ -135,7 +152,8 @@ void decide_parameters(const System& s, const CheckOptions& options, BlockReport
 // 0.
 void except_where_invalid(const System& s, const CheckOptions& options, BlockReport& block) {
   const AlgebraicOde& ode = *block.ode;
-  if (s.field.parameters.empty() || ode.generic.empty()) return;
+  const Truth generic = block.decision->abelian;
+  if (s.field.parameters.empty() || ode.generic.empty()) return void(block.abelian = generic);
   if (s.field.constants.empty()) {
     decide_parameters(s, options, block);
     const auto& all = block.strata->strata;
@@ -155,6 +173,7 @@ void except_where_invalid(const System& s, const CheckOptions& options, BlockRep
             "decided only where " + to_string(g) + " is not zero: " + reason(*block.decision);
         return;
       }
+  block.abelian = generic;
 }
 
 // one_level: one value of the energy is enough, energies.cpp looks for it
@@ -183,7 +202,7 @@ void decide_block(const System& s, const CheckOptions& options, bool one_level,
   Options how = options.decide;
   how.variable = s.ring()->name(ode.z);
   block.decision = decide(equation, how);
-  block.abelian = block.decision->abelian;
+  block.abelian = Truth::unknown; // until the exceptions are known, should a limit end that search
   except_where_invalid(s, options, block);
 }
 
@@ -228,21 +247,20 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
 
 namespace {
 
-BlockReport study_block(const System& s, const InvariantManifold& m, const LinearSystem& reduced,
-                        const std::vector<MPoly>& divisors, const std::vector<std::size_t>& members,
-                        const CheckOptions& options) {
-  BlockReport block;
+void study_block(const System& s, const InvariantManifold& m, const LinearSystem& reduced,
+                 const std::vector<MPoly>& divisors, const std::vector<std::size_t>& members,
+                 const CheckOptions& options, BlockReport& block) {
   for (const std::size_t i : members)
     block.unknowns.push_back(reduced.names[i]);
   if (members.size() == 1) {
     block.abelian = Truth::yes; // a first-order equation: its group is in the multiplicative group
-    return block;
+    return;
   }
   if (members.size() > 2) {
     block.note = "a normal block of order " + std::to_string(members.size()) +
                  ": not reducible to second order by the invariant manifold, linear first "
                  "integrals or block structure";
-    return block;
+    return;
   }
   const ReduceSpec* reduce = reduction_for(s, m.name);
   // The unknown asked for, if it is a cyclic vector; otherwise whatever is one.
@@ -263,11 +281,29 @@ BlockReport study_block(const System& s, const InvariantManifold& m, const Linea
     search.given(*reduce->change);
   else
     search.proposed(propose_changes(s.field, m));
-  if (!block.ode) return block;
+  if (!block.ode) return;
   for (const auto& g : m.curve->inverted())
     block.ode->generic.push_back(g);
   decide_block(s, options, reduce && reduce->energy == "auto", block);
-  return block;
+}
+
+// A limit leaves this block as it is, and the others are studied.
+template <class Study> void within_limits(BlockReport& block, Study study) {
+  try {
+    study();
+  } catch (const OutOfBudget& limit) {
+    block.note += (block.note.empty() ? "" : "; ") + std::string(limit.what());
+  }
+}
+
+// "Not abelian" of a block needs no knowledge of the rest.
+WholeVariation coupling(const System& s, const ManifoldReport& report,
+                        const std::vector<std::vector<std::size_t>>& parts) {
+  try {
+    return whole_variation(s.field, *report.manifold, report.normal, report.reduced, parts);
+  } catch (const OutOfBudget& limit) {
+    return {std::string("what couples the blocks was not studied: ") + limit.what(), {}};
+  }
 }
 
 std::vector<const strata::StrataAnswer*> strata_of(const BlockReport& block) {
@@ -377,7 +413,7 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
   ManifoldReport report;
   report.name = spec.name;
   try {
-    auto proved = prove_invariant(s.field, spec);
+    auto proved = prove_invariant(s.field, spec, options.decide.budget);
     if (auto* failure = std::get_if<ManifoldFailure>(&proved)) {
       report.failure = *failure;
       report.reasons.push_back(failure->message);
@@ -402,14 +438,21 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
            c.claim.kind == SystemClaim::Kind::integral))
         divisors.insert(divisors.end(), c.result.generic.begin(), c.result.generic.end());
     const auto parts = blocks_to_study(report.reduced.system, m);
-    auto whole = whole_variation(s.field, m, report.normal, report.reduced, parts);
+    auto whole = coupling(s, report, parts);
     report.not_studied = std::move(whole.missing);
     divisors.insert(divisors.end(), whole.divisors.begin(), whole.divisors.end());
-    for (const auto& members : parts)
-      report.blocks.push_back(study_block(s, m, report.reduced.system, divisors, members, options));
+    for (const auto& members : parts) {
+      report.blocks.emplace_back();
+      within_limits(report.blocks.back(), [&] {
+        study_block(s, m, report.reduced.system, divisors, members, options, report.blocks.back());
+      });
+    }
     if (reduce && reduce->energy == "auto")
       for (auto& block : report.blocks)
-        if (block.ode) study_energies(s, spec, *reduce, claims, options, report.blocks, block);
+        if (block.ode)
+          within_limits(block, [&] {
+            study_energies(s, spec, *reduce, claims, options, report.blocks, block);
+          });
     for (auto& block : report.blocks) {
       if (block.strata) {
         decide_special_strata(s, spec, claims, options, report.blocks, block.unknowns,
@@ -449,22 +492,49 @@ std::vector<std::string> trusted_steps(const ManifoldReport& m) {
   return all;
 }
 
+std::vector<const ManifoldSpec*> manifolds_to_check(const System& s, const CheckOptions& options) {
+  const std::string& only = options.only_manifold;
+  std::vector<const ManifoldSpec*> all;
+  std::string names;
+  for (const auto& spec : s.manifolds) {
+    names += (names.empty() ? "" : ", ") + spec.name;
+    if (only.empty() || only == spec.name) all.push_back(&spec);
+  }
+  if (!only.empty() && all.empty())
+    throw InvalidArgument("there is no manifold '" + only +
+                          "'; manifolds: " + (names.empty() ? "none" : names));
+  return all;
+}
+
+std::vector<ClaimReport> decide_claims(const System& s, const CheckOptions& options) {
+  std::vector<ClaimReport> all;
+  for (const auto& claim : s.claims)
+    all.push_back({claim, decide_claim(s, claim, options.decide.budget)});
+  return all;
+}
+
+namespace {
+
+// An equal share of the time that is left, so that one manifold does not take that of the others.
+CheckOptions for_one_of(std::size_t manifolds, CheckOptions options) {
+  auto& deadline = options.decide.budget.deadline;
+  const auto now = Budget::Clock::now();
+  if (deadline && *deadline > now)
+    deadline = now + (*deadline - now) / static_cast<long>(manifolds);
+  return options;
+}
+
+} // namespace
+
 CheckReport check_system(const System& s, const CheckOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   CheckReport report;
   report.system = s;
-  for (const auto& claim : s.claims)
-    report.claims.push_back({claim, check_claim(s, claim)});
-  for (const auto& spec : s.manifolds)
-    if (options.only_manifold.empty() || options.only_manifold == spec.name)
-      report.manifolds.push_back(check_manifold(s, spec, report.claims, options));
-  if (!options.only_manifold.empty() && report.manifolds.empty()) {
-    std::string names;
-    for (const auto& spec : s.manifolds)
-      names += (names.empty() ? "" : ", ") + spec.name;
-    throw InvalidArgument("there is no manifold '" + options.only_manifold +
-                          "'; manifolds: " + (names.empty() ? "none" : names));
-  }
+  report.claims = decide_claims(s, options);
+  auto left = manifolds_to_check(s, options);
+  for (; !left.empty(); left.erase(left.begin()))
+    report.manifolds.push_back(
+        check_manifold(s, *left.front(), report.claims, for_one_of(left.size(), options)));
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

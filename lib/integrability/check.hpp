@@ -65,7 +65,7 @@ struct ManifoldReport {
   std::string not_studied; ///< what of VE the blocks leave out, as a clause; empty: nothing
   VerdictKind verdict = VerdictKind::undecided;
   std::string theorem, function_class;
-  std::string statement; ///< what the theorem says, where it says something
+  std::string statement;   ///< what the theorem says, where it says something
   std::string not_checked; ///< a hypothesis of the verdict that is not proved, as a sentence
   std::vector<std::string> reasons;
 };
@@ -100,6 +100,13 @@ struct CheckOptions {
 [[nodiscard]] ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
                                             const std::vector<ClaimReport>& claims,
                                             const CheckOptions& options = {});
+
+/// The manifolds that the options ask for.
+/// Errors  InvalidArgument if the one named is not there
+[[nodiscard]] std::vector<const ManifoldSpec*> manifolds_to_check(const System& s,
+                                                                  const CheckOptions& options);
+/// Every claim of the file; a limit is a result.
+[[nodiscard]] std::vector<ClaimReport> decide_claims(const System& s, const CheckOptions& options);
 
 /// The steps on which a verdict rests besides the theorem, exact computation and certificates that
 /// the judges accept: the one list for `check`, `prove`, `report` and certificates.

@@ -148,6 +148,8 @@ std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
     return other_blocks(x, here);
   } catch (const DomainError&) {
     return {}; // stays open
+  } catch (const OutOfBudget&) {
+    return {};
   }
 }
 

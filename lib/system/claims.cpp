@@ -13,23 +13,26 @@ MFraction reduced(const MFraction& f, const Ideal& level) {
 }
 
 ClaimResult refuted(const std::string& what, const MFraction& f) {
-  return {false, what + " = " + brief(f), f, {}};
+  return {false, what + " = " + brief(f), f, {}, {}};
 }
 
 // X(G) = K G: G divides X(G) modulo the relations, that is, X(G) is in the ideal of G.
-ClaimResult check_darboux(const VectorField& v, const SystemClaim& claim) {
+ClaimResult check_darboux(const VectorField& v, const SystemClaim& claim, const Budget& budget) {
   const MFraction derivative = lie_derivative(v, claim.value);
   const MPoly g = claim.value.num();
   const MFraction cofactor = derivative / claim.value;
   if (!is_zero(gcd(cofactor.den(), g)) && is_constant(gcd(cofactor.den(), g)))
-    return {true, "X(G) = K G with K = " + brief(cofactor), cofactor, {}};
+    return {true, "X(G) = K G with K = " + brief(cofactor), cofactor, {}, {}};
   auto generators = set_generators(claim.on);
   generators.push_back(g); // with its multiplicities: 2 x is no multiple of x^2
-  const Ideal level = relation_ideal(v, generators);
+  const Ideal level = relation_ideal(v, generators, {}, budget);
   if (level.is_unit()) return refuted("G = 0 is empty; X(G)", derivative);
   if (is_in(derivative, level))
-    return {true, "X(G) is in the ideal of G and the relations", MFraction(v.ring),
-            level.inverted()};
+    return {true,
+            "X(G) is in the ideal of G and the relations",
+            MFraction(v.ring),
+            level.inverted(),
+            {}};
   return refuted(vanishes_on(derivative, level)
                      ? "X(G) vanishes on G = 0 and is no multiple of G; modulo G: X(G)"
                      : "on G = 0: X(G)",
@@ -78,19 +81,22 @@ std::optional<ClaimResult> not_invariant(const VectorField& v, const std::vector
   return std::nullopt;
 }
 
-ClaimResult checked(const VectorField& v, const SystemClaim& claim) {
-  if (claim.kind == SystemClaim::Kind::darboux) return check_darboux(v, claim);
-  const Ideal level = relation_ideal(v, set_generators(claim.on));
+ClaimResult checked(const VectorField& v, const SystemClaim& claim, const Budget& budget) {
+  if (claim.kind == SystemClaim::Kind::darboux) return check_darboux(v, claim, budget);
+  const Ideal level = relation_ideal(v, set_generators(claim.on), {}, budget);
   if (level.is_unit())
     throw InvalidArgument("the level of the claim '" + claim.name + "' is empty");
   if (const auto den = pole_along(v, level); den && !claim.on.empty())
     throw InvalidArgument("the vector field is not defined on the level of the claim '" +
                           claim.name + "': the denominator " + to_string(*den) + " vanishes there");
   const auto decide = [&](const MFraction& f, const std::string& what) -> ClaimResult {
-    if (is_zero(f)) return {true, what + " = 0 identically", f, {}};
+    if (is_zero(f)) return {true, what + " = 0 identically", f, {}, {}};
     if (vanishes_on(f, level))
-      return {true, what + " = 0 modulo the relations and the level", MFraction(v.ring),
-              level.inverted()};
+      return {true,
+              what + " = 0 modulo the relations and the level",
+              MFraction(v.ring),
+              level.inverted(),
+              {}};
     return refuted(what, reduced(f, level));
   };
   switch (claim.kind) {
@@ -104,7 +110,7 @@ ClaimResult checked(const VectorField& v, const SystemClaim& claim) {
     for (std::size_t j = 0; j < x.size(); ++j)
       if (const auto r = decide(x[j], "{" + v.name(j) + ", " + claim.name + "}"); !r.proved)
         return r;
-    return {true, "J grad " + claim.name + " = 0", MFraction(v.ring), level.inverted()};
+    return {true, "J grad " + claim.name + " = 0", MFraction(v.ring), level.inverted(), {}};
   }
   case SystemClaim::Kind::poisson:
     return decide(poisson_bracket(v, claim.first, claim.second) - claim.value,
@@ -116,8 +122,8 @@ ClaimResult checked(const VectorField& v, const SystemClaim& claim) {
 
 } // namespace
 
-ClaimResult check_claim(const VectorField& v, const SystemClaim& claim) {
-  ClaimResult result = checked(v, claim);
+ClaimResult check_claim(const VectorField& v, const SystemClaim& claim, const Budget& budget) {
+  ClaimResult result = checked(v, claim, budget);
   if (result.proved)
     for (MPoly& g : meaningless(v, claim))
       if (std::find(result.generic.begin(), result.generic.end(), g) == result.generic.end())
@@ -148,32 +154,47 @@ ClaimResult check_euler_lagrange(const System& s) {
     if (const MFraction d = v.components[i] - expected; !is_zero_modulo(d, relations))
       return refuted("the component " + v.name(i) + "': Poisson form - Euler-Lagrange form", d);
   }
-  return {true, "all six components agree", MFraction(v.ring), {}};
+  return {true, "all six components agree", MFraction(v.ring), {}, {}};
 }
 
 ClaimResult check_same_field(const VectorField& v, const VectorField& other) {
   if (v.dimension() != other.dimension())
-    return {false, "the other system has another number of coordinates", MFraction(v.ring), {}};
+    return {false, "the other system has another number of coordinates", MFraction(v.ring), {}, {}};
   const Ideal relations = relation_ideal(v);
   for (std::size_t j = 0; j < v.dimension(); ++j) {
     const auto k = std::find_if(other.coordinates.begin(), other.coordinates.end(),
                                 [&](std::size_t i) { return other.ring->name(i) == v.name(j); });
     if (k == other.coordinates.end())
-      return {false, "the other system has no coordinate " + v.name(j), MFraction(v.ring), {}};
+      return {false, "the other system has no coordinate " + v.name(j), MFraction(v.ring), {}, {}};
     const MFraction theirs =
         transfer(other.components[static_cast<std::size_t>(k - other.coordinates.begin())], v.ring);
     if (const MFraction d = v.components[j] - theirs; !is_zero_modulo(d, relations))
       return refuted("the difference of the two components " + v.name(j) + "'", d);
   }
-  return {true, "all components agree", MFraction(v.ring), {}};
+  return {true, "all components agree", MFraction(v.ring), {}, {}};
 }
 
-ClaimResult check_claim(const System& s, const SystemClaim& claim) {
-  if (claim.other.empty()) return check_claim(s.field, claim);
+ClaimResult check_claim(const System& s, const SystemClaim& claim, const Budget& budget) {
+  if (claim.other.empty()) return check_claim(s.field, claim, budget);
   if (claim.other == "euler-lagrange") return check_euler_lagrange(s);
   const std::size_t slash = s.file.find_last_of('/');
   const std::string folder = slash == std::string::npos ? "" : s.file.substr(0, slash + 1);
   return check_same_field(s.field, read_system(folder + claim.other).field);
+}
+
+ClaimResult decide_claim(const System& s, const SystemClaim& claim, const Budget& budget) {
+  try {
+    return check_claim(s, claim, budget);
+  } catch (const OutOfBudget& limit) {
+    ClaimResult result;
+    result.witness = MFraction(s.ring());
+    result.open = result.detail = limit.what();
+    return result;
+  }
+}
+
+bool is_met(const SystemClaim& claim, const ClaimResult& result) noexcept {
+  return result.open.empty() && result.proved == claim.holds;
 }
 
 } // namespace kov

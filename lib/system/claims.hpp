@@ -20,10 +20,12 @@ struct ClaimResult {
   /// integral: X(F) reduced; darboux, proved: the cofactor; poisson, equal: the difference
   MFraction witness;
   std::vector<MPoly> generic; ///< parameters for which the proof holds: none of these is 0
+  std::string open;           ///< the limit that left it neither proved nor refuted (decide_claim)
 };
 
 /// Requires a claim with a function, not `other`.
-/// Errors  InvalidArgument for a casimir or poisson claim on a system without a bracket
+/// Errors  InvalidArgument for a casimir or poisson claim on a system without a bracket;
+/// OutOfBudget
 /// Given   const System oscillator = read_system(parse_document(
 ///             "system = {kind = 'hamiltonian', coordinates = ['q'], momenta = ['p'], "
 ///             "parameters = ['a'], hamiltonian = 'p^2/2 + a*q^2/2'}", "oscillator.toml"));
@@ -31,7 +33,8 @@ struct ClaimResult {
 /// Given   energy.value = formula(oscillator, "H"), position.value = formula(oscillator, "q");
 /// Example check_claim(oscillator.field, energy).proved  // -> yes
 /// Example check_claim(oscillator.field, position).witness  // -> p
-[[nodiscard]] ClaimResult check_claim(const VectorField& v, const SystemClaim& claim);
+[[nodiscard]] ClaimResult check_claim(const VectorField& v, const SystemClaim& claim,
+                                      const Budget& budget = {});
 
 /// The Euler-Lagrange form on the group against the Poisson form, component by component:
 ///   M' = (M - B) x Omega + dL/dGamma x Gamma,  Gamma' = Gamma x Omega,  Omega = Omega(M, Gamma).
@@ -42,6 +45,12 @@ struct ClaimResult {
 [[nodiscard]] ClaimResult check_same_field(const VectorField& v, const VectorField& other);
 
 /// Any claim of a file; other files are found beside it.
-[[nodiscard]] ClaimResult check_claim(const System& s, const SystemClaim& claim);
+[[nodiscard]] ClaimResult check_claim(const System& s, const SystemClaim& claim,
+                                      const Budget& budget = {});
+/// The same, and a limit is a result.
+[[nodiscard]] ClaimResult decide_claim(const System& s, const SystemClaim& claim,
+                                       const Budget& budget = {});
+/// Neither more nor less was found than the file says.
+[[nodiscard]] bool is_met(const SystemClaim& claim, const ClaimResult& result) noexcept;
 
 } // namespace kov

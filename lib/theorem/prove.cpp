@@ -12,7 +12,7 @@ namespace {
 void run(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   switch (n.node.kind) {
   case NodeKind::claims:
-    return prove_claims(n, directory);
+    return prove_claims(n, directory, options);
   case NodeKind::case_file:
     return prove_case(n, directory, options);
   case NodeKind::splitting:

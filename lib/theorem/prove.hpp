@@ -20,7 +20,7 @@ struct ProveOptions {
 [[nodiscard]] TheoremResult prove(const Theorem& t, const ProveOptions& options = {});
 
 /// One step each; `directory` ends in '/' or is empty.
-void prove_claims(NodeResult& n, const std::string& directory);
+void prove_claims(NodeResult& n, const std::string& directory, const ProveOptions& options);
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options);
 void prove_splitting(NodeResult& n, const std::string& directory, const ProveOptions& options);
 void prove_scaling(NodeResult& n, const std::string& directory);

@@ -195,11 +195,11 @@ void show_setting(NodeResult& n, const System& s) {
     n.formulas.push_back({"assumed", a.text});
 }
 
-void prove_claims(NodeResult& n, const std::string& directory) {
+void prove_claims(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
   for (const SystemClaim& c : s.claims) {
-    const ClaimResult result = check_claim(s, c);
+    const ClaimResult result = check_claim(s, c, options.decide.budget);
     std::string where;
     for (const MPoly& g : not_excluded(s, result.generic))
       where += (where.empty() ? " where " : ", ") + to_string(g) + " != 0";
