@@ -39,6 +39,10 @@ std::pair<std::string_view, std::string_view> parts(std::string_view message) {
   return {message.substr(1, end - 1), message.substr(std::min(end + 1, message.size()))};
 }
 
+std::string memory_limit(const Settings& settings) {
+  return "memory limit of " + std::to_string(settings.memory) + " MiB reached";
+}
+
 bool proves_something(const Json& result) {
   return !result.at("group").is_null() || result.at("abelian") != "undecided";
 }
@@ -106,8 +110,7 @@ public:
     } catch (const OutOfBudget& e) {
       return undecided("budget", e.what());
     } catch (const std::bad_alloc&) {
-      return undecided("budget",
-                       "memory limit of " + std::to_string(settings_.memory) + " MiB reached");
+      return undecided("budget", memory_limit(settings_));
     } catch (const std::exception& e) {
       return message(tag_internal, {{"id", id_}, {"message", e.what()}});
     }
@@ -249,7 +252,7 @@ std::string crash_text(const Reply& reply) {
 std::string limit_text(const Reply& reply, const Settings& settings) {
   switch (reply.end) {
   case Reply::End::out_of_memory:
-    return "memory limit of " + std::to_string(settings.memory) + " MiB reached";
+    return memory_limit(settings);
   case Reply::End::killed:
     return "the solver process was ended from outside by " + reply.detail +
            ": by a user, or by the system where memory is short";
@@ -370,22 +373,34 @@ TextAnswer limited(const Settings& settings, const std::function<int(std::ostrea
 
 TextAnswer limited(const Settings& settings,
                    const std::function<int(std::ostream&, const Worker::Early&)>& work) {
-  Worker worker(
-      [&](std::string_view, const Worker::Early& early) {
-        try {
-          std::ostringstream out;
-          const int exit = work(out, early);
-          return message(tag_decided, {{"exit", exit}, {"text", out.str()}});
-        } catch (const InputError& e) {
-          return message(tag_input, packed(e, nullptr));
-        } catch (const OutOfBudget& e) {
-          return message(tag_undecided, {{"limit", e.what()}});
-        } catch (const std::exception& e) {
-          return message(tag_internal, {{"message", e.what()}});
-        }
-      },
-      settings.process_limits());
-  const Reply reply = worker.ask("");
+  TextWorker worker(settings, [&](std::string_view, std::ostream& out, const Worker::Early& early) {
+    return work(out, early);
+  });
+  return worker.ask("");
+}
+
+TextWorker::TextWorker(const Settings& settings, Serve serve)
+    : settings_(settings),
+      worker_(
+          [serve = std::move(serve), &settings](std::string_view job, const Worker::Early& early) {
+            try {
+              std::ostringstream out;
+              const int exit = serve(job, out, early);
+              return message(tag_decided, {{"exit", exit}, {"text", out.str()}});
+            } catch (const InputError& e) {
+              return message(tag_input, packed(e, nullptr));
+            } catch (const OutOfBudget& e) {
+              return message(tag_undecided, {{"limit", e.what()}});
+            } catch (const std::bad_alloc&) {
+              return message(tag_undecided, {{"limit", memory_limit(settings)}});
+            } catch (const std::exception& e) {
+              return message(tag_internal, {{"message", e.what()}});
+            }
+          },
+          settings.process_limits()) {}
+
+TextAnswer TextWorker::ask(std::string_view job) {
+  const Reply reply = worker_.ask(job);
   TextAnswer a;
   if (reply.end == Reply::End::interrupted) {
     a.exit = exit_interrupted;
@@ -394,7 +409,7 @@ TextAnswer limited(const Settings& settings,
     a.internal = crash_text(reply);
   } else if (reply.end != Reply::End::answered) {
     a.exit = exit_undecided;
-    a.limit = limit_text(reply, settings);
+    a.limit = limit_text(reply, settings_);
     a.early = reply.early;
   } else {
     const Json body = Json::parse(std::string_view(reply.answer).substr(1));

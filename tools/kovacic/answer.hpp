@@ -67,8 +67,24 @@ struct TextAnswer {
   std::string internal;            ///< exit_internal
 };
 
-/// Runs `work`, which returns an exit code, in a worker process under the limits of the settings.
-/// Errors and limits are values here, as in Solver.
+/// Answers jobs one after the other in a worker process under the limits of the settings: a limit,
+/// an error or a crash is a value here, as in Solver, and costs one job.
+class TextWorker {
+public:
+  /// Runs in the child, where what it keeps from job to job lives as long as the child.  Returns an
+  /// exit code.
+  using Serve =
+      std::function<int(std::string_view job, std::ostream& out, const Worker::Early& early)>;
+
+  TextWorker(const Settings& settings, Serve serve);
+  [[nodiscard]] TextAnswer ask(std::string_view job);
+
+private:
+  const Settings& settings_;
+  Worker worker_;
+};
+
+/// One job.
 [[nodiscard]] TextAnswer limited(const Settings& settings,
                                  const std::function<int(std::ostream&)>& work);
 /// The same for work that says early what it knows.

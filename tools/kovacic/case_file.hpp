@@ -13,7 +13,8 @@ namespace kov::cli {
 struct Expected {
   std::string name; ///< "group SL2, case 4 (Kovacic1986, ex. 1)"
   bool met = false;
-  std::string found; ///< what came out instead; empty if met
+  std::string found;  ///< what came out instead; empty if met
+  bool limit = false; ///< not met because of a limit: neither yes nor no
 };
 
 struct CaseReport {

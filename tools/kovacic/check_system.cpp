@@ -13,7 +13,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <sstream>
 
 namespace kov::cli {
@@ -89,11 +92,22 @@ void put_trust(std::ostringstream& out, const ManifoldReport& m) {
           : std::to_string(steps.size()) + " steps: " + steps.front() + ", and those named above");
 }
 
+// Which flag sets the first limit among the reasons.
+void put_way_out(std::ostringstream& out, const std::vector<std::string>& reasons) {
+  for (const std::string& reason : reasons)
+    if (const std::string way = way_out("budget", reason); way != way_out("budget", ""))
+      return put(out, "more", way);
+}
+
+std::string title_of_manifold(const System& s, const std::string& name) {
+  std::string title = s.file + "  [" + name + "]";
+  for (const auto& [parameter, value] : s.values)
+    title += "  " + parameter + " = " + to_string(value);
+  return title;
+}
+
 void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport& m, bool quiet) {
-  out << s.file << "  [" << m.name << "]";
-  for (const auto& [name, value] : s.values)
-    out << "  " << name << " = " << to_string(value);
-  out << "\n";
+  out << title_of_manifold(s, m.name) << "\n";
   if (m.failure) {
     put(out, "error", m.failure->message);
     return;
@@ -115,6 +129,7 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
       put(out, "because", r);
   else if (m.verdict == VerdictKind::undecided && !m.not_studied.empty())
     put(out, "open", m.reasons.back());
+  if (m.verdict == VerdictKind::undecided) put_way_out(out, m.reasons);
   put_trust(out, m);
 }
 
@@ -124,97 +139,161 @@ std::string text_of(const System& s, const ManifoldReport& m, bool quiet) {
   return out.str();
 }
 
-Json json_of_report(const System& s, const CheckReport& report) {
+Json json_of_round(const System& s) {
   Json set = Json::object();
   for (const auto& [name, value] : s.values)
     set[name] = to_string(value);
   Json assumptions = Json::array();
   for (const auto& x : s.assumptions)
     assumptions.push_back(x.text);
-  Json claims = Json::array();
-  for (const auto& c : report.claims)
-    claims.push_back(json_of(c));
-  Json manifolds = Json::array();
-  for (const auto& m : report.manifolds)
-    manifolds.push_back(json_of(s, m));
   return Json{{"format", "kovacic-result/1"},
               {"input", Json{{"file", s.file}}},
               {"title", s.title},
               {"set", set},
               {"assumptions", assumptions},
-              {"claims", claims},
-              {"manifolds", manifolds},
-              {"seconds", report.seconds}};
+              {"claims", Json::array()},
+              {"manifolds", Json::array()},
+              {"seconds", 0}};
 }
 
-int exit_of(const Settings& settings, const CheckReport& report) {
+int exit_of(const Settings& settings, const Json& manifolds) {
   const auto any = [&](VerdictKind kind) {
-    return std::any_of(report.manifolds.begin(), report.manifolds.end(),
-                       [kind](const ManifoldReport& m) { return !m.failure && m.verdict == kind; });
+    return std::any_of(manifolds.begin(), manifolds.end(), [kind](const Json& m) {
+      return !m.contains("failure") && m.at("verdict") == to_string(kind);
+    });
   };
-  for (const auto& m : report.manifolds)
-    if (m.failure) return exit_input;
+  for (const Json& m : manifolds)
+    if (m.contains("failure")) return exit_input;
   const bool obstruction = any(VerdictKind::non_integrable);
   const bool open = any(VerdictKind::undecided);
-  const bool none = !report.manifolds.empty() && !open && !any(VerdictKind::depends);
+  const bool none = !manifolds.empty() && !open && !any(VerdictKind::depends);
   return settings.exit_of(obstruction ? Truth::no
                           : none      ? Truth::yes
                                       : Truth::unknown,
                           obstruction || !open);
 }
 
-/// One reading of the file with its values: a report, and the expectations that apply to them.
-class SystemRun {
+// The jobs of one file: the plan, and for each set of values ("round") its claims and each of its
+// manifolds.  They run in a child process; what a job needs of earlier ones is made again when the
+// child is a new one.
+class SystemJobs {
 public:
-  SystemRun(const Settings& settings, const Entry& document)
-      : settings_(settings), document_(document), base_(parameter_values(settings)) {
-    options_.decide = settings.solver_options();
-    options_.only_manifold = settings.manifold;
-  }
+  SystemJobs(const Settings& settings, std::string path)
+      : settings_(settings), path_(std::move(path)) {}
 
-  Report run() {
-    const System file = read_system(document_, base_);
-    report_.exit = settings_.nothing_yet();
-    report_.json = Json{{"results", Json::array()}, {"expected", Json::array()}};
-    std::vector<ParameterValues> rounds; // each set of values once
-    for (const auto& x : file.expectations)
-      if (base_.empty() && std::find(rounds.begin(), rounds.end(), x.where) == rounds.end())
-        rounds.push_back(x.where);
-    if (rounds.empty()) rounds.push_back(base_);
-    for (const auto& values : rounds)
-      round(values);
-    return std::move(report_);
+  Report run(std::string_view job) {
+    std::istringstream words{std::string(job)};
+    std::string what;
+    std::size_t round = 0, manifold = 0;
+    words >> what >> round >> manifold;
+    options_ = {};
+    options_.decide = settings_.solver_options(); // its clock begins here
+    options_.only_manifold = settings_.manifold;
+    if (!document_) read();
+    if (what == "plan") return plan();
+    if (what == "claims") return claims(rounds_.at(round));
+    return study(rounds_.at(round), manifold, what == "manifold");
   }
 
 private:
-  void round(const ParameterValues& values) {
-    const System s = read_system(document_, values);
-    CheckReport report = check_system(s, options_);
-    for (auto& m : report.manifolds)
-      if (m.failure && is_fine_without(values, m.name)) degenerate(m);
-    if (report_.json.at("results").empty()) claims(report);
-    Json json = json_of_report(s, report);
-    for (std::size_t i = 0; i < report.manifolds.size(); ++i) {
-      report_.text += text_of(s, report.manifolds[i], settings_.quiet);
-      if (!settings_.certificate.empty())
-        file_certificates(s, report.manifolds[i], json.at("manifolds").at(i));
+  struct Round {
+    ParameterValues values;
+    std::optional<System> system;
+    std::optional<std::vector<ClaimReport>> claims;
+  };
+
+  void read() {
+    document_ = read_document(path_);
+    base_ = parameter_values(settings_);
+    const System file = read_system(*document_, base_);
+    const auto known = [&](const ParameterValues& values) {
+      return std::any_of(rounds_.begin(), rounds_.end(),
+                         [&](const Round& r) { return r.values == values; });
+    };
+    for (const auto& x : file.expectations)
+      if (base_.empty() && !known(x.where)) rounds_.push_back({x.where, {}, {}});
+    if (rounds_.empty()) rounds_.push_back({base_, {}, {}});
+  }
+
+  const System& system_of(Round& round) {
+    if (!round.system) round.system = read_system(*document_, round.values);
+    return *round.system;
+  }
+
+  std::vector<const SystemExpectation*> expectations_of(Round& round) {
+    std::vector<const SystemExpectation*> all;
+    for (const auto& x : system_of(round).expectations)
+      if (x.where == round.values || (round.values == base_ && x.where.empty())) all.push_back(&x);
+    return all;
+  }
+
+  Report plan() {
+    Json all = Json::array();
+    for (Round& round : rounds_) {
+      const System& s = system_of(round);
+      Json one{
+          {"result", json_of_round(s)}, {"manifolds", Json::array()}, {"expected", Json::array()}};
+      for (const ManifoldSpec* m : manifolds_to_check(s, options_))
+        one["manifolds"].push_back({{"name", m->name}, {"title", title_of_manifold(s, m->name)}});
+      for (const SystemExpectation* x : expectations_of(round))
+        one["expected"].push_back(describe(*x));
+      all.push_back(std::move(one));
     }
-    if (settings_.verbose > 0)
-      report_.text += fmt::format("  time      {:.1f} ms\n", 1000 * report.seconds);
-    report_.json.at("results").push_back(std::move(json));
-    report_.exit = worse(report_.exit, exit_of(settings_, report));
-    for (const auto& x : s.expectations)
-      if (x.where == values || (values == base_ && x.where.empty()))
-        expect(describe(x), unmet(x, report));
+    return {exit_decided, "", all, {}};
+  }
+
+  const std::vector<ClaimReport>& claims_of(Round& round) {
+    if (!round.claims) round.claims = decide_claims(system_of(round), options_);
+    return *round.claims;
+  }
+
+  Report claims(Round& round) {
+    const System& s = system_of(round);
+    Report report{exit_decided, "", {{"claims", Json::array()}, {"expected", Json::array()}}, {}};
+    for (const auto& c : claims_of(round)) {
+      report.json.at("claims").push_back(json_of(c));
+      std::string where;
+      for (const MPoly& g : not_excluded(s, c.result.generic))
+        where += (where.empty() ? " where " : ", ") + to_string(g) + " != 0";
+      report.json.at("expected")
+          .push_back(
+              {{"name", title_of(c.claim) + (c.claim.holds ? ": proved" + where : ": refuted")},
+               {"found", is_met(c.claim, c.result) ? "" : c.result.detail},
+               {"limit", !c.result.open.empty()}});
+    }
+    if (s.manifolds.empty())
+      report.text =
+          s.file + "  " + s.title +
+          "\n  note      no [[manifold]] in this file; kovacic find-manifolds proposes some\n";
+    return report;
+  }
+
+  // with_claims: not after a limit ended their job.
+  Report study(Round& round, std::size_t index, bool with_claims) {
+    const System& s = system_of(round);
+    static const std::vector<ClaimReport> none;
+    CheckReport report;
+    report.manifolds.push_back(check_manifold(s, *manifolds_to_check(s, options_).at(index),
+                                              with_claims ? claims_of(round) : none, options_));
+    ManifoldReport& m = report.manifolds.front();
+    if (m.failure && is_fine_without(round.values, m.name)) degenerate(m);
+    Report answer{exit_decided, text_of(s, m, settings_.quiet), {{"manifold", json_of(s, m)}}, {}};
+    if (!settings_.certificate.empty()) file_certificates(s, m, answer);
+    answer.json["unmet"] = Json::array(); // null: the expectation is about another one
+    for (const SystemExpectation* x : expectations_of(round))
+      answer.json["unmet"].push_back(
+          x->manifold.empty() || x->manifold == m.name ? Json(unmet(*x, report)) : Json(nullptr));
+    return answer;
   }
 
   // Values can turn a curve into points; then they are the reason, and the file is not wrong.
   bool is_fine_without(const ParameterValues& values, const std::string& manifold) const {
     if (values.empty()) return false;
-    const System file = read_system(document_, {});
+    const System file = read_system(*document_, {});
     for (const auto& spec : file.manifolds)
       if (spec.name == manifold)
-        return std::holds_alternative<InvariantManifold>(prove_invariant(file.field, spec));
+        return std::holds_alternative<InvariantManifold>(
+            prove_invariant(file.field, spec, options_.decide.budget));
     return false;
   }
 
@@ -223,71 +302,139 @@ private:
     m.failure.reset();
   }
 
-  void file_certificates(const System& s, const ManifoldReport& m, Json& json) {
+  void file_certificates(const System& s, const ManifoldReport& m, Report& answer) const {
     std::string values;
     for (const auto& [name, value] : s.values)
       values += "-" + name + "=" + to_string(value);
+    Json& json = answer.json.at("manifold");
     json["certificate_files"] = Json::array();
+    std::ostringstream lines;
     for (const NamedCertificate& c : certificates(s, m)) {
       if (c.json.empty()) {
         json["no_certificate"].push_back(c.name + ": " + c.none);
-        std::ostringstream line;
-        put(line, "no proof", "of " + c.name + ": " + c.none);
-        report_.text += line.str();
+        put(lines, "no proof", "of " + c.name + ": " + c.none);
         continue;
       }
       const std::string path = file_certificate(
           settings_, std::filesystem::path(s.file).stem().string() + values + "-" + c.name, c.json);
       json["certificate_files"].push_back(path);
-      std::ostringstream line;
-      put(line, "proof", path + "   verify: kovacic verify " + path);
-      report_.text += line.str();
+      put(lines, "proof", path + "   verify: kovacic verify " + path);
     }
-  }
-
-  void claims(const CheckReport& report) {
-    for (const auto& c : report.claims) {
-      const bool met = c.result.proved == c.claim.holds;
-      std::string where;
-      for (const MPoly& g : not_excluded(report.system, c.result.generic))
-        where += (where.empty() ? " where " : ", ") + to_string(g) + " != 0";
-      expect(title_of(c.claim) + (c.claim.holds ? ": proved" + where : ": refuted"),
-             met ? "" : c.result.detail);
-    }
-    if (report.system.manifolds.empty())
-      report_.text +=
-          report.system.file + "  " + report.system.title +
-          "\n  note      no [[manifold]] in this file; kovacic find-manifolds proposes some\n";
-  }
-
-  void expect(const std::string& name, const std::string& found) {
-    report_.json.at("expected")
-        .push_back(Json{{"name", name}, {"met", found.empty()}, {"found", found}});
+    answer.text += lines.str();
   }
 
   const Settings& settings_;
-  const Entry& document_;
+  std::string path_;
+  std::optional<Entry> document_;
   ParameterValues base_;
   CheckOptions options_;
-  Report report_;
+  std::vector<Round> rounds_;
+};
+
+// Asks for one job after the other: what is proved before a limit stays, and what comes after is
+// studied.
+class SystemCheck {
+public:
+  SystemCheck(const Settings& settings, const std::string& path)
+      : settings_(settings), path_(path),
+        worker_(settings, path,
+                [jobs = std::make_shared<SystemJobs>(settings, path)](std::string_view job) {
+                  return jobs->run(job);
+                }) {}
+
+  CaseReport run() {
+    const Report plan = worker_.ask("plan");
+    if (!plan.limit.empty()) return {plan.text, plan.json, {}, plan.exit};
+    report_.exit = settings_.nothing_yet();
+    report_.json = Json::array();
+    for (std::size_t i = 0; i < plan.json.size() && !interrupted(); ++i)
+      round(plan.json.at(i), std::to_string(i));
+    if (settings_.exit_verdict && report_.exit == exit_undecided) report_.exit = exit_decided;
+    return std::move(report_);
+  }
+
+private:
+  [[nodiscard]] bool interrupted() const { return report_.exit == exit_interrupted; }
+
+  void round(const Json& plan, const std::string& number) {
+    const auto start = std::chrono::steady_clock::now();
+    Json result = plan.at("result");
+    const bool with_claims = claims(number, result);
+    std::vector<Expected> expected;
+    for (const Json& name : plan.at("expected"))
+      expected.push_back({name, false, "the file has no such manifold", false});
+    for (std::size_t k = 0; k < plan.at("manifolds").size() && !interrupted(); ++k) {
+      const Report m =
+          worker_.ask((with_claims ? "manifold " : "alone ") + number + " " + std::to_string(k));
+      take(m, plan.at("manifolds").at(k), result, expected);
+    }
+    result["seconds"] =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (settings_.verbose > 0)
+      report_.text +=
+          fmt::format("  time      {:.1f} ms\n", 1000 * result["seconds"].get<double>());
+    report_.exit = worse(report_.exit, exit_of(settings_, result.at("manifolds")));
+    report_.expected.insert(report_.expected.end(), expected.begin(), expected.end());
+    report_.json.push_back(std::move(result));
+  }
+
+  // Were they decided?  They are expectations in the first round only.
+  bool claims(const std::string& number, Json& result) {
+    const Report r = worker_.ask("claims " + number);
+    if (!r.limit.empty()) {
+      report_.exit = worse(report_.exit, r.exit);
+      report_.text += path_ + "  the claims\n  UNDECIDED\n" + limit_lines(r.limit);
+      expect("the claims", r.limit, true);
+      return false;
+    }
+    result["claims"] = r.json.at("claims");
+    report_.text += r.text;
+    if (report_.json.empty())
+      for (const Json& e : r.json.at("expected"))
+        expect(e.at("name"), e.at("found"), e.at("limit"));
+    return true;
+  }
+
+  // One manifold that is as expected is enough.
+  void take(const Report& m, const Json& planned, Json& result, std::vector<Expected>& expected) {
+    if (!m.limit.empty()) {
+      report_.exit = worse(report_.exit, m.exit);
+      report_.text +=
+          planned.at("title").get<std::string>() + "\n  UNDECIDED\n" + limit_lines(m.limit);
+      result["manifolds"].push_back({{"name", planned.at("name")},
+                                     {"verdict", to_string(VerdictKind::undecided)},
+                                     {"reasons", {m.limit}}});
+    } else {
+      report_.text += m.text;
+      result["manifolds"].push_back(m.json.at("manifold"));
+    }
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      Expected& x = expected[i];
+      if (m.limit.empty() && m.json.at("unmet").at(i).is_null()) continue;
+      const std::string unmet = m.limit.empty()
+                                    ? m.json.at("unmet").at(i).get<std::string>()
+                                    : "[" + planned.at("name").get<std::string>() + "] " + m.limit;
+      x.met = x.met || unmet.empty();
+      x.limit = !x.met && (x.limit || !m.limit.empty());
+      if (!x.found.starts_with('[')) x.found.clear();
+      x.found = x.met ? "" : x.found + unmet;
+    }
+  }
+
+  void expect(const std::string& name, const std::string& found, bool limit) {
+    report_.expected.push_back({name, found.empty(), found, limit});
+  }
+
+  const Settings& settings_;
+  const std::string& path_;
+  FileWorker worker_;
+  CaseReport report_;
 };
 
 } // namespace
 
 CaseReport check_system_file(const Settings& settings, const std::string& path) {
-  const Report r = supervised(settings, path, [&] {
-    const Entry document = read_document(path);
-    return SystemRun(settings, document).run();
-  });
-  CaseReport report;
-  report.exit = settings.exit_verdict && r.exit == exit_undecided ? exit_decided : r.exit;
-  report.text = r.text;
-  report.json = r.json;
-  if (!r.json.contains("expected")) return report;
-  report.json = r.json.at("results");
-  for (const Json& e : r.json.at("expected"))
-    report.expected.push_back({e.at("name"), e.at("met"), e.at("found")});
-  return report;
+  return SystemCheck(settings, path).run();
 }
 
 // What is expected was compared on the way.

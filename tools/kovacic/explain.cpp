@@ -64,8 +64,9 @@ constexpr Topic topics[] = {
      "component is abelian for both equations or for none.  JSON reports it under 'original'."},
     {"budget",
      "A limit was reached before the question was decided: time (--timeout), memory (--memory),\n"
-     "degree (--max-degree) or number of families (--max-families).  The answer is 'undecided',\n"
-     "never 'no'.  Raise the limit that the message names.  Exit code 3."},
+     "degree (--max-degree), number of families (--max-families) or work in one search among\n"
+     "polynomials (--max-work).  The answer is 'undecided', never 'no'.  Raise the limit that the "
+     "message names.  Exit code 3."},
     {"time-limit", "See budget: raise --timeout S (seconds; 0 means no limit)."},
     {"memory-limit", "See budget: raise --memory N (MiB; 0 means no limit)."},
     {"degree-limit",

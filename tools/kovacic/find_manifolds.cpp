@@ -10,12 +10,12 @@
 namespace kov::cli {
 namespace {
 
-std::vector<MFraction> proved_integrals(const System& s) {
+std::vector<MFraction> proved_integrals(const System& s, const Budget& budget) {
   std::vector<MFraction> integrals;
   if (s.field.hamiltonian) integrals.push_back(*s.field.hamiltonian);
   for (const auto& claim : s.claims)
     if ((claim.kind == SystemClaim::Kind::integral || claim.kind == SystemClaim::Kind::casimir) &&
-        claim.on.empty() && check_claim(s, claim).proved)
+        claim.on.empty() && decide_claim(s, claim, budget).proved)
       integrals.push_back(claim.value);
   return integrals;
 }
@@ -50,17 +50,20 @@ Json json_of(const FoundManifold& m) {
 int find_manifolds(const Settings& settings, const std::string& file) {
   const Report report = supervised(settings, file, [&] {
     const System s = read_system(file, parameter_values(settings));
-    const auto found =
-        kov::find_manifolds(s.field, proved_integrals(s), settings.solver_options().budget);
+    const Budget budget = settings.solver_options().budget;
+    const auto found = kov::find_manifolds(s.field, proved_integrals(s, budget), budget);
     std::ostringstream out;
-    out << "# invariant linear subspaces, each proved; " << found.size() << " found\n";
+    out << "# invariant linear subspaces, each proved; " << found.proved.size() << " found\n";
+    for (const std::string& limit : found.left_out)
+      out << "# left out: " << limit << "\n";
     Json all = Json::array();
-    for (const auto& m : found) {
+    for (const auto& m : found.proved) {
       print(m, out);
       all.push_back(json_of(m));
     }
-    return Report{exit_decided, out.str(),
-                  Json{{"format", "kovacic-manifolds/1"}, {"file", file}, {"manifolds", all}}};
+    Json json{{"format", "kovacic-manifolds/1"}, {"file", file}, {"manifolds", all}};
+    if (!found.left_out.empty()) json["left_out"] = found.left_out;
+    return Report{found.left_out.empty() ? exit_decided : exit_undecided, out.str(), json, {}};
   });
   write_output(settings,
                settings.format == "json" && !report.json.is_null()

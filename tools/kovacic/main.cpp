@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <optional>
 #include <sstream>
 
 namespace kov::cli {
@@ -54,6 +56,8 @@ struct CommandLine {
   std::vector<std::string> files;
   std::string word;
   std::string stage = "r";
+  std::optional<double> timeout;
+  std::map<std::string, double> time_limits; ///< of the commands, in seconds, without --timeout
 
   // Each command declares the flags that it obeys; the others are refused.
 
@@ -85,16 +89,32 @@ struct CommandLine {
     command.add_option("--manifold", settings.manifold, "system files: only this manifold")
         ->type_name("NAME");
   }
-  void process_flags(CLI::App& command) {
-    command.add_option("--timeout", settings.timeout, "seconds for each question; 0 = no limit")
+  // What is reasonable to wait for unasked: a minute for a question, ten for a theorem; 0 = any
+  // time.
+  void time_flag(CLI::App& command, double seconds, const std::string& words) {
+    time_limits[command.get_name()] = seconds;
+    const std::string unasked = seconds > 0 ? " (default " + Budget::number(seconds) + ")" : "";
+    command.add_option("--timeout", timeout, words + unasked + "; 0 = no limit")
         ->check(number(1e9, "a number of seconds"))
         ->type_name("S");
+  }
+  void process_flags(CLI::App& command, double seconds = 60,
+                     const std::string& words = "seconds for each question") {
+    time_flag(command, seconds, words);
     command.add_option("--memory", settings.memory, "ceiling in MiB (default 4096); 0 = none")
         ->check(number(1L << 30, "a number of MiB"))
         ->type_name("MIB");
   }
-  void budget_flags(CLI::App& command) {
-    process_flags(command);
+  void work_flag(CLI::App& command) {
+    command
+        .add_option("--max-work", settings.max_work,
+                    "products of terms in one search (default 1e8)")
+        ->check(number(1e18, "a number of products"))
+        ->type_name("N");
+  }
+  void budget_flags(CLI::App& command, double seconds = 60) {
+    process_flags(command, seconds);
+    work_flag(command);
     command.add_option("--max-degree", settings.max_degree, "largest degree of a polynomial")
         ->check(number(1e12, "a degree"))
         ->type_name("N");
@@ -215,9 +235,8 @@ struct CommandLine {
   void report_flags(CLI::App& command) {
     format_flag(command, {"text", "json", "tex", "html"},
                 "text, json, tex or html (also: -o NAME.html)");
-    command.add_option("--timeout", settings.timeout, "seconds in all; 0 = no limit")
-        ->check(number(1e9, "a number of seconds"))
-        ->type_name("S");
+    process_flags(command, 600, "seconds in all");
+    work_flag(command);
     quiet_flag(command);
     verbose_flag(command);
     output_flags(command);
@@ -274,6 +293,7 @@ struct CommandLine {
     manifold_flag(*show);
     set_flag(*show);
     process_flags(*show);
+    work_flag(*show);
     format_flag(*show, {"text", "json"}, "text or json");
     output_flags(*show);
 
@@ -281,6 +301,7 @@ struct CommandLine {
     find->add_option("FILE", word, "a system file")->required()->type_name("");
     set_flag(*find);
     process_flags(*find);
+    work_flag(*find);
     format_flag(*find, {"text", "json"}, "text or json");
     output_flags(*find);
 
@@ -289,7 +310,7 @@ struct CommandLine {
     CLI::App* test = app.add_subcommand("test", "run the [[expect]] blocks of files (TAP)");
     test->add_option("DIR|FILE", files, "default: cases")->type_name("");
     set_flag(*test);
-    budget_flags(*test);
+    budget_flags(*test, 600);
     method_flags(*test);
     quiet_flag(*test);
     output_flags(*test);
@@ -297,7 +318,7 @@ struct CommandLine {
     CLI::App* verify = app.add_subcommand("verify", "check a certificate independently");
     verify->add_option("CERT", files, "a certificate; - is stdin")->required()->type_name("");
     verify->add_flag("--strict", settings.strict, "refuse steps that are taken on trust");
-    process_flags(*verify);
+    process_flags(*verify, 600);
     format_flag(*verify, {"text", "json"}, "text or json, one line for each file");
     quiet_flag(*verify);
     output_flags(*verify);
@@ -318,11 +339,7 @@ struct CommandLine {
     CLI::App* section =
         app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
     declare_section(*section, section_arguments);
-    section
-        ->add_option("--timeout", settings.timeout,
-                     "seconds in all; 0 = no limit; what is done is kept and marked PARTIAL")
-        ->check(number(1e9, "a number of seconds"))
-        ->type_name("S");
+    time_flag(*section, 0, "seconds in all; what is done is kept and marked PARTIAL");
     quiet_flag(*section);
     output_flags(*section);
 
@@ -343,6 +360,7 @@ struct CommandLine {
   }
 
   int run(const std::string& command) {
+    settings.timeout = timeout.value_or(time_limits[command]);
     if (command == "solve") return solve(settings, solve_arguments);
     if (command == "lame") return lame(settings, lame_arguments);
     if (command == "potential") return potential(settings, potential_arguments);

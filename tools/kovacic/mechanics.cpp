@@ -1,6 +1,5 @@
 #include "mechanics.hpp"
 
-#include "answer.hpp"
 #include "present.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
@@ -58,33 +57,44 @@ ParameterValues parameter_values(const Settings& settings) {
 
 Report supervised(const Settings& settings, const std::string& file,
                   const std::function<Report()>& work) {
+  return FileWorker(settings, file, [&](std::string_view) { return work(); }).ask("");
+}
+
+FileWorker::FileWorker(const Settings& settings, const std::string& file, Work work)
+    : settings_(settings), file_(file),
+      worker_(settings, [file, work = std::move(work)](std::string_view job, std::ostream& out,
+                                                       const Worker::Early&) {
+        try {
+          const Report r = work(job);
+          out << dump({{"text", r.text}, {"json", r.json}});
+          return r.exit;
+        } catch (const DomainError& e) {
+          throw InputError(file, 0, 0, 1, e.what());
+        } catch (const InvalidArgument& e) {
+          throw InputError(file, 0, 0, 1, e.what());
+        }
+      }) {
   // The child has no standard input.
   if (file == "-")
     throw InputError(file, 0, 0, 1, "a system file is read by its name, not from standard input");
-  const TextAnswer a = limited(settings, [&](std::ostream& out) {
-    try {
-      const Report r = work();
-      out << dump({{"text", r.text}, {"json", r.json}});
-      return r.exit;
-    } catch (const DomainError& e) {
-      throw InputError(file, 0, 0, 1, e.what());
-    } catch (const InvalidArgument& e) {
-      throw InputError(file, 0, 0, 1, e.what());
-    }
-  });
+}
+
+Report FileWorker::ask(std::string_view job) {
+  const TextAnswer a = worker_.ask(job);
   if (a.error) throw *a.error;
   Report r;
   r.exit = a.exit;
   if (!a.limit.empty()) {
-    r.json = Json{{"format", "kovacic-result/1"}, {"input", Json{{"file", file}}}};
+    r.limit = a.limit;
+    r.json = Json{{"format", "kovacic-result/1"}, {"input", Json{{"file", file_}}}};
     set_undecided(r.json, "budget", a.limit);
-    r.text = file + "\n  UNDECIDED\n  open      " + wrapped(a.limit, 12) +
-             "\n  more      kovacic explain budget\n";
+    r.text = file_ + "\n  UNDECIDED\n" + limit_lines(a.limit);
   } else if (a.exit == exit_internal || a.exit == exit_interrupted) {
     Answer failure;
     failure.exit = a.exit;
     failure.internal = a.internal;
-    report_failure(settings, failure);
+    report_failure(settings_, failure);
+    r.limit = a.exit == exit_interrupted ? "interrupted" : "internal error: " + a.internal;
   } else {
     const Json j = Json::parse(a.text);
     r.text = j.at("text");
@@ -193,10 +203,12 @@ Json json_of(const System& s, const ManifoldReport& m) {
 }
 
 Json json_of(const ClaimReport& c) {
-  return Json{{"name", title_of(c.claim)},         {"claim", c.claim.text},
-              {"proved", c.result.proved},         {"claimed", c.claim.holds},
-              {"detail", c.result.detail},         {"value", to_string(c.result.witness)},
-              {"generic", texts(c.result.generic)}};
+  Json j{{"name", title_of(c.claim)},         {"claim", c.claim.text},
+         {"proved", c.result.proved},         {"claimed", c.claim.holds},
+         {"detail", c.result.detail},         {"value", to_string(c.result.witness)},
+         {"generic", texts(c.result.generic)}};
+  if (!c.result.open.empty()) j["undecided"] = c.result.open;
+  return j;
 }
 
 Json json_of_field(const System& s) {

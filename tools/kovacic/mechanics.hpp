@@ -2,6 +2,7 @@
 // The sub-commands on system files share this: one job in a supervised child process, and the
 // pieces of text and JSON that several of them print.
 
+#include "answer.hpp"
 #include "integrability/check.hpp"
 #include "settings.hpp"
 
@@ -18,10 +19,27 @@ struct Report {
   int exit = exit_decided;
   std::string text;
   Json json;
+  std::string limit; ///< why there is no answer; empty: there is one
 };
 
-/// Runs `work` in a child process under the limits of the settings.  Input errors are thrown here;
-/// a limit that was reached gives an undecided report, an internal error is printed.
+/// Jobs on one system file, in a child process under the limits of the settings, each job under its
+/// own.  Input errors are thrown here; a limit that was reached gives an undecided report, an
+/// internal error is printed.
+class FileWorker {
+public:
+  /// Runs in the child, which is replaced after a limit.
+  using Work = std::function<Report(std::string_view job)>;
+
+  FileWorker(const Settings& settings, const std::string& file, Work work);
+  [[nodiscard]] Report ask(std::string_view job);
+
+private:
+  const Settings& settings_;
+  std::string file_;
+  TextWorker worker_;
+};
+
+/// One job.
 [[nodiscard]] Report supervised(const Settings& settings, const std::string& file,
                                 const std::function<Report()>& work);
 

@@ -49,8 +49,10 @@ int exit_of(const TheoremResult& result) {
   return result.complete() ? exit_decided : exit_undecided;
 }
 
+using ReadTheorem = std::function<Theorem()>; // in the child as well: files may be hostile
+
 // Runs in a child process, whose standard error is not ours: the terminal is `screen`, or -1.
-int run_steps(const Settings& settings, const Theorem& theorem, int screen, std::ostream& out,
+int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std::ostream& out,
               const Worker::Early& early) {
   const std::string format = format_of(settings);
   ProveOptions options;
@@ -61,16 +63,16 @@ int run_steps(const Settings& settings, const Theorem& theorem, int screen, std:
                       n.node.title.c_str());
     early(rendered(so_far, format));
   };
-  const TheoremResult result = kov::prove(theorem, options);
+  const TheoremResult result = kov::prove(read(), options);
   write_certificates(settings, result);
   out << rendered(result, format);
   return exit_of(result);
 }
 
-int run(const Settings& settings, const std::string& file, const Theorem& theorem) {
+int run(const Settings& settings, const std::string& file, const ReadTheorem& read) {
   const int screen = !settings.quiet && isatty(STDERR_FILENO) != 0 ? ::dup(STDERR_FILENO) : -1;
   const TextAnswer a = limited(settings, [&](std::ostream& out, const Worker::Early& early) {
-    return run_steps(settings, theorem, screen, out, early);
+    return run_steps(settings, read, screen, out, early);
   });
   if (screen >= 0) ::close(screen);
   if (a.error) throw *a.error;
@@ -93,7 +95,7 @@ int run(const Settings& settings, const std::string& file, const Theorem& theore
 } // namespace
 
 int prove(const Settings& settings, const std::string& file) {
-  return run(settings, file, read_theorem(read_document(file)));
+  return run(settings, file, [&] { return read_theorem(read_document(file)); });
 }
 
 namespace {
@@ -117,10 +119,11 @@ std::string at(const ParameterValues& values) {
 
 } // namespace
 
+namespace {
+
 // A system file by itself: its claims and its verdict, in the same form.
-int report_system(const Settings& settings, const std::string& file) {
-  const Entry document = read_document(file);
-  if (is_theorem_document(document)) return prove(settings, file);
+Theorem theorem_of_system(const Settings& settings, const std::string& file,
+                          const Entry& document) {
   const System s = read_system(document, parameter_values(settings));
   const auto slash = file.rfind('/');
   Theorem t;
@@ -151,7 +154,15 @@ int report_system(const Settings& settings, const std::string& file) {
   if (t.nodes.empty()) throw document.error("the file has neither claims nor manifolds");
   for (std::size_t i = 1; i < t.nodes.size(); ++i)
     t.nodes[0].needs.push_back(t.nodes[i].id);
-  return run(settings, file, t);
+  return t;
+}
+
+} // namespace
+
+int report_system(const Settings& settings, const std::string& file) {
+  const Entry document = read_document(file);
+  if (is_theorem_document(document)) return prove(settings, file);
+  return run(settings, file, [&] { return theorem_of_system(settings, file, document); });
 }
 
 } // namespace kov::cli

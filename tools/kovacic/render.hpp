@@ -28,4 +28,9 @@ struct Style {
 /// A formula of ours as LaTeX; `\mathtt{...}` if it is not one.
 [[nodiscard]] std::string tex_of_formula(const std::string& formula);
 
+/// Which flag or page helps an answer that is undecided for this reason.
+[[nodiscard]] std::string way_out(const std::string& why, const std::string& detail);
+/// The lines "open" and "more" of an answer that a limit ended.
+[[nodiscard]] std::string limit_lines(const std::string& limit);
+
 } // namespace kov::cli

@@ -192,7 +192,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
     put(out, "open", u.at("detail").get<std::string>());
     if (result.at("reason") != u.at("detail"))
       put(out, "because", result.at("reason").get<std::string>());
-    put(out, "more", "kovacic explain " + u.at("why").get<std::string>());
+    put(out, "more", way_out(u.at("why"), u.at("detail")));
   } else {
     put(out, "because", result.at("reason").get<std::string>());
   }
@@ -217,6 +217,22 @@ std::string text_of_result(const Json& result, const std::string& title, const S
         result.at("certificate_file").get<std::string>() + "   verify: kovacic verify " +
             result.at("certificate_file").get<std::string>());
   return out.str();
+}
+
+std::string way_out(const std::string& why, const std::string& detail) {
+  static const std::pair<const char*, const char*> flags[] = {{"time limit", "--timeout S"},
+                                                              {"memory limit", "--memory MIB"},
+                                                              {"work limit", "--max-work N"},
+                                                              {"degree limit", "--max-degree N"}};
+  const std::string page = "kovacic explain " + why;
+  for (const auto& [limit, flag] : flags)
+    if (detail.find(limit) != std::string::npos)
+      return std::string(flag) + " sets another limit; " + page;
+  return page;
+}
+
+std::string limit_lines(const std::string& limit) {
+  return "  open      " + wrapped(limit, 12) + "\n  more      " + way_out("budget", limit) + "\n";
 }
 
 } // namespace kov::cli

@@ -20,6 +20,7 @@ Options Settings::solver_options() const {
   if (timeout > 0) o.budget = Budget::of_seconds(timeout);
   o.budget.max_degree = max_degree;
   o.budget.max_families = max_families;
+  o.budget.max_work = max_work;
   if (method == "kovacic") o.method = Method::kovacic;
   if (method == "engines") o.method = Method::engines;
   if (method == "all") o.method = Method::all;

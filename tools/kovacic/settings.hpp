@@ -1,9 +1,9 @@
 #pragma once
 // The flags that several commands share.
 
+#include "exact/truth.hpp"
 #include "render.hpp"
 #include "supervisor.hpp"
-#include "exact/truth.hpp"
 #include "symbol/input_error.hpp"
 #include "verdict/decide.hpp"
 
@@ -30,6 +30,7 @@ struct Settings {
   double timeout = 0;
   long max_degree = Budget{}.max_degree;
   long max_families = Budget{}.max_families;
+  double max_work = Budget{}.max_work;
   std::size_t memory = 4 * 1024; ///< MiB
   std::size_t max_print = 4;     ///< MiB of solutions; 0 = no limit
   std::string manifold;          ///< system files: only this one
