@@ -11,10 +11,14 @@ namespace kov {
 
 /// The size of a value: terms, each as long as the longest number in machine words; of a fraction that
 /// of the larger side; at least 1.
+/// Example size_of(MPoly(make_ring({"x"}), Integer(5)))  // -> 1
 [[nodiscard]] double size_of(const MPoly& f) noexcept;
 [[nodiscard]] double size_of(const MFraction& f) noexcept;
 
 /// The work of one search.
+/// Given   Budget little; little.max_work = 10; Work work(little, "this search");
+/// Example work.add(8)  // -> done
+/// Example work.add(8)  // -> throws OutOfBudget
 class Work {
 public:
   /// what: "a Gröbner basis", for the message.
