@@ -32,12 +32,7 @@ PlacedPicture place(const PolePicture& p, long width, long height) {
   return out;
 }
 
-std::string name_of(const std::string& id) {
-  const LiteratureTheorem* t = literature_theorem(id);
-  return t ? t->name : id;
-}
-
-std::string settled(const LiteratureHypothesis& h) {
+std::string settled(const TheoremHypothesis& h) {
   return h.settled == Settled::checked  ? "checked (" + h.how + "): "
          : h.settled == Settled::stated ? "part of the statement: "
                                         : "NOT CHECKED: ";

@@ -1,16 +1,14 @@
 #pragma once
 // A proved theorem as text, JSON, LaTeX and one self-contained HTML page.
 
+#include "literature/literature.hpp"
 #include "report/formula.hpp"
-#include "theorem/literature.hpp"
 #include "theorem/theorem.hpp"
 
 namespace kov::report {
 
-/// "Morales-Ruiz and Ramis (2001)" for the id of a theorem of the literature.
-[[nodiscard]] std::string name_of(const std::string& id);
 /// "checked by ...: ", "part of the statement: " or "NOT CHECKED: ".
-[[nodiscard]] std::string settled(const LiteratureHypothesis& h);
+[[nodiscard]] std::string settled(const TheoremHypothesis& h);
 /// What stands before the words of the author.
 [[nodiscard]] std::string remark(const NodeResult& n);
 

@@ -71,8 +71,9 @@ std::string tree(const TheoremResult& t) {
       if (!h.checked)
         inner += tag("li", tag("span", "not checked", "class=\"badge open\"") +
                                " hypothesis: " + prose(h.text, html));
-    for (const std::string& s : n.theorems)
-      inner += tag("li", badge(NodeStatus::trusted) + " the theorem of " + prose(name_of(s), html));
+    for (const TheoremUsed& u : n.theorems)
+      inner += tag("li", badge(NodeStatus::trusted) + " the theorem of " +
+                             prose(u.theorem->name, html));
     for (const std::string& c : n.node.needs)
       inner += item(node_of(t, c));
     return tag("li", out + (inner.empty() ? "" : tag("ul", inner)));
@@ -133,15 +134,14 @@ std::string picture(const PolePicture& p) {
 }
 
 // A theorem of the literature with its hypotheses.
-std::string hypotheses_of(const TheoremUse& use) {
-  const LiteratureTheorem* t = literature_theorem(use.id);
-  if (!t) return "";
+std::string hypotheses_of(const TheoremUsed& use) {
+  const LiteratureTheorem& t = *use.theorem;
   std::string list;
-  for (const LiteratureHypothesis& h : t->hypotheses)
+  for (const TheoremHypothesis& h : use.hypotheses)
     list += tag("li", prose(settled(h) + h.text, html),
                 h.settled == Settled::open ? "class=\"warn\"" : "class=\"soft\"");
-  return tag("li", tag("b", prose(t->name, html)) + " [" + prose(t->cite, html) +
-                       "]: " + prose(t->statement, html) + tag("ul", list));
+  return tag("li", tag("b", prose(t.name, html)) + " [" + prose(t.cite, html) +
+                       "]: " + prose(t.statement, html) + tag("ul", list));
 }
 
 // The places of the first step, open to the eye.
@@ -182,8 +182,8 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
     out += table(g);
   for (const PolePicture& p : n.pictures)
     if (!p.points.empty()) out += picture(p);
-  for (const std::string& s : n.theorems)
-    out += tag("p", "By the theorem of " + prose(s, html) + ".");
+  for (const TheoremUsed& u : n.theorems)
+    out += tag("p", "By the theorem of " + prose(u.theorem->name, html) + ".");
   if (!n.node.file.empty())
     out +=
         tag("p", "From the file " + tag("code", prose(n.node.file, html)) + ".", "class=\"soft\"");
@@ -199,7 +199,7 @@ std::string counts(const TheoremResult& t) {
              count(t.count(NodeStatus::proved), "step proved here", "steps proved here") +
                  count(t.identities(), "exact identity checked", "exact identities checked") +
                  count(t.certificates(), "certificate accepted", "certificates accepted") +
-                 count(t.trusted_theorems().size(), "theorem trusted", "theorems trusted") +
+                 count(t.uses().size(), "theorem trusted", "theorems trusted") +
                  count(t.trusted_steps().size(), "other step on trust", "other steps on trust") +
                  count(t.count(NodeStatus::reasoned), "argument in words", "arguments in words") +
                  count(t.unchecked_hypotheses().size(), "hypothesis not checked",
@@ -213,13 +213,11 @@ std::string counts(const TheoremResult& t) {
 
 std::string theorem_html(const TheoremResult& t) {
   std::string trusted;
-  for (const std::string& s : t.trusted_theorems())
-    if (!is_in_literature(s)) trusted += tag("li", prose(s, html));
   for (const std::string& s : t.trusted_steps())
     trusted += tag("li", prose(s, html));
   for (const std::string& s : t.unchecked_hypotheses())
     trusted += tag("li", "Hypothesis not checked: " + prose(s, html), "class=\"warn\"");
-  for (const TheoremUse& use : t.uses())
+  for (const TheoremUsed& use : t.uses())
     trusted += hypotheses_of(use);
   if (trusted.empty()) trusted = tag("li", "nothing");
   std::string steps;

@@ -103,8 +103,8 @@ std::string step(const TheoremResult& t, const NodeResult& n) {
     out += table(g);
   for (const PolePicture& p : n.pictures)
     if (!p.points.empty()) out += picture(p);
-  for (const std::string& s : n.theorems)
-    out += "\\par By the theorem of " + prose(name_of(s), tex) + ".\n";
+  for (const TheoremUsed& u : n.theorems)
+    out += "\\par By the theorem of " + prose(u.theorem->name, tex) + ".\n";
   if (!n.node.note.empty()) out += paragraph("Note", prose(n.node.note, tex));
   return out;
 }
@@ -130,9 +130,9 @@ std::string tree(const TheoremResult& t) {
       tabs(depth + 1);
       out += "a hypothesis \\status{NOT CHECKED}\\\\\n";
     }
-    for (const std::string& s : n.theorems) {
+    for (const TheoremUsed& u : n.theorems) {
       tabs(depth + 1);
-      out += "the theorem of " + prose(name_of(s), tex) + " \\status{trusted}\\\\\n";
+      out += "the theorem of " + prose(u.theorem->name, tex) + " \\status{trusted}\\\\\n";
     }
     for (const std::string& c : n.node.needs)
       put(t.nodes[number_of(t, c) - 1], depth + 1);
@@ -156,20 +156,18 @@ std::string theorem_tex(const TheoremResult& t) {
          " certificates accepted, in " + t.time() + ".\n";
   out += "\\section*{What rests on what}\n" + tree(t);
   out += "\\section*{Trusted}\n\\begin{itemize}\n";
-  for (const std::string& s : t.trusted_theorems())
-    if (!is_in_literature(s)) out += "\\item " + prose(s, tex) + "\n"; // else with its hypotheses
   for (const std::string& s : t.trusted_steps())
     out += "\\item " + prose(s, tex) + "\n";
   for (const std::string& s : t.unchecked_hypotheses())
     out += "\\item \\textbf{Hypothesis not checked.} " + prose(s, tex) + "\n";
-  for (const TheoremUse& use : t.uses())
-    if (const LiteratureTheorem* theorem = literature_theorem(use.id)) {
-      out += "\\item " + prose(theorem->name, tex) + " [" + prose(theorem->cite, tex) +
-             "]: " + prose(theorem->statement, tex) + "\n\\begin{itemize}\n";
-      for (const LiteratureHypothesis& h : theorem->hypotheses)
-        out += "\\item " + prose(settled(h) + h.text, tex) + "\n";
-      out += "\\end{itemize}\n";
-    }
+  for (const TheoremUsed& use : t.uses()) {
+    const LiteratureTheorem& theorem = *use.theorem;
+    out += "\\item " + prose(theorem.name, tex) + " [" + prose(theorem.cite, tex) +
+           "]: " + prose(theorem.statement, tex) + "\n\\begin{itemize}\n";
+    for (const TheoremHypothesis& h : use.hypotheses)
+      out += "\\item " + prose(settled(h) + h.text, tex) + "\n";
+    out += "\\end{itemize}\n";
+  }
   if (out.ends_with("\\begin{itemize}\n")) out += "\\item nothing\n";
   out += "\\item[] \n\\end{itemize}\n\\section*{The steps}\n";
   for (const NodeResult& n : t.nodes)

@@ -51,8 +51,8 @@ void put_tree(std::string& out, const TheoremResult& t, const std::string& id, s
   const std::string inner(2 * depth + 3, ' ');
   for (const Hypothesis& h : n.node.hypotheses)
     if (!h.checked) out += mark("unchecked") + inner + "hypothesis: " + h.text + "\n";
-  for (const std::string& s : n.theorems)
-    out += mark("trusted") + inner + "the theorem of " + name_of(s) + "\n";
+  for (const TheoremUsed& u : n.theorems)
+    out += mark("trusted") + inner + "the theorem of " + u.theorem->name + "\n";
   for (const std::string& child : n.node.needs)
     put_tree(out, t, child, depth + 1, seen);
 }
@@ -81,18 +81,32 @@ void put_step(std::string& out, const NodeResult& n) {
       out += filled(line, 6);
     }
   }
-  for (const std::string& s : n.theorems)
-    out += filled("by the theorem of " + name_of(s), 4);
+  for (const TheoremUsed& u : n.theorems)
+    out += filled("by the theorem of " + u.theorem->name, 4);
   if (!n.node.note.empty()) out += filled("note: " + n.node.note, 2);
 }
 
 void put_hypotheses(std::string& out, const TheoremResult& t) {
-  for (const TheoremUse& use : t.uses())
-    if (const LiteratureTheorem* theorem = literature_theorem(use.id)) {
-      out += filled(theorem->name + " [" + theorem->cite + "]: " + theorem->statement, 2);
-      for (const LiteratureHypothesis& h : theorem->hypotheses)
-        out += filled(settled(h) + h.text, 4);
-    }
+  for (const TheoremUsed& use : t.uses()) {
+    const LiteratureTheorem& theorem = *use.theorem;
+    out += filled(theorem.name + " [" + theorem.cite + "]: " + theorem.statement, 2);
+    for (const TheoremHypothesis& h : use.hypotheses)
+      out += filled(settled(h) + h.text, 4);
+  }
+}
+
+std::vector<std::string> ids(const std::vector<TheoremUsed>& uses) {
+  std::vector<std::string> all;
+  for (const TheoremUsed& use : uses)
+    all.push_back(use.id());
+  return all;
+}
+
+std::vector<std::string> names(const std::vector<TheoremUsed>& uses) {
+  std::vector<std::string> all;
+  for (const TheoremUsed& use : uses)
+    all.push_back(use.theorem->name);
+  return all;
 }
 
 } // namespace
@@ -106,8 +120,6 @@ std::string theorem_text(const TheoremResult& t) {
   std::set<std::string> seen;
   put_tree(out, t, t.nodes.front().node.id, 0, seen);
   out += "\ntrusted\n";
-  for (const std::string& s : t.trusted_theorems())
-    out += filled(s, 2);
   for (const std::string& s : t.trusted_steps())
     out += filled(s, 2);
   for (const std::string& s : t.unchecked_hypotheses())
@@ -133,7 +145,7 @@ std::string theorem_json(const TheoremResult& t) {
            {"summary", n.summary},
            {"needs", n.node.needs},
            {"cite", n.node.cite},
-           {"theorems", n.theorems},
+           {"theorems", ids(n.theorems)},
            {"trusted", n.trusted},
            {"certificates", n.certificates.size()}};
     j["hypotheses"] = Json::array();
@@ -169,7 +181,7 @@ std::string theorem_json(const TheoremResult& t) {
                  {"refuted", t.count(NodeStatus::refuted)},
                  {"arguments", t.count(NodeStatus::reasoned)},
                  {"unbound", t.count(NodeStatus::unbound)},
-                 {"trusted", t.trusted_theorems()},
+                 {"trusted", names(t.uses())},
                  {"trusted_steps", t.trusted_steps()},
                  {"unchecked_hypotheses", t.unchecked_hypotheses()},
                  {"identities", t.identities()},

@@ -5,7 +5,6 @@
 #include "strata/reals.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
-#include "theorem/literature.hpp"
 #include "theorem/prove.hpp"
 
 #include <algorithm>
@@ -25,21 +24,18 @@ const NodeResult* find(const TheoremResult& result, const std::string& id) {
 bool has_system(const NodeResult& n) {
   using enum NodeKind;
   return n.node.kind != argument && n.node.kind != cover &&
-         (n.node.kind != theorem || (literature_theorem(n.node.theorem) != nullptr &&
-                                     !literature_theorem(n.node.theorem)->system.empty()));
+         (n.node.kind != theorem || (n.node.theorem != nullptr && !n.node.theorem->system.empty()));
 }
 
 System system_of(const NodeResult& n, const std::string& directory) {
   System s =
       n.node.kind == NodeKind::theorem
-          ? read_system(parse_document(literature_theorem(n.node.theorem)->system, n.node.theorem))
+          ? read_system(parse_document(n.node.theorem->system, n.node.theorem->id))
           : read_system(beside(directory, n.node.file), n.node.where);
-  for (const std::string& text : n.domain) { // "A - B > 0" or ">= 0"
-    const bool strict = text.find(">=") == std::string::npos;
+  for (const Inequality& x : n.domain)
     s.assumptions.push_back(
-        {strict ? Assumption::Relation::positive : Assumption::Relation::nonnegative,
-         formula(s, text.substr(0, text.find('>'))), text, 0});
-  }
+        {x.strict ? Assumption::Relation::positive : Assumption::Relation::nonnegative,
+         formula(s, x.value), x.value + (x.strict ? " > 0" : " >= 0"), 0});
   return s;
 }
 
@@ -202,8 +198,8 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
 // An integral that is analytic at the origin has a polynomial as lowest-order part, a meromorphic
 // one a rational function; both belong to the class that is excluded, besides that at the origin.
 void transport_from_lowest_order(NodeResult& n) {
-  n.theorems.emplace_back("Ziglin 1982");
-  n.excluded.emplace_back("meromorphic near the origin");
+  n.theorems.push_back(used(ziglin_1982()));
+  n.excluded.push_back(ziglin_1982().integrals);
 }
 
 void settle_place(NodeResult& n, const TheoremResult& result, const std::string& directory) {
@@ -325,13 +321,13 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
 
 void prove_theorem(NodeResult& n) {
   n.status = NodeStatus::trusted;
-  const LiteratureTheorem* t = literature_theorem(n.node.theorem);
-  if (!t) return;
-  n.theorems.push_back(t->id);
-  n.statement = t->statement.substr(0, t->statement.find_last_not_of('.') + 1);
-  if (t->system.empty()) return;
+  if (!n.node.theorem) return;
+  const LiteratureTheorem& t = *n.node.theorem;
+  n.theorems.push_back(used(t));
+  n.statement = t.statement.substr(0, t.statement.find_last_not_of('.') + 1);
+  if (t.system.empty()) return;
   n.says = Conclusion::not_integrable;
-  n.excluded = {"meromorphic on the leaves with F2 = 0"};
+  n.excluded = {t.integrals};
 }
 
 } // namespace kov

@@ -22,7 +22,7 @@ void run(NodeResult& n, const std::string& directory, const ProveOptions& option
   case NodeKind::lowest_order:
     return prove_lowest_order(n, directory);
   case NodeKind::theorem:
-    return n.node.theorem.empty() ? void(n.status = NodeStatus::reasoned) : prove_theorem(n);
+    return n.node.theorem == nullptr ? void(n.status = NodeStatus::reasoned) : prove_theorem(n);
   case NodeKind::cover: // when its needs are known
     return;
   case NodeKind::argument:

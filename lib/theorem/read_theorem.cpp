@@ -1,7 +1,7 @@
 #include "theorem/theorem.hpp"
 
 #include "symbol/suggest.hpp"
-#include "theorem/literature.hpp"
+#include "literature/literature.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -126,11 +126,11 @@ void check_keys_of_kind(const Entry& e, NodeKind kind) {
   }
 }
 
-// A theorem node that names a theorem of literature.hpp is that theorem.
-std::string read_literature(const Entry& e) {
+// A theorem node that names one of literature() is that theorem.
+const LiteratureTheorem* read_literature(const Entry& e) {
   const Entry* named = e.find("theorem");
-  if (!named) return "";
-  if (literature_theorem(named->string())) return named->string();
+  if (!named) return nullptr;
+  if (const LiteratureTheorem* t = literature_theorem(named->string())) return t;
   std::vector<std::string> known;
   for (const LiteratureTheorem& t : literature())
     known.push_back(t.id);

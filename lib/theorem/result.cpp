@@ -1,7 +1,6 @@
 #include "theorem/theorem.hpp"
 
 #include "symbol/suggest.hpp"
-#include "theorem/literature.hpp"
 
 #include <algorithm>
 
@@ -16,6 +15,19 @@ std::string plural(std::size_t n, const std::string& one, const std::string& man
   return std::to_string(n) + " " + (n == 1 ? one : many.empty() ? one + "s" : many);
 }
 
+// What one of two uses leaves open is open.
+void leave_open(TheoremUsed& all, const TheoremUsed& here) {
+  for (const TheoremHypothesis& h : here.hypotheses) {
+    if (h.settled != Settled::open) continue;
+    const auto same = std::find_if(all.hypotheses.begin(), all.hypotheses.end(),
+                                   [&](const TheoremHypothesis& x) { return x.text == h.text; });
+    if (same == all.hypotheses.end())
+      all.hypotheses.push_back(h);
+    else
+      *same = h;
+  }
+}
+
 } // namespace
 
 std::size_t TheoremResult::count(NodeStatus s) const {
@@ -23,21 +35,18 @@ std::size_t TheoremResult::count(NodeStatus s) const {
       nodes.begin(), nodes.end(), [s](const NodeResult& n) { return n.status == s; }));
 }
 
-std::vector<TheoremUse> TheoremResult::uses() const {
-  std::vector<TheoremUse> all;
+std::vector<TheoremUsed> TheoremResult::uses() const {
+  std::vector<TheoremUsed> all;
   for (const NodeResult& n : nodes)
-    for (const std::string& id : n.theorems)
-      if (std::none_of(all.begin(), all.end(), [&](const TheoremUse& u) { return u.id == id; }))
-        all.push_back({id, n.node.title});
-  return all;
-}
-
-std::vector<std::string> TheoremResult::trusted_theorems() const {
-  std::vector<std::string> all;
-  for (const TheoremUse& u : uses()) {
-    const LiteratureTheorem* t = literature_theorem(u.id);
-    add_once(all, t ? t->name : u.id);
-  }
+    for (const TheoremUsed& here : n.theorems) {
+      const auto known = std::find_if(all.begin(), all.end(), [&](const TheoremUsed& u) {
+        return u.theorem == here.theorem;
+      });
+      if (known == all.end())
+        all.push_back(here);
+      else
+        leave_open(*known, here);
+    }
   return all;
 }
 
@@ -54,10 +63,9 @@ std::vector<std::string> TheoremResult::unchecked_hypotheses() const {
   for (const NodeResult& n : nodes)
     for (const Hypothesis& h : n.node.hypotheses)
       if (!h.checked) all.push_back(n.node.title + ": " + h.text);
-  for (const TheoremUse& u : uses())
-    if (const LiteratureTheorem* t = literature_theorem(u.id))
-      for (const LiteratureHypothesis& h : t->hypotheses)
-        if (h.settled == Settled::open) all.push_back(t->name + ": " + h.text);
+  for (const TheoremUsed& u : uses())
+    for (const TheoremHypothesis& h : u.hypotheses)
+      if (h.settled == Settled::open) all.push_back(u.theorem->name + ": " + h.text);
   return all;
 }
 
@@ -89,7 +97,7 @@ std::string TheoremResult::time() const {
 std::string TheoremResult::given() const {
   const std::size_t unchecked = unchecked_hypotheses().size();
   std::vector<std::string> all;
-  if (const auto n = trusted_theorems().size(); n > 0)
+  if (const auto n = uses().size(); n > 0)
     all.push_back(plural(n, "theorem") + " of the literature");
   if (const auto n = trusted_steps().size(); n > 0)
     all.push_back(plural(n, "other step") + " on trust");

@@ -96,8 +96,8 @@ void put_domain(NodeResult& n, const System& s, bool triangle) {
   std::string direction;
   for (const std::string& name : n.node.small)
     direction += (direction.empty() ? "" : " + ") + name + "^2";
-  n.domain = {"A - B > 0", "B - C > 0", "C > 0", direction + " > 0"};
-  if (triangle) n.domain.emplace_back("B + C - A >= 0");
+  n.domain = {{"A - B"}, {"B - C"}, {"C"}, {direction}};
+  if (triangle) n.domain.push_back({"B + C - A", false});
   if (!has_moments(perturbation_of_euler(s, n.node.small))) n.domain.clear();
 }
 
@@ -109,7 +109,7 @@ bool put_family(NodeResult& n, const SplittingFamily& f) {
     sum += (sum.empty() ? "" : " + ") + name + "^2";
   for (const MPoly& g : f.moments)
     sum += (sum.empty() ? "(" : " + (") + to_string(g) + ")^2";
-  n.domain.push_back(sum + " > 0");
+  n.domain.push_back({sum});
   return true;
 }
 
@@ -174,7 +174,7 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
   const SplittingData d =
       splitting_data(perturbation_of_euler(s, n.node.small), options.decide.budget);
   n.checks = d.checks;
-  n.theorems.emplace_back("Ziglin 1980");
+  n.theorems.push_back(used(ziglin_1980()));
   for (const CheckedIdentity& c : check_ziglin_hypotheses(d))
     n.checks.push_back(c);
   const VanishingConditions conditions = vanishing_conditions(d);
@@ -195,7 +195,7 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
     describable = !n.domain.empty() && put_family(n, *f) && describable;
   if (left.empty() && describable && !n.domain.empty()) {
     n.says = Conclusion::not_integrable;
-    n.excluded = {"real-analytic on the whole real phase space"};
+    n.excluded = {ziglin_1980().integrals};
   }
   n.summary = fixed(s) + (left.empty() ? "a sum of residues is not zero for " +
                                              range(s, n.node, found.triangle) + found.admitted +

@@ -16,6 +16,7 @@
 // What a step says is generated from what was computed.  The words of the author are a title and a
 // remark; they carry no mark of their own.
 
+#include "literature/literature.hpp"
 #include "splitting/checked.hpp"
 #include "symbol/document.hpp"
 #include "system/system.hpp"
@@ -71,7 +72,8 @@ struct AdmittedFamily {
 struct TheoremNode {
   std::string id, title;
   std::string statement, note; ///< the author's words: an argument, or a remark
-  std::string theorem;         ///< kind theorem: its id in literature.hpp, or empty
+  /// kind theorem: one of literature(), or null
+  const LiteratureTheorem* theorem = nullptr;
   Place place;                 ///< where among the theorem's systems; cover: what is covered
   NodeKind kind = NodeKind::argument;
   std::vector<std::string> needs;
@@ -131,10 +133,10 @@ struct PolePicture {
   bool strip = false; ///< draw the strip between y = 0 and y = 2
 };
 
-/// A theorem of the literature in use.
-struct TheoremUse {
-  std::string id;   ///< in literature.hpp
-  std::string step; ///< title of the step that uses it
+/// value > 0, or value >= 0 if not strict; a formula in the parameters of a system file.
+struct Inequality {
+  std::string value;
+  bool strict = true;
 };
 
 /// What a step says about the parameters of its region.
@@ -147,7 +149,7 @@ struct NodeResult {
   std::string integrals;             ///< says has_integral: which
   std::vector<std::string> excluded; ///< says not_integrable: classes of first integrals
   /// What the step needs of the parameters of its file besides what the file assumes.
-  std::vector<std::string> domain;
+  std::vector<Inequality> domain;
   ParameterRegion region; ///< of the theorem's parameters, if the step is about its system
   NodeStatus status = NodeStatus::open;
   bool rests_on_open = false;           ///< something below it is open or refuted
@@ -158,7 +160,7 @@ struct NodeResult {
   std::vector<Formula> formulas;
   std::vector<Grid> tables;
   std::vector<PolePicture> pictures;
-  std::vector<std::string> theorems;     ///< of the literature, in use: ids
+  std::vector<TheoremUsed> theorems;     ///< of the literature
   std::vector<std::string> trusted;      ///< other steps on faith
   std::vector<std::string> certificates; ///< JSON, accepted by the judge
   double seconds = 0;
@@ -170,8 +172,8 @@ struct TheoremResult {
   double seconds = 0;
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
-  [[nodiscard]] std::vector<std::string> trusted_theorems() const; ///< names, each once
-  [[nodiscard]] std::vector<TheoremUse> uses() const; ///< of theorems in literature.hpp, each once
+  /// Each theorem once, with a hypothesis open where one of its uses leaves it open.
+  [[nodiscard]] std::vector<TheoremUsed> uses() const;
   /// What is proved: the statement of the first step; empty while it is not.
   [[nodiscard]] std::string statement() const;
   [[nodiscard]] std::vector<std::string> trusted_steps() const; ///< e.g. decisions of Z3

@@ -20,7 +20,7 @@ TEST(MainTheorem, IsProvedFromTheCaseFiles) {
   }
   EXPECT_TRUE(r.complete());
   EXPECT_EQ(r.count(NodeStatus::reasoned), 0U);
-  EXPECT_EQ(r.trusted_theorems().size(), 4U);
+  EXPECT_EQ(r.uses().size(), 4U);
   for (const std::string& s : r.trusted_steps()) // nothing else is taken on faith
     EXPECT_TRUE(s.find("the way from the system to r(z)") != std::string::npos ||
                 s.find("Z3") != std::string::npos)

@@ -1,4 +1,6 @@
-#include "theorem/literature.hpp"
+#include "literature/literature.hpp"
+
+#include "exact/error.hpp"
 
 #include <algorithm>
 
@@ -25,7 +27,7 @@ conditions = ["L1^2 + L2^2 > 0", "A - C != 0", "L3^2 + (A - 2*C)^2 > 0", "L3^2 +
 )";
 
 std::vector<LiteratureTheorem> all_theorems() {
-  const LiteratureHypothesis independent{
+  const TheoremHypothesis independent{
       "the first integrals are independent on the symplectic leaf that carries the phase curve",
       Settled::stated, "that is what is excluded"};
   return {
@@ -35,6 +37,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "phase curve, the identity component of the differential Galois group of the variational "
        "equations along it is abelian.",
        "MoralesRamis2001",
+       "meromorphic",
        {{"the system is Hamiltonian on the leaves of a Poisson structure", Settled::checked,
          "Jacobi's identity, when the system is read"},
         {"the curve is a phase curve and no equilibrium", Settled::checked,
@@ -48,6 +51,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "If a vector field is meromorphically integrable near a phase curve, the identity component "
        "of the differential Galois group of the variational equations along it is abelian.",
        "AyoulZung2010",
+       "meromorphic",
        {{"the curve is a phase curve and no equilibrium", Settled::checked,
          "the manifold of the step is proved to be invariant"},
         {"the first integrals and symmetry fields are meromorphic near the curve", Settled::stated,
@@ -60,6 +64,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "of H1 on the orbit, over the strip 0 <= Im t <= 2 pi/lambda, is not 0, then for small "
        "mu != 0 there is no first integral independent of H.",
        "Ziglin1980",
+       "real-analytic on the whole real phase space",
        {{"hypotheses 1 to 6", Settled::checked, "the identities of the step"},
         {"the first integral is real-analytic near the closure of the orbit", Settled::stated,
          "that is what is excluded"}}},
@@ -70,6 +75,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "whose lowest-order parts are functionally independent; lowest-order parts of first "
        "integrals are first integrals of the lowest-order system.",
        "Ziglin1983",
+       "meromorphic near the origin",
        {{"the bracket and the lowest-order terms are weight-homogeneous", Settled::checked,
          "the step lowest-order"},
         {"the first integrals are meromorphic near the origin", Settled::stated,
@@ -79,6 +85,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "The heavy top with A = B is integrable with complex meromorphic first integrals on F2 = 0 "
        "only in the four classical cases.",
        "Ziglin1983",
+       "meromorphic on the leaves with F2 = 0",
        {{"the first integrals are meromorphic on the leaves with F2 = 0", Settled::stated,
          "that is what is excluded"},
         {"first integrals that are independent are so on the leaves with F2 = 0", Settled::open,
@@ -100,9 +107,23 @@ const LiteratureTheorem* literature_theorem(const std::string& id) {
   return found == all.end() ? nullptr : &*found;
 }
 
-bool is_in_literature(const std::string& name) {
-  return std::any_of(literature().begin(), literature().end(),
-                     [&](const LiteratureTheorem& known) { return known.name == name; });
+namespace {
+
+const LiteratureTheorem& known(const char* id) {
+  const LiteratureTheorem* theorem = literature_theorem(id);
+  KOV_ENSURE(theorem != nullptr);
+  return *theorem;
+}
+
+} // namespace
+
+const LiteratureTheorem& morales_ramis() { return known("Morales-Ramis"); }
+const LiteratureTheorem& ayoul_zung() { return known("Ayoul-Zung"); }
+const LiteratureTheorem& ziglin_1980() { return known("Ziglin 1980"); }
+const LiteratureTheorem& ziglin_1982() { return known("Ziglin 1982"); }
+
+TheoremUsed used(const LiteratureTheorem& theorem) {
+  return {&theorem, theorem.hypotheses, theorem.integrals};
 }
 
 } // namespace kov

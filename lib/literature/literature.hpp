@@ -1,0 +1,60 @@
+#pragma once
+// Theorems of the literature that are used and not proved here.
+//
+// A theorem is a value: its statement and its hypotheses belong to it, and no file can reword or
+// remove one.  A use of it says of each hypothesis whether it was checked (by what), is part of
+// what is stated, or is not checked, and which class of first integrals it excludes.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+enum class Settled : std::uint8_t {
+  checked, ///< by the step that uses the theorem
+  stated,  ///< part of the statement: the kind of first integrals that is excluded
+  open     ///< not checked
+};
+
+struct TheoremHypothesis {
+  std::string text;
+  Settled settled = Settled::open;
+  std::string how; ///< what checks it, or where it is said
+};
+
+struct LiteratureTheorem {
+  std::string id;   ///< as files name it: "Morales-Ramis"
+  std::string name; ///< "Morales-Ruiz and Ramis (2001)"
+  std::string statement;
+  std::string cite;      ///< key in docs/references.bib
+  std::string integrals; ///< the first integrals that it excludes are ...
+  std::vector<TheoremHypothesis> hypotheses;
+  /// A theorem about one system: that system as a system file, with what it assumes.
+  std::string system = {};
+};
+
+[[nodiscard]] const std::vector<LiteratureTheorem>& literature();
+/// Nothing if there is no theorem of this id.
+/// Example literature_theorem("Ayoul-Zung")->cite  // -> "AyoulZung2010"
+/// Example literature_theorem("Fermat") == nullptr  // -> true
+[[nodiscard]] const LiteratureTheorem* literature_theorem(const std::string& id);
+
+[[nodiscard]] const LiteratureTheorem& morales_ramis(); ///< Hamiltonian systems
+[[nodiscard]] const LiteratureTheorem& ayoul_zung();    ///< all vector fields
+[[nodiscard]] const LiteratureTheorem& ziglin_1980();   ///< splitting of separatrices
+[[nodiscard]] const LiteratureTheorem& ziglin_1982();   ///< lowest-order parts
+
+/// One use of a theorem.
+struct TheoremUsed {
+  const LiteratureTheorem* theorem = nullptr; ///< one of literature(), never null in a result
+  std::vector<TheoremHypothesis> hypotheses;  ///< as this use settles them
+  std::string integrals;                      ///< the first integrals that it excludes are ...
+
+  [[nodiscard]] const std::string& id() const { return theorem->id; }
+};
+/// With the hypotheses as the theorem says that its uses settle them.
+/// Example used(morales_ramis()).integrals  // -> "meromorphic"
+[[nodiscard]] TheoremUsed used(const LiteratureTheorem& theorem);
+
+} // namespace kov
