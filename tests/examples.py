@@ -18,12 +18,22 @@ import sys
 # Headers without examples, and why.
 excused = {
     "exact/flint.hpp": "includes only",
+    "exact/flint_matrix.hpp": "includes only",
+    "integrability/block.hpp": "a stage of check.hpp",
+    "integrability/change_search.hpp": "a stage of check.hpp",
+    "integrability/conclude.hpp": "a stage of check.hpp",
+    "integrability/linearise.hpp": "a stage of check.hpp",
+    "integrability/special_strata.hpp": "a stage of check.hpp",
+    "integrability/study.hpp": "what the stages of check.hpp are handed",
+    "integrability/monodromy_opinion.hpp": "an example needs a system file",
+    "integrability/variational_monodromy.hpp": "an example needs a system file",
     "kovacic/family_log.hpp": "two steps of the trace, used by the cases",
     "kovacic/polynomial_kernel.hpp": "a part of polynomial.cpp, compiled for two fields",
     "special/recognize_families.hpp": "the parts of recognize.cpp",
     "strata/open_exponent.hpp": "a part of decide_leaf.cpp",
     "symbol/tokens.hpp": "a part of expression.cpp",
     "system/read_system.hpp": "the parts of read_system.cpp",
+    "verdict/words.hpp": "the sentences of decide.hpp",
     "verdict/witness.hpp": "the searches of certificate.cpp",
 }
 

@@ -50,7 +50,7 @@ public:
     if (m_.verdict == VerdictKind::non_integrable && d.abelian == Truth::no)
       c.steps.push_back({"obstruction",
                          {group, "equation"},
-                         certify::ApplyTheorem{m_.theorem, s_.file + ": " + m_.statement}});
+                         certify::ApplyTheorem{m_.by->id(), s_.file + ": " + m_.statement}});
     add(certify::write_certificate(c), level.empty() ? "" : "-level");
   }
 

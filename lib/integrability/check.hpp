@@ -16,6 +16,7 @@
 
 #include "algebraize/algebraize.hpp"
 #include "integrability/constants.hpp"
+#include "literature/literature.hpp"
 #include "strata/decide_strata.hpp"
 #include "verdict/decide.hpp"
 
@@ -28,6 +29,11 @@ enum class VerdictKind : std::uint8_t {
   undecided
 };
 [[nodiscard]] std::string to_string(VerdictKind v); ///< "non-integrable", ..., "depends"
+
+/// First integrals that are excluded: meromorphic near the phase curve, and where a place of r is
+/// irregular also at the points at infinity of its closure.
+enum class IntegralClass : std::uint8_t { meromorphic, meromorphic_at_infinity };
+[[nodiscard]] std::string to_string(IntegralClass c); ///< "meromorphic", ...
 
 /// One value of a parameter (the energy) at which r was decided.
 struct EnergyResult {
@@ -64,7 +70,8 @@ struct ManifoldReport {
   std::vector<BlockReport> blocks;
   std::string not_studied; ///< what of VE the blocks leave out, as a clause; empty: nothing
   VerdictKind verdict = VerdictKind::undecided;
-  std::string theorem, function_class;
+  std::optional<TheoremUsed> by; ///< the theorem behind the verdict; unset: it was not reached
+  IntegralClass integrals = IntegralClass::meromorphic;
   std::string statement;   ///< what the theorem says, where it says something
   std::string not_checked; ///< a hypothesis of the verdict that is not proved, as a sentence
   std::vector<std::string> reasons;
@@ -109,21 +116,13 @@ struct CheckOptions {
 [[nodiscard]] std::vector<ClaimReport> decide_claims(const System& s, const CheckOptions& options);
 
 /// The steps on which a verdict rests besides the theorem, exact computation and certificates that
-/// the judges accept: the one list for `check`, `prove`, `report` and certificates.
+/// the checkers accept: the one list for `check`, `prove`, `report` and certificates.
 [[nodiscard]] std::vector<std::string> trusted_steps(const ManifoldReport& m);
 
-/// The values of parameter `h` at which two singular places of r meet or one goes to infinity, as
-/// irreducible polynomials that use h: factors of the leading coefficients, the discriminants and
-/// the resultants of the factors of den(r).
-/// Given   const Ring ring = make_ring({"z", "h"});
-/// Given   const MFraction x = MFraction::variable(ring, "z"), h = MFraction::variable(ring, "h");
-/// Example merging_locus(MFraction(ring, 1) / (x * (x - h)), 0, 1)  // -> {h}
-[[nodiscard]] std::vector<MPoly> merging_locus(const MFraction& r, std::size_t z, std::size_t h);
-
-/// "meromorphic", or the smaller class that an irregular place of r leaves.
-/// Example first_integral_class(RationalFunction(2, z*z))  // -> meromorphic
-/// Example first_integral_class(z)
+/// The class that is left where y'' = r y has a non-abelian identity component.
+/// Example integral_class(RationalFunction(2, z*z))  // -> meromorphic
+/// Example integral_class(z)
 ///         // -> meromorphic also at the points at infinity of the phase curve
-[[nodiscard]] std::string first_integral_class(const RationalFunction& r);
+[[nodiscard]] IntegralClass integral_class(const RationalFunction& r);
 
 } // namespace kov

@@ -28,14 +28,6 @@ namespace kov {
 /// Some stratum has a non-abelian identity component.
 [[nodiscard]] bool somewhere_not_abelian(const strata::StrataAnswer& answer);
 
-/// Decides the strata of the block with these unknowns on which the reduction is not valid, by
-/// doing it again there.  A stratum is abelian only if each block that is new there (not in
-/// `generic`) is.
-void decide_special_strata(const System& s, const ManifoldSpec& spec,
-                           const std::vector<ClaimReport>& claims, const CheckOptions& options,
-                           const std::vector<BlockReport>& generic,
-                           const std::vector<std::string>& unknowns, strata::StrataAnswer& answer);
-
 /// The limits for the strata of this equation, in the names of the system.
 [[nodiscard]] strata::StrataLimits strata_limits(const System& s, const AlgebraicOde& ode,
                                                  const CheckOptions& options);

@@ -1,5 +1,4 @@
-// Strata on which the reduction to y'' = r y breaks down: the whole way again with the parameters
-// of the stratum put in.  Another unknown may still be a cyclic vector there.
+#include "integrability/special_strata.hpp"
 
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"
@@ -126,11 +125,10 @@ std::vector<Stratum> other_blocks(const Stratum& x, const ManifoldReport& here) 
   return {answer};
 }
 
-std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
-                           const std::vector<ClaimReport>& claims, const CheckOptions& options,
-                           const std::vector<BlockReport>& generic,
+std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& generic,
                            const std::vector<std::string>& unknowns, const Stratum& x,
                            strata::StrataAnswer& answer) {
+  const System& s = study.system;
   const Ring& ring = x.conditions.front().p.ring();
   try {
     const Substitution values = in_ring(x.solved, ring, s.ring());
@@ -138,8 +136,8 @@ std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
     assume(special, x, values);
     for (auto& r : special.reductions)
       r.energy.clear();
-    const ManifoldReport here =
-        check_manifold(special, at_values(spec, values), at_values(claims, values), options);
+    const ManifoldReport here = check_manifold(special, at_values(study.manifold, values),
+                                               at_values(study.claims, values), study.options);
     for (const auto& b : here.blocks)
       if (b.unknowns == unknowns && b.ode) {
         if (b.strata) answer.special.push_back(std::make_shared<strata::StrataAnswer>(*b.strata));
@@ -155,15 +153,13 @@ std::vector<Stratum> again(const System& s, const ManifoldSpec& spec,
 
 } // namespace
 
-void decide_special_strata(const System& s, const ManifoldSpec& spec,
-                           const std::vector<ClaimReport>& claims, const CheckOptions& options,
-                           const std::vector<BlockReport>& generic,
+void decide_special_strata(const Study& study, const std::vector<BlockReport>& generic,
                            const std::vector<std::string>& unknowns, strata::StrataAnswer& answer) {
   std::vector<Stratum> all;
   for (auto& x : answer.strata) {
     std::vector<Stratum> parts;
     if (x.leaf.no_equation() && !x.solved.empty())
-      parts = again(s, spec, claims, options, generic, unknowns, x, answer);
+      parts = again(study, generic, unknowns, x, answer);
     if (parts.empty()) parts.push_back(std::move(x));
     std::move(parts.begin(), parts.end(), std::back_inserter(all));
   }

@@ -44,7 +44,7 @@ inline constexpr long many_choices = 9;
 ///         than that many partial sums are different
 /// Cost    about the square root of `total` when all sums differ, polynomial when many agree
 /// Example admissible_families({{1, -2}, {0, Rational(1, 2)}, {2, 3}}, {})
-///         // -> {{{{1, 0, 0}, 0}, {{1, 0, 1}, 1}, {{0, 0, 0}, 3}, {{0, 0, 1}, 4}}, 8}
+///         // -> {{{{1, 0, 0}, 0}, {{1, 0, 1}, 1}, {{0, 0, 0}, 3}, {{0, 0, 1}, 4}}, 8, none}
 [[nodiscard]] Families admissible_families(const std::vector<std::vector<NfElem>>& contributions,
                                            const Budget& budget);
 

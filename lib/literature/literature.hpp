@@ -36,8 +36,8 @@ struct LiteratureTheorem {
 
 [[nodiscard]] const std::vector<LiteratureTheorem>& literature();
 /// Nothing if there is no theorem of this id.
-/// Example literature_theorem("Ayoul-Zung")->cite  // -> "AyoulZung2010"
-/// Example literature_theorem("Fermat") == nullptr  // -> true
+/// Example literature_theorem("Ayoul-Zung")->cite  // -> AyoulZung2010
+/// Example literature_theorem("Fermat") == nullptr  // -> yes
 [[nodiscard]] const LiteratureTheorem* literature_theorem(const std::string& id);
 
 [[nodiscard]] const LiteratureTheorem& morales_ramis(); ///< Hamiltonian systems
@@ -54,7 +54,7 @@ struct TheoremUsed {
   [[nodiscard]] const std::string& id() const { return theorem->id; }
 };
 /// With the hypotheses as the theorem says that its uses settle them.
-/// Example used(morales_ramis()).integrals  // -> "meromorphic"
+/// Example used(morales_ramis()).integrals  // -> meromorphic
 [[nodiscard]] TheoremUsed used(const LiteratureTheorem& theorem);
 
 } // namespace kov

@@ -25,7 +25,7 @@ struct Leaf {
 
 /// The first piece of evidence of this kind, or null.
 /// Given   const Leaf airy = std::get<Leaf>(decide_leaf(z + a, 0, everywhere));
-/// Example evidence<NoExponential>(airy)->bound.odd_order  // -> yes
+/// Example evidence<strata::NoExponential>(airy)->bound.odd_order  // -> yes
 template <class E> [[nodiscard]] const E* evidence(const Leaf& leaf) {
   for (const Evidence& e : leaf.because)
     if (const auto* found = std::get_if<E>(&e)) return found;

@@ -224,19 +224,20 @@ std::string assumptions_of(const System& s) {
 
 // What follows, in words and as the headline of a report.
 void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
+  if (!m.by) return; // a limit came before the theorem
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
-  const std::string by = " (" + m.theorem + ", along the manifold " + m.name + ")";
+  const std::string by = " (" + m.by->id() + ", along the manifold " + m.name + ")";
   for (const std::string& step : trusted_steps(m))
     n.trusted.push_back(step);
-  n.theorems.push_back(m.theorem);
+  n.theorems.push_back(*m.by);
   if (m.verdict == VerdictKind::non_integrable) {
     n.says = Conclusion::not_integrable;
-    n.excluded = {m.function_class};
+    n.excluded = {m.by->integrals};
     n.headline = "NON-INTEGRABLE" + by;
     n.statement = subject + m.statement + by;
     n.formulas.push_back({"so", m.statement});
-    if (m.function_class != "meromorphic")
-      n.summary += "; for first integrals that are " + m.function_class;
+    if (m.integrals != IntegralClass::meromorphic)
+      n.summary += "; for first integrals that are " + m.by->integrals;
   } else if (m.verdict == VerdictKind::no_obstruction) {
     n.headline = "NO OBSTRUCTION" + by + ": nothing follows about integrability";
     n.statement = subject + "not obstructed by the first variational equation" + by +
@@ -247,7 +248,7 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
     const std::string except =
         "except where " + passes + (open.empty() ? "" : " (no obstruction) and where " + open);
     n.headline = "NON-INTEGRABLE " + except + by;
-    n.statement = subject + "not integrable with first integrals that are " + m.function_class +
+    n.statement = subject + "not integrable with first integrals that are " + m.by->integrals +
                   ", " + except + by + ". In the exceptions nothing follows about integrability";
   }
 }
@@ -273,7 +274,6 @@ const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
     return m;
   }
   n.status = NodeStatus::proved;
-  if (!m.not_checked.empty()) n.trusted.push_back(m.not_checked);
   conclude(n, report.system, m);
   return m;
 }

@@ -3,6 +3,7 @@
 #include "sliding_top.hpp"
 
 #include "exact/finite_algebra.hpp"
+#include "integrability/levels.hpp"
 
 namespace kov::lemmas {
 namespace {

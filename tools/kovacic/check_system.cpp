@@ -33,12 +33,12 @@ void put(std::ostringstream& out, const std::string& label, const std::string& t
 std::string headline(const ManifoldReport& m) {
   switch (m.verdict) {
   case VerdictKind::non_integrable:
-    return "NON-INTEGRABLE  (" + m.theorem + ": " + m.statement + ")";
+    return "NON-INTEGRABLE  (" + m.by->id() + ": " + m.statement + ")";
   case VerdictKind::no_obstruction:
-    return "NO OBSTRUCTION  (the first-order test of " + m.theorem +
+    return "NO OBSTRUCTION  (the first-order test of " + m.by->id() +
            " passes; this does not prove integrability)";
   case VerdictKind::depends:
-    return "DEPENDS ON THE PARAMETERS  (" + m.theorem + "; " + m.statement + ")";
+    return "DEPENDS ON THE PARAMETERS  (" + m.by->id() + "; " + m.statement + ")";
   default:
     return "UNDECIDED";
   }

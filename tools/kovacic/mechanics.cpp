@@ -173,8 +173,8 @@ Json json_of(const System& s, const ManifoldReport& m) {
                         {"value", to_string(m.failure->value)}};
     return j;
   }
-  j["theorem"] = m.theorem;
-  j["function_class"] = m.function_class;
+  j["theorem"] = m.by ? m.by->id() : "";
+  j["function_class"] = m.by ? m.by->integrals : "";
   if (!m.statement.empty()) j["statement"] = m.statement;
   if (!m.not_checked.empty()) j["not_checked"] = m.not_checked;
   if (m.manifold) {

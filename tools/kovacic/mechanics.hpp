@@ -19,7 +19,7 @@ struct Report {
   int exit = exit_decided;
   std::string text;
   Json json;
-  std::string limit; ///< why there is no answer; empty: there is one
+  std::string limit = {}; ///< why there is no answer; empty: there is one
 };
 
 /// Jobs on one system file, in a child process under the limits of the settings, each job under its

@@ -1,8 +1,7 @@
-// Special values of a parameter that only labels the level (the energy): where singular places of r
-// merge the group may be easier to find, and one level with a non-abelian identity component proves
-// non-integrability.  The paper's 1 + A - h^2 = 0 is such a value.
+#include "integrability/levels.hpp"
 
 #include "integrability/parameters.hpp"
+#include "integrability/special_strata.hpp"
 
 #include "exact/error.hpp"
 
@@ -58,11 +57,9 @@ System at_root(const System& s, std::size_t h, const MPoly& f) {
 }
 
 /// The whole way again at one level: nothing is taken over from the generic one.
-EnergyResult decide_at(const System& special, const ManifoldSpec& spec,
-                       const std::vector<ClaimReport>& claims, const CheckOptions& options,
-                       const BlockReport& block) {
+EnergyResult decide_at(const Study& study, const System& special, const BlockReport& block) {
   EnergyResult result;
-  const ManifoldReport there = check_manifold(special, spec, claims, options);
+  const ManifoldReport there = check_manifold(special, study.manifold, study.claims, study.options);
   for (const auto& b : there.blocks) {
     if (b.unknowns != block.unknowns) continue;
     if (b.equation) result.r = b.equation->r;
@@ -97,9 +94,9 @@ std::optional<strata::Stratum> without_level(const strata::Question& q, const MP
 
 // All parameters with f = 0 at once.  Any level is as good as
 // another, so that what is assumed of h is left out; where f has no root h there is no such level.
-void decide_locus(const System& s, const ManifoldSpec& spec, const std::vector<ClaimReport>& claims,
-                  const std::vector<BlockReport>& generic, const MPoly& f, std::size_t h,
-                  const CheckOptions& options, BlockReport& block) {
+void decide_locus(const Study& study, const std::vector<BlockReport>& generic, const MPoly& f,
+                  std::size_t h, BlockReport& block) {
+  const System& s = study.system;
   System all_levels = s;
   std::erase_if(all_levels.assumptions, [&](const Assumption& a) { return uses(a.value, h); });
   strata::Question q = strata_question(all_levels, *block.ode);
@@ -108,8 +105,8 @@ void decide_locus(const System& s, const ManifoldSpec& spec, const std::vector<C
   EnergyResult e;
   e.condition = to_string(f) + " = 0";
   e.why = "singular places merge";
-  e.strata = strata::decide_strata(q, strata_limits(s, *block.ode, options));
-  decide_special_strata(s, spec, claims, options, generic, block.unknowns, *e.strata);
+  e.strata = strata::decide_strata(q, strata_limits(s, *block.ode, study.options));
+  decide_special_strata(study, generic, block.unknowns, *e.strata);
   if (nowhere) e.strata->strata.push_back(*nowhere);
   if (e.strata->abelian() == Truth::no) {
     block.abelian = Truth::no; // for every body there is such a level
@@ -128,22 +125,22 @@ bool has_other_parameters(const System& s, const MFraction& r, std::size_t h) {
 
 } // namespace
 
-void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec& reduce,
-                    const std::vector<ClaimReport>& claims, const CheckOptions& options,
-                    const std::vector<BlockReport>& generic, BlockReport& block) {
+void study_levels(const Study& study, const ReduceSpec& reduce,
+                  const std::vector<BlockReport>& generic, BlockReport& block) {
+  const System& s = study.system;
   const auto h = energy_parameter(s, reduce, block.ode->r);
   if (!h) { // every level is like every other
-    if (!options.stop_at_r && !block.decision && !block.strata)
+    if (!study.options.stop_at_r && !block.decision && !block.strata)
       block.strata = strata::decide_strata(strata_question(s, *block.ode),
-                                           strata_limits(s, *block.ode, options));
+                                           strata_limits(s, *block.ode, study.options));
     return;
   }
   block.special = merging_locus(block.ode->r, block.ode->z, *h);
   std::erase_if(block.special, [&](const MPoly& f) { return not_excluded(s, {f}).empty(); });
   if (has_other_parameters(s, block.ode->r, *h)) {
-    if (options.stop_at_r) return; // strata are about the group
+    if (study.options.stop_at_r) return; // strata are about the group
     for (const auto& f : block.special) {
-      decide_locus(s, spec, claims, generic, f, *h, options, block);
+      decide_locus(study, generic, f, *h, block);
       if (block.abelian == Truth::no) return; // an abelian one says nothing of the others
     }
     const auto tells = [](const EnergyResult& e) {
@@ -151,11 +148,11 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
     };
     if (std::none_of(block.energies.begin(), block.energies.end(), tells))
       block.strata = strata::decide_strata(strata_question(s, *block.ode),
-                                           strata_limits(s, *block.ode, options));
+                                           strata_limits(s, *block.ode, study.options));
     return;
   }
   const auto run = [&](const MPoly& f, std::string condition, std::string why) {
-    EnergyResult e = decide_at(at_root(s, *h, f), spec, claims, options, block);
+    EnergyResult e = decide_at(study, at_root(s, *h, f), block);
     e.condition = std::move(condition);
     e.why = std::move(why);
     if (e.decision && e.decision->abelian == Truth::no) {
@@ -175,7 +172,7 @@ void study_energies(const System& s, const ManifoldSpec& spec, const ReduceSpec&
   }
   if (block.abelian != Truth::no) // perhaps abelian on all levels
     block.strata = strata::decide_strata(strata_question(s, *block.ode),
-                                         strata_limits(s, *block.ode, options));
+                                         strata_limits(s, *block.ode, study.options));
 }
 
 } // namespace kov

@@ -1,0 +1,166 @@
+#include "integrability/block.hpp"
+
+#include "exact/error.hpp"
+#include "integrability/change_search.hpp"
+#include "integrability/parameters.hpp"
+#include "verdict/words.hpp"
+
+#include <algorithm>
+
+namespace kov {
+
+const ReduceSpec* reduction_for(const System& s, const std::string& manifold) {
+  for (const auto& r : s.reductions)
+    if (r.manifold.empty() || r.manifold == manifold) return &r;
+  return nullptr;
+}
+
+std::vector<std::vector<std::size_t>> blocks_to_study(const LinearSystem& r,
+                                                      const InvariantManifold& m) {
+  auto parts = blocks(r, m);
+  const auto coupled = [&](std::size_t i, std::size_t j) {
+    return !m.vanishes_on_curve(r.a[i][j]) || !m.vanishes_on_curve(r.a[j][i]);
+  };
+  const auto neighbours = [&](std::size_t i) {
+    std::vector<std::size_t> all;
+    for (std::size_t j = 0; j < r.a.size(); ++j)
+      if (j != i && coupled(i, j)) all.push_back(j);
+    return all;
+  };
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (parts[k].size() != 1) continue;
+    const auto mine = neighbours(parts[k][0]);
+    if (mine.size() != 1 || neighbours(mine[0]) != parts[k]) continue;
+    const auto other = std::find(parts.begin(), parts.end(), mine);
+    if (other == parts.end()) continue;
+    parts[k] = {std::min(parts[k][0], mine[0]), std::max(parts[k][0], mine[0])};
+    parts.erase(other);
+    k = 0;
+  }
+  return parts;
+}
+
+namespace {
+
+std::string parameter_names(const MFraction& f, const System& s) {
+  std::string names;
+  for (const std::size_t i : used_variables(f))
+    if (std::find(s.field.parameters.begin(), s.field.parameters.end(), i) !=
+        s.field.parameters.end())
+      names += (names.empty() ? "" : ", ") + s.ring()->name(i);
+  return names;
+}
+
+void decide_parameters(const System& s, const CheckOptions& options, BlockReport& block) {
+  block.strata =
+      strata::decide_strata(strata_question(s, *block.ode), strata_limits(s, *block.ode, options));
+  block.abelian = block.strata->abelian();
+}
+
+// r has no parameters, but what was divided by on the way has: the answer holds where that is not
+// 0.
+void except_where_invalid(const System& s, const CheckOptions& options, BlockReport& block) {
+  const AlgebraicOde& ode = *block.ode;
+  const Truth generic = block.decision->abelian;
+  if (s.field.parameters.empty() || ode.generic.empty()) return void(block.abelian = generic);
+  if (s.field.constants.empty()) {
+    decide_parameters(s, options, block);
+    const auto& all = block.strata->strata;
+    if (all.size() == 1 && !all.front().leaf.no_equation() && block.strata->unvisited.empty()) {
+      block.strata.reset(); // valid for all parameters
+      block.abelian = block.decision->abelian;
+    } else {
+      block.decision.reset();
+    }
+    return;
+  }
+  for (const MPoly& g : ode.generic)
+    for (const std::size_t i : s.field.parameters)
+      if (uses(g, i)) {
+        block.abelian = Truth::unknown;
+        block.note =
+            "decided only where " + to_string(g) + " is not zero: " + reason(*block.decision);
+        return;
+      }
+  block.abelian = generic;
+}
+
+// one_level: one value of the energy is enough, levels.cpp looks for it
+void decide_block(const System& s, const CheckOptions& options, bool one_level,
+                  BlockReport& block) {
+  const AlgebraicOde& ode = *block.ode;
+  const std::string names = parameter_names(ode.r, s);
+  if (!names.empty()) {
+    if (options.stop_at_r)
+      block.note = "r depends on the parameter(s) " + names +
+                   "; give values with --set to decide single equations";
+    else if (!one_level)
+      decide_parameters(s, options, block);
+    return;
+  }
+  const ConstantField constants = ConstantField::make(s.field);
+  NormalForm equation;
+  equation.r = constants.convert(ode.r, ode.z);
+  if (ode.p && parameter_names(*ode.p, s).empty() && parameter_names(*ode.q, s).empty()) {
+    equation.p = constants.convert(*ode.p, ode.z);
+    const NormalForm again = normal_form(equation.p, constants.convert(*ode.q, ode.z));
+    KOV_ENSURE(again.r == equation.r); // two ways to r
+  }
+  block.equation = equation;
+  if (options.stop_at_r) return;
+  Options how = options.decide;
+  how.variable = s.ring()->name(ode.z);
+  block.decision = decide(equation, how);
+  block.abelian = Truth::unknown; // until the exceptions are known, should a limit end that search
+  except_where_invalid(s, options, block);
+}
+
+// An equation for every cyclic vector, that of the unknown asked for alone if it is one.
+std::vector<NormalVariationalEquation> scalar_equations(const System& s, const InvariantManifold& m,
+                                                        const LinearSystem& reduced,
+                                                        const std::vector<MPoly>& divisors,
+                                                        const std::vector<std::size_t>& members,
+                                                        const ReduceSpec* reduce) {
+  std::vector<NormalVariationalEquation> all;
+  const std::string wish = reduce && reduce->unknown ? s.ring()->name(*reduce->unknown) : "";
+  for (const bool wished : {true, false})
+    for (const std::size_t i : members)
+      if ((reduced.names[i] == wish) == wished)
+        if (auto e = scalar_equation(s.field, m, reduced, members, i))
+          if (all.empty() || all.front().unknown != wish) all.push_back(*std::move(e));
+  KOV_ENSURE(!all.empty()); // the block is coupled
+  for (auto& e : all)       // what was divided by before, too
+    for (const auto& d : divisors)
+      if (std::find(e.divisors.begin(), e.divisors.end(), d) == e.divisors.end())
+        e.divisors.push_back(d);
+  return all;
+}
+
+} // namespace
+
+void study_block(const System& s, const InvariantManifold& m, const LinearSystem& reduced,
+                 const std::vector<MPoly>& divisors, const std::vector<std::size_t>& members,
+                 const CheckOptions& options, BlockReport& block) {
+  for (const std::size_t i : members)
+    block.unknowns.push_back(reduced.names[i]);
+  if (members.size() == 1) {
+    block.abelian = Truth::yes; // a first-order equation: its group is in the multiplicative group
+    return;
+  }
+  if (members.size() > 2) {
+    block.note = "a normal block of order " + std::to_string(members.size()) +
+                 ": not reducible to second order by the invariant manifold, linear first "
+                 "integrals or block structure";
+    return;
+  }
+  const ReduceSpec* reduce = reduction_for(s, m.name);
+  block.scalar = scalar_equations(s, m, reduced, divisors, members, reduce);
+  find_change(s, m, reduce && reduce->change ? &*reduce->change : nullptr, options.decide.budget,
+              block);
+  if (!block.ode) return;
+  for (const auto& g : m.curve->inverted())
+    block.ode->generic.push_back(g);
+  decide_block(s, options, reduce && reduce->energy == "auto", block);
+}
+
+} // namespace kov

@@ -1,0 +1,100 @@
+#include "integrability/change_search.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+class ChangeSearch {
+public:
+  ChangeSearch(const System& s, const InvariantManifold& m, const Budget& budget,
+               BlockReport& block)
+      : s_(s), m_(m), budget_(budget), block_(block) {
+    for (const auto& e : block.scalar)
+      divisors_.insert(divisors_.end(), e.divisors.begin(), e.divisors.end());
+  }
+
+  void given(const MFraction& phi) {
+    attempt(phi);
+    if (!block_.ode && better_)
+      failures_ += "; the change z = " + to_string(*better_) + " would do";
+    finish();
+  }
+  void proposed(const std::vector<MFraction>& changes) {
+    for (const auto& phi : changes) {
+      better_.reset();
+      attempt(phi);
+      if (better_ && !block_.ode) attempt(*better_);
+    }
+    finish();
+  }
+
+private:
+  // A limit is one of this change: others may be easier.
+  void attempt(const MFraction& phi) {
+    budget_.check();
+    try {
+      find_equations(phi);
+    } catch (const OutOfBudget& limit) {
+      note({"z = " + to_string(phi) + ": " + limit.what()});
+    }
+  }
+  void find_equations(const MFraction& phi) {
+    // a map of much higher degree than one that works brings more singular places
+    const auto field =
+        FunctionField::make(s_.field, m_, s_.z, phi, divisors_, budget_, 2 * smallest_);
+    if (const auto* failure = std::get_if<ChangeFailure>(&field)) return note(*failure);
+    for (const auto& e : block_.scalar) {
+      auto result = algebraize(std::get<FunctionField>(field), s_.z, phi, e);
+      if (const auto* failure = std::get_if<ChangeFailure>(&result)) {
+        note(*failure);
+        continue;
+      }
+      auto& ode = std::get<AlgebraicOde>(result);
+      smallest_ = std::min(smallest_, std::get<FunctionField>(field).algebra().dimension());
+      if (!block_.ode || ode.singular_places < block_.ode->singular_places)
+        block_.ode = std::move(ode);
+    }
+  }
+  void note(const ChangeFailure& failure) {
+    failures_ += (failures_.empty() ? "" : "; ") + failure.message;
+    if (failure.better) better_ = failure.better;
+  }
+  void finish() {
+    if (block_.ode) return;
+    block_.note = failures_.empty() ? "no change of variable was found" : failures_;
+    const auto factors = factors_on_components(m_);
+    if (factors.empty()) return;
+    std::string product;
+    for (const MPoly& f : factors)
+      product += (product.empty() ? "(" : "*(") + to_string(f) + ")";
+    block_.note =
+        "the phase curve has several components, " + product +
+        " = 0 on it: study one of them, with one factor = 0 among the equations; on all " +
+        "together " + block_.note;
+  }
+
+  const System& s_;
+  const InvariantManifold& m_;
+  const Budget& budget_;
+  BlockReport& block_;
+  std::vector<MPoly> divisors_;
+  std::string failures_;
+  std::optional<MFraction> better_;
+  std::size_t smallest_ = 100;
+};
+
+} // namespace
+
+void find_change(const System& s, const InvariantManifold& m, const MFraction* given,
+                 const Budget& budget, BlockReport& block) {
+  ChangeSearch search(s, m, budget, block);
+  if (given)
+    search.given(*given);
+  else
+    search.proposed(propose_changes(s.field, m));
+}
+
+} // namespace kov

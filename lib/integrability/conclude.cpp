@@ -1,0 +1,169 @@
+#include "integrability/conclude.hpp"
+
+#include "exact/factor.hpp"
+#include "integrability/parameters.hpp"
+#include "strata/words.hpp"
+#include "verdict/words.hpp"
+
+#include <algorithm>
+
+namespace kov {
+
+std::string to_string(VerdictKind v) {
+  return v == VerdictKind::non_integrable   ? "non-integrable"
+         : v == VerdictKind::no_obstruction ? "no-obstruction"
+         : v == VerdictKind::depends        ? "depends"
+                                            : "undecided";
+}
+
+std::string to_string(IntegralClass c) {
+  return c == IntegralClass::meromorphic
+             ? "meromorphic"
+             : "meromorphic also at the points at infinity of the phase curve";
+}
+
+IntegralClass integral_class(const RationalFunction& r) {
+  bool irregular = !is_zero(r) && order_at_infinity(r) < 2;
+  if (!is_zero(r) && degree(r.den()) > 0)
+    for (const auto& f : squarefree_factors(r.den()))
+      if (f.exponent > 2) irregular = true;
+  return irregular ? IntegralClass::meromorphic_at_infinity : IntegralClass::meromorphic;
+}
+
+namespace {
+
+std::vector<const strata::StrataAnswer*> strata_of(const BlockReport& block) {
+  std::vector<const strata::StrataAnswer*> all;
+  if (block.strata) all.push_back(&*block.strata);
+  for (const auto& e : block.energies)
+    if (e.strata) all.push_back(&*e.strata);
+  return all;
+}
+
+bool on_all_strata(const BlockReport& block) {
+  return block.abelian != Truth::unknown || (block.strata && block.strata->decided());
+}
+
+/// A level on each of whose strata the block is decided.
+const EnergyResult* deciding_level(const BlockReport& block) {
+  const auto e = std::find_if(block.energies.begin(), block.energies.end(), [](const auto& x) {
+    return x.strata && x.strata->decided() && somewhere_not_abelian(*x.strata);
+  });
+  return e == block.energies.end() ? nullptr : &*e;
+}
+
+/// Every block is decided, as a whole or on each of its strata (for one choice of the level).
+bool by_strata(const ManifoldReport& report) {
+  return std::all_of(report.blocks.begin(), report.blocks.end(), [](const BlockReport& block) {
+    return on_all_strata(block) || deciding_level(block);
+  });
+}
+
+std::string decided_where(const ManifoldReport& report) {
+  std::string levels;
+  for (const auto& block : report.blocks)
+    if (!on_all_strata(block))
+      levels += (levels.empty() ? " of the level " : ", ") + deciding_level(block)->condition;
+  return "decided on every stratum" + levels;
+}
+
+Truth both(Truth a, Truth b) {
+  if (a == Truth::no || b == Truth::no) return Truth::no;
+  return a == Truth::yes && b == Truth::yes ? Truth::yes : Truth::unknown;
+}
+
+std::string list(const std::vector<std::string>& all) {
+  std::string text;
+  for (const auto& one : all)
+    text += (text.empty() ? "" : ", ") + one;
+  return text;
+}
+
+std::vector<std::string> reasons_of(const BlockReport& block) {
+  const std::string name = "block (" + list(block.unknowns) + "): ";
+  std::vector<std::string> all;
+  if (!block.note.empty()) all.push_back(name + block.note);
+  if (block.decision) all.push_back(name + reason(*block.decision));
+  if (block.strata)
+    for (const auto& x : block.strata->strata)
+      all.push_back("where " + strata::to_string(x.conditions) + ": " + strata::reason(x.leaf));
+  for (const auto& e : block.energies)
+    if (e.decision) all.push_back("at " + e.condition + ": " + reason(*e.decision));
+  return all;
+}
+
+VerdictKind verdict_of(const ManifoldReport& report) {
+  Truth all = Truth::yes;
+  for (const auto& block : report.blocks)
+    all = both(all, block.abelian);
+  if (all == Truth::no) return VerdictKind::non_integrable;
+  if (!report.not_studied.empty()) return VerdictKind::undecided;
+  return all == Truth::yes   ? VerdictKind::no_obstruction
+         : by_strata(report) ? VerdictKind::depends
+                             : VerdictKind::undecided;
+}
+
+// The class that the blocks with a non-abelian group leave.
+IntegralClass class_of(const ManifoldReport& report) {
+  IntegralClass c = IntegralClass::meromorphic;
+  for (const auto& block : report.blocks) {
+    if (block.equation && block.abelian == Truth::no) c = integral_class(block.equation->r);
+    for (const auto& e : block.energies)
+      if (e.r && e.decision && e.decision->abelian == Truth::no) c = integral_class(*e.r);
+    for (const auto* answer : strata_of(block))
+      for (const auto& x : answer->strata)
+        if (x.leaf.abelian == Truth::no && strata::has_irregular_place(x.leaf))
+          c = IntegralClass::meromorphic_at_infinity;
+  }
+  return c;
+}
+
+TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
+  TheoremUsed by = used(s.field.poisson ? morales_ramis() : ayoul_zung());
+  by.integrals = to_string(report.integrals);
+  if (!report.not_checked.empty()) by.hypotheses.push_back({report.not_checked, Settled::open, ""});
+  if (report.verdict != VerdictKind::non_integrable) return by;
+  std::vector<std::string> functions; // the class speaks of the variables of the file
+  for (const auto& f : s.field.functions)
+    functions.push_back(s.ring()->name(f.variable));
+  if (!functions.empty()) by.integrals += " (in the coordinates and " + list(functions) + ")";
+  return by;
+}
+
+} // namespace
+
+void conclude(const System& s, const CheckOptions& options, ManifoldReport& report) {
+  for (const auto& block : report.blocks)
+    for (auto& why : reasons_of(block))
+      report.reasons.push_back(std::move(why));
+  if (options.stop_at_r) return;
+  report.verdict = verdict_of(report);
+  report.integrals = class_of(report);
+  report.by = theorem_of(s, report);
+  if (report.verdict == VerdictKind::undecided && !report.not_studied.empty())
+    report.reasons.push_back("an abelian identity component of every block decides nothing here: " +
+                             report.not_studied);
+  if (report.verdict == VerdictKind::depends) report.statement = decided_where(report);
+  if (report.verdict == VerdictKind::non_integrable)
+    report.statement =
+        (s.field.poisson ? "not integrable in Liouville's sense with first integrals that are "
+                         : "not integrable with first integrals and commuting vector fields "
+                           "that are ") +
+        report.by->integrals;
+}
+
+std::vector<std::string> trusted_steps(const ManifoldReport& m) {
+  std::vector<std::string> all;
+  const auto add = [&](const std::string& step) {
+    if (std::find(all.begin(), all.end(), step) == all.end()) all.push_back(step);
+  };
+  for (const BlockReport& b : m.blocks) {
+    if (b.ode) add("the way from the system to r(z), along the manifold " + m.name);
+    for (const auto* answer : strata_of(b))
+      for (const std::string& step : answer->trusted)
+        add(step);
+  }
+  return all;
+}
+
+} // namespace kov

@@ -1,0 +1,22 @@
+#pragma once
+// The variational equations along a proved manifold, their normal part, and what linear first
+// integrals leave of it.
+
+#include "integrability/study.hpp"
+#include "variation/whole.hpp"
+
+namespace kov {
+
+/// Fills in `variational`, `normal` and `reduced`, and the hypothesis on the curve that is not
+/// checked.
+void linearise(const Study& study, ManifoldReport& report);
+
+/// What was divided by on the way to `reduced`, and where the proofs of the integrals used hold.
+[[nodiscard]] std::vector<MPoly> divisors_of(const Study& study, const ManifoldReport& report);
+
+/// What of the variational equations these blocks leave out; a limit is an answer, because "not
+/// abelian" of a block needs no knowledge of the rest.
+[[nodiscard]] WholeVariation coupling(const System& s, const ManifoldReport& report,
+                                      const std::vector<std::vector<std::size_t>>& parts);
+
+} // namespace kov
