@@ -81,7 +81,7 @@ MFraction Region::restrict(const MFraction& f) const {
 int Region::sign_of_irreducible(const MPoly& p) const {
   for (const auto& [known, s] : signs_)
     if (known == p) return s;
-  int s = SignProver(assumptions_.conditions, nonzero_, assumptions_.real).sign_of(p);
+  int s = SignProver(ring_, assumptions_.conditions, nonzero_, assumptions_.real).sign_of(p);
   const auto conditions = real_conditions();
   const bool ordered = std::any_of(conditions.begin(), conditions.end(), [](const Condition& c) {
     return c.sign == Sign::positive || c.sign == Sign::nonnegative;
@@ -112,7 +112,7 @@ int Region::sign_of(const MPoly& p) const {
 
 int Region::exact_sign_of(const MPoly& p) const {
   if (is_zero(p)) return 0;
-  const SignProver prover(assumptions_.conditions, nonzero_, assumptions_.real);
+  const SignProver prover(ring_, assumptions_.conditions, nonzero_, assumptions_.real);
   if (const int whole = prover.sign_of(p)) return whole;
   const auto [content, factors] = factor(p);
   int s = sign(content);
@@ -213,7 +213,7 @@ bool Region::implies_nonzero(const MPoly& p) const {
   try {
     const MFraction f = restrict(MFraction(p));
     const auto parts = is_zero(f) ? std::vector<MPoly>{p} : irreducible_parts(f.num());
-    const SignProver prover(assumptions_.conditions, assumed_nonzero_, assumptions_.real);
+    const SignProver prover(ring_, assumptions_.conditions, assumed_nonzero_, assumptions_.real);
     return std::all_of(parts.begin(), parts.end(), [&](const MPoly& q) {
       return prover.sign_of(q) != 0 || contains(assumed_nonzero_, q) || has_no_admissible_root(q);
     });
@@ -354,7 +354,7 @@ bool Region::equations_contradict() const {
 
 bool Region::is_empty_exactly() const {
   if (equations_contradict()) return true;
-  const SignProver prover(assumptions_.conditions, nonzero_, assumptions_.real);
+  const SignProver prover(ring_, assumptions_.conditions, nonzero_, assumptions_.real);
   for (const auto& c : assumptions_.conditions) {
     if (c.sign == Sign::nonzero && is_zero(c.p)) return true;
     if (c.sign == Sign::zero && !is_zero(c.p) && is_constant(c.p)) return true;
@@ -367,7 +367,7 @@ bool Region::is_empty_exactly() const {
     if (c.sign != Sign::positive && c.sign != Sign::nonnegative) continue;
     auto others = assumptions_.conditions;
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-    if (SignProver(others, nonzero_, assumptions_.real).sign_of(c.p) < 0) return true;
+    if (SignProver(ring_, others, nonzero_, assumptions_.real).sign_of(c.p) < 0) return true;
   }
   for (const auto& m : assumptions_.memberships)
     if (excludes(m, m.value)) return true;

@@ -16,9 +16,9 @@ std::optional<Rational> ratio(const MPoly& p, const MPoly& q) {
 
 } // namespace
 
-SignProver::SignProver(const std::vector<Condition>& conditions, const std::vector<MPoly>& nonzero,
-                       const std::vector<std::size_t>& real)
-    : conditions_(conditions) {
+SignProver::SignProver(const Ring& ring, const std::vector<Condition>& conditions,
+                       const std::vector<MPoly>& nonzero, const std::vector<std::size_t>& real)
+    : conditions_(conditions), known_(ring->size(), Known::nothing) {
   const auto raise = [&](const MPoly& p, Known to) {
     const auto used = used_variables(p);
     if (used.size() != 1 || degree(p, used[0]) != 1) return;
@@ -27,13 +27,6 @@ SignProver::SignProver(const std::vector<Condition>& conditions, const std::vect
     Known& k = known_.at(used[0]);
     if (sign(c[1].coefficient(0)) > 0) k = std::max(k, to);
   };
-  const Ring* ring = nullptr;
-  for (const auto& c : conditions)
-    if (c.p.ring()) ring = &c.p.ring();
-  for (const auto& p : nonzero)
-    if (p.ring()) ring = &p.ring();
-  if (ring == nullptr) return;
-  known_.assign((*ring)->size(), Known::nothing);
   for (const std::size_t i : real)
     known_[i] = Known::real;
   for (const auto& c : conditions) {
@@ -52,7 +45,6 @@ SignProver::SignProver(const std::vector<Condition>& conditions, const std::vect
 int SignProver::sign_of(const MPoly& p) const {
   if (is_zero(p)) return 0;
   if (is_constant(p)) return sign(p.coefficient(0));
-  if (known_.empty()) return 0;
   if (const int s = by_condition(p)) return s;
   if (const int s = by_terms(p, known_)) return s;
   if (const int s = by_shift(p)) return s;

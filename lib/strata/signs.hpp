@@ -9,13 +9,13 @@ namespace kov::strata {
 /// Proofs by the signs of the terms, also after a shift of one variable.
 ///
 /// Given   Assumptions assumed; assumed.require(a, Sign::positive);
-/// Given   const SignProver signs(assumed.conditions, {}, {1});
+/// Given   const SignProver signs(a.ring(), assumed.conditions, {}, {1});
 /// Example signs.sign_of((a * a + a + one).num())  // -> 1
 /// Example signs.sign_of((a * a - a + one).num())  // -> 0
 class SignProver {
 public:
-  SignProver(const std::vector<Condition>& conditions, const std::vector<MPoly>& nonzero,
-             const std::vector<std::size_t>& real);
+  SignProver(const Ring& ring, const std::vector<Condition>& conditions,
+             const std::vector<MPoly>& nonzero, const std::vector<std::size_t>& real);
 
   /// +1 or -1 if p is positive or negative wherever the conditions hold, 0 if no proof was found.
   /// Cost  a few substitutions; no search

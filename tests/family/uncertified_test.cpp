@@ -91,7 +91,7 @@ strata::StrataAnswer decided(const Equation& e) {
 
 // What is missing is a rule by its name, never a proof that the rules could have carried.
 bool is_a_missing_rule(const Uncertified& u) {
-  return u.gap == Gap::rule || u.gap == Gap::relation || u.gap == Gap::emptiness;
+  return u.gap == Gap::rule || u.gap == Gap::relation;
 }
 
 TEST(Uncertified, StrataWaitForANamedRule) {
@@ -113,7 +113,7 @@ TEST(Uncertified, StrataWaitForANamedRule) {
   std::cout << "strata without a certificate: " << uncertified << " of " << strata << '\n';
   for (const auto& [rule, n] : rules)
     std::cout << "  " << n << "  " << rule << '\n';
-  EXPECT_LE(10 * uncertified, strata); // 10 %
+  EXPECT_LE(uncertified, 3U);
 }
 
 } // namespace
