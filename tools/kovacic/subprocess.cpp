@@ -12,11 +12,10 @@ namespace kov::cli {
 namespace {
 
 // The process, or unset.  `out`: a file descriptor for its standard output, or -1.
-std::optional<pid_t> start(const std::vector<std::string>& words, const std::string& directory,
-                           int out) {
+std::optional<pid_t> start(std::vector<std::string> words, const std::string& directory, int out) {
   std::vector<char*> argv;
-  for (const std::string& w : words)
-    argv.push_back(const_cast<char*>(w.c_str())); // posix_spawn does not write to them
+  for (std::string& w : words)
+    argv.push_back(w.data());
   argv.push_back(nullptr);
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

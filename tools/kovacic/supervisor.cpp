@@ -79,29 +79,24 @@ constexpr char kind_job = 'j';
 constexpr char kind_early = 'e';
 constexpr char kind_final = 'f';
 
-// Head and text in one call where they fit: each call may wake the other process.
-bool send_message(int fd, char kind, std::string_view text) {
-  char head[9];
-  head[0] = kind;
-  const std::uint64_t n = text.size();
-  std::memcpy(head + 1, &n, sizeof n);
-  iovec parts[2] = {{head, sizeof head}, {const_cast<char*>(text.data()), text.size()}};
-  msghdr message = {};
-  message.msg_iov = parts;
-  message.msg_iovlen = 2;
-  while (parts[0].iov_len + parts[1].iov_len > 0) {
-    const ssize_t sent = ::sendmsg(fd, &message, MSG_NOSIGNAL);
+bool send_all(int fd, std::string_view data) {
+  while (!data.empty()) {
+    const ssize_t sent = ::send(fd, data.data(), data.size(), MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR && ctrl_c == 0) continue;
     if (sent <= 0) return false;
-    auto left = static_cast<std::size_t>(sent);
-    for (iovec& part : parts) {
-      const std::size_t done = std::min(left, part.iov_len);
-      part.iov_base = static_cast<char*>(part.iov_base) + done;
-      part.iov_len -= done;
-      left -= done;
-    }
+    data.remove_prefix(static_cast<std::size_t>(sent));
   }
   return true;
+}
+
+// A short text goes out with its head: each call may wake the other process.
+bool send_message(int fd, char kind, std::string_view text) {
+  constexpr std::size_t is_short = 1 << 16;
+  const std::uint64_t n = text.size();
+  std::string head(1 + sizeof n, kind);
+  std::memcpy(head.data() + 1, &n, sizeof n);
+  if (text.size() <= is_short) return send_all(fd, head.append(text));
+  return send_all(fd, head) && send_all(fd, text);
 }
 
 enum class Got : std::uint8_t { message, closed, late, interrupted };
