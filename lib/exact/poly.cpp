@@ -60,12 +60,6 @@ Poly Poly::from_coefficients(const std::vector<NfElem>& c) {
   return f;
 }
 
-Poly Poly::from_flat(Field k, const fmpq_poly_t flat) {
-  Poly f(std::move(k));
-  fmpq_poly_set(f.v_, flat);
-  return f;
-}
-
 NfElem Poly::coeff(long i) const {
   NfElem c(k_);
   if (i < 0) return c;

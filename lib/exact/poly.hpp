@@ -37,8 +37,6 @@ public:
   [[nodiscard]] static Poly monomial(const NfElem& c, long i);
   /// Ascending coefficients.
   [[nodiscard]] static Poly from_coefficients(const std::vector<NfElem>& c);
-  /// Takes a flat polynomial in the layout above (blocks already reduced).
-  [[nodiscard]] static Poly from_flat(Field k, const fmpq_poly_t flat);
 
   [[nodiscard]] const Field& field() const noexcept { return k_; }
   [[nodiscard]] long stride() const noexcept { return 2 * k_->degree() - 1; }
