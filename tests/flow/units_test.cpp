@@ -194,10 +194,13 @@ TEST(Lanes, TheDefaultIsNotSlow) {
   const auto starts = states_of<double>(s);
   for (const Isa isa : {Isa::baseline, Isa::avx2, Isa::avx512}) {
     if (isa > best_isa()) continue;
-    const auto seconds = [&](int lanes) {
+    const auto once = [&](int lanes) {
       const std::clock_t begun = std::clock();
       (void)run(s.body<double>(), starts, {.t_end = 10, .lanes = lanes, .isa = isa}, s.section);
       return static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
+    };
+    const auto seconds = [&](int lanes) { // the best of three: other work disturbs some of them
+      return std::min({once(lanes), once(lanes), once(lanes)});
     };
     EXPECT_LE(seconds(0), 3 * std::min(seconds(1), seconds(4)) + 0.01) << to_string(isa);
   }
