@@ -71,7 +71,7 @@ private:
   void take(const strata::StrataCertificate& c, const strata::StrataAnswer& a,
             const std::string& role) {
     if (!c.refusal.empty())
-      refuse("the judge does not accept it: " + c.refusal, role);
+      refuse(strata::objection(c), role);
     else if (c.says_anything)
       add(c.json + "\n", role);
     else if (somewhere_decided(a))

@@ -233,7 +233,7 @@ public:
   [[nodiscard]] LoopTree tree() const {
     for (const ComplexBall& s : singularities_)
       if (acb_contains_zero(difference(base_, s).raw()) != 0)
-        throw InvalidArgument("the base point is a singularity");
+        throw InvalidArgument("the base point is a singularity: choose another --base, or none");
     LoopTree t{base_, {}, {}};
     for (const std::size_t i : order())
       t.loops.push_back(loop(i));

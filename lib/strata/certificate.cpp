@@ -304,6 +304,11 @@ private:
 
 } // namespace
 
+std::string objection(const StrataCertificate& c) {
+  return (c.limit ? "it is beyond a limit of our own checker: " : "our own checker refuses it: ") +
+         c.refusal;
+}
+
 std::string missing(const Uncertified& u) {
   return u.gap == Gap::rule ? "rule: " + rule_name(u.theorem) : to_string(u.gap);
 }

@@ -27,6 +27,8 @@ struct StrataCertificate {
 
 /// The missing rule or lemma by its name: "the family of Bessel".
 [[nodiscard]] std::string missing(const Uncertified& u);
+/// Why there is no accepted certificate, as a sentence: it is refused, or too large for the checker.
+[[nodiscard]] std::string objection(const StrataCertificate& c);
 
 /// Strata that the rules do not cover become `trusted` (decided by the solver alone) or `open`
 /// (undecided) nodes.

@@ -190,7 +190,9 @@ void read_reduction(const Entry& e, const SystemScope& scope, System& s) {
   if (const Entry* unknown = e.find("variable")) r.unknown = coordinate(*unknown);
   if (const Entry* energy = e.find("energy")) {
     r.energy = energy->string();
-    if (r.energy != "auto") throw energy->error("energy can only be \"auto\"");
+    if (r.energy != "auto")
+      throw energy->error("energy can only be \"auto\"",
+                          "a level is said in [[manifold]]: level = \"H = ...\"");
   }
   if (const Entry* h = e.find("energy_parameter")) r.energy_parameter = h->string();
   s.reductions.push_back(std::move(r));

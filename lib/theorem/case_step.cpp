@@ -82,7 +82,7 @@ void certify_strata(NodeResult& n, const strata::StrataAnswer& a) {
     auto c = strata::certificate(a);
     if (!c.says_anything) return;
     if (!c.refusal.empty()) {
-      n.trusted.push_back("strata without a certificate: " + c.refusal);
+      n.trusted.push_back("strata without a certificate: " + strata::objection(c));
       return;
     }
     n.certificates.push_back(std::move(c.json));

@@ -206,7 +206,7 @@ private:
     try {
       const auto c = strata::certificate(answer, limits.decide.budget);
       if (!c.refusal.empty()) {
-        result["no_certificate"] = "the judge does not accept it: " + c.refusal;
+        result["no_certificate"] = strata::objection(c);
         return {};
       }
       if (!c.says_anything) {

@@ -14,7 +14,6 @@ namespace {
 
 // What is left for the answer when the search has to end by itself.
 constexpr double part_of_the_time = 0.8;
-constexpr double default_seconds = 60;
 
 std::string condition_text(const IntegralsOfSet& set) {
   std::string text;
@@ -159,8 +158,9 @@ int integrals(const Settings& settings, const IntegralsArguments& arguments) {
     IntegralOptions options;
     options.degree = arguments.degree;
     options.coefficients = arguments.coefficients;
-    options.budget = Budget::of_seconds(settings.timeout > 0 ? settings.timeout * part_of_the_time
-                                                             : default_seconds);
+    Settings search_settings = settings;
+    search_settings.timeout *= part_of_the_time;
+    options.budget = search_settings.solver_options().budget;
     const IntegralSearch search = find_integrals(s, options);
     return Report{search.finished() ? exit_decided : exit_undecided,
                   text_of(arguments.file, search), json_of(arguments.file, search)};
