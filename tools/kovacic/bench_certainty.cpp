@@ -3,8 +3,8 @@
 //   p-curvature      by one small prime;
 //   rank-sym12       "Sym^12 has no rational solution", by the rank of a matrix modulo one prime;
 //   decided          by the engines, with everything that the answer states;
-//   certificate      written down, and accepted by the judge, which shares no code with the
-//   engines; kovacic-1986     by the classical algorithm: all families over Q.
+//   certificate      written down, and accepted by the judge, which shares only lib/exact with
+//   the engines; kovacic-1986     by the classical algorithm: all families over Q.
 #include "bench.hpp"
 
 #include "galois/classify.hpp"

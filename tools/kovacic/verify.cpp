@@ -1,4 +1,4 @@
-// kovacic verify CERT...: the judge of lib/certify, which shares no code with the solver.
+// kovacic verify CERT...: the judge of lib/certify, which shares only lib/exact with the solver.
 // Exit 0: all accepted; 1: one was rejected; 2: one is not a certificate.
 
 #include "answer.hpp"
