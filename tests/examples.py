@@ -29,12 +29,12 @@ excused = {
     "integrability/variational_monodromy.hpp": "an example needs a system file",
     "kovacic/family_log.hpp": "two steps of the trace, used by the cases",
     "kovacic/polynomial_kernel.hpp": "a part of polynomial.cpp, compiled for two fields",
-    "special/recognize_families.hpp": "the parts of recognize.cpp",
+    "recognize/recognize_families.hpp": "the parts of recognize.cpp",
     "strata/open_exponent.hpp": "a part of decide_leaf.cpp",
     "symbol/tokens.hpp": "a part of expression.cpp",
     "system/read_system.hpp": "the parts of read_system.cpp",
-    "verdict/words.hpp": "the sentences of decide.hpp",
-    "verdict/witness.hpp": "the searches of certificate.cpp",
+    "decide/words.hpp": "the sentences of decide.hpp",
+    "decide/witness.hpp": "the searches of certificate.cpp",
 }
 
 own_namespace = {"kovacic", "strata"}  # the others are in namespace kov
@@ -43,7 +43,7 @@ names = """[[maybe_unused]] const Poly z = Poly::z();
 """
 names_of_strata = """const Ring ring = make_ring({"z", "a"});
 const MFraction z = MFraction::variable(ring, "z"), a = MFraction::variable(ring, "a"), one(ring, 1);
-const strata::Region everywhere(ring, {});
+const Region everywhere(ring, {});
 """
 
 
@@ -111,7 +111,7 @@ def main(source, room, output):
     out += [f'#include "{room}/{h}"\n' for h in headers]
     out += ['#include "exact/poly.hpp"\n', '#include "support/shown.hpp"\n']
     out += ["namespace kov {\n", "namespace {\n", "using testing::example;\n",
-            names_of_strata if room == "strata" else names]
+            names_of_strata if room in ("parameters", "strata") else names]
     for header in headers:
         with open(os.path.join(folder, header), encoding="utf-8") as text:
             try:

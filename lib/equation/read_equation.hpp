@@ -11,7 +11,7 @@
 
 namespace kov {
 
-/// A sentence about parameters (lib/family) and where it stands.
+/// A sentence about parameters (lib/equation) and where it stands.
 struct AssumedText {
   std::string text;
   OriginPtr origin;    ///< of the text; null: it stands by itself

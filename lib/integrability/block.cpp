@@ -3,7 +3,7 @@
 #include "exact/error.hpp"
 #include "integrability/change_search.hpp"
 #include "integrability/parameters.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "integrability/certificate.hpp"
 
-#include "certify/certificate.hpp"
+#include "certify/equation/certificate.hpp"
 #include "exact/error.hpp"
 #include "strata/certificate.hpp"
 

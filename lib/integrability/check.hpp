@@ -18,7 +18,7 @@
 #include "integrability/constants.hpp"
 #include "literature/literature.hpp"
 #include "strata/decide_strata.hpp"
-#include "verdict/decide.hpp"
+#include "decide/decide.hpp"
 
 namespace kov {
 

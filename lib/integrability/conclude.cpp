@@ -3,7 +3,7 @@
 #include "exact/factor.hpp"
 #include "integrability/parameters.hpp"
 #include "strata/words.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <algorithm>
 
@@ -86,7 +86,7 @@ std::vector<std::string> reasons_of(const BlockReport& block) {
   if (block.decision) all.push_back(name + reason(*block.decision));
   if (block.strata)
     for (const auto& x : block.strata->strata)
-      all.push_back("where " + strata::to_string(x.conditions) + ": " + strata::reason(x.leaf));
+      all.push_back("where " + to_string(x.conditions) + ": " + strata::reason(x.leaf));
   for (const auto& e : block.energies)
     if (e.decision) all.push_back("at " + e.condition + ": " + reason(*e.decision));
   return all;

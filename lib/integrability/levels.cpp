@@ -77,14 +77,14 @@ EnergyResult decide_at(const Study& study, const System& special, const BlockRep
 // to vanish.
 std::optional<strata::Stratum> without_level(const strata::Question& q, const MPoly& f,
                                              std::size_t h, const std::string& name) {
-  const strata::Region all(q.r.ring(), q.assumptions);
+  const Region all(q.r.ring(), q.assumptions);
   strata::Stratum nowhere;
   const auto in_h = coefficients(f, h);
   for (std::size_t k = 1; k < in_h.size(); ++k) {
     if (is_zero(in_h[k])) continue;
     const MPoly c = transfer(MFraction(in_h[k]), q.r.ring()).num();
     if (is_constant(c) || !all.doubtful_factor(c)) return std::nullopt;
-    nowhere.conditions.push_back({c, strata::Sign::zero});
+    nowhere.conditions.push_back({c, Sign::zero});
   }
   nowhere.leaf = strata::open_leaf(
       strata::NoEquation{strata::NoEquation::Why::no_level,
@@ -101,7 +101,7 @@ void decide_locus(const Study& study, const std::vector<BlockReport>& generic, c
   std::erase_if(all_levels.assumptions, [&](const Assumption& a) { return uses(a.value, h); });
   strata::Question q = strata_question(all_levels, *block.ode);
   const auto nowhere = without_level(q, f, h, s.ring()->name(h));
-  q.assumptions.require(transfer(MFraction(f), q.r.ring()), strata::Sign::zero);
+  q.assumptions.require(transfer(MFraction(f), q.r.ring()), Sign::zero);
   EnergyResult e;
   e.condition = to_string(f) + " = 0";
   e.why = "singular places merge";

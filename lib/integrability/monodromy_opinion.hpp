@@ -7,7 +7,7 @@
 // small.
 
 #include "monodromy/words.hpp"
-#include "verdict/decide.hpp"
+#include "decide/decide.hpp"
 
 namespace kov {
 

@@ -9,17 +9,17 @@ namespace {
 
 using Relation = Assumption::Relation;
 
-void add_assumption(strata::Assumptions& all, const Assumption& a, const Ring& ring) {
+void add_assumption(Assumptions& all, const Assumption& a, const Ring& ring) {
   const MFraction value = transfer(a.value, ring);
   switch (a.relation) {
   case Relation::zero:
-    return all.require(value, strata::Sign::zero);
+    return all.require(value, Sign::zero);
   case Relation::nonzero:
-    return all.require(value, strata::Sign::nonzero);
+    return all.require(value, Sign::nonzero);
   case Relation::positive:
-    return all.require(value, strata::Sign::positive);
+    return all.require(value, Sign::positive);
   case Relation::nonnegative:
-    return all.require(value, strata::Sign::nonnegative);
+    return all.require(value, Sign::nonnegative);
   case Relation::integer:
     all.require_integral(value, true);
     [[fallthrough]];
@@ -60,7 +60,7 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
           return std::find(s.field.constants.begin(), s.field.constants.end(), i) !=
                  s.field.constants.end();
         }))
-      q.assumptions.require(transfer(relation, ring), strata::Sign::zero);
+      q.assumptions.require(transfer(relation, ring), Sign::zero);
   }
   const auto levels = level_parameters(s);
   const auto chosen = [&](std::size_t i) {
@@ -68,11 +68,11 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
            std::find(levels.begin(), levels.end(), i) != levels.end();
   };
   for (const auto& whole : ode.generic)
-    for (const MPoly& g : strata::irreducible_parts(whole)) {
+    for (const MPoly& g : irreducible_parts(whole)) {
       if (!known(MFraction(g))) continue;
       const auto used = used_variables(g);
       if (std::all_of(used.begin(), used.end(), chosen)) // a level where it does not vanish
-        q.assumptions.require(transfer(MFraction(g), ring), strata::Sign::nonzero);
+        q.assumptions.require(transfer(MFraction(g), ring), Sign::nonzero);
       else
         q.generic.push_back({coefficients(transfer(MFraction(g), ring).num(), q.z),
                              "the reduction divides by " + brief(MFraction(g), 80)});
@@ -98,10 +98,10 @@ std::vector<std::size_t> level_parameters(const System& s) {
 }
 
 std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {
-  strata::Assumptions assumed;
+  Assumptions assumed;
   for (const auto& a : s.assumptions)
     add_assumption(assumed, a, s.ring());
-  const strata::Region all(s.ring(), assumed);
+  const Region all(s.ring(), assumed);
   std::vector<MPoly> left;
   for (const MPoly& g : generic)
     if (!is_constant(g) && all.doubtful_factor(g)) left.push_back(g);
@@ -130,13 +130,13 @@ bool some_level_is_not_abelian(const System& s, const strata::StrataAnswer& answ
     const auto used = used_variables(a.value);
     return std::any_of(used.begin(), used.end(), is_level);
   });
-  strata::Assumptions assumed;
+  Assumptions assumed;
   const Ring& ring = s.ring();
   for (const auto& a : others.assumptions)
     add_assumption(assumed, a, ring);
-  const strata::Region all(ring, assumed);
-  const auto for_some_level = [&](const strata::Condition& c) {
-    if (c.sign != strata::Sign::nonzero) return false;
+  const Region all(ring, assumed);
+  const auto for_some_level = [&](const Condition& c) {
+    if (c.sign != Sign::nonzero) return false;
     std::vector<MPoly> parts{transfer(MFraction(c.p), ring).num()};
     for (const std::size_t h : levels) {
       std::vector<MPoly> finer;

@@ -4,7 +4,7 @@
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "strata/decide_leaf.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <algorithm>
 
@@ -44,7 +44,7 @@ std::vector<Stratum> inside(const Stratum& outer, const BlockReport& block) {
 // The conditions of a stratum as assumptions of the special system.
 void assume(System& s, const Stratum& x, const Substitution& values) {
   for (const auto& c : x.conditions) {
-    if (c.sign != strata::Sign::nonzero) continue;
+    if (c.sign != Sign::nonzero) continue;
     Assumption a;
     a.relation = Assumption::Relation::nonzero;
     a.value = substitute(transfer(MFraction(c.p), s.ring()), values);

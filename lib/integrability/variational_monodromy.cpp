@@ -4,7 +4,7 @@
 #include "integrability/constants.hpp"
 
 #include "galois/exponential_form.hpp"
-#include "verdict/decide.hpp"
+#include "decide/decide.hpp"
 
 #include <algorithm>
 

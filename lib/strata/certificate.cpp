@@ -1,6 +1,6 @@
 #include "strata/certificate.hpp"
 
-#include "certify/strata_check.hpp"
+#include "certify/strata/check.hpp"
 #include "exact/error.hpp"
 #include "strata/leaf_certificate.hpp"
 #include "strata/words.hpp"

@@ -3,7 +3,7 @@
 #include "exact/error.hpp"
 #include "strata/certificate.hpp"
 #include "strata/decide_leaf.hpp"
-#include "strata/signs.hpp"
+#include "parameters/signs.hpp"
 #include "strata/words.hpp"
 
 #include <algorithm>

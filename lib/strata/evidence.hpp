@@ -6,7 +6,7 @@
 // Source  docs/theory/strata.md, 3 to 8
 
 #include "strata/bounds.hpp"
-#include "verdict/decide.hpp"
+#include "decide/decide.hpp"
 
 namespace kov::strata {
 

@@ -6,7 +6,7 @@
 // Source  Kovacic 1986, section 3; the proof of Lemma 3 of the paper on the sliding top
 
 #include "strata/scheme.hpp"
-#include "verdict/decide.hpp"
+#include "decide/decide.hpp"
 
 namespace kov::strata {
 

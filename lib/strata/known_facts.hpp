@@ -5,7 +5,7 @@
 //
 // docs/theory/strata_certificates.md, 3 and 5
 
-#include "strata/conditions.hpp"
+#include "parameters/conditions.hpp"
 
 #include <map>
 #include <optional>

@@ -8,7 +8,7 @@
 // docs/theory/strata.md, 3
 
 #include "linode/singularities.hpp"
-#include "strata/region.hpp"
+#include "parameters/region.hpp"
 
 namespace kov::strata {
 

@@ -1,6 +1,6 @@
 #include "strata/words.hpp"
 
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 namespace kov::strata {
 namespace {

@@ -5,6 +5,8 @@
 
 namespace kov::strata {
 
+using kov::to_string; // of conditions
+
 /// Why the verdict holds, or "undecided: ..."
 [[nodiscard]] std::string reason(const Leaf& leaf);
 /// "SL(2, C)", "in the normaliser of a torus"; empty where nothing is known.

@@ -9,7 +9,7 @@
 #include "exact/error.hpp"
 #include "strata/certificate.hpp"
 #include "strata/words.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <algorithm>
 
@@ -100,7 +100,7 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
             {}};
   for (const strata::Stratum& s : a.strata)
     grid.rows.push_back(
-        {strata::to_string(s.conditions), strata::group_text(s.leaf), answer(s.leaf.abelian),
+        {to_string(s.conditions), strata::group_text(s.leaf), answer(s.leaf.abelian),
          strata::reason(s.leaf)});
   for (const std::string& u : a.unvisited)
     grid.rows.push_back({u, "", "undecided", "a limit was reached"});
@@ -136,7 +136,7 @@ std::string reason_of(const strata::StrataAnswer& a) {
            ")";
   for (const strata::Stratum& s : a.strata)
     if (s.leaf.abelian == Truth::no)
-      return "not abelian where " + strata::to_string(s.conditions) +
+      return "not abelian where " + to_string(s.conditions) +
              ", and there are such levels: " + strata::reason(s.leaf);
   return "";
 }
@@ -209,7 +209,7 @@ std::string strata_with(const ManifoldReport& m, Truth abelian) {
     if (b.strata)
       for (const strata::Stratum& s : b.strata->strata)
         if (s.leaf.abelian == abelian)
-          text += (text.empty() ? "" : "; ") + strata::to_string(s.conditions);
+          text += (text.empty() ? "" : "; ") + to_string(s.conditions);
   return text;
 }
 

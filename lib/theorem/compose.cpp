@@ -2,7 +2,7 @@
 // docs/theory/composition.md
 
 #include "exact/error.hpp"
-#include "strata/reals.hpp"
+#include "parameters/reals.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
 #include "theorem/prove.hpp"
@@ -61,7 +61,7 @@ void unbind(NodeResult& n, const std::string& why) {
 }
 
 std::string text_of(const ParameterRegion& r) {
-  return r.conditions.empty() ? "all parameters" : strata::to_string(r.conditions);
+  return r.conditions.empty() ? "all parameters" : to_string(r.conditions);
 }
 
 // Linear maps of the parameters, as the values of all names of the ring.
@@ -116,9 +116,9 @@ std::vector<ParameterMap> symmetries(NodeResult& n, const Theorem& t, const Syst
 }
 
 // The points that the map sends to the region.
-std::vector<strata::Condition> image(const ParameterRegion& region, const ParameterMap& map) {
-  strata::Assumptions there;
-  for (const strata::Condition& c : region.conditions)
+std::vector<Condition> image(const ParameterRegion& region, const ParameterMap& map) {
+  Assumptions there;
+  for (const Condition& c : region.conditions)
     there.require(substitute(transfer(MFraction(c.p), map.front().ring()), as_substitution(map)),
                   c.sign);
   return there.conditions;
@@ -223,7 +223,7 @@ namespace {
 
 // What the needs of a cover say, put together.
 struct Pieces {
-  std::vector<std::vector<strata::Condition>> regions;
+  std::vector<std::vector<Condition>> regions;
   std::vector<std::string> exceptions, idle;
 };
 
@@ -260,16 +260,16 @@ Pieces pieces(NodeResult& n, const TheoremResult& result, const std::vector<Para
 }
 
 // The real parameters that the node speaks about.
-std::vector<strata::Condition> range_of(const NodeResult& n, const System& whole) {
-  strata::Assumptions known;
+std::vector<Condition> range_of(const NodeResult& n, const System& whole) {
+  Assumptions known;
   require(known, whole.assumptions, whole.ring());
-  for (const strata::Condition& c : n.region.conditions)
+  for (const Condition& c : n.region.conditions)
     known.require(transfer(MFraction(c.p), whole.ring()), c.sign);
   for (const std::size_t i : whole.field.parameters)
     if (std::find(known.real.begin(), known.real.end(), i) == known.real.end())
       throw DomainError("the parameter " + whole.ring()->name(i) +
                         " is not assumed to be real: a cover is decided for real parameters");
-  if (strata::has_real_point(known.conditions, cover_milliseconds) == Truth::no)
+  if (has_real_point(known.conditions, cover_milliseconds) == Truth::no)
     throw DomainError("no parameters satisfy what the system assumes");
   return known.conditions;
 }
@@ -298,8 +298,8 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   const auto maps = symmetries(n, result.theorem, whole, path);
   const Pieces found = pieces(n, result, maps);
   n.region = region_of(whole, n.node.place);
-  const strata::Covered covered =
-      strata::is_covered(range_of(n, whole), found.regions, cover_milliseconds);
+  const Covered covered =
+      is_covered(range_of(n, whole), found.regions, cover_milliseconds);
   if (covered.holds != Truth::yes || n.excluded.empty()) {
     n.status = NodeStatus::open;
     n.summary = covered.holds == Truth::no

@@ -8,7 +8,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
-#include "strata/region.hpp"
+#include "parameters/region.hpp"
 #include "system/claims.hpp"
 #include "theorem/prove.hpp"
 
@@ -122,10 +122,10 @@ std::string too_much_assumed(const System& single, const ParameterValues& member
     return formula(single, name);
   };
   const MFraction a = moment("A"), b = moment("B"), c = moment("C");
-  strata::Assumptions known;
+  Assumptions known;
   for (const MFraction& f : {a - b, b - c, c, b, a}) // the last two follow, and help
-    known.require(f, strata::Sign::positive);
-  const strata::Region region(single.ring(), known);
+    known.require(f, Sign::positive);
+  const Region region(single.ring(), known);
   for (const Assumption& x : single.assumptions) {
     const int sign = region.exact_sign_of(x.value.num()) * region.exact_sign_of(x.value.den());
     using Relation = Assumption::Relation;

@@ -2,7 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
-#include "strata/region.hpp"
+#include "parameters/region.hpp"
 #include "symbol/input_error.hpp"
 #include "system/formula.hpp"
 
@@ -12,8 +12,8 @@
 namespace kov {
 namespace {
 
-using strata::Condition;
-using strata::Sign;
+using Condition;
+using Sign;
 
 /// Parameters, coordinates and roots of the theorem's side; values of `at` are put in.
 class PlaceScope : public Scope {
@@ -167,7 +167,7 @@ public:
       found.objection = why.what();
     }
     found.checks = checks_;
-    for (const strata::TrustedStep& t : region_.trusted())
+    for (const TrustedStep& t : region_.trusted())
       found.trusted.push_back(t.claim);
     return found;
   }
@@ -176,8 +176,8 @@ private:
   [[nodiscard]] const Ring& ring() const { return scope_.ring(); }
 
   // What is known about the parameters.
-  [[nodiscard]] strata::Region parameters() const {
-    strata::Assumptions known;
+  [[nodiscard]] Region parameters() const {
+    Assumptions known;
     require(known, whole_.assumptions, scope_.ring());
     for (const auto& [value, sign] : read_conditions(place_, scope_))
       known.require(value, sign);
@@ -409,7 +409,7 @@ private:
   const Place& place_;
   PlaceScope scope_;
   Roots roots_;
-  strata::Region region_;
+  Region region_;
   std::map<std::size_t, MFraction> map_;
   std::vector<std::vector<MFraction>> jacobian_;
   MFraction time_;
@@ -418,7 +418,7 @@ private:
 
 } // namespace
 
-void require(strata::Assumptions& known, const std::vector<Assumption>& assumed, const Ring& ring) {
+void require(Assumptions& known, const std::vector<Assumption>& assumed, const Ring& ring) {
   using Relation = Assumption::Relation;
   for (const Assumption& a : assumed) {
     if (is_constant(a.value) || is_zero(a.value)) continue;
@@ -436,7 +436,7 @@ void require(strata::Assumptions& known, const std::vector<Assumption>& assumed,
 ParameterRegion region_of(const System& whole, const Place& place) {
   const PlaceScope scope(whole, {});
   ParameterRegion region{scope.ring(), {}};
-  strata::Assumptions all;
+  Assumptions all;
   for (const auto& [name, text] : place.at) {
     const auto i = scope.ring()->find(name);
     if (!i)

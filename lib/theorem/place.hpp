@@ -13,7 +13,7 @@
 // this form.  docs/theory/composition.md
 
 #include "splitting/checked.hpp"
-#include "strata/conditions.hpp"
+#include "parameters/conditions.hpp"
 #include "system/system.hpp"
 
 namespace kov {
@@ -31,7 +31,7 @@ struct Place {
 /// A conjunction of conditions on the parameters of the theorem's system, in its ring.
 struct ParameterRegion {
   Ring ring;
-  std::vector<strata::Condition> conditions;
+  std::vector<Condition> conditions;
 };
 
 struct Located {
@@ -53,6 +53,6 @@ struct Located {
                              const System& single, const Place& place);
 
 /// All conditions of `assumed` as conditions on parameters, those that can be written so.
-void require(strata::Assumptions& known, const std::vector<Assumption>& assumed, const Ring& ring);
+void require(Assumptions& known, const std::vector<Assumption>& assumed, const Ring& ring);
 
 } // namespace kov

@@ -2,7 +2,7 @@
 // Runs the steps of a theorem file.
 
 #include "theorem/theorem.hpp"
-#include "verdict/decide.hpp"
+#include "decide/decide.hpp"
 
 #include <functional>
 

@@ -1,4 +1,4 @@
-#include "certify/check.hpp"
+#include "certify/equation/check.hpp"
 
 #include "exact/error.hpp"
 #include "support/source_dir.hpp"

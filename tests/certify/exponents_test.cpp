@@ -1,7 +1,7 @@
 // Many exponent differences are judged by one identity: each false one must still be seen.
 
-#include "certify/facts.hpp"
-#include "certify/rules.hpp"
+#include "certify/equation/facts.hpp"
+#include "certify/equation/rules.hpp"
 #include "exact/rational_function.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Texts made to break a reader: each ends in one InvalidArgument or one Rejected, at once.
 
-#include "certify/check.hpp"
+#include "certify/equation/check.hpp"
 #include "exact/error.hpp"
 
 #include <gtest/gtest.h>

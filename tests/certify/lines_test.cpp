@@ -2,9 +2,9 @@
 // file of JSON lines {"text": certificate, ...}; one letter per line (a, r, m) goes to that name +
 // ".cpp".  Not set: nothing to do.
 
-#include "certify/check.hpp"
-#include "certify/json.hpp"
-#include "certify/strata_check.hpp"
+#include "certify/equation/check.hpp"
+#include "certify/text/json.hpp"
+#include "certify/strata/check.hpp"
 #include "exact/error.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 // Small certificates of the format kovacic-strata/1, put together from their parts.
 
-#include "certify/strata_check.hpp"
+#include "certify/strata/check.hpp"
 #include "exact/error.hpp"
 
 #include <gtest/gtest.h>

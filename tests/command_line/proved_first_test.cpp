@@ -4,7 +4,7 @@
 
 #include "exact/poly.hpp"
 #include "support/equations.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <gtest/gtest.h>
 

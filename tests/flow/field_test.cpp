@@ -4,8 +4,8 @@
 // body.hpp and jets.hpp; the kernels run over Q.  Higher coefficients are checked by putting the series back
 // into the differential equation, in truncated power series over Q.
 
-#include "flow/jets.hpp"
-#include "flow/section_jets.hpp"
+#include "flow/orbit/jets.hpp"
+#include "flow/orbit/section_jets.hpp"
 #include "support.hpp"
 
 #include "exact/integer.hpp"

@@ -1,6 +1,6 @@
-#include "flow/fixed_points.hpp"
+#include "flow/section/fixed_points.hpp"
 
-#include "flow/enclosure.hpp"
+#include "flow/number/enclosure.hpp"
 #include "support.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The hard cases, each with the bound that it must keep.
 
-#include "flow/escape.hpp"
+#include "flow/scene/escape.hpp"
 #include "support.hpp"
 
 #include <gtest/gtest.h>

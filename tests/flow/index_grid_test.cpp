@@ -1,4 +1,4 @@
-#include "flow/index_grid.hpp"
+#include "flow/section/index_grid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "flow/fixed_points.hpp"
+#include "flow/section/fixed_points.hpp"
 
 #include "exact/number_field.hpp"
 #include "support.hpp"

@@ -1,6 +1,6 @@
-#include "flow/roots.hpp"
+#include "flow/number/roots.hpp"
 
-#include "flow/big_real.hpp"
+#include "flow/number/big_real.hpp"
 
 #include <gtest/gtest.h>
 

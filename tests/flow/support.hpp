@@ -1,7 +1,7 @@
 #pragma once
 // Runs for the tests of lib/flow: scenes from text, orbits, and what is measured on them.
 
-#include "flow/simulate.hpp"
+#include "flow/scene/simulate.hpp"
 #include "support/source_dir.hpp"
 
 #include <cmath>

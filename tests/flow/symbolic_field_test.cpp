@@ -1,8 +1,8 @@
 // The kernels against the vector field that lib/system derives, exactly, from the system files of
 // the paper.
 
-#include "flow/dual.hpp"
-#include "flow/jets.hpp"
+#include "flow/number/dual.hpp"
+#include "flow/orbit/jets.hpp"
 #include "support.hpp"
 
 #include "system/system.hpp"

@@ -5,7 +5,7 @@
 // throws nothing but InternalError (which is a finding, as is a sanitizer report or a hang).
 
 #include "equation/equation_file.hpp"
-#include "verdict/decide.hpp"
+#include "decide/decide.hpp"
 
 #include <cstdint>
 #include <cstdio>

@@ -100,7 +100,7 @@ TEST(ParameterTraps, ANewBlockOnASpecialStratum) {
   EXPECT_EQ(m.verdict, VerdictKind::undecided);
   ASSERT_TRUE(m.blocks.at(0).strata);
   for (const auto& x : m.blocks[0].strata->strata)
-    EXPECT_EQ(x.leaf.abelian, truth(strata::to_string(x.conditions) != "a = 0"));
+    EXPECT_EQ(x.leaf.abelian, truth(to_string(x.conditions) != "a = 0"));
 }
 
 // At a = 0 there is a chain y2 -> y3 -> y4 of first-order equations with the integral of exp(x^2):
@@ -115,7 +115,7 @@ TEST(ParameterTraps, DiagonalBlocksAreNotCalledAGroup) {
   ASSERT_TRUE(strata);
   const auto special =
       std::find_if(strata->strata.begin(), strata->strata.end(), [](const strata::Stratum& x) {
-        return strata::to_string(x.conditions) == "a = 0";
+        return to_string(x.conditions) == "a = 0";
       });
   ASSERT_NE(special, strata->strata.end());
   EXPECT_EQ(special->leaf.abelian, Truth::unknown);

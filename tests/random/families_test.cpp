@@ -3,11 +3,11 @@
 // a printed condition says that the identity component may be abelian.
 
 #include "exact/error.hpp"
-#include "family/family.hpp"
-#include "family/parameter_scope.hpp"
+#include "equation/parametric_equation.hpp"
+#include "equation/parameter_scope.hpp"
 #include "parameter_points.hpp"
 #include "strata/words.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <gmock/gmock.h>
 
@@ -37,14 +37,14 @@ struct Asked {
       s += " --assume '" + a + "'";
     return s;
   }
-  [[nodiscard]] Family family() const {
+  [[nodiscard]] ParametricEquation family() const {
     EquationText e;
     (equation == "-r" ? e.r : e.ode) = parse_expression(text, "r", equation != "-r");
     e.parameters = parameters;
     e.variable = "z";
     for (const auto& a : assumptions)
       e.assume.push_back({a, nullptr, ""});
-    return read_family(e);
+    return read_parametric_equation(e);
   }
 };
 
@@ -72,7 +72,7 @@ std::optional<Rational> rational_root(const NfElem& square) {
 // A condition on the parameters as it is printed, at one point.
 class Printed {
 public:
-  Printed(const Family& f, const ParameterPoint& point) : f_(f), point_(point) {}
+  Printed(const ParametricEquation& f, const ParameterPoint& point) : f_(f), point_(point) {}
 
   /// What "abelian only if ..." says; unset where this test does not read the sentence.
   [[nodiscard]] std::optional<bool> possible(const Leaf& leaf) const {
@@ -133,7 +133,7 @@ private:
     return root && is_integer(*root - Rational(1, 2));
   }
 
-  const Family& f_;
+  const ParametricEquation& f_;
   const ParameterPoint& point_;
 };
 
@@ -142,17 +142,17 @@ const Stratum* stratum_of(const StrataAnswer& a, const ParameterPoint& point) {
   const Stratum* found = nullptr;
   for (const Stratum& s : a.strata) {
     if (!std::all_of(s.conditions.begin(), s.conditions.end(),
-                     [&](const strata::Condition& c) { return point.holds(c); }))
+                     [&](const Condition& c) { return point.holds(c); }))
       continue;
-    EXPECT_EQ(found, nullptr) << "two strata: " << strata::to_string(found->conditions) << " and "
-                              << strata::to_string(s.conditions);
+    EXPECT_EQ(found, nullptr) << "two strata: " << to_string(found->conditions) << " and "
+                              << to_string(s.conditions);
     found = &s;
   }
   EXPECT_TRUE(found != nullptr || !a.unvisited.empty()) << "no stratum contains the point";
   return found;
 }
 
-void compare_at(const Asked& asked, const Family& f, const StrataAnswer& a,
+void compare_at(const Asked& asked, const ParametricEquation& f, const StrataAnswer& a,
                 const ParameterPoint& point) {
   NormalForm equation;
   try {
@@ -171,7 +171,7 @@ void compare_at(const Asked& asked, const Family& f, const StrataAnswer& a,
   if (d.abelian == Truth::unknown) return;
   ++compared;
   const std::string why =
-      "stratum " + strata::to_string(s->conditions) + "\n" + reason(s->leaf) + "\nbut " + reason(d);
+      "stratum " + to_string(s->conditions) + "\n" + reason(s->leaf) + "\nbut " + reason(d);
   if (s->leaf.abelian != Truth::unknown) {
     EXPECT_EQ(s->leaf.abelian, d.abelian) << why;
   }
@@ -204,7 +204,7 @@ std::vector<MPoly> events(const StrataAnswer& a) {
 
 void attack(const Asked& asked, const Texts& also, int points, Random& random) {
   SCOPED_TRACE(asked.command());
-  const Family f = asked.family();
+  const ParametricEquation f = asked.family();
   const StrataAnswer a = decide_strata(f.question, little_time());
   if (a.contradictory) return;
   std::vector<MPoly> targets = events(a);
@@ -215,7 +215,7 @@ void attack(const Asked& asked, const Texts& also, int points, Random& random) {
   for (int i = 0; i < points; ++i) {
     std::vector<MPoly> zero;
     for (const auto& c : f.question.assumptions.conditions)
-      if (c.sign == strata::Sign::zero) zero.push_back(c.p);
+      if (c.sign == Sign::zero) zero.push_back(c.p);
     if (!targets.empty() && !random.once_in(3)) zero.push_back(random.one_of(targets));
     const auto point = random_point(f.question, zero, random);
     try {
@@ -382,7 +382,7 @@ TEST(RandomFamilies, PrintedConditionsHoldWhereAProductOfSolutionsIsARadical) {
     asked.text = asked.text.substr(1);
     if (asked.parameters.empty()) return;
     SCOPED_TRACE(asked.command());
-    const Family f = asked.family();
+    const ParametricEquation f = asked.family();
     auto names = f.question.r.ring()->names();
     names.emplace_back("t");
     const Ring larger = make_ring(names);
@@ -404,7 +404,7 @@ TEST(RandomFamilies, ALeadingCoefficientThatVanishesIsAnException) {
     const Asked asked{
         "-e", "(" + random.one_of(leading) + ")*y''=(" + random.one_of(others) + ")*y", {"a", "b"}};
     attack(asked, {"a", "b", "a-b", "a^2-b"}, 5, random);
-    const Family f = asked.family();
+    const ParametricEquation f = asked.family();
     const StrataAnswer a = decide_strata(f.question, little_time());
     SCOPED_TRACE(asked.command());
     if (f.question.generic.empty()) return;
@@ -419,11 +419,11 @@ TEST(RandomFamilies, ALeadingCoefficientThatVanishesIsAnException) {
       }
     }
   });
-  const Family airy = Asked{"-e", "a*y''=a*z*y", {"a"}}.family();
+  const ParametricEquation airy = Asked{"-e", "a*y''=a*z*y", {"a"}}.family();
   const StrataAnswer a = decide_strata(airy.question);
   ASSERT_EQ(a.strata.size(), 2U);
   EXPECT_THAT(a.strata, ::testing::Contains(::testing::Truly([](const Stratum& s) {
-                return s.leaf.no_equation() && strata::to_string(s.conditions) == "a = 0";
+                return s.leaf.no_equation() && to_string(s.conditions) == "a = 0";
               })));
   report();
 }

@@ -31,27 +31,27 @@ NfElem ParameterPoint::number(const MFraction& f) const {
   return is_zero(v) ? NfElem(0) : v.num().coeff(0) / v.den().coeff(0);
 }
 
-bool ParameterPoint::holds(const strata::Condition& c) const {
+bool ParameterPoint::holds(const Condition& c) const {
   const NfElem v = number(MFraction(c.p));
   switch (c.sign) {
-  case strata::Sign::zero:
+  case Sign::zero:
     return is_zero(v);
-  case strata::Sign::nonzero:
+  case Sign::nonzero:
     return !is_zero(v);
-  case strata::Sign::positive:
+  case Sign::positive:
     return is_rational(v) && sign(to_rational(v)) > 0;
   default:
     return is_rational(v) && sign(to_rational(v)) >= 0;
   }
 }
 
-bool ParameterPoint::meets(const strata::Assumptions& all) const {
+bool ParameterPoint::meets(const Assumptions& all) const {
   const bool conditions = std::all_of(all.conditions.begin(), all.conditions.end(),
-                                      [&](const strata::Condition& c) { return holds(c); });
+                                      [&](const Condition& c) { return holds(c); });
   const auto rational = [&](std::size_t i) {
     return is_rational(number(MFraction::variable(larger(), i)));
   };
-  const auto member = [&](const strata::Membership& m) {
+  const auto member = [&](const Membership& m) {
     const NfElem v = number(m.value);
     return (is_rational(v) && is_integer(to_rational(v))) == m.in_integers;
   };
@@ -149,7 +149,7 @@ private:
       return true;
     }
     if (!consistent()) return false;
-    const MPoly p = random_.one_of(strata::irreducible_parts(equations_.front()));
+    const MPoly p = random_.one_of(irreducible_parts(equations_.front()));
     const auto c = coefficients(p, x);
     const long n = degree(p, x);
     const auto number = [](const MPoly& f) { return is_zero(f) ? Integer(0) : f.coefficient(0); };

@@ -23,8 +23,8 @@ public:
   [[nodiscard]] RationalFunction at(const MFraction& f) const;
   /// f, a function of the parameters alone.
   [[nodiscard]] NfElem number(const MFraction& f) const;
-  [[nodiscard]] bool holds(const strata::Condition& c) const; ///< no order but between rationals
-  [[nodiscard]] bool meets(const strata::Assumptions& all) const;
+  [[nodiscard]] bool holds(const Condition& c) const; ///< no order but between rationals
+  [[nodiscard]] bool meets(const Assumptions& all) const;
   /// "a = 2, b = t, t a root of t^2 - 2"
   [[nodiscard]] std::string text(const Ring& ring) const;
   [[nodiscard]] const Field& field() const { return field_; }

@@ -3,8 +3,8 @@
 #include "special/kimura.hpp"
 #include "special/polyhedral.hpp"
 #include "special/riemann.hpp"
-#include "verdict/decide.hpp"
-#include "verdict/words.hpp"
+#include "decide/decide.hpp"
+#include "decide/words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // and g2, g3 in the number fields that the zeros generate.
 
 #include "special/lame.hpp"
-#include "verdict/decide.hpp"
-#include "verdict/words.hpp"
+#include "decide/decide.hpp"
+#include "decide/words.hpp"
 
 #include "exact/factor.hpp"
 

@@ -2,8 +2,8 @@
 
 #include "special/potential.hpp"
 
-#include "verdict/decide.hpp"
-#include "verdict/words.hpp"
+#include "decide/decide.hpp"
+#include "decide/words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include "strata/decide_strata.hpp"
 #include "strata/words.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -99,7 +99,7 @@ inline int compare(const Question& q, const StrataAnswer& answer, unsigned seed)
       ++compared;
       EXPECT_EQ(d.abelian, x.leaf.abelian)
           << "seed " << seed << ": " << text(q, *point) << "\nstratum "
-          << strata::to_string(x.conditions) << "\n"
+          << to_string(x.conditions) << "\n"
           << reason(x.leaf) << "\nbut " << reason(d);
       if (x.leaf.group && d.group) {
         EXPECT_TRUE(*x.leaf.group == *d.group) << text(q, *point) << describe(*d.group);

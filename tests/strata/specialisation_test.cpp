@@ -43,12 +43,12 @@ TEST(Specialisation, GravityOnTheLevelOfLame) {
   Question q = question_of("sliding_top/gravity.toml");
   const auto x = [&](const char* name) { return MFraction::variable(q.r.ring(), name); };
   q.assumptions.require(x("h") * x("h") - x("A") - MFraction(q.r.ring(), Rational(1)),
-                        strata::Sign::zero);
+                        Sign::zero);
   const StrataAnswer a = decide_strata(q);
   EXPECT_TRUE(a.trusted.empty());
   for (const Stratum& s : a.strata)
     EXPECT_TRUE(s.leaf.abelian == Truth::no || s.leaf.no_equation())
-        << strata::to_string(s.conditions);
+        << to_string(s.conditions);
   EXPECT_GT(compare(q, a, 5), 2);
 }
 
@@ -59,7 +59,7 @@ TEST(Specialisation, TheTwoOtherManifoldsWithoutGravity) {
     EXPECT_TRUE(a.trusted.empty()) << file;
     for (const Stratum& x : a.strata)
       EXPECT_TRUE(x.leaf.abelian != Truth::unknown || x.leaf.no_equation())
-          << file << ": " << strata::to_string(x.conditions);
+          << file << ": " << to_string(x.conditions);
     EXPECT_GT(compare(q, a, 7), 2) << file;
   }
 }
@@ -110,8 +110,8 @@ TEST(Specialisation, HenonHeilesOfOtherLameDegrees) {
 TEST(Specialisation, QuarticPotential) {
   Question q = question_of("classics/quartic_potential.toml");
   const MFraction e = variable(q, "e");
-  q.assumptions.require(e + number(q, 1), strata::Sign::positive);
-  q.assumptions.require(number(q, 4) - e, strata::Sign::positive);
+  q.assumptions.require(e + number(q, 1), Sign::positive);
+  q.assumptions.require(number(q, 4) - e, Sign::positive);
   const StrataAnswer a = decide_strata(q);
   EXPECT_TRUE(a.decided());
   for (const Rational& value :
@@ -124,7 +124,7 @@ TEST(Specialisation, QuarticPotential) {
 // Delta^2 = 17/4 + 4/(mu - 1) at infinity; mu = 1 + 4/(p^2 + p - 4) is 3, 3/2, 5/4, ...
 TEST(Specialisation, SwingingAtwood) {
   Question q = question_of("classics/swinging_atwood.toml");
-  q.assumptions.require(variable(q, "mu") - number(q, Rational(5, 4)), strata::Sign::positive);
+  q.assumptions.require(variable(q, "mu") - number(q, Rational(5, 4)), Sign::positive);
   const StrataAnswer a = decide_strata(q);
   EXPECT_TRUE(a.decided());
   EXPECT_EQ(abelian_at(q, a, {{"mu", 3}, {"h", 1}}), Truth::yes);

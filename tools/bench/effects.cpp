@@ -7,7 +7,7 @@
 //   kovacic-effects 1000 free | free-by-hand | heavy | heavy-by-hand | sliding | sliding-by-hand
 
 #define KOV_ISA bench
-#include "flow/kernel_table.hpp"
+#include "flow/orbit/kernel_table.hpp"
 
 #include <algorithm>
 #include <cstdio>

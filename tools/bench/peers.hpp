@@ -4,7 +4,7 @@
 // These files are compiled with contraction, as suits the others: their inlined kernels stay their
 // own.
 #define KOV_ISA peers
-#include "flow/simulate.hpp"
+#include "flow/scene/simulate.hpp"
 
 #include <algorithm>
 #include <array>

@@ -44,9 +44,9 @@ if(KOV_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
 endif()
 
-# The sources of a folder; without any, the list of rooms and the tree disagree.
+# The sources of a folder and of its own folders; without any, the list of rooms and the tree disagree.
 function(kov_sources out folder)
-  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.c)
+  file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.c ${folder}/*/*.cpp ${folder}/*/*.c)
   if(NOT sources)
     message(FATAL_ERROR "${folder} has no sources: remove it from the list, or furnish it")
   endif()

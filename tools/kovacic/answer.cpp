@@ -1,10 +1,10 @@
 #include "answer.hpp"
 
-#include "family/assumptions.hpp"
+#include "equation/assumptions.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
 #include "strata/certificate.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <chrono>
 #include <exception>
@@ -175,14 +175,14 @@ private:
     return result;
   }
 
-  // All parameters at once; nothing for an equation that lib/family does not read.
+  // All parameters at once; nothing for an equation that lib/equation does not read.
   std::optional<std::string> by_strata(const Question& question, const Json& known) const {
     strata::StrataLimits limits;
     limits.decide = settings_.solver_options();
     Json result;
     std::string proof;
     try {
-      const Family f = read_family(question.text);
+      const ParametricEquation f = read_parametric_equation(question.text);
       limits.decide.variable = f.variable;
       const strata::StrataAnswer answer = strata::decide_strata(f.question, limits);
       result = family_result(id_, f, answer);

@@ -4,7 +4,7 @@
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
-#include "family/assumptions.hpp"
+#include "equation/assumptions.hpp"
 #include "reproducer.hpp"
 #include "symbol/suggest.hpp"
 

@@ -1,8 +1,8 @@
 #include "bench.hpp"
 
-#include "flow/effort.hpp"
-#include "flow/kernels.hpp"
-#include "flow/simulate.hpp"
+#include "flow/scene/effort.hpp"
+#include "flow/orbit/kernels.hpp"
+#include "flow/scene/simulate.hpp"
 #include "plot.hpp"
 #include "subprocess.hpp"
 

@@ -12,7 +12,7 @@
 #include "kovacic/solve.hpp"
 #include "pcurvature/p_curvature.hpp"
 #include "plot.hpp"
-#include "verdict/certificate.hpp"
+#include "decide/certificate.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ostream.h>

@@ -2,7 +2,7 @@
 // only, and later with every digit more.
 #include "bench.hpp"
 
-#include "flow/escape.hpp"
+#include "flow/scene/escape.hpp"
 #include "plot.hpp"
 
 #include <fmt/core.h>

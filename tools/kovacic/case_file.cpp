@@ -3,7 +3,7 @@
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
-#include "flow/scene.hpp"
+#include "flow/scene/scene.hpp"
 #include "mechanics.hpp"
 #include "present.hpp"
 #include "theorem/prove.hpp"

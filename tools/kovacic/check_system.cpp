@@ -8,7 +8,7 @@
 #include "integrability/parameters.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "recognized.hpp"
 #include "render.hpp"
 #include "symbol/suggest.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <sstream>
 

@@ -1,6 +1,6 @@
 #include "lame_question.hpp"
 
-#include "family/parameter_scope.hpp"
+#include "equation/parameter_scope.hpp"
 #include "symbol/rational_form.hpp"
 #include "symbol/suggest.hpp"
 

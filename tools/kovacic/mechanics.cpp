@@ -3,7 +3,7 @@
 #include "present.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <algorithm>
 #include <ostream>

@@ -6,7 +6,7 @@
 #include "mechanics.hpp"
 #include "recognized.hpp"
 #include "render.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 #include <sstream>
 

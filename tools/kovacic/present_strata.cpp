@@ -27,14 +27,14 @@ Json group_name(const strata::Leaf& leaf) {
 }
 
 // What the strata are a part of; the equations of algebraic constants are none.
-Json assumed(const strata::Assumptions& all, const Ring& ring) {
+Json assumed(const Assumptions& all, const Ring& ring) {
   Json list = Json::array();
   std::vector<std::size_t> ordered;
   for (const auto& c : all.conditions) {
     const auto used = used_variables(c.p);
-    if (c.sign == strata::Sign::positive || c.sign == strata::Sign::nonnegative)
+    if (c.sign == Sign::positive || c.sign == Sign::nonnegative)
       ordered.insert(ordered.end(), used.begin(), used.end());
-    list.push_back(strata::to_string(c));
+    list.push_back(to_string(c));
   }
   for (const auto& m : all.memberships)
     list.push_back(to_string(m.value) + (m.in_integers ? " is an integer" : " is no integer"));
@@ -54,7 +54,7 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
   for (const auto& s : a.strata) {
     Json conditions = Json::array();
     for (const auto& c : s.conditions)
-      conditions.push_back(strata::to_string(c));
+      conditions.push_back(to_string(c));
     Json one{{"conditions", conditions},
              {"abelian", word(s.leaf.abelian)},
              {"group", group_name(s.leaf)},
@@ -161,7 +161,7 @@ void put_common(Json& j, const strata::StrataAnswer& a) {
 
 } // namespace
 
-Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& a) {
+Json family_result(const Json& id, const ParametricEquation& f, const strata::StrataAnswer& a) {
   Json j = unread_result(id);
   j["variable"] = f.variable;
   j["r"] = to_string_by_powers(f.question.r, f.question.z);
@@ -176,7 +176,7 @@ Json family_result(const Json& id, const Family& f, const strata::StrataAnswer& 
   std::string open;
   for (const auto& s : a.strata)
     if (s.leaf.abelian == Truth::unknown && !s.leaf.no_equation() && open.empty())
-      open = (s.conditions.empty() ? "" : "where " + strata::to_string(s.conditions) + ": ") +
+      open = (s.conditions.empty() ? "" : "where " + to_string(s.conditions) + ": ") +
              strata::open_condition(s.leaf);
   if (with_equation(a).empty() && a.unvisited.empty())
     open = a.strata.empty() ? "nothing was looked at" : strata::open_condition(a.strata.front().leaf);

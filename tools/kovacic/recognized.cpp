@@ -3,9 +3,9 @@
 #include "algebraize/algebraize.hpp"
 #include "equation/linear_form.hpp"
 #include "exact/error.hpp"
-#include "family/parameter_scope.hpp"
-#include "special/canonical_names.hpp"
-#include "special/symbolic_family.hpp"
+#include "equation/parameter_scope.hpp"
+#include "recognize/canonical_names.hpp"
+#include "recognize/symbolic_family.hpp"
 #include "system/linear_formula.hpp"
 
 #include <map>

@@ -2,7 +2,7 @@
 // "This is Lame's equation with n = ...": what lib/special recognises, as JSON and as a sentence.
 
 #include "result.hpp"
-#include "special/recognize.hpp"
+#include "recognize/recognize.hpp"
 
 namespace kov::cli {
 

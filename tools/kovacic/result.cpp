@@ -2,7 +2,7 @@
 
 #include "galois/exponential_form.hpp"
 #include "recognized.hpp"
-#include "verdict/words.hpp"
+#include "decide/words.hpp"
 
 namespace kov::cli {
 

@@ -3,7 +3,7 @@
 // text and LaTeX renderers read.  Format "kovacic-result/1".
 
 #include "equation/read_equation.hpp"
-#include "verdict/decide.hpp"
+#include "decide/decide.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "section.hpp"
 
-#include "flow/fixed_points.hpp"
-#include "flow/simulate.hpp"
+#include "flow/section/fixed_points.hpp"
+#include "flow/scene/simulate.hpp"
 #include "interrupt.hpp"
 #include "plot.hpp"
 

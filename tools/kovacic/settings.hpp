@@ -5,7 +5,7 @@
 #include "render.hpp"
 #include "supervisor.hpp"
 #include "symbol/input_error.hpp"
-#include "verdict/decide.hpp"
+#include "decide/decide.hpp"
 
 #include <iosfwd>
 #include <string>

@@ -3,7 +3,7 @@
 #include "answer.hpp"
 #include "commands.hpp"
 #include "equation/equation_file.hpp"
-#include "family/assumptions.hpp"
+#include "equation/assumptions.hpp"
 #include "present.hpp"
 
 #include <algorithm>

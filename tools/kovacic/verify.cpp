@@ -4,8 +4,8 @@
 #include "answer.hpp"
 #include "commands.hpp"
 
-#include "certify/statement.hpp"
-#include "certify/strata_check.hpp"
+#include "certify/equation/statement.hpp"
+#include "certify/strata/check.hpp"
 #include "exact/error.hpp"
 #include "symbol/document.hpp"
 

@@ -1,0 +1,30 @@
+#pragma once
+// The judge: accepts a certificate or names the first step that fails.  It links lib/exact only and
+// searches for nothing.
+
+#include "certify/equation/certificate.hpp"
+
+#include <cstddef>
+#include <string>
+#include <variant>
+
+namespace kov::certify {
+
+struct Rejected {
+  std::string step; ///< id of the step; empty: the certificate as a whole
+  std::string why;
+  bool limit = false; ///< only a size: nothing in the certificate was found to be false
+};
+
+struct Accepted {
+  std::size_t trusted_steps = 0; ///< steps taken on faith, counted and never hidden
+};
+
+/// Never throws.
+/// Cost  a few products of the size of each step's data; series proofs O(terms * (deg num + deg
+/// den)),
+///       expansions at a place O(terms^2)
+/// spent, if given, counts the work of several certificates together: the limit is for all of them.
+[[nodiscard]] std::variant<Accepted, Rejected> check(const Certificate& c, double* spent = nullptr);
+
+} // namespace kov::certify

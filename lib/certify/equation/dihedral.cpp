@@ -1,0 +1,119 @@
+// Rules "torsion-function" and "good-reduction": the curve s^2 = F0 on which the two exponential
+// solutions of an imprimitive equation separate (docs/theory/dihedral_torsion.md).  v = V s, V =
+// A/B.
+
+#include "certify/equation/rules.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+// w^2 as an element of K.
+NfElem square_of_w(const InvariantFact& v) {
+  double size = 0;
+  for (const auto& [c, k] : v.powers)
+    size += static_cast<double>(std::abs(k)) * (1 + bits(Poly(c)));
+  need_within(size <= 1e8, "an exponent is too large");
+  NfElem w2 = v.top / v.bottom;
+  for (const auto& [c, k] : v.powers) {
+    const NfElem u = pow(c, static_cast<unsigned long>(std::abs(k)));
+    w2 = k > 0 ? w2 * u : w2 / u;
+  }
+  return w2;
+}
+
+// h = (a + b w s)/den with h' = n (w/(V s)) h, as two identities over K.
+void need_logarithmic_derivative(const TorsionFunction& t, const InvariantFact& v) {
+  const auto [A, B] = v.fraction();
+  const Poly& F = v.branch;
+  const Poly& c = t.den;
+  const Poly dc = derivative(c);
+  const NfElem n(t.n);
+  const NfElem w2 = square_of_w(v);
+  need((derivative(t.a) * c - t.a * dc) * A == scale(t.b * B * c, n * w2), "h' = n (w/v) h fails");
+  need((scale((derivative(t.b) * c - t.b * dc) * F, NfElem(2)) + t.b * c * derivative(F)) * A ==
+           scale(t.a * B * c, NfElem(2) * n),
+       "h' = n (w/v) h fails");
+}
+
+void need_unramified(const Judge& j, const PrimeIdeal& prime) {
+  NmodPoly m(prime.p);
+  fmpz_poly_get_nmod_poly(m.raw(), j.field->minpoly());
+  need(evaluate(derivative(m), prime.generator) != 0, "the prime ramifies");
+}
+
+// Two points at which h takes values whose quotient is not an l-th power: so h is not a constant
+// times an l-th power of a function.
+void need_not_a_power(const Judge& j, const NotAPower& t, const TorsionFunction& f,
+                      const InvariantFact& v) {
+  const Reduced r = j.reduced(t.prime);
+  j.spend(20 * static_cast<double>(degree(f.a) + degree(f.b) + degree(f.den) + degree(v.branch)));
+  const mp_limb_t p = t.prime.p;
+  const nmod_t mod = r.num.mod();
+  need(t.l >= 2 && p % static_cast<mp_limb_t>(t.l) == 1 && f.n % t.l == 0,
+       "l must divide n and p - 1");
+  need_unramified(j, t.prime);
+  v.need_root(t.w, t.prime);
+  const NmodPoly F = reduce(v.branch, t.prime);
+  need(!is_square(F), "F0 is a square modulo p");
+  const NmodPoly a = reduce(f.a, t.prime);
+  const NmodPoly b = reduce(f.b, t.prime);
+  const NmodPoly c = reduce(f.den, t.prime);
+  const auto value = [&](mp_limb_t x, mp_limb_t s) {
+    need(x < p && s < p && s != 0 && nmod_mul(s, s, mod) == evaluate(F, x) && evaluate(c, x) != 0,
+         "not a point where h is defined");
+    const mp_limb_t ws = nmod_mul(t.w, s, mod);
+    const mp_limb_t top = nmod_add(evaluate(a, x), nmod_mul(evaluate(b, x), ws, mod), mod);
+    need(top != 0, "not a point where h is defined");
+    return nmod_div(top, evaluate(c, x), mod);
+  };
+  const mp_limb_t ratio = nmod_div(value(t.x1, t.s1), value(t.x2, t.s2), mod);
+  need(nmod_pow_ui(ratio, (p - 1) / static_cast<mp_limb_t>(t.l), mod) != 1, "h(1)/h(2) is a power");
+}
+
+// Every prime power l^k that exactly divides n divides L, or has a witness.
+void need_minimal(const TorsionFunction& t, const Integer& L) {
+  long left = t.n;
+  for (long l = 2; left > 1; ++l) {
+    if (left % l != 0) continue;
+    Integer power(1);
+    for (; left % l == 0; left /= l)
+      power *= Integer(l);
+    const bool seen = std::any_of(t.minimal.begin(), t.minimal.end(),
+                                  [&](const NotAPower& w) { return w.l == l; });
+    need(seen || gcd(power, L) == power, "it is not shown that h is not a power");
+  }
+}
+
+} // namespace
+
+TorsionFact check_torsion_function(const Judge& j, const TorsionFunction& data,
+                                   const InvariantFact& v, const LocalFact* local) {
+  need(data.n >= 1 && data.n <= 1000000 && !is_zero(data.den) &&
+           !(is_zero(data.a) && is_zero(data.b)),
+       "not a torsion function");
+  need_logarithmic_derivative(data, v);
+  need_minimal(data, local ? local->residue_denominator(v) : Integer(1));
+  for (const NotAPower& t : data.minimal)
+    need_not_a_power(j, t, data, v);
+  return {data.n, &v};
+}
+
+ReductionFact check_good_reduction(const Judge& j, const GoodReduction& data,
+                                   const InvariantFact& v) {
+  const Reduced r = j.reduced(data.prime);
+  const NmodPoly F = reduce(v.branch, data.prime);
+  need(degree(gcd(F, derivative(F))) == 0, "F0 is not squarefree modulo p");
+  need_unramified(j, data.prime);
+  static_cast<void>(v.square_of_w(data.prime));
+  // (1 + sqrt p)^2 <= p + 2 + floor(2 sqrt p)
+  Integer root(data.prime.p);
+  root *= Integer(4);
+  fmpz_sqrt(root.raw(), root.raw());
+  const auto genus = static_cast<unsigned long>((degree(v.branch) - 1) / 2);
+  return {data.prime.p, pow(Integer(data.prime.p) + Integer(2) + root, genus), &v};
+}
+
+} // namespace kov::certify

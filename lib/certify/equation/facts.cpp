@@ -1,0 +1,193 @@
+#include "certify/equation/facts.hpp"
+
+#include "certify/equation/bounds.hpp"
+#include "certify/text/limits.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+std::optional<Rational> constant(const Poly& f) {
+  if (degree(f) > 0) return std::nullopt;
+  const NfElem c = f.coeff(0);
+  if (!is_rational(c)) return std::nullopt;
+  return to_rational(c);
+}
+
+// chi(value) = 0 modulo q?
+bool annihilates(const Poly& chi, const Poly& value, const std::optional<Poly>& q) {
+  need(degree(chi) <= 500, "the annihilator is too large");
+  Poly v;
+  for (long i = degree(chi); i >= 0; --i) {
+    v = v * value;
+    if (q && degree(v) >= degree(*q)) v = v % *q;
+    v = v + Poly(chi.coeff(i));
+  }
+  return is_zero(v);
+}
+
+long to_size(const Integer& n, const char* why) {
+  need_within(fits_long(n), why);
+  return to_long(n);
+}
+
+} // namespace
+
+PlaceFact::PlaceFact(std::optional<Poly> place, long points, long pole_order)
+    : q(std::move(place)), n(points), order(pole_order) {
+  if (order <= 1) delta = Rational(1);
+  if (order == 1) logs = n;
+}
+
+void PlaceFact::set_square(const Poly& value, const std::optional<Poly>& annihilator) {
+  const auto c = constant(value);
+  if (order == 2) {
+    if (c) delta = exact_sqrt(*c);
+    if (degree(value) <= 0 && !delta) irrational = true;
+    logs = delta && is_zero(*delta) ? n : 0;
+  }
+  if (c) {
+    real = sqrt_above(*c);
+  } else if (annihilator) {
+    need(annihilates(*annihilator, value, q), "the annihilator does not vanish");
+    real = sqrt_above(root_bound(*annihilator));
+  }
+}
+
+bool PlaceFact::exchanges_lines() const {
+  return ramified() || (order == 2 && !irrational && (!delta || delta->den() == Integer(2)));
+}
+
+std::optional<long> PlaceFact::lowest(long m) const {
+  if (order <= 0) return 0;
+  if (order >= 3) {
+    if (m * order % 4 != 0) return std::nullopt;
+    return m * order / 4;
+  }
+  if (irrational) return m / 2;
+  need(delta.has_value(), "a degree bound needs the exponent difference of every place");
+  const Integer half(m / 2);
+  const Integer d = delta->den();
+  const Rational steps = logs == n ? Rational(half) : Rational(-(floor_div(half, d) * d));
+  return to_size((Rational(half) + steps * *delta).num(), "an exponent is too large");
+}
+
+Rational PlaceFact::lowest_exponent() const {
+  if (order <= 1) return order == 1 ? n : 0;
+  need(real.has_value(), "D_1 needs delta2 or eps2 (and an annihilator, if it is not rational)");
+  if (order >= 4) return Rational(n) * (Rational(order / 2) - *real) / Rational(2);
+  return Rational(n) * (Rational(1) + (logs == n ? *real : -*real)) / Rational(2);
+}
+
+bool LocalFact::any(bool (PlaceFact::*property)() const) const {
+  return (infinity.*property)() ||
+         std::any_of(places.begin(), places.end(), [&](const auto& x) { return (x.*property)(); });
+}
+
+bool LocalFact::has_log() const {
+  return infinity.logs > 0 ||
+         std::any_of(places.begin(), places.end(), [](const auto& x) { return x.logs > 0; });
+}
+
+void LocalFact::need_rational() const {
+  const auto good = [](const PlaceFact& x) { return x.order <= 2 && x.delta; };
+  need(good(infinity) && std::all_of(places.begin(), places.end(), good),
+       "not all exponent differences are proved rational");
+}
+
+Integer LocalFact::degree_bound(long m) const {
+  const auto top = infinity.lowest(m);
+  if (!top) return -1;
+  Integer D = Integer(m) - Integer(*top);
+  bool possible = true;
+  for (const PlaceFact& x : places) {
+    const auto e = x.lowest(m);
+    if (!e)
+      possible = false;
+    else
+      D -= Integer(*e) * Integer(x.n);
+  }
+  return possible ? D : Integer(-1);
+}
+
+Integer LocalFact::degree_bound_1() const {
+  need(!any(&PlaceFact::ramified), "use parity");
+  Rational d = Rational(1) - infinity.lowest_exponent();
+  for (const PlaceFact& x : places)
+    d -= x.lowest_exponent();
+  return floor(d);
+}
+
+Integer LocalFact::character_order() const {
+  need_rational();
+  Integer n(1);
+  for (const PlaceFact& x : places)
+    n = lcm(n, ((Rational(1) + *x.delta) / Rational(2)).den());
+  return n;
+}
+
+Integer LocalFact::residue_denominator(const InvariantFact& v) const {
+  need_rational();
+  Integer L(1);
+  long branch_degree = 0;
+  for (const PlaceFact& x : places) {
+    if (divides(*x.q, v.branch))
+      branch_degree += x.n;
+    else
+      L = lcm(L, x.delta->den());
+  }
+  need(branch_degree == degree(v.branch), "the branch places are not places of their own");
+  return degree(v.branch) % 2 == 0 ? lcm(L, infinity.delta->den()) : L;
+}
+
+bool InvariantFact::holomorphic_quotient() const {
+  if (data.m != 2 || degree(data.p) > 0) return false;
+  Rational growth;
+  for (const InvariantFactor& f : data.factors) {
+    if (f.e > Rational(1, 2)) return false;
+    growth += f.e * Rational(degree(f.q));
+  }
+  return growth >= Rational(3, 2);
+}
+
+std::pair<Poly, Poly> InvariantFact::fraction() const {
+  Poly A = data.p;
+  Poly B(1);
+  double size = 0;
+  for (const InvariantFactor& f : data.factors) {
+    const long e = to_long(floor(f.e));
+    need_within(std::abs(e) * degree(f.q) <= 200000, "an exponent is too large");
+    size += static_cast<double>(std::abs(e)) * bits(f.q);
+    need_within(static_cast<double>(std::abs(e) * degree(f.q)) * size <= max_bulk,
+                "an exponent is too large");
+    (e > 0 ? A : B) *= pow(f.q, static_cast<unsigned long>(std::abs(e)));
+  }
+  return {std::move(A), std::move(B)};
+}
+
+mp_limb_t InvariantFact::square_of_w(const PrimeIdeal& prime) const {
+  nmod_t mod;
+  nmod_init(&mod, prime.p);
+  const auto image = [&](const NfElem& c) {
+    const auto r = prime.reduce(c);
+    need(r && *r != 0, "w^2 is not a unit modulo p");
+    return *r;
+  };
+  mp_limb_t value = nmod_div(image(top), image(bottom), mod);
+  for (const auto& [c, k] : powers) {
+    const mp_limb_t u = k > 0 ? image(c) : nmod_inv(image(c), mod);
+    value = nmod_mul(value, nmod_pow_ui(u, static_cast<mp_limb_t>(std::abs(k)), mod), mod);
+  }
+  return value;
+}
+
+void InvariantFact::need_root(mp_limb_t w, const PrimeIdeal& prime) const {
+  nmod_t mod;
+  nmod_init(&mod, prime.p);
+  need(w < prime.p && nmod_mul(w, w, mod) == square_of_w(prime),
+       "w is not a square root of w^2 modulo p");
+}
+
+} // namespace kov::certify

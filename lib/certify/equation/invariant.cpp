@@ -1,0 +1,84 @@
+// Rule "invariant": v = p prod q^e solves Sym^m, by the recurrence
+//   L_0 v = v,  L_1 v = v',  L_(i+1) v = (L_i v)' - i (m-i+1) r L_(i-1) v,  L_(m+1) v = 0
+// (normal_form.md, 2).  With V = prod q^e and S a common denominator of V'/V and (squared) of r,
+// L_i v = V T_i/S^i and  T_(i+1) = S T_i' + (S V'/V - i S') T_i - i (m-i+1) r S^2 T_(i-1):
+// products of a long polynomial with short ones only.
+
+#include "certify/text/limits.hpp"
+#include "certify/equation/rules.hpp"
+
+namespace kov::certify {
+
+namespace {
+
+// Product of the q and numerator of sum e q'/q, by halves.
+std::pair<Poly, Poly> log_derivative(const std::vector<InvariantFactor>& f, std::size_t begin,
+                                     std::size_t end) {
+  if (begin == end) return {Poly(1), Poly(0)};
+  if (end - begin == 1) return {f[begin].q, scale(derivative(f[begin].q), NfElem(f[begin].e))};
+  const std::size_t mid = begin + (end - begin) / 2;
+  const auto [a, x] = log_derivative(f, begin, mid);
+  const auto [b, y] = log_derivative(f, mid, end);
+  return {a * b, x * b + a * y};
+}
+
+void need_well_formed(const Invariant& data) {
+  need(data.m >= 1 && data.m <= max_sym && !is_zero(data.p),
+       "not a nonzero function of degree 1 to 200");
+  for (const InvariantFactor& f : data.factors) {
+    need(degree(f.q) >= 1 && is_one(lead(f.q)), "a factor is not a monic polynomial");
+    need(abs(f.e) <= Rational(10000000) && is_integer(f.e * Rational(data.m == 2 ? 2 : 1)),
+         "exponents must be integers (half-integers for m = 2)");
+  }
+}
+
+// w^2 = V^2 (T_1^2 - 2 T_0 T_2)/S^2 at the first natural number that is not a root of S.
+void evaluate_square(InvariantFact& x, const Poly& S, const std::vector<Poly>& T) {
+  NfElem z(0);
+  for (int tries = 1; is_zero(evaluate(S, z)); ++tries) {
+    need(tries < 2000, "no point to evaluate w^2");
+    z += NfElem(1);
+  }
+  const NfElem t1 = evaluate(T[1], z);
+  const NfElem s = evaluate(S, z);
+  x.top = t1 * t1 - NfElem(2) * evaluate(T[0], z) * evaluate(T[2], z);
+  x.bottom = s * s;
+  for (const InvariantFactor& f : x.data.factors)
+    if (sign(f.e) != 0) x.powers.emplace_back(evaluate(f.q, z), to_long((f.e * Rational(2)).num()));
+}
+
+} // namespace
+
+InvariantFact check_invariant(const Judge& j, const Invariant& data) {
+  need_well_formed(data);
+  auto [S, theta] = log_derivative(data.factors, 0, data.factors.size());
+  need_squarefree(S, j.reduced(data.prime));
+  if (!divides(j.equation.den, S * S)) {
+    S *= j.equation.den;
+    theta *= j.equation.den;
+  }
+  const Poly rs = j.equation.num * quotient(S * S, j.equation.den);
+  const auto steps = static_cast<double>(data.m + 1);
+  const double size = bits(data.p) + steps * (bits(S) + bits(rs) + bits(theta));
+  const auto length = static_cast<double>(degree(data.p)) + steps * static_cast<double>(degree(S));
+  need_within(length * size <= max_bulk, "the invariant is too large");
+  j.spend(steps * length * (1 + size / 64));
+  const Poly dS = derivative(S);
+  std::vector<Poly> T{data.p, S * derivative(data.p) + theta * data.p};
+  for (long i = 1; i <= data.m; ++i) {
+    const Poly& t = T[static_cast<std::size_t>(i)];
+    const Poly& before = T[static_cast<std::size_t>(i) - 1];
+    T.push_back(S * derivative(t) + (theta - scale(dS, NfElem(i))) * t -
+                scale(rs * before, NfElem(i * (data.m - i + 1))));
+  }
+  need(is_zero(T.back()), "the symmetric power does not vanish on v");
+  InvariantFact x;
+  x.data = data;
+  x.branch = Poly(1);
+  for (const InvariantFactor& f : data.factors)
+    if (!is_integer(f.e)) x.branch *= f.q;
+  if (data.m == 2) evaluate_square(x, S, T);
+  return x;
+}
+
+} // namespace kov::certify

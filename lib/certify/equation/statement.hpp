@@ -1,0 +1,12 @@
+#pragma once
+// What an accepted certificate states, as lines of text made from the parsed data alone:
+// docs/theory/certificates.md 4 and strata_certificates.md 8.  The Python checker prints the same.
+
+#include "certify/strata/certificate.hpp"
+
+namespace kov::certify {
+
+[[nodiscard]] std::vector<std::string> statement(const Certificate& c);
+[[nodiscard]] std::vector<std::string> statement(const StrataCertificate& c);
+
+} // namespace kov::certify

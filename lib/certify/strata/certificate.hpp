@@ -1,0 +1,188 @@
+#pragma once
+// The certificate format kovacic-strata/1 as plain data, with its JSON reader and writer: a tree of
+// strata of parameter values, each leaf with its own proof.  docs/theory/strata_certificates.md
+// defines every entry (numbers in comments are its sections); strata_check.hpp is the judge.
+// Nothing here is checked beyond syntax and the limits of section 2.
+
+#include "certify/equation/certificate.hpp"
+#include "exact/multivariate.hpp"
+
+#include <cstdint>
+#include <memory>
+
+namespace kov::certify {
+
+/// dropped: an inequality that a substitution made useless.
+enum class Sign : std::uint8_t { positive, nonnegative, nonzero, zero, dropped };
+
+struct Condition {
+  MPoly p;
+  Sign sign = Sign::nonzero;
+  friend bool operator==(const Condition&, const Condition&) = default;
+};
+
+struct Fraction {
+  MPoly num, den;
+};
+
+/// num/den is an integer, or is none; den is not 0.
+struct Membership {
+  Fraction value;
+  bool integral = true;
+};
+
+// ---- 5: lemmas
+
+struct ConditionPower {
+  std::size_t condition = 0;
+  unsigned long e = 1;
+};
+struct EvenPower { ///< base^(2e)
+  MPoly base;
+  unsigned long e = 1;
+};
+struct LemmaTerm { ///< c > 0 times powers that are not negative
+  Rational c{1};
+  std::vector<std::variant<ConditionPower, EvenPower>> factors{};
+};
+/// The value that a membership would have and has not.
+struct Violation {
+  std::size_t membership = 0;
+  Rational value;
+};
+struct Lemma { ///< p times = sum of the terms; without terms: p times is known to be nonzero
+  MPoly p;
+  std::optional<MPoly> times{};
+  bool positive = false;
+  std::optional<std::vector<LemmaTerm>> terms{};
+  std::optional<Violation> violation{}; ///< where p = 0
+  std::optional<mp_limb_t> prime{};     ///< modulo which p has no root
+};
+
+// ---- 6, 7: what a leaf proves and from what
+
+struct ByNumber {
+  Certificate certificate;
+};
+struct InvariantPlace {
+  MPoly q;
+  long order = 0;
+  Integer e;
+};
+struct ByInvariant { ///< v = p prod q^e solves Sym^m
+  MPoly content, p;
+  std::vector<InvariantPlace> places;
+  long m = 0;
+};
+
+struct StratumPlace {
+  std::optional<MPoly> q{}; ///< unset at infinity
+  long order = 0;           ///< as stated; at infinity it is computed
+  std::vector<MPoly> chi{}; ///< empty: not given
+  std::optional<std::string> irrational{};
+  bool log = false;
+  std::optional<Rational> bound{};
+};
+struct Minor {
+  std::vector<long> rows;
+  MPoly times;
+};
+struct AbsentInvariant {
+  long m = 0;
+  std::vector<Minor> minors;
+  std::optional<mp_limb_t> prime; ///< shows that the minors have no common root
+};
+struct ByPlaces {
+  std::string theorem;
+  MPoly content;
+  std::vector<StratumPlace> places; ///< the finite ones
+  StratumPlace infinity;
+  std::vector<AbsentInvariant> absent;
+};
+
+// ---- 4: nodes
+
+struct StrataNode;
+using Subtree = std::unique_ptr<const StrataNode>;
+
+struct EmptyStratum {
+  std::optional<std::vector<LemmaTerm>> terms{};
+  std::optional<Violation> violation{};
+};
+struct OutsideStratum {
+  std::optional<std::size_t> generic{};
+};
+struct OpenStratum {
+  std::string reason;
+};
+struct TrustedStratum {
+  std::string abelian; ///< "yes", "no", "empty"
+  std::string theorem, statement;
+};
+struct SolvedStratum { ///< p = l x + m
+  std::size_t variable = 0;
+  std::optional<Fraction> r;
+  Subtree then;
+};
+struct RootStratum {
+  std::size_t variable = 0;
+  Certificate certificate;
+  bool abelian = false;
+};
+/// What becomes of the points with p = 0.
+using WhereZero = std::variant<SolvedStratum, RootStratum, EmptyStratum, OutsideStratum,
+                               OpenStratum, TrustedStratum>;
+
+struct SplitNode {
+  MPoly p;
+  Subtree nonzero;
+  WhereZero zero;
+};
+struct AssumedNode {
+  std::size_t condition = 0;
+  MPoly p;
+  WhereZero zero;
+};
+struct LemmasNode {
+  std::vector<Lemma> lemmas;
+  Subtree then;
+};
+struct LeafNode {
+  bool abelian = false;
+  std::variant<ByNumber, ByInvariant, ByPlaces> by;
+};
+
+struct StrataNode {
+  std::variant<SplitNode, AssumedNode, LemmasNode, LeafNode, EmptyStratum, OutsideStratum,
+               OpenStratum, TrustedStratum>
+      kind;
+};
+
+struct StrataCertificate {
+  Ring ring;                  ///< of z and the parameters
+  std::size_t variable = 0;   ///< z: the reader puts it first, and the checker takes no other place
+  std::vector<bool> real;     ///< by variable; the rational ones among them
+  std::vector<bool> rational; ///< by variable
+  std::vector<Condition> assumptions;
+  std::vector<Membership> memberships;
+  std::vector<std::vector<MPoly>> generic;
+  Fraction r;
+  std::optional<bool> abelian; ///< what is claimed
+  Subtree tree;
+};
+
+/// The value of "format" in a certificate, if the text is an object that has one: cheap, and
+/// nothing else is looked at.
+[[nodiscard]] std::optional<std::string> format_of(std::string_view text);
+
+/// Throws InvalidArgument (one sentence, with the path of the offending entry) on anything that is
+/// not a certificate of this format or exceeds its limits.
+[[nodiscard]] StrataCertificate read_strata_certificate(std::string_view text);
+
+/// What read_strata_certificate() reads.
+[[nodiscard]] std::string write_strata_certificate(const StrataCertificate& c);
+
+/// A polynomial in the notation of section 2; Throws InvalidArgument with what is wrong.
+[[nodiscard]] MPoly read_polynomial(const Ring& ring, std::string_view text);
+
+} // namespace kov::certify

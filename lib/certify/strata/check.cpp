@@ -1,0 +1,262 @@
+// The walk through the tree: strata_certificates.md 4 and 5.
+
+#include "certify/strata/check.hpp"
+
+#include "certify/text/limits.hpp"
+#include "certify/strata/rules.hpp"
+#include "exact/modular.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+constexpr std::size_t max_denominator_bits = std::size_t{1} << 16;
+
+class Walk {
+public:
+  explicit Walk(const StrataCertificate& c) : c_(c) {}
+
+  StrataAccepted operator()() {
+    node(*c_.tree, Stratum(c_, arithmetic_));
+    path_ = "claim";
+    need(c_.abelian != true || (count_.not_abelian == 0 && count_.open == 0),
+         "not every stratum is proved abelian");
+    need(c_.abelian != false || (count_.abelian == 0 && count_.open == 0),
+         "not every stratum is proved not abelian");
+    count_.claim = c_.abelian;
+    return count_;
+  }
+
+  [[nodiscard]] const std::string& path() const { return path_; } ///< of the node that failed
+
+private:
+  // Visits a child; the path is not restored when something is refused.
+  template <class F> void at(const std::string& name, F visit) {
+    const std::size_t length = path_.size();
+    path_ += "." + name;
+    visit();
+    path_.resize(length);
+  }
+  Stratum copy(const Stratum& s) {
+    arithmetic_.charge(s.size());
+    return s;
+  }
+
+  void node(const StrataNode& n, Stratum s) {
+    std::visit([&](const auto& x) { take(x, s, nullptr); }, n.kind);
+  }
+  void where_zero(const WhereZero& z, Stratum& s, const MPoly& p) {
+    at("zero", [&] { std::visit([&](const auto& x) { take(x, s, &p); }, z); });
+  }
+
+  // ---- nodes; p = 0 is known where p is given
+
+  void take(const SplitNode& n, Stratum& s, const MPoly*) {
+    s.need_parameters(n.p);
+    need(!is_constant(n.p), "the polynomial is constant");
+    at("nonzero", [&] {
+      Stratum t = copy(s);
+      t.add_nonzero(n.p);
+      node(*n.nonzero, std::move(t));
+    });
+    where_zero(n.zero, s, n.p);
+  }
+
+  void take(const AssumedNode& n, Stratum& s, const MPoly*) {
+    s.need_parameters(n.p);
+    need(!is_constant(n.p), "the polynomial is constant");
+    const Condition& c = s.condition(n.condition);
+    need(c.sign == Sign::zero && !is_zero(c.p), "the condition is no equation");
+    MPoly rest = s.stripped(c.p);
+    const MPoly base = primitive(n.p);
+    bool divided = false;
+    while (const auto q = is_constant(rest) ? std::nullopt : arithmetic_.quotient(rest, base)) {
+      rest = *q;
+      divided = true;
+    }
+    need(divided && is_constant(rest), "the condition does not imply that the polynomial is 0");
+    where_zero(n.zero, s, n.p);
+  }
+
+  void take(const LemmasNode& n, Stratum& s, const MPoly*) {
+    for (std::size_t i = 0; i < n.lemmas.size(); ++i)
+      at("lemmas[" + std::to_string(i) + "]", [&] { lemma(n.lemmas[i], s); });
+    at("then", [&] { node(*n.then, std::move(s)); });
+  }
+
+  void take(const LeafNode& n, Stratum& s, const MPoly*) {
+    if (const auto* x = std::get_if<ByNumber>(&n.by))
+      count_.trusted += nested_.number(s, *x, n.abelian);
+    else if (const auto* v = std::get_if<ByInvariant>(&n.by))
+      need(n.abelian, "an invariant proves 'yes'"), check_invariant(s, *v);
+    else
+      need(!n.abelian, "the theorem proves 'no'"), check_places(s, std::get<ByPlaces>(n.by));
+    ++(n.abelian ? count_.abelian : count_.not_abelian);
+  }
+
+  void take(const EmptyStratum& n, Stratum& s, const MPoly* p) {
+    if (n.violation) {
+      s.need_violated(*n.violation, p);
+    } else if (n.terms) {
+      const MPoly f = sum(*n.terms, s).first;
+      need(is_zero(f) || (p && arithmetic_.quotient(primitive(f), primitive(*p))),
+           "the sum of the terms is not 0");
+    } else {
+      need(s.plainly_empty() || (p && s.known_nonzero(*p)), "the stratum is not known to be empty");
+    }
+    ++count_.empty;
+  }
+
+  void take(const OutsideStratum& n, Stratum& s, const MPoly* p) {
+    const auto zero = [&](const MPoly& f) {
+      return is_zero(f) || (p && arithmetic_.quotient(primitive(f), primitive(*p)));
+    };
+    if (n.generic) {
+      const auto& group = s.group(*n.generic);
+      need(std::all_of(group.begin(), group.end(), zero),
+           "a polynomial of the group may be nonzero");
+    } else {
+      need(!s.defined() || zero(s.r().den), "den is not 0");
+    }
+    ++count_.outside;
+  }
+
+  void take(const OpenStratum&, Stratum&, const MPoly*) { ++count_.open; }
+
+  void take(const TrustedStratum& n, Stratum&, const MPoly*) {
+    ++count_.trusted;
+    ++(n.abelian == "yes" ? count_.abelian : n.abelian == "no" ? count_.not_abelian : count_.empty);
+  }
+
+  void take(const SolvedStratum& n, Stratum& s, const MPoly* p) {
+    s.solve(*p, n);
+    at("then", [&] { node(*n.then, std::move(s)); });
+  }
+
+  void take(const RootStratum& n, Stratum& s, const MPoly* p) {
+    count_.trusted += nested_.root(s, *p, n);
+    ++(n.abelian ? count_.abelian : count_.not_abelian);
+  }
+
+  // ---- 5
+
+  void lemma(const Lemma& l, Stratum& s) {
+    s.need_parameters(l.p);
+    if (l.violation) {
+      need(!l.positive && !is_constant(l.p), "a membership shows that a polynomial is not 0");
+      s.need_violated(*l.violation, &l.p);
+    } else if (l.prime) {
+      need(!l.positive, "a prime shows that a polynomial is not 0");
+      need_no_rational_root(l.p, *l.prime, s);
+    } else {
+      need_sum(l, s);
+    }
+    if (l.positive)
+      s.add_positive(l.p);
+    else
+      s.add_nonzero(l.p);
+  }
+
+  // The denominator of a rational root divides the leading coefficient: it has an image modulo q.
+  void need_no_rational_root(const MPoly& p, mp_limb_t q, const Stratum& s) {
+    const auto used = used_variables(p);
+    need(used.size() == 1 && s.is_rational(used[0]), "p is not in one rational parameter");
+    need(q < max_lemma_prime && n_is_prime(q) != 0, "the prime is none below 10000");
+    NmodPoly f(q);
+    const Coefficients c = coefficients(p, used[0]);
+    arithmetic_.charge(static_cast<double>(q) * static_cast<double>(c.size()));
+    for (std::size_t k = 0; k < c.size(); ++k)
+      if (!is_zero(c[k]))
+        f.set_coeff(static_cast<long>(k), fmpz_fdiv_ui(c[k].coefficient(0).raw(), q));
+    need(degree(f) == degree(p, used[0]), "the prime divides the leading coefficient");
+    for (mp_limb_t x = 0; x < q; ++x)
+      need(evaluate(f, x) != 0, "p has a root modulo the prime");
+  }
+
+  void need_sum(const Lemma& l, Stratum& s) {
+    MPoly left = l.p;
+    if (l.times) {
+      s.need_parameters(*l.times);
+      need(!l.positive || s.known_positive(*l.times), "times is not known to be positive");
+      left = arithmetic_.times(left, *l.times);
+    }
+    if (l.terms) {
+      const auto [right, denominator] = sum(*l.terms, s);
+      need(scaled(left, denominator) == right, "p times is not the sum of the terms");
+    } else {
+      need(!l.positive && s.known_nonzero(left), "p times is not known to be nonzero");
+    }
+  }
+
+  // The sum of the terms over a common denominator; refuses unless it is known to be positive.
+  std::pair<MPoly, Integer> sum(const std::vector<LemmaTerm>& terms, const Stratum& s) {
+    Integer denominator(1);
+    for (const LemmaTerm& t : terms) {
+      denominator = lcm(denominator, t.c.den());
+      const std::size_t bits = fmpz_bits(denominator.raw());
+      need_within(bits <= max_denominator_bits, "a limit: the common denominator of the terms");
+      arithmetic_.charge(1, static_cast<double>(bits) / 16);
+    }
+    MPoly total(c_.ring);
+    bool positive = false;
+    for (const LemmaTerm& t : terms) {
+      MPoly f(c_.ring, t.c.num() * exact_div(denominator, t.c.den()));
+      bool known = !positive;
+      for (const auto& x : t.factors) {
+        const MPoly& base = nonnegative(x, s);
+        known = known && (is_positive(x, s) || s.known_nonzero(base));
+        f = arithmetic_.times(f, arithmetic_.power(base, exponent(x)));
+      }
+      positive = positive || known;
+      total = arithmetic_.plus(total, f);
+    }
+    need(positive, "no term is known to be positive");
+    return {total, denominator};
+  }
+
+  using Factor = std::variant<ConditionPower, EvenPower>;
+
+  // What a factor is a power of; refuses one that might be negative.
+  static const MPoly& nonnegative(const Factor& x, const Stratum& s) {
+    if (const auto* q = std::get_if<EvenPower>(&x)) {
+      s.need_parameters(q->base);
+      need(s.all_real(q->base), "a square has a parameter that is not real");
+      return q->base;
+    }
+    const Condition& c = s.condition(std::get<ConditionPower>(x).condition);
+    need(c.sign == Sign::positive || c.sign == Sign::nonnegative, "the condition has no sign");
+    return c.p;
+  }
+  static bool is_positive(const Factor& x, const Stratum& s) {
+    const auto* c = std::get_if<ConditionPower>(&x);
+    return c && s.condition(c->condition).sign == Sign::positive;
+  }
+  static unsigned long exponent(const Factor& x) {
+    if (const auto* q = std::get_if<EvenPower>(&x)) return 2 * q->e;
+    return std::get<ConditionPower>(x).e;
+  }
+
+  const StrataCertificate& c_;
+  Arithmetic arithmetic_;
+  NestedJudge nested_;
+  StrataAccepted count_;
+  std::string path_ = "tree";
+};
+
+} // namespace
+
+std::variant<StrataAccepted, Rejected> check_strata(const StrataCertificate& c) {
+  if (c.variable != 0) return Rejected{"", "the variable is not the first one of the ring"};
+  Walk walk(c);
+  try {
+    return walk();
+  } catch (const Refused& r) {
+    return Rejected{walk.path(), r.why, r.limit};
+  } catch (const std::exception& e) {
+    return Rejected{walk.path(), e.what()};
+  }
+}
+
+} // namespace kov::certify

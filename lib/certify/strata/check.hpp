@@ -1,0 +1,24 @@
+#pragma once
+// The judge of certificates over strata: accepts one or names the first node that fails.  It links
+// lib/exact only and searches for nothing (docs/theory/strata_certificates.md).
+
+#include "certify/equation/check.hpp"
+#include "certify/strata/certificate.hpp"
+
+namespace kov::certify {
+
+struct StrataAccepted {
+  std::size_t trusted = 0; ///< nodes and steps taken on faith, counted and never hidden
+  // leaves, by what they say of the identity component
+  std::size_t abelian = 0, not_abelian = 0;
+  std::size_t open = 0;           ///< nothing is said
+  std::size_t outside = 0;        ///< no admitted points
+  std::size_t empty = 0;          ///< no points
+  std::optional<bool> claim = {}; ///< of all admitted points
+};
+
+/// Never throws.  Rejected::step is the path of the node.
+/// Cost  counted polynomial products (Arithmetic), bounded by section 2 of the page.
+[[nodiscard]] std::variant<StrataAccepted, Rejected> check_strata(const StrataCertificate& c);
+
+} // namespace kov::certify

@@ -1,0 +1,101 @@
+// Ordinary certificates as leaves: of an equation without parameters, or over Q[x]/(p)
+// (strata_certificates.md 4 `root`, 6 `number`).
+
+#include "certify/equation/check.hpp"
+#include "certify/text/limits.hpp"
+#include "certify/strata/rules.hpp"
+
+namespace kov::certify {
+
+namespace {
+
+void need_only(const MPoly& f, std::optional<std::size_t> x) {
+  for (const std::size_t i : used_variables(f))
+    need(i == 0 || i == x, "the equation has a parameter");
+}
+
+// f(z, value) for x = value.
+Poly image(const MPoly& f, std::size_t x, const NfElem& value) {
+  Poly g(value.field());
+  long i = 0;
+  for (const MPoly& c : coefficients(f, 0)) {
+    NfElem v(value.field());
+    const Coefficients in_x = coefficients(c, x);
+    for (std::size_t k = in_x.size(); k-- > 0;) {
+      const Rational number = is_zero(in_x[k]) ? Rational(0) : Rational(in_x[k].coefficient(0));
+      v = v * value + NfElem(number, value.field());
+    }
+    g.set_coeff(i++, v);
+  }
+  return g;
+}
+
+// Powers of the value up to the degree in x, before they are computed.
+void charge_image(Arithmetic& a, const MPoly& f, std::size_t x, const NfElem& value) {
+  const auto n = static_cast<double>(value.field()->degree());
+  const auto d = static_cast<double>(degree(f, x) + 1);
+  const auto height =
+      static_cast<double>(std::abs(fmpz_poly_max_bits(value.field()->minpoly())) +
+                          std::abs(_fmpz_vec_max_bits(value.raw()->coeffs, value.raw()->length)) +
+                          static_cast<long>(fmpz_bits(value.raw()->den)));
+  a.charge(d, static_cast<double>(f.length() + 1) * d * d * n * n * (1 + height / 64));
+}
+
+void need_same(const Poly& num, const Poly& den, const Certificate& c) {
+  need(!is_zero(den), "den is 0 there");
+  const auto small = [](const Poly& f, const Poly& g) {
+    return static_cast<double>(degree(f) + degree(g) + 2) * (bits(f) + bits(g)) <= max_bulk;
+  };
+  need_within(small(num, c.den) && small(c.num, den), "a limit: the size of the equation");
+  need(num * c.den == c.num * den, "the nested certificate is about another equation");
+}
+
+} // namespace
+
+std::size_t NestedJudge::accept(const Certificate& c, bool abelian) {
+  need(c.claim.abelian == abelian, "the nested certificate does not claim that");
+  const auto verdict = check(c, &spent_);
+  if (const auto* no = std::get_if<Rejected>(&verdict))
+    throw Refused{"the nested certificate is refused: " +
+                      (no->step.empty() ? "" : "step '" + no->step + "': ") + no->why,
+                  no->limit};
+  return std::get<Accepted>(verdict).trusted_steps;
+}
+
+std::size_t NestedJudge::number(const Stratum& s, const ByNumber& leaf, bool abelian) {
+  need_only(s.r().num, {});
+  need_only(s.r().den, {});
+  need(leaf.certificate.field->is_rational(), "the nested certificate is not over Q");
+  const std::size_t trusted = accept(leaf.certificate, abelian);
+  const NfElem none(0);
+  need_same(image(s.r().num, 0, none), image(s.r().den, 0, none), leaf.certificate);
+  return trusted;
+}
+
+std::size_t NestedJudge::root(const Stratum& s, const MPoly& p, const RootStratum& zero) {
+  const std::size_t x = zero.variable;
+  for (const std::size_t i : used_variables(p))
+    need(i == x, "the polynomial has another variable");
+  const long n = degree(p, x);
+  need(n >= 2, "the polynomial is not of degree 2 or more");
+  need_only(s.r().num, x);
+  need_only(s.r().den, x);
+  const Certificate& c = zero.certificate;
+  const auto minpoly = c.field->minpoly_coefficients();
+  need(static_cast<long>(minpoly.size()) == n + 1, "the minimal polynomial is another one");
+  const Coefficients coefficient = coefficients(p, x);
+  const Integer lead = coefficient.back().coefficient(0);
+  Integer power(1); // of lead: c^(n-1-k)
+  for (std::size_t k = minpoly.size() - 1; k-- > 0; power *= lead) {
+    const Integer value = is_zero(coefficient[k]) ? Integer(0) : coefficient[k].coefficient(0);
+    need(minpoly[k] == power * value, "the minimal polynomial is another one");
+  }
+  const std::size_t trusted = accept(c, zero.abelian);
+  const NfElem value = NfElem::generator(c.field) * NfElem(Rational(Integer(1), lead), c.field);
+  charge_image(s.arithmetic(), s.r().num, x, value);
+  charge_image(s.arithmetic(), s.r().den, x, value);
+  need_same(image(s.r().num, x, value), image(s.r().den, x, value), c);
+  return trusted;
+}
+
+} // namespace kov::certify

@@ -1,0 +1,181 @@
+// strata_certificates.md 7.1, 7.2, 7.5: the places and their exponents.
+
+#include "certify/strata/places.hpp"
+
+#include "certify/text/limits.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+constexpr long max_log_difference = 40;
+
+// f/g, if it is a constant.  Requires g != 0.
+std::optional<Rational> constant_ratio(const MPoly& f, const MPoly& g) {
+  if (is_zero(f)) return Rational(0);
+  const Integer a = f.coefficient(0);
+  const Integer b = g.coefficient(0);
+  if (!(scaled(f, b) == scaled(g, a))) return std::nullopt;
+  return Rational(a, b);
+}
+
+} // namespace
+
+std::optional<Rational> ProvedPlace::largest() const {
+  if (!bound) return std::nullopt;
+  if (kov::sign(*bound) <= 0) return Rational(0);
+  const Integer top = ceil(Rational(4) * *bound);
+  Integer k;
+  fmpz_sqrt(k.raw(), top.raw());
+  if (k * k < top) k += Integer(1);
+  return Rational(k, Integer(2));
+}
+
+Places::Places(const Stratum& s, const ByPlaces& leaf) : s_(s), leaf_(leaf), a_(s.arithmetic()) {
+  const Fraction& r = s.r();
+  need(!is_zero(r.num), "r is 0");
+  std::vector<InvariantPlace> factors;
+  for (const StratumPlace& x : leaf.places)
+    factors.push_back({*x.q, x.order, 0});
+  need_denominator(s, leaf.content, factors);
+  for (const StratumPlace& x : leaf.places) {
+    ProvedPlace y;
+    y.q = x.q;
+    y.d = degree(*x.q, 0);
+    y.order = x.order;
+    all_.push_back(std::move(y));
+  }
+  all_.emplace_back();
+  all_.back().order = 4 - (degree(r.den, 0) - degree(r.num, 0));
+  need_separate();
+  for (std::size_t i = 0; i < all_.size(); ++i)
+    examine(all_[i], i < leaf.places.size() ? leaf.places[i] : leaf.infinity);
+}
+
+MPoly Places::resultant(const MPoly& f, const MPoly& g) const {
+  return Elimination(a_).resultant(coefficients(f, 0), coefficients(g, 0));
+}
+
+// The roots of all q are different at every point, and their number does not change.
+void Places::need_separate() const {
+  for (std::size_t i = 0; i + 1 < all_.size(); ++i) {
+    const MPoly& q = *all_[i].q;
+    if (all_[i].d >= 2)
+      need(s_.known_nonzero(resultant(q, derivative(q, 0))), "a place may have a multiple root");
+    for (std::size_t j = 0; j < i; ++j)
+      need(s_.known_nonzero(resultant(q, *all_[j].q)), "two places may have a common root");
+  }
+}
+
+// The pole has exactly the order that is stated; at order 2 the formula for Delta^2 does not ask.
+void Places::need_order(const ProvedPlace& x) const {
+  if (x.regular() || x.ordinary()) return;
+  if (x.q)
+    need(s_.known_nonzero(resultant(*x.q, s_.r().num)), "the order of a place may drop");
+  else
+    need(s_.known_nonzero(lead(s_.r().num)), "the order at infinity may drop");
+}
+
+void Places::examine(ProvedPlace& x, const StratumPlace& given) {
+  need_order(x);
+  if (x.regular()) {
+    examine_exponent(x, given);
+  } else {
+    need(given.chi.empty() && !given.irrational && !given.bound,
+         "exponents are stated at a place of another order than 2");
+    x.log = x.simple();
+  }
+  if (!given.log || x.log) return;
+  need(x.delta && is_integer(*x.delta) && *x.delta <= Rational(max_log_difference) && x.d == 1,
+       "a logarithm is stated where none can be tested");
+  need(has_logarithm(s_, x), "the logarithm is not proved");
+  x.log = true;
+}
+
+void Places::examine_exponent(ProvedPlace& x, const StratumPlace& given) {
+  x.chi = given.chi;
+  if (!x.chi.empty()) {
+    need_chi(x);
+    if (x.linear()) {
+      if (const auto ratio = constant_ratio(x.chi[0], x.chi[1])) x.square = -*ratio;
+      if (x.square && kov::sign(*x.square) >= 0) x.delta = exact_sqrt(*x.square);
+    }
+  }
+  x.log = x.delta && is_zero(*x.delta);
+  if (given.irrational) {
+    need(!x.delta, "the exponent difference is rational");
+    x.why = given.irrational;
+    need_irrational(x);
+  }
+  x.bound = given.bound;
+  if (x.bound) need_bound(x);
+  need(!x.open() || x.linear() || leaf_.theorem == "irreducible-log",
+       "an exponent difference is not known");
+}
+
+// chi(Delta^2) = 0 at every root: Delta^2 = X/Y with Y = q'^2 den/q^2, X = Y + 4 num.
+void Places::need_chi(const ProvedPlace& x) const {
+  for (const MPoly& c : x.chi)
+    s_.need_parameters(c);
+  need(s_.known_nonzero(x.chi.back()), "the leading coefficient of chi may vanish");
+  const Fraction& r = s_.r();
+  MPoly num = r.num;
+  MPoly Y;
+  if (x.q) {
+    const MPoly dq = derivative(*x.q, 0);
+    const auto w = a_.quotient(r.den, a_.times(*x.q, *x.q));
+    need(w.has_value(), "internal: q^2 does not divide den");
+    Y = a_.times(a_.times(dq, dq), *w);
+  } else {
+    num = lead(r.num);
+    Y = lead(r.den);
+  }
+  const MPoly X = a_.plus(Y, scaled(num, Integer(4)));
+  MPoly sum(Y.ring());
+  MPoly power(Y.ring(), Integer(1)); // of Y
+  for (std::size_t i = x.chi.size(); i-- > 0;) {
+    sum = a_.plus(a_.times(sum, X), a_.times(x.chi[i], power));
+    if (i > 0) power = a_.times(power, Y);
+  }
+  const bool zero =
+      x.q ? Elimination(a_).pseudo_remainder(coefficients(sum, 0), coefficients(*x.q, 0)).empty()
+          : is_zero(sum);
+  need(zero, "chi does not vanish on Delta^2");
+}
+
+void Places::need_irrational(const ProvedPlace& x) const {
+  const Coefficients& c = x.chi;
+  need(!c.empty(), "chi is missing");
+  if (x.why == "constant") {
+    need(x.linear() && x.square, "Delta^2 is not a constant");
+  } else if (x.why == "positive") {
+    const auto all = [&](bool negated) {
+      return std::all_of(c.begin(), c.end(),
+                         [&](const MPoly& f) { return s_.known_positive(negated ? -f : f); });
+    };
+    need(all(false) || all(true), "the coefficients of chi are not known to have one sign");
+  } else if (x.why == "discriminant") {
+    need(c.size() == 3 &&
+             std::all_of(c.begin(), c.end(), [&](const MPoly& f) { return s_.all_real(f); }),
+         "chi is not real of degree 2");
+    const MPoly four = scaled(a_.times(c[2], c[0]), Integer(4));
+    need(s_.known_positive(a_.minus(four, a_.times(c[1], c[1]))),
+         "the discriminant of chi is not known to be negative");
+  } else {
+    throw Refused{"irrational: constant, positive or discriminant is expected"};
+  }
+}
+
+// B - Delta^2 = (B chi_1 + chi_0) chi_1/chi_1^2, and chi_1^2 > 0 where chi_1 is real.
+void Places::need_bound(const ProvedPlace& x) const {
+  need(x.linear(), "a bound needs chi of degree 1");
+  const MPoly f = a_.plus(scaled(x.chi[1], x.bound->num()), scaled(x.chi[0], x.bound->den()));
+  if (is_zero(f)) return;
+  need(s_.all_real(x.chi[1]) || s_.known_positive(x.chi[1]) || s_.known_positive(-x.chi[1]),
+       "the leading coefficient of chi is not known to be real");
+  need(s_.known_positive(a_.times(f, x.chi[1])), "the bound is not proved");
+}
+
+} // namespace kov::certify

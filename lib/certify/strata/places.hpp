@@ -1,0 +1,92 @@
+#pragma once
+// The places of r on a whole stratum, the bounds that follow from them and the symmetric powers
+// without solution: strata_certificates.md 7.1-7.5.
+
+#include "certify/strata/rules.hpp"
+
+#include <set>
+
+namespace kov::certify {
+
+/// What is proved of the d roots of q, or of infinity (d = 1), at every point of the stratum.
+struct ProvedPlace {
+  std::optional<MPoly> q; ///< unset at infinity
+  long d = 1;
+  long order = 0;                 ///< at infinity of r(1/t)/t^4
+  Coefficients chi;               ///< chi(Delta^2) = 0; empty: not given
+  std::optional<Rational> square; ///< Delta^2, if chi is linear and shows a constant
+  std::optional<Rational> delta;  ///< >= 0, if rational
+  std::optional<std::string> why; ///< it is irrational
+  bool log = false;               ///< at every root
+  std::optional<Rational> bound;  ///< of Delta^2
+
+  [[nodiscard]] bool ordinary() const { return order <= 0; }
+  [[nodiscard]] bool simple() const { return order == 1; }
+  [[nodiscard]] bool regular() const { return order == 2; }
+  [[nodiscard]] bool irregular() const { return order >= 3; }
+  [[nodiscard]] bool ramified() const { return irregular() && order % 2 != 0; }
+  [[nodiscard]] bool irrational() const { return why.has_value(); }
+  [[nodiscard]] bool open() const { return regular() && !delta && !why; }
+  /// No torus and no open exponent difference.
+  [[nodiscard]] bool tame() const { return order <= 1 || delta; }
+  [[nodiscard]] bool linear() const { return chi.size() == 2; }
+  [[nodiscard]] int sign() const { return q ? -1 : 1; } ///< s of 7.7
+  /// The least k/2, k >= 0, with (k/2)^2 >= bound; nothing without a bound.
+  [[nodiscard]] std::optional<Rational> largest() const;
+};
+
+/// Sums of exponents.
+using Sums = std::set<Rational>;
+/// Adds one of the choices, times over.  Nothing when there are more than 4000 sums.
+[[nodiscard]] std::optional<Sums> add_choices(Arithmetic& a, std::optional<Sums> sums,
+                                              const Sums& choices, long times);
+
+class Places {
+public:
+  /// 7.1, 7.2, 7.3, 7.5; refuses what is not proved.
+  Places(const Stratum& s, const ByPlaces& leaf);
+
+  [[nodiscard]] const std::vector<ProvedPlace>& all() const { return all_; } ///< infinity is last
+  [[nodiscard]] bool any(bool (ProvedPlace::*property)() const) const;
+  [[nodiscard]] bool torus() const;
+  [[nodiscard]] bool log() const;
+
+  /// D_m, m even; nothing if some place allows no exponent.  `open`: a value of Delta for the open
+  /// places, which count as irrational without it.
+  [[nodiscard]] std::optional<Integer>
+  degree_bound(long m, const std::optional<Rational>& open = std::nullopt) const;
+  /// D_1 before rounding, if available.
+  [[nodiscard]] std::optional<Rational> degree_bound_1() const;
+  [[nodiscard]] bool no_line_by_degree() const; ///< a ramified place or D_1 < 0
+  [[nodiscard]] bool no_line() const;
+  /// What a place contributes to the degree of a polynomial in an exponential solution, at one
+  /// root; nothing if Delta is not rational.
+  [[nodiscard]] static std::optional<Sums> line_choices(const ProvedPlace& x);
+  /// Is it proved that Sym^m, m even, has no rational solution of the shape of degree_bound(m)?
+  [[nodiscard]] bool no_invariant(long m) const;
+
+private:
+  void examine(ProvedPlace& x, const StratumPlace& given);
+  void examine_exponent(ProvedPlace& x, const StratumPlace& given);
+  void need_chi(const ProvedPlace& x) const;
+  void need_irrational(const ProvedPlace& x) const;
+  void need_bound(const ProvedPlace& x) const;
+  void need_separate() const;
+  void need_order(const ProvedPlace& x) const;
+  [[nodiscard]] MPoly resultant(const MPoly& f, const MPoly& g) const;
+  void need_full_rank(const AbsentInvariant& x, long D) const;
+  [[nodiscard]] Coefficients minors(const AbsentInvariant& x, std::size_t n) const;
+  void need_no_common_root(const Coefficients& minors, const AbsentInvariant& x) const;
+  [[nodiscard]] std::vector<InvariantPlace> exponents(long m) const;
+
+  const Stratum& s_;
+  const ByPlaces& leaf_;
+  Arithmetic& a_;
+  std::vector<ProvedPlace> all_;
+};
+
+/// 7.3: is the defect of Frobenius' recurrence at x, Delta = N >= 1, deg q = 1, known to be
+/// nonzero?
+[[nodiscard]] bool has_logarithm(const Stratum& s, const ProvedPlace& x);
+
+} // namespace kov::certify

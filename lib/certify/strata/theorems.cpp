@@ -1,0 +1,230 @@
+// strata_certificates.md 7.6, 7.7: G0 is not abelian at any point of the stratum.
+
+#include "certify/text/limits.hpp"
+#include "certify/strata/places.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+constexpr std::size_t max_values = 20000;
+
+bool is_natural(const Rational& x) { return is_integer(x) && sign(x) >= 0; }
+
+// Values of Delta at an open place at which G0 might be abelian.
+class ExcludedValues {
+public:
+  ExcludedValues(const Stratum& s, const ProvedPlace& open) : s_(s), open_(open) {}
+
+  void add(const Rational& v) {
+    s_.arithmetic().charge(work_of_a_rational);
+    values_.insert(v);
+    need_within(values_.size() <= max_values, "a limit: too many values of an exponent difference");
+  }
+  /// All a/N, a >= 1, up to b.
+  void add_multiples(long N, const Rational& b) {
+    for (Integer a(1); Rational(a, Integer(N)) <= b; a += Integer(1))
+      add(Rational(a, Integer(N)));
+  }
+  /// chi(v^2) is not 0 on the stratum.
+  void need_excluded() const {
+    const Coefficients& chi = open_.chi;
+    for (const Rational& v : values_) {
+      const Rational square = v * v;
+      const MPoly f =
+          s_.arithmetic().plus(scaled(chi[1], square.num()), scaled(chi[0], square.den()));
+      if (!s_.known_nonzero(f))
+        throw Refused{"the exponent difference " + to_string(v) + " is not excluded"};
+    }
+  }
+
+private:
+  const Stratum& s_;
+  const ProvedPlace& open_;
+  std::set<Rational> values_;
+};
+
+// 7.7: exactly one place is open.
+class OneOpen {
+public:
+  OneOpen(const Stratum& s, const Places& places, const ProvedPlace& open)
+      : s_(s), a_(s.arithmetic()), places_(places), open_(open), b_(open.largest()),
+        values_(s, open) {}
+
+  void operator()() {
+    const bool torus = places_.torus();
+    const bool log = places_.log();
+    if (torus && log) return; // not abelian anyway
+    need(b_.has_value(), "the exponent difference has no bound");
+    if (!log) add_products();
+    if (!torus && !log) add_primitive();
+    if (!torus) add_lines();
+    values_.need_excluded();
+  }
+
+private:
+  // (i) G in N(T): the exponents of (y1 y2)^2.
+  void add_products() {
+    std::optional<Sums> sums{Sums{open_.q ? Rational(-2 * open_.d) : Rational(2)}};
+    for (const ProvedPlace& x : places_.all())
+      if (!x.open()) sums = add_choices(a_, std::move(sums), products(x), x.d);
+    need_within(sums.has_value(), "a limit: too many sums of exponents");
+    for (Integer k(1); Rational(k, Integer(2)) <= *b_; k += Integer(1))
+      if (possible(*sums, k)) values_.add(Rational(k, Integer(2)));
+  }
+
+  // Is (f + jk)/2 a natural number for some sum f and some -d <= j <= d?
+  [[nodiscard]] bool possible(const Sums& sums, const Integer& k) const {
+    a_.charge(work_of_a_rational * static_cast<double>(sums.size()) *
+              static_cast<double>(2 * open_.d + 1));
+    for (const Rational& f : sums)
+      for (long j = -open_.d; j <= open_.d; ++j)
+        if (is_natural((f + Rational(Integer(j) * k)) / Rational(2))) return true;
+    return false;
+  }
+
+  static Sums products(const ProvedPlace& x) {
+    if (x.ordinary()) return {0, 2, 4};
+    if (x.simple()) return {x.q ? -4 : 0};
+    if (x.irregular()) return {x.q ? -x.order : 4 - x.order};
+    const Rational s(x.sign());
+    if (!x.delta) return {s * Rational(2)};
+    const Rational twice = Rational(2) * *x.delta;
+    if (x.log) return {s * (Rational(2) - s * twice)};
+    Sums c{s * Rational(2)};
+    if (is_integer(twice)) {
+      c.insert(s * (Rational(2) + twice));
+      c.insert(s * (Rational(2) - twice));
+    }
+    return c;
+  }
+
+  // (ii) G finite and primitive: local orders up to 5 and an invariant of degree 12.
+  void add_primitive() {
+    for (const ProvedPlace& x : places_.all())
+      if (x.delta && x.delta->den() > Integer(5)) return;
+    for (long N = 1; N <= 5; ++N)
+      for (Integer a(1); Rational(a, Integer(N)) <= *b_; a += Integer(1)) {
+        const Rational v(a, Integer(N));
+        a_.charge(work_of_a_rational * static_cast<double>(places_.all().size()));
+        const auto D = places_.degree_bound(12, v);
+        if (D && sign(*D) >= 0) values_.add(v);
+      }
+  }
+
+  // (iii) G reducible: the exponents of an exponential solution.
+  void add_lines() {
+    const Rational half(1, 2);
+    std::optional<Sums> sums{Sums{open_.q ? -half * Rational(open_.d) : half}};
+    for (const ProvedPlace& x : places_.all()) {
+      if (x.open()) continue;
+      const auto choices = Places::line_choices(x);
+      need(choices.has_value(), "internal: an exponent difference is not rational");
+      sums = add_choices(a_, std::move(sums), *choices, x.d);
+      need_within(sums.has_value(), "a limit: too many sums of exponents");
+    }
+    for (const Rational& f : *sums)
+      for (long j = open_.d; j >= 0; j -= 2)
+        add_line(f, j);
+  }
+
+  // All |2(k - f)/j| <= b, k natural; -j gives the same.
+  void add_line(const Rational& f, long j) {
+    a_.charge(work_of_a_rational);
+    if (j == 0) {
+      need(!is_natural(f), "an exponential solution may exist for all exponent differences");
+      return;
+    }
+    const Rational reach = *b_ * Rational(j) / Rational(2);
+    Integer k = ceil(f - reach);
+    if (sign(k) < 0) k = Integer(0);
+    for (; Rational(k) <= f + reach; k += Integer(1))
+      values_.add(abs(Rational(2) * (Rational(k) - f) / Rational(j)));
+  }
+
+  const Stratum& s_;
+  Arithmetic& a_;
+  const Places& places_;
+  const ProvedPlace& open_;
+  std::optional<Rational> b_;
+  ExcludedValues values_;
+};
+
+std::vector<const ProvedPlace*> open_places(const Places& places) {
+  std::vector<const ProvedPlace*> open;
+  for (const ProvedPlace& x : places.all())
+    if (x.open()) open.push_back(&x);
+  return open;
+}
+
+void one_open(const Stratum& s, const Places& places) {
+  const auto open = open_places(places);
+  need(open.size() == 1, "not exactly one exponent difference is open");
+  need(places.no_invariant(4), "an invariant of degree 4 is not excluded");
+  OneOpen(s, places, *open[0])();
+}
+
+void several_open(const Stratum& s, const Places& places) {
+  const auto open = open_places(places);
+  need(!open.empty(), "no exponent difference is open");
+  const bool torus = places.torus();
+  need(torus || places.no_line_by_degree(), "an exponential solution is not excluded");
+  need(places.no_invariant(4), "an invariant of degree 4 is not excluded");
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const auto b = open[i]->largest();
+    need(b.has_value(), "an exponent difference has no bound");
+    ExcludedValues values(s, *open[i]);
+    values.add_multiples(2, *b);
+    if (i == 0 && !torus && !places.log())
+      for (long N = 3; N <= 5; ++N)
+        values.add_multiples(N, *b);
+    values.need_excluded();
+  }
+}
+
+// The least n that makes y^n rational for an exponential solution, and even.
+long character_order(const Places& places) {
+  Integer n(2);
+  for (const ProvedPlace& x : places.all())
+    if (x.q) n = lcm(n, ((Rational(1) + x.delta.value_or(1)) / Rational(2)).den());
+  need_within(n <= Integer(max_sym), "a limit: the degree of an invariant");
+  return to_long(n);
+}
+
+void rational(const Places& places) {
+  for (const ProvedPlace& x : places.all())
+    need(x.tame(), "not all exponent differences are rational");
+  need(places.log() || places.no_invariant(12), "an invariant of degree 12 is not excluded");
+  need(places.no_line() || places.no_invariant(character_order(places)),
+       "an exponential solution is not excluded");
+}
+
+} // namespace
+
+void check_places(const Stratum& s, const ByPlaces& leaf) {
+  const Places places(s, leaf);
+  const std::string& by = leaf.theorem;
+  if (by == "torus-log") {
+    need(places.torus(), "no place shows a torus");
+    need(places.log(), "no place has a logarithm");
+  } else if (by == "torus") {
+    need(places.torus(), "no place shows a torus");
+    need(!places.any(&ProvedPlace::open), "an exponent difference is open");
+    need(places.no_invariant(4), "an invariant of degree 4 is not excluded");
+  } else if (by == "irreducible-log") {
+    need(places.log(), "no place has a logarithm");
+    need(places.no_line_by_degree(), "an exponential solution is not excluded");
+  } else if (by == "rational") {
+    rational(places);
+  } else if (by == "one-open") {
+    one_open(s, places);
+  } else if (by == "open") {
+    several_open(s, places);
+  } else {
+    throw Refused{"unknown theorem '" + by + "'"};
+  }
+}
+
+} // namespace kov::certify

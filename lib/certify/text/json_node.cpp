@@ -1,0 +1,189 @@
+#include "certify/text/json_node.hpp"
+
+#include "certify/text/limits.hpp"
+#include "exact/error.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace kov::certify {
+
+bool is_natural(std::string_view s) { // no sign, no leading zero
+  return !s.empty() && s.size() <= 200000 && s[0] >= '1' && s[0] <= '9' &&
+         std::all_of(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+namespace {
+
+bool is_integer_text(std::string_view s) {
+  return s == "0" || is_natural(s) || (s.size() > 1 && s[0] == '-' && is_natural(s.substr(1)));
+}
+
+bool is_rational_text(std::string_view s) {
+  const std::size_t slash = s.find('/');
+  if (slash == std::string_view::npos) return is_integer_text(s);
+  return is_integer_text(s.substr(0, slash)) && s[0] != '0' && is_natural(s.substr(slash + 1));
+}
+
+} // namespace
+
+void Node::fail(const std::string& what) const { throw InvalidArgument(path_ + ": " + what); }
+
+std::string Node::text() const {
+  if (!j_->text()) fail("a string is expected");
+  return *j_->text();
+}
+
+Integer Node::integer() const {
+  if (!j_->text() || !is_integer_text(*j_->text())) fail("an integer in a string is expected");
+  return Integer::parse(*j_->text());
+}
+
+long Node::count() const { // clamped
+  const Integer n = integer();
+  const long top = std::numeric_limits<long>::max() / 2;
+  return fits_long(n) ? std::clamp(to_long(n), -top, top) : sign(n) * top;
+}
+
+mp_limb_t Node::modulus() const { // 0 if out of range: not a prime
+  const long n = count();
+  return n < 0 || n >= (long{1} << 62) ? 0 : static_cast<mp_limb_t>(n);
+}
+
+mp_limb_t Node::residue() const {
+  const Integer n = integer();
+  if (sign(n) < 0 || n >= Integer(long{1} << 62)) fail("a residue is expected");
+  return static_cast<mp_limb_t>(to_long(n));
+}
+
+Rational Node::rational() const {
+  if (!j_->text() || !is_rational_text(*j_->text())) fail("a rational number is expected");
+  return Rational::parse(*j_->text());
+}
+
+std::vector<Node> Node::items() const {
+  const auto* a = j_->array();
+  if (!a || a->size() > max_length) fail("an array is expected");
+  std::vector<Node> out;
+  out.reserve(a->size());
+  for (std::size_t i = 0; i < a->size(); ++i)
+    out.emplace_back((*a)[i], path_ + "[" + std::to_string(i) + "]", *k_);
+  return out;
+}
+
+NfElem Node::element() const {
+  if (j_->text()) return {rational(), *k_};
+  const auto* a = j_->array();
+  if (!a || a->empty() || static_cast<long>(a->size()) > (*k_)->degree())
+    fail("an element of the field is expected");
+  NfElem e(*k_);
+  long i = 0;
+  for (const Node& n : items())
+    fmpq_poly_set_coeff_fmpq(e.raw(), i++, n.rational().raw());
+  return e;
+}
+
+namespace {
+
+// sum num_i/den_i z^i over Q; most of the den_i are often the same number.
+Poly over_common_denominator(const std::vector<Integer>& num, const std::vector<Integer>& den,
+                             const Integer& common) {
+  Poly f;
+  const auto n = static_cast<slong>(num.size());
+  fmpq_poly_fit_length(f.raw(), n);
+  _fmpq_poly_set_length(f.raw(), n);
+  for (std::size_t i = 0; i < num.size(); ++i) {
+    const Integer c = den[i] == common ? num[i] : num[i] * exact_div(common, den[i]);
+    fmpz_set(f.raw()->coeffs + i, c.raw());
+  }
+  fmpz_set(f.raw()->den, common.raw());
+  fmpq_poly_canonicalise(f.raw());
+  return f;
+}
+
+} // namespace
+
+Poly Node::rational_poly(const std::vector<Node>& coefficients) const {
+  std::vector<Integer> num;
+  std::vector<Integer> den;
+  Integer common(1);
+  std::size_t top = 0;
+  for (const Node& n : coefficients) {
+    const std::string_view text = *n.j_->text();
+    if (!is_rational_text(text)) n.fail("a rational number is expected");
+    const std::size_t slash = std::min(text.find('/'), text.size());
+    num.push_back(Integer::parse(text.substr(0, slash)));
+    den.push_back(slash == text.size() ? Integer(1) : Integer::parse(text.substr(slash + 1)));
+    if (den.back() != common) common = lcm(common, den.back());
+    top = std::max<std::size_t>(top, fmpz_bits(num.back().raw()));
+    const auto size = static_cast<double>(top + 2 * fmpz_bits(common.raw()));
+    if (static_cast<double>(num.size()) * size > max_bulk) fail("the polynomial is too large");
+  }
+  if (!num.empty() && is_zero(num.back())) fail("the leading coefficient is 0");
+  return over_common_denominator(num, den, common);
+}
+
+Poly Node::poly() const {
+  const std::vector<Node> all = items();
+  if ((*k_)->is_rational() &&
+      std::ranges::all_of(all, [](const Node& n) { return n.j_->text() != nullptr; }))
+    return rational_poly(all);
+  std::vector<NfElem> c;
+  Integer common(1);
+  std::size_t top = 0;
+  for (const Node& n : all) {
+    c.push_back(n.element());
+    const Integer below(c.back().raw()->den);
+    common = lcm(common, below);
+    top = std::max<std::size_t>(top, static_cast<std::size_t>(std::abs(_fmpz_vec_max_bits(
+                                         c.back().raw()->coeffs, c.back().raw()->length))));
+    const auto size = static_cast<double>(top + 2 * fmpz_bits(common.raw()));
+    if (static_cast<double>(c.size()) * size > max_bulk) fail("the polynomial is too large");
+  }
+  if (!c.empty() && is_zero(c.back())) fail("the leading coefficient is 0");
+  return c.empty() ? Poly(*k_) : Poly::from_coefficients(c);
+}
+
+std::vector<mp_limb_t> Node::residues() const {
+  std::vector<mp_limb_t> c;
+  for (const Node& n : items())
+    c.push_back(n.residue());
+  return c;
+}
+
+PrimeIdeal Node::prime() const {
+  Keys k(*this);
+  const PrimeIdeal p = k.prime();
+  k.done();
+  return p;
+}
+
+Keys::Keys(const Node& n) : n_(n) {
+  if (!n.json().object()) n.fail("an object is expected");
+}
+
+std::optional<Node> Keys::find(const std::string& key) {
+  asked_.push_back(key);
+  for (const auto& [k, v] : *n_.json().object())
+    if (k == key) return Node(v, n_.path() + "." + key, n_.field());
+  return std::nullopt;
+}
+
+Node Keys::at(const std::string& key) {
+  auto v = find(key);
+  if (!v) n_.fail("key '" + key + "' is missing");
+  return *v;
+}
+
+void Keys::done() const {
+  for (const auto& [k, v] : *n_.json().object())
+    if (std::find(asked_.begin(), asked_.end(), k) == asked_.end())
+      n_.fail("unknown key '" + k + "'");
+}
+
+std::optional<Poly> Keys::find_poly(const std::string& key) {
+  const auto v = find(key);
+  return v ? std::optional(v->poly()) : std::nullopt;
+}
+
+} // namespace kov::certify

@@ -1,0 +1,64 @@
+#pragma once
+// Reading typed data out of JSON: every error is one InvalidArgument that names the path of the
+// offending entry.
+
+#include "certify/equation/certificate.hpp"
+#include "certify/text/json.hpp"
+
+namespace kov::certify {
+
+/// A value with the path that led to it, for messages.
+class Node {
+public:
+  Node(const Json& j, std::string path, const Field& k) : j_(&j), path_(std::move(path)), k_(&k) {}
+
+  [[noreturn]] void fail(const std::string& what) const;
+  [[nodiscard]] bool is_null() const { return j_->is_null(); }
+  [[nodiscard]] const Field& field() const { return *k_; }
+
+  [[nodiscard]] std::string text() const;
+  [[nodiscard]] Integer integer() const;
+  [[nodiscard]] long count() const;        ///< an integer, clamped
+  [[nodiscard]] mp_limb_t modulus() const; ///< 0 if out of range: not a prime
+  [[nodiscard]] mp_limb_t residue() const;
+  [[nodiscard]] Rational rational() const;
+  [[nodiscard]] std::vector<Node> items() const;
+  [[nodiscard]] NfElem element() const;
+  [[nodiscard]] Poly poly() const;
+  [[nodiscard]] std::vector<mp_limb_t> residues() const;
+  [[nodiscard]] PrimeIdeal prime() const;
+
+  [[nodiscard]] const Json& json() const { return *j_; }
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+private:
+  [[nodiscard]] Poly rational_poly(const std::vector<Node>& coefficients) const;
+
+  const Json* j_;
+  std::string path_;
+  const Field* k_;
+};
+
+/// An object whose keys are asked for one by one; done() refuses whatever was not asked for.
+class Keys {
+public:
+  explicit Keys(const Node& n);
+  [[nodiscard]] std::optional<Node> find(const std::string& key);
+  [[nodiscard]] Node at(const std::string& key);
+  void done() const;
+  [[nodiscard]] PrimeIdeal prime() { return {at("p").modulus(), at("a").residue()}; }
+  [[nodiscard]] std::optional<Poly> find_poly(const std::string& key);
+
+private:
+  Node n_;
+  std::vector<std::string> asked_;
+};
+
+/// Digits without sign and without a leading zero.
+[[nodiscard]] bool is_natural(std::string_view s);
+
+/// A certificate of the format kovacic-certificate/1 inside other data.
+[[nodiscard]] Certificate read_certificate(const Node& n);
+[[nodiscard]] Json to_json(const Certificate& c);
+
+} // namespace kov::certify

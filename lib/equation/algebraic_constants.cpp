@@ -1,0 +1,167 @@
+#include "equation/algebraic_constants.hpp"
+
+#include "symbol/constants.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+using Kind = Expression::Kind;
+
+constexpr long largest_prime = 1000000;
+
+std::optional<Integer> integer(const Expression& e) {
+  if (e.kind() == Kind::number) return e.number();
+  if (e.kind() == Kind::negate && e.operand(0).kind() == Kind::number)
+    return -e.operand(0).number();
+  return std::nullopt;
+}
+
+std::string name_of_root(const Integer& p) { return "sqrt(" + to_string(p) + ")"; }
+
+// f with x^d, x^(d+1), ... replaced by what p = 0 says of x^d; p of degree d in x, with a constant
+// leading coefficient.
+MFraction lowered(const MPoly& f, std::size_t x, const MPoly& p) {
+  const auto line = coefficients(p, x);
+  const std::size_t d = line.size() - 1;
+  const auto c = coefficients(f, x);
+  std::vector<MFraction> rest(c.begin(), c.end());
+  for (std::size_t k = rest.size(); k-- > d;) {
+    const MFraction top = rest[k] / MFraction(line[d]);
+    rest[k] = MFraction(f.ring());
+    for (std::size_t i = 0; i < d; ++i)
+      rest[k - d + i] -= top * MFraction(line[i]);
+  }
+  MFraction sum(f.ring());
+  for (std::size_t k = std::min(rest.size(), d); k-- > 0;)
+    sum = sum * MFraction::variable(f.ring(), x) + rest[k];
+  return sum;
+}
+
+} // namespace
+
+std::optional<AlgebraicConstants> AlgebraicConstants::in(const EquationText& text) {
+  AlgebraicConstants all;
+  for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
+    if (*e && !all.collect(**e)) return std::nullopt;
+  const auto& parameters = text.parameters;
+  if (std::find(parameters.begin(), parameters.end(), "I") != parameters.end()) all.i_ = false;
+  all.minpoly_ = text.minpoly;
+  if (text.minpoly) {
+    const auto names = names_in(*text.minpoly);
+    if (std::find(names.begin(), names.end(), "I") != names.end())
+      throw text.minpoly->error("I is the imaginary unit", "give the constant another name");
+    if (all.i_ || !all.square_roots_.empty()) return std::nullopt; // not known to be independent
+  }
+  return all;
+}
+
+std::optional<AlgebraicConstants::SquareRoot> AlgebraicConstants::square_root(const Integer& n) {
+  SquareRoot root;
+  root.n = n;
+  root.imaginary = sign(n) < 0;
+  Integer rest = root.imaginary ? -n : n;
+  if (is_zero(rest)) return std::nullopt;
+  const auto divides = [&](const Integer& d) { return is_zero(rest - d * floor_div(rest, d)); };
+  for (long p = 2; p <= largest_prime && Integer(p) * Integer(p) <= rest; ++p) {
+    const Integer prime(p);
+    for (; divides(prime * prime); rest = exact_div(rest, prime * prime))
+      root.factor *= prime;
+    if (!divides(prime)) continue;
+    rest = exact_div(rest, prime);
+    root.primes.push_back(prime);
+  }
+  if (rest > Integer(largest_prime) * Integer(largest_prime)) return std::nullopt;
+  if (rest != Integer(1)) root.primes.push_back(rest);
+  return root;
+}
+
+bool AlgebraicConstants::collect(const Expression& e) {
+  if (e.kind() == Kind::name && e.name() == "I") i_ = true;
+  if (e.kind() == Kind::call && e.name() == "root") return false;
+  if (e.kind() == Kind::call && e.name() == "sqrt") {
+    const auto n = e.operands().size() == 1 ? integer(e.operand(0)) : std::nullopt;
+    const auto root = n ? square_root(*n) : std::nullopt;
+    if (!root) return false;
+    i_ = i_ || root->imaginary;
+    const bool known = std::any_of(square_roots_.begin(), square_roots_.end(),
+                                   [&](const SquareRoot& r) { return r.n == *n; });
+    if (!known) square_roots_.push_back(*root);
+    return true;
+  }
+  return std::all_of(e.operands().begin(), e.operands().end(),
+                     [this](const Expression& x) { return collect(x); });
+}
+
+std::vector<Integer> AlgebraicConstants::primes() const {
+  std::vector<Integer> all;
+  for (const SquareRoot& r : square_roots_)
+    for (const Integer& p : r.primes)
+      if (std::find(all.begin(), all.end(), p) == all.end()) all.push_back(p);
+  return all;
+}
+
+std::vector<std::string> AlgebraicConstants::names() const {
+  std::vector<std::string> all;
+  if (i_) all.emplace_back("I");
+  for (const Integer& p : primes())
+    all.push_back(name_of_root(p));
+  if (minpoly_)
+    for (const auto& name : names_in(*minpoly_))
+      all.push_back(name);
+  return all;
+}
+
+std::vector<FunctionMeaning> AlgebraicConstants::functions(const Ring& ring) const {
+  std::vector<FunctionMeaning> all;
+  for (const SquareRoot& r : square_roots_) {
+    MFraction value(ring, Rational(r.factor));
+    if (r.imaginary) value *= MFraction::variable(ring, "I");
+    for (const Integer& p : r.primes)
+      value *= MFraction::variable(ring, name_of_root(p));
+    all.push_back({0, "sqrt", MFraction(ring, Rational(r.n)), value});
+  }
+  return all;
+}
+
+std::vector<std::pair<std::size_t, MPoly>> AlgebraicConstants::equations(const Scope& scope) const {
+  const Ring& ring = scope.ring();
+  std::vector<std::pair<std::size_t, MPoly>> all;
+  const auto square_is = [&](const std::string& name, const Integer& n) {
+    const MFraction x = MFraction::variable(ring, name);
+    all.emplace_back(ring->index(name), (x * x - MFraction(ring, Rational(n))).num());
+  };
+  if (i_) square_is("I", Integer(-1));
+  for (const Integer& p : primes())
+    square_is(name_of_root(p), p);
+  if (minpoly_) {
+    const MPoly p = evaluate(*minpoly_, scope).num();
+    const auto factors = is_zero(p) ? std::vector<MFactor>{} : factor(p).second;
+    if (factors.size() != 1 || factors.front().exponent != 1)
+      throw minpoly_->error("the minimal polynomial of a constant is reducible",
+                            "write one of its factors");
+    for (const auto& name : names_in(*minpoly_))
+      if (uses(p, ring->index(name))) all.emplace_back(ring->index(name), p);
+  }
+  return all;
+}
+
+void AlgebraicConstants::assume(Assumptions& all, const Scope& scope) const {
+  for (const auto& [x, p] : equations(scope))
+    all.require(MFraction(p), Sign::zero);
+  for (const Integer& p : primes())
+    all.real.push_back(scope.ring()->index(name_of_root(p)));
+}
+
+MFraction AlgebraicConstants::reduced(const MFraction& f, const Scope& scope) const {
+  MFraction num(f.num());
+  MFraction den(f.den());
+  for (const auto& [x, p] : equations(scope)) {
+    if (!is_zero(num)) num = lowered(num.num(), x, p) / MFraction(num.den());
+    if (!is_zero(den)) den = lowered(den.num(), x, p) / MFraction(den.den());
+  }
+  return num / den;
+}
+
+} // namespace kov

@@ -1,0 +1,274 @@
+#include "equation/assumptions.hpp"
+
+#include "equation/parameter_scope.hpp"
+#include "equation/sentence.hpp"
+#include "parameters/region.hpp"
+#include "symbol/rational_form.hpp"
+#include "symbol/suggest.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace kov {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool contains(const Names& all, const std::string& name) {
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+const Expression* find_name(const Expression& e, const std::string& name) {
+  if (e.kind() == Expression::Kind::name && e.name() == name) return &e;
+  for (const Expression& operand : e.operands())
+    if (const Expression* found = find_name(operand, name)) return found;
+  return nullptr;
+}
+
+InputError error_at_name(const Sentence& s, const std::string& name, const std::string& message,
+                         const std::string& hint) {
+  for (const Expression* side : {&s.left, s.right ? &*s.right : nullptr})
+    if (side != nullptr)
+      if (const Expression* found = find_name(*side, name)) return found->error(message, hint);
+  return s.error(message, hint);
+}
+
+// v is declared rational or real if it is one of the parameters; a v c + d in Z makes c v + d
+// rational, and with it the only parameter in it.
+void declare(Assumptions& all, const MFraction& v, Sentence::Domain domain) {
+  const auto used = used_variables(v);
+  if (used.size() != 1 || !is_constant(v.den()) || degree(v.num(), used[0]) != 1) return;
+  if (domain != Sentence::Domain::complex) all.real.push_back(used[0]);
+  if (domain == Sentence::Domain::rational) all.rational.push_back(used[0]);
+}
+
+// An inequality is about real numbers.
+void refuse_imaginary_unit(const Sentence& s, const MFraction& value, const Ring& ring) {
+  const bool ordered = s.sign == Sign::positive || s.sign == Sign::nonnegative;
+  const auto i = ring->find("I");
+  if (ordered && i && uses(value, *i))
+    throw s.error("an inequality is about real numbers", "I is the imaginary unit");
+}
+
+void assume(Assumptions& all, const Sentence& s, const Scope& scope) {
+  MFraction value = evaluate(s.left, scope);
+  switch (s.kind) {
+  case Sentence::Kind::sign:
+    value -= evaluate(*s.right, scope);
+    refuse_imaginary_unit(s, value, scope.ring());
+    return all.require(value, s.sign);
+  case Sentence::Kind::membership:
+    value -= evaluate(*s.right, scope);
+    if (s.holds) declare(all, value, Sentence::Domain::rational);
+    all.require_integral((Rational(1) / s.modulus) * value, s.holds);
+    return;
+  default:
+    declare(all, value, s.domain);
+  }
+}
+
+// The constants of the equation, as read_equation defines them.
+Constants constants_of(const EquationText& text) {
+  Constants c;
+  for (const auto& name : text.parameters)
+    c.reserve(name);
+  if (text.minpoly)
+    if (const Names names = names_in(*text.minpoly); names.size() == 1)
+      c.define_root(names.front(), *text.minpoly);
+  for (const auto& [name, value] : text.set)
+    if (!c.is_defined(name)) c.define_value(name, value);
+  return c;
+}
+
+NfElem constant(const Expression& e, Constants& c) {
+  c.gather(std::span(&e, 1));
+  const RationalFunction f = rational_function(e, {.variable = "", .constants = &c, .budget = {}});
+  return f.num().coeff(0) / f.den().coeff(0);
+}
+
+struct Place {
+  int real_part = 0; ///< its sign; 0: too near to tell
+  bool real = true;  ///< not proved to be off the real line
+};
+Place place(const NfElem& v) {
+  Place p;
+  for (long bits = 64; bits <= 4096 && p.real && p.real_part == 0; bits *= 2) {
+    const ComplexBall b = embed(v, bits);
+    p.real = arb_contains_zero(acb_imagref(b.raw())) != 0;
+    p.real_part = arb_is_positive(acb_realref(b.raw())) != 0   ? 1
+                  : arb_is_negative(acb_realref(b.raw())) != 0 ? -1
+                                                               : 0;
+  }
+  return p;
+}
+
+// Is the sentence proved to be false of the constant v?
+bool is_false(const Sentence& s, const NfElem& v) {
+  using Sign;
+  if (s.kind == Sentence::Kind::membership) {
+    const bool in = is_rational(v) && is_integer(to_rational(v) / s.modulus);
+    return in != s.holds;
+  }
+  if (s.kind == Sentence::Kind::declaration)
+    return (s.domain == Sentence::Domain::rational && !is_rational(v)) ||
+           (s.domain == Sentence::Domain::real && !place(v).real);
+  if (s.sign == Sign::zero || s.sign == Sign::nonzero) return is_zero(v) != (s.sign == Sign::zero);
+  if (is_zero(v)) return s.sign == Sign::positive;
+  const Place p = place(v);
+  return !p.real || p.real_part < 0;
+}
+
+class Checker {
+public:
+  explicit Checker(const EquationText& text)
+      : text_(text), names_(equation_names(text)), known_(settable_names(text)),
+        constants_(constants_of(text)) {
+    std::erase(known_, names_.variable);
+    if (text.ode) std::erase(known_, names_.unknown);
+  }
+
+  void operator()(const Sentence& s) {
+    const Names used = names_in(s);
+    for (const auto& name : used)
+      check_name(s, name);
+    const bool number = std::all_of(used.begin(), used.end(), [&](const std::string& name) {
+      return name == "I" || constants_.is_defined(name);
+    });
+    if (number) check_value(s);
+  }
+
+private:
+  void check_name(const Sentence& s, const std::string& name) const {
+    if (name == names_.variable)
+      throw error_at_name(s, name, "'" + name + "' is the variable of the equation",
+                          "assumptions are about parameters");
+    if (text_.ode && name == names_.unknown)
+      throw error_at_name(s, name, "'" + name + "' is the unknown function",
+                          "assumptions are about parameters");
+    if (name == "I" || contains(known_, name)) return;
+    const auto near = nearest(name, known_);
+    throw error_at_name(s, name, "'" + name + "' is not a parameter of the equation",
+                        near             ? "did you mean " + *near + "?"
+                        : known_.empty() ? "it has no parameters"
+                                         : "its parameters: " + enumerate(known_));
+  }
+
+  void check_value(const Sentence& s) {
+    NfElem v = constant(s.left, constants_);
+    if (s.right) {
+      const NfElem right = constant(*s.right, constants_); // may move all values to a larger field
+      v = constant(s.left, constants_) - right;
+    }
+    if (!is_false(s, v)) return;
+    throw s.error("the assumption '" + s.text + "' is violated by the values given",
+                  (s.right ? "the left side minus the right side is " : "the value is ") +
+                      to_string(v));
+  }
+
+  const EquationText& text_;
+  EquationNames names_;
+  Names known_;
+  Constants constants_;
+};
+
+// Together, where all of them are about rational functions.
+void refuse_contradictions(const EquationText& text, const std::vector<Sentence>& all) {
+  std::set<std::string> names;
+  for (const Sentence& s : all) {
+    if (!is_rational_formula(s.left) || (s.right && !is_rational_formula(*s.right))) return;
+    for (const auto& name : names_in(s))
+      names.insert(name);
+  }
+  for (const auto& [name, value] : text.set)
+    if (!is_rational_formula(value) || !names_in(value).empty()) return;
+  for (const auto& [name, value] : text.set)
+    names.insert(name);
+  const Ring ring = make_ring({names.begin(), names.end()});
+  std::map<std::string, MFraction> values;
+  for (const auto& [name, value] : text.set)
+    values[name] = evaluate(value, ParameterScope(ring, {}));
+  Assumptions together;
+  for (const Sentence& s : all)
+    assume(together, s, ParameterScope(ring, values));
+  if (Region(ring, together).is_empty())
+    throw all.back().error(all.size() == 1 ? "no parameters satisfy the assumption"
+                                           : "the assumptions contradict each other");
+}
+
+} // namespace
+
+bool is_rational_formula(const Expression& e) {
+  if (e.kind() == Expression::Kind::call) return false;
+  if (e.kind() == Expression::Kind::name && e.name() == "I") return false;
+  return std::all_of(e.operands().begin(), e.operands().end(), is_rational_formula);
+}
+
+Assumptions read_assumptions(const EquationText& text, const Scope& scope) {
+  Assumptions all;
+  for (const auto& a : text.assume)
+    for (const Sentence& s : sentences(a))
+      assume(all, s, scope);
+  return all;
+}
+
+namespace {
+
+// A parameter in an inequality is real: one that is said to be complex is a contradiction in terms.
+void refuse_complex_order(const std::vector<Sentence>& all) {
+  std::set<std::string> complex;
+  for (const Sentence& s : all)
+    if (s.kind == Sentence::Kind::declaration && s.domain == Sentence::Domain::complex)
+      for (const auto& name : names_in(s))
+        complex.insert(name);
+  for (const Sentence& s : all) {
+    if (s.kind != Sentence::Kind::sign ||
+        (s.sign != Sign::positive && s.sign != Sign::nonnegative))
+      continue;
+    for (const auto& name : names_in(s))
+      if (complex.contains(name))
+        throw error_at_name(s, name, "'" + name + "' is said to be complex",
+                            "an inequality is about real parameters");
+  }
+}
+
+} // namespace
+
+void check_assumptions(const EquationText& text) {
+  if (text.assume.empty()) return;
+  Checker check(text);
+  std::vector<Sentence> all;
+  for (const auto& a : text.assume)
+    for (Sentence& s : sentences(a)) {
+      check(s);
+      all.push_back(std::move(s));
+    }
+  refuse_complex_order(all);
+  refuse_contradictions(text, all);
+}
+
+std::vector<std::string> names_in_assumption(const AssumedText& text) {
+  std::set<std::string> names;
+  for (const Sentence& s : sentences(text))
+    for (const auto& name : names_in(s))
+      names.insert(name);
+  return {names.begin(), names.end()};
+}
+
+bool is_prose(const std::string& text, const std::vector<std::string>& names) {
+  if (text.find_first_not_of(" \t\n,;") == std::string::npos) return false;
+  if (text.find_first_of("<>=") != std::string::npos) return false;
+  try {
+    static_cast<void>(sentences({text, nullptr, ""}));
+    return false;
+  } catch (const InputError&) {
+  }
+  try {
+    const Names used = names_in(parse_expression(text, "assumption"));
+    return !std::all_of(used.begin(), used.end(),
+                        [&](const std::string& n) { return contains(names, n); });
+  } catch (const InputError&) {
+    return true;
+  }
+}
+
+} // namespace kov

@@ -1,0 +1,80 @@
+#include "equation/parametric_equation.hpp"
+
+#include "equation/algebraic_constants.hpp"
+#include "equation/assumptions.hpp"
+#include "equation/parameter_scope.hpp"
+#include "system/linear_formula.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace kov {
+namespace {
+
+// Where all coefficients of f in z vanish, f is 0: not there.
+void assume_somewhere_nonzero(strata::Question& q, const MPoly& f, const std::string& otherwise) {
+  std::vector<MPoly> all = coefficients(f, q.z);
+  std::erase_if(all, [](const MPoly& c) { return is_zero(c); });
+  if (std::any_of(all.begin(), all.end(), [](const MPoly& c) { return is_constant(c); })) return;
+  q.generic.push_back({std::move(all), otherwise});
+}
+
+void assume_defined(strata::Question& q, const MFraction& f) {
+  if (!is_zero(f))
+    assume_somewhere_nonzero(q, f.den(), "a coefficient of the equation has no value");
+}
+
+} // namespace
+
+ParametricEquation read_parametric_equation(const EquationText& text) {
+  const auto constants = AlgebraicConstants::in(text);
+  if (!constants) throw FreeParameters(text.parameters);
+  check_assumptions(text);
+  ParametricEquation f;
+  const EquationNames given = equation_names(text);
+  f.variable = given.variable;
+  std::set<std::string> fixed;
+  for (const auto& [name, value] : text.set)
+    fixed.insert(name);
+  std::vector<std::string> names = constants->names();
+  for (const auto& p : text.parameters)
+    if (!fixed.contains(p) && p != f.variable &&
+        std::find(names.begin(), names.end(), p) == names.end())
+      names.push_back(p);
+  names.push_back(f.variable);
+  const Ring ring = make_ring(names);
+  std::map<std::string, MFraction> values;
+  for (const auto& [name, value] : text.set)
+    values[name] = evaluate(value, ParameterScope(ring, values));
+  const ParameterScope scope(ring, values, constants->functions(ring));
+  strata::Question& q = f.question;
+  q.z = ring->index(f.variable);
+  const auto reduced = [&](const MFraction& p, const MFraction& q0) { // y'' + p y' + q0 y = 0
+    return Rational(1, 4) * (p * p) + Rational(1, 2) * derivative(p, q.z) - q0;
+  };
+  if (text.r) {
+    q.r = evaluate(*text.r, scope);
+  } else if (text.ode) {
+    const auto form = parametric_second_order(*text.ode, given.unknown, q.z, scope);
+    if (!form)
+      throw text.ode->error("this is not a homogeneous linear equation of the second order",
+                            "only a2*" + given.unknown + "'' + a1*" + given.unknown + "' + a0*" +
+                                given.unknown + " = 0 can be solved");
+    for (const MFraction& c : {form->c0, form->c1, form->c2})
+      assume_defined(q, c);
+    assume_somewhere_nonzero(q, form->c2.num(), "the coefficient of " + given.unknown + "'' is 0");
+    q.r = reduced(form->c1 / form->c2, form->c0 / form->c2);
+  } else {
+    const MFraction p = evaluate(*text.p, scope), q0 = evaluate(*text.q, scope);
+    for (const MFraction& c : {p, q0})
+      assume_defined(q, c);
+    q.r = reduced(p, q0);
+  }
+  q.r = q.r.ring() ? constants->reduced(q.r, scope) : MFraction(ring);
+  q.assumptions = read_assumptions(text, scope);
+  constants->assume(q.assumptions, scope);
+  return f;
+}
+
+} // namespace kov

@@ -1,0 +1,31 @@
+#pragma once
+// One equation with free parameters, as text, for lib/strata.
+//
+// Assumptions are sentences:
+//
+//   A > 0     A + B >= C     d != 0     h^2 = 1 + A          (also <, <=)
+//   n positive | negative | nonnegative | nonzero | real | rational | complex | arbitrary
+//   2*nu odd integer     n even integer     n integer     n not an integer
+//   nu in 1/2+Z          nu not in 1/2+Z
+//
+// joined by commas, semicolons or "and"; "is" and "an" may be written.
+
+#include "equation/read_equation.hpp"
+#include "strata/decide_strata.hpp"
+
+#include <string>
+#include <vector>
+
+namespace kov {
+
+struct ParametricEquation {
+  strata::Question question;
+  std::string variable;
+};
+
+/// Errors  InputError: an unknown name, a function that is not rational, as check_assumptions
+///         FreeParameters: root(...) or a square root of something else than an integer that is no
+///         square, beside parameters; an equation that is not linear of the second order
+[[nodiscard]] ParametricEquation read_parametric_equation(const EquationText& text);
+
+} // namespace kov

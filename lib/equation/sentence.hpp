@@ -1,0 +1,38 @@
+#pragma once
+// One assumption as text: where its formula ends and what is said of it.
+
+#include "equation/read_equation.hpp"
+#include "parameters/conditions.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+struct Sentence {
+  enum class Kind : std::uint8_t { sign, membership, declaration };
+  enum class Domain : std::uint8_t { complex, real, rational };
+  Kind kind = Kind::declaration;
+  Expression left;
+  std::optional<Expression> right; ///< sign: left - right is meant; membership: the offset
+  Sign sign = Sign::nonzero;
+  bool holds = true;               ///< membership: in, or not in
+  Rational modulus{1};             ///< membership: left - offset in modulus Z, positive
+  Domain domain = Domain::complex; ///< declaration: where the name lies
+  std::string text{};              ///< the sentence itself
+  OriginPtr origin{};              ///< where it stands
+  Span span{};
+
+  [[nodiscard]] InputError error(const std::string& message, const std::string& hint = {}) const {
+    return {*origin, span, message, hint};
+  }
+};
+
+/// "A > 0, n not an integer" in parts.  Errors  InputError, also for a text without a sentence
+[[nodiscard]] std::vector<Sentence> sentences(const AssumedText& text);
+
+/// Sorted, once each.
+[[nodiscard]] std::vector<std::string> names_in(const Sentence& s);
+
+} // namespace kov

@@ -1,0 +1,108 @@
+#pragma once
+// The body, its equations of motion, and the constants that the Taylor recurrences need.
+//
+// State X = (Omega, Gamma): angular velocity and the vertical unit vector, both in body axes.  With
+//   K = I Omega,  v = L x Gamma,  z = L.Gamma (height of the centre of mass over the tip)
+// the Lagrange function (paper, eq. (Lf)) L = K.Omega/2 + m (v.Omega)^2/2 - m g z gives z' = v.Omega and
+//   Gamma' = Gamma x Omega
+//   I Omega' = (K - B) x Omega - m (g + z'') v           (sliding: the plane presses on the tip)
+//   I Omega' = (K - B) x Omega - m g v                   (the tip is a fixed point)
+// and, with D = 1 + m v.I^-1 v,
+//   D z'' = v'.Omega + v.I^-1((K - B) x Omega) - g (D - 1).
+// M = K + m z' v is the momentum of the paper; H, F1, F2 below are its integrals (integralsM).
+// For the body with a fixed tip, I is the tensor about the tip, M = K, and no term with m z' occurs.
+//
+// Units: mass, length and time are the scene's; Gamma is dimensionless.
+// Everything here is a template over the number R: double, long double, MPFR, exact rationals, balls
+// and dual numbers use the same text.  Nothing in this room feeds a verdict.
+
+#include "flow/orbit/effects.hpp"
+
+#include <array>
+
+namespace kov::flow {
+
+template <class R> using Vec = std::array<R, 3>;
+template <class R> using Mat = std::array<Vec<R>, 3>;
+
+template <class R> Vec<R> cross(const Vec<R>& a, const Vec<R>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+template <class R> R dot(const Vec<R>& a, const Vec<R>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class R> Vec<R> scaled(const R& s, const Vec<R>& a) {
+  return {s * a[0], s * a[1], s * a[2]};
+}
+template <class R> Vec<R> plus(const Vec<R>& a, const Vec<R>& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+template <class R> Vec<R> minus(const Vec<R>& a, const Vec<R>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+template <class R> Vec<R> times(const Mat<R>& a, const Vec<R>& b) {
+  return {dot(a[0], b), dot(a[1], b), dot(a[2], b)};
+}
+
+/// The body and its surroundings, in the units of the scene.
+template <class R> struct Body {
+  Mat<R> inertia{};  ///< I, symmetric, about the centre of mass (sliding) or the fixed tip
+  Vec<R> lever{};    ///< L, from the tip to the centre of mass
+  R mass = R(1);     ///< m
+  R gravity{};       ///< g
+  Vec<R> gyrostat{}; ///< B
+  bool sliding = false;
+};
+
+/// A point of phase space.
+template <class R> struct State {
+  Vec<R> omega{}; ///< angular velocity, body axes, 1/time
+  Vec<R> gamma{}; ///< vertical unit vector, body axes
+};
+
+template <class R> Vec<R> momentum(const Body<R>& b, const State<R>& x) {
+  const Vec<R> k = times(b.inertia, x.omega);
+  if (!b.sliding) return k;
+  const Vec<R> v = cross(b.lever, x.gamma);
+  return plus(k, scaled(R(b.mass * dot(v, x.omega)), v)); // M = K + m z' v
+}
+
+template <class R> struct Integrals {
+  R energy{};  ///< H
+  R length{};  ///< F1 = Gamma.Gamma
+  R casimir{}; ///< F2 = Gamma.(M - B)
+};
+
+template <class R> Integrals<R> integrals(const Body<R>& b, const State<R>& x) {
+  const Vec<R> k = times(b.inertia, x.omega);
+  R twice = dot(k, x.omega);
+  if (b.sliding) {
+    const R zdot = dot(cross(b.lever, x.gamma), x.omega);
+    twice = twice + b.mass * zdot * zdot;
+  }
+  return {twice / R(2) + b.mass * b.gravity * dot(b.lever, x.gamma), dot(x.gamma, x.gamma),
+          dot(x.gamma, minus(k, b.gyrostat))}; // v.Gamma = 0, so Gamma.M = Gamma.K
+}
+
+template <class R> Mat<R> inverse_symmetric(const Mat<R>& a) {
+  const Mat<R> rows{cross(a[1], a[2]), cross(a[2], a[0]), cross(a[0], a[1])};
+  const R det = dot(a[0], rows[0]);
+  Mat<R> out{};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      out[i][j] = rows[j][i] / det;
+  return out;
+}
+
+/// Omega with J Omega = M (J = I + m v (x) v if sliding), by Sherman-Morrison.
+template <class R> Vec<R> omega_of(const Body<R>& b, const Vec<R>& m, const Vec<R>& gamma) {
+  const Mat<R> a = inverse_symmetric(b.inertia);
+  const Vec<R> w = times(a, m);
+  if (!b.sliding) return w;
+  const Vec<R> v = cross(b.lever, gamma);
+  const Vec<R> u = times(a, v);
+  const R d = R(1) + b.mass * dot(v, u);
+  return minus(w, scaled(R(b.mass * dot(v, w) / d), u));
+}
+
+} // namespace kov::flow

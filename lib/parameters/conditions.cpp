@@ -1,0 +1,71 @@
+#include "parameters/conditions.hpp"
+
+#include <algorithm>
+
+namespace kov {
+
+void Assumptions::require(const MFraction& f, Sign sign) {
+  const MPoly num = f.num();
+  const MPoly den = f.ring() ? f.den() : MPoly();
+  const bool fraction = f.ring() && !is_constant(den);
+  const auto add = [this](Condition c) {
+    if (std::find(conditions.begin(), conditions.end(), c) == conditions.end())
+      conditions.push_back(std::move(c));
+  };
+  if (fraction) add({den, Sign::nonzero});
+  const bool ordered = sign == Sign::positive || sign == Sign::nonnegative;
+  add({ordered && fraction ? num * den : num, sign});
+  if (!ordered) return;
+  for (const std::size_t i : used_variables(f))
+    if (std::find(real.begin(), real.end(), i) == real.end()) real.push_back(i);
+}
+
+void Assumptions::require_integral(const MFraction& f, bool in_integers) {
+  if (f.ring() && !is_constant(f.den())) require(MFraction(f.den()), Sign::nonzero);
+  memberships.push_back({f, in_integers});
+}
+
+namespace {
+
+// x_i = ... for the last variable that is linear with a constant coefficient.
+std::string solved(const MPoly& p, const char* relation) {
+  const auto used = used_variables(p);
+  for (auto i = used.rbegin(); i != used.rend(); ++i) {
+    if (degree(p, *i) != 1) continue;
+    const auto c = coefficients(p, *i);
+    if (!is_constant(c[1])) continue;
+    return p.ring()->name(*i) + relation + to_string(-(MFraction(c[0]) / MFraction(c[1])));
+  }
+  return to_string(p) + relation + "0";
+}
+
+} // namespace
+
+std::string to_string(const Condition& c) {
+  switch (c.sign) {
+  case Sign::zero:
+    return solved(c.p, " = ");
+  case Sign::nonzero:
+    return solved(c.p, " != ");
+  case Sign::positive:
+    return to_string(c.p) + " > 0";
+  default:
+    return to_string(c.p) + " >= 0";
+  }
+}
+
+std::string to_string(const std::vector<Condition>& all) {
+  std::string s;
+  for (const Condition& c : all)
+    s += (s.empty() ? "" : ", ") + to_string(c);
+  return s.empty() ? "always" : s;
+}
+
+std::vector<MPoly> irreducible_parts(const MPoly& p) {
+  std::vector<MPoly> parts;
+  for (auto& f : factor(p).second)
+    if (!is_constant(f.base)) parts.push_back(std::move(f.base));
+  return parts;
+}
+
+} // namespace kov

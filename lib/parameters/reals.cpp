@@ -1,0 +1,100 @@
+#include "parameters/reals.hpp"
+
+#include <z3++.h>
+
+namespace kov {
+namespace {
+
+z3::expr number(z3::context& z3, const Integer& n) { return z3.real_val(to_string(n).c_str()); }
+
+z3::expr polynomial(z3::context& z3, const MPoly& p) {
+  z3::expr sum = z3.real_val(0);
+  for (long i = 0; i < p.length(); ++i) {
+    z3::expr term = number(z3, p.coefficient(i));
+    const auto e = p.exponents(i);
+    for (std::size_t k = 0; k < e.size(); ++k)
+      for (unsigned long j = 0; j < e[k]; ++j)
+        term = term * z3.real_const(p.ring()->name(k).c_str());
+    sum = sum + term;
+  }
+  return sum;
+}
+
+z3::expr formula(z3::context& z3, const Condition& c) {
+  const z3::expr p = polynomial(z3, c.p);
+  const z3::expr zero = z3.real_val(0);
+  switch (c.sign) {
+  case Sign::zero:
+    return p == zero;
+  case Sign::nonzero:
+    return p != zero;
+  case Sign::positive:
+    return p > zero;
+  default:
+    return p >= zero;
+  }
+}
+
+z3::solver limited_solver(z3::context& z3, unsigned milliseconds) {
+  z3::solver solver = z3::tactic(z3, "qfnra-nlsat").mk_solver();
+  z3::params limits(z3);
+  limits.set("timeout", milliseconds);
+  solver.set(limits);
+  return solver;
+}
+
+// "A = 1, B = 1/2", for people.
+std::string point_of(const z3::model& model) {
+  std::string text;
+  for (unsigned i = 0; i < model.num_consts(); ++i) {
+    const z3::func_decl x = model.get_const_decl(i);
+    std::string value = model.get_const_interp(x).to_string();
+    if (value.size() > 40) value = "...";
+    text += (text.empty() ? "" : ", ") + x.name().str() + " = " + value;
+  }
+  return text;
+}
+
+} // namespace
+
+Covered is_covered(const std::vector<Condition>& known,
+                   const std::vector<std::vector<Condition>>& regions, unsigned milliseconds) {
+  try {
+    z3::context z3;
+    z3::solver solver = limited_solver(z3, milliseconds);
+    for (const Condition& c : known)
+      solver.add(formula(z3, c));
+    for (const auto& region : regions) {
+      z3::expr_vector all(z3);
+      for (const Condition& c : region)
+        all.push_back(formula(z3, c));
+      solver.add(!z3::mk_and(all));
+    }
+    const z3::check_result answer = solver.check();
+    if (answer == z3::unsat) return {Truth::yes, ""};
+    if (answer == z3::sat) return {Truth::no, point_of(solver.get_model())};
+  } catch (const z3::exception&) { // a limit
+  }
+  return {};
+}
+
+Truth has_real_point(const std::vector<Condition>& conditions, unsigned milliseconds) {
+  try {
+    z3::context z3;
+    z3::solver solver = limited_solver(z3, milliseconds);
+    for (const Condition& c : conditions)
+      solver.add(formula(z3, c));
+    switch (solver.check()) {
+    case z3::sat:
+      return Truth::yes;
+    case z3::unsat:
+      return Truth::no;
+    default:
+      return Truth::unknown;
+    }
+  } catch (const z3::exception&) {
+    return Truth::unknown;
+  }
+}
+
+} // namespace kov

@@ -1,0 +1,386 @@
+#include "parameters/region.hpp"
+
+#include "exact/error.hpp"
+#include "exact/ideal.hpp"
+#include "parameters/reals.hpp"
+#include "parameters/signs.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr unsigned z3_milliseconds = 300;
+constexpr long z3_terms = 40; // larger polynomials are beyond its limit anyway
+constexpr long z3_degree = 12;
+
+constexpr std::size_t most_saturated = 6; // polynomials that an ideal is saturated by
+constexpr double groebner_work = 1e5;     // the same on every machine
+
+bool is_small(const MPoly& p, long times = 1) {
+  if (p.length() > times * z3_terms) return false;
+  for (long i = 0; i < p.length(); ++i) {
+    long total = 0;
+    for (const unsigned long e : p.exponents(i))
+      total += static_cast<long>(e);
+    if (total > times * z3_degree) return false;
+  }
+  return true;
+}
+
+template <class T> bool contains(const std::vector<T>& all, const T& x) {
+  return std::find(all.begin(), all.end(), x) != all.end();
+}
+
+// v is constant and not where it is assumed to be.
+bool excludes(const Membership& m, const MFraction& v) {
+  if (!is_zero(v) && !is_constant(v)) return false;
+  return (is_zero(v) || is_integer(to_rational(v))) != m.in_integers;
+}
+
+} // namespace
+
+Region::Region(Ring ring, Assumptions assumptions)
+    : ring_(std::move(ring)), assumptions_(std::move(assumptions)) {
+  for (const auto& c : assumptions_.conditions)
+    if (c.sign == Sign::nonzero && !is_zero(c.p))
+      for (auto& f : irreducible_parts(c.p))
+        if (!contains(nonzero_, f)) nonzero_.push_back(std::move(f));
+  assumed_nonzero_ = nonzero_;
+}
+
+bool Region::is_real(std::size_t variable) const { return contains(assumptions_.real, variable); }
+
+bool Region::is_rational(std::size_t variable) const {
+  return contains(assumptions_.rational, variable);
+}
+
+bool Region::has_no_admissible_root(const MPoly& p) const {
+  const auto used = used_variables(p);
+  if (used.size() != 1) return false;
+  if (degree(p, used[0]) > 1) return is_rational(used[0]);
+  const auto line = coefficients(p, used[0]);
+  const Substitution root{{used[0], -(MFraction(line[0]) / MFraction(line[1]))}};
+  return std::any_of(assumptions_.memberships.begin(), assumptions_.memberships.end(),
+                     [&](const Membership& m) {
+                       const auto in = used_variables(m.value);
+                       return in.size() == 1 && in[0] == used[0] && is_constant(m.value.den()) &&
+                              excludes(m, substitute(m.value, root));
+                     });
+}
+
+bool Region::is_real(const MPoly& p) const {
+  const auto used = used_variables(p);
+  return std::all_of(used.begin(), used.end(), [&](std::size_t i) { return is_real(i); });
+}
+
+MFraction Region::restrict(const MFraction& f) const {
+  return solved_.empty() ? f : substitute(f, solved_);
+}
+
+int Region::sign_of_irreducible(const MPoly& p) const {
+  for (const auto& [known, s] : signs_)
+    if (known == p) return s;
+  int s = SignProver(ring_, assumptions_.conditions, nonzero_, assumptions_.real).sign_of(p);
+  const auto conditions = real_conditions();
+  const bool ordered = std::any_of(conditions.begin(), conditions.end(), [](const Condition& c) {
+    return c.sign == Sign::positive || c.sign == Sign::nonnegative;
+  });
+  if (s == 0 && is_real(p) && ordered) {
+    for (const int candidate : {1, -1}) {
+      if (!refutes({{candidate > 0 ? -p : p, Sign::nonnegative}})) continue;
+      s = candidate;
+      break;
+    }
+  }
+  signs_.emplace_back(p, s);
+  return s;
+}
+
+int Region::sign_of(const MPoly& p) const {
+  if (is_zero(p)) return 0;
+  const auto [content, factors] = factor(p);
+  int s = sign(content);
+  for (const auto& f : factors) {
+    if (f.exponent % 2 == 0 && is_real(f.base) && provably_nonzero(f.base)) continue;
+    const int one = sign_of_irreducible(f.base);
+    if (one == 0) return 0;
+    if (f.exponent % 2 != 0) s *= one;
+  }
+  return s;
+}
+
+int Region::exact_sign_of(const MPoly& p) const {
+  if (is_zero(p)) return 0;
+  const SignProver prover(ring_, assumptions_.conditions, nonzero_, assumptions_.real);
+  if (const int whole = prover.sign_of(p)) return whole;
+  const auto [content, factors] = factor(p);
+  int s = sign(content);
+  for (const auto& f : factors) {
+    if (f.exponent % 2 == 0 && is_real(f.base) && contains(nonzero_, f.base)) continue;
+    const int one = prover.sign_of(f.base);
+    if (one == 0) return 0;
+    if (f.exponent % 2 != 0) s *= one;
+  }
+  return s;
+}
+
+bool Region::provably_nonzero(const MPoly& p) const { return !is_zero(p) && !doubtful_factor(p); }
+
+std::optional<MPoly> Region::doubtful_factor(const MPoly& p) const {
+  return doubtful_factor(p, relations_);
+}
+
+std::optional<MPoly> Region::doubtful_factor(const MPoly& p,
+                                             const std::vector<Relation>& unused) const {
+  if (is_constant(p)) return std::nullopt;
+  for (const auto& f : irreducible_parts(p))
+    if (!contains(nonzero_, f) && !differs_from_relations(f, unused) &&
+        !has_no_admissible_root(f) && sign_of_irreducible(f) == 0)
+      return f;
+  return std::nullopt;
+}
+
+// A common zero of f and p is one of their resultant, as the leading coefficient of p has none.
+// Each relation is used once: two of them in each other's variables would go round for ever.
+bool Region::differs_from_relations(const MPoly& f, const std::vector<Relation>& unused) const {
+  for (std::size_t i = 0; i < unused.size(); ++i) {
+    const Relation& r = unused[i];
+    if (!uses(f, r.variable) || !is_small(f)) continue;
+    const MPoly left = resultant(f, r.p, r.variable);
+    if (is_zero(left)) continue;
+    std::vector<Relation> others(unused);
+    others.erase(others.begin() + static_cast<long>(i));
+    if (!doubtful_factor(left, others)) return true;
+  }
+  return false;
+}
+
+Region Region::with_relation(const MPoly& p, std::size_t variable, bool implied) const {
+  Region r(*this);
+  if (!implied) r.path_.push_back({p, Sign::zero});
+  r.relations_.push_back({p, variable});
+  r.signs_.clear();
+  std::erase_if(r.assumptions_.conditions, [&](const Condition& c) {
+    return c.sign == Sign::zero && !is_zero(c.p) && divides(p, c.p);
+  });
+  return r;
+}
+
+Truth Region::is_integral(const MFraction& v) const {
+  if (is_zero(v)) return Truth::yes;
+  if (is_constant(v)) return truth(is_integer(to_rational(v)));
+  // +-v = m w + n with w assumed an integer; v assumed none, up to an integer
+  for (const auto& m : assumptions_.memberships) {
+    for (const long k : {1L, -1L, 2L, -2L, 3L, -3L, 4L, -4L}) {
+      const MFraction rest = v - Rational(k) * m.value;
+      if (!is_constant(rest) && !is_zero(rest)) continue;
+      const bool shift = is_zero(rest) || is_integer(to_rational(rest));
+      if (m.in_integers) return truth(shift);
+      if (shift && (k == 1 || k == -1)) return Truth::no;
+    }
+  }
+  return Truth::unknown;
+}
+
+std::vector<Condition> Region::real_conditions() const {
+  std::vector<Condition> all; // without those that would keep it busy: it refutes less
+  constexpr long times = 5;
+  for (const auto& c : assumptions_.conditions)
+    if (c.sign != Sign::nonzero && is_real(c.p) && is_small(c.p, times)) all.push_back(c);
+  for (const auto& p : nonzero_)
+    if (is_real(p) && is_small(p, times)) all.push_back({p, Sign::nonzero});
+  return all;
+}
+
+bool Region::refutes(const std::vector<Condition>& more) const {
+  auto all = real_conditions();
+  std::string claim;
+  if (!std::all_of(more.begin(), more.end(), [](const Condition& c) { return is_small(c.p); }))
+    return false;
+  for (const auto& c : more) {
+    all.push_back(c);
+    claim += (claim.empty() ? "" : ", ") + to_string(c);
+  }
+  if (has_real_point(all, z3_milliseconds) != Truth::no) return false;
+  const std::string where = path_.empty() ? "" : " where " + to_string(path_);
+  trusted_.push_back({"Z3: no real parameters satisfy the assumptions" +
+                      (claim.empty() ? "" : " and " + claim) + where});
+  return true;
+}
+
+bool Region::implies_nonzero(const MPoly& p) const {
+  try {
+    const MFraction f = restrict(MFraction(p));
+    const auto parts = is_zero(f) ? std::vector<MPoly>{p} : irreducible_parts(f.num());
+    const SignProver prover(ring_, assumptions_.conditions, assumed_nonzero_, assumptions_.real);
+    return std::all_of(parts.begin(), parts.end(), [&](const MPoly& q) {
+      return prover.sign_of(q) != 0 || contains(assumed_nonzero_, q) || has_no_admissible_root(q);
+    });
+  } catch (const DomainError&) {
+    return false;
+  }
+}
+
+bool Region::has_no_real_root(const MPoly& p) const {
+  return is_real(p) && refutes({{p, Sign::zero}});
+}
+
+Region Region::where_nonzero(const MPoly& p) const {
+  Region r(*this);
+  std::erase_if(r.signs_, [](const auto& known) { return known.second == 0; });
+  r.nonzero_.push_back(p);
+  r.path_.push_back({p, Sign::nonzero});
+  return r;
+}
+
+std::variant<Region, Region::Empty, Region::Split, Region::Stuck>
+Region::where_zero(const MPoly& p) const {
+  KOV_ENSURE(!is_zero(p));
+  if (is_constant(p)) return Empty{{}};
+  const auto used = used_variables(p);
+  std::optional<MPoly> obstacle;
+  for (const bool constant_first : {true, false})
+    for (auto x = used.rbegin(); x != used.rend(); ++x) {
+      if (degree(p, *x) != 1) continue;
+      const MPoly slope = coefficients(p, *x)[1];
+      if (is_constant(slope) != constant_first) continue;
+      if (const auto doubt = doubtful_factor(slope)) {
+        if (!obstacle) obstacle = doubt;
+        continue;
+      }
+      const auto solution = solve(p, *x);
+      if (const auto* region = std::get_if<Region>(&solution)) return *region;
+      return std::get<Empty>(solution);
+    }
+  if (obstacle) return Split{*obstacle};
+  return Stuck{};
+}
+
+std::variant<Region, Region::Empty> Region::solve(const MPoly& p, std::size_t x) const {
+  const auto line = coefficients(p, x);
+  const Substitution step{{x, -(MFraction(line[0]) / MFraction(line[1]))}};
+  Region r(ring_, {});
+  r.path_ = path_;
+  r.path_.push_back({p, Sign::zero});
+  for (const auto& [i, value] : solved_)
+    r.solved_[i] = substitute(value, step);
+  r.solved_[x] = step.at(x);
+  const auto keep_nonzero = [&](const MPoly& q) {
+    for (auto& f : irreducible_parts(q))
+      if (!contains(r.nonzero_, f)) r.nonzero_.push_back(std::move(f));
+  };
+  keep_nonzero(line[1]);
+  for (const auto& q : nonzero_) {
+    const MFraction there = substitute(q, step);
+    if (is_zero(there)) return Empty{{}};
+    keep_nonzero(there.num());
+  }
+  for (const auto& q : assumed_nonzero_)
+    for (auto& f : irreducible_parts(substitute(q, step).num()))
+      r.assumed_nonzero_.push_back(std::move(f));
+  for (const auto& c : assumptions_.conditions) {
+    if (c.sign == Sign::nonzero) continue; // in nonzero_
+    const MFraction there = substitute(c.p, step);
+    if (is_zero(there)) {
+      if (c.sign == Sign::positive) return Empty{{}};
+      continue;
+    }
+    const bool ordered = c.sign == Sign::positive || c.sign == Sign::nonnegative;
+    if (ordered && !is_real(there.den())) { // num/den > 0 says nothing about the sign of num * den
+      if (c.sign == Sign::positive) keep_nonzero(there.num());
+      continue;
+    }
+    r.assumptions_.conditions.push_back(
+        {ordered && !is_constant(there.den()) ? there.num() * there.den() : there.num(), c.sign});
+  }
+  for (const auto& m : assumptions_.memberships)
+    r.assumptions_.memberships.push_back({substitute(m.value, step), m.in_integers});
+  r.assumptions_.real = assumptions_.real;
+  r.assumptions_.rational = assumptions_.rational;
+  // x is a Moebius function over Q of one other parameter: real or rational together
+  if (const auto used = used_variables(step.at(x)); used.size() == 1 && degree(p, used[0]) == 1) {
+    if (is_real(x) && !is_real(used[0])) r.assumptions_.real.push_back(used[0]);
+    if (is_rational(x) && !is_rational(used[0])) r.assumptions_.rational.push_back(used[0]);
+  }
+  for (const auto& relation : relations_) {
+    if (!uses(relation.p, x)) {
+      r.relations_.push_back(relation);
+      continue;
+    }
+    // a^3 - b^2 at a = 0 is -b^2, no longer irreducible: an equation that is looked at anew
+    const MFraction there = substitute(relation.p, step);
+    if (is_zero(there)) continue;
+    if (is_constant(there)) return Empty{{}};
+    r.assumptions_.conditions.push_back({there.num(), Sign::zero});
+  }
+  if (r.is_empty()) return Empty{r.trusted_};
+  return r;
+}
+
+std::optional<MPoly> Region::pending() const {
+  for (const auto& c : assumptions_.conditions)
+    if (c.sign == Sign::zero && !is_zero(c.p)) return c.p;
+  return std::nullopt;
+}
+
+// 1 is in the ideal of the equations that are not solved, saturated by what does not vanish.
+bool Region::equations_contradict() const {
+  std::vector<MPoly> equations;
+  for (const auto& relation : relations_)
+    equations.push_back(relation.p);
+  for (const auto& c : assumptions_.conditions)
+    if (c.sign == Sign::zero && !is_zero(c.p)) equations.push_back(c.p);
+  if (equations.size() < 2) return false;
+  std::vector<std::size_t> variables;
+  for (const auto& p : equations)
+    for (const std::size_t x : used_variables(p))
+      if (!contains(variables, x)) variables.push_back(x);
+  std::vector<MPoly> nonzero;
+  for (const auto& p : nonzero_) {
+    const auto used = used_variables(p);
+    const bool inside = std::all_of(used.begin(), used.end(),
+                                    [&](std::size_t x) { return contains(variables, x); });
+    if (inside && nonzero.size() < most_saturated && is_small(p)) nonzero.push_back(p);
+  }
+  try {
+    Budget little;
+    little.max_work = groebner_work;
+    return Ideal(ring_, variables, equations, nonzero, little).is_unit();
+  } catch (const OutOfBudget&) {
+    return false; // counts as not empty
+  }
+}
+
+bool Region::is_empty_exactly() const {
+  if (equations_contradict()) return true;
+  const SignProver prover(ring_, assumptions_.conditions, nonzero_, assumptions_.real);
+  for (const auto& c : assumptions_.conditions) {
+    if (c.sign == Sign::nonzero && is_zero(c.p)) return true;
+    if (c.sign == Sign::zero && !is_zero(c.p) && is_constant(c.p)) return true;
+    if (c.sign == Sign::positive && is_zero(c.p)) return true;
+    if (c.sign != Sign::positive && c.sign != Sign::nonnegative) continue;
+    if (is_constant(c.p) && !is_zero(c.p) && sign(c.p.coefficient(0)) < 0) return true;
+  }
+  for (std::size_t i = 0; i < assumptions_.conditions.size(); ++i) {
+    const Condition& c = assumptions_.conditions[i];
+    if (c.sign != Sign::positive && c.sign != Sign::nonnegative) continue;
+    auto others = assumptions_.conditions;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+    if (SignProver(ring_, others, nonzero_, assumptions_.real).sign_of(c.p) < 0) return true;
+  }
+  for (const auto& m : assumptions_.memberships)
+    if (excludes(m, m.value)) return true;
+  return false;
+}
+
+bool Region::is_empty() const {
+  if (is_empty_exactly()) return true;
+  const auto conditions = real_conditions();
+  const bool ordered = std::any_of(conditions.begin(), conditions.end(), [](const Condition& c) {
+    return c.sign == Sign::positive || c.sign == Sign::nonnegative;
+  });
+  return ordered && refutes({});
+}
+
+} // namespace kov

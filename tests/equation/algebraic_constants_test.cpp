@@ -1,0 +1,109 @@
+// I, sqrt(2), the root of a polynomial beside parameters: what is said for all of them at once is
+// what the solver says at single values.
+
+#include "equation/parametric_equation.hpp"
+#include "equation/parameter_scope.hpp"
+#include "decide/decide.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+EquationText text_of(const std::string& r, const std::string& minpoly = "") {
+  EquationText text;
+  text.r = parse_expression(r, "r");
+  text.variable = "z";
+  if (!minpoly.empty()) text.minpoly = parse_expression(minpoly, "minpoly");
+  text.parameters = {"b"};
+  return text;
+}
+
+strata::StrataAnswer with_parameter(EquationText text, const std::string& assumption) {
+  text.assume.push_back({assumption, nullptr, ""});
+  return strata::decide_strata(read_parametric_equation(text).question);
+}
+
+Truth at(EquationText text, const std::string& value) {
+  text.parameters.clear();
+  text.set.emplace_back("b", parse_expression(value, "value"));
+  return decide(read_equation(text).normal_form).abelian;
+}
+
+struct Case {
+  const char* r;
+  const char* minpoly;
+  const char* assumption;
+};
+
+class AlgebraicConstantsBeside : public ::testing::TestWithParam<Case> {};
+
+TEST_P(AlgebraicConstantsBeside, AParameterAgreeWithSingleValues) {
+  const Case& c = GetParam();
+  const EquationText text = text_of(c.r, c.minpoly);
+  const auto answer = with_parameter(text, c.assumption);
+  const Ring ring = answer.question->r.ring();
+  const auto b = ring->index("b");
+  for (const char* value : {"1", "2", "1/3", "5/7", "12"}) {
+    const MFraction v = evaluate(parse_expression(value, "value"), ParameterScope(ring, {}));
+    const auto holds = [&](const Condition& condition) {
+      return is_zero(substitute(condition.p, {{b, v}})) == (condition.sign == Sign::zero);
+    };
+    for (const auto& x : answer.strata) {
+      if (x.leaf.abelian == Truth::unknown || x.solved.contains(b)) continue;
+      if (std::all_of(x.conditions.begin(), x.conditions.end(), holds)) {
+        EXPECT_EQ(x.leaf.abelian, at(text, value)) << c.r << ", b = " << value;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Families, AlgebraicConstantsBeside,
+    ::testing::Values(Case{"(I*b - 1)/(4*z^2) + z", "", "b > 0"},
+                      Case{"I*b/z^2 + b/(z - 1)^2", "", "b > 0"},
+                      Case{"(sqrt(2) + b)/z^2 - 3/(16*(z - 1)^2)", "", "b > 0"},
+                      Case{"a*b*z + 1/z^4", "a^3 - 2", "b != 0"}, Case{"b*z^2 + I", "", "b != 0"},
+                      Case{"(b - sqrt(-3))/z^3", "", "b arbitrary complex"},
+                      Case{"b/(z^2 - sqrt(2)) + b*I/z", "", "b real"}));
+
+TEST(AlgebraicConstants, DecideFamilies) {
+  EXPECT_EQ(with_parameter(text_of("(I*b - 1)/(4*z^2) + 1/(z - 1)"), "b > 0").abelian(), Truth::no);
+  // Delta^2 = 1 +- 4 sqrt(2) is not the square of a rational number
+  EXPECT_EQ(with_parameter(text_of("b*z + sqrt(2)/z^2"), "b != 0").abelian(), Truth::no);
+  EXPECT_EQ(with_parameter(text_of("a*b/z^3", "a^2 - 5"), "b != 0").abelian(), Truth::no);
+}
+
+// The relation I^2 = -1 stays when another equation is solved.
+TEST(AlgebraicConstants, AreNotLostWhenAParameterIsSolvedFor) {
+  for (const char* r : {"(b^2 - I)*z + I*b*z^3 + 1/z^2", "(b^2 - I)*z + I/(z - b)^2 + b*z^3"}) {
+    const auto answer = with_parameter(text_of(r), "b arbitrary complex");
+    EXPECT_EQ(answer.abelian(), Truth::no) << r;
+    for (const auto& x : answer.strata)
+      EXPECT_FALSE(x.solved.contains(answer.question->r.ring()->index("I"))) << r;
+  }
+}
+
+TEST(AlgebraicConstants, AreIndependent) {
+  const auto r = [](const char* text) { return to_string(read_parametric_equation(text_of(text)).question.r); };
+  EXPECT_EQ(r("(sqrt(8) - 2*sqrt(2))*z^3 + b*z"), r("b*z"));
+  EXPECT_EQ(r("(sqrt(-1) - I)*z^3 + b*z"), r("b*z"));
+  EXPECT_EQ(r("sqrt(4)*b*z"), r("2*b*z"));
+  EXPECT_EQ(r("(sqrt(6)*sqrt(2) - 2*sqrt(3))*z^3 + b*z"), r("b*z"));
+  EXPECT_EQ(r("I^3*b + I*b + z"), r("z"));
+  // c^2 - 2 is 0
+  EXPECT_EQ(
+      to_string(read_parametric_equation(text_of("(c^2 - 1/4)/z^2 + b*(c^2 - 2)*z", "c^2 - 2")).question.r),
+      "7/(4*z^2)");
+  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("I*z^3 + b*z", "I^2 - 2"))), InputError);
+}
+
+TEST(AlgebraicConstants, WhatIsNotRead) {
+  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("root(x^2 - 2, 1.4)*b*z"))), FreeParameters);
+  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("sqrt(b)*z"))), FreeParameters);
+  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("sqrt(2)*b*z*c", "c^2 - 2"))), FreeParameters);
+}
+
+} // namespace
+} // namespace kov
