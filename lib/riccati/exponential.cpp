@@ -5,11 +5,13 @@
 #include "riccati/lift.hpp"
 
 #include <algorithm>
+#include <variant>
 
 namespace kov {
 namespace {
 
 constexpr int prime_tries = 2000;
+constexpr int double_tries = 20; ///< primes with two solutions, by accident or not
 
 // Fewest lines first, then the smallest residue field.
 const Singularity* best_place(const Singularities& s, long& index) {
@@ -91,6 +93,7 @@ bool solves_riccati(const ModularOmega& w, const Singularities& s) {
 struct Search {
   const Singularities& s;
   const Singularity& place;
+  long index; ///< of the place; -1 at infinity
   ExponentialShape shape;
   long length;
   long terms;
@@ -116,8 +119,24 @@ ExponentialSolution checked(ExponentialSolution y, const Singularities& s) {
   return y;
 }
 
-// omega from its images modulo split primes.
-ExponentialSolution lift_by_primes(const Search& search, const Budget& budget) {
+NoExponential absence(const Search& search, const PrimeIdeal& prime, const ModularPlace& used) {
+  return {.at_infinity = search.place.at_infinity,
+          .place = search.index,
+          .prime = prime,
+          .root = used.root,
+          .delta = used.delta,
+          .terms = search.terms,
+          .length = search.length};
+}
+
+ModularPlace unset(const PrimeIdeal& prime) {
+  return {prime, 0, false, 0, NmodPoly(prime.p), NmodPoly(prime.p), 0};
+}
+
+// omega from its images modulo split primes; or one of these has none, which proves that there is
+// none.
+std::variant<ExponentialSolution, NoExponential> lift_by_primes(const Search& search,
+                                                                const Budget& budget) {
   const Field& k = search.s.r.field();
   PrimeIdeals primes = PrimeIdeals::large(k);
   std::optional<ChineseLift> lift;
@@ -129,7 +148,9 @@ ExponentialSolution lift_by_primes(const Search& search, const Budget& budget) {
     std::vector<std::vector<mp_limb_t>> residues;
     bool larger = false;
     for (const PrimeIdeal& ideal : ideals) {
-      const auto found = search.modulo(ideal, nullptr);
+      ModularPlace used = unset(ideal);
+      const auto found = search.modulo(ideal, &used);
+      if (found && found->empty()) return absence(search, ideal, used);
       if (!found || found->size() != 1) break;
       const ModularOmega& w = found->front();
       if (degree(w.den) > d || (degree(w.den) == d && degree(w.num) > n)) {
@@ -182,29 +203,32 @@ ExponentialSearch exponential_solutions(const Singularities& s, const Budget& bu
     return answer;
   }
   const long length = shape.denominator + shape.degree + shape.nu_infinity + 1;
-  const Search search{s, *place, shape, length, 2 * length + 2};
+  const Search search{s, *place, index, shape, length, 2 * length + 2};
   PrimeIdeals primes = PrimeIdeals::large(s.r.field());
+  int doubles = 0;
   for (int tries = 0; tries < prime_tries; ++tries) {
     budget.check();
     const PrimeIdeal prime = primes.next();
-    ModularPlace used{prime, 0, false, 0, NmodPoly(prime.p), NmodPoly(prime.p), 0};
+    ModularPlace used = unset(prime);
     const auto found = search.modulo(prime, &used);
     if (!found) continue;
     if (found->empty()) {
-      answer.none = NoExponential{.at_infinity = place->at_infinity,
-                                  .place = index,
-                                  .prime = prime,
-                                  .root = used.root,
-                                  .delta = used.delta,
-                                  .terms = search.terms,
-                                  .length = length};
+      answer.none = absence(search, prime, used);
       return answer;
     }
-    if (found->size() > 1) throw DomainError("two exponential solutions: the group is diagonal");
-    if (auto omega = lift_by_exponents(s, found->front(), budget))
+    if (found->size() > 1) { // one more than in characteristic 0, if it is an accident
+      if (++doubles < double_tries) continue;
+      throw OutOfBudget("modulo each prime that was tried there are two exponential solutions");
+    }
+    if (auto omega = lift_by_exponents(s, found->front(), budget)) {
       answer.solutions.push_back(checked(*omega, s));
+      return answer;
+    }
+    auto lifted = lift_by_primes(search, budget);
+    if (auto* none = std::get_if<NoExponential>(&lifted))
+      answer.none = std::move(*none);
     else
-      answer.solutions.push_back(checked(lift_by_primes(search, budget), s));
+      answer.solutions.push_back(checked(std::get<ExponentialSolution>(std::move(lifted)), s));
     return answer;
   }
   throw OutOfBudget("no good prime found for the place " + place_name(*place));

@@ -34,14 +34,15 @@ struct ExponentialSearch {
 };
 
 /// Requires  at most one exponential solution (the Galois group is not diagonal): then it lies in
-///           K(z).  If two lines survive modulo a prime, DomainError.
+///           K(z).  A second one modulo a prime is an accident of this prime; after twenty of them
+///           OutOfBudget.
 /// Throws    OutOfBudget
 /// Cost      T = O(n + D_1) terms of one or two series and a half-gcd modulo p; the lift costs as
 ///           many primes as the answer has digits, or one linear recurrence over K.
 /// Example   exponential_solutions(singularities(z*z + 3)).solutions.front().omega()
 ///           // -> (z^2 + 1)/z
 /// Example   exponential_solutions(singularities(z)).none->obstruction->kind  // -> Kind::odd_order
-/// Example   exponential_solutions(singularities(1)).solutions.size()  // -> throws DomainError
+/// Example   exponential_solutions(singularities(1)).solutions.size()  // -> throws OutOfBudget
 [[nodiscard]] ExponentialSearch exponential_solutions(const Singularities& s,
                                                       const Budget& budget = {});
 

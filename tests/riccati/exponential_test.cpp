@@ -64,6 +64,25 @@ TEST(Exponential, PolynomialPart) { // Hermite of degree 12 times exp(-x^2/2)
   EXPECT_EQ(degree(found.solutions[0].omega().den()), 12);
 }
 
+// The primes that are used are those above 2^60; modulo the first one these coefficients vanish.
+const Integer first_prime = Integer::parse("1152921504606859327");
+
+TEST(Exponential, TwoLinesModuloAPrimeAreAnAccident) {
+  const RationalFunction third(Poly(Rational(1, 3)), z);
+  const Poly p{NfElem(Rational(first_prime))};
+  for (const RationalFunction& growth : {RationalFunction(p), RationalFunction(p * z)})
+    expect_found(third + growth);
+}
+
+TEST(Exponential, OneLineModuloAPrimeIsAnAccident) {
+  const RationalFunction w = RationalFunction(Poly(Rational(1, 3)), z) +
+                             RationalFunction(Poly(Rational(1, 5)), z - Poly(1)) +
+                             RationalFunction(Poly(1));
+  const RationalFunction r =
+      riccati(w) + RationalFunction(Poly(NfElem(Rational(first_prime))), z * (z - Poly(1)));
+  EXPECT_TRUE(exponential_solutions(singularities(r)).none.has_value());
+}
+
 TEST(Exponential, OverTheGaussianNumbers) {
   const Field k = make_field({1, 0, 1}, "I");
   const Poly i(NfElem::generator(k));
