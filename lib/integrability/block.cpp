@@ -1,9 +1,9 @@
 #include "integrability/block.hpp"
 
+#include "decide/words.hpp"
 #include "exact/error.hpp"
 #include "integrability/change_search.hpp"
 #include "integrability/parameters.hpp"
-#include "decide/words.hpp"
 
 #include <algorithm>
 

@@ -23,19 +23,6 @@ template <class Stage> void within_limits(BlockReport& block, Stage stage) {
   }
 }
 
-/// For some parameters that the file admits all coefficients of d may be 0.
-bool may_vanish_identically(const System& s, const MPoly& d) {
-  std::vector<MPoly> parts{d};
-  for (const std::size_t i : s.field.main_variables()) {
-    std::vector<MPoly> finer;
-    for (const auto& p : parts)
-      for (auto& c : coefficients(p, i))
-        if (!is_zero(c)) finer.push_back(std::move(c));
-    parts = std::move(finer);
-  }
-  return not_excluded(s, parts).size() == parts.size();
-}
-
 void decide_blocks(const Study& study, ManifoldReport& report) {
   const System& s = study.system;
   const auto parts = blocks_to_study(report.reduced.system, *report.manifold);

@@ -15,10 +15,11 @@
 //         manifold); [AyoulZung2010] (general vector fields)
 
 #include "algebraize/algebraize.hpp"
+#include "decide/decide.hpp"
 #include "integrability/constants.hpp"
+#include "integrability/integral_class.hpp"
 #include "literature/literature.hpp"
 #include "strata/decide_strata.hpp"
-#include "decide/decide.hpp"
 
 namespace kov {
 
@@ -29,11 +30,6 @@ enum class VerdictKind : std::uint8_t {
   undecided
 };
 [[nodiscard]] std::string to_string(VerdictKind v); ///< "non-integrable", ..., "depends"
-
-/// First integrals that are excluded: meromorphic near the phase curve, and where a place of r is
-/// irregular also at the points at infinity of its closure.
-enum class IntegralClass : std::uint8_t { meromorphic, meromorphic_at_infinity };
-[[nodiscard]] std::string to_string(IntegralClass c); ///< "meromorphic", ...
 
 /// One value of a parameter (the energy) at which r was decided.
 struct EnergyResult {
@@ -72,7 +68,8 @@ struct ManifoldReport {
   VerdictKind verdict = VerdictKind::undecided;
   std::optional<TheoremUsed> by; ///< the theorem behind the verdict; unset: it was not reached
   IntegralClass integrals = IntegralClass::meromorphic;
-  std::string statement;   ///< what the theorem says, where it says something
+  std::vector<std::size_t> without; ///< coordinates that the excluded integrals do not contain
+  std::string statement;            ///< what the theorem says, where it says something
   std::string not_checked; ///< a hypothesis of the verdict that is not proved, as a sentence
   std::vector<std::string> reasons;
 };
@@ -118,11 +115,5 @@ struct CheckOptions {
 /// The steps on which a verdict rests besides the theorem, exact computation and certificates that
 /// the checkers accept: the one list for `check`, `prove`, `report` and certificates.
 [[nodiscard]] std::vector<std::string> trusted_steps(const ManifoldReport& m);
-
-/// The class that is left where y'' = r y has a non-abelian identity component.
-/// Example integral_class(RationalFunction(2, z*z))  // -> meromorphic
-/// Example integral_class(z)
-///         // -> meromorphic also at the points at infinity of the phase curve
-[[nodiscard]] IntegralClass integral_class(const RationalFunction& r);
 
 } // namespace kov

@@ -1,9 +1,8 @@
 #include "integrability/conclude.hpp"
 
-#include "exact/factor.hpp"
+#include "decide/words.hpp"
 #include "integrability/parameters.hpp"
 #include "strata/words.hpp"
-#include "decide/words.hpp"
 
 #include <algorithm>
 
@@ -14,20 +13,6 @@ std::string to_string(VerdictKind v) {
          : v == VerdictKind::no_obstruction ? "no-obstruction"
          : v == VerdictKind::depends        ? "depends"
                                             : "undecided";
-}
-
-std::string to_string(IntegralClass c) {
-  return c == IntegralClass::meromorphic
-             ? "meromorphic"
-             : "meromorphic also at the points at infinity of the phase curve";
-}
-
-IntegralClass integral_class(const RationalFunction& r) {
-  bool irregular = !is_zero(r) && order_at_infinity(r) < 2;
-  if (!is_zero(r) && degree(r.den()) > 0)
-    for (const auto& f : squarefree_factors(r.den()))
-      if (f.exponent > 2) irregular = true;
-  return irregular ? IntegralClass::meromorphic_at_infinity : IntegralClass::meromorphic;
 }
 
 namespace {
@@ -103,30 +88,23 @@ VerdictKind verdict_of(const ManifoldReport& report) {
                              : VerdictKind::undecided;
 }
 
-// The class that the blocks with a non-abelian group leave.
-IntegralClass class_of(const ManifoldReport& report) {
-  IntegralClass c = IntegralClass::meromorphic;
-  for (const auto& block : report.blocks) {
-    if (block.equation && block.abelian == Truth::no) c = integral_class(block.equation->r);
-    for (const auto& e : block.energies)
-      if (e.r && e.decision && e.decision->abelian == Truth::no) c = integral_class(*e.r);
-    for (const auto* answer : strata_of(block))
-      for (const auto& x : answer->strata)
-        if (x.leaf.abelian == Truth::no && strata::has_irregular_place(x.leaf))
-          c = IntegralClass::meromorphic_at_infinity;
-  }
-  return c;
-}
-
 TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
   TheoremUsed by = used(s.field.poisson ? morales_ramis() : ayoul_zung());
   by.integrals = to_string(report.integrals);
   if (!report.not_checked.empty()) by.hypotheses.push_back({report.not_checked, Settled::open, ""});
-  if (report.verdict != VerdictKind::non_integrable) return by;
-  std::vector<std::string> functions; // the class speaks of the variables of the file
-  for (const auto& f : s.field.functions)
-    functions.push_back(s.ring()->name(f.variable));
-  if (!functions.empty()) by.integrals += " (in the coordinates and " + list(functions) + ")";
+  if (report.verdict == VerdictKind::non_integrable) { // the class speaks of the file's variables
+    std::vector<std::string> functions;
+    for (const auto& f : s.field.functions)
+      functions.push_back(s.ring()->name(f.variable));
+    if (!functions.empty()) by.integrals += " (in the coordinates and " + list(functions) + ")";
+  }
+  if (!report.without.empty()) {
+    std::vector<std::string> coordinates;
+    for (const std::size_t i : report.without)
+      coordinates.push_back(s.ring()->name(i));
+    by.integrals += " and do not depend on " + list(coordinates) +
+                    (s.field.functions.empty() ? "" : " otherwise than through functions");
+  }
   return by;
 }
 
@@ -138,7 +116,9 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
       report.reasons.push_back(std::move(why));
   if (options.stop_at_r) return;
   report.verdict = verdict_of(report);
-  report.integrals = class_of(report);
+  const ExcludedIntegrals excluded = excluded_integrals(s, report);
+  report.integrals = excluded.integrals;
+  report.without = excluded.without;
   report.by = theorem_of(s, report);
   if (report.verdict == VerdictKind::undecided && !report.not_studied.empty())
     report.reasons.push_back("an abelian identity component of every block decides nothing here: " +

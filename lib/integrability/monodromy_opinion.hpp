@@ -6,8 +6,8 @@
 // prove SL(2, C), irreducibility, that the group is infinite, and contradict an answer that is too
 // small.
 
-#include "monodromy/words.hpp"
 #include "decide/decide.hpp"
+#include "monodromy/words.hpp"
 
 namespace kov {
 

@@ -108,6 +108,18 @@ std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& gener
   return left;
 }
 
+bool may_vanish_identically(const System& s, const MPoly& d) {
+  std::vector<MPoly> parts{d};
+  for (const std::size_t i : s.field.main_variables()) {
+    std::vector<MPoly> finer;
+    for (const auto& p : parts)
+      for (auto& c : coefficients(p, i))
+        if (!is_zero(c)) finer.push_back(std::move(c));
+    parts = std::move(finer);
+  }
+  return not_excluded(s, parts).size() == parts.size();
+}
+
 bool somewhere_not_abelian(const strata::StrataAnswer& answer) {
   return std::any_of(answer.strata.begin(), answer.strata.end(),
                      [](const auto& x) { return x.leaf.abelian == Truth::no; });

@@ -24,6 +24,8 @@ namespace kov {
 
 /// Those polynomials in the parameters that may vanish under the assumptions of the file.
 [[nodiscard]] std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic);
+/// For some parameters that the file admits all coefficients of d may be 0.
+[[nodiscard]] bool may_vanish_identically(const System& s, const MPoly& d);
 
 /// Some stratum has a non-abelian identity component.
 [[nodiscard]] bool somewhere_not_abelian(const strata::StrataAnswer& answer);

@@ -1,10 +1,10 @@
 #include "integrability/special_strata.hpp"
 
+#include "decide/words.hpp"
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "strata/decide_leaf.hpp"
-#include "decide/words.hpp"
 
 #include <algorithm>
 

@@ -3,8 +3,8 @@
 #include "exact/error.hpp"
 #include "integrability/constants.hpp"
 
-#include "galois/exponential_form.hpp"
 #include "decide/decide.hpp"
+#include "galois/exponential_form.hpp"
 
 #include <algorithm>
 

@@ -5,11 +5,11 @@
 #include "linode/singularities.hpp"
 #include "theorem/prove.hpp"
 
+#include "decide/words.hpp"
 #include "exact/algebraic.hpp"
 #include "exact/error.hpp"
 #include "strata/certificate.hpp"
 #include "strata/words.hpp"
-#include "decide/words.hpp"
 
 #include <algorithm>
 
@@ -99,9 +99,8 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
             {"stratum", "group", "identity component", "because"},
             {}};
   for (const strata::Stratum& s : a.strata)
-    grid.rows.push_back(
-        {to_string(s.conditions), strata::group_text(s.leaf), answer(s.leaf.abelian),
-         strata::reason(s.leaf)});
+    grid.rows.push_back({to_string(s.conditions), strata::group_text(s.leaf),
+                         answer(s.leaf.abelian), strata::reason(s.leaf)});
   for (const std::string& u : a.unvisited)
     grid.rows.push_back({u, "", "undecided", "a limit was reached"});
   n.tables.push_back(std::move(grid));
@@ -208,8 +207,7 @@ std::string strata_with(const ManifoldReport& m, Truth abelian) {
   for (const BlockReport& b : m.blocks)
     if (b.strata)
       for (const strata::Stratum& s : b.strata->strata)
-        if (s.leaf.abelian == abelian)
-          text += (text.empty() ? "" : "; ") + to_string(s.conditions);
+        if (s.leaf.abelian == abelian) text += (text.empty() ? "" : "; ") + to_string(s.conditions);
   return text;
 }
 
@@ -236,7 +234,7 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
     n.headline = "NON-INTEGRABLE" + by;
     n.statement = subject + m.statement + by;
     n.formulas.push_back({"so", m.statement});
-    if (m.integrals != IntegralClass::meromorphic)
+    if (m.integrals != IntegralClass::meromorphic || !m.without.empty())
       n.summary += "; for first integrals that are " + m.by->integrals;
   } else if (m.verdict == VerdictKind::no_obstruction) {
     n.headline = "NO OBSTRUCTION" + by + ": nothing follows about integrability";

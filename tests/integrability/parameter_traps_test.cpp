@@ -114,9 +114,8 @@ TEST(ParameterTraps, DiagonalBlocksAreNotCalledAGroup) {
   const auto& strata = report.manifolds.at(0).blocks.at(0).strata;
   ASSERT_TRUE(strata);
   const auto special =
-      std::find_if(strata->strata.begin(), strata->strata.end(), [](const strata::Stratum& x) {
-        return to_string(x.conditions) == "a = 0";
-      });
+      std::find_if(strata->strata.begin(), strata->strata.end(),
+                   [](const strata::Stratum& x) { return to_string(x.conditions) == "a = 0"; });
   ASSERT_NE(special, strata->strata.end());
   EXPECT_EQ(special->leaf.abelian, Truth::unknown);
   EXPECT_THAT(reason(special->leaf), testing::HasSubstr("what couples"));

@@ -242,8 +242,47 @@ name = "line"
 equations = ["x = 0", "y = 0"]
 )t");
   EXPECT_EQ(m.by->theorem, &ayoul_zung());
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);    // Airy's equation
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);              // Airy's equation
   EXPECT_EQ(m.integrals, IntegralClass::meromorphic_at_infinity); // its infinity is irregular
+}
+
+// A coordinate on which nothing depends, and which moves: the curve is an infinite cover of what is
+// studied.  The first two systems are integrable with integrals that contain it.
+TEST(Pipeline, CyclicCoordinatesThatMove) {
+  const std::string borel = "((s + x/(x-1))^2 - x/(x-1)^2)";
+  const std::string head = "constants = ['s']\nrelations = ['s^2 = 2']\n";
+  const ManifoldReport cyclic = run("[system]\nkind = 'hamiltonian'\n" + head +
+                                    "coordinates = ['x', 'phi', 'q']\nmomenta = ['px', 'pphi', "
+                                    "'p']\nhamiltonian = 'x*px + pphi + p^2/2 - " +
+                                    borel +
+                                    "*q^2/2'\n[[manifold]]\nname = 'N'\nequations = ['q = 0', "
+                                    "'p = 0', 'px = 0', 'pphi = 0']\n");
+  EXPECT_EQ(cyclic.verdict, VerdictKind::non_integrable);
+  EXPECT_EQ(cyclic.without.size(), 1U);
+  EXPECT_THAT(cyclic.statement, testing::HasSubstr("do not depend on phi"));
+  const ManifoldReport exponential = run(
+      "[system]\nkind = 'hamiltonian'\n" + head +
+      "coordinates = ['q1', 'q2']\nmomenta = ['p1', 'p2']\nhamiltonian = 'p1 + p2^2/2 - ((s + "
+      "u/(u-1))^2 - u/(u-1)^2)*q2^2/2'\n[[system.function]]\nname = 'u'\nmeans = "
+      "'exp(q1)'\nderivative = {q1 = 'u'}\n[[manifold]]\nname = 'N'\nequations = ['q2 = 0', 'p2 "
+      "= 0']\nlevel = 'H = 0'\n");
+  EXPECT_EQ(exponential.verdict, VerdictKind::non_integrable);
+  EXPECT_THAT(exponential.statement,
+              testing::HasSubstr("do not depend on q1 otherwise than through functions"));
+  const auto field = [&](const std::string& phi, const std::string& v) {
+    return run("[system]\nkind = 'vector-field'\n" + head +
+               "coordinates = ['x', 'phi', 'y', 'v']\n[system.field]\nx = 'x'\nphi = '" + phi +
+               "'\ny = 'v'\nv = '" + v +
+               "*y'\n[[manifold]]\nname = 'N'\nequations = ['y = 0', "
+               "'v = 0']\n");
+  };
+  EXPECT_EQ(field("1", borel).without.size(), 1U);
+  EXPECT_TRUE(field("0", borel).without.empty()); // it stands still
+  // SL(2, C) at regular singular places stays SL(2, C) over every such cover.
+  const ManifoldReport sl2 = field("1", "(1/3 + x/(7*(x - 1)^2))");
+  EXPECT_EQ(sl2.verdict, VerdictKind::non_integrable);
+  EXPECT_TRUE(sl2.without.empty());
+  EXPECT_EQ(field("1", "(1 + x)").without.size(), 1U); // an irregular place
 }
 
 TEST(Energies, MergingLocus) {

@@ -1,9 +1,9 @@
 #include "mechanics.hpp"
 
+#include "decide/words.hpp"
 #include "present.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
-#include "decide/words.hpp"
 
 #include <algorithm>
 #include <ostream>
@@ -175,6 +175,8 @@ Json json_of(const System& s, const ManifoldReport& m) {
   }
   j["theorem"] = m.by ? m.by->id() : "";
   j["function_class"] = m.by ? m.by->integrals : "";
+  for (const std::size_t i : m.without)
+    j["integrals_without"].push_back(s.ring()->name(i));
   if (!m.statement.empty()) j["statement"] = m.statement;
   if (!m.not_checked.empty()) j["not_checked"] = m.not_checked;
   if (m.manifold) {
