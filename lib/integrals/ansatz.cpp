@@ -1,3 +1,4 @@
+#include "exact/error.hpp"
 #include "integrals/independence.hpp"
 
 #include <algorithm>
@@ -37,11 +38,13 @@ std::map<std::vector<unsigned long>, MPoly> by_monomials(const PhaseSpace& p, co
   return all;
 }
 
-// Where all coefficients of a denominator vanish the system has no meaning; a denominator without a
-// constant coefficient is asked to keep its first one.
+// Where all coefficients of a denominator vanish modulo the relations the system has no meaning; a
+// denominator without a constant coefficient is asked to keep its first one.
 void require_denominator(PhaseSpace& p, const MPoly& den, std::vector<MPoly>& required) {
   for (const MFactor& f : factor(den).second) {
-    const auto parts = by_monomials(p, f.base);
+    const auto parts = p.coefficients(f.base, nullptr);
+    if (parts.empty())
+      throw InvalidArgument("the denominator " + to_string(f.base) + " is 0 by the relations");
     if (std::any_of(parts.begin(), parts.end(),
                     [](const auto& c) { return is_constant(c.second); }))
       continue;
@@ -64,7 +67,7 @@ void read_assumptions(PhaseSpace& p, const System& s) {
   using Relation = Assumption::Relation;
   for (const Assumption& a : s.assumptions) {
     if (!a.value.ring() || is_constant(a.value) || !is_parametric(p, a.value.num())) continue;
-    if (a.relation == Relation::zero) p.equations.push_back(a.value.num());
+    if (a.relation == Relation::zero) p.assumed_equations.push_back(a.value.num());
     if (a.relation == Relation::nonzero || a.relation == Relation::positive)
       for (const MFactor& f : factor(a.value.num()).second)
         add_new(p.nonzero, f.base);
@@ -116,6 +119,9 @@ PhaseSpace::PhaseSpace(const System& s, const Budget& budget)
   const MPoly den =
       field.hamiltonian ? field.hamiltonian->den() : field_denominator(*this, field.components);
   require_denominator(*this, den, required);
+  if (field.poisson) // Casimirs and the rank are those of the bracket
+    for (const auto& row : *field.poisson)
+      require_denominator(*this, field_denominator(*this, row), required);
   denominator = phase_part(*this, den);
   for (const MPoly& f : required)
     if (std::find(nonzero.begin(), nonzero.end(), f) == nonzero.end()) {

@@ -21,11 +21,12 @@ struct PhaseSpace {
   VectorField field;
   std::vector<std::size_t> variables; ///< coordinates and function symbols
   std::vector<bool> momentum; ///< is variables[i] a momentum?  none outside kind hamiltonian
-  std::vector<std::size_t> parameters; ///< with the algebraic constants
-  std::optional<Ideal> relations;      ///< those between phase variables
-  std::vector<MPoly> equations;        ///< between parameters: relations and assumptions
-  std::vector<MPoly> nonzero;          ///< in the parameters: what is assumed or divided by
-  std::vector<MPoly> not_covered;      ///< those of `nonzero` that the file does not assume
+  std::vector<std::size_t> parameters;  ///< with the algebraic constants
+  std::optional<Ideal> relations;       ///< those between phase variables
+  std::vector<MPoly> equations;         ///< between parameters: relations of the system
+  std::vector<MPoly> assumed_equations; ///< between parameters: assumptions of the file
+  std::vector<MPoly> nonzero;           ///< in the parameters: what is assumed or divided by
+  std::vector<MPoly> not_covered;       ///< those of `nonzero` that the file does not assume
   MPoly denominator; ///< of the Hamiltonian, or of the field, in the phase variables
 
   /// Only parameters, the phase variables being free: a polynomial that is not 0 is a function that

@@ -24,7 +24,7 @@ public:
       : options_(o), space_(s, o.budget), natural_(natural_hamiltonian(space_)),
         mechanical_(s.kind == SystemKind::hamiltonian) {
     if (!mechanical_ && space_.field.poisson)
-      for (long k = 1; k <= std::min(options_.degree, 2L); ++k)
+      for (long k = 1; k <= options_.degree; ++k)
         stages_.push_back({Stage::Kind::casimirs, k});
     if (space_.field.hamiltonian) stages_.push_back({Stage::Kind::hamiltonian});
     for (long k = 1; k <= options_.degree; ++k)
@@ -35,11 +35,13 @@ public:
     ParameterSet all(space_.field.ring, space_.parameters, options_.budget);
     for (const MPoly& f : space_.nonzero)
       all = all.where_nonzero(f);
-    for (const MPoly& f : space_.equations)
-      all = all.where_zero(f);
+    for (const auto* zero : {&space_.equations, &space_.assumed_equations})
+      for (const MPoly& f : *zero)
+        all = all.where_zero(f);
     if (all.is_empty())
       throw InvalidArgument("no parameter value satisfies the relations and assumptions");
     result_.not_covered = space_.not_covered;
+    result_.assumed_equations = space_.assumed_equations;
     for (const MPoly& f : space_.nonzero)
       if (std::find(space_.not_covered.begin(), space_.not_covered.end(), f) ==
           space_.not_covered.end())
@@ -49,7 +51,7 @@ public:
       if (!natural && !coefficients_) coefficients_ = options_.degree;
       start(where);
     }
-    gather_elsewhere();
+    gather_elsewhere(all.equations());
     return std::move(result_);
   }
 
@@ -102,14 +104,24 @@ private:
                       b.integrals.end(), same);
   }
 
-  // Sets on which nothing was found, with one and the same answer, are one.
-  void gather_elsewhere() {
-    const auto is_plain = [](const IntegralsOfSet& s) { return s.found() == 0 && s.open.empty(); };
+  // Sets on which nothing was found, with one and the same answer, are one: the complement of the
+  // others, which therefore must be known by their conditions alone.
+  void gather_elsewhere(const std::vector<MPoly>& everywhere) {
+    if (std::any_of(result_.sets.begin(), result_.sets.end(),
+                    [](const IntegralsOfSet& s) { return !s.open.empty(); }))
+      return;
+    const auto is_plain = [](const IntegralsOfSet& s) { return s.found() == 0; };
     const auto last = std::find_if(result_.sets.rbegin(), result_.sets.rend(), is_plain);
     if (last == result_.sets.rend()) return;
     IntegralsOfSet rest = *last;
-    std::erase_if(result_.sets,
-                  [&](const IntegralsOfSet& s) { return is_plain(s) && same_answer(s, rest); });
+    const auto is_rest = [&](const IntegralsOfSet& s) {
+      return is_plain(s) && same_answer(s, rest);
+    };
+    const auto is_generic = [&](const IntegralsOfSet& s) { // "everywhere else" is no thin set
+      return is_rest(s) && s.equations == everywhere;
+    };
+    if (std::none_of(result_.sets.begin(), result_.sets.end(), is_generic)) return;
+    std::erase_if(result_.sets, is_rest);
     rest.equations.clear();
     rest.inequations.clear();
     result_.elsewhere = std::move(rest);
@@ -118,6 +130,9 @@ private:
   void start(const ParameterSet& where) { enter({where, {}, IndependentRows(space_)}, 0); }
 
   void enter(State s, std::size_t stage) {
+    if (result_.sets.size() >= options_.max_sets)
+      return conclude(std::move(s), "more than " + std::to_string(options_.max_sets) +
+                                        " sets of parameter values");
     if (stage == stages_.size()) return conclude(std::move(s));
     if (stages_[stage].kind != Stage::Kind::hamiltonian) return look(s, stage);
     const MFraction& value = *space_.field.hamiltonian;
@@ -234,8 +249,6 @@ private:
   }
 
   void conclude(State s, std::string open = {}) {
-    if (result_.sets.size() >= options_.max_sets && open.empty())
-      open = "more than " + std::to_string(options_.max_sets) + " sets of parameter values";
     IntegralsOfSet set;
     set.searched = searched();
     set.equations = s.where.equations();

@@ -55,10 +55,11 @@ struct IntegralSearch {
   std::string searched;             ///< the class, in words
   std::vector<IntegralsOfSet> sets; ///< disjoint
   /// All parameter values that are in none of the sets: nothing was found there beside the
-  /// Hamiltonian and the Casimirs.  Without conditions of its own.
+  /// Hamiltonian and the Casimirs.  Without conditions of its own; only where no set is open.
   std::optional<IntegralsOfSet> elsewhere;
-  std::vector<MPoly> not_covered; ///< nothing is said where one of these vanishes
-  std::vector<MPoly> assumed;     ///< those of the file that were used, each != 0
+  std::vector<MPoly> not_covered;       ///< nothing is said where one of these vanishes
+  std::vector<MPoly> assumed;           ///< those of the file that were used, each != 0
+  std::vector<MPoly> assumed_equations; ///< of the file, each = 0; the sets lie where they hold
   [[nodiscard]] bool finished() const;
 };
 

@@ -162,6 +162,67 @@ TEST(Integrals, ABudgetEndsInWhatIsKnown) {
   EXPECT_FALSE(found.elsewhere);
 }
 
+System poisson(const std::string& bracket, const std::string& hamiltonian,
+               const std::string& assumed) {
+  return read_system(parse_document(
+      "system = {kind = 'poisson', coordinates = ['x', 'y', 'z', 'w'], parameters = ['a'], "
+      "bracket = [" +
+          bracket + "], hamiltonian = '" + hamiltonian + "'}\nassume = {conditions = [" + assumed +
+          "]}",
+      "test.toml"));
+}
+
+// What the file assumes restricts the answer, and is said with it.
+TEST(Integrals, AssumedEquationsStayWithTheAnswer) {
+  const auto found = find_integrals(poisson("['0', 'x*y', '0', '0'], ['-x*y', '0', '0', '0'], "
+                                            "['0', '0', '0', 'a*z'], ['0', '0', '-a*z', '0']",
+                                            "x + y + z + w", "'a = 0'"),
+                                    {.degree = 1});
+  ASSERT_EQ(found.assumed_equations.size(), 1U);
+  EXPECT_EQ(to_string(found.assumed_equations.front()), "a");
+  const System sharp = read_system(parse_document(
+      "system = {kind = 'hamiltonian', coordinates = ['x', 'y'], momenta = ['u', 'v'], parameters "
+      "= ['b'], hamiltonian = '(u^2 + v^2)/2 + b*x^2*y'}\nassume = {conditions = ['b = 1']}",
+      "test.toml"));
+  EXPECT_EQ(find_integrals(sharp).assumed_equations.size(), 1U);
+}
+
+// Where the bracket or a denominator has no meaning nothing is said.
+TEST(Integrals, DenominatorsOfTheBracketAreLeftOut) {
+  const auto found = find_integrals(poisson("['0', 'z/a', '-y/a', '0'], ['-z/a', '0', 'x/a', '0'], "
+                                            "['y/a', '-x/a', '0', '0'], ['0', '0', '0', '0']",
+                                            "a*(x^2 + 2*y^2 + 3*z^2)/2", ""),
+                                    {.degree = 2});
+  ASSERT_EQ(found.not_covered.size(), 1U);
+  EXPECT_EQ(to_string(found.not_covered.front()), "a");
+}
+
+System on_a_circle(const std::string& potential) {
+  return read_system(parse_document(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x']\nmomenta = ['u']\nparameters = ['a']\n"
+      "relations = ['s^2 + c^2 = 1']\nhamiltonian = 'u^2/2 + " +
+          potential +
+          "'\n[[system.function]]\nname = 's'\nderivative = {x = 'c'}\n[[system.function]]\nname = "
+          "'c'\nderivative = {x = '-s'}\n",
+      "test.toml"));
+}
+
+TEST(Integrals, DenominatorsAreReducedByTheRelations) {
+  const auto found = find_integrals(on_a_circle("1/(s^2 + c^2 - a)"), {.degree = 1});
+  ASSERT_EQ(found.not_covered.size(), 1U);
+  EXPECT_EQ(to_string(found.not_covered.front()), "a - 1");
+  EXPECT_THROW(static_cast<void>(find_integrals(on_a_circle("1/(s^2 + c^2 - 1)"))),
+               InvalidArgument);
+}
+
+// After a limit nothing is gathered: what was decided stays in the list.
+TEST(Integrals, ElsewhereIsSaidOnlyOfAWholeSearch) {
+  const std::string cubic = "(u^2 + v^2)/2 + a*x^3 + b*x^2*y + c*x*y^2 + d*y^3";
+  const auto found = find_integrals(planar(cubic, "'a', 'b', 'c', 'd'"), {.max_sets = 2});
+  EXPECT_FALSE(found.finished());
+  EXPECT_FALSE(found.elsewhere);
+}
+
 TEST(Integrals, ContradictoryAssumptions) {
   const System s = read_system(parse_document(
       "system = {kind = 'hamiltonian', coordinates = ['x'], momenta = ['u'], parameters = ['a'], "

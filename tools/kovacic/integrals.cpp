@@ -34,15 +34,19 @@ std::string names(const IntegralsOfSet& set, const std::vector<std::string>& lab
   return text;
 }
 
-// H, C1, C2, ..., F1, F2, ...
+// H, C1, C2, ..., F1, F2, ...; the system's own names are not taken.
 std::vector<std::string> labels(const IntegralsOfSet& set) {
   std::vector<std::string> all;
   long casimirs = 0;
   long found = 0;
-  for (const FoundIntegral& f : set.integrals)
-    all.push_back(f.hamiltonian ? "H"
-                  : f.casimir   ? "C" + std::to_string(++casimirs)
-                                : "F" + std::to_string(++found));
+  for (const FoundIntegral& f : set.integrals) {
+    std::string name = f.hamiltonian ? "H"
+                       : f.casimir   ? "C" + std::to_string(++casimirs)
+                                     : "F" + std::to_string(++found);
+    while (f.value.ring()->find(name))
+      name += '_';
+    all.push_back(std::move(name));
+  }
   return all;
 }
 
@@ -123,16 +127,21 @@ Json json_of(const IntegralsOfSet& set) {
 std::string text_of(const std::string& file, const IntegralSearch& search) {
   std::ostringstream out;
   out << file << "\n";
-  const auto list = [&](const char* title, const std::vector<MPoly>& all) {
+  const auto list = [&](const char* title, const std::vector<MPoly>& all, const char* relation) {
     for (const MPoly& f : all)
-      out << title << to_string(f) << " != 0\n";
+      out << title << to_string(f) << relation;
   };
-  list("  assumed   ", search.assumed);
-  list("  left out  unless ", search.not_covered);
+  list("  assumed   ", search.assumed_equations, " = 0\n");
+  list("  assumed   ", search.assumed, " != 0\n");
+  list("  left out  unless ", search.not_covered, " != 0\n");
+  const char* all_values =
+      search.assumed.empty() && search.assumed_equations.empty() && search.not_covered.empty()
+          ? "all parameter values"
+          : "all these parameter values";
   for (const IntegralsOfSet& set : search.sets)
     print(condition_text(set), set, out);
   if (search.elsewhere)
-    print(search.sets.empty() ? "all parameter values" : "everywhere else", *search.elsewhere, out);
+    print(!search.sets.empty() ? "everywhere else" : all_values, *search.elsewhere, out);
   return out.str();
 }
 
@@ -143,6 +152,7 @@ Json json_of(const std::string& file, const IntegralSearch& search) {
   return {{"format", "kovacic-integrals/1"},
           {"file", file},
           {"parameters", "complex"},
+          {"assumed_zero", texts(search.assumed_equations)},
           {"assumed_nonzero", texts(search.assumed)},
           {"not_covered_unless_nonzero", texts(search.not_covered)},
           {"sets", sets},
