@@ -68,6 +68,10 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
   if (relations)
     for (const Entry* r : relations->list()) {
       const MFraction f = scope.equation(*r).difference;
+      const auto main = v.main_variables();
+      if (std::none_of(main.begin(), main.end(), [&](std::size_t i) { return uses(f.num(), i); }))
+        throw r->error("a relation between parameters is an assumption",
+                       "write it below [assume]: conditions = [...]");
       v.relations.push_back(f.num());
     }
   const Ideal ideal = relation_ideal(v);

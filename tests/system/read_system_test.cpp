@@ -88,6 +88,14 @@ x = "1")t"),
               HasSubstr("the assumption 'a positive' is violated"));
   EXPECT_THAT(complaint(oscillator + "[reduce]\nchange = \"q1^2\""), HasSubstr("z = "));
   EXPECT_THAT(complaint(oscillator + "[[manifolds]]"), HasSubstr("did you mean 'manifold'?"));
+  EXPECT_THAT(complaint(R"t([system]
+kind = "hamiltonian"
+coordinates = ["q"]
+momenta = ["p"]
+parameters = ["a", "b"]
+hamiltonian = "p^2/2 + a*q^2"
+relations = ["a*b = 1"])t"),
+              HasSubstr("a relation between parameters is an assumption"));
 }
 
 TEST(ReadSystem, FunctionsAndTheirRelations) {

@@ -1,9 +1,9 @@
 // The derivatives on which everything rests, computed a second time by GiNaC: the equations of
 // motion of canonical systems from the Hamiltonian, and the Jacobian of each field.
 
+#include "support/source_dir.hpp"
 #include "symbol/ginac_door.hpp"
 #include "system/system.hpp"
-#include "support/source_dir.hpp"
 
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -54,8 +54,7 @@ TEST_P(SecondOpinion, EquationsOfMotionByGinac) {
 std::vector<std::string> case_files() {
   std::vector<std::string> files;
   for (const char* folder : {"/cases/classics", "/cases/sliding_top"})
-    for (const auto& entry :
-         std::filesystem::directory_iterator(test::in_source(folder)))
+    for (const auto& entry : std::filesystem::directory_iterator(test::in_source(folder)))
       if (entry.path().extension() == ".toml" &&
           is_system_document(read_document(entry.path().string())))
         files.push_back(entry.path().string());
