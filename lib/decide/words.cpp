@@ -9,8 +9,8 @@ template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
 std::string argument(const ByFormula& by) {
-  const std::string text =
-      "by the formula for " + by.known.family + "'s equation: " + by.known.answer->reason;
+  const std::string text = std::string("by the formula for ") + to_string(by.known.family) +
+                           "'s equation: " + by.known.answer->reason;
   return by.engines && !by.engines->detail.empty()
              ? text + " (no search: " + by.engines->detail + ")"
              : text;

@@ -84,7 +84,7 @@ std::optional<Recognized> squared(const RationalFunction& r, const Budget& budge
   const auto below = in_the_square(r);
   if (!below || is_zero(below->first) || !small(below->first, largest)) return std::nullopt;
   auto found = recognize(singularities(below->first, budget), budget);
-  if (!found || found->family == "Heun") return std::nullopt;
+  if (!found || found->family == Classical::heun) return std::nullopt;
   found->centre = below->second;
   if (found->answer) {
     found->answer->group.reset();
@@ -101,7 +101,7 @@ std::optional<Recognized> recognize(const RationalFunction& r, const Budget& bud
   std::optional<Recognized> found;
   if (small(r, largest))
     found = recognize(places != nullptr ? *places : singularities(r, budget), budget);
-  if ((!found || found->family == "Heun") && small(r, 2 * largest + 2))
+  if ((!found || found->family == Classical::heun) && small(r, 2 * largest + 2))
     if (auto other = squared(r, budget)) return other;
   return found;
 }

@@ -20,8 +20,9 @@
 // Source  docs/theory/recognition.md
 
 #include "linode/singularities.hpp"
-#include "special/closed_answer.hpp"
 #include "recognize/moebius.hpp"
+#include "special/classical.hpp"
+#include "special/closed_answer.hpp"
 
 #include <optional>
 #include <string>
@@ -32,7 +33,7 @@ namespace kov {
 
 /// A classical equation with its parameters, and what its closed answer says.
 struct Recognized {
-  std::string family;   ///< "Lame", "Riemann", "Euler", "Heun", "Whittaker", "Bessel", "Weber", ...
+  Classical family = Classical::heun;
   std::string equation; ///< the canonical form, in x: "y'' = (1/4 - k/x + (m^2-1/4)/x^2) y"
   /// Names and exact values, in the order of the canonical form: n, B, g2, g3.
   std::vector<std::pair<std::string, std::string>> parameters;

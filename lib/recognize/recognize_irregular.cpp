@@ -20,22 +20,25 @@ std::optional<Recognized> polynomial(const RationalFunction& r, Moebius m) {
   const Poly& f = r.num();
   Recognized out;
   if (degree(f) == 0) {
-    out = {"constant", "y'' = c y", {{"c", to_string(f.coeff(0))}}, m, constant_answer()};
+    out = {Classical::constant, "y'' = c y", {{"c", to_string(f.coeff(0))}}, m, constant_answer()};
   } else if (degree(f) == 1) { // a x + b: x + b/a, scaled by the cube root of a
     m = composed(m, shift(-f.coeff(0) / f.coeff(1)));
-    out = {"Airy", "y'' = a x y", {{"a", to_string(f.coeff(1))}}, m, airy_answer()};
+    out = {Classical::airy, "y'' = a x y", {{"a", to_string(f.coeff(1))}}, m, airy_answer()};
   } else if (degree(f) == 2) { // u x^2 + v x + w = u (x + v/(2u))^2 + w - v^2/(4u)
     const NfElem u = f.coeff(2);
     m = composed(m, shift(-f.coeff(1) / (u + u)));
     const NfElem w = f.coeff(0) - f.coeff(1) * f.coeff(1) / (NfElem(4) * u);
-    out = {"Weber",
+    out = {Classical::weber,
            "y'' = (u x^2 + w) y, a = w/sqrt(u)",
            {{"u", to_string(u)}, {"w", to_string(w)}, {"a", root_text(w * w / u)}},
            m,
            weber_answer(w * w / u)};
   } else {
-    out = {
-        "polynomial", "y'' = r(x) y", {{"r", to_string(f, "x")}}, m, polynomial_answer(degree(f))};
+    out = {Classical::polynomial,
+           "y'' = r(x) y",
+           {{"r", to_string(f, "x")}},
+           m,
+           polynomial_answer(degree(f))};
   }
   return out;
 }
@@ -49,7 +52,7 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
   const NfElem c = times_x2.num().coeff(0);
   const NfElem m2 = c + NfElem(Rational(1, 4));
   if (is_zero(a)) // the order of infinity is 1
-    return Recognized{"Bessel",
+    return Recognized{Classical::bessel,
                       "y'' = (b/x + (m^2-1)/(4*x^2)) y, Bessel's equation of order m in sqrt(x)",
                       {{"m", root_text(NfElem(4) * m2)}, {"b", to_string(b)}},
                       m,
@@ -57,7 +60,7 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
   const NfElem k2 = b * b / (NfElem(4) * a);
   const ClosedAnswer answer = whittaker_answer(k2, m2);
   if (is_zero(b))
-    return Recognized{"Bessel",
+    return Recognized{Classical::bessel,
                       "y'' = (a + (m^2-1/4)/x^2) y",
                       {{"m", root_text(m2)}, {"a", to_string(a)}},
                       m,
@@ -65,14 +68,14 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
   if (const auto root = root_in(a)) { // x / (2 sqrt a): 1/4 - k/x + ...
     const NfElem scale = NfElem(1) / (*root + *root);
     m = composed(m, {scale, NfElem(0), NfElem(0), NfElem(1)});
-    return Recognized{"Whittaker",
+    return Recognized{Classical::whittaker,
                       "y'' = (1/4 - k/x + (m^2-1/4)/x^2) y",
                       {{"k", to_string(-b * scale)}, {"m", root_text(m2)}},
                       m,
                       answer};
   }
   return Recognized{
-      "Whittaker",
+      Classical::whittaker,
       "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))",
       {{"k", root_text(k2)}, {"m", root_text(m2)}, {"a", to_string(a)}, {"b", to_string(b)}},
       m,

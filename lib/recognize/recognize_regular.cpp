@@ -119,7 +119,7 @@ std::optional<Recognized> riemann(const Singularities& s) {
   const std::vector<Singularity> places = places_of(s);
   const auto squares = constant_squares(places);
   Recognized out;
-  out.family = "Riemann";
+  out.family = Classical::riemann;
   out.equation = "y'' = ((l^2-1)/(4*x^2) + (m^2-1)/(4*(x-1)^2) + (1-l^2-m^2+n^2)/(4*x*(x-1))) y";
   out.z_of_x = standard_map(places);
   if (out.z_of_x)
@@ -147,8 +147,11 @@ std::optional<Recognized> euler(const Singularities& s) {
   NfElem factor = (square - NfElem(1)) * quarter;
   if (degree(p) == 2) factor *= p.coeff(1) * p.coeff(1) - NfElem(4) * p.coeff(0);
   KOV_ENSURE(s.r == RationalFunction(Poly(factor), p * p));
-  Recognized out{
-      "Euler", "y'' = (l^2-1)/(4*x^2) y", {{"l", root_text(square)}}, {}, euler_answer(square)};
+  Recognized out{Classical::euler,
+                 "y'' = (l^2-1)/(4*x^2) y",
+                 {{"l", root_text(square)}},
+                 {},
+                 euler_answer(square)};
   if (place.degree() == 1) {
     const NfElem c = -place.place.coeff(0);
     if (degree(p) == 1)
@@ -199,7 +202,7 @@ std::optional<Recognized> lame(const Singularities& s, const Budget& budget) {
   const NfElem alpha = line.coeff(1);
   const LameParameters<NfElem> p{line.coeff(0), -f.coeff(1), -f.coeff(0)};
   Recognized out;
-  out.family = "Lame";
+  out.family = Classical::lame;
   out.equation = "y_tt = (n(n+1) wp(t; g2, g3) + B) y, x = wp(t)";
   out.parameters = {{"n", index_text(alpha)},
                     {"B", to_string(p.b)},
@@ -212,7 +215,7 @@ std::optional<Recognized> lame(const Singularities& s, const Budget& budget) {
 
 std::optional<Recognized> heun(const Singularities& s) {
   Recognized out;
-  out.family = "Heun";
+  out.family = Classical::heun;
   out.equation = "four regular places and nothing else";
   for (const Singularity& place : places_of(s))
     for (long i = 0; i < place.degree(); ++i)

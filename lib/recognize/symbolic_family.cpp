@@ -106,7 +106,7 @@ private:
   [[nodiscard]] Moved moved(const std::vector<Place>& places,
                             const std::optional<Place>& zero) const;
 
-  SymbolicFamily started(const std::string& family, const std::string& equation) const {
+  SymbolicFamily started(Classical family, const std::string& equation) const {
     return {family, equation, {}, {}, generic_};
   }
   SymbolicFamily euler(const std::vector<Place>& places) const;
@@ -142,7 +142,7 @@ Recognizer::Moved Recognizer::moved(const std::vector<Place>& places,
 }
 
 SymbolicFamily Recognizer::euler(const std::vector<Place>& places) const {
-  SymbolicFamily out = started("Euler", "y'' = (l^2-1)/(4*x^2) y");
+  SymbolicFamily out = started(Classical::euler, "y'' = (l^2-1)/(4*x^2) y");
   out.parameters = {{"l", root_text(delta_squared(places.front()))}};
   out.cases = {{"l = 0 (T_2)", GroupType::T, Truth::yes},
                {"l is a rational number", GroupType::cyclic, Truth::yes},
@@ -160,8 +160,9 @@ std::string class_text(const ThirdExponents& third) {
 }
 
 SymbolicFamily Recognizer::riemann(const std::vector<Place>& places) const {
-  SymbolicFamily out = started(
-      "Riemann", "y'' = ((l^2-1)/(4*x^2) + (m^2-1)/(4*(x-1)^2) + (1-l^2-m^2+n^2)/(4*x*(x-1))) y");
+  SymbolicFamily out =
+      started(Classical::riemann,
+              "y'' = ((l^2-1)/(4*x^2) + (m^2-1)/(4*(x-1)^2) + (1-l^2-m^2+n^2)/(4*x*(x-1))) y");
   std::vector<MFraction> squares;
   for (const Place& p : places)
     squares.push_back(delta_squared(p));
@@ -202,13 +203,13 @@ std::optional<SymbolicFamily> Recognizer::polynomial(const Moved& r) {
   const std::size_t degree = r.num.size() - 1;
   note(r.num.back().num());
   if (degree == 0) {
-    SymbolicFamily out = started("constant", "y'' = c y");
+    SymbolicFamily out = started(Classical::constant, "y'' = c y");
     out.parameters = {{"c", to_string(r.num[0])}};
     out.cases = {{"", GroupType::Gm, Truth::yes}};
     return out;
   }
   if (degree == 1) {
-    SymbolicFamily out = started("Airy", "y'' = a x y");
+    SymbolicFamily out = started(Classical::airy, "y'' = a x y");
     out.parameters = {{"a", to_string(r.num[1])}};
     out.cases = {{"", GroupType::SL2, Truth::no}};
     return out;
@@ -216,13 +217,13 @@ std::optional<SymbolicFamily> Recognizer::polynomial(const Moved& r) {
   if (degree == 2) {
     const MFraction& u = r.num[2];
     const MFraction w = r.num[0] - r.num[1] * r.num[1] / (Rational(4) * u);
-    SymbolicFamily out = started("Weber", "y'' = (u x^2 + w) y, a = w/sqrt(u)");
+    SymbolicFamily out = started(Classical::weber, "y'' = (u x^2 + w) y, a = w/sqrt(u)");
     out.parameters = {{"a", root_text(w * w / u)}};
     out.cases = {{"a is an odd integer", GroupType::Borel, Truth::no},
                  {"else", GroupType::SL2, Truth::no}};
     return out;
   }
-  SymbolicFamily out = started("polynomial", "y'' = r(x) y");
+  SymbolicFamily out = started(Classical::polynomial, "y'' = r(x) y");
   out.cases = {{"", degree % 2 == 1 ? std::optional(GroupType::SL2) : std::nullopt, Truth::no}};
   return out;
 }
@@ -240,21 +241,22 @@ std::optional<SymbolicFamily> Recognizer::one_regular(const std::vector<Place>& 
   const FamilyCase other{"else", GroupType::SL2, Truth::no};
   if (is_zero(n[2])) {
     note(n[1].num());
-    SymbolicFamily out = started(
-        "Bessel", "y'' = (b/x + (m^2-1)/(4*x^2)) y, Bessel's equation of order m in sqrt(x)");
+    SymbolicFamily out =
+        started(Classical::bessel,
+                "y'' = (b/x + (m^2-1)/(4*x^2)) y, Bessel's equation of order m in sqrt(x)");
     out.parameters = {{"m", root_text(Rational(4) * m2)}};
     out.cases = {{"m is in 1/2 + Z", GroupType::Dinf, Truth::yes}, other};
     return out;
   }
   note(n[2].num());
   if (is_zero(n[1])) {
-    SymbolicFamily out = started("Bessel", "y'' = (a + (m^2-1/4)/x^2) y");
+    SymbolicFamily out = started(Classical::bessel, "y'' = (a + (m^2-1/4)/x^2) y");
     out.parameters = {{"m", root_text(m2)}, {"a", to_string(n[2])}};
     out.cases = {{"m is in 1/2 + Z", GroupType::Gm, Truth::yes}, other};
     return out;
   }
   SymbolicFamily out =
-      started("Whittaker", "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))");
+      started(Classical::whittaker, "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))");
   out.parameters = {{"k", root_text(n[1] * n[1] / (Rational(4) * n[2]))}, {"m", root_text(m2)}};
   out.cases = {{"k + m - 1/2 and k - m - 1/2 are integers, one of them >= 0 and one < 0",
                 GroupType::Gm, Truth::yes},
@@ -264,7 +266,7 @@ std::optional<SymbolicFamily> Recognizer::one_regular(const std::vector<Place>& 
 }
 
 SymbolicFamily Recognizer::lame(const LameFamilyForm& form) const {
-  SymbolicFamily out = started("Lame", "y_tt = (n(n+1) wp(t; g2, g3) + B) y");
+  SymbolicFamily out = started(Classical::lame, "y_tt = (n(n+1) wp(t; g2, g3) + B) y");
   out.generic = form.generic;
   const MFraction one(r_.ring(), Rational(1));
   const MFraction square = Rational(4) * form.alpha + one;

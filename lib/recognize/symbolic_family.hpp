@@ -11,6 +11,7 @@
 #include "exact/multivariate.hpp"
 #include "exact/truth.hpp"
 #include "galois/group.hpp"
+#include "special/classical.hpp"
 
 #include <optional>
 #include <string>
@@ -27,7 +28,7 @@ struct FamilyCase {
 };
 
 struct SymbolicFamily {
-  std::string family;   ///< "Bessel", "Whittaker", "Weber", "Airy", "Riemann", "Lame", ...
+  Classical family = Classical::constant;
   std::string equation; ///< its canonical form
   /// Names and values, e.g. m = nu; the value is a square root where it has none in
   /// Q(parameters).

@@ -1,8 +1,8 @@
 #include "corpus.hpp"
 
+#include "support/source_dir.hpp"
 #include "symbol/constants.hpp"
 #include "symbol/rational_form.hpp"
-#include "support/source_dir.hpp"
 
 #include <algorithm>
 #include <array>

@@ -155,7 +155,7 @@ TEST(Why, IsAValue) {
       decided(RationalFunction(Poly(immense * immense - Rational(1, 4)) + z * z * Poly(-1), z * z));
   const auto* formula = std::get_if<ByFormula>(&far.because);
   ASSERT_NE(formula, nullptr) << reason(far);
-  EXPECT_EQ(formula->known.family, "Bessel");
+  EXPECT_EQ(formula->known.family, Classical::bessel);
   ASSERT_TRUE(formula->engines);
   EXPECT_EQ(formula->engines->why, Unable::Why::budget);
 }

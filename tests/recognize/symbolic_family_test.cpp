@@ -2,9 +2,9 @@
 
 #include "recognize/symbolic_family.hpp"
 
-#include "recognize/recognize.hpp"
 #include "decide/decide.hpp"
 #include "decide/words.hpp"
+#include "recognize/recognize.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ std::string value(const SymbolicFamily& f, const std::string& name) {
   return "";
 }
 
-SymbolicFamily family(const MFraction& r, const std::string& name) {
+SymbolicFamily family(const MFraction& r, Classical name) {
   const auto found = symbolic_family(r, 0);
   EXPECT_TRUE(found) << to_string(r);
   if (!found) return {};
@@ -67,42 +67,42 @@ void expect_specialisations(const MFraction& r, std::uint32_t seed) {
 
 TEST(SymbolicFamily, BesselWhittakerWeber) {
   const MFraction bessel = (num(4) * var("a") * var("a") - num(1)) / (num(4) * z() * z()) - num(1);
-  EXPECT_EQ(value(family(bessel, "Bessel"), "m"), "a");
-  EXPECT_TRUE(family(bessel, "Bessel").generic.empty());
+  EXPECT_EQ(value(family(bessel, Classical::bessel), "m"), "a");
+  EXPECT_TRUE(family(bessel, Classical::bessel).generic.empty());
   const MFraction whittaker =
       num(1, 4) - var("a") / z() + (var("b") * var("b") - num(1, 4)) / (z() * z());
-  EXPECT_EQ(value(family(whittaker, "Whittaker"), "k"), "a");
-  EXPECT_EQ(value(family(whittaker, "Whittaker"), "m"), "b");
+  EXPECT_EQ(value(family(whittaker, Classical::whittaker), "k"), "a");
+  EXPECT_EQ(value(family(whittaker, Classical::whittaker), "m"), "b");
   const MFraction weber = z() * z() / num(4) - num(1, 2) - var("a");
-  EXPECT_EQ(value(family(weber, "Weber"), "a_1"), "2*a + 1");
-  EXPECT_EQ(family(weber, "Weber").abelian(), Truth::no);
+  EXPECT_EQ(value(family(weber, Classical::weber), "a_1"), "2*a + 1");
+  EXPECT_EQ(family(weber, Classical::weber).abelian(), Truth::no);
   const MFraction airy = z() + var("a");
-  EXPECT_EQ(family(airy, "Airy").abelian(), Truth::no);
+  EXPECT_EQ(family(airy, Classical::airy).abelian(), Truth::no);
   const MFraction moved =
       var("a") + var("b") / (z() - var("c")) + var("d") / ((z() - var("c")) * (z() - var("c")));
-  EXPECT_EQ(value(family(moved, "Whittaker"), "k"), "sqrt(b^2/(4*a))");
+  EXPECT_EQ(value(family(moved, Classical::whittaker), "k"), "sqrt(b^2/(4*a))");
   const MFraction inner = num(1) / pow(z() - var("c"), 4) + var("d") / pow(z() - var("c"), 2);
-  EXPECT_EQ(value(family(inner, "Bessel"), "m"), "sqrt((4*d + 1)/4)");
+  EXPECT_EQ(value(family(inner, Classical::bessel), "m"), "sqrt((4*d + 1)/4)");
   const MFraction ramified = var("b") / z() + var("d") / (z() * z());
-  EXPECT_EQ(value(family(ramified, "Bessel"), "m"), "sqrt(4*d + 1)");
+  EXPECT_EQ(value(family(ramified, Classical::bessel), "m"), "sqrt(4*d + 1)");
   std::uint32_t seed = 1;
   for (const MFraction& r : {bessel, whittaker, weber, airy, moved, inner, ramified})
     expect_specialisations(r, seed++);
 }
 
 TEST(SymbolicFamily, RegularOnes) {
-  EXPECT_EQ(family(var("a") / (z() * z()), "Euler").abelian(), Truth::yes);
+  EXPECT_EQ(family(var("a") / (z() * z()), Classical::euler).abelian(), Truth::yes);
   // Gauss: exponents c - 1, a + b - c, a - b
   const MFraction p = (var("c") - (var("a") + var("b") + num(1)) * z()) / (z() * (num(1) - z()));
   const MFraction q = -(var("a") * var("b")) / (z() * (num(1) - z()));
   const MFraction gauss = p * p / num(4) + derivative(p, 0) / num(2) - q;
-  EXPECT_EQ(value(family(gauss, "Riemann"), "l"), "c - 1");
-  EXPECT_EQ(value(family(gauss, "Riemann"), "m"), "a + b - c");
-  EXPECT_EQ(value(family(gauss, "Riemann"), "n"), "a - b");
-  EXPECT_TRUE(family(gauss, "Riemann").generic.empty());
+  EXPECT_EQ(value(family(gauss, Classical::riemann), "l"), "c - 1");
+  EXPECT_EQ(value(family(gauss, Classical::riemann), "m"), "a + b - c");
+  EXPECT_EQ(value(family(gauss, Classical::riemann), "n"), "a - b");
+  EXPECT_TRUE(family(gauss, Classical::riemann).generic.empty());
   const MFraction three = var("a") / pow(z() - var("b"), 2) + num(2) / pow(z(), 2) +
                           var("c") / (z() * (z() - var("b")));
-  EXPECT_EQ(family(three, "Riemann").generic.size(), 1U); // b != 0
+  EXPECT_EQ(family(three, Classical::riemann).generic.size(), 1U); // b != 0
   std::uint32_t seed = 20;
   for (const MFraction& r : {gauss, three, MFraction(var("a") / (z() * z()))})
     expect_specialisations(r, seed++);
@@ -112,7 +112,7 @@ TEST(SymbolicFamily, OneExponentIsFree) { // a homogeneous potential of degree 3
   const MFraction p = (num(4) * (num(1) - z()) - num(3) * z()) / (num(6) * z() * (num(1) - z()));
   const MFraction q = var("a") / (num(6) * z() * (num(1) - z()));
   const MFraction r = p * p / num(4) + derivative(p, 0) / num(2) - q;
-  const SymbolicFamily f = family(r, "Riemann");
+  const SymbolicFamily f = family(r, Classical::riemann);
   EXPECT_EQ(value(f, "n"), "sqrt((24*a + 1)/36)");
   ASSERT_EQ(f.cases.size(), 2U);
   EXPECT_EQ(f.cases.front().when, "n is one of +-1/6 + p, +-1/5 + p, +-1/4 + p, +-1/3 + p, "

@@ -1,10 +1,10 @@
 // The table of Schwarz and Kimura comes out of the finite groups; the engines agree with it.
 
+#include "decide/decide.hpp"
+#include "decide/words.hpp"
 #include "special/kimura.hpp"
 #include "special/polyhedral.hpp"
 #include "special/riemann.hpp"
-#include "decide/decide.hpp"
-#include "decide/words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Where the conditions for a finite group have common zeros, the engines find that group: B = 1,
 // and g2, g3 in the number fields that the zeros generate.
 
-#include "special/lame.hpp"
 #include "decide/decide.hpp"
 #include "decide/words.hpp"
+#include "special/lame.hpp"
 
 #include "exact/factor.hpp"
 

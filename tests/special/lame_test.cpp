@@ -1,8 +1,8 @@
 // Lame's equation: closed conditions, with symbolic parameters and with numbers, and the engines.
 
-#include "special/lame.hpp"
 #include "decide/decide.hpp"
 #include "decide/words.hpp"
+#include "special/lame.hpp"
 
 #include <gtest/gtest.h>
 

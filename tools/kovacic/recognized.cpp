@@ -2,8 +2,8 @@
 
 #include "algebraize/algebraize.hpp"
 #include "equation/linear_form.hpp"
-#include "exact/error.hpp"
 #include "equation/parameter_scope.hpp"
+#include "exact/error.hpp"
 #include "recognize/canonical_names.hpp"
 #include "recognize/symbolic_family.hpp"
 #include "system/linear_formula.hpp"
@@ -56,7 +56,7 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
   }
   if (!found) return nullptr;
   const auto names = fresh_names(found->parameters, letters_of(equation.constant));
-  Json j = {{"family", found->family}, {"equation", renamed(found->equation, names)}};
+  Json j = {{"family", to_string(found->family)}, {"equation", renamed(found->equation, names)}};
   j["parameters"] = Json::object();
   for (const auto& [name, value] : found->parameters)
     j["parameters"][renamed(name, names)] = value;
@@ -111,7 +111,7 @@ Json symbolic_json(const EquationText& text, const Budget& budget) {
   } catch (const Error&) { // roots, unknown names: the answer stays what it is
   }
   if (!family) return nullptr;
-  Json j = {{"family", family->family}, {"equation", family->equation}};
+  Json j = {{"family", to_string(family->family)}, {"equation", family->equation}};
   j["parameters"] = Json::object();
   for (const auto& [name, value] : family->parameters)
     j["parameters"][name] = value;
