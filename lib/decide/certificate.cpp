@@ -1,9 +1,9 @@
 #include "decide/certificate.hpp"
 
 #include "certify/equation/check.hpp"
+#include "decide/witness.hpp"
 #include "exact/error.hpp"
 #include "galois/dihedral.hpp"
-#include "decide/witness.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,9 +1,9 @@
 #include "decide/decide.hpp"
 
-#include "exact/error.hpp"
-#include "kovacic/solve.hpp"
 #include "decide/certificate.hpp"
 #include "decide/words.hpp"
+#include "exact/error.hpp"
+#include "kovacic/solve.hpp"
 
 #include <algorithm>
 
@@ -127,7 +127,8 @@ void closed_formula(Decision& d, const Options& options) {
   d.component = identity_component(*answer.group);
   d.kovacic_case = kovacic_case(*answer.group);
   d.undecided.reset();
-  mark_as_uncertified(d, options, "from the formula for " + known->family + "'s equation");
+  mark_as_uncertified(
+      d, options, std::string("from the formula for ") + to_string(known->family) + "'s equation");
 }
 
 void certify_it(Decision& d, const Classification& c, const Options& options) {
@@ -154,7 +155,8 @@ void ask_the_judge(Decision& d, const Classification& c, const Options& options)
     d = std::move(judged);
     return;
   }
-  d.third_opinion = ThirdOpinion{!judged.certificate.empty(), judged.no_certificate};
+  if (options.method == Method::all)
+    d.third_opinion = ThirdOpinion{!judged.certificate.empty(), judged.no_certificate};
 }
 
 } // namespace
@@ -227,7 +229,7 @@ void support(Decision& d, const Classification& c, const NormalForm& equation,
              const Options& options) {
   if (options.want_certificate)
     certify_it(d, c, options);
-  else if (options.method == Method::all)
+  else if (options.ask_the_judge || options.method == Method::all)
     ask_the_judge(d, c, options);
   if (d.withdrawn) return;
   if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)

@@ -30,6 +30,8 @@ struct Options {
   bool want_solutions = true;
   bool want_trace = false;
   bool want_certificate = false; ///< written, and accepted by the judge of lib/certify
+  /// The certificate is written and judged and not kept; a verdict that is refused is withdrawn.
+  bool ask_the_judge = false;
   /// Told as soon as something is proved, and again when the certificate is there: before steps
   /// and solutions are made, which can take longer than the proof.
   std::function<void(const Decision&)> proved;

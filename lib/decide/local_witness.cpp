@@ -1,8 +1,8 @@
 // Rule "local": see witness.hpp.
 
 #include "certify/text/limits.hpp"
-#include "exact/factor.hpp"
 #include "decide/witness.hpp"
+#include "exact/factor.hpp"
 
 namespace kov::witness {
 

@@ -1,7 +1,7 @@
 // Rules "torsion-function" and "good-reduction": see witness.hpp.
 
-#include "pcurvature/p_curvature.hpp"
 #include "decide/witness.hpp"
+#include "pcurvature/p_curvature.hpp"
 
 #include <algorithm>
 

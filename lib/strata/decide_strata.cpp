@@ -1,9 +1,9 @@
 #include "strata/decide_strata.hpp"
 
 #include "exact/error.hpp"
+#include "parameters/signs.hpp"
 #include "strata/certificate.hpp"
 #include "strata/decide_leaf.hpp"
-#include "parameters/signs.hpp"
 #include "strata/words.hpp"
 
 #include <algorithm>
@@ -307,7 +307,8 @@ private:
 
 StrataAnswer decide_strata(const Question& q, const StrataLimits& limits) {
   StrataAnswer a = Tree(q, limits).grow();
-  if (limits.decide.want_certificate && a.tree) certify(a, limits.decide.budget);
+  const Options& o = limits.decide;
+  if ((o.want_certificate || o.ask_the_judge) && a.tree) certify(a, o.budget);
   return a;
 }
 

@@ -47,7 +47,7 @@ struct StrataAnswer {
   std::vector<std::shared_ptr<const StrataAnswer>> special;
   std::shared_ptr<const Question> question; ///< what was asked
   ProofTreePtr tree;                        ///< how `strata` were found
-  /// If Options::want_certificate, and it could be written.
+  /// If Options::want_certificate or ask_the_judge, and it could be written.
   std::shared_ptr<const StrataCertificate> certificate;
   std::string refusal; ///< what our own checker has against it: every verdict is withdrawn then
 

@@ -5,8 +5,8 @@
 //
 // Source  docs/theory/strata.md, 3 to 8
 
-#include "strata/bounds.hpp"
 #include "decide/decide.hpp"
+#include "strata/bounds.hpp"
 
 namespace kov::strata {
 

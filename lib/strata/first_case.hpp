@@ -5,8 +5,8 @@
 //
 // Source  Kovacic 1986, section 3; the proof of Lemma 3 of the paper on the sliding top
 
-#include "strata/scheme.hpp"
 #include "decide/decide.hpp"
+#include "strata/scheme.hpp"
 
 namespace kov::strata {
 

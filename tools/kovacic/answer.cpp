@@ -1,10 +1,10 @@
 #include "answer.hpp"
 
+#include "decide/words.hpp"
 #include "equation/assumptions.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
 #include "strata/certificate.hpp"
-#include "decide/words.hpp"
 
 #include <chrono>
 #include <exception>
@@ -179,6 +179,7 @@ private:
   std::optional<std::string> by_strata(const Question& question, const Json& known) const {
     strata::StrataLimits limits;
     limits.decide = settings_.solver_options();
+    limits.decide.ask_the_judge = true;
     Json result;
     std::string proof;
     try {

@@ -3,12 +3,12 @@
 #include "case_file.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
+#include "decide/words.hpp"
 #include "integrability/certificate.hpp"
 #include "integrability/expect.hpp"
 #include "integrability/parameters.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
-#include "decide/words.hpp"
 
 #include <fmt/format.h>
 
@@ -188,6 +188,7 @@ public:
     words >> what >> round >> manifold;
     options_ = {};
     options_.decide = settings_.solver_options(); // its clock begins here
+    options_.decide.ask_the_judge = true;
     options_.only_manifold = settings_.manifold;
     if (!document_) read();
     if (what == "plan") return plan();
