@@ -10,7 +10,6 @@ namespace {
 
 constexpr long circle_vertices = 8;
 constexpr long large_circle_vertices = 12;
-constexpr long base_directions = 12;
 constexpr std::size_t longest_path = 20000;
 constexpr long grid_below = 6; // a vertex is rounded to 1/64 ... 1/32 of its distance
 
@@ -93,28 +92,41 @@ Real clearance(const Landscape& land, const Point& b) {
   return least;
 }
 
-// Far below the centre, or in another direction when that sees the singularities far better.
-Point choose_base(const Landscape& land) {
-  std::optional<Point> best;
-  Real best_clearance;
-  for (long k = 0; k < base_directions; ++k) {
+struct Candidate {
+  Point base;
+  Real clearance;
+};
+
+// Far below the centre, or in another one of n directions when that sees the singularities far
+// better; on a grid of spread/2^bits.
+Candidate best_of_directions(const Landscape& land, long n, long bits) {
+  std::optional<Candidate> best;
+  for (long k = 0; k < n; ++k) {
     const Point down{Real(0), Real(-3) * land.spread()};
-    const Point b =
-        rounded(land.centre() + turned(down, k, base_directions), Real(16) * land.spread());
+    const Point b = to_grid(land.centre() + turned(down, k, n), exponent(land.spread()) - bits);
     const Real c = clearance(land, b);
-    if (!best || best_clearance < part(1, 2) * c) {
-      best = b;
-      best_clearance = c;
-    }
+    if (!best || best->clearance < part(1, 2) * c) best = {b, c};
   }
   return *best;
+}
+
+// Few directions and short numbers, unless all of them look along lines through singularities.
+Point choose_base(const Landscape& land) {
+  Candidate best = best_of_directions(land, 12, 2);
+  for (const auto& [directions, bits] : {std::pair(23L, 8L), std::pair(97L, 12L)}) {
+    if (part(1, 1000) < best.clearance) break;
+    const Candidate other = best_of_directions(land, directions, bits);
+    if (best.clearance < other.clearance) best = other;
+  }
+  return best.base;
 }
 
 class Walker {
 public:
   explicit Walker(const Landscape& land) : land_(land) {}
 
-  /// From a straight to b.
+  /// From a straight to b.  Every vertex is rounded by a small part of its own distance to the
+  /// singularities, so that none of them lies between the path and the segment.
   [[nodiscard]] Path straight(const Point& a, const Point& b) const {
     Path path{{a}, {}};
     const Real length = abs(b - a);
@@ -122,7 +134,7 @@ public:
     for (Real x; Real(0) < length;) {
       const Real here = land_.distance(path.vertices.back());
       if (length - x < largest_ratio() * (here + to_b)) {
-        extend(path, b);
+        extend(path, rounded(b, to_b));
         break;
       }
       x = x + stride(a, b, x, here);
@@ -165,7 +177,12 @@ private:
   const Landscape& land_;
 };
 
-// --- what is claimed of a circle, with balls
+// --- what is claimed of a loop, with balls
+
+void require(bool proved) {
+  if (!proved)
+    throw OutOfBudget("the singularities are too near to each other for loops around each of them");
+}
 
 ComplexBall difference(const Point& a, const ComplexBall& b) {
   ComplexBall d;
@@ -177,6 +194,15 @@ Ball modulus(const ComplexBall& z) {
   Ball r;
   acb_abs(r.raw(), z.raw(), plan_bits);
   return r;
+}
+
+// arg (b - s)/(a - s)
+Ball turn(const Point& a, const ComplexBall& b_minus_s, const ComplexBall& s) {
+  ComplexBall quotient;
+  acb_div(quotient.raw(), b_minus_s.raw(), difference(a, s).raw(), plan_bits);
+  Ball angle;
+  acb_arg(angle.raw(), quotient.raw(), plan_bits);
+  return angle;
 }
 
 std::vector<Point> polygon(const Path& path) {
@@ -197,7 +223,7 @@ void ensure_turns_once(const Path& circle, const ComplexBall& s) {
     ComplexBall turn;
     acb_div(turn.raw(), difference(points[k + 1], s).raw(), difference(points[k], s).raw(),
             plan_bits);
-    KOV_ENSURE(arb_is_positive(acb_imagref(turn.raw())) != 0);
+    require(arb_is_positive(acb_imagref(turn.raw())) != 0);
     Ball angle;
     acb_arg(angle.raw(), turn.raw(), plan_bits);
     arb_add(sum.raw(), sum.raw(), angle.raw(), plan_bits);
@@ -208,7 +234,29 @@ void ensure_turns_once(const Path& circle, const ComplexBall& s) {
   Ball one;
   arb_one(one.raw());
   arb_abs(sum.raw(), sum.raw());
-  KOV_ENSURE(arb_lt(sum.raw(), one.raw()) != 0); // a multiple of 2 pi
+  require(arb_lt(sum.raw(), one.raw()) != 0); // a multiple of 2 pi
+}
+
+// The path, and on to s, is homotopic to the segment from its first point to s: every other
+// singularity sees both turn by the same angle, which is known up to a multiple of 2 pi.
+void ensure_straight(const Path& path, std::size_t i, const std::vector<ComplexBall>& all) {
+  const std::vector<Point> points = polygon(path);
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    if (j == i) continue;
+    ComplexBall target;
+    acb_sub(target.raw(), all[i].raw(), all[j].raw(), plan_bits);
+    Ball sum = turn(points.back(), target, all[j]);
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+      const Ball one = turn(points[k], difference(points[k + 1], all[j]), all[j]);
+      arb_add(sum.raw(), sum.raw(), one.raw(), plan_bits);
+    }
+    const Ball direct = turn(points.front(), target, all[j]);
+    arb_sub(sum.raw(), sum.raw(), direct.raw(), plan_bits);
+    arb_abs(sum.raw(), sum.raw());
+    Ball one;
+    arb_one(one.raw());
+    require(arb_lt(sum.raw(), one.raw()) != 0);
+  }
 }
 
 // All other singularities are outside the disc about s that holds the circle.
@@ -219,21 +267,24 @@ void ensure_alone(const Path& circle, std::size_t i, const std::vector<ComplexBa
     acb_sub(apart.raw(), all[j].raw(), all[i].raw(), plan_bits);
     for (const auto* points : {&circle.vertices, &circle.joints})
       for (const Point& p : *points)
-        KOV_ENSURE(arb_lt(modulus(difference(p, all[i])).raw(), modulus(apart).raw()) != 0);
+        require(arb_lt(modulus(difference(p, all[i])).raw(), modulus(apart).raw()) != 0);
   }
 }
 
 class Builder {
 public:
   Builder(const std::vector<ComplexBall>& s, const std::optional<Point>& base)
-      : singularities_(s), land_(s), walker_(land_), base_(base ? *base : choose_base(land_)) {
+      : singularities_(s), land_(s), walker_(land_), base_(base ? *base : choose_base(land_)),
+        chosen_(!base) {
     outside_ = Real(2) * land_.spread() < abs(base_ - land_.centre());
   }
 
   [[nodiscard]] LoopTree tree() const {
     for (const ComplexBall& s : singularities_)
-      if (acb_contains_zero(difference(base_, s).raw()) != 0)
+      if (acb_contains_zero(difference(base_, s).raw()) != 0) {
+        require(!chosen_);
         throw InvalidArgument("the base point is a singularity: choose another --base, or none");
+      }
     LoopTree t{base_, {}, {}};
     for (const std::size_t i : order())
       t.loops.push_back(loop(i));
@@ -264,9 +315,11 @@ private:
               [&](std::size_t i, std::size_t j) { return angles[i] < angles[j]; });
     for (std::size_t k = 0; k + 1 < order.size(); ++k) {
       const Real gap = angles[order[k + 1]] - angles[order[k]];
-      if (!(Real(0) < gap) || exponent(gap) < -plan_bits / 2)
+      if (!(Real(0) < gap) || exponent(gap) < -plan_bits / 2) {
+        require(!chosen_);
         throw InvalidArgument("the base point sees two singularities in one direction; choose "
                               "another one, for instance off the line through them");
+      }
     }
     return order;
   }
@@ -276,8 +329,10 @@ private:
     const Real away = abs(base_ - s);
     const Real radius = part(1, 2) * land_.isolation(i);
     const bool inside = !(radius < away);
-    const Point entry = inside ? base_ : rounded(s + (radius / away) * (base_ - s), radius);
-    Loop l{i, walker_.straight(base_, entry), walker_.around(s, entry, circle_vertices)};
+    const Path approach =
+        inside ? Path{{base_}, {}} : walker_.straight(base_, s + (radius / away) * (base_ - s));
+    Loop l{i, approach, walker_.around(s, approach.vertices.back(), circle_vertices)};
+    ensure_straight(l.approach, i, singularities_);
     ensure_turns_once(l.circle, singularities_[i]);
     ensure_alone(l.circle, i, singularities_);
     return l;
@@ -294,7 +349,8 @@ private:
   Landscape land_;
   Walker walker_;
   Point base_;
-  bool outside_;
+  bool chosen_; ///< by us
+  bool outside_ = false;
 };
 
 } // namespace

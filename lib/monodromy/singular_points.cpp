@@ -65,12 +65,12 @@ std::vector<SingularPoint> singular_points(const DifferentialSystem& s, long bit
   return points;
 }
 
-std::string to_string(const SingularPoint& p, const std::string& variable) {
+std::string to_string(const SingularPoint& p, const std::string& variable, long digits) {
   if (degree(p.factor) == 1) return kov::to_string(-p.factor.coeff(0));
-  const auto text = [](const arb_struct* x) {
-    char* digits = arb_get_str(x, 10, ARB_STR_NO_RADIUS);
-    std::string s = digits;
-    flint_free(digits);
+  const auto text = [digits](const arb_struct* x) {
+    char* decimal = arb_get_str(x, digits, ARB_STR_NO_RADIUS);
+    std::string s = decimal;
+    flint_free(decimal);
     return s;
   };
   std::string approx = text(acb_realref(p.at.raw()));

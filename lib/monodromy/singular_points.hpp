@@ -21,7 +21,8 @@ struct SingularPoint {
                                                          const Budget& budget = {});
 
 /// "-5", "1/2*a", or "root(z^3 - 2, -0.629961 + 1.09112*I)".
-[[nodiscard]] std::string to_string(const SingularPoint& p, const std::string& variable = "z");
+[[nodiscard]] std::string to_string(const SingularPoint& p, const std::string& variable = "z",
+                                    long digits = 10);
 
 /// The roots of a squarefree polynomial over K under its embedding, disjoint.
 [[nodiscard]] std::vector<ComplexBall> embedded_roots(const Poly& f, long bits);

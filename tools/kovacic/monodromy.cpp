@@ -12,6 +12,7 @@
 #include "symbol/rational_form.hpp"
 
 #include <chrono>
+#include <set>
 #include <sstream>
 
 namespace kov::cli {
@@ -66,11 +67,24 @@ Json json_of(const mo::BallMatrix& m, long digits) {
   return rows;
 }
 
+// Of all places, with so many digits that no two look alike.
+std::vector<std::string> place_names(const mo::Monodromy& m, const std::string& variable) {
+  for (long digits = 10;; digits *= 2) {
+    std::vector<std::string> names;
+    for (const mo::LoopMatrix& l : m.loops)
+      names.push_back(mo::to_string(l.place, variable, digits));
+    if (digits > most_digits || std::set(names.begin(), names.end()).size() == names.size())
+      return names;
+  }
+}
+
 Json json_of(const mo::Monodromy& m, long digits, const std::string& variable,
              const std::string& rows) {
   Json loops = Json::array();
+  const auto names = place_names(m, variable);
+  auto name = names.begin();
   for (const mo::LoopMatrix& l : m.loops)
-    loops.push_back({{"place", mo::to_string(l.place, variable)},
+    loops.push_back({{"place", *name++},
                      {"matrix", json_of(l.matrix, digits)},
                      {"radius", mo::decimal_radius(l.matrix, digits)}});
   Json j{{"format", "kovacic-monodromy/1"},
@@ -171,9 +185,8 @@ std::string proof_text(const Json& proof) {
 std::string entry_text(const Json& entry, long shown) {
   const auto cut = [&](std::string s) {
     const auto dot = s.find('.');
-    if (dot != std::string::npos && s.size() > dot + 1 + static_cast<std::size_t>(shown))
-      s.resize(dot + 1 + static_cast<std::size_t>(shown));
-    return s;
+    if (dot == std::string::npos || s.size() <= dot + 1 + static_cast<std::size_t>(shown)) return s;
+    return s.substr(0, dot + 1 + static_cast<std::size_t>(shown)) + "...";
   };
   const std::string im = cut(entry[1]);
   const bool negative = im.front() == '-';
@@ -185,6 +198,7 @@ std::string text_of(const Json& j) {
   const long shown = std::min(20L, j.at("digits").get<long>());
   out << "base " << entry_text(j.at("base"), 20) << "; " << j.at("basis").get<std::string>()
       << '\n';
+  if (j.contains("constant")) out << "where " << j.at("constant").get<std::string>() << '\n';
   for (const Json& l : j.at("loops")) {
     out << "  around " << l.at("place").get<std::string>() << ", counterclockwise   (radius "
         << l.at("radius").get<std::string>() << ")\n";
@@ -222,14 +236,22 @@ mo::Request request_of(const Settings& settings, const MonodromyArguments& a) {
   return request;
 }
 
-// Places where monodromy is not all: "infinity", or the polynomial that vanishes there.
-Json irregular_places(const RationalFunction& r, const std::string& variable) {
-  Json places = Json::array();
-  if (is_zero(r)) return places;
-  for (const Factor& f : squarefree_factors(r.den()))
-    if (f.exponent > 2 && degree(f.base) > 0)
-      places.push_back(to_string(f.base, variable) + " = 0");
-  if (order_at_infinity(r) < 2) places.push_back("infinity");
+// Where f has a pole of order > most, or no zero of order >= least at infinity.
+void add_places(const RationalFunction& f, int most, long least, const std::string& variable,
+                std::set<std::string>& places) {
+  if (is_zero(f)) return;
+  for (const Factor& x : squarefree_factors(f.den()))
+    if (x.exponent > most && degree(x.base) > 0)
+      places.insert(to_string(x.base, variable) + " = 0");
+  if (order_at_infinity(f) < least) places.insert("infinity");
+}
+
+// Places where monodromy is not all: "infinity", or the polynomial that vanishes there.  The
+// equation that is given is the normal form times exp(-int p/2).
+std::set<std::string> irregular_places(const GivenEquation& e) {
+  std::set<std::string> places;
+  add_places(e.normal_form.r, 2, 2, e.variable, places);
+  add_places(e.p, 1, 1, e.variable, places);
   return places;
 }
 
@@ -240,7 +262,8 @@ Json equation_json(const Settings& settings, const MonodromyArguments& a) {
   Json j = json_of(m, a.digits, e.variable, "(y, y')");
   const auto proof = mo::prove_sl2(m, request.budget);
   j["certificate"] = proof ? json_of(*proof) : Json(nullptr);
-  j["irregular"] = irregular_places(e.normal_form.r, e.variable);
+  j["irregular"] = irregular_places(e);
+  if (!e.constant.empty()) j["constant"] = e.constant + " = " + e.constant_meaning;
   return j;
 }
 
@@ -263,7 +286,9 @@ InvariantManifold manifold_of(const System& s, const Settings& settings) {
         throw InvalidArgument("several manifolds in this file: choose one with --manifold NAME");
       chosen = &spec;
     }
-  if (chosen == nullptr) throw InvalidArgument("no such manifold in this file");
+  if (chosen == nullptr)
+    throw InvalidArgument(s.manifolds.empty() ? "there is no manifold in this file"
+                                              : "there is no manifold '" + settings.manifold + "'");
   auto proved = prove_invariant(s.field, *chosen);
   if (const auto* failure = std::get_if<ManifoldFailure>(&proved))
     throw InvalidArgument(failure->message);
