@@ -17,6 +17,9 @@ class AlgebraicConstants {
 public:
   /// The constants in the formulas.  Unset: root(...); a square root of something that is not an
   /// integer, or with a prime factor above 10^6; the root of a polynomial beside other constants.
+  /// Given   EquationText text;
+  /// Given   text.r = parse_expression("sqrt(-12)*z + a", "r"), text.parameters = {"a"};
+  /// Example AlgebraicConstants::in(text)->names().size()  // -> 2
   [[nodiscard]] static std::optional<AlgebraicConstants> in(const EquationText& text);
 
   [[nodiscard]] std::vector<std::string> names() const; ///< as variables of the ring

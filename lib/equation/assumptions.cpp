@@ -104,7 +104,6 @@ Place place(const NfElem& v) {
 
 // Is the sentence proved to be false of the constant v?
 bool is_false(const Sentence& s, const NfElem& v) {
-  using Sign;
   if (s.kind == Sentence::Kind::membership) {
     const bool in = is_rational(v) && is_integer(to_rational(v) / s.modulus);
     return in != s.holds;
@@ -221,8 +220,7 @@ void refuse_complex_order(const std::vector<Sentence>& all) {
       for (const auto& name : names_in(s))
         complex.insert(name);
   for (const Sentence& s : all) {
-    if (s.kind != Sentence::Kind::sign ||
-        (s.sign != Sign::positive && s.sign != Sign::nonnegative))
+    if (s.kind != Sentence::Kind::sign || (s.sign != Sign::positive && s.sign != Sign::nonnegative))
       continue;
     for (const auto& name : names_in(s))
       if (complex.contains(name))

@@ -21,10 +21,13 @@ namespace kov {
 void check_assumptions(const EquationText& text);
 
 /// The names in an assumption, which are then parameters.  Errors  InputError
+/// Example names_in_assumption({"A > 0 and B >= C", nullptr, ""})  // -> {A, B, C}
 [[nodiscard]] std::vector<std::string> names_in_assumption(const AssumedText& text);
 
 /// Is it prose, which can be quoted but not used?  A sentence, a formula in these names, something
 /// with a relation sign and an empty text are not.
+/// Example is_prose("as in the paper", {"a"})  // -> yes
+/// Example is_prose("2*a", {"a"})  // -> no
 [[nodiscard]] bool is_prose(const std::string& text, const std::vector<std::string>& names);
 
 } // namespace kov

@@ -9,6 +9,12 @@ namespace kov {
 
 /// Every variable of the ring by its name, names with values, and roots like sqrt(2) that stand for
 /// a variable.
+///
+/// Given   const Ring ring = make_ring({"a", "b"});
+/// Given   const ParameterScope scope(ring, {{"b", MFraction(ring, Rational(2))}});
+/// Example *scope.value("a")  // -> a
+/// Example *scope.value("b")  // -> 2
+/// Example scope.value("c")  // -> none
 class ParameterScope : public Scope {
 public:
   ParameterScope(Ring ring, std::map<std::string, MFraction> values,

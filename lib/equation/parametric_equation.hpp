@@ -26,6 +26,10 @@ struct ParametricEquation {
 /// Errors  InputError: an unknown name, a function that is not rational, as check_assumptions
 ///         FreeParameters: root(...) or a square root of something else than an integer that is no
 ///         square, beside parameters; an equation that is not linear of the second order
+/// Given   EquationText weber;
+/// Given   weber.r = parse_expression("z^2 + a", "r"), weber.parameters = {"a"};
+/// Example read_parametric_equation(weber).variable  // -> z
+/// Example read_parametric_equation(weber).question.r  // -> z^2 + a
 [[nodiscard]] ParametricEquation read_parametric_equation(const EquationText& text);
 
 } // namespace kov

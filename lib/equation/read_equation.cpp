@@ -199,7 +199,8 @@ FreeParameters::FreeParameters(std::vector<std::string> names)
 void check_names(const EquationText& text) {
   for (const std::string& name : text.parameters)
     if (!is_name(name) || name == "I")
-      throw InputError("parameters", 0, 0, 1, "'" + printable(name) + "' cannot be the name of a parameter",
+      throw InputError("parameters", 0, 0, 1,
+                       "'" + printable(name) + "' cannot be the name of a parameter",
                        "a name has letters, digits and _ only; I is the imaginary unit");
 }
 

@@ -81,7 +81,6 @@ private:
   [[nodiscard]] Expression formula(std::string_view text) const { return place_.formula(text); }
 
   std::optional<Sentence> comparison() {
-    using Sign;
     const std::array<std::pair<std::string_view, Sign>, 6> signs{{{">=", Sign::nonnegative},
                                                                   {"<=", Sign::nonnegative},
                                                                   {"!=", Sign::nonzero},
@@ -156,12 +155,12 @@ private:
     drop_tail(rest, "an");
     const bool holds = !drop_tail(rest, "not");
     drop_tail(rest, "is");
-    return Sentence{Sentence::Kind::membership, formula(rest), number(odd ? "1" : "0"),
-                    Sign::nonzero,      holds,         Rational(odd || even ? 2 : 1)};
+    return Sentence{
+        Sentence::Kind::membership,   formula(rest), number(odd ? "1" : "0"), Sign::nonzero, holds,
+        Rational(odd || even ? 2 : 1)};
   }
 
   std::optional<Sentence> word() {
-    using Sign;
     using Domain = Sentence::Domain;
     const auto said = [&](const char* w) {
       if (!drop_tail(rest_, w)) return false;

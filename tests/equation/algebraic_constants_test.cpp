@@ -1,9 +1,9 @@
 // I, sqrt(2), the root of a polynomial beside parameters: what is said for all of them at once is
 // what the solver says at single values.
 
-#include "equation/parametric_equation.hpp"
-#include "equation/parameter_scope.hpp"
 #include "decide/decide.hpp"
+#include "equation/parameter_scope.hpp"
+#include "equation/parametric_equation.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -86,7 +86,9 @@ TEST(AlgebraicConstants, AreNotLostWhenAParameterIsSolvedFor) {
 }
 
 TEST(AlgebraicConstants, AreIndependent) {
-  const auto r = [](const char* text) { return to_string(read_parametric_equation(text_of(text)).question.r); };
+  const auto r = [](const char* text) {
+    return to_string(read_parametric_equation(text_of(text)).question.r);
+  };
   EXPECT_EQ(r("(sqrt(8) - 2*sqrt(2))*z^3 + b*z"), r("b*z"));
   EXPECT_EQ(r("(sqrt(-1) - I)*z^3 + b*z"), r("b*z"));
   EXPECT_EQ(r("sqrt(4)*b*z"), r("2*b*z"));
@@ -94,15 +96,19 @@ TEST(AlgebraicConstants, AreIndependent) {
   EXPECT_EQ(r("I^3*b + I*b + z"), r("z"));
   // c^2 - 2 is 0
   EXPECT_EQ(
-      to_string(read_parametric_equation(text_of("(c^2 - 1/4)/z^2 + b*(c^2 - 2)*z", "c^2 - 2")).question.r),
+      to_string(read_parametric_equation(text_of("(c^2 - 1/4)/z^2 + b*(c^2 - 2)*z", "c^2 - 2"))
+                    .question.r),
       "7/(4*z^2)");
-  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("I*z^3 + b*z", "I^2 - 2"))), InputError);
+  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("I*z^3 + b*z", "I^2 - 2"))),
+               InputError);
 }
 
 TEST(AlgebraicConstants, WhatIsNotRead) {
-  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("root(x^2 - 2, 1.4)*b*z"))), FreeParameters);
+  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("root(x^2 - 2, 1.4)*b*z"))),
+               FreeParameters);
   EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("sqrt(b)*z"))), FreeParameters);
-  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("sqrt(2)*b*z*c", "c^2 - 2"))), FreeParameters);
+  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("sqrt(2)*b*z*c", "c^2 - 2"))),
+               FreeParameters);
 }
 
 } // namespace

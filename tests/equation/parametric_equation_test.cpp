@@ -82,12 +82,14 @@ TEST(Families, WholeEquations) {
   EquationText r = text;
   r.ode.reset();
   r.r = parse_expression("a*z + 1/(z - b)^2", "r");
-  EXPECT_EQ(to_string(read_parametric_equation(text).question.r), to_string(read_parametric_equation(r).question.r));
+  EXPECT_EQ(to_string(read_parametric_equation(text).question.r),
+            to_string(read_parametric_equation(r).question.r));
   text.ode = parse_expression("z*w'' + w' - n*w = 0", "ode", true); // w = y/sqrt(z)
   text.parameters = {"n"};
   r.r = parse_expression("n/z - 1/(4*z^2)", "r");
   r.parameters = {"n"};
-  EXPECT_EQ(to_string(read_parametric_equation(text).question.r), to_string(read_parametric_equation(r).question.r));
+  EXPECT_EQ(to_string(read_parametric_equation(text).question.r),
+            to_string(read_parametric_equation(r).question.r));
   for (const char* wrong : {"w''' = n*w", "w'' = n*w^2", "w'' = n*w + 1"}) {
     text.ode = parse_expression(wrong, "ode", true);
     EXPECT_THROW(static_cast<void>(read_parametric_equation(text)), InputError) << wrong;
