@@ -63,7 +63,7 @@ private:
 [[nodiscard]] NmodPoly mul_series(const NmodPoly& a, const NmodPoly& b, long n); ///< ab mod z^n
 [[nodiscard]] NmodPoly inverse_series(const NmodPoly& f, long n); ///< Requires f(0) != 0.
 [[nodiscard]] NmodPoly pow_series(const NmodPoly& f, unsigned long e, long n); ///< f^e mod z^n
-[[nodiscard]] NmodPoly taylor_shift(const NmodPoly& f, mp_limb_t c); ///< f(z+c)
+[[nodiscard]] NmodPoly taylor_shift(const NmodPoly& f, mp_limb_t c);           ///< f(z+c)
 [[nodiscard]] mp_limb_t evaluate(const NmodPoly& f, mp_limb_t c);
 /// The roots of f in F_p, without multiplicity.
 [[nodiscard]] std::vector<mp_limb_t> roots(const NmodPoly& f);

@@ -106,7 +106,8 @@ public:
   NfElem& operator*=(const NfElem& b) { return *this = *this * b; }
   /// Irrational elements of fields with two minimal polynomials are different.
   friend bool operator==(const NfElem& a, const NfElem& b) {
-    return fmpq_poly_equal(a.v_, b.v_) && (fmpq_poly_degree(a.v_) <= 0 || same_minimal_polynomial(a.k_, b.k_));
+    return fmpq_poly_equal(a.v_, b.v_) &&
+           (fmpq_poly_degree(a.v_) <= 0 || same_minimal_polynomial(a.k_, b.k_));
   }
 
 private:

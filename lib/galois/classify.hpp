@@ -32,25 +32,25 @@ enum class Trichotomy : std::uint8_t {
 
 /// How the group, or as much as is stated, follows from the evidence (docs/theory/trichotomy.md, 6).
 enum class Argument : std::uint8_t {
-  none,                ///< nothing is settled
-  zero,                ///< r = 0
-  p_curvature,         ///< one prime: SL2
-  torus_two_lines,     ///< a torus, y1 y2 rational: Gm
-  torus_dihedral,      ///< a torus, (y1 y2)^2 rational and y1 y2 not: Dinf
-  torus_no_invariant,  ///< a torus, no invariant of degree 4: not abelian; a line or not is open
-  torus_one_line,      ///< the same with a line: Borel
-  torus_no_line,       ///< the same without: SL2
-  logarithm_one_line,  ///< T_n
-  logarithm_no_line,   ///< SL2
-  integral_exponents,  ///< no logarithm, all Delta integers: {1} or {+-1}
-  two_quartics,        ///< two invariants of degree 4: the quaternion group
-  two_radicals,        ///< two lines, cyclic
-  fourth_power,        ///< the invariant of degree 4 is y^4: T_n
-  dihedral,            ///< (y1 y2)^2 rational and y1 y2 not: D_n or Dinf, as `dihedral` says
-  one_radical,         ///< exactly one line, and no invariant of degree 4: T_n
-  line_alone,          ///< one line y, and v' = 2 (y'/y) v + 1 has no rational solution v
-  no_invariant,        ///< no line, no invariant of degree 12: SL2
-  primitive            ///< no line, none of degree 4: A4, S4 or A5 by the first invariant
+  none,               ///< nothing is settled
+  zero,               ///< r = 0
+  p_curvature,        ///< one prime: SL2
+  torus_two_lines,    ///< a torus, y1 y2 rational: Gm
+  torus_dihedral,     ///< a torus, (y1 y2)^2 rational and y1 y2 not: Dinf
+  torus_no_invariant, ///< a torus, no invariant of degree 4: not abelian; a line or not is open
+  torus_one_line,     ///< the same with a line: Borel
+  torus_no_line,      ///< the same without: SL2
+  logarithm_one_line, ///< T_n
+  logarithm_no_line,  ///< SL2
+  integral_exponents, ///< no logarithm, all Delta integers: {1} or {+-1}
+  two_quartics,       ///< two invariants of degree 4: the quaternion group
+  two_radicals,       ///< two lines, cyclic
+  fourth_power,       ///< the invariant of degree 4 is y^4: T_n
+  dihedral,           ///< (y1 y2)^2 rational and y1 y2 not: D_n or Dinf, as `dihedral` says
+  one_radical,        ///< exactly one line, and no invariant of degree 4: T_n
+  line_alone,         ///< one line y, and v' = 2 (y'/y) v + 1 has no rational solution v
+  no_invariant,       ///< no line, no invariant of degree 12: SL2
+  primitive           ///< no line, none of degree 4: A4, S4 or A5 by the first invariant
 };
 
 /// The group together with everything that proves it.

@@ -119,9 +119,8 @@ DihedralAnswer infinite_by(Torsion by, std::optional<Poly> pole,
 void add_pole(Poles& poles, Pole pole, const NfElem& square) {
   const auto rho = is_rational(square) ? exact_sqrt(to_rational(square)) : std::nullopt;
   if (!rho) {
-    poles.infinite =
-        infinite_by(Torsion::irrational_residue,
-                    pole.at_infinity ? std::nullopt : std::optional(pole.q), square);
+    poles.infinite = infinite_by(Torsion::irrational_residue,
+                                 pole.at_infinity ? std::nullopt : std::optional(pole.q), square);
     return;
   }
   pole.rho = *rho;

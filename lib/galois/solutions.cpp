@@ -33,8 +33,7 @@ Denominators denominators(const RationalFunction& u, const RationalFunction& r) 
 } // namespace
 
 std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction& u,
-                                                 const RationalFunction& r,
-                                                 const Budget& budget) {
+                                                 const RationalFunction& r, const Budget& budget) {
   // A_m = -1, A_(i-1) = -A_i' - u A_i - (m-i)(i+1) r A_(i+1); with A_i = B_i/(P T^(m-i)):
   // B_(i-1) = (m-i) T' B_i - T B_i' - (T u0) B_i - (m-i)(i+1) (T^2 r) B_(i+1)
   const auto [P, T, u0] = denominators(u, r);

@@ -30,8 +30,8 @@ struct Obstruction {
 /// What an exponential solution must look like.
 struct ExponentialShape {
   std::optional<Obstruction> obstruction{}; ///< set: there is none
-  long denominator = 0; ///< N_den = sum deg q max(1, nu_q)
-  long degree = 0;      ///< D_1; negative = impossible
+  long denominator = 0;                     ///< N_den = sum deg q max(1, nu_q)
+  long degree = 0;                          ///< D_1; negative = impossible
   long nu_infinity = 0; ///< degree of the polynomial part of y'/y, 0 if infinity is not irregular
 };
 
@@ -39,9 +39,9 @@ struct ExponentialShape {
 struct InvariantShape {
   long m = 0;
   std::optional<Obstruction> obstruction{}; ///< set: there is none but 0
-  std::vector<long> e; ///< least admissible integer exponents
-  long tau = 0;        ///< greatest admissible growth exponent at infinity
-  long degree = 0;     ///< D_m = tau - sum deg q e_q; negative = impossible
+  std::vector<long> e;                      ///< least admissible integer exponents
+  long tau = 0;                             ///< greatest admissible growth exponent at infinity
+  long degree = 0;                          ///< D_m = tau - sum deg q e_q; negative = impossible
 };
 
 /// The shape of every exponential solution of the equation of s, or why there is none.

@@ -72,8 +72,8 @@ std::string tree(const TheoremResult& t) {
         inner += tag("li", tag("span", "not checked", "class=\"badge open\"") +
                                " hypothesis: " + prose(h.text, html));
     for (const TheoremUsed& u : n.theorems)
-      inner += tag("li", badge(NodeStatus::trusted) + " the theorem of " +
-                             prose(u.theorem->name, html));
+      inner +=
+          tag("li", badge(NodeStatus::trusted) + " the theorem of " + prose(u.theorem->name, html));
     for (const std::string& c : n.node.needs)
       inner += item(node_of(t, c));
     return tag("li", out + (inner.empty() ? "" : tag("ul", inner)));

@@ -28,10 +28,9 @@ bool has_system(const NodeResult& n) {
 }
 
 System system_of(const NodeResult& n, const std::string& directory) {
-  System s =
-      n.node.kind == NodeKind::theorem
-          ? read_system(parse_document(n.node.theorem->system, n.node.theorem->id))
-          : read_system(beside(directory, n.node.file), n.node.where);
+  System s = n.node.kind == NodeKind::theorem
+                 ? read_system(parse_document(n.node.theorem->system, n.node.theorem->id))
+                 : read_system(beside(directory, n.node.file), n.node.where);
   for (const Inequality& x : n.domain)
     s.assumptions.push_back(
         {x.strict ? Assumption::Relation::positive : Assumption::Relation::nonnegative,
@@ -298,8 +297,7 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   const auto maps = symmetries(n, result.theorem, whole, path);
   const Pieces found = pieces(n, result, maps);
   n.region = region_of(whole, n.node.place);
-  const Covered covered =
-      is_covered(range_of(n, whole), found.regions, cover_milliseconds);
+  const Covered covered = is_covered(range_of(n, whole), found.regions, cover_milliseconds);
   if (covered.holds != Truth::yes || n.excluded.empty()) {
     n.status = NodeStatus::open;
     n.summary = covered.holds == Truth::no

@@ -12,9 +12,6 @@
 namespace kov {
 namespace {
 
-using Condition;
-using Sign;
-
 /// Parameters, coordinates and roots of the theorem's side; values of `at` are put in.
 class PlaceScope : public Scope {
 public:

@@ -12,8 +12,8 @@
 // expanded.  Substitution of parameters, scaling, the choice of units and a change of axes are of
 // this form.  docs/theory/composition.md
 
-#include "splitting/checked.hpp"
 #include "parameters/conditions.hpp"
+#include "splitting/checked.hpp"
 #include "system/system.hpp"
 
 namespace kov {

@@ -1,8 +1,8 @@
 #pragma once
 // Runs the steps of a theorem file.
 
-#include "theorem/theorem.hpp"
 #include "decide/decide.hpp"
+#include "theorem/theorem.hpp"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 #include "theorem/theorem.hpp"
 
-#include "symbol/suggest.hpp"
 #include "literature/literature.hpp"
+#include "symbol/suggest.hpp"
 
 #include <algorithm>
 #include <functional>

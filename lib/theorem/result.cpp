@@ -39,9 +39,8 @@ std::vector<TheoremUsed> TheoremResult::uses() const {
   std::vector<TheoremUsed> all;
   for (const NodeResult& n : nodes)
     for (const TheoremUsed& here : n.theorems) {
-      const auto known = std::find_if(all.begin(), all.end(), [&](const TheoremUsed& u) {
-        return u.theorem == here.theorem;
-      });
+      const auto known = std::find_if(
+          all.begin(), all.end(), [&](const TheoremUsed& u) { return u.theorem == here.theorem; });
       if (known == all.end())
         all.push_back(here);
       else

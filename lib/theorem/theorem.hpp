@@ -74,7 +74,7 @@ struct TheoremNode {
   std::string statement, note; ///< the author's words: an argument, or a remark
   /// kind theorem: one of literature(), or null
   const LiteratureTheorem* theorem = nullptr;
-  Place place;                 ///< where among the theorem's systems; cover: what is covered
+  Place place; ///< where among the theorem's systems; cover: what is covered
   NodeKind kind = NodeKind::argument;
   std::vector<std::string> needs;
   std::vector<std::string> cite;

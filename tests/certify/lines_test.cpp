@@ -3,8 +3,8 @@
 // ".cpp".  Not set: nothing to do.
 
 #include "certify/equation/check.hpp"
-#include "certify/text/json.hpp"
 #include "certify/strata/check.hpp"
+#include "certify/text/json.hpp"
 #include "exact/error.hpp"
 
 #include <gtest/gtest.h>

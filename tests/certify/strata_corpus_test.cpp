@@ -1,8 +1,8 @@
 // Certificates over strata written by the solver, for families and for mechanical systems: accepted
 // as they are, and in no other way (docs/theory/strata_certificates.md).
 
-#include "certify/text/json.hpp"
 #include "certify/strata_text.hpp"
+#include "certify/text/json.hpp"
 #include "support/source_dir.hpp"
 
 #include <algorithm>

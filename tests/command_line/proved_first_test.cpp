@@ -2,9 +2,9 @@
 
 #include "answer.hpp"
 
+#include "decide/words.hpp"
 #include "exact/poly.hpp"
 #include "support/equations.hpp"
-#include "decide/words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -34,8 +34,7 @@ struct Dual {
 Rational half() { return Rational(1) / Rational(2); }
 
 // H(M, Gamma) as the paper prints it: J as a matrix, Omega by Cramer's rule.
-template <class T>
-T hamiltonian(const Body<Rational>& b, const Vec<T>& m, const Vec<T>& gamma) {
+template <class T> T hamiltonian(const Body<Rational>& b, const Vec<T>& m, const Vec<T>& gamma) {
   const auto lift = [](const Rational& q) { return T(q); };
   Vec<T> lever{};
   Mat<T> inertia{}, j{};
@@ -125,7 +124,8 @@ struct Series {
   std::vector<Rational> memory;
   Jet<Rational> jet{};
   Series(const Body<Rational>& b, const Effects& e, const State<Rational>& x, int p)
-      : order(p), model(model_of(b, e)), memory(static_cast<std::size_t>(Jet<Rational>::count) * (p + 2)) {
+      : order(p), model(model_of(b, e)),
+        memory(static_cast<std::size_t>(Jet<Rational>::count) * (p + 2)) {
     for (int i = 0; i < Jet<Rational>::count; ++i)
       jet.s[i] = memory.data() + static_cast<std::ptrdiff_t>(i) * (p + 2);
     for (int i = 0; i < 3; ++i) {
@@ -162,16 +162,16 @@ template <std::size_t I> void compare_with_hamiltonian() {
     const Vec<Dual> m = momentum(bd, xd);
     const Rates want = hamiltonian_field(b, {m[0].a, m[1].a, m[2].a}, x.gamma);
     for (int i = 0; i < 3; ++i) {
-      EXPECT_EQ(m[i].b, want.m[i]) << "M' of axis " << i << ", effects " << I << ", trial " << trial;
+      EXPECT_EQ(m[i].b, want.m[i])
+          << "M' of axis " << i << ", effects " << I << ", trial " << trial;
       EXPECT_EQ(s.gamma(i, 1), want.gamma[i]) << "effects " << I;
     }
   }
 }
 
 TEST(VectorField, EveryKernelIsTheHamiltonianFieldAtRationalPoints) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (compare_with_hamiltonian<I>(), ...);
-  }(std::make_index_sequence<effect_sets.size()>{});
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (compare_with_hamiltonian<I>(), ...); }
+  (std::make_index_sequence<effect_sets.size()>{});
 }
 
 // Truncated power series over Q, as a number type for the right-hand side written with cross products.
@@ -239,8 +239,8 @@ template <std::size_t I> void put_back() {
     PowerSeries kn = k[n], kl = k[l];
     kn.c[0] -= b.gyrostat[n];
     kl.c[0] -= b.gyrostat[l];
-    const PowerSeries right = kn * o[l] + scaled_series(Rational(-1), kl * o[n]) +
-                              scaled_series(-b.mass, push * v[i]);
+    const PowerSeries right =
+        kn * o[l] + scaled_series(Rational(-1), kl * o[n]) + scaled_series(-b.mass, push * v[i]);
     const PowerSeries left = derived(k[i]);
     const PowerSeries turn = g[n] * o[l] + scaled_series(Rational(-1), g[l] * o[n]);
     for (int c = 0; c + 2 <= p; ++c) {
@@ -251,9 +251,8 @@ template <std::size_t I> void put_back() {
 }
 
 TEST(VectorField, TheSeriesOfEveryKernelSolveTheDifferentialEquation) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (put_back<I>(), ...);
-  }(std::make_index_sequence<effect_sets.size()>{});
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (put_back<I>(), ...); }
+  (std::make_index_sequence<effect_sets.size()>{});
 }
 
 template <std::size_t I> void section_series() {
@@ -302,14 +301,14 @@ template <std::size_t I> void section_series() {
     const PowerSeries want =
         casimir * n[axis] + scaled_series(Rational(-1), nn * series(true, axis));
     for (int k = 0; k <= p; ++k)
-      EXPECT_EQ(s.jet.s[Jet<Rational>::section][k], want.c[k]) << "effects " << I << ", order " << k;
+      EXPECT_EQ(s.jet.s[Jet<Rational>::section][k], want.c[k])
+          << "effects " << I << ", order " << k;
   }
 }
 
 TEST(VectorField, TheSectionSeriesIsThatOfTheSectionFunction) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (section_series<I>(), ...);
-  }(std::make_index_sequence<effect_sets.size()>{});
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (section_series<I>(), ...); }
+  (std::make_index_sequence<effect_sets.size()>{});
 }
 
 // A kernel for more effects gives the same numbers: the others are multiplied by zero.

@@ -9,10 +9,10 @@ using namespace test;
 
 Scene scene_of(const std::string& name) { return read_scene(scene_path(name)); }
 
-const char* const panels[] = {"asymmetric_classical", "asymmetric_sliding", "lever_quarter",
-                              "lever_half", "kovalevskaya_classical", "kovalevskaya_sliding",
-                              "goryachev_classical", "goryachev_sliding", "hess_classical",
-                              "hess_sliding"};
+const char* const panels[] = {
+    "asymmetric_classical",   "asymmetric_sliding",   "lever_quarter",       "lever_half",
+    "kovalevskaya_classical", "kovalevskaya_sliding", "goryachev_classical", "goryachev_sliding",
+    "hess_classical",         "hess_sliding"};
 
 template <class R>
 double distance(const Body<double>& b, const Crossing<double>& c, const Crossing<R>& r) {
@@ -106,7 +106,8 @@ TEST(Integrator, LanesAndThreadsDoNotChangeAnything) {
         for (const auto& [orbit, end] : records[0].ends) {
           const auto& other = records[i].ends.at(orbit);
           for (int k = 0; k < 6; ++k)
-            EXPECT_EQ(end.x[k], other.x[k]) << name << ", " << to_string(isa) << ", orbit " << orbit;
+            EXPECT_EQ(end.x[k], other.x[k])
+                << name << ", " << to_string(isa) << ", orbit " << orbit;
           for (int k = 0; k < 3; ++k)
             EXPECT_EQ(end.drift[k], other.drift[k]);
           ASSERT_EQ(records[0].crossings[orbit].size(), records[i].crossings[orbit].size());
@@ -158,7 +159,8 @@ TEST(Integrator, NoCrossingIsMissedOrCountedTwice) {
       bool above = false;
       const int cells = 1500;
       for (int k = 0; k < cells; ++k) {
-        const auto piece = run(b, {x}, {.t_end = t_end / cells, .log2_tolerance = -60, .section = false, .lanes = 1});
+        const auto piece = run(
+            b, {x}, {.t_end = t_end / cells, .log2_tolerance = -60, .section = false, .lanes = 1});
         x = state_of(piece.ends.at(0).x);
         const double now = section(x, side);
         if (above && now <= 0 && side > 0) ++counted;
@@ -251,16 +253,19 @@ TEST(Integrator, IntegrableBodiesConserveTheirExtraIntegral) {
       }
     return worst;
   };
-  EXPECT_LE(spread("asymmetric_classical", // Euler
-                   [](const auto& b, const auto& x) { return dot(momentum(b, x), momentum(b, x)); }),
-            3e-12);
-  EXPECT_LE(spread("kovalevskaya_classical",
-                   [](const auto&, const auto& x) { // |(w1 + i w2)^2 - 2 (gamma1 + i gamma2)/2|^2, I1 = I2 = 2 I3
-                     const double re = x.omega[0] * x.omega[0] - x.omega[1] * x.omega[1] - 2 * x.gamma[0],
-                                  im = 2 * x.omega[0] * x.omega[1] - 2 * x.gamma[1];
-                     return re * re + im * im;
-                   }),
-            3e-12);
+  EXPECT_LE(
+      spread("asymmetric_classical", // Euler
+             [](const auto& b, const auto& x) { return dot(momentum(b, x), momentum(b, x)); }),
+      3e-12);
+  EXPECT_LE(
+      spread("kovalevskaya_classical",
+             [](const auto&,
+                const auto& x) { // |(w1 + i w2)^2 - 2 (gamma1 + i gamma2)/2|^2, I1 = I2 = 2 I3
+               const double re = x.omega[0] * x.omega[0] - x.omega[1] * x.omega[1] - 2 * x.gamma[0],
+                            im = 2 * x.omega[0] * x.omega[1] - 2 * x.gamma[1];
+               return re * re + im * im;
+             }),
+      3e-12);
   EXPECT_LE(spread("goryachev_classical",
                    [](const auto& b, const auto& x) {
                      const auto m = momentum(b, x);

@@ -34,8 +34,8 @@ Found search(std::vector<double> b, bool above, bool falling = true, bool rising
   Found f;
   f.above = above;
   Root<double> out[32];
-  const int n = sign_changes(b.data(), static_cast<int>(b.size()) - 1, 1e-18, f.above, falling, rising, out,
-                             32, f.tangencies);
+  const int n = sign_changes(b.data(), static_cast<int>(b.size()) - 1, 1e-18, f.above, falling,
+                             rising, out, 32, f.tangencies);
   f.roots.assign(out, out + n);
   return f;
 }

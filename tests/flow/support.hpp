@@ -92,11 +92,11 @@ template <class R> std::vector<State<R>> states_of(const Scene& s) {
     }
     return out;
   } else {
-  const Body<R> b = s.body<R>();
-  const Levels<R> f = s.levels<R>();
-  for (const Start& start : starts_of(s))
-    out.push_back(refine_point(b, f, s.section, R(start.l), R(start.y), start.g_size));
-  return out;
+    const Body<R> b = s.body<R>();
+    const Levels<R> f = s.levels<R>();
+    for (const Start& start : starts_of(s))
+      out.push_back(refine_point(b, f, s.section, R(start.l), R(start.y), start.g_size));
+    return out;
   }
 }
 

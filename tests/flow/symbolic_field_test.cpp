@@ -5,8 +5,8 @@
 #include "flow/orbit/jets.hpp"
 #include "support.hpp"
 
-#include "system/system.hpp"
 #include "support/source_dir.hpp"
+#include "system/system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -85,8 +85,7 @@ std::vector<Rational> by_system(const std::string& file, const Sample& s) {
   ParameterValues settings;
   for (const auto& [name, value] : s.parameters)
     settings.emplace_back(name, text(value));
-  const System system =
-      read_system(kov::test::in_source("/cases/sliding_top/") + file, settings);
+  const System system = read_system(kov::test::in_source("/cases/sliding_top/") + file, settings);
   const Vec<Rational> m = momentum(s.body, s.x);
   Substitution at;
   for (int i = 0; i < 3; ++i) {

@@ -1,7 +1,7 @@
 // The same scene in other units; and nothing is left out without a word.
 
-#include "flow/section/fixed_points.hpp"
 #include "flow/scene/own_units.hpp"
+#include "flow/section/fixed_points.hpp"
 #include "support.hpp"
 
 #include <gtest/gtest.h>

@@ -4,8 +4,8 @@
 // Properties checked on the way: printed functions read back as the same function, and the solver
 // throws nothing but InternalError (which is a finding, as is a sanitizer report or a hang).
 
-#include "equation/equation_file.hpp"
 #include "decide/decide.hpp"
+#include "equation/equation_file.hpp"
 
 #include <cstdint>
 #include <cstdio>

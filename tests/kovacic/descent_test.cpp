@@ -1,10 +1,10 @@
 // Solutions that live over extensions of the field of r: nothing may be missed over K alone.
 // The numbers are those of docs/theory/descent.md.
 
-#include "support/equations.hpp"
 #include "kovacic/reader.hpp"
 #include "kovacic/residue_field.hpp"
 #include "kovacic/solve.hpp"
+#include "support/equations.hpp"
 
 #include <gtest/gtest.h>
 

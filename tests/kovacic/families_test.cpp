@@ -1,10 +1,10 @@
 // Families: the ones with a natural number d, all of them, without listing the others.
 
-#include "support/equations.hpp"
 #include "kovacic/exponents.hpp"
 #include "kovacic/families.hpp"
 #include "kovacic/reader.hpp"
 #include "kovacic/solve.hpp"
+#include "support/equations.hpp"
 
 #include "exact/error.hpp"
 

@@ -1,8 +1,8 @@
 // The pitfall suite: equations on which implementations are known to fail.
 
-#include "support/equations.hpp"
 #include "kovacic/reader.hpp"
 #include "kovacic/solve.hpp"
+#include "support/equations.hpp"
 
 #include <gtest/gtest.h>
 

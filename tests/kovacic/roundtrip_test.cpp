@@ -1,8 +1,8 @@
 // Build r from a chosen answer; the solver must find that answer.  Seeds are fixed and printed.
 
-#include "support/equations.hpp"
 #include "kovacic/reader.hpp"
 #include "kovacic/solve.hpp"
+#include "support/equations.hpp"
 
 #include <gtest/gtest.h>
 

@@ -70,7 +70,8 @@ TEST(Region, RelationsInEachOthersVariablesEnd) {
   const Region r =
       Region(ring, {})
           .with_relation((x("A") * x("A") - cube(x("C")) - number(1)).num(), ring->index("A"), true)
-          .with_relation((x("C") * x("C") - cube(x("A")) - number(2)).num(), ring->index("C"), true);
+          .with_relation((x("C") * x("C") - cube(x("A")) - number(2)).num(), ring->index("C"),
+                         true);
   (void)r.doubtful_factor((x("A") + x("C") + number(7)).num());
   EXPECT_EQ(r.relations().size(), 2U);
 }

@@ -2,12 +2,12 @@
 // nonlinear relations with their singular points, at complex values beside inequalities, and where
 // a printed condition says that the identity component may be abelian.
 
-#include "exact/error.hpp"
-#include "equation/parametric_equation.hpp"
+#include "decide/words.hpp"
 #include "equation/parameter_scope.hpp"
+#include "equation/parametric_equation.hpp"
+#include "exact/error.hpp"
 #include "parameter_points.hpp"
 #include "strata/words.hpp"
-#include "decide/words.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 // Reports: formulas in three markups, and whole documents.
 
 #include "report/render_theorem.hpp"
-#include "theorem/prove.hpp"
 #include "support/source_dir.hpp"
+#include "theorem/prove.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

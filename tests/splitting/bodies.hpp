@@ -14,14 +14,13 @@ inline const std::vector<std::string> small{"L1", "L2", "L3"};
 
 inline const SplittingData& sliding_top() {
   static const SplittingData d = splitting_data(perturbation_of_euler(
-      read_system(test::in_source("/cases/sliding_top/sliding_top.toml"), {{"g", "0"}}),
-      small));
+      read_system(test::in_source("/cases/sliding_top/sliding_top.toml"), {{"g", "0"}}), small));
   return d;
 }
 
 inline const SplittingData& heavy_top() {
-  static const SplittingData d = splitting_data(perturbation_of_euler(
-      read_system(test::in_source("/cases/classics/heavy_top.toml")), small));
+  static const SplittingData d = splitting_data(
+      perturbation_of_euler(read_system(test::in_source("/cases/classics/heavy_top.toml")), small));
   return d;
 }
 

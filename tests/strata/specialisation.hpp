@@ -1,9 +1,9 @@
 #pragma once
 // The verdict of a tree of strata against the solver without parameters, at random rational points.
 
+#include "decide/words.hpp"
 #include "strata/decide_strata.hpp"
 #include "strata/words.hpp"
-#include "decide/words.hpp"
 
 #include <gtest/gtest.h>
 
@@ -97,10 +97,9 @@ inline int compare(const Question& q, const StrataAnswer& answer, unsigned seed)
       const Decision d = decide(equation);
       if (d.abelian == Truth::unknown) continue;
       ++compared;
-      EXPECT_EQ(d.abelian, x.leaf.abelian)
-          << "seed " << seed << ": " << text(q, *point) << "\nstratum "
-          << to_string(x.conditions) << "\n"
-          << reason(x.leaf) << "\nbut " << reason(d);
+      EXPECT_EQ(d.abelian, x.leaf.abelian) << "seed " << seed << ": " << text(q, *point)
+                                           << "\nstratum " << to_string(x.conditions) << "\n"
+                                           << reason(x.leaf) << "\nbut " << reason(d);
       if (x.leaf.group && d.group) {
         EXPECT_TRUE(*x.leaf.group == *d.group) << text(q, *point) << describe(*d.group);
       }

@@ -42,13 +42,11 @@ TEST(Specialisation, Lemma2) {
 TEST(Specialisation, GravityOnTheLevelOfLame) {
   Question q = question_of("sliding_top/gravity.toml");
   const auto x = [&](const char* name) { return MFraction::variable(q.r.ring(), name); };
-  q.assumptions.require(x("h") * x("h") - x("A") - MFraction(q.r.ring(), Rational(1)),
-                        Sign::zero);
+  q.assumptions.require(x("h") * x("h") - x("A") - MFraction(q.r.ring(), Rational(1)), Sign::zero);
   const StrataAnswer a = decide_strata(q);
   EXPECT_TRUE(a.trusted.empty());
   for (const Stratum& s : a.strata)
-    EXPECT_TRUE(s.leaf.abelian == Truth::no || s.leaf.no_equation())
-        << to_string(s.conditions);
+    EXPECT_TRUE(s.leaf.abelian == Truth::no || s.leaf.no_equation()) << to_string(s.conditions);
   EXPECT_GT(compare(q, a, 5), 2);
 }
 

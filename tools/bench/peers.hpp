@@ -42,8 +42,8 @@ template <bool sliding> struct Field {
     if constexpr (sliding) {
       const V e1 = l2 * d[5] - l3 * d[4], e2 = l3 * d[3] - l1 * d[5], e3 = l1 * d[4] - l2 * d[3];
       const V dm1 = m * (v1 * u1 + v2 * u2 + v3 * u3);
-      push = push +
-             m * (e1 * w1 + e2 * w2 + e3 * w3 + v1 * y1 + v2 * y2 + v3 * y3 - g * dm1) / (1.0 + dm1);
+      push = push + m * (e1 * w1 + e2 * w2 + e3 * w3 + v1 * y1 + v2 * y2 + v3 * y3 - g * dm1) /
+                        (1.0 + dm1);
     }
     d[0] = y1 - push * u1;
     d[1] = y2 - push * u2;

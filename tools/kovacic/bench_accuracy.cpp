@@ -1,7 +1,7 @@
 #include "bench.hpp"
 
-#include "flow/scene/effort.hpp"
 #include "flow/orbit/kernels.hpp"
+#include "flow/scene/effort.hpp"
 #include "flow/scene/simulate.hpp"
 #include "plot.hpp"
 #include "subprocess.hpp"

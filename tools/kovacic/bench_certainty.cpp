@@ -7,12 +7,12 @@
 //   the engines; kovacic-1986     by the classical algorithm: all families over Q.
 #include "bench.hpp"
 
+#include "decide/certificate.hpp"
 #include "galois/classify.hpp"
 #include "invariant/invariant.hpp"
 #include "kovacic/solve.hpp"
 #include "pcurvature/p_curvature.hpp"
 #include "plot.hpp"
-#include "decide/certificate.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ostream.h>

@@ -1,11 +1,11 @@
 // kovacic lame: when is the identity component of Lame's equation abelian?
 
+#include "decide/words.hpp"
 #include "lame_question.hpp"
 #include "mechanics.hpp"
 #include "recognized.hpp"
 #include "render.hpp"
 #include "symbol/suggest.hpp"
-#include "decide/words.hpp"
 
 #include <sstream>
 
@@ -169,7 +169,7 @@ Report degenerate(const Settings& settings, const LameQuestion& q,
   } else {
     put(out, "abelian", degenerate_text(third) + where);
   }
-  const MFraction cusp = is_zero(p.g2) ? p.g3 : p.g2;      // g2 = 0 and g3 = 0 say the same here
+  const MFraction cusp = is_zero(p.g2) ? p.g3 : p.g2; // g2 = 0 and g3 = 0 say the same here
   if (!is_constant(cusp)) {
     if (index.kind != LameCase::hermite || abelian != Truth::yes) abelian = Truth::unknown;
     j["condition"]["assuming"] = Json::array({to_string(cusp.num()) + " != 0"});

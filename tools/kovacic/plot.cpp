@@ -56,9 +56,9 @@ std::string style_of(const FixedPointMark& m) {
     int proved, unproved; // gnuplot's point types
   };
   static constexpr Shapes styles[] = {{"elliptic", "#007020", 6, 4},
-                                     {"hyperbolic", "#c00000", 2, 8},
-                                     {"inverse-hyperbolic", "#8000a0", 1, 10},
-                                     {"parabolic", "#0060c0", 12, 14}};
+                                      {"hyperbolic", "#c00000", 2, 8},
+                                      {"inverse-hyperbolic", "#8000a0", 1, 10},
+                                      {"parabolic", "#0060c0", 12, 14}};
   const Shapes* style = std::begin(styles);
   while (m.kind != style->kind && style + 1 != std::end(styles))
     ++style;

@@ -3,10 +3,10 @@
 
 #include "special/potential.hpp"
 #include "commands.hpp"
+#include "decide/words.hpp"
 #include "mechanics.hpp"
 #include "recognized.hpp"
 #include "render.hpp"
-#include "decide/words.hpp"
 
 #include <sstream>
 

@@ -179,7 +179,8 @@ Json family_result(const Json& id, const ParametricEquation& f, const strata::St
       open = (s.conditions.empty() ? "" : "where " + to_string(s.conditions) + ": ") +
              strata::open_condition(s.leaf);
   if (with_equation(a).empty() && a.unvisited.empty())
-    open = a.strata.empty() ? "nothing was looked at" : strata::open_condition(a.strata.front().leaf);
+    open =
+        a.strata.empty() ? "nothing was looked at" : strata::open_condition(a.strata.front().leaf);
   if (open.empty() && !a.unvisited.empty()) open = "not looked at: " + a.unvisited.front();
   if (!a.refusal.empty()) {
     j["refused_by_checker"] = a.certificate->json;

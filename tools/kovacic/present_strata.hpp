@@ -17,6 +17,7 @@ void print_strata(std::ostream& out, const Json& j);
 void put_trace(Json& j, const std::vector<TraceStep>& trace);
 void print_trace(std::ostream& out, const Json& j);
 /// The result of an equation with free parameters.
-[[nodiscard]] Json family_result(const Json& id, const ParametricEquation& f, const strata::StrataAnswer& a);
+[[nodiscard]] Json family_result(const Json& id, const ParametricEquation& f,
+                                 const strata::StrataAnswer& a);
 
 } // namespace kov::cli

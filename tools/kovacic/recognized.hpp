@@ -1,8 +1,8 @@
 #pragma once
 // "This is Lame's equation with n = ...": what lib/special recognises, as JSON and as a sentence.
 
-#include "result.hpp"
 #include "recognize/recognize.hpp"
+#include "result.hpp"
 
 namespace kov::cli {
 

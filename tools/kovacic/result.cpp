@@ -1,8 +1,8 @@
 #include "result.hpp"
 
+#include "decide/words.hpp"
 #include "galois/exponential_form.hpp"
 #include "recognized.hpp"
-#include "decide/words.hpp"
 
 namespace kov::cli {
 

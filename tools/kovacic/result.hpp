@@ -2,8 +2,8 @@
 // The answer as data: the JSON object that `--format json` and batches print, and from which the
 // text and LaTeX renderers read.  Format "kovacic-result/1".
 
-#include "equation/read_equation.hpp"
 #include "decide/decide.hpp"
+#include "equation/read_equation.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "section.hpp"
 
-#include "flow/section/fixed_points.hpp"
 #include "flow/scene/simulate.hpp"
+#include "flow/section/fixed_points.hpp"
 #include "interrupt.hpp"
 #include "plot.hpp"
 

@@ -1,11 +1,11 @@
 #pragma once
 // The flags that several commands share.
 
+#include "decide/decide.hpp"
 #include "exact/truth.hpp"
 #include "render.hpp"
 #include "supervisor.hpp"
 #include "symbol/input_error.hpp"
-#include "decide/decide.hpp"
 
 #include <iosfwd>
 #include <string>

@@ -2,8 +2,8 @@
 
 #include "answer.hpp"
 #include "commands.hpp"
-#include "equation/equation_file.hpp"
 #include "equation/assumptions.hpp"
+#include "equation/equation_file.hpp"
 #include "present.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // The [[expect]] blocks of a scene.
 
 #include "case_file.hpp"
-#include "flow/section/fixed_points.hpp"
 #include "flow/scene/simulate.hpp"
+#include "flow/section/fixed_points.hpp"
 
 #include <fmt/core.h>
 

@@ -4,8 +4,8 @@
 // L_i v = V T_i/S^i and  T_(i+1) = S T_i' + (S V'/V - i S') T_i - i (m-i+1) r S^2 T_(i-1):
 // products of a long polynomial with short ones only.
 
-#include "certify/text/limits.hpp"
 #include "certify/equation/rules.hpp"
+#include "certify/text/limits.hpp"
 
 namespace kov::certify {
 

@@ -1,8 +1,8 @@
 // Rule "no-invariant": Sym^m has no nonzero rational solution
 // (docs/theory/invariants_one_point.md).
 
-#include "certify/text/limits.hpp"
 #include "certify/equation/rules.hpp"
+#include "certify/text/limits.hpp"
 
 #include <algorithm>
 #include <map>

@@ -2,8 +2,8 @@
 //   A_(k+1) = den A_k' - k den' A_k + num B_k,   B_(k+1) = den A_k + den B_k' - k den' B_k,
 // the p-curvature has trace 0 and square B Id with B den^(2p+1) = A_p^2 den + B_p A_(p+1).
 
-#include "certify/text/limits.hpp"
 #include "certify/equation/rules.hpp"
+#include "certify/text/limits.hpp"
 
 namespace kov::certify {
 

@@ -2,8 +2,8 @@
 // One checking function for each rule of docs/theory/certificates.md.  Each refuses (throws
 // Refused) or returns what the step establishes; none searches.
 
-#include "certify/text/limits.hpp"
 #include "certify/equation/modular_equation.hpp"
+#include "certify/text/limits.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // strata_certificates.md 7.4: degree bounds, exponential solutions and invariants that do not
 // exist.
 
-#include "certify/text/limits.hpp"
 #include "certify/strata/places.hpp"
+#include "certify/text/limits.hpp"
 #include "exact/modular.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 
 #include "certify/strata/check.hpp"
 
-#include "certify/text/limits.hpp"
 #include "certify/strata/rules.hpp"
+#include "certify/text/limits.hpp"
 #include "exact/modular.hpp"
 
 #include <algorithm>

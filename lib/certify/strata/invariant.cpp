@@ -3,8 +3,8 @@
 // With V = prod q^e, S = prod q^ceil(k/2) and theta = S V'/V, content S^2 r = W is a polynomial,
 // and L_i v = V T_i/(content S)^i for v = pV (normal_form.md 2.5, with content^i put into T_i).
 
-#include "certify/text/limits.hpp"
 #include "certify/strata/rules.hpp"
+#include "certify/text/limits.hpp"
 
 #include <algorithm>
 

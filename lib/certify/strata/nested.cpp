@@ -2,8 +2,8 @@
 // (strata_certificates.md 4 `root`, 6 `number`).
 
 #include "certify/equation/check.hpp"
-#include "certify/text/limits.hpp"
 #include "certify/strata/rules.hpp"
+#include "certify/text/limits.hpp"
 
 namespace kov::certify {
 

@@ -1,9 +1,9 @@
 // Polynomials of kovacic-strata/1 as text: terms joined by " + " and " - ", factors by "*"
 // (strata_certificates.md 2).
 
+#include "certify/strata/certificate.hpp"
 #include "certify/text/json_node.hpp"
 #include "certify/text/limits.hpp"
-#include "certify/strata/certificate.hpp"
 #include "exact/error.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // JSON -> StrataCertificate, in the order of strata_certificates.md; unknown, missing and doubled
 // keys are errors.
 
+#include "certify/strata/certificate.hpp"
 #include "certify/text/json_node.hpp"
 #include "certify/text/limits.hpp"
-#include "certify/strata/certificate.hpp"
 #include "exact/error.hpp"
 
 #include <algorithm>

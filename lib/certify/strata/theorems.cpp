@@ -1,7 +1,7 @@
 // strata_certificates.md 7.6, 7.7: G0 is not abelian at any point of the stratum.
 
-#include "certify/text/limits.hpp"
 #include "certify/strata/places.hpp"
+#include "certify/text/limits.hpp"
 
 #include <algorithm>
 

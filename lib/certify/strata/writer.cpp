@@ -1,8 +1,8 @@
 // StrataCertificate -> JSON, keys in the order of docs/theory/strata_certificates.md; what
 // strata_reader.cpp reads.
 
-#include "certify/text/json_node.hpp"
 #include "certify/strata/certificate.hpp"
+#include "certify/text/json_node.hpp"
 
 #include <algorithm>
 #include <type_traits>

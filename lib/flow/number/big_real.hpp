@@ -77,19 +77,22 @@ private:
 // Two roundings: mpfr_mul and mpfr_add are several times as fast as mpfr_fma up to 128 bits.
 inline void add_product(BigReal& acc, const BigReal& a, const BigReal& b) {
   thread_local BigReal product;
-  if (mpfr_get_prec(product.raw()) != BigReal::bits()) mpfr_set_prec(product.raw(), BigReal::bits());
+  if (mpfr_get_prec(product.raw()) != BigReal::bits())
+    mpfr_set_prec(product.raw(), BigReal::bits());
   mpfr_mul(product.raw(), a.raw(), b.raw(), MPFR_RNDN);
   mpfr_add(acc.raw(), acc.raw(), product.raw(), MPFR_RNDN);
 }
 inline void sub_product(BigReal& acc, const BigReal& a, const BigReal& b) {
   thread_local BigReal product;
-  if (mpfr_get_prec(product.raw()) != BigReal::bits()) mpfr_set_prec(product.raw(), BigReal::bits());
+  if (mpfr_get_prec(product.raw()) != BigReal::bits())
+    mpfr_set_prec(product.raw(), BigReal::bits());
   mpfr_mul(product.raw(), a.raw(), b.raw(), MPFR_RNDN);
   mpfr_sub(acc.raw(), acc.raw(), product.raw(), MPFR_RNDN);
 }
 template <> inline BigReal unit_roundoff<BigReal>() {
   BigReal one(1);
-  return mpfr_div_2ui(one.raw(), one.raw(), static_cast<unsigned long>(BigReal::bits()), MPFR_RNDN), one;
+  return mpfr_div_2ui(one.raw(), one.raw(), static_cast<unsigned long>(BigReal::bits()), MPFR_RNDN),
+         one;
 }
 inline double log2_estimate(const BigReal& x) {
   if (!mpfr_regular_p(x.raw())) return mpfr_zero_p(x.raw()) ? -1e9 : 1e9;

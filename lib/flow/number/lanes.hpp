@@ -94,7 +94,9 @@ template <class T> inline T larger(const T& a, const T& b) { return choose(a < b
 template <class T> inline T absolute(const T& a) { return choose(a < T{}, T(-a), a); }
 
 /// Half the distance from 1 to the next number.
-template <class R> inline R unit_roundoff() { return R(sizeof(R) > 8 ? 5.4e-20 : 1.1102230246251565e-16); }
+template <class R> inline R unit_roundoff() {
+  return R(sizeof(R) > 8 ? 5.4e-20 : 1.1102230246251565e-16);
+}
 
 /// log2 of a positive double to 1e-2 (absolute); 0 gives about -1023.  S: double or a pack.
 template <class S> inline S log2_estimate(const S& x) {

@@ -60,7 +60,8 @@ template <class R> R monotone_zero(const R* b, int degree, bool falling) {
     const R move = next > x ? R(next - x) : R(x - next);
     const R from = x;
     x = next;
-    if (from + move * move == from && move < R(1) / R(1024)) return x; // the next move is below the last bit
+    if (from + move * move == from && move < R(1) / R(1024))
+      return x; // the next move is below the last bit
   }
   return x;
 }
@@ -72,7 +73,7 @@ template <class R> struct Isolation {
   int capacity, found = 0, tangencies = 0;
   bool falling, rising; ///< which changes are wanted
   R noise;              ///< what is smaller is 0
-  bool above; ///< sign at the start of what is left to search
+  bool above;           ///< sign at the start of what is left to search
 };
 
 template <class R> R size_of(const R& x) { return x < R(0) ? R(R(0) - x) : x; }

@@ -17,7 +17,9 @@ template <class P> struct Twin {
   // inlined always: the linker must not share them between instruction sets
   [[gnu::always_inline]] constexpr Twin() = default;
   [[gnu::always_inline]] constexpr Twin(const P& high, const P& low = P{}) : hi(high), lo(low) {}
-  [[gnu::always_inline]] explicit operator double() const requires std::same_as<P, double> { return hi; }
+  [[gnu::always_inline]] explicit operator double() const requires std::same_as<P, double> {
+    return hi;
+  }
 };
 using Twin1 = Twin<double>;
 

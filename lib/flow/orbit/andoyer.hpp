@@ -26,8 +26,7 @@ template <class R> struct Andoyer {
   R g_size{}; ///< G = |N|
 };
 
-template <class R>
-Andoyer<R> andoyer_of(const Body<R>& b, const State<R>& x, int axis) {
+template <class R> Andoyer<R> andoyer_of(const Body<R>& b, const State<R>& x, int axis) {
   using std::atan2;
   using std::sqrt;
   const Vec<R> n = minus(momentum(b, x), b.gyrostat);
@@ -60,7 +59,8 @@ State<R> section_point(const Body<R>& b, const Levels<R>& f, const SectionRule& 
 }
 
 /// dg/dt > 0?  (Where it is 0 the section is tangent to the flow.)
-[[nodiscard]] bool moves_upward(const Body<double>& b, const State<double>& x, const SectionRule& r);
+[[nodiscard]] bool moves_upward(const Body<double>& b, const State<double>& x,
+                                const SectionRule& r);
 
 /// A bound of G on the level.
 [[nodiscard]] double largest_momentum(const Body<double>& b, const Levels<double>& f);
@@ -89,7 +89,8 @@ State<R> refine_point(const Body<R>& b, const Levels<R>& f, const SectionRule& r
     g1 = g2;
     e1 = excess(g1);
   }
-  return section_point(b, f, rule, l, y, (e0 < R(0) ? R(0) - e0 : e0) < (e1 < R(0) ? R(0) - e1 : e1) ? g0 : g1);
+  return section_point(b, f, rule, l, y,
+                       (e0 < R(0) ? R(0) - e0 : e0) < (e1 < R(0) ? R(0) - e1 : e1) ? g0 : g1);
 }
 
 } // namespace kov::flow

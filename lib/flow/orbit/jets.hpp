@@ -16,8 +16,8 @@
 //   P = 9 (fixed tip), 16 (sliding, axial), 18 (sliding); 3 more for full inertia.
 
 #include "flow/number/lanes.hpp"
-#include "flow/orbit/model.hpp"
 #include "flow/number/twin.hpp"
+#include "flow/orbit/model.hpp"
 
 namespace kov::flow {
 inline namespace KOV_ISA {

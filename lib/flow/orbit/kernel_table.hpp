@@ -12,9 +12,7 @@ inline namespace KOV_ISA {
 template <class T> inline constexpr const auto& sets_of = effect_sets;
 template <class P> inline constexpr const auto& sets_of<Twin<P>> = coarse_sets;
 
-template <class T> struct KernelTable {
-  Kernel<T> of[sets_of<T>.size()];
-};
+template <class T> struct KernelTable { Kernel<T> of[sets_of<T>.size()]; };
 
 template <class T, std::size_t... I>
 constexpr KernelTable<T> make_table(std::index_sequence<I...>) {
@@ -22,8 +20,8 @@ constexpr KernelTable<T> make_table(std::index_sequence<I...>) {
 }
 
 template <class T>
-inline constexpr KernelTable<T> kernel_table =
-    make_table<T>(std::make_index_sequence<sets_of<T>.size()>{});
+inline constexpr KernelTable<T>
+    kernel_table = make_table<T>(std::make_index_sequence<sets_of<T>.size()>{});
 
 template <class T>
 void integrate_with(std::size_t set, const Model<typename Lanes<T>::Real>& model, bool sliding,

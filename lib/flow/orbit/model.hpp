@@ -14,12 +14,12 @@ namespace kov::flow {
 template <class T> struct Model {
   int shift = 0; ///< inner axis i is the body axis (i + shift) mod 3
   T inertia[3][3], inverse[3][3];
-  T euler[3];      ///< (I2-I3)/I1, ... for principal axes
-  T spin[3][3];    ///< I^-1 [B]x : the gyrostat's part of -Omega'
-  T lever[3];      ///< Lh
-  T p[3], q[3];    ///< alpha = p.Gamma, beta = q.Gamma
-  T e[3], f[3];    ///< the basis
-  T ae[3], af[3];  ///< I^-1 e/(e.I^-1 e), I^-1 f/(f.I^-1 f)
+  T euler[3];        ///< (I2-I3)/I1, ... for principal axes
+  T spin[3][3];      ///< I^-1 [B]x : the gyrostat's part of -Omega'
+  T lever[3];        ///< Lh
+  T p[3], q[3];      ///< alpha = p.Gamma, beta = q.Gamma
+  T e[3], f[3];      ///< the basis
+  T ae[3], af[3];    ///< I^-1 e/(e.I^-1 e), I^-1 f/(f.I^-1 f)
   T c_alpha, c_beta; ///< m lambda^2 e.I^-1 e, ...
   T g_alpha, g_beta; ///< m g lambda e.I^-1 e, ...
   T m_lambda2;       ///< m lambda^2

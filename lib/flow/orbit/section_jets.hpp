@@ -42,8 +42,8 @@ template <Effects E, class T> struct SectionSums {
   T *w, *al, *be, *m1, *m2, *m3, *mm, *vertical;
   SectionSums(const Jet<T>& j, int axis)
       : w(j.s[Jet<T>::w]), al(Plane<E.axial, T>(j).al), be(Plane<E.axial, T>(j).be),
-        m1(j.s[Jet<T>::m1]), m2(j.s[Jet<T>::m2]), m3(j.s[Jet<T>::m3]),
-        mm(j.s[Jet<T>::m_squared]), vertical(j.s[3 + axis]) {}
+        m1(j.s[Jet<T>::m1]), m2(j.s[Jet<T>::m2]), m3(j.s[Jet<T>::m3]), mm(j.s[Jet<T>::m_squared]),
+        vertical(j.s[3 + axis]) {}
   void vertical_speed(int a, int b) {
     if constexpr (E.sliding) {
       add_product(wa, w[a], al[b]);

@@ -29,15 +29,15 @@ struct SectionRule {
 template <class R> struct Crossing {
   std::size_t orbit = 0;
   R t{};
-  R x[6]{};     ///< Omega, Gamma in body axes
+  R x[6]{}; ///< Omega, Gamma in body axes
   bool falling = true;
 };
 
 enum class Ended : unsigned char { time, crossings, steps, stopped, broken };
 
 template <class R> struct Finish {
-  R x[6]{};     ///< the last state (rounded)
-  R low[6]{};   ///< what rounding took away
+  R x[6]{};   ///< the last state (rounded)
+  R low[6]{}; ///< what rounding took away
   R t{};
   R drift[3]{}; ///< largest |H - H_0|, |F1 - F1_0|, |F2 - F2_0| seen at the checks, absolute
   long steps = 0, crossings = 0;
@@ -57,7 +57,7 @@ template <class R> struct Run {
   R t_end{};
   long max_crossings = -1; ///< -1: no limit
   long max_steps = -1;
-  int check_every = 16;    ///< steps between two looks at the integrals; 0: only at the end
+  int check_every = 16; ///< steps between two looks at the integrals; 0: only at the end
   SectionRule section;
   const std::atomic<bool>* stop = nullptr;
   const R* starts = nullptr; ///< 6 numbers for each orbit: Omega, Gamma in body axes
@@ -111,14 +111,15 @@ template <class T> Model<T> widen(const Model<typename Lanes<T>::Real>& c) {
 }
 
 // H, F1, F2 in inner axes.  `sliding` as a number, 0 or 1, is in m_lambda2 (see Stepper).
-template <class T> void pack_integrals(const Model<T>& c, bool sliding, const T (&x)[6], T (&out)[3]) {
+template <class T>
+void pack_integrals(const Model<T>& c, bool sliding, const T (&x)[6], T (&out)[3]) {
   const T k1 = along(c.inertia[0], x[0], x[1], x[2]);
   const T k2 = along(c.inertia[1], x[0], x[1], x[2]);
   const T k3 = along(c.inertia[2], x[0], x[1], x[2]);
   T twice = k1 * x[0] + k2 * x[1] + k3 * x[2];
   if (sliding) {
-    const T w = c.lever[0] * (x[4] * x[2] - x[5] * x[1]) + c.lever[1] * (x[5] * x[0] - x[3] * x[2]) +
-                c.lever[2] * (x[3] * x[1] - x[4] * x[0]);
+    const T w = c.lever[0] * (x[4] * x[2] - x[5] * x[1]) +
+                c.lever[1] * (x[5] * x[0] - x[3] * x[2]) + c.lever[2] * (x[3] * x[1] - x[4] * x[0]);
     add_product(twice, c.m_lambda2, T(w * w));
   }
   const T half = Lanes<T>::all(typename Lanes<T>::Real(1) / typename Lanes<T>::Real(2));
@@ -289,7 +290,8 @@ private:
       above = (size > Real(1e-10) * scale ? b[0] : b[1]) > Real(0);
     }
     // S below the rounding of its own terms is taken for 0: on an invariant plane it vanishes identically.
-    const Real noise = L::get(jet_.s[Jet<T>::m_squared][0], lane) * (unit_roundoff<Real>() * Real(16));
+    const Real noise =
+        L::get(jet_.s[Jet<T>::m_squared][0], lane) * (unit_roundoff<Real>() * Real(16));
     Root<Real> roots[16];
     const int found = sign_changes(b, p, noise, above, run_.section.falling, run_.section.rising,
                                    roots, 16, tally_[lane].tangencies);
@@ -314,8 +316,8 @@ private:
       c.x[3 + (i + model_.shift) % 3] = at(3 + i, lane, dt);
     }
     const auto vertical = [&](int i) -> const Real& { return c.x[3 + (i + model_.shift) % 3]; };
-    const Real side = at(Jet<T>::m1 + b, lane, dt) * vertical(a) -
-                      at(Jet<T>::m1 + a, lane, dt) * vertical(b);
+    const Real side =
+        at(Jet<T>::m1 + b, lane, dt) * vertical(a) - at(Jet<T>::m1 + a, lane, dt) * vertical(b);
     if ((side > Real(0)) != (run_.section.side > 0)) return;
     c.orbit = orbit_[lane];
     c.t = L::get(t_, lane) + (L::get(t_low_, lane) + dt);

@@ -18,9 +18,9 @@
 // Numbers are integers or texts such as "8/9", "sqrt(11)/24", "3*pi/2", "10^-14" (quantity.hpp).
 // Units: mass, length and time are the scene's own; l in radian; L/G, F1, tolerance dimensionless.
 
+#include "flow/number/quantity.hpp"
 #include "flow/orbit/andoyer.hpp"
 #include "flow/orbit/model.hpp"
-#include "flow/number/quantity.hpp"
 
 #include <array>
 #include <optional>

@@ -14,10 +14,10 @@ inline constexpr int safety_bits = 6;
 
 struct SectionPoint {
   std::size_t orbit = 0;
-  double t = 0; ///< time of the crossing, from the start of the orbit
-  double l = 0; ///< radian, in [0, 2 pi)
-  double y = 0; ///< L/G
-  double g_size = 0; ///< G
+  double t = 0;       ///< time of the crossing, from the start of the orbit
+  double l = 0;       ///< radian, in [0, 2 pi)
+  double y = 0;       ///< L/G
+  double g_size = 0;  ///< G
   std::string digits; ///< "t l L/G G" of a run in more digits than double, to as many as it has
 };
 
@@ -38,9 +38,9 @@ struct Section {
   std::vector<SectionPoint> points; ///< by orbit, then by time
   std::vector<OrbitReport> orbits;
   int least_order = 0, order = 0; ///< of the Taylor steps, over all orbits
-  std::string arithmetic; ///< "double, AVX-512, 8 lanes"
-  double drift = 0;       ///< the largest of all orbits
-  std::size_t skipped = 0; ///< grid points where the level has no point
+  std::string arithmetic;         ///< "double, AVX-512, 8 lanes"
+  double drift = 0;               ///< the largest of all orbits
+  std::size_t skipped = 0;        ///< grid points where the level has no point
   bool stopped = false;
   bool has_time = false; ///< the time alone ends an orbit
   /// Orbits that have fewer crossings than asked for, although nobody stopped them: they reached
@@ -58,7 +58,8 @@ struct SimulateOptions {
   int threads = 1;
   int lanes = 0; ///< 0: best_lanes
   const std::atomic<bool>* stop = nullptr;
-  std::function<void(std::size_t done, std::size_t all)> progress; ///< called from the threads, one at a time
+  std::function<void(std::size_t done, std::size_t all)>
+      progress; ///< called from the threads, one at a time
   std::function<void(const Section& so_far)> finished_some; ///< the same; points are not sorted yet
 };
 

@@ -1,7 +1,7 @@
 #include "flow/section/fixed_points.hpp"
 
-#include "flow/section/index_grid.hpp"
 #include "flow/scene/own_units.hpp"
+#include "flow/section/index_grid.hpp"
 #include "flow/section/section_map.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Krawczyk's test for a fixed point of the section map, with enclosures all the way; see
 // fixed_points.hpp.
 
-#include "flow/section/fixed_points.hpp"
 #include "flow/scene/own_units.hpp"
+#include "flow/section/fixed_points.hpp"
 #include "flow/section/section_map.hpp"
 
 #include <algorithm>
@@ -303,7 +303,8 @@ void krawczyk(FixedPoint& f, ProvedMap& map) {
     SectionImage<Enclosure> over = map(u.l.widened(radius), u.y.widened(radius), u.size);
     Enclosure kl, ky;
     if (!contracts(u, over, radius, kl, ky)) continue;
-    if (std::max(kl.radius(), ky.radius()) < r / 4) over = map(kl, ky, u.size); // the fixed point is in K
+    if (std::max(kl.radius(), ky.radius()) < r / 4)
+      over = map(kl, ky, u.size); // the fixed point is in K
     const Enclosure trace = over.l.d[0] + over.y.d[1];
     f.l = static_cast<double>(kl);
     f.y = static_cast<double>(ky);
