@@ -29,7 +29,7 @@ struct ParametricEquation {
 /// Given   EquationText weber;
 /// Given   weber.r = parse_expression("z^2 + a", "r"), weber.parameters = {"a"};
 /// Example read_parametric_equation(weber).variable  // -> z
-/// Example read_parametric_equation(weber).question.r  // -> z^2 + a
+/// Example read_parametric_equation(weber).question.r  // -> a + z^2
 [[nodiscard]] ParametricEquation read_parametric_equation(const EquationText& text);
 
 } // namespace kov
