@@ -182,11 +182,12 @@ std::string proof_text(const Json& proof) {
          proof.at("commutator_entry").get<std::string>();
 }
 
-std::string entry_text(const Json& entry, long shown) {
+// The numbers cut after so many decimals; `mark` stands where something was cut.
+std::string entry_text(const Json& entry, long shown, const char* mark = "") {
   const auto cut = [&](std::string s) {
     const auto dot = s.find('.');
     if (dot == std::string::npos || s.size() <= dot + 1 + static_cast<std::size_t>(shown)) return s;
-    return s.substr(0, dot + 1 + static_cast<std::size_t>(shown)) + "...";
+    return s.substr(0, dot + 1 + static_cast<std::size_t>(shown)) + mark;
   };
   const std::string im = cut(entry[1]);
   const bool negative = im.front() == '-';
@@ -196,12 +197,12 @@ std::string entry_text(const Json& entry, long shown) {
 std::string text_of(const Json& j) {
   std::ostringstream out;
   const long shown = std::min(20L, j.at("digits").get<long>());
-  out << "base " << entry_text(j.at("base"), 20) << "; " << j.at("basis").get<std::string>()
+  out << "base " << entry_text(j.at("base"), 20, "...") << "; " << j.at("basis").get<std::string>()
       << '\n';
   if (j.contains("constant")) out << "where " << j.at("constant").get<std::string>() << '\n';
   for (const Json& l : j.at("loops")) {
     out << "  around " << l.at("place").get<std::string>() << ", counterclockwise   (radius "
-        << l.at("radius").get<std::string>() << ")\n";
+        << l.at("radius").get<std::string>() << "; cut after " << shown << " decimals)\n";
     for (const Json& row : l.at("matrix")) {
       out << "   ";
       for (const Json& entry : row)
@@ -263,7 +264,8 @@ Json equation_json(const Settings& settings, const MonodromyArguments& a) {
   const auto proof = mo::prove_sl2(m, request.budget);
   j["certificate"] = proof ? json_of(*proof) : Json(nullptr);
   j["irregular"] = irregular_places(e);
-  if (!e.constant.empty()) j["constant"] = e.constant + " = " + e.constant_meaning;
+  if (!e.constant.empty() && e.constant != "I")
+    j["constant"] = e.constant + " = " + e.constant_meaning;
   return j;
 }
 
