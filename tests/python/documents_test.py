@@ -1,0 +1,94 @@
+"""What is written about the module is true: the guide, the notebook, the stubs, the example in its own help."""
+
+import ast
+import contextlib
+import doctest
+import io
+import json
+import os
+import pathlib
+import re
+import unittest
+
+import kovacic
+
+ROOT = pathlib.Path(os.environ["KOV_SOURCE"])
+
+
+def has_sympy():
+    try:
+        import sympy  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+def run_examples(test, text, name):
+    out = io.StringIO()
+    runner = doctest.DocTestRunner(optionflags=doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE)
+    example = doctest.DocTestParser().get_doctest(text, {"__name__": "guide"}, name, name, 0)
+    test.assertGreater(len(example.examples), 0)
+    runner.run(example, out=out.write)
+    test.assertEqual(runner.summarize(verbose=False).failed, 0, out.getvalue())
+
+
+class Documents(unittest.TestCase):
+    def setUp(self):
+        self.before = os.getcwd()
+        os.chdir(ROOT)
+
+    def tearDown(self):
+        os.chdir(self.before)
+
+    @unittest.skipUnless(has_sympy(), "needs SymPy")
+    def test_guide(self):
+        text = (ROOT / "docs/guide/python.md").read_text(encoding="utf-8")
+        run_examples(self, "\n".join(re.findall(r"```python\n(.*?)```", text, re.S)), "python.md")
+
+    def test_help(self):
+        run_examples(self, kovacic.__doc__, "kovacic")
+
+    @unittest.skipUnless(has_sympy(), "needs SymPy")
+    def test_notebook(self):
+        notebook = json.loads((ROOT / "docs/guide/tutorial.ipynb").read_text(encoding="utf-8"))
+        names = {"__name__": "tutorial"}
+        cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        for cell in cells:
+            self.assertEqual((cell["outputs"], cell["execution_count"]), ([], None), "stored output")
+            tree = ast.parse("".join(cell["source"]))
+            last = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None
+            with contextlib.redirect_stdout(io.StringIO()):
+                exec(compile(tree, "tutorial", "exec"), names)
+                if last is not None:  # what Jupyter would show
+                    shown = eval(compile(ast.Expression(last.value), "tutorial", "eval"), names)
+                    for show in ("_repr_html_", "_repr_latex_"):
+                        if hasattr(shown, show):
+                            self.assertIsInstance(getattr(shown, show)(), (str, type(None)))
+        self.assertIs(names["report"].verdict, kovacic.VerdictKind.non_integrable)
+
+    def test_stubs(self):
+        tree = ast.parse((pathlib.Path(kovacic.__file__).parent / "__init__.pyi").read_text(encoding="utf-8"))
+        stubs = {node.name: node for node in tree.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+        self.assertEqual(sorted(stubs), sorted(kovacic.__all__))
+        for name, node in stubs.items():
+            if isinstance(node, ast.FunctionDef):
+                code = getattr(kovacic, name).__code__
+                arguments = [x.arg for x in node.args.args + node.args.kwonlyargs]
+                count = code.co_argcount + code.co_kwonlyargcount
+                self.assertEqual(arguments, list(code.co_varnames[:count]), name)
+            elif issubclass(getattr(kovacic, name), BaseException) or name == "Section":
+                continue
+            else:
+                said = {x.target.id for x in node.body if isinstance(x, ast.AnnAssign)}
+                said |= {x.name for x in node.body if isinstance(x, ast.FunctionDef)}
+                said |= {t.id for x in node.body if isinstance(x, ast.Assign) for t in x.targets}
+                here = getattr(kovacic, name)
+                known = {x for x in vars(here) if not x.startswith("_")} | set(getattr(here, "__annotations__", ()))
+                public = {x for x in said if not x.startswith("_")}
+                if issubclass(here, __import__("enum").Enum):
+                    known = set(here.__members__)
+                self.assertEqual(public, known, name)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,168 @@
+"""Systems, theorems, integrals and sections; the files of the project come from KOV_SOURCE."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import unittest
+from fractions import Fraction
+
+import kovacic
+from kovacic import Truth, VerdictKind
+
+ROOT = pathlib.Path(os.environ["KOV_SOURCE"])
+CASES = ROOT / "cases"
+
+CUBIC = """
+[system]
+kind = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta = ["p1", "p2"]
+parameters = ["h"]
+hamiltonian = "(p1^2 + p2^2)/2 + q1^2*q2 + q2^3/2"
+[[manifold]]
+name = "N"
+equations = ["q1 = 0", "p1 = 0"]
+level = "H = h"
+"""
+
+
+class Check(unittest.TestCase):
+    def test_file(self):
+        report = kovacic.check(CASES / "sliding_top" / "lemma3_sample.toml", set={"A": 1, "C": Fraction(3, 2)})
+        self.assertIs(report.verdict, VerdictKind.non_integrable)
+        manifold, = report.manifolds
+        self.assertEqual(manifold.by.id, "Morales-Ramis")
+        self.assertEqual(manifold.integrals, "meromorphic")
+        self.assertEqual(len(manifold.trusted_steps), 1)
+        self.assertEqual(report.values, {"A": 1, "C": Fraction(3, 2)})
+        self.assertIs(manifold.blocks[0].answer.abelian, Truth.no)
+        self.assertTrue(all(claim.proved is Truth.yes for claim in report.claims))
+        for said in (str(report), report._repr_html_()):
+            self.assertIn("NON-INTEGRABLE (Morales-Ramis", said)
+            self.assertIn("first integrals", said)
+            self.assertIn("trusted", said)
+
+    def test_text(self):
+        report = kovacic.check(CUBIC, set={"h": 1}, certificate=True)
+        self.assertIs(report.verdict, VerdictKind.non_integrable)
+        self.assertIsInstance(kovacic.verify(report.certificates["N"]), kovacic.Accepted)
+
+    def test_no_obstruction_is_not_integrable(self):
+        report = kovacic.check(CASES / "sliding_top" / "lemma3.toml", set={"A": 1, "C": "A"})
+        self.assertIs(report.verdict, VerdictKind.no_obstruction)
+        self.assertIn("does not prove integrability", str(report))
+
+    def test_undecided_says_why(self):
+        report = kovacic.check(CUBIC, set={"h": 1}, timeout=1e-6)
+        self.assertIs(report.verdict, VerdictKind.undecided)
+        self.assertTrue(report.manifolds[0].reasons)
+        self.assertIn("because", str(report))
+
+    def test_not_a_manifold(self):
+        report = kovacic.check(CUBIC.replace("q1 = 0\", \"p1 = 0", "q1 = 1\", \"p1 = 0"))
+        self.assertIsNotNone(report.manifolds[0].failure)
+        self.assertIs(report.verdict, VerdictKind.undecided)
+
+    def test_equation_file(self):
+        answer = kovacic.check("format = 'equation/1'\n[ode]\nr = 'z'\n")
+        self.assertIs(answer.abelian, Truth.no)
+
+    def test_nothing_asked(self):
+        report = kovacic.check(CUBIC[:CUBIC.index("[[manifold]]")])
+        self.assertIs(report.verdict, VerdictKind.undecided)
+        self.assertIn("nothing was asked", str(report))
+
+    def test_violated_assumption(self):
+        with self.assertRaises(kovacic.InputError):
+            kovacic.check(CASES / "sliding_top" / "lemma3.toml", set={"A": -1})
+
+
+class Theorems(unittest.TestCase):
+    def test_prove(self):
+        theorem = kovacic.prove(CASES / "classics" / "heavy_top_theorem.toml")
+        self.assertIsInstance(theorem.complete, bool)
+        self.assertEqual(theorem.complete, theorem.verdict == "PROVED")
+        self.assertIn("<table>", theorem._repr_html_())
+        self.assertIn(theorem.conclusion, " ".join(theorem.text().split()))
+        self.assertTrue(theorem.html().startswith("<!"))
+
+    def test_limit_leaves_it_open(self):
+        theorem = kovacic.prove(CASES / "classics" / "heavy_top_theorem.toml", timeout=1e-6)
+        self.assertFalse(theorem.complete)
+        self.assertEqual(theorem.statement, "")
+        self.assertNotEqual(theorem.verdict, "PROVED")
+
+    def test_proof_script(self):
+        script = ROOT / "tests" / "proof_scripts" / "lemma3.py"
+        ran = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=120)
+        self.assertEqual(ran.stderr, "")
+        self.assertTrue(ran.stdout.splitlines()[-1].startswith("Lemma 3 is proved"), ran.stdout)
+
+
+class Integrals(unittest.TestCase):
+    def test_henon_heiles(self):
+        found = kovacic.integrals(CASES / "classics" / "henon_heiles.toml", 2)
+        self.assertTrue(found.finished)
+        self.assertTrue(any(len(s.values) > 1 for s in found.sets))
+        self.assertIn("<table>", found._repr_html_())
+
+    def test_degree(self):
+        with self.assertRaises(kovacic.InvalidArgument):
+            kovacic.integrals(CUBIC, -1)
+
+
+class Sections(unittest.TestCase):
+    SCENE = """format = "scene/1"
+title = "a ball"
+[body]
+inertia = [1, 2, 3]
+lever = [0, 0, "1/4"]
+tip = "sliding"
+gravity = 1
+[levels]
+H = 4
+F2 = "1/2"
+[section]
+angle = "pi/2"
+direction = "upward"
+[orbits]
+seeds = [[1, "1/3"], [2, "1/5"]]
+crossings = 40
+"""
+
+    def test_points(self):
+        section = kovacic.section(self.SCENE)
+        self.assertEqual(len(section.l), len(section.orbit))
+        self.assertGreaterEqual(len(section.l), 40)
+        self.assertLess(max(abs(y) for y in section.y), 1)
+        self.assertLess(section.drift, 1e-9)
+        self.assertFalse(section.stopped)
+        self.assertIn("<svg", section._repr_html_())
+        with self.assertRaises(TypeError):
+            bool(section)
+
+    def test_types(self):
+        section = kovacic.section(self.SCENE)
+        try:
+            import numpy
+        except ImportError:
+            self.assertEqual(section.l.typecode, "d")
+        else:
+            self.assertIsInstance(section.l, numpy.ndarray)
+            self.assertEqual(section.orbit.dtype, numpy.int64)
+
+    def test_partial_says_so(self):
+        section = kovacic.section(self.SCENE.replace("crossings = 40", "crossings = 20000000"), timeout=0.3)
+        self.assertTrue(section.stopped)
+        self.assertIn("PARTIAL", repr(section))
+        self.assertIn("PARTIAL", section._repr_html_())
+
+    def test_drift_is_no_picture(self):
+        section = kovacic.section(self.SCENE)
+        section.drift = 1.0
+        self.assertNotIn("<svg", section._repr_html_())
+
+
+if __name__ == "__main__":
+    unittest.main()

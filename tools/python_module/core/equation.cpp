@@ -1,0 +1,464 @@
+// One equation: solve().  Decisions and the evidence behind them.
+
+#include "bind.hpp"
+#include "question.hpp"
+
+#include "decide/words.hpp"
+#include "equation/assumptions.hpp"
+#include "equation/equation_file.hpp"
+#include "equation/parametric_equation.hpp"
+#include "galois/exponential_form.hpp"
+#include "recognize/symbolic_family.hpp"
+#include "strata.hpp"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+namespace kov::python {
+namespace {
+
+/// A decision about an equation that somebody wrote.
+struct Solved : Decision {
+  GivenEquation given;
+};
+
+/// With the name of the variable.
+struct Solution {
+  LiouvillianSolution s;
+  std::string variable;
+};
+
+struct Engines {
+  std::shared_ptr<const Classification> proof;
+  std::string variable;
+};
+
+std::optional<Expression> formula(const char* name, const std::optional<std::string>& text,
+                                  bool equation = false) {
+  if (!text) return std::nullopt;
+  return parse_expression(*text, name, equation);
+}
+
+// exp(-1/2 int p), by which the solutions of y'' = r y are to be multiplied.
+std::string factor_text(const GivenEquation& given) {
+  if (is_zero(given.p)) return "1";
+  try {
+    const LogarithmicParts parts =
+        logarithmic_parts(given.p * RationalFunction(Rational(-1, 2)), Budget::of_seconds(10));
+    return exponential_text(Poly(1), parts, given.variable);
+  } catch (const OutOfBudget&) { // the integral is an answer, too
+    return "exp(-1/2*int(" + to_string(given.p, given.variable) + "))";
+  }
+}
+
+py::object because(const Decision& d) {
+  if (const auto* by = std::get_if<ByEngines>(&d.because))
+    return py::cast(Engines{by->proof, d.variable});
+  if (const auto* by = std::get_if<ByFormula>(&d.because)) return py::cast(*by);
+  if (const auto* by = std::get_if<ByKovacic>(&d.because)) return py::cast(*by);
+  return py::none();
+}
+
+std::vector<Solution> solutions_of(const Decision& d) {
+  std::vector<Solution> all;
+  for (const LiouvillianSolution& s : d.solutions)
+    all.push_back({s, d.variable});
+  return all;
+}
+
+std::string headline(const Decision& d) {
+  std::string text = d.group ? "G = " + describe(*d.group) : "G not determined";
+  if (d.component) text += ", identity component " + to_string(*d.component);
+  return text + (d.abelian == Truth::yes  ? ", abelian"
+                 : d.abelian == Truth::no ? ", not abelian"
+                                          : ", abelian or not: undecided");
+}
+
+std::string told(const Decision& d) {
+  std::string text = "y'' = r y, r = " + to_string(d.r, d.variable) + "\n" + headline(d) +
+                     "\nbecause " + reason(d);
+  if (d.undecided) text += "\nundecided: " + d.undecided->detail;
+  return text;
+}
+
+template <class T> py::object or_none(const std::optional<T>& value, const std::string& variable) {
+  if (!value) return py::none();
+  return py::cast(Function{*value, variable});
+}
+
+py::list functions(const std::vector<RationalFunction>& all, const std::string& variable) {
+  py::list list;
+  for (const RationalFunction& f : all)
+    list.append(Function{f, variable});
+  return list;
+}
+
+std::string solution_text(const Solution& s) {
+  if (!s.s.exponential) {
+    std::string sum;
+    for (std::size_t i = 0; i < s.s.minimal_polynomial.size(); ++i)
+      if (!is_zero(s.s.minimal_polynomial[i]))
+        sum +=
+            (sum.empty() ? "" : " + ") +
+            ("(" + to_string(s.s.minimal_polynomial[i], s.variable) + ")*w^" + std::to_string(i));
+    return "exp(int w), " + sum + " = 0";
+  }
+  return text(s.s, s.variable, Budget::of_seconds(60));
+}
+
+void bind_solutions(py::module_& m) {
+  auto type = read_only<Solution>(
+      m, "LiouvillianSolution",
+      "A solution of y'' = r y: an exponential, or the minimal polynomial of y'/y.", {"y"});
+  type.def_property_readonly(
+          "y",
+          [](const Solution& s) -> py::object {
+            if (!s.s.exponential) return py::none();
+            return py::str(solution_text(s));
+          },
+          "P*(z-c)^e*exp(R) as text; None for the others")
+      .def_property_readonly(
+          "omega",
+          [](const Solution& s) -> py::object {
+            if (!s.s.exponential) return py::none();
+            return py::cast(Function{s.s.exponential->omega(), s.variable});
+          },
+          "y'/y; None for the others")
+      .def_property_readonly(
+          "minimal_polynomial",
+          [](const Solution& s) { return functions(s.s.minimal_polynomial, s.variable); },
+          "of y'/y over K(z), ascending; empty for an exponential")
+      .def_property_readonly(
+          "note", [](const Solution& s) { return note(s.s); }, "what is said of the constants")
+      .def("__str__", &solution_text)
+      .def("__repr__",
+           [](const Solution& s) { return "LiouvillianSolution('" + solution_text(s) + "')"; })
+      .def("_repr_latex_", [](const Solution& s) {
+        return s.s.exponential ? "$" + latex(solution_text(s)) + "$" : solution_text(s);
+      });
+}
+
+void bind_evidence_enums(py::module_& m) {
+  enumeration<Argument>(m, "Argument",
+                        {{"none", Argument::none},
+                         {"zero", Argument::zero},
+                         {"p_curvature", Argument::p_curvature},
+                         {"torus_two_lines", Argument::torus_two_lines},
+                         {"torus_dihedral", Argument::torus_dihedral},
+                         {"torus_no_invariant", Argument::torus_no_invariant},
+                         {"torus_one_line", Argument::torus_one_line},
+                         {"torus_no_line", Argument::torus_no_line},
+                         {"logarithm_one_line", Argument::logarithm_one_line},
+                         {"logarithm_no_line", Argument::logarithm_no_line},
+                         {"integral_exponents", Argument::integral_exponents},
+                         {"two_quartics", Argument::two_quartics},
+                         {"two_radicals", Argument::two_radicals},
+                         {"fourth_power", Argument::fourth_power},
+                         {"dihedral", Argument::dihedral},
+                         {"one_radical", Argument::one_radical},
+                         {"line_alone", Argument::line_alone},
+                         {"no_invariant", Argument::no_invariant},
+                         {"primitive", Argument::primitive}});
+  enumeration<Trichotomy>(m, "Trichotomy",
+                          {{"irregular_or_irrational", Trichotomy::irregular_or_irrational},
+                           {"logarithmic", Trichotomy::logarithmic},
+                           {"rational_without_log", Trichotomy::rational_without_log},
+                           {"undetermined", Trichotomy::undetermined}});
+  enumeration<Method>(m, "Method",
+                      {{"automatic", Method::automatic},
+                       {"kovacic", Method::kovacic},
+                       {"engines", Method::engines},
+                       {"all", Method::all}});
+}
+
+py::object pair_of(const Engines& e) {
+  if (!e.proof->pair) return py::none();
+  return py::make_tuple(Function{e.proof->pair->v, e.variable},
+                        to_python(e.proof->pair->w_squared));
+}
+
+py::list invariants_of(const Engines& e) {
+  py::list all;
+  for (const InvariantSearch& search : e.proof->invariants)
+    for (const Invariant& v : search.basis)
+      all.append(py::make_tuple(v.m, Function{value(v, *e.proof->local), e.variable}));
+  return all;
+}
+
+py::object absence_of(const Engines& e) {
+  if (!e.proof->no_exponential) return py::none();
+  const NoExponential& none = *e.proof->no_exponential;
+  if (none.obstruction) return py::str(to_string(*none.obstruction, *e.proof->local, e.variable));
+  return py::str("the expansion at one place modulo " + std::to_string(none.prime.p) +
+                 " satisfies no recurrence of length " + std::to_string(none.length));
+}
+
+void bind_evidence(py::module_& m) {
+  bind_evidence_enums(m);
+  auto engines = read_only<Engines>(
+      m, "ByEngines", "The polynomial-time engines: which argument, and the evidence that it uses.",
+      {"argument"});
+  engines.def_property_readonly("argument", [](const Engines& e) { return e.proof->argument; })
+      .def_property_readonly("kind", [](const Engines& e) { return e.proof->kind; })
+      .def_property_readonly(
+          "place",
+          [](const Engines& e) -> py::object {
+            if (!e.proof->local) return py::none();
+            return py::str(place_name(place_at(*e.proof->local, e.proof->decisive), e.variable));
+          },
+          "the place that decides the kind, but for rational_without_log")
+      .def_property_readonly(
+          "exponential",
+          [](const Engines& e) -> py::object {
+            if (!e.proof->exponential) return py::none();
+            return py::cast(Function{e.proof->exponential->omega(), e.variable});
+          },
+          "y'/y of the only exponential solution over K, verified")
+      .def_property_readonly("pair", &pair_of,
+                             "(v, w^2) of two exponential solutions: v = y1*y2, "
+                             "y'/y = (v' +- w)/(2*v)")
+      .def_property_readonly("invariants", &invariants_of,
+                             "(m, v): rational solutions v of the m-th symmetric power, verified")
+      .def_property_readonly(
+          "no_invariants",
+          [](const Engines& e) {
+            py::list all;
+            for (const NoInvariant& none : e.proof->no_invariants)
+              all.append(none.m);
+            return all;
+          },
+          "degrees m of symmetric powers without rational solution, proved")
+      .def_property_readonly("no_exponential", &absence_of,
+                             "how the absence of exponential solutions is proved, or None")
+      .def_property_readonly(
+          "p_curvature",
+          [](const Engines& e) -> py::object {
+            if (!e.proof->p_curvature) return py::none();
+            return py::int_(e.proof->p_curvature->prime.p);
+          },
+          "the prime that proves SL(2, C) by itself, or None")
+      .def_property_readonly("undecided", [](const Engines& e) { return e.proof->undecided; })
+      .def_property_readonly("reason", [](const Engines& e) { return reason(*e.proof); })
+      .def("__repr__", [](const Engines& e) { return "ByEngines(" + reason(*e.proof) + ")"; });
+
+  read_only<ByKovacic>(m, "ByKovacic", "Kovacic's algorithm excludes its cases 1, 2 and 3.")
+      .def("__repr__", [](const ByKovacic&) { return "ByKovacic()"; });
+
+  auto formula = read_only<ByFormula>(m, "ByFormula", "The closed answer of a classical equation.",
+                                      {"family", "parameters"});
+  formula
+      .def_property_readonly("family",
+                             [](const ByFormula& by) { return to_string(by.known.family); })
+      .def_property_readonly("equation", [](const ByFormula& by) { return by.known.equation; })
+      .def_property_readonly("parameters",
+                             [](const ByFormula& by) {
+                               py::dict all;
+                               for (const auto& [name, value] : by.known.parameters)
+                                 all[py::str(name)] = value;
+                               return all;
+                             })
+      .def_property_readonly("reason", [](const ByFormula& by) { return by.known.answer->reason; })
+      .def_property_readonly(
+          "engines", [](const ByFormula& by) { return by.engines; }, "what had stopped the engines")
+      .def("__repr__", [](const ByFormula& by) {
+        return std::string("ByFormula('") + to_string(by.known.family) + "')";
+      });
+}
+
+void bind_decision(py::module_& m) {
+  auto type = read_only<Decision>(
+      m, "Decision", "y'' = r y decided: group, identity component, solutions, and why.",
+      {"group", "because"});
+  type.def_property_readonly("r",
+                             [](const Decision& d) {
+                               return Function{d.r, d.variable};
+                             })
+      .def_readonly("variable", &Decision::variable)
+      .def_readonly("group", &Decision::group, "None: not determined")
+      .def_readonly("component", &Decision::component,
+                    "the identity component; may be known where the group is not")
+      .def_readonly("abelian", &Decision::abelian, "is the identity component abelian?  A Truth")
+      .def_readonly("kovacic_case", &Decision::kovacic_case, "1 to 4, or None")
+      .def_property_readonly("because", &because,
+                             "ByEngines, ByKovacic, ByFormula, or None: undecided")
+      .def_property_readonly("reason", [](const Decision& d) { return reason(d); })
+      .def_readonly("undecided", &Decision::undecided,
+                    "why something that was asked stayed open, or None")
+      .def_property_readonly(
+          "withdrawn",
+          [](const Decision& d) -> std::optional<std::string> {
+            if (!d.withdrawn) return std::nullopt;
+            return to_string(*d.withdrawn);
+          },
+          "why an answer was taken back; then nothing else is stated")
+      .def_readonly("second_opinion", &Decision::second_opinion,
+                    "the case that Kovacic's algorithm finds as well, or None")
+      .def_property_readonly("solutions", &solutions_of, "of y'' = r y")
+      .def_property_readonly(
+          "no_solutions",
+          [](const Decision& d) -> std::optional<std::string> {
+            if (!d.no_solutions) return std::nullopt;
+            return to_string(*d.no_solutions);
+          },
+          "why the solutions are not there, or None")
+      .def_readonly("only_case", &Decision::only_case)
+      .def_property_readonly("trace",
+                             [](const Decision& d) {
+                               py::list all;
+                               for (const TraceStep& t : d.trace)
+                                 all.append(py::make_tuple(t.step, t.text));
+                               return all;
+                             })
+      .def_property_readonly(
+          "certificate",
+          [](const Decision& d) -> std::optional<std::string> {
+            if (d.certificate.empty()) return std::nullopt;
+            return d.certificate;
+          },
+          "JSON for verify(), if it was asked for")
+      .def_readonly("no_certificate", &Decision::no_certificate)
+      .def_readonly("refused", &Decision::refused)
+      .def_readonly("seconds", &Decision::seconds)
+      .def_property_readonly("headline", &headline)
+      .def("__str__", &told)
+      .def("__repr__", [](const Decision& d) { return "<Decision: " + headline(d) + ">"; })
+      .def("_repr_latex_", [](const Decision& d) {
+        return "$y'' = " + latex(to_string(d.r, d.variable)) + "\\, y$: " + headline(d);
+      });
+
+  py::class_<Solved, Decision> solved(
+      m, "Solved", "The decision about an equation as it was given: y'' + p y' + q y = 0.");
+  solved.def_property_readonly("p",
+                               [](const Solved& s) {
+                                 return Function{s.given.p, s.variable};
+                               })
+      .def_property_readonly("q",
+                             [](const Solved& s) {
+                               return Function{s.given.q, s.variable};
+                             })
+      .def_property_readonly(
+          "factor", [](const Solved& s) { return factor_text(s.given); },
+          "exp(-1/2 int p): the solutions of the given equation are this times `solutions`")
+      .def_property_readonly(
+          "constants",
+          [](const Solved& s) {
+            py::dict all;
+            if (!s.given.constant.empty())
+              all[py::str(s.given.constant)] = s.given.constant_meaning;
+            return all;
+          },
+          "what the generator of the number field means: {name: 'root(p, approx)'}")
+      .def("__str__", [](const Solved& s) {
+        std::string text = told(s);
+        if (!s.given.constant.empty())
+          text += "\nwhere " + s.given.constant + " = " + s.given.constant_meaning;
+        for (const Solution& y : solutions_of(s))
+          text += "\ny = " + solution_text(y);
+        if (!is_zero(s.given.p))
+          text += "\nsolutions of the given equation: these times " + factor_text(s.given);
+        return text;
+      });
+}
+
+/// Numbers, or a family.
+std::variant<Solved, FamilyAnswer> decided(const Wishes& wishes, const EquationText& text,
+                                           const Budget& budget) {
+  check_names(text);
+  check_assumptions(text);
+  Options options = wishes.options(budget);
+  try {
+    GivenEquation given = read_equation(text, budget);
+    options.variable = given.variable;
+    Decision d = decide(given.normal_form, options);
+    return Solved{std::move(d), std::move(given)};
+  } catch (const FreeParameters&) {
+    return decide_family(read_parametric_equation(text), options);
+  }
+}
+
+} // namespace
+
+Options Wishes::options(const Budget& budget) const {
+  Options o;
+  o.budget = budget;
+  o.method = method;
+  o.only_case = only_case;
+  o.want_solutions = solutions;
+  o.want_trace = trace;
+  o.want_certificate = certificate;
+  return o;
+}
+
+EquationText EquationTexts::read() const {
+  EquationText text;
+  text.r = formula("r", r);
+  text.ode = formula("equation", ode, true);
+  text.p = formula("p", p);
+  text.q = formula("q", q);
+  text.minpoly = formula("minpoly", minpoly);
+  text.variable = variable;
+  text.parameters = parameters;
+  for (const auto& [name, value] : set)
+    text.set.emplace_back(name, parse_expression(value, "set[" + name + "]"));
+  add_assumptions(text, assume);
+  return text;
+}
+
+void add_assumptions(EquationText& text, const std::vector<std::string>& assume) {
+  const auto names = settable_names(text);
+  const std::string variable = text.variable.empty() ? "z" : text.variable;
+  for (const std::string& sentence : assume) {
+    text.assume.push_back({sentence, origin_of_text("assume", sentence), ""});
+    for (const std::string& name : names_in_assumption(text.assume.back()))
+      if (name != variable && std::binary_search(names.begin(), names.end(), name))
+        text.parameters.push_back(name);
+  }
+}
+
+py::object answer(const Wishes& wishes, const EquationText& text) {
+  return computed(wishes.limits,
+                  [&](const Budget& b, const Interrupt&) { return decided(wishes, text, b); });
+}
+
+void bind_equation(py::module_& m) {
+  bind_solutions(m);
+  bind_evidence(m);
+  bind_decision(m);
+  py::class_<Limits>(m, "Limits")
+      .def(py::init([](std::optional<double> timeout, std::optional<double> work,
+                       std::optional<long> degree, std::optional<long> families) {
+             Limits limits{timeout, work, degree, families};
+             (void)limits.budget();
+             return limits;
+           }),
+           py::kw_only(), py::arg("timeout") = py::none(), py::arg("max_work") = py::none(),
+           py::arg("max_degree") = py::none(), py::arg("max_families") = py::none());
+  py::class_<Wishes>(m, "Wishes")
+      .def(py::init([](const Limits& limits, Method method, std::optional<int> only_case,
+                       bool solutions, bool trace, bool certificate) {
+             if (only_case && (*only_case < 1 || *only_case > 3))
+               throw InvalidArgument("only_case is 1, 2 or 3, and not " +
+                                     std::to_string(*only_case));
+             return Wishes{limits, method, only_case, solutions, trace, certificate};
+           }),
+           py::kw_only(), py::arg("limits"), py::arg("method") = Method::automatic,
+           py::arg("only_case") = py::none(), py::arg("solutions") = true, py::arg("trace") = false,
+           py::arg("certificate") = false);
+  using Text = std::optional<std::string>;
+  py::class_<EquationTexts>(m, "EquationTexts")
+      .def(py::init([](Text r, Text ode, Text p, Text q, Text minpoly, std::string variable,
+                       std::vector<std::string> parameters, std::vector<std::string> assume,
+                       std::vector<std::pair<std::string, std::string>> set) {
+             return EquationTexts{std::move(r),          std::move(ode),     std::move(p),
+                                  std::move(q),          std::move(minpoly), std::move(variable),
+                                  std::move(parameters), std::move(assume),  std::move(set)};
+           }),
+           py::arg("r"), py::arg("ode"), py::arg("p"), py::arg("q"), py::arg("minpoly"),
+           py::arg("variable"), py::arg("parameters"), py::arg("assume"), py::arg("set"));
+  m.def("solve", [](const Wishes& wishes, const EquationTexts& texts) {
+    return answer(wishes, texts.read());
+  });
+}
+
+} // namespace kov::python

@@ -1,0 +1,326 @@
+// Families of equations: the tree of strata, each with its verdict and its evidence.
+
+#include "strata.hpp"
+#include "bind.hpp"
+#include "strata/certificate.hpp"
+#include "strata/words.hpp"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <set>
+
+namespace kov::python {
+
+FamilyAnswer decide_family(const ParametricEquation& f, const Options& options) {
+  strata::StrataLimits limits;
+  limits.decide = options;
+  limits.decide.variable = f.variable;
+  limits.decide.ask_the_judge = true;
+  FamilyAnswer a{strata::decide_strata(f.question, limits), f.variable};
+  try {
+    a.family = symbolic_family(f.question.r, f.question.z, options.budget);
+  } catch (const OutOfBudget&) { // the strata are the answer
+  }
+  return a;
+}
+
+namespace {
+
+using strata::Leaf;
+using strata::StrataAnswer;
+using strata::Stratum;
+
+// The strata on which there is an equation.
+std::vector<const Stratum*> asked(const StrataAnswer& a) {
+  std::vector<const Stratum*> all;
+  for (const Stratum& s : a.strata)
+    if (!s.leaf.no_equation()) all.push_back(&s);
+  return all;
+}
+
+bool looked_at_everything(const StrataAnswer& a) {
+  return a.unvisited.empty() && !a.contradictory && !asked(a).empty();
+}
+
+Truth common(const StrataAnswer& a) {
+  if (!looked_at_everything(a)) return Truth::unknown;
+  const auto strata = asked(a);
+  const Truth first = strata.front()->leaf.abelian;
+  const bool same = std::all_of(strata.begin(), strata.end(),
+                                [&](const Stratum* s) { return s->leaf.abelian == first; });
+  return same ? first : Truth::unknown;
+}
+
+std::optional<GaloisGroup> common_group(const StrataAnswer& a) {
+  if (!looked_at_everything(a)) return std::nullopt;
+  const auto strata = asked(a);
+  const auto first = strata.front()->leaf.group;
+  const bool same = std::all_of(strata.begin(), strata.end(),
+                                [&](const Stratum* s) { return s->leaf.group == first; });
+  return same ? first : std::nullopt;
+}
+
+std::vector<std::string> assumed(const StrataAnswer& a) {
+  std::vector<std::string> all;
+  if (!a.question) return all;
+  const Assumptions& given = a.question->assumptions;
+  std::set<std::size_t> real; // what has a sign is real
+  for (const Condition& c : given.conditions) {
+    all.push_back(kov::to_string(c));
+    if (c.sign == Sign::positive || c.sign == Sign::nonnegative)
+      for (const std::size_t i : used_variables(c.p))
+        real.insert(i);
+  }
+  for (const Membership& m : given.memberships)
+    all.push_back(to_string(m.value) + (m.in_integers ? " is an integer" : " is no integer"));
+  for (const std::size_t i : given.real)
+    if (real.insert(i).second) all.push_back(a.question->r.ring()->name(i) + " is real");
+  return all;
+}
+
+std::string place_text(const Leaf& leaf, strata::PlaceIndex i) {
+  if (!leaf.scheme) return "place " + std::to_string(i);
+  const auto& place = strata::place_at(*leaf.scheme, i);
+  return place.at_infinity ? "infinity" : to_string(place.q) + " = 0";
+}
+
+// Values of kovacic._evidence, by the name of the C++ type.
+class EvidenceOf {
+public:
+  explicit EvidenceOf(const Leaf& leaf)
+      : leaf_(leaf), classes_(py::module_::import("kovacic._evidence")) {}
+
+  py::object operator()(const strata::IrregularPlace& e) const {
+    return make("IrregularPlace", at(e.place));
+  }
+  py::object operator()(const strata::IrrationalDifference& e) const {
+    return make("IrrationalDifference", at(e.place));
+  }
+  py::object operator()(const strata::Logarithm& e) const { return make("Logarithm", at(e.place)); }
+  py::object operator()(const strata::DifferenceBound& e) const {
+    return make("DifferenceBound", at(e.place), e.square);
+  }
+  py::object operator()(const strata::ExcludedDifferences& e) const {
+    return make("ExcludedDifferences", at(e.place), e.values);
+  }
+  py::object operator()(const strata::NoProducts& e) const {
+    return make("NoProducts", at(e.place));
+  }
+  py::object operator()(const strata::AssumedNotInteger& e) const {
+    return make("AssumedNotInteger", at(e.place), e.twice);
+  }
+  py::object operator()(const strata::NoExponential& e) const {
+    return make("NoExponential", e.bound.d, e.bound.odd_order);
+  }
+  py::object operator()(const strata::NoFamilies&) const { return make("NoFamilies"); }
+  py::object operator()(const strata::NoInvariant& e) const { return make("NoInvariant", e.m); }
+  py::object operator()(const strata::InvariantFound&) const { return make("InvariantFound"); }
+  py::object operator()(const strata::BesselForm& e) const {
+    return make("BesselForm", e.nu_squared, e.nu, e.s);
+  }
+  py::object operator()(const strata::WeberForm& e) const { return make("WeberForm", e.e, e.odd); }
+  py::object operator()(const strata::Number& e) const { return make("Number", e.decision); }
+  py::object operator()(const strata::OtherBlocks& e) const { return make("OtherBlocks", e.shown); }
+  py::object operator()(const strata::OfEquation& e) const {
+    return make("OfEquation", e.unknown, e.r);
+  }
+
+private:
+  [[nodiscard]] std::string at(strata::PlaceIndex i) const { return place_text(leaf_, i); }
+  template <class... Values> py::object make(const char* name, const Values&... values) const {
+    return classes_.attr(name)(values...);
+  }
+  const Leaf& leaf_;
+  py::module_ classes_;
+};
+
+py::list because(const Leaf& leaf) {
+  py::list all;
+  const EvidenceOf evidence(leaf);
+  for (const strata::Evidence& e : leaf.because)
+    all.append(std::visit(evidence, e));
+  return all;
+}
+
+std::vector<std::string> conditions(const Stratum& s) {
+  std::vector<std::string> all;
+  for (const Condition& c : s.conditions)
+    all.push_back(kov::to_string(c));
+  return all;
+}
+
+std::string where(const Stratum& s) {
+  return s.conditions.empty() ? "always" : kov::to_string(s.conditions);
+}
+
+const char* word(Truth t) {
+  return t == Truth::yes ? "abelian" : t == Truth::no ? "not abelian" : "abelian or not: undecided";
+}
+
+std::string told(const Stratum& s) {
+  if (s.leaf.no_equation())
+    return where(s) + ": no equation y'' = r y: " + strata::open_condition(s.leaf);
+  const std::string group = strata::group_text(s.leaf);
+  return where(s) + ": " + (group.empty() ? "" : group + ", ") + word(s.leaf.abelian) + "; " +
+         strata::reason(s.leaf);
+}
+
+std::string told(const FamilyAnswer& a) {
+  std::string text;
+  for (const std::string& c : assumed(a.answer))
+    text += (text.empty() ? "assumed " : ", ") + c;
+  if (!text.empty()) text += "\n";
+  if (a.answer.contradictory) text += "no parameters satisfy the assumptions\n";
+  for (const Stratum& s : a.answer.strata)
+    text += told(s) + "\n";
+  for (const std::string& u : a.answer.unvisited)
+    text += u + ": not looked at\n";
+  if (a.family) text += "recognised: " + a.family->equation + "; " + a.family->summary() + "\n";
+  for (const std::string& t : a.answer.trusted)
+    text += "trusted: " + t + "\n";
+  if (!a.answer.refusal.empty()) text += "refused by our own checker: " + a.answer.refusal + "\n";
+  if (!text.empty()) text.pop_back();
+  return text;
+}
+
+std::optional<Stratum> stratum_at_values(const StrataAnswer& a,
+                                         const std::map<std::string, Rational>& values) {
+  std::map<std::size_t, Rational> point;
+  for (const auto& [name, value] : values)
+    point.emplace(a.question->r.ring()->index(name), value);
+  const Stratum* found = strata::stratum_at(a, point);
+  if (found == nullptr) return std::nullopt;
+  return *found;
+}
+
+void bind_family(py::module_& m) {
+  py::class_<SymbolicFamily>(m, "SymbolicFamily",
+                             "The classical family, with its closed answer as conditions; valid "
+                             "where none of `generic` vanishes.")
+      .def_property_readonly("family", [](const SymbolicFamily& f) { return to_string(f.family); })
+      .def_readonly("equation", &SymbolicFamily::equation)
+      .def_property_readonly("parameters",
+                             [](const SymbolicFamily& f) {
+                               py::dict all;
+                               for (const auto& [name, value] : f.parameters)
+                                 all[py::str(name)] = value;
+                               return all;
+                             })
+      .def_property_readonly(
+          "cases",
+          [](const SymbolicFamily& f) {
+            py::list all;
+            for (const FamilyCase& c : f.cases)
+              all.append(py::make_tuple(c.when, c.group, c.abelian));
+            return all;
+          },
+          "(when, group type or None, abelian); the first that holds")
+      .def_property_readonly("generic",
+                             [](const SymbolicFamily& f) {
+                               std::vector<MFraction> all(f.generic.begin(), f.generic.end());
+                               return all;
+                             })
+      .def_property_readonly("summary", &SymbolicFamily::summary);
+}
+
+void bind_stratum(py::module_& m) {
+  auto type =
+      read_only<Stratum>(m, "Stratum", "Parameter values with one verdict.", {"abelian", "group"});
+  type.def_property_readonly("conditions", &conditions, "in the parameters; empty: always")
+      .def_property_readonly("where", &where)
+      .def_property_readonly("abelian", [](const Stratum& s) { return s.leaf.abelian; })
+      .def_property_readonly(
+          "group", [](const Stratum& s) { return s.leaf.group; },
+          "where it is the same on the whole stratum, else None")
+      .def_property_readonly(
+          "group_text", [](const Stratum& s) { return group_text(s.leaf); },
+          "what is known of the group, in words")
+      .def_property_readonly("reason", [](const Stratum& s) { return strata::reason(s.leaf); })
+      .def_property_readonly("because", [](const Stratum& s) { return because(s.leaf); })
+      .def_property_readonly(
+          "undecided",
+          [](const Stratum& s) -> std::optional<std::string> {
+            if (!s.leaf.open) return std::nullopt;
+            return strata::open_condition(s.leaf);
+          },
+          "what is left open, or None")
+      .def_property_readonly(
+          "no_equation", [](const Stratum& s) { return s.leaf.no_equation(); },
+          "r means nothing here")
+      .def_property_readonly("trace",
+                             [](const Stratum& s) {
+                               py::list all;
+                               for (const TraceStep& t : s.leaf.trace)
+                                 all.append(py::make_tuple(t.step, t.text));
+                               return all;
+                             })
+      .def("__str__", [](const Stratum& s) { return told(s); })
+      .def("__repr__", [](const Stratum& s) {
+        return "<Stratum " + where(s) + ": " + word(s.leaf.abelian) + ">";
+      });
+}
+
+} // namespace
+
+Truth abelian(const FamilyAnswer& a) {
+  const Truth by_strata = common(a.answer);
+  if (by_strata != Truth::unknown || !a.family || !a.family->generic.empty()) return by_strata;
+  const bool withdrawn = !a.answer.refusal.empty() || a.answer.contradictory;
+  return withdrawn ? Truth::unknown : a.family->abelian();
+}
+
+void bind_strata(py::module_& m) {
+  bind_family(m);
+  bind_stratum(m);
+  auto type = read_only<FamilyAnswer>(
+      m, "StrataAnswer", "The answer for all admitted values of the parameters.", {"strata"});
+  type.def_property_readonly("abelian", &abelian,
+                             "the same on all strata: yes or no; else unknown: see `strata`")
+      .def_property_readonly(
+          "group", [](const FamilyAnswer& a) { return common_group(a.answer); },
+          "where it is the same on all strata, else None")
+      .def_property_readonly(
+          "strata", [](const FamilyAnswer& a) { return a.answer.strata; },
+          "disjoint; with `unvisited` they cover the assumptions")
+      .def_property_readonly("assumed", [](const FamilyAnswer& a) { return assumed(a.answer); })
+      .def_property_readonly(
+          "unvisited", [](const FamilyAnswer& a) { return a.answer.unvisited; },
+          "conditions of strata that a limit left open")
+      .def_property_readonly(
+          "trusted", [](const FamilyAnswer& a) { return a.answer.trusted; },
+          "steps that rest on Z3 alone")
+      .def_property_readonly(
+          "pruned", [](const FamilyAnswer& a) { return a.answer.pruned; }, "empty strata")
+      .def_property_readonly("contradictory",
+                             [](const FamilyAnswer& a) { return a.answer.contradictory; })
+      .def_property_readonly("refused", [](const FamilyAnswer& a) { return a.answer.refusal; })
+      .def_property_readonly(
+          "decided", [](const FamilyAnswer& a) { return a.answer.decided(); }, "no stratum is open")
+      .def_property_readonly("r", [](const FamilyAnswer& a) { return a.answer.question->r; })
+      .def_readonly("variable", &FamilyAnswer::variable)
+      .def_readonly("family", &FamilyAnswer::family,
+                    "the classical family that it is recognised as, or None")
+      .def_property_readonly("seconds", [](const FamilyAnswer& a) { return a.answer.seconds; })
+      .def_property_readonly(
+          "certificate",
+          [](const FamilyAnswer& a) -> std::optional<std::string> {
+            const auto& c = a.answer.certificate;
+            if (!c || !c->refusal.empty() || !c->says_anything) return std::nullopt;
+            return c->json;
+          },
+          "JSON for verify(), or None")
+      .def(
+          "at",
+          [](const FamilyAnswer& a, const std::map<std::string, Rational>& values) {
+            return stratum_at_values(a.answer, values);
+          },
+          "The stratum that contains these values of all parameters, or None where its "
+          "conditions cannot be checked.")
+      .def("__str__", [](const FamilyAnswer& a) { return told(a); })
+      .def("__repr__", [](const FamilyAnswer& a) {
+        return "<StrataAnswer: " + std::to_string(a.answer.strata.size()) + " strata>";
+      });
+}
+
+} // namespace kov::python

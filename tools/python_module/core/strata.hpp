@@ -1,0 +1,23 @@
+#pragma once
+// The answer for all values of the parameters at once.
+
+#include "equation/parametric_equation.hpp"
+#include "recognize/symbolic_family.hpp"
+
+#include <optional>
+#include <string>
+
+namespace kov::python {
+
+struct FamilyAnswer {
+  strata::StrataAnswer answer;
+  std::string variable;
+  /// The classical family that the equation is recognised as, with its closed answer.
+  std::optional<SymbolicFamily> family{};
+};
+
+[[nodiscard]] FamilyAnswer decide_family(const ParametricEquation& f, const Options& options);
+/// yes, no: on all strata; else unknown.
+[[nodiscard]] Truth abelian(const FamilyAnswer& a);
+
+} // namespace kov::python

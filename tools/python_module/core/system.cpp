@@ -1,0 +1,359 @@
+// Systems: check() and integrals().
+
+#include "bind.hpp"
+#include "question.hpp"
+#include "strata.hpp"
+
+#include "equation/equation_file.hpp"
+#include "integrability/certificate.hpp"
+#include "integrability/check.hpp"
+#include "integrals/find.hpp"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+
+namespace pybind11::detail {
+KOV_PYTHON_ENUM(kov::VerdictKind, "VerdictKind");
+KOV_PYTHON_ENUM(kov::Settled, "Settled");
+} // namespace pybind11::detail
+
+namespace kov::python {
+namespace {
+
+/// A file, or the text of one.
+struct Source {
+  std::string text; ///< empty: `name` is a path
+  std::string name;
+
+  [[nodiscard]] Entry document() const {
+    return text.empty() ? read_document(name) : parse_document(text, name);
+  }
+};
+
+FamilyAnswer family(const strata::StrataAnswer& a, const BlockReport& b) {
+  return {a, b.ode && a.question ? a.question->r.ring()->name(b.ode->z) : "z"};
+}
+
+py::object answer_of(const BlockReport& b) {
+  if (b.decision) return py::cast(*b.decision);
+  if (b.strata) return py::cast(family(*b.strata, b));
+  return py::none();
+}
+
+py::list levels_of(const BlockReport& b) {
+  py::list all;
+  for (const EnergyResult& e : b.energies) {
+    py::object found = py::none();
+    if (e.decision) found = py::cast(*e.decision);
+    if (e.strata) found = py::cast(family(*e.strata, b));
+    all.append(py::make_tuple(e.condition, e.why, found, e.note));
+  }
+  return all;
+}
+
+std::vector<std::string> texts(const std::vector<MPoly>& polynomials) {
+  std::vector<std::string> all;
+  for (const MPoly& f : polynomials)
+    all.push_back(to_string(f));
+  return all;
+}
+
+std::optional<std::string> unless_empty(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  return text;
+}
+
+std::string headline(const ManifoldReport& m) {
+  if (m.failure) return "not an invariant manifold: " + m.failure->message;
+  switch (m.verdict) {
+  case VerdictKind::non_integrable:
+    return "NON-INTEGRABLE (" + m.by->id() + ": " + m.statement + ")";
+  case VerdictKind::no_obstruction:
+    return "NO OBSTRUCTION (the first-order test of " + m.by->id() +
+           " passes; this does not prove integrability)";
+  case VerdictKind::depends:
+    return "DEPENDS ON THE PARAMETERS (" + m.by->id() + "; " + m.statement + ")";
+  default:
+    return "UNDECIDED";
+  }
+}
+
+std::string told(const ManifoldReport& m) {
+  std::string text = "[" + m.name + "] " + headline(m);
+  if (m.failure) return text;
+  if (!m.not_checked.empty() && m.verdict != VerdictKind::undecided)
+    text += "\n  NOT CHECKED: " + m.not_checked;
+  for (const BlockReport& b : m.blocks) {
+    if (b.ode) text += "\n  " + b.ode->change + ", y the variation of " + b.ode->unknown;
+    if (b.decision) text += "\n  " + py::str(py::cast(*b.decision)).cast<std::string>();
+    if (b.strata) text += "\n  " + py::str(py::cast(family(*b.strata, b))).cast<std::string>();
+    if (!b.note.empty()) text += "\n  note: " + b.note;
+  }
+  if (m.blocks.empty() || m.verdict == VerdictKind::undecided)
+    for (const std::string& r : m.reasons)
+      text += "\n  because " + r;
+  if (m.verdict != VerdictKind::undecided)
+    for (const std::string& step : trusted_steps(m))
+      text += "\n  trusted: " + step;
+  return text;
+}
+
+// The strongest that the manifolds say together: one of them is enough to exclude integrals.
+VerdictKind verdict(const CheckReport& report) {
+  const auto any = [&](VerdictKind kind) {
+    return std::any_of(report.manifolds.begin(), report.manifolds.end(), [&](const auto& m) {
+      return (m.failure ? VerdictKind::undecided : m.verdict) == kind;
+    });
+  };
+  for (const VerdictKind kind :
+       {VerdictKind::non_integrable, VerdictKind::undecided, VerdictKind::depends})
+    if (any(kind)) return kind;
+  return report.manifolds.empty() ? VerdictKind::undecided : VerdictKind::no_obstruction;
+}
+
+py::dict values_of(const System& s) {
+  py::dict all;
+  for (const auto& [name, value] : s.values)
+    all[py::str(name)] = is_constant(value) ? to_python(to_rational(value)) : py::cast(value);
+  return all;
+}
+
+std::vector<std::string> assumptions_of(const System& s) {
+  std::vector<std::string> all;
+  for (const Assumption& a : s.assumptions)
+    all.push_back(a.text);
+  return all;
+}
+
+py::dict certificates_of(const CheckReport& report) {
+  py::dict all;
+  for (const ManifoldReport& m : report.manifolds)
+    for (const NamedCertificate& c : certificates(report.system, m))
+      if (!c.json.empty()) all[py::str(c.name)] = c.json;
+  return all;
+}
+
+py::object checked(const Wishes& wishes, const Source& source, const ParameterValues& values,
+                   const std::string& manifold, const std::vector<std::string>& assume) {
+  const Entry document = source.document();
+  if (is_equation_file(document)) {
+    EquationText text = read_equation_file(document).text;
+    for (const auto& [name, value] : values)
+      text.set.emplace_back(name, parse_expression(value, "set[" + name + "]"));
+    add_assumptions(text, assume);
+    return answer(wishes, text);
+  }
+  if (!assume.empty())
+    throw InvalidArgument("the assumptions on a system stand in its file, under [assume]");
+  return computed(wishes.limits, [&](const Budget& budget, const Interrupt&) {
+    CheckOptions options;
+    options.decide = wishes.options(budget);
+    options.decide.ask_the_judge = true;
+    options.only_manifold = manifold;
+    return check_system(read_system(document, values), options);
+  });
+}
+
+void bind_theorem_used(py::module_& m) {
+  enumeration<Settled>(
+      m, "Settled",
+      {{"checked", Settled::checked}, {"stated", Settled::stated}, {"open", Settled::open}});
+  read_only<TheoremHypothesis>(m, "TheoremHypothesis", "A hypothesis, and how a use settles it.")
+      .def_readonly("text", &TheoremHypothesis::text)
+      .def_readonly("settled", &TheoremHypothesis::settled)
+      .def_readonly("how", &TheoremHypothesis::how)
+      .def("__repr__", [](const TheoremHypothesis& h) { return "<" + h.text + ">"; });
+  read_only<TheoremUsed>(m, "TheoremUsed", "One use of a theorem of the literature.", {"id"})
+      .def_property_readonly("id", &TheoremUsed::id)
+      .def_property_readonly("name", [](const TheoremUsed& t) { return t.theorem->name; })
+      .def_property_readonly("statement", [](const TheoremUsed& t) { return t.theorem->statement; })
+      .def_property_readonly("cite", [](const TheoremUsed& t) { return t.theorem->cite; })
+      .def_readonly("hypotheses", &TheoremUsed::hypotheses)
+      .def_readonly("integrals", &TheoremUsed::integrals,
+                    "the first integrals that it excludes are ...")
+      .def("__repr__", [](const TheoremUsed& t) { return "<TheoremUsed " + t.id() + ">"; });
+}
+
+void bind_reports(py::module_& m) {
+  enumeration<VerdictKind>(m, "VerdictKind",
+                           {{"non_integrable", VerdictKind::non_integrable},
+                            {"no_obstruction", VerdictKind::no_obstruction},
+                            {"depends", VerdictKind::depends},
+                            {"undecided", VerdictKind::undecided}});
+
+  auto block = read_only<BlockReport>(m, "BlockReport", "A diagonal block of the normal system.",
+                                      {"answer"});
+  block.def_readonly("unknowns", &BlockReport::unknowns)
+      .def_property_readonly(
+          "unknown", [](const BlockReport& b) { return unless_empty(b.ode ? b.ode->unknown : ""); },
+          "whose variation y is")
+      .def_property_readonly(
+          "change", [](const BlockReport& b) { return unless_empty(b.ode ? b.ode->change : ""); })
+      .def_property_readonly("r",
+                             [](const BlockReport& b) -> std::optional<MFraction> {
+                               if (!b.ode) return std::nullopt;
+                               return b.ode->r;
+                             })
+      .def_property_readonly("answer", &answer_of, "Decision, StrataAnswer, or None")
+      .def_readonly("abelian", &BlockReport::abelian)
+      .def_property_readonly(
+          "merging", [](const BlockReport& b) { return texts(b.special); },
+          "singular places of r meet where one of these is 0")
+      .def_property_readonly("levels", &levels_of, "(condition, why, answer, note)")
+      .def_readonly("note", &BlockReport::note);
+
+  auto manifold = read_only<ManifoldReport>(m, "ManifoldReport", "What follows from one manifold.",
+                                            {"verdict"});
+  manifold.def_readonly("name", &ManifoldReport::name)
+      .def_readonly("verdict", &ManifoldReport::verdict)
+      .def_property_readonly(
+          "failure",
+          [](const ManifoldReport& r) { return unless_empty(r.failure ? r.failure->message : ""); },
+          "why it is no invariant manifold, or None")
+      .def_readonly("by", &ManifoldReport::by, "the theorem used, or None")
+      .def_property_readonly(
+          "integrals", [](const ManifoldReport& r) { return to_string(r.integrals); },
+          "the class of first integrals that is excluded")
+      .def_readonly("statement", &ManifoldReport::statement)
+      .def_property_readonly(
+          "not_checked", [](const ManifoldReport& r) { return unless_empty(r.not_checked); },
+          "a hypothesis of the verdict that is not proved, or None")
+      .def_readonly("reasons", &ManifoldReport::reasons)
+      .def_readonly("blocks", &ManifoldReport::blocks)
+      .def_property_readonly("trusted_steps", &trusted_steps)
+      .def_property_readonly("not_studied",
+                             [](const ManifoldReport& r) { return unless_empty(r.not_studied); })
+      .def_property_readonly("headline", &headline)
+      .def("__str__", &told)
+      .def("__repr__", [](const ManifoldReport& r) {
+        return "<ManifoldReport " + r.name + ": " + to_string(r.verdict) + ">";
+      });
+
+  read_only<ClaimReport>(m, "ClaimReport", "A claim of the file, proved or refuted.")
+      .def_property_readonly("name", [](const ClaimReport& c) { return c.claim.name; })
+      .def_property_readonly("text", [](const ClaimReport& c) { return c.claim.text; })
+      .def_property_readonly(
+          "proved",
+          [](const ClaimReport& c) {
+            return c.result.open.empty() ? truth(c.result.proved) : Truth::unknown;
+          },
+          "a Truth")
+      .def_property_readonly("detail", [](const ClaimReport& c) { return c.result.detail; })
+      .def_property_readonly(
+          "generic", [](const ClaimReport& c) { return texts(c.result.generic); },
+          "proved where none of these vanishes")
+      .def("__repr__",
+           [](const ClaimReport& c) { return "<" + c.claim.name + ": " + c.result.detail + ">"; });
+
+  auto report = read_only<CheckReport>(m, "CheckReport", "A system file and what follows from it.",
+                                       {"verdict"});
+  report.def_property_readonly("verdict", &verdict)
+      .def_property_readonly("title", [](const CheckReport& r) { return r.system.title; })
+      .def_property_readonly("file", [](const CheckReport& r) { return r.system.file; })
+      .def_property_readonly(
+          "values", [](const CheckReport& r) { return values_of(r.system); }, "of parameters")
+      .def_property_readonly("assumptions",
+                             [](const CheckReport& r) { return assumptions_of(r.system); })
+      .def_readonly("claims", &CheckReport::claims)
+      .def_readonly("manifolds", &CheckReport::manifolds)
+      .def_property_readonly("certificates", &certificates_of,
+                             "by name, if they were asked for: JSON for verify()")
+      .def_readonly("seconds", &CheckReport::seconds)
+      .def("__str__",
+           [](const CheckReport& r) {
+             std::string text = r.system.title;
+             for (const ManifoldReport& each : r.manifolds)
+               text += "\n" + told(each);
+             if (r.manifolds.empty()) text += "\nno [[manifold]]: nothing was asked";
+             return text;
+           })
+      .def("__repr__",
+           [](const CheckReport& r) { return "<CheckReport: " + to_string(verdict(r)) + ">"; });
+}
+
+std::vector<MFraction> values_of(const IntegralsOfSet& s) {
+  std::vector<MFraction> all;
+  for (const FoundIntegral& f : s.integrals)
+    all.push_back(f.value);
+  return all;
+}
+
+void bind_integrals(py::module_& m) {
+  read_only<FoundIntegral>(m, "FoundIntegral", "A first integral, checked by its Lie derivative.",
+                           {"value"})
+      .def_readonly("value", &FoundIntegral::value)
+      .def_readonly("degree", &FoundIntegral::degree)
+      .def_readonly("casimir", &FoundIntegral::casimir)
+      .def_readonly("hamiltonian", &FoundIntegral::hamiltonian)
+      .def("__repr__",
+           [](const FoundIntegral& f) { return "<FoundIntegral " + to_string(f.value) + ">"; });
+  read_only<IntegralsOfSet>(m, "IntegralsOfSet", "What is known at these parameter values.",
+                            {"integrals"})
+      .def_readonly("searched", &IntegralsOfSet::searched)
+      .def_property_readonly("equations",
+                             [](const IntegralsOfSet& s) { return texts(s.equations); })
+      .def_property_readonly("inequations",
+                             [](const IntegralsOfSet& s) { return texts(s.inequations); })
+      .def_readonly("integrals", &IntegralsOfSet::integrals)
+      .def_property_readonly("values", [](const IntegralsOfSet& s) { return values_of(s); })
+      .def_readonly("commuting", &IntegralsOfSet::commuting)
+      .def_readonly("liouville", &IntegralsOfSet::liouville)
+      .def_readonly("only_declared_relations", &IntegralsOfSet::only_declared_relations)
+      .def_readonly("complete", &IntegralsOfSet::complete)
+      .def_readonly("complete_for_smooth", &IntegralsOfSet::complete_for_smooth)
+      .def_property_readonly(
+          "open", [](const IntegralsOfSet& s) { return unless_empty(s.open); },
+          "why the search ended early, or None")
+      .def("__repr__", [](const IntegralsOfSet& s) {
+        std::string text;
+        for (const MPoly& f : s.equations)
+          text += (text.empty() ? "" : ", ") + to_string(f) + " = 0";
+        for (const MPoly& f : s.inequations)
+          text += (text.empty() ? "" : ", ") + to_string(f) + " != 0";
+        return "<IntegralsOfSet " + (text.empty() ? "everywhere" : text) + ": " +
+               std::to_string(s.integrals.size()) + ">";
+      });
+  read_only<IntegralSearch>(m, "IntegralSearch", "First integrals, at all parameter values.",
+                            {"sets"})
+      .def_readonly("searched", &IntegralSearch::searched)
+      .def_readonly("sets", &IntegralSearch::sets, "disjoint")
+      .def_readonly("elsewhere", &IntegralSearch::elsewhere,
+                    "at all other values: nothing but the Hamiltonian and Casimirs was found")
+      .def_property_readonly(
+          "not_covered", [](const IntegralSearch& s) { return texts(s.not_covered); },
+          "nothing is said where one of these vanishes")
+      .def_property_readonly(
+          "assumed", [](const IntegralSearch& s) { return texts(s.assumed); },
+          "assumed by the file: none of these vanishes")
+      .def_property_readonly("finished", &IntegralSearch::finished);
+}
+
+} // namespace
+
+void bind_system(py::module_& m) {
+  bind_theorem_used(m);
+  bind_reports(m);
+  bind_integrals(m);
+  py::class_<Source>(m, "Source")
+      .def(py::init([](std::string text, std::string name) {
+             return Source{std::move(text), std::move(name)};
+           }),
+           py::arg("text"), py::arg("name"));
+  m.def("check", &checked, py::arg("wishes"), py::arg("source"), py::arg("set"),
+        py::arg("manifold"), py::arg("assume"));
+  m.def("integrals", [](const Limits& limits, const Source& source, const ParameterValues& values,
+                        long degree, std::optional<long> coefficients) {
+    if (degree < 0 || (coefficients && *coefficients < 0))
+      throw InvalidArgument("a degree must not be negative");
+    return computed(limits, [&](const Budget& budget, const Interrupt&) {
+      IntegralOptions options;
+      options.degree = degree;
+      options.coefficients = coefficients;
+      options.budget = budget;
+      return find_integrals(read_system(source.document(), values), options);
+    });
+  });
+}
+
+} // namespace kov::python

@@ -1,0 +1,309 @@
+"""Differential Galois groups and non-integrability proofs, exactly.
+
+    >>> import kovacic
+    >>> kovacic.solve("z^2 + 3").group
+    GaloisGroup('Borel')
+
+A verdict is a theorem: yes, no, or undecided with the reason.  No answer converts to bool; ask
+`answer.abelian is Truth.no`.  Numbers are exact (int, Fraction, str, SymPy); a float is refused.
+
+Every call takes `timeout` (seconds; None: no limit) and `max_work`; a limit ends in an undecided answer,
+or in OutOfBudget where nothing is known.  Ctrl-C raises Interrupted, a KeyboardInterrupt, with what is known
+in `.answer`.  Calls from several threads run side by side.
+
+docs/guide/python.md has examples.
+"""
+
+import os as _os
+from array import array as _array
+
+from . import _convert, _core, _evidence, _show
+from ._core import (  # noqa: F401
+    Accepted, AlgebraicNumber, Argument, BlockReport, ByEngines, ByFormula, ByKovacic, CheckReport, ClaimReport,
+    Connected, Decision, Ended, FixedPoint, FixedPoints, FoundIntegral, GaloisGroup, GroupType, IntegralSearch,
+    IntegralsOfSet, LameAnswer, LameConditions, LameFamily, LiouvillianSolution, ManifoldReport, Method,
+    MFraction, Monodromy, NodeResult, NodeStatus, OrbitReport, RationalFunction, Rejected, Settled, Solved,
+    Stability, StrataAnswer, Stratum, SymbolicFamily, TheoremHypothesis, TheoremResult, TheoremUsed, Trichotomy,
+    Truth, Unable, VerdictKind, Why)
+from ._errors import (  # noqa: F401
+    DomainError, Error, FreeParameters, InputError, InternalError, Interrupted, InvalidArgument, OutOfBudget,
+    WrongType)
+
+_QUESTION, _THEOREM = 60, 600  # seconds, as in the command
+
+
+def solve(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, parameters=None, assume=None,
+          set=None, minpoly=None, method="automatic", only_case=None, solutions=True, trace=False,
+          certificate=False, timeout=_QUESTION, max_work=None, max_degree=None, max_families=None):
+    """Decide one equation: solve("z^2 + 3") is y'' = (z^2 + 3) y, solve("z*y'' + y' + z*y = 0") a whole one.
+
+    Exactly one of `equation`, `r` (y'' = r y), `ode`, or `p` and `q` (y'' + p y' + q y = 0).  Without parameters
+    the answer is a Solved (a Decision with the equation as given), with parameters a StrataAnswer.
+
+    parameters: names without a value; `assume` sentences about them: "n positive", "a != 0", "n not an integer",
+    or SymPy relations.  The free symbols of a SymPy expression besides its variable are parameters, and what
+    SymPy assumes of them is assumed.  set: {name: value}.
+    """
+    texts = _equation(equation, r, ode, p, q, variable, parameters, assume, set, minpoly)
+    return _core.solve(_wishes(timeout, max_work, max_degree, max_families, method=_method(method),
+                               only_case=_int(only_case, "only_case"), solutions=bool(solutions),
+                               trace=bool(trace), certificate=bool(certificate)), texts)
+
+
+def check(source, *, set=None, manifold="", assume=None, trace=False, certificate=False, timeout=_QUESTION,
+          max_work=None, max_degree=None, max_families=None):
+    """A system file, by its path or as text with line breaks: what follows from each of its manifolds.
+
+    A CheckReport; for an equation file what solve() returns.  set: {parameter: value}.
+    """
+    if not isinstance(manifold, str):
+        raise WrongType(f"manifold: a str is expected, and not {manifold!r}")
+    return _core.check(_wishes(timeout, max_work, max_degree, max_families, trace=bool(trace),
+                               certificate=bool(certificate)),
+                       _source(source), _convert.values(set), manifold, _convert.texts(assume, "assume"))
+
+
+def prove(path, *, timeout=_THEOREM, max_work=None, certificate=False):
+    """A theorem file, run: a TheoremResult.  `timeout` is for all steps together."""
+    return _core.prove(_wishes(timeout, max_work, None, None, certificate=bool(certificate)), _path(path))
+
+
+def verify(certificate):
+    """A certificate, as JSON text or the path of a file: Accepted with what it states, or Rejected.
+
+    Raises InvalidArgument for a text that is no certificate.
+    """
+    text = certificate
+    if isinstance(text, _os.PathLike) or (isinstance(text, str) and not text.lstrip().startswith("{")):
+        text = _read(text)
+    if not isinstance(text, str):
+        raise WrongType(f"the text or the path of a certificate is expected, and not {certificate!r}")
+    return _core.verify(_convert.plain(text, "the certificate"))
+
+
+def lame(n=None, B=None, g2=None, g3=None, *, alpha=None, timeout=_QUESTION, max_work=None):
+    """Lame's equation y_tt = (n(n+1) wp(t; g2, g3) + B) y.  What is not given is free.
+
+    Numbers: a LameAnswer.  Free B, g2 or g3: LameConditions.  n or alpha = n(n+1) that depends on names: the
+    families of values that leave a chance, as a list of LameFamily.
+    """
+    given = [None if x is None else _convert.formula(x, what)
+             for what, x in (("n", n), ("alpha", alpha), ("B", B), ("g2", g2), ("g3", g3))]
+    if given[0] is not None and given[1] is not None:
+        raise InvalidArgument("both n and alpha are given; alpha means n(n+1)")
+    return _core.lame(_wishes(timeout, max_work, None, None, solutions=False), *given)
+
+
+def integrals(source, degree=2, *, coefficients=None, set=None, timeout=_QUESTION, max_work=None):
+    """First integrals of a system file, of this degree in the momenta, at all values of its parameters."""
+    return _core.integrals(_limits(timeout, max_work), _source(source), _convert.values(set),
+                           _int(degree, "degree"), _int(coefficients, "coefficients"))
+
+
+def monodromy(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, set=None, minpoly=None,
+              digits=30, timeout=_QUESTION, max_work=None):
+    """Monodromy matrices of (y, y') with proven radii of at most 10^-digits."""
+    texts = _equation(equation, r, ode, p, q, variable, None, None, set, minpoly)
+    return _core.monodromy(_limits(timeout, max_work), texts, _int(digits, "digits"))
+
+
+class Section:
+    """Points of a Poincare section: `orbit`, `t`, `l` (radian), `y` (L/G) and `G`, as numpy arrays where numpy
+    is installed, else as array.array.  For the eye: nothing here is a proof but the fixed points that say so."""
+
+    def __init__(self, scene, data):
+        self.scene, self.title, self.allowed_drift = scene, scene.title, scene.allowed_drift
+        self.orbit = _column("q", data.orbit)
+        self.t, self.l, self.y, self.G = (_column("d", c) for c in (data.t, data.l, data.y, data.G))
+        self.digits = data.digits
+        self.orbits, self.drift, self.arithmetic = data.orbits, data.drift, data.arithmetic
+        self.skipped, self.stopped, self.cut_short = data.skipped, data.stopped, data.cut_short
+
+    def __bool__(self):
+        raise TypeError("a Section is not a truth value; ask for len(section.l), .stopped, ...")
+
+    def __repr__(self):
+        partial = "PARTIAL, " if self.stopped or self.cut_short else ""
+        return f"<Section: {partial}{len(self.orbits)} orbits, {len(self.l)} points, drift {self.drift:.1e}>"
+
+    def _repr_html_(self):
+        return _show.section(self)
+
+
+def section(source, *, threads=1, lanes=0, timeout=None):
+    """The Poincare section of a scene file (its path, or its text): a Section."""
+    scene = _core.scene(*_text_or_path(source))
+    try:
+        return Section(scene, _core.section(_limits(timeout, None), scene, threads, lanes))
+    except Interrupted as stopped:
+        if stopped.answer is not None:
+            stopped.answer = Section(scene, stopped.answer)
+        raise
+
+
+def fixed_points(source, *, timeout=None):
+    """Periodic orbits that meet the section of a scene file once, each proved or with the reason why not."""
+    return _core.fixed_points(_limits(timeout, None), _core.scene(*_text_or_path(source)))
+
+
+def hamiltonian(H, coordinates, momenta, *, parameters=None, manifolds=(), assume=None, title="", set=None):
+    """The text of a system file for check() and integrals(), from a Hamiltonian (SymPy or text).
+
+    manifolds: dicts with the keys name, equations, level, and change (z = ..., a formula) and variable for the
+    reduction, if it is not to be proposed.  assume: sentences such as "a > 0", or SymPy relations.
+    """
+    from . import _system
+
+    return _system.hamiltonian(H, coordinates, momenta, parameters, manifolds, assume, title, set)
+
+
+def to_sympy(value, symbols=()):
+    """A RationalFunction, MFraction, number, solution or formula of ours as a SymPy expression.
+
+    symbols: those to use for the names; others become plain symbols.
+    """
+    if isinstance(value, LiouvillianSolution):
+        if value.y is None:
+            raise InvalidArgument("this solution is given by the minimal polynomial of y'/y")
+        return _convert.to_sympy(value.y, symbols)
+    return _convert.to_sympy(_convert.formula(str(value) if isinstance(value, AlgebraicNumber) else value), symbols)
+
+
+# ---- arguments
+
+
+def _limits(timeout, max_work, max_degree=None, max_families=None):
+    return _core.Limits(timeout=_number(timeout, "timeout"), max_work=_number(max_work, "max_work"),
+                        max_degree=_int(max_degree, "max_degree"), max_families=_int(max_families, "max_families"))
+
+
+def _wishes(timeout, max_work, max_degree, max_families, **options):
+    return _core.Wishes(limits=_limits(timeout, max_work, max_degree, max_families), **options)
+
+
+def _number(x, what):
+    if x is None or (isinstance(x, (int, float)) and not isinstance(x, bool)):
+        return x
+    raise WrongType(f"{what}: a number or None is expected, and not {x!r}")
+
+
+def _int(x, what):
+    if x is None:
+        return None
+    if not isinstance(x, int) or isinstance(x, bool):
+        raise WrongType(f"{what}: an int is expected, and not {x!r}")
+    if abs(x) >= 2**31:
+        raise InvalidArgument(f"{what} is too large")
+    return x
+
+
+def _method(x):
+    if isinstance(x, Method):
+        return x
+    if x not in Method.__members__:
+        raise InvalidArgument(f"method: one of {', '.join(Method.__members__)} is expected, and not {x!r}")
+    return Method.__members__[x]
+
+
+def _is_whole_equation(x):
+    if isinstance(x, str):
+        return any(sign in x for sign in ("'", "=", "diff(", "Derivative("))
+    if _convert.is_sympy(x):
+        import sympy
+
+        return isinstance(x, sympy.Equality) or x.has(sympy.Derivative)
+    return False
+
+
+def _unknown_variable(ode):
+    """z of y(z), in a SymPy equation."""
+    import sympy
+
+    applied = ode.atoms(sympy.core.function.AppliedUndef)
+    variables = {argument for f in applied for argument in f.args}
+    if len(variables) != 1 or not next(iter(variables)).is_Symbol:
+        raise InvalidArgument(f"one unknown function of one variable is expected in {ode}")
+    return variables.pop()
+
+
+def _equation(equation, r, ode, p, q, variable, parameters, assume, set, minpoly):
+    if equation is not None:
+        if r is not None or ode is not None or p is not None or q is not None:
+            raise InvalidArgument("two equations are given")
+        r, ode = (None, equation) if _is_whole_equation(equation) else (equation, None)
+    if (r is not None) + (ode is not None) + (p is not None or q is not None) != 1 or (p is None) != (q is None):
+        raise InvalidArgument('one equation is expected: solve("z"), solve(ode="y\'\' = z*y"), or p and q')
+    given = [x for x in (r, ode, p, q) if _convert.is_sympy(x)]
+    if variable is None and ode is not None and given:
+        variable = _unknown_variable(ode)
+    free = {}
+    for expression in given:
+        free |= _convert.symbols_of(expression)
+    variable = "" if variable is None else _convert.name(variable, "variable")
+    names, sentences = _convert.names(parameters, "parameters"), _convert.texts(assume, "assume")
+    pairs = _convert.values(set)
+    if free:
+        if not variable and len(free) > 1:
+            raise InvalidArgument(f"which of {', '.join(sorted(free))} is the variable?  write variable=...")
+        own = {n: s for n, s in free.items() if n != (variable or n) and n not in dict(pairs)}
+        names += [n for n in own if n not in names]
+        sentences = _convert.assumptions_of(own) + sentences
+        variable = variable or next(iter(free))
+    text = [None if x is None else _convert.formula(x, what)
+            for what, x in (("r", r), ("the equation", ode), ("p", p), ("q", q), ("minpoly", minpoly))]
+    return _core.EquationTexts(*text, variable, names, sentences, pairs)
+
+
+def _path(x):
+    if isinstance(x, (str, _os.PathLike)):
+        text = _os.fspath(x)
+        if isinstance(text, str) and "\0" not in text:
+            return _convert.plain(text, "the path")
+    raise WrongType(f"a path is expected, and not {x!r}")
+
+
+def _text_or_path(x):
+    """(text, name) of a document: a str with a line break is the text itself."""
+    if isinstance(x, str) and "\n" in x:
+        return _convert.plain(x, "the text"), "text"
+    return "", _path(x)
+
+
+def _source(x):
+    return _core.Source(*_text_or_path(x))
+
+
+def _read(path):
+    try:
+        with open(_path(path), encoding="utf-8") as file:
+            return file.read()
+    except (OSError, UnicodeDecodeError) as wrong:
+        raise InvalidArgument(f"{path}: {wrong}") from None
+
+
+def _column(code, data):
+    try:
+        import numpy
+    except ImportError:
+        column = _array(code)
+        column.frombytes(data)
+        return column
+    return numpy.frombuffer(data, dtype={"q": numpy.int64, "d": numpy.float64}[code])
+
+
+# ---- what only Python knows of the values
+
+for _type in (RationalFunction, MFraction, AlgebraicNumber, LiouvillianSolution):
+    _type.sympy = to_sympy
+for _type, _shown in (
+        (Decision, _show.decision), (StrataAnswer, _show.strata), (ManifoldReport, _show.manifold),
+        (CheckReport, _show.report), (TheoremResult, _show.theorem), (Accepted, _show.verdict),
+        (Rejected, _show.verdict), (IntegralSearch, _show.integrals), (Monodromy, _show.monodromy)):
+    _type._repr_html_ = _shown
+
+from ._evidence import (  # noqa: E402, F401
+    AssumedNotInteger, BesselForm, DifferenceBound, ExcludedDifferences, InvariantFound, IrrationalDifference,
+    IrregularPlace, Logarithm, Loop, NoExponential, NoFamilies, NoInvariant, NoProducts, Number, OfEquation,
+    OtherBlocks, WeberForm)
+
+__all__ = sorted(_name for _name in dir() if not _name.startswith("_"))

@@ -1,0 +1,50 @@
+"""One family of exceptions: everything that kovacic raises is a kovacic.Error, but Interrupted."""
+
+
+class Error(Exception):
+    """Base of everything that this module raises."""
+
+
+class InvalidArgument(Error, ValueError):
+    """The caller broke a precondition."""
+
+
+class WrongType(Error, TypeError):
+    """A value that cannot be an exact one: a float, None, ..."""
+
+
+class DomainError(Error, ArithmeticError):
+    """Mathematically undefined: a division by the zero function."""
+
+
+class OutOfBudget(Error):
+    """A limit was reached, and nothing is known."""
+
+
+class FreeParameters(Error, ValueError):
+    """Parameters without a value where one equation with numbers is needed."""
+
+
+class InternalError(Error, RuntimeError):
+    """A self-check failed: a mistake of the program, never a property of the input."""
+
+
+class InputError(Error, ValueError):
+    """A mistake in a formula or a file; str() shows the line with a caret below the mistake."""
+
+    def __init__(self, shown, file="", line=0, column=0, length=1, message="", hint="", source_line=""):
+        super().__init__(shown.rstrip("\n"))
+        self._all = (shown, file, line, column, length, message, hint, source_line)
+        self.file, self.line, self.column, self.length = file, line, column, length
+        self.message, self.hint, self.source_line = message, hint, source_line
+
+    def __reduce__(self):
+        return InputError, self._all
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C; `answer` is what was known by then (undecided where it stopped), or None."""
+
+    def __init__(self, answer=None):
+        super().__init__("stopped by Ctrl-C" if answer is None else "stopped by Ctrl-C; see .answer")
+        self.answer = answer

@@ -1,0 +1,114 @@
+"""What proves a verdict on a stratum, for `match`: lib/strata/evidence.hpp says what each one means."""
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+
+@dataclass(frozen=True)
+class IrregularPlace:
+    place: str
+
+
+@dataclass(frozen=True)
+class IrrationalDifference:
+    place: str
+
+
+@dataclass(frozen=True)
+class Logarithm:
+    """At every root of the place."""
+    place: str
+
+
+@dataclass(frozen=True)
+class DifferenceBound:
+    """Delta^2 <= square, where it is real."""
+    place: str
+    square: Fraction
+
+
+@dataclass(frozen=True)
+class ExcludedDifferences:
+    """Delta is none of these."""
+    place: str
+    values: list
+
+
+@dataclass(frozen=True)
+class NoProducts:
+    """No exponents of y1 y2, whatever Delta is there."""
+    place: str
+
+
+@dataclass(frozen=True)
+class AssumedNotInteger:
+    """By assumption: Delta, or 2 Delta."""
+    place: str
+    twice: bool
+
+
+@dataclass(frozen=True)
+class NoExponential:
+    """The degree of the polynomial part would be at most `degree` < 0, or a place has odd order."""
+    degree: Fraction
+    odd_order: bool
+
+
+@dataclass(frozen=True)
+class NoFamilies:
+    """No exponents of an exponential solution leave a natural number for the degree."""
+
+
+@dataclass(frozen=True)
+class NoInvariant:
+    """Sym^m has no rational solution."""
+    m: int
+
+
+@dataclass(frozen=True)
+class InvariantFound:
+    """A symmetric power has a rational solution."""
+
+
+@dataclass(frozen=True)
+class BesselForm:
+    """z = x^(2/s) turns the equation into one of Bessel."""
+    nu_squared: object
+    nu: object
+    s: Fraction
+
+
+@dataclass(frozen=True)
+class WeberForm:
+    """An exponential solution exactly where e is an odd integer."""
+    e: object
+    odd: object
+
+
+@dataclass(frozen=True)
+class Number:
+    """An equation without parameters was decided."""
+    decision: object
+
+
+@dataclass(frozen=True)
+class OtherBlocks:
+    """A verdict on other equations than r."""
+    shown: str
+
+
+@dataclass(frozen=True)
+class OfEquation:
+    """The equation that was decided is not the one of the question."""
+    unknown: str
+    r: object
+
+
+@dataclass(frozen=True)
+class Loop:
+    """Counterclockwise around one singularity.  matrix: midpoints; decimals: (re, im) as text,
+    every entry within `radius` of it."""
+    place: str
+    matrix: list
+    decimals: list
+    radius: str

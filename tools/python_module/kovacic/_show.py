@@ -1,0 +1,129 @@
+"""How answers look in a notebook: theorem, table, picture.  Everything is escaped."""
+
+from html import escape
+
+from . import _core
+
+TRUTH = {_core.Truth.yes: "abelian", _core.Truth.no: "not abelian", _core.Truth.unknown: "undecided"}
+
+
+def table(rows, head=()):
+    def line(cells, tag):
+        return "<tr>" + "".join(f"<{tag} style='text-align:left'>{c}</{tag}>" for c in cells) + "</tr>"
+
+    return "<table>" + (line(head, "th") if head else "") + "".join(line(r, "td") for r in rows) + "</table>"
+
+
+def math(text):
+    return f"${_core.latex(text)}$"
+
+
+def decision(d):
+    rows = [("equation", math(f"y'' = ({d.r})*y") if len(str(d.r)) < 400 else escape(f"r = {d.r}"))]
+    rows.append(("answer", f"<b>{escape(d.headline)}</b>"))
+    rows.append(("because", escape(d.reason)))
+    if d.undecided is not None:
+        rows.append(("undecided", escape(d.undecided.detail)))
+    rows += [("solution", escape(str(s))) for s in d.solutions]
+    if d.solutions and isinstance(d, _core.Solved) and d.factor != "1":
+        rows.append(("times", escape(d.factor)))
+    if isinstance(d, _core.Solved):
+        rows += [("where", escape(f"{k} = {v}")) for k, v in d.constants.items()]
+    return table(rows)
+
+
+def strata(a):
+    text = f"<p>assumed: {escape(', '.join(a.assumed))}</p>" if a.assumed else ""
+    if a.contradictory:
+        text += "<p>no parameters satisfy the assumptions</p>"
+    rows = [(escape(s.where), escape(s.group_text), "no equation" if s.no_equation else TRUTH[s.abelian],
+             escape(s.undecided if s.no_equation else s.reason)) for s in a.strata]
+    rows += [(escape(u), "", "not looked at", "") for u in a.unvisited]
+    text += table(rows, ("where", "group", "identity component", "because"))
+    if a.family is not None:
+        text += f"<p>{escape(a.family.equation)}: {escape(a.family.summary)}</p>"
+    return text + "".join(f"<p>trusted: {escape(t)}</p>" for t in a.trusted)
+
+
+def manifold(m):
+    text = f"<p><b>{escape(m.headline)}</b></p>"
+    if m.not_checked is not None:
+        text += f"<p>NOT CHECKED: {escape(m.not_checked)}</p>"
+    for b in m.blocks:
+        if b.change is not None:
+            text += f"<p>{escape(b.change)}, y the variation of {escape(b.unknown)}</p>"
+        if b.answer is not None:
+            text += b.answer._repr_html_()
+        if b.note:
+            text += f"<p>{escape(b.note)}</p>"
+    if m.verdict == _core.VerdictKind.undecided:
+        text += "".join(f"<p>because {escape(r)}</p>" for r in m.reasons)
+    else:
+        text += "".join(f"<p>trusted: {escape(t)}</p>" for t in m.trusted_steps)
+    return text
+
+
+def report(r):
+    text = f"<h4>{escape(r.title)}</h4>"
+    if r.values:
+        text += "<p>" + escape(", ".join(f"{k} = {v}" for k, v in r.values.items())) + "</p>"
+    if r.assumptions:
+        text += f"<p>assumed: {escape(', '.join(r.assumptions))}</p>"
+    for m in r.manifolds:
+        text += f"<h5>manifold {escape(m.name)}</h5>" + manifold(m)
+    return text
+
+
+def theorem(t):
+    text = f"<h4>{escape(t.title)}</h4><p><b>{escape(t.conclusion)}</b></p>"
+    if t.statement:
+        text += f"<p>{escape(t.statement)}</p>"
+    rows = [(escape(n.id), n.status.name, escape(n.title), escape(n.summary)) for n in t.nodes]
+    return text + table(rows, ("step", "status", "what", "found"))
+
+
+def verdict(v):
+    if isinstance(v, _core.Rejected):
+        return f"<p><b>rejected</b> at {escape(v.step)}: {escape(v.why)}</p>"
+    lines = "".join(f"<br>{escape(line)}" for line in v.statement)
+    return f"<p><b>accepted</b>, {v.trusted_steps} trusted steps{lines}</p>"
+
+
+def integrals(s):
+    rows = []
+    for one in [*s.sets, *([s.elsewhere] if s.elsewhere is not None else [])]:
+        where = ", ".join([f"{f} = 0" for f in one.equations] + [f"{f} != 0" for f in one.inequations])
+        rows.append((escape(where or ("elsewhere" if s.sets else "everywhere")),
+                     "<br>".join(math(str(f.value)) for f in one.integrals),
+                     escape(one.open or ("complete" if one.complete else ""))))
+    return f"<p>{escape(s.searched)}</p>" + table(rows, ("where", "first integrals", ""))
+
+
+def monodromy(m):
+    rows = []
+    for loop in m.loops:
+        matrix = table([[f"{z:.6g}" for z in row] for row in loop.matrix])
+        rows.append((escape(loop.place), matrix, escape(loop.radius)))
+    proof = "" if m.proves is None else "<p>the group of the normal form is SL(2, C)</p>"
+    return table(rows, ("around", "matrix", "radius")) + proof
+
+
+COLORS = ("#1f77b4", "#d62728", "#2ca02c", "#9467bd", "#ff7f0e", "#8c564b", "#17becf", "#7f7f7f")
+
+
+def section(s, width=720, height=360, most=20000):
+    """The points (l, L/G), one colour for each orbit; at most so many of them."""
+    if s.drift > s.allowed_drift:
+        return (f"<p>the integrals drift by {s.drift:.1e}, more than the {s.allowed_drift:.1e} that the scene "
+                "allows: no picture</p>")
+    step = max(1, len(s.l) // most)
+    dots = []
+    for i in range(0, len(s.l), step):
+        x, y = width * float(s.l[i]) / 6.283185307179586, height * (1 - float(s.y[i])) / 2
+        dots.append(f"<circle cx='{x:.1f}' cy='{y:.1f}' r='0.8' fill='{COLORS[int(s.orbit[i]) % len(COLORS)]}'/>")
+    said = f"{len(s.orbits)} orbits, {len(s.l)} points, drift {s.drift:.1e}"
+    if s.stopped or s.cut_short:
+        said = "PARTIAL: " + said
+    return (f"<svg viewBox='0 0 {width} {height}' width='{width}' height='{height}' "
+            f"style='background:white;border:1px solid #888'>{''.join(dots)}</svg>"
+            f"<p>{escape(s.title)}: l from 0 to 2 pi, L/G from -1 to 1; {said}</p>")
