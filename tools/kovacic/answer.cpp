@@ -4,6 +4,7 @@
 #include "equation/assumptions.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
+#include "second_opinion.hpp"
 #include "strata/certificate.hpp"
 
 #include <chrono>
@@ -157,6 +158,8 @@ private:
     const Decision decision = decide(equation.normal_form, options);
     Json result = closed(decision, recognized_json(equation, decision, options.budget));
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
+    if (settings_.second_opinion)
+      result["second_opinion"] = second_opinion(decision.r, decision, options.budget);
     return message(tag_of(decision), result, decision.certificate);
   }
 
@@ -194,6 +197,8 @@ private:
     }
     result["recognized"] = known;
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
+    if (settings_.second_opinion)
+      result["second_opinion"] = {{"text", "no monodromy matrices: parameters have no values"}};
     if (result.contains("refused_by_checker")) return message(tag_disagreement, result);
     if (!result.at("undecided").is_null() && !result.contains("contradictory") &&
         decide_for_all(result))

@@ -9,6 +9,7 @@
 #include "integrability/parameters.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
+#include "second_opinion.hpp"
 
 #include <fmt/format.h>
 
@@ -279,6 +280,7 @@ private:
     ManifoldReport& m = report.manifolds.front();
     if (m.failure && is_fine_without(round.values, m.name)) degenerate(m);
     Report answer{exit_decided, text_of(s, m, settings_.quiet), {{"manifold", json_of(s, m)}}, {}};
+    if (settings_.second_opinion) ask_monodromy(s, m, answer);
     if (!settings_.certificate.empty()) file_certificates(s, m, answer);
     answer.json["unmet"] = Json::array(); // null: the expectation is about another one
     for (const SystemExpectation* x : expectations_of(round))
@@ -301,6 +303,15 @@ private:
   static void degenerate(ManifoldReport& m) {
     m.reasons = {"at these values " + m.failure->message};
     m.failure.reset();
+  }
+
+  void ask_monodromy(const System& s, const ManifoldReport& m, Report& answer) const {
+    const Json opinions = second_opinion(s, m, options_.decide.budget);
+    std::ostringstream lines;
+    for (const Json& o : opinions)
+      put(lines, "monodromy", o.at("text").get<std::string>());
+    answer.text += lines.str();
+    answer.json.at("manifold")["second_opinion"] = opinions;
   }
 
   void file_certificates(const System& s, const ManifoldReport& m, Report& answer) const {

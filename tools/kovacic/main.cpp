@@ -146,6 +146,8 @@ struct CommandLine {
         ->check(number(1L << 30, "a number of MiB"))
         ->type_name("MIB");
     command.add_flag("--trace", settings.trace, "show every step");
+    command.add_flag("--second-opinion", settings.second_opinion,
+                     "also say what certified monodromy matrices prove");
     format_flag(command, {"text", "json", "tex"}, "text, json or tex");
     exit_verdict_flag(command);
     quiet_flag(command);

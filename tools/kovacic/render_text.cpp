@@ -183,6 +183,8 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   if (style.quiet && result.at("undecided").is_null()) return out.str();
   if (result.contains("strata")) {
     print_strata(out, result);
+    if (result.contains("second_opinion"))
+      put(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
     if (const Json& known = result.at("recognized"); !known.is_null())
       if (const std::string text = recognized_text(known); !text.empty()) put(out, "this is", text);
     return out.str();
@@ -200,6 +202,8 @@ std::string text_of_result(const Json& result, const std::string& title, const S
       !result.at("recognized").contains("summary")) // that one is in the reason
     if (const std::string known = recognized_text(result.at("recognized")); !known.empty())
       put(out, "this is", known);
+  if (result.contains("second_opinion"))
+    put(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
   if (result.contains("original")) put_original(out, result.at("original"));
   put_solutions(out, result.at("solutions"));
   if (style.solutions && result.contains("no_solutions"))

@@ -44,8 +44,9 @@ struct Settings {
   bool quiet = false;
   int verbose = 0;
   bool exit_verdict = false;
-  long jobs = 0;       ///< --batch: so many lines at the same time; 0 = as many as there are cores
-  bool strict = false; ///< verify: refuse trusted steps
+  long jobs = 0; ///< --batch: so many lines at the same time; 0 = as many as there are cores
+  bool second_opinion = false; ///< also ask the monodromy matrices
+  bool strict = false;         ///< verify: refuse trusted steps
 
   [[nodiscard]] Options solver_options() const;
   [[nodiscard]] bool wants_solutions() const { return !quiet && !exit_verdict; }
