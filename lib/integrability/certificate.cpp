@@ -101,6 +101,8 @@ private:
 std::vector<NamedCertificate> certificates(const System& s, const ManifoldReport& m) {
   Collector found(s, m);
   if (!m.manifold) return {};
+  if (m.matrices)
+    found.all.push_back({m.name + "-matrices", "", "there is no format for monodromy matrices"});
   for (const BlockReport& b : m.blocks) {
     if (b.decision) found.take(*b.decision, b, "");
     if (b.strata) found.take(*b.strata, "");

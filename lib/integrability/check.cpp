@@ -5,6 +5,7 @@
 #include "integrability/conclude.hpp"
 #include "integrability/levels.hpp"
 #include "integrability/linearise.hpp"
+#include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/special_strata.hpp"
 
@@ -78,6 +79,8 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     linearise(study, report);
     decide_blocks(study, report);
     decide_exceptions(study, report.blocks);
+    if (!options.stop_at_r && verdict_of(report) == VerdictKind::undecided)
+      ask_the_matrices(study, report);
     conclude(s, options, report);
   } catch (const OutOfBudget& e) {
     report.reasons.emplace_back(e.what());

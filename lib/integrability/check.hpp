@@ -5,7 +5,8 @@
 //          -> scalar equation -> change of variable -> r(z) -> group -> verdict
 //
 // The verdict of a manifold is
-//   non-integrable   a block of order 2 has a non-abelian identity component (a theorem),
+//   non-integrable   a block of order 2 has a non-abelian identity component (a theorem), or the
+//                    whole of VE, by certified monodromy matrices,
 //   no obstruction   all blocks have abelian ones, and they are the whole of VE up to a vector
 //                    group (variation/whole.hpp): nothing follows,
 //   undecided        anything else, with the reason.
@@ -18,6 +19,7 @@
 #include "decide/decide.hpp"
 #include "integrability/constants.hpp"
 #include "integrability/integral_class.hpp"
+#include "integrability/variational_monodromy.hpp"
 #include "literature/literature.hpp"
 #include "strata/decide_strata.hpp"
 
@@ -65,6 +67,8 @@ struct ManifoldReport {
   ReducedSystem reduced;
   std::vector<BlockReport> blocks;
   std::string not_studied; ///< what of VE the blocks leave out, as a clause; empty: nothing
+  /// Set where the blocks decide nothing and the whole of VE is proved to be not abelian.
+  std::shared_ptr<const MatrixEvidence> matrices;
   VerdictKind verdict = VerdictKind::undecided;
   std::optional<TheoremUsed> by; ///< the theorem behind the verdict; unset: it was not reached
   IntegralClass integrals = IntegralClass::meromorphic;

@@ -1,6 +1,7 @@
 #include "integrability/conclude.hpp"
 
 #include "decide/words.hpp"
+#include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "strata/words.hpp"
 
@@ -77,7 +78,10 @@ std::vector<std::string> reasons_of(const BlockReport& block) {
   return all;
 }
 
+} // namespace
+
 VerdictKind verdict_of(const ManifoldReport& report) {
+  if (report.matrices) return VerdictKind::non_integrable;
   Truth all = Truth::yes;
   for (const auto& block : report.blocks)
     all = both(all, block.abelian);
@@ -87,6 +91,8 @@ VerdictKind verdict_of(const ManifoldReport& report) {
          : by_strata(report) ? VerdictKind::depends
                              : VerdictKind::undecided;
 }
+
+namespace {
 
 TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
   TheoremUsed by = used(s.field.poisson ? morales_ramis() : ayoul_zung());
@@ -115,6 +121,7 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
     for (auto& why : reasons_of(block))
       report.reasons.push_back(std::move(why));
   if (options.stop_at_r) return;
+  if (report.matrices) report.reasons.push_back(reason(*report.matrices));
   report.verdict = verdict_of(report);
   const ExcludedIntegrals excluded = excluded_integrals(s, report);
   report.integrals = excluded.integrals;
@@ -137,6 +144,10 @@ std::vector<std::string> trusted_steps(const ManifoldReport& m) {
   const auto add = [&](const std::string& step) {
     if (std::find(all.begin(), all.end(), step) == all.end()) all.push_back(step);
   };
+  if (m.matrices)
+    add("the enclosures of the monodromy matrices of the whole variational equation, along the "
+        "manifold " +
+        m.name);
   for (const BlockReport& b : m.blocks) {
     if (b.ode) add("the way from the system to r(z), along the manifold " + m.name);
     for (const auto* answer : strata_of(b))

@@ -5,6 +5,9 @@
 
 namespace kov {
 
+/// What follows from the blocks, or from the matrices of the whole.
+[[nodiscard]] VerdictKind verdict_of(const ManifoldReport& report);
+
 /// Fills in the verdict, the theorem used with the class of first integrals that it excludes, the
 /// statement and the reasons.
 void conclude(const System& s, const CheckOptions& options, ManifoldReport& report);

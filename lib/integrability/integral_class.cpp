@@ -98,6 +98,9 @@ std::vector<std::size_t> moving_cyclic_coordinates(const System& s, const Invari
 } // namespace
 
 ExcludedIntegrals excluded_integrals(const System& s, const ManifoldReport& report) {
+  // Loops on the curve itself, but for coordinates that are left out.
+  if (report.matrices)
+    return {IntegralClass::meromorphic, moving_cyclic_coordinates(s, *report.manifold)};
   const NonAbelian by = what_decides(report);
   if (!by.any || !report.manifold || by.survives_covers()) return {by.integrals, {}};
   return {by.integrals, moving_cyclic_coordinates(s, *report.manifold)};

@@ -39,6 +39,15 @@ struct NonAbelianVariation {
   std::vector<std::size_t> block;
 };
 
+/// The same as the reason of a verdict.
+struct MatrixEvidence {
+  NonAbelianVariation proof;
+  long size = 0; ///< of the system
+  std::vector<std::string> unknowns;
+  std::string change;
+  std::string level; ///< "h = 1"; empty: the level was not free
+};
+
 /// Unset when nothing is seen, which proves nothing.
 /// Source  docs/theory/monodromy.md 6, 7
 [[nodiscard]] std::optional<NonAbelianVariation>

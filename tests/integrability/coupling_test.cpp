@@ -42,18 +42,58 @@ level = "H = 1"
 }
 
 // Duval and Maciejewski: a Jordan block at this eigenvalue forbids integrability, so that "no
-// obstruction" would be false for every coupling that is not zero.
+// obstruction" would be false for every coupling that is not zero.  The matrices of the whole prove
+// it where they have size <= 8.
 TEST(Coupling, ACoupledBlockIsNoAbelianGroup) {
   std::mt19937 generator(17);
   std::uniform_int_distribution<int> number(1, 9);
-  for (int round = 0; round < 4; ++round) {
-    const std::string c =
-        std::to_string(number(generator)) + "/" + std::to_string(number(generator));
-    for (const char* form : {"*q1^2*q2^2", "*q2^2", "*q1*q2^2", "*p3^2"}) {
-      const ManifoldReport m = run(blocks(c + form));
-      EXPECT_EQ(m.verdict, VerdictKind::undecided) << c << form;
-      EXPECT_THAT(all_reasons(m), HasSubstr("what couples")) << c << form;
-    }
+  const std::string c = std::to_string(number(generator)) + "/" + std::to_string(number(generator));
+  for (const char* form : {"*q1^2*q2^2", "*p3^2"}) {
+    const ManifoldReport m = run(blocks(c + form));
+    EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << c << form;
+    EXPECT_TRUE(m.matrices) << c << form;
+    EXPECT_EQ(m.integrals, IntegralClass::meromorphic);
+  }
+  for (const char* form : {"*q2^2", "*q1*q2^2"}) {
+    const ManifoldReport m = run(blocks(c + form));
+    EXPECT_NE(m.verdict, VerdictKind::no_obstruction) << c << form;
+  }
+}
+
+TEST(Coupling, OneLevelIsEnoughForTheMatrices) {
+  std::string text = blocks("q1^2*q2^2");
+  text.replace(text.find("H = 1"), 5, "H = e");
+  const ManifoldReport m = run(text);
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
+  ASSERT_TRUE(m.matrices);
+  EXPECT_EQ(m.matrices->level, "e = 1");
+}
+
+// Integrable systems, their coordinates sheared by Q2 = q2 + c q1^k q3: the blocks are coupled, and
+// nothing may be proved.
+TEST(Coupling, IntegrableSystemsInOtherCoordinates) {
+  struct Sheared {
+    const char *potential, *shear, *derivative;
+  };
+  const std::vector<Sheared> all = {{"q1^4/4 + 3*y^2 + q3^2/5", "q1", "1"},
+                                    {"(q1^4 + 6*q1^2*y^2 + y^4)/4 + q3^2/2", "2*q1", "2"},
+                                    {"(q1^4 + 6*q1^2*y^2 + y^4)/4 + q3^2/2", "q1^2/3", "2*q1/3"},
+                                    {"q1^3/3 + q1*y^2 + q3^2", "q1", "1"}, // x^3/3 + x y^2
+                                    {"(q1^2 + y^2 + q3^2)^2/4", "q1", "1"}};
+  for (const Sheared& x : all) {
+    const std::string shear = x.shear, y = "(q2 - (" + shear + ")*q3)";
+    std::string potential = x.potential;
+    for (std::size_t i = 0; (i = potential.find('y', i)) != std::string::npos; i += y.size())
+      potential.replace(i, 1, y);
+    const ManifoldReport m =
+        run("[system]\nkind = 'hamiltonian'\ncoordinates = ['q1', 'q2', 'q3']\nmomenta = ['p1', "
+            "'p2', 'p3']\nhamiltonian = '(p1 + p2*q3*" +
+            std::string(x.derivative) + ")^2/2 + p2^2/2 + (p3 + p2*(" + shear + "))^2/2 + " +
+            potential +
+            "'\n[[manifold]]\nname = 'plane'\nequations = ['q2 = 0', 'q3 = 0', 'p2 = 0', 'p3 = "
+            "0']\nlevel = 'H = 1'\n");
+    EXPECT_FALSE(m.failure) << potential;
+    EXPECT_NE(m.verdict, VerdictKind::non_integrable) << potential << "\n" << all_reasons(m);
   }
 }
 
@@ -65,7 +105,7 @@ TEST(Coupling, WithoutOneTheBlocksAreTheWhole) {
 }
 
 TEST(Coupling, AQuotientIsNotTheWhole) { // Hill's problem: a Lagrangian plane
-  const ManifoldReport m = run(R"t([system]
+  const std::string text = R"t([system]
 kind = "hamiltonian"
 coordinates = ["a", "b"]
 momenta = ["A", "B"]
@@ -77,9 +117,12 @@ hamiltonian = "A*B/2 - a*b*i*(a*A - b*B)/2 - a*b*(3*a^4 + 2*a^2*b^2 + 3*b^4)/8 -
 name = "plane"
 equations = ["a = 0", "B = 0"]
 level = "A^2/4 - b^6/16 - E*b^2/2 = c"
-)t");
+)t";
+  const ManifoldReport m = run(text);
   EXPECT_EQ(m.verdict, VerdictKind::undecided);
   EXPECT_THAT(all_reasons(m), HasSubstr("what couples"));
+  // Morales-Ruiz, Simo, Simon (2005)
+  EXPECT_EQ(run(text + "[set]\nE = \"1\"\n").verdict, VerdictKind::non_integrable);
 }
 
 // y2 = exp(x^2), y1 = its integral, and t along the curve feels y1.

@@ -6,6 +6,7 @@
 #include "decide/words.hpp"
 #include "integrability/certificate.hpp"
 #include "integrability/expect.hpp"
+#include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
@@ -90,7 +91,8 @@ void put_trust(std::ostringstream& out, const ManifoldReport& m) {
   put(out, "trusted",
       steps.size() == 1
           ? "1 step: " + steps.front()
-          : std::to_string(steps.size()) + " steps: " + steps.front() + ", and those named above");
+          : std::to_string(steps.size()) + " steps: " + steps.front() + ", and " +
+                (m.matrices && steps.size() == 2 ? steps.back() : "those named above"));
 }
 
 // Which flag sets the first limit among the reasons.
@@ -130,6 +132,7 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
       put(out, "because", r);
   else if (m.verdict == VerdictKind::undecided && !m.not_studied.empty())
     put(out, "open", m.reasons.back());
+  if (m.matrices && !m.blocks.empty()) put(out, "because", reason(*m.matrices));
   if (m.verdict == VerdictKind::undecided) put_way_out(out, m.reasons);
   put_trust(out, m);
 }

@@ -1,6 +1,7 @@
 #include "mechanics.hpp"
 
 #include "decide/words.hpp"
+#include "integrability/matrices.hpp"
 #include "present.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
@@ -179,6 +180,12 @@ Json json_of(const System& s, const ManifoldReport& m) {
     j["integrals_without"].push_back(s.ring()->name(i));
   if (!m.statement.empty()) j["statement"] = m.statement;
   if (!m.not_checked.empty()) j["not_checked"] = m.not_checked;
+  if (m.matrices)
+    j["matrices"] = Json{{"size", m.matrices->size},
+                         {"unknowns", m.matrices->unknowns},
+                         {"change", m.matrices->change},
+                         {"level", m.matrices->level},
+                         {"reason", reason(*m.matrices)}};
   if (m.manifold) {
     Json equations = Json::array();
     for (const auto& e : m.manifold->equations)

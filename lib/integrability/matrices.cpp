@@ -1,0 +1,81 @@
+#include "integrability/matrices.hpp"
+
+#include "exact/error.hpp"
+#include "integrability/parameters.hpp"
+#include "integrability/specialise.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr long digits = 30;
+constexpr std::chrono::seconds longest{15};
+
+// The verdict is there already: this must not cost it.
+Budget half_of_what_is_left(Budget budget) {
+  const auto now = Budget::Clock::now();
+  auto end = now + longest;
+  if (budget.deadline) end = std::min(end, now + (*budget.deadline - now) / 2);
+  budget.deadline = end;
+  return budget;
+}
+
+// Level parameters in the equations of the manifold, all at one value.
+Substitution at_level(const System& s, const ManifoldSpec& spec, const Rational& value) {
+  Substitution level;
+  for (const std::size_t i : level_parameters(s))
+    if (std::any_of(spec.levels.begin(), spec.levels.end(),
+                    [&](const Equation& e) { return uses(e.difference, i); }))
+      level[i] = MFraction(s.ring(), value);
+  return level;
+}
+
+std::optional<MatrixEvidence> matrices_at(const Study& study, const Substitution& level,
+                                          const Budget& budget) {
+  const System s = at_values(study.system, level);
+  auto proved = prove_invariant(s.field, at_values(study.manifold, level), budget);
+  const auto* manifold = std::get_if<InvariantManifold>(&proved);
+  if (manifold == nullptr) return std::nullopt;
+  const auto v =
+      numerical_variation(s, *manifold, variational_equations(s.field, *manifold), budget);
+  auto proof =
+      prove_non_abelian(v.system, monodromy::monodromy(v.system, {digits, {}, budget}), budget);
+  if (!proof) return std::nullopt;
+  MatrixEvidence found{*std::move(proof), v.system.size(), v.names, v.change, {}};
+  for (const auto& [i, value] : level)
+    found.level += (found.level.empty() ? "" : ", ") + s.ring()->name(i) + " = " + to_string(value);
+  return found;
+}
+
+} // namespace
+
+void ask_the_matrices(const Study& study, ManifoldReport& report) {
+  if (!report.manifold) return;
+  const Budget budget = half_of_what_is_left(study.options.decide.budget);
+  for (const Rational& value : {Rational(1), Rational(2), Rational(-1, 3)}) {
+    const Substitution level = at_level(study.system, study.manifold, value);
+    try {
+      if (auto found = matrices_at(study, level, budget)) {
+        report.matrices = std::make_shared<const MatrixEvidence>(*std::move(found));
+        return;
+      }
+    } catch (const OutOfBudget&) { // what could not be computed proves nothing
+    } catch (const InvalidArgument&) {
+    } catch (const DomainError&) {
+    }
+    if (level.empty()) return;
+  }
+}
+
+std::string reason(const MatrixEvidence& by) {
+  return "the monodromy matrices of the whole variational equation (size " +
+         std::to_string(by.size) + ", " + by.change +
+         (by.level.empty() ? "" : ", at the level " + by.level) + ") prove that its identity " +
+         "component is not abelian: " +
+         (by.proof.unipotent ? std::string("two unipotent elements of the group do not commute")
+                             : "a diagonal block is dense in SL(2, C), up to scalars") +
+         " (enclosures with " + std::to_string(digits) + " digits)";
+}
+
+} // namespace kov

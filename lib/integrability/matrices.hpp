@@ -1,0 +1,17 @@
+#pragma once
+// Where the blocks leave the whole variational equation open: its certified monodromy matrices.
+
+#include "integrability/study.hpp"
+
+namespace kov {
+
+/// Sets report.matrices if the matrices prove that the identity component is not abelian, for the
+/// parameters of the system as they are, and for one level if levels are free (one is enough).
+/// Nothing else can follow from them, and a limit leaves the report as it is.
+/// Source  docs/theory/monodromy.md 7, 8, 9
+void ask_the_matrices(const Study& study, ManifoldReport& report);
+
+/// "the monodromy matrices of the whole variational equation (size 6, z = p1) prove that ..."
+[[nodiscard]] std::string reason(const MatrixEvidence& by);
+
+} // namespace kov
