@@ -84,6 +84,21 @@ class Out(unittest.TestCase):
         self.assertEqual(kovacic.to_sympy(Fraction(2, 3)), Rational(2, 3))
         self.assertEqual(kovacic.to_sympy(kovacic.RationalFunction("z^2/2"), [z]), z**2/2)
 
+    def test_algebraic_numbers(self):
+        third = sympy.real_root(2, 3)
+        for c in (sqrt(2), I, sqrt(2) + sqrt(3), 1 + sqrt(-3)/2, third, sympy.CRootOf(x**5 - x - 1, 0)/3):
+            r = kovacic.solve(c/z**2 + 1).r
+            self.assertEqual(sympy.minimal_polynomial(r.num[0].sympy(), x), sympy.minimal_polynomial(c, x), c)
+            self.assertLess(abs(complex(r.sympy([z]).subs(z, 2)) - complex(c/4 + 1)), 1e-12, c)
+            self.assertLess(abs(complex(r.num[0]) - complex(c)), 1e-12, c)
+
+    def test_letters_are_not_names(self):
+        r = kovacic.solve((sqrt(2) + sqrt(3))/z**2).r
+        self.assertIsNotNone(r.generator)
+        with self.assertRaises(kovacic.InvalidArgument):
+            kovacic.solve(r)
+        self.assertEqual(kovacic.solve(kovacic.solve(sqrt(2)/z**2).r).r.num[0].minpoly, [-2, 0, 1])
+
     def test_names_that_sympy_knows(self):
         f = kovacic.RationalFunction("S^2 + 1", "S")
         self.assertEqual(f.sympy(), Symbol("S")**2 + 1)

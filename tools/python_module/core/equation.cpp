@@ -131,6 +131,13 @@ void bind_solutions(py::module_& m) {
           "of y'/y over K(z), ascending; empty for an exponential")
       .def_property_readonly(
           "note", [](const Solution& s) { return note(s.s); }, "what is said of the constants")
+      .def_property_readonly(
+          "generator",
+          [](const Solution& s) -> py::object {
+            if (!s.s.exponential) return py::none();
+            return generator_of(s.s.exponential->theta.field());
+          },
+          "what the letter of the number field means, or None")
       .def("__str__", &solution_text)
       .def("__repr__",
            [](const Solution& s) { return "LiouvillianSolution('" + solution_text(s) + "')"; })
@@ -351,7 +358,7 @@ void bind_decision(py::module_& m) {
           "what the generator of the number field means: {name: 'root(p, approx)'}")
       .def("__str__", [](const Solved& s) {
         std::string text = told(s);
-        if (!s.given.constant.empty())
+        if (is_name(s.given.constant) && s.given.constant != "I")
           text += "\nwhere " + s.given.constant + " = " + s.given.constant_meaning;
         for (const Solution& y : solutions_of(s))
           text += "\ny = " + solution_text(y);

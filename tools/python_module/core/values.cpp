@@ -35,6 +35,22 @@ py::object to_python(const NfElem& a) {
   return py::cast(a);
 }
 
+namespace {
+
+std::complex<double> midpoint(const ComplexBall& z) {
+  return {arf_get_d(arb_midref(acb_realref(z.raw())), ARF_RND_NEAR),
+          arf_get_d(arb_midref(acb_imagref(z.raw())), ARF_RND_NEAR)};
+}
+
+} // namespace
+
+py::object generator_of(const Field& k) {
+  if (k->is_rational() || k->letter() == "I" || k->letter().find('(') != std::string::npos)
+    return py::none();
+  return py::make_tuple(k->letter(), k->minpoly_coefficients(), midpoint(k->generator(64)),
+                        k->scale());
+}
+
 Integer to_integer(const py::int_& n) {
   int overflow = 0;
   const long small = PyLong_AsLongAndOverflow(n.ptr(), &overflow);
@@ -97,6 +113,9 @@ void bind_functions(py::module_& m) {
       .def_property_readonly(
           "den", [](const Function& x) { return coefficients(x.f.den()); },
           "coefficients of the monic denominator, ascending")
+      .def_property_readonly(
+          "generator", [](const Function& x) { return generator_of(x.f.field()); },
+          "what the letter of the number field means: (letter, minpoly, value, scale), or None")
       .def("diff",
            [](const Function& x) {
              return Function{derivative(x.f), x.variable};
@@ -159,12 +178,10 @@ void bind_functions(py::module_& m) {
       .def(
           "__eq__", [](const NfElem& a, const NfElem& b) { return a == b; }, py::is_operator())
       .def("__hash__", [](const NfElem& a) { return py::hash(py::str(to_string(a))); })
-      .def("__complex__",
-           [](const NfElem& a) {
-             const ComplexBall z = embed(a, 64);
-             return std::complex<double>(arf_get_d(arb_midref(acb_realref(z.raw())), ARF_RND_NEAR),
-                                         arf_get_d(arb_midref(acb_imagref(z.raw())), ARF_RND_NEAR));
-           })
+      .def("__complex__", [](const NfElem& a) { return midpoint(embed(a, 64)); })
+      .def_property_readonly(
+          "generator", [](const NfElem& a) { return generator_of(a.field()); },
+          "(letter, minpoly, value, scale), or None where the text says it")
       .def("_repr_latex_", [](const NfElem& a) { return "$" + latex(to_string(a)) + "$"; });
 
   py::class_<MFraction>(m, "MFraction", "A rational function of parameters, over Q.")

@@ -24,7 +24,10 @@ struct Function {
 [[nodiscard]] py::object to_python(const Integer& n);  ///< int
 [[nodiscard]] py::object to_python(const Rational& q); ///< fractions.Fraction
 [[nodiscard]] py::object to_python(const NfElem& a);   ///< Fraction, or AlgebraicNumber
-[[nodiscard]] Integer to_integer(const py::int_& n);   ///< of any size
+/// What a letter in texts stands for: (letter, minimal polynomial, value, scale), of scale times the
+/// letter; None over Q and where the text says it, as I and sqrt(2) do.
+[[nodiscard]] py::object generator_of(const Field& k);
+[[nodiscard]] Integer to_integer(const py::int_& n); ///< of any size
 
 /// The text as LaTeX.
 [[nodiscard]] std::string latex(const std::string& formula);

@@ -165,8 +165,10 @@ def to_sympy(value, symbols=()):
     if isinstance(value, LiouvillianSolution):
         if value.y is None:
             raise InvalidArgument("this solution is given by the minimal polynomial of y'/y")
-        return _convert.to_sympy(value.y, symbols)
-    return _convert.to_sympy(_convert.formula(str(value) if isinstance(value, AlgebraicNumber) else value), symbols)
+        return _convert.to_sympy(value.y, symbols, value.generator)
+    if isinstance(value, (RationalFunction, AlgebraicNumber)):
+        return _convert.to_sympy(str(value), symbols, value.generator)
+    return _convert.to_sympy(_convert.formula(value), symbols)
 
 
 # ---- arguments

@@ -202,6 +202,7 @@ class Accepted:
 class AlgebraicNumber:
     letter: str
     minpoly: list[int]
+    generator: tuple[str, list[int], complex, int] | None
     def sympy(self, symbols: Iterable[Any] = ()) -> Any: ...
 
 
@@ -398,6 +399,7 @@ class LiouvillianSolution:
     omega: RationalFunction | None
     minimal_polynomial: list[RationalFunction]
     note: str
+    generator: tuple[str, list[int], complex, int] | None
     def sympy(self, symbols: Iterable[Any] = ()) -> Any: ...
 
 
@@ -507,6 +509,7 @@ class RationalFunction:
     variable: str
     num: list[Fraction | AlgebraicNumber]
     den: list[Fraction | AlgebraicNumber]
+    generator: tuple[str, list[int], complex, int] | None
     def __init__(self, text: str | int | Fraction, variable: str = "z") -> None: ...
     def diff(self) -> RationalFunction: ...
     def sympy(self, symbols: Iterable[Any] = ()) -> Any: ...

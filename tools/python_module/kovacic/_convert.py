@@ -27,7 +27,10 @@ def formula(x, what="the formula"):
     if isinstance(x, numbers.Rational) and not isinstance(x, bool):
         n, d = _core.decimal(int(x.numerator)), _core.decimal(int(x.denominator))
         return n if d == "1" else f"{n}/{d}"
-    if isinstance(x, (_core.RationalFunction, _core.MFraction)):
+    if isinstance(x, (_core.RationalFunction, _core.AlgebraicNumber)) and x.generator is not None:
+        raise InvalidArgument(f"{what}: {x} is written with a number {x.generator[0]} that a text does not tell; write "
+                              "the constants as sqrt(...) or root(p(x), approx), and give them with set")
+    if isinstance(x, (_core.RationalFunction, _core.MFraction, _core.AlgebraicNumber)):
         return str(x)
     if is_sympy(x):
         return from_sympy(x)
@@ -180,35 +183,36 @@ def assumptions_of(symbols):
     return said
 
 
-def to_sympy(text, symbols=(), constants=None):
+ROOT = re.compile(r"root\(([^,]*), ?([^,()]*)\)")
+
+
+def to_sympy(text, symbols=(), generator=None):
     """A formula of ours as a SymPy expression.
 
     symbols: to be used for the names (with their assumptions); others are plain ones.
-    constants: {name: "root(p, approx)"}, what the generator of a number field means.
+    generator: (letter, minimal polynomial, value, scale), what a letter of the text means.
     """
     import sympy
 
     known = {s.name: s for s in symbols}
     known["I"] = sympy.I
-    for key, meaning in (constants or {}).items():
-        known[key] = _root(meaning)
-    functions = {"exp": sympy.exp, "sqrt": sympy.sqrt, "log": sympy.log, "int": None}
-    for word in set(re.findall(r"[A-Za-z_]\w*", text)):
-        if word not in known:
-            known[word] = functions[word] if word in functions else sympy.Symbol(word)
-    if any(value is None for value in known.values()) or "root(" in text:
-        raise InvalidArgument(f"this has no counterpart in SymPy: {text}")
+    if generator is not None:
+        letter, minpoly, value, scale = generator
+        known[letter] = nearest_root(sympy.Poly(minpoly[::-1], sympy.Symbol("x")), value) / scale
+    while said := ROOT.search(text):
+        letter = f"root_{len(known)}_"
+        polynomial = sympy.Poly(to_sympy(said[1]))
+        near = complex(sympy.sympify(said[2].replace("^", "**"), locals={"I": sympy.I}))
+        known[letter] = nearest_root(polynomial, near)
+        text = text[:said.start()] + letter + text[said.end():]
+    functions = {"exp": sympy.exp, "sqrt": sympy.sqrt, "log": sympy.log}
+    for word in set(re.findall(r"[A-Za-z_]\w*", text)) - set(known):
+        if word in ("int", "root", "sum", "prod"):
+            raise InvalidArgument(f"this has no counterpart in SymPy: {text}")
+        known[word] = functions.get(word) or sympy.Symbol(word)
     return sympy.sympify(text.replace("^", "**"), locals=known, rational=True)
 
 
-def _root(meaning):
-    """root(x^3 - 2, 1.26) as SymPy's CRootOf: the root nearest to the approximation."""
-    import sympy
-
-    inside = re.fullmatch(r"root\((.*), ([^,]*)\)", meaning)
-    if not inside:
-        return to_sympy(meaning)
-    polynomial = to_sympy(inside[1])
-    near = complex(sympy.sympify(inside[2], locals={"I": sympy.I}))
-    roots = sympy.Poly(polynomial).all_roots(multiple=True, radicals=False)
-    return min(roots, key=lambda root: abs(complex(root) - near))
+def nearest_root(polynomial, value):
+    roots = polynomial.all_roots(multiple=True, radicals=False)
+    return min(roots, key=lambda root: abs(complex(root) - value))

@@ -79,7 +79,10 @@ def theorem(t):
     if t.statement:
         text += f"<p>{escape(t.statement)}</p>"
     rows = [(escape(n.id), n.status.name, escape(n.title), escape(n.summary)) for n in t.nodes]
-    return text + table(rows, ("step", "status", "what", "found"))
+    page = escape(t.html(), quote=True)  # with its pictures; a document of its own
+    return text + table(rows, ("step", "status", "what", "found")) + (
+        f"<details><summary>the whole report</summary><iframe sandbox srcdoc=\"{page}\" "
+        "style='width:100%;height:40em'></iframe></details>")
 
 
 def verdict(v):
