@@ -62,6 +62,9 @@ class Solve(unittest.TestCase):
             f(0)
         with self.assertRaises(kovacic.InvalidArgument):
             f + RationalFunction("x", "x")
+        for too_large in (10**6, -10**9):
+            with self.assertRaises(kovacic.OutOfBudget):
+                f ** too_large
 
     def test_integers_of_any_size(self):
         n = 10**5000 + 7
@@ -186,6 +189,11 @@ class Lame(unittest.TestCase):
         self.assertIs(kovacic.lame("1/7").abelian, Truth.unknown)  # the degenerate curve is not excluded
         self.assertTrue(kovacic.lame("1/7").never)
         self.assertIs(kovacic.lame("1/7", g2=4, g3=0).abelian, Truth.no)
+
+    def test_degenerate_curve(self):
+        with self.assertRaises(kovacic.InvalidArgument):
+            kovacic.lame(1, g2=0, g3=0)
+        self.assertIs(kovacic.lame(1, 0, 12, 8).abelian, Truth.yes)
 
     def test_families(self):
         self.assertTrue(all(isinstance(f, kovacic.LameFamily) for f in kovacic.lame("n")))

@@ -74,6 +74,13 @@ class In(unittest.TestCase):
             with self.assertRaises(kovacic.Error, msg=str(f)):
                 kovacic.solve(f, variable="z")
 
+    def test_common_parts_written_out(self):
+        f = z
+        for _ in range(200):
+            f = sympy.Add(sympy.Mul(f, f, evaluate=False), 1, evaluate=False)
+        with self.assertRaises(kovacic.OutOfBudget):
+            kovacic.solve(f)
+
     def test_huge(self):
         n = sympy.Integer(10)**5000 + 1
         self.assertEqual(kovacic.solve(n/z**2).r.num, [int(n)])

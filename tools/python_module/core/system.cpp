@@ -7,6 +7,7 @@
 #include "equation/equation_file.hpp"
 #include "integrability/certificate.hpp"
 #include "integrability/check.hpp"
+#include "integrability/matrices.hpp"
 #include "integrals/find.hpp"
 
 #include <pybind11/stl.h>
@@ -90,7 +91,7 @@ std::string told(const ManifoldReport& m) {
     if (b.strata) text += "\n  " + py::str(py::cast(family(*b.strata, b))).cast<std::string>();
     if (!b.note.empty()) text += "\n  note: " + b.note;
   }
-  if (m.blocks.empty() || m.verdict == VerdictKind::undecided)
+  if (m.blocks.empty() || m.matrices || m.verdict == VerdictKind::undecided)
     for (const std::string& r : m.reasons)
       text += "\n  because " + r;
   if (m.verdict != VerdictKind::undecided)
@@ -221,6 +222,13 @@ void bind_reports(py::module_& m) {
           "a hypothesis of the verdict that is not proved, or None")
       .def_readonly("reasons", &ManifoldReport::reasons)
       .def_readonly("blocks", &ManifoldReport::blocks)
+      .def_property_readonly(
+          "matrices",
+          [](const ManifoldReport& r) {
+            return unless_empty(r.matrices ? reason(*r.matrices) : "");
+          },
+          "what monodromy matrices prove of the whole variational equation, "
+          "where the blocks decide nothing")
       .def_property_readonly("trusted_steps", &trusted_steps)
       .def_property_readonly("not_studied",
                              [](const ManifoldReport& r) { return unless_empty(r.not_studied); })

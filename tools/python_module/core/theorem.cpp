@@ -148,10 +148,15 @@ std::variant<LameNumbers, LameConditions, LameFamilies> lame(const cli::LameQues
     const Decision& d = n.decision; // two proofs of one answer, or a bug of ours
     if (n.closed.abelian != Truth::unknown && d.abelian != Truth::unknown)
       KOV_ENSURE(n.closed.abelian == d.abelian);
+    if (n.closed.group && d.group) KOV_ENSURE(describe(*n.closed.group) == describe(*d.group));
     return n;
   }
-  return lame_conditions(lame_index(alpha), std::get<LameParameters<MFraction>>(q.parameters),
-                         wished.budget);
+  LameConditions c = lame_conditions(
+      lame_index(alpha), std::get<LameParameters<MFraction>>(q.parameters), wished.budget);
+  if (is_zero(c.discriminant))
+    throw InvalidArgument("g2^3 = 27 g3^2 here: the curve is degenerate, and the conditions say "
+                          "nothing; give numbers, or see the command kovacic lame");
+  return c;
 }
 
 // For all values of the free names at once.
@@ -165,6 +170,7 @@ std::vector<MFraction> fractions(const std::vector<MPoly>& all) { return {all.be
 void bind_lame(py::module_& m) {
   read_only<LameNumbers>(m, "LameAnswer", "Lame's equation with numbers: two independent answers.",
                          {"abelian", "group"})
+      .def("__repr__", [](const LameNumbers& n) { return "<LameAnswer: " + n.closed.reason + ">"; })
       .def_readonly("decision", &LameNumbers::decision, "of the engines, on y'' = r(x) y")
       .def_property_readonly("abelian",
                              [](const LameNumbers& n) {
@@ -180,14 +186,21 @@ void bind_lame(py::module_& m) {
   read_only<LameConditions>(
       m, "LameConditions",
       "Where g2^3 != 27 g3^2: the identity component is abelian exactly where all of "
-      "`polynomials` vanish.  Nothing is said where `discriminant` vanishes.",
+      "`polynomials` vanish.  Nothing is said where `discriminant` or a denominator of B, g2, g3 "
+      "vanishes.",
       {"polynomials", "discriminant"})
+      .def("__repr__",
+           [](const LameConditions& c) {
+             std::string text = c.always() ? "always" : c.never() ? "never" : "where";
+             if (!c.always() && !c.never())
+               for (const MPoly& f : c.abelian)
+                 text += (text == "where" ? " " : ", ") + brief(MFraction(f)) + " = 0";
+             return "<LameConditions: abelian " + text + ", if " +
+                    brief(MFraction(c.discriminant)) + " != 0>";
+           })
       .def_property_readonly("n", [](const LameConditions& c) { return c.index.n; })
       .def_property_readonly("discriminant",
                              [](const LameConditions& c) { return MFraction(c.discriminant); })
-      .def_property_readonly(
-          "degenerate", [](const LameConditions& c) { return is_zero(c.discriminant); },
-          "the discriminant vanishes for all values: nothing is said")
       .def_property_readonly(
           "polynomials", [](const LameConditions& c) { return fractions(c.abelian); },
           "empty: always; [1]: never")

@@ -92,6 +92,21 @@ Function combined(const Function& a, const Function& b, RationalFunction value) 
 
 std::string text(const Function& x) { return to_string(x.f, x.variable); }
 
+// Within the degree that other limits have by default.
+Function power(const Function& a, long e) {
+  const double longest = static_cast<double>(std::max(degree(a.f.num()), degree(a.f.den())) + 1);
+  const auto bits = [](const Poly& f) { // of the largest number in it
+    const auto top = std::abs(_fmpz_vec_max_bits(f.raw()->coeffs, f.raw()->length));
+    return static_cast<double>(top) + static_cast<double>(fmpz_bits(f.raw()->den));
+  };
+  const double numbers = bits(a.f.num()) + bits(a.f.den());
+  const double times = std::abs(static_cast<double>(e));
+  if (times * longest > static_cast<double>(Budget{}.max_degree) || times * numbers > 1e8)
+    throw OutOfBudget("this power is too large: degree " + std::to_string(degree(a.f.num())) +
+                      ", exponent " + std::to_string(e));
+  return {pow(a.f, e), a.variable};
+}
+
 py::list coefficients(const Poly& f) {
   py::list all;
   for (long i = 0; i <= degree(f); ++i)
@@ -133,10 +148,7 @@ void bind_functions(py::module_& m) {
            [](const Function& a) {
              return Function{-a.f, a.variable};
            })
-      .def("__pow__",
-           [](const Function& a, long e) {
-             return Function{pow(a.f, e), a.variable};
-           })
+      .def("__pow__", &power, py::is_operator())
       .def("_repr_latex_", [](const Function& x) { return "$" + latex(text(x)) + "$"; });
   const auto binary = [&](const char* name, const char* reversed, auto operation) {
     type.def(

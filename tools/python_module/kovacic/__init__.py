@@ -213,7 +213,7 @@ def _is_whole_equation(x):
     if _convert.is_sympy(x):
         import sympy
 
-        return isinstance(x, sympy.Equality) or x.has(sympy.Derivative)
+        return isinstance(x, sympy.Equality) or _convert.check_size(x).has(sympy.Derivative)
     return False
 
 

@@ -378,7 +378,6 @@ class LameConditions:
     __match_args__ = ('polynomials', 'discriminant')
     n: Fraction | None
     discriminant: MFraction
-    degenerate: bool
     polynomials: list[MFraction]
     always: bool
     never: bool
@@ -431,6 +430,7 @@ class ManifoldReport:
     not_checked: str | None
     reasons: list[str]
     blocks: list[BlockReport]
+    matrices: str | None
     trusted_steps: list[str]
     not_studied: str | None
     headline: str

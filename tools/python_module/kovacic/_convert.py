@@ -10,7 +10,7 @@ import sys
 from fractions import Fraction
 
 from . import _core
-from ._errors import InvalidArgument, WrongType
+from ._errors import InvalidArgument, OutOfBudget, WrongType
 
 NAME = re.compile(r"[A-Za-z_]\w*\Z", re.ASCII)
 
@@ -118,10 +118,32 @@ def symbol_name(symbol):
     return text
 
 
+MOST_NODES = 1000000
+
+
+def check_size(expression):
+    """SymPy walks through common parts again and again: refuse what is too large written out.
+
+    Cost: each part once.
+    """
+    sizes, waiting = {}, [expression]  # by identity
+    while waiting:
+        node = waiting[-1]
+        open_ = [part for part in node.args if id(part) not in sizes]
+        if open_:
+            waiting += open_
+        else:
+            sizes[id(node)] = 1 + sum(sizes[id(part)] for part in node.args)
+            waiting.pop()
+            if sizes[id(node)] > MOST_NODES:
+                raise OutOfBudget(f"the expression written out has more than {MOST_NODES} parts")
+    return expression
+
+
 def symbols_of(expression):
     """{name: Symbol}; two different symbols of one name are refused."""
     found = {}
-    for symbol in expression.free_symbols:
+    for symbol in check_size(expression).free_symbols:
         text = symbol_name(symbol)
         if found.setdefault(text, symbol) != symbol:
             raise InvalidArgument(f"two different symbols are called {text}")
@@ -168,10 +190,13 @@ def from_sympy(expression):
 
     symbols_of(expression)
     known = (sympy.Symbol, sympy.Rational, sympy.Float, type(sympy.I), sympy.Tuple)
-    for atom in expression.atoms():
-        if not isinstance(atom, known) or isinstance(atom, (type(sympy.nan), type(sympy.oo))):
-            raise InvalidArgument(f"{atom} is no number that a formula can use")
-    return _printer().doprint(expression)
+    try:
+        for atom in expression.atoms():
+            if not isinstance(atom, known) or isinstance(atom, (type(sympy.nan), type(sympy.oo))):
+                raise InvalidArgument(f"{atom} is no number that a formula can use")
+        return _printer().doprint(expression)
+    except RecursionError:
+        raise OutOfBudget("the expression is nested too deeply") from None
 
 
 def assumptions_of(symbols):

@@ -56,9 +56,9 @@ def manifold(m):
             text += b.answer._repr_html_()
         if b.note:
             text += f"<p>{escape(b.note)}</p>"
-    if m.verdict == _core.VerdictKind.undecided:
+    if m.verdict == _core.VerdictKind.undecided or m.matrices is not None:
         text += "".join(f"<p>because {escape(r)}</p>" for r in m.reasons)
-    else:
+    if m.verdict != _core.VerdictKind.undecided:
         text += "".join(f"<p>trusted: {escape(t)}</p>" for t in m.trusted_steps)
     return text
 
