@@ -144,6 +144,7 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std
   ode.r = *r_in_z;
   ode.field_degree = f.degree();
   ode.generic = conditions_on_parameters(f.inverted(), z);
+  ode.divided_by = f.divided_by();
   for (const auto& g : conditions_on_parameters(norms(f, e.divisors, phi), z))
     if (std::find(ode.generic.begin(), ode.generic.end(), g) == ode.generic.end())
       ode.generic.push_back(g);

@@ -23,6 +23,7 @@ struct AlgebraicOde {
   std::size_t field_degree = 1;    ///< [function field of the curve : K(z)]
   std::vector<std::string> checks; ///< the hypotheses, as checked
   std::vector<MPoly> generic;      ///< polynomials in the parameters assumed not 0
+  std::vector<MPoly> divided_by;   ///< functions on the curve: where one vanishes nothing is said
   long singular_places = 0;        ///< finite poles of r, with multiplicity of conjugates
 };
 

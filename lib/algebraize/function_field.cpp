@@ -46,6 +46,9 @@ FunctionField::make(const VectorField& v, const InvariantManifold& m, std::size_
     if (ideal.standard_monomials().size() > max_degree)
       return ChangeFailure{"z = " + to_string(phi) + " takes each value too often on the curve"};
     FunctionField f(FiniteAlgebra(std::move(ideal)), z);
+    f.divided_by_ = divisors;
+    f.divided_by_.push_back(phi.den());
+    f.divided_by_.push_back(zdot.num());
     const bool units = std::all_of(divisors.begin(), divisors.end(), [&](const MPoly& d) {
       const auto e = f.algebra_.evaluate(MFraction(d));
       return e && f.algebra_.invert(*e).has_value();

@@ -50,6 +50,8 @@ public:
   [[nodiscard]] MFraction lift(const Element& a) const { return algebra_.lift(a); }
   /// Polynomials in the parameters and z that are not zero in K and were divided by.
   [[nodiscard]] const std::vector<MPoly>& inverted() const { return algebra_.ideal().inverted(); }
+  /// Functions on the curve that are units here: components on which one vanishes are lost.
+  [[nodiscard]] const std::vector<MPoly>& divided_by() const noexcept { return divided_by_; }
 
 private:
   FunctionField(FiniteAlgebra algebra, std::size_t z) : algebra_(std::move(algebra)), z_(z) {}
@@ -58,6 +60,7 @@ private:
 
   FiniteAlgebra algebra_;
   std::size_t z_;
+  std::vector<MPoly> divided_by_;
   std::vector<bool> constant_basis_;      ///< basis monomials in algebraic constants only
   std::vector<Element> basis_derivative_; ///< d/dz of the basis
   Element z_dot_, z_ddot_, inverse_z_dot_;

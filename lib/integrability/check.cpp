@@ -2,12 +2,14 @@
 
 #include "exact/error.hpp"
 #include "integrability/block.hpp"
+#include "integrability/components.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/levels.hpp"
 #include "integrability/linearise.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/special_strata.hpp"
+#include "variation/leaf.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,26 +26,53 @@ template <class Stage> void within_limits(BlockReport& block, Stage stage) {
   }
 }
 
+bool is_canonical(const System& s) {
+  return s.kind == SystemKind::hamiltonian || s.kind == SystemKind::lagrangian;
+}
+
+// Liouville's integrability is asked on the symplectic leaves.
+void study_on_the_leaf(const Study& study, ManifoldReport& report, std::vector<MPoly> divisors,
+                       const std::vector<std::size_t>& members, BlockReport& block) {
+  std::vector<std::string> unknowns;
+  for (const std::size_t i : members)
+    unknowns.push_back(report.reduced.system.names[i]);
+  if (members.size() == 2 && !is_canonical(study.system) &&
+      !seen_on_the_leaf(study.system.field, *report.manifold, report.normal, unknowns, divisors)) {
+    block.unknowns = std::move(unknowns);
+    block.note = "not seen on the symplectic leaves: nothing was concluded from it";
+    return;
+  }
+  study_block(study.system, *report.manifold, report.reduced.system, divisors, members,
+              study.options, block);
+}
+
+// What was divided by before there was an equation.
+std::vector<MPoly> early_divisors(const ManifoldReport& report) {
+  std::vector<MPoly> all(report.manifold->curve->inverted());
+  for (const auto* more : {&report.normal.divisors, &report.reduced.divisors})
+    all.insert(all.end(), more->begin(), more->end());
+  return all;
+}
+
 void decide_blocks(const Study& study, ManifoldReport& report) {
   const System& s = study.system;
   const auto parts = blocks_to_study(report.reduced.system, *report.manifold);
   auto whole = coupling(s, report, parts);
   report.not_studied = std::move(whole.missing);
+  report.coupling_divisors = whole.divisors;
   auto divisors = divisors_of(study, report);
   divisors.insert(divisors.end(), whole.divisors.begin(), whole.divisors.end());
   for (const auto& members : parts) {
     BlockReport& block = report.blocks.emplace_back();
-    within_limits(block, [&] {
-      study_block(s, *report.manifold, report.reduced.system, divisors, members, study.options,
-                  block);
-    });
+    within_limits(block, [&] { study_on_the_leaf(study, report, divisors, members, block); });
   }
   if (std::none_of(report.blocks.begin(), report.blocks.end(),
                    [](const BlockReport& b) { return b.ode.has_value(); }))
-    for (const MPoly& d : whole.divisors) // nothing else asks where they vanish
-      if (may_vanish_identically(s, d))
-        report.not_studied =
-            "the parameters for which " + to_string(d) + " is zero were not studied";
+    for (const auto& all : {whole.divisors, early_divisors(report)})
+      for (const MPoly& d : all) // nothing else asks where they vanish
+        if (may_vanish_identically(s, d))
+          report.not_studied =
+              "the parameters for which " + to_string(d) + " is zero were not studied";
 }
 
 // Where the generic answer is not the whole one: single levels, and strata without the reduction.
@@ -79,6 +108,8 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     linearise(study, report);
     decide_blocks(study, report);
     decide_exceptions(study, report.blocks);
+    if (!options.stop_at_r && verdict_of(report) == VerdictKind::no_obstruction)
+      report.not_studied = component_left_out(study, report);
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::undecided)
       ask_the_matrices(study, report);
     conclude(s, options, report);

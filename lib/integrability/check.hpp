@@ -67,6 +67,7 @@ struct ManifoldReport {
   ReducedSystem reduced;
   std::vector<BlockReport> blocks;
   std::string not_studied; ///< what of VE the blocks leave out, as a clause; empty: nothing
+  std::vector<MPoly> coupling_divisors; ///< what it was divided by to see that nothing is left out
   /// Set where the blocks decide nothing and the whole of VE is proved to be not abelian.
   std::shared_ptr<const MatrixEvidence> matrices;
   VerdictKind verdict = VerdictKind::undecided;

@@ -94,22 +94,42 @@ VerdictKind verdict_of(const ManifoldReport& report) {
 
 namespace {
 
+std::vector<std::string> functions_on_the_curve(const System& s, const ManifoldReport& report) {
+  std::vector<std::string> names;
+  const auto& left_out = report.without;
+  for (const auto& f : s.field.functions)
+    if (std::find(left_out.begin(), left_out.end(), f.variable) == left_out.end())
+      names.push_back(s.ring()->name(f.variable));
+  return names;
+}
+
+// " otherwise than through u": functions of a coordinate that is left out.
+std::string through(const System& s, const ManifoldReport& report) {
+  std::vector<std::string> names;
+  const auto& left_out = report.without;
+  for (const auto& f : s.field.functions)
+    if (std::find(left_out.begin(), left_out.end(), f.variable) == left_out.end())
+      for (std::size_t j = 0; j < s.field.coordinates.size(); ++j)
+        if (!is_zero(f.gradient[j]) &&
+            std::find(left_out.begin(), left_out.end(), s.field.coordinates[j]) != left_out.end()) {
+          names.push_back(s.ring()->name(f.variable));
+          break;
+        }
+  return names.empty() ? "" : " otherwise than through " + list(names);
+}
+
 TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
   TheoremUsed by = used(s.field.poisson ? morales_ramis() : ayoul_zung());
   by.integrals = to_string(report.integrals);
   if (!report.not_checked.empty()) by.hypotheses.push_back({report.not_checked, Settled::open, ""});
-  if (report.verdict == VerdictKind::non_integrable) { // the class speaks of the file's variables
-    std::vector<std::string> functions;
-    for (const auto& f : s.field.functions)
-      functions.push_back(s.ring()->name(f.variable));
-    if (!functions.empty()) by.integrals += " (in the coordinates and " + list(functions) + ")";
-  }
+  if (report.verdict == VerdictKind::non_integrable) // the class speaks of the file's variables
+    if (const auto used = functions_on_the_curve(s, report); !used.empty())
+      by.integrals += " (in the coordinates and " + list(used) + ")";
   if (!report.without.empty()) {
-    std::vector<std::string> coordinates;
+    std::vector<std::string> names;
     for (const std::size_t i : report.without)
-      coordinates.push_back(s.ring()->name(i));
-    by.integrals += " and do not depend on " + list(coordinates) +
-                    (s.field.functions.empty() ? "" : " otherwise than through functions");
+      names.push_back(s.ring()->name(i));
+    by.integrals += " and do not depend on " + list(names) + through(s, report);
   }
   return by;
 }

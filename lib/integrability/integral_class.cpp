@@ -11,7 +11,7 @@ namespace kov {
 std::string to_string(IntegralClass c) {
   return c == IntegralClass::meromorphic
              ? "meromorphic"
-             : "meromorphic also at the points at infinity of the phase curve";
+             : "meromorphic also at the ends of the phase curve (points at infinity, equilibria)";
 }
 
 IntegralClass integral_class(const RationalFunction& r) {
@@ -77,21 +77,25 @@ NonAbelian what_decides(const ManifoldReport& report) {
                            });
 }
 
-bool moves(const System& s, const InvariantManifold& m, std::size_t coordinate) {
+bool moves(const System& s, const InvariantManifold& m, std::size_t variable) {
   try {
-    return !m.vanishes_on_curve(s.field.components[coordinate]);
+    return !m.vanishes_on_curve(lie_derivative(s.field, MFraction::variable(s.ring(), variable)));
   } catch (const OutOfBudget&) {
     return true; // not proved to be constant
   }
 }
 
-std::vector<std::size_t> moving_cyclic_coordinates(const System& s, const InvariantManifold& m) {
+// Coordinates and functions: a logarithm that nothing contains is left out like an angle.
+std::vector<std::size_t> moving_and_left_out(const System& s, const InvariantManifold& m) {
   std::vector<std::size_t> all;
   const auto& main = m.curve->main();
-  for (std::size_t j = 0; j < s.field.coordinates.size(); ++j)
-    if (const std::size_t i = s.field.coordinates[j];
-        std::find(main.begin(), main.end(), i) == main.end() && moves(s, m, j))
-      all.push_back(i);
+  const auto look_at = [&](std::size_t i) {
+    if (std::find(main.begin(), main.end(), i) == main.end() && moves(s, m, i)) all.push_back(i);
+  };
+  for (const std::size_t i : s.field.coordinates)
+    look_at(i);
+  for (const FunctionSymbol& f : s.field.functions)
+    look_at(f.variable);
   return all;
 }
 
@@ -100,10 +104,10 @@ std::vector<std::size_t> moving_cyclic_coordinates(const System& s, const Invari
 ExcludedIntegrals excluded_integrals(const System& s, const ManifoldReport& report) {
   // Loops on the curve itself, but for coordinates that are left out.
   if (report.matrices)
-    return {IntegralClass::meromorphic, moving_cyclic_coordinates(s, *report.manifold)};
+    return {IntegralClass::meromorphic, moving_and_left_out(s, *report.manifold)};
   const NonAbelian by = what_decides(report);
   if (!by.any || !report.manifold || by.survives_covers()) return {by.integrals, {}};
-  return {by.integrals, moving_cyclic_coordinates(s, *report.manifold)};
+  return {by.integrals, moving_and_left_out(s, *report.manifold)};
 }
 
 } // namespace kov

@@ -15,22 +15,22 @@ namespace kov {
 struct System;
 struct ManifoldReport;
 
-/// Meromorphic near the phase curve, and where a place of r is irregular also at the points at
-/// infinity of its closure.
+/// Meromorphic near the phase curve, and where a place of r is irregular also at the points that its
+/// closure adds: at infinity, and at equilibria.
 enum class IntegralClass : std::uint8_t { meromorphic, meromorphic_at_infinity };
 [[nodiscard]] std::string to_string(IntegralClass c); ///< "meromorphic", ...
 
 /// The class that is left where y'' = r y has a non-abelian identity component.
 /// Example integral_class(RationalFunction(2, z*z))  // -> meromorphic
 /// Example integral_class(z)
-///         // -> meromorphic also at the points at infinity of the phase curve
+///         // -> meromorphic also at the ends of the phase curve (points at infinity, equilibria)
 [[nodiscard]] IntegralClass integral_class(const RationalFunction& r);
 
 /// What is excluded, after the decision of all blocks.
 struct ExcludedIntegrals {
   IntegralClass integrals = IntegralClass::meromorphic;
-  /// Coordinates that change along the phase curve and on which nothing depends: integrals that
-  /// contain them (otherwise than through function symbols) are not excluded.
+  /// Coordinates and function symbols that change along the phase curve and on which nothing
+  /// depends: integrals that contain them are not excluded.
   std::vector<std::size_t> without;
 };
 [[nodiscard]] ExcludedIntegrals excluded_integrals(const System& s, const ManifoldReport& report);

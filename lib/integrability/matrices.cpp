@@ -51,7 +51,10 @@ std::optional<MatrixEvidence> matrices_at(const Study& study, const Substitution
 } // namespace
 
 void ask_the_matrices(const Study& study, ManifoldReport& report) {
-  if (!report.manifold) return;
+  // Of a Poisson system the variation on the leaf would be needed.
+  const bool whole = study.system.kind == SystemKind::hamiltonian ||
+                     study.system.kind == SystemKind::lagrangian || !study.system.field.poisson;
+  if (!report.manifold || !whole) return;
   const Budget budget = half_of_what_is_left(study.options.decide.budget);
   for (const Rational& value : {Rational(1), Rational(2), Rational(-1, 3)}) {
     const Substitution level = at_level(study.system, study.manifold, value);

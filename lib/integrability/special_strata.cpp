@@ -60,11 +60,12 @@ std::string names_of(const BlockReport& block) {
 }
 
 // One answer for the whole stratum, from what its blocks are there.
-Stratum whole(const Stratum& x, Truth abelian, const std::string& why) {
+Stratum whole(const Stratum& x, Truth abelian, const ManifoldReport& here, const std::string& why) {
   Stratum same{x.conditions, {}, x.solved};
   same.leaf.abelian = abelian;
   same.leaf.by = strata::Conclusion::other_blocks;
-  same.leaf.because.emplace_back(strata::OtherBlocks{why});
+  const bool regular = here.by && here.integrals == IntegralClass::meromorphic;
+  same.leaf.because.emplace_back(strata::OtherBlocks{why, !regular});
   return same;
 }
 
@@ -103,11 +104,12 @@ std::vector<Stratum> same_block(const Stratum& x, const BlockReport& block,
     return parts;
   std::string why;
   const Truth others = of_new_blocks(here, generic, why);
-  if (others == Truth::no) return {whole(x, Truth::no, why)};
+  if (others == Truth::no) return {whole(x, Truth::no, here, why)};
   if (others == Truth::unknown) return {}; // stays open
-  if (!here.not_studied.empty())
+  const std::string open = here.by ? here.not_studied : "a limit came before the other blocks";
+  if (!open.empty())
     for (Stratum& p : parts)
-      if (p.leaf.abelian == Truth::yes) leave_open(p, here.not_studied);
+      if (p.leaf.abelian == Truth::yes) leave_open(p, open);
   return parts;
 }
 
@@ -116,12 +118,14 @@ std::vector<Stratum> other_blocks(const Stratum& x, const ManifoldReport& here) 
   std::string why;
   for (const auto& reason : here.reasons)
     why += "; " + reason;
-  if (here.verdict == VerdictKind::non_integrable) return {whole(x, Truth::no, why)};
-  if (std::any_of(here.blocks.begin(), here.blocks.end(),
-                  [](const BlockReport& b) { return b.abelian != Truth::yes; }))
-    return {}; // it may depend on the parameters that are left
-  Stratum answer = whole(x, Truth::yes, why);
-  if (!here.not_studied.empty()) leave_open(answer, here.not_studied);
+  if (here.verdict == VerdictKind::non_integrable) return {whole(x, Truth::no, here, why)};
+  if (here.verdict == VerdictKind::no_obstruction) return {whole(x, Truth::yes, here, why)};
+  const bool abelian = std::all_of(here.blocks.begin(), here.blocks.end(),
+                                   [](const BlockReport& b) { return b.abelian == Truth::yes; });
+  if (!here.by || !abelian || here.not_studied.empty())
+    return {}; // no curve here, a limit, or it depends on the parameters that are left
+  Stratum answer = whole(x, Truth::yes, here, why);
+  leave_open(answer, here.not_studied);
   return {answer};
 }
 

@@ -28,6 +28,7 @@ bool has_irregular_place(const Leaf& leaf) {
     return leaf.scheme->infinity.order > 2 ||
            std::any_of(all.begin(), all.end(), [](const auto& p) { return p.order > 2; });
   }
+  if (const auto* other = evidence<OtherBlocks>(leaf)) return other->irregular;
   const auto* number = evidence<Number>(leaf);
   if (number == nullptr || is_zero(number->decision.r)) return false;
   const RationalFunction& r = number->decision.r;

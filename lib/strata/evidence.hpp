@@ -103,6 +103,7 @@ struct Number {
 /// A verdict on other equations than r: told, and used by nobody.
 struct OtherBlocks {
   std::string shown;
+  bool irregular = true; ///< a place of what decided, or it is not known
 };
 /// The equation that was decided is not the one of the question: told, and used by nobody.
 struct OfEquation {

@@ -180,5 +180,121 @@ derivative = { q1 = "q2", q2 = "-q1" }
                InputError);
 }
 
+ManifoldReport run(const std::string& text) {
+  return check_system(read_system(parse_document(text, "test.toml"))).manifolds.at(0);
+}
+
+// Where the study of a special stratum fails, by its nature or by a limit, nothing is concluded.
+TEST(ParameterTraps, AFailureOnAStratumIsNoAnswer) {
+  const ManifoldReport dimension = run(R"t([system]
+kind = "hamiltonian"
+coordinates = ["q1", "q2", "q3"]
+momenta = ["p1", "p2", "p3"]
+parameters = ["a"]
+hamiltonian = "(p1^2+p2^2+p3^2)/2 + q1^2*q2 + 1/12*q2^3 + a*q3^2"
+[[integral]]
+name = "I"
+value = "a*p3^2/2 + a^2*q3^2"
+[[manifold]]
+name = "N"
+equations = ["q1 = 0","p1 = 0","a*q3 = 0","a*p3 = 0"]
+level = "H = 1")t");
+  EXPECT_NE(dimension.verdict, VerdictKind::depends);
+  const ManifoldReport invariance = run(R"t([system]
+kind = "vector-field"
+coordinates = ["x","y1","y2"]
+parameters = ["c"]
+[system.field]
+x = "1"
+y1 = "y2"
+y2 = "x*y1+c^2*x"
+[[manifold]]
+name = "N"
+equations = ["c*(y1+c^2)= 0","y2 = 0"])t");
+  EXPECT_NE(invariance.verdict, VerdictKind::depends);
+}
+
+// A block that is transversal to the symplectic leaves is no obstruction on them.
+TEST(ParameterTraps, ABlockBesideTheLeaf) {
+  const ManifoldReport m = run(R"t([system]
+kind = "poisson"
+coordinates = ["x","p","u","v"]
+hamiltonian = "p"
+bracket = [["0","1","0","0"],["-1","0","-u/(3*x)-v/(x-1)","-u/(x-1)"],["0","u/(3*x)+v/(x-1)","0","0"],["0","u/(x-1)","0","0"]]
+[[manifold]]
+name = "N"
+equations = ["u = 0","v = 0"]
+level = "H = 1")t");
+  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+}
+
+// A logarithm that nothing contains: integrals that contain it are not excluded.
+TEST(ParameterTraps, AFunctionThatNothingContains) {
+  const ManifoldReport m = run(R"t([system]
+kind = "hamiltonian"
+coordinates = ["x","q"]
+momenta = ["px","p"]
+constants = ["s"]
+relations = ["s^2 = 2"]
+parameters = ["h"]
+hamiltonian = "x*px + p^2/2 - ((s + x/(x-1))^2 - x/(x-1)^2)*q^2/2"
+[[system.function]]
+name = "L"
+means = "log(x)"
+derivative = { x = "1/x" }
+[[manifold]]
+name = "N"
+equations = ["q = 0","p = 0"]
+level = "H = h")t");
+  EXPECT_EQ(m.without.size(), 1U);
+}
+
+// A component of the curve on which the new variable is constant, or a divisor vanishes.
+TEST(ParameterTraps, ALostComponentIsNoAbsenceOfObstructions) {
+  const std::string head = "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'Q']\nmomenta = "
+                           "['p', 'P']\nhamiltonian = 'x*p + (P^2 + p*(p-1)*Q^2 + 3*Q^2)/2'\n"
+                           "[[manifold]]\nname = 'N'\nequations = ['Q = 0', 'P = 0']\nlevel = 'H = "
+                           "0'\n";
+  EXPECT_EQ(run(head).verdict, VerdictKind::undecided);
+  EXPECT_EQ(run(head + "[reduce]\nchange = 'z = p'\n").verdict, VerdictKind::non_integrable);
+  const ManifoldReport divisor = run(R"t([system]
+kind = "vector-field"
+coordinates = ["x","y","Q","P"]
+[system.field]
+x = "1"
+y = "0"
+Q = "P + (1-y)*x*Q"
+P = "y*Q"
+[[integral]]
+name = "I"
+value = "y^2 - y"
+[[manifold]]
+name = "N"
+equations = ["Q = 0","P = 0"]
+level = "I = 0")t");
+  EXPECT_EQ(divisor.verdict, VerdictKind::undecided);
+}
+
+// What decided a special stratum had an irregular place.
+TEST(ParameterTraps, TheClassOfAStratumWithOtherBlocks) {
+  const ManifoldReport m = run(R"t([system]
+kind = "vector-field"
+coordinates = ["x","y1","y2","y3","y4"]
+parameters = ["c"]
+[system.field]
+x = "1"
+y1 = "y2"
+y2 = "(1/x^2 + c/(x*(x-1)))*y1"
+y3 = "0"
+y4 = "y4 + y3/x"
+[[integral]]
+name = "F"
+value = "c*y3"
+[[manifold]]
+name = "N"
+equations = ["y1 = 0","y2 = 0","y3 = 0","y4 = 0"])t");
+  EXPECT_EQ(m.integrals, IntegralClass::meromorphic_at_infinity);
+}
+
 } // namespace
 } // namespace kov

@@ -412,7 +412,7 @@ TEST(CaseStep, TheClassOfFirstIntegralsIsSaid) {
   const TheoremNode n = node(NodeKind::case_file, "theorem_test_class.toml");
   const NodeResult r = run_written(n, on_axis("\"h\"", "(p1^2 + p2^2 + q2^2)/2 + q1^2*q2^2"));
   EXPECT_EQ(r.status, NodeStatus::proved);
-  EXPECT_THAT(r.summary, HasSubstr("meromorphic also at the points at infinity"));
+  EXPECT_THAT(r.summary, HasSubstr("meromorphic also at the ends of the phase curve"));
 }
 
 // One level is enough, and a level that is abelian is no counterexample.

@@ -1,0 +1,72 @@
+#include "integrability/components.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+std::vector<MPoly> generators(const InvariantManifold& m) {
+  std::vector<MPoly> all;
+  for (const KPoly& g : m.curve->basis())
+    all.push_back(m.curve->from_kpoly(g).num());
+  return all;
+}
+
+bool on_the_curve(const InvariantManifold& m, const MPoly& f) {
+  const auto& main = m.curve->main();
+  return std::any_of(main.begin(), main.end(), [&](std::size_t i) { return uses(f, i); });
+}
+
+// The zeros of f on the curve contain a curve on which X is defined and not 0.
+bool vanishes_on_a_phase_curve(const System& s, const InvariantManifold& m, const MPoly& f,
+                               const Budget& budget) {
+  auto all = generators(m);
+  all.push_back(f);
+  std::vector<MPoly> defined(m.nonzero);
+  for (const MFraction& x : s.field.components)
+    if (!is_zero(x) && !is_constant(x.den())) defined.push_back(x.den());
+  if (Ideal(s.ring(), m.curve->main(), all, defined, budget).dimension() < 1) return false;
+  return std::any_of(s.field.components.begin(), s.field.components.end(), [&](const MFraction& x) {
+    if (is_zero(x)) return false;
+    auto nonzero = defined;
+    nonzero.push_back(x.num());
+    return Ideal(s.ring(), m.curve->main(), all, nonzero, budget).dimension() >= 1;
+  });
+}
+
+std::vector<MPoly> divided_by(const ManifoldReport& report) {
+  std::vector<MPoly> all;
+  const auto add = [&](const std::vector<MPoly>& some) {
+    for (const MPoly& whole : some)
+      if (const MPoly p = report.manifold->restrict(MFraction(whole)).num();
+          on_the_curve(*report.manifold, p))
+        for (const MFactor& f : factor(p).second)
+          if (on_the_curve(*report.manifold, f.base) &&
+              std::find(all.begin(), all.end(), f.base) == all.end())
+            all.push_back(f.base);
+  };
+  add(report.normal.divisors);
+  add(report.reduced.divisors);
+  add(report.coupling_divisors);
+  for (const BlockReport& b : report.blocks)
+    if (b.ode) add(b.ode->divided_by);
+  return all;
+}
+
+} // namespace
+
+std::string component_left_out(const Study& study, const ManifoldReport& report) {
+  try {
+    for (const MPoly& f : divided_by(report))
+      if (vanishes_on_a_phase_curve(study.system, *report.manifold, f, study.options.decide.budget))
+        return "the component of the phase curve where " + to_string(f) + " = 0 was not studied";
+  } catch (const OutOfBudget& limit) {
+    return std::string("whether the phase curve has components that were not studied: ") +
+           limit.what();
+  }
+  return {};
+}
+
+} // namespace kov
