@@ -122,7 +122,7 @@ TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
   TheoremUsed by = used(s.field.poisson ? morales_ramis() : ayoul_zung());
   by.integrals = to_string(report.integrals);
   if (!report.not_checked.empty()) by.hypotheses.push_back({report.not_checked, Settled::open, ""});
-  if (report.verdict == VerdictKind::non_integrable) // the class speaks of the file's variables
+  if (report.verdict == VerdictKind::non_integrable || report.verdict == VerdictKind::depends)
     if (const auto used = functions_on_the_curve(s, report); !used.empty())
       by.integrals += " (in the coordinates and " + list(used) + ")";
   if (!report.without.empty()) {
@@ -137,11 +137,11 @@ TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
 } // namespace
 
 void conclude(const System& s, const CheckOptions& options, ManifoldReport& report) {
+  if (report.matrices) report.reasons.push_back(reason(*report.matrices));
   for (const auto& block : report.blocks)
     for (auto& why : reasons_of(block))
       report.reasons.push_back(std::move(why));
   if (options.stop_at_r) return;
-  if (report.matrices) report.reasons.push_back(reason(*report.matrices));
   report.verdict = verdict_of(report);
   const ExcludedIntegrals excluded = excluded_integrals(s, report);
   report.integrals = excluded.integrals;

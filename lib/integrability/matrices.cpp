@@ -31,6 +31,32 @@ Substitution at_level(const System& s, const ManifoldSpec& spec, const Rational&
   return level;
 }
 
+// Parameters that are no choice of a level have values: the matrices may not show them, but what
+// was divided by does.
+bool has_only_levels(const System& s) {
+  const auto levels = level_parameters(s);
+  return std::all_of(s.field.parameters.begin(), s.field.parameters.end(), [&](std::size_t i) {
+    return std::find(levels.begin(), levels.end(), i) != levels.end();
+  });
+}
+
+// The level is one that the file admits, and so are those near it.
+bool is_admitted(const System& s, const Substitution& level) {
+  using Relation = Assumption::Relation;
+  return std::all_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+    if (!a.value.ring() || std::none_of(level.begin(), level.end(),
+                                        [&](const auto& x) { return uses(a.value, x.first); }))
+      return true;
+    if (a.relation == Relation::real || a.relation == Relation::rational) return true;
+    const MFraction there = substitute(a.value, level);
+    if (!is_zero(there) && !is_constant(there)) return false;
+    const int sign_there = is_zero(there) ? 0 : sign(to_rational(there));
+    return (a.relation == Relation::nonzero && sign_there != 0) ||
+           ((a.relation == Relation::positive || a.relation == Relation::nonnegative) &&
+            sign_there > 0);
+  });
+}
+
 std::optional<MatrixEvidence> matrices_at(const Study& study, const Substitution& level,
                                           const Budget& budget) {
   const System s = at_values(study.system, level);
@@ -54,11 +80,12 @@ void ask_the_matrices(const Study& study, ManifoldReport& report) {
   // Of a Poisson system the variation on the leaf would be needed.
   const bool whole = study.system.kind == SystemKind::hamiltonian ||
                      study.system.kind == SystemKind::lagrangian || !study.system.field.poisson;
-  if (!report.manifold || !whole) return;
+  if (!report.manifold || !whole || !has_only_levels(study.system)) return;
   const Budget budget = half_of_what_is_left(study.options.decide.budget);
   for (const Rational& value : {Rational(1), Rational(2), Rational(-1, 3)}) {
     const Substitution level = at_level(study.system, study.manifold, value);
     try {
+      if (!is_admitted(study.system, level)) continue;
       if (auto found = matrices_at(study, level, budget)) {
         report.matrices = std::make_shared<const MatrixEvidence>(*std::move(found));
         return;

@@ -69,6 +69,60 @@ TEST(Coupling, OneLevelIsEnoughForTheMatrices) {
   EXPECT_EQ(m.matrices->level, "e = 1");
 }
 
+// At a = 0 this is integrable, and the matrices do not show a.
+TEST(Coupling, AParameterThatTheMatricesDoNotShow) {
+  const std::string text = R"t([system]
+kind = "vector-field"
+coordinates = ["x", "y", "w1", "w2", "w3"]
+parameters = ["a"]
+[system.field]
+x = "x"
+y = "-y"
+w1 = "w2*a/(y + a)"
+w2 = "w3*y/(y + a)"
+w3 = "0"
+[[manifold]]
+name = "m"
+equations = ["w1 = 0", "w2 = 0", "w3 = 0"]
+level = "x*y = a"
+[reduce]
+change = "z = x"
+)t";
+  EXPECT_EQ(run(text).verdict, VerdictKind::undecided);
+}
+
+TEST(Coupling, TheLevelIsOneThatIsAssumed) {
+  std::string text = blocks("q1^2*q2^2");
+  text.replace(text.find("H = 1"), 5, "H = e");
+  EXPECT_EQ(run(text + "[assume]\nconditions = [\"e = 5\"]\n").verdict, VerdictKind::undecided);
+  const ManifoldReport m = run(text + "[assume]\nconditions = [\"e < 0\"]\n");
+  ASSERT_TRUE(m.matrices);
+  EXPECT_EQ(m.matrices->level, "e = -1/3");
+}
+
+// w3, w2 - L w3, the field and d/dw1: integrable, with the logarithm L that nothing contains.
+TEST(Coupling, AFunctionThatTheCurveDoesNotSee) {
+  const ManifoldReport m = run(R"t([system]
+kind = "vector-field"
+coordinates = ["x", "w1", "w2", "w3"]
+[system.field]
+x = "x"
+w1 = "w2*x/(x-1)"
+w2 = "w3"
+w3 = "0"
+[[system.function]]
+name = "L"
+means = "log(x)"
+derivative = { x = "1/x" }
+[[manifold]]
+name = "m"
+equations = ["w1 = 0", "w2 = 0", "w3 = 0"]
+)t");
+  if (m.verdict == VerdictKind::non_integrable) {
+    EXPECT_THAT(m.statement, HasSubstr("do not depend on L"));
+  }
+}
+
 // Integrable systems, their coordinates sheared by Q2 = q2 + c q1^k q3: the blocks are coupled, and
 // nothing may be proved.
 TEST(Coupling, IntegrableSystemsInOtherCoordinates) {
@@ -100,7 +154,7 @@ TEST(Coupling, IntegrableSystemsInOtherCoordinates) {
 TEST(Coupling, WithoutOneTheBlocksAreTheWhole) {
   EXPECT_EQ(run(blocks("q2^3 + q3^4")).verdict, VerdictKind::no_obstruction); // of higher order
   EXPECT_EQ(run(blocks("0")).verdict, VerdictKind::no_obstruction);
-  EXPECT_EQ(run(blocks("e*q1^2*q2^2")).verdict, VerdictKind::undecided);
+  EXPECT_EQ(run(blocks("e*q1^2*q2^2")).verdict, VerdictKind::undecided); // e = 0 is integrable
   EXPECT_EQ(run(blocks("e*q1^2*q2^2", "[set]\ne = \"0\"\n")).verdict, VerdictKind::no_obstruction);
 }
 

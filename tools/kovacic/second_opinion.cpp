@@ -92,7 +92,8 @@ Json second_opinion(const System& s, const ManifoldReport& m, const Budget& budg
   Json all = Json::array();
   if (!m.manifold) return all;
   add_blocks(all, m, budget);
-  all.push_back(whole_variation_opinion(s, m, half_of_what_is_left(budget)));
+  if (!m.matrices) // they are the first opinion already
+    all.push_back(whole_variation_opinion(s, m, half_of_what_is_left(budget)));
   return all;
 }
 
