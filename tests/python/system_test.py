@@ -53,6 +53,15 @@ class Check(unittest.TestCase):
         self.assertIs(report.verdict, VerdictKind.no_obstruction)
         self.assertIn("does not prove integrability", str(report))
 
+    def test_levels_are_told(self):
+        report = kovacic.check(CASES / "classics" / "heavy_top_equatorial.toml", set={"C": 3})
+        self.assertIs(report.verdict, VerdictKind.non_integrable)
+        levels = [level for m in report.manifolds for b in m.blocks for level in b.levels]
+        self.assertTrue(levels)
+        for condition, why, answer, note in levels:
+            for said in (str(report), report._repr_html_().replace("&lt;", "<")):
+                self.assertIn(condition, said)
+
     def test_undecided_says_why(self):
         report = kovacic.check(CUBIC, set={"h": 1}, timeout=1e-6)
         self.assertIs(report.verdict, VerdictKind.undecided)

@@ -80,17 +80,42 @@ std::string headline(const ManifoldReport& m) {
   }
 }
 
+std::vector<std::string> notes(const ManifoldReport& m) {
+  std::vector<std::string> all;
+  if (m.manifold) all = m.manifold->rewritten;
+  for (const Elimination& e : m.reduced.eliminations)
+    all.push_back("the variation of " + e.unknown + " is taken away by the linear integral d" +
+                  e.integral + " = 0");
+  return all;
+}
+
+std::string said(const py::object& answer) { return "\n  " + py::str(answer).cast<std::string>(); }
+
+std::string told(const BlockReport& b) {
+  std::string text;
+  if (b.ode) text += "\n  " + b.ode->change + ", y the variation of " + b.ode->unknown;
+  if (b.decision || b.strata) text += said(answer_of(b));
+  for (const MPoly& f : b.special)
+    text += "\n  singular places meet where " + to_string(f) + " = 0";
+  for (const EnergyResult& e : b.energies) {
+    text += "\n  at " + e.condition + " (" + e.why + ")";
+    if (e.decision) text += said(py::cast(*e.decision));
+    if (e.strata) text += said(py::cast(family(*e.strata, b)));
+    if (!e.note.empty()) text += "\n  note: " + e.note;
+  }
+  if (!b.note.empty()) text += "\n  note: " + b.note;
+  return text;
+}
+
 std::string told(const ManifoldReport& m) {
   std::string text = "[" + m.name + "] " + headline(m);
   if (m.failure) return text;
   if (!m.not_checked.empty() && m.verdict != VerdictKind::undecided)
     text += "\n  NOT CHECKED: " + m.not_checked;
-  for (const BlockReport& b : m.blocks) {
-    if (b.ode) text += "\n  " + b.ode->change + ", y the variation of " + b.ode->unknown;
-    if (b.decision) text += "\n  " + py::str(py::cast(*b.decision)).cast<std::string>();
-    if (b.strata) text += "\n  " + py::str(py::cast(family(*b.strata, b))).cast<std::string>();
-    if (!b.note.empty()) text += "\n  note: " + b.note;
-  }
+  for (const std::string& note : notes(m))
+    text += "\n  note: " + note;
+  for (const BlockReport& b : m.blocks)
+    text += told(b);
   if (m.blocks.empty() || m.matrices || m.verdict == VerdictKind::undecided)
     for (const std::string& r : m.reasons)
       text += "\n  because " + r;
@@ -229,11 +254,12 @@ void bind_reports(py::module_& m) {
           },
           "what monodromy matrices prove of the whole variational equation, "
           "where the blocks decide nothing")
+      .def_property_readonly("notes", &notes, "how the manifold and its equations were read")
       .def_property_readonly("trusted_steps", &trusted_steps)
       .def_property_readonly("not_studied",
                              [](const ManifoldReport& r) { return unless_empty(r.not_studied); })
       .def_property_readonly("headline", &headline)
-      .def("__str__", &told)
+      .def("__str__", [](const ManifoldReport& r) { return told(r); })
       .def("__repr__", [](const ManifoldReport& r) {
         return "<ManifoldReport " + r.name + ": " + to_string(r.verdict) + ">";
       });

@@ -16,7 +16,7 @@ namespace kov::python {
 py::object to_python(const Integer& n) {
   if (fits_long(n)) return py::int_(to_long(n));
   char* digits = fmpz_get_str(nullptr, 16, n.raw()); // decimal digits have a limit in Python
-  const auto value = py::reinterpret_steal<py::object>(PyLong_FromString(digits, nullptr, 16));
+  auto value = py::reinterpret_steal<py::object>(PyLong_FromString(digits, nullptr, 16));
   flint_free(digits);
   if (!value) throw py::error_already_set();
   return value;
@@ -54,10 +54,10 @@ py::object generator_of(const Field& k) {
 Integer to_integer(const py::int_& n) {
   int overflow = 0;
   const long small = PyLong_AsLongAndOverflow(n.ptr(), &overflow);
-  if (overflow == 0) return Integer(small);
+  if (overflow == 0) return {small};
   const auto text = py::reinterpret_steal<py::str>(PyNumber_ToBase(n.ptr(), 16));
   if (!text) throw py::error_already_set();
-  std::string digits = text.cast<std::string>(); // -0x1f
+  auto digits = text.cast<std::string>(); // -0x1f
   digits.erase(digits.find("0x"), 2);
   Integer value;
   KOV_ENSURE(fmpz_set_str(value.raw(), digits.c_str(), 16) == 0);

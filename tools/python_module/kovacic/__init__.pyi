@@ -431,6 +431,7 @@ class ManifoldReport:
     reasons: list[str]
     blocks: list[BlockReport]
     matrices: str | None
+    notes: list[str]
     trusted_steps: list[str]
     not_studied: str | None
     headline: str

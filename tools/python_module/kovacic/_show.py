@@ -49,11 +49,17 @@ def manifold(m):
     text = f"<p><b>{escape(m.headline)}</b></p>"
     if m.not_checked is not None:
         text += f"<p>NOT CHECKED: {escape(m.not_checked)}</p>"
+    text += "".join(f"<p>note: {escape(note)}</p>" for note in m.notes)
     for b in m.blocks:
         if b.change is not None:
             text += f"<p>{escape(b.change)}, y the variation of {escape(b.unknown)}</p>"
         if b.answer is not None:
             text += b.answer._repr_html_()
+        text += "".join(f"<p>singular places meet where {escape(f)} = 0</p>" for f in b.merging)
+        for condition, why, answer, note in b.levels:
+            text += f"<p>at {escape(condition)} ({escape(why)}) {escape(note)}</p>"
+            if answer is not None:
+                text += answer._repr_html_()
         if b.note:
             text += f"<p>{escape(b.note)}</p>"
     if m.verdict == _core.VerdictKind.undecided or m.matrices is not None:
