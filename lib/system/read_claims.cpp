@@ -1,5 +1,6 @@
 // Claims, manifolds, the reduction, assumptions and expectations of a system file.
 
+#include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
 #include "system/read_system.hpp"
 
@@ -21,17 +22,17 @@ void read_claim(const Entry& e, SystemClaim& claim, const SystemScope& scope) {
   claim.line = e.line();
   if (const Entry* on = e.find("on")) claim.on = scope.equations(*on);
   if (const Entry* holds = e.find("holds")) claim.holds = holds->boolean();
-  if (const Entry* source = e.find("source")) claim.source = source->string();
-  if (const Entry* name = e.find("name")) claim.name = name->string();
+  if (const Entry* source = e.find("source")) claim.source = one_line(source->string());
+  if (const Entry* name = e.find("name")) claim.name = one_line(name->string());
   if (claim.kind == SystemClaim::Kind::equal && e.find("with")) {
-    claim.other = e.at("with").string();
+    claim.other = one_line(e.at("with").string());
     claim.text = "the same vector field as " + claim.other;
     return;
   }
   if (claim.kind == SystemClaim::Kind::equal) {
     claim.value =
         evaluate(e.at("left").expression(), scope) - evaluate(e.at("right").expression(), scope);
-    claim.text = e.at("left").string() + " = " + e.at("right").string();
+    claim.text = one_line(e.at("left").string() + " = " + e.at("right").string());
     return;
   }
   const Entry* value = e.find("value");
@@ -42,13 +43,13 @@ void read_claim(const Entry& e, SystemClaim& claim, const SystemScope& scope) {
     claim.text = claim.name;
   } else {
     claim.value = evaluate(value->expression(), scope);
-    claim.text = value->string();
+    claim.text = one_line(value->string());
   }
   if (claim.kind == SystemClaim::Kind::poisson) {
     claim.first = evaluate(e.at("first").expression(), scope);
     claim.second = evaluate(e.at("second").expression(), scope);
-    claim.text =
-        "{" + e.at("first").string() + ", " + e.at("second").string() + "} = " + value->string();
+    claim.text = one_line("{" + e.at("first").string() + ", " + e.at("second").string() +
+                          "} = " + value->string());
   }
 }
 
@@ -105,7 +106,7 @@ Assumption read_condition(const Entry& entry, const SystemScope& scope) {
     MFraction right =
         evaluate(parse_expression(text.substr(after), origin_from(place, after)), scope);
     if (word[0] == '<') std::swap(left, right);
-    return {relation, left - right, text, entry.line()};
+    return {relation, left - right, one_line(text), entry.line()};
   }
   throw entry.error("a condition was expected", "for example \"A + B >= C\" or \"d != 0\"");
 }
@@ -159,7 +160,7 @@ void read_reduction(const Entry& e, const SystemScope& scope, System& s) {
   r.line = e.line();
   r.variable_name = scope.independent;
   if (const Entry* m = e.find("manifold")) {
-    r.manifold = m->string();
+    r.manifold = one_line(m->string());
     if (std::none_of(s.manifolds.begin(), s.manifolds.end(),
                      [&](const ManifoldSpec& spec) { return spec.name == r.manifold; }))
       throw m->error("there is no manifold '" + r.manifold + "'");
@@ -172,7 +173,7 @@ void read_reduction(const Entry& e, const SystemScope& scope, System& s) {
       throw text.error("a change of variable was expected",
                        "write it as '" + scope.independent + " = ...'");
     r.change = evaluate(text.operand(1), scope);
-    r.change_text = change->string();
+    r.change_text = one_line(change->string());
   }
   const auto coordinate = [&](const Entry& entry) {
     const auto i = scope.ring()->find(entry.string());
@@ -228,7 +229,7 @@ void read_manifolds(const Entry& document, const SystemScope& scope, System& s) 
       e->check_keys({"name", "equations", "level", "nonzero"});
       ManifoldSpec m;
       m.line = e->line();
-      m.name = e->find("name") ? e->at("name").string()
+      m.name = e->find("name") ? one_line(e->at("name").string())
                                : "manifold " + std::to_string(s.manifolds.size() + 1);
       m.equations = scope.equations(e->at("equations"));
       if (const Entry* level = e->find("level")) m.levels = scope.equations(*level);
@@ -254,7 +255,7 @@ void read_expectations(const Entry& document, const SystemScope& scope, System& 
       for (const auto& [name, value] : where->members())
         x.where.emplace_back(name, value.string());
     const auto text = [&](std::string_view key, std::string& to) {
-      if (const Entry* v = e->find(key)) to = v->string();
+      if (const Entry* v = e->find(key)) to = one_line(v->string());
     };
     text("manifold", x.manifold);
     text("verdict", x.verdict);

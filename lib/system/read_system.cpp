@@ -4,6 +4,7 @@
 #include "system/read_system.hpp"
 
 #include "exact/error.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -250,8 +251,10 @@ System read_system(const Entry& document, const ParameterValues& settings) {
                         "this program reads equation/1");
   System s;
   s.file = document.file();
-  if (const Entry* title = document.find("title")) s.title = title->string();
-  if (const Entry* cite = document.find("cite")) s.cite = cite->strings();
+  if (const Entry* title = document.find("title")) s.title = one_line(title->string());
+  if (const Entry* cite = document.find("cite"))
+    for (const std::string& key : cite->strings())
+      s.cite.push_back(one_line(key));
   SystemScope scope(document, settings);
   read_vector_field(document, scope, s);
   read_claims(document, scope, s);

@@ -23,6 +23,10 @@ long lowest_degree(const MFraction& f, const Weights& weights) {
 
 } // namespace
 
+MPoly lowest_part(const MPoly& f, const Weights& weights) {
+  return grade(f, weights).begin()->second;
+}
+
 std::vector<WeightTerm> weight_expansion(const MFraction& f, const Weights& weights, long count,
                                          long depth) {
   KOV_ENSURE(!is_zero(f));

@@ -10,6 +10,7 @@
 #include "exact/error.hpp"
 #include "strata/certificate.hpp"
 #include "strata/words.hpp"
+#include "symbol/author_words.hpp"
 
 #include <algorithm>
 
@@ -201,36 +202,49 @@ void unexpected(NodeResult& n, const ManifoldReport& m) {
   if (m.verdict == VerdictKind::non_integrable) n.status = NodeStatus::refuted;
 }
 
+// The strata that decide a block whose answer is not the same everywhere: of all parameters, or of
+// a level on which each is decided.  Any one such level is enough.
+const strata::StrataAnswer* deciding(const BlockReport& b) {
+  if (b.abelian != Truth::unknown) return nullptr;
+  if (b.strata && b.strata->decided()) return &*b.strata;
+  for (const EnergyResult& e : b.energies)
+    if (e.strata && e.strata->decided() && somewhere_not_abelian(*e.strata)) return &*e.strata;
+  return nullptr;
+}
+
 // "C = A; A = 2, C = 1" for the strata with this answer.
 std::string strata_with(const ManifoldReport& m, Truth abelian) {
   std::string text;
   for (const BlockReport& b : m.blocks)
-    if (b.strata)
-      for (const strata::Stratum& s : b.strata->strata)
+    if (const auto* answer = deciding(b))
+      for (const strata::Stratum& s : answer->strata)
         if (s.leaf.abelian == abelian) text += (text.empty() ? "" : "; ") + to_string(s.conditions);
   return text;
 }
 
-std::string assumptions_of(const System& s) {
-  std::string text;
-  for (const auto& [name, value] : s.values)
-    text += (text.empty() ? "" : ", ") + name + " = " + to_string(value);
-  for (const Assumption& a : s.assumptions)
-    text += (text.empty() ? "" : ", ") + a.text;
-  return text.empty() ? "" : "Let " + text + ". ";
+// "except where A = C (no obstruction) and where B = 0"
+std::string exceptions(const ManifoldReport& m) {
+  const std::string passes = strata_with(m, Truth::yes), open = strata_with(m, Truth::unknown);
+  if (passes.empty() && open.empty())
+    throw DomainError("the parameters where the system is not integrable could not be named");
+  const std::string first = passes.empty() ? "" : "where " + passes;
+  if (open.empty()) return "except " + first;
+  return "except " + first + (passes.empty() ? "where " : " (no obstruction) and where ") + open;
 }
 
 // What follows, in words and as the headline of a report.
 void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
   if (!m.by) return; // a limit came before the theorem
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
-  const std::string by = " (" + m.by->id() + ", along the manifold " + m.name + ")";
+  const std::string by = " (" + m.by->id() + ", along the manifold " + quoted(m.name) + ")";
   for (const std::string& step : trusted_steps(m))
     n.trusted.push_back(step);
   n.theorems.push_back(*m.by);
   if (m.verdict == VerdictKind::non_integrable) {
     n.says = Conclusion::not_integrable;
     n.excluded = {m.by->integrals};
+    if (!m.without.empty() && !n.node.place.as.empty()) // they name coordinates
+      n.excluded.front() += " (in the coordinates of " + n.node.file + ")";
     n.headline = "NON-INTEGRABLE" + by;
     n.statement = subject + m.statement + by;
     n.formulas.push_back({"so", m.statement});
@@ -242,9 +256,7 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
                   ": nothing follows about integrability";
     n.summary += " (the test passes; nothing follows about integrability)";
   } else {
-    const std::string passes = strata_with(m, Truth::yes), open = strata_with(m, Truth::unknown);
-    const std::string except =
-        "except where " + passes + (open.empty() ? "" : " (no obstruction) and where " + open);
+    const std::string except = exceptions(m);
     n.headline = "NON-INTEGRABLE " + except + by;
     n.statement = subject + "not integrable with first integrals that are " + m.by->integrals +
                   ", " + except + by + ". In the exceptions nothing follows about integrability";

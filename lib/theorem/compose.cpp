@@ -95,8 +95,11 @@ std::vector<ParameterMap> symmetries(NodeResult& n, const Theorem& t, const Syst
   for (const Symmetry& s : t.symmetries) {
     Place place;
     place.as = s.as;
-    const Located found = locate(path, path, whole, place);
     const std::string name = s.title.empty() ? "a symmetry" : s.title;
+    for (const auto& [variable, value] : s.as)
+      if (whole.values.contains(variable))
+        throw DomainError(name + " changes " + variable + ", which the file of the system fixes");
+    const Located found = locate(path, path, whole, place);
     n.checks.push_back({name + " maps the system to itself", found.objection.empty()});
     if (!found.objection.empty())
       throw DomainError(name + " is no symmetry of the system: " + found.objection);
@@ -166,11 +169,12 @@ std::string joined(const std::vector<std::string>& all, const std::string& betwe
 
 namespace {
 
-// The step reads the theorem's own file, with the same values: nothing has to be compared.
-bool is_the_same_file(const NodeResult& n, const std::string& base, const std::string& directory) {
+// The step reads the theorem's own file, with the same values: nothing has to be compared.  (The
+// file of a lowest-order system may assume more than the theorem's.)
+bool is_the_same_file(const NodeResult& n, const std::string& whole, const std::string& directory) {
   const Place& p = n.node.place;
-  return n.domain.empty() && n.node.kind != NodeKind::theorem &&
-         beside(directory, n.node.file) == base && n.node.where == p.at && p.as.empty() &&
+  return p.of.empty() && n.domain.empty() && n.node.kind != NodeKind::theorem &&
+         beside(directory, n.node.file) == whole && n.node.where == p.at && p.as.empty() &&
          p.roots.empty() && p.time.empty();
 }
 
@@ -179,7 +183,7 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
   const std::string base = base_of(n, result, directory);
   if (n.node.kind == NodeKind::splitting && !n.node.place.roots.empty())
     return unbind(n, "the criterion is about the real system, and a root may be complex");
-  if (is_the_same_file(n, base, directory)) {
+  if (is_the_same_file(n, whole, directory)) {
     n.region = region_of(read_system(whole), n.node.place);
     return;
   }
@@ -226,18 +230,31 @@ struct Pieces {
   std::vector<std::string> exceptions, idle;
 };
 
+// A region that the statement says nothing about, and why; the step writes its integrals with the
+// names of its own file.
+std::string exception(const NodeResult& part) {
+  std::string text = "(" + text_of(part.region) + ")";
+  if (part.integrals.empty()) return text;
+  text += ", with " + part.integrals;
+  return part.node.place.as.empty() ? text : text + " in the coordinates of " + part.node.file;
+}
+
 void add(Pieces& all, NodeResult& n, const NodeResult& part,
          const std::vector<ParameterMap>& maps) {
   for (const ParameterMap& map : maps)
     all.regions.push_back(image(part.region, map));
   const bool excluded = part.says == Conclusion::not_integrable;
   n.tables.back().rows.push_back(
-      {part.node.title, text_of(part.region), excluded ? "not integrable" : part.integrals});
+      {part.node.title, text_of(part.region),
+       excluded                 ? "not integrable"
+       : part.integrals.empty() ? "no integral besides those that every system of its kind has"
+                                : part.integrals});
   for (const std::string& c : part.excluded)
     add_once(n.excluded, c);
-  if (!part.integrals.empty())
-    all.exceptions.push_back(excluded ? part.integrals
-                                      : "(" + text_of(part.region) + "), with " + part.integrals);
+  if (!excluded)
+    all.exceptions.push_back(exception(part));
+  else if (!part.integrals.empty()) // of a cover
+    all.exceptions.push_back(part.integrals);
 }
 
 Pieces pieces(NodeResult& n, const TheoremResult& result, const std::vector<ParameterMap>& maps) {
@@ -274,11 +291,7 @@ std::vector<Condition> range_of(const NodeResult& n, const System& whole) {
 }
 
 void state(NodeResult& n, const System& whole, const std::string& file, bool has_symmetries) {
-  std::vector<std::string> assumed;
-  for (const Assumption& a : whole.assumptions)
-    assumed.push_back(a.text);
-  n.statement =
-      (assumed.empty() ? "The" : "Let " + joined(assumed, ", ") + ". The") + " system of " + file;
+  n.statement = assumptions_of(whole) + "The system of " + file;
   if (!n.region.conditions.empty()) n.statement += ", where " + text_of(n.region) + ",";
   n.statement += " is not integrable with first integrals that are ";
   n.statement += (n.excluded.size() > 1 ? "at once " : "") + enumerated(n.excluded);

@@ -199,6 +199,8 @@ private:
              std::to_string(base_.field.dimension());
     if (!single_.field.relations.empty() || !base_.field.relations.empty())
       return "systems with relations are not compared";
+    if (!single_.field.functions.empty() || !base_.field.functions.empty())
+      return "systems with functions are not compared";
     for (const auto& [name, text] : place_.roots) {
       const MFraction square = scope_.read(text);
       if (!is_parametric(square) || !is_nonzero(square.den()))

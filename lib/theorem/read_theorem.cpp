@@ -1,6 +1,7 @@
 #include "theorem/theorem.hpp"
 
 #include "literature/literature.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -35,12 +36,15 @@ NodeKind kind_of(const Entry& e) {
 
 std::string text_of(const Entry& e, std::string_view key) {
   const Entry* found = e.find(key);
-  return found ? found->string() : "";
+  return found ? one_line(found->string()) : "";
 }
 
 std::vector<std::string> texts_of(const Entry& e, std::string_view key) {
-  const Entry* found = e.find(key);
-  return found ? found->strings() : std::vector<std::string>{};
+  std::vector<std::string> all;
+  if (const Entry* found = e.find(key))
+    for (const std::string& text : found->strings())
+      all.push_back(one_line(text));
+  return all;
 }
 
 ParameterValues read_values(const Entry& e, std::string_view key) {
@@ -51,7 +55,7 @@ ParameterValues read_values(const Entry& e, std::string_view key) {
     throw table->error(std::string(key) + " is a table of values",
                        std::string(key) + " = { A = \"2*C\" }");
   for (const auto& [name, value] : table->members())
-    values.emplace_back(name, value.string());
+    values.emplace_back(one_line(name), one_line(value.string()));
   return values;
 }
 
@@ -66,7 +70,7 @@ void check_sample(const Entry& e, const TheoremNode& n) {
 
 Hypothesis read_hypothesis(const Entry& e) {
   e.check_keys({"text", "by"});
-  return {e.at("text").string(), text_of(e, "by"), false};
+  return {one_line(e.at("text").string()), text_of(e, "by"), false};
 }
 
 std::string read_expected(const Entry& e) {
@@ -163,7 +167,7 @@ TheoremNode read_node(const Entry& e) {
   n.title = text_of(e, "title");
   if (n.title.empty()) n.title = n.id;
   n.statement = text_of(e, "statement");
-  if (n.kind == NodeKind::argument) n.statement = e.at("statement").string();
+  if (n.kind == NodeKind::argument) (void)e.at("statement");
   n.note = text_of(e, "note");
   n.theorem = read_literature(e);
   n.needs = texts_of(e, "needs");
@@ -178,7 +182,7 @@ TheoremNode read_node(const Entry& e) {
     for (const Entry* f : families->list()) { // another node has to prove what is left to it
       f->check_keys({"family", "by", "units"});
       n.families.push_back(
-          {f->at("family").string(), f->at("by").string(), read_values(*f, "units")});
+          {one_line(f->at("family").string()), f->at("by").string(), read_values(*f, "units")});
       n.needs.push_back(n.families.back().by);
     }
   if (const Entry* t = e.find("triangle")) n.triangle = t->boolean();
@@ -308,7 +312,7 @@ Theorem read_theorem(const Entry& document) {
     throw document.at("format").error("this program reads format theorem/1");
   Theorem t;
   t.file = document.file();
-  t.title = document.at("title").string();
+  t.title = one_line(document.at("title").string());
   t.statement = text_of(document, "statement");
   t.system = text_of(document, "system");
   if (const Entry* all = document.find("symmetry"))

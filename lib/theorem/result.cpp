@@ -28,6 +28,26 @@ void leave_open(TheoremUsed& all, const TheoremUsed& here) {
   }
 }
 
+bool asks_for_a_verdict(const NodeResult& n) {
+  return n.node.kind == NodeKind::case_file && n.node.expect != "non-integrable";
+}
+
+// The verdict, and for which values of the parameters; a neutral word if there are several.
+std::string decided(const std::vector<NodeResult>& nodes) {
+  const NodeResult& first = nodes.front();
+  const std::string one = first.headline.empty() ? "DECIDED" : first.headline;
+  const auto asked = std::count_if(nodes.begin(), nodes.end(), asks_for_a_verdict);
+  const bool all_alike = std::all_of(nodes.begin(), nodes.end(), [&](const NodeResult& n) {
+    return !asks_for_a_verdict(n) || n.headline == first.headline;
+  });
+  if (!all_alike) return "DECIDED: the verdicts differ with the parameters";
+  if (asked > 1) return one + ", for each of " + std::to_string(asked) + " sets of values";
+  std::string values;
+  for (const auto& [name, value] : first.node.where)
+    values += (values.empty() ? ", at " : ", ") + name + " = " + value;
+  return one + values;
+}
+
 } // namespace
 
 std::size_t TheoremResult::count(NodeStatus s) const {
@@ -51,9 +71,12 @@ std::vector<TheoremUsed> TheoremResult::uses() const {
 
 std::vector<std::string> TheoremResult::trusted_steps() const {
   std::vector<std::string> all;
-  for (const NodeResult& n : nodes)
+  for (const NodeResult& n : nodes) { // two steps may have one title
+    std::vector<std::string> own;
     for (const std::string& t : n.trusted)
-      add_once(all, n.node.title + ": " + t);
+      add_once(own, n.node.title + ": " + t);
+    all.insert(all.end(), own.begin(), own.end());
+  }
   return all;
 }
 
@@ -83,7 +106,8 @@ std::size_t TheoremResult::identities() const {
 }
 
 bool TheoremResult::complete() const {
-  return count(NodeStatus::open) == 0 && count(NodeStatus::refuted) == 0 &&
+  const bool is_ours = !nodes.empty() && nodes.front().status == NodeStatus::proved;
+  return is_ours && count(NodeStatus::open) == 0 && count(NodeStatus::refuted) == 0 &&
          count(NodeStatus::unbound) == 0 && count(NodeStatus::reasoned) == 0;
 }
 
@@ -105,8 +129,7 @@ std::string TheoremResult::given() const {
 }
 
 std::string TheoremResult::verdict() const {
-  const bool is_verdict = !nodes.empty() && nodes.front().node.kind == NodeKind::case_file &&
-                          nodes.front().node.expect != "non-integrable";
+  const bool is_verdict = !nodes.empty() && asks_for_a_verdict(nodes.front());
   if (const auto n = count(NodeStatus::refuted); n > 0)
     return "NOT PROVED: " + plural(n, "step was", "steps were") + " refuted";
   std::vector<std::string> missing;
@@ -120,14 +143,11 @@ std::string TheoremResult::verdict() const {
                       " NOT CHECKED");
   if (!missing.empty())
     return std::string(is_verdict ? "NOT DECIDED: " : "NOT PROVED: ") + enumerate(missing);
-  if (count(NodeStatus::proved) == 0) return "NOTHING IS PROVED HERE";
-  return is_verdict ? nodes.front().headline.empty() ? "DECIDED" : nodes.front().headline
-                    : "PROVED";
+  if (!complete()) return "NOTHING IS PROVED HERE"; // somebody else's proof
+  return is_verdict ? decided(nodes) : "PROVED";
 }
 
-std::string TheoremResult::statement() const {
-  return complete() && !nodes.empty() ? nodes.front().statement : "";
-}
+std::string TheoremResult::statement() const { return complete() ? nodes.front().statement : ""; }
 
 // The steps that can be certified, and those that are.
 std::string TheoremResult::computed() const {

@@ -5,11 +5,13 @@
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
 #include "integrability/parameters.hpp"
+#include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
 #include "system/weights.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kov {
 namespace {
@@ -21,18 +23,23 @@ std::string on_level(const SystemClaim& c) {
   return text;
 }
 
+// Formulas only: the name of a claim may be any words, and is said if it is an identifier.
 std::string words(const SystemClaim& c) {
   using Kind = SystemClaim::Kind;
-  const std::string formula = c.name.empty() || c.name == c.text ? c.text : c.name + " = " + c.text;
+  const bool is_named = is_identifier(c.name) && c.name != c.text;
+  const std::string value =
+      c.name == c.text && !is_identifier(c.name) ? to_string(c.value) : c.text;
+  const std::string formula = is_named ? c.name + " = " + value : value;
   switch (c.kind) {
   case Kind::integral:
     return formula + " is a first integral" + on_level(c);
   case Kind::casimir:
     return formula + " is a Casimir function" + on_level(c);
   case Kind::darboux:
-    return formula + " is a Darboux polynomial: " + c.name + " = 0 is invariant" + on_level(c);
+    return formula + " is a Darboux polynomial: " + (is_identifier(c.name) ? c.name : value) +
+           " = 0 is invariant" + on_level(c);
   default: // brackets and identities carry their own = sign
-    return (c.name.empty() || c.name == c.text ? "" : c.name + ": ") + c.text + on_level(c);
+    return c.text + on_level(c);
   }
 }
 
@@ -50,6 +57,66 @@ MFraction scaled(const MFraction& f, const Ring& ring, const std::vector<std::st
   for (const std::string& n : names)
     values[ring->index(n)] = epsilon * MFraction::variable(ring, n);
   return substitute(transfer(f, ring), values);
+}
+
+// Ziglin's lemma is about power series in the coordinates, which all count at least 1.
+std::string no_grading(const System& s) {
+  const auto& x = s.field.coordinates;
+  for (const auto& [i, weight] : s.weights)
+    if (std::find(x.begin(), x.end(), i) == x.end())
+      return s.ring()->name(i) + " has a weight and is no coordinate";
+  for (const std::size_t i : x)
+    if (const auto w = s.weights.find(i); w == s.weights.end() || w->second < 1)
+      return "the coordinate " + s.ring()->name(i) + " has no weight of 1 or more";
+  return "";
+}
+
+// The coefficients of a polynomial in the coordinates: polynomials in the parameters.
+std::vector<MPoly> coefficients_of(const MPoly& f, const System& s) {
+  std::map<std::vector<unsigned long>, MPoly> all;
+  for (long t = 0; t < f.length(); ++t) {
+    auto rest = f.exponents(t);
+    std::vector<unsigned long> monomial;
+    for (const std::size_t i : s.field.coordinates)
+      monomial.push_back(std::exchange(rest[i], 0));
+    const MPoly term = MPoly::term(f.ring(), f.coefficient(t), rest);
+    const auto [known, is_new] = all.try_emplace(monomial, term);
+    if (!is_new) known->second = known->second + term;
+  }
+  std::vector<MPoly> list;
+  for (const auto& [monomial, c] : all)
+    list.push_back(c);
+  return list;
+}
+
+// The lowest-order part is the same formula for all parameters: that of the denominator is nowhere
+// 0.  (Of e x/(e + y) it is x, but 0 for e = 0.)
+bool keeps_its_lowest_order(const System& s, const MFraction& f) {
+  if (is_zero(f)) return true;
+  const auto all = coefficients_of(lowest_part(f.den(), s.weights), s);
+  return std::any_of(all.begin(), all.end(),
+                     [&](const MPoly& c) { return not_excluded(s, {c}).empty(); });
+}
+
+std::string other_lowest_order_somewhere(const System& s) {
+  for (std::size_t j = 0; j < s.field.dimension(); ++j)
+    if (!keeps_its_lowest_order(s, s.field.components[j])) return s.field.name(j) + "'";
+  if (s.field.poisson)
+    for (const auto& row : *s.field.poisson)
+      for (const MFraction& entry : row)
+        if (!keeps_its_lowest_order(s, entry)) return "the bracket";
+  return "";
+}
+
+// The systems whose lowest order is understood here.
+void require_lowest_order(const System& s, const System& other) {
+  if (s.weights.empty()) throw DomainError(s.file + " has no [expansion] with weights");
+  for (const System* one : {&s, &other})
+    if (!one->field.functions.empty() || !one->field.relations.empty())
+      throw DomainError("the lowest order of a system with functions or relations is not known");
+  if (const auto why = no_grading(s); !why.empty()) throw DomainError(why);
+  if (const auto what = other_lowest_order_somewhere(s); !what.empty())
+    throw DomainError("the lowest order of " + what + " may be another one for some parameters");
 }
 
 bool same_function(const MFraction& f, const MFraction& g) {
@@ -186,6 +253,54 @@ std::string beside(const std::string& directory, const std::string& file) {
   return file.starts_with('/') ? file : directory + file;
 }
 
+namespace {
+
+std::string symbol(Assumption::Relation r) {
+  switch (r) {
+  case Assumption::Relation::nonzero:
+    return " != 0";
+  case Assumption::Relation::positive:
+    return " > 0";
+  case Assumption::Relation::nonnegative:
+    return " >= 0";
+  case Assumption::Relation::zero:
+    return " = 0";
+  case Assumption::Relation::real:
+    return " real";
+  case Assumption::Relation::rational:
+    return " rational";
+  default:
+    return " an integer";
+  }
+}
+
+// A name that the file defines says nothing to a reader of the sentence.
+bool uses_defined_name(const System& s, const std::string& text) {
+  std::string name;
+  for (const char c : text + ' ') {
+    if (is_identifier(name + c)) {
+      name += c;
+      continue;
+    }
+    if (s.named.contains(name)) return true;
+    name.clear();
+  }
+  return false;
+}
+
+} // namespace
+
+std::string assumptions_of(const System& s) {
+  std::string text;
+  const auto add = [&](const std::string& one) { text += (text.empty() ? "Let " : ", ") + one; };
+  for (const auto& [name, value] : s.values)
+    add(name + " = " + to_string(value));
+  for (const Assumption& a : s.assumptions)
+    if (!is_constant(a.value)) // of fixed parameters: they hold, or the file was refused
+      add(uses_defined_name(s, a.text) ? to_string(a.value) + symbol(a.relation) : a.text);
+  return text.empty() ? text : text + ". ";
+}
+
 void show_setting(NodeResult& n, const System& s) {
   std::string fixed;
   for (const auto& [name, value] : s.values)
@@ -214,7 +329,9 @@ void prove_claims(NodeResult& n, const std::string& directory, const ProveOption
   conclude(n, "every claim of " + n.node.file + " is decided by an exact identity");
   for (const CheckedIdentity& c : n.checks)
     n.statement +=
-        (n.statement.empty() ? "For the system of " + n.node.file + ": " : "; ") + c.statement;
+        (n.statement.empty() ? assumptions_of(s) + "For the system of " + n.node.file + ": "
+                             : "; ") +
+        c.statement;
   put_further_integrals(n, s);
 }
 
@@ -244,8 +361,8 @@ void prove_scaling(NodeResult& n, const std::string& directory) {
              x + "' at scaled parameters",
          left == right});
   }
-  n.statement = "In the system of " + n.node.file + " the field with parameters epsilon (" +
-                enumerate(n.node.small) +
+  n.statement = assumptions_of(s) + "In the system of " + n.node.file +
+                " the field with parameters epsilon (" + enumerate(n.node.small) +
                 ") is the field with the original ones in the variables " + "epsilon (" +
                 enumerate(n.node.scaled) + ")";
   conclude(n, "the field with parameters epsilon (" + enumerate(n.node.small) +
@@ -257,7 +374,7 @@ void prove_lowest_order(NodeResult& n, const std::string& directory) {
   const System s = read_system(beside(directory, n.node.file), n.node.where);
   show_setting(n, s);
   const System other = read_system(beside(directory, n.node.other), n.node.where);
-  if (s.weights.empty()) throw DomainError(n.node.file + " has no [expansion] with weights");
+  require_lowest_order(s, other);
   const LowestSystem low = lowest_system(s, s.expansion_terms);
   n.checks.push_back({"both systems have " + std::to_string(s.field.dimension()) + " coordinates",
                       s.field.dimension() == other.field.dimension()});
@@ -276,7 +393,8 @@ void prove_lowest_order(NodeResult& n, const std::string& directory) {
   }
   for (const WeightTerm& t : low.hamiltonian)
     n.formulas.push_back({"H_" + std::to_string(t.degree), to_string(t.value)});
-  n.statement = "The lowest-order system of " + n.node.file + " is that of " + n.node.other;
+  n.statement = assumptions_of(s) + "The lowest-order system of " + n.node.file + " is that of " +
+                n.node.other;
   conclude(n, "the lowest-order system is that of " + n.node.other);
 }
 

@@ -180,8 +180,8 @@ struct TheoremResult {
   [[nodiscard]] std::vector<std::string> unchecked_hypotheses() const;
   [[nodiscard]] std::size_t certificates() const;
   [[nodiscard]] std::size_t identities() const;
-  /// Every step is proved or a theorem of the literature: nothing open, refuted, unbound or in
-  /// words.
+  /// The first step is proved, each other one too or a theorem of the literature: nothing open,
+  /// refuted, unbound or in words.
   [[nodiscard]] bool complete() const;
   [[nodiscard]] std::string time() const;  ///< "1.2 s"
   [[nodiscard]] std::string given() const; ///< "4 theorems of the literature and 6 other steps ..."

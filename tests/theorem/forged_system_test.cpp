@@ -1,0 +1,278 @@
+// Ways to cheat with the system files of a theorem: weights, assumptions, functions, fixed values,
+// names.  Each theorem here is false as its title has it; it must not be proved, or the statement
+// must say less.
+
+#include "theorem/prove.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace kov;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+using Files = std::vector<std::pair<std::string, std::string>>; ///< name, text
+
+TheoremResult proved(const Files& files, const std::string& theorem) {
+  for (const auto& [name, text] : files)
+    std::ofstream(testing::TempDir() + name) << text;
+  return prove(read_theorem(parse_document("format = \"theorem/1\"\n" + theorem,
+                                           testing::TempDir() + "forged_theorem.toml")));
+}
+
+// q1^2 q2 + (1 + e) q2^3: integrable for e = 1 and e = 15, not for e = 0.
+std::string cubic(const std::string& parameters, const std::string& coefficient,
+                  const std::string& rest) {
+  return "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\n"
+         "momenta = [\"p1\", \"p2\"]\nparameters = [" +
+         parameters + "]\nhamiltonian = \"(p1^2 + p2^2)/2 + q1^2*q2 + (" + coefficient +
+         ")*q2^3\"\n" + rest;
+}
+
+const std::string axis =
+    "[[manifold]]\nname = \"N\"\nequations = [\"q1 = 0\", \"p1 = 0\"]\n"
+    "level = [\"H = h\"]\n[reduce]\nvariable = \"q1\"\nchange = \"z = q2^3\"\n";
+const std::string real_e = "[assume]\ne = \"real\"\n";
+const std::string henon_heiles = cubic("\"h\"", "1", axis);
+
+std::string cover(const std::string& system, const std::string& needs, const std::string& nodes) {
+  return "title = \"T\"\nsystem = \"" + system +
+         "\"\n[[node]]\nid = \"main\"\nkind = \"cover\"\nneeds = [" + needs + "]\n" + nodes;
+}
+
+std::string case_of(const std::string& file, const std::string& rest = {}) {
+  return "[[node]]\nid = \"ni\"\nkind = \"case\"\nfile = \"" + file + "\"\n" + rest;
+}
+
+std::string by_lowest_order(const std::string& file, const std::string& other) {
+  return cover(file, "\"ni\"",
+               case_of(other, "of = \"lo\"\n") +
+                   "[[node]]\nid = \"lo\"\nkind = \"lowest-order\"\n" + "file = \"" + file +
+                   "\"\nother = \"" + other + "\"\n");
+}
+
+// x' = 1, y'' = f y, along y = 0
+std::string linear(const std::string& parameters, const std::string& f, const std::string& rest) {
+  return "[system]\nkind = \"vector-field\"\ncoordinates = [\"x\", \"y1\", \"y2\"]\nparameters = "
+         "[" +
+         parameters + "]\n[system.field]\nx = \"1\"\ny1 = \"y2\"\ny2 = \"(" + f + ")*y1\"\n" +
+         rest + "[[manifold]]\nname = \"N\"\nequations = [\"y1 = 0\", \"y2 = 0\"]\n";
+}
+
+std::string function(const std::string& derivative) {
+  return "[[system.function]]\nname = \"E\"\nderivative = { x = \"" + derivative + "\" }\n";
+}
+
+// Of rank two, with as many Casimir functions as there are first integrals.
+std::string rank_two(const std::string& parameters, const std::string& s, const std::string& rest) {
+  return "[system]\nkind = \"poisson\"\ncoordinates = [\"x\", \"y1\", \"y2\", \"w\"]\nparameters = "
+         "[" +
+         parameters +
+         "]\nbracket = [[\"0\",\"0\",\"0\",\"1\"], [\"0\",\"0\",\"0\",\"y2\"], "
+         "[\"0\",\"0\",\"0\",\"" +
+         s + "*x*y1\"], [\"-1\",\"-y2\",\"-" + s + "*x*y1\",\"0\"]]\nhamiltonian = \"w\"\n" + rest;
+}
+
+struct Forgery {
+  std::string name;
+  Files files;
+  std::string theorem;
+};
+
+void PrintTo(const Forgery& f, std::ostream* out) { *out << f.name; }
+
+Forgery weights(const std::string& name, const std::string& w) {
+  return {name,
+          {{"forged_whole.toml",
+            cubic("\"e\"", "1 + e", real_e + "[expansion]\nweights = {" + w + "}\n")},
+           {"forged_part.toml", henon_heiles}},
+          by_lowest_order("forged_whole.toml", "forged_part.toml")};
+}
+
+// the lowest order of the quotient is another one where e = 0
+const std::string vanishing_denominator =
+    "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\nmomenta = [\"p1\", \"p2\"]\n"
+    "parameters = [\"e\"]\nhamiltonian = \"(p1^2 + p2^2)/2 + e*(q1^2*q2 + q2^3)/(e + q1^2)\"\n" +
+    real_e + "[expansion]\nweights = {q1 = 2, q2 = 2, p1 = 3, p2 = 3}\n";
+
+const std::vector<Forgery> forgeries{
+    weights("a_weight_of_a_parameter", "e = 1"),
+    weights("a_weight_of_a_parameter_beside_others", "q1 = 2, q2 = 2, p1 = 3, p2 = 3, e = 1"),
+    weights("weights_below_zero", "q1 = -2, q2 = -2, p1 = -3, p2 = -3, e = 1"),
+    {"a_lowest_order_that_is_another_one_somewhere",
+     {{"forged_whole.toml", vanishing_denominator}, {"forged_part.toml", henon_heiles}},
+     by_lowest_order("forged_whole.toml", "forged_part.toml")},
+    {"assumptions_of_the_lowest_order_only",
+     {{"forged_whole.toml",
+       cubic("\"e\"", "1 + e",
+             real_e + "[expansion]\nweights = {q1 = 2, q2 = 2, p1 = 3, p2 = 3}\n")},
+      {"forged_part.toml",
+       cubic("\"e\", \"h\"", "1 + e", real_e + "conditions = [\"e^2 <= 0\"]\n" + axis)}},
+     by_lowest_order("forged_whole.toml", "forged_part.toml")},
+    {"a_function_of_the_step_that_is_a_parameter",
+     {{"forged_whole.toml", linear("\"a\"", "a", "[assume]\na = \"real\"\n")},
+      {"forged_part.toml", linear("", "E", function("E"))}},
+     cover("forged_whole.toml", "\"ni\"", case_of("forged_part.toml", "as = { E = \"a\" }\n"))},
+    {"a_function_of_the_step_by_the_name_of_a_parameter",
+     {{"forged_whole.toml", linear("\"E\"", "E", "[assume]\nE = \"real\"\n")},
+      {"forged_part.toml", linear("", "E", function("E"))}},
+     cover("forged_whole.toml", "\"ni\"", case_of("forged_part.toml"))},
+    {"a_function_of_the_system_that_is_a_parameter",
+     {{"forged_whole.toml", linear("", "x + E", function("-1"))},
+      {"forged_part.toml", linear("\"a\"", "x + a", "")}},
+     cover("forged_whole.toml", "\"ni\"", case_of("forged_part.toml", "as = { a = \"E\" }\n"))},
+    {"two_functions_of_one_name",
+     {{"forged_whole.toml", linear("", "E", function("0"))},
+      {"forged_part.toml", linear("", "E", function("E"))}},
+     cover("forged_whole.toml", "\"ni\"", case_of("forged_part.toml"))},
+    {"a_symmetry_of_a_fixed_parameter",
+     {{"forged_whole.toml", cubic("\"e\"", "1 + e", real_e + "[set]\ne = \"1\"\n")},
+      {"forged_part.toml", henon_heiles}},
+     cover("forged_whole.toml", "\"ni\"", case_of("forged_part.toml", "at = { e = \"0\" }\n")) +
+         "[[symmetry]]\nas = { e = \"0\" }\n"},
+    {"another_value_of_a_fixed_parameter",
+     {{"forged_whole.toml", cubic("\"e\"", "1 + e", real_e + "[set]\ne = \"1\"\n")},
+      {"forged_part.toml", henon_heiles}},
+     cover("forged_whole.toml", "\"ni\"", case_of("forged_part.toml", "at = { e = \"0\" }\n"))},
+};
+
+class Forged : public testing::TestWithParam<Forgery> {};
+
+} // namespace
+
+TEST_P(Forged, IsNotProved) {
+  try {
+    const TheoremResult r = proved(GetParam().files, GetParam().theorem);
+    EXPECT_THAT(r.conclusion(), testing::StartsWith("NOT PROVED")) << r.statement();
+    EXPECT_EQ(r.statement(), "");
+  } catch (const InputError& e) { // the file is refused, with the place
+    EXPECT_THAT(e.what(), HasSubstr(".toml:"));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SystemFiles, Forged, testing::ValuesIn(forgeries),
+                         [](const auto& test) { return test.param.name; });
+
+// An exception without a name of its own is an exception.
+TEST(Statement, NamesEveryException) {
+  const std::string real = "[assume]\ns = \"real\"\n";
+  const std::string line = "[[manifold]]\nname = \"N\"\nequations = [\"y1 = 0\", \"y2 = 0\"]\n"
+                           "level = [\"w = 1\"]\n";
+  const TheoremResult r = proved(
+      {{"forged_whole.toml", rank_two("\"s\"", "s", real)},
+       {"forged_part.toml", rank_two("\"s\"", "s", real + "conditions = [\"s != 0\"]\n" + line)},
+       {"forged_free.toml", rank_two("", "0", "[[casimir]]\nname = \"C\"\nvalue = \"y2\"\n")}},
+      cover("forged_whole.toml", "\"ni\", \"free\"",
+            case_of("forged_part.toml", "if = [\"s != 0\"]\n") +
+                "[[node]]\nid = \"free\"\nkind = \"claims\"\nfile = \"forged_free.toml\"\n"
+                "at = { s = \"0\" }\n"));
+  EXPECT_THAT(r.statement(), AnyOf(testing::IsEmpty(), HasSubstr("(s = 0)")));
+}
+
+// What the file fixes is part of what is stated, of a cover and of claims.
+TEST(Statement, SaysTheValuesThatTheFileFixes) {
+  const std::string fixed = real_e + "[set]\ne = \"0\"\n";
+  const TheoremResult r = proved(
+      {{"forged_whole.toml", cubic("\"e\"", "1 + e", fixed)}, {"forged_part.toml", henon_heiles}},
+      cover("forged_whole.toml", "\"ni\"", case_of("forged_part.toml")));
+  EXPECT_THAT(r.statement(), AnyOf(testing::IsEmpty(), HasSubstr("Let e = 0. ")));
+  const TheoremResult claims =
+      proved({{"forged_whole.toml",
+               cubic("\"e\"", "1 + e",
+                     real_e + "[set]\ne = \"1\"\n[[integral]]\nname = \"K\"\n"
+                              "value = \"q1^4 + 4*q1^2*q2^2 - 4*p1*(p1*q2 - p2*q1)\"\n")}},
+             "title = \"T\"\nsystem = \"forged_whole.toml\"\n[[node]]\nid = \"main\"\n"
+             "kind = \"claims\"\nfile = \"forged_whole.toml\"\n");
+  EXPECT_THAT(claims.statement(), HasSubstr("K = q1^4"));
+  EXPECT_THAT(claims.statement(), HasSubstr("Let e = 1. "));
+}
+
+// A name that is defined says what it stands for.
+TEST(Statement, ExpandsDefinedNamesInAssumptions) {
+  const TheoremResult r = proved(
+      {{"forged_whole.toml", cubic("\"e\"", "1 + e",
+                                   "[system.define]\ngeneric = \"-e^2\"\n" + real_e +
+                                       "conditions = [\"generic >= 0\"]\n")},
+       {"forged_part.toml", henon_heiles}},
+      cover("forged_whole.toml", "\"ni\"", case_of("forged_part.toml", "at = {e = \"0\"}\n")));
+  EXPECT_THAT(r.statement(), Not(HasSubstr("generic")));
+  EXPECT_THAT(r.statement(), HasSubstr("-e^2 >= 0"));
+}
+
+// A first integral is named with the coordinates that it is written in.
+TEST(Statement, SaysInWhichCoordinatesAnIntegralIs) {
+  const std::string separable = "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\n"
+                                "momenta = [\"p1\", \"p2\"]\nhamiltonian = "
+                                "\"(p1^2 + p2^2)/2 + q1^4\"\n[[integral]]\nname = \"K\"\n"
+                                "value = \"p2\"\n";
+  const std::string whole = cubic("\"e\"", "0", real_e);
+  const TheoremResult r = proved(
+      {{"forged_whole.toml",
+        "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\n"
+        "momenta = [\"p1\", \"p2\"]\nparameters = [\"e\"]\nhamiltonian = \"(p1^2 + p2^2)/2 + "
+        "(1 - e)*q2^4 + e*(q1^2*q2 + q2^3)\"\n" +
+            real_e + "conditions = [\"e*(1 - e) = 0\"]\n"},
+       {"forged_free.toml", separable},
+       {"forged_part.toml", henon_heiles}},
+      cover("forged_whole.toml", "\"ni\", \"free\"",
+            case_of("forged_part.toml", "at = { e = \"1\" }\n") +
+                "[[node]]\nid = \"free\"\nkind = \"claims\"\nfile = \"forged_free.toml\"\n"
+                "at = { e = \"0\" }\nas = {q1 = \"q2\", q2 = \"q1\", p1 = \"p2\", p2 = \"p1\"}\n"));
+  EXPECT_THAT(r.statement(), HasSubstr("K = p2"));
+  EXPECT_THAT(r.statement(), HasSubstr("in the coordinates of forged_free.toml"));
+}
+
+namespace {
+
+// The theorem of one step about claims, with other words.
+TheoremResult with_words(const std::string& title, const std::string& name) {
+  return proved({{"forged_whole.toml", cubic("", "1",
+                                             "[[equal]]\nname = \"" + name +
+                                                 "\"\nleft = \"1\"\nright = \"1\"\n"
+                                                 "[[integral]]\nname = \"" +
+                                                 name + "\"\nvalue = \"2*H\"\n")}},
+                "title = \"" + title +
+                    "\"\nsystem = \"forged_whole.toml\"\n[[node]]\n"
+                    "id = \"main\"\ntitle = \"" +
+                    title +
+                    "\"\nkind = \"claims\"\n"
+                    "file = \"forged_whole.toml\"\n");
+}
+
+} // namespace
+
+TEST(Statement, HasNoWordsOfTheAuthor) {
+  const std::string lie = "The Riemann hypothesis holds. The top is not integrable";
+  const TheoremResult r = with_words("T", lie);
+  EXPECT_THAT(r.statement(), HasSubstr("2*H is a first integral"));
+  EXPECT_THAT(r.statement(), Not(HasSubstr("Riemann")));
+  for (const CheckedIdentity& c : r.nodes.front().checks)
+    EXPECT_THAT(c.statement, Not(HasSubstr("Riemann")));
+}
+
+// A title that looks like a line of the answer stays on its own line.
+TEST(Words, AreOneLine) {
+  const TheoremResult r = with_words("x\\n\\n[proved]   Riemann\\u001b[2J\\nPROVED", "n");
+  for (const std::string& text : {r.theorem.title, r.nodes.front().node.title}) {
+    EXPECT_EQ(text.find('\n'), std::string::npos);
+    EXPECT_EQ(text.find('\033'), std::string::npos);
+    EXPECT_THAT(text, HasSubstr("x [proved] Riemann"));
+  }
+}
+
+// The theorem of the literature is somebody else's proof.
+TEST(Conclusion, OfATheoremOfTheLiteratureIsNotProved) {
+  const TheoremResult r = proved(
+      {{"forged_whole.toml", literature_theorem("Ziglin 1983")->system},
+       {"forged_claims.toml",
+        literature_theorem("Ziglin 1983")->system + "[[integral]]\nvalue = \"H\"\n"}},
+      "title = \"T\"\nsystem = \"forged_whole.toml\"\n[[node]]\nid = \"main\"\nkind = \"theorem\"\n"
+      "theorem = \"Ziglin 1983\"\nneeds = [\"x\"]\n[[node]]\nid = \"x\"\nkind = \"claims\"\n"
+      "file = \"forged_claims.toml\"\n");
+  EXPECT_THAT(r.conclusion(), Not(testing::StartsWith("PROVED")));
+}
