@@ -24,6 +24,8 @@ class ParameterSet {
 public:
   ParameterSet(Ring ring, std::vector<std::size_t> parameters, Budget budget = {});
 
+  /// All values of the same parameters.
+  [[nodiscard]] ParameterSet plain() const { return {ring_, parameters_, budget_}; }
   /// The part where p vanishes, and the part where it does not.
   [[nodiscard]] ParameterSet where_zero(const MPoly& p) const;
   [[nodiscard]] ParameterSet where_nonzero(const MPoly& p) const;

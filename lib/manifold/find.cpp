@@ -254,28 +254,34 @@ std::vector<FoundManifold> lines(const VectorField& v) {
   return found;
 }
 
-// How many of the integrals are independent on the set: the rank of their gradients along it at one
-// point with random rational coordinates (a lower bound, and almost always the rank).
-int independent_integrals(const VectorField& v, const std::vector<MFraction>& integrals,
-                          const Substitution& solved) {
+// Integrals that are independent on the set: the rank of their gradients along it grows with each at
+// one point with random rational coordinates (not more than the rank, and almost always the rank).
+std::vector<std::size_t> independent_integrals(const VectorField& v,
+                                               const std::vector<MFraction>& integrals,
+                                               const Substitution& solved) {
   std::mt19937 generator(7);
   std::uniform_int_distribution<int> number(2, 97);
   Substitution point;
   for (std::size_t i = 0; i < v.ring->size(); ++i)
     point[i] = MFraction(v.ring, Rational(number(generator), 3));
   Matrix rows;
-  for (const auto& f : integrals) {
+  std::vector<std::size_t> independent;
+  for (std::size_t k = 0; k < integrals.size(); ++k) {
     try {
-      const MFraction g = substitute(f, solved);
+      const MFraction g = substitute(integrals[k], solved);
       std::vector<MFraction> row;
       for (std::size_t j = 0; j < v.dimension(); ++j)
         row.push_back(solved.count(v.coordinates[j]) ? MFraction(v.ring)
                                                      : substitute(partial(v, g, j), point));
       rows.push_back(std::move(row));
+      if (v.dimension() - null_space(rows, v.dimension(), v.ring).size() == rows.size())
+        independent.push_back(k);
+      else
+        rows.pop_back();
     } catch (const DomainError&) { // not defined on the set, or not at this point
     }
   }
-  return static_cast<int>(v.dimension() - null_space(rows, v.dimension(), v.ring).size());
+  return independent;
 }
 
 Substitution solve(const FoundManifold& m) {
@@ -339,7 +345,8 @@ private:
     if (m.dimension == 0) return;
     m.equilibria = std::all_of(v_.components.begin(), v_.components.end(),
                                [&](const MFraction& c) { return is_zero_modulo(c, ideal); });
-    m.integrals = independent_integrals(v_, integrals_, solve(m));
+    m.independent = independent_integrals(v_, integrals_, solve(m));
+    m.integrals = static_cast<int>(m.independent.size());
     result_.proved.push_back(std::move(m));
   }
 

@@ -19,8 +19,9 @@ struct FoundManifold {
   std::vector<Equation> equations;
   std::string kind; ///< "coordinate subspace", "fixed points of ...", "line ..."
   int dimension = 0;
-  int integrals = 0;       ///< independent ones among the given, restricted to it
-  bool equilibria = false; ///< the field vanishes on it
+  int integrals = 0;                    ///< independent ones among the given, restricted to it
+  std::vector<std::size_t> independent; ///< their indices among the given
+  bool equilibria = false;              ///< the field vanishes on it
   /// dimension - integrals: 1 means that levels cut out phase curves.
   [[nodiscard]] int leaf_dimension() const noexcept { return dimension - integrals; }
 };

@@ -45,6 +45,12 @@ struct IntegralsArguments {
   std::optional<long> coefficients;
 };
 
+struct ClassifyArguments {
+  std::string file;
+  long degree = 4;        ///< of the first integrals
+  bool only_file = false; ///< no solutions but those of the file
+};
+
 int solve(const Settings& settings, const SolveArguments& arguments);
 /// Monodromy matrices with proven radii.
 int monodromy(const Settings& settings, const MonodromyArguments& arguments);
@@ -60,6 +66,8 @@ int show(const Settings& settings, const std::string& file, const std::string& s
 int find_manifolds(const Settings& settings, const std::string& file);
 /// First integrals, at all parameter values.
 int integrals(const Settings& settings, const IntegralsArguments& arguments);
+/// For which parameters is a system integrable?
+int classify(const Settings& settings, const ClassifyArguments& arguments);
 int explain(const Settings& settings, const std::string& code);
 int make_new(const Settings& settings, const std::string& kind);
 int verify(const Settings& settings, const std::vector<std::string>& arguments);

@@ -51,6 +51,7 @@ struct CommandLine {
   PotentialArguments potential_arguments;
   MonodromyArguments monodromy_arguments;
   IntegralsArguments integrals_arguments;
+  ClassifyArguments classify_arguments;
   SectionArguments section_arguments;
   BenchArguments bench_arguments;
   std::vector<std::string> files;
@@ -234,6 +235,24 @@ struct CommandLine {
     output_flags(*command);
   }
 
+  void declare_classify(CLI::App& app) {
+    ClassifyArguments& a = classify_arguments;
+    CLI::App* command =
+        app.add_subcommand("classify", "for which parameters is a system integrable?");
+    command->add_option("FILE", a.file, "a system file")->required()->type_name("");
+    command->add_option("--degree", a.degree, "of first integrals that are looked for; default 4")
+        ->check(silent(CLI::Range(1, 20)))
+        ->type_name("D");
+    command->add_flag("--only-file", a.only_file, "no solutions but the manifolds of the file");
+    set_flag(*command);
+    process_flags(*command, 60, "seconds for the whole file");
+    work_flag(*command);
+    format_flag(*command, {"text", "json"}, "text or json");
+    quiet_flag(*command);
+    verbose_flag(*command);
+    output_flags(*command);
+  }
+
   void report_flags(CLI::App& command) {
     format_flag(command, {"text", "json", "tex", "html"},
                 "text, json, tex or html (also: -o NAME.html)");
@@ -308,6 +327,7 @@ struct CommandLine {
     output_flags(*find);
 
     declare_integrals(app);
+    declare_classify(app);
 
     CLI::App* test = app.add_subcommand("test", "run the [[expect]] blocks of files (TAP)");
     test->add_option("DIR|FILE", files, "default: cases")->type_name("");
@@ -371,6 +391,7 @@ struct CommandLine {
     if (command == "show") return show(settings, word, stage);
     if (command == "find-manifolds") return find_manifolds(settings, word);
     if (command == "integrals") return integrals(settings, integrals_arguments);
+    if (command == "classify") return classify(settings, classify_arguments);
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
     if (command == "prove") return prove(settings, word);

@@ -1,0 +1,70 @@
+#pragma once
+// The theorem on a system with parameters: the parameters divided into strata, on each of which the
+// system is integrable (proved), not integrable (proved), or left open.
+//
+// Parameters that only label levels are not among them: for fixed parameters an integrable system
+// is so on all levels (docs/theory/classify.md, 1).
+
+#include "classify/difference.hpp"
+#include "integrals/find.hpp"
+
+namespace kov {
+
+enum class StratumStatus : std::uint8_t { integrable, excluded, open };
+[[nodiscard]] std::string to_string(StratumStatus s); ///< "integrable", "excluded", "open"
+
+/// First integrals that are excluded, from the largest class to the smallest: meromorphic near the
+/// particular solutions, also near the points that close them, rational.
+enum class ExcludedClass : std::uint8_t { meromorphic, meromorphic_at_infinity, rational };
+[[nodiscard]] std::string to_string(ExcludedClass c); ///< "meromorphic", ...
+
+/// Why the system is not integrable somewhere.
+struct ExclusionReason {
+  std::string solution; ///< the invariant manifold of the particular solutions
+  std::string level;    ///< for which of them, in words
+  int order = 1;        ///< of the variational equations
+  std::string reason;
+  ExcludedClass integrals = ExcludedClass::meromorphic;
+  std::vector<std::string> theorems = {}; ///< of the literature
+  std::string unchecked; ///< a hypothesis that is not proved, as a sentence; or empty
+  friend bool operator==(const ExclusionReason&, const ExclusionReason&) = default;
+};
+
+struct ClassifiedStratum {
+  ParameterSet where;
+  std::vector<DifferenceCondition> special; ///< besides; all of them
+  StratumStatus status = StratumStatus::open;
+  /// integrable: independent and in involution (or, without a bracket, independent), as many as
+  /// needed
+  std::vector<FoundIntegral> integrals = {};
+  std::vector<ExclusionReason> by = {};     ///< excluded: each of them is enough
+  std::vector<std::string> open_after = {}; ///< open: what was tried
+};
+
+enum class ClassificationStatus : std::uint8_t { integrable, non_integrable, open, depends };
+/// "integrable", "non-integrable", "open", "depends"
+[[nodiscard]] std::string to_string(ClassificationStatus s);
+
+struct SystemClassification {
+  std::vector<ClassifiedStratum> strata; ///< disjoint; they cover all parameters
+  std::vector<std::string> assumptions;  ///< under which all of this is proved
+  std::vector<std::string> theorems;     ///< of the literature that are used
+  /// The smallest class that is used; unset where nothing is excluded.
+  std::optional<ExcludedClass> excluded;
+  std::vector<std::string> functions; ///< the class is one in the coordinates and these symbols
+  bool liouville = true; ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
+  std::vector<std::pair<std::string, double>> stages; ///< what took how many seconds
+  double seconds = 0;
+
+  [[nodiscard]] ClassificationStatus status() const;
+};
+
+/// "meromorphic (in the coordinates and s, c)"; empty where nothing is excluded.
+[[nodiscard]] std::string integrals_class(const SystemClassification& c);
+/// "b = 6", "b = 1, A = B": the strata with one of these, in few pieces.
+[[nodiscard]] std::vector<std::string> places(const SystemClassification& c,
+                                              const std::vector<StratumStatus>& wanted);
+/// The conditions of a stratum, each as text; empty: all parameters.
+[[nodiscard]] std::vector<std::string> conditions(const ClassifiedStratum& s);
+
+} // namespace kov

@@ -1,0 +1,490 @@
+#include "classify/classify.hpp"
+
+#include "classify/darboux_points.hpp"
+#include "classify/exclusion.hpp"
+#include "classify/parameter_split.hpp"
+#include "classify/solutions.hpp"
+#include "exact/error.hpp"
+#include "integrability/parameters.hpp"
+#include "integrability/specialise.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace kov {
+namespace {
+
+using Clock = Budget::Clock;
+
+constexpr std::size_t most_pieces = 200; // of one round of solutions
+constexpr double set_work = 1e6;         // in the ideals of sets of parameters
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void add_once(std::vector<std::string>& all, const std::string& one) {
+  if (!one.empty() && std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+/// What was tried, and what came out.
+struct Attempt {
+  std::string what, outcome;
+};
+
+/// Parameters that are not decided yet.
+struct Piece {
+  ParameterSet where;
+  std::vector<DifferenceCondition> special;
+  std::vector<Attempt> tried;
+};
+
+// The last time counts.
+void note(Piece& piece, const std::string& what, const std::string& outcome) {
+  std::erase_if(piece.tried, [&](const Attempt& a) { return a.what == what; });
+  piece.tried.push_back({what, outcome});
+}
+
+// With one condition more; nothing if it holds nowhere.
+std::optional<Piece> with_condition(Piece piece, const DifferenceCondition& c) {
+  const auto here = on_set(c, piece.where);
+  if (const auto* known = std::get_if<bool>(&here)) {
+    if (!*known) return std::nullopt;
+    return piece;
+  }
+  const auto& left = std::get<DifferenceCondition>(here);
+  std::erase_if(piece.special, [&](const DifferenceCondition& x) { return implies(left, x); });
+  for (const DifferenceCondition& x : piece.special) {
+    if (implies(x, left)) return piece;
+    if (implies(x, negation(left))) return std::nullopt;
+  }
+  piece.special.push_back(left);
+  return piece;
+}
+
+// The same on a part of its set; nothing if a condition fails there.
+std::optional<Piece> on_part(const Piece& piece, ParameterSet part) {
+  std::optional<Piece> smaller = Piece{std::move(part), {}, piece.tried};
+  for (const DifferenceCondition& c : piece.special)
+    if (smaller) smaller = with_condition(*std::move(smaller), c);
+  return smaller;
+}
+
+/// One system with its solutions and integrals, on some pieces of the parameters.
+struct Round {
+  const System& system;
+  const std::vector<ClaimReport>& claims;
+  const std::vector<KnownLevel>& levels;
+  Piece whole;
+  std::vector<Piece> pieces = {whole};
+  std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
+};
+
+class Composition {
+public:
+  Composition(const System& s, const ClassifyOptions& options) : options_(options) {
+    start_ = Clock::now();
+    LevelledSystem levelled = with_levels(s, decide_claims(s, options.check));
+    system_ = without_levels_fixed(std::move(levelled.system));
+    claims_ = std::move(levelled.claims);
+    levels_ = std::move(levelled.levels);
+  }
+
+  SystemClassification run() {
+    result_.liouville = system_.field.poisson.has_value();
+    study({system_, claims_, levels_, {all_parameters(), {}, {}}});
+    finish();
+    return std::move(result_);
+  }
+
+private:
+  // ---- the whole set
+
+  // What the file assumes of a level says nothing of the system: any level will do.
+  static System without_levels_fixed(System s) {
+    const auto levels = level_parameters(s);
+    std::erase_if(s.assumptions, [&](const Assumption& a) {
+      return std::any_of(levels.begin(), levels.end(),
+                         [&](std::size_t i) { return uses(a.value, i); });
+    });
+    for (ReduceSpec& r : s.reductions)
+      r.energy.clear(); // all levels at once
+    return s;
+  }
+
+  ParameterSet all_parameters() const {
+    const auto levels = level_parameters(system_);
+    std::vector<std::size_t> parameters = system_.field.constants;
+    for (const std::size_t i : system_.field.parameters)
+      if (std::find(levels.begin(), levels.end(), i) == levels.end()) parameters.push_back(i);
+    Budget budget;
+    budget.max_work = set_work;
+    budget.stop = options_.check.decide.budget.stop;
+    ParameterSet all(system_.ring(), parameters, budget);
+    const auto in_parameters = [&](const MPoly& p) {
+      const auto used = used_variables(p);
+      return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+        return std::find(parameters.begin(), parameters.end(), i) != parameters.end();
+      });
+    };
+    for (const MPoly& p : system_.field.relations)
+      if (in_parameters(p)) all = all.where_zero(p);
+    for (const Assumption& a : system_.assumptions) {
+      const MPoly p = a.value.num();
+      using Relation = Assumption::Relation;
+      if (a.relation == Relation::zero) all = all.where_zero(p);
+      if (a.relation == Relation::nonzero || a.relation == Relation::positive)
+        all = all.where_nonzero(p);
+      if (!is_constant(a.value.den())) all = all.where_nonzero(a.value.den());
+    }
+    if (all.is_empty()) throw InvalidArgument("no parameter values satisfy the assumptions");
+    return all;
+  }
+
+  static MayVanish may_vanish(const System& s) {
+    return [&s](const MPoly& p) { return !not_excluded(s, {p}).empty(); };
+  }
+
+  // A part of the time that is left.
+  Budget share(double part) const {
+    Budget budget = options_.check.decide.budget;
+    const auto now = Clock::now();
+    if (budget.deadline && *budget.deadline > now)
+      budget.deadline =
+          now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
+                    part * std::chrono::duration<double>(*budget.deadline - now).count()));
+    return budget;
+  }
+  [[nodiscard]] bool time_is_over() const {
+    const auto& deadline = options_.check.decide.budget.deadline;
+    return deadline && Clock::now() >= *deadline;
+  }
+
+  // ---- one round
+
+  void study(Round round) {
+    const std::size_t decided = result_.strata.size();
+    try_solutions(round);
+    try_darboux_points(round);
+    if (!round.pieces.empty()) try_integrals(round, decided);
+    for (const Exclusion& e : round.late)
+      exclude(round, e);
+    for (Piece& piece : round.pieces)
+      again(round, std::move(piece));
+  }
+
+  void try_solutions(Round& round) {
+    const auto start = Clock::now();
+    const auto solutions =
+        particular_solutions(round.system, round.levels, options_.search_solutions, share(0.2));
+    result_.stages.emplace_back("invariant manifolds", seconds_since(start));
+    std::size_t left = solutions.manifolds.size();
+    for (const ManifoldSpec& m : solutions.manifolds) {
+      if (round.pieces.empty()) return;
+      try_solution(round, m, 0.7 / static_cast<double>(left--));
+    }
+    for (Piece& p : round.pieces) {
+      for (const std::string& limit : solutions.left_out)
+        note(p, limit, "");
+      if (solutions.manifolds.empty() && p.tried.empty())
+        note(p, "invariant manifolds",
+             options_.search_solutions ? "none was found" : "the file has none");
+    }
+  }
+
+  void try_solution(Round& round, const ManifoldSpec& m, double part) {
+    const auto start = Clock::now();
+    CheckOptions check = options_.check;
+    check.decide.budget = share(part);
+    const ManifoldReport report = check_manifold(round.system, m, round.claims, check);
+    result_.stages.emplace_back(m.name, seconds_since(start));
+    for (Exclusion& e : exclusions(round.system, report, level_parameters(round.system)))
+      if (e.unless && e.unless->squares.size() > 1)
+        round.late.push_back(std::move(e));
+      else
+        exclude(round, e);
+    for (Piece& p : round.pieces)
+      note(p, "along " + report.name, outcome(report));
+  }
+
+  void try_darboux_points(Round& round) {
+    if (round.pieces.empty() || !options_.search_solutions) return;
+    const auto start = Clock::now();
+    try {
+      for (const Exclusion& e : exclusions_by_darboux_points(round.system, share(0.3)))
+        exclude(round, e);
+    } catch (const OutOfBudget& limit) {
+      for (Piece& p : round.pieces)
+        note(p, "Darboux points", limit.what());
+    }
+    result_.stages.emplace_back("Darboux points", seconds_since(start));
+  }
+
+  static std::string outcome(const ManifoldReport& report) {
+    if (report.failure) return report.failure->message;
+    if (report.verdict == VerdictKind::no_obstruction)
+      return "the first variational equation has an abelian identity component";
+    for (const BlockReport& b : report.blocks)
+      if (b.abelian == Truth::unknown && !b.strata && !b.note.empty()) return b.note;
+    if (report.blocks.empty() && !report.reasons.empty()) return report.reasons.front();
+    return "the first variational equation excludes no more";
+  }
+
+  void exclude(Round& round, const Exclusion& e) {
+    std::vector<Piece> left;
+    for (Piece& piece : round.pieces) {
+      if (left.size() > most_pieces) {
+        left.push_back(std::move(piece));
+        continue;
+      }
+      try {
+        exclude(piece, e, may_vanish(round.system), left);
+      } catch (const OutOfBudget&) {
+        left.push_back(std::move(piece)); // nothing is concluded
+      }
+    }
+    round.pieces = std::move(left);
+  }
+
+  void exclude(const Piece& piece, const Exclusion& e, const MayVanish& may_vanish,
+               std::vector<Piece>& left) {
+    const SetParts parts = split_set(piece.where, e.zero, e.not_all_zero, may_vanish);
+    if (parts.inside.empty()) return left.push_back(piece);
+    std::vector<Piece> rest;
+    std::vector<ClassifiedStratum> excluded;
+    for (const ParameterSet& outside : parts.outside)
+      if (auto part = on_part(piece, outside)) rest.push_back(*std::move(part));
+    for (const ParameterSet& inside : parts.inside) {
+      auto part = on_part(piece, inside);
+      if (!part) continue;
+      if (!e.unless) {
+        excluded.push_back(stratum(*part, e));
+        continue;
+      }
+      if (const auto out = with_condition(*part, negation(*e.unless)))
+        excluded.push_back(stratum(*out, e));
+      if (auto in = with_condition(*std::move(part), *e.unless)) rest.push_back(*std::move(in));
+    }
+    std::move(rest.begin(), rest.end(), std::back_inserter(left));
+    std::move(excluded.begin(), excluded.end(), std::back_inserter(result_.strata));
+  }
+
+  static ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
+    return {piece.where, piece.special, StratumStatus::excluded, {}, {e.by}, {}};
+  }
+
+  // ---- first integrals
+
+  void try_integrals(Round& round, std::size_t decided) {
+    if (integrals_complete_) return; // for all parameters, in an earlier round
+    const auto start = Clock::now();
+    IntegralOptions options;
+    options.degree = options_.degree;
+    options.budget = share(0.5);
+    const IntegralSearch search = find_integrals(round.system, options);
+    integrals_complete_ = search.finished();
+    result_.stages.emplace_back("first integrals", seconds_since(start));
+    std::vector<Piece> met;
+    for (const IntegralsOfSet& set : search.sets)
+      take_integrals(round, set, search.not_covered, decided, met);
+    if (search.elsewhere) take_elsewhere(round, *search.elsewhere, search.not_covered);
+    std::move(met.begin(), met.end(), std::back_inserter(round.pieces));
+  }
+
+  // As many as Liouville's theorem wants; without a bracket all but one of them.
+  static bool is_enough(const System& s, const IntegralsOfSet& set) {
+    return s.field.poisson ? set.liouville : set.integrals.size() + 1 == s.field.dimension();
+  }
+
+  // Pieces inside the set go to `met`, or are done with.
+  void take_integrals(Round& round, const IntegralsOfSet& set,
+                      const std::vector<MPoly>& not_covered, std::size_t decided,
+                      std::vector<Piece>& met) {
+    Exclusion where;
+    where.zero = set.equations;
+    for (const auto* list : {&set.inequations, &not_covered})
+      for (const MPoly& p : *list)
+        where.not_all_zero.push_back({p});
+    const bool enough = is_enough(round.system, set);
+    if (enough) {
+      contradict_nothing(where, set, round.system, decided);
+      integrable(round, set, where);
+    }
+    std::vector<Piece> left;
+    for (Piece& piece : round.pieces) {
+      try {
+        const SetParts parts =
+            split_set(piece.where, where.zero, where.not_all_zero, may_vanish(round.system));
+        for (const ParameterSet& inside : parts.inside)
+          if (auto part = on_part(piece, inside); part && !enough) {
+            note(*part, "first integrals", searched_text(set));
+            met.push_back(*std::move(part));
+          }
+        for (const ParameterSet& outside : parts.outside)
+          if (auto part = on_part(piece, outside)) left.push_back(*std::move(part));
+      } catch (const OutOfBudget&) {
+        met.push_back(std::move(piece));
+      }
+    }
+    round.pieces = std::move(left);
+  }
+
+  // The pieces that met no set.
+  void take_elsewhere(Round& round, const IntegralsOfSet& set,
+                      const std::vector<MPoly>& not_covered) {
+    std::vector<Piece> left;
+    for (Piece& piece : round.pieces) {
+      const bool covered = std::all_of(not_covered.begin(), not_covered.end(),
+                                       [&](const MPoly& p) { return piece.where.is_nonzero(p); });
+      if (covered && is_enough(round.system, set)) {
+        result_.strata.push_back({std::move(piece.where), std::move(piece.special),
+                                  StratumStatus::integrable, integrals_of(round.system, set)});
+        continue;
+      }
+      if (covered) note(piece, "first integrals", searched_text(set));
+      left.push_back(std::move(piece));
+    }
+    round.pieces = std::move(left);
+  }
+
+  std::vector<FoundIntegral> integrals_of(const System& s, const IntegralsOfSet& set) {
+    if (set.only_declared_relations)
+      add_once(result_.assumptions,
+               "the function symbols satisfy no algebraic relations but those declared");
+    if (!s.field.poisson) return set.integrals;
+    std::vector<FoundIntegral> integrals;
+    for (const std::size_t i : set.commuting)
+      integrals.push_back(set.integrals[i]);
+    return integrals;
+  }
+
+  // The whole set, as it was found: no excluded stratum meets it.
+  void integrable(const Round& round, const IntegralsOfSet& set, const Exclusion& where) {
+    const auto integrals = integrals_of(round.system, set);
+    const SetParts parts =
+        split_set(round.whole.where, where.zero, where.not_all_zero, may_vanish(round.system));
+    for (const ParameterSet& inside : parts.inside)
+      if (auto part = on_part(round.whole, inside))
+        result_.strata.push_back({std::move(part->where), std::move(part->special),
+                                  StratumStatus::integrable, integrals});
+  }
+
+  static std::string searched_text(const IntegralsOfSet& set) {
+    std::string known;
+    for (const FoundIntegral& f : set.integrals)
+      known +=
+          (known.empty() ? "" : ", ") + (f.hamiltonian ? std::string("H") : brief(f.value, 60));
+    const std::string text = set.searched + ": ";
+    const std::string others =
+        known.empty() ? "none found" : "none found beside functions of " + known;
+    if (!set.open.empty()) return text + others + " (" + set.open + ")";
+    return text + others +
+           (set.complete_for_smooth || set.complete ? ", and there is none of this kind" : "");
+  }
+
+  // Our own check: a theorem on integrals and one on variational equations cannot contradict.
+  void contradict_nothing(const Exclusion& where, const IntegralsOfSet& set, const System& s,
+                          std::size_t decided) const {
+    if (set.only_declared_relations) return;
+    for (std::size_t i = decided; i < result_.strata.size(); ++i) {
+      const ClassifiedStratum& x = result_.strata[i];
+      if (x.status != StratumStatus::excluded || !x.by.front().unchecked.empty()) continue;
+      const auto both = split_set(x.where, where.zero, where.not_all_zero, may_vanish(s)).inside;
+      for (const ParameterSet& common : both) {
+        const auto piece = on_part({x.where, x.special, {}}, common);
+        KOV_ENSURE(!piece || !piece->special.empty()); // integrable, and proved not to be
+      }
+    }
+  }
+
+  // ---- the next round
+
+  // Where equations hold the system is a special one, and all is done again.
+  void again(const Round& round, Piece piece) {
+    try {
+      const SolvedSet solved = solve(piece.where);
+      Substitution values;
+      for (const auto& [i, value] : solved.values)
+        if (is_parameter(round.system, i)) values[i] = value;
+      if (time_is_over()) note(piece, "the time limit was reached", "");
+      if (values.empty() || time_is_over()) return leave_open(std::move(piece));
+      System special = kov::at_values(round.system, values);
+      for (const MPoly& p : piece.where.inequations())
+        assume_nonzero(special, substitute(p, values));
+      const auto claims = kov::at_values(round.claims, values);
+      study({special, claims, at_values(round.levels, values, claims), std::move(piece)});
+    } catch (const DomainError& e) {
+      note(piece, "the equations of the parameters", e.what());
+      leave_open(std::move(piece));
+    } catch (const OutOfBudget& e) {
+      note(piece, "the equations of the parameters", e.what());
+      leave_open(std::move(piece));
+    }
+  }
+
+  static std::vector<KnownLevel> at_values(std::vector<KnownLevel> levels,
+                                           const Substitution& values,
+                                           const std::vector<ClaimReport>& claims) {
+    std::erase_if(levels,
+                  [&](const KnownLevel& l) { return l.claim && !claims[*l.claim].result.proved; });
+    for (KnownLevel& l : levels)
+      l.integral = substitute(l.integral, values);
+    return levels;
+  }
+
+  static bool is_parameter(const System& s, std::size_t i) {
+    const auto& all = s.field.parameters;
+    return std::find(all.begin(), all.end(), i) != all.end();
+  }
+
+  static void assume_nonzero(System& s, const MFraction& value) {
+    if (is_constant(value)) return;
+    Assumption a;
+    a.relation = Assumption::Relation::nonzero;
+    a.value = value;
+    s.assumptions.push_back(std::move(a));
+  }
+
+  void leave_open(Piece piece) {
+    ClassifiedStratum x{std::move(piece.where), std::move(piece.special), StratumStatus::open};
+    for (const Attempt& a : piece.tried)
+      x.open_after.push_back(a.what + (a.outcome.empty() ? "" : ": " + a.outcome));
+    result_.strata.push_back(std::move(x));
+  }
+
+  // ---- the theorem
+
+  void finish() {
+    for (const Assumption& a : system_.assumptions)
+      add_once(result_.assumptions, a.text);
+    for (const ClassifiedStratum& x : result_.strata)
+      for (const ExclusionReason& o : x.by) {
+        result_.excluded = std::max(result_.excluded.value_or(o.integrals), o.integrals);
+        for (const std::string& theorem : o.theorems)
+          add_once(result_.theorems, theorem);
+        add_once(result_.assumptions, o.unchecked);
+      }
+    for (const FunctionSymbol& f : system_.field.functions)
+      result_.functions.push_back(system_.ring()->name(f.variable));
+    const auto rank = [](const ClassifiedStratum& x) { return static_cast<int>(x.status); };
+    std::stable_sort(result_.strata.begin(), result_.strata.end(),
+                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    result_.seconds = seconds_since(start_);
+  }
+
+  ClassifyOptions options_;
+  System system_; ///< with names for levels
+  std::vector<ClaimReport> claims_;
+  std::vector<KnownLevel> levels_;
+  bool integrals_complete_ = false;
+  SystemClassification result_;
+  Clock::time_point start_;
+};
+
+} // namespace
+
+SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
+  return Composition(s, options).run();
+}
+
+} // namespace kov

@@ -1,0 +1,29 @@
+#pragma once
+// For which parameters is a system integrable?  One theorem for a whole file:
+//
+//   particular solutions (those of the file and those found) -> parameters that each excludes
+//          -> first integrals on what is left -> the same again where equations hold -> the theorem
+//
+// Source  docs/theory/classify.md
+
+#include "classify/classification.hpp"
+#include "integrability/check.hpp"
+
+namespace kov {
+
+struct ClassifyOptions {
+  CheckOptions check;           ///< its deadline is that of the whole
+  long degree = 4;              ///< of the first integrals that are looked for
+  bool search_solutions = true; ///< also manifolds that the file does not name
+};
+
+/// Every limit ends in open strata.
+/// Errors  InvalidArgument: contradictory assumptions, no such manifold
+/// Given   const System cubic = read_system(parse_document("system = {kind = 'hamiltonian', "
+///             "coordinates = ['x', 'y'], momenta = ['u', 'v'], parameters = ['a'], "
+///             "hamiltonian = '(u^2 + v^2)/2 + a*x^2*y + y^3/3'}", "cubic.toml"));
+/// Example conditions(classify_system(cubic).strata.back()).size()  // -> 2
+[[nodiscard]] SystemClassification classify_system(const System& s,
+                                                   const ClassifyOptions& options = {});
+
+} // namespace kov

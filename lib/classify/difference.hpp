@@ -1,0 +1,50 @@
+#pragma once
+// Conditions that no polynomial in the parameters can say: an exponent difference is special.
+//
+// "Abelian only if Delta is rational" excludes all parameters but those with special Delta.
+//
+// Source  docs/theory/classify.md (2)
+
+#include "integrals/stratum.hpp"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace kov {
+
+/// Some root of `squares` is special; or all of them are rational, where that is enough.
+///
+/// Given   const Ring ring = make_ring({"a"});
+/// Given   const MPoly a = MPoly::variable(ring, "a");
+/// Given   const ParameterSet all(ring, {0});
+/// Given   const DifferenceCondition integer{DifferenceCondition::Kind::integer, {a}};
+/// Example to_string(integer)  // -> sqrt(a) is an integer
+/// Example std::get<bool>(on_set(integer, all.where_zero(a - MPoly(ring, 4))))  // -> yes
+/// Example std::get<bool>(on_set(integer, all.where_zero(a - MPoly(ring, 3))))  // -> no
+struct DifferenceCondition {
+  enum class Kind : std::uint8_t {
+    rational,     ///< Delta in Q
+    half_integer, ///< 2 Delta in Z
+    integer,      ///< Delta in Z
+    odd_half      ///< Delta - 1/2 in Z
+  };
+  Kind kind = Kind::rational;
+  std::vector<MFraction> squares; ///< Delta^2 in the parameters; never empty
+  bool or_all_rational = false;
+  bool holds = true; ///< false: it is required that nothing of this is so
+
+  friend bool operator==(const DifferenceCondition&, const DifferenceCondition&) = default;
+};
+
+/// The condition at the points of a set: true or false where it is the same at all of them, and
+/// else what is left of it.
+[[nodiscard]] std::variant<bool, DifferenceCondition> on_set(const DifferenceCondition& c,
+                                                             const ParameterSet& where);
+/// a implies b, by its kind: proved.
+[[nodiscard]] bool implies(const DifferenceCondition& a, const DifferenceCondition& b);
+[[nodiscard]] DifferenceCondition negation(DifferenceCondition c);
+[[nodiscard]] std::string to_string(const DifferenceCondition& c);
+
+} // namespace kov

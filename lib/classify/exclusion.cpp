@@ -1,0 +1,312 @@
+#include "classify/exclusion.hpp"
+
+#include "decide/words.hpp"
+#include "exact/error.hpp"
+#include "strata/words.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+using strata::Stratum;
+
+// The conditions of a stratum with the levels eliminated.
+class Projection {
+public:
+  Projection(const System& s, const std::vector<std::size_t>& levels) : s_(s), levels_(levels) {}
+
+  // False: nothing is concluded.
+  bool take(const std::vector<Condition>& conditions) {
+    std::vector<MPoly> equations;
+    for (const Condition& c : conditions) {
+      if (c.sign != Sign::zero && c.sign != Sign::nonzero) return false;
+      const auto p = in_system(MFraction(c.p));
+      if (!p) return false;
+      (c.sign == Sign::zero ? equations : nonzero_).push_back(p->num());
+    }
+    return eliminate(std::move(equations));
+  }
+
+  /// f for the levels that were chosen; unset: it has another variable, or no value there.
+  [[nodiscard]] std::optional<MFraction> value(const MFraction& f) const {
+    const auto moved = in_system(f);
+    if (!moved) return std::nullopt;
+    try {
+      return substitute(*moved, chosen_);
+    } catch (const DomainError&) {
+      return std::nullopt;
+    }
+  }
+
+  /// Some level with p != 0: not all of these vanish.
+  [[nodiscard]] std::vector<MPoly> by_levels(const MPoly& p) const {
+    std::vector<MPoly> parts{p};
+    for (const std::size_t h : levels_) {
+      std::vector<MPoly> finer;
+      for (const MPoly& part : parts)
+        for (MPoly& c : coefficients(part, h))
+          if (!is_zero(c)) finer.push_back(std::move(c));
+      parts = std::move(finer);
+    }
+    return parts;
+  }
+  [[nodiscard]] bool has_level(const MFraction& f) const {
+    return std::any_of(levels_.begin(), levels_.end(), [&](std::size_t h) { return uses(f, h); });
+  }
+  [[nodiscard]] const std::vector<std::size_t>& levels() const { return levels_; }
+
+  [[nodiscard]] Exclusion result() const {
+    Exclusion e;
+    e.zero = zero_;
+    for (const MPoly& p : nonzero_)
+      e.not_all_zero.push_back(by_levels(p));
+    e.by.level = words();
+    return e;
+  }
+
+private:
+  [[nodiscard]] std::optional<MFraction> in_system(const MFraction& f) const {
+    for (const std::size_t i : used_variables(f)) {
+      const auto place = s_.ring()->find(f.ring()->name(i));
+      if (!place || !is_constant_of_the_system(*place)) return std::nullopt;
+    }
+    return transfer(f, s_.ring());
+  }
+  [[nodiscard]] bool is_constant_of_the_system(std::size_t i) const {
+    const auto in = [i](const std::vector<std::size_t>& all) {
+      return std::find(all.begin(), all.end(), i) != all.end();
+    };
+    return in(s_.field.parameters) || in(s_.field.constants);
+  }
+
+  // Equations with a level are solved for it: that is the level which is chosen.
+  bool eliminate(std::vector<MPoly> equations) {
+    while (!equations.empty()) {
+      const auto linear = std::find_if(equations.begin(), equations.end(),
+                                       [&](const MPoly& p) { return solvable(p).has_value(); });
+      if (linear == equations.end()) break;
+      const std::size_t h = *solvable(*linear);
+      const auto line = coefficients(*linear, h);
+      const MFraction root = -(MFraction(line[0]) / MFraction(line[1]));
+      equations.erase(linear);
+      nonzero_.push_back(line[1]);
+      if (!choose(h, root, equations)) return false;
+    }
+    zero_ = std::move(equations);
+    return std::none_of(zero_.begin(), zero_.end(),
+                        [&](const MPoly& p) { return has_level(MFraction(p)); });
+  }
+  [[nodiscard]] std::optional<std::size_t> solvable(const MPoly& p) const {
+    for (const std::size_t h : levels_)
+      if (degree(p, h) == 1) return h;
+    return std::nullopt;
+  }
+  bool choose(std::size_t h, const MFraction& root, std::vector<MPoly>& equations) {
+    const Substitution step{{h, root}};
+    for (auto& [other, value] : chosen_)
+      value = substitute(value, step);
+    chosen_[h] = root;
+    for (MPoly& p : equations)
+      p = substitute(p, step).num();
+    std::erase_if(equations, [](const MPoly& p) { return is_zero(p); });
+    for (MPoly& p : nonzero_) {
+      p = substitute(p, step).num();
+      if (is_zero(p)) return false; // no such level
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::string words() const {
+    std::string text;
+    for (const auto& [h, value] : chosen_)
+      text += (text.empty() ? "" : ", ") + s_.ring()->name(h) + " = " + to_factored_string(value);
+    return text;
+  }
+
+  const System& s_;
+  const std::vector<std::size_t>& levels_;
+  Substitution chosen_;
+  std::vector<MPoly> zero_, nonzero_;
+};
+
+using Kind = DifferenceCondition::Kind;
+
+/// A condition "abelian only if ..." in the parameters and levels.
+struct OnlyIf {
+  std::vector<MPoly> vanish;                     ///< these all do; empty: not required
+  std::optional<DifferenceCondition> difference; ///< or this
+};
+
+std::optional<MFraction> square_at(const strata::Leaf& leaf, strata::PlaceIndex i) {
+  const auto& chi = strata::place_at(*leaf.scheme, i).chi;
+  if (chi.size() != 2) return std::nullopt;
+  return -(chi[0] / chi[1]);
+}
+
+std::optional<DifferenceCondition> differences(const strata::Leaf& leaf, Kind kind,
+                                               const std::vector<strata::PlaceIndex>& places) {
+  DifferenceCondition c{kind, {}};
+  for (const auto i : places) {
+    auto square = square_at(leaf, i);
+    if (!square) return std::nullopt;
+    c.squares.push_back(*std::move(square));
+  }
+  if (c.squares.empty()) return std::nullopt;
+  return c;
+}
+
+std::optional<DifferenceCondition> some(const strata::Leaf& leaf,
+                                        const strata::SomeDifference& open) {
+  auto c = differences(leaf, Kind::half_integer, open.places);
+  if (!c || open.torus) return c;
+  if (c->squares.size() == 1)
+    c->kind = Kind::rational;
+  else
+    c->or_all_rational = true;
+  return c;
+}
+
+// What an undecided leaf says all the same; unset: nothing.
+std::optional<OnlyIf> only_if(const strata::Leaf& leaf) {
+  OnlyIf result;
+  const auto difference = [&](std::optional<DifferenceCondition> c) -> std::optional<OnlyIf> {
+    if (!c) return std::nullopt;
+    result.difference = std::move(c);
+    return result;
+  };
+  if (const auto* open = std::get_if<strata::SomeDifference>(&*leaf.open))
+    return difference(some(leaf, *open));
+  if (const auto* open = std::get_if<strata::RationalDifference>(&*leaf.open))
+    return difference(differences(leaf, Kind::rational, {open->place}));
+  if (const auto* open = std::get_if<strata::IntegralDifference>(&*leaf.open))
+    return difference(
+        differences(leaf, open->twice ? Kind::half_integer : Kind::integer, {open->place}));
+  if (std::holds_alternative<strata::IntegralNu>(*leaf.open))
+    if (const auto* bessel = strata::evidence<strata::BesselForm>(leaf))
+      return difference(DifferenceCondition{Kind::odd_half, {bessel->nu_squared}});
+  if (const auto* open = std::get_if<strata::MinorsVanish>(&*leaf.open)) {
+    result.vanish = open->together;
+    if (std::holds_alternative<long>(open->otherwise)) return std::nullopt;
+    if (const auto* or_this = std::get_if<strata::SomeDifference>(&open->otherwise))
+      return difference(some(leaf, *or_this));
+    return result;
+  }
+  return std::nullopt;
+}
+
+// Not all of them vanish, for some level.
+bool require_some(Exclusion& e, const Projection& p, const std::vector<MPoly>& vanish) {
+  if (vanish.empty()) return true;
+  std::vector<MPoly> parts;
+  for (const MPoly& f : vanish) {
+    const auto here = p.value(MFraction(f));
+    if (!here) return false;
+    if (is_zero(*here)) continue;
+    for (MPoly& c : p.by_levels(here->num()))
+      parts.push_back(std::move(c));
+  }
+  e.not_all_zero.push_back(std::move(parts)); // empty: they do vanish, and nothing is excluded
+  return true;
+}
+
+// Differences that depend on the level are not special for some level.
+bool require_no_difference(Exclusion& e, const Projection& p, const DifferenceCondition& c) {
+  DifferenceCondition left = c;
+  left.squares.clear();
+  for (const MFraction& square : c.squares) {
+    const auto here = p.value(square);
+    if (!here) return false;
+    if (!p.has_level(*here)) {
+      left.squares.push_back(*here);
+      continue;
+    }
+    left.or_all_rational = false;
+    std::vector<MPoly> changes;
+    for (const std::size_t h : p.levels())
+      if (const MFraction slope = derivative(*here, h); !is_zero(slope))
+        for (MPoly& k : p.by_levels(slope.num()))
+          changes.push_back(std::move(k));
+    e.not_all_zero.push_back(std::move(changes));
+  }
+  if (!left.squares.empty()) e.unless = std::move(left);
+  return true;
+}
+
+// The smaller class where the places are not known.
+ExcludedClass class_of(const strata::Leaf& leaf) {
+  const bool known = leaf.scheme || strata::evidence<strata::Number>(leaf) != nullptr;
+  return known && !strata::has_irregular_place(leaf) ? ExcludedClass::meromorphic
+                                                     : ExcludedClass::meromorphic_at_infinity;
+}
+
+std::optional<Exclusion> exclusion(const System& s, const Stratum& x,
+                                   const std::vector<std::size_t>& levels) {
+  const strata::Leaf& leaf = x.leaf;
+  std::optional<OnlyIf> open;
+  if (leaf.abelian == Truth::yes) return std::nullopt;
+  if (leaf.abelian == Truth::unknown) {
+    if (leaf.open) open = only_if(leaf);
+    if (!open) return std::nullopt;
+  }
+  Projection p(s, levels);
+  if (!p.take(x.conditions)) return std::nullopt;
+  Exclusion e = p.result();
+  if (open) {
+    if (!require_some(e, p, open->vanish)) return std::nullopt;
+    if (open->difference && !require_no_difference(e, p, *open->difference)) return std::nullopt;
+  }
+  e.by.reason = open ? strata::open_condition(leaf) : strata::reason(leaf);
+  e.by.integrals = class_of(leaf);
+  return e;
+}
+
+std::string names(const BlockReport& block) {
+  std::string text;
+  for (const std::string& u : block.unknowns)
+    text += (text.empty() ? "" : ", ") + u;
+  return text;
+}
+
+std::vector<Exclusion> of_block(const System& s, const BlockReport& block,
+                                const std::vector<std::size_t>& levels) {
+  std::vector<Exclusion> all;
+  if (block.strata) {
+    for (const Stratum& x : block.strata->strata)
+      if (auto e = exclusion(s, x, levels)) all.push_back(*std::move(e));
+  } else if (block.decision && block.abelian == Truth::no) {
+    Exclusion e;
+    e.by.reason = reason(*block.decision);
+    if (!block.equation || integral_class(block.equation->r) != IntegralClass::meromorphic)
+      e.by.integrals = ExcludedClass::meromorphic_at_infinity;
+    all.push_back(std::move(e));
+  }
+  for (Exclusion& e : all)
+    e.by.reason = "variation of " + names(block) + ": " + e.by.reason;
+  return all;
+}
+
+const LiteratureTheorem& theorem(const System& s) {
+  return s.field.poisson ? morales_ramis() : ayoul_zung();
+}
+
+} // namespace
+
+std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
+                                  const std::vector<std::size_t>& levels) {
+  std::vector<Exclusion> all;
+  for (const BlockReport& block : report.blocks)
+    for (Exclusion& e : of_block(s, block, levels)) {
+      e.by.solution = report.name;
+      e.by.unchecked = report.not_checked;
+      e.by.theorems = {theorem(s).name};
+      if (e.by.level.empty() && !levels.empty()) e.by.level = "all levels but special ones";
+      all.push_back(std::move(e));
+    }
+  // those without exceptions first: fewer conditions are left to be told
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Exclusion& a, const Exclusion& b) { return !a.unless && b.unless; });
+  return all;
+}
+
+} // namespace kov

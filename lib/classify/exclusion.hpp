@@ -1,0 +1,28 @@
+#pragma once
+// From the answer along one particular solution, in the parameters and the levels, to the
+// parameters that it excludes.
+//
+// One level is enough: a condition p(parameters, level) != 0 holds for some level unless all
+// coefficients of p vanish, and a difference that depends on the level is not special for all of
+// them.
+//
+// Source  docs/theory/classify.md (1, 2)
+
+#include "classify/classification.hpp"
+#include "integrability/check.hpp"
+
+namespace kov {
+
+/// The system is not integrable where all of this holds, in the ring of the system.
+struct Exclusion {
+  std::vector<MPoly> zero;
+  std::vector<std::vector<MPoly>> not_all_zero; ///< each a list
+  std::optional<DifferenceCondition> unless;    ///< except where this holds
+  ExclusionReason by;
+};
+
+/// All that the report proves.  levels: the parameters of which one may choose the value.
+[[nodiscard]] std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
+                                                const std::vector<std::size_t>& levels);
+
+} // namespace kov

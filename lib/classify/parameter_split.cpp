@@ -1,0 +1,157 @@
+#include "classify/parameter_split.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+using Sets = std::vector<ParameterSet>;
+
+void append(Sets& all, Sets more) { std::move(more.begin(), more.end(), std::back_inserter(all)); }
+
+// The set where p vanishes, one part for each irreducible factor, and the rest.
+struct Halves {
+  Sets zero, nonzero;
+};
+Halves halves(const ParameterSet& where, const MPoly& p, const MayVanish& may_vanish) {
+  const MFraction here = where.restrict(p);
+  if (is_zero(here)) return {{where}, {}};
+  ParameterSet rest = where;
+  Halves all;
+  for (const MFactor& f : factor(here.num()).second) {
+    if (!may_vanish(f.base)) continue;
+    if (auto zero = rest.where_zero(f.base); !zero.is_empty()) all.zero.push_back(std::move(zero));
+    rest = rest.where_nonzero(f.base);
+    if (rest.is_empty()) return all;
+  }
+  all.nonzero.push_back(std::move(rest));
+  return all;
+}
+
+} // namespace
+
+SetParts split_set(const ParameterSet& where, const std::vector<MPoly>& zero,
+                   const std::vector<std::vector<MPoly>>& not_all_zero,
+                   const MayVanish& may_vanish) {
+  SetParts parts{{where}, {}};
+  for (const MPoly& p : zero) {
+    Sets inside;
+    for (const ParameterSet& s : parts.inside) {
+      Halves h = halves(s, p, may_vanish);
+      append(inside, std::move(h.zero));
+      append(parts.outside, std::move(h.nonzero));
+    }
+    parts.inside = std::move(inside);
+  }
+  for (const auto& list : not_all_zero) {
+    Sets inside;
+    Sets rest = std::move(parts.inside);
+    for (const MPoly& p : list) {
+      Sets left;
+      for (const ParameterSet& s : rest) {
+        Halves h = halves(s, p, may_vanish);
+        append(inside, std::move(h.nonzero));
+        append(left, std::move(h.zero));
+      }
+      rest = std::move(left);
+    }
+    append(parts.outside, std::move(rest));
+    parts.inside = std::move(inside);
+  }
+  return parts;
+}
+
+std::vector<MPoly> inequations(const ParameterSet& where) {
+  std::vector<MPoly> all;
+  for (const MPoly& p : where.proper_inequations())
+    for (const MFactor& f : factor(where.restrict(p).num()).second)
+      if (std::find(all.begin(), all.end(), f.base) == all.end()) all.push_back(f.base);
+  return all;
+}
+
+namespace {
+
+bool same_elements(const std::vector<MPoly>& a, const std::vector<MPoly>& b) {
+  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const MPoly& p) {
+           return std::find(b.begin(), b.end(), p) != b.end();
+         });
+}
+
+bool same_set(const ParameterSet& a, const ParameterSet& b) {
+  return a.equations() == b.equations() && same_elements(inequations(a), inequations(b));
+}
+
+// The set with p != 0 among its conditions, without that one.
+ParameterSet without_inequation(const ParameterSet& s, const MPoly& p) {
+  ParameterSet larger = s.plain();
+  for (const MPoly& f : s.equations())
+    larger = larger.where_zero(f);
+  for (const MPoly& f : s.proper_inequations())
+    if (!(f == p)) larger = larger.where_nonzero(f);
+  return larger;
+}
+
+// The union, if the two are the halves of a set.
+std::optional<ParameterSet> union_of(const ParameterSet& zero, const ParameterSet& nonzero) {
+  for (const MPoly& p : nonzero.proper_inequations()) {
+    ParameterSet whole = without_inequation(nonzero, p);
+    if (same_set(whole.where_zero(p), zero)) return whole;
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+std::vector<ParameterSet> united(std::vector<ParameterSet> sets) {
+  for (std::size_t i = 0; i < sets.size(); ++i)
+    for (std::size_t j = 0; j < sets.size(); ++j) {
+      if (i == j) continue;
+      auto whole = union_of(sets[i], sets[j]);
+      if (!whole) continue;
+      sets[i] = *std::move(whole);
+      sets.erase(sets.begin() + static_cast<long>(j));
+      return united(std::move(sets));
+    }
+  return sets;
+}
+
+namespace {
+
+struct Line {
+  std::size_t equation = 0, variable = 0;
+};
+
+// An equation that is linear in a parameter; constant slopes first.
+std::optional<Line> linear_equation(const std::vector<MPoly>& equations,
+                                    const ParameterSet& where) {
+  for (const bool constant : {true, false})
+    for (std::size_t i = 0; i < equations.size(); ++i) {
+      const auto used = used_variables(equations[i]);
+      for (auto x = used.rbegin(); x != used.rend(); ++x) {
+        if (degree(equations[i], *x) != 1) continue;
+        const MPoly slope = coefficients(equations[i], *x)[1];
+        if (is_constant(slope) == constant && where.is_nonzero(slope)) return Line{i, *x};
+      }
+    }
+  return std::nullopt;
+}
+
+} // namespace
+
+SolvedSet solve(const ParameterSet& where) {
+  SolvedSet s{{}, where.equations()};
+  while (const auto line = linear_equation(s.left, where)) {
+    const auto c = coefficients(s.left[line->equation], line->variable);
+    const Substitution step{{line->variable, -(MFraction(c[0]) / MFraction(c[1]))}};
+    s.left.erase(s.left.begin() + static_cast<long>(line->equation));
+    for (auto& [i, value] : s.values)
+      value = substitute(value, step);
+    s.values.insert(*step.begin());
+    for (MPoly& p : s.left)
+      p = substitute(p, step).num();
+    std::erase_if(s.left, [](const MPoly& p) { return is_zero(p); });
+  }
+  return s;
+}
+
+} // namespace kov

@@ -1,0 +1,48 @@
+#pragma once
+// A set of parameter values cut along polynomials.
+
+#include "integrals/stratum.hpp"
+
+#include <functional>
+
+namespace kov {
+
+/// The parts are disjoint and not empty; together they are the set.
+struct SetParts {
+  std::vector<ParameterSet> inside, outside;
+};
+
+/// Those irreducible polynomials in the parameters that may vanish somewhere.
+using MayVanish = std::function<bool(const MPoly&)>;
+
+/// Inside: all of `zero` vanish, and of each list in `not_all_zero` some polynomial does not.
+/// Errors  OutOfBudget, of the sets
+/// Given   const Ring ring = make_ring({"a", "b"});
+/// Given   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b");
+/// Given   const ParameterSet all(ring, {0, 1});
+/// Given   const MayVanish any = [](const MPoly&) { return true; };
+/// Example split_set(all, {}, {{a, b}}, any).inside.size()  // -> 2
+/// Example split_set(all, {}, {{a, b}}, any).outside.size()  // -> 1
+/// Example split_set(all, {a*b}, {}, any).inside.size()  // -> 2
+[[nodiscard]] SetParts split_set(const ParameterSet& where, const std::vector<MPoly>& zero,
+                                 const std::vector<std::vector<MPoly>>& not_all_zero,
+                                 const MayVanish& may_vanish);
+
+/// What does not vanish on the set, each as a function on it; without what that says of nothing.
+/// Example inequations(all.where_zero(b).where_nonzero(a - b))  // -> {a}
+[[nodiscard]] std::vector<MPoly> inequations(const ParameterSet& where);
+
+/// Fewer sets with the same union: W with p = 0 and W with p != 0 are W.
+/// Example united({all.where_zero(a), all.where_nonzero(a)}).size()  // -> 1
+[[nodiscard]] std::vector<ParameterSet> united(std::vector<ParameterSet> sets);
+
+/// Parameters as rational functions of the others, from the equations of the set that are linear in
+/// one with a slope that vanishes nowhere there.  `left`: the equations that were not solved.
+struct SolvedSet {
+  Substitution values;
+  std::vector<MPoly> left;
+};
+/// Example to_string(solve(all.where_zero(a - b*b)).values.at(0))  // -> b^2
+[[nodiscard]] SolvedSet solve(const ParameterSet& where);
+
+} // namespace kov

@@ -1,0 +1,35 @@
+#pragma once
+// The particular solutions along which a system is studied: the manifolds of the file, and those
+// that find_manifolds() finds by itself, cut out by levels of known integrals.
+
+#include "integrability/check.hpp"
+
+namespace kov {
+
+/// A first integral with the parameter that names its level.
+struct KnownLevel {
+  MFraction integral;
+  std::size_t level = 0;
+  std::string text;                 ///< "H"
+  std::optional<std::size_t> claim; ///< of the file, that says so; unset: the Hamiltonian
+};
+
+/// A system with a name for the level of each integral that it states and that is proved.
+struct LevelledSystem {
+  System system;
+  std::vector<ClaimReport> claims; ///< in its ring
+  std::vector<KnownLevel> levels;
+};
+/// The parameters of the result begin with those of s, at the same places of the ring.
+[[nodiscard]] LevelledSystem with_levels(const System& s, std::vector<ClaimReport> claims);
+
+struct ParticularSolutions {
+  std::vector<ManifoldSpec> manifolds; ///< those of the file first; each set once
+  std::vector<std::string> left_out;   ///< searches that a limit ended, as sentences
+};
+/// search: also those that the file does not name.
+[[nodiscard]] ParticularSolutions particular_solutions(const System& s,
+                                                       const std::vector<KnownLevel>& levels,
+                                                       bool search, const Budget& budget);
+
+} // namespace kov

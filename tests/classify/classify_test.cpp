@@ -1,0 +1,163 @@
+// Published classifications, found without a hint; and no false alarm where systems are integrable.
+
+#include "classify/classify.hpp"
+
+#include "classify/darboux_points.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+
+System planar(const std::string& hamiltonian, const std::string& parameters = "",
+              const std::string& more = "") {
+  return read_system(parse_document(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+      "parameters = [" +
+          parameters + "]\nhamiltonian = '" + hamiltonian + "'\n" + more,
+      "test.toml"));
+}
+
+ClassifyOptions within(double seconds, long degree = 4) {
+  ClassifyOptions options;
+  options.check.decide.budget = Budget::of_seconds(seconds);
+  options.degree = degree;
+  return options;
+}
+
+using Point = std::map<std::string, Rational>;
+
+// Is the point in the stratum?
+bool contains(const ClassifiedStratum& s, const Point& point) {
+  ParameterSet there = s.where;
+  for (const auto& [name, value] : point) {
+    const MPoly x = MPoly::variable(there.ring(), name);
+    there = there.where_zero((MFraction(x) - MFraction(there.ring(), value)).num());
+  }
+  return !there.is_empty() && std::all_of(s.special.begin(), s.special.end(), [&](const auto& c) {
+    const auto here = on_set(c, there);
+    return std::holds_alternative<bool>(here) && std::get<bool>(here);
+  });
+}
+
+// What the theorem says there: each point is in exactly one stratum.
+std::string status_at(const SystemClassification& c, const Point& point) {
+  std::string status;
+  for (const ClassifiedStratum& s : c.strata)
+    if (contains(s, point)) status += (status.empty() ? "" : " and ") + to_string(s.status);
+  return status;
+}
+
+std::vector<std::vector<std::string>> strata_with(const SystemClassification& c,
+                                                  StratumStatus status) {
+  std::vector<std::vector<std::string>> all;
+  for (const ClassifiedStratum& s : c.strata)
+    if (s.status == status) all.push_back(conditions(s));
+  return all;
+}
+
+TEST(Classify, EigenvalueChoicesAreThoseOfTheLiterature) {
+  using Choice = std::vector<Rational>;
+  EXPECT_THAT(eigenvalue_choices(3, 3, -1),
+              UnorderedElementsAre(Choice{-1, -1, 1}, Choice{Rational(-7, 8), 14, 14},
+                                   Choice{Rational(-2, 3), Rational(7, 3), 14},
+                                   Choice{Rational(-2, 3), 4, 4}));
+  EXPECT_THAT(eigenvalue_choices(4, 4, -1),
+              UnorderedElementsAre(Choice{-1, -1, 2, 2}, Choice{Rational(-5, 8), 2, 14, 35},
+                                   Choice{Rational(-5, 8), 2, 20, 20},
+                                   Choice{Rational(-5, 8), Rational(27, 8), Rational(27, 8), 135},
+                                   Choice{Rational(-5, 8), 5, 5, 5}));
+  EXPECT_THAT(eigenvalue_choices(3, 2, -1), testing::IsEmpty());
+  EXPECT_THAT(eigenvalue_choices(3, 1, -1), ElementsAre(Choice{-1}));
+}
+
+TEST(Classify, HenonHeiles) {
+  const auto c = classify_system(
+      planar("(u^2 + v^2 + A*x^2 + B*y^2)/2 + x^2*y + b/3*y^3", "'A', 'B', 'b'"), within(60));
+  const auto at = [&](const Rational& a, const Rational& b, const Rational& beta) {
+    return status_at(c, {{"A", a}, {"B", b}, {"b", beta}});
+  };
+  for (const auto& [a, b] : {std::pair(1, 1), std::pair(2, 5), std::pair(0, 0), std::pair(0, 1)})
+    EXPECT_EQ(at(a, b, 6), "integrable") << a << ' ' << b;
+  EXPECT_EQ(at(3, 3, 1), "integrable");
+  EXPECT_EQ(at(1, 16, 16), "integrable");
+  EXPECT_EQ(at(0, 0, 16), "integrable");
+  for (const auto& beta : {Rational(-1), Rational(3), Rational(0), Rational(16, 5), Rational(3, 5)})
+    EXPECT_EQ(at(1, 1, beta), "excluded") << to_string(beta);
+  EXPECT_EQ(at(1, 1, 16), "excluded");
+  // the first variational equations are abelian there
+  EXPECT_EQ(at(1, 2, 1), "open");
+  EXPECT_EQ(at(1, 1, 2), "open");
+  EXPECT_EQ(c.excluded, ExcludedClass::rational);
+}
+
+TEST(Classify, OneLevelIsEnough) {
+  // the published statement is about k + a != 0, and names no energy
+  const auto c = classify_system(
+      planar("(u^2 + v^2 + x^2 + y^2)/2 + a*x^2*y^2", "'a', 'h'",
+             "[[manifold]]\nname = 'diagonal'\nequations = ['x = y', 'u = v']\nlevel = 'H = h'\n"),
+      within(60));
+  EXPECT_EQ(status_at(c, {{"a", 0}}), "integrable");
+  EXPECT_EQ(status_at(c, {{"a", 1}}), "excluded");
+  EXPECT_EQ(status_at(c, {{"a", -3}}), "excluded");
+  EXPECT_EQ(c.status(), ClassificationStatus::depends);
+  for (const ClassifiedStratum& s : c.strata) // h is no parameter of the theorem
+    for (const std::string& condition : conditions(s))
+      EXPECT_EQ(condition.find('h'), std::string::npos) << condition;
+}
+
+TEST(Classify, IntegrableSystemsRaiseNoAlarm) {
+  const std::vector<std::string> integrable = {
+      "(u^2 + v^2)/2 + x^3/3 + a*y^3",
+      "(u^2 + v^2)/2 + x^4 + 6*x^2*y^2 + y^4 + a*(x^2 + y^2)",
+      "(u^2 + v^2)/2 + x^4 + 12*x^2*y^2 + 16*y^4 + a*(x^2 + 4*y^2)",
+      "(u^2 + v^2)/2 + (x^2 + y^2)^2 + a*(x^2 + y^2)",
+      "(u^2 + v^2)/2 + x^2*y + 2*y^3 + a*x^2",
+      "(u^2 + v^2)/2 + x^2*y + 16/3*y^3 + a*(x^2 + 16*y^2)/2",
+      "(u^2 + v^2)/2 + a*(x^2 + 4*y^2) + 1/x^2",
+      "(u^2 + v^2)/2 + a*x*y"};
+  for (const std::string& h : integrable) {
+    const auto c = classify_system(planar(h, "'a'"), within(30));
+    EXPECT_THAT(strata_with(c, StratumStatus::excluded), testing::IsEmpty()) << h;
+  }
+}
+
+TEST(Classify, StrataAreDisjointAndCover) {
+  const auto c = classify_system(planar("(u^2 + v^2)/2 + b*x^3/3 + c*x^2*y/2 + y^3/3", "'b', 'c'"),
+                                 within(60));
+  for (long b = -2; b <= 2; ++b)
+    for (const Rational& value : {Rational(0), Rational(1), Rational(2), Rational(1, 3),
+                                  Rational(1, 8), Rational(5), Rational(-3)}) {
+      const std::string status = status_at(c, {{"b", b}, {"c", value}});
+      EXPECT_THAT(status, testing::AnyOf("integrable", "excluded", "open"))
+          << b << ' ' << to_string(value);
+    }
+  EXPECT_EQ(status_at(c, {{"b", 0}, {"c", Rational(1, 8)}}), "integrable");
+  EXPECT_EQ(status_at(c, {{"b", 0}, {"c", Rational(1, 3)}}), "integrable");
+  EXPECT_EQ(status_at(c, {{"b", 1}, {"c", 3}}), "excluded");
+}
+
+TEST(Classify, WithAllParametersGivenThereIsOneStatus) {
+  const auto status = [](const std::string& h) {
+    return classify_system(planar(h), within(30)).status();
+  };
+  EXPECT_EQ(status("(u^2 + v^2)/2 + x^2*y - y^3/3"), ClassificationStatus::non_integrable);
+  EXPECT_EQ(status("(u^2 + v^2)/2 + x^2*y + 2*y^3"), ClassificationStatus::integrable);
+  EXPECT_EQ(status("(u^2 + v^2 + x^2 + 2*y^2)/2 + x^2*y + y^3/3"), ClassificationStatus::open);
+}
+
+// A limit is never a verdict.
+TEST(Classify, WithoutTimeAllIsOpen) {
+  ClassifyOptions options;
+  options.check.decide.budget = Budget::of_seconds(0);
+  const auto c = classify_system(planar("(u^2 + v^2)/2 + x^2*y + b*y^3", "'b'"), options);
+  for (const ClassifiedStratum& s : c.strata)
+    EXPECT_EQ(s.status, StratumStatus::open);
+}
+
+} // namespace
+} // namespace kov
