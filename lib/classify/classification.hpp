@@ -48,6 +48,7 @@ enum class ClassificationStatus : std::uint8_t { integrable, non_integrable, ope
 struct SystemClassification {
   std::vector<ClassifiedStratum> strata; ///< disjoint; they cover all parameters
   std::vector<std::string> assumptions;  ///< under which all of this is proved
+  std::vector<MPoly> nonzero;            ///< those of them that say what does not vanish
   std::vector<std::string> theorems;     ///< of the literature that are used
   /// The smallest class that is used; unset where nothing is excluded.
   std::optional<ExcludedClass> excluded;
@@ -64,7 +65,8 @@ struct SystemClassification {
 /// "b = 6", "b = 1, A = B": the strata with one of these, in few pieces.
 [[nodiscard]] std::vector<std::string> places(const SystemClassification& c,
                                               const std::vector<StratumStatus>& wanted);
-/// The conditions of a stratum, each as text; empty: all parameters.
-[[nodiscard]] std::vector<std::string> conditions(const ClassifiedStratum& s);
+/// The conditions of a stratum besides the assumptions, each as text; empty: all parameters.
+[[nodiscard]] std::vector<std::string> conditions(const SystemClassification& c,
+                                                  const ClassifiedStratum& s);
 
 } // namespace kov

@@ -112,7 +112,7 @@ private:
     return s;
   }
 
-  ParameterSet all_parameters() const {
+  ParameterSet all_parameters() {
     const auto levels = level_parameters(system_);
     std::vector<std::size_t> parameters = system_.field.constants;
     for (const std::size_t i : system_.field.parameters)
@@ -130,15 +130,41 @@ private:
     for (const MPoly& p : system_.field.relations)
       if (in_parameters(p)) all = all.where_zero(p);
     for (const Assumption& a : system_.assumptions) {
-      const MPoly p = a.value.num();
       using Relation = Assumption::Relation;
-      if (a.relation == Relation::zero) all = all.where_zero(p);
+      if (a.relation == Relation::zero) all = all.where_zero(a.value.num());
       if (a.relation == Relation::nonzero || a.relation == Relation::positive)
-        all = all.where_nonzero(p);
-      if (!is_constant(a.value.den())) all = all.where_nonzero(a.value.den());
+        keep_nonzero(a.value.num(), "", all);
+      keep_nonzero(a.value.den(), "", all);
     }
+    for (const MPoly& den : denominators(system_.field))
+      for (const MFactor& f : factor(den).second)
+        if (in_parameters(f.base) && !all.is_nonzero(f.base))
+          keep_nonzero(f.base, to_string(f.base) + " != 0", all);
     if (all.is_empty()) throw InvalidArgument("no parameter values satisfy the assumptions");
     return all;
+  }
+
+  // Not everywhere is there a system.
+  static std::vector<MPoly> denominators(const VectorField& v) {
+    std::vector<MPoly> all;
+    const auto add = [&](const MFraction& f) {
+      if (!is_zero(f)) all.push_back(f.den());
+    };
+    for (const MFraction& f : v.components)
+      add(f);
+    for (const FunctionSymbol& symbol : v.functions)
+      for (const MFraction& f : symbol.gradient)
+        add(f);
+    if (v.hamiltonian) add(*v.hamiltonian);
+    return all;
+  }
+
+  // told: as an assumption, if it is none of the file.
+  void keep_nonzero(const MPoly& p, const std::string& told, ParameterSet& all) {
+    for (const MFactor& f : factor(p).second)
+      result_.nonzero.push_back(f.base);
+    all = all.where_nonzero(p);
+    add_once(result_.assumptions, told);
   }
 
   static MayVanish may_vanish(const System& s) {

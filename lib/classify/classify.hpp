@@ -22,7 +22,7 @@ struct ClassifyOptions {
 /// Given   const System cubic = read_system(parse_document("system = {kind = 'hamiltonian', "
 ///             "coordinates = ['x', 'y'], momenta = ['u', 'v'], parameters = ['a'], "
 ///             "hamiltonian = '(u^2 + v^2)/2 + a*x^2*y + y^3/3'}", "cubic.toml"));
-/// Example conditions(classify_system(cubic).strata.back()).size()  // -> 2
+/// Example to_string(classify_system(cubic).strata.front().status)  // -> integrable
 [[nodiscard]] SystemClassification classify_system(const System& s,
                                                    const ClassifyOptions& options = {});
 

@@ -61,11 +61,13 @@ ClassificationStatus SystemClassification::status() const {
 
 namespace {
 
-void add_conditions(const ParameterSet& where, std::vector<std::string>& all) {
+void add_conditions(const SystemClassification& c, const ParameterSet& where,
+                    std::vector<std::string>& all) {
   for (const MPoly& p : where.equations())
     all.push_back(to_string(Condition{p, Sign::zero}));
   for (const MPoly& p : inequations(where))
-    all.push_back(to_string(Condition{p, Sign::nonzero}));
+    if (std::find(c.nonzero.begin(), c.nonzero.end(), p) == c.nonzero.end())
+      all.push_back(to_string(Condition{p, Sign::nonzero}));
 }
 
 std::string joined(const std::vector<std::string>& all) {
@@ -77,11 +79,11 @@ std::string joined(const std::vector<std::string>& all) {
 
 } // namespace
 
-std::vector<std::string> conditions(const ClassifiedStratum& s) {
+std::vector<std::string> conditions(const SystemClassification& c, const ClassifiedStratum& s) {
   std::vector<std::string> all;
-  add_conditions(s.where, all);
-  for (const DifferenceCondition& c : s.special)
-    all.push_back(to_string(c));
+  add_conditions(c, s.where, all);
+  for (const DifferenceCondition& x : s.special)
+    all.push_back(to_string(x));
   return all;
 }
 
@@ -94,11 +96,11 @@ std::vector<std::string> places(const SystemClassification& c,
     if (s.special.empty())
       plain.push_back(s.where);
     else
-      others.push_back(joined(conditions(s)));
+      others.push_back(joined(conditions(c, s)));
   }
   for (const ParameterSet& where : united(std::move(plain))) {
     std::vector<std::string> one;
-    add_conditions(where, one);
+    add_conditions(c, where, one);
     all.push_back(joined(one));
   }
   std::move(others.begin(), others.end(), std::back_inserter(all));

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace kov {
 namespace {
 
@@ -56,7 +58,7 @@ std::vector<std::vector<std::string>> strata_with(const SystemClassification& c,
                                                   StratumStatus status) {
   std::vector<std::vector<std::string>> all;
   for (const ClassifiedStratum& s : c.strata)
-    if (s.status == status) all.push_back(conditions(s));
+    if (s.status == status) all.push_back(conditions(c, s));
   return all;
 }
 
@@ -106,7 +108,7 @@ TEST(Classify, OneLevelIsEnough) {
   EXPECT_EQ(status_at(c, {{"a", -3}}), "excluded");
   EXPECT_EQ(c.status(), ClassificationStatus::depends);
   for (const ClassifiedStratum& s : c.strata) // h is no parameter of the theorem
-    for (const std::string& condition : conditions(s))
+    for (const std::string& condition : conditions(c, s))
       EXPECT_EQ(condition.find('h'), std::string::npos) << condition;
 }
 
@@ -148,6 +150,27 @@ TEST(Classify, WithAllParametersGivenThereIsOneStatus) {
   EXPECT_EQ(status("(u^2 + v^2)/2 + x^2*y - y^3/3"), ClassificationStatus::non_integrable);
   EXPECT_EQ(status("(u^2 + v^2)/2 + x^2*y + 2*y^3"), ClassificationStatus::integrable);
   EXPECT_EQ(status("(u^2 + v^2 + x^2 + 2*y^2)/2 + x^2*y + y^3/3"), ClassificationStatus::open);
+}
+
+// What is said of all parameters and what is said of one value must agree.
+TEST(Classify, OneValueNeverContradictsAllOfThem) {
+  std::mt19937 random(11);
+  const auto coefficient = [&] { return std::to_string(static_cast<long>(random() % 5) - 2); };
+  for (int k = 0; k < 6; ++k) {
+    const std::string h = "(u^2 + v^2)/2 + " + coefficient() + "*(x^2 + a*y^2) + " + coefficient() +
+                          "*x^2*y + a*y^3 + " + (k % 2 == 0 ? "0" : coefficient()) + "*x^2*y^2";
+    const auto all = classify_system(planar(h, "'a'"), within(20, 2));
+    for (const long a : {-2, 0, 1, 2}) {
+      std::string special = h;
+      for (auto at = special.find('a'); at != std::string::npos; at = special.find('a'))
+        special.replace(at, 1, "(" + std::to_string(a) + ")");
+      const std::string general = status_at(all, {{"a", a}});
+      const auto one = classify_system(planar(special), within(20, 2)).status();
+      EXPECT_FALSE(general == "integrable" && one == ClassificationStatus::non_integrable)
+          << h << a;
+      EXPECT_FALSE(general == "excluded" && one == ClassificationStatus::integrable) << h << a;
+    }
+  }
 }
 
 // A limit is never a verdict.

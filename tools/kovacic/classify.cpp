@@ -26,8 +26,8 @@ std::string joined(const std::vector<std::string>& all, const std::string& betwe
   return text;
 }
 
-std::string where_text(const ClassifiedStratum& s) {
-  const std::string text = joined(conditions(s), ", ");
+std::string where_text(const SystemClassification& c, const ClassifiedStratum& s) {
+  const std::string text = joined(conditions(c, s), ", ");
   return text.empty() ? "all parameters" : text;
 }
 
@@ -94,8 +94,8 @@ std::string reason_of(const ExclusionReason& o) {
   return "along " + o.solution + (o.level.empty() ? "" : " (" + o.level + ")") + ": " + o.reason;
 }
 
-void print(const ClassifiedStratum& s, std::ostream& out) {
-  put(out, to_string(s.status), where_text(s));
+void print(const SystemClassification& c, const ClassifiedStratum& s, std::ostream& out) {
+  put(out, to_string(s.status), where_text(c, s));
   std::string with;
   for (const FoundIntegral& f : s.integrals)
     with += (with.empty() ? "with " : ", ") + (f.hamiltonian ? "H" : to_string(f.value));
@@ -115,7 +115,7 @@ void print_excluded(const SystemClassification& c, std::ostream& out) {
     std::string where;
     for (const ClassifiedStratum& x : c.strata)
       if (x.status == StratumStatus::excluded && reason_of(x.by.front()) == reason)
-        where += (where.empty() ? "" : "; or ") + where_text(x);
+        where += (where.empty() ? "" : "; or ") + where_text(c, x);
     put(out, "excluded", where);
     put_below(out, reason);
   }
@@ -129,7 +129,7 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
   if (!quiet)
     for (const ClassifiedStratum& x : c.strata)
-      if (x.status != StratumStatus::excluded) print(x, out);
+      if (x.status != StratumStatus::excluded) print(c, x, out);
   if (!quiet) print_excluded(c, out);
   if (!c.theorems.empty()) put(out, "by", joined(c.theorems, ", "));
   if (verbose)
@@ -138,7 +138,7 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
   return out.str();
 }
 
-Json json_of(const ClassifiedStratum& s) {
+Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
   Json integrals = Json::array();
   for (const FoundIntegral& f : s.integrals)
     integrals.push_back({{"value", to_string(f.value)},
@@ -152,7 +152,7 @@ Json json_of(const ClassifiedStratum& s) {
                   {"level", o.level.empty() ? Json(nullptr) : Json(o.level)},
                   {"reason", o.reason},
                   {"integrals_class", to_string(o.integrals)}});
-  return {{"conditions", conditions(s)},
+  return {{"conditions", conditions(c, s)},
           {"status", to_string(s.status)},
           {"integrals", integrals},
           {"by", by},
@@ -162,7 +162,7 @@ Json json_of(const ClassifiedStratum& s) {
 Json json_of(const System& s, const SystemClassification& c) {
   Json strata = Json::array();
   for (const ClassifiedStratum& x : c.strata)
-    strata.push_back(json_of(x));
+    strata.push_back(json_of(c, x));
   return {{"format", "kovacic-classification/1"},
           {"file", s.file},
           {"status", to_string(c.status())},

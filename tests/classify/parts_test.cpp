@@ -1,0 +1,101 @@
+// The pieces of a classification: sets cut along polynomials, and conditions on differences.
+
+#include "classify/difference.hpp"
+#include "classify/parameter_split.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using Kind = DifferenceCondition::Kind;
+
+class Parts : public testing::Test {
+protected:
+  Ring ring_ = make_ring({"a", "b", "h"});
+  MPoly a_ = MPoly::variable(ring_, "a"), b_ = MPoly::variable(ring_, "b");
+  ParameterSet all_{ring_, {0, 1}};
+  MayVanish any_ = [](const MPoly&) { return true; };
+
+  MPoly number(long n) const { return MPoly(ring_, Integer(n)); }
+  // In how many of the sets is the point?
+  int count(const std::vector<ParameterSet>& sets, long a, long b) const {
+    int n = 0;
+    for (const ParameterSet& s : sets)
+      if (!s.where_zero(a_ - number(a)).where_zero(b_ - number(b)).is_empty()) ++n;
+    return n;
+  }
+};
+
+TEST_F(Parts, EachPointIsInOnePart) {
+  const SetParts parts = split_set(all_, {a_ * b_}, {{a_ - b_, a_ * a_ - number(4)}, {b_}}, any_);
+  for (long a = -3; a <= 3; ++a)
+    for (long b = -3; b <= 3; ++b) {
+      const bool inside = a * b == 0 && (a != b || a * a != 4) && b != 0;
+      EXPECT_EQ(count(parts.inside, a, b), inside ? 1 : 0) << a << ' ' << b;
+      EXPECT_EQ(count(parts.outside, a, b), inside ? 0 : 1) << a << ' ' << b;
+    }
+}
+
+TEST_F(Parts, WhatCannotVanishIsNoCut) {
+  const MayVanish none = [](const MPoly&) { return false; };
+  EXPECT_TRUE(split_set(all_, {a_}, {}, none).inside.empty());
+  EXPECT_EQ(split_set(all_, {}, {{a_}}, none).inside.size(), 1U);
+}
+
+TEST_F(Parts, HalvesAreUnited) {
+  const ParameterSet line = all_.where_zero(a_ - number(1));
+  const auto one = united({line.where_zero(b_), line.where_nonzero(b_).where_nonzero(b_ - a_),
+                           line.where_zero(b_ - number(1))});
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(one.front().equations(), line.equations());
+  EXPECT_TRUE(inequations(one.front()).empty());
+  EXPECT_EQ(united({line.where_zero(b_), line.where_nonzero(b_ - a_).where_nonzero(b_)}).size(),
+            1U);
+  EXPECT_EQ(united({all_.where_zero(a_), line.where_nonzero(a_)}).size(), 2U);
+}
+
+TEST_F(Parts, EquationsAreSolvedForParameters) {
+  const SolvedSet s = solve(all_.where_nonzero(b_).where_zero(a_ * b_ - number(1)));
+  ASSERT_EQ(s.values.size(), 1U);
+  EXPECT_TRUE(s.left.empty());
+  EXPECT_EQ(solve(all_.where_zero(a_ * a_ - number(2))).left.size(), 1U);
+  EXPECT_EQ(solve(all_.where_zero(a_ * b_ * b_ - number(0) - b_ * b_ * b_ * b_)).left.size(), 1U);
+}
+
+TEST_F(Parts, DifferencesAtNumbers) {
+  const auto at = [&](Kind kind, const Rational& square, bool holds = true) {
+    const ParameterSet there = all_.where_zero((MFraction(a_) - MFraction(ring_, square)).num());
+    return std::get<bool>(on_set({kind, {a_}, false, holds}, there));
+  };
+  EXPECT_TRUE(at(Kind::rational, Rational(4, 9)));
+  EXPECT_FALSE(at(Kind::rational, Rational(2)));
+  EXPECT_FALSE(at(Kind::rational, Rational(-4)));
+  EXPECT_TRUE(at(Kind::half_integer, Rational(9, 4)));
+  EXPECT_FALSE(at(Kind::half_integer, Rational(1, 9)));
+  EXPECT_TRUE(at(Kind::integer, Rational(0)));
+  EXPECT_FALSE(at(Kind::integer, Rational(1, 4)));
+  EXPECT_TRUE(at(Kind::odd_half, Rational(25, 4)));
+  EXPECT_FALSE(at(Kind::odd_half, Rational(4)));
+  EXPECT_FALSE(at(Kind::rational, Rational(4, 9), false));
+}
+
+// "Some 2 Delta is an integer, or all are rational."
+TEST_F(Parts, SeveralDifferences) {
+  const DifferenceCondition c{Kind::half_integer, {a_, b_}, true};
+  const auto where = [&](const Rational& a) {
+    return all_.where_zero((MFraction(a_) - MFraction(ring_, a)).num());
+  };
+  EXPECT_TRUE(std::get<bool>(on_set(c, where(1))));
+  const auto rational = std::get<DifferenceCondition>(on_set(c, where(Rational(1, 9))));
+  EXPECT_TRUE(rational.or_all_rational);
+  EXPECT_EQ(rational.squares.size(), 1U);
+  const auto irrational = std::get<DifferenceCondition>(on_set(c, where(2)));
+  EXPECT_FALSE(irrational.or_all_rational);
+  EXPECT_TRUE(implies(irrational, {Kind::rational, {b_}}));
+  EXPECT_FALSE(implies({Kind::rational, {b_}}, irrational));
+}
+
+} // namespace
+} // namespace kov
