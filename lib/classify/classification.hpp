@@ -26,6 +26,8 @@ struct ExclusionReason {
   std::string reason;
   ExcludedClass integrals = ExcludedClass::meromorphic;
   std::vector<std::string> theorems = {}; ///< of the literature
+  /// Integrals that contain these coordinates or symbols are not excluded.
+  std::vector<std::string> without = {};
   std::string unchecked; ///< a hypothesis that is not proved, as a sentence; or empty
   friend bool operator==(const ExclusionReason&, const ExclusionReason&) = default;
 };
@@ -53,6 +55,7 @@ struct SystemClassification {
   /// The smallest class that is used; unset where nothing is excluded.
   std::optional<ExcludedClass> excluded;
   std::vector<std::string> functions; ///< the class is one in the coordinates and these symbols
+  std::vector<std::string> without;   ///< but not in these
   bool liouville = true; ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
   std::vector<std::pair<std::string, double>> stages; ///< what took how many seconds
   double seconds = 0;

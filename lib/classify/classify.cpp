@@ -489,6 +489,8 @@ private:
         for (const std::string& theorem : o.theorems)
           add_once(result_.theorems, theorem);
         add_once(result_.assumptions, o.unchecked);
+        for (const std::string& name : o.without)
+          add_once(result_.without, name);
       }
     for (const FunctionSymbol& f : system_.field.functions)
       result_.functions.push_back(system_.ring()->name(f.variable));

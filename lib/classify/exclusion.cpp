@@ -295,8 +295,13 @@ const LiteratureTheorem& theorem(const System& s) {
 std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
                                   const std::vector<std::size_t>& levels) {
   std::vector<Exclusion> all;
+  std::vector<std::string> without;
+  if (report.manifold)
+    for (const std::size_t i : moving_and_left_out(s, *report.manifold))
+      without.push_back(s.ring()->name(i));
   for (const BlockReport& block : report.blocks)
     for (Exclusion& e : of_block(s, block, levels)) {
+      e.by.without = without;
       e.by.solution = report.name;
       e.by.unchecked = report.not_checked;
       e.by.theorems = {theorem(s).name};

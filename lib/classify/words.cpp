@@ -1,6 +1,7 @@
 #include "classify/classification.hpp"
 
 #include "classify/parameter_split.hpp"
+#include "integrability/integral_class.hpp"
 #include "parameters/conditions.hpp"
 
 #include <algorithm>
@@ -18,18 +19,28 @@ std::string to_string(ExcludedClass c) {
   case ExcludedClass::meromorphic:
     return "meromorphic";
   case ExcludedClass::meromorphic_at_infinity:
-    return "meromorphic also at the points at infinity of the phase curve";
+    return to_string(IntegralClass::meromorphic_at_infinity);
   default:
     return "rational";
   }
 }
 
+namespace {
+
+std::string listed(const std::vector<std::string>& all, const std::string& first) {
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? first : ", ") + one;
+  return text;
+}
+
+} // namespace
+
 std::string integrals_class(const SystemClassification& c) {
   if (!c.excluded) return "";
-  std::string names;
-  for (const std::string& f : c.functions)
-    names += (names.empty() ? " (in the coordinates and " : ", ") + f;
-  return to_string(*c.excluded) + names + (names.empty() ? "" : ")");
+  const std::string in = listed(c.functions, " (in the coordinates and ");
+  return to_string(*c.excluded) + in + (in.empty() ? "" : ")") +
+         listed(c.without, " and do not contain ");
 }
 
 std::string to_string(ClassificationStatus s) {

@@ -85,6 +85,8 @@ bool moves(const System& s, const InvariantManifold& m, std::size_t variable) {
   }
 }
 
+} // namespace
+
 // Coordinates and functions: a logarithm that nothing contains is left out like an angle.
 std::vector<std::size_t> moving_and_left_out(const System& s, const InvariantManifold& m) {
   std::vector<std::size_t> all;
@@ -98,8 +100,6 @@ std::vector<std::size_t> moving_and_left_out(const System& s, const InvariantMan
     look_at(f.variable);
   return all;
 }
-
-} // namespace
 
 ExcludedIntegrals excluded_integrals(const System& s, const ManifoldReport& report) {
   // Loops on the curve itself, but for coordinates that are left out.

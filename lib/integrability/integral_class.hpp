@@ -14,6 +14,7 @@ namespace kov {
 
 struct System;
 struct ManifoldReport;
+struct InvariantManifold;
 
 /// Meromorphic near the phase curve, and where a place of r is irregular also at the points that its
 /// closure adds: at infinity, and at equilibria.
@@ -33,6 +34,9 @@ struct ExcludedIntegrals {
   /// depends: integrals that contain them are not excluded.
   std::vector<std::size_t> without;
 };
+/// Those coordinates and symbols, whatever is excluded.
+[[nodiscard]] std::vector<std::size_t> moving_and_left_out(const System& s,
+                                                           const InvariantManifold& m);
 [[nodiscard]] ExcludedIntegrals excluded_integrals(const System& s, const ManifoldReport& report);
 
 } // namespace kov
