@@ -103,6 +103,7 @@ struct PlanarPotential {
   long k = 0;
   bool homogeneous = false;
   std::size_t x = 0, y = 0;
+  MPoly mass; ///< H = c p^2 + V with c = 0 where this vanishes: nothing is said there
 };
 
 long degree_in(const std::vector<unsigned long>& e, std::size_t x, std::size_t y) {
@@ -135,6 +136,8 @@ std::optional<PlanarPotential> planar_potential(const System& s) {
   PlanarPotential p;
   p.x = s.field.coordinates[0];
   p.y = s.field.coordinates[1];
+  const std::size_t p1 = s.field.coordinates[2];
+  p.mass = derivative(derivative(*s.field.hamiltonian, p1), p1).num();
   const MPoly num = potential->num();
   for (long t = 0; t < num.length(); ++t)
     p.k = std::max(p.k, degree_in(num.exponents(t), p.x, p.y));
@@ -288,6 +291,7 @@ std::optional<Exclusion> exclusion(const System& s, const PlanarPotential& p, co
   const long points = static_cast<long>(chi.size()) - 1;
   const auto choices =
       eigenvalue_choices(p.k, points, Rational(-p.k, p.k - 2 * c.isotropic), budget);
+  if (!is_constant(p.mass)) e.not_all_zero.push_back({p.mass});
   for (const MPoly& f : conditions)
     e.not_all_zero.push_back({back(f, s.ring())});
   for (const auto& choice : choices) {

@@ -47,7 +47,7 @@ bool is_identifier(const std::string& name) {
                      [](char c) { return is_letter(c) || (c >= '0' && c <= '9'); });
 }
 
-std::string quoted(const std::string& name) {
+std::string name_in_words(const std::string& name) {
   if (is_identifier(name)) return name;
   std::string inside = name;
   std::replace(inside.begin(), inside.end(), '"', '\'');

@@ -16,8 +16,8 @@ namespace kov {
 [[nodiscard]] bool is_identifier(const std::string& name);
 
 /// A name inside a sentence of the program: in quotation marks unless it is an identifier.
-/// Example quoted("N")  // -> N
-/// Example quoted("two words")  // -> "two words"
-[[nodiscard]] std::string quoted(const std::string& name);
+/// Example name_in_words("N")  // -> N
+/// Example name_in_words("two words")  // -> "two words"
+[[nodiscard]] std::string name_in_words(const std::string& name);
 
 } // namespace kov

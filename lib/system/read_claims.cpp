@@ -276,6 +276,7 @@ void read_expectations(const Entry& document, const SystemScope& scope, System& 
     if (std::find(verdicts.begin(), verdicts.end(), x.verdict) == verdicts.end())
       throw e->at("verdict").error("unknown verdict '" + x.verdict + "'",
                                    "use non-integrable, no-obstruction, depends or undecided");
+    scope.named[scope.independent] = MFraction::variable(scope.ring(), scope.independent);
     const auto formula = [&](std::string_view key, std::optional<MFraction>& to) {
       if (const Entry* v = e->find(key)) to = evaluate(v->expression(), scope);
     };

@@ -115,6 +115,7 @@ std::optional<MFraction> SystemScope::fixed_value(const std::string& name) const
 std::optional<MFraction> SystemScope::value(const std::string& name) const {
   if (auto v = fixed_value(name)) return v;
   if (const auto v = named.find(name); v != named.end()) return v->second;
+  if (name == independent) return std::nullopt; // ours, and in no formula of the file
   if (const auto i = ring_->find(name)) return MFraction::variable(ring_, *i);
   const auto waiting = definitions_.find(name);
   if (waiting == definitions_.end()) return std::nullopt;
@@ -128,6 +129,7 @@ std::optional<MFraction> SystemScope::value(const std::string& name) const {
 
 std::vector<std::string> SystemScope::known_names() const {
   std::vector<std::string> names(ring_->names());
+  std::erase(names, independent);
   for (const auto& [name, entry] : definitions_)
     names.push_back(name);
   for (const auto& [name, entry] : named)

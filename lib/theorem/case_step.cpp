@@ -236,7 +236,7 @@ std::string exceptions(const ManifoldReport& m) {
 void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
   if (!m.by) return; // a limit came before the theorem
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
-  const std::string by = " (" + m.by->id() + ", along the manifold " + quoted(m.name) + ")";
+  const std::string by = " (" + m.by->id() + ", along the manifold " + name_in_words(m.name) + ")";
   for (const std::string& step : trusted_steps(m))
     n.trusted.push_back(step);
   n.theorems.push_back(*m.by);

@@ -55,7 +55,7 @@ Matrix brackets(const InvariantManifold& m, const Matrix& poisson, const Matrix&
 
 // Expansion by the first row; its square is the determinant.
 MFraction pfaffian(const InvariantManifold& m, const Matrix& a, const Indices& of) {
-  const Ring& ring = a.front().front().ring();
+  const Ring& ring = m.curve->ring();
   if (of.empty()) return {ring, Rational(1)};
   MFraction sum(ring);
   if (of.size() % 2 != 0) return sum;

@@ -97,6 +97,13 @@ TEST(Classify, HenonHeiles) {
   EXPECT_EQ(c.excluded, ExcludedClass::rational);
 }
 
+// Where c = 0 in H = c p^2 + V(q) nothing is excluded by V, and q1, q2 are integrals.
+TEST(Classify, TheKineticPartMayVanish) {
+  const auto c = classify_system(planar("a*(u^2 + v^2)/2 + x^3 + 5*x*y^2", "'a'"), within(60));
+  EXPECT_EQ(status_at(c, {{"a", 0}}), "integrable");
+  EXPECT_EQ(status_at(c, {{"a", 1}}), "excluded");
+}
+
 TEST(Classify, OneLevelIsEnough) {
   // the published statement is about k + a != 0, and names no energy
   const auto c = classify_system(

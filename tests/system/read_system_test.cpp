@@ -96,6 +96,12 @@ parameters = ["a", "b"]
 hamiltonian = "p^2/2 + a*q^2"
 relations = ["a*b = 1"])t"),
               HasSubstr("a relation between parameters is an assumption"));
+  EXPECT_THAT(complaint(R"t([system]
+kind = "hamiltonian"
+coordinates = ["q"]
+momenta = ["p"]
+hamiltonian = "p^2/2 + z*q^2")t"),
+              HasSubstr("unknown name 'z'")); // the name of the new variable is no parameter
 }
 
 TEST(ReadSystem, FunctionsAndTheirRelations) {
