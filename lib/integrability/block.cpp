@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "integrability/change_search.hpp"
 #include "integrability/parameters.hpp"
+#include "variation/leaf.hpp"
 
 #include <algorithm>
 
@@ -161,6 +162,21 @@ void study_block(const System& s, const InvariantManifold& m, const LinearSystem
   for (const auto& g : m.curve->inverted())
     block.ode->generic.push_back(g);
   decide_block(s, options, reduce && reduce->energy == "auto", block);
+}
+
+void study_on_the_leaf(const Study& study, ManifoldReport& report, std::vector<MPoly> divisors,
+                       const std::vector<std::size_t>& members, BlockReport& block) {
+  std::vector<std::string> unknowns;
+  for (const std::size_t i : members)
+    unknowns.push_back(report.reduced.system.names[i]);
+  if (members.size() == 2 && study.system.kind != SystemKind::hamiltonian &&
+      !seen_on_the_leaf(study.system.field, *report.manifold, report.normal, unknowns, divisors)) {
+    block.unknowns = std::move(unknowns);
+    block.note = "not seen on the symplectic leaves: nothing was concluded from it";
+    return;
+  }
+  study_block(study.system, *report.manifold, report.reduced.system, divisors, members,
+              study.options, block);
 }
 
 } // namespace kov

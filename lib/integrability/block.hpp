@@ -1,7 +1,7 @@
 #pragma once
 // One diagonal block of the reduced normal system: from its matrix to the group of y'' = r(z) y.
 
-#include "integrability/check.hpp"
+#include "integrability/study.hpp"
 
 namespace kov {
 
@@ -19,5 +19,10 @@ namespace kov {
 void study_block(const System& s, const InvariantManifold& m, const LinearSystem& reduced,
                  const std::vector<MPoly>& divisors, const std::vector<std::size_t>& members,
                  const CheckOptions& options, BlockReport& block);
+
+/// The same where Liouville's integrability is asked, on the symplectic leaves of the bracket: a
+/// block that they do not see is left with a note (docs/theory/mechanics.md 9.7).
+void study_on_the_leaf(const Study& study, ManifoldReport& report, std::vector<MPoly> divisors,
+                       const std::vector<std::size_t>& members, BlockReport& block);
 
 } // namespace kov

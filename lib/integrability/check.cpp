@@ -9,7 +9,6 @@
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/special_strata.hpp"
-#include "variation/leaf.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,34 +23,6 @@ template <class Stage> void within_limits(BlockReport& block, Stage stage) {
   } catch (const OutOfBudget& limit) {
     block.note += (block.note.empty() ? "" : "; ") + std::string(limit.what());
   }
-}
-
-bool is_canonical(const System& s) {
-  return s.kind == SystemKind::hamiltonian || s.kind == SystemKind::lagrangian;
-}
-
-// Liouville's integrability is asked on the symplectic leaves.
-void study_on_the_leaf(const Study& study, ManifoldReport& report, std::vector<MPoly> divisors,
-                       const std::vector<std::size_t>& members, BlockReport& block) {
-  std::vector<std::string> unknowns;
-  for (const std::size_t i : members)
-    unknowns.push_back(report.reduced.system.names[i]);
-  if (members.size() == 2 && !is_canonical(study.system) &&
-      !seen_on_the_leaf(study.system.field, *report.manifold, report.normal, unknowns, divisors)) {
-    block.unknowns = std::move(unknowns);
-    block.note = "not seen on the symplectic leaves: nothing was concluded from it";
-    return;
-  }
-  study_block(study.system, *report.manifold, report.reduced.system, divisors, members,
-              study.options, block);
-}
-
-// What was divided by before there was an equation.
-std::vector<MPoly> early_divisors(const ManifoldReport& report) {
-  std::vector<MPoly> all(report.manifold->curve->inverted());
-  for (const auto* more : {&report.normal.divisors, &report.reduced.divisors})
-    all.insert(all.end(), more->begin(), more->end());
-  return all;
 }
 
 void decide_blocks(const Study& study, ManifoldReport& report) {

@@ -51,6 +51,13 @@ std::vector<MPoly> divisors_of(const Study& study, const ManifoldReport& report)
   return divisors;
 }
 
+std::vector<MPoly> early_divisors(const ManifoldReport& report) {
+  std::vector<MPoly> all(report.manifold->curve->inverted());
+  for (const auto* more : {&report.normal.divisors, &report.reduced.divisors})
+    all.insert(all.end(), more->begin(), more->end());
+  return all;
+}
+
 WholeVariation coupling(const System& s, const ManifoldReport& report,
                         const std::vector<std::vector<std::size_t>>& parts) {
   try {

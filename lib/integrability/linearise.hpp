@@ -14,6 +14,9 @@ void linearise(const Study& study, ManifoldReport& report);
 /// What was divided by on the way to `reduced`, and where the proofs of the integrals used hold.
 [[nodiscard]] std::vector<MPoly> divisors_of(const Study& study, const ManifoldReport& report);
 
+/// What was divided by before there was an equation.
+[[nodiscard]] std::vector<MPoly> early_divisors(const ManifoldReport& report);
+
 /// What of the variational equations these blocks leave out; a limit is an answer, because "not
 /// abelian" of a block needs no knowledge of the rest.
 [[nodiscard]] WholeVariation coupling(const System& s, const ManifoldReport& report,

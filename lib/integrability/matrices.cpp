@@ -78,8 +78,7 @@ std::optional<MatrixEvidence> matrices_at(const Study& study, const Substitution
 
 void ask_the_matrices(const Study& study, ManifoldReport& report) {
   // Of a Poisson system the variation on the leaf would be needed.
-  const bool whole = study.system.kind == SystemKind::hamiltonian ||
-                     study.system.kind == SystemKind::lagrangian || !study.system.field.poisson;
+  const bool whole = study.system.kind == SystemKind::hamiltonian || !study.system.field.poisson;
   if (!report.manifold || !whole || !has_only_levels(study.system)) return;
   const Budget budget = half_of_what_is_left(study.options.decide.budget);
   for (const Rational& value : {Rational(1), Rational(2), Rational(-1, 3)}) {
