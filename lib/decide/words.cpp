@@ -16,9 +16,9 @@ std::string argument(const ByFormula& by) {
              : text;
 }
 
-std::string argument(const Because& because) {
+std::string argument(const Because& because, const std::string& variable) {
   return std::visit(Overloaded{[](std::monostate) { return std::string(); },
-                               [](const ByEngines& by) { return reason(*by.proof); },
+                               [&](const ByEngines& by) { return reason(*by.proof, variable); },
                                [](const ByKovacic&) {
                                  return std::string(
                                      "Kovacic's algorithm excludes its cases 1, 2 and 3");
@@ -58,7 +58,7 @@ std::string to_string(const SolutionsMissing& why) {
 
 std::string reason(const Decision& d) {
   if (d.withdrawn) return "undecided: " + to_string(*d.withdrawn);
-  std::string text = argument(d.because);
+  std::string text = argument(d.because, d.variable);
   if (d.third_opinion) text += "; " + third_opinion(*d.third_opinion);
   if (d.second_opinion)
     text += "; Kovacic's algorithm agrees: case " + std::to_string(*d.second_opinion);

@@ -93,7 +93,8 @@ struct Branch {
 /// Example trichotomy(s).kind  // -> Trichotomy::logarithmic
 [[nodiscard]] Branch trichotomy(const Singularities& s);
 
-/// The argument as a sentence.  (words.cpp has every sentence about a classification.)
-[[nodiscard]] std::string reason(const Classification& c);
+/// The argument as a sentence about an equation in `variable`.  (words.cpp has every sentence about a
+/// classification.)
+[[nodiscard]] std::string reason(const Classification& c, const std::string& variable = "z");
 
 } // namespace kov
