@@ -29,6 +29,8 @@ struct ExclusionReason {
   /// Integrals that contain these coordinates or symbols are not excluded.
   std::vector<std::string> without = {};
   std::string unchecked; ///< a hypothesis that is not proved, as a sentence; or empty
+  /// What it rests on besides theorems, exact computation and accepted certificates.
+  std::vector<std::string> trusted = {};
   friend bool operator==(const ExclusionReason&, const ExclusionReason&) = default;
 };
 
@@ -52,6 +54,8 @@ struct SystemClassification {
   std::vector<std::string> assumptions;  ///< under which all of this is proved
   std::vector<MPoly> nonzero;            ///< those of them that say what does not vanish
   std::vector<std::string> theorems;     ///< of the literature that are used
+  std::vector<std::string> trusted;      ///< steps that no certificate repeats
+  std::vector<std::string> notes;        ///< what of the file was not used, and why
   /// The smallest class that is used; unset where nothing is excluded.
   std::optional<ExcludedClass> excluded;
   std::vector<std::string> functions; ///< the class is one in the coordinates and these symbols

@@ -7,6 +7,7 @@
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
+#include "integrability/study.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -74,10 +75,11 @@ std::optional<Piece> on_part(const Piece& piece, ParameterSet part) {
 struct Round {
   const System& system;
   const std::vector<ClaimReport>& claims;
-  const std::vector<KnownLevel>& levels;
+  std::vector<KnownLevel> levels;
   Piece whole;
   std::vector<Piece> pieces = {whole};
   std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
+  bool integrals_known = false;     ///< for all of these parameters, from a round before
 };
 
 class Composition {
@@ -101,11 +103,14 @@ private:
   // ---- the whole set
 
   // What the file assumes of a level says nothing of the system: any level will do.
-  static System without_levels_fixed(System s) {
+  System without_levels_fixed(System s) {
     const auto levels = level_parameters(s);
     std::erase_if(s.assumptions, [&](const Assumption& a) {
-      return std::any_of(levels.begin(), levels.end(),
-                         [&](std::size_t i) { return uses(a.value, i); });
+      const bool of_a_level = std::any_of(levels.begin(), levels.end(),
+                                          [&](std::size_t i) { return uses(a.value, i); });
+      if (of_a_level)
+        result_.notes.push_back("not used, as the statement is about all levels: " + a.text);
+      return of_a_level;
     });
     for (ReduceSpec& r : s.reductions)
       r.energy.clear(); // all levels at once
@@ -171,15 +176,8 @@ private:
     return [&s](const MPoly& p) { return !not_excluded(s, {p}).empty(); };
   }
 
-  // A part of the time that is left.
-  Budget share(double part) const {
-    Budget budget = options_.check.decide.budget;
-    const auto now = Clock::now();
-    if (budget.deadline && *budget.deadline > now)
-      budget.deadline =
-          now + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(
-                    part * std::chrono::duration<double>(*budget.deadline - now).count()));
-    return budget;
+  [[nodiscard]] Budget share(double part) const {
+    return part_of_the_time(options_.check.decide.budget, part);
   }
   [[nodiscard]] bool time_is_over() const {
     const auto& deadline = options_.check.decide.budget.deadline;
@@ -192,7 +190,10 @@ private:
     const std::size_t decided = result_.strata.size();
     try_solutions(round);
     try_darboux_points(round);
-    if (!round.pieces.empty()) try_integrals(round, decided);
+    if (round.pieces.empty())
+      look_for_a_contradiction(round, decided);
+    else
+      try_integrals(round, decided);
     for (const Exclusion& e : round.late)
       exclude(round, e);
     for (Piece& piece : round.pieces)
@@ -224,6 +225,9 @@ private:
     check.decide.budget = share(part);
     const ManifoldReport report = check_manifold(round.system, m, round.claims, check);
     result_.stages.emplace_back(m.name, seconds_since(start));
+    if (report.failure && is_of_the_file(m.name) && &round.system == &system_)
+      add_once(result_.notes,
+               "the file's manifold " + m.name + " was not used: " + report.failure->message);
     for (Exclusion& e : exclusions(round.system, report, level_parameters(round.system)))
       if (e.unless && e.unless->squares.size() > 1)
         round.late.push_back(std::move(e));
@@ -244,6 +248,11 @@ private:
         note(p, "Darboux points", limit.what());
     }
     result_.stages.emplace_back("Darboux points", seconds_since(start));
+  }
+
+  [[nodiscard]] bool is_of_the_file(const std::string& manifold) const {
+    return std::any_of(system_.manifolds.begin(), system_.manifolds.end(),
+                       [&](const ManifoldSpec& m) { return m.name == manifold; });
   }
 
   static std::string outcome(const ManifoldReport& report) {
@@ -302,13 +311,13 @@ private:
   // ---- first integrals
 
   void try_integrals(Round& round, std::size_t decided) {
-    if (integrals_complete_) return; // for all parameters, in an earlier round
+    if (round.integrals_known) return;
     const auto start = Clock::now();
     IntegralOptions options;
     options.degree = options_.degree;
     options.budget = share(0.5);
     const IntegralSearch search = find_integrals(round.system, options);
-    integrals_complete_ = search.finished();
+    round.integrals_known = search.finished();
     result_.stages.emplace_back("first integrals", seconds_since(start));
     std::vector<Piece> met;
     for (const IntegralsOfSet& set : search.sets)
@@ -317,20 +326,36 @@ private:
     std::move(met.begin(), met.end(), std::back_inserter(round.pieces));
   }
 
+  // Everything is excluded: integrals of low degree would say that something is wrong.
+  void look_for_a_contradiction(const Round& round, std::size_t decided) {
+    if (round.integrals_known || result_.strata.size() == decided) return;
+    IntegralOptions options;
+    options.degree = std::min(options_.degree, 2L);
+    options.budget = share(0.1);
+    for (const IntegralsOfSet& set : find_integrals(round.system, options).sets)
+      if (is_enough(round.system, set))
+        contradict_nothing(conditions_of(set, {}), set, round.system, decided);
+  }
+
   // As many as Liouville's theorem wants; without a bracket all but one of them.
   static bool is_enough(const System& s, const IntegralsOfSet& set) {
     return s.field.poisson ? set.liouville : set.integrals.size() + 1 == s.field.dimension();
+  }
+
+  static Exclusion conditions_of(const IntegralsOfSet& set, const std::vector<MPoly>& not_covered) {
+    Exclusion where;
+    where.zero = set.equations;
+    for (const auto* list : {&set.inequations, &not_covered})
+      for (const MPoly& p : *list)
+        where.not_all_zero.push_back({p});
+    return where;
   }
 
   // Pieces inside the set go to `met`, or are done with.
   void take_integrals(Round& round, const IntegralsOfSet& set,
                       const std::vector<MPoly>& not_covered, std::size_t decided,
                       std::vector<Piece>& met) {
-    Exclusion where;
-    where.zero = set.equations;
-    for (const auto* list : {&set.inequations, &not_covered})
-      for (const MPoly& p : *list)
-        where.not_all_zero.push_back({p});
+    const Exclusion where = conditions_of(set, not_covered);
     const bool enough = is_enough(round.system, set);
     if (enough) {
       contradict_nothing(where, set, round.system, decided);
@@ -414,7 +439,9 @@ private:
     if (set.only_declared_relations) return;
     for (std::size_t i = decided; i < result_.strata.size(); ++i) {
       const ClassifiedStratum& x = result_.strata[i];
-      if (x.status != StratumStatus::excluded || !x.by.front().unchecked.empty()) continue;
+      if (x.status != StratumStatus::excluded || !x.by.front().unchecked.empty() ||
+          !x.by.front().without.empty()) // the integrals may be others than those excluded
+        continue;
       const auto both = split_set(x.where, where.zero, where.not_all_zero, may_vanish(s)).inside;
       for (const ParameterSet& common : both) {
         const auto piece = on_part({x.where, x.special, {}}, common);
@@ -438,7 +465,9 @@ private:
       for (const MPoly& p : piece.where.inequations())
         assume_nonzero(special, substitute(p, values));
       const auto claims = kov::at_values(round.claims, values);
-      study({special, claims, at_values(round.levels, values, claims), std::move(piece)});
+      Round next{special, claims, at_values(round.levels, values, claims), std::move(piece)};
+      next.integrals_known = round.integrals_known;
+      study(std::move(next));
     } catch (const DomainError& e) {
       note(piece, "the equations of the parameters", e.what());
       leave_open(std::move(piece));
@@ -489,6 +518,8 @@ private:
         for (const std::string& theorem : o.theorems)
           add_once(result_.theorems, theorem);
         add_once(result_.assumptions, o.unchecked);
+        for (const std::string& step : o.trusted)
+          add_once(result_.trusted, step);
         for (const std::string& name : o.without)
           add_once(result_.without, name);
       }
@@ -504,7 +535,6 @@ private:
   System system_; ///< with names for levels
   std::vector<ClaimReport> claims_;
   std::vector<KnownLevel> levels_;
-  bool integrals_complete_ = false;
   SystemClassification result_;
   Clock::time_point start_;
 };

@@ -306,6 +306,7 @@ std::optional<Exclusion> exclusion(const System& s, const PlanarPotential& p, co
                 std::to_string(points) + " simple points it leaves " + text_of(choices);
   e.by.integrals = p.homogeneous ? ExcludedClass::meromorphic : ExcludedClass::rational;
   e.by.theorems = {morales_ramis().name};
+  e.by.trusted = {"the polynomial of the eigenvalues at Darboux points"};
   if (!p.homogeneous) e.by.theorems.emplace_back("Ziglin's lemma, for parts of highest weight");
   return e;
 }

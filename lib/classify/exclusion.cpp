@@ -257,6 +257,7 @@ std::optional<Exclusion> exclusion(const System& s, const Stratum& x,
     if (open->difference && !require_no_difference(e, p, *open->difference)) return std::nullopt;
   }
   e.by.reason = open ? strata::open_condition(leaf) : strata::reason(leaf);
+  if (open) e.by.trusted.emplace_back("necessary conditions of undecided strata");
   e.by.integrals = class_of(leaf);
   return e;
 }
@@ -305,6 +306,8 @@ std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
       e.by.solution = report.name;
       e.by.unchecked = report.not_checked;
       e.by.theorems = {theorem(s).name};
+      const auto steps = trusted_steps(report);
+      e.by.trusted.insert(e.by.trusted.end(), steps.begin(), steps.end());
       if (e.by.level.empty() && !levels.empty()) e.by.level = "all levels but special ones";
       all.push_back(std::move(e));
     }

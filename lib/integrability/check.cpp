@@ -79,8 +79,11 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
     linearise(study, report);
     decide_blocks(study, report);
     decide_exceptions(study, report.blocks);
-    if (!options.stop_at_r && verdict_of(report) == VerdictKind::no_obstruction)
+    if (!options.stop_at_r && verdict_of(report) == VerdictKind::no_obstruction) {
       report.not_studied = component_left_out(study, report);
+      const std::string open = components_not_checked(study, report);
+      report.not_checked += (report.not_checked.empty() || open.empty() ? "" : "; ") + open;
+    }
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::undecided)
       ask_the_matrices(study, report);
     conclude(s, options, report);
@@ -117,16 +120,22 @@ std::vector<ClaimReport> decide_claims(const System& s, const CheckOptions& opti
 
 namespace {
 
-// An equal share of the time that is left, so that one manifold does not take that of the others.
+// An equal share, so that one manifold does not take the time of the others.
 CheckOptions for_one_of(std::size_t manifolds, CheckOptions options) {
-  auto& deadline = options.decide.budget.deadline;
-  const auto now = Budget::Clock::now();
-  if (deadline && *deadline > now)
-    deadline = now + (*deadline - now) / static_cast<long>(manifolds);
+  options.decide.budget =
+      part_of_the_time(options.decide.budget, 1 / static_cast<double>(manifolds));
   return options;
 }
 
 } // namespace
+
+Budget part_of_the_time(Budget budget, double part) {
+  const auto now = Budget::Clock::now();
+  if (budget.deadline && *budget.deadline > now)
+    budget.deadline =
+        now + std::chrono::duration_cast<Budget::Clock::duration>(part * (*budget.deadline - now));
+  return budget;
+}
 
 CheckReport check_system(const System& s, const CheckOptions& options) {
   const auto start = std::chrono::steady_clock::now();

@@ -69,4 +69,9 @@ std::string component_left_out(const Study& study, const ManifoldReport& report)
   return {};
 }
 
+std::string components_not_checked(const Study& study, const ManifoldReport& report) {
+  if (study.system.field.parameters.empty() || divided_by(report).empty()) return {};
+  return "that the phase curve has no other components at special values of the parameters";
+}
+
 } // namespace kov

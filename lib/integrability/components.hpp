@@ -11,4 +11,8 @@ namespace kov {
 /// Cost    for each function that was divided by, a Gröbner basis of its zeros on the curve
 [[nodiscard]] std::string component_left_out(const Study& study, const ManifoldReport& report);
 
+/// The same at special values of free parameters, where curves may fall apart: a clause if it was not
+/// excluded; empty: nothing was divided by, or there are no parameters.
+[[nodiscard]] std::string components_not_checked(const Study& study, const ManifoldReport& report);
+
 } // namespace kov

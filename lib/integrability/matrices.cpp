@@ -12,15 +12,6 @@ namespace {
 constexpr long digits = 30;
 constexpr std::chrono::seconds longest{15};
 
-// The verdict is there already: this must not cost it.
-Budget half_of_what_is_left(Budget budget) {
-  const auto now = Budget::Clock::now();
-  auto end = now + longest;
-  if (budget.deadline) end = std::min(end, now + (*budget.deadline - now) / 2);
-  budget.deadline = end;
-  return budget;
-}
-
 // Level parameters in the equations of the manifold, all at one value.
 Substitution at_level(const System& s, const ManifoldSpec& spec, const Rational& value) {
   Substitution level;
@@ -80,7 +71,9 @@ void ask_the_matrices(const Study& study, ManifoldReport& report) {
   // Of a Poisson system the variation on the leaf would be needed.
   const bool whole = study.system.kind == SystemKind::hamiltonian || !study.system.field.poisson;
   if (!report.manifold || !whole || !has_only_levels(study.system)) return;
-  const Budget budget = half_of_what_is_left(study.options.decide.budget);
+  Budget budget = part_of_the_time(study.options.decide.budget, 0.5); // what is known must be told
+  const auto end = Budget::Clock::now() + longest;
+  budget.deadline = budget.deadline ? std::min(*budget.deadline, end) : end;
   for (const Rational& value : {Rational(1), Rational(2), Rational(-1, 3)}) {
     const Substitution level = at_level(study.system, study.manifold, value);
     try {

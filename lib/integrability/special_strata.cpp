@@ -129,6 +129,20 @@ std::vector<Stratum> other_blocks(const Stratum& x, const ManifoldReport& here) 
   return {answer};
 }
 
+// A coordinate that nothing contains here, and something elsewhere: the class of integrals that is
+// said for all strata speaks of it (docs/theory/mechanics.md 6).
+bool leaves_more_out(const Study& generic, const System& special, const ManifoldReport& here) {
+  if (!here.manifold) return false;
+  std::vector<MFraction> all(generic.system.field.components);
+  for (const auto* equations : {&generic.manifold.equations, &generic.manifold.levels})
+    for (const Equation& e : *equations)
+      all.push_back(e.difference);
+  const auto left_out = moving_and_left_out(special, *here.manifold);
+  return std::any_of(left_out.begin(), left_out.end(), [&](std::size_t i) {
+    return std::any_of(all.begin(), all.end(), [&](const MFraction& x) { return uses(x, i); });
+  });
+}
+
 std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& generic,
                            const std::vector<std::string>& unknowns, const Stratum& x,
                            strata::StrataAnswer& answer) {
@@ -142,6 +156,11 @@ std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& g
       r.energy.clear();
     const ManifoldReport here = check_manifold(special, at_values(study.manifold, values),
                                                at_values(study.claims, values), study.options);
+    if (leaves_more_out(study, special, here)) return {};
+    if (here.matrices) // the way to r is said of the whole
+      for (std::string& step : trusted_steps(here))
+        if (std::find(answer.trusted.begin(), answer.trusted.end(), step) == answer.trusted.end())
+          answer.trusted.push_back(std::move(step));
     for (const auto& b : here.blocks)
       if (b.unknowns == unknowns && b.ode) {
         if (b.strata) answer.special.push_back(std::make_shared<strata::StrataAnswer>(*b.strata));

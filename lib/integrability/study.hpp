@@ -13,6 +13,9 @@ struct Study {
   const CheckOptions& options;
 };
 
+/// The budget of something that may take this part of the time that is left; its other limits.
+[[nodiscard]] Budget part_of_the_time(Budget budget, double part);
+
 [[nodiscard]] inline ManifoldReport check_manifold(const Study& study) {
   return check_manifold(study.system, study.manifold, study.claims, study.options);
 }

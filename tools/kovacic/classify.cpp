@@ -127,11 +127,17 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
       << '\n';
   put(out, "theorem", statement(c));
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
+  for (const std::string& note : c.notes)
+    put(out, "note", note);
   if (!quiet)
     for (const ClassifiedStratum& x : c.strata)
       if (x.status != StratumStatus::excluded) print(c, x, out);
   if (!quiet) print_excluded(c, out);
   if (!c.theorems.empty()) put(out, "by", joined(c.theorems, ", "));
+  if (!c.trusted.empty())
+    put(out, "trusted",
+        std::to_string(c.trusted.size()) + (c.trusted.size() == 1 ? " step: " : " steps: ") +
+            joined(c.trusted, "; "));
   if (verbose)
     for (const auto& [stage, seconds] : c.stages)
       put(out, "time", fmt::format("{:.1f} ms  {}", 1000 * seconds, stage));
@@ -170,6 +176,8 @@ Json json_of(const System& s, const SystemClassification& c) {
           {"integrals_class", c.excluded ? Json(integrals_class(c)) : Json(nullptr)},
           {"assumptions", c.assumptions},
           {"theorems", c.theorems},
+          {"trusted", c.trusted},
+          {"notes", c.notes},
           {"strata", strata},
           {"seconds", c.seconds}};
 }
@@ -183,6 +191,7 @@ int classify(const Settings& settings, const ClassifyArguments& arguments) {
     inner.timeout *= part_of_the_time;
     ClassifyOptions options;
     options.check.decide = inner.solver_options();
+    options.check.decide.ask_the_judge = true;
     options.degree = arguments.degree;
     options.search_solutions = !arguments.only_file;
     const SystemClassification c = classify_system(s, options);

@@ -1,12 +1,14 @@
 #include "second_opinion.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/study.hpp"
 #include "integrability/variational_monodromy.hpp"
 
 namespace kov::cli {
 namespace {
 
 constexpr long digits = 30;
+constexpr double half = 0.5; // of the time: the answer is there already, and must be told
 constexpr const char* nothing = "proves nothing: an equality is never concluded from enclosures";
 
 std::string matrices(std::size_t loops) {
@@ -34,14 +36,6 @@ Json json_of(const MonodromyOpinion& o) {
   if (o.irreducible) proves.push_back("irreducible");
   if (o.infinite) proves.push_back("infinite");
   return {{"by", "monodromy"}, {"digits", digits}, {"proves", proves}, {"text", proved(o)}};
-}
-
-// The answer is there already: the opinion must not cost it.
-Budget half_of_what_is_left(Budget budget) {
-  const auto now = Budget::Clock::now();
-  if (budget.deadline && now < *budget.deadline)
-    budget.deadline = now + (*budget.deadline - now) / 2;
-  return budget;
 }
 
 void add_blocks(Json& all, const ManifoldReport& m, const Budget& budget) {
@@ -80,7 +74,7 @@ Json whole_variation_opinion(const System& s, const ManifoldReport& m, const Bud
 } // namespace
 
 Json second_opinion(const RationalFunction& r, const Decision& answer, const Budget& budget) {
-  const MonodromyOpinion o = monodromy_opinion(r, digits, half_of_what_is_left(budget));
+  const MonodromyOpinion o = monodromy_opinion(r, digits, part_of_the_time(budget, half));
   const std::string against = contradiction(o, answer);
   if (!against.empty())
     throw InternalError("two answers contradict each other: " + proved(o) + ", and by algebra " +
@@ -93,7 +87,7 @@ Json second_opinion(const System& s, const ManifoldReport& m, const Budget& budg
   if (!m.manifold) return all;
   add_blocks(all, m, budget);
   if (!m.matrices) // they are the first opinion already
-    all.push_back(whole_variation_opinion(s, m, half_of_what_is_left(budget)));
+    all.push_back(whole_variation_opinion(s, m, part_of_the_time(budget, half)));
   return all;
 }
 
