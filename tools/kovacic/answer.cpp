@@ -144,10 +144,16 @@ private:
     early_(said_);
   }
 
+  // So that the certificate costs little beside the answer.
+  static bool is_small(const RationalFunction& r) {
+    return is_zero(r) || degree(r.num()) + degree(r.den()) <= 60;
+  }
+
   std::string decided(const Question& question) {
     Options options = settings_.solver_options();
     const GivenEquation equation = read_equation(question.text, options.budget);
     options.variable = equation.variable;
+    options.ask_the_judge = !settings_.in_a_batch && is_small(equation.normal_form.r);
     open_ = open_result(id_, equation);
     if (equation.form != GivenEquation::Form::r)
       open_["original"] = original_form(equation, options.budget);

@@ -45,6 +45,7 @@ struct Settings {
   int verbose = 0;
   bool exit_verdict = false;
   long jobs = 0; ///< --batch: so many lines at the same time; 0 = as many as there are cores
+  bool in_a_batch = false;     ///< one line of many
   bool second_opinion = false; ///< also ask the monodromy matrices
   bool strict = false;         ///< verify: refuse trusted steps
 

@@ -91,7 +91,9 @@ int solve(const Settings& settings, const SolveArguments& a) {
           "are JSON");
       return exit_input;
     }
-    return batch(settings, a.batch);
+    Settings many = settings;
+    many.in_a_batch = true;
+    return batch(many, a.batch);
   }
   if (settings.jobs > 0) {
     complain(settings, "--jobs is for --batch", "one equation is decided by one process");
