@@ -116,6 +116,19 @@ class Integrals(unittest.TestCase):
         self.assertTrue(any(len(s.values) > 1 for s in found.sets))
         self.assertIn("<table>", found._repr_html_())
 
+    def test_what_is_assumed_is_shown(self):
+        found = kovacic.integrals("""[system]
+kind = "hamiltonian"
+coordinates = ["x", "y"]
+momenta = ["u", "v"]
+parameters = ["b"]
+hamiltonian = "(u^2 + v^2)/2 + b*x^2*y"
+[assume]
+conditions = ["b = 1"]
+""")
+        self.assertEqual(found.assumed_equations, ["b - 1"])
+        self.assertIn("assumed: b - 1 = 0", found._repr_html_())
+
     def test_degree(self):
         with self.assertRaises(kovacic.InvalidArgument):
             kovacic.integrals(CUBIC, -1)

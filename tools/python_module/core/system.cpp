@@ -360,6 +360,9 @@ void bind_integrals(py::module_& m) {
       .def_property_readonly(
           "assumed", [](const IntegralSearch& s) { return texts(s.assumed); },
           "assumed by the file: none of these vanishes")
+      .def_property_readonly(
+          "assumed_equations", [](const IntegralSearch& s) { return texts(s.assumed_equations); },
+          "assumed by the file: all of these vanish")
       .def_property_readonly("finished", &IntegralSearch::finished);
 }
 

@@ -337,6 +337,7 @@ class IntegralSearch:
     elsewhere: IntegralsOfSet | None
     not_covered: list[str]
     assumed: list[str]
+    assumed_equations: list[str]
     finished: bool
 
 

@@ -99,13 +99,17 @@ def verdict(v):
 
 
 def integrals(s):
+    said = [f"{f} = 0" for f in s.assumed_equations] + [f"{f} != 0" for f in s.assumed]
+    text = f"<p>assumed: {escape(', '.join(said))}</p>" if said else ""
+    if s.not_covered:
+        text += f"<p>left out unless {escape(', '.join(f'{f} != 0' for f in s.not_covered))}</p>"
     rows = []
     for one in [*s.sets, *([s.elsewhere] if s.elsewhere is not None else [])]:
         where = ", ".join([f"{f} = 0" for f in one.equations] + [f"{f} != 0" for f in one.inequations])
-        rows.append((escape(where or ("elsewhere" if s.sets else "everywhere")),
+        rows.append((escape(where or ("elsewhere" if s.sets else "these values" if text else "everywhere")),
                      "<br>".join(math(str(f.value)) for f in one.integrals),
                      escape(one.open or ("complete" if one.complete else ""))))
-    return f"<p>{escape(s.searched)}</p>" + table(rows, ("where", "first integrals", ""))
+    return f"<p>{escape(s.searched)}</p>" + text + table(rows, ("where", "first integrals", ""))
 
 
 def monodromy(m):
