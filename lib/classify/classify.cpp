@@ -94,6 +94,7 @@ public:
 
   SystemClassification run() {
     result_.liouville = system_.field.poisson.has_value();
+    result_.on_leaves = result_.liouville && system_.kind != SystemKind::hamiltonian;
     study({system_, claims_, levels_, {all_parameters(), {}, {}}});
     finish();
     return std::move(result_);

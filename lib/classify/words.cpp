@@ -40,6 +40,7 @@ std::string integrals_class(const SystemClassification& c) {
   if (!c.excluded) return "";
   const std::string in = listed(c.functions, " (in the coordinates and ");
   return to_string(*c.excluded) + in + (in.empty() ? "" : ")") +
+         (c.on_leaves ? " and independent on the symplectic leaves of the solutions" : "") +
          listed(c.without, " and do not contain ");
 }
 

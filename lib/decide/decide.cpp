@@ -155,6 +155,7 @@ void ask_the_judge(Decision& d, const Classification& c, const Options& options)
     d = std::move(judged);
     return;
   }
+  d.checked = judged.checked;
   if (options.method == Method::all)
     d.third_opinion = ThirdOpinion{!judged.certificate.empty(), judged.no_certificate};
 }
@@ -164,6 +165,7 @@ void ask_the_judge(Decision& d, const Classification& c, const Options& options)
 void take(Decision& d, Judged opinion) {
   if (opinion.refusal.empty()) {
     d.certificate = std::move(opinion.json);
+    d.checked = true;
     return;
   }
   d.no_certificate = "the judge refuses it: " + opinion.refusal;

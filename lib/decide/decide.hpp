@@ -99,6 +99,7 @@ struct Decision {
   std::optional<int> only_case;    ///< that was asked for
   std::optional<Unable> undecided; ///< set when anything asked stayed open
   std::vector<TraceStep> trace;
+  bool checked = false;       ///< our own checker accepted a certificate, kept or not
   std::string certificate;    ///< JSON text; empty if not asked for, or
   std::string no_certificate; ///< why there is none: told, and used by nobody
   std::string refused; ///< the certificate that our own checker refused; with it goes the verdict

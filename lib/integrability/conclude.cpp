@@ -45,12 +45,40 @@ bool by_strata(const ManifoldReport& report) {
   });
 }
 
+// The strata that decide a block whose answer is not the same everywhere: of all parameters, or of
+// a level on which each is decided.  Any one such level is enough.
+const strata::StrataAnswer* deciding_strata(const BlockReport& block) {
+  if (block.abelian != Truth::unknown) return nullptr;
+  if (block.strata && block.strata->decided()) return &*block.strata;
+  const EnergyResult* level = deciding_level(block);
+  return level ? &*level->strata : nullptr;
+}
+
+// Of "C = A, A != 2" the equations are enough to name an exception.
+std::string in_equations(const std::vector<Condition>& all) {
+  std::vector<Condition> equations;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(equations),
+               [](const Condition& c) { return c.sign == Sign::zero; });
+  return to_string(equations.empty() ? all : equations);
+}
+
+// "C = A; A = 2, C = 1" for the strata where nothing follows.
+std::string where_not_excluded(const ManifoldReport& report) {
+  std::string text;
+  for (const BlockReport& b : report.blocks)
+    if (const auto* answer = deciding_strata(b))
+      for (const strata::Stratum& s : answer->strata)
+        if (s.leaf.abelian != Truth::no)
+          text += (text.empty() ? "" : "; or ") + in_equations(s.conditions);
+  return text;
+}
+
 std::string decided_where(const ManifoldReport& report) {
   std::string levels;
   for (const auto& block : report.blocks)
     if (!on_all_strata(block))
-      levels += (levels.empty() ? " of the level " : ", ") + deciding_level(block)->condition;
-  return "decided on every stratum" + levels;
+      levels += (levels.empty() ? ", by the level " : ", ") + deciding_level(block)->condition;
+  return levels;
 }
 
 Truth both(Truth a, Truth b) {
@@ -125,6 +153,8 @@ TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
   if (report.verdict == VerdictKind::non_integrable || report.verdict == VerdictKind::depends)
     if (const auto used = functions_on_the_curve(s, report); !used.empty())
       by.integrals += " (in the coordinates and " + list(used) + ")";
+  if (s.field.poisson && s.kind != SystemKind::hamiltonian)
+    by.integrals += " and independent on the symplectic leaf of the phase curve";
   if (!report.without.empty()) {
     std::vector<std::string> names;
     for (const std::size_t i : report.without)
@@ -150,18 +180,42 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
   if (report.verdict == VerdictKind::undecided && !report.not_studied.empty())
     report.reasons.push_back("an abelian identity component of every block decides nothing here: " +
                              report.not_studied);
-  if (report.verdict == VerdictKind::depends) report.statement = decided_where(report);
-  if (report.verdict == VerdictKind::non_integrable)
+  if (report.verdict == VerdictKind::depends || report.verdict == VerdictKind::non_integrable)
     report.statement =
         (s.field.poisson ? "not integrable in Liouville's sense with first integrals that are "
                          : "not integrable with first integrals and commuting vector fields "
                            "that are ") +
         report.by->integrals;
+  if (report.verdict == VerdictKind::depends) report.statement += decided_where(report);
 }
+
+std::string exceptions(const ManifoldReport& report) {
+  const std::string where = where_not_excluded(report);
+  return where.empty() ? "" : "except where " + where;
+}
+
+namespace {
+
+using Add = std::function<void(const std::string&)>;
+
+void add_trusted(const strata::StrataAnswer& a, const Add& add) {
+  for (const auto& special : a.special)
+    add_trusted(*special, add);
+  for (const std::string& step : a.trusted)
+    add(step);
+}
+
+// An answer that no certificate repeats.
+void add_trusted(const std::optional<Decision>& d, const Add& add) {
+  if (d && d->abelian != Truth::unknown && !d->checked)
+    add("the solver, without a certificate: " + reason(*d));
+}
+
+} // namespace
 
 std::vector<std::string> trusted_steps(const ManifoldReport& m) {
   std::vector<std::string> all;
-  const auto add = [&](const std::string& step) {
+  const Add add = [&](const std::string& step) {
     if (std::find(all.begin(), all.end(), step) == all.end()) all.push_back(step);
   };
   if (m.matrices)
@@ -171,8 +225,10 @@ std::vector<std::string> trusted_steps(const ManifoldReport& m) {
   for (const BlockReport& b : m.blocks) {
     if (b.ode) add("the way from the system to r(z), along the manifold " + m.name);
     for (const auto* answer : strata_of(b))
-      for (const std::string& step : answer->trusted)
-        add(step);
+      add_trusted(*answer, add);
+    add_trusted(b.decision, add);
+    for (const EnergyResult& e : b.energies)
+      add_trusted(e.decision, add);
   }
   return all;
 }

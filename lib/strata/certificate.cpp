@@ -319,15 +319,40 @@ StrataCertificate certificate(const StrataAnswer& a, const Budget& budget) {
   return Writer(a, budget).write();
 }
 
+namespace {
+
+void trust(StrataAnswer& a, const std::string& step) {
+  if (std::find(a.trusted.begin(), a.trusted.end(), step) == a.trusted.end())
+    a.trusted.push_back(step);
+}
+
+void trust_without_certificate(StrataAnswer& a, const std::string& why) {
+  const bool somewhere_decided =
+      std::any_of(a.strata.begin(), a.strata.end(),
+                  [](const Stratum& x) { return x.leaf.abelian != Truth::unknown; });
+  if (somewhere_decided) trust(a, "strata without a certificate: " + why);
+}
+
+// What the checker believes, or does not hear of.
+void trust_what_is_not_checked(StrataAnswer& a) {
+  for (const auto* list : {&a.certificate->trusted, &a.certificate->left_out})
+    for (const Uncertified& u : *list)
+      if (u.gap != Gap::emptiness || a.trusted.empty()) // Z3, told already
+        trust(a, u.told);
+}
+
+} // namespace
+
 void certify(StrataAnswer& a, const Budget& budget) {
   try {
     a.certificate = std::make_shared<StrataCertificate>(certificate(a, budget));
-  } catch (const InvalidArgument&) { // who asks for it is told why there is none
-    return;
-  } catch (const OutOfBudget&) {
-    return;
+  } catch (const InvalidArgument& why) {
+    return trust_without_certificate(a, why.what());
+  } catch (const OutOfBudget& why) {
+    return trust_without_certificate(a, why.what());
   }
-  if (a.certificate->refusal.empty() || a.certificate->limit) return;
+  if (a.certificate->limit) return trust_without_certificate(a, objection(*a.certificate));
+  if (a.certificate->refusal.empty()) return trust_what_is_not_checked(a);
   a.refusal = a.certificate->refusal;
   for (Stratum& s : a.strata) {
     if (s.leaf.abelian == Truth::unknown) continue;

@@ -42,7 +42,8 @@ struct StrataCertificate {
 [[nodiscard]] StrataCertificate certificate(const StrataAnswer& a, const Budget& budget = {});
 
 /// Sets a.certificate, and a.refusal where our own checker refuses it, for another reason than its
-/// size: then every verdict is taken back.  Nothing changes where no certificate can be written.
+/// size: then every verdict is taken back.  What the checker believes or does not hear of becomes a
+/// trusted step of the answer, all of it where no certificate can be written.
 void certify(StrataAnswer& a, const Budget& budget = {});
 
 } // namespace kov::strata

@@ -306,9 +306,11 @@ private:
 } // namespace
 
 StrataAnswer decide_strata(const Question& q, const StrataLimits& limits) {
-  StrataAnswer a = Tree(q, limits).grow();
-  const Options& o = limits.decide;
-  if ((o.want_certificate || o.ask_the_judge) && a.tree) certify(a, o.budget);
+  StrataLimits inner = limits;
+  Options& o = inner.decide;
+  o.want_certificate = o.want_certificate || o.ask_the_judge; // of strata that are points, too
+  StrataAnswer a = Tree(q, inner).grow();
+  if (o.want_certificate && a.tree) certify(a, o.budget);
   return a;
 }
 

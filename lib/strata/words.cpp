@@ -84,15 +84,28 @@ std::string listed(const std::vector<Rational>& values) {
 
 // ---- one sentence for each theorem
 
-std::string invariant(const Leaf& leaf) {
-  const ParametricInvariant& v = evidence<InvariantFound>(leaf)->v;
-  std::string text = to_string(v.p);
-  if (v.p.length() > 1) text = "(" + text + ")";
+// A factor of a product.
+std::string factor(const MPoly& q, long exponent) {
+  const std::string base = q.length() > 1 ? "(" + to_string(q) + ")" : to_string(q);
+  if (exponent == 1) return base;
+  const std::string e = std::to_string(exponent);
+  return base + "^" + (exponent < 0 ? "(" + e + ")" : e);
+}
+
+std::string product(const ParametricInvariant& v, const Leaf& leaf) {
+  std::string text = is_constant(v.p) ? "" : factor(v.p, 1);
   for (PlaceIndex i = 0; i < v.form.e.size(); ++i)
     if (v.form.e[i] != 0)
-      text +=
-          "*(" + to_string(place_at(*leaf.scheme, i).q) + ")^(" + std::to_string(v.form.e[i]) + ")";
-  return "v = " + text + " solves the symmetric power " + power(v.form.m) +
+      text += (text.empty() ? "" : "*") + factor(place_at(*leaf.scheme, i).q, v.form.e[i]);
+  return text.empty() ? "1" : text;
+}
+
+std::string invariant(const Leaf& leaf, std::size_t longest) {
+  const ParametricInvariant& v = evidence<InvariantFound>(leaf)->v;
+  const std::string text = product(v, leaf);
+  return (text.size() <= longest
+              ? "v = " + text + " solves the symmetric power " + power(v.form.m)
+              : "the symmetric power " + power(v.form.m) + " has a rational solution") +
          " for all parameters of the stratum, and SL(2) and the full triangular group have no "
          "invariants";
 }
@@ -171,14 +184,14 @@ std::string assumed_integers(const Leaf& leaf) {
          (e.twice ? "2*Delta" : "Delta") + " is not an integer; " + without_invariant(leaf);
 }
 
-std::string argument(const Leaf& leaf) {
+std::string argument(const Leaf& leaf, std::size_t longest) {
   switch (leaf.by) {
   case Conclusion::none:
     return "";
   case Conclusion::number:
     return kov::reason(evidence<Number>(leaf)->decision);
   case Conclusion::invariant:
-    return invariant(leaf);
+    return invariant(leaf, longest);
   case Conclusion::half_integers:
     return "all exponents are half-integers and there is no logarithm";
   case Conclusion::torus_log:
@@ -277,43 +290,51 @@ std::string condition(const Leaf&, const RefusedByChecker& open) {
 }
 std::string condition(const Leaf&, const NotStudied& open) { return open.shown; }
 
-std::string undecided(const Leaf& leaf) {
+std::string undecided(const Leaf& leaf, std::size_t longest) {
   const std::string plain = "undecided: " + open_condition(leaf);
   return std::visit(
-      Overloaded{[&](const MinorsVanish& open) {
-                   std::string together;
-                   for (const auto& p : open.together)
-                     together += (together.empty() ? "" : ", ") + brief(MFraction(p), 120);
-                   return plain + ": " + together;
-                 },
-                 [&](const IntegralNu&) { return plain + "; " + bessel_family(leaf); },
-                 [](const TooManyUnknowns& open) {
-                   return power(open.m) + " has " + std::to_string(open.degree + 1) +
-                          " unknowns, the limit is " + std::to_string(most_unknowns);
-                 },
-                 [](const LargeDenominator& open) {
-                   return "the exponents have the common denominator " + to_string(open.n);
-                 },
-                 [&](const OpenNumber&) { return open_condition(leaf); },
-                 [&](const NotStudied& open) { return argument(leaf) + "; " + open.shown; },
-                 [&](const auto&) { return plain; }},
+      Overloaded{
+          [&](const MinorsVanish& open) {
+            std::string together;
+            for (const auto& p : open.together)
+              together += (together.empty() ? "" : ", ") + brief(MFraction(p), 120);
+            return plain + ": " + together;
+          },
+          [&](const IntegralNu&) { return plain + "; " + bessel_family(leaf); },
+          [](const TooManyUnknowns& open) {
+            return power(open.m) + " has " + std::to_string(open.degree + 1) +
+                   " unknowns, the limit is " + std::to_string(most_unknowns);
+          },
+          [](const LargeDenominator& open) {
+            return "the exponents have the common denominator " + to_string(open.n);
+          },
+          [&](const OpenNumber&) { return open_condition(leaf); },
+          [&](const NotStudied& open) { return argument(leaf, longest) + "; " + open.shown; },
+          [&](const auto&) { return plain; }},
       *leaf.open);
 }
 
-std::string prefix(const Leaf& leaf) {
+std::string prefix(const Leaf& leaf, std::size_t longest) {
   std::string text;
   for (const Evidence& e : leaf.because)
-    if (const auto* of = std::get_if<OfEquation>(&e))
+    if (const auto* of = std::get_if<OfEquation>(&e)) {
+      const std::string r = to_factored_string(of->r);
       text += "with the equation for the variation of " + of->unknown +
-              ", r = " + to_factored_string(of->r) + ": ";
+              (r.size() <= longest ? ", r = " + r : "") + ": ";
+    }
   return text;
 }
 
+std::string reason(const Leaf& leaf, std::size_t longest) {
+  return prefix(leaf, longest) + (leaf.open ? undecided(leaf, longest) : argument(leaf, longest));
+}
+
+constexpr std::size_t one_line = 80; // longer formulas are none for a terminal
+
 } // namespace
 
-std::string reason(const Leaf& leaf) {
-  return prefix(leaf) + (leaf.open ? undecided(leaf) : argument(leaf));
-}
+std::string reason(const Leaf& leaf) { return reason(leaf, std::string::npos); }
+std::string reason_in_brief(const Leaf& leaf) { return reason(leaf, one_line); }
 
 std::string group_text(const Leaf& leaf) {
   if (leaf.group) return describe(*leaf.group);

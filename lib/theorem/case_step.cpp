@@ -1,6 +1,7 @@
 // The step "case": the verdict of a system file.
 
 #include "integrability/check.hpp"
+#include "integrability/conclude.hpp"
 #include "integrability/parameters.hpp"
 #include "linode/singularities.hpp"
 #include "theorem/prove.hpp"
@@ -74,25 +75,12 @@ std::string answer(Truth abelian) {
   return abelian == Truth::yes ? "abelian" : abelian == Truth::no ? "not abelian" : "undecided";
 }
 
-// The tree of strata as a certificate; what the judge does not check itself is a trusted step.
-void certify_strata(NodeResult& n, const strata::StrataAnswer& a) {
+// The trees of strata as certificates; what these leave out is among the trusted steps already.
+void put_certificates(NodeResult& n, const strata::StrataAnswer& a) {
   for (const auto& special : a.special)
-    certify_strata(n, *special);
-  if (!a.tree) return;
-  try {
-    auto c = strata::certificate(a);
-    if (!c.says_anything) return;
-    if (!c.refusal.empty()) {
-      n.trusted.push_back("strata without a certificate: " + strata::objection(c));
-      return;
-    }
-    n.certificates.push_back(std::move(c.json));
-    for (const strata::Uncertified& u : c.trusted)
-      if (u.gap != strata::Gap::emptiness || a.trusted.empty()) // Z3, told already
-        n.trusted.push_back(u.told);
-  } catch (const Error& why) {
-    n.trusted.push_back(std::string("strata without a certificate: ") + why.what());
-  }
+    put_certificates(n, *special);
+  if (a.certificate && a.certificate->says_anything && a.certificate->refusal.empty())
+    n.certificates.push_back(a.certificate->json);
 }
 
 void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string& where = {}) {
@@ -105,9 +93,7 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
   for (const std::string& u : a.unvisited)
     grid.rows.push_back({u, "", "undecided", "a limit was reached"});
   n.tables.push_back(std::move(grid));
-  for (const std::string& t : a.trusted)
-    n.trusted.push_back(t);
-  certify_strata(n, a);
+  put_certificates(n, a);
 }
 
 void show_block(NodeResult& n, const System& s, const BlockReport& b) {
@@ -202,36 +188,6 @@ void unexpected(NodeResult& n, const ManifoldReport& m) {
   if (m.verdict == VerdictKind::non_integrable) n.status = NodeStatus::refuted;
 }
 
-// The strata that decide a block whose answer is not the same everywhere: of all parameters, or of
-// a level on which each is decided.  Any one such level is enough.
-const strata::StrataAnswer* deciding(const BlockReport& b) {
-  if (b.abelian != Truth::unknown) return nullptr;
-  if (b.strata && b.strata->decided()) return &*b.strata;
-  for (const EnergyResult& e : b.energies)
-    if (e.strata && e.strata->decided() && somewhere_not_abelian(*e.strata)) return &*e.strata;
-  return nullptr;
-}
-
-// "C = A; A = 2, C = 1" for the strata with this answer.
-std::string strata_with(const ManifoldReport& m, Truth abelian) {
-  std::string text;
-  for (const BlockReport& b : m.blocks)
-    if (const auto* answer = deciding(b))
-      for (const strata::Stratum& s : answer->strata)
-        if (s.leaf.abelian == abelian) text += (text.empty() ? "" : "; ") + to_string(s.conditions);
-  return text;
-}
-
-// "except where A = C (no obstruction) and where B = 0"
-std::string exceptions(const ManifoldReport& m) {
-  const std::string passes = strata_with(m, Truth::yes), open = strata_with(m, Truth::unknown);
-  if (passes.empty() && open.empty())
-    throw DomainError("the parameters where the system is not integrable could not be named");
-  const std::string first = passes.empty() ? "" : "where " + passes;
-  if (open.empty()) return "except " + first;
-  return "except " + first + (passes.empty() ? "where " : " (no obstruction) and where ") + open;
-}
-
 // What follows, in words and as the headline of a report.
 void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
   if (!m.by) return; // a limit came before the theorem
@@ -257,6 +213,8 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
     n.summary += " (the test passes; nothing follows about integrability)";
   } else {
     const std::string except = exceptions(m);
+    if (except.empty())
+      throw DomainError("the parameters where the system is not integrable could not be named");
     n.headline = "NON-INTEGRABLE " + except + by;
     n.statement = subject + "not integrable with first integrals that are " + m.by->integrals +
                   ", " + except + by + ". In the exceptions nothing follows about integrability";

@@ -224,6 +224,7 @@ void put_further_integrals(NodeResult& n, const System& s) {
                         "a rational point their Hamiltonian fields are",
                         true});
     n.statement += ". So it is integrable in Liouville's sense" +
+                   std::string(needed < s.field.dimension() ? ", on symplectic leaves" : "") +
                    std::string(level.empty() ? "" : " on that level") +
                    " for generic values of its parameters";
     return;

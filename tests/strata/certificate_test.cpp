@@ -120,6 +120,25 @@ TEST(StrataCertificate, WhatHasNoRuleIsTrustedAndCounted) {
   }
 }
 
+// What the checker believes is said beside every answer that it was asked about, kept or not.
+TEST(StrataCertificate, AnAnswerCountsWhatItsCertificateTrusts) {
+  const MFraction z = x("z"), m = x("h");
+  StrataLimits limits;
+  limits.decide.ask_the_judge = true;
+  for (const MFraction& r : {x("A") * z, x("A") / (z * z), x("A") * z * z + x("C"),
+                             (number(4) * m * m - number(1)) / (number(4) * z * z) - number(1)}) {
+    Assumptions a;
+    a.memberships.push_back({m + number(1, 2), false});
+    const StrataAnswer answer = decide_strata({r, ring->index("z"), a, {}}, limits);
+    ASSERT_TRUE(answer.certificate) << to_string(r);
+    std::vector<std::string> told;
+    for (const auto* list : {&answer.certificate->trusted, &answer.certificate->left_out})
+      for (const Uncertified& u : *list)
+        told.push_back(u.told);
+    EXPECT_EQ(answer.trusted, told) << to_string(r);
+  }
+}
+
 // The proof of another equation's group in the place of this one's.
 TEST(StrataCertificate, AVerdictIsWithdrawnWhereOurCheckerRefusesIt) {
   StrataLimits limits;
