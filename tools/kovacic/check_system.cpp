@@ -5,6 +5,7 @@
 #include "commands.hpp"
 #include "decide/words.hpp"
 #include "integrability/certificate.hpp"
+#include "integrability/conclude.hpp"
 #include "integrability/expect.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
@@ -39,8 +40,12 @@ std::string headline(const ManifoldReport& m) {
   case VerdictKind::no_obstruction:
     return "NO OBSTRUCTION  (the first-order test of " + m.by->id() +
            " passes; this does not prove integrability)";
-  case VerdictKind::depends:
-    return "DEPENDS ON THE PARAMETERS  (" + m.by->id() + "; " + m.statement + ")";
+  case VerdictKind::depends: {
+    const std::string except = exceptions(m);
+    if (except.empty()) return "DEPENDS ON THE PARAMETERS  (" + m.by->id() + ")";
+    return "NON-INTEGRABLE, " + except + "  (" + m.by->id() + ": " + m.statement +
+           "; in the exceptions nothing follows)";
+  }
   default:
     return "UNDECIDED";
   }
@@ -59,40 +64,81 @@ void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent
   print_trace(out, steps);
 }
 
-void print(std::ostringstream& out, const strata::StrataAnswer& a) {
+enum class Detail : std::uint8_t {
+  nothing, ///< where the line about what was expected says it all
+  headline,
+  brief, ///< equal answers together, no formula that fills a page
+  whole
+};
+
+void print(std::ostringstream& out, const strata::StrataAnswer& a, Detail detail) {
   Json j;
   put_strata(j, a);
-  print_strata(out, j);
+  j["trusted"] = Json::array(); // said once for all blocks
+  print_strata(out, j, detail == Detail::whole);
 }
 
-void put_block(std::ostringstream& out, const System& s, const BlockReport& b) {
+// r in three lines, or what its poles are.
+std::string shape_of(const AlgebraicOde& ode, const std::string& z) {
+  constexpr std::size_t three_lines = 260;
+  const MPoly numerator = ode.r.num();
+  std::string whole = to_factored_string(ode.r);
+  if (whole.size() <= three_lines) return whole;
+  const std::string below = to_factored_string(MFraction(ode.r.den()));
+  return (below.size() <= three_lines ? "N(" + z + ")/(" + below + "), N"
+                                      : "a quotient whose numerator is") +
+         " of degree " + std::to_string(degree(numerator, ode.z)) + " with " +
+         std::to_string(numerator.length()) + " terms (--verbose shows them)";
+}
+
+void put_level(std::ostringstream& out, const EnergyResult& e, Detail detail) {
+  put(out, "at", e.condition + "  (" + e.why + ")");
+  if (e.decision) put_decision(out, *e.decision, 4);
+  if (e.strata) print(out, *e.strata, detail);
+  if (!e.note.empty()) put(out, "note", e.note, 4);
+}
+
+// A level that decides is enough.
+bool decides(const EnergyResult& e) {
+  return (e.decision && e.decision->abelian == Truth::no) ||
+         (e.strata && e.strata->decided() && somewhere_not_abelian(*e.strata));
+}
+
+void put_levels(std::ostringstream& out, const std::vector<EnergyResult>& all, Detail detail) {
+  const auto one = std::find_if(all.begin(), all.end(), decides);
+  if (detail == Detail::whole || one == all.end())
+    for (const EnergyResult& e : all)
+      put_level(out, e, detail);
+  else
+    put_level(out, *one, detail);
+}
+
+void put_block(std::ostringstream& out, const System& s, const BlockReport& b, Detail detail) {
   if (b.ode) {
     const std::string z = s.ring()->name(b.ode->z);
     put(out, "change", b.ode->change + ", y the variation of " + b.ode->unknown);
-    put(out, "equation", "y'' = r(" + z + ") y,  r = " + to_factored_string(b.ode->r));
+    put(out, "equation",
+        "y'' = r(" + z + ") y,  r = " +
+            (detail == Detail::whole ? to_factored_string(b.ode->r) : shape_of(*b.ode, z)));
   }
   if (b.decision) put_decision(out, *b.decision, 2);
-  if (b.strata) print(out, *b.strata);
-  for (const auto& f : b.special)
-    put(out, "merging", "singular places meet where " + to_string(f) + " = 0");
-  for (const auto& e : b.energies) {
-    put(out, "at", e.condition + "  (" + e.why + ")");
-    if (e.decision) put_decision(out, *e.decision, 4);
-    if (e.strata) print(out, *e.strata);
-    if (!e.note.empty()) put(out, "note", e.note, 4);
-  }
+  if (b.strata) print(out, *b.strata, detail);
+  if (detail == Detail::whole)
+    for (const auto& f : b.special)
+      put(out, "merging", "singular places meet where " + to_string(f) + " = 0");
+  put_levels(out, b.energies, detail);
   if (!b.note.empty()) put(out, "note", b.note);
 }
 
-// On what the verdict rests; the steps of the strata are named with them.
+// On what the verdict rests.
 void put_trust(std::ostringstream& out, const ManifoldReport& m) {
   const auto steps = trusted_steps(m);
   if (m.verdict == VerdictKind::undecided || steps.empty()) return;
+  std::string text;
+  for (const std::string& step : steps)
+    text += (text.empty() ? "" : "; ") + step;
   put(out, "trusted",
-      steps.size() == 1
-          ? "1 step: " + steps.front()
-          : std::to_string(steps.size()) + " steps: " + steps.front() + ", and " +
-                (m.matrices && steps.size() == 2 ? steps.back() : "those named above"));
+      std::to_string(steps.size()) + (steps.size() == 1 ? " step: " : " steps: ") + text);
 }
 
 // Which flag sets the first limit among the reasons.
@@ -109,7 +155,10 @@ std::string title_of_manifold(const System& s, const std::string& name) {
   return title;
 }
 
-void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport& m, bool quiet) {
+void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport& m,
+                  Detail detail) {
+  const bool undecided = m.failure || m.verdict == VerdictKind::undecided;
+  if (detail == Detail::nothing && !undecided) return;
   out << title_of_manifold(s, m.name) << "\n";
   if (m.failure) {
     put(out, "error", m.failure->message);
@@ -121,12 +170,12 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
       put(out, "note", line);
   if (!m.not_checked.empty() && m.verdict != VerdictKind::undecided)
     put(out, "NOT CHECKED", m.not_checked);
-  if (quiet && m.verdict != VerdictKind::undecided) return;
+  if (detail == Detail::headline && !undecided) return;
   for (const auto& e : m.reduced.eliminations)
     put(out, "reduced",
         "the variation of " + e.unknown + " by the linear integral d" + e.integral + " = 0");
   for (const auto& b : m.blocks)
-    put_block(out, s, b);
+    put_block(out, s, b, detail);
   if (m.blocks.empty())
     for (const auto& r : m.reasons)
       put(out, "because", r);
@@ -137,9 +186,9 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
   put_trust(out, m);
 }
 
-std::string text_of(const System& s, const ManifoldReport& m, bool quiet) {
+std::string text_of(const System& s, const ManifoldReport& m, Detail detail) {
   std::ostringstream out;
-  put_manifold(out, s, m, quiet);
+  put_manifold(out, s, m, detail);
   return out.str();
 }
 
@@ -282,7 +331,7 @@ private:
                                               with_claims ? claims_of(round) : none, options_));
     ManifoldReport& m = report.manifolds.front();
     if (m.failure && is_fine_without(round.values, m.name)) degenerate(m);
-    Report answer{exit_decided, text_of(s, m, settings_.quiet), {{"manifold", json_of(s, m)}}, {}};
+    Report answer{exit_decided, text_of(s, m, detail_of(round)), {{"manifold", json_of(s, m)}}, {}};
     if (settings_.second_opinion) ask_monodromy(s, m, answer);
     if (!settings_.certificate.empty()) file_certificates(s, m, answer);
     answer.json["unmet"] = Json::array(); // null: the expectation is about another one
@@ -290,6 +339,14 @@ private:
       answer.json["unmet"].push_back(
           x->manifold.empty() || x->manifold == m.name ? Json(unmet(*x, report)) : Json(nullptr));
     return answer;
+  }
+
+  // Rounds after the first are there for what the file expects of them.
+  [[nodiscard]] Detail detail_of(const Round& round) const {
+    if (settings_.verbose > 0 || settings_.trace) return Detail::whole;
+    const bool only_expected =
+        &round != &rounds_.front() && settings_.certificate.empty() && !settings_.second_opinion;
+    return only_expected ? Detail::nothing : settings_.quiet ? Detail::headline : Detail::brief;
   }
 
   // Values can turn a curve into points; then they are the reason, and the file is not wrong.

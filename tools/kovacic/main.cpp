@@ -72,7 +72,8 @@ struct CommandLine {
     command.add_flag("-q,--quiet", settings.quiet, "the answer only");
   }
   void verbose_flag(CLI::App& command) {
-    command.add_flag("-v,--verbose", settings.verbose, "times as well");
+    command.add_flag("-v,--verbose", settings.verbose,
+                     "every stratum, level and formula in full, and times");
   }
   void format_flag(CLI::App& command, const std::vector<std::string>& formats,
                    const std::string& description) {

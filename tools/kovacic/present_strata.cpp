@@ -46,20 +46,34 @@ Json assumed(const Assumptions& all, const Ring& ring) {
   return list;
 }
 
+long equations(const strata::Stratum& s) {
+  return std::count_if(s.conditions.begin(), s.conditions.end(),
+                       [](const Condition& c) { return c.sign == Sign::zero; });
+}
+
+// The general ones have the fewest equations between parameters.
+long fewest_equations(const strata::StrataAnswer& a) {
+  long fewest = 0;
+  for (const auto& s : a.strata)
+    fewest = &s == &a.strata.front() ? equations(s) : std::min(fewest, equations(s));
+  return fewest;
+}
+
 } // namespace
 
 void put_strata(Json& j, const strata::StrataAnswer& a) {
   if (a.question) j["assumed"] = assumed(a.question->assumptions, a.question->r.ring());
   Json all = Json::array();
+  const long general = fewest_equations(a);
   for (const auto& s : a.strata) {
     Json conditions = Json::array();
     for (const auto& c : s.conditions)
       conditions.push_back(to_string(c));
-    Json one{{"conditions", conditions},
-             {"abelian", word(s.leaf.abelian)},
-             {"group", group_name(s.leaf)},
-             {"group_text", strata::group_text(s.leaf)},
-             {"reason", strata::reason(s.leaf)}};
+    Json one{{"conditions", conditions},         {"abelian", word(s.leaf.abelian)},
+             {"group", group_name(s.leaf)},      {"group_text", strata::group_text(s.leaf)},
+             {"reason", strata::reason(s.leaf)}, {"generic", equations(s) == general}};
+    if (std::string brief = strata::reason_in_brief(s.leaf); brief != one.at("reason"))
+      one["brief"] = std::move(brief);
     if (s.leaf.open) one["open"] = strata::open_condition(s.leaf);
     put_trace(one, s.leaf.trace);
     all.push_back(std::move(one));
@@ -85,32 +99,126 @@ void print_trace(std::ostream& out, const Json& j) {
   }
 }
 
-void print_strata(std::ostream& out, const Json& j) {
+namespace {
+
+std::string where(const Json& stratum) {
+  std::string text;
+  for (const Json& c : stratum.at("conditions"))
+    text += (text.empty() ? "" : ", ") + c.get<std::string>();
+  return text.empty() ? "always" : text;
+}
+
+std::string answer(const Json& stratum) {
+  const std::string group = stratum.at("group_text"), abelian = stratum.at("abelian");
+  return (group.empty() ? "" : group + ", ") + std::string("identity component ") +
+         (abelian == "yes"  ? "abelian"
+          : abelian == "no" ? "not abelian"
+                            : "abelian or not: undecided");
+}
+
+void print_whole(std::ostream& out, const Json& s) {
+  line(out, "stratum", where(s));
+  if (s.contains("no_equation"))
+    return line(out, "none", "no equation y'' = r y: " + s.at("reason").get<std::string>(), 4);
+  line(out, "group", answer(s), 4);
+  line(out, "because", s.at("reason"), 4);
+  print_trace(out, s);
+}
+
+// Strata with the same answer.
+struct Alike {
+  std::vector<const Json*> strata;
+  [[nodiscard]] const Json& first() const { return *strata.front(); }
+  [[nodiscard]] bool generic() const { return first().value("generic", false); } // general
+  // Those for which something holds that must be looked at come first.
+  [[nodiscard]] int rank() const {
+    if (first().contains("no_equation")) return 2;
+    const std::string abelian = first().at("abelian");
+    return abelian == "undecided" ? 0 : abelian == "yes" ? 1 : 3;
+  }
+};
+
+std::vector<Alike> alike(const Json& strata) {
+  std::vector<Alike> all;
+  for (const Json& s : strata) {
+    const auto same = [&](const Alike& a) {
+      return answer(a.first()) == answer(s) &&
+             a.first().contains("no_equation") == s.contains("no_equation") &&
+             (s.at("abelian") != "undecided" || a.first().at("reason") == s.at("reason"));
+    };
+    auto it = std::find_if(all.begin(), all.end(), same);
+    if (it == all.end()) it = all.insert(all.end(), Alike{});
+    it->strata.push_back(&s);
+  }
+  for (Alike& a : all) // the reason of the general one stands for all
+    std::stable_partition(a.strata.begin(), a.strata.end(),
+                          [](const Json* s) { return s->value("generic", false); });
+  return all;
+}
+
+constexpr std::size_t most_named = 4;       // strata
+constexpr std::size_t short_condition = 40; // characters
+
+// "C = A; or C = 2*A", some of them.
+std::string where_any(const Alike& a) {
+  std::string text;
+  for (std::size_t i = 0; i < a.strata.size() && i < most_named; ++i)
+    text += (text.empty() ? "" : "; or ") + where(*a.strata[i]);
+  const std::size_t more = a.strata.size() - std::min(a.strata.size(), most_named);
+  return text + (more == 0 ? "" : "; or on " + std::to_string(more) + " more strata (--verbose)");
+}
+
+void print_alike(std::ostream& out, const Alike& a, const std::string& elsewhere) {
+  const Json& s = a.first();
+  line(out, "stratum", elsewhere.empty() ? where_any(a) : elsewhere);
+  const std::string reason = s.contains("brief") ? s.at("brief") : s.at("reason");
+  if (s.contains("no_equation")) return line(out, "none", "no equation y'' = r y: " + reason, 4);
+  line(out, "group", answer(s), 4);
+  const auto others = std::count_if(a.strata.begin(), a.strata.end(), [&](const Json* x) {
+    return x->at("reason") != s.at("reason");
+  });
+  const std::string here = others == 0                 ? ""
+                           : s.value("generic", false) ? "in general: "
+                                                       : "where " + where(s) + ": ";
+  line(out, "because", here + reason, 4);
+  if (others > 0)
+    line(out, "",
+         others == 1
+             ? "on another stratum for another reason (--verbose)"
+             : "on " + std::to_string(others) + " more strata for reasons of their own (--verbose)",
+         4);
+}
+
+bool is_short(const Alike& a) {
+  return a.strata.size() == 1 && where(a.first()).size() <= short_condition;
+}
+
+// Equal answers together; where that is not short the last of them is that of all other parameters.
+void print_in_brief(std::ostream& out, const Json& j) {
+  auto all = alike(j.at("strata"));
+  const bool rest = !std::all_of(all.begin(), all.end(), is_short) && !j.contains("unvisited");
+  if (rest)
+    std::stable_sort(all.begin(), all.end(),
+                     [](const Alike& a, const Alike& b) { return a.rank() < b.rank(); });
+  for (const Alike& a : all) {
+    const bool last = rest && &a == &all.back() && a.generic() && !is_short(a);
+    print_alike(out, a, !last ? "" : all.size() == 1 ? "always" : "elsewhere");
+  }
+}
+
+} // namespace
+
+void print_strata(std::ostream& out, const Json& j, bool whole) {
   if (j.contains("contradictory")) line(out, "strata", "no parameters satisfy the assumptions");
   std::string given;
   for (const Json& c : j.value("assumed", Json::array()))
     given += (given.empty() ? "" : ", ") + c.get<std::string>();
   if (!given.empty()) line(out, "assumed", given);
-  for (const Json& s : j.at("strata")) {
-    std::string where;
-    for (const Json& c : s.at("conditions"))
-      where += (where.empty() ? "" : ", ") + c.get<std::string>();
-    line(out, "stratum", where.empty() ? "always" : where);
-    if (s.contains("no_equation")) {
-      line(out, "none", "no equation y'' = r y: " + s.at("reason").get<std::string>(), 4);
-      continue;
-    }
-    const std::string group = s.at("group_text");
-    const std::string abelian = s.at("abelian");
-    line(out, "group",
-         (group.empty() ? "" : group + ", ") + std::string("identity component ") +
-             (abelian == "yes"  ? "abelian"
-              : abelian == "no" ? "not abelian"
-                                : "abelian or not: undecided"),
-         4);
-    line(out, "because", s.at("reason"), 4);
-    print_trace(out, s);
-  }
+  if (whole)
+    for (const Json& s : j.at("strata"))
+      print_whole(out, s);
+  else
+    print_in_brief(out, j);
   if (j.contains("unvisited"))
     for (const Json& u : j.at("unvisited"))
       line(out, "open", u);

@@ -11,8 +11,8 @@ namespace kov::cli {
 
 /// The list under the key "strata", and what was left open or taken on trust beside it.
 void put_strata(Json& j, const strata::StrataAnswer& a);
-/// Lines "stratum / group / because", from the JSON.
-void print_strata(std::ostream& out, const Json& j);
+/// Lines "stratum / group / because", from the JSON: one for each stratum, or for each answer.
+void print_strata(std::ostream& out, const Json& j, bool whole);
 /// The steps of a derivation under the key "trace", if there are any, and from there to lines.
 void put_trace(Json& j, const std::vector<TraceStep>& trace);
 void print_trace(std::ostream& out, const Json& j);

@@ -11,6 +11,7 @@ struct Style {
   bool color = false;
   bool trace = false;
   bool quiet = false;    ///< the first lines only
+  bool whole = false;    ///< every stratum with its reason
   bool solutions = true; ///< or why there are none
 };
 

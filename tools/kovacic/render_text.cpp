@@ -182,7 +182,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   if (!open || line != "G = ?") out << "  " << wrapped(line, 2) << '\n';
   if (style.quiet && result.at("undecided").is_null()) return out.str();
   if (result.contains("strata")) {
-    print_strata(out, result);
+    print_strata(out, result, style.whole || style.trace);
     if (result.contains("second_opinion"))
       put(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
     if (const Json& known = result.at("recognized"); !known.is_null())

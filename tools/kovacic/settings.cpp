@@ -60,6 +60,7 @@ Style Settings::style() const {
   return {.color = output.empty() && colors(STDOUT_FILENO),
           .trace = trace,
           .quiet = quiet,
+          .whole = verbose > 0,
           .solutions = wants_solutions()};
 }
 
