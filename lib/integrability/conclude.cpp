@@ -62,15 +62,40 @@ std::string in_equations(const std::vector<Condition>& all) {
   return to_string(equations.empty() ? all : equations);
 }
 
-// "C = A; A = 2, C = 1" for the strata where nothing follows.
-std::string where_not_excluded(const ManifoldReport& report) {
-  std::string text;
+// Strata without an obstruction, and those that a limit left open.
+std::vector<std::string> not_excluded_by(const strata::StrataAnswer& answer) {
+  std::vector<std::string> all = answer.unvisited;
+  for (const strata::Stratum& s : answer.strata)
+    if (s.leaf.abelian != Truth::no) all.push_back(in_equations(s.conditions));
+  return all;
+}
+
+bool is_general(const strata::Stratum& s) {
+  return std::none_of(s.conditions.begin(), s.conditions.end(),
+                      [](const Condition& c) { return c.sign == Sign::zero; });
+}
+
+// The strata of one block are enough where the general one has an obstruction.
+const strata::StrataAnswer* excluding_strata(const ManifoldReport& report) {
+  for (const BlockReport& b : report.blocks)
+    if (b.abelian == Truth::unknown && b.strata)
+      for (const strata::Stratum& s : b.strata->strata)
+        if (s.leaf.abelian == Truth::no && is_general(s)) return &*b.strata;
+  return nullptr;
+}
+
+// The parameters where nothing follows.
+std::vector<std::string> not_excluded_by(const ManifoldReport& report) {
+  if (report.verdict != VerdictKind::depends) {
+    const auto* answer = excluding_strata(report);
+    return answer ? not_excluded_by(*answer) : std::vector<std::string>{};
+  }
+  std::vector<std::string> all;
   for (const BlockReport& b : report.blocks)
     if (const auto* answer = deciding_strata(b))
-      for (const strata::Stratum& s : answer->strata)
-        if (s.leaf.abelian != Truth::no)
-          text += (text.empty() ? "" : "; or ") + in_equations(s.conditions);
-  return text;
+      for (std::string& where : not_excluded_by(*answer))
+        all.push_back(std::move(where));
+  return all;
 }
 
 std::string decided_where(const ManifoldReport& report) {
@@ -122,6 +147,12 @@ VerdictKind verdict_of(const ManifoldReport& report) {
 
 namespace {
 
+// For some parameters at least.
+bool excludes_integrals(const ManifoldReport& report) {
+  return report.verdict == VerdictKind::non_integrable || report.verdict == VerdictKind::depends ||
+         (report.verdict == VerdictKind::undecided && excluding_strata(report));
+}
+
 std::vector<std::string> functions_on_the_curve(const System& s, const ManifoldReport& report) {
   std::vector<std::string> names;
   const auto& left_out = report.without;
@@ -150,7 +181,7 @@ TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
   TheoremUsed by = used(s.field.poisson ? morales_ramis() : ayoul_zung());
   by.integrals = to_string(report.integrals);
   if (!report.not_checked.empty()) by.hypotheses.push_back({report.not_checked, Settled::open, ""});
-  if (report.verdict == VerdictKind::non_integrable || report.verdict == VerdictKind::depends)
+  if (excludes_integrals(report))
     if (const auto used = functions_on_the_curve(s, report); !used.empty())
       by.integrals += " (in the coordinates and " + list(used) + ")";
   if (s.field.poisson && s.kind != SystemKind::hamiltonian)
@@ -180,7 +211,7 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
   if (report.verdict == VerdictKind::undecided && !report.not_studied.empty())
     report.reasons.push_back("an abelian identity component of every block decides nothing here: " +
                              report.not_studied);
-  if (report.verdict == VerdictKind::depends || report.verdict == VerdictKind::non_integrable)
+  if (excludes_integrals(report))
     report.statement =
         (s.field.poisson ? "not integrable in Liouville's sense with first integrals that are "
                          : "not integrable with first integrals and commuting vector fields "
@@ -190,8 +221,10 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
 }
 
 std::string exceptions(const ManifoldReport& report) {
-  const std::string where = where_not_excluded(report);
-  return where.empty() ? "" : "except where " + where;
+  std::string text;
+  for (const std::string& where : not_excluded_by(report))
+    text += (text.empty() ? "except where " : "; or ") + where;
+  return text;
 }
 
 namespace {

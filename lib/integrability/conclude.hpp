@@ -12,8 +12,8 @@ namespace kov {
 /// statement and the reasons.
 void conclude(const System& s, const CheckOptions& options, ManifoldReport& report);
 
-/// VerdictKind::depends: "except where C = A", outside of which the system is not integrable; empty
-/// where that cannot be named.  In the exceptions nothing follows about integrability.
+/// VerdictKind::depends, or undecided in part: "except where C = A", outside of which the system is
+/// not integrable; empty where that cannot be named.  In the exceptions nothing follows.
 [[nodiscard]] std::string exceptions(const ManifoldReport& report);
 
 } // namespace kov

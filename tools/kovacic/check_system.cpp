@@ -33,21 +33,38 @@ void put(std::ostringstream& out, const std::string& label, const std::string& t
       << "\n";
 }
 
-std::string headline(const ManifoldReport& m) {
+enum class Detail : std::uint8_t {
+  nothing, ///< where the line about what was expected says it all
+  headline,
+  brief, ///< equal answers together, no formula that fills a page
+  whole
+};
+
+// The beginning of what would fill a page.
+std::string cut(const std::string& text, Detail detail) {
+  constexpr std::size_t five_lines = 430;
+  if (detail == Detail::whole || text.size() <= five_lines) return text;
+  return text.substr(0, five_lines) + " ... (--verbose shows the rest)";
+}
+
+std::string undecided_somewhere(const ManifoldReport& m, Detail detail) {
+  const std::string except = cut(exceptions(m), detail);
+  const bool depends = m.verdict == VerdictKind::depends;
+  if (except.empty())
+    return depends ? "DEPENDS ON THE PARAMETERS  (" + m.by->id() + ")" : "UNDECIDED";
+  return (depends ? "NON-INTEGRABLE, " : "UNDECIDED IN PART: NON-INTEGRABLE, ") + except + "  (" +
+         m.by->id() + ": " + m.statement + "; in the exceptions nothing follows)";
+}
+
+std::string headline(const ManifoldReport& m, Detail detail) {
   switch (m.verdict) {
   case VerdictKind::non_integrable:
     return "NON-INTEGRABLE  (" + m.by->id() + ": " + m.statement + ")";
   case VerdictKind::no_obstruction:
     return "NO OBSTRUCTION  (the first-order test of " + m.by->id() +
            " passes; this does not prove integrability)";
-  case VerdictKind::depends: {
-    const std::string except = exceptions(m);
-    if (except.empty()) return "DEPENDS ON THE PARAMETERS  (" + m.by->id() + ")";
-    return "NON-INTEGRABLE, " + except + "  (" + m.by->id() + ": " + m.statement +
-           "; in the exceptions nothing follows)";
-  }
   default:
-    return "UNDECIDED";
+    return undecided_somewhere(m, detail);
   }
 }
 
@@ -63,13 +80,6 @@ void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent
   put_trace(steps, d.trace);
   print_trace(out, steps);
 }
-
-enum class Detail : std::uint8_t {
-  nothing, ///< where the line about what was expected says it all
-  headline,
-  brief, ///< equal answers together, no formula that fills a page
-  whole
-};
 
 void print(std::ostringstream& out, const strata::StrataAnswer& a, Detail detail) {
   Json j;
@@ -95,7 +105,7 @@ void put_level(std::ostringstream& out, const EnergyResult& e, Detail detail) {
   put(out, "at", e.condition + "  (" + e.why + ")");
   if (e.decision) put_decision(out, *e.decision, 4);
   if (e.strata) print(out, *e.strata, detail);
-  if (!e.note.empty()) put(out, "note", e.note, 4);
+  if (!e.note.empty()) put(out, "note", cut(e.note, detail), 4);
 }
 
 // A level that decides is enough.
@@ -127,7 +137,7 @@ void put_block(std::ostringstream& out, const System& s, const BlockReport& b, D
     for (const auto& f : b.special)
       put(out, "merging", "singular places meet where " + to_string(f) + " = 0");
   put_levels(out, b.energies, detail);
-  if (!b.note.empty()) put(out, "note", b.note);
+  if (!b.note.empty()) put(out, "note", cut(b.note, detail));
 }
 
 // On what the verdict rests.
@@ -164,7 +174,7 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
     put(out, "error", m.failure->message);
     return;
   }
-  out << "  " << wrapped(headline(m), 2) << "\n";
+  out << "  " << wrapped(headline(m, detail), 2) << "\n";
   if (m.manifold)
     for (const auto& line : m.manifold->rewritten)
       put(out, "note", line);

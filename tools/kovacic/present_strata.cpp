@@ -156,16 +156,19 @@ std::vector<Alike> alike(const Json& strata) {
   return all;
 }
 
-constexpr std::size_t most_named = 4;       // strata
-constexpr std::size_t short_condition = 40; // characters
+constexpr std::size_t short_condition = 40;  // characters
+constexpr std::size_t long_conditions = 240; // no more are named
 
 // "C = A; or C = 2*A", some of them.
 std::string where_any(const Alike& a) {
   std::string text;
-  for (std::size_t i = 0; i < a.strata.size() && i < most_named; ++i)
-    text += (text.empty() ? "" : "; or ") + where(*a.strata[i]);
-  const std::size_t more = a.strata.size() - std::min(a.strata.size(), most_named);
-  return text + (more == 0 ? "" : "; or on " + std::to_string(more) + " more strata (--verbose)");
+  std::size_t named = 0;
+  for (; named < a.strata.size() && text.size() < long_conditions; ++named)
+    text += (named == 0 ? "" : "; or ") + where(*a.strata[named]);
+  const std::size_t more = a.strata.size() - named;
+  return text + (more == 0   ? ""
+                 : more == 1 ? "; or on 1 more stratum (--verbose)"
+                             : "; or on " + std::to_string(more) + " more strata (--verbose)");
 }
 
 void print_alike(std::ostream& out, const Alike& a, const std::string& elsewhere) {
