@@ -29,13 +29,15 @@ from collections import Counter, defaultdict
 import arithmetic
 import groups
 import several_variables
+import systems
 import traps
 from mutants import mutants, source
 
 VERIFY = traps.VERIFY
 MODULES = ["modular", "exact", "certificate_format", "multivariate", "places", "strata_format", "strata_invariant",
-           "strata_leaves", "stratum", "statement", "strata", "equation", "singular_points", "group_rules", "conclusions",
-           "kovacic_verify"]
+           "strata_leaves", "stratum", "statement", "first_integrals", "strata", "system_format", "phase_space",
+           "function_algebra", "phase_curve", "system_statement", "system", "equation", "singular_points", "group_rules",
+           "conclusions", "kovacic_verify"]
 SECONDS = 2.0                               # for one trap, beside ten times what it takes unchanged
 TOTAL = 0.5                                 # seconds for the traps of one mutant, unchanged; the fast ones first
 SLOW = 0.3                                  # a trap that takes longer is left out
@@ -270,7 +272,7 @@ def main():
     v, all_traps = checker(), []
     properties = arithmetic.properties() + several_variables.properties() + groups.properties()
     others = traps.of_the_judge(given.certify) if given.certify else []
-    texts = [*traps.certificates(), *others]
+    texts = [*traps.certificates(), *systems.certificates(), *others]
     if given.traps:
         texts = random.Random(given.seed).sample(texts, min(given.traps, len(texts)))
     for trap, text, accepted in [*properties, *texts]:

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Independent checker for kovacic-certificate/1 and kovacic-strata/1 (Python 3 standard library only).
+"""Independent checker for kovacic-certificate/1, kovacic-strata/1, kovacic-system/1 (Python 3 standard library only).
 
 A certificate proves a statement about the differential Galois group G of y'' = r(z) y, r = num/den in K(z), K = Q(a).
 docs/theory/certificates.md defines the format; the pages beside it prove the theorem behind each rule, and the numbers
@@ -7,7 +7,8 @@ in brackets below are theirs.  Nothing is searched for: each step is recomputed 
 Beside this file: certificate_format.py reads, equation.py, singular_points.py and group_rules.py have the rules,
 conclusions.py the table of theorems, places.py the degree bounds, exact.py and modular.py the arithmetic.  strata.py,
 stratum.py, strata_leaves.py, strata_invariant.py, strata_format.py and multivariate.py are for equations with
-parameters (docs/theory/strata_certificates.md).
+parameters (docs/theory/strata_certificates.md); system.py, system_format.py, phase_space.py, function_algebra.py,
+phase_curve.py, first_integrals.py and system_statement.py for mechanical systems (docs/theory/system_certificates.md).
 
 usage: kovacic_verify.py [--strict] FILE...   (- is standard input)     exit 0 accepted, 1 rejected, 2 malformed
 """
@@ -15,12 +16,13 @@ import sys
 
 import statement
 import strata
+import system
 from certificate_format import CLAIM, Malformed, Rejected, load, need, parse
 from conclusions import COMPONENT, conclude
 from equation import Equation, Fact
 from exact import K, ONE, irreducible
 from group_rules import Checker
-from strata_format import FORMAT
+from multivariate import Work
 
 
 def run(checker, rule, data, given):
@@ -38,7 +40,7 @@ def run(checker, rule, data, given):
 
 
 def prove(top):
-    """Of an ordinary certificate: num, den, the claim `abelian`, the number of trusted steps and the statement."""
+    """Of an ordinary certificate: num, den, the claim, the number of trusted steps and the statement."""
     num, den, claim, steps = load(top)
     size = sum(c * c for c in K.m).bit_length() // 2 + K.d + 1
     need(K.d == 1 or size < 76 and irreducible(K.m), "the minimal polynomial is too large, or not proved irreducible")
@@ -69,14 +71,18 @@ def prove(top):
     for key, value in zip(CLAIM, (result[0], result[1], COMPONENT[result[0]], result[2])):
         need(key not in claim or claim[key] == value, f"the claim does not follow: {key}")
     lines = statement.group(num, den, K.m, claim, trusted)
-    return num, den, claim.get("abelian"), len(trusted), lines
+    return num, den, claim, len(trusted), lines
 
 
 def check(text):
     """The number of trusted steps, a summary and the lines of the statement; raises Malformed or Rejected."""
-    top, Equation.spent = parse(text), 0
-    if isinstance(top, dict) and top.get("format") == FORMAT:
-        return strata.verify(top, prove)
+    top, Equation.spent, Work.left = parse(text), 0, 4 * 10**7
+    form = top.get("format") if isinstance(top, dict) else None
+    if form == system.FORMAT:
+        return system.verify(top, prove)
+    if form == strata.FORMAT:
+        tree, *said = strata.verify(top, prove)
+        return tree.trust, *said
     *_, trusted, lines = prove(top)
     return trusted, "", lines
 

@@ -1,4 +1,4 @@
-"""Exact arithmetic for strata.py: polynomials over Z in several variables, as dictionaries {monomial: coefficient}.
+"""Exact arithmetic for strata.py and system.py: polynomials over Z in several variables, as dictionaries {monomial: coefficient}.
 
 A monomial is one integer with the exponents in fields of 32 bits, so that products of monomials are sums and the order
 of the integers is lexicographic.  A variable is the position of its field.  Products of terms are counted (spend)."""
@@ -12,9 +12,9 @@ from operator import or_
 from certificate_format import Malformed, need
 from modular import power
 
-FIELD, MASK, VARIABLES = 32, 2**32 - 1, 13
+FIELD, MASK, VARIABLES, NAMES = 32, 2**32 - 1, 13, 64           # quotient: the first 13; all else: 64
 GUARD = sum(1 << FIELD * i + 31 for i in range(VARIABLES))      # no exponent reaches these bits,
-HIGH = GUARD | GUARD >> 1                                       # nor does a sum of two
+HIGH = sum(3 << FIELD * i + 30 for i in range(NAMES))           # nor does a sum of two
 POWER = r"[A-Za-z_][A-Za-z0-9_]*(\^(0|[1-9][0-9]{0,3}))?"
 TERM = re.compile(rf"(0|[1-9][0-9]{{0,9999}}|{POWER})(\*{POWER})*\Z")
 
@@ -76,7 +76,7 @@ class P(dict):
 
     def variables(self):
         seen = reduce(or_, self, 0)
-        return {x for x in range(0, FIELD * VARIABLES, FIELD) if seen >> x & MASK}
+        return {x for x in range(0, seen.bit_length(), FIELD) if seen >> x & MASK}
 
     def constant(self):
         """Its value, if it is one; else None."""

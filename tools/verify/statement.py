@@ -4,7 +4,7 @@ import re
 from fractions import Fraction
 
 from exact import K
-from multivariate import FIELD, MASK, VARIABLES
+from multivariate import FIELD, MASK
 
 RELATION = {"positive": "> 0", "nonnegative": ">= 0", "nonzero": "!= 0", "zero": "= 0"}
 SAID = {"yes": "abelian", "no": "not abelian", "empty": "no points"}
@@ -28,7 +28,7 @@ def joined(terms, names):
 
 def polynomial(f, names):
     """f in several variables, names: of all in their order"""
-    terms = [([k >> FIELD * i & MASK for i in range(VARIABLES)], c) for k, c in f.items()]
+    terms = [([k >> FIELD * i & MASK for i in range(len(names))], c) for k, c in f.items()]
     return joined(sorted(terms, reverse=True), names)
 
 

@@ -8,9 +8,10 @@ from collections import Counter
 import statement
 from certificate_format import Malformed, Rejected, need, read
 from exact import ZERO, K, Poly
-from multivariate import FIELD, MASK, Work, quotient, remove, spend
+from first_integrals import denial, falls
+from multivariate import FIELD, MASK, quotient, remove, spend
 from statement import SAID, polynomial, quoted
-from strata_format import ENDS, NAME, NODES, TOP, ZEROS, choose
+from strata_format import ENDS, FORMAT, NAME, NODES, TOP, ZEROS, choose
 from strata_invariant import Z, invariant
 from strata_leaves import Leaf
 from stratum import Stratum, vanishes
@@ -18,11 +19,11 @@ from stratum import Stratum, vanishes
 
 class Tree:
     """Walks through the nodes (4); counts leaves and trusted steps.  path: the conditions of a node, as text; lines:
-    what is said of each leaf (8)."""
+    what is said of each leaf (8); denials: of each that says "not abelian", whether it is regular and has SL(2)."""
 
     def __init__(self, prove, names):
         self.prove, self.leaves, self.nodes, self.trust = prove, Counter(), 0, 0
-        self.names, self.path, self.lines = names, [], []
+        self.names, self.path, self.lines, self.denials = names, [], [], []
 
     def say(self, what):
         self.lines.append(f"  {', '.join(self.path) or 'always'}: {what}")
@@ -105,6 +106,7 @@ class Tree:
         self.say(f"{SAID[d['abelian']]} (trusted, {quoted(d['theorem'])}: {quoted(d['statement'])})")
         self.trust += 1
         self.leaves[d["abelian"]] += 1
+        self.denials += [(False, False)] * (d["abelian"] == "no")
 
     def leaf(self, s, d, _):
         need(s.den, "r is not defined here")
@@ -122,14 +124,18 @@ class Tree:
             self.leaves["no"] += 1
             need(d["abelian"] == "no", "the places prove not abelian")
             self.say(f"not abelian ({d['by']})")
-            Leaf(s, d).prove()
+            leaf = Leaf(s, d)
+            leaf.prove()
+            self.denials.append((all(x.order <= 2 for x in leaf.local.finite) and falls(s.num.degree(Z), s.den.degree(Z)),
+                                 False))
 
     def nested(self, d, by):
         """num and den of an ordinary certificate; the field K is set to its own."""
-        num, den, abelian, trusted, _ = self.prove(d["certificate"])
+        num, den, claim, trusted, _ = self.prove(d["certificate"])
         need(d["abelian"] in ("yes", "no"), "yes or no is expected")
-        need(abelian is (d["abelian"] == "yes"), "the certificate claims something else")
+        need(claim.get("abelian") is (d["abelian"] == "yes"), "the certificate claims something else")
         self.trust += trusted
+        self.denials += [denial(num, den, claim)] * (d["abelian"] == "no")
         self.leaves[d["abelian"]] += 1
         self.say(f"{SAID[d['abelian']]} ({by}" + f", {trusted} trusted" * bool(trusted) + ")")
         return num, den
@@ -165,9 +171,8 @@ def over_field(f, x, powers):
 
 
 def verify(top, prove):
-    """The number of trusted steps, a summary and the statement; prove checks ordinary certificates.  Raises Malformed
-    or Rejected."""
-    top, Work.left = read(TOP, top, "certificate"), 4 * 10**7
+    """The tree, a summary and the statement; prove checks ordinary certificates.  Raises Malformed or Rejected."""
+    top = read(TOP, top, "certificate")
     variable, parameters, real, claim = top["variable"], top["parameters"], top["real"], top["claim"]["abelian"]
     names = [variable, *parameters]
     if not all(map(NAME.match, names)) or len(set(names)) < len(names) or len(parameters) > 12:
@@ -197,4 +202,4 @@ def verify(top, prove):
     counts = ", ".join(f"{tree.leaves[k]} {word}" for k, word in words.items() if tree.leaves[k])
     total = sum(tree.leaves[k] for k in words)
     summary = f"{total} {'stratum' if total == 1 else 'strata'}{': ' * bool(counts)}{counts}; "
-    return tree.trust, summary, statement.strata(s, parameters, claim, tree.lines)
+    return tree, summary, statement.strata(s, parameters, claim, tree.lines)

@@ -1,0 +1,117 @@
+"""A particular solution as functions of z, and the variational equation along it (docs/theory/system_certificates.md 4, 5):
+identities in the algebra R of function_algebra.py."""
+from certificate_format import need
+from function_algebra import Element, FunctionAlgebra
+from multivariate import FIELD, P
+from system_format import entries, right
+
+
+class PhaseCurve:
+    """known: {variable: {1: value}} for the names of phase space that have one; field: X_j; time: dt/dz"""
+
+    def __init__(self, space, curve, parameters):
+        self.space, self.R = space, FunctionAlgebra(curve, parameters)
+        self.variable, self.parameters = curve["variable"], parameters
+        known = [*space.coordinates, *space.functions, *space.inverses]
+        values = {x: self.R.read(v) for x, v in entries(curve["values"], known, "values").items()}
+        self.known = {space.at[x]: {1: v} for x, v in values.items()}
+        for x in parameters:
+            self.known[space.at[x]] = {1: Element(self.R, {0: P({1 << self.R.names[x]: 1})})}
+        self.time = self.R.read(curve["time"])
+        self.field = [self.value(f) for f in space.field]
+        self.equations, self.levels = ([space.read(v) for v in curve[key]] for key in ("equations", "levels"))
+        self.change = space.read(curve["change"])
+        self.need_solution()
+
+    def has(self, x):
+        return self.space.at[x] in self.known
+
+    def value(self, f):
+        """f(x), refused if it has a name without a value"""
+        return self.R.put_in(f.p, f.n, self.known)
+
+    def along(self, gradient):
+        """The sum of g_j(x) X_j(x)"""
+        return self.R.sum(self.value(g) * self.field[j] for j, g in gradient.items() if g)
+
+    def need_solution(self):
+        """(C4), (C5): a solution of x' = X(x) on which z = phi(x), so that it is not constant"""
+        space = self.space
+        for f in space.relations:
+            need(not self.value(f), "a relation does not hold along the curve")
+        for u, h in space.denominators.items():
+            need(u in self.known, "an inverse has no value")
+            need(not self.known[u][1] * self.value(h) - self.R.one, "an inverse has another value")
+        for f in (space.brackets or {}).values():
+            self.value(f)                   # is defined
+        for j, x in enumerate(space.coordinates):
+            if self.has(x):
+                need(not self.known[FIELD * j][1].derivative() - self.time * self.field[j], f"{x[:60]} is no solution")
+        for s, gradient in space.gradients.items():
+            if s in self.known:
+                moved = self.known[s][1].derivative() - self.time * self.along(gradient)
+                need(not moved, f"{space.names[s // FIELD][:60]} does not move as its gradient says")
+        need(not self.value(self.change) - self.R.z, "the change of variable is not z")
+        for f in (*self.equations, *self.levels):
+            need(not self.value(f), "an equation or a level does not hold along the curve")
+
+    def moving(self):
+        """What is left out and not seen to be constant along the curve (7)"""
+        space = self.space
+        found = [x for j, x in enumerate(space.coordinates) if not self.has(x) and self.field[j]]
+        for x in space.functions:
+            gradient = space.gradients[space.at[x]]
+            if not self.has(x) and any(gradient.values()):
+                known = all(set(g.p.variables()) <= set(self.known) for g in gradient.values())
+                if not known or self.along(gradient):
+                    found.append(x)
+        return found
+
+
+class NormalPart:
+    """p and q of y'' + p y' + q y = 0 for one covector along the curve"""
+
+    def __init__(self, curve, d):
+        self.curve, self.R, n = curve, curve.R, len(curve.space.coordinates)
+        space = curve.space
+        self.J = [[curve.value(space.d(f, k)) for k in range(n)] for f in space.field]
+        rows = [self.R.row(a["row"], n) for a in d["annihilators"]]
+        s = len(rows)
+        for row, a in zip(rows, d["annihilators"]):     # (N1)
+            self.need_combination(self.nabla(row), self.R.row(a["matrix"], s), rows, "an annihilator is none")
+        w, self.p, self.q = self.R.row(d["row"], n), self.R.read(d["p"]), self.R.read(d["q"])
+        first = self.nabla(w)
+        left = [a + self.p * b + self.q * c for a, b, c in zip(self.nabla(first), first, w)]
+        self.need_combination(left, self.R.row(d["rest"], s), rows, "the row does not satisfy the equation")    # (N2)
+        right(len(d["vectors"]) == 2, "two vectors are expected")
+        for i, v in enumerate(d["vectors"]):            # (N3)
+            b = self.tangent(self.R.row(v, n))
+            seen = [self.dot(a, b) for a in (*rows, w, first)]
+            wanted = [0] * s + [1 - i, i]
+            need(not any(x - self.R.one * c if c else x for x, c in zip(seen, wanted)), "a vector does not show the block")
+
+    def dot(self, a, b):
+        return self.R.sum(x * y for x, y in zip(a, b) if x and y)
+
+    def nabla(self, a):
+        """D a + T a J"""
+        columns = zip(*self.J)
+        return [x.derivative() + self.curve.time * self.dot(a, column) for x, column in zip(a, columns)]
+
+    def need_combination(self, left, coefficients, rows, why):
+        for k, x in enumerate(left):
+            need(not x - self.dot(coefficients, [row[k] for row in rows]), why)
+
+    def tangent(self, a):
+        """P(x) a, tangent to the symplectic leaf; without a bracket a itself"""
+        if self.curve.space.brackets is None:
+            return a
+        b = [self.R.sum([])] * len(a)
+        for (j, k), f in self.curve.space.brackets.items():
+            b[j] = b[j] + self.curve.value(f) * a[k] if f and a[k] else b[j]
+        return b
+
+    def potential(self):
+        """r = p^2/4 + D p/2 - q (N4)"""
+        v = self.p * self.p + self.p.derivative() * 2 - self.q * 4
+        return self.R.divided(v, 4)

@@ -1,0 +1,186 @@
+"""A system: functions on phase space with their derivatives, its bracket and field, and what is claimed of it
+(docs/theory/system_certificates.md 3).  All of it are identities between polynomials in the names of phase space."""
+from itertools import combinations
+from math import gcd, lcm
+
+from certificate_format import need
+from multivariate import FIELD, ONE, P, spend
+from system_format import entries, fraction, right
+
+
+class Function:
+    """A polynomial p in the names of phase space, divided by the natural number n."""
+
+    def __init__(self, p, n=1):
+        g = gcd(n, *p.values()) if n > 1 else 1
+        self.p, self.n = (P((k, c // g) for k, c in p.items()), n // g) if g > 1 else (p, n)
+
+    def __bool__(self):
+        return bool(self.p)
+
+    def __add__(self, o):
+        if not self or not o:
+            return self or o
+        n = lcm(self.n, o.n)
+        return Function(self.p * (n // self.n) + o.p * (n // o.n), n)
+
+    def __sub__(self, o):
+        return self + Function(o.p * -1, o.n)
+
+    def __mul__(self, o):
+        return Function(self.p * o.p, self.n * o.n)
+
+
+NOTHING = Function(P())
+
+
+def total(terms):
+    return sum(terms, NOTHING)
+
+
+class PhaseSpace:
+    """names: coordinates, functions, inverses, parameters, in this order; at: their variables.  field: X; brackets: its
+    entries by (i, j), or None."""
+
+    def __init__(self, system, parameters):
+        self.coordinates, self.functions, self.inverses = (
+            system["coordinates"], *([x["name"] for x in system[key]] for key in ("functions", "inverses")))
+        self.names = [*self.coordinates, *self.functions, *self.inverses, *parameters]
+        self.at = {x: FIELD * i for i, x in enumerate(self.names)}
+        self.indices, self.known = range(len(self.coordinates)), {}
+        self.denominators = {self.at[x["name"]]: self.denominator(x["of"]) for x in system["inverses"]}
+        self.gradients = {self.at[x["name"]]: self.gradient(x["gradient"]) for x in system["functions"]}
+        self.relations = [self.relation(text) for text in system["relations"]]
+        self.need_functions()
+        self.hamiltonian = self.brackets = None
+        if system["field"] is not None:
+            right(len(system["field"]) == len(self.coordinates), "the field has another length")
+            self.field = [self.read(v) for v in system["field"]]
+        else:
+            self.hamiltonian, self.pairs = self.read(system["hamiltonian"]), list(map(self.pair, system["brackets"]))
+            self.need_bracket()
+            slopes = [self.d(self.hamiltonian, j) for j in self.indices]
+            self.field = self.brackets_with(slopes)
+
+    # -- functions (S1)
+
+    def read(self, v):
+        return Function(*fraction(v, self.at)[:2])
+
+    def without_inverses(self, f):
+        return not f.p.variables() & {self.at[u] for u in self.inverses}
+
+    def denominator(self, text):
+        h = self.read(text)
+        need(h and self.without_inverses(h) and h.p.constant() is None, "not the denominator of an inverse")
+        return h
+
+    def gradient(self, v):
+        entries(v, self.coordinates, "gradient")
+        return {self.coordinates.index(x): self.read(f) for x, f in v.items()}
+
+    def relation(self, text):
+        f = self.read(text)
+        need(self.without_inverses(f), "a relation has an inverse in it")
+        need(f.p.variables() & set(self.gradients), "a relation without a function")
+        return f
+
+    def partial(self, f, x):
+        return Function(f.p.diff(x), f.n)
+
+    def d(self, f, j):
+        """The derivative by coordinate j"""
+        terms = [self.partial(f, FIELD * j)]
+        for x in f.p.variables():
+            if x in self.gradients and j in self.gradients[x]:
+                terms.append(self.partial(f, x) * self.gradients[x][j])
+            elif x in self.denominators:
+                slope = self.slope(x, j)
+                if slope:
+                    terms.append(self.partial(f, x) * slope)
+        return total(terms)
+
+    def slope(self, u, j):
+        """d_j u = -u^2 d_j h"""
+        if (u, j) not in self.known:
+            self.known[u, j] = Function(P({2 << u: -1})) * self.d(self.denominators[u], j)
+        return self.known[u, j]
+
+    def cleared(self, f):
+        """f times all the denominators that its inverses need (S3)"""
+        for u, h in self.denominators.items():
+            n = f.p.degree(u)
+            if n > 0:
+                f = Function(f.p.substitute(u, h.p, ONE * -1, n), f.n)
+        return f
+
+    def need_zero(self, f, why, cofactors=None):
+        """f = 0 wherever it is defined: an identity, or a combination of the relations (S3)"""
+        if cofactors is not None:
+            right(len(cofactors) == len(self.relations), "a cofactor for each relation is expected")
+            cofactors = [self.read(c) for c in cofactors]
+            need(all(map(self.without_inverses, cofactors)), "a cofactor has an inverse in it")
+        f = self.cleared(f)
+        need(not f - total(c * g for c, g in zip(cofactors or [], self.relations)), why)
+
+    def need_functions(self):
+        """There are functions with these gradients and relations (Frobenius)."""
+        used = set().union(*(f.p.variables() for f in self.relations))
+        for s, gradient in self.gradients.items():
+            need(any(gradient.values()) or s in used, "a constant without a relation is a parameter")
+            for i, j in combinations(self.indices, 2):
+                cross = [self.d(gradient[b], a) if b in gradient else NOTHING for a, b in ((i, j), (j, i))]
+                self.need_zero(cross[0] - cross[1], f"no function has the gradient of {self.names[s // FIELD][:60]}")
+        for f in self.relations:
+            for j in self.indices:
+                self.need_zero(self.d(f, j), "a relation is not preserved")
+
+    # -- the bracket (S2)
+
+    def pair(self, v):
+        right(len(v) == 3 and all(x in self.coordinates for x in v[:2]) and v[0] != v[1],
+              "a bracket of two coordinates is expected")
+        return (*map(self.coordinates.index, v[:2]), self.read(v[2]))
+
+    def need_bracket(self):
+        """A Poisson bracket: Jacobi's identity"""
+        self.brackets = {}
+        for i, j, f in self.pairs:
+            need((i, j) not in self.brackets, "a bracket occurs twice")
+            self.brackets[i, j], self.brackets[j, i] = f, NOTHING - f
+        rows = {i: [l for l in self.indices if self.brackets.get((i, l))] for i in self.indices}
+        slopes = {(pair, l): self.d(f, l) for pair, f in self.brackets.items() if pair[0] < pair[1] for l in self.indices}
+        for ijk in combinations(self.indices, 3):
+            spend(100)
+            i, j, k = ijk
+            # {x_k, x_i} = -{x_i, x_k}: the slopes are kept for i < k
+            cyclic = ((i, (j, k), 1), (j, (i, k), -1), (k, (i, j), 1))
+            self.need_zero(total(self.brackets[a, l] * slopes[pair, l] * Function(P({0: sign}))
+                                 for a, pair, sign in cyclic if pair in self.brackets for l in rows[a]),
+                           "Jacobi's identity does not hold")
+
+    def one_leaf(self):
+        """Is it plainly a symplectic bracket?  Pairs of coordinates with constants"""
+        seen = sorted(i for pair in self.pairs for i in pair[:2])
+        return seen == list(self.indices) and all(f.p.constant() for *_, f in self.pairs)
+
+    def brackets_with(self, slopes):
+        """{x_i, f} for all i, from d_j f"""
+        return [total(f * slopes[j] for (a, j), f in self.brackets.items() if a == i) for i in self.indices]
+
+    # -- what is claimed (S4)
+
+    def need_claim(self, d):
+        f, cofactors = self.read(d["value"]), d["cofactors"]
+        slopes = [self.d(f, j) for j in self.indices]
+        right(d["kind"] in ("integral", "casimir"), "an integral or a Casimir function is expected")
+        if d["kind"] == "integral":
+            right(cofactors is None or len(cofactors) == 1, "one list of cofactors is expected")
+            moved, why = [total(map(Function.__mul__, self.field, slopes))], "not a first integral"
+        else:
+            need(self.brackets is not None, "a Casimir function needs a bracket")
+            right(cofactors is None or len(cofactors) == len(self.indices), "a list of cofactors for each coordinate")
+            moved, why = self.brackets_with(slopes), "not a Casimir function"
+        for g, row in zip(moved, cofactors or [None] * len(moved)):
+            self.need_zero(g, why, row)
+        return f

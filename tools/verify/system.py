@@ -1,0 +1,87 @@
+"""Checks certificates of the whole way from a system to "not integrable", kovacic-system/1
+(docs/theory/system_certificates.md; (1) to (8) are its sections).
+
+Nothing is searched for: phase_space.py has the system (3), phase_curve.py the solution and the variational equation along
+it (4, 5), the certificate of y'' = r y inside is checked by the rules of its own format (6)."""
+import strata
+from certificate_format import Rejected, need
+from exact import K
+from first_integrals import denial
+from function_algebra import Element
+from multivariate import FIELD, P, parse, spend
+from phase_curve import NormalPart, PhaseCurve
+from phase_space import PhaseSpace
+from system_format import FORMAT, read_system
+from system_statement import statement
+
+
+class Inner:
+    """The certificate of y'' = (num/den) y: num and den in R, trusted steps, lines; denials: of each leaf that says
+    "not abelian", whether it is regular and has SL(2); nowhere: it claims "not abelian" of all admitted points."""
+
+    def __init__(self, curve, d, prove):
+        self.curve, self.R, top = curve, curve.R, d["certificate"]
+        if isinstance(top, dict) and top.get("format") == strata.FORMAT:
+            need(d["root"] is None, "a root belongs to a number field")
+            tree, _, self.lines = strata.verify(top, prove)
+            self.trust, self.denials, self.nowhere = tree.trust, tree.denials, top["claim"]["abelian"] is False
+            self.of_strata(top)
+        else:
+            num, den, claim, self.trust, self.lines = prove(top)
+            self.nowhere = claim.get("abelian") is False
+            self.denials = [denial(num, den, claim)] if self.nowhere else []
+            e = self.root(d["root"])
+            self.num, self.den = (self.at_root(f, e) for f in (num, den))
+        need(self.den, "the denominator is 0")
+
+    def of_strata(self, top):
+        """num and den with the values of parameters and constants put in; these are admitted as far as it is seen (N4)."""
+        curve, space, names = self.curve, self.curve.space, [top["variable"], *top["parameters"]]
+        constants = {x for x in space.functions if not space.gradients[space.at[x]] and curve.has(x)}
+        need(names[0] == curve.variable, "the equation has another variable")
+        need(set(names[1:]) <= constants | set(curve.parameters), "a parameter of the equation is none of the system")
+        at = {x: FIELD * i for i, x in enumerate(names)}
+        values = {at[x]: curve.known[space.at[x]] for x in names[1:]} | {0: {1: self.R.z}}
+
+        def put(text):
+            return self.R.put_in(parse(text, at), 1, values)
+        self.num, self.den = put(top["r"]["num"]), put(top["r"]["den"])
+        need(all(any(map(put, group)) for group in top["generic"]), "the equation excludes this system")
+
+    def root(self, v):
+        """A constant of R, a root of the minimal polynomial (N4)"""
+        need((v is None) == (K.d == 1), "a root is needed for a number field, and only there")
+        if v is None:
+            return self.R.one
+        e = self.R.read(v)
+        need(not self.R.sum(e**i * c for i, c in enumerate(K.m) if c), "not a root of the minimal polynomial")
+        need(not e.derivative(), "the root is not constant")
+        return e
+
+    def at_root(self, f, e):
+        """f in K[z] at a = e"""
+        spend(len(f.c) * (1 + f.bits() // 64))
+        rows = [P() for _ in range(K.d)]
+        for i, c in enumerate(f.c):
+            if c:
+                rows[i % K.s][i // K.s] = c
+        return self.R.divided(self.R.sum(Element(self.R, {0: row}) * e**j for j, row in enumerate(rows) if row), f.q)
+
+
+def verify(top, prove):
+    """The number of trusted steps, a summary and the statement; prove checks ordinary certificates.  Raises Malformed or
+    Rejected."""
+    d = read_system(top)
+    try:
+        space = PhaseSpace(d["system"], d["parameters"])
+        claims = [(claim, space.need_claim(claim)) for claim in d["claims"]]
+        curve = PhaseCurve(space, d["curve"], d["parameters"])
+        normal = NormalPart(curve, d["normal"])
+        inner = Inner(curve, d["equation"], prove)
+        need(not normal.potential() * inner.den - inner.num, "the certificate is about another equation")
+        need(inner.nowhere or not d["claim"]["not_integrable"], "the claim does not follow")
+        lines = statement(d, curve, claims, inner)
+    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
+        raise Rejected(f"{type(why).__name__}: {why}") from None
+    proved = "not integrable" if d["claim"]["not_integrable"] else "not integrable for some parameters"
+    return inner.trust, f"{proved if inner.denials else 'nothing follows'}; ", lines

@@ -1,0 +1,85 @@
+"""What a certificate of the whole way states, as text (docs/theory/system_certificates.md 8): lines made from what was read
+and from nothing else."""
+from first_integrals import integrals
+from multivariate import MASK
+from statement import joined, polynomial, quoted
+from system_format import fraction
+
+POISSON = "in Liouville's sense with first integrals", "Morales-Ramis"
+FIELD = "with first integrals and commuting vector fields", "Ayoul-Zung"
+
+
+def function(f, names):
+    text = polynomial(f.p, names)
+    return f"({text})/{f.n}" if f.n != 1 else text
+
+
+class Shown:
+    """names: of phase space; those of R are shown from the last of the tower down to the parameters."""
+
+    def __init__(self, curve):
+        self.curve, self.space, self.R = curve, curve.space, curve.R
+        self.order = [w["name"] for w in reversed(self.R.tower)] + list(self.R.names)
+
+    def function(self, f):
+        return function(f, self.space.names)
+
+    def zero(self, fs):
+        return ", ".join(f"{self.function(f)} = 0" for f in fs)
+
+    def polynomial(self, p):
+        """in z, the parameters and the tower"""
+        places = [self.R.at[x] for x in self.order]
+        return joined(sorted((([k >> x & MASK for x in places], c) for k, c in p.items()), reverse=True), self.order)
+
+    def element(self, v):
+        """as it was given"""
+        p, n, es = fraction(v, self.R.at, len(self.R.denominators))
+        below = [str(n)] * (n != 1)
+        below += [f"({self.polynomial(d)})" + f"^{e}" * (e > 1) for d, e in zip(self.R.shown, es) if e]
+        return f"({self.polynomial(p)})/({'*'.join(below)})" if below else self.polynomial(p)
+
+    def system(self, d):
+        space = self.space
+        if space.brackets is None:
+            yield ", ".join(f"{x}' = {self.function(f)}" for x, f in zip(space.coordinates, space.field))
+        else:
+            pairs = [f"{{{space.coordinates[i]}, {space.coordinates[j]}}} = {self.function(f)}" for i, j, f in space.pairs]
+            yield ", ".join([*pairs, f"H = {self.function(space.hamiltonian)}"])
+        for s in d["system"]["functions"]:
+            name, gradient = s["name"], space.gradients[space.at[s["name"]]]
+            slopes = [f"d{name}/d{space.coordinates[j]} = {self.function(g)}" for j, g in gradient.items() if g]
+            yield f"{name} {quoted(s['meaning'])}: {', '.join(slopes) or 'constant'}"
+        for u in space.inverses:
+            yield f"{u} = 1/({self.function(space.denominators[space.at[u]])})"
+        yield from (self.zero([f]) for f in space.relations)
+
+    def solution(self, d):
+        """The phase curve: where it lies, the values of the functions, and its function field"""
+        change, where = self.function(self.curve.change), self.zero(self.curve.equations)
+        line = f"along the phase curve with {self.curve.variable} = {change} on {quoted(d['curve']['manifold'])}"
+        yield line + f": {where}" * bool(where) + f"; levels {self.zero(self.curve.levels)}" * bool(self.curve.levels)
+        values = [f"{s} = {self.element(d['curve']['values'][s])}" for s in self.space.functions if self.curve.has(s)]
+        if values:
+            yield f"  with {', '.join(values)}"
+        for w in self.R.tower:
+            yield f"  {w['name']}^{w['degree']} = {self.element(w['value'])}"
+        shown = [self.polynomial(p) for p in self.R.shown if p.variables() - {0}]
+        yield from (f"  except where {p} = 0 for all {self.curve.variable}" for p in dict.fromkeys(shown))
+
+
+def statement(d, curve, claims, inner):
+    """claims: pairs (claim, its function)"""
+    shown, parameters = Shown(curve), d["parameters"]
+    lines = [f"the system {quoted(d['title'])}" + f" with parameters {', '.join(parameters)}" * bool(parameters)]
+    lines += [f"  {line}" for line in shown.system(d)]
+    words = {"integral": "first integral", "casimir": "Casimir function"}
+    lines += [f"  {words[c['kind']]} {quoted(c['name'])}: {shown.function(f)}" for c, f in claims]
+    lines += shown.solution(d)
+    if inner.denials:
+        objects, theorem = FIELD if curve.space.brackets is None else POISSON
+        verdict = f"is not integrable {objects} that are {integrals(curve, inner.denials)} ({theorem})"
+        lines.append(verdict + (", as" if d["claim"]["not_integrable"] else " where the identity component is not abelian:"))
+    else:
+        lines.append("nothing follows from")
+    return lines + [f"  {line}" for line in inner.lines]
