@@ -1,5 +1,6 @@
 #include "equation/equation_file.hpp"
 
+#include "symbol/notations.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -10,7 +11,10 @@ namespace {
 std::optional<Expression> formula(const Entry& table, std::string_view key, bool equation = false) {
   const Entry* e = table.find(key);
   if (e == nullptr) return std::nullopt;
-  return e->expression(equation);
+  if (!equation) return e->expression();
+  auto place = std::make_shared<Origin>(*e->origin());
+  place->what = key;
+  return parse_ode(e->string(), place);
 }
 
 std::optional<std::string> word(const Entry& table, std::string_view key,

@@ -22,8 +22,8 @@ Span join(Span a, Span b) { return make_span(a.offset, b.offset + b.length); }
 /// A Pratt parser: one loop, binding powers as above.
 class ExpressionParser {
 public:
-  ExpressionParser(std::string_view text, OriginPtr origin, const ParseLimits& limits)
-      : tokens_(text, std::move(origin)), limits_(limits) {}
+  ExpressionParser(Tokens tokens, const ParseLimits& limits)
+      : tokens_(std::move(tokens)), limits_(limits) {}
 
   Expression read(bool allow_equation) {
     if (const std::size_t n = tokens_.text().size(); n > limits_.max_length)
@@ -265,13 +265,17 @@ std::string_view Expression::text() const {
 
 Expression parse_expression(std::string_view text, OriginPtr origin, bool allow_equation,
                             const ParseLimits& limits) {
-  return ExpressionParser(text, std::move(origin), limits).read(allow_equation);
+  return ExpressionParser(Tokens(text, std::move(origin)), limits).read(allow_equation);
 }
 
 Expression parse_expression(std::string text, const std::string& name, bool allow_equation,
                             const ParseLimits& limits) {
   const OriginPtr origin = origin_of_text(name, std::move(text));
   return parse_expression(origin->text, origin, allow_equation, limits);
+}
+
+Expression parse_tokens(Tokens tokens, const ParseLimits& limits) {
+  return ExpressionParser(std::move(tokens), limits).read(true);
 }
 
 namespace {

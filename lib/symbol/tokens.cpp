@@ -1,5 +1,6 @@
 #include "symbol/tokens.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace kov {
@@ -81,6 +82,11 @@ void Tokens::skip_digits() {
 }
 
 Token Tokens::next() {
+  if (!given_.empty()) {
+    const Token& t = given_[std::min(position_++, given_.size() - 1)];
+    refuse_decimal(t);
+    return t;
+  }
   while (position_ < text_.size() && is_space(text_[position_]))
     ++position_;
   const std::size_t begin = position_;
@@ -93,7 +99,9 @@ Token Tokens::next() {
       ++position_;
     return cut(Token::Kind::name, begin);
   }
-  if (std::string_view("+-*/^()=,'").find(c) == std::string_view::npos) strange_character();
+  const bool known = std::string_view("+-*/^()=,'").find(c) != std::string_view::npos;
+  const bool foreign = std::string_view("[]{}%.$@;").find(c) != std::string_view::npos;
+  if (!known && !(foreign && foreign_signs)) strange_character();
   ++position_;
   const bool double_star = c == '*' && position_ < text_.size() && text_[position_] == '*';
   position_ += double_star;
@@ -123,12 +131,15 @@ Token Tokens::number() {
     }
   }
   const Token t = cut(decimal ? Token::Kind::decimal : Token::Kind::number, begin);
-  if (decimal && decimals_allowed == 0) {
-    const std::string exact = exact_fraction(t.text);
-    throw error(t.span, "decimal number " + quoted(t.text) + ": only exact numbers are accepted",
-                exact.empty() ? "write it as a fraction of integers" : "write " + exact);
-  }
+  refuse_decimal(t);
   return t;
+}
+
+void Tokens::refuse_decimal(const Token& t) const {
+  if (t.kind != Token::Kind::decimal || decimals_allowed > 0) return;
+  const std::string exact = exact_fraction(t.text);
+  throw error(t.span, "decimal number " + quoted(t.text) + ": only exact numbers are accepted",
+              exact.empty() ? "write it as a fraction of integers" : "write " + exact);
 }
 
 void Tokens::strange_character() const {

@@ -1,5 +1,5 @@
 #pragma once
-// The words of a formula: numbers, names, signs.  Used by the parser of expression.hpp only.
+// The words of a formula: numbers, names, signs.  Used by the parsers of expression.hpp and notations.hpp only.
 
 #include "symbol/expression.hpp"
 
@@ -18,11 +18,16 @@ struct Token {
 class Tokens {
 public:
   Tokens(std::string_view text, OriginPtr origin) : text_(text), origin_(std::move(origin)) {}
+  /// These tokens, cut from `text` by somebody else; the last one is Kind::end.
+  Tokens(std::string_view text, OriginPtr origin, std::vector<Token> given)
+      : text_(text), origin_(std::move(origin)), given_(std::move(given)) {}
 
   /// The next token; Kind::end for ever after the last one.
   [[nodiscard]] Token next();
   /// While above 0, decimals are tokens instead of errors (the second argument of root).
   int decimals_allowed = 0;
+  /// Signs of other programs are tokens instead of errors: [ ] { } % . $ @ ;
+  bool foreign_signs = false;
 
   [[nodiscard]] InputError error(Span where, std::string message, std::string hint = {}) const {
     return {*origin_, where, std::move(message), std::move(hint)};
@@ -34,12 +39,17 @@ private:
   [[nodiscard]] Token number();
   [[nodiscard]] Token cut(Token::Kind kind, std::size_t begin) const;
   void skip_digits();
+  void refuse_decimal(const Token& t) const;
   [[noreturn]] void strange_character() const;
 
   std::string_view text_;
   OriginPtr origin_;
-  std::size_t position_ = 0;
+  std::vector<Token> given_;
+  std::size_t position_ = 0; ///< in the text, or among the given tokens
 };
+
+/// An equation or a formula from its tokens.  Throws InputError.
+[[nodiscard]] Expression parse_tokens(Tokens tokens, const ParseLimits& limits);
 
 [[nodiscard]] Span make_span(std::size_t begin, std::size_t end);
 /// 'text', cut after 40 bytes.

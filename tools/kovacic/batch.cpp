@@ -1,11 +1,14 @@
 // kovacic solve --batch: one JSON object per line in, one per line out, in the same order; several
-// lines at a time.
+// lines at a time.  A run that was killed goes on behind its last whole line (--resume).
 
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
 #include "equation/assumptions.hpp"
+#include "kept_answers.hpp"
+#include "progress.hpp"
 #include "reproducer.hpp"
+#include "symbol/notations.hpp"
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
@@ -13,6 +16,7 @@
 #include <cstdio>
 #include <deque>
 #include <fcntl.h>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <poll.h>
@@ -199,7 +203,8 @@ std::optional<Expression> formula(const Json& line, const char* key, bool equati
   const Json& value = line.at(key);
   if (!value.is_string())
     refuse(std::string("'") + key + "' must be a string", "write the formula between quotes");
-  return parse_expression(value.get<std::string>(), key, equation);
+  const auto text = value.get<std::string>();
+  return equation ? parse_ode(text, key) : parse_expression(text, key);
 }
 
 std::vector<std::string> names(const Json& line, const char* key) {
@@ -301,8 +306,11 @@ long cores() {
 // Several lines at the same time, their answers in the order of the lines.
 class Batch {
 public:
-  Batch(const Settings& settings, std::string path, int in, std::FILE* out)
-      : settings_(settings), path_(std::move(path)), lines_(in), out_(out) {
+  Batch(const Settings& settings, BatchArguments arguments, int in, std::FILE* out,
+        KeptAnswers kept)
+      : settings_(settings), arguments_(std::move(arguments)), lines_(in), out_(out),
+        kept_(std::move(kept)), progress_(size_of_file(arguments_.path)),
+        used_(std::move(kept_.certificates)), exit_(kept_.exit) {
     const long jobs = settings.jobs > 0 ? settings.jobs : cores();
     for (long i = 0; i < jobs; ++i)
       solvers_.push_back({std::make_unique<Solver>(read_line, settings), nullptr});
@@ -313,7 +321,7 @@ public:
     for (;;) {
       const bool hungry = give();
       if (!print_what_is_ready()) return exit_interrupted;
-      if (waiting_.empty() && lines_.ended()) return exit_;
+      if (waiting_.empty() && lines_.ended()) return ended();
       std::vector<const Worker*> at_work;
       for (const Seat& seat : solvers_)
         if (seat.entry != nullptr) at_work.push_back(&seat.solver->worker());
@@ -333,6 +341,32 @@ private:
     std::unique_ptr<Solver> solver;
     Entry* entry; // what it works at; nullptr: nothing
   };
+
+  static std::uintmax_t size_of_file(const std::string& path) {
+    std::error_code unknown; // of a pipe
+    const auto size = std::filesystem::file_size(path, unknown);
+    return unknown ? 0 : size;
+  }
+
+  [[nodiscard]] int ended() const {
+    if (kept_.ids.empty()) return exit_;
+    throw InputError(settings_.output, 0, 0, 1, "there are more answers than questions",
+                     "it belongs to another batch");
+  }
+
+  // A line that an earlier run has answered.
+  bool is_answered(const InputLine& line) {
+    if (kept_.ids.empty()) return false;
+    const Json question = Json::parse(line.text, nullptr, false);
+    if (question.is_object() && question.value("id", Json()) != kept_.ids.front())
+      throw InputError(settings_.output, 0, 0, 1,
+                       "the answer to line " + std::to_string(line.number) + " of " +
+                           arguments_.path + " has the id " + dump(kept_.ids.front()) + " there",
+                       "it belongs to another batch, so that nothing is added to it");
+    kept_.ids.pop_front();
+    progress_.found(line.length + 1);
+    return true;
+  }
 
   static bool readable(int input) {
     pollfd p{input, POLLIN, 0};
@@ -358,6 +392,7 @@ private:
       auto line = lines_.next();
       if (!line) return true;
       if (is_blank(line->text) && line->length <= max_line) continue;
+      if (is_answered(*line)) continue;
       bytes_ += line->text.size();
       Entry& entry = waiting_.emplace_back(Entry{*std::move(line), std::nullopt});
       endless_ = entry.line.length >= max_skipped;
@@ -403,16 +438,19 @@ private:
 
   void print(const InputLine& line, Solver::Line& answer) {
     exit_ = worse(exit_, answer.exit);
+    progress_.answered(line.length + 1, answer.exit == exit_decided);
     if (answer.exit == exit_internal) leave_reproducer(answer.text, line.text);
     if (!answer.certificate.empty())
       keep_certificate(settings_, line.text, answer, line.number, used_);
     std::string& text = answer.text;
+    if (arguments_.no_times) text = without_time(text);
     restore_id(text, line.text);
     text += '\n';
     if (std::fwrite(text.data(), 1, text.size(), out_) != text.size()) not_written();
     if (line.length >= max_skipped) {
       std::fflush(out_);
-      throw InputError(path_, line.number, 0, 1, "this line does not end", "the rest is not read");
+      throw InputError(arguments_.path, line.number, 0, 1, "this line does not end",
+                       "the rest is not read");
     }
   }
 
@@ -422,35 +460,48 @@ private:
   }
 
   const Settings& settings_;
-  std::string path_;
+  BatchArguments arguments_;
   Lines lines_;
   std::FILE* out_;
+  KeptAnswers kept_; // those whose questions were not met yet
+  Progress progress_;
   std::vector<Seat> solvers_;
   std::deque<Entry> waiting_;  // in the order of the lines; a deque does not move its elements
   std::size_t bytes_ = 0;      // of what waits
   bool endless_ = false;       // the last line has no end: nothing is read behind it
   std::set<std::string> used_; // names of certificates
-  int exit_ = exit_decided;
+  int exit_;
 };
+
+// Behind the whole lines that are there, or in the place of what is there.
+std::FILE* open_output(const Settings& settings, const BatchArguments& arguments,
+                       const KeptAnswers& kept) {
+  if (settings.output.empty() || settings.output == "-") return stdout;
+  if (arguments.resume && std::filesystem::exists(settings.output))
+    std::filesystem::resize_file(settings.output, kept.bytes);
+  std::FILE* out = std::fopen(settings.output.c_str(), arguments.resume ? "ab" : "wb");
+  if (out == nullptr) throw InputError(settings.output, 0, 0, 1, "the file cannot be written");
+  return out;
+}
 
 } // namespace
 
-int batch(const Settings& settings, const std::string& path) {
+int batch(const Settings& settings, const BatchArguments& arguments) {
+  const std::string& path = arguments.path;
   if (path != "-" && is_directory(path))
     return report(settings, InputError(path, 0, 0, 1, "this is a directory, a file is expected"));
   const int in = path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (in < 0) return report(settings, InputError(path, 0, 0, 1, "the file cannot be opened"));
   std::FILE* out = stdout;
-  if (!settings.output.empty() && settings.output != "-") {
-    out = std::fopen(settings.output.c_str(), "wb");
-    if (out == nullptr)
-      return report(settings, InputError(settings.output, 0, 0, 1, "the file cannot be written"));
-  }
   int exit = exit_decided;
   try {
-    exit = Batch(settings, path, in, out).run();
+    KeptAnswers kept = arguments.resume ? kept_answers(settings.output) : KeptAnswers{};
+    out = open_output(settings, arguments, kept);
+    exit = Batch(settings, arguments, in, out, std::move(kept)).run();
   } catch (const InputError& e) {
     exit = report(settings, e);
+  } catch (const std::filesystem::filesystem_error& e) {
+    exit = report(settings, InputError(settings.output, 0, 0, 1, e.code().message()));
   }
   if (in != STDIN_FILENO) ::close(in);
   if (out != stdout) std::fclose(out);

@@ -16,6 +16,8 @@ struct SolveArguments {
   std::optional<std::string> minpoly;
   std::vector<std::string> parameters; ///< free names
   std::string batch;                   ///< a file of JSON lines; "-" = standard input
+  bool resume = false;                 ///< --batch: go on behind the answers that are in -o
+  bool no_times = false;               ///< --batch: the same bytes in every run
   std::vector<std::string> assume;     ///< sentences; the names in them are parameters
 };
 
@@ -58,7 +60,12 @@ int monodromy(const Settings& settings, const MonodromyArguments& arguments);
 int lame(const Settings& settings, const LameArguments& arguments);
 /// The eigenvalues that an integrable homogeneous potential may have.
 int potential(const Settings& settings, const PotentialArguments& arguments);
-int batch(const Settings& settings, const std::string& path);
+struct BatchArguments {
+  std::string path; ///< of the questions; "-" = standard input
+  bool resume = false;
+  bool no_times = false;
+};
+int batch(const Settings& settings, const BatchArguments& arguments);
 int check(const Settings& settings, const std::vector<std::string>& files);
 int test(const Settings& settings, const std::vector<std::string>& paths);
 /// Stages of the way from a system to r(z).

@@ -138,7 +138,8 @@ struct CommandLine {
   }
 
   // solve and check
-  void solver_flags(CLI::App& command) {
+  void solver_flags(CLI::App& command, const std::vector<std::string>& formats,
+                    const std::string& words) {
     set_flag(command);
     budget_flags(command);
     method_flags(command);
@@ -150,7 +151,7 @@ struct CommandLine {
     command.add_flag("--trace", settings.trace, "show every step");
     command.add_flag("--second-opinion", settings.second_opinion,
                      "also say what certified monodromy matrices prove");
-    format_flag(command, {"text", "json", "tex"}, "text, json or tex");
+    format_flag(command, formats, words);
     exit_verdict_flag(command);
     quiet_flag(command);
     verbose_flag(command);
@@ -297,14 +298,19 @@ struct CommandLine {
     solve->add_option("--jobs", settings.jobs, "--batch: lines at the same time (default: cores)")
         ->check(number(1024, "a number of processes"))
         ->type_name("N");
-    solver_flags(*solve);
+    solve->add_flag("--resume", solve_arguments.resume,
+                    "--batch: go on behind the answers that -o has from a run that ended early");
+    solve->add_flag("--no-times", solve_arguments.no_times,
+                    "--batch: leave out the times, so that each run writes the same bytes");
+    solver_flags(*solve, {"text", "json", "tex", "sympy", "maxima", "sage"},
+                 "text, json, tex, sympy, maxima or sage");
 
     declare_families(app);
     declare_monodromy(app);
 
     CLI::App* check = app.add_subcommand("check", "files: the answer and what was expected");
     check->add_option("FILE", files, "equation or system files")->required()->type_name("");
-    solver_flags(*check);
+    solver_flags(*check, {"text", "json", "tex"}, "text, json or tex");
     manifold_flag(*check);
 
     CLI::App* show = app.add_subcommand("show", "a system file up to a stage of the reduction");

@@ -9,6 +9,7 @@
 #include "monodromy/decimal.hpp"
 #include "monodromy/words.hpp"
 #include "render.hpp"
+#include "symbol/notations.hpp"
 #include "symbol/rational_form.hpp"
 
 #include <chrono>
@@ -25,7 +26,7 @@ constexpr long most_digits = 100000;
 std::optional<Expression> formula(const std::string& option, const std::optional<std::string>& text,
                                   bool equation = false) {
   if (!text) return std::nullopt;
-  return parse_expression(*text, option, equation);
+  return equation ? parse_ode(*text, option) : parse_expression(*text, option);
 }
 
 GivenEquation given(const Settings& settings, const MonodromyArguments& a) {

@@ -1,6 +1,7 @@
 #include "present.hpp"
 
 #include "certificate_file.hpp"
+#include "render_program.hpp"
 #include "reproducer.hpp"
 
 namespace kov::cli {
@@ -22,6 +23,8 @@ std::string presented(const Settings& settings, const Answer& answer, const std:
   if (settings.format == "json")
     return answer.result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   if (settings.format == "tex") return tex_of_result(answer.result, title);
+  if (const auto program = program_of(settings.format))
+    return program_text(answer.result, *program);
   std::string text = text_of_result(answer.result, title, settings.style());
   if (settings.verbose > 0 && answer.result.at("seconds").is_number()) {
     char line[64];

@@ -5,6 +5,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/equation_file.hpp"
 #include "present.hpp"
+#include "symbol/notations.hpp"
 
 #include <algorithm>
 
@@ -14,7 +15,7 @@ namespace {
 std::optional<Expression> formula(const std::string& option, const std::optional<std::string>& text,
                                   bool equation = false) {
   if (!text) return std::nullopt;
-  return parse_expression(*text, option, equation);
+  return equation ? parse_ode(*text, option) : parse_expression(*text, option);
 }
 
 // The names in the assumptions that occur in the equation are parameters, unless they are its
@@ -69,7 +70,8 @@ std::string not_in_a_batch(const Settings& settings, const SolveArguments& a) {
   if (settings.trace) return "--trace";
   if (settings.exit_verdict) return "--exit-verdict";
   if (settings.verbose > 0) return "--verbose";
-  return settings.format == "tex" ? "--format tex" : "";
+  return settings.format == "text" || settings.format == "json" ? ""
+                                                                : "--format " + settings.format;
 }
 
 } // namespace
@@ -84,6 +86,10 @@ int solve(const Settings& settings, const SolveArguments& a) {
     return exit_input;
   }
   if (!a.batch.empty()) {
+    if (a.resume && (settings.output.empty() || settings.output == "-")) {
+      complain(settings, "--resume needs the file of the answers", "write: -o FILE");
+      return exit_input;
+    }
     if (const std::string no = not_in_a_batch(settings, a); !no.empty()) {
       complain(
           settings, no + " says nothing to --batch",
@@ -93,7 +99,11 @@ int solve(const Settings& settings, const SolveArguments& a) {
     }
     Settings many = settings;
     many.in_a_batch = true;
-    return batch(many, a.batch);
+    return batch(many, {a.batch, a.resume, a.no_times});
+  }
+  if (a.resume || a.no_times) {
+    complain(settings, std::string(a.resume ? "--resume" : "--no-times") + " is for --batch");
+    return exit_input;
   }
   if (settings.jobs > 0) {
     complain(settings, "--jobs is for --batch", "one equation is decided by one process");

@@ -10,6 +10,7 @@
 #include "galois/exponential_form.hpp"
 #include "recognize/symbolic_family.hpp"
 #include "strata.hpp"
+#include "symbol/notations.hpp"
 
 #include <pybind11/stl.h>
 
@@ -37,7 +38,7 @@ struct Engines {
 std::optional<Expression> formula(const char* name, const std::optional<std::string>& text,
                                   bool equation = false) {
   if (!text) return std::nullopt;
-  return parse_expression(*text, name, equation);
+  return equation ? parse_ode(*text, name) : parse_expression(*text, name);
 }
 
 // exp(-1/2 int p), by which the solutions of y'' = r y are to be multiplied.

@@ -1,0 +1,435 @@
+#include "symbol/notations.hpp"
+
+#include "symbol/tokens.hpp"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <optional>
+
+namespace kov {
+namespace {
+
+using Kind = Token::Kind;
+
+constexpr long max_order = 20;   // higher derivatives are left to the reader's own message
+constexpr int max_methods = 200; // each y(x).diff(...) is a search backwards
+
+bool is_name(const Token& t, std::string_view name) {
+  return t.kind == Kind::name && t.text == name;
+}
+
+bool adjacent(const Token& a, const Token& b) {
+  return a.span.offset + a.span.length == b.span.offset;
+}
+
+// A number of at most three digits.
+std::optional<long> small_number(const Token& t) {
+  if (t.kind != Kind::number || t.text.size() > 3) return std::nullopt;
+  return std::stol(std::string(t.text));
+}
+
+/// One pass over the tokens, from left to right.
+class Translation {
+public:
+  Translation(std::string_view text, const OriginPtr& origin) : source_(text, origin) {
+    source_.foreign_signs = true;
+    source_.decimals_allowed = 1; // the reader refuses them where they do not belong
+    for (Token t = source_.next();; t = source_.next()) {
+      in_.push_back(t);
+      if (t.kind == Kind::end) break;
+    }
+    brackets_ = std::any_of(in_.begin(), in_.end(), [](const Token& t) { return t.is("["); });
+  }
+
+  // The texts of the tokens live as long as this object.
+  std::vector<Token> tokens() {
+    drop_statement_end();
+    while (at_ + 1 < in_.size())
+      step();
+    out_.push_back(in_.back());
+    return std::move(out_);
+  }
+
+private:
+  enum class Group : std::uint8_t { plain, derivative, fraction, equation };
+  struct Derivation {
+    Token variable;
+    long order;
+    std::size_t end; // of its closing parenthesis
+  };
+
+  [[nodiscard]] const Token& peek(std::size_t ahead) const {
+    return in_[std::min(at_ + ahead, in_.size() - 1)];
+  }
+  [[nodiscard]] bool opens(std::size_t ahead) const {
+    return peek(ahead).is("(") || peek(ahead).is("[");
+  }
+  [[nodiscard]] bool closes(std::size_t ahead) const {
+    return peek(ahead).is(")") || peek(ahead).is("]");
+  }
+
+  void push(const Token& at, Kind kind, std::string_view text) {
+    out_.push_back({.kind = kind, .span = at.span, .text = text});
+  }
+  void sign(const Token& at, std::string_view text) { push(at, Kind::sign, text); }
+  std::string_view kept(std::string text) { return texts_.emplace_back(std::move(text)); }
+
+  // Maple's and Maxima's ; and Maxima's $
+  void drop_statement_end() {
+    if (in_.size() < 2) return;
+    const Token& last = in_[in_.size() - 2];
+    if (last.is(";") || last.is("$")) in_.erase(in_.end() - 2);
+  }
+
+  void step() {
+    const Token& t = in_[at_];
+    product_by_juxtaposition();
+    if (t.kind == Kind::name) return name();
+    if (t.is("%") && constant()) return;
+    if (t.is("'") && noun()) return;
+    if (t.is(".") && method()) return;
+    if (t.is("=") && peek(1).is("=") && adjacent(t, peek(1))) {
+      sign(t, "=");
+      at_ += 2;
+      return;
+    }
+    if (t.is("(") && power_of_d()) return;
+    bracket_or_sign();
+  }
+
+  void bracket_or_sign() {
+    const Token& t = in_[at_];
+    if (t.is(",") && !groups_.empty() && comma()) return;
+    if (t.is("(") || t.is("[") || t.is("{")) {
+      groups_.push_back(Group::plain);
+      sign(t, "(");
+    } else if (t.is(")") || t.is("]") || t.is("}")) {
+      if (!groups_.empty()) groups_.pop_back();
+      sign(t, ")");
+    } else {
+      refuse_foreign(t);
+      out_.push_back(t);
+    }
+    ++at_;
+  }
+
+  // What no rule has used.
+  void refuse_foreign(const Token& t) const {
+    if (t.kind == Kind::sign && std::string_view("%.$@;").find(t.text) != std::string_view::npos)
+      throw source_.error(t.span, "unexpected " + quoted(t.text));
+  }
+
+  [[nodiscard]] bool after_operand() const {
+    if (at_ == 0) return false;
+    const Token& t = in_[at_ - 1];
+    return t.kind == Kind::number || t.kind == Kind::name || t.is(")") || t.is("]") || t.is("'");
+  }
+
+  // In Mathematica's notation arguments stand in brackets, so that x (x + 1) and 2 x are products.
+  void product_by_juxtaposition() {
+    const Token& t = in_[at_];
+    const bool starts = t.kind == Kind::number || t.kind == Kind::name || t.is("(");
+    if (!brackets_ || !starts || !after_operand()) return;
+    const Token& before = in_[at_ - 1];
+    if (t.is("(") && adjacent(before, t) && (before.kind == Kind::name || before.is("'")))
+      throw source_.error(t.span, "brackets and parentheses are mixed",
+                          "in Mathematica's notation the argument of a function stands in [ ], and "
+                          "a product is written with * or a blank");
+    sign({.kind = Kind::sign, .span = make_span(t.span.offset, t.span.offset), .text = {}}, "*");
+  }
+
+  // Maxima's %i
+  bool constant() {
+    const Token& n = peek(1);
+    if (!is_name(n, "i") && !is_name(n, "I")) return false;
+    push(n, Kind::name, "I");
+    at_ += 2;
+    return true;
+  }
+
+  // Maxima's 'diff: a derivative that is not carried out
+  bool noun() {
+    if (after_operand() || !is_name(peek(1), "diff")) return false;
+    ++at_;
+    return true;
+  }
+
+  void name() {
+    const Token t = in_[at_];
+    if (derivative_of_mathematica() || d_of_maple()) return;
+    const bool d = brackets_ && t.text == "D";
+    if ((d || t.text == "diff" || t.text == "Diff" || t.text == "Derivative" ||
+         t.text == "derivative") &&
+        opens(1))
+      return open(t, "diff", Group::derivative);
+    if (t.text == "Rational" && opens(1)) return open(t, "", Group::fraction);
+    if (t.text == "Eq" && opens(1)) return open(t, "", Group::equation);
+    out_.push_back(t);
+    if (brackets_ && t.text == "Sqrt") out_.back().text = "sqrt";
+    ++at_;
+  }
+
+  void open(const Token& t, std::string_view function, Group group) {
+    if (!function.empty()) push(t, Kind::name, function);
+    sign(peek(1), "(");
+    groups_.push_back(group);
+    at_ += 2;
+  }
+
+  // The comma that ends the first argument.
+  bool comma() {
+    const Token& t = in_[at_];
+    switch (groups_.back()) {
+    case Group::plain:
+      return false;
+    case Group::derivative:
+      if (const auto d = derivation(at_ + 1)) {
+        ++at_;
+        by(t, *d);
+        return true;
+      }
+      groups_.back() = Group::plain; // the reader says what is wrong
+      return false;
+    case Group::fraction:
+      sign(t, "/");
+      break;
+    case Group::equation:
+      sign(t, "=");
+      break;
+    }
+    groups_.back() = Group::plain;
+    ++at_;
+    return true;
+  }
+
+  // What follows the first argument of diff: x, x   x, 2   x$2   (x, 2)   {x, 2}
+  [[nodiscard]] std::optional<Derivation> derivation(std::size_t at) const {
+    Derivation d{.variable = {}, .order = 0, .end = at};
+    const auto token = [&](std::size_t i) { return in_[std::min(i, in_.size() - 1)]; };
+    for (;; ++at) {
+      const bool pair = token(at).is("(") || token(at).is("{");
+      if (pair) ++at;
+      const Token v = token(at++);
+      if (v.kind != Kind::name || (d.order > 0 && v.text != d.variable.text)) return std::nullopt;
+      d.variable = v;
+      const bool counted = token(at).is("$") || token(at).is(",");
+      const auto count = counted ? small_number(token(at + 1)) : std::nullopt;
+      if (count) at += 2;
+      if (pair && (!count || !(token(at).is(")") || token(at).is("}")))) return std::nullopt;
+      if (pair) ++at;
+      d.order += count.value_or(1);
+      d.end = at;
+      if (d.order > max_order) return std::nullopt;
+      if (token(at).is(")") || token(at).is("]")) return d;
+      if (!token(at).is(",")) return std::nullopt;
+    }
+  }
+
+  void by(const Token& comma, const Derivation& d) {
+    sign(comma, ",");
+    out_.push_back(d.variable);
+    if (d.order != 1) {
+      sign(d.variable, ",");
+      push(d.variable, Kind::number, kept(std::to_string(d.order)));
+    }
+    at_ = d.end;
+  }
+
+  // Derivative[2][y]; [x] follows as the argument
+  bool derivative_of_mathematica() {
+    if (!is_name(in_[at_], "Derivative") || !opens(1) || !closes(3) || !opens(4) || !closes(6))
+      return false;
+    const auto order = small_number(peek(2));
+    if (!order || *order > max_order || peek(5).kind != Kind::name) return false;
+    primes(peek(5), *order);
+    at_ += 7;
+    return true;
+  }
+
+  void primes(const Token& function, long order) {
+    out_.push_back(function);
+    for (; order > 0; --order)
+      sign(function, "'");
+  }
+
+  // D(y), D(D(y)), where (x) follows
+  bool d_of_maple() {
+    long order = 0;
+    std::size_t ahead = 0;
+    for (; order <= max_order && is_name(peek(ahead), "D") && peek(ahead + 1).is("("); ahead += 2)
+      ++order;
+    if (order == 0 || peek(ahead).kind != Kind::name) return false;
+    const Token function = peek(ahead++);
+    for (long i = 0; i < order; ++i)
+      if (!peek(ahead++).is(")")) return false;
+    if (!peek(ahead).is("(")) return false;
+    primes(function, order);
+    at_ += ahead;
+    return true;
+  }
+
+  // (D@@2)(y)
+  bool power_of_d() {
+    const auto order = small_number(peek(4));
+    if (!is_name(peek(1), "D") || !peek(2).is("@") || !peek(3).is("@") || !order ||
+        *order > max_order || !peek(5).is(")") || !peek(6).is("(") || peek(7).kind != Kind::name ||
+        !peek(8).is(")"))
+      return false;
+    primes(peek(7), *order);
+    at_ += 9;
+    return true;
+  }
+
+  // y(x).diff(x, 2): the function is what was written last
+  bool method() {
+    if (!is_name(peek(1), "diff") || !peek(2).is("(") || out_.empty()) return false;
+    const auto d = derivation(at_ + 3);
+    if (!d || ++methods_ > max_methods) return false;
+    const auto begin = start_of_operand();
+    const Token dot = in_[at_];
+    const std::array<Token, 2> head{Token{Kind::name, dot.span, "diff"},
+                                    Token{Kind::sign, dot.span, "("}};
+    out_.insert(out_.begin() + begin, head.begin(), head.end());
+    groups_.push_back(Group::plain);
+    by(dot, *d);
+    return true;
+  }
+
+  [[nodiscard]] std::ptrdiff_t start_of_operand() const {
+    auto i = static_cast<std::ptrdiff_t>(out_.size()) - 1;
+    const auto token = [&](std::ptrdiff_t at) { return out_[static_cast<std::size_t>(at)]; };
+    if (!token(i).is(")")) return i;
+    for (long depth = 0; i > 0; --i) {
+      depth += token(i).is(")") - token(i).is("(");
+      if (depth == 0) break;
+    }
+    return i > 0 && token(i - 1).kind == Kind::name ? i - 1 : i;
+  }
+
+  Tokens source_;
+  std::vector<Token> in_;
+  std::vector<Token> out_;
+  std::vector<Group> groups_;     // of the open parentheses
+  std::deque<std::string> texts_; // of tokens that stand in no text
+  std::size_t at_ = 0;
+  bool brackets_ = false;
+  int methods_ = 0;
+};
+
+// Something that only other programs write, so that our own texts take no second way.
+bool is_foreign(std::string_view text) {
+  static constexpr std::array<std::string_view, 12> marks{
+      "diff(", "Diff(",     "D(", "Derivative", "derivative(", "Eq(",
+      "==",    "Rational(", "%",  ";",          "$",           "@@"};
+  return text.find('[') != std::string_view::npos ||
+         std::any_of(marks.begin(), marks.end(), [&](std::string_view mark) {
+           return text.find(mark) != std::string_view::npos;
+         });
+}
+
+// ---- operators
+
+bool differentiates(const Expression& e) {
+  return e.kind() == Expression::Kind::derivative ||
+         (e.kind() == Expression::Kind::call && e.name() == "diff") ||
+         std::any_of(e.operands().begin(), e.operands().end(), differentiates);
+}
+
+// The one name like Dx; nothing if there are several, or something is differentiated.
+std::optional<std::string> derivation_name(const Expression& e) {
+  std::optional<std::string> found;
+  for (const std::string& name : names_in(e)) {
+    const bool letter = name.size() > 1 && name.front() == 'D' && (name[1] < '0' || name[1] > '9');
+    if (!letter) continue;
+    if (found) return std::nullopt;
+    found = name;
+  }
+  return !found || differentiates(e) ? std::nullopt : found;
+}
+
+/// An operator in Dx, applied to a function: both are texts.
+class Application {
+public:
+  Application(std::string d, std::size_t longest) : d_(std::move(d)), longest_(longest) {}
+
+  [[nodiscard]] std::string operator()(const Expression& e, const std::string& y) const {
+    if (y.size() > longest_) throw e.error("this product of operators is too long");
+    if (!mentions(e)) return "((" + std::string(e.text()) + ")*" + y + ")";
+    switch (e.kind()) {
+    case Expression::Kind::name:
+      return "(" + y + ")'";
+    case Expression::Kind::negate:
+      return "(-" + (*this)(e.operand(0), y) + ")";
+    case Expression::Kind::sum:
+      return sum(e, y);
+    case Expression::Kind::product: {
+      std::string result = y;
+      for (auto factor = e.operands().rbegin(); factor != e.operands().rend(); ++factor)
+        result = (*this)(*factor, result);
+      return result;
+    }
+    case Expression::Kind::power:
+      return power(e, y);
+    case Expression::Kind::equation:
+      return (*this)(e.operand(0), y) + " = " + (*this)(e.operand(1), y);
+    default:
+      throw e.error("this is no operator in " + d_,
+                    "write polynomials in " + d_ + ", with the coefficients on the left");
+    }
+  }
+
+private:
+  [[nodiscard]] bool mentions(const Expression& e) const {
+    const auto names = names_in(e);
+    return std::binary_search(names.begin(), names.end(), d_);
+  }
+  [[nodiscard]] std::string sum(const Expression& e, const std::string& y) const {
+    std::string result;
+    for (const Expression& term : e.operands()) {
+      result += (result.empty() ? "(" : "+") + (*this)(term, y);
+      if (result.size() > longest_) throw e.error("this product of operators is too long");
+    }
+    return result + ")";
+  }
+  [[nodiscard]] std::string power(const Expression& e, std::string y) const {
+    const Expression& n = e.operand(1);
+    if (n.kind() != Expression::Kind::number || n.number() > Integer(max_order))
+      throw n.error("the exponent of an operator is a small number");
+    for (long i = to_long(n.number()); i > 0; --i)
+      y = (*this)(e.operand(0), y);
+    return y;
+  }
+
+  std::string d_;
+  std::size_t longest_;
+};
+
+Expression applied(const Expression& e, const std::string& d, const ParseLimits& limits) {
+  const auto names = names_in(e);
+  const std::string y = std::binary_search(names.begin(), names.end(), "y") ? "u" : "y";
+  const std::string text = Application(d, limits.max_length / 4)(e, y + "(" + d.substr(1) + ")");
+  const OriginPtr origin = origin_of_text(e.origin().file, text);
+  return parse_expression(origin->text, origin, true, limits);
+}
+
+} // namespace
+
+Expression parse_ode(std::string_view text, const OriginPtr& origin, const ParseLimits& limits) {
+  const auto read = [&] {
+    if (text.size() > limits.max_length || !is_foreign(text))
+      return parse_expression(text, origin, true, limits);
+    Translation translation(text, origin);
+    return parse_tokens(Tokens(text, origin, translation.tokens()), limits);
+  };
+  const Expression e = read();
+  const auto d = derivation_name(e);
+  return d ? applied(e, *d, limits) : e;
+}
+
+Expression parse_ode(std::string text, const std::string& name) {
+  const OriginPtr origin = origin_of_text(name, std::move(text));
+  return parse_ode(origin->text, origin);
+}
+
+} // namespace kov
