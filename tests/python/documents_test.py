@@ -42,8 +42,13 @@ class Documents(unittest.TestCase):
 
     @unittest.skipUnless(has_sympy(), "needs SymPy")
     def test_guide(self):
-        text = (ROOT / "docs/guide/python.md").read_text(encoding="utf-8")
-        run_examples(self, "\n".join(re.findall(r"```python\n(.*?)```", text, re.S)), "python.md")
+        pages = 0
+        for page in sorted(ROOT.glob("docs/guide/*.md")):
+            blocks = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.S)
+            if blocks:
+                run_examples(self, "\n".join(blocks), page.name)
+                pages += 1
+        self.assertGreater(pages, 1)
 
     def test_help(self):
         run_examples(self, kovacic.__doc__, "kovacic")

@@ -28,6 +28,7 @@ from ._core import (  # noqa: F401
 from ._errors import (  # noqa: F401
     DomainError, Error, FreeParameters, InputError, InternalError, Interrupted, InvalidArgument, OutOfBudget,
     WrongType)
+from ._map import map  # noqa: A004, F401
 
 _QUESTION, _THEOREM = 60, 600  # seconds, as in the command
 

@@ -695,4 +695,9 @@ def hamiltonian(H: Formula, coordinates: Names, momenta: Names, *, parameters: N
                 title: str = "", set: Mapping[Name, Formula] | None = None) -> str: ...
 
 
+def map(questions: Iterable[str | Mapping[str, Any]] | PathLike[str], *, out: Path | None = None, client: Any = None,
+        jobs: int | None = None, chunk: int = 32, options: Sequence[str] = (),
+        command: str | None = None) -> list[dict[str, Any]] | PathLike[str]: ...
+
+
 def to_sympy(value: Any, symbols: Iterable[Any] = ()) -> Any: ...
