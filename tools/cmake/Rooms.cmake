@@ -72,8 +72,9 @@ function(kov_room name)
   else()
     kov_precompile(kov_${name} REUSE kov_exact)
   endif()
-  install(TARGETS kov_${name} EXPORT kovacic)
-  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${name} DESTINATION include/kovacic
+  set_property(GLOBAL APPEND PROPERTY KOV_ROOMS ${name})
+  install(TARGETS kov_${name} EXPORT kovacic COMPONENT development)
+  install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/${name} DESTINATION include/kovacic COMPONENT development
           FILES_MATCHING PATTERN "*.hpp" PATTERN "*.h")
 endfunction()
 

@@ -1,0 +1,33 @@
+"""Sphinx: the pages of docs/ as a site.  tools/site runs it."""
+
+import os
+import pathlib
+import sys
+
+sys.path.insert(0, os.path.dirname(__file__))
+root = pathlib.Path(__file__).resolve().parents[2]
+
+project = "kovacic"
+author = "the kovacic authors"
+project_copyright = ""
+html_title = "kovacic"
+html_show_copyright = html_show_sphinx = html_copy_source = html_show_sourcelink = False
+language = "en"
+
+extensions = ["myst_parser", "breathe", "formulas", "repository"]
+breathe_projects = {"kovacic": str(root / "build/doxygen/xml")}
+breathe_default_members = ("members", "undoc-members")
+cpp_index_common_prefix = ["kov::"]
+source_suffix = {".md": "markdown"}
+exclude_patterns = ["accuracy", "guide/*.ipynb"]
+myst_heading_anchors = 3
+myst_enable_extensions = ["colon_fence"]
+suppress_warnings = ["myst.header", "misc.highlighting_failure", "myst.xref_missing", "myst.nested_header"]
+highlight_language = "none"
+pygments_style = "friendly"
+pygments_dark_style = "monokai"
+
+html_theme = "furo"
+html_static_path = [os.path.join(os.path.dirname(__file__), "static")]
+html_css_files = ["site.css"]
+html_theme_options = {"navigation_with_keys": True, "top_of_page_button": None}
