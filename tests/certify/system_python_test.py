@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The Python checker of certificates from a system to "not integrable": accepts the genuine ones of systems.py, refuses
 the false ones and whatever is hostile, and states what the page says."""
+import glob
 import json
 import os
 import sys
@@ -17,6 +18,9 @@ ANGLE = """the system "an angle"
   {phi, J} = 1, {q, p} = 1, H = (2*J + q^2*s + p^2)/2
   s "sin(phi)": ds/dphi = c
   c "cos(phi)": dc/dphi = -s
+  e "exp(phi)": de/dphi = e
+  i "1 - cos(phi)": di/dphi = s
+  j "J^2/2": dj/dJ = J
   s^2 + c^2 - 1 = 0
   first integral "H": (2*J + q^2*s + p^2)/2
   first integral "H again": (2*J*s^2 + 2*J*c^2 + q^2*s + p^2)/2
@@ -24,7 +28,7 @@ along the phase curve with z = s on "N": q = 0, p = 0
   with s = z, c = c
   c^2 = -z^2 + 1
 is not integrable in Liouville's sense with first integrals that are meromorphic also at the ends of the phase curve \
-(points at infinity, equilibria) (in the coordinates and s, c) and do not depend on phi (Morales-Ramis), as
+(points at infinity, equilibria) (in the coordinates and s, c) and do not depend on phi, e, i (Morales-Ramis), as
   for the equation
   the identity component of the differential Galois group of y'' = ((4*z^3 - z^2 - 4*z - 2)/(4*z^4 - 8*z^2 + 4)) y is not abelian
     always: not abelian (torus)""".splitlines()
@@ -47,6 +51,11 @@ class Systems(unittest.TestCase):
             with self.subTest(name):
                 self.assertEqual(verdict(text) == "a", right)
 
+    def test_accepts_what_the_solver_wrote(self):
+        for path in sorted(glob.glob(os.path.join(HERE, "data/system/*.json"))):
+            with self.subTest(os.path.basename(path)), open(path, encoding="utf-8") as f:
+                self.assertEqual(V.verify(f.read()), 0)
+
     def test_syntax(self):
         for of, path, *value in systems.MALFORMED:
             with self.subTest(f"{of} {path}"):
@@ -67,6 +76,14 @@ class Systems(unittest.TestCase):
         top = changed(changed(top, ["system", "relations"], ["c^2 + s^2 - 1"]), ["curve", "values", "s"], ["3", "5"])
         top = changed(top, ["curve", "values", "c"], ["-4", "5"])
         self.assertIn("  with s = (3)/(5), c = (-4)/(5)", V.check(json.dumps(top))[2])
+
+    def test_the_class_of_integrals(self):
+        ends = " also at the ends of the phase curve (points at infinity, equilibria)"
+        for name, said in (("regular", ""), ("unipotent", " and do not depend on phi"),
+                           ("irregular", ends + " and do not depend on phi"), ("inverse", ends)):
+            lines = V.check(json.dumps(systems.GENUINE[name]))[2]
+            self.assertIn("is not integrable with first integrals and commuting vector fields that are meromorphic"
+                          + said + " (Ayoul-Zung), as", lines)
 
     def test_a_bracket_of_several_leaves(self):
         self.assertTrue(any(" and independent on the symplectic leaf of the phase curve (Morales-Ramis), as" in x

@@ -4,7 +4,7 @@ stated, the text and whether it is right."""
 import json
 
 import asymmetric
-from traps import changed
+from traps import changed, read
 
 AIRY = json.loads(asymmetric.certificate(
     asymmetric.AIRY, {"group": "SL2", "abelian": False}, asymmetric.local(),
@@ -62,17 +62,21 @@ def airy_field():
 
 
 def eliminated():
-    """y' = v + b, v' = x y, b' = a b/5 - a b/5: the block of y is one only where b = 0; b is a first integral.  A Casimir
-    function k = 3/2 that the curve chooses, and one of two coordinates that the symplectic leaf does not see."""
+    """q' = p + b x, p' = x q: the block of q is one only where b = 0; b is a Casimir function, as k = 3/2 is, and sl(2) beside
+    it has another."""
     curve = {"equations": ["q", "p"], "variable": "z", "change": "x",
-             "values": {"x": "z", "e": "0", "q": "0", "p": "0", "b": "0", "k": ["3", "2"]}, "time": "1"}
-    normal = {"row": ["0", "0", "1", "0", "0", "0"], "p": "0", "q": "-z",
-              "annihilators": [{"row": ["0", "0", "0", "0", "1", "0"], "matrix": ["0"]}], "rest": ["1"],
-              "vectors": [["0", "0", "0", "1", "0", "0"], ["0", "0", "-1", "0", "0", "0"]]}
+             "values": {"x": "z", "e": "0", "q": "0", "p": "0", "b": "0", "k": ["3", "2"], "f": "1", "g": "-2", "h": "5"},
+             "time": "1"}
+    none = ["0", "0", "0"]
+    normal = {"row": ["0", "0", "1", "0", "0", "0"] + none, "p": "0", "q": "-z",
+              "annihilators": [{"row": ["0", "0", "0", "0", "1", "0"] + none, "matrix": ["0"]}], "rest": ["1"],
+              "vectors": [["0", "0", "0", "1", "0", "0"] + none, ["0", "0", "-1", "0", "0", "0"] + none]}
     energy = ["2*e + p^2 + 2*b*p*x - x*q^2", "2"]
-    mechanics = {"coordinates": ["x", "e", "q", "p", "b", "k"], "brackets": canonical(("x", "e"), ("q", "p")),
-                 "hamiltonian": energy}
-    claims = [{"kind": "casimir", "name": "b", "value": "b"}, {"kind": "casimir", "name": "both", "value": ["2*b*k^2", "3"]}]
+    algebra = [["f", "g", "h"], ["h", "f", "2*f"], ["g", "h", "2*g"]]
+    mechanics = {"coordinates": ["x", "e", "q", "p", "b", "k", "f", "g", "h"],
+                 "brackets": canonical(("x", "e"), ("q", "p")) + algebra, "hamiltonian": energy}
+    claims = [{"kind": "casimir", "name": "b", "value": "b"}, {"kind": "casimir", "name": "both", "value": ["2*b*k^2", "3"]},
+              {"kind": "casimir", "name": "Killing", "value": "h^2 + 4*f*g"}]
     return system("a level", [], mechanics, curve, normal, AIRY, claims=claims)
 
 
@@ -82,7 +86,10 @@ def mathieu():
     energy = ["2*J + p^2 + s*q^2", "2"]
     mechanics = {"coordinates": ["phi", "J", "q", "p"], "relations": ["c^2 + s^2 - 1"],
                  "functions": [{"name": "s", "meaning": "sin(phi)", "gradient": {"phi": "c"}},
-                               {"name": "c", "meaning": "cos(phi)", "gradient": {"phi": "-s"}}],
+                               {"name": "c", "meaning": "cos(phi)", "gradient": {"phi": "-s"}},
+                               {"name": "e", "meaning": "exp(phi)", "gradient": {"phi": "e"}},
+                               {"name": "i", "meaning": "1 - cos(phi)", "gradient": {"phi": "s"}},
+                               {"name": "j", "meaning": "J^2/2", "gradient": {"J": "J"}}],
                  "hamiltonian": energy, "brackets": canonical(("phi", "J"), ("q", "p"))}
     curve = {"equations": ["q", "p"], "variable": "z", "change": "s", "denominators": ["1 - z^2"],
              "tower": [{"name": "c", "degree": "2", "value": "1 - z^2", "derivative": ["-z*c", "1", "1"]}],
@@ -97,7 +104,7 @@ def mathieu():
 
 def constants(root):
     """y'' = k x y with k^2 = 2: k is a parameter of the certificate inside, or the generator of its field."""
-    inner = torus("k*z", "1", {"content": "1", "places": []}, ["k"], [["k"]], lambda leaf: {
+    inner = torus("k*z", "1", {"content": "1", "places": []}, ["k"], [["k"], ["k", "k^2 - 2"]], lambda leaf: {
         "node": "split", "p": "k", "nonzero": leaf, "zero": {"zero": "outside", "generic": "0"}})
     if root:
         inner = AIRY | {"field": {"name": "a", "minpoly": ["-2", "0", "1"]}, "r": {"num": ["0", ["0", "1"]], "den": ["1"]}}
@@ -121,8 +128,37 @@ def radius():
     return system("a radius", [], mechanics, curve, normal, AIRY)
 
 
+def inverse():
+    """p' = x^2 - x^3/(x + v): that v = 0 is a solution with y'' = x y beside it needs the derivatives of 1/(x + v)."""
+    curve = {"equations": ["v", "p"], "variable": "z", "change": "x", "denominators": ["-2*z", "3", "z + 1"],
+             "values": {"x": "z", "v": "0", "p": "0", "u": ["-2", "1", "1"], "g": ["3", "1", "0", "1", "1"]}, "time": "1"}
+    normal = {"row": ["0", "1", "0"], "p": "0", "q": "-z", "vectors": [["0", "1", "0"], ["0", "0", "1"]]}
+    mechanics = {"coordinates": ["x", "v", "p"], "field": ["1", "p", "x^2 - x^3*u"],
+                 "inverses": [{"name": "u", "of": "x + v"}, {"name": "g", "of": "x + 1"}]}
+    return system("an inverse", [], mechanics, curve, normal, AIRY)
+
+
+def driven(name, num, den, parameters=()):
+    """v'' = (num/den)(x) v with x' = 1, num given by its terms, and an angle phi' = 2 that is left out; the certificate of
+    the equation is that of the file."""
+    def text(sign, z):
+        return " + ".join(f"{sign * c}*{term}".replace("z", z) for c, term in num).replace("+ -", "- ")
+    curve = {"equations": ["v", "p"], "variable": "z", "change": "x", "denominators": [den],
+             "values": {"x": "z", "v": "0", "p": "0", "u": ["1", "1", "1"]}, "time": "1"}
+    normal = {"row": ["0", "0", "1", "0"], "p": "0", "q": [text(-1, "z"), "1", "1"],
+              "vectors": [["0", "0", "1", "0"], ["0", "0", "0", "1"]]}
+    force = " + ".join(f"{c}*{term}*u*v".replace("z", "x") for c, term in num)
+    mechanics = {"coordinates": ["x", "phi", "v", "p"], "field": ["1", "2", "p", force.replace("+ -", "- ")],
+                 "inverses": [{"name": "u", "of": den.replace("z", "x")}]}
+    return system("driven", parameters, mechanics, curve, normal, json.loads(read("data", name + ".json")))
+
+
 GENUINE = {"henon_heiles": henon_heiles(), "airy_field": airy_field(), "level": eliminated(), "angle": mathieu(),
-           "root": constants(True), "constant": constants(False), "radius": radius()}
+           "root": constants(True), "constant": constants(False), "radius": radius(), "inverse": inverse(),
+           "regular": driven("leg-x0-naive", [(3, "z^2"), (-7, "z^0")], "4*z^4 - 8*z^2 + 4"),
+           "unipotent": driven("strata/accessory", [(-2, "z^4"), (1, "a*z^3"), (-4, "z^2"), (-1, "a*z"), (-2, "z^0")],
+                               "9*z^6 - 18*z^4 + 9*z^2", ["a"]),
+           "irregular": driven("kam-305-naive", [(-1, "z"), (1, "z^0")], "z^4")}
 
 
 def forged_by_annihilators():
@@ -175,7 +211,24 @@ def backwards():
     return top
 
 
-CHANGES = [                                 # of, what is false, path, value
+CHANGES = [                                 # of, what is false, then path and value, or pairs of them
+    ("inverse", "an inverse with another value", "curve values g", ["1", "1", "0", "1", "1"]),
+    ("inverse", "an inverse without a value", "curve values g"),
+    ("inverse", "another solution", "curve values u", ["1", "1", "1"]),
+    ("inverse", "the inverse of a number", ("system inverses 1 of", "3"), ("curve values g", ["1", "3"])),
+    ("inverse", "the inverse of an inverse", ("system inverses 1 of", "u"), ("curve values g", "z")),
+    ("inverse", "a force with another derivative", "system field 2", "x^2 - x^4*u^2"),
+    ("inverse", "the denominator of another component", "curve denominators 0", "2*z"),
+    ("angle", "the cosine has another sign", ("curve values c", "-c")),
+    ("angle", "one cofactor too many", "claims 1 cofactors +", ["0"]),
+    ("radius", "an empty relation", "system relations +", "0"),
+    ("level", "no Jacobi identity", ("claims",), ("system brackets +", ["b", "k", "x"])),
+    ("level", "another sign in sl(2)", ("claims",), ("system brackets 4", ["g", "h", "-2*g"])),
+    ("level", "another sign in sl(2)", ("claims",), ("system brackets 3", ["h", "f", "-2*f"])),
+    ("level", "cofactors for one coordinate", "claims 0 cofactors", [[]]),
+    ("regular", "another sign", "normal q 0", "3*z^2 - 7"),
+    ("regular", "the equation has another numerator", "system field 3", "3*x^2*u*v - 8*u*v"),
+    ("constant", "the equation excludes the constant", ("equation certificate generic 0", ["k^2 - 2"])),
     ("radius", "a gradient that is none", "system functions 0 gradient y", "0"),
     ("radius", "no gradient has this curl", "system functions +", {"name": "g", "meaning": "", "gradient": {"x": "y"}}),
     ("radius", "an inverse without a value", "system inverses +", {"name": "g", "of": "y"}),
@@ -199,7 +252,6 @@ CHANGES = [                                 # of, what is false, path, value
     ("angle", "not a Casimir function", "claims 0 kind", "casimir"),
     ("level", "the sign of a bracket", "system brackets 0", ["e", "x", "1"]),
     ("level", "a bracket twice", "system brackets +", ["p", "q", "-1"]),
-    ("level", "no Jacobi identity", "system brackets +", ["b", "k", "x"]),
     ("level", "not a Casimir function", "claims 0 value", "b + q"),
     ("level", "H has no Casimir function x", "claims 0 value", "x"),
     ("level", "the block where b is not 0", "normal annihilators 0 row 4", "0"),
@@ -232,7 +284,9 @@ CHANGES = [                                 # of, what is false, path, value
     ("henon_heiles", "another equation", "equation certificate", AIRY),
     ("henon_heiles", "a root is not needed", "equation root", "1"),
     ("henon_heiles", "the claim inside is open", "equation certificate claim abelian", None),
-    ("henon_heiles", "another variable inside", "equation certificate", torus("y", "1", {"content": "1", "places": []}, variable="y")),
+    ("airy_field", "another variable inside", "equation certificate", torus("y", "1", {"content": "1", "places": []}, variable="y")),
+    ("airy_field", "a root over Q", "equation root", "0"),
+    ("root", "r at no root", ("system field 2", "5*x*y"), ("normal q", "-5*z"), ("equation root", "5")),
     ("henon_heiles", "a denominator 0", "curve denominators +", "0"),
     ("airy_field", "another equation", "normal q", "t"),
     ("airy_field", "the equation of another system", "system field 2", "-x*y"),
@@ -269,8 +323,11 @@ MALFORMED = [
 def certificates():
     for name, top in GENUINE.items():
         yield name, json.dumps(top), True
-    for of, why, path, *value in CHANGES:
-        yield f"{of}: {why}", json.dumps(changed(GENUINE[of], path.split(), *value)), False
+    for of, why, *changes in CHANGES:
+        top = GENUINE[of]
+        for path, *value in changes if isinstance(changes[0], tuple) else [changes]:
+            top = changed(top, path.split(), *value)
+        yield f"{of}: {why}", json.dumps(top), False
     for of, path, *value in MALFORMED:
         yield f"{of}: {path}", json.dumps(changed(GENUINE[of], path.split(), *value)), False
     for why, top in (("annihilators that make y = 0", forged_by_annihilators()), ("a block off the leaf", unseen_by_the_leaf()),

@@ -42,8 +42,6 @@ class PhaseCurve:
         for u, h in space.denominators.items():
             need(u in self.known, "an inverse has no value")
             need(not self.known[u][1] * self.value(h) - self.R.one, "an inverse has another value")
-        for f in (space.brackets or {}).values():
-            self.value(f)                   # is defined
         for j, x in enumerate(space.coordinates):
             if self.has(x):
                 need(not self.known[FIELD * j][1].derivative() - self.time * self.field[j], f"{x[:60]} is no solution")
