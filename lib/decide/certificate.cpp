@@ -233,11 +233,18 @@ private:
     if (local_->infinite_order()) return conclude("dihedral-infinite", {"local", v});
     const auto fact = certify::check_invariant(judge_, quadratic_);
     if (fact.holomorphic_quotient()) return conclude("dihedral-holomorphic", {v});
-    const auto torsion = witness::infinite_torsion(judge_, r_, fact, *local_, budget_);
-    Ids premises{"local", v, add("reduction", {v}, torsion.reduction)};
-    for (const certify::PCurvature& x : torsion.curvatures)
-      premises.push_back(add("p-curvature-" + std::to_string(x.prime.p), {}, x));
+    const InfiniteTorsion torsion = infinite_torsion();
+    Ids premises{"local", v, add("reduction", {v}, certify::GoodReduction{torsion.good})};
+    for (const PrimeIdeal& prime : torsion.nonzero)
+      premises.push_back(
+          add("p-curvature-" + std::to_string(prime.p), {}, certify::PCurvature{prime, "nonzero"}));
     conclude("dihedral-torsion", std::move(premises));
+  }
+  [[nodiscard]] InfiniteTorsion infinite_torsion() const {
+    if (c_.dihedral->curvatures) return *c_.dihedral->curvatures;
+    auto found = infinite_by_curvatures(*c_.curve, *c_.local, budget_);
+    if (!found) throw OutOfBudget("the p-curvatures of small primes do not suffice");
+    return *std::move(found);
   }
 
   void finite_dihedral() {

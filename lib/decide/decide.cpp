@@ -1,6 +1,7 @@
 #include "decide/decide.hpp"
 
 #include "decide/certificate.hpp"
+#include "decide/whittaker_pull_back.hpp"
 #include "decide/words.hpp"
 #include "exact/error.hpp"
 #include "kovacic/solve.hpp"
@@ -115,6 +116,10 @@ void closed_formula(Decision& d, const Options& options) {
     Budget little = options.budget;
     if (d.places) little.deadline.reset(); // the places are there, and time may be over
     known = recognize(d.r, little, d.places ? &*d.places : nullptr);
+    if (d.places && (!known || !known->answer || !known->answer->group))
+      if (auto behind = recognize_pull_back(*d.places, d.variable, little);
+          behind && behind->answer)
+        known = std::move(behind);
   } catch (const OutOfBudget&) { // what stopped the engines is said already
   }
   if (!known || !known->answer || known->answer->abelian == Truth::unknown) return;
@@ -149,6 +154,7 @@ void certify_it(Decision& d, const Classification& c, const Options& options) {
 
 // A third opinion: the certificate is written and judged, and not kept.
 void ask_the_judge(Decision& d, const Classification& c, const Options& options) {
+  if (!d.proof()) return; // by a formula: there is nothing to judge
   Decision judged = d;
   certify_it(judged, c, options);
   if (judged.withdrawn) {
@@ -255,8 +261,9 @@ Decision decide(const NormalForm& equation, const Options& options) {
   Decision d;
   const Proof c = prove(d, equation, options);
   announce(d, options);
+  const bool was_known = d.group.has_value();
   support(d, *c, equation, options);
-  announce(d, options);
+  if (!was_known || !d.certificate.empty()) announce(d, options);
   compare_methods(d, equation, options);
   d.only_case = options.only_case;
   if (!d.withdrawn) add_solutions(d, *c, options);

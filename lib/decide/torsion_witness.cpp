@@ -1,7 +1,6 @@
-// Rules "torsion-function" and "good-reduction": see witness.hpp.
+// Rule "torsion-function": see witness.hpp.
 
 #include "decide/witness.hpp"
-#include "pcurvature/p_curvature.hpp"
 
 #include <algorithm>
 
@@ -105,38 +104,6 @@ certify::TorsionFunction torsion_function(const certify::Judge& judge, const Dih
     if (gcd(power, L) != power) h.minimal.push_back(not_a_power(judge, h, v, l, budget));
   }
   return h;
-}
-
-InfiniteTorsion infinite_torsion(const certify::Judge& judge, const RationalFunction& r,
-                                 const certify::InvariantFact& v, const certify::LocalFact& local,
-                                 const Budget& budget) {
-  InfiniteTorsion found;
-  Integer bound;
-  PrimeIdeals primes(judge.field, 2);
-  for (int tries = 0; sign(bound) == 0; ++tries) {
-    budget.check();
-    if (tries == prime_tries) throw OutOfBudget("no prime of good reduction was found");
-    found.reduction.prime = primes.next();
-    try {
-      bound = certify::check_good_reduction(judge, found.reduction, v).bound;
-    } catch (const certify::Refused&) { // another prime
-    }
-  }
-  const Integer twice = Integer(2) * local.residue_denominator(v);
-  Integer product(1);
-  primes = PrimeIdeals(judge.field, 2);
-  while (product <= bound) {
-    budget.check();
-    const PrimeIdeal prime = primes.next();
-    if (prime.p > 2000) throw OutOfBudget("the p-curvatures of small primes do not suffice");
-    const Integer p(prime.p);
-    if (prime.p == found.reduction.prime.p || gcd(twice, p) != Integer(1)) continue;
-    const auto curvature = p_curvature(r, prime);
-    if (!curvature || is_zero(*curvature)) continue;
-    found.curvatures.push_back({prime, "nonzero"});
-    product *= p;
-  }
-  return found;
 }
 
 } // namespace kov::witness

@@ -40,16 +40,4 @@ torsion_function(const certify::Judge& judge, const DihedralCurve& curve,
                  const DihedralAnswer& answer, const certify::InvariantFact& v,
                  const certify::LocalFact& local, const Budget& budget);
 
-/// Rules "good-reduction" and "p-curvature": a prime that bounds torsion, and primes whose product
-/// is larger than the bound.
-struct InfiniteTorsion {
-  certify::GoodReduction reduction;
-  std::vector<certify::PCurvature> curvatures;
-};
-[[nodiscard]] InfiniteTorsion infinite_torsion(const certify::Judge& judge,
-                                               const RationalFunction& r,
-                                               const certify::InvariantFact& v,
-                                               const certify::LocalFact& local,
-                                               const Budget& budget);
-
 } // namespace kov::witness

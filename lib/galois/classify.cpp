@@ -287,11 +287,27 @@ private:
            std::all_of(local().finite.begin(), local().finite.end(), integral);
   }
 
+  // Euler's equation, with exponents too large for a series: v = y1 y2 vanishes once at each finite
+  // place.  Two lines exclude logarithms.
+  bool product_of_places_says_it() {
+    RationalFunction v(coerce(Poly(1), r_.field()));
+    for (const Singularity& place : local().finite)
+      v *= RationalFunction(place.place);
+    const RationalFunction dv = derivative(v);
+    const RationalFunction w =
+        dv * dv - RationalFunction(2) * v * derivative(dv) + RationalFunction(4) * r_ * v * v;
+    if (degree(w.num()) != 0 || degree(w.den()) != 0) return false;
+    diagonal(v, w.num().coeff(0));
+    return true;
+  }
+
   void rational_exponents() {
     if (all_differences_integral()) {
-      if (answer_.kind == Trichotomy::undetermined)
+      if (answer_.kind == Trichotomy::undetermined) {
+        if (product_of_places_says_it()) return;
         throw OutOfBudget("whether there is a logarithm at " +
                           place_name(place_at(local(), answer_.decisive)) + " is not known");
+      }
       const auto odd = [](const Singularity& p) { return fmpz_is_odd(p.delta->num().raw()) != 0; };
       const bool rational = std::all_of(local().finite.begin(), local().finite.end(), odd);
       settle({GroupType::cyclic, Integer(rational ? 1 : 2)}, Argument::integral_exponents);
@@ -339,7 +355,7 @@ private:
 
   void dihedral(const QuarticRoot& root) {
     answer_.curve = dihedral_curve(root, local());
-    answer_.dihedral = decide_dihedral(*answer_.curve, budget_);
+    answer_.dihedral = decide_dihedral(*answer_.curve, local(), budget_);
     answer_.argument = Argument::dihedral;
     if (answer_.dihedral->finite == Truth::yes)
       settle({GroupType::D, answer_.dihedral->n}, Argument::dihedral);

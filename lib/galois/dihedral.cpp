@@ -165,6 +165,11 @@ Poles poles_of(const DihedralCurve& c) {
   return poles;
 }
 
+struct ReducedClass {
+  Jacobian jacobian;
+  DivisorClass e;
+};
+
 // The class of E in the Jacobian modulo one prime; unset when the prime is not good.
 class Reduction {
 public:
@@ -172,7 +177,7 @@ public:
             PrimeIdeal prime)
       : c_(c), poles_(poles), l_(l), prime_(prime) {}
 
-  [[nodiscard]] std::optional<Integer> order(const Budget& budget) {
+  [[nodiscard]] std::optional<ReducedClass> divisor_class() {
     if (!set_curve()) return std::nullopt;
     const Jacobian jacobian(*model_);
     DivisorClass e = jacobian.zero();
@@ -183,7 +188,7 @@ public:
       const Rational multiple = Rational(2) * Rational(l_) * pole.rho;
       e = jacobian.add(e, jacobian.multiply(jacobian.reduce(*point), multiple.num()));
     }
-    return jacobian.order(e, budget);
+    return ReducedClass{jacobian, e};
   }
 
 private:
@@ -344,9 +349,46 @@ std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
   return std::nullopt;
 }
 
+constexpr int prime_tries = 400;
+constexpr int immense_orders = 2; ///< before the question is left to p-curvatures
+
+// The order of E modulo a few primes: until two differ, or three agree (a third opinion is cheaper
+// than a large h).
+void reduce_modulo_primes(DihedralAnswer& answer, const DihedralCurve& c,
+                          const std::vector<Pole>& poles, const Budget& budget) {
+  PrimeIdeals primes(c.field, 2);
+  int immense = 0;
+  for (int tries = 0; tries < prime_tries && answer.orders.size() < 3; ++tries) {
+    budget.check();
+    const PrimeIdeal prime = primes.next();
+    const auto reduced = Reduction(c, poles, answer.residue_denominator, prime).divisor_class();
+    if (!reduced) continue;
+    const auto order = reduced->jacobian.order(reduced->e, budget);
+    if (!order) {
+      if (++immense == immense_orders) return;
+      continue;
+    }
+    answer.orders.push_back({prime, *order});
+    if (answer.orders.front().order == *order) continue;
+    answer.finite = Truth::no;
+    answer.by = Torsion::orders_differ;
+    return;
+  }
+}
+
+DihedralAnswer by_curvatures(DihedralAnswer answer, const DihedralCurve& c, const Singularities& s,
+                             const Budget& budget) {
+  answer.curvatures = infinite_by_curvatures(c, s, budget);
+  if (!answer.curvatures) return answer;
+  answer.finite = Truth::no;
+  answer.by = Torsion::curvatures;
+  return answer;
+}
+
 } // namespace
 
-DihedralAnswer decide_dihedral(const DihedralCurve& c, const Budget& budget) {
+DihedralAnswer decide_dihedral(const DihedralCurve& c, const Singularities& s,
+                               const Budget& budget) {
   DihedralAnswer answer;
   const Poles poles = poles_of(c);
   if (poles.infinite) return *poles.infinite;
@@ -365,23 +407,9 @@ DihedralAnswer decide_dihedral(const DihedralCurve& c, const Budget& budget) {
     answer.n = l;
     return answer;
   }
-  PrimeIdeals primes(c.field, 2);
-  for (int tries = 0; tries < 400 && answer.orders.size() < 4; ++tries) {
-    budget.check();
-    const PrimeIdeal prime = primes.next();
-    const auto order = Reduction(c, poles.list, l, prime).order(budget);
-    if (!order) continue;
-    answer.orders.push_back({prime, *order});
-    if (answer.orders.size() == 1) continue;
-    if (answer.orders.front().order == *order) {
-      if (answer.orders.size() < 3) continue; // a third opinion is cheaper than a large h
-      break;
-    }
-    answer.finite = Truth::no;
-    answer.by = Torsion::orders_differ;
-    return answer;
-  }
-  if (answer.orders.size() < 2) return answer;
+  reduce_modulo_primes(answer, c, poles.list, budget);
+  if (answer.by == Torsion::orders_differ) return answer;
+  if (answer.orders.size() < 2) return by_curvatures(std::move(answer), c, s, budget);
   const Integer m = l * answer.orders.front().order;
   answer.a = function_with_divisor(c, poles.list, m, budget);
   answer.finite = truth(answer.a.has_value());

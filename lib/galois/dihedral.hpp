@@ -11,13 +11,15 @@
 // poles of higher order, or no poles at all (genus >= 1): infinite.  Otherwise let L be the common
 // denominator of the residues and E = sum L res(P) P.  Genus 0: N = L.  Genus >= 1: N = L N' with
 // N' the order of E in the Jacobian; reduction modulo good primes is injective on torsion, so two
-// primes that disagree prove "infinite", and an h proves "finite" (dihedral_torsion.md 9).
+// primes that disagree prove "infinite", and an h proves "finite" (dihedral_torsion.md 9).  Where
+// the order modulo primes is beyond reach, p-curvatures prove "infinite" (7).
 //
 // Source  docs/theory/dihedral_torsion.md
 
 #include "exact/budget.hpp"
 #include "exact/modular.hpp"
 #include "exact/truth.hpp"
+#include "galois/infinite_torsion.hpp"
 #include "invariant/invariant.hpp"
 #include "linode/singularities.hpp"
 
@@ -60,13 +62,14 @@ struct ReducedOrder {
 
 /// What settles the question "finite or infinite?" (docs/theory/dihedral_torsion.md, 4 to 9).
 enum class Torsion : std::uint8_t {
-  undecided,          ///< no two primes with a small enough Jacobian were found
+  undecided,          ///< no order modulo two primes was found, and p-curvatures vanish
   irrational_residue, ///< of w dz/v at `pole`: infinite
   multiple_pole,      ///< of w dz/v at `pole`: infinite
   holomorphic,        ///< no poles at all, genus >= 1: infinite
   genus_zero,         ///< rational residues: finite, n their common denominator
   orders_differ,      ///< modulo two primes: infinite
   no_function,        ///< with the only possible order: infinite
+  curvatures,         ///< the order would be divisible by too many primes: infinite
   function            ///< h = a + b s: finite
 };
 
@@ -76,22 +79,26 @@ struct DihedralAnswer {
   Torsion by = Torsion::undecided;
   Integer n;                ///< of D_n, if finite
   std::optional<Poly> pole; ///< where by = irrational_residue or multiple_pole; unset: infinity
-  std::optional<NfElem> residue_squared; ///< of the irrational residue, where it is one number
-  Integer residue_denominator{1};        ///< L
-  std::vector<ReducedOrder> orders;      ///< what primes said, where they were asked
-  std::optional<RationalFunction> a;     ///< finite, genus >= 1: h = a + b s
+  std::optional<NfElem> residue_squared;     ///< of the irrational residue, where it is one number
+  Integer residue_denominator{1};            ///< L
+  std::vector<ReducedOrder> orders;          ///< what primes said, where they were asked
+  std::optional<InfiniteTorsion> curvatures; ///< by = curvatures
+  std::optional<RationalFunction> a;         ///< finite, genus >= 1: h = a + b s
 };
 
 /// Requires w^2 != 0 and some e odd.
 [[nodiscard]] DihedralCurve dihedral_curve(const QuarticRoot& root, const Singularities& s);
+/// s: the local data of the equation.
 /// Requires  every exponent difference rational and no logarithm (otherwise the group is infinite).
-/// Unknown   large genus without two comparable primes
+/// Unknown   large genus and a large order
 /// Throws    OutOfBudget
 /// Given     const RationalFunction r = RationalFunction(-3, 16*z*z) -
 ///               RationalFunction(3, 16*(z - 1)*(z - 1)) + RationalFunction(11, 72*z*(z - 1));
-/// Given     const DihedralCurve curve = *classify(r).curve;
+/// Given     const Classification known = classify(r);
+/// Given     const DihedralCurve curve = *known.curve;
 /// Example   curve.branch  // -> z^2 - z
-/// Example   decide_dihedral(curve).n  // -> 3
-[[nodiscard]] DihedralAnswer decide_dihedral(const DihedralCurve& curve, const Budget& budget = {});
+/// Example   decide_dihedral(curve, *known.local).n  // -> 3
+[[nodiscard]] DihedralAnswer decide_dihedral(const DihedralCurve& curve, const Singularities& s,
+                                             const Budget& budget = {});
 
 } // namespace kov

@@ -96,11 +96,31 @@ DivisorClass Jacobian::multiply(const DivisorClass& a, const Integer& n) const {
   return result;
 }
 
+namespace {
+
+constexpr long largest_bound = 1000000000;
+constexpr long small_order = 4000;
+
+// The order, if it is at most `small_order`: step by step.
+std::optional<Integer> order_by_steps(const Jacobian& jacobian, const DivisorClass& a,
+                                      const Budget& budget) {
+  const DivisorClass none = jacobian.zero();
+  DivisorClass sum = a;
+  for (long n = 1; n <= small_order; ++n) {
+    if (n % 256 == 0) budget.check();
+    if (sum == none) return Integer(n);
+    sum = jacobian.add(sum, a);
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
 std::optional<Integer> Jacobian::order(const DivisorClass& a, const Budget& budget) const {
   // (1 + sqrt p)^(2g) <= (2 + p + isqrt(4p))^g
   const Integer base(g_.modulus() + 2 + n_sqrt(4 * g_.modulus()));
   const Integer bound = pow(base, static_cast<unsigned long>(genus_));
-  if (bound > Integer(10000000000L)) return std::nullopt;
+  if (bound > Integer(largest_bound)) return order_by_steps(*this, a, budget);
   const DivisorClass none = zero();
   if (a == none) return Integer(1);
   // some multiple n of the order: baby steps j a, giant steps i m a

@@ -34,7 +34,7 @@ public:
   [[nodiscard]] DivisorClass add(const DivisorClass& a, const DivisorClass& b) const;
   [[nodiscard]] DivisorClass multiply(const DivisorClass& a, const Integer& n) const;
   /// The order of a class: giant steps over the Hasse-Weil bound (1 + sqrt p)^(2g).
-  /// Unset when that bound is beyond 10^10.
+  /// Unset when that bound is beyond 10^9 and the order beyond 4000.
   [[nodiscard]] std::optional<Integer> order(const DivisorClass& a, const Budget& budget) const;
 
 private:

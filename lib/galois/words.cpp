@@ -60,6 +60,16 @@ std::string orders(const DihedralAnswer& d, const std::string& z) {
          std::to_string(other.prime.p) + ", so that it has infinite order";
 }
 
+std::string curvatures(const InfiniteTorsion& t, const std::string& z) {
+  std::string primes;
+  for (const PrimeIdeal& p : t.nonzero)
+    primes += (primes.empty() ? "" : ", ") + std::to_string(p.p);
+  return "the divisor class of w d" + z +
+         "/v has infinite order: the p-curvatures for p = " + primes +
+         " are not 0, so that a finite order would be divisible by these primes, and its " +
+         "part prime to " + std::to_string(t.good.p) + " is at most " + to_string(t.bound);
+}
+
 std::string torsion(const DihedralAnswer& d, const DihedralCurve& curve, const std::string& z) {
   const std::string genus = std::to_string(curve.genus);
   switch (d.by) {
@@ -80,13 +90,15 @@ std::string torsion(const DihedralAnswer& d, const DihedralCurve& curve, const s
            to_string(d.orders.front().order) +
            " (that of its reductions), and no function has that divisor and logarithmic "
            "differential";
+  case Torsion::curvatures:
+    return curvatures(*d.curvatures, z) + " (genus " + genus + ")";
   case Torsion::function:
     return "y1/y2 is a " + to_string(d.n) + "-th root of a function on a curve of genus " + genus;
   case Torsion::undecided:
     break;
   }
-  return "finite or infinite: the curve has genus " + genus +
-         " and no two primes with a small enough Jacobian were found";
+  return "finite or infinite: the curve has genus " + genus + ", the divisor class of w d" + z +
+         "/v has no small order, and the p-curvatures of the first primes vanish";
 }
 
 std::string dihedral(const Classification& c, const std::string& z) {

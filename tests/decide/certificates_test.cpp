@@ -53,5 +53,30 @@ TEST(LongCoefficients, OnePrimeIsEnough) {
   EXPECT_FALSE(d.certificate.empty()) << d.no_certificate;
 }
 
+// Euler's equation c/(z - a)^2 and its images under z -> (z + 2)/(3z - 1), whatever the exponent
+// difference: all have certificates.
+TEST(Euler, EveryEquationHasACertificate) {
+  const Poly z = Poly::z();
+  const Integer large = pow(Integer(10), 20);
+  for (const Rational& delta :
+       {Rational(1), Rational(3), Rational(1, 2), Rational(7, 3), Rational(large),
+        Rational(large + Integer(39)), Rational(large, Integer(7))}) {
+    const Rational c = (delta * delta - Rational(1)) * Rational(1, 4);
+    const Poly there = (z - Poly(5)) * (z - Poly(5));
+    const Poly moved =
+        (z + Poly(2)) * (z + Poly(2)) * (Poly(3) * z - Poly(1)) * (Poly(3) * z - Poly(1));
+    for (const RationalFunction& r :
+         {RationalFunction(Poly(c), there), RationalFunction(Poly(c * Rational(49)), moved)}) {
+      Options options;
+      options.want_certificate = true;
+      const Decision d = decide({.r = r, .p = RationalFunction()}, options);
+      ASSERT_TRUE(d.group) << reason(d);
+      EXPECT_EQ(d.group->type, GroupType::cyclic) << to_string(r);
+      EXPECT_EQ(d.group->n, ((Rational(1) + delta) * Rational(1, 2)).den());
+      EXPECT_FALSE(d.certificate.empty()) << to_string(r) << ": " << d.no_certificate;
+    }
+  }
+}
+
 } // namespace
 } // namespace kov

@@ -52,6 +52,27 @@ TEST(Dihedral, PointsOfInfiniteOrder) {
     expect_group(from_square(RationalFunction(F0 * z * z), NfElem(w * w)), {GroupType::Dinf, {}});
 }
 
+// Genus 8 to 10: modulo small primes the order of (0, 1) is beyond reach, p-curvatures decide.
+TEST(Dihedral, PointsOfInfiniteOrderOnCurvesOfLargeGenus) {
+  for (const unsigned long d : {17UL, 19UL, 20UL, 22UL}) {
+    const Poly F0 = pow(z, d) + Poly(2) * pow(z, 3) - z + Poly(1);
+    for (const Rational& w : {Rational(1), Rational(2, 3)}) {
+      const RationalFunction r = from_square(RationalFunction(F0 * z * z), NfElem(w * w));
+      expect_group(r, {GroupType::Dinf, {}});
+    }
+  }
+}
+
+// The same genus with a function of small degree: found although no Jacobian can be counted.
+TEST(Dihedral, TorsionOnCurvesOfLargeGenus) {
+  for (const unsigned long d : {9UL, 10UL, 11UL})
+    for (const long N : {2L, 5L}) {
+      const Poly A = pow(z, d) + z - Poly(3);
+      const Poly F0 = A * A - Poly(2);
+      expect_group(with_ratio(F0, A, Poly(1), 2 * N), {GroupType::D, Integer(N)});
+    }
+}
+
 // No pole at all, or poles of higher order, or residues that are not rational: infinite.
 TEST(Dihedral, DifferentialsThatAreNotLogarithmic) {
   for (const Poly& F0 : {pow(z, 3) - Poly(2), pow(z, 5) + z + Poly(3)})
@@ -94,7 +115,7 @@ TEST(Dihedral, TheCurveAndTheDifferentialAreThoseThatWerePut) {
   // k F0 g^2 = F solves Sym^4 with the Wronskian w: the equation comes back from it
   const RationalFunction F = RationalFunction(scale(F0, c.curve->k)) * c.curve->g * c.curve->g;
   EXPECT_EQ(from_square(F, c.curve->w_squared), with_ratio(F0, Poly(-1), Poly(1), 5));
-  EXPECT_EQ(decide_dihedral(*c.curve).n, Integer(5));
+  EXPECT_EQ(decide_dihedral(*c.curve, *c.local).n, Integer(5));
 }
 
 class DihedralLaws : public OverFields {

@@ -1,0 +1,72 @@
+// Whittaker's and Bessel's equations come back from their pull-backs, whatever the exponents.
+
+#include "decide/whittaker_pull_back.hpp"
+
+#include "decide/decide.hpp"
+#include "support/equations.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+const Poly z = Poly::z();
+
+RationalFunction whittaker(const Rational& a, const Rational& b, const Rational& c) {
+  return RationalFunction(Poly::from_coefficients({NfElem(c), NfElem(b), NfElem(a)}), z * z);
+}
+
+std::vector<RationalFunction> changes() {
+  return {RationalFunction(z * z + Poly(1)),
+          RationalFunction(z * z - Poly(2), z),
+          RationalFunction(z, (z - Poly(1)) * (z - Poly(3))),
+          RationalFunction(pow(z, 3) - z + Poly(5)),
+          RationalFunction(z * (z + Poly(4)), (z - Poly(2)) * (z + Poly(1))),
+          RationalFunction(z - Poly(2), pow(z, 3))};
+}
+
+TEST(WhittakerPullBack, ComesBack) {
+  const RationalFunction half(Rational(1, 2));
+  for (const RationalFunction& f : changes())
+    for (const Rational& b : {Rational(0), Rational(3, 7)})
+      for (const Rational& c : {Rational(-2, 9), Rational(pow(Integer(10), 40)), Rational(2)}) {
+        const RationalFunction r = testing::pull_back(whittaker(Rational(5), b, c), f);
+        const auto found = whittaker_pull_back(singularities(r));
+        ASSERT_TRUE(found) << to_string(f) << ", " << to_string(r);
+        const RationalFunction slope = derivative(found->f);
+        const RationalFunction u = derivative(slope) / slope;
+        const auto number = [](const NfElem& x) { return RationalFunction(Poly(x)); };
+        EXPECT_EQ(slope * slope *
+                          (number(found->a) + number(found->b) / found->f +
+                           number(found->c) / (found->f * found->f)) -
+                      half * (derivative(u) - half * u * u),
+                  r);
+        EXPECT_EQ(found->c, NfElem(c)); // f is determined up to a factor
+      }
+}
+
+// n(n+1)/x^2 - 1 with n of twenty digits: no polynomial of that degree is needed.
+TEST(WhittakerPullBack, ImmenseExponentsAreDecided) {
+  const Rational n(pow(Integer(10), 20) + Integer(7), Integer(1));
+  for (const RationalFunction& f : changes()) {
+    const auto group = [&](const Rational& c) {
+      const RationalFunction r = testing::pull_back(whittaker(Rational(-1), Rational(0), c), f);
+      Options options;
+      options.ask_the_judge = true; // who has nothing to say about a formula
+      return decide({.r = r, .p = RationalFunction()}, options).group;
+    };
+    EXPECT_EQ(group(n * (n + Rational(1))), (GaloisGroup{GroupType::Gm, {}})) << to_string(f);
+    EXPECT_EQ(group(n * (n + Rational(2))), (GaloisGroup{GroupType::SL2, {}})) << to_string(f);
+  }
+}
+
+TEST(WhittakerPullBack, OtherEquationsAreNone) {
+  for (const RationalFunction& r :
+       {RationalFunction(z), RationalFunction(pow(z, 4) + z), RationalFunction(Poly(1), z * z),
+        RationalFunction(z * z + Poly(1), z * z - Poly(1)),
+        whittaker(Rational(1), Rational(0), Rational(2)) + RationalFunction(Poly(1), z - Poly(1))})
+    EXPECT_FALSE(whittaker_pull_back(singularities(r))) << to_string(r);
+}
+
+} // namespace
+} // namespace kov
