@@ -221,7 +221,6 @@ CHANGES = [                                 # of, what is false, then path and v
     ("inverse", "the denominator of another component", "curve denominators 0", "2*z"),
     ("angle", "the cosine has another sign", ("curve values c", "-c")),
     ("angle", "one cofactor too many", "claims 1 cofactors +", ["0"]),
-    ("radius", "an empty relation", "system relations +", "0"),
     ("level", "no Jacobi identity", ("claims",), ("system brackets +", ["b", "k", "x"])),
     ("level", "another sign in sl(2)", ("claims",), ("system brackets 4", ["g", "h", "-2*g"])),
     ("level", "another sign in sl(2)", ("claims",), ("system brackets 3", ["h", "f", "-2*f"])),
