@@ -75,7 +75,7 @@ def eliminated():
     algebra = [["f", "g", "h"], ["h", "f", "2*f"], ["g", "h", "2*g"]]
     mechanics = {"coordinates": ["x", "e", "q", "p", "b", "k", "f", "g", "h"],
                  "brackets": canonical(("x", "e"), ("q", "p")) + algebra, "hamiltonian": energy}
-    claims = [{"kind": "casimir", "name": "b", "value": "b"}, {"kind": "casimir", "name": "both", "value": ["2*b*k^2", "3"]},
+    claims = [{"kind": "casimir", "name": "b", "value": "b"}, {"kind": "casimir", "name": "both", "value": ["2*b*k^2", "4"]},
               {"kind": "casimir", "name": "Killing", "value": "h^2 + 4*f*g"}]
     return system("a level", [], mechanics, curve, normal, AIRY, claims=claims)
 

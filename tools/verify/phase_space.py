@@ -1,7 +1,7 @@
 """A system: functions on phase space with their derivatives, its bracket and field, and what is claimed of it
 (docs/theory/system_certificates.md 3).  All of it are identities between polynomials in the names of phase space."""
 from itertools import combinations
-from math import gcd, lcm
+from math import lcm
 
 from certificate_format import need
 from multivariate import FIELD, ONE, P, spend
@@ -12,8 +12,7 @@ class Function:
     """A polynomial p in the names of phase space, divided by the natural number n."""
 
     def __init__(self, p, n=1):
-        g = gcd(n, *p.values()) if n > 1 else 1
-        self.p, self.n = (P((k, c // g) for k, c in p.items()), n // g) if g > 1 else (p, n)
+        self.p, self.n = p, n               # not reduced: shown as it was given
 
     def __bool__(self):
         return bool(self.p)
