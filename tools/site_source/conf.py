@@ -13,6 +13,7 @@ project_copyright = ""
 html_title = "kovacic"
 html_show_copyright = html_show_sphinx = html_copy_source = html_show_sourcelink = False
 language = "en"
+smartquotes = False  # y'' is no quotation
 
 extensions = ["myst_parser", "breathe", "formulas", "repository"]
 breathe_projects = {"kovacic": str(root / "build/doxygen/xml")}

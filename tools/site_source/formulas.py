@@ -19,29 +19,37 @@ SIGNS = {"<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "+-": "±", "=>": "
 
 GROUP = r"\((?:[^()]|\((?:[^()]|\([^()]*\))*\))*\)|\{[^{}]*\}"
 PIECE = re.compile(
-    rf"(?P<up>(?<=[\w)\]}}²′″°⁰])\^(?:{GROUP}|[-+−]?\w+(?:/\d+)?|[+*⊥−-]))"
+    r"(?P<page>\b\w+\.md\b|\b\w+\.\w+pp\b|\w+_\w+\.\w+)"
+    rf"|(?P<up>(?<=[\w)\]}}²′″°⁰])\^(?:{GROUP}|[-+−]?\w+(?:/\d+)?|[+*⊥−-]))"
     rf"|(?P<down>(?<=[A-Za-z)α-ωΑ-Ω])_(?:\{{[^{{}}]*\}}|\([^()]*\)|[A-Za-z0-9]{{1,3}}(?![\w])))"
     r"|(?P<primes>(?<=[\w)])'{1,3}(?![\w']))"
     rf"|(?P<greek>(?<![\w'-])(?:{'|'.join(sorted(GREEK, key=len, reverse=True))})(?=[_^0-9']|(?![\w-])))"
     r"|(?P<sign>(?<=\s)(?:<=>|<=|>=|!=|->|=>)(?=\s)|\+-(?=\w))"
+    r"|(?P<numbered>(?<![\w'’.\-/])[b-hj-z][0-9](?![\w.]))"
     r"|(?P<letter>(?<![\w'’.\-/])[b-hj-zB-HJ-Z](?=[_^]|(?![\w'’.\-]))|(?<![\w'’.\-/])[a-zA-Z](?='{1,3}(?![\w']))"
     r"|(?<![\w'’.\-/])[b-hj-zB-HJ-Z](?=[.](?:\s|$)))")
 UPRIGHT = set("CQZNRK")  # the fields, which formulas name far more often than constants
 
 
-def typeset(text):
-    """A list of nodes for a piece of running text."""
+def typeset(text, page_of=lambda name: None):
+    """A list of nodes for a piece of running text; `page_of` gives the address of a page that is named in it."""
     made, at = [], 0
     for found in PIECE.finditer(text):
         if found.start() > at:
             made.append(nodes.Text(text[at:found.start()]))
-        made.append(node_of(found))
+        address = page_of(found.group()) if found.lastgroup == "page" else None
+        made.append(nodes.reference("", found.group().removesuffix(".md"), refuri=address, internal=True) if address
+                    else node_of(found))
         at = found.end()
     return made + ([nodes.Text(text[at:])] if at < len(text) else []) if made else []
 
 
 def node_of(found):
     kind, word = found.lastgroup, found.group()
+    if kind == "page":
+        return nodes.Text(word)
+    if kind == "numbered":
+        return nodes.inline("", "", nodes.emphasis("", word[0], classes=["variable"]), nodes.subscript("", word[1]))
     if kind in ("up", "down"):
         inside = word[1:]
         if inside[0] in "({" and inside[-1] in ")}":
@@ -68,9 +76,17 @@ class Formulas(SphinxTransform):
         for text in list(self.document.findall(nodes.Text)):
             if not any(isinstance(parent, (nodes.literal, nodes.FixedTextElement, nodes.raw, nodes.comment, nodes.image))
                        for parent in ancestors(text)):
-                made = typeset(text.astext())
+                inside_link = any(isinstance(parent, nodes.reference) for parent in ancestors(text))
+                made = typeset(text.astext(), (lambda name: None) if inside_link else self.page_of)
                 if made:
                     text.parent.replace(text, made)
+
+
+    def page_of(self, name):
+        """The address of theory/name.html from a page of theory."""
+        here = self.env.docname
+        theory = here.startswith("theory/") and f"theory/{name[:-3]}" in self.env.found_docs and name.endswith(".md")
+        return self.app.builder.get_relative_uri(here, f"theory/{name[:-3]}") if theory else None
 
 
 def ancestors(node):

@@ -27,7 +27,7 @@ GENERATE_LATEX = NO
 QUIET = YES
 WARNINGS = NO
 WARN_IF_UNDOCUMENTED = NO
-EXTRACT_ALL = NO
+EXTRACT_ALL = YES
 HIDE_UNDOC_MEMBERS = NO
 ENABLE_PREPROCESSING = YES
 MACRO_EXPANSION = YES
@@ -67,7 +67,11 @@ def about(header):
 
 
 def escaped(text):
-    return re.sub(r"([\\*_<>\[\]`|$])", r"\\\1", text)
+    """Plain text for Markdown; `code` stays code."""
+    parts = text.split("`")
+    if len(parts) % 2 == 0:
+        parts = [text.replace("`", "\\`")]
+    return "`".join(part if i % 2 else re.sub(r"([\\*_<>\[\]|$])", r"\\\1", part) for i, part in enumerate(parts))
 
 
 def rooms(root):
