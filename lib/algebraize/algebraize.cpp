@@ -115,9 +115,10 @@ ChangeFailure what_is_left(const FunctionField& f, const FunctionField::Element&
 
 } // namespace
 
-std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std::size_t z,
-                                                     const MFraction& phi,
+std::variant<AlgebraicOde, ChangeFailure> algebraize(std::shared_ptr<const FunctionField> field,
+                                                     std::size_t z, const MFraction& phi,
                                                      const NormalVariationalEquation& e) {
+  const FunctionField& f = *field;
   const auto a1 = f.evaluate(e.a1);
   const auto a0 = f.evaluate(e.a0);
   if (!a1 || !a0)
@@ -135,6 +136,7 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std
   AlgebraicOde ode;
   ode.unknown = e.unknown;
   ode.change = algebra.ring()->name(z) + " = " + to_string(phi);
+  ode.phi = phi;
   ode.z = z;
   ode.z_dot_squared = f.in_z(algebra.multiply(f.z_dot(), f.z_dot()));
   ode.z_ddot = f.in_z(f.z_ddot());
@@ -154,6 +156,7 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(const FunctionField& f, std
                     std::to_string(ode.field_degree) + " of the rational functions of z, so that " +
                     "the identity component is the same in z as in t",
                 "everything that was divided by is invertible on the curve"};
+  ode.field = std::move(field);
   return ode;
 }
 
@@ -162,7 +165,8 @@ algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, cons
            const NormalVariationalEquation& e, const Budget& budget) {
   auto field = FunctionField::make(v, m, z, phi, e.divisors, budget);
   if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
-  return algebraize(std::get<FunctionField>(field), z, phi, e);
+  return algebraize(
+      std::make_shared<const FunctionField>(std::get<FunctionField>(std::move(field))), z, phi, e);
 }
 
 std::vector<MFraction> propose_changes(const VectorField& v, const InvariantManifold& m) {

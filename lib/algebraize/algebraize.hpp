@@ -16,6 +16,8 @@ namespace kov {
 struct AlgebraicOde {
   std::string unknown; ///< whose variation
   std::string change;  ///< text of phi
+  MFraction phi;
+  std::shared_ptr<const FunctionField> field; ///< in which p, q and r were computed
   std::size_t z = 0;   ///< the variable of the ring
   std::optional<MFraction> z_dot_squared, z_ddot;
   std::optional<MFraction> p, q; ///< unset where only r is a function of z
@@ -33,7 +35,7 @@ algebraize(const VectorField& v, const InvariantManifold& m, std::size_t z, cons
 
 /// The same, with the field of the curve made before.
 [[nodiscard]] std::variant<AlgebraicOde, ChangeFailure>
-algebraize(const FunctionField& field, std::size_t z, const MFraction& phi,
+algebraize(std::shared_ptr<const FunctionField> field, std::size_t z, const MFraction& phi,
            const NormalVariationalEquation& e);
 
 /// Changes of variable worth trying, simplest first: coordinates and functions that are not

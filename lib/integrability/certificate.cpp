@@ -2,6 +2,7 @@
 
 #include "certify/equation/certificate.hpp"
 #include "exact/error.hpp"
+#include "integrability/way.hpp"
 #include "strata/certificate.hpp"
 
 #include <algorithm>
@@ -37,44 +38,79 @@ std::string derivation(const System& s, const ManifoldReport& m, const BlockRepo
 
 class Collector {
 public:
-  Collector(const System& s, const ManifoldReport& m) : s_(s), m_(m) {}
+  explicit Collector(const System& s) : s_(s) {}
 
-  void take(const Decision& d, const BlockReport& b, const std::string& level) {
+  std::vector<NamedCertificate> operator()(const ManifoldReport& m) {
+    study(m, "");
+    return std::move(all_);
+  }
+
+private:
+  /// role: "-special" for a stratum on which r means nothing.
+  void study(const ManifoldReport& m, const std::string& role) {
+    if (!m.manifold) return;
+    m_ = &m;
+    if (m.matrices) refuse("there is no format for monodromy matrices", role + "-matrices");
+    for (const BlockReport& b : m.blocks) {
+      block(b, role);
+      for (const auto& special : b.special_studies)
+        study(*special, role + "-special");
+      m_ = &m;
+    }
+  }
+  void block(const BlockReport& b, const std::string& role) {
+    if (b.decision) take(*b.decision, b, b.way, "", role);
+    if (b.strata) take(*b.strata, b.way, role);
+    for (const EnergyResult& e : b.energies) {
+      if (e.decision) take(*e.decision, b, e.way, e.condition, role + "-level");
+      if (e.strata) take(*e.strata, b.way, role + "-level");
+    }
+    if (!b.no_way.empty()) refuse(b.no_way, role + "-way");
+  }
+
+  void take(const Decision& d, const BlockReport& b, const std::shared_ptr<const WayToR>& way,
+            const std::string& level, const std::string& role) {
     if (d.certificate.empty()) return;
+    if (whole(way, d.certificate, role)) return;
     certify::Certificate c = certify::read_certificate(d.certificate);
     const std::string group = c.steps.back().id;
     c.steps.push_back(
         {"equation",
          {group},
-         certify::ApplyTheorem{"normal variational equation", derivation(s_, m_, b, level)}});
-    if (m_.verdict == VerdictKind::non_integrable && d.abelian == Truth::no)
+         certify::ApplyTheorem{"normal variational equation", derivation(s_, *m_, b, level)}});
+    if (m_->verdict == VerdictKind::non_integrable && d.abelian == Truth::no)
       c.steps.push_back({"obstruction",
                          {group, "equation"},
-                         certify::ApplyTheorem{m_.by->id(), s_.file + ": " + m_.statement}});
-    add(certify::write_certificate(c), level.empty() ? "" : "-level");
+                         certify::ApplyTheorem{m_->by->id(), s_.file + ": " + m_->statement}});
+    add(certify::write_certificate(c), role);
   }
 
   /// The tree of strata, and those of the special strata; a limit leaves a certificate out.
-  void take(const strata::StrataAnswer& a, const std::string& role) {
+  void take(const strata::StrataAnswer& a, const std::shared_ptr<const WayToR>& way,
+            const std::string& role) {
     try {
-      if (a.tree) take(strata::certificate(a), a, role);
+      if (a.tree) take(strata::certificate(a), a, way, role);
     } catch (const Error& why) {
       refuse(why.what(), role);
     }
-    for (const auto& s : a.special)
-      take(*s, role + "-special");
   }
 
-  std::vector<NamedCertificate> all;
-
-private:
+  /// The certificate of the whole way, if there is one.
+  bool whole(const std::shared_ptr<const WayToR>& way, const std::string& equation,
+             const std::string& role) {
+    if (!way) return false;
+    std::string none;
+    const auto text = certificate_of(*way, equation, none);
+    if (text) add(*text + "\n", role);
+    return text.has_value();
+  }
   void take(const strata::StrataCertificate& c, const strata::StrataAnswer& a,
-            const std::string& role) {
+            const std::shared_ptr<const WayToR>& way, const std::string& role) {
     if (!c.refusal.empty())
       refuse(strata::objection(c), role);
-    else if (c.says_anything)
+    else if (c.says_anything && !whole(way, c.json, role))
       add(c.json + "\n", role);
-    else if (somewhere_decided(a))
+    else if (!c.says_anything && somewhere_decided(a))
       refuse("the format has no rule for the strata that are decided", role);
   }
   static bool somewhere_decided(const strata::StrataAnswer& a) {
@@ -82,36 +118,25 @@ private:
                        [](const strata::Stratum& x) { return x.leaf.abelian != Truth::unknown; });
   }
   void refuse(const std::string& why, const std::string& role) {
-    all.push_back({m_.name + role, "", why});
+    all_.push_back({m_->name + role, "", why});
   }
   void add(const std::string& json, const std::string& role) {
-    const std::string name = m_.name + role;
-    const auto same = std::count_if(all.begin(), all.end(), [&](const NamedCertificate& c) {
+    const std::string name = m_->name + role;
+    const auto same = std::count_if(all_.begin(), all_.end(), [&](const NamedCertificate& c) {
       return c.name == name || c.name.rfind(name + "-", 0) == 0;
     });
-    all.push_back({name + (same == 0 ? "" : "-" + std::to_string(same + 1)), json, ""});
+    all_.push_back({name + (same == 0 ? "" : "-" + std::to_string(same + 1)), json, ""});
   }
 
   const System& s_;
-  const ManifoldReport& m_;
+  const ManifoldReport* m_ = nullptr; ///< the one that is studied
+  std::vector<NamedCertificate> all_;
 };
 
 } // namespace
 
 std::vector<NamedCertificate> certificates(const System& s, const ManifoldReport& m) {
-  Collector found(s, m);
-  if (!m.manifold) return {};
-  if (m.matrices)
-    found.all.push_back({m.name + "-matrices", "", "there is no format for monodromy matrices"});
-  for (const BlockReport& b : m.blocks) {
-    if (b.decision) found.take(*b.decision, b, "");
-    if (b.strata) found.take(*b.strata, "");
-    for (const EnergyResult& e : b.energies) {
-      if (e.decision) found.take(*e.decision, b, e.condition);
-      if (e.strata) found.take(*e.strata, "-level");
-    }
-  }
-  return found.all;
+  return Collector(s)(m);
 }
 
 } // namespace kov

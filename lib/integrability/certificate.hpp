@@ -1,7 +1,7 @@
 #pragma once
-// Certificates of the equations y'' = r(z) y behind the verdict of a manifold.  What lib/certify
-// can check ends with the group; the way from the system to r and the theorem that follows are
-// trusted steps, named and counted.
+// Certificates of the equations y'' = r(z) y behind the verdict of a manifold, with the way from the
+// system to r where it can be written (way.hpp).  Where it cannot, what lib/certify can check is the
+// group; the way and the theorem that follows are trusted steps, named and counted.
 
 #include "integrability/check.hpp"
 

@@ -43,17 +43,18 @@ private:
   }
   void find_equations(const MFraction& phi) {
     // a map of much higher degree than one that works brings more singular places
+    auto made = FunctionField::make(s_.field, m_, s_.z, phi, divisors_, budget_, 2 * smallest_);
+    if (const auto* failure = std::get_if<ChangeFailure>(&made)) return note(*failure);
     const auto field =
-        FunctionField::make(s_.field, m_, s_.z, phi, divisors_, budget_, 2 * smallest_);
-    if (const auto* failure = std::get_if<ChangeFailure>(&field)) return note(*failure);
+        std::make_shared<const FunctionField>(std::get<FunctionField>(std::move(made)));
     for (const auto& e : block_.scalar) {
-      auto result = algebraize(std::get<FunctionField>(field), s_.z, phi, e);
+      auto result = algebraize(field, s_.z, phi, e);
       if (const auto* failure = std::get_if<ChangeFailure>(&result)) {
         note(*failure);
         continue;
       }
       auto& ode = std::get<AlgebraicOde>(result);
-      smallest_ = std::min(smallest_, std::get<FunctionField>(field).algebra().dimension());
+      smallest_ = std::min(smallest_, field->algebra().dimension());
       if (!block_.ode || ode.singular_places < block_.ode->singular_places)
         block_.ode = std::move(ode);
     }

@@ -9,6 +9,7 @@
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/special_strata.hpp"
+#include "integrability/way.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -36,6 +37,7 @@ void decide_blocks(const Study& study, ManifoldReport& report) {
   for (const auto& members : parts) {
     BlockReport& block = report.blocks.emplace_back();
     within_limits(block, [&] { study_on_the_leaf(study, report, divisors, members, block); });
+    find_way(study, report, block);
   }
   if (std::none_of(report.blocks.begin(), report.blocks.end(),
                    [](const BlockReport& b) { return b.ode.has_value(); }))
@@ -54,7 +56,7 @@ void decide_exceptions(const Study& study, std::vector<BlockReport>& all) {
       if (block.ode) within_limits(block, [&] { study_levels(study, *reduce, all, block); });
   for (auto& block : all) {
     if (!block.strata) continue;
-    decide_special_strata(study, all, block.unknowns, *block.strata);
+    decide_special_strata(study, all, block.unknowns, *block.strata, block.special_studies);
     block.abelian = some_level_is_not_abelian(study.system, *block.strata)
                         ? Truth::no
                         : block.strata->abelian();

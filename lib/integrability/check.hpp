@@ -33,6 +33,9 @@ enum class VerdictKind : std::uint8_t {
 };
 [[nodiscard]] std::string to_string(VerdictKind v); ///< "non-integrable", ..., "depends"
 
+struct WayToR; // way.hpp
+struct ManifoldReport;
+
 /// One value of a parameter (the energy) at which r was decided.
 struct EnergyResult {
   std::string condition; ///< "h^2 - 3 = 0", or "h = 1/2"
@@ -41,6 +44,7 @@ struct EnergyResult {
   std::optional<Decision> decision;
   std::optional<strata::StrataAnswer> strata; ///< r still depends on other parameters
   std::string note;                           ///< why there is none
+  std::shared_ptr<const WayToR> way;          ///< at this value; for `decision`
 };
 
 /// A diagonal block of the reduced normal system.
@@ -55,6 +59,11 @@ struct BlockReport {
   std::vector<EnergyResult> energies;
   Truth abelian = Truth::unknown;
   std::string note; ///< why something is missing
+  /// The way to r for the checkers, accepted by our own; null: none, and why.
+  std::shared_ptr<const WayToR> way;
+  std::string no_way;
+  /// The studies of strata on which r means nothing, as far as `strata` rests on them.
+  std::vector<std::shared_ptr<const ManifoldReport>> special_studies;
 };
 
 struct ManifoldReport {

@@ -3,6 +3,7 @@
 #include "decide/words.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
+#include "integrability/way.hpp"
 #include "strata/words.hpp"
 
 #include <algorithm>
@@ -255,8 +256,9 @@ std::vector<std::string> trusted_steps(const ManifoldReport& m) {
     add("the enclosures of the monodromy matrices of the whole variational equation, along the "
         "manifold " +
         m.name);
+  for (const std::string& step : uncertified_way(m))
+    add(step);
   for (const BlockReport& b : m.blocks) {
-    if (b.ode) add("the way from the system to r(z), along the manifold " + m.name);
     for (const auto* answer : strata_of(b))
       add_trusted(*answer, add);
     add_trusted(b.decision, add);

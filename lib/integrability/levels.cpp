@@ -64,6 +64,7 @@ EnergyResult decide_at(const Study& study, const System& special, const BlockRep
     if (b.unknowns != block.unknowns) continue;
     if (b.equation) result.r = b.equation->r;
     if (b.decision && b.abelian == b.decision->abelian) result.decision = b.decision;
+    result.way = b.way;
     result.note = b.note; // the decision may hold for some values of other parameters only
     return result;
   }
@@ -106,7 +107,7 @@ void decide_locus(const Study& study, const std::vector<BlockReport>& generic, c
   e.condition = to_string(f) + " = 0";
   e.why = "singular places merge";
   e.strata = strata::decide_strata(q, strata_limits(s, *block.ode, study.options));
-  decide_special_strata(study, generic, block.unknowns, *e.strata);
+  decide_special_strata(study, generic, block.unknowns, *e.strata, block.special_studies);
   if (nowhere) e.strata->strata.push_back(*nowhere);
   if (e.strata->abelian() == Truth::no) {
     block.abelian = Truth::no; // for every body there is such a level

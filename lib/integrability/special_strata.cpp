@@ -145,7 +145,7 @@ bool leaves_more_out(const Study& generic, const System& special, const Manifold
 
 std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& generic,
                            const std::vector<std::string>& unknowns, const Stratum& x,
-                           strata::StrataAnswer& answer) {
+                           strata::StrataAnswer& answer, SpecialStudies& studies) {
   const System& s = study.system;
   const Ring& ring = x.conditions.front().p.ring();
   try {
@@ -161,12 +161,14 @@ std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& g
       for (std::string& step : trusted_steps(here))
         if (std::find(answer.trusted.begin(), answer.trusted.end(), step) == answer.trusted.end())
           answer.trusted.push_back(std::move(step));
-    for (const auto& b : here.blocks)
-      if (b.unknowns == unknowns && b.ode) {
-        if (b.strata) answer.special.push_back(std::make_shared<strata::StrataAnswer>(*b.strata));
-        return same_block(x, b, here, generic);
-      }
-    return other_blocks(x, here);
+    const auto same = std::find_if(here.blocks.begin(), here.blocks.end(),
+                                   [&](const auto& b) { return b.unknowns == unknowns && b.ode; });
+    if (same != here.blocks.end() && same->strata)
+      answer.special.push_back(std::make_shared<strata::StrataAnswer>(*same->strata));
+    auto parts =
+        same != here.blocks.end() ? same_block(x, *same, here, generic) : other_blocks(x, here);
+    if (!parts.empty()) studies.push_back(std::make_shared<const ManifoldReport>(here));
+    return parts;
   } catch (const DomainError&) {
     return {}; // stays open
   } catch (const OutOfBudget&) {
@@ -177,12 +179,13 @@ std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& g
 } // namespace
 
 void decide_special_strata(const Study& study, const std::vector<BlockReport>& generic,
-                           const std::vector<std::string>& unknowns, strata::StrataAnswer& answer) {
+                           const std::vector<std::string>& unknowns, strata::StrataAnswer& answer,
+                           SpecialStudies& studies) {
   std::vector<Stratum> all;
   for (auto& x : answer.strata) {
     std::vector<Stratum> parts;
     if (x.leaf.no_equation() && !x.solved.empty())
-      parts = again(study, generic, unknowns, x, answer);
+      parts = again(study, generic, unknowns, x, answer, studies);
     if (parts.empty()) parts.push_back(std::move(x));
     std::move(parts.begin(), parts.end(), std::back_inserter(all));
   }

@@ -6,6 +6,7 @@
 
 #include "certify/equation/statement.hpp"
 #include "certify/strata/check.hpp"
+#include "certify/system/check.hpp"
 #include "exact/error.hpp"
 #include "symbol/document.hpp"
 
@@ -74,12 +75,27 @@ Report judge_strata(Report r, const std::string& certificate, bool strict) {
   return r;
 }
 
+Report judge_system(Report r, const std::string& certificate, bool strict) {
+  const certify::SystemCertificate c = certify::read_system_certificate(certificate);
+  const auto verdict = certify::check_way(c);
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
+  const auto& yes = std::get<certify::SystemAccepted>(verdict);
+  r = accepted(r, yes.trusted, strict);
+  r["statement"] = certify::statement(c, yes);
+  r["system"] = yes.not_integrable ? "not integrable"
+                : yes.somewhere    ? "not integrable for some parameters"
+                                   : "nothing follows";
+  r["claim"] = {{"not_integrable", yes.not_integrable}};
+  return r;
+}
+
 // The outcome of one text: "accepted", "rejected" or "malformed", with its reason.
 Report judge(const std::string& path, const std::string& certificate, bool strict) {
   Report r{{"file", path}};
   try {
-    if (certify::format_of(certificate) == "kovacic-strata/1")
-      return judge_strata(r, certificate, strict);
+    const auto format = certify::format_of(certificate);
+    if (format == "kovacic-strata/1") return judge_strata(r, certificate, strict);
+    if (format == "kovacic-system/1") return judge_system(r, certificate, strict);
     return judge_group(r, certificate, strict);
   } catch (const Error& e) {
     r["verdict"] = "malformed";
@@ -140,12 +156,16 @@ std::string text(const Report& r) {
   if (r.contains("strata"))
     s +=
         " (" + strata_text(r["strata"]) + "; " + trust(r["trusted_steps"].get<std::size_t>()) + ")";
+  else if (r.contains("system"))
+    s += " (" + r["system"].get<std::string>() + "; " +
+         trust(r["trusted_steps"].get<std::size_t>()) + ")";
   else if (r.contains("claim"))
     s += " (" + claim_text(r["claim"]) + "; " + std::to_string(r["steps"].get<std::size_t>()) +
          " steps, " + trust(r["trusted_steps"].get<std::size_t>()) + ")";
   if (r.contains("step") && !r["step"].get<std::string>().empty())
     s += ": step '" + printable(r["step"].get<std::string>()) + "'";
-  if (r.contains("node")) s += ": " + r["node"].get<std::string>();
+  for (const char* where : {"node", "rule"})
+    if (r.contains(where)) s += ": " + r[where].get<std::string>();
   if (r.contains("reason")) s += ": " + printable(r["reason"].get<std::string>());
   s += "\n";
   if (r["verdict"] != "accepted") return s;

@@ -13,17 +13,6 @@ std::string joined(const std::vector<std::string>& parts, const char* between) {
   return s;
 }
 
-// Texts of others; what is not printable ASCII becomes one '?' for each character.
-std::string quoted(const std::string& text) {
-  std::string s = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0U) == 0x80U) continue; // inside a character of UTF-8
-    s += byte >= 0x20 && byte < 0x7F ? c : '?';
-  }
-  return s + "\"";
-}
-
 void once(std::vector<std::string>& lines, std::string line) {
   if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
 }
@@ -202,6 +191,16 @@ private:
 };
 
 } // namespace
+
+std::string quoted(const std::string& text) {
+  std::string s = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0U) == 0x80U) continue; // inside a character of UTF-8
+    s += byte >= 0x20 && byte < 0x7F ? c : '?';
+  }
+  return s + "\"";
+}
 
 std::vector<std::string> statement(const Certificate& c) {
   std::string equation = "y'' = ((" + text(c.num) + ")/(" + text(c.den) + ")) y";

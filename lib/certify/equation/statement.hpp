@@ -9,4 +9,7 @@ namespace kov::certify {
 [[nodiscard]] std::vector<std::string> statement(const Certificate& c);
 [[nodiscard]] std::vector<std::string> statement(const StrataCertificate& c);
 
+/// A text of others in quotes; what is not printable ASCII becomes one '?' for each character.
+[[nodiscard]] std::string quoted(const std::string& text);
+
 } // namespace kov::certify

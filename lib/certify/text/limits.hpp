@@ -35,6 +35,15 @@ inline constexpr long max_degree = 1000000;      ///< of a polynomial that is co
 inline constexpr double work_of_a_rational = 20; ///< one exponent, in products
 inline constexpr std::size_t max_sums = 4000;    ///< of exponents
 
+// Certificates of the whole way (system_certificates.md 2).
+inline constexpr std::size_t max_phase_names = 64;
+inline constexpr std::size_t max_coordinates = 40;
+inline constexpr std::size_t max_tower = 32;
+inline constexpr unsigned long max_curve_degree = 64; ///< of the function field over K(z)
+inline constexpr unsigned long max_power = 1000;      ///< of a denominator
+inline constexpr std::size_t max_denominators = 200;
+inline constexpr std::size_t max_annihilators = 40;
+
 /// Bits of the largest coefficient: of the numerators over a common denominator, and of that.
 [[nodiscard]] inline double bits(const Poly& f) {
   const auto top = std::abs(_fmpz_vec_max_bits(f.raw()->coeffs, f.raw()->length));

@@ -1,0 +1,114 @@
+#pragma once
+// The certificate format kovacic-system/1 as plain data, with its JSON reader and writer: a system,
+// a solution of it as functions of z, one identity along it that leads to y'' = r y, and the
+// certificate of that equation.  docs/theory/system_certificates.md defines every entry (names in
+// comments are its rules).  Nothing here is checked beyond syntax and limits.
+
+#include "certify/strata/certificate.hpp"
+
+namespace kov::certify {
+
+/// p/n in the phase names.
+struct PhaseFunction {
+  MPoly p;
+  Integer n{1};
+};
+
+/// A symbol for an analytic function of which only the gradient is known.
+struct PhaseSymbol {
+  std::string meaning;
+  std::vector<std::pair<std::size_t, PhaseFunction>> gradient; ///< by coordinate; others are 0
+};
+struct PhaseBracket {
+  std::size_t first = 0, second = 0; ///< coordinates
+  PhaseFunction value;
+};
+
+/// S1, S2.  The ring has the coordinates, the functions, the inverses and the parameters, in this
+/// order.
+struct PhaseSystem {
+  Ring ring;
+  std::size_t dimension = 0;
+  std::vector<PhaseSymbol> functions;
+  std::vector<MPoly> inverses; ///< what they are the inverses of
+  std::vector<MPoly> relations;
+  std::optional<PhaseFunction> hamiltonian;
+  std::vector<PhaseBracket> brackets; ///< with a Hamiltonian
+  std::vector<PhaseFunction> field;   ///< without one
+
+  [[nodiscard]] std::size_t first_inverse() const { return dimension + functions.size(); }
+  [[nodiscard]] std::size_t first_parameter() const { return first_inverse() + inverses.size(); }
+};
+
+/// S4.  cofactors: one list for an integral, one for each coordinate for a Casimir function.
+struct ClaimedFunction {
+  bool casimir = false;
+  std::string name;
+  PhaseFunction value;
+  std::vector<std::vector<PhaseFunction>> cofactors;
+};
+
+/// p/(n d_1^e_1 ... d_m^e_m) in the field names.
+struct CurveFunction {
+  MPoly p;
+  Integer n{1};
+  std::vector<unsigned long> over; ///< e_1, e_2, ...; those left out are 0
+};
+using CurveRow = std::vector<CurveFunction>;
+
+/// w^degree = value.
+struct TowerStep {
+  unsigned long degree = 2;
+  CurveFunction value, derivative;
+};
+
+/// C1 to C6.  The ring has the tower from the last to the first, z and the parameters.
+struct PhaseCurve {
+  Ring ring;
+  std::vector<TowerStep> tower; ///< step i has the variable tower.size() - 1 - i of the ring
+  std::string manifold;
+  std::vector<PhaseFunction> equations, levels;
+  PhaseFunction change;
+  std::vector<MPoly> denominators;
+  std::vector<std::pair<std::size_t, CurveFunction>> values; ///< by variable of the phase ring
+  CurveFunction time;                                        ///< dt/dz
+
+  [[nodiscard]] std::size_t z() const { return tower.size(); }
+  [[nodiscard]] std::size_t variable(std::size_t step) const { return tower.size() - 1 - step; }
+};
+
+struct Annihilator {
+  CurveRow row, matrix;
+};
+
+/// N1 to N3.
+struct NormalIdentity {
+  std::vector<Annihilator> annihilators;
+  CurveRow row;
+  CurveFunction p, q;
+  CurveRow rest;
+  std::vector<CurveRow> vectors; ///< two
+};
+
+/// From the system to y'' = r y.
+struct Way {
+  std::string title;
+  PhaseSystem system;
+  std::vector<ClaimedFunction> claims;
+  PhaseCurve curve;
+  NormalIdentity normal;
+};
+
+struct SystemCertificate {
+  Way way;
+  std::variant<Certificate, StrataCertificate> equation;
+  std::optional<CurveFunction> root; ///< where the generator of the field of the equation goes
+  bool not_integrable = false;       ///< what is claimed
+};
+
+/// Throws InvalidArgument (one sentence, with the path of the offending entry) on anything that is
+/// not a certificate of this format or exceeds its limits.
+[[nodiscard]] SystemCertificate read_system_certificate(std::string_view text);
+[[nodiscard]] std::string write_system_certificate(const SystemCertificate& c);
+
+} // namespace kov::certify

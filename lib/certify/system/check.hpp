@@ -1,0 +1,36 @@
+#pragma once
+// The judge of certificates of the whole way: accepts one or names the first rule that fails.  It
+// links lib/exact only and searches for nothing (docs/theory/system_certificates.md).
+
+#include "certify/strata/check.hpp"
+#include "certify/system/certificate.hpp"
+
+namespace kov::certify {
+
+/// Section 7: which first integrals are excluded.
+struct ExcludedClass {
+  bool ends = false;                ///< meromorphic also at the ends of the phase curve
+  std::vector<std::string> symbols; ///< functions on the curve
+  std::vector<std::string> without; ///< what the integrals do not contain
+};
+
+struct SystemAccepted {
+  std::size_t trusted = 0;     ///< steps of the inner certificate that are taken on faith
+  bool not_integrable = false; ///< at all admitted points
+  bool somewhere = false;      ///< at some admitted points, as far as the leaves say
+  ExcludedClass integrals;
+};
+
+/// Never throws.  Rejected::step is the rule.
+/// Cost  counted polynomial products (Arithmetic)
+[[nodiscard]] std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c);
+
+/// The way alone, to y'' = (num/den) y: what the rules up to N4 have against it, or nothing.  Names
+/// of r: z, parameters and algebraic constants of the system.
+[[nodiscard]] std::optional<Rejected> objection(const Way& w, const Fraction& r);
+
+/// The lines of section 8.  Requires a certificate that was accepted, with what was found.
+[[nodiscard]] std::vector<std::string> statement(const SystemCertificate& c,
+                                                 const SystemAccepted& found);
+
+} // namespace kov::certify

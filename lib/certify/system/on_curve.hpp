@@ -1,0 +1,52 @@
+#pragma once
+// What the system is along the curve, and the rules C4 to N4 of system_certificates.md.
+
+#include "certify/system/curve_algebra.hpp"
+#include "certify/system/phase_space.hpp"
+
+namespace kov::certify {
+
+class OnCurve {
+public:
+  /// S1, S2 and C1.
+  OnCurve(const Way& w, Arithmetic& a);
+
+  void need_claims(); ///< S4
+  void need_curve();  ///< C2 to C6
+  void need_normal(); ///< N1 to N3
+  /// N4, for r = num/den with the names of `ring`: z, parameters, constants.
+  void need_equation(const Fraction& r);
+  /// N4, for r over Q(a), with a in the place of the generator.
+  void need_equation(const Poly& num, const Poly& den, const std::optional<CurveFunction>& a);
+
+  /// Section 7: the names of what is left out and moves.
+  [[nodiscard]] std::vector<std::string> moving();
+  [[nodiscard]] const std::string& rule() const { return rule_; } ///< the one that was last begun
+
+private:
+  using Row = std::vector<CurveFunction>;
+
+  [[nodiscard]] CurveFunction at(const PhaseFunction& f) const; ///< f(x)
+  [[nodiscard]] std::optional<CurveFunction> velocity(std::size_t variable) const;
+  void need_functions() const;
+  [[nodiscard]] Row jacobian_row(std::size_t i) const;
+  [[nodiscard]] Row nabla(const Row& a) const;
+  [[nodiscard]] Row combination(const Row& c, std::size_t entries) const;
+  [[nodiscard]] CurveFunction dot(const Row& a, const Row& b) const;
+  [[nodiscard]] Row tangent(const Row& given) const; ///< b_i of N3
+  [[nodiscard]] bool equal(const Row& a, const Row& b) const;
+  void need_length(const Row& a) const;
+  void need_r(const CurveFunction& num, const CurveFunction& den) const;
+  [[nodiscard]] CurveFunction value(const Poly& f, const CurveFunction& a) const;
+
+  const Way& w_;
+  Arithmetic& a_;
+  std::string rule_ = "S1";
+  PhaseSpace space_;
+  CurveAlgebra algebra_;
+  std::vector<PhaseFunction> field_;
+  std::vector<std::optional<CurveFunction>> values_; ///< by phase variable
+  std::vector<Row> jacobian_;
+};
+
+} // namespace kov::certify

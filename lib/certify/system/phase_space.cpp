@@ -1,0 +1,142 @@
+#include "certify/system/phase_space.hpp"
+
+#include "certify/equation/facts.hpp"
+
+namespace kov::certify {
+
+void PhaseSpace::need_symbols() const {
+  for (const MPoly& h : s_.inverses)
+    need(!is_constant(h) && !uses_inverses(h), "an inverse of a constant, or of an inverse");
+  for (const MPoly& r : s_.relations)
+    need(!uses_inverses(r), "a relation has an inverse");
+}
+
+bool PhaseSpace::uses_inverses(const MPoly& f) const {
+  for (std::size_t i = s_.first_inverse(); i < s_.first_parameter(); ++i)
+    if (uses(f, i)) return true;
+  return false;
+}
+
+PhaseFunction PhaseSpace::times(const PhaseFunction& a, const PhaseFunction& b) const {
+  return {a_.times(a.p, b.p), a.n * b.n};
+}
+
+PhaseFunction PhaseSpace::plus(const PhaseFunction& a, const PhaseFunction& b) const {
+  if (is_zero(a.p)) return b;
+  if (is_zero(b.p)) return a;
+  const Integer n = lcm(a.n, b.n);
+  return {a_.plus(scaled(a.p, exact_div(n, a.n)), scaled(b.p, exact_div(n, b.n))), n};
+}
+
+PhaseFunction PhaseSpace::product(const std::vector<PhaseFunction>& a,
+                                  const std::vector<PhaseFunction>& b) const {
+  PhaseFunction sum = zero();
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (!is_zero(a[i].p) && !is_zero(b[i].p)) sum = plus(sum, times(a[i], b[i]));
+  return sum;
+}
+
+const PhaseFunction* PhaseSpace::gradient(std::size_t s, std::size_t j) const {
+  for (const auto& [k, g] : s_.functions[s].gradient)
+    if (k == j) return &g;
+  return nullptr;
+}
+
+PhaseFunction PhaseSpace::partial(const PhaseFunction& f, std::size_t j) const {
+  a_.charge(static_cast<double>(f.p.length()));
+  PhaseFunction sum{derivative(f.p, j), f.n};
+  for (std::size_t s = 0; s < s_.functions.size(); ++s)
+    if (const PhaseFunction* g = gradient(s, j); g && uses(f.p, s_.dimension + s))
+      sum = plus(sum, times({derivative(f.p, s_.dimension + s), f.n}, *g));
+  for (std::size_t k = 0; k < s_.inverses.size(); ++k) {
+    const std::size_t u = s_.first_inverse() + k;
+    if (!uses(f.p, u)) continue;
+    const PhaseFunction minus_u2{-pow(MPoly::variable(s_.ring, u), 2), Integer(1)};
+    const PhaseFunction dh = partial({s_.inverses[k], Integer(1)}, j);
+    sum = plus(sum, times({derivative(f.p, u), f.n}, times(minus_u2, dh)));
+  }
+  return sum;
+}
+
+PhaseFunction PhaseSpace::bracket(std::size_t i, std::size_t j) const {
+  for (const PhaseBracket& b : s_.brackets) {
+    if (b.first == i && b.second == j) return b.value;
+    if (b.first == j && b.second == i) return {-b.value.p, b.value.n};
+  }
+  return zero();
+}
+
+PhaseFunction PhaseSpace::flow(std::size_t i, const PhaseFunction& f) const {
+  std::vector<PhaseFunction> row;
+  std::vector<PhaseFunction> df;
+  for (std::size_t l = 0; l < s_.dimension; ++l) {
+    row.push_back(bracket(i, l));
+    df.push_back(is_zero(row.back().p) ? zero() : partial(f, l));
+  }
+  return product(row, df);
+}
+
+void PhaseSpace::need_jacobi() const {
+  for (std::size_t i = 0; i < s_.dimension; ++i)
+    for (std::size_t j = i + 1; j < s_.dimension; ++j)
+      for (std::size_t k = j + 1; k < s_.dimension; ++k)
+        need_cleared(
+            plus(flow(i, bracket(j, k)), plus(flow(j, bracket(k, i)), flow(k, bracket(i, j)))), {},
+            "the bracket does not satisfy Jacobi's identity");
+}
+
+std::vector<PhaseFunction> PhaseSpace::field() const {
+  if (!s_.hamiltonian) return s_.field;
+  need_jacobi();
+  std::vector<PhaseFunction> x;
+  for (std::size_t i = 0; i < s_.dimension; ++i)
+    x.push_back(flow(i, *s_.hamiltonian));
+  return x;
+}
+
+MPoly PhaseSpace::cleared(MPoly f) const {
+  for (std::size_t k = 0; k < s_.inverses.size(); ++k) {
+    const auto c = coefficients(f, s_.first_inverse() + k); // of u^0, u^1, ...
+    MPoly sum(s_.ring);
+    for (const MPoly& coefficient : c) // ((c_0 h + c_1) h + c_2) ...
+      sum = a_.plus(a_.times(sum, s_.inverses[k]), coefficient);
+    f = std::move(sum);
+  }
+  return f;
+}
+
+void PhaseSpace::need_cleared(const PhaseFunction& f, const std::vector<PhaseFunction>& cofactors,
+                              const char* why) const {
+  PhaseFunction sum = zero();
+  if (!cofactors.empty()) {
+    need(cofactors.size() == s_.relations.size(), "one cofactor for each relation is expected");
+    for (const PhaseFunction& c : cofactors)
+      need(!uses_inverses(c.p), "a cofactor has an inverse");
+    std::vector<PhaseFunction> relations;
+    for (const MPoly& r : s_.relations)
+      relations.push_back({r, Integer(1)});
+    sum = product(cofactors, relations);
+  }
+  const MPoly rest = cleared(f.p);
+  need(scaled(rest, sum.n) == scaled(sum.p, f.n), why);
+}
+
+void PhaseSpace::need_claim(const ClaimedFunction& c, const std::vector<PhaseFunction>& x) const {
+  const auto cofactors = [&](std::size_t i) {
+    return c.cofactors.empty() ? std::vector<PhaseFunction>{} : c.cofactors[i];
+  };
+  if (!c.casimir) {
+    need(c.cofactors.size() <= 1, "one list of cofactors is expected");
+    std::vector<PhaseFunction> df;
+    for (std::size_t j = 0; j < s_.dimension; ++j)
+      df.push_back(partial(c.value, j));
+    return need_cleared(product(x, df), cofactors(0), "the function is no first integral");
+  }
+  need(s_.hamiltonian.has_value(), "a Casimir function of a system without a bracket");
+  need(c.cofactors.empty() || c.cofactors.size() == s_.dimension,
+       "a list of cofactors for each coordinate is expected");
+  for (std::size_t i = 0; i < s_.dimension; ++i)
+    need_cleared(flow(i, c.value), cofactors(i), "the function is no Casimir function");
+}
+
+} // namespace kov::certify

@@ -1,0 +1,146 @@
+// What an accepted certificate of the whole way states, as lines of text made from the parsed data
+// alone: docs/theory/system_certificates.md 8.  The Python checker prints the same.
+
+#include "certify/equation/statement.hpp"
+
+#include "certify/system/check.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+std::string joined(const std::vector<std::string>& parts, const char* between) {
+  std::string s;
+  for (const std::string& p : parts)
+    s += (s.empty() ? "" : between) + p;
+  return s;
+}
+
+std::string text(const PhaseFunction& f) {
+  return f.n == Integer(1) ? to_string(f.p) : "(" + to_string(f.p) + ")/" + to_string(f.n);
+}
+
+class SystemStatement {
+public:
+  SystemStatement(const SystemCertificate& c, const SystemAccepted& found)
+      : c_(c), s_(c.way.system), found_(found) {}
+
+  std::vector<std::string> operator()() {
+    lines_.push_back("the system " + quoted(c_.way.title) + parameters());
+    lines_.push_back("  " + field());
+    symbols();
+    for (const ClaimedFunction& f : c_.way.claims)
+      lines_.push_back(std::string(f.casimir ? "  Casimir function " : "  first integral ") +
+                       quoted(f.name) + ": " + text(f.value));
+    curve();
+    lines_.push_back(sentence());
+    const auto inner = std::visit([](const auto& x) { return statement(x); }, c_.equation);
+    for (const std::string& line : inner)
+      lines_.push_back("  " + line);
+    return std::move(lines_);
+  }
+
+private:
+  [[nodiscard]] const std::string& name(std::size_t i) const { return s_.ring->name(i); }
+
+  [[nodiscard]] std::string parameters() const {
+    std::vector<std::string> all;
+    for (std::size_t i = s_.first_parameter(); i < s_.ring->size(); ++i)
+      all.push_back(name(i));
+    return all.empty() ? "" : " with parameters " + joined(all, ", ");
+  }
+
+  [[nodiscard]] std::string field() const {
+    std::vector<std::string> all;
+    for (const PhaseBracket& b : s_.brackets)
+      all.push_back("{" + name(b.first) + ", " + name(b.second) + "} = " + text(b.value));
+    if (s_.hamiltonian) all.push_back("H = " + text(*s_.hamiltonian));
+    for (std::size_t i = 0; i < s_.field.size(); ++i)
+      all.push_back(name(i) + "' = " + text(s_.field[i]));
+    return joined(all, ", ");
+  }
+
+  void symbols() {
+    for (std::size_t i = 0; i < s_.functions.size(); ++i) {
+      std::vector<std::string> gradient;
+      const std::string& s = name(s_.dimension + i);
+      for (const auto& [j, g] : s_.functions[i].gradient)
+        if (!is_zero(g.p)) gradient.push_back("d" + s + "/d" + name(j) + " = " + text(g));
+      lines_.push_back("  " + s + " " + quoted(s_.functions[i].meaning) + ": " +
+                       (gradient.empty() ? "constant" : joined(gradient, ", ")));
+    }
+    for (std::size_t i = 0; i < s_.inverses.size(); ++i)
+      lines_.push_back("  " + name(s_.first_inverse() + i) + " = 1/(" + to_string(s_.inverses[i]) +
+                       ")");
+    for (const MPoly& r : s_.relations)
+      lines_.push_back("  " + to_string(r) + " = 0");
+  }
+
+  static std::string zeros(const std::vector<PhaseFunction>& all) {
+    std::vector<std::string> said;
+    for (const PhaseFunction& f : all)
+      said.push_back(text(f) + " = 0");
+    return joined(said, ", ");
+  }
+
+  void curve() {
+    const PhaseCurve& c = c_.way.curve;
+    const std::string& z = c.ring->name(c.z());
+    lines_.push_back("along the phase curve with " + z + " = " + text(c.change) + " on " +
+                     quoted(c.manifold) + (c.equations.empty() ? "" : ": " + zeros(c.equations)) +
+                     (c.levels.empty() ? "" : "; levels " + zeros(c.levels)));
+    for (const MPoly& d : c.denominators) {
+      const auto used = used_variables(d);
+      if (std::none_of(used.begin(), used.end(), [&](std::size_t i) { return i > c.z(); }))
+        continue;
+      const std::string line = "  except where " + to_string(d) + " = 0 for all " + z;
+      if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
+    }
+  }
+
+  // Unless the bracket is seen to be regular: constant, in pairs.
+  [[nodiscard]] bool has_leaves() const {
+    std::vector<int> pairs(s_.dimension, 0);
+    bool constant = true;
+    for (const PhaseBracket& b : s_.brackets) {
+      ++pairs[b.first];
+      ++pairs[b.second];
+      constant = constant && is_constant(b.value.p) && !is_zero(b.value.p);
+    }
+    return s_.hamiltonian &&
+           !(constant && std::all_of(pairs.begin(), pairs.end(), [](int n) { return n == 1; }));
+  }
+
+  [[nodiscard]] std::string integrals() const {
+    const ExcludedClass& x = found_.integrals;
+    return std::string("meromorphic") +
+           (x.ends ? " also at the ends of the phase curve (points at infinity, equilibria)" : "") +
+           (x.symbols.empty() ? "" : " (in the coordinates and " + joined(x.symbols, ", ") + ")") +
+           (has_leaves() ? " and independent on the symplectic leaf of the phase curve" : "") +
+           (x.without.empty() ? "" : " and do not depend on " + joined(x.without, ", "));
+  }
+
+  [[nodiscard]] std::string sentence() const {
+    if (!found_.somewhere) return "nothing follows from";
+    return (s_.hamiltonian ? "is not integrable in Liouville's sense with first integrals that are "
+                           : "is not integrable with first integrals and commuting vector fields "
+                             "that are ") +
+           integrals() + (s_.hamiltonian ? " (Morales-Ramis)" : " (Ayoul-Zung)") +
+           (c_.not_integrable ? ", as" : " where the identity component is not abelian:");
+  }
+
+  const SystemCertificate& c_;
+  const PhaseSystem& s_;
+  const SystemAccepted& found_;
+  std::vector<std::string> lines_;
+};
+
+} // namespace
+
+std::vector<std::string> statement(const SystemCertificate& c, const SystemAccepted& found) {
+  return SystemStatement(c, found)();
+}
+
+} // namespace kov::certify

@@ -1,0 +1,170 @@
+// SystemCertificate -> JSON, keys in the order of docs/theory/system_certificates.md; what reader.cpp
+// reads.
+
+#include "certify/system/certificate.hpp"
+#include "certify/text/json_node.hpp"
+
+namespace kov::certify {
+
+namespace {
+
+Json text(std::string s) { return {std::move(s)}; }
+Json text(const MPoly& p) { return text(to_string(p)); }
+
+template <class T, class F> Json listed(const std::vector<T>& all, F entry) {
+  Json::Array list;
+  for (const T& x : all)
+    list.push_back(entry(x));
+  return {std::move(list)};
+}
+
+Json function(const PhaseFunction& f) {
+  if (f.n == Integer(1)) return text(f.p);
+  return {Json::Array{text(f.p), text(to_string(f.n))}};
+}
+Json functions(const std::vector<PhaseFunction>& all) { return listed(all, function); }
+Json polys(const std::vector<MPoly>& all) {
+  return listed(all, [](const MPoly& p) { return text(p); });
+}
+
+Json element(const CurveFunction& f) {
+  std::size_t last = f.over.size();
+  while (last > 0 && f.over[last - 1] == 0)
+    --last;
+  if (last == 0 && f.n == Integer(1)) return text(f.p);
+  Json::Array parts{text(f.p), text(to_string(f.n))};
+  for (std::size_t k = 0; k < last; ++k)
+    parts.push_back(text(std::to_string(f.over[k])));
+  return {std::move(parts)};
+}
+Json elements(const CurveRow& row) { return listed(row, element); }
+
+class SystemWriter {
+public:
+  explicit SystemWriter(const SystemCertificate& c) : c_(c), s_(c.way.system) {}
+
+  Json operator()() const {
+    Json::Object whole{{"format", text("kovacic-system/1")},
+                       {"title", text(c_.way.title)},
+                       {"parameters", names(s_.first_parameter(), s_.ring->size())},
+                       {"system", system()}};
+    if (!c_.way.claims.empty())
+      whole.emplace_back("claims", listed(c_.way.claims, [](const auto& c) { return claim(c); }));
+    whole.emplace_back("curve", curve());
+    whole.emplace_back("normal", normal());
+    whole.emplace_back("equation", equation());
+    whole.emplace_back("claim", Json{Json::Object{{"not_integrable", Json{c_.not_integrable}}}});
+    return {std::move(whole)};
+  }
+
+private:
+  [[nodiscard]] Json name(std::size_t i) const { return text(s_.ring->name(i)); }
+  [[nodiscard]] Json names(std::size_t begin, std::size_t end) const {
+    Json::Array list;
+    for (std::size_t i = begin; i < end; ++i)
+      list.push_back(name(i));
+    return {std::move(list)};
+  }
+
+  [[nodiscard]] Json system() const {
+    Json::Object x{{"coordinates", names(0, s_.dimension)}};
+    if (!s_.functions.empty()) x.emplace_back("functions", symbols());
+    if (!s_.inverses.empty()) x.emplace_back("inverses", inverses());
+    if (!s_.relations.empty()) x.emplace_back("relations", polys(s_.relations));
+    if (!s_.hamiltonian) {
+      x.emplace_back("field", functions(s_.field));
+      return {std::move(x)};
+    }
+    x.emplace_back("hamiltonian", function(*s_.hamiltonian));
+    x.emplace_back("brackets", listed(s_.brackets, [&](const PhaseBracket& b) {
+                     return Json{Json::Array{name(b.first), name(b.second), function(b.value)}};
+                   }));
+    return {std::move(x)};
+  }
+  [[nodiscard]] Json symbols() const {
+    Json::Array list;
+    for (std::size_t i = 0; i < s_.functions.size(); ++i) {
+      Json::Object gradient;
+      for (const auto& [j, g] : s_.functions[i].gradient)
+        gradient.emplace_back(s_.ring->name(j), function(g));
+      list.push_back(Json{Json::Object{{"name", name(s_.dimension + i)},
+                                       {"meaning", text(s_.functions[i].meaning)},
+                                       {"gradient", Json{std::move(gradient)}}}});
+    }
+    return {std::move(list)};
+  }
+  [[nodiscard]] Json inverses() const {
+    Json::Array list;
+    for (std::size_t i = 0; i < s_.inverses.size(); ++i)
+      list.push_back(
+          Json{Json::Object{{"name", name(s_.first_inverse() + i)}, {"of", text(s_.inverses[i])}}});
+    return {std::move(list)};
+  }
+  static Json claim(const ClaimedFunction& c) {
+    Json::Object x{{"kind", text(c.casimir ? "casimir" : "integral")},
+                   {"name", text(c.name)},
+                   {"value", function(c.value)}};
+    if (!c.cofactors.empty()) x.emplace_back("cofactors", listed(c.cofactors, functions));
+    return {std::move(x)};
+  }
+
+  [[nodiscard]] Json curve() const {
+    const PhaseCurve& c = c_.way.curve;
+    Json::Array tower;
+    for (std::size_t i = 0; i < c.tower.size(); ++i)
+      tower.push_back(Json{Json::Object{{"name", text(c.ring->name(c.variable(i)))},
+                                        {"degree", text(std::to_string(c.tower[i].degree))},
+                                        {"value", element(c.tower[i].value)},
+                                        {"derivative", element(c.tower[i].derivative)}}});
+    Json::Object values;
+    for (const auto& [i, value] : c.values)
+      values.emplace_back(s_.ring->name(i), element(value));
+    return {Json::Object{{"manifold", text(c.manifold)},
+                         {"equations", functions(c.equations)},
+                         {"levels", functions(c.levels)},
+                         {"variable", text(c.ring->name(c.z()))},
+                         {"change", function(c.change)},
+                         {"denominators", polys(c.denominators)},
+                         {"tower", Json{std::move(tower)}},
+                         {"values", Json{std::move(values)}},
+                         {"time", element(c.time)}}};
+  }
+  [[nodiscard]] Json normal() const {
+    const NormalIdentity& n = c_.way.normal;
+    return {Json::Object{
+        {"annihilators",
+         listed(
+             n.annihilators,
+             [](const Annihilator& l) {
+               return Json{Json::Object{{"row", elements(l.row)}, {"matrix", elements(l.matrix)}}};
+             })},
+        {"row", elements(n.row)},
+        {"p", element(n.p)},
+        {"q", element(n.q)},
+        {"rest", elements(n.rest)},
+        {"vectors", listed(n.vectors, elements)}}};
+  }
+  [[nodiscard]] Json equation() const {
+    Json inner = std::holds_alternative<Certificate>(c_.equation)
+                     ? to_json(std::get<Certificate>(c_.equation))
+                     : to_json(std::get<StrataCertificate>(c_.equation));
+    Json::Object x{{"certificate", std::move(inner)}};
+    if (c_.root) x.emplace_back("root", element(*c_.root));
+    return {std::move(x)};
+  }
+  static Json to_json(const Certificate& c) { return certify::to_json(c); }
+  static Json to_json(const StrataCertificate& c) {
+    return parse_json(write_strata_certificate(c), 1000);
+  }
+
+  const SystemCertificate& c_;
+  const PhaseSystem& s_;
+};
+
+} // namespace
+
+std::string write_system_certificate(const SystemCertificate& c) {
+  return to_string(SystemWriter(c)());
+}
+
+} // namespace kov::certify

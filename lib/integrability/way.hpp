@@ -1,0 +1,37 @@
+#pragma once
+// The way from a system to y'' = r(z) y, written down for the checkers: the solution along the
+// manifold as functions of z, one covector and its equation (docs/theory/system_certificates.md).
+
+#include "certify/system/certificate.hpp"
+#include "integrability/study.hpp"
+
+namespace kov {
+
+struct WayToR {
+  certify::Way way;
+  /// The generator of the field of r, if r has algebraic constants.
+  std::optional<certify::CurveFunction> root;
+  /// Denominators that vanish identically in z for some parameters that the file admits: there the
+  /// way says nothing.
+  std::vector<MPoly> exceptions;
+  bool leaves_out = false; ///< something moves along the curve and has no value on it
+};
+
+/// The certificate of the whole way with this one of y'' = r y (a text), and whether the checker
+/// accepts it.   `none`: why not.
+[[nodiscard]] std::optional<std::string>
+certificate_of(const WayToR& way, const std::string& equation, std::string& none);
+
+/// What of the way to r(z) along this manifold has no certificate, as steps on trust.
+[[nodiscard]] std::vector<std::string> uncertified_way(const ManifoldReport& m);
+
+/// From what the derivation of `block.ode` holds.  `none`: why there is none.
+/// Errors  OutOfBudget
+[[nodiscard]] std::optional<WayToR> way_to_r(const Study& study, const ManifoldReport& report,
+                                             const BlockReport& block, std::string& none);
+
+/// Where certificates or our own checker are asked for: sets block.way, after the checker has
+/// accepted it, or block.no_way; a limit is a reason, too.
+void find_way(const Study& study, const ManifoldReport& report, BlockReport& block);
+
+} // namespace kov
