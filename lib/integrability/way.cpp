@@ -337,8 +337,8 @@ private:
 
   bool find_vectors(const Row& first) {
     std::vector<Row> rows;
-    for (const auto* a : {&id_.row, &first})
-      rows.push_back(rows_.through_bracket(*a));
+    rows.push_back(rows_.through_bracket(id_.row));
+    rows.push_back(rows_.through_bracket(first));
     for (const Row& l : id_.annihilators)
       rows.push_back(rows_.through_bracket(l));
     for (std::size_t i = 0; i < 2; ++i) {
@@ -508,22 +508,35 @@ private:
     }
   }
 
-  // Where all coefficients of a denominator may be 0; those of the level only are chosen elsewhere.
+  // Where all coefficients of a denominator may be 0.  Those of the level only are chosen elsewhere;
+  // what r itself was divided by is excluded in its strata, and studied anew.
   void find_exceptions(const CurveWriter& curve) {
     const auto levels = level_parameters(s_);
     const auto chosen = [&](std::size_t i) {
       return i != ode_.z && !uses(ode_.r, i) &&
              std::find(levels.begin(), levels.end(), i) != levels.end();
     };
+    std::vector<MPoly> generic;
+    for (const MPoly& g : ode_.generic)
+      for (MPoly& part : irreducible_parts(g))
+        generic.push_back(std::move(part));
     for (const MPoly& d : curve.denominators()) {
       const auto used = used_variables(d);
-      if (std::all_of(used.begin(), used.end(), chosen)) continue;
-      const auto c = coefficients(d, ode_.z);
-      std::vector<MPoly> parts;
-      std::copy_if(c.begin(), c.end(), std::back_inserter(parts),
-                   [](const MPoly& f) { return !is_zero(f); });
-      if (not_excluded(s_, parts).size() == parts.size()) way_.exceptions.push_back(d);
+      if (!std::all_of(used.begin(), used.end(), chosen) &&
+          std::find(generic.begin(), generic.end(), d) == generic.end() && may_vanish(d))
+        way_.exceptions.push_back(d);
     }
+  }
+
+  // For some parameters that the file admits all coefficients of d in z are 0.
+  [[nodiscard]] bool may_vanish(const MPoly& d) const {
+    const Ideal together(s_.ring(), v_.parameters, coefficients(d, ode_.z), {},
+                         study_.options.decide.budget);
+    if (together.is_unit()) return false;
+    const auto& basis = together.basis();
+    return std::none_of(basis.begin(), basis.end(), [&](const KPoly& g) {
+      return not_excluded(s_, {together.from_kpoly(g).num()}).empty();
+    });
   }
 
   const Study& study_;
@@ -637,9 +650,9 @@ std::vector<std::string> uncertified_way(const ManifoldReport& m) {
   std::vector<std::string> all;
   bool any = false;
   for (const BlockReport& b : m.blocks) {
-    if (!b.ode || (excluded && b.abelian != Truth::no)) continue;
+    if (!b.ode || (excluded && !m.matrices && b.abelian != Truth::no)) continue;
     any = true;
-    if (!is_certified(m, b))
+    if (m.matrices || !is_certified(m, b)) // of the whole there is no certificate
       all.push_back("the way from the system to r(z)" + along + exceptions(b));
     for (const auto& special : b.special_studies)
       for (std::string& step : uncertified_way(*special))

@@ -1,6 +1,6 @@
 // The step "case": the verdict of a system file.
 
-#include "integrability/check.hpp"
+#include "integrability/certificate.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/parameters.hpp"
 #include "linode/singularities.hpp"
@@ -68,19 +68,10 @@ void show_decision(NodeResult& n, const Decision& d) {
   n.tables.push_back(std::move(exponents));
   n.pictures.push_back(picture_of(s, d.variable));
   n.formulas.push_back({"group", d.group ? describe(*d.group) : "not determined"});
-  if (!d.certificate.empty()) n.certificates.push_back(d.certificate);
 }
 
 std::string answer(Truth abelian) {
   return abelian == Truth::yes ? "abelian" : abelian == Truth::no ? "not abelian" : "undecided";
-}
-
-// The trees of strata as certificates; what these leave out is among the trusted steps already.
-void put_certificates(NodeResult& n, const strata::StrataAnswer& a) {
-  for (const auto& special : a.special)
-    put_certificates(n, *special);
-  if (a.certificate && a.certificate->says_anything && a.certificate->refusal.empty())
-    n.certificates.push_back(a.certificate->json);
 }
 
 void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string& where = {}) {
@@ -93,7 +84,6 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
   for (const std::string& u : a.unvisited)
     grid.rows.push_back({u, "", "undecided", "a limit was reached"});
   n.tables.push_back(std::move(grid));
-  put_certificates(n, a);
 }
 
 void show_block(NodeResult& n, const System& s, const BlockReport& b) {
@@ -236,6 +226,8 @@ const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
   n.checks.push_back({"the manifold " + m.name + " is invariant", m.manifold.has_value()});
   for (const BlockReport& b : m.blocks)
     show_block(n, report.system, b);
+  for (NamedCertificate& c : certificates(report.system, m)) // what has none is a trusted step
+    if (!c.json.empty()) n.certificates.push_back(std::move(c.json));
   n.summary = found(m);
   if (!expected(n.node, m.verdict)) {
     unexpected(n, m);
