@@ -654,11 +654,14 @@ std::vector<std::string> uncertified_way(const ManifoldReport& m) {
     any = true;
     if (m.matrices || !is_certified(m, b)) // of the whole there is no certificate
       all.push_back("the way from the system to r(z)" + along + exceptions(b));
-    for (const auto& special : b.special_studies)
+    for (const auto& special : b.special_studies) {
+      if (special->verdict == VerdictKind::no_obstruction && m.verdict != special->verdict)
+        continue; // an exception, in which nothing is said
       for (std::string& step : uncertified_way(*special))
         all.push_back(std::move(step));
+    }
   }
-  if (any && !excluded)
+  if (any && m.verdict == VerdictKind::no_obstruction)
     all.push_back("that the blocks are all of the variational equation" + along);
   return all;
 }

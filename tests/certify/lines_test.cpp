@@ -3,7 +3,7 @@
 // ".cpp".  Not set: nothing to do.
 
 #include "certify/equation/check.hpp"
-#include "certify/strata/check.hpp"
+#include "certify/system/check.hpp"
 #include "certify/text/json.hpp"
 #include "exact/error.hpp"
 
@@ -22,6 +22,10 @@ char verdict(const std::string& text) {
     if (format_of(text) == "kovacic-strata/1") {
       const auto verdict = check_strata(read_strata_certificate(text));
       return std::holds_alternative<StrataAccepted>(verdict) ? 'a' : 'r';
+    }
+    if (format_of(text) == "kovacic-system/1") {
+      const auto verdict = check_way(read_system_certificate(text));
+      return std::holds_alternative<SystemAccepted>(verdict) ? 'a' : 'r';
     }
     const Certificate c = read_certificate(text);
     return std::holds_alternative<Accepted>(check(c)) ? 'a' : 'r';

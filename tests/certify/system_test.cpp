@@ -14,11 +14,12 @@ TEST(SystemCertificate, TheExampleIsAcceptedAndSaysWhatItProves) {
   EXPECT_EQ(lines[1], "  {q1, p1} = 1, {q2, p2} = 1, H = (-q1^2*q2^2 + p1^2 + 2*p2)/2");
   EXPECT_EQ(lines[2],
             "along the phase curve with z = q2^2 on \"N\": q1 = 0, p1 = 0; levels p2 = 0");
+  EXPECT_EQ(lines[3], "  w^2 = z");
   EXPECT_EQ(
-      lines[3],
+      lines[4],
       "is not integrable in Liouville's sense with first integrals that are meromorphic also at "
       "the ends of the phase curve (points at infinity, equilibria) (Morales-Ramis), as");
-  EXPECT_EQ(lines[4], "  y'' = ((1/4*z^2 - 3/16)/(z^2)) y");
+  EXPECT_EQ(lines[5], "  y'' = ((1/4*z^2 - 3/16)/(z^2)) y");
 }
 
 TEST(SystemCertificate, WhatIsWrittenIsRead) {
@@ -54,10 +55,10 @@ TEST(SystemCertificate, AFunctionMovesAsItsGradientSays) {
 TEST(SystemCertificate, WhatMovesAndIsLeftOutIsSaid) {
   SystemText t;
   t.functions = R"({"name":"e","meaning":"exp q2","gradient":{"q2":"e"}})";
-  const std::string sentence = stated(t())[4];
+  const std::string sentence = stated(t())[5];
   EXPECT_NE(sentence.find("and do not depend on e (Morales-Ramis)"), std::string::npos) << sentence;
   t.functions = R"({"name":"e","meaning":"of q1","gradient":{"q1":"1"}})"; // q1' = 0 on the curve
-  EXPECT_EQ(stated(t())[4].find("do not depend"), std::string::npos);
+  EXPECT_EQ(stated(t())[5].find("do not depend"), std::string::npos);
 }
 
 // S2, S4: the field.
@@ -77,7 +78,7 @@ TEST(SystemCertificate, TheFieldAloneWillDo) {
   EXPECT_EQ(refused_by(t()), "N3"); // without a bracket the vectors are meant themselves
   t.vectors = R"([["1","0","0","0"],["0","0","2*w","0"]])";
   EXPECT_EQ(refused_by(t()), "");
-  EXPECT_NE(stated(t())[3].find("(Ayoul-Zung)"), std::string::npos);
+  EXPECT_NE(stated(t())[4].find("(Ayoul-Zung)"), std::string::npos);
   t.dynamics = R"("field":["p1","1","q2*q1","0"])";
   EXPECT_EQ(refused_by(t()), "N2");
   t.dynamics = R"("field":["p1","2","q2^2*q1","0"])";
@@ -258,7 +259,7 @@ TEST(SystemCertificate, TheClaimFollows) {
   EXPECT_EQ(refused_by(t()), "N4");
   t.claim = "false";
   EXPECT_EQ(refused_by(t()), "");
-  EXPECT_EQ(stated(t())[3], "nothing follows from");
+  EXPECT_EQ(stated(t())[4], "nothing follows from");
 }
 
 TEST(SystemCertificate, WhatIsNoCertificate) {

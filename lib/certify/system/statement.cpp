@@ -85,12 +85,37 @@ private:
     return joined(said, ", ");
   }
 
+  // As it was given: (p)/(n*(d_1)^2*(d_2)).
+  [[nodiscard]] std::string element(const CurveFunction& f) const {
+    std::vector<std::string> below;
+    if (f.n != Integer(1)) below.push_back(to_string(f.n));
+    for (std::size_t k = 0; k < f.over.size(); ++k)
+      if (f.over[k] > 0)
+        below.push_back("(" + to_string(c_.way.curve.denominators[k]) + ")" +
+                        (f.over[k] > 1 ? "^" + std::to_string(f.over[k]) : ""));
+    if (below.empty()) return to_string(f.p);
+    return "(" + to_string(f.p) + ")/(" + joined(below, "*") + ")";
+  }
+
+  // The functions meant take these values on the curve.
+  void functions(const PhaseCurve& c) {
+    std::vector<std::string> all;
+    for (std::size_t i = s_.dimension; i < s_.first_inverse(); ++i)
+      for (const auto& [k, value] : c.values)
+        if (k == i) all.push_back(name(i) + " = " + element(value));
+    if (!all.empty()) lines_.push_back("  with " + joined(all, ", "));
+  }
+
   void curve() {
     const PhaseCurve& c = c_.way.curve;
     const std::string& z = c.ring->name(c.z());
     lines_.push_back("along the phase curve with " + z + " = " + text(c.change) + " on " +
                      quoted(c.manifold) + (c.equations.empty() ? "" : ": " + zeros(c.equations)) +
                      (c.levels.empty() ? "" : "; levels " + zeros(c.levels)));
+    functions(c);
+    for (std::size_t i = 0; i < c.tower.size(); ++i)
+      lines_.push_back("  " + c.ring->name(c.variable(i)) + "^" +
+                       std::to_string(c.tower[i].degree) + " = " + element(c.tower[i].value));
     for (const MPoly& d : c.denominators) {
       const auto used = used_variables(d);
       if (std::none_of(used.begin(), used.end(), [&](std::size_t i) { return i > c.z(); }))
