@@ -32,7 +32,7 @@ TEST(SystemCertificate, WhatIsWrittenIsRead) {
 TEST(SystemCertificate, AnInverseHasTheValueOfAnInverse) {
   SystemText t;
   t.inverses = R"({"name":"u","of":"q2"})";
-  EXPECT_EQ(refused_by(t()), ""); // left out: nothing contains it
+  EXPECT_EQ(refused_by(t()), "C4"); // the system is not defined where it has no value
   t.values += R"(,"u":["w","1","1"])";
   EXPECT_EQ(refused_by(t()), "");
   EXPECT_EQ(refused_by(replaced(t(), R"("u":["w","1","1"])", R"("u":["1","1","1"])")), "C4");
@@ -45,11 +45,24 @@ TEST(SystemCertificate, AFunctionMovesAsItsGradientSays) {
   t.values += R"(,"s":"z")";
   EXPECT_EQ(refused_by(t()), "");
   EXPECT_EQ(refused_by(replaced(t(), R"("2*q2")", R"("3*q2")")), "C4");
-  EXPECT_EQ(refused_by(replaced(t(), R"("q2":"2*q2")", R"("p2":"2*q2")")), "C4");
+  EXPECT_EQ(refused_by(replaced(t(), R"("q2":"2*q2")", R"("p2":"2*q2")")), "S1");
   t.relations = R"("s - q2^2")";
   EXPECT_EQ(refused_by(t()), "");
-  t.relations = R"("s - q2")";
+  t.relations = R"("s - q2^2 - 1")";
   EXPECT_EQ(refused_by(t()), "C4");
+  t.relations = R"("s - q2")";
+  EXPECT_EQ(refused_by(t()), "S1");
+}
+
+TEST(SystemCertificate, FunctionsWithTheseGradientsExist) {
+  SystemText t;
+  t.functions = R"({"name":"f","meaning":"q1 q2","gradient":{"q1":"q2","q2":"q1"}})";
+  EXPECT_EQ(refused_by(t()), "");
+  EXPECT_EQ(refused_by(replaced(t(), R"("q2":"q1")", R"("q2":"2*q1")")), "S1");
+  t.functions = R"({"name":"f","meaning":"a constant","gradient":{}})";
+  EXPECT_EQ(refused_by(t()), "S1");
+  t.relations = R"("f^2 - 2")";
+  EXPECT_EQ(refused_by(t()), "C4"); // it has no value
 }
 
 TEST(SystemCertificate, WhatMovesAndIsLeftOutIsSaid) {
@@ -96,21 +109,25 @@ TEST(SystemCertificate, ClaimsAreIdentitiesOnAllOfPhaseSpace) {
   EXPECT_EQ(claim("casimir", R"("2*p2 + p1^2 - q2^2*q1^2")"), "S4");
   EXPECT_EQ(claim("casimir", R"("7")"), "");
   t.inverses = R"({"name":"u","of":"q2"})";
+  t.values += R"(,"u":["w","1","1"])";
   EXPECT_EQ(claim("integral", R"("u*q2")"), "");
   EXPECT_EQ(claim("integral", R"("u*q2^2")"), "S4");
 }
 
 TEST(SystemCertificate, CofactorsBelongToTheRelations) {
-  SystemText t; // c' = -s, s' = c (c^2 + s^2): X(c^2 + s^2) = 2 c s (c^2 + s^2 - 1)
+  SystemText t; // c' = -s, s' = c
   t.functions = R"({"name":"c","meaning":"cos","gradient":{"q2":"-s"}},)"
-                R"({"name":"s","meaning":"sin","gradient":{"q2":"c^3 + c*s^2"}})";
-  t.claims = R"({"kind":"integral","name":"F","value":"c^2 + s^2","cofactors":[["2*c*s"]]})";
+                R"({"name":"s","meaning":"sin","gradient":{"q2":"c"}})";
+  t.claims = R"({"kind":"integral","name":"F","value":"c^4 + 2*c^2*s^2 + s^4"})";
+  EXPECT_EQ(refused_by(t()), ""); // X(F) = 0 without a relation
+  t.claims = R"({"kind":"casimir","name":"F","value":"0","cofactors":[["0"]]})";
+  EXPECT_EQ(refused_by(t()), "S4");
+  t.claims =
+      R"({"kind":"integral","name":"F","value":"c^2*s^2 + s^4 - s^2","cofactors":[["2*c*s"]]})";
   EXPECT_EQ(refused_by(t()), "S4"); // no relation
   t.relations = R"("c^2 + s^2 - 1")";
-  t.values += R"(,"c":"1","s":"0")"; // the relation needs values, and these do not move
-  EXPECT_EQ(refused_by(t()), "C4");
-  t.claims = replaced(t.claims, "2*c*s", "3*c*s");
-  EXPECT_EQ(refused_by(t()), "S4");
+  EXPECT_EQ(refused_by(t()), "C4"); // F is 0; the relation has no value
+  EXPECT_EQ(refused_by(replaced(t(), R"([["2*c*s"]])", R"([["c*s"]])")), "S4");
 }
 
 // C1, C2: the algebra.

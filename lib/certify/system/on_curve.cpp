@@ -47,7 +47,10 @@ void OnCurve::need_functions() const {
   for (const MPoly& r : s.relations)
     need(is_zero(at({r, Integer(1)}).p), "a relation does not hold on the curve");
   for (std::size_t i = 0; i < s.first_parameter(); ++i) {
-    if (!values_[i]) continue;
+    if (!values_[i]) {
+      need(i < s.first_inverse(), "an inverse has no value on the curve");
+      continue;
+    }
     if (i >= s.first_inverse()) {
       const CurveFunction h = at({s.inverses[i - s.first_inverse()], Integer(1)});
       need(algebra_.equal(algebra_.times(*values_[i], h), algebra_.integer(1)),

@@ -2,13 +2,40 @@
 
 #include "certify/equation/facts.hpp"
 
+#include <algorithm>
+
 namespace kov::certify {
 
 void PhaseSpace::need_symbols() const {
   for (const MPoly& h : s_.inverses)
     need(!is_constant(h) && !uses_inverses(h), "an inverse of a constant, or of an inverse");
-  for (const MPoly& r : s_.relations)
+  for (const MPoly& r : s_.relations) {
     need(!uses_inverses(r), "a relation has an inverse");
+    for (std::size_t j = 0; j < s_.dimension; ++j)
+      need_cleared(partial({r, Integer(1)}, j), {}, "a relation is not preserved");
+  }
+  for (std::size_t s = 0; s < s_.functions.size(); ++s)
+    need_closed(s);
+}
+
+// Some function has this gradient; a constant without a relation would be a parameter.
+void PhaseSpace::need_closed(std::size_t s) const {
+  const auto entry = [&](std::size_t j) {
+    const PhaseFunction* g = gradient(s, j);
+    return g ? *g : zero();
+  };
+  const auto has_relation = [&](const MPoly& r) { return uses(r, s_.dimension + s); };
+  bool moves = false;
+  for (std::size_t i = 0; i < s_.dimension; ++i) {
+    moves = moves || !is_zero(entry(i).p);
+    for (std::size_t j = i + 1; j < s_.dimension; ++j) {
+      const PhaseFunction second = partial(entry(i), j);
+      need_cleared(plus(partial(entry(j), i), {-second.p, second.n}), {},
+                   "no function has this gradient");
+    }
+  }
+  need(moves || std::any_of(s_.relations.begin(), s_.relations.end(), has_relation),
+       "a constant without a relation");
 }
 
 bool PhaseSpace::uses_inverses(const MPoly& f) const {

@@ -36,6 +36,7 @@ private:
   [[nodiscard]] bool uses_inverses(const MPoly& f) const;
   [[nodiscard]] MPoly cleared(MPoly f) const;
   void need_jacobi() const;
+  void need_closed(std::size_t s) const;
   /// sum_l {x_i, x_l} d_l f
   [[nodiscard]] PhaseFunction flow(std::size_t i, const PhaseFunction& f) const;
 

@@ -4,7 +4,7 @@
 #include "question.hpp"
 
 #include "certify/equation/statement.hpp"
-#include "certify/strata/check.hpp"
+#include "certify/system/check.hpp"
 #include "lame_question.hpp"
 #include "report/render_theorem.hpp"
 #include "theorem/prove.hpp"
@@ -92,6 +92,13 @@ std::variant<Accepted, certify::Rejected> judged(const std::string& text) {
     const auto verdict = certify::check_strata(c);
     if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return *no;
     return Accepted{std::get<certify::StrataAccepted>(verdict).trusted, certify::statement(c)};
+  }
+  if (certify::format_of(text) == "kovacic-system/1") {
+    const auto c = certify::read_system_certificate(text);
+    const auto verdict = certify::check_way(c);
+    if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return *no;
+    const auto& yes = std::get<certify::SystemAccepted>(verdict);
+    return Accepted{yes.trusted, certify::statement(c, yes)};
   }
   const auto c = certify::read_certificate(text);
   const auto verdict = certify::check(c);
