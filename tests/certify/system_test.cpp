@@ -267,6 +267,30 @@ TEST(SystemCertificate, TheEquationIsThatOfTheRow) {
   EXPECT_EQ(refused_by(t()), "N4");
 }
 
+TEST(SystemCertificate, TheEquationSpeaksOfTheSystem) {
+  SystemText t; // k^2 = 2 is a parameter of the inner certificate
+  t.functions = R"({"name":"k","meaning":"a root","gradient":{}})";
+  t.relations = R"("k^2 - 2")";
+  t.tower = R"([{"name":"w","degree":"2","value":"z","derivative":["w","2","1"]},)"
+            R"({"name":"k","degree":"2","value":"2","derivative":"0"}])";
+  t.values += R"(,"k":"k")";
+  t.claim = "false";
+  StrataText inner;
+  inner.parameters = R"(["k"])";
+  inner.tree = R"({"node":"open","reason":"x"})";
+  const auto with = [&](const std::string& num, const std::string& den,
+                        const std::string& generic) {
+    inner.num = num, inner.den = den, inner.generic = generic;
+    t.equation = R"({"certificate":)" + inner() + "}";
+    return refused_by(t());
+  };
+  EXPECT_EQ(with("4*z^2 - 3", "16*z^2", "[]"), "");
+  EXPECT_EQ(with("2*k^2*z^2 - 3", "8*k^2*z^2", R"([["k"]])"), "");
+  EXPECT_EQ(with("k^2*z - 2*z", "k^2 - 2", "[]"), "N4"); // 0 = 0
+  EXPECT_EQ(with("4*z^2 - 3", "16*z^2", R"([["k^2 - 2"]])"), "N4");
+  EXPECT_EQ(with("4*z^2 - 3", "16*z^2", R"([["k^2 - 2","k - 1"]])"), "");
+}
+
 TEST(SystemCertificate, TheClaimFollows) {
   SystemText t;
   t.claim = "false";

@@ -102,7 +102,7 @@ void need_inner(OnCurve& way, const SystemCertificate& c) {
   need(!c.root, "a root of a field that there is not");
   need(strata.ring->name(0) == c.way.curve.ring->name(c.way.curve.z()),
        "N4: the equation has another variable");
-  way.need_equation(strata.r);
+  way.need_equation(strata.r, strata.generic);
 }
 
 ExcludedClass excluded(const Way& w, const Leaves& leaves, std::vector<std::string> moving) {
@@ -142,7 +142,7 @@ template <class Rules> std::optional<Rejected> run(const Way& w, Rules rules) {
 } // namespace
 
 std::optional<Rejected> objection(const Way& w, const Fraction& r) {
-  return run(w, [&](OnCurve& way) { way.need_equation(r); });
+  return run(w, [&](OnCurve& way) { way.need_equation(r, {}); });
 }
 
 std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {

@@ -175,16 +175,17 @@ void OnCurve::need_r(const CurveFunction& num, const CurveFunction& den) const {
       algebra_.minus(algebra_.plus(algebra_.over(algebra_.times(n.p, n.p), Integer(4)),
                                    algebra_.over(algebra_.derivative(n.p), Integer(2))),
                      n.q);
+  need(!is_zero(den.p), "the denominator of r is 0 on the curve");
   need(algebra_.equal(algebra_.times(r, den), num), "r is not p^2/4 + p'/2 - q");
 }
 
-void OnCurve::need_equation(const Fraction& r) {
-  rule_ = "N4";
+// What z, parameters and constants are in R.
+std::vector<std::optional<CurveFunction>> OnCurve::values_of(const Ring& ring) const {
   const Ring& names = w_.system.ring;
   const Ring& field = w_.curve.ring;
-  std::vector<std::optional<CurveFunction>> at(r.num.ring()->size());
+  std::vector<std::optional<CurveFunction>> at(ring->size());
   for (std::size_t i = 0; i < at.size(); ++i) {
-    const std::string& name = r.num.ring()->name(i);
+    const std::string& name = ring->name(i);
     const auto k = names->find(name);
     if (name == field->name(w_.curve.z()))
       at[i] = algebra_.variable(w_.curve.z());
@@ -194,7 +195,16 @@ void OnCurve::need_equation(const Fraction& r) {
              w_.system.functions[*k - w_.system.dimension].gradient.empty())
       at[i] = values_[*k];
   }
+  return at;
+}
+
+void OnCurve::need_equation(const Fraction& r, const std::vector<std::vector<MPoly>>& generic) {
+  rule_ = "N4";
+  const auto at = values_of(r.den.ring());
   need_r(algebra_.evaluate(r.num, at), algebra_.evaluate(r.den, at));
+  const auto is_not_zero = [&](const MPoly& f) { return !is_zero(algebra_.evaluate(f, at).p); };
+  for (const auto& group : generic)
+    need(std::any_of(group.begin(), group.end(), is_not_zero), "the equation excludes this system");
 }
 
 // f(z) with a in the place of the generator of its field

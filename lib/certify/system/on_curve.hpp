@@ -14,8 +14,8 @@ public:
   void need_claims(); ///< S4
   void need_curve();  ///< C2 to C6
   void need_normal(); ///< N1 to N3
-  /// N4, for r = num/den with the names of `ring`: z, parameters, constants.
-  void need_equation(const Fraction& r);
+  /// N4, for r in z, parameters and constants; of each group one member is not 0.
+  void need_equation(const Fraction& r, const std::vector<std::vector<MPoly>>& generic);
   /// N4, for r over Q(a), with a in the place of the generator.
   void need_equation(const Poly& num, const Poly& den, const std::optional<CurveFunction>& a);
 
@@ -29,6 +29,7 @@ private:
   [[nodiscard]] CurveFunction at(const PhaseFunction& f) const; ///< f(x)
   [[nodiscard]] std::optional<CurveFunction> velocity(std::size_t variable) const;
   void need_functions() const;
+  [[nodiscard]] std::vector<std::optional<CurveFunction>> values_of(const Ring& ring) const;
   [[nodiscard]] Row jacobian_row(std::size_t i) const;
   [[nodiscard]] Row nabla(const Row& a) const;
   [[nodiscard]] Row combination(const Row& c, std::size_t entries) const;
