@@ -1,7 +1,7 @@
 # Debian packages by CPack, one for each component of cmake --install: tools/packaging/build makes them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME kovacic)
-set(CPACK_PACKAGE_CONTACT "The kovacic authors <kovacic@localhost>")
+set(CPACK_PACKAGE_CONTACT "The kovacic authors <authors@kovacic.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -30,23 +30,27 @@ function(kov_package component)
 endfunction()
 
 kov_package(command NAME kovacic SHLIBDEPS ON
-  SUMMARY "differential Galois groups and non-integrability proofs, exactly"
-  DESCRIPTION "Decides the differential Galois group of y'' = r(z) y, and by the theorem of Morales-Ruiz and Ramis whether a
-mechanical system is not integrable.  Arithmetic is exact; answers come with certificates that an independent checker
-reads."
+  SUMMARY "The command kovacic, and a second checker of its certificates."
+  DESCRIPTION "Decides the differential Galois group of y'' = r(z) y, and by the theorem
+of Morales-Ruiz and Ramis whether a mechanical system is not integrable.
+Arithmetic is exact; answers come with certificates that an independent
+checker reads."
   DEPENDS "python3:any" RECOMMENDS gnuplot-nox SUGGESTS "kovacic-doc, python3-kovacic")
 kov_package(development NAME libkovacic-dev SECTION libdevel
-  SUMMARY "differential Galois groups: headers and static libraries"
-  DESCRIPTION "For proof scripts in C++: find_package(kovacic CONFIG), or pkg-config kovacic."
+  SUMMARY "Headers and static libraries."
+  DESCRIPTION "For proof scripts in C++: find_package(kovacic CONFIG), or pkg-config
+kovacic."
   DEPENDS "libcalcium-dev, libantic-dev, libflint-arb-dev, libflint-dev, libmpfr-dev, libgmp-dev, libginac-dev, libz3-dev, nlohmann-json3-dev"
   SUGGESTS "kovacic-doc, pkg-config")
 kov_package(python NAME python3-kovacic SECTION python SHLIBDEPS ON
-  SUMMARY "differential Galois groups: Python module"
-  DESCRIPTION "import kovacic: equations, systems and theorems from Python, SymPy and notebooks."
+  SUMMARY "The Python module."
+  DESCRIPTION "import kovacic: equations, systems and theorems from Python, SymPy and
+notebooks."
   DEPENDS "python3 (>= 3.11), python3 (<< 3.12)" RECOMMENDS "python3-sympy, python3-numpy"
   SUGGESTS "kovacic-doc, python3-distributed")
 kov_package(documentation NAME kovacic-doc SECTION doc ARCHITECTURE all
-  SUMMARY "differential Galois groups: guide, theory, examples"
-  DESCRIPTION "The guide by task, the theory with proofs, the interfaces of the C++ and Python libraries, as a site that needs no
-network, and the systems of the papers as examples." SUGGESTS "kovacic")
+  SUMMARY "Guide, theory, examples."
+  DESCRIPTION "The guide by task, the theory with proofs, the interfaces of the C++ and
+Python libraries, as a site that needs no network, and the systems of the
+papers as examples." SUGGESTS "kovacic")
 include(CPack)
