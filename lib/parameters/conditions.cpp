@@ -1,6 +1,7 @@
 #include "parameters/conditions.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace kov {
 
@@ -59,6 +60,31 @@ std::string to_string(const std::vector<Condition>& all) {
   for (const Condition& c : all)
     s += (s.empty() ? "" : ", ") + to_string(c);
   return s.empty() ? "always" : s;
+}
+
+std::vector<std::string> in_words(const Assumptions& all, const Ring& ring) {
+  std::vector<std::string> list;
+  std::set<std::size_t> told; // what has a sign is real, and an integer is rational
+  for (const Condition& c : all.conditions) {
+    list.push_back(to_string(c));
+    if (c.sign == Sign::positive || c.sign == Sign::nonnegative)
+      for (const std::size_t i : used_variables(c.p))
+        told.insert(i);
+  }
+  std::set<std::size_t> integers;
+  for (const Membership& m : all.memberships) {
+    list.push_back(to_string(m.value) + (m.in_integers ? " is an integer" : " is no integer"));
+    const auto used = used_variables(m.value);
+    if (m.in_integers && used.size() == 1 && m.value == MFraction::variable(ring, used[0]))
+      integers.insert(used[0]);
+  }
+  for (const std::size_t i : all.rational)
+    if (integers.count(i) == 0 && integers.insert(i).second)
+      list.push_back(ring->name(i) + " is rational");
+  told.insert(integers.begin(), integers.end());
+  for (const std::size_t i : all.real)
+    if (told.insert(i).second) list.push_back(ring->name(i) + " is real");
+  return list;
 }
 
 std::vector<MPoly> irreducible_parts(const MPoly& p) {

@@ -44,6 +44,9 @@ struct Assumptions {
 /// Joined by ", "; "always" for none.
 [[nodiscard]] std::string to_string(const std::vector<Condition>& all);
 
+/// Everything that is assumed, one sentence for each: "A > 0", "n is an integer", "l is rational".
+[[nodiscard]] std::vector<std::string> in_words(const Assumptions& all, const Ring& ring);
+
 /// The irreducible factors of p that are not constant, each once.  Requires p != 0.
 /// Example irreducible_parts((a * a * (z - a)).num())  // -> {z - a, a}
 [[nodiscard]] std::vector<MPoly> irreducible_parts(const MPoly& p);

@@ -26,26 +26,6 @@ Json group_name(const strata::Leaf& leaf) {
   return to_string(leaf.group->type) + (leaf.group->n ? "_" + to_string(*leaf.group->n) : "");
 }
 
-// What the strata are a part of; the equations of algebraic constants are none.
-Json assumed(const Assumptions& all, const Ring& ring) {
-  Json list = Json::array();
-  std::vector<std::size_t> ordered;
-  for (const auto& c : all.conditions) {
-    const auto used = used_variables(c.p);
-    if (c.sign == Sign::positive || c.sign == Sign::nonnegative)
-      ordered.insert(ordered.end(), used.begin(), used.end());
-    list.push_back(to_string(c));
-  }
-  for (const auto& m : all.memberships)
-    list.push_back(to_string(m.value) + (m.in_integers ? " is an integer" : " is no integer"));
-  for (const std::size_t i : all.real)
-    if (std::find(ordered.begin(), ordered.end(), i) == ordered.end()) {
-      list.push_back(ring->name(i) + " is real");
-      ordered.push_back(i);
-    }
-  return list;
-}
-
 long equations(const strata::Stratum& s) {
   return std::count_if(s.conditions.begin(), s.conditions.end(),
                        [](const Condition& c) { return c.sign == Sign::zero; });
@@ -62,7 +42,7 @@ long fewest_equations(const strata::StrataAnswer& a) {
 } // namespace
 
 void put_strata(Json& j, const strata::StrataAnswer& a) {
-  if (a.question) j["assumed"] = assumed(a.question->assumptions, a.question->r.ring());
+  if (a.question) j["assumed"] = in_words(a.question->assumptions, a.question->r.ring());
   Json all = Json::array();
   const long general = fewest_equations(a);
   for (const auto& s : a.strata) {

@@ -134,6 +134,40 @@ std::string component_tex(const Json& name) {
   return "\\{1\\}";
 }
 
+std::string joined(const Json& texts, const std::string& if_none) {
+  std::string all;
+  for (const Json& t : texts)
+    all += (all.empty() ? "" : ", ") + t.get<std::string>();
+  return escaped(all.empty() ? if_none : all);
+}
+
+// Over parameters: for which of them, and what on each stratum.
+std::string strata_tex(const Json& result) {
+  std::string s;
+  if (result.contains("contradictory")) s += "No parameters satisfy the assumptions.\n";
+  if (const Json& given = result.value("assumed", Json::array()); !given.empty())
+    s += "Assumed: " + joined(given, "") + ".\n";
+  s += "\\begin{description}\n";
+  for (const Json& x : result.at("strata")) {
+    const std::string group = x.at("group_text"), abelian = x.at("abelian");
+    s += "\\item[" + joined(x.at("conditions"), "for all parameters") + "] ";
+    if (!x.contains("no_equation"))
+      s += (group.empty() ? "" : "The group is " + escaped(group) + ". ") +
+           std::string("Its identity component is ") +
+           (abelian == "yes"  ? "abelian"
+            : abelian == "no" ? "not abelian"
+                              : "abelian or not: undecided") +
+           ": ";
+    s += escaped(x.at("reason").get<std::string>()) + ".\n";
+  }
+  for (const Json& u : result.value("unvisited", Json::array()))
+    s += "\\item[" + escaped(u.get<std::string>()) + "] Open.\n";
+  s += "\\end{description}\n";
+  if (const Json& steps = result.at("trusted"); !steps.empty())
+    s += "On trust: " + joined(steps, "") + ".\n";
+  return s;
+}
+
 } // namespace
 
 std::string tex_of_formula(const std::string& formula) {
@@ -153,6 +187,7 @@ std::string tex_of_result(const Json& result, const std::string& title) {
     const bool sum = r.find(' ') != std::string::npos && body.find("\\frac") != 0;
     s += "\\[ y'' = " + (sum ? "\\left(" + body + "\\right)" : body) + "\\,y \\]\n";
   }
+  if (result.contains("strata")) return s + strata_tex(result);
   s += "$G = " + group_tex(result.at("group")) +
        "$, $G^0 = " + component_tex(result.at("identity_component")) + "$";
   const std::string abelian = result.at("abelian").get<std::string>();

@@ -129,6 +129,21 @@ void put_original(std::ostringstream& out, const Json& original) {
           "; the identity component is abelian for both equations or for none");
 }
 
+// "G = SL(2, C), identity component SL(2, C), not abelian", as much of it as is known.
+std::string group_line(const Json& result) {
+  std::string line =
+      result.at("group").is_null() ? std::string() : "G = " + group_text(result.at("group"));
+  const auto add = [&](const std::string& text) { line += (line.empty() ? "" : ", ") + text; };
+  const Json& component = result.at("identity_component");
+  if (!component.is_null())
+    add("identity component " + component_text(component.get<std::string>()));
+  const std::string abelian = result.at("abelian"),
+                    noun = component.is_null() ? "identity component " : "";
+  if (abelian == "yes") add(noun + "abelian");
+  if (abelian == "no") add(noun + "not abelian"); // "depends": the strata say it
+  return line;
+}
+
 } // namespace
 
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
@@ -170,16 +185,8 @@ std::string text_of_result(const Json& result, const std::string& title, const S
         put(out, "where", name + " = " + meaning.get<std::string>());
   const bool open = result.at("case").is_null();
   out << "  " << paint(open ? "1;33" : "1;32", with_variable(headline(result), variable)) << '\n';
-  std::string line = "G = " + (result.at("group").is_null() ? "?" : group_text(result.at("group")));
-  const std::string component = result.at("identity_component").is_null()
-                                    ? std::string()
-                                    : result.at("identity_component").get<std::string>();
-  if (!component.empty()) line += ", identity component " + component_text(component);
-  const std::string abelian = result.at("abelian").get<std::string>();
-  const std::string noun = component.empty() ? ", identity component " : ", ";
-  if (abelian == "yes") line += noun + "abelian";
-  if (abelian == "no") line += noun + "not abelian"; // "depends": the strata say it
-  if (!open || line != "G = ?") out << "  " << wrapped(line, 2) << '\n';
+  if (const std::string line = group_line(result); !line.empty())
+    out << "  " << wrapped(line, 2) << '\n';
   if (style.quiet && result.at("undecided").is_null()) return out.str();
   if (result.contains("strata")) {
     print_strata(out, result, style.whole || style.trace);

@@ -62,21 +62,8 @@ std::optional<GaloisGroup> common_group(const StrataAnswer& a) {
 }
 
 std::vector<std::string> assumed(const StrataAnswer& a) {
-  std::vector<std::string> all;
-  if (!a.question) return all;
-  const Assumptions& given = a.question->assumptions;
-  std::set<std::size_t> real; // what has a sign is real
-  for (const Condition& c : given.conditions) {
-    all.push_back(kov::to_string(c));
-    if (c.sign == Sign::positive || c.sign == Sign::nonnegative)
-      for (const std::size_t i : used_variables(c.p))
-        real.insert(i);
-  }
-  for (const Membership& m : given.memberships)
-    all.push_back(to_string(m.value) + (m.in_integers ? " is an integer" : " is no integer"));
-  for (const std::size_t i : given.real)
-    if (real.insert(i).second) all.push_back(a.question->r.ring()->name(i) + " is real");
-  return all;
+  return a.question ? in_words(a.question->assumptions, a.question->r.ring())
+                    : std::vector<std::string>{};
 }
 
 std::string place_text(const Leaf& leaf, strata::PlaceIndex i) {
