@@ -1,6 +1,6 @@
 #include "classify/difference.hpp"
 
-#include "strata/confluent.hpp"
+#include "special/arithmetic.hpp"
 
 #include <algorithm>
 
@@ -74,7 +74,7 @@ DifferenceCondition negation(DifferenceCondition c) {
 namespace {
 
 std::string root(const MFraction& square) {
-  if (const auto exact = strata::exact_sqrt(square)) return to_factored_string(*exact);
+  if (const auto exact = square_root(square)) return to_factored_string(*exact);
   return "sqrt(" + to_factored_string(square) + ")";
 }
 

@@ -192,6 +192,25 @@ private:
   std::string_view rest_;
 };
 
+// "k +- m not in Z" is said of k + m and of k - m: the text of this part alone, with one sign, at
+// its place.
+AssumedText with_sign(const AssumedText& text, const Placed& place, std::string_view part,
+                      char sign) {
+  if (part.find('=') != std::string_view::npos && part.find("!=") == std::string_view::npos)
+    throw InputError(*place.origin(), place.span(part), "'+-' in an equation says no single thing",
+                     "write two assumptions, or the equation of the squares");
+  if (!text.subject.empty())
+    throw InputError(*place.origin(), place.span(part), "'+-' is not read here",
+                     "write two assumptions");
+  AssumedText one = text;
+  one.origin = place.origin();
+  one.text = std::string(place.offset(part), ' ') + std::string(part);
+  const std::size_t at = one.text.find("+-");
+  one.text[at] = sign;
+  one.text[at + 1] = ' ';
+  return one;
+}
+
 } // namespace
 
 std::vector<Sentence> sentences(const AssumedText& text) {
@@ -202,7 +221,12 @@ std::vector<Sentence> sentences(const AssumedText& text) {
     const std::size_t mark = std::min(rest.find_first_of(",;"), rest.size());
     const std::size_t word = std::min(rest.find(" and "), rest.size());
     const std::string_view part = trimmed(rest.substr(0, std::min(mark, word)));
-    if (!part.empty()) all.push_back(SentenceReader(place, part).read());
+    if (part.find("+-") != std::string_view::npos)
+      for (const char sign : {'+', '-'})
+        for (Sentence& s : sentences(with_sign(text, place, part, sign)))
+          all.push_back(std::move(s));
+    else if (!part.empty())
+      all.push_back(SentenceReader(place, part).read());
     rest.remove_prefix(std::min(rest.size(), word < mark ? word + 5 : mark + 1));
   }
   if (all.empty())

@@ -35,9 +35,13 @@ std::vector<Stratum> inside(const Stratum& outer, const BlockReport& block) {
       all.push_back(std::move(both));
     }
   }
-  for (auto& x : all)
+  for (auto& x : all) {
+    x.leaf.parts.clear(); // they speak of this block alone
+    if (x.leaf.open && std::holds_alternative<strata::ByParts>(*x.leaf.open))
+      x.leaf.open = strata::NotStudied{"abelian under conditions that are not looked at"};
     x.leaf.because.insert(x.leaf.because.begin(),
                           strata::OfEquation{block.ode->unknown, block.ode->r});
+  }
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
+#include "parameters/integers.hpp"
 #include "parameters/reals.hpp"
 #include "parameters/signs.hpp"
 
@@ -168,19 +169,7 @@ Region Region::with_relation(const MPoly& p, std::size_t variable, bool implied)
 }
 
 Truth Region::is_integral(const MFraction& v) const {
-  if (is_zero(v)) return Truth::yes;
-  if (is_constant(v)) return truth(is_integer(to_rational(v)));
-  // +-v = m w + n with w assumed an integer; v assumed none, up to an integer
-  for (const auto& m : assumptions_.memberships) {
-    for (const long k : {1L, -1L, 2L, -2L, 3L, -3L, 4L, -4L}) {
-      const MFraction rest = v - Rational(k) * m.value;
-      if (!is_constant(rest) && !is_zero(rest)) continue;
-      const bool shift = is_zero(rest) || is_integer(to_rational(rest));
-      if (m.in_integers) return truth(shift);
-      if (shift && (k == 1 || k == -1)) return Truth::no;
-    }
-  }
-  return Truth::unknown;
+  return kov::is_integral(assumptions_.memberships, v);
 }
 
 std::vector<Condition> Region::real_conditions() const {
@@ -369,9 +358,7 @@ bool Region::is_empty_exactly() const {
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
     if (SignProver(ring_, others, nonzero_, assumptions_.real).sign_of(c.p) < 0) return true;
   }
-  for (const auto& m : assumptions_.memberships)
-    if (excludes(m, m.value)) return true;
-  return false;
+  return contradict(assumptions_.memberships);
 }
 
 bool Region::is_empty() const {

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "recognize/canonical_names.hpp"
+#include "special/arithmetic.hpp"
 #include "special/coefficients.hpp"
 #include "special/kimura.hpp"
 #include "special/lame.hpp"
@@ -299,29 +300,11 @@ SymbolicFamily with_names(SymbolicFamily f, const std::set<std::string>& taken) 
   return f;
 }
 
-// f = content * prod base^exponent: a square root, if all exponents are even.
-std::optional<MPoly> square_root(const MPoly& f) {
-  if (is_zero(f)) return f;
-  const auto [content, factors] = factor(f);
-  const auto root = exact_sqrt(content);
-  if (!root) return std::nullopt;
-  MPoly product(f.ring(), *root);
-  for (const MFactor& factor : factors) {
-    if (factor.exponent % 2 != 0) return std::nullopt;
-    product *= pow(factor.base, static_cast<unsigned long>(factor.exponent / 2));
-  }
-  return product;
-}
-
 } // namespace
 
 std::string root_text(const MFraction& a) {
-  if (is_zero(a)) return "0";
-  const auto num = square_root(a.num());
-  const auto den = num ? square_root(a.den()) : std::nullopt;
-  if (!den) return "sqrt(" + to_string(a) + ")";
-  const MFraction root(*num, *den);
-  return to_string(root);
+  const auto root = square_root(a);
+  return root ? to_string(*root) : "sqrt(" + to_string(a) + ")";
 }
 
 Truth SymbolicFamily::abelian() const {

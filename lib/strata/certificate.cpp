@@ -131,8 +131,12 @@ private:
     return {leaf.abelian == Truth::yes ? "yes" : "no", "the solver", statement};
   }
   TrustedStratum trusted_empty(const ProofTree& t) {
-    result_.trusted.push_back({Gap::emptiness, Conclusion::none, "Z3: " + t.why});
-    return {"empty", "Z3", t.why};
+    const bool oracle = t.why.rfind("Z3", 0) == 0;
+    const std::string by = oracle ? "Z3" : "the solver";
+    const std::string why = t.why.empty() ? "the assumptions contradict each other" : t.why;
+    result_.trusted.push_back(
+        {oracle ? Gap::emptiness : Gap::rule, Conclusion::none, by + ": " + why});
+    return {"empty", by, why};
   }
 
   Subtree node(const ProofTree& t, State state) {

@@ -1,25 +1,10 @@
 #include "strata/confluent.hpp"
 
+#include "special/arithmetic.hpp"
+
 #include <algorithm>
 
 namespace kov::strata {
-
-std::optional<MFraction> exact_sqrt(const MFraction& f) {
-  if (is_zero(f)) return f;
-  MFraction root(f.ring(), Rational(1));
-  for (const bool top : {true, false}) {
-    const auto [content, factors] = factor(top ? f.num() : f.den());
-    const auto c = kov::exact_sqrt(Rational(content));
-    if (!c) return std::nullopt;
-    MFraction side(f.ring(), *c);
-    for (const auto& one : factors) {
-      if (one.exponent % 2 != 0) return std::nullopt;
-      side *= MFraction(pow(one.base, static_cast<unsigned long>(one.exponent / 2)));
-    }
-    root = top ? root * side : root / side;
-  }
-  return root;
-}
 
 namespace {
 
@@ -48,7 +33,7 @@ std::optional<BesselForm> bessel_form(const Scheme& s, const Region& region) {
   const MFraction square =
       MFraction(ring, Rational(1)) + Rational(4) * (MFraction(c[0]) / MFraction(shifted.den()));
   BesselForm form{(Rational(1) / (step * step)) * square, {}, step};
-  if (const auto delta = exact_sqrt(square)) form.nu = (Rational(1) / step) * *delta;
+  if (const auto delta = square_root(square)) form.nu = (Rational(1) / step) * *delta;
   return form;
 }
 
@@ -76,7 +61,7 @@ std::optional<Leaf> weber_leaf(const Scheme& s, const Region& region) {
   const auto c = coefficients(s.r.num(), s.z);
   if (!s.finite.empty() || c.size() != 3) return std::nullopt;
   const MFraction den(s.r.den());
-  const auto a = exact_sqrt(MFraction(c[2]) / den);
+  const auto a = square_root(MFraction(c[2]) / den);
   Leaf leaf;
   leaf.abelian = Truth::no;
   leaf.by = Conclusion::weber;

@@ -16,9 +16,4 @@ namespace kov::strata {
 [[nodiscard]] std::optional<Leaf> bessel_leaf(const Scheme& s, const Region& region);
 [[nodiscard]] std::optional<Leaf> weber_leaf(const Scheme& s, const Region& region);
 
-/// The root of f in Q(parameters), if f is a square there.
-/// Example exact_sqrt(a * a / (z * z))  // -> a/z
-/// Example exact_sqrt(a)  // -> none
-[[nodiscard]] std::optional<MFraction> exact_sqrt(const MFraction& f);
-
 } // namespace kov::strata

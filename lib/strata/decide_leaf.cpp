@@ -2,9 +2,13 @@
 
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
+#include "strata/classical.hpp"
 #include "strata/confluent.hpp"
+#include "strata/exponent_sums.hpp"
 #include "strata/first_case.hpp"
+#include "strata/irrational.hpp"
 #include "strata/open_exponent.hpp"
+#include "strata/statement.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -144,15 +148,43 @@ private:
     return none;
   }
 
-  [[nodiscard]] static Leaf abelian_by(ParametricInvariant v, GroupBound group) {
+  [[nodiscard]] Leaf abelian_by(ParametricInvariant v, GroupBound group) const {
     Leaf leaf;
     leaf.abelian = Truth::yes;
     leaf.by = Conclusion::invariant;
-    leaf.bound = group;
+    leaf.bound = torus_ ? GroupBound::torus_normaliser : group;
+    if (torus_) leaf.group = with_torus_and(v);
     leaf.because.push_back(InvariantFound{std::move(v)});
     return leaf;
   }
 
+  // v is a power of y1 y2: Gm where y1 y2 is rational, Dinf where it is a square root (strata.md
+  // 10.8).
+  [[nodiscard]] std::optional<GaloisGroup> with_torus_and(const ParametricInvariant& v) const {
+    if (v.form.m == 2) return GaloisGroup{GroupType::Gm, {}};
+    if (v.form.m != 4) return std::nullopt;
+    MFraction whole(v.p);
+    for (std::size_t i = 0; i < s_.finite.size(); ++i)
+      whole *= pow(MFraction(s_.finite[i].q), v.form.e[i]);
+    std::vector<MPoly> odd;
+    for (const MPoly& side : {whole.num(), whole.den()})
+      for (const MFactor& f : factor(side).second)
+        if (f.exponent % 2 != 0 && uses(f.base, s_.z)) odd.push_back(f.base);
+    if (odd.empty()) return GaloisGroup{GroupType::Gm, {}};
+    if (!stay_simple(odd)) return std::nullopt;
+    return GaloisGroup{GroupType::Dinf, {}};
+  }
+  // One of these polynomials in z has simple roots everywhere, and none in common with the others.
+  [[nodiscard]] bool stay_simple(const std::vector<MPoly>& all) const {
+    return std::any_of(all.begin(), all.end(), [&](const MPoly& f) {
+      if (!is_plainly_nonzero(coefficients(f, s_.z).back(), region_)) return false;
+      if (kov::degree(f, s_.z) > 1 && !is_plainly_nonzero(discriminant(f, s_.z), region_))
+        return false;
+      return std::all_of(all.begin(), all.end(), [&](const MPoly& g) {
+        return &f == &g || is_plainly_nonzero(resultant(f, g, s_.z), region_);
+      });
+    });
+  }
   // An invariant of degree 4 over Q(parameters), if there is one.
   std::optional<Answer> degree_four(long most) {
     const auto four = invariant_bound(s_, 4).form;
@@ -243,6 +275,164 @@ private:
   std::optional<Logarithm> log_;
 };
 
+// ---- parts: strata.md, 10
+
+// Is one of the open exponent differences without a bound?  Then those that matter are infinitely
+// many, and no strata p = 0.
+bool is_unbounded(const Scheme& s, Region region) { // a copy: what it trusts proves nothing here
+  for (PlaceIndex i = 0; i < number_of_places(s); ++i)
+    if (const auto& p = place_at(s, i);
+        p.exponent == ExponentKind::open && !bound_of_square(p, region))
+      return true;
+  return false;
+}
+
+bool has_real_parameters(const Scheme& s, const Region& region) {
+  const auto used = used_variables(s.r);
+  return std::any_of(used.begin(), used.end(), [&](std::size_t i) { return region.is_real(i); });
+}
+
+// Yes or no on all parts; else unknown.
+Truth common_answer(const std::vector<Part>& parts) {
+  const Truth first = parts.front().abelian;
+  const bool same =
+      std::all_of(parts.begin(), parts.end(), [&](const Part& p) { return p.abelian == first; });
+  return same ? first : Truth::unknown;
+}
+
+// A leaf says what it says, also where the closed answer says it with another proof.  A part that
+// says something else has no points, which was not seen: then nothing is added.
+void add_closed_answer(Leaf& leaf, ClassicalAnswer answer) {
+  const bool agree = std::all_of(answer.parts.begin(), answer.parts.end(), [&](const Part& p) {
+    return leaf.abelian == Truth::unknown || p.abelian == leaf.abelian;
+  });
+  if (!agree) return;
+  const Truth common = common_answer(answer.parts);
+  if (leaf.abelian == Truth::unknown && common != Truth::unknown) {
+    leaf.abelian = common;
+    leaf.by = Conclusion::classical;
+    leaf.open.reset();
+    leaf.because.clear();
+  }
+  leaf.because.emplace_back(std::move(answer.form));
+  if (answer.parts.size() > 1) {
+    leaf.parts = std::move(answer.parts);
+    return;
+  }
+  if (!leaf.group) leaf.group = answer.parts.front().group;
+  if (!leaf.group) leaf.bound = answer.parts.front().bound;
+}
+
+// The squares of the differences that an open leaf speaks of; unset: one has no formula.
+std::optional<Squares> squares_at(const Leaf& leaf, const std::vector<PlaceIndex>& places) {
+  Squares all;
+  for (const PlaceIndex i : places) {
+    const auto& chi = place_at(*leaf.scheme, i).chi;
+    if (chi.size() != 2) return std::nullopt;
+    all.push_back(-(chi[0] / chi[1]));
+  }
+  return all;
+}
+
+// Statements of which one holds where the identity component is abelian.
+std::vector<ArithmeticStatement> necessary(const Leaf& leaf) {
+  std::vector<ArithmeticStatement> all;
+  const auto integral = [&](const std::vector<PlaceIndex>& places, const Rational& step) {
+    const auto squares = squares_at(leaf, places);
+    if (!squares) return false;
+    for (const MFraction& x : *squares)
+      all.emplace_back(SumIn{{x}, {{Rational(0), step}}});
+    return true;
+  };
+  const Rational half(1, 2);
+  if (const auto* some = std::get_if<SomeDifference>(&*leaf.open)) {
+    if (!integral(some->places, half)) return {};
+    if (!some->torus) all.emplace_back(AllRational{*squares_at(leaf, some->places)});
+  } else if (const auto* rational = std::get_if<RationalDifference>(&*leaf.open)) {
+    if (auto squares = squares_at(leaf, {rational->place}))
+      all.emplace_back(AllRational{*std::move(squares)});
+  } else if (const auto* one = std::get_if<IntegralDifference>(&*leaf.open)) {
+    if (!integral({one->place}, one->twice ? half : Rational(1))) return {};
+  }
+  return all;
+}
+
+// An open leaf is not abelian where what it needs fails.
+void tell_open_apart(Leaf& leaf, const Region& region) {
+  if (!leaf.scheme) return;
+  std::vector<ArithmeticCondition> none;
+  for (const ArithmeticStatement& s : necessary(leaf)) {
+    const Truth known = holds_on(s, region);
+    if (known == Truth::yes) return leaf.parts.clear();
+    if (known == Truth::no) continue;
+    std::vector<ArithmeticCondition> here = none;
+    here.push_back({s, true});
+    leaf.parts.push_back({std::move(here)});
+    none.push_back({s, false});
+  }
+  if (none.empty()) return;
+  leaf.parts.push_back({std::move(none), Truth::no, {}, GroupBound::SL2_or_Borel});
+}
+
+// Not abelian: SL(2) where there is no exponential solution.
+void tell_irreducible(Leaf& leaf, const Scheme& s, const Region& region) {
+  if (leaf.abelian != Truth::no || leaf.group || !leaf.parts.empty()) return;
+  const auto needs = exponential_needs(s);
+  if (!needs) return;
+  const auto* sum = std::get_if<SumIn>(&*needs);
+  const Truth possible = sum == nullptr ? Truth::no : holds_on(*sum, region);
+  if (possible == Truth::no) leaf.group = sl2();
+  if (possible != Truth::unknown) return;
+  leaf.parts = {{{{*sum, true}}, Truth::no, {}, GroupBound::SL2_or_Borel},
+                {{{*sum, false}}, Truth::no, sl2()}};
+}
+
+Answer with_parts(Answer answer, const Scheme& s, const Region& region, const Budget& budget) {
+  auto* leaf = std::get_if<Leaf>(&answer);
+  if (leaf != nullptr && evidence<ClassicalForm>(*leaf) != nullptr) return answer;
+  if (leaf != nullptr && leaf->abelian != Truth::unknown && leaf->group) return answer;
+  // the group alone is not worth questions about real numbers
+  const bool maps =
+      leaf == nullptr || leaf->abelian == Truth::unknown || !has_real_parameters(s, region);
+  auto closed = classical_answer(s, region, budget, maps);
+  if (leaf == nullptr && (closed.index() == 0 || !is_unbounded(s, region))) return answer;
+  if (auto* needs = std::get_if<Needs>(&closed)) return std::move(*needs);
+  if (auto* found = std::get_if<ClassicalAnswer>(&closed)) {
+    Leaf other = open_leaf(ByParts{});
+    add_closed_answer(leaf != nullptr ? *leaf : other, std::move(*found));
+    if (leaf == nullptr) answer = std::move(other);
+  } else if (leaf->open) {
+    tell_open_apart(*leaf, region);
+  } else {
+    tell_irreducible(*leaf, s, region);
+  }
+  return answer;
+}
+
+// What the places decide comes with a certificate; where that is a long search, the closed answer
+// of a classical equation is taken first.
+constexpr double short_search = 2e7; // products of terms: the same on every machine
+
+Answer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const Region& region,
+                               const Budget& budget) {
+  try {
+    Budget little = budget;
+    little.max_work = std::min(budget.max_work, short_search);
+    return decide_by_places(s, region, little);
+  } catch (const OutOfBudget&) {
+    budget.check();
+  }
+  const Region scratch(region); // what is asked in vain is no trusted step
+  if (classical_answer(*s, scratch, budget).index() == 0)
+    return decide_by_places(s, region, budget);
+  auto closed = classical_answer(*s, region, budget);
+  if (auto* needs = std::get_if<Needs>(&closed)) return std::move(*needs);
+  auto* found = std::get_if<ClassicalAnswer>(&closed);
+  Leaf leaf = open_leaf(ByParts{});
+  add_closed_answer(leaf, std::move(*found));
+  return leaf;
+}
+
 bool depends_on_parameters(const MFraction& r, std::size_t z) {
   const auto used = used_variables(r);
   return std::any_of(used.begin(), used.end(), [&](std::size_t i) { return i != z; });
@@ -271,8 +461,8 @@ Answer decide_leaf(const MFraction& r, std::size_t z, const Region& region,
   if (auto* needs = std::get_if<Needs>(&places)) return std::move(*needs);
   const auto s = std::make_shared<const Scheme>(std::get<Scheme>(std::move(places)));
   auto closed = LeafDecision(*s, region, options.budget).at_once();
-  auto answer =
-      closed ? with_scheme(*std::move(closed), s) : decide_by_places(s, region, options.budget);
+  auto answer = closed ? *std::move(closed) : places_or_closed_answer(s, region, options.budget);
+  answer = with_scheme(with_parts(std::move(answer), *s, region, options.budget), s);
   if (auto* leaf = std::get_if<Leaf>(&answer); leaf != nullptr && options.want_trace)
     leaf->trace = first_case(*s, region, options.budget);
   return answer;

@@ -24,6 +24,36 @@ bool StrataAnswer::decided() const {
                      [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
 }
 
+std::vector<Stratum> told_apart(const Stratum& s) {
+  if (s.leaf.parts.empty()) return {s};
+  std::vector<Stratum> all;
+  for (const Part& p : s.leaf.parts) {
+    Stratum one = s;
+    one.arithmetic = p.where;
+    Leaf& leaf = one.leaf;
+    leaf.parts.clear();
+    leaf.abelian = p.abelian;
+    leaf.group = p.group;
+    leaf.bound = p.bound;
+    if (p.abelian != Truth::unknown && leaf.open) {
+      const bool closed = evidence<ClassicalForm>(leaf) != nullptr;
+      leaf.by = closed ? Conclusion::classical : Conclusion::not_special;
+      if (!closed) leaf.because.emplace_back(ConditionFails{*leaf.open});
+      leaf.open.reset();
+    }
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
+std::vector<Stratum> StrataAnswer::told_apart() const {
+  std::vector<Stratum> all;
+  for (const Stratum& s : strata)
+    for (Stratum& one : strata::told_apart(s))
+      all.push_back(std::move(one));
+  return all;
+}
+
 namespace {
 
 Leaf no_value() { return open_leaf(NoEquation{}); }

@@ -27,7 +27,13 @@ struct Stratum {
   std::vector<Condition> conditions; ///< in the parameters; empty: always
   Leaf leaf;
   Substitution solved; ///< the equations among the conditions, solved
+  /// Of a part that was told apart (told_apart); never in StrataAnswer::strata, whose members are
+  /// given by `conditions` alone.
+  std::vector<ArithmeticCondition> arithmetic{};
 };
+
+/// The parts of the stratum as strata of their own, or the stratum itself if it has none.
+[[nodiscard]] std::vector<Stratum> told_apart(const Stratum& s);
 
 struct StrataLimits {
   Options decide;
@@ -53,7 +59,9 @@ struct StrataAnswer {
 
   /// yes or no: the same on all strata; unknown otherwise.
   [[nodiscard]] Truth abelian() const;
-  [[nodiscard]] bool decided() const; ///< no stratum is open
+  [[nodiscard]] bool decided() const; ///< no stratum is open, and none has parts that differ
+  /// All strata, each told apart.
+  [[nodiscard]] std::vector<Stratum> told_apart() const;
 };
 
 /// Never throws for a legal question: limits end in open strata.

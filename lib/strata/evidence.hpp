@@ -6,6 +6,8 @@
 // Source  docs/theory/strata.md, 3 to 8
 
 #include "decide/decide.hpp"
+#include "special/arithmetic.hpp"
+#include "special/classical.hpp"
 #include "strata/bounds.hpp"
 
 namespace kov::strata {
@@ -29,6 +31,8 @@ enum class Conclusion : std::uint8_t {
   assumed_integers, ///< a torus, and Delta or 2 Delta is assumed to be no integer
   bessel,           ///< the family of Bessel
   weber,            ///< the family of Weber (torus)
+  classical,        ///< the closed answer of a classical equation
+  not_special,      ///< what an abelian component needs of the exponents fails (strata.md 6.4)
   other_blocks      ///< there is another equation here: what was decided of it
 };
 
@@ -40,7 +44,8 @@ enum class GroupBound : std::uint8_t {
   torus_normaliser,          ///< inside the normaliser of a torus
   torus_normaliser_or_T,     ///< or in T_n
   finite_or_normaliser_or_T, ///< or finite
-  triangular_or_cyclic       ///< T_n, or cyclic
+  triangular_or_cyclic,      ///< T_n, or cyclic
+  finite                     ///< finite
 };
 
 // ---- places
@@ -97,6 +102,14 @@ struct WeberForm { ///< an exponential solution exactly where e is an odd intege
   MFraction e;
   Truth odd = Truth::unknown;
 };
+/// The equation is this classical one after a Moebius map of w = (z - centre)^power, power != 0.
+struct ClassicalForm {
+  Classical family = Classical::constant;
+  std::vector<std::pair<std::string, MFraction>> squares; ///< names and squares of its numbers
+  MFraction centre;
+  long power = 1;
+  std::vector<std::pair<std::string, MFraction>> values{}; ///< of its other numbers
+};
 struct Number {
   Decision decision;
 };
@@ -110,11 +123,6 @@ struct OfEquation {
   std::string unknown;
   MFraction r;
 };
-
-using Evidence = std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
-                              ExcludedDifferences, NoProducts, AssumedNotInteger, NoExponential,
-                              NoFamilies, NoInvariant, InvariantFound, BesselForm, WeberForm,
-                              Number, OtherBlocks, OfEquation>;
 
 // ---- what is left open
 
@@ -154,6 +162,7 @@ struct LargeDenominator { ///< of the exponents
   Integer n;
 };
 struct OpenNumber {}; ///< Number says why
+struct ByParts {};    ///< exactly on some of Leaf::parts
 struct RefusedByChecker {
   std::string shown;
 };
@@ -162,8 +171,19 @@ struct NotStudied {
   std::string shown;
 };
 
-using OpenCondition = std::variant<NoEquation, NotSolved, SomeDifference, RationalDifference,
-                                   IntegralDifference, MinorsVanish, IntegralNu, TooManyUnknowns,
-                                   LargeDenominator, OpenNumber, RefusedByChecker, NotStudied>;
+using OpenCondition =
+    std::variant<NoEquation, NotSolved, SomeDifference, RationalDifference, IntegralDifference,
+                 MinorsVanish, IntegralNu, TooManyUnknowns, LargeDenominator, OpenNumber, ByParts,
+                 RefusedByChecker, NotStudied>;
+
+/// What an abelian component needs (an OpenCondition "abelian only if") does not hold.
+struct ConditionFails {
+  OpenCondition condition;
+};
+
+using Evidence = std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
+                              ExcludedDifferences, NoProducts, AssumedNotInteger, NoExponential,
+                              NoFamilies, NoInvariant, InvariantFound, BesselForm, WeberForm,
+                              ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
 
 } // namespace kov::strata

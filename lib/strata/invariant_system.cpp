@@ -2,6 +2,8 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/flint.hpp"
+#include "exact/work.hpp"
 
 #include <algorithm>
 
@@ -84,6 +86,28 @@ bool solves(const Scheme& s, const ParametricInvariant& found) {
   return is_zero(now);
 }
 
+// The columns are independent at one point, so that they are over Q(parameters): no elimination
+// among functions is needed.  false: not seen.
+bool independent_at_a_point(const Matrix& rows, std::size_t columns) {
+  if (rows.size() < columns) return false;
+  const Ring& ring = rows.front().front().ring();
+  Substitution point;
+  long value = 1009;
+  for (std::size_t i = 0; i < ring->size(); ++i, value += 4 * value % 97 + 30)
+    point[i] = MFraction(ring, Rational(value));
+  fmpz_mat_t m;
+  fmpz_mat_init(m, static_cast<slong>(rows.size()), static_cast<slong>(columns));
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t j = 0; j < columns; ++j)
+      if (!is_zero(rows[i][j]))
+        if (const MFraction v = substitute(rows[i][j], point); !is_zero(v))
+          fmpz_set(fmpz_mat_entry(m, static_cast<slong>(i), static_cast<slong>(j)),
+                   to_rational(v).num().raw());
+  const slong rank = fmpz_mat_rank(m);
+  fmpz_mat_clear(m);
+  return rank == static_cast<slong>(columns);
+}
+
 bool simpler(const MPoly& a, const MPoly& b) {
   return a.length() != b.length() ? a.length() < b.length() : compare(a, b) < 0;
 }
@@ -94,14 +118,16 @@ std::variant<std::optional<ParametricInvariant>, Needs> find_invariant(const Sch
                                                                        const InvariantForm& form,
                                                                        const Region& region,
                                                                        const Budget& budget) {
+  const Matrix conditions = matrix(s, form, budget);
+  const auto columns = static_cast<std::size_t>(form.degree + 1);
+  if (independent_at_a_point(conditions, columns)) return std::nullopt;
   std::vector<std::vector<MFraction>> rows;
-  for (const auto& row : matrix(s, form, budget))
+  for (const auto& row : conditions)
     if (std::any_of(row.begin(), row.end(), [](const MPoly& f) { return !is_zero(f); }))
       rows.emplace_back(row.begin(), row.end());
   MFraction p(s.r.ring(), Rational(1)); // no conditions: every P will do
   if (!rows.empty()) {
-    const auto kernel =
-        null_space(std::move(rows), static_cast<std::size_t>(form.degree + 1), s.r.ring(), budget);
+    const auto kernel = null_space(std::move(rows), columns, s.r.ring(), budget);
     if (kernel.empty()) return std::nullopt;
     p = MFraction(s.r.ring());
     for (std::size_t j = kernel[0].size(); j-- > 0;)
@@ -136,6 +162,7 @@ MaximalMinor maximal_minor(const Matrix& rows, const std::vector<std::size_t>& p
   std::vector<std::size_t> order(preference);
   const Ring ring = sorted.front().front().ring();
   MPoly previous(ring, Integer(1));
+  Work work(budget, "a minor of the conditions for an invariant");
   for (std::size_t k = 0; k < columns; ++k) {
     std::size_t pivot = k;
     while (pivot < sorted.size() && is_zero(sorted[pivot][k]))
@@ -149,9 +176,11 @@ MaximalMinor maximal_minor(const Matrix& rows, const std::vector<std::size_t>& p
     to_front(order);
     const MPoly p = sorted[k][k];
     for (std::size_t i = k + 1; i < sorted.size(); ++i) {
-      budget.check();
-      for (std::size_t j = columns; j-- > k;)
+      for (std::size_t j = columns; j-- > k;) {
+        work.add(size_of(p) * size_of(sorted[i][j]) +
+                 size_of(sorted[i][k]) * size_of(sorted[k][j]));
         sorted[i][j] = exact_div(p * sorted[i][j] - sorted[i][k] * sorted[k][j], previous);
+      }
     }
     previous = p;
   }

@@ -1,7 +1,7 @@
 #include "strata/irrational.hpp"
 
 #include "exact/error.hpp"
-#include "strata/confluent.hpp"
+#include "special/arithmetic.hpp"
 
 #include <algorithm>
 
@@ -186,7 +186,7 @@ std::optional<Rational> bound_of_square(const ParametricPlace& p, const Region& 
 std::optional<MFraction> exponent_difference(const ParametricPlace& p) {
   if (p.chi.size() != 2) return std::nullopt;
   if (is_zero(p.chi[0])) return MFraction(p.q.ring());
-  return exact_sqrt(-p.chi[0]);
+  return square_root(-p.chi[0]);
 }
 
 MPoly where_square_is(const ParametricPlace& p, const Rational& x) {

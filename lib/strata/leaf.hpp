@@ -7,6 +7,14 @@
 
 namespace kov::strata {
 
+/// The points of a stratum that satisfy arithmetic conditions, with their own answer.
+struct Part {
+  std::vector<ArithmeticCondition> where;
+  Truth abelian = Truth::unknown;
+  std::optional<GaloisGroup> group{}; ///< n unset: not the same on the whole part
+  GroupBound bound = GroupBound::unknown;
+};
+
 struct Leaf {
   Truth abelian = Truth::unknown;         ///< of the identity component
   std::optional<GaloisGroup> group{};     ///< where it is the same on the whole stratum
@@ -15,7 +23,10 @@ struct Leaf {
   std::shared_ptr<const Scheme> scheme{}; ///< the places; unset for numbers and other equations
   std::vector<Evidence> because{};
   std::optional<OpenCondition> open{}; ///< set exactly where `abelian` is unknown
-  std::vector<TraceStep> trace{};      ///< if asked for: the first case, as it is done by hand
+  /// Disjoint; they cover the stratum.  Empty: the leaf is one part.  Where they agree, so does the
+  /// leaf; who knows nothing of parts may use the leaf alone.
+  std::vector<Part> parts{};
+  std::vector<TraceStep> trace{}; ///< if asked for: the first case, as it is done by hand
 
   /// Undecided because r does not mean anything here.
   [[nodiscard]] bool no_equation() const {

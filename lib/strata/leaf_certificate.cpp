@@ -43,6 +43,8 @@ const char* to_string(Gap gap) {
 
 std::string rule_name(Conclusion theorem) {
   switch (theorem) {
+  case Conclusion::none:
+    return "memberships that contradict each other";
   case Conclusion::half_integers:
     return "exponents in Z/2 without an invariant";
   case Conclusion::no_products:
@@ -51,6 +53,8 @@ std::string rule_name(Conclusion theorem) {
     return "an exponent difference that is no integer";
   case Conclusion::bessel:
     return "the family of Bessel";
+  case Conclusion::classical:
+    return "the closed answer of a classical equation";
   default:
     return "this theorem";
   }
@@ -329,13 +333,21 @@ private:
   const Budget& budget_;
 };
 
-// What the places alone prove, without the closed answers.
+// What the places alone prove, without the closed answers; a closed answer may have been taken
+// because that is a long search.
 Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s, const Region& region,
                const Budget& budget, const NoProof& otherwise) {
-  auto answer = decide_by_places(s, region, budget);
-  const auto* other = std::get_if<Leaf>(&answer);
-  if (other == nullptr || other->abelian != leaf.abelian) throw otherwise;
-  return *other;
+  constexpr double short_search = 1e6;
+  Budget allowed = budget;
+  if (leaf.by == Conclusion::classical) allowed.max_work = std::min(budget.max_work, short_search);
+  try {
+    auto answer = decide_by_places(s, region, allowed);
+    if (const auto* other = std::get_if<Leaf>(&answer); other && other->abelian == leaf.abelian)
+      return *other;
+  } catch (const OutOfBudget&) {
+    budget.check();
+  }
+  throw otherwise;
 }
 
 } // namespace
@@ -359,7 +371,7 @@ LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& re
   auto node = fewer ? written(by_places(
                           leaf, std::make_shared<const Scheme>(*std::move(fewer)), region, budget,
                           {Gap::logarithm, "a logarithm has no exact proof that the format shows"}))
-              : leaf.by == Conclusion::bessel
+              : leaf.by == Conclusion::bessel || leaf.by == Conclusion::classical
                   ? written(by_places(leaf, leaf.scheme, region, budget, no_rule))
                   : written(leaf);
   if (!node) throw no_rule;

@@ -184,6 +184,35 @@ std::string assumed_integers(const Leaf& leaf) {
          (e.twice ? "2*Delta" : "Delta") + " is not an integer; " + without_invariant(leaf);
 }
 
+std::string condition(const Leaf& leaf, const OpenCondition& open);
+
+std::string not_special(const Leaf& leaf) {
+  return condition(leaf, evidence<ConditionFails>(leaf)->condition) +
+         "; that is not so on this stratum";
+}
+
+std::string classical(const Leaf& leaf) {
+  const auto& form = *evidence<ClassicalForm>(leaf);
+  const Ring& ring = leaf.scheme->r.ring();
+  std::string text = form.family == Classical::constant ? "y'' = c y"
+                     : form.family == Classical::polynomial
+                         ? "r is a polynomial"
+                         : to_string(form.family) + std::string("'s equation");
+  if (form.power != 1)
+    text += " in w = " +
+            (is_zero(form.centre)
+                 ? ring->name(leaf.scheme->z)
+                 : "(" + to_string(MFraction::variable(ring, leaf.scheme->z) - form.centre) + ")") +
+            "^" + std::to_string(form.power);
+  for (const auto& [name, square] : form.squares) {
+    const auto root = square_root(square);
+    text += ", " + name + " = " + (root ? to_string(*root) : "sqrt(" + to_string(square) + ")");
+  }
+  for (const auto& [name, value] : form.values)
+    text += ", " + name + " = " + (is_zero(value) ? std::string("0") : to_string(value));
+  return text + ": its closed answer";
+}
+
 std::string argument(const Leaf& leaf, std::size_t longest) {
   switch (leaf.by) {
   case Conclusion::none:
@@ -218,6 +247,10 @@ std::string argument(const Leaf& leaf, std::size_t longest) {
            " an integer";
   case Conclusion::weber:
     return weber(leaf);
+  case Conclusion::classical:
+    return classical(leaf);
+  case Conclusion::not_special:
+    return not_special(leaf);
   case Conclusion::other_blocks:
     return "the normal system has other blocks here" + evidence<OtherBlocks>(leaf)->shown;
   }
@@ -285,10 +318,25 @@ std::string condition(const Leaf&, const LargeDenominator&) {
 std::string condition(const Leaf& leaf, const OpenNumber&) {
   return kov::reason(evidence<Number>(leaf)->decision);
 }
+std::string condition(const Leaf& leaf, const ByParts&) {
+  std::string where;
+  for (const Part& p : leaf.parts) {
+    if (p.abelian != Truth::yes) continue;
+    std::string all;
+    for (const ArithmeticCondition& c : p.where)
+      all += (all.empty() ? "" : ", ") + to_string(c);
+    where += (where.empty() ? "" : ", or where ") + all;
+  }
+  return "abelian exactly where " + where + " (" + classical(leaf) + ")";
+}
 std::string condition(const Leaf&, const RefusedByChecker& open) {
   return "our own checker refuses the certificate of what was found: " + open.shown;
 }
 std::string condition(const Leaf&, const NotStudied& open) { return open.shown; }
+
+std::string condition(const Leaf& leaf, const OpenCondition& open) {
+  return std::visit([&](const auto& one) { return condition(leaf, one); }, open);
+}
 
 std::string undecided(const Leaf& leaf, std::size_t longest) {
   const std::string plain = "undecided: " + open_condition(leaf);
@@ -333,6 +381,15 @@ constexpr std::size_t one_line = 80; // longer formulas are none for a terminal
 
 } // namespace
 
+std::vector<std::string> condition_texts(const Stratum& s) {
+  std::vector<std::string> all;
+  for (const Condition& c : s.conditions)
+    all.push_back(to_string(c));
+  for (const ArithmeticCondition& c : s.arithmetic)
+    all.push_back(to_string(c));
+  return all;
+}
+
 std::string reason(const Leaf& leaf) { return reason(leaf, std::string::npos); }
 std::string reason_in_brief(const Leaf& leaf) { return reason(leaf, one_line); }
 
@@ -351,6 +408,8 @@ std::string group_text(const Leaf& leaf) {
     return "finite, in the normaliser of a torus, or T_n";
   case GroupBound::triangular_or_cyclic:
     return "T_n, or cyclic";
+  case GroupBound::finite:
+    return "finite";
   case GroupBound::unknown:
     break;
   }
@@ -359,7 +418,7 @@ std::string group_text(const Leaf& leaf) {
 
 std::string open_condition(const Leaf& leaf) {
   if (!leaf.open) return "";
-  return std::visit([&](const auto& open) { return condition(leaf, open); }, *leaf.open);
+  return condition(leaf, *leaf.open);
 }
 
 std::string to_string(const Event& e) {

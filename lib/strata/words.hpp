@@ -1,12 +1,14 @@
 #pragma once
 // Every sentence about a stratum: read from its values, never read back.
 
-#include "strata/leaf.hpp"
+#include "strata/decide_strata.hpp"
 
 namespace kov::strata {
 
 using kov::to_string; // of conditions
 
+/// "a != 0", "nu is in 1/2 + Z"; empty: always.
+[[nodiscard]] std::vector<std::string> condition_texts(const Stratum& s);
 /// Why the verdict holds, or "undecided: ..."
 [[nodiscard]] std::string reason(const Leaf& leaf);
 /// The same without long formulas.

@@ -45,13 +45,13 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
   if (a.question) j["assumed"] = in_words(a.question->assumptions, a.question->r.ring());
   Json all = Json::array();
   const long general = fewest_equations(a);
-  for (const auto& s : a.strata) {
-    Json conditions = Json::array();
-    for (const auto& c : s.conditions)
-      conditions.push_back(to_string(c));
-    Json one{{"conditions", conditions},         {"abelian", word(s.leaf.abelian)},
-             {"group", group_name(s.leaf)},      {"group_text", strata::group_text(s.leaf)},
-             {"reason", strata::reason(s.leaf)}, {"generic", equations(s) == general}};
+  for (const auto& s : a.told_apart()) {
+    Json one{{"conditions", strata::condition_texts(s)},
+             {"abelian", word(s.leaf.abelian)},
+             {"group", group_name(s.leaf)},
+             {"group_text", strata::group_text(s.leaf)},
+             {"reason", strata::reason(s.leaf)},
+             {"generic", equations(s) == general}};
     if (std::string brief = strata::reason_in_brief(s.leaf); brief != one.at("reason"))
       one["brief"] = std::move(brief);
     if (s.leaf.open) one["open"] = strata::open_condition(s.leaf);
@@ -213,37 +213,44 @@ namespace {
 
 // Values of the parameters for which there is no equation: nothing is asked there.
 void mark_no_equation(Json& j, const strata::StrataAnswer& a) {
-  for (std::size_t i = 0; i < a.strata.size(); ++i)
-    if (a.strata[i].leaf.no_equation()) {
+  const auto all = a.told_apart();
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].leaf.no_equation()) {
       Json& s = j["strata"][i];
       s["no_equation"] = true;
-      s["reason"] = strata::open_condition(a.strata[i].leaf);
+      s["reason"] = strata::open_condition(all[i].leaf);
       s.erase("open");
     }
 }
 
 // The strata on which something is asked.
-std::vector<const strata::Stratum*> with_equation(const strata::StrataAnswer& a) {
-  std::vector<const strata::Stratum*> all;
-  for (const strata::Stratum& s : a.strata)
-    if (!s.leaf.no_equation()) all.push_back(&s);
+std::vector<strata::Stratum> with_equation(const strata::StrataAnswer& a) {
+  std::vector<strata::Stratum> all = a.told_apart();
+  std::erase_if(all, [](const strata::Stratum& s) { return s.leaf.no_equation(); });
   return all;
+}
+
+std::string where(const strata::Stratum& s) {
+  std::string text;
+  for (const std::string& c : strata::condition_texts(s))
+    text += (text.empty() ? "where " : ", ") + c;
+  return text.empty() ? "" : text + ": ";
 }
 
 // What holds on every stratum stands on top; the rest is in the list.
 void put_common(Json& j, const strata::StrataAnswer& a) {
   const auto asked = with_equation(a);
   if (asked.empty()) return;
-  const auto& first = asked.front()->leaf;
+  const auto& first = asked.front().leaf;
   const auto all = [&](auto same) { return std::all_of(asked.begin(), asked.end(), same); };
   if (a.unvisited.empty() &&
-      all([&](const strata::Stratum* s) { return s->leaf.abelian == first.abelian; }))
+      all([&](const strata::Stratum& s) { return s.leaf.abelian == first.abelian; }))
     j["abelian"] = word(first.abelian);
   else if (a.unvisited.empty() &&
-           all([](const strata::Stratum* s) { return s->leaf.abelian != Truth::unknown; }))
+           all([](const strata::Stratum& s) { return s.leaf.abelian != Truth::unknown; }))
     j["abelian"] = "depends";
   const bool one_group =
-      first.group && all([&](const strata::Stratum* s) { return s->leaf.group == first.group; });
+      first.group && all([&](const strata::Stratum& s) { return s.leaf.group == first.group; });
   if (!one_group || !a.unvisited.empty()) return;
   j["group"] = group_json(*first.group);
   j["identity_component"] = to_string(identity_component(*first.group));
@@ -265,11 +272,11 @@ Json family_result(const Json& id, const ParametricEquation& f, const strata::St
   mark_no_equation(j, a);
   put_common(j, a);
   std::string open;
-  for (const auto& s : a.strata)
-    if (s.leaf.abelian == Truth::unknown && !s.leaf.no_equation() && open.empty())
-      open = (s.conditions.empty() ? "" : "where " + to_string(s.conditions) + ": ") +
-             strata::open_condition(s.leaf);
-  if (with_equation(a).empty() && a.unvisited.empty())
+  const auto asked = with_equation(a);
+  for (const auto& s : asked)
+    if (s.leaf.abelian == Truth::unknown && open.empty())
+      open = where(s) + strata::open_condition(s.leaf);
+  if (asked.empty() && a.unvisited.empty())
     open =
         a.strata.empty() ? "nothing was looked at" : strata::open_condition(a.strata.front().leaf);
   if (open.empty() && !a.unvisited.empty()) open = "not looked at: " + a.unvisited.front();
@@ -282,9 +289,9 @@ Json family_result(const Json& id, const ParametricEquation& f, const strata::St
     set_undecided(j, "parameter", open);
     return j;
   }
-  j["reason"] = a.strata.size() == 1
-                    ? strata::reason(a.strata.front().leaf)
-                    : "decided on each of " + std::to_string(a.strata.size()) + " strata";
+  const std::size_t n = j.at("strata").size();
+  j["reason"] = n == 1 ? strata::reason(a.strata.front().leaf)
+                       : "decided on each of " + std::to_string(n) + " strata";
   return j;
 }
 

@@ -32,10 +32,9 @@ using strata::StrataAnswer;
 using strata::Stratum;
 
 // The strata on which there is an equation.
-std::vector<const Stratum*> asked(const StrataAnswer& a) {
-  std::vector<const Stratum*> all;
-  for (const Stratum& s : a.strata)
-    if (!s.leaf.no_equation()) all.push_back(&s);
+std::vector<Stratum> asked(const StrataAnswer& a) {
+  std::vector<Stratum> all = a.told_apart();
+  std::erase_if(all, [](const Stratum& s) { return s.leaf.no_equation(); });
   return all;
 }
 
@@ -46,18 +45,18 @@ bool looked_at_everything(const StrataAnswer& a) {
 Truth common(const StrataAnswer& a) {
   if (!looked_at_everything(a)) return Truth::unknown;
   const auto strata = asked(a);
-  const Truth first = strata.front()->leaf.abelian;
+  const Truth first = strata.front().leaf.abelian;
   const bool same = std::all_of(strata.begin(), strata.end(),
-                                [&](const Stratum* s) { return s->leaf.abelian == first; });
+                                [&](const Stratum& s) { return s.leaf.abelian == first; });
   return same ? first : Truth::unknown;
 }
 
 std::optional<GaloisGroup> common_group(const StrataAnswer& a) {
   if (!looked_at_everything(a)) return std::nullopt;
   const auto strata = asked(a);
-  const auto first = strata.front()->leaf.group;
+  const auto first = strata.front().leaf.group;
   const bool same = std::all_of(strata.begin(), strata.end(),
-                                [&](const Stratum* s) { return s->leaf.group == first; });
+                                [&](const Stratum& s) { return s.leaf.group == first; });
   return same ? first : std::nullopt;
 }
 
@@ -107,6 +106,16 @@ public:
     return make("BesselForm", e.nu_squared, e.nu, e.s);
   }
   py::object operator()(const strata::WeberForm& e) const { return make("WeberForm", e.e, e.odd); }
+  py::object operator()(const strata::ClassicalForm& e) const {
+    py::dict squares;
+    for (const auto& [name, square] : e.squares)
+      squares[py::str(name)] = square;
+    py::dict values;
+    for (const auto& [name, value] : e.values)
+      values[py::str(name)] = value;
+    return make("ClassicalForm", to_string(e.family), squares, values, e.centre, e.power);
+  }
+  py::object operator()(const strata::ConditionFails&) const { return make("ConditionFails"); }
   py::object operator()(const strata::Number& e) const { return make("Number", e.decision); }
   py::object operator()(const strata::OtherBlocks& e) const { return make("OtherBlocks", e.shown); }
   py::object operator()(const strata::OfEquation& e) const {
@@ -130,15 +139,11 @@ py::list because(const Leaf& leaf) {
   return all;
 }
 
-std::vector<std::string> conditions(const Stratum& s) {
-  std::vector<std::string> all;
-  for (const Condition& c : s.conditions)
-    all.push_back(kov::to_string(c));
-  return all;
-}
-
 std::string where(const Stratum& s) {
-  return s.conditions.empty() ? "always" : kov::to_string(s.conditions);
+  std::string text;
+  for (const std::string& c : strata::condition_texts(s))
+    text += (text.empty() ? "" : ", ") + c;
+  return text.empty() ? "always" : text;
 }
 
 const char* word(Truth t) {
@@ -159,7 +164,7 @@ std::string told(const FamilyAnswer& a) {
     text += (text.empty() ? "assumed " : ", ") + c;
   if (!text.empty()) text += "\n";
   if (a.answer.contradictory) text += "no parameters satisfy the assumptions\n";
-  for (const Stratum& s : a.answer.strata)
+  for (const Stratum& s : a.answer.told_apart())
     text += told(s) + "\n";
   for (const std::string& u : a.answer.unvisited)
     text += u + ": not looked at\n";
@@ -214,7 +219,8 @@ void bind_family(py::module_& m) {
 void bind_stratum(py::module_& m) {
   auto type =
       read_only<Stratum>(m, "Stratum", "Parameter values with one verdict.", {"abelian", "group"});
-  type.def_property_readonly("conditions", &conditions, "in the parameters; empty: always")
+  type.def_property_readonly("conditions", &strata::condition_texts,
+                             "in the parameters; empty: always")
       .def_property_readonly("where", &where)
       .def_property_readonly("abelian", [](const Stratum& s) { return s.leaf.abelian; })
       .def_property_readonly(
@@ -268,7 +274,7 @@ void bind_strata(py::module_& m) {
           "group", [](const FamilyAnswer& a) { return common_group(a.answer); },
           "where it is the same on all strata, else None")
       .def_property_readonly(
-          "strata", [](const FamilyAnswer& a) { return a.answer.strata; },
+          "strata", [](const FamilyAnswer& a) { return a.answer.told_apart(); },
           "disjoint; with `unvisited` they cover the assumptions")
       .def_property_readonly("assumed", [](const FamilyAnswer& a) { return assumed(a.answer); })
       .def_property_readonly(
@@ -283,7 +289,14 @@ void bind_strata(py::module_& m) {
                              [](const FamilyAnswer& a) { return a.answer.contradictory; })
       .def_property_readonly("refused", [](const FamilyAnswer& a) { return a.answer.refusal; })
       .def_property_readonly(
-          "decided", [](const FamilyAnswer& a) { return a.answer.decided(); }, "no stratum is open")
+          "decided",
+          [](const FamilyAnswer& a) {
+            const auto all = asked(a.answer);
+            return looked_at_everything(a.answer) &&
+                   std::all_of(all.begin(), all.end(),
+                               [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
+          },
+          "no stratum is open")
       .def_property_readonly("r", [](const FamilyAnswer& a) { return a.answer.question->r; })
       .def_readonly("variable", &FamilyAnswer::variable)
       .def_readonly("family", &FamilyAnswer::family,
@@ -306,7 +319,7 @@ void bind_strata(py::module_& m) {
           "conditions cannot be checked.")
       .def("__str__", [](const FamilyAnswer& a) { return told(a); })
       .def("__repr__", [](const FamilyAnswer& a) {
-        return "<StrataAnswer: " + std::to_string(a.answer.strata.size()) + " strata>";
+        return "<StrataAnswer: " + std::to_string(a.answer.told_apart().size()) + " strata>";
       });
 }
 

@@ -278,6 +278,17 @@ class ClaimReport:
     generic: list[str]
 
 
+class ClassicalForm:
+    family: str
+    squares: dict
+    values: dict
+    centre: Any
+    power: int
+
+
+class ConditionFails: ...
+
+
 class DifferenceBound:
     place: str
     square: Fraction

@@ -86,6 +86,21 @@ class WeberForm:
 
 
 @dataclass(frozen=True)
+class ClassicalForm:
+    """The equation is a classical one in (z - centre)^power, whose numbers are given by squares or values."""
+    family: str
+    squares: dict
+    values: dict
+    centre: object
+    power: int
+
+
+@dataclass(frozen=True)
+class ConditionFails:
+    """What an abelian identity component needs of the exponents does not hold."""
+
+
+@dataclass(frozen=True)
 class Number:
     """An equation without parameters was decided."""
     decision: object

@@ -1,0 +1,34 @@
+#pragma once
+// The exact answers of classical equations for all parameters at once, as parts of a stratum that
+// are told apart by arithmetic conditions.
+//
+//   two regular places                          Euler
+//   three of them                               Riemann (Kimura's theorem)
+//   one irregular place and at most one other   y'' = c y, Airy, Weber, polynomials, Bessel,
+//   Whittaker
+//
+// and equations that become one of these in w = (z - c)^k: the identity component is the same.
+//
+// Source  docs/theory/strata.md, 10; kimura.md, confluent.md
+
+#include "strata/leaf.hpp"
+
+namespace kov::strata {
+
+struct ClassicalAnswer {
+  ClassicalForm form;
+  std::vector<Part> parts; ///< at least one; disjoint, and they cover the stratum
+};
+
+/// Unset: another equation.  Needs: the answer depends on whether this vanishes.
+/// maps: Lame's equation and w = (z - c)^k are looked at, too.
+/// Throws  OutOfBudget
+/// Given   const Region there = everywhere.where_nonzero(a.num());
+/// Given   const Scheme s = std::get<Scheme>(scheme(a, 0, there));
+/// Example std::get<ClassicalAnswer>(classical_answer(s, there)).form.family  // ->
+/// Classical::constant
+[[nodiscard]] std::variant<std::monostate, ClassicalAnswer, Needs>
+classical_answer(const Scheme& s, const Region& region, const Budget& budget = {},
+                 bool maps = true);
+
+} // namespace kov::strata

@@ -1,0 +1,137 @@
+#include "strata/statement.hpp"
+
+#include <algorithm>
+
+namespace kov::strata {
+
+bool is_number(const MFraction& f) { return is_zero(f) || is_constant(f); }
+
+std::optional<Rational> constant_root(const MFraction& square) {
+  if (is_zero(square)) return Rational(0);
+  return is_constant(square) ? exact_sqrt(to_rational(square)) : std::nullopt;
+}
+
+bool is_plainly_nonzero(const MPoly& p, const Region& region) {
+  if (is_zero(p)) return false;
+  const auto& path = region.path();
+  const auto parts = irreducible_parts(p);
+  return std::all_of(parts.begin(), parts.end(), [&](const MPoly& f) {
+    return std::find(path.begin(), path.end(), Condition{f, Sign::nonzero}) != path.end() ||
+           region.implies_nonzero(f) || region.exact_sign_of(f) != 0;
+  });
+}
+
+namespace {
+
+class Known {
+public:
+  explicit Known(const Region& region) : region_(region) {}
+
+  [[nodiscard]] Truth operator()(const SumIn& s) const {
+    const auto one = integral_somewhere(s);
+    if (!one) return s.squares.size() == 1 && is_number(s.squares[0]) ? Truth::no : Truth::unknown;
+    bool never = true;
+    for (const MFraction& h : *one) {
+      const Truth t = region_.is_integral(h);
+      if (t == Truth::yes) return Truth::yes;
+      never = never && t == Truth::no;
+    }
+    return never ? Truth::no : Truth::unknown;
+  }
+
+  [[nodiscard]] Truth operator()(const AllRational& s) const {
+    bool all = true;
+    for (const MFraction& x : s.squares) {
+      const Truth t = rational(x);
+      if (t == Truth::no) return Truth::no;
+      all = all && t == Truth::yes;
+    }
+    return all ? Truth::yes : Truth::unknown;
+  }
+
+  [[nodiscard]] Truth operator()(const InHalves& s) const {
+    std::size_t certain = 0;
+    std::size_t possible = 0;
+    for (const MFraction& x : s.squares) {
+      const Truth t = in_class(x, {Rational(1, 2), Rational(1)});
+      certain += t == Truth::yes ? 1 : 0;
+      possible += t == Truth::no ? 0 : 1;
+    }
+    return certain >= s.count ? Truth::yes : possible < s.count ? Truth::no : Truth::unknown;
+  }
+
+  [[nodiscard]] Truth operator()(const Separated& s) const {
+    if (natural(s.squares[0]) == Truth::no || integral(s.squares[1]) == Truth::no) return Truth::no;
+    const auto n = constant_root(s.squares[0]);
+    if (!n || *n > Rational(20)) return Truth::unknown;
+    for (Rational v = *n - Rational(1); sign(v) >= 0; v = v - Rational(2))
+      if (may_be(s.squares[1], v * v)) return Truth::unknown;
+    return Truth::no;
+  }
+
+  [[nodiscard]] Truth operator()(const WithoutLogarithm& s) const {
+    const auto any = [&](auto property) {
+      return std::any_of(s.squares.begin(), s.squares.end(), property);
+    };
+    const bool some = any([&](const MFraction& x) { return natural(x) != Truth::no; });
+    return !some || any([](const MFraction& x) { return is_zero(x); }) ? Truth::no : Truth::unknown;
+  }
+
+  // No row has an integer, or a denominator above 5.
+  [[nodiscard]] Truth operator()(const InRow& s) const {
+    const bool never = std::any_of(s.squares.begin(), s.squares.end(), [&](const MFraction& x) {
+      if (integral(x) == Truth::yes || rational(x) == Truth::no) return true;
+      const auto root = constant_root(x);
+      return root && root->den() > Integer(5);
+    });
+    return never ? Truth::no : Truth::unknown;
+  }
+
+  [[nodiscard]] Truth operator()(const LameIsFinite&) const { return Truth::unknown; }
+
+private:
+  [[nodiscard]] Truth in_class(const MFraction& square, const Residues& c) const {
+    return (*this)(SumIn{{square}, {c}});
+  }
+  [[nodiscard]] bool may_be(const MFraction& f, const Rational& value) const {
+    const MFraction difference = f - MFraction(region_.ring(), value);
+    return is_zero(difference) || !is_plainly_nonzero(difference.num(), region_);
+  }
+  [[nodiscard]] Truth integral(const MFraction& square) const {
+    return in_class(square, {Rational(0), Rational(1)});
+  }
+  [[nodiscard]] Truth natural(const MFraction& square) const { // up to sign; not 0
+    return is_zero(square) ? Truth::no : integral(square);
+  }
+  [[nodiscard]] Truth rational(const MFraction& square) const {
+    if (is_number(square)) return constant_root(square) ? Truth::yes : Truth::no;
+    const auto root = square_root(square);
+    if (!root) return Truth::unknown;
+    const auto used = used_variables(*root);
+    const bool declared = std::all_of(used.begin(), used.end(),
+                                      [&](std::size_t i) { return region_.is_rational(i); });
+    return declared || region_.is_integral(*root) == Truth::yes ||
+                   region_.is_integral(Rational(2) * *root) == Truth::yes
+               ? Truth::yes
+               : Truth::unknown;
+  }
+
+  const Region& region_;
+};
+
+const Squares& squares_of(const ArithmeticStatement& s) {
+  return std::visit([](const auto& one) -> const Squares& { return one.squares; }, s);
+}
+
+} // namespace
+
+Truth holds_on(const ArithmeticStatement& s, const Region& region) {
+  const Squares& all = squares_of(s);
+  if (!std::all_of(all.begin(), all.end(), is_number)) return std::visit(Known(region), s);
+  const auto value = [](const MFraction& f) {
+    return NfElem(is_zero(f) ? Rational(0) : to_rational(f));
+  };
+  return truth(is_so({s}, value));
+}
+
+} // namespace kov::strata
