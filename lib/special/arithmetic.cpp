@@ -46,12 +46,18 @@ std::string number_text(const MFraction& square) {
   return scaled_text(root.scale, "sqrt(" + to_string(root.inner) + ")");
 }
 
+// One text for each number: equal ones count as often as they occur.
 Texts number_texts(const Squares& squares) {
   Texts all;
-  for (const MFraction& s : squares) {
-    const std::string text = number_text(s);
-    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
-  }
+  for (const MFraction& s : squares)
+    all.push_back(number_text(s));
+  return all;
+}
+
+Texts each_once(const Texts& texts) {
+  Texts all;
+  for (const std::string& t : texts)
+    if (std::find(all.begin(), all.end(), t) == all.end()) all.push_back(t);
   return all;
 }
 
@@ -67,10 +73,13 @@ std::string listed(const Texts& all) { return joined(all, ", "); }
 
 Rational modulo_one(const Rational& a) { return a - Rational(floor(a)); }
 
+// Is the number known, or only its square?
+enum class Known : std::uint8_t { itself, up_to_sign };
+
 // "an odd integer", "in 1/2 + Z": after "is" or "is not"
-std::string class_text(const Residues& c) {
+std::string class_text(const Residues& c, Known number) {
   const Rational a = c.a - Rational(floor(c.a / c.step)) * c.step;
-  const bool symmetric = is_integer(Rational(2) * a / c.step);
+  const bool symmetric = number == Known::itself || is_integer(Rational(2) * a / c.step);
   if (c.step == Rational(1) && is_zero(a)) return "an integer";
   if (c.step == Rational(2) && is_zero(a)) return "an even integer";
   if (c.step == Rational(2) && a == Rational(1)) return "an odd integer";
@@ -92,7 +101,7 @@ std::string step_text(const Residues& c) {
 }
 
 std::string is_in_one(const std::string& number, const std::vector<Residues>& classes, bool holds) {
-  if (classes.size() == 1) return is_in({number}, class_text(classes[0]), holds);
+  if (classes.size() == 1) return is_in({number}, class_text(classes[0], Known::up_to_sign), holds);
   Texts steps;
   for (const Residues& c : classes)
     steps.push_back(step_text(c));
@@ -134,7 +143,7 @@ std::string one_is_integral(const std::vector<MFraction>& all, bool holds) {
     text += (text.empty() ? ""
              : holds      ? " or "
                           : " and ") +
-            is_in(texts, class_text({a, Rational(1)}), holds);
+            is_in(texts, class_text({a, Rational(1)}, Known::itself), holds);
   return text;
 }
 
@@ -183,7 +192,7 @@ std::string words(const SumIn& s, bool holds) {
   std::string sum;
   for (const MFraction& x : s.squares)
     sum += (sum.empty() ? "" : " +- ") + number_text(x);
-  std::string what = class_text(s.classes[0]);
+  const std::string what = class_text(s.classes[0], Known::up_to_sign);
   if (holds || what.rfind("an ", 0) != 0) return (holds ? "some " : "no ") + sum + " is " + what;
   return "no " + sum + " is " + what;
 }
@@ -208,20 +217,20 @@ std::string words(const AllRational& s, bool holds) {
 }
 
 std::string words(const InHalves& s, bool holds) {
-  const Texts all = number_texts(s.squares);
+  const std::string half = "in 1/2 + Z";
+  const Texts all = number_texts(s.squares), once = each_once(all);
   if (s.count == 1) {
     std::vector<MFraction> shifts;
     for (const MFraction& x : s.squares)
       if (const auto root = square_root(x))
         shifts.push_back(*root - MFraction(x.ring(), Rational(1, 2)));
     if (shifts.size() == s.squares.size()) return one_is_integral(shifts, holds);
-    return is_in(all, "in 1/2 + Z", holds);
+    return is_in(once, half, holds);
   }
-  const std::string half = "in 1/2 + Z";
-  if (all.size() == 1) return is_in(all, half, holds);
+  if (once.size() == 1) return is_in(once, half, holds);
   if (s.count == s.squares.size())
-    return holds ? joined(all, " and ") + " are " + half
-                 : "not both of " + joined(all, " and ") + " are " + half;
+    return holds ? joined(once, " and ") + " are " + half
+                 : "not both of " + joined(once, " and ") + " are " + half;
   return (holds ? "two of " : "at most one of ") + listed(all) + (holds ? " are " : " is ") + half;
 }
 

@@ -388,7 +388,7 @@ private:
     };
     parts_.split(
         SumIn{{square}, {odd_integers}},
-        [&] { parts_.add(Truth::yes, GroupBound::torus_normaliser); }, no_integer);
+        [&] { parts_.add(Truth::yes, GroupBound::torus_normaliser_or_T); }, no_integer);
   }
 
   // Abelian exactly where some polynomials all vanish.
@@ -396,8 +396,8 @@ private:
     const Rational four_alpha = is_zero(square) ? Rational(-1) : to_rational(square) - Rational(1);
     const LameIndex index = lame_index(NfElem(four_alpha * Rational(1, 4)));
     const LameConditions c = lame_conditions(index, p_, budget_);
-    if (c.always()) {
-      parts_.add(Truth::yes, GroupBound::torus_normaliser);
+    if (c.always()) { // T_4 where B is an eigenvalue of a polynomial of Lame
+      parts_.add(Truth::yes, GroupBound::torus_normaliser_or_T);
       return std::nullopt;
     }
     std::optional<MPoly> doubt;

@@ -56,6 +56,24 @@ NfElem at_two(const MFraction& f) {
                            : to_rational(substitute(f, {{0, number(2)}, {1, number(1, 2)}})));
 }
 
+// A function of the parameters has a sign: b + 1/3 is in 1/2 + Z for b in 1/6 + Z, not for b = -1/6.
+TEST(ArithmeticConditions, AFunctionIsInOneClass) {
+  const MFraction b = x("b");
+  EXPECT_EQ(to_string({SumIn{{squared(b + number(1, 3))}, {halves}}, true}), "b is in 1/6 + Z");
+  EXPECT_EQ(to_string({SumIn{{squared(number(1, 4) - b)}, {integers}}, false}),
+            "b is not in 1/4 + Z");
+  EXPECT_EQ(to_string({SumIn{{squared(b), squared(number(1, 3))}, {integers}}, true}),
+            "b is in 1/3 + Z or b is in 2/3 + Z");
+}
+
+// Two of three numbers, of which two are equal.
+TEST(ArithmeticConditions, EqualNumbersCountTwice) {
+  const MFraction a = squared(x("a")), n = squared(x("n"));
+  EXPECT_EQ(to_string({InHalves{{a, a, n}, 2}, true}), "two of a, a, n are in 1/2 + Z");
+  EXPECT_EQ(to_string({InHalves{{a, a, n}, 2}, false}), "at most one of a, a, n is in 1/2 + Z");
+  EXPECT_EQ(to_string({InHalves{{a, a}, 2}, true}), "a is in 1/2 + Z");
+}
+
 TEST(ArithmeticConditions, AtPoints) { // a = 2, b = 1/2
   const auto so = [](const ArithmeticStatement& s) { return is_so({s, true}, at_two); };
   EXPECT_TRUE(so(SumIn{{squared(x("a"))}, {integers}}));
