@@ -2,6 +2,7 @@
 #include "integrals/independence.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace kov {
 namespace {
@@ -103,13 +104,38 @@ std::vector<MFraction> on_variables(const PhaseSpace& p, const std::vector<MFrac
 
 } // namespace
 
+namespace {
+
+// Nothing contains the coordinate but function symbols do depend on it.
+bool is_angle(const VectorField& v, std::size_t j) {
+  const std::size_t x = v.coordinates[j];
+  const auto contain = [x](const std::vector<MFraction>& all) {
+    return std::any_of(all.begin(), all.end(), [x](const MFraction& f) { return uses(f, x); });
+  };
+  bool moves = false;
+  for (const FunctionSymbol& f : v.functions) {
+    if (contain(f.gradient)) return false;
+    moves = moves || !is_zero(f.gradient[j]);
+  }
+  return moves && !contain(v.components) && !(v.hamiltonian && uses(*v.hamiltonian, x)) &&
+         std::none_of(v.relations.begin(), v.relations.end(),
+                      [x](const MPoly& f) { return uses(f, x); });
+}
+
+} // namespace
+
 PhaseSpace::PhaseSpace(const System& s, const Budget& budget)
     : field(s.field), variables(s.field.coordinates), parameters(s.field.parameters) {
   momentum.assign(variables.size(), false);
   if (s.kind == SystemKind::hamiltonian)
     std::fill(momentum.begin() + static_cast<long>(variables.size() / 2), momentum.end(), true);
-  for (const FunctionSymbol& f : field.functions)
-    variables.push_back(f.variable), momentum.push_back(false);
+  for (std::size_t j = 0; j < variables.size(); ++j)
+    angle.push_back(!momentum[j] && is_angle(field, j));
+  for (const FunctionSymbol& f : field.functions) {
+    variables.push_back(f.variable);
+    momentum.push_back(false);
+    angle.push_back(false);
+  }
   parameters.insert(parameters.end(), field.constants.begin(), field.constants.end());
   std::vector<MPoly> required;
   read_relations(*this, budget, required);
@@ -145,31 +171,58 @@ bool PhaseSpace::vanishes(const ParameterSet& where, const MFraction& f) const {
                      [&](const auto& c) { return is_zero(where.restrict(c.second)); });
 }
 
-std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p) {
-  if (!p.is_polynomial_ring() || !p.field.hamiltonian) return std::nullopt;
+namespace {
+
+bool is_parametric(const PhaseSpace& p, const MFraction& f) {
+  return is_zero(f) || (is_parametric(p, f.num()) && is_parametric(p, f.den()));
+}
+
+// The degree of V where it is a polynomial.
+std::optional<long> potential_degree(const PhaseSpace& p) {
+  if (!p.is_polynomial_ring() || !is_parametric(p, p.field.hamiltonian->den())) return std::nullopt;
   const std::size_t n = p.variables.size() / 2;
-  if (n == 0 || !p.momentum.back() || !is_parametric(p, p.field.hamiltonian->den()))
-    return std::nullopt;
-  std::vector<std::vector<MPoly>> metric(n, std::vector<MPoly>(n, MPoly(p.field.ring)));
-  NaturalHamiltonian natural;
-  for (const auto& [e, c] : by_monomials(p, p.field.hamiltonian->num())) {
-    unsigned long q = 0;
-    std::vector<std::size_t> momenta;
-    for (std::size_t i = 0; i < n; ++i) {
-      q += e[i];
-      momenta.insert(momenta.end(), std::min<unsigned long>(e[n + i], 3), i);
-    }
-    if (momenta.empty())
-      natural.degree = std::max(natural.degree, static_cast<long>(q));
-    else if (momenta.size() != 2 || q != 0)
-      return std::nullopt;
-    else {
-      metric[momenta[0]][momenta[1]] += c;
-      metric[momenta[1]][momenta[0]] += c; // a square is counted twice: the Hessian
-    }
+  unsigned long degree = 0;
+  for (const auto& [e, c] : by_monomials(p, p.field.hamiltonian->num()))
+    if (std::all_of(e.begin() + static_cast<long>(n), e.end(), [](auto k) { return k == 0; }))
+      degree = std::max(degree, std::accumulate(e.begin(), e.end(), 0UL));
+  return static_cast<long>(degree);
+}
+
+} // namespace
+
+std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p) {
+  const std::size_t n = p.field.coordinates.size() / 2;
+  if (!p.field.hamiltonian || n == 0 || !p.momentum[n]) return std::nullopt;
+  const std::vector<std::size_t> momenta(p.field.coordinates.begin() + static_cast<long>(n),
+                                         p.field.coordinates.end());
+  for (std::size_t j = n; j < 2 * n; ++j) { // functions of the coordinates alone
+    for (const FunctionSymbol& f : p.field.functions)
+      if (!is_zero(f.gradient[j])) return std::nullopt;
+    for (const MPoly& relation : p.field.relations)
+      if (uses(relation, momenta[j - n])) return std::nullopt;
   }
-  natural.determinant = determinant(metric);
+  std::vector<std::vector<MFraction>> metric(n);
+  MPoly den(p.field.ring, Integer(1));
+  NaturalHamiltonian natural;
+  for (std::size_t i = 0; i < n; ++i) {
+    MFraction linear = derivative(*p.field.hamiltonian, momenta[i]);
+    for (std::size_t j = 0; j < n; ++j) {
+      metric[i].push_back(derivative(derivative(*p.field.hamiltonian, momenta[i]), momenta[j]));
+      if (!is_parametric(p, metric[i][j])) return std::nullopt;
+      if (!is_zero(metric[i][j])) den = common_multiple(den, metric[i][j].den());
+      linear = linear - metric[i][j] * MFraction::variable(p.field.ring, momenta[j]);
+    }
+    natural.even = natural.even && is_zero(linear);
+  }
+  std::vector<std::vector<MPoly>> rows;
+  for (const auto& row : metric) {
+    rows.emplace_back();
+    for (const MFraction& x : row)
+      rows.back().push_back((x * MFraction(den)).num());
+  }
+  natural.determinant = determinant(rows);
   if (is_zero(natural.determinant)) return std::nullopt;
+  if (natural.even) natural.degree = potential_degree(p);
   return natural;
 }
 
@@ -187,12 +240,27 @@ long degree_of(const PhaseSpace& p, const MPoly& f) {
 
 namespace {
 
+// Of an integral whose highest degree in the momenta is `degree` or one less: how many steps below
+// the highest one are the momenta of degree k?
+long layer(const NaturalHamiltonian& natural, long degree, long k) {
+  return natural.even ? (degree - k) / 2 : degree - k;
+}
+
+// The degree of the highest part that the one of degree k belongs to.
+long top_degree(const NaturalHamiltonian& natural, long degree, long k) {
+  return natural.even ? degree - (degree - k) % 2 : degree;
+}
+
 /// The largest degree of the coefficients beside momenta of degree k.
 long coefficient_bound(const AnsatzBounds& b, const std::optional<NaturalHamiltonian>& natural,
                        long k, long denominator_degree) {
+  if (b.layered) {
+    const long j = layer(natural.value(), b.degree, k);
+    return j == 0 ? top_degree(*natural, b.degree, k) : *b.coefficients + j * denominator_degree;
+  }
   if (b.coefficients) return *b.coefficients + denominator_degree;
-  const long top = b.degree - (b.degree - k) % 2;
-  return top + (top - k) / 2 * natural.value().degree;
+  const long top = top_degree(natural.value(), b.degree, k);
+  return top + layer(*natural, b.degree, k) * natural->degree.value();
 }
 
 bool is_standard(const PhaseSpace& p, const std::vector<unsigned long>& e) {
@@ -226,13 +294,13 @@ private:
     if (momenta > bounds_.degree || others > largest(momenta)) return;
     if (++steps_ > 2'000'000) throw OutOfBudget("an ansatz with too many monomials");
     if (i == p_.variables.size()) {
-      if (momenta + others + extra_ > 0 && others <= bound(momenta) && is_standard(p_, e_)) {
+      if (is_possible(momenta, others) && others <= bound(momenta) && is_standard(p_, e_)) {
         if (found_.size() >= 4000) throw OutOfBudget("an ansatz with more than 4000 unknowns");
         found_.push_back(e_);
       }
       return;
     }
-    for (e_[i] = 0;; ++e_[i]) {
+    for (e_[i] = 0; e_[i] == 0 || !p_.angle[i]; ++e_[i]) {
       const long k = static_cast<long>(e_[i]);
       const long m = momenta + (p_.momentum[i] ? k : 0);
       const long o = others + (p_.momentum[i] ? 0 : k);
@@ -240,6 +308,15 @@ private:
       add(i + 1, m, o);
     }
     e_[i] = 0;
+  }
+  // Constants are left out, and function symbols in the highest part of a layered ansatz.
+  bool is_possible(long momenta, long others) const {
+    if (!bounds_.layered) return momenta + others + extra_ > 0;
+    const long j = layer(*natural_, bounds_.degree, momenta);
+    if (j == 0)
+      for (std::size_t i = p_.field.coordinates.size(); i < e_.size(); ++i)
+        if (e_[i] > 0) return false;
+    return momenta + others + j * extra_ > 0;
   }
   long bound(long momenta) const {
     return mechanical_ ? coefficient_bound(bounds_, natural_, momenta, extra_)
@@ -262,7 +339,9 @@ private:
 
 } // namespace
 
-MPoly ansatz_denominator(const PhaseSpace& p, long degree) {
+MPoly ansatz_denominator(const PhaseSpace& p, long degree, const NaturalHamiltonian* layered) {
+  if (layered != nullptr)
+    return pow(p.denominator, static_cast<unsigned long>(layer(*layered, degree, 0)));
   const bool mechanical = std::find(p.momentum.begin(), p.momentum.end(), true) != p.momentum.end();
   return pow(p.denominator, static_cast<unsigned long>(mechanical ? (degree + 1) / 2 : 1));
 }
@@ -270,13 +349,26 @@ MPoly ansatz_denominator(const PhaseSpace& p, long degree) {
 Ansatz make_ansatz(const PhaseSpace& p, const AnsatzBounds& bounds,
                    const std::optional<NaturalHamiltonian>& natural) {
   Ansatz a;
-  a.denominator = ansatz_denominator(p, bounds.degree);
-  for (const auto& e : MonomialList(p, bounds, natural, degree_of(p, a.denominator)).all()) {
+  const NaturalHamiltonian* layered = bounds.layered ? &natural.value() : nullptr;
+  a.denominator = ansatz_denominator(p, bounds.degree, layered);
+  const long extra = degree_of(p, layered != nullptr ? p.denominator : a.denominator);
+  if (extra > 0 && layered != nullptr)
+    for (long k = 0; k <= bounds.degree; ++k)
+      a.layers.push_back(
+          exact_div(a.denominator, ansatz_denominator(p, bounds.degree - k, layered)));
+  for (const auto& e : MonomialList(p, bounds, natural, extra).all()) {
     std::vector<unsigned long> exponents(p.field.ring->size(), 0);
-    for (std::size_t i = 0; i < e.size(); ++i)
+    std::size_t momenta = 0;
+    for (std::size_t i = 0; i < e.size(); ++i) {
       exponents[p.variables[i]] = e[i];
+      if (p.momentum[i]) momenta += e[i];
+    }
     a.column.emplace(e, a.numerators.size());
     a.numerators.push_back(MPoly::term(p.field.ring, Integer(1), exponents));
+    if (a.layers.empty()) continue;
+    a.monomials.push_back(a.numerators.back());
+    a.powers.push_back(layer(*natural, bounds.degree, static_cast<long>(momenta)));
+    a.numerators.back() *= a.layers[momenta];
   }
   return a;
 }
@@ -294,6 +386,65 @@ MPoly derived(const PhaseSpace& p, const std::vector<MPoly>& numerators, const M
 
 } // namespace
 
+namespace {
+
+// The parts of each degree in the momenta.
+std::map<std::size_t, MPoly> by_momenta(const PhaseSpace& p, const MPoly& f) {
+  std::map<std::size_t, MPoly> all;
+  for (long t = 0; t < f.length(); ++t) {
+    const auto e = f.exponents(t);
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < p.variables.size(); ++i)
+      if (p.momentum[i]) k += e[p.variables[i]];
+    all.try_emplace(k, f.ring()).first->second += MPoly::term(f.ring(), f.coefficient(t), e);
+  }
+  return all;
+}
+
+// The columns of X(m/D^j), each degree in the momenta over the lowest common power of D.
+std::vector<MPoly> layered_columns(const PhaseSpace& p, const Ansatz& ansatz,
+                                   const std::vector<MPoly>& numerators, const Budget& budget) {
+  const MPoly& den = p.denominator;
+  const MPoly dd = derived(p, numerators, den);
+  std::vector<std::map<std::size_t, MPoly>> columns;
+  std::map<std::size_t, long> highest;
+  for (std::size_t j = 0; j < ansatz.monomials.size(); ++j) {
+    budget.check();
+    const MPoly& m = ansatz.monomials[j];
+    const long power = ansatz.powers[j];
+    const MPoly own =
+        power == 0 ? derived(p, numerators, m)
+                   : den * derived(p, numerators, m) - MPoly(m.ring(), Integer(power)) * m * dd;
+    columns.push_back(by_momenta(p, own));
+    for (const auto& [k, part] : columns.back())
+      highest[k] = std::max(highest[k], power == 0 ? 0 : power + 1);
+  }
+  std::vector<MPoly> all;
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const long power = ansatz.powers[j] == 0 ? 0 : ansatz.powers[j] + 1;
+    MPoly sum(p.field.ring);
+    for (const auto& [k, part] : columns[j])
+      sum += part * pow(den, static_cast<unsigned long>(highest[k] - power));
+    all.push_back(std::move(sum));
+  }
+  return all;
+}
+
+// W^2 X(N/W), for each column, up to a common factor in each degree of the momenta.
+std::vector<MPoly> derived_columns(const PhaseSpace& p, const Ansatz& ansatz,
+                                   const std::vector<MPoly>& numerators, const Budget& budget) {
+  if (!ansatz.layers.empty()) return layered_columns(p, ansatz, numerators, budget);
+  std::vector<MPoly> all;
+  const MPoly dw = derived(p, numerators, ansatz.denominator);
+  for (const MPoly& n : ansatz.numerators) {
+    budget.check();
+    all.push_back(ansatz.denominator * derived(p, numerators, n) - n * dw);
+  }
+  return all;
+}
+
+} // namespace
+
 EchelonForm equations_of(const PhaseSpace& p, const Ansatz& ansatz,
                          const std::vector<std::vector<MFraction>>& fields, const Budget& budget) {
   EchelonForm e;
@@ -306,11 +457,10 @@ EchelonForm equations_of(const PhaseSpace& p, const Ansatz& ansatz,
       numerators.push_back((c * MFraction(den)).num());
     std::map<std::vector<unsigned long>, SparseRow> rows;
     MPoly scale(p.field.ring, Integer(1));
-    const MPoly dw = derived(p, numerators, ansatz.denominator);
+    const auto columns = derived_columns(p, ansatz, numerators, budget);
     for (std::size_t j = 0; j < e.columns; ++j) {
       budget.check();
-      const MPoly& n = ansatz.numerators[j];
-      const MPoly d = ansatz.denominator * derived(p, numerators, n) - n * dw;
+      const MPoly& d = columns[j];
       MPoly here(p.field.ring, Integer(1));
       const auto column = p.coefficients(d, &here);
       // All columns over one denominator: what is there already is multiplied.
@@ -330,12 +480,41 @@ EchelonForm equations_of(const PhaseSpace& p, const Ansatz& ansatz,
   return e;
 }
 
+namespace {
+
+// The parts of each degree in the momenta, divided by the factors of their layers.
+std::optional<MPoly> without_layers(const PhaseSpace& p, const Ansatz& ansatz, const MPoly& f) {
+  if (ansatz.layers.empty()) return f;
+  std::vector<MPoly> parts(ansatz.layers.size(), MPoly(f.ring()));
+  for (const auto& [e, c] : by_monomials(p, f)) {
+    std::vector<unsigned long> exponents(f.ring()->size(), 0);
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < e.size(); ++i) {
+      exponents[p.variables[i]] = e[i];
+      if (p.momentum[i]) k += e[i];
+    }
+    if (k >= parts.size()) return std::nullopt;
+    parts[k] += c * MPoly::term(f.ring(), Integer(1), exponents);
+  }
+  MPoly sum(f.ring());
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const auto quotient = divides(ansatz.layers[k], parts[k]);
+    if (!quotient) return std::nullopt;
+    sum += *quotient;
+  }
+  return sum;
+}
+
+} // namespace
+
 std::optional<SparseRow> coordinates(const PhaseSpace& p, const Ansatz& ansatz,
                                      const MFraction& f) {
   const MFraction over = f * MFraction(ansatz.denominator);
   if (!is_parametric(p, over.den())) return std::nullopt;
+  const auto numerator = without_layers(p, ansatz, over.num());
+  if (!numerator) return std::nullopt;
   SparseRow row;
-  for (const auto& [m, c] : p.coefficients(over.num(), nullptr)) {
+  for (const auto& [m, c] : p.coefficients(*numerator, nullptr)) {
     const bool constant = std::all_of(m.begin(), m.end(), [](unsigned long k) { return k == 0; });
     if (constant && is_one(ansatz.denominator)) continue;
     const auto column = ansatz.column.find(m);

@@ -21,6 +21,9 @@ struct PhaseSpace {
   VectorField field;
   std::vector<std::size_t> variables; ///< coordinates and function symbols
   std::vector<bool> momentum; ///< is variables[i] a momentum?  none outside kind hamiltonian
+  /// Is variables[i] a coordinate that occurs in nothing but function symbols, an angle?  No ansatz
+  /// contains it.
+  std::vector<bool> angle;
   std::vector<std::size_t> parameters;  ///< with the algebraic constants
   std::optional<Ideal> relations;       ///< those between phase variables
   std::vector<MPoly> equations;         ///< between parameters: relations of the system
@@ -41,10 +44,12 @@ struct PhaseSpace {
   [[nodiscard]] bool vanishes(const ParameterSet& where, const MFraction& f) const;
 };
 
-/// H = p^T G p/2 + V(q) with a constant matrix G and polynomial V, in canonical coordinates.
+/// H = p^T G p/2 + a(q)·p + V(q) with a constant matrix G, in canonical coordinates.
 struct NaturalHamiltonian {
   MPoly determinant; ///< of G, up to a factor; the bounds below hold where it is not 0
-  long degree = 0;   ///< of V, for generic parameters: an upper bound for all of them
+  bool even = true;  ///< a = 0
+  /// a = 0 and V is a polynomial, of this degree for generic parameters: an upper bound for all.
+  std::optional<long> degree = {};
 };
 [[nodiscard]] std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p);
 
@@ -52,18 +57,26 @@ struct NaturalHamiltonian {
 struct AnsatzBounds {
   long degree = 0; ///< in the momenta; in all phase variables where there are none
   /// of the coefficients in the other variables; unset: by docs/theory/integrals.md, Theorem 2,
-  /// which needs a natural Hamiltonian
+  /// which needs a natural Hamiltonian with polynomial V
   std::optional<long> coefficients = {};
+  /// For natural Hamiltonians: beside momenta of the highest degree only what Theorem 2 leaves,
+  /// beside those of lower degrees the powers of the denominator that they need.
+  bool layered = false;
 };
 
 /// The columns of the linear problem.
 struct Ansatz {
   std::vector<MPoly> numerators;
-  MPoly denominator;                                        ///< W
+  MPoly denominator; ///< W
+  /// Beside momenta of degree k the numerators contain this factor of W; empty: none do.
+  std::vector<MPoly> layers = {};
+  std::vector<MPoly> monomials = {}; ///< the numerators without it
+  std::vector<long> powers = {};     ///< of the denominator of the system below them
   std::map<std::vector<unsigned long>, std::size_t> column; ///< of a monomial (variables only)
 };
-/// W: a power of the denominator of the system.
-[[nodiscard]] MPoly ansatz_denominator(const PhaseSpace& p, long degree);
+/// W: a power of the denominator of the system.  layered: for a natural Hamiltonian
+[[nodiscard]] MPoly ansatz_denominator(const PhaseSpace& p, long degree,
+                                       const NaturalHamiltonian* layered = nullptr);
 /// The degree of f in the phase variables; 0 for 0.
 [[nodiscard]] long degree_of(const PhaseSpace& p, const MPoly& f);
 /// Errors  OutOfBudget above 4000 unknowns

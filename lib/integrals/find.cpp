@@ -22,14 +22,7 @@ class Search {
 public:
   Search(const System& s, const IntegralOptions& o)
       : options_(o), space_(s, o.budget), natural_(natural_hamiltonian(space_)),
-        mechanical_(s.kind == SystemKind::hamiltonian) {
-    if (!mechanical_ && space_.field.poisson)
-      for (long k = 1; k <= options_.degree; ++k)
-        stages_.push_back({Stage::Kind::casimirs, k});
-    if (space_.field.hamiltonian) stages_.push_back({Stage::Kind::hamiltonian});
-    for (long k = 1; k <= options_.degree; ++k)
-      stages_.push_back({Stage::Kind::integrals, k});
-  }
+        mechanical_(s.kind == SystemKind::hamiltonian) {}
 
   IntegralSearch run() {
     ParameterSet all(space_.field.ring, space_.parameters, options_.budget);
@@ -47,8 +40,11 @@ public:
           space_.not_covered.end())
         result_.assumed.push_back(f);
     for (const auto& [where, natural] : by_metric(all)) {
+      const bool bounded = natural && natural_->degree;
       coefficients_ = options_.coefficients;
-      if (!natural && !coefficients_) coefficients_ = options_.degree;
+      if (!bounded && !coefficients_) coefficients_ = options_.degree;
+      layered_ = natural && !bounded;
+      plan_stages();
       start(where);
     }
     gather_elsewhere(all.equations());
@@ -60,13 +56,28 @@ private:
     enum class Kind : std::uint8_t { casimirs, hamiltonian, integrals };
     Kind kind;
     long degree = 0;
+    std::optional<long> coefficients = {};
   };
   struct State {
     ParameterSet where;
     std::vector<FoundIntegral> found;
     IndependentRows gradients;
+    std::vector<std::size_t> commuting = {}; ///< indices of integrals in involution
   };
   using Candidates = std::vector<FoundIntegral>;
+
+  void plan_stages() {
+    stages_.clear();
+    if (!mechanical_ && space_.field.poisson)
+      for (long k = 1; k <= options_.degree; ++k)
+        stages_.push_back({Stage::Kind::casimirs, k, coefficients_});
+    if (space_.field.hamiltonian) stages_.push_back({Stage::Kind::hamiltonian});
+    if (options_.until_integrable && coefficients_ && mechanical_)
+      for (long k = 1; k <= std::min(options_.degree, 2L) && k < *coefficients_; ++k)
+        stages_.push_back({Stage::Kind::integrals, k, k});
+    for (long k = 1; k <= options_.degree; ++k)
+      stages_.push_back({Stage::Kind::integrals, k, coefficients_});
+  }
 
   // The part on which Theorem 2 bounds the coefficients, and the rest.
   std::vector<std::pair<ParameterSet, bool>> by_metric(const ParameterSet& all) const {
@@ -82,9 +93,10 @@ private:
 
   std::string searched() const {
     const std::string d = std::to_string(options_.degree);
+    if (layered_) return searched_in_layers();
     const MPoly den = ansatz_denominator(space_, options_.degree);
     const long more = degree_of(space_, den);
-    const std::string over = more > 0 ? ", over " + to_string(den) : "";
+    const std::string over = more > 0 ? ", over " + brief(MFraction(den), 200) : "";
     if (!mechanical_)
       return "polynomials of degree <= " + std::to_string(options_.degree + more) +
              " in the phase variables" + over;
@@ -92,6 +104,19 @@ private:
     if (!coefficients_) return first;
     return first + ", their coefficients polynomials of degree <= " +
            std::to_string(*coefficients_ + more) + " in the other variables" + over;
+  }
+
+  // What Theorem 2 says of the highest part needs no words.
+  std::string searched_in_layers() const {
+    const long more = degree_of(space_, space_.denominator);
+    const std::string c = std::to_string(*coefficients_);
+    const std::string step = natural_->even ? "2" : "1";
+    std::string text = "polynomials of degree <= " + std::to_string(options_.degree) +
+                       " in the momenta, their other coefficients polynomials of degree <= " + c;
+    if (more == 0) return text + " in the other variables";
+    return text + " + " + std::to_string(more) + "*j over (" +
+           brief(MFraction(space_.denominator), 200) + ")^j, " + step +
+           "*j degrees below the highest one";
   }
 
   static bool same_answer(const IntegralsOfSet& a, const IntegralsOfSet& b) {
@@ -133,7 +158,8 @@ private:
     if (result_.sets.size() >= options_.max_sets)
       return conclude(std::move(s), "more than " + std::to_string(options_.max_sets) +
                                         " sets of parameter values");
-    if (stage == stages_.size()) return conclude(std::move(s));
+    if (stage == stages_.size() || (options_.until_integrable && is_integrable(s)))
+      return conclude(std::move(s));
     if (stages_[stage].kind != Stage::Kind::hamiltonian) return look(s, stage);
     const MFraction& value = *space_.field.hamiltonian;
     take(std::move(s), {{value, degree_in_momenta(value), false, true}}, stage + 1);
@@ -142,7 +168,11 @@ private:
   // The integrals of one degree, on each part of the set.
   void look(const State& s, std::size_t stage) {
     try {
-      const Ansatz ansatz = make_ansatz(space_, {stages_[stage].degree, coefficients_}, natural_);
+      const Stage& here = stages_[stage];
+      if (here.kind == Stage::Kind::casimirs && options_.until_integrable && has_all_casimirs(s))
+        return enter(s, stage + 1);
+      const Ansatz ansatz =
+          make_ansatz(space_, {here.degree, here.coefficients, layered_}, natural_);
       EchelonForm e = equations(s, ansatz, stages_[stage]);
       if (independent_modulo_a_prime(e)) return enter(s, stage + 1);
       for_each_kernel(
@@ -162,14 +192,23 @@ private:
 
   // Without the columns that known integrals allow to be left out.
   EchelonForm equations(const State& s, const Ansatz& ansatz, const Stage& stage) {
-    const auto fields = stage.kind == Stage::Kind::casimirs
-                            ? bracket_fields(space_.field)
-                            : std::vector<std::vector<MFraction>>{space_.field.components};
+    const auto fields = stage.kind == Stage::Kind::casimirs ? bracket_fields(space_.field)
+                                                            : fields_to_commute_with(s);
     EchelonForm e = equations_of(space_, ansatz, fields, options_.budget);
     EchelonForm known{e.columns, products(s, ansatz, stage.degree)};
     for (const std::size_t j : gauge_columns(s.where, std::move(known), options_.budget))
       e.rows.push_back({{j, MPoly(space_.field.ring, Integer(1))}});
     return e;
+  }
+
+  // That of the system, and of integrals that were chosen.
+  std::vector<std::vector<MFraction>> fields_to_commute_with(const State& s) const {
+    std::vector<std::vector<MFraction>> fields{space_.field.components};
+    if (options_.until_integrable && space_.field.poisson)
+      for (const std::size_t i : s.commuting)
+        if (const FoundIntegral& f = s.found[i]; !f.casimir && !f.hamiltonian)
+          fields.push_back(hamiltonian_field(space_.field, *space_.field.poisson, f.value));
+    return fields;
   }
 
   // Products of known integrals inside the ansatz, and 1 where it is no constant term there.
@@ -227,7 +266,7 @@ private:
         for (;;) {
           const auto answer =
               s.gradients.add(s.where, gradient(space_.field, f.value), options_.budget);
-          if (answer.taken) s.found.push_back(f);
+          if (answer.taken) add(s, f);
           if (!answer.split) break;
           if (const auto zero = s.where.where_zero(*answer.split); !zero.is_empty()) start(zero);
           s.where = s.where.where_nonzero(*answer.split);
@@ -238,6 +277,18 @@ private:
       return conclude(std::move(s), limit.what());
     }
     enter(std::move(s), stage);
+  }
+
+  void add(State& s, const FoundIntegral& f) const {
+    s.found.push_back(f);
+    if (space_.field.poisson && commutes(s.where, s.found, s.commuting, f))
+      s.commuting.push_back(s.found.size() - 1);
+  }
+  bool commutes(const ParameterSet& where, const std::vector<FoundIntegral>& all,
+                const std::vector<std::size_t>& chosen, const FoundIntegral& f) const {
+    return std::all_of(chosen.begin(), chosen.end(), [&](std::size_t j) {
+      return space_.vanishes(where, poisson_bracket(space_.field, f.value, all[j].value));
+    });
   }
 
   // By the formulas of lib/system.
@@ -253,13 +304,18 @@ private:
     set.searched = searched();
     set.equations = s.where.equations();
     set.open = std::move(open);
+    set.liouville = space_.field.poisson && is_liouville(s.where, s.found, s.commuting.size());
     set.integrals = std::move(s.found);
+    set.commuting = std::move(s.commuting);
+    if (set.commuting.size() > casimirs_of(set.integrals) + 1 && options_.until_integrable)
+      set.searched += ", in involution with those found";
     set.only_declared_relations = !space_.is_polynomial_ring();
-    set.complete = set.open.empty() && space_.is_polynomial_ring();
+    const bool ended_early = options_.until_integrable && set.liouville;
+    set.complete = set.open.empty() && space_.is_polynomial_ring() && !ended_early;
     set.complete_for_smooth = set.complete && natural_ && !coefficients_;
     try {
       set.inequations = s.where.proper_inequations();
-      if (space_.field.poisson) find_commuting(s.where, set);
+      if (space_.field.poisson && !set.liouville) find_commuting(s.where, set);
     } catch (const OutOfBudget& limit) {
       if (set.inequations.empty()) set.inequations = s.where.inequations();
       if (set.open.empty()) set.open = limit.what();
@@ -269,20 +325,31 @@ private:
 
   // The first set that the order of discovery gives, with the Hamiltonian in it.
   void find_commuting(const ParameterSet& where, IntegralsOfSet& set) const {
-    for (std::size_t i = 0; i < set.integrals.size(); ++i) {
-      const bool commutes =
-          std::all_of(set.commuting.begin(), set.commuting.end(), [&](std::size_t j) {
-            return space_.vanishes(where, poisson_bracket(space_.field, set.integrals[i].value,
-                                                          set.integrals[j].value));
-          });
-      if (commutes) set.commuting.push_back(i);
-    }
-    const auto casimirs =
-        static_cast<std::size_t>(std::count_if(set.integrals.begin(), set.integrals.end(),
-                                               [](const FoundIntegral& f) { return f.casimir; }));
+    std::vector<std::size_t> chosen;
+    for (std::size_t i = 0; i < set.integrals.size(); ++i)
+      if (commutes(where, set.integrals, chosen, set.integrals[i])) chosen.push_back(i);
+    if (chosen.size() < set.commuting.size()) return;
+    set.commuting = std::move(chosen);
+    set.liouville = is_liouville(where, set.integrals, set.commuting.size());
+  }
+
+  static std::size_t casimirs_of(const std::vector<FoundIntegral>& all) {
+    return static_cast<std::size_t>(
+        std::count_if(all.begin(), all.end(), [](const FoundIntegral& f) { return f.casimir; }));
+  }
+  bool is_liouville(const ParameterSet& where, const std::vector<FoundIntegral>& all,
+                    std::size_t commuting) const {
+    const std::size_t casimirs = casimirs_of(all);
     const std::size_t leaf = space_.field.dimension() - casimirs;
-    set.liouville = leaf % 2 == 0 && set.commuting.size() == casimirs + leaf / 2 &&
-                    bracket_has_rank(where, leaf);
+    return leaf % 2 == 0 && commuting == casimirs + leaf / 2 && bracket_has_rank(where, leaf);
+  }
+  // What the option wants.
+  bool is_integrable(const State& s) const {
+    return space_.field.poisson ? is_liouville(s.where, s.found, s.commuting.size())
+                                : s.found.size() + 1 >= space_.field.dimension();
+  }
+  bool has_all_casimirs(const State& s) const {
+    return bracket_has_rank(s.where, space_.field.dimension() - casimirs_of(s.found));
   }
 
   bool bracket_has_rank(const ParameterSet& where, std::size_t rank) const {
@@ -310,6 +377,7 @@ private:
   PhaseSpace space_;
   std::optional<NaturalHamiltonian> natural_;
   std::optional<long> coefficients_; ///< on the part that is looked at
+  bool layered_ = false;             ///< the ansatz, on that part
   bool mechanical_;
   std::vector<Stage> stages_;
   IntegralSearch result_;

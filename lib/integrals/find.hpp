@@ -19,6 +19,10 @@ struct IntegralOptions {
   /// a constant G and polynomial V, what is needed for a complete answer; else the same as
   /// `degree`.
   std::optional<long> coefficients = {};
+  /// For the question "integrable?": on each set the search ends as soon as Liouville's theorem
+  /// applies (without a bracket: one integral less than variables is known), what is cheap comes
+  /// first, and only integrals in involution with those chosen so far are looked for.
+  bool until_integrable = false;
   Budget budget = {};
   std::size_t max_sets = 200; ///< of parameter values
 };

@@ -3,6 +3,7 @@
 #include "exact/flint.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -124,9 +125,122 @@ MPoly splitting_factor(const ParameterSet& where, const std::vector<SparseRow>& 
 
 } // namespace
 
+namespace {
+
+constexpr double most_dense_work = 2e9; // products, of a matrix of numbers
+
+bool is_small(const EchelonForm& e) {
+  const auto columns = static_cast<double>(e.columns);
+  return static_cast<double>(e.rows.size()) * columns * columns <= most_dense_work;
+}
+
+bool is_numerical(const EchelonForm& e) {
+  return e.pivots.empty() && !e.rows.empty() && is_small(e) &&
+         std::all_of(e.rows.begin(), e.rows.end(), [](const SparseRow& row) {
+           return std::all_of(row.begin(), row.end(),
+                              [](const auto& entry) { return is_constant(entry.second); });
+         });
+}
+
+// Rows that are independent modulo a prime, hence over Q; almost always as many as can be.
+std::vector<std::size_t> independent_rows(const EchelonForm& e) {
+  const mp_limb_t p = 2305843009213693951UL; // 2^61 - 1
+  nmod_mat_t m;                              // the transposed matrix
+  nmod_mat_init(m, static_cast<slong>(e.columns), static_cast<slong>(e.rows.size()), p);
+  for (std::size_t i = 0; i < e.rows.size(); ++i)
+    for (const auto& [j, c] : e.rows[i])
+      nmod_mat_entry(m, j, i) = fmpz_fdiv_ui(c.coefficient(0).raw(), p);
+  const auto rank = static_cast<std::size_t>(nmod_mat_rref(m));
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0, column = 0; i < rank; ++i, ++column) {
+    while (nmod_mat_entry(m, i, column) == 0)
+      ++column;
+    rows.push_back(column);
+  }
+  nmod_mat_clear(m);
+  return rows;
+}
+
+/// Reduced echelon form of independent rows.
+class NumericalForm {
+public:
+  NumericalForm(const EchelonForm& e, const std::vector<std::size_t>& rows) : e_(e) {
+    fmpz_mat_init(m_, static_cast<slong>(rows.size()), static_cast<slong>(e.columns));
+    fmpz_init(den_);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const auto& [j, c] : e.rows[rows[i]])
+        fmpz_set(entry(i, j), c.coefficient(0).raw());
+    fmpz_mat_rref(m_, den_, m_);
+    std::size_t column = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i, ++column) {
+      while (fmpz_is_zero(entry(i, column)))
+        free_.push_back(column++);
+      pivots_.push_back(column);
+    }
+    for (; column < e.columns; ++column)
+      free_.push_back(column);
+  }
+  NumericalForm(const NumericalForm&) = delete;
+  NumericalForm& operator=(const NumericalForm&) = delete;
+  ~NumericalForm() {
+    fmpz_mat_clear(m_);
+    fmpz_clear(den_);
+  }
+
+  // The row is a combination of those that were reduced.
+  [[nodiscard]] bool spans(const SparseRow& row) const {
+    std::vector<Integer> dense(e_.columns);
+    for (const auto& [j, c] : row)
+      dense[j] = c.coefficient(0);
+    for (const std::size_t j : free_) {
+      Integer sum = -(dense[j] * denominator());
+      for (std::size_t i = 0; i < pivots_.size(); ++i)
+        if (!is_zero(dense[pivots_[i]]) && !fmpz_is_zero(entry(i, j)))
+          fmpz_addmul(sum.raw(), dense[pivots_[i]].raw(), entry(i, j));
+      if (!is_zero(sum)) return false;
+    }
+    return true;
+  }
+  [[nodiscard]] EchelonForm result(const ParameterSet& where) const {
+    EchelonForm done;
+    done.columns = e_.columns;
+    for (std::size_t i = 0; i < pivots_.size(); ++i) {
+      SparseRow row{{pivots_[i], MPoly(where.ring(), denominator())}};
+      for (const std::size_t j : free_)
+        if (!fmpz_is_zero(entry(i, j))) row.emplace(j, MPoly(where.ring(), Integer(entry(i, j))));
+      done.pivots.push_back({pivots_[i], restricted(where, row)});
+    }
+    return done;
+  }
+
+private:
+  [[nodiscard]] fmpz* entry(std::size_t i, std::size_t j) const {
+    return fmpz_mat_entry(m_, static_cast<slong>(i), static_cast<slong>(j));
+  }
+  [[nodiscard]] Integer denominator() const { return Integer(den_); }
+
+  const EchelonForm& e_;
+  fmpz_mat_t m_;
+  fmpz_t den_;
+  std::vector<std::size_t> pivots_, free_;
+};
+
+// Where no parameter occurs; unset: one does, or the prime was a bad one.
+std::optional<EchelonForm> eliminated_numbers(const ParameterSet& where, const EchelonForm& e) {
+  if (!is_numerical(e)) return std::nullopt;
+  const NumericalForm form(e, independent_rows(e));
+  if (!std::all_of(e.rows.begin(), e.rows.end(),
+                   [&](const SparseRow& row) { return form.spans(row); }))
+    return std::nullopt;
+  return form.result(where);
+}
+
+} // namespace
+
 void for_each_kernel(ParameterSet where, EchelonForm e, const KernelLeaf& leaf,
                      const Budget& budget) {
   restrict_rows(where, e.rows);
+  if (const auto done = eliminated_numbers(where, e)) return leaf(where, *done);
   for (;;) {
     take_pivots(where, e, budget);
     if (e.rows.empty()) return leaf(where, e);

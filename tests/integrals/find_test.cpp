@@ -231,5 +231,64 @@ TEST(Integrals, ContradictoryAssumptions) {
   EXPECT_THROW(static_cast<void>(find_integrals(s)), InvalidArgument);
 }
 
+System of(const std::string& text) { return read_system(parse_document(text, "test.toml")); }
+
+// Rational and algebraic potentials: the highest part is a Killing tensor, denominators come below.
+TEST(Integrals, PotentialsThatAreNoPolynomials) {
+  const auto search = [](const System& s, long degree) {
+    IntegralOptions options;
+    options.degree = degree;
+    options.until_integrable = true;
+    return find_integrals(s, options);
+  };
+  const auto is_integrable = [](const IntegralSearch& found) {
+    const auto& set = found.sets.empty() ? *found.elsewhere : found.sets.front();
+    return set.liouville;
+  };
+  EXPECT_TRUE(is_integrable(search(planar("(u^2 + v^2)/2 + 3/x^2 + 5/y^2 + x^2 + y^2"), 2)));
+  EXPECT_FALSE(is_integrable(search(planar("(u^2 + v^2)/2 + 3/x^2 + 5/y^2 + x^2 + 2*y^2*x"), 2)));
+  const std::string root = // r^2 = x^2 + y^2
+      "relations = ['r^2 = x^2 + y^2']\n[[system.function]]\nname = 'r'\n"
+      "derivative = {x = 'x/r', y = 'y/r'}\n";
+  const std::string two = "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\n"
+                          "momenta = ['u', 'v']\nhamiltonian = '(u^2 + v^2)/2 + ";
+  EXPECT_TRUE(is_integrable(search(of(two + "1/r + x'\n" + root), 2))); // Stark
+  EXPECT_FALSE(is_integrable(search(of(two + "1/r + x^2'\n" + root), 2)));
+  const std::string cube =
+      "relations = ['w^3 = x']\n[[system.function]]\nname = 'w'\nderivative = {x = '1/(3*w^2)'}\n";
+  EXPECT_TRUE( // Holt: a cubic integral
+      is_integrable(search(of(two + "3/4*w^4 + (y^2 + 2)/w^2'\n" + cube), 3)));
+}
+
+// Momentum first, then what commutes with it: n integrals in involution, and not only n of them.
+TEST(Integrals, TheSearchForIntegrabilityAsksForInvolution) {
+  const System s = of(
+      "system = {kind = 'hamiltonian', coordinates = ['x', 'y', 'z'], momenta = ['u', 'v', 'w'], "
+      "hamiltonian = '(u^2 + v^2 + w^2)/2 + 1/(x-y)^2 + 1/(y-z)^2 + 1/(z-x)^2'}");
+  IntegralOptions options;
+  options.degree = 3;
+  options.until_integrable = true;
+  const auto found = find_integrals(s, options);
+  ASSERT_EQ(found.sets.size(), 1U);
+  EXPECT_TRUE(found.sets.front().liouville);
+  EXPECT_EQ(found.sets.front().commuting.size(), 3U);
+  EXPECT_FALSE(found.sets.front().complete); // there are others, not in involution
+}
+
+// Angles stay out of the ansatz; the sum of the momenta is found all the same.
+TEST(Integrals, Angles) {
+  const System s = of(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['f', 'g']\nmomenta = ['p', 'q']\n"
+      "hamiltonian = '(p^2 - 2*p*q*c + 2*q^2)/(2*(1 + s^2))'\nrelations = ['s^2 + c^2 = 1']\n"
+      "[[system.function]]\nname = 's'\nmeans = 'sin(f - g)'\nderivative = {f = 'c', g = '-c'}\n"
+      "[[system.function]]\nname = 'c'\nmeans = 'cos(f - g)'\nderivative = {f = '-s', g = 's'}\n");
+  IntegralOptions options;
+  options.degree = 2;
+  options.until_integrable = true;
+  const auto found = find_integrals(s, options);
+  ASSERT_EQ(found.sets.size(), 1U);
+  EXPECT_TRUE(found.sets.front().liouville);
+}
+
 } // namespace
 } // namespace kov
