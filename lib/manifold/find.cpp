@@ -43,6 +43,8 @@ std::vector<std::uint32_t> masks(const MPoly& f, const std::vector<std::size_t>&
 
 constexpr std::size_t most_for_subspaces = 16;  // 2^n subsets
 constexpr std::size_t most_for_involutions = 8; // about n! / (n/2)! pairings with signs
+constexpr std::size_t most_for_all_involutions = 6;
+constexpr std::size_t most_intersections = 24;
 
 void require_few(const char* what, std::size_t n, std::size_t most) {
   if (n > most)
@@ -107,6 +109,45 @@ void involutions(std::size_t j, Involution& s, std::vector<Involution>& all) {
     }
     s.sign[j] = 0;
   }
+}
+
+std::vector<Involution> involutions(std::size_t n) {
+  Involution s{std::vector<std::size_t>(n), std::vector<int>(n, 0)};
+  std::vector<Involution> all;
+  involutions(0, s, all);
+  return all;
+}
+
+// a on the first variables, a again, b on those that follow.
+Involution joined(const Involution& a, const Involution& b) {
+  Involution s = a;
+  for (const Involution* next : {&a, &b}) {
+    const std::size_t shift = s.image.size();
+    for (const std::size_t j : next->image)
+      s.image.push_back(j + shift);
+    s.sign.insert(s.sign.end(), next->sign.begin(), next->sign.end());
+  }
+  return s;
+}
+
+// Of few variables all; of many those that do the same to coordinates and momenta.
+std::vector<Involution> candidates(const VectorField& v, const Extended& x) {
+  const std::size_t n = v.coordinates.size();
+  if (x.variables.size() <= most_for_all_involutions || n % 2 != 0)
+    return involutions(x.variables.size());
+  std::vector<Involution> all;
+  const auto of_functions = involutions(v.functions.size());
+  for (const Involution& a : involutions(n / 2))
+    for (const Involution& b : of_functions)
+      all.push_back(joined(a, b));
+  return all;
+}
+
+// What is listed then is short enough.
+bool are_few(const VectorField& v, const Extended& x) {
+  const std::size_t n = v.coordinates.size();
+  return x.variables.size() <= most_for_involutions ||
+         (n % 2 == 0 && n / 2 <= 4 && v.functions.size() <= 4);
 }
 
 /// The values of the components at a point modulo a prime; unset when a denominator vanishes.
@@ -187,10 +228,8 @@ std::vector<FoundManifold> fixed_sets(const VectorField& v, const Extended& x,
                                       const Budget& budget) {
   std::vector<FoundManifold> found;
   const std::size_t n = x.variables.size();
-  require_few("fixed sets of involutions", n, most_for_involutions);
-  Involution s{std::vector<std::size_t>(n), std::vector<int>(n, 0)};
-  std::vector<Involution> all;
-  involutions(0, s, all);
+  if (!are_few(v, x)) require_few("fixed sets of involutions", n, most_for_involutions);
+  const std::vector<Involution> all = candidates(v, x);
   const ModularField field(v, x);
   Involution identity{std::vector<std::size_t>(n), std::vector<int>(n, 1)};
   for (std::size_t j = 0; j < n; ++j)
@@ -254,6 +293,53 @@ std::vector<FoundManifold> lines(const VectorField& v) {
   return found;
 }
 
+// u = exp(a·q): the vector a, if its entries are constants of the field.
+std::optional<std::vector<MFraction>> exponent(const VectorField& v, const FunctionSymbol& u) {
+  std::vector<MFraction> a;
+  for (const MFraction& slope : u.gradient) {
+    a.push_back(slope / MFraction::variable(v.ring, u.variable));
+    for (const std::size_t i : used_variables(a.back()))
+      if (std::find(v.parameters.begin(), v.parameters.end(), i) == v.parameters.end())
+        return std::nullopt;
+  }
+  return a;
+}
+
+// exp(a·q) and exp(b·q) in a constant ratio: (a - b)·q' = 0, and the ratio is such that this stays.
+std::optional<FoundManifold> constant_ratio(const VectorField& v, const FunctionSymbol& f,
+                                            const FunctionSymbol& g) {
+  const auto a = exponent(v, f);
+  const auto b = exponent(v, g);
+  if (!a || !b) return std::nullopt;
+  MFraction speed(v.ring);
+  for (std::size_t j = 0; j < v.dimension(); ++j)
+    speed += ((*a)[j] - (*b)[j]) * v.components[j];
+  const MFraction force = lie_derivative(v, speed);
+  const MFraction by_f = derivative(force, f.variable);
+  const MFraction by_g = derivative(force, g.variable);
+  if (is_zero(speed) || is_zero(by_f) || is_zero(by_g)) return std::nullopt;
+  const MFraction x = MFraction::variable(v.ring, f.variable);
+  const MFraction y = MFraction::variable(v.ring, g.variable);
+  if (!is_zero(force - by_f * x - by_g * y)) return std::nullopt;
+  const MFraction ratio = -(by_f / by_g);
+  if (used_variables(speed.num()).empty() || uses(ratio, f.variable) || uses(ratio, g.variable))
+    return std::nullopt;
+  FoundManifold m;
+  m.kind = "exponentials in a constant ratio";
+  m.equations = {{MFraction(speed.num()), to_string(speed.num()) + " = 0"},
+                 {y - ratio * x, v.ring->name(g.variable) + " = " + to_string(ratio * x)}};
+  return m;
+}
+
+std::vector<FoundManifold> constant_ratios(const VectorField& v) {
+  std::vector<FoundManifold> found;
+  for (std::size_t i = 0; i < v.functions.size(); ++i)
+    for (std::size_t j = i + 1; j < v.functions.size(); ++j)
+      if (auto m = constant_ratio(v, v.functions[i], v.functions[j]))
+        found.push_back(*std::move(m));
+  return found;
+}
+
 // Integrals that are independent on the set: the rank of their gradients along it grows with each at
 // one point with random rational coordinates (not more than the rank, and almost always the rank).
 std::vector<std::size_t> independent_integrals(const VectorField& v,
@@ -284,13 +370,28 @@ std::vector<std::size_t> independent_integrals(const VectorField& v,
   return independent;
 }
 
-Substitution solve(const FoundManifold& m) {
+bool is_constant_of(const VectorField& v, std::size_t i) {
+  const auto in = [i](const std::vector<std::size_t>& all) {
+    return std::find(all.begin(), all.end(), i) != all.end();
+  };
+  return in(v.parameters) || in(v.constants);
+}
+
+Substitution solve(const VectorField& v, const FoundManifold& m) {
   Substitution solved; // the equations are x = 0 or x = c y
   for (const auto& e : m.equations) {
-    const std::size_t i = used_variables(e.difference).front();
-    const MFraction x = MFraction::variable(e.difference.ring(), i);
-    const MFraction c = derivative(e.difference, i);
-    solved[i] = x - e.difference / c;
+    const MFraction f = substitute(e.difference, solved);
+    if (is_zero(f)) continue;
+    const auto used = used_variables(f);
+    const auto first = std::find_if(used.begin(), used.end(),
+                                    [&](std::size_t i) { return !is_constant_of(v, i); });
+    if (first == used.end()) continue;
+    const std::size_t i = *first;
+    const MFraction x = MFraction::variable(f.ring(), i);
+    const Substitution step{{i, x - f / derivative(f, i)}};
+    for (auto& [j, value] : solved)
+      value = substitute(value, step);
+    solved.insert(*step.begin());
   }
   return solved;
 }
@@ -328,7 +429,28 @@ public:
   }
   FoundManifolds result() && { return std::move(result_); }
 
+  // Sets whose levels are no curves yet, two at a time, and again what comes out.
+  void intersect() {
+    for (std::size_t i = 1; i < result_.proved.size() && i < most_intersections; ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const FoundManifold& a = result_.proved[i];
+        const FoundManifold& b = result_.proved[j];
+        if (a.equilibria || b.equilibria || a.leaf_dimension() <= 1 || b.leaf_dimension() <= 1)
+          continue;
+        look([&] { return std::vector<FoundManifold>{both(a, b)}; });
+      }
+  }
+
 private:
+  [[nodiscard]] FoundManifold both(const FoundManifold& a, const FoundManifold& b) const {
+    FoundManifold m;
+    m.kind = "intersection of two invariant sets";
+    m.equations = a.equations;
+    for (const Equation& e : b.equations) // those that say something new
+      if (!is_zero(substitute(e.difference, solve(v_, m)))) m.equations.push_back(e);
+    return m;
+  }
+
   void prove(FoundManifold& m) {
     budget_.check();
     std::vector<MPoly> generators;
@@ -345,7 +467,7 @@ private:
     if (m.dimension == 0) return;
     m.equilibria = std::all_of(v_.components.begin(), v_.components.end(),
                                [&](const MFraction& c) { return is_zero_modulo(c, ideal); });
-    m.independent = independent_integrals(v_, integrals_, solve(m));
+    m.independent = independent_integrals(v_, integrals_, solve(v_, m));
     m.integrals = static_cast<int>(m.independent.size());
     result_.proved.push_back(std::move(m));
   }
@@ -366,6 +488,8 @@ FoundManifolds find_manifolds(const VectorField& v, const std::vector<MFraction>
   prover.look([&] { return coordinate_subspaces(v, x, budget); });
   prover.look([&] { return fixed_sets(v, x, budget); });
   prover.look([&] { return lines(v); });
+  prover.look([&] { return constant_ratios(v); });
+  prover.intersect();
   FoundManifolds found = std::move(prover).result();
   auto& proved = found.proved;
   std::stable_sort(proved.begin(), proved.end(),

@@ -6,6 +6,8 @@
 //   lines                 {q2 = s q1, p2 = s p1} of systems with two degrees of freedom (Darboux
 //   points
 //                         of homogeneous potentials among them)
+//   ratios                {exp(a.q) = s exp(b.q), (a - b).q' = 0}
+//   intersections         of two of these sets
 //
 // Each set found is proved invariant; nothing is claimed about completeness.
 //
