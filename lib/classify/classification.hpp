@@ -64,6 +64,7 @@ struct SystemClassification {
   bool liouville = true; ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
   std::vector<std::pair<std::string, double>> stages; ///< what took how many seconds
   double seconds = 0;
+  std::string at_work; ///< on the way: the stage that begins
 
   [[nodiscard]] ClassificationStatus status() const;
 };
@@ -73,6 +74,8 @@ struct SystemClassification {
 /// "b = 6", "b = 1, A = B": the strata with one of these, in few pieces.
 [[nodiscard]] std::vector<std::string> places(const SystemClassification& c,
                                               const std::vector<StratumStatus>& wanted);
+/// The theorem as one sentence.
+[[nodiscard]] std::string statement(const SystemClassification& c);
 /// The conditions of a stratum besides the assumptions, each as text; empty: all parameters.
 [[nodiscard]] std::vector<std::string> conditions(const SystemClassification& c,
                                                   const ClassifiedStratum& s);

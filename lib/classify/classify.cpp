@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace kov {
 namespace {
@@ -18,7 +19,9 @@ namespace {
 using Clock = Budget::Clock;
 
 constexpr std::size_t most_pieces = 200; // of one round of solutions
+constexpr std::size_t most_compared = 8; // integrable strata with one exclusion
 constexpr double set_work = 1e6;         // in the ideals of sets of parameters
+constexpr long low_degree = 2;           // of the integrals that are looked for first
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -73,20 +76,22 @@ std::optional<Piece> on_part(const Piece& piece, ParameterSet part) {
 
 /// One system with its solutions and integrals, on some pieces of the parameters.
 struct Round {
-  const System& system;
-  const std::vector<ClaimReport>& claims;
+  System system;
+  std::vector<ClaimReport> claims;
   std::vector<KnownLevel> levels;
   Piece whole;
   std::vector<Piece> pieces = {whole};
   std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
   bool integrals_known = false;     ///< for all of these parameters, from a round before
+  std::size_t decided = 0;          ///< strata that were there before
 };
 
 class Composition {
 public:
   Composition(const System& s, const ClassifyOptions& options) : options_(options) {
     start_ = Clock::now();
-    LevelledSystem levelled = with_levels(s, decide_claims(s, options.check));
+    const System known = options.search_solutions ? with_found_integrals(s, share(0.1)) : s;
+    LevelledSystem levelled = with_levels(known, decide_claims(known, options.check));
     system_ = without_levels_fixed(std::move(levelled.system));
     claims_ = std::move(levelled.claims);
     levels_ = std::move(levelled.levels);
@@ -95,8 +100,19 @@ public:
   SystemClassification run() {
     result_.liouville = system_.field.poisson.has_value();
     result_.on_leaves = result_.liouville && system_.kind != SystemKind::hamiltonian;
-    study({system_, claims_, levels_, {all_parameters(), {}, {}}});
-    finish();
+    waiting_.push_back({system_, claims_, levels_, {all_parameters(), {}, {}}});
+    try {
+      while (!waiting_.empty()) {
+        Round next = std::move(waiting_.back());
+        waiting_.pop_back();
+        study(std::move(next));
+      }
+      finish();
+    } catch (const OutOfBudget& limit) {
+      result_ = std::move(so_far_);
+      result_.at_work.clear();
+      result_.notes.push_back(std::string(limit.what()) + ": the rest counts as open");
+    }
     return std::move(result_);
   }
 
@@ -188,17 +204,49 @@ private:
   // ---- one round
 
   void study(Round round) {
-    const std::size_t decided = result_.strata.size();
-    try_solutions(round);
-    try_darboux_points(round);
+    const std::size_t decided = round.decided = result_.strata.size();
+    if (!round.integrals_known && begins(round, "integrals of low degree"))
+      try_integrals_of_low_degree(round, decided);
+    if (begins(round, "solutions")) try_solutions(round);
+    if (begins(round, "Darboux points")) try_darboux_points(round);
     if (round.pieces.empty())
       look_for_a_contradiction(round, decided);
-    else
+    else if (begins(round, "integrals"))
       try_integrals(round, decided);
-    for (const Exclusion& e : round.late)
-      exclude(round, e);
+    if (begins(round, "exceptions"))
+      for (const Exclusion& e : round.late)
+        exclude(round, e);
+    tell(round, "");
+    const std::size_t later = waiting_.size();
     for (Piece& piece : round.pieces)
       again(round, std::move(piece));
+    std::reverse(waiting_.begin() + static_cast<long>(later), waiting_.end()); // the first is next
+  }
+
+  // Tells what is known; false: the stage is to be left out.
+  bool begins(Round& round, const std::string& stage) {
+    std::string name = stage;
+    for (const MPoly& p : round.whole.where.equations())
+      name += ", " + to_string(p) + " = 0";
+    tell(round, name);
+    const auto& skip = options_.skip;
+    if (std::find(skip.begin(), skip.end(), name) == skip.end()) return true;
+    for (Piece& p : round.pieces)
+      note(p, name, "left out, as it did not end in time");
+    return false;
+  }
+
+  // What is proved so far, the rest open.
+  void tell(const Round& round, const std::string& next) {
+    SystemClassification kept = result_;
+    result_.at_work = next;
+    for (const Piece& piece : round.pieces)
+      leave_open(piece);
+    for (const Round& later : waiting_)
+      leave_open(later.whole);
+    finish();
+    so_far_ = std::exchange(result_, std::move(kept));
+    if (options_.so_far) options_.so_far(so_far_);
   }
 
   void try_solutions(Round& round) {
@@ -209,7 +257,8 @@ private:
     std::size_t left = solutions.manifolds.size();
     for (const ManifoldSpec& m : solutions.manifolds) {
       if (round.pieces.empty()) return;
-      try_solution(round, m, 0.7 / static_cast<double>(left--));
+      if (begins(round, m.name)) try_solution(round, m, 0.4 / static_cast<double>(left));
+      --left;
     }
     for (Piece& p : round.pieces) {
       for (const std::string& limit : solutions.left_out)
@@ -226,7 +275,7 @@ private:
     check.decide.budget = share(part);
     const ManifoldReport report = check_manifold(round.system, m, round.claims, check);
     result_.stages.emplace_back(m.name, seconds_since(start));
-    if (report.failure && is_of_the_file(m.name) && &round.system == &system_)
+    if (report.failure && is_of_the_file(m.name) && is_the_first(round))
       add_once(result_.notes,
                "the file's manifold " + m.name + " was not used: " + report.failure->message);
     for (Exclusion& e : exclusions(round.system, report, level_parameters(round.system)))
@@ -251,6 +300,10 @@ private:
     result_.stages.emplace_back("Darboux points", seconds_since(start));
   }
 
+  // Later rounds have fewer parameters.
+  [[nodiscard]] bool is_the_first(const Round& round) const {
+    return round.system.field.parameters.size() == system_.field.parameters.size();
+  }
   [[nodiscard]] bool is_of_the_file(const std::string& manifold) const {
     return std::any_of(system_.manifolds.begin(), system_.manifolds.end(),
                        [&](const ManifoldSpec& m) { return m.name == manifold; });
@@ -267,6 +320,7 @@ private:
   }
 
   void exclude(Round& round, const Exclusion& e) {
+    contradict_no_integrals(round, e);
     std::vector<Piece> left;
     for (Piece& piece : round.pieces) {
       if (left.size() > most_pieces) {
@@ -311,15 +365,37 @@ private:
 
   // ---- first integrals
 
-  void try_integrals(Round& round, std::size_t decided) {
-    if (round.integrals_known) return;
+  IntegralSearch search_integrals(const System& s, long degree, double part) {
     const auto start = Clock::now();
     IntegralOptions options;
-    options.degree = options_.degree;
-    options.budget = share(0.5);
-    const IntegralSearch search = find_integrals(round.system, options);
+    options.degree = degree;
+    options.until_integrable = true;
+    options.budget = share(part);
+    IntegralSearch search = find_integrals(s, options);
+    result_.stages.emplace_back("first integrals of degree <= " + std::to_string(degree),
+                                seconds_since(start));
+    return search;
+  }
+
+  // Where they are enough no particular solution needs to be studied.
+  void try_integrals_of_low_degree(Round& round, std::size_t decided) {
+    if (round.integrals_known) return;
+    IntegralSearch search =
+        search_integrals(round.system, std::min(options_.degree, low_degree), 0.25);
+    for (const IntegralsOfSet& set : search.sets)
+      if (is_enough(round.system, set)) {
+        std::vector<Piece> none;
+        take_integrals(round, set, search.not_covered, decided, none);
+        std::move(none.begin(), none.end(), std::back_inserter(round.pieces));
+      }
+    if (search.elsewhere && is_enough(round.system, *search.elsewhere))
+      take_elsewhere(round, *search.elsewhere, search.not_covered);
+  }
+
+  void try_integrals(Round& round, std::size_t decided) {
+    if (round.integrals_known) return;
+    const IntegralSearch search = search_integrals(round.system, options_.degree, 0.5);
     round.integrals_known = search.finished();
-    result_.stages.emplace_back("first integrals", seconds_since(start));
     std::vector<Piece> met;
     for (const IntegralsOfSet& set : search.sets)
       take_integrals(round, set, search.not_covered, decided, met);
@@ -330,17 +406,15 @@ private:
   // Everything is excluded: integrals of low degree would say that something is wrong.
   void look_for_a_contradiction(const Round& round, std::size_t decided) {
     if (round.integrals_known || result_.strata.size() == decided) return;
-    IntegralOptions options;
-    options.degree = std::min(options_.degree, 2L);
-    options.budget = share(0.1);
-    for (const IntegralsOfSet& set : find_integrals(round.system, options).sets)
+    for (const IntegralsOfSet& set :
+         search_integrals(round.system, std::min(options_.degree, low_degree), 0.1).sets)
       if (is_enough(round.system, set))
         contradict_nothing(conditions_of(set, {}), set, round.system, decided);
   }
 
   // As many as Liouville's theorem wants; without a bracket all but one of them.
   static bool is_enough(const System& s, const IntegralsOfSet& set) {
-    return s.field.poisson ? set.liouville : set.integrals.size() + 1 == s.field.dimension();
+    return s.field.poisson ? set.liouville : set.integrals.size() + 1 >= s.field.dimension();
   }
 
   static Exclusion conditions_of(const IntegralsOfSet& set, const std::vector<MPoly>& not_covered) {
@@ -360,7 +434,7 @@ private:
     const bool enough = is_enough(round.system, set);
     if (enough) {
       contradict_nothing(where, set, round.system, decided);
-      integrable(round, set, where);
+      integrable(round, set, where, decided);
     }
     std::vector<Piece> left;
     for (Piece& piece : round.pieces) {
@@ -410,15 +484,32 @@ private:
     return integrals;
   }
 
-  // The whole set, as it was found: no excluded stratum meets it.
-  void integrable(const Round& round, const IntegralsOfSet& set, const Exclusion& where) {
+  // The whole set, as it was found: no excluded stratum meets it.  Where a search before has found
+  // integrals on some of it, only what is left.
+  void integrable(const Round& round, const IntegralsOfSet& set, const Exclusion& where,
+                  std::size_t decided) {
     const auto integrals = integrals_of(round.system, set);
-    const SetParts parts =
-        split_set(round.whole.where, where.zero, where.not_all_zero, may_vanish(round.system));
-    for (const ParameterSet& inside : parts.inside)
-      if (auto part = on_part(round.whole, inside))
-        result_.strata.push_back({std::move(part->where), std::move(part->special),
-                                  StratumStatus::integrable, integrals});
+    const auto add = [&](const Piece& piece) {
+      const SetParts parts =
+          split_set(piece.where, where.zero, where.not_all_zero, may_vanish(round.system));
+      for (const ParameterSet& inside : parts.inside)
+        if (auto part = on_part(piece, inside))
+          result_.strata.push_back({std::move(part->where), std::move(part->special),
+                                    StratumStatus::integrable, integrals});
+    };
+    if (!meets_integrable(round.system, where, decided)) return add(round.whole);
+    for (const Piece& piece : round.pieces)
+      add(piece);
+  }
+
+  [[nodiscard]] bool meets_integrable(const System& s, const Exclusion& where,
+                                      std::size_t decided) const {
+    return std::any_of(
+        result_.strata.begin() + static_cast<long>(decided), result_.strata.end(),
+        [&](const ClassifiedStratum& x) {
+          return x.status == StratumStatus::integrable &&
+                 !split_set(x.where, where.zero, where.not_all_zero, may_vanish(s)).inside.empty();
+        });
   }
 
   static std::string searched_text(const IntegralsOfSet& set) {
@@ -451,6 +542,28 @@ private:
     }
   }
 
+  // The same where the integrals came first.
+  void contradict_no_integrals(const Round& round, const Exclusion& e) const {
+    const System& s = round.system;
+    if (!e.by.unchecked.empty() || !e.by.without.empty() || !s.field.functions.empty()) return;
+    std::size_t looked_at = 0;
+    for (std::size_t i = round.decided; i < result_.strata.size() && looked_at < most_compared;
+         ++i) {
+      const ClassifiedStratum& x = result_.strata[i];
+      if (x.status != StratumStatus::integrable) continue;
+      ++looked_at;
+      try {
+        for (const ParameterSet& common :
+             split_set(x.where, e.zero, e.not_all_zero, may_vanish(s)).inside) {
+          auto piece = on_part({x.where, x.special, {}}, common);
+          if (piece && e.unless) piece = with_condition(*std::move(piece), negation(*e.unless));
+          KOV_ENSURE(!piece || !piece->special.empty()); // integrable, and proved not to be
+        }
+      } catch (const OutOfBudget&) { // not compared
+      }
+    }
+  }
+
   // ---- the next round
 
   // Where equations hold the system is a special one, and all is done again.
@@ -465,10 +578,11 @@ private:
       System special = kov::at_values(round.system, values);
       for (const MPoly& p : piece.where.inequations())
         assume_nonzero(special, substitute(p, values));
-      const auto claims = kov::at_values(round.claims, values);
-      Round next{special, claims, at_values(round.levels, values, claims), std::move(piece)};
+      auto claims = kov::at_values(round.claims, values);
+      auto levels = at_values(round.levels, values, claims);
+      Round next{std::move(special), std::move(claims), std::move(levels), std::move(piece)};
       next.integrals_known = round.integrals_known;
-      study(std::move(next));
+      waiting_.push_back(std::move(next));
     } catch (const DomainError& e) {
       note(piece, "the equations of the parameters", e.what());
       leave_open(std::move(piece));
@@ -536,7 +650,9 @@ private:
   System system_; ///< with names for levels
   std::vector<ClaimReport> claims_;
   std::vector<KnownLevel> levels_;
+  std::vector<Round> waiting_; ///< parts of the parameters that were not studied yet
   SystemClassification result_;
+  SystemClassification so_far_; ///< what result_ was at the end of a stage, the rest open
   Clock::time_point start_;
 };
 

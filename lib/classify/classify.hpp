@@ -9,12 +9,19 @@
 #include "classify/classification.hpp"
 #include "integrability/check.hpp"
 
+#include <functional>
+
 namespace kov {
 
 struct ClassifyOptions {
   CheckOptions check;           ///< its deadline is that of the whole
   long degree = 4;              ///< of the first integrals that are looked for
   bool search_solutions = true; ///< also manifolds that the file does not name
+  /// Stages that are left out, by the names that `at_work` gives them: of a run before that they
+  /// kept from ending.
+  std::vector<std::string> skip = {};
+  /// Called before each stage with what is proved so far; the rest is open there.
+  std::function<void(const SystemClassification&)> so_far = {};
 };
 
 /// Every limit ends in open strata.

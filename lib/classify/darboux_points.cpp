@@ -1,5 +1,6 @@
 #include "classify/darboux_points.hpp"
 
+#include "classify/components.hpp"
 #include "exact/error.hpp"
 #include "literature/literature.hpp"
 #include "special/potential.hpp"
@@ -224,22 +225,29 @@ std::vector<MPoly> eigenvalue_polynomial(const Chart& c, long k) {
       resultant(c.g, circle * c.derivative_of_g0 - l * MPoly(c.ring, Integer(k)) * c.v, c.w), c.l);
 }
 
-// The equations for these eigenvalues.
-std::vector<MPoly> equations(const std::vector<MPoly>& chi, const std::vector<Rational>& choice) {
-  std::vector<Rational> wanted{Rational(1)}; // ascending
-  for (const Rational& value : choice) {
-    std::vector<Rational> next(wanted.size() + 1, Rational(0));
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      next[i + 1] = next[i + 1] + wanted[i];
-      next[i] = next[i] - value * wanted[i];
-    }
-    wanted = std::move(next);
-  }
-  KOV_ENSURE(chi.size() == wanted.size());
+MPoly at(const std::vector<MPoly>& polynomial, const Rational& value) {
+  MFraction sum(polynomial.front().ring());
+  for (std::size_t i = polynomial.size(); i-- > 0;)
+    sum = sum * MFraction(sum.ring(), value) + MFraction(polynomial[i]);
+  return sum.num();
+}
+
+std::vector<MPoly> derivative_of(const std::vector<MPoly>& polynomial) {
   std::vector<MPoly> all;
-  for (std::size_t i = 0; i + 1 < chi.size(); ++i) {
-    const MFraction difference = MFraction(chi[i]) - wanted[i] * MFraction(chi.back());
-    if (!is_zero(difference)) all.push_back(difference.num());
+  for (std::size_t i = 1; i < polynomial.size(); ++i)
+    all.push_back(polynomial[i] * MPoly(polynomial[i].ring(), Integer(static_cast<long>(i))));
+  return all;
+}
+
+// The equations for these eigenvalues, ascending: each is a zero of chi with its multiplicity.
+// They fall into factors where some direction is rational in the parameters.
+std::vector<MPoly> equations(const std::vector<MPoly>& chi, const std::vector<Rational>& choice) {
+  KOV_ENSURE(chi.size() == choice.size() + 1);
+  std::vector<MPoly> all;
+  std::vector<MPoly> derived = chi;
+  for (std::size_t i = 0; i < choice.size(); ++i) {
+    derived = i > 0 && choice[i] == choice[i - 1] ? derivative_of(derived) : chi;
+    all.push_back(at(derived, choice[i]));
   }
   return all;
 }
@@ -253,23 +261,6 @@ std::string text_of(const std::vector<std::vector<Rational>>& choices) {
     text += "}";
   }
   return text.empty() ? "none" : text;
-}
-
-// The same zeros where none of `nonzero` vanishes, in few and simple polynomials; {1}: there are none.
-std::vector<MPoly> simplified(const std::vector<MPoly>& equations,
-                              const std::vector<MPoly>& nonzero, const Budget& budget) {
-  if (equations.empty()) return equations;
-  std::vector<std::size_t> variables;
-  for (std::size_t i = 0; i < equations.front().ring()->size(); ++i)
-    if (std::any_of(equations.begin(), equations.end(),
-                    [&](const MPoly& p) { return uses(p, i); }) ||
-        std::any_of(nonzero.begin(), nonzero.end(), [&](const MPoly& p) { return uses(p, i); }))
-      variables.push_back(i);
-  const Ideal ideal(equations.front().ring(), variables, equations, nonzero, budget);
-  std::vector<MPoly> all;
-  for (const KPoly& g : ideal.basis())
-    all.push_back(squarefree_part(ideal.from_kpoly(g).num()));
-  return all;
 }
 
 MPoly back(const MPoly& p, const Ring& ring) { return transfer(MFraction(p), ring).num(); }
@@ -294,11 +285,12 @@ std::optional<Exclusion> exclusion(const System& s, const PlanarPotential& p, co
   if (!is_constant(p.mass)) e.not_all_zero.push_back({p.mass});
   for (const MPoly& f : conditions)
     e.not_all_zero.push_back({back(f, s.ring())});
-  for (const auto& choice : choices) {
-    e.not_all_zero.emplace_back();
-    for (const MPoly& f : simplified(equations(chi, choice), conditions, budget))
-      e.not_all_zero.back().push_back(back(f, s.ring()));
-  }
+  for (const auto& choice : choices)
+    for (const auto& component : components(equations(chi, choice), conditions, budget)) {
+      e.not_all_zero.emplace_back();
+      for (const MPoly& f : component)
+        e.not_all_zero.back().push_back(back(f, s.ring()));
+    }
   e.by.solution =
       "the Darboux points of the part of degree " + std::to_string(p.k) + " of the potential";
   e.by.level = "energy not 0";

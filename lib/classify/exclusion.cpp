@@ -2,6 +2,7 @@
 
 #include "decide/words.hpp"
 #include "exact/error.hpp"
+#include "integrability/matrices.hpp"
 #include "strata/words.hpp"
 
 #include <algorithm>
@@ -287,6 +288,35 @@ std::vector<Exclusion> of_block(const System& s, const BlockReport& block,
   return all;
 }
 
+// Of the whole variational equation: all parameters but levels have values there.
+Exclusion by_matrices(const ManifoldReport& report) {
+  Exclusion e;
+  e.by.reason = reason(*report.matrices);
+  e.by.level = report.matrices->level;
+  if (report.integrals != IntegralClass::meromorphic)
+    e.by.integrals = ExcludedClass::meromorphic_at_infinity;
+  return e;
+}
+
+bool is_free(const Equation& level, const std::vector<std::size_t>& levels) {
+  return std::any_of(levels.begin(), levels.end(),
+                     [&](std::size_t h) { return uses(level.difference, h); });
+}
+bool has_free_level(const ManifoldReport& report, const std::vector<std::size_t>& levels) {
+  if (!report.manifold) return !levels.empty();
+  const auto& all = report.manifold->levels;
+  return std::any_of(all.begin(), all.end(), [&](const Equation& e) { return is_free(e, levels); });
+}
+// "G1^2 + G2^2 + G3^2 = 1"
+std::vector<std::string> fixed_levels(const ManifoldReport& report,
+                                      const std::vector<std::size_t>& levels) {
+  std::vector<std::string> all;
+  if (report.manifold)
+    for (const Equation& e : report.manifold->levels)
+      if (!is_free(e, levels)) all.push_back(e.text);
+  return all;
+}
+
 const LiteratureTheorem& theorem(const System& s) {
   return s.field.poisson ? morales_ramis() : ayoul_zung();
 }
@@ -301,16 +331,21 @@ std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
     for (const std::size_t i : moving_and_left_out(s, *report.manifold))
       without.push_back(s.ring()->name(i));
   for (const BlockReport& block : report.blocks)
-    for (Exclusion& e : of_block(s, block, levels)) {
-      e.by.without = without;
-      e.by.solution = report.name;
-      e.by.unchecked = report.not_checked;
-      e.by.theorems = {theorem(s).name};
-      const auto steps = trusted_steps(report);
-      e.by.trusted.insert(e.by.trusted.end(), steps.begin(), steps.end());
-      if (e.by.level.empty() && !levels.empty()) e.by.level = "all levels but special ones";
+    for (Exclusion& e : of_block(s, block, levels))
       all.push_back(std::move(e));
-    }
+  if (report.matrices) all.push_back(by_matrices(report));
+  for (Exclusion& e : all) {
+    e.by.without = without;
+    e.by.solution = report.name;
+    e.by.unchecked = report.not_checked;
+    e.by.theorems = {theorem(s).name};
+    const auto steps = trusted_steps(report);
+    e.by.trusted.insert(e.by.trusted.end(), steps.begin(), steps.end());
+    if (e.by.level.empty() && has_free_level(report, levels))
+      e.by.level = "all levels but special ones";
+    for (const std::string& fixed : fixed_levels(report, levels))
+      e.by.level += (e.by.level.empty() ? "" : ", ") + fixed;
+  }
   // those without exceptions first: fewer conditions are left to be told
   std::stable_sort(all.begin(), all.end(),
                    [](const Exclusion& a, const Exclusion& b) { return !a.unless && b.unless; });

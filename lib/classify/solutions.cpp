@@ -1,6 +1,8 @@
 #include "classify/solutions.hpp"
 
 #include "exact/error.hpp"
+#include "integrals/find.hpp"
+#include "integrals/independence.hpp"
 #include "manifold/find.hpp"
 #include "system/in_ring.hpp"
 
@@ -45,6 +47,48 @@ std::vector<NamedIntegral> known_integrals(const System& s,
 
 } // namespace
 
+namespace {
+
+SystemClaim claim_of(const FoundIntegral& f) {
+  SystemClaim claim;
+  claim.kind = f.casimir ? SystemClaim::Kind::casimir : SystemClaim::Kind::integral;
+  claim.value = f.value;
+  claim.text = to_string(f.value);
+  return claim;
+}
+
+} // namespace
+
+System with_found_integrals(System s, const Budget& budget) {
+  try {
+    IntegralOptions options;
+    options.degree = 2;
+    options.until_integrable = true;
+    options.budget = budget;
+    const IntegralSearch search = find_integrals(s, options);
+    const PhaseSpace space(s, budget);
+    const ParameterSet all(s.ring(), space.parameters, budget);
+    IndependentRows known(space);
+    const auto is_new = [&](const MFraction& f) {
+      return known.add(all, gradient(s.field, f), budget).taken;
+    };
+    if (s.field.hamiltonian) static_cast<void>(is_new(*s.field.hamiltonian));
+    for (const SystemClaim& c : s.claims)
+      if (c.on.empty() &&
+          (c.kind == SystemClaim::Kind::integral || c.kind == SystemClaim::Kind::casimir))
+        static_cast<void>(is_new(c.value));
+    auto sets = search.sets;
+    if (search.elsewhere) sets.push_back(*search.elsewhere);
+    for (const IntegralsOfSet& set : sets)
+      for (const FoundIntegral& f : set.integrals)
+        if (!f.hamiltonian && space.vanishes(all, lie_derivative(s.field, f.value)) &&
+            is_new(f.value))
+          s.claims.push_back(claim_of(f));
+  } catch (const OutOfBudget&) { // what was added is right
+  }
+  return s;
+}
+
 LevelledSystem with_levels(const System& s, std::vector<ClaimReport> claims) {
   const auto integrals = known_integrals(s, claims);
   auto names = s.ring()->names();
@@ -84,17 +128,115 @@ std::string set_of(const System& s, const std::vector<Equation>& equations, cons
   return key;
 }
 
+// An exponential is 0 nowhere.
+bool has_points(const System& s, const std::vector<Equation>& equations) {
+  return std::none_of(equations.begin(), equations.end(), [&](const Equation& e) {
+    return std::any_of(
+        s.field.functions.begin(), s.field.functions.end(), [&](const FunctionSymbol& u) {
+          const MPoly x = MPoly::variable(s.ring(), u.variable);
+          return e.difference == MFraction(x) &&
+                 std::all_of(u.gradient.begin(), u.gradient.end(), [&](const MFraction& slope) {
+                   return is_zero(slope) || divides(x, slope.num());
+                 });
+        });
+  });
+}
+
+// Where an integral has a pole its level has spurious components.
+void add_poles(const System& s, const MFraction& integral, ManifoldSpec& spec) {
+  const auto main = s.field.main_variables();
+  for (const MFactor& f : factor(integral.den()).second)
+    if (std::any_of(main.begin(), main.end(), [&](std::size_t i) { return uses(f.base, i); }) &&
+        std::find(spec.nonzero.begin(), spec.nonzero.end(), f.base) == spec.nonzero.end())
+      spec.nonzero.push_back(f.base);
+}
+
 ManifoldSpec with_its_levels(const System& s, const FoundManifold& m,
                              const std::vector<KnownLevel>& levels) {
   ManifoldSpec spec;
   spec.name = text_of(m.equations);
   spec.equations = m.equations;
+  // One level is enough: that of the Hamiltonian stays free, others are set to 1.
+  const bool has_hamiltonian = std::any_of(m.independent.begin(), m.independent.end(),
+                                           [&](std::size_t k) { return !levels[k].claim; });
   for (const std::size_t k : m.independent) {
     const KnownLevel& known = levels[k];
-    spec.levels.push_back({known.integral - MFraction::variable(s.ring(), known.level),
-                           known.text + " = " + s.ring()->name(known.level)});
+    const bool fixed = has_hamiltonian && known.claim;
+    const MFraction value =
+        fixed ? MFraction(s.ring(), Rational(1)) : MFraction::variable(s.ring(), known.level);
+    spec.levels.push_back({known.integral - value, known.text + " = " + to_string(value)});
+    add_poles(s, known.integral, spec);
   }
   return spec;
+}
+
+// A coordinate that nothing contains, whether or not functions depend on it.
+bool is_ignorable(const VectorField& v, std::size_t x) {
+  const auto contain = [x](const std::vector<MFraction>& all) {
+    return std::any_of(all.begin(), all.end(), [x](const MFraction& f) { return uses(f, x); });
+  };
+  return std::find(v.coordinates.begin(), v.coordinates.end(), x) != v.coordinates.end() &&
+         !contain(v.components) &&
+         std::none_of(v.functions.begin(), v.functions.end(),
+                      [&](const FunctionSymbol& f) { return contain(f.gradient); }) &&
+         std::none_of(v.relations.begin(), v.relations.end(),
+                      [x](const MPoly& f) { return uses(f, x); });
+}
+
+// Without equations for coordinates on which nothing depends: where such a set is invariant, so is
+// the larger one.
+std::vector<Equation> that_matter(const System& s, const std::vector<Equation>& equations) {
+  std::vector<Equation> all;
+  for (const Equation& e : equations) {
+    const auto used = used_variables(e.difference);
+    if (used.size() != 1 || !is_ignorable(s.field, used.front())) all.push_back(e);
+  }
+  return all;
+}
+
+// The components of its phase curves, as far as factors tell them apart; else the set itself.
+std::vector<ManifoldSpec> curve_components(const System& s, const ManifoldSpec& whole,
+                                           const Budget& budget) {
+  const auto proved = prove_invariant(s.field, whole, budget);
+  const auto* manifold = std::get_if<InvariantManifold>(&proved);
+  if (manifold == nullptr) return {whole};
+  std::vector<ManifoldSpec> all;
+  for (const MPoly& f : factors_on_components(*manifold)) {
+    ManifoldSpec part = whole;
+    part.equations.push_back({MFraction(f), to_string(f) + " = 0"});
+    part.name += ", " + part.equations.back().text;
+    if (const auto there = prove_invariant(s.field, part, budget);
+        std::holds_alternative<InvariantManifold>(there))
+      for (ManifoldSpec& c : curve_components(s, part, budget))
+        all.push_back(std::move(c));
+  }
+  if (all.empty()) return {whole};
+  return all;
+}
+
+constexpr std::size_t many_parameters = 3;
+
+std::size_t free_parameters(const System& s, const std::vector<KnownLevel>& levels) {
+  return s.field.parameters.size() - std::min(s.field.parameters.size(), levels.size());
+}
+
+// Beside many parameters the energy costs much: first the same sets at one energy.
+void add_at_one_energy(const System& s, const std::vector<KnownLevel>& levels,
+                       std::vector<ManifoldSpec>& manifolds) {
+  std::vector<ManifoldSpec> all;
+  for (ManifoldSpec m : manifolds) {
+    bool fixed = false;
+    for (Equation& e : m.levels)
+      for (const KnownLevel& known : levels) {
+        if (known.claim || !uses(e.difference, known.level)) continue;
+        const MFraction one(s.ring(), Rational(1));
+        e = {substitute(e.difference, {{known.level, one}}), known.text + " = 1"};
+        fixed = true;
+      }
+    m.name += " (energy 1)";
+    if (fixed) all.push_back(std::move(m));
+  }
+  manifolds.insert(manifolds.begin(), all.begin(), all.end());
 }
 
 } // namespace
@@ -112,11 +254,16 @@ ParticularSolutions particular_solutions(const System& s, const std::vector<Know
       integrals.push_back(l.integral);
     FoundManifolds found = find_manifolds(s.field, integrals, budget);
     all.left_out = std::move(found.left_out);
-    for (const FoundManifold& m : found.proved) {
-      if (m.equilibria || m.leaf_dimension() != 1) continue;
-      if (std::find(known.begin(), known.end(), set_of(s, m.equations, budget)) == known.end())
-        all.manifolds.push_back(with_its_levels(s, m, levels));
+    for (FoundManifold& m : found.proved) {
+      if (m.equilibria || m.leaf_dimension() != 1 || !has_points(s, m.equations)) continue;
+      m.equations = that_matter(s, m.equations);
+      std::string set = set_of(s, m.equations, budget);
+      if (std::find(known.begin(), known.end(), set) != known.end()) continue;
+      known.push_back(std::move(set));
+      for (ManifoldSpec& part : curve_components(s, with_its_levels(s, m, levels), budget))
+        all.manifolds.push_back(std::move(part));
     }
+    if (free_parameters(s, levels) >= many_parameters) add_at_one_energy(s, levels, all.manifolds);
   } catch (const OutOfBudget& limit) {
     all.left_out.push_back(std::string("the search for invariant manifolds ended: ") +
                            limit.what());

@@ -1,6 +1,7 @@
 #include "classify/classification.hpp"
 
 #include "classify/parameter_split.hpp"
+#include "exact/error.hpp"
 #include "integrability/integral_class.hpp"
 #include "parameters/conditions.hpp"
 
@@ -99,24 +100,87 @@ std::vector<std::string> conditions(const SystemClassification& c, const Classif
   return all;
 }
 
+namespace {
+
+struct SameSpecial {
+  std::vector<DifferenceCondition> special;
+  std::vector<ParameterSet> sets;
+};
+
+// In few pieces, if that can be done within the limits of the sets.
+std::vector<ParameterSet> united_if_possible(const std::vector<ParameterSet>& sets) {
+  try {
+    return united(sets);
+  } catch (const OutOfBudget&) {
+    return sets;
+  }
+}
+
+} // namespace
+
 std::vector<std::string> places(const SystemClassification& c,
                                 const std::vector<StratumStatus>& wanted) {
-  std::vector<ParameterSet> plain;
-  std::vector<std::string> all, others;
+  std::vector<SameSpecial> groups{{}}; // first those without
   for (const ClassifiedStratum& s : c.strata) {
     if (std::find(wanted.begin(), wanted.end(), s.status) == wanted.end()) continue;
-    if (s.special.empty())
-      plain.push_back(s.where);
-    else
-      others.push_back(joined(conditions(c, s)));
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const SameSpecial& g) { return g.special == s.special; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {s.special, {}});
+    group->sets.push_back(s.where);
   }
-  for (const ParameterSet& where : united(std::move(plain))) {
-    std::vector<std::string> one;
-    add_conditions(c, where, one);
-    all.push_back(joined(one));
-  }
-  std::move(others.begin(), others.end(), std::back_inserter(all));
+  std::vector<std::string> all;
+  for (const SameSpecial& group : groups)
+    for (const ParameterSet& where : united_if_possible(group.sets))
+      all.push_back(joined(conditions(c, {where, group.special})));
   return all;
+}
+
+namespace {
+
+constexpr std::size_t most_told = 6;
+
+// "(a), or (b)"; where they are many, what they are is told below the theorem.
+std::string alternatives(const SystemClassification& c, const std::vector<StratumStatus>& wanted,
+                         const std::string& named) {
+  const auto all = places(c, wanted);
+  if (all.size() > most_told)
+    return "in one of the " + std::to_string(all.size()) + " sets of parameters below that are " +
+           named;
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? "" : ", or ") + (all.size() > 1 ? "(" + one + ")" : one);
+  return "for " + text;
+}
+
+std::string kind_of(const SystemClassification& c) {
+  return "first integrals " + std::string(c.liouville ? "" : "and commuting vector fields ") +
+         "that are " + integrals_class(c);
+}
+
+bool has(const SystemClassification& c, StratumStatus status) {
+  return std::any_of(c.strata.begin(), c.strata.end(),
+                     [&](const ClassifiedStratum& s) { return s.status == status; });
+}
+
+} // namespace
+
+std::string statement(const SystemClassification& c) {
+  switch (c.status()) {
+  case ClassificationStatus::integrable:
+    return "The system is integrable for all parameters.";
+  case ClassificationStatus::non_integrable:
+    return "The system is not integrable with " + kind_of(c) + ".";
+  case ClassificationStatus::depends:
+    return "The system is integrable exactly " +
+           alternatives(c, {StratumStatus::integrable}, "integrable") +
+           "; elsewhere it is not integrable with " + kind_of(c) + ".";
+  default:
+    break;
+  }
+  if (!has(c, StratumStatus::excluded)) return "No parameters are excluded.";
+  return "The system can be integrable with " + kind_of(c) + " only " +
+         alternatives(c, {StratumStatus::integrable, StratumStatus::open}, "integrable or open") +
+         ".";
 }
 
 } // namespace kov

@@ -180,6 +180,75 @@ TEST(Classify, OneValueNeverContradictsAllOfThem) {
   }
 }
 
+// Every snapshot covers the parameters, and what is decided in one stays as it is.
+TEST(Classify, WhatIsProvedIsToldOnTheWay) {
+  ClassifyOptions options = within(60);
+  std::vector<SystemClassification> told;
+  options.so_far = [&](const SystemClassification& c) { told.push_back(c); };
+  const auto c =
+      classify_system(planar("(u^2 + v^2)/2 + x^4 + a*x^2*y^2 + b*y^4", "'a', 'b'"), options);
+  ASSERT_GT(told.size(), 3U);
+  told.push_back(c);
+  for (const Point& point :
+       {Point{{"a", 0}, {"b", 5}}, Point{{"a", 2}, {"b", 1}}, Point{{"a", 6}, {"b", 1}},
+        Point{{"a", 12}, {"b", 16}}, Point{{"a", 1}, {"b", 1}}, Point{{"a", -7}, {"b", 3}}}) {
+    std::string before = "open";
+    for (const SystemClassification& t : told) {
+      const std::string now = status_at(t, point);
+      EXPECT_TRUE(now == before || before == "open") << before << ", then " << now;
+      EXPECT_THAT(now, testing::AnyOf("integrable", "excluded", "open"));
+      before = now;
+    }
+  }
+}
+
+System of(const std::string& text) { return read_system(parse_document(text, "test.toml")); }
+
+// The set of both directions of the pendulum falls into two phase curves.
+TEST(Classify, TheVerticalOfAPendulumIsFound) {
+  const auto c = classify_system(
+      of("[system]\nkind = 'hamiltonian'\ncoordinates = ['r', 'f']\nmomenta = ['p', 'L']\n"
+         "hamiltonian = '(p^2 + L^2/r^2)/2 - r*c + (r - 1)^2'\nrelations = ['s^2 + c^2 = 1']\n"
+         "[[system.function]]\nname = 's'\nmeans = 'sin(f)'\nderivative = {f = 'c'}\n"
+         "[[system.function]]\nname = 'c'\nmeans = 'cos(f)'\nderivative = {f = '-s'}\n"),
+      within(60, 2));
+  EXPECT_EQ(c.status(), ClassificationStatus::non_integrable);
+}
+
+// Casimirs that the file does not name.
+TEST(Classify, TopsAreStudiedOnTheirLeaves) {
+  const auto c = classify_system(
+      of("system = {kind = 'euler-poisson', coordinates = ['M1', 'M2', 'M3', 'G1', 'G2', 'G3'], "
+         "parameters = ['c'], hamiltonian = '(M1^2 + M2^2 + c*M3^2)/2 + G1'}"),
+      within(60));
+  EXPECT_EQ(status_at(c, {{"c", 1}}), "integrable");
+  EXPECT_EQ(status_at(c, {{"c", 2}}), "integrable"); // Kovalevskaya
+  EXPECT_EQ(status_at(c, {{"c", 3}}), "excluded");
+  EXPECT_EQ(status_at(c, {{"c", Rational(1, 3)}}), "excluded");
+  EXPECT_NE(status_at(c, {{"c", 4}}), "integrable"); // Goryachev-Chaplygin: on one level
+}
+
+TEST(Classify, ManyBodiesThatAreIntegrable) {
+  for (const std::string v :
+       {"1/(x-y)^2 + 3/(y-z)^2", "(x-y)^2 + 2/(x-y)^2 + z", "(x^2+y^2+z^2)^2"}) {
+    const auto c = classify_system(
+        of("system = {kind = 'hamiltonian', coordinates = ['x', 'y', 'z'], momenta = ['u', 'v', "
+           "'w'], hamiltonian = '(u^2 + v^2 + w^2)/2 + " +
+           v + "'}"),
+        within(300));
+    EXPECT_EQ(c.status(), ClassificationStatus::integrable) << v;
+  }
+}
+
+TEST(Classify, WhereNothingMovesEverythingIsConserved) {
+  const auto c =
+      classify_system(of("[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y', 'z']\n"
+                         "parameters = ['a', 'b', 'c']\n[system.field]\nx = '(b - c)*y*z'\n"
+                         "y = '(c - a)*x*z'\nz = '(a - b)*x*y'\n"),
+                      within(60));
+  EXPECT_EQ(c.status(), ClassificationStatus::integrable);
+}
+
 // A limit is never a verdict.
 TEST(Classify, WithoutTimeAllIsOpen) {
   ClassifyOptions options;

@@ -1,5 +1,6 @@
 // The pieces of a classification: sets cut along polynomials, and conditions on differences.
 
+#include "classify/components.hpp"
 #include "classify/difference.hpp"
 #include "classify/parameter_split.hpp"
 
@@ -95,6 +96,33 @@ TEST_F(Parts, SeveralDifferences) {
   EXPECT_FALSE(irrational.or_all_rational);
   EXPECT_TRUE(implies(irrational, {Kind::rational, {b_}}));
   EXPECT_FALSE(implies({Kind::rational, {b_}}, irrational));
+}
+
+// Every common zero where a - b is not 0 satisfies the equations of one component.
+TEST_F(Parts, ComponentsContainAllZeros) {
+  const std::vector<std::vector<MPoly>> systems = {
+      {a_ * b_, a_ * a_ - b_},
+      {(a_ - number(1)) * (b_ + number(2)), (a_ - b_) * (a_ + b_ - number(2))},
+      {a_ * a_ * b_ - number(1), a_ - b_ * b_},
+      {(a_ * a_ - b_ * b_) * b_, (a_ - number(2)) * (a_ - number(1))},
+      {a_ * a_ - number(1), a_ * a_ - number(4)}};
+  for (const auto& equations : systems) {
+    const auto all = components(equations, {a_ - b_});
+    for (long a = -3; a <= 3; ++a)
+      for (long b = -3; b <= 3; ++b) {
+        const auto vanish = [&](const std::vector<MPoly>& some) {
+          return std::all_of(some.begin(), some.end(), [&](const MPoly& f) {
+            return is_zero(substitute(
+                f, {{0, MFraction(ring_, Rational(a))}, {1, MFraction(ring_, Rational(b))}}));
+          });
+        };
+        if (a != b && vanish(equations)) {
+          EXPECT_TRUE(std::any_of(all.begin(), all.end(), vanish)) << a << ' ' << b;
+        }
+      }
+  }
+  EXPECT_TRUE(components({a_ * a_ - number(1), a_ * a_ - number(4)}, {}).empty());
+  EXPECT_EQ(components({a_ * b_, a_ - number(1)}, {}).size(), 1U);
 }
 
 } // namespace

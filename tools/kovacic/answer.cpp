@@ -395,16 +395,20 @@ TextWorker::TextWorker(const Settings& settings, Serve serve)
     : settings_(settings),
       worker_(
           [serve = std::move(serve), &settings](std::string_view job, const Worker::Early& early) {
+            std::string said;
             try {
               std::ostringstream out;
-              const int exit = serve(job, out, early);
+              const int exit = serve(job, out, [&](std::string_view text) {
+                said = text;
+                early(said);
+              });
               return message(tag_decided, {{"exit", exit}, {"text", out.str()}});
             } catch (const InputError& e) {
               return message(tag_input, packed(e, nullptr));
             } catch (const OutOfBudget& e) {
-              return message(tag_undecided, {{"limit", e.what()}});
+              return message(tag_undecided, {{"limit", e.what()}, {"early", said}});
             } catch (const std::bad_alloc&) {
-              return message(tag_undecided, {{"limit", memory_limit(settings)}});
+              return message(tag_undecided, {{"limit", memory_limit(settings)}, {"early", said}});
             } catch (const std::exception& e) {
               return message(tag_internal, {{"message", e.what()}});
             }
@@ -433,6 +437,7 @@ TextAnswer TextWorker::ask(std::string_view job) {
     case tag_undecided:
       a.exit = exit_undecided;
       a.limit = body.at("limit").get<std::string>();
+      a.early = body.at("early").get<std::string>();
       break;
     case tag_internal:
       a.exit = exit_internal;

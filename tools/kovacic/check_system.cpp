@@ -420,9 +420,8 @@ public:
   SystemCheck(const Settings& settings, const std::string& path)
       : settings_(settings), path_(path),
         worker_(settings, path,
-                [jobs = std::make_shared<SystemJobs>(settings, path)](std::string_view job) {
-                  return jobs->run(job);
-                }) {}
+                [jobs = std::make_shared<SystemJobs>(settings, path)](
+                    std::string_view job, const FileWorker::SoFar&) { return jobs->run(job); }) {}
 
   CaseReport run() {
     const Report plan = worker_.ask("plan");

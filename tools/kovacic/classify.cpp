@@ -2,9 +2,12 @@
 
 #include "classify/classify.hpp"
 
+#include "classification_report.hpp"
 #include "commands.hpp"
 #include "mechanics.hpp"
+#include "output_format.hpp"
 #include "render.hpp"
+#include "report/render_theorem.hpp"
 
 #include <fmt/format.h>
 
@@ -15,59 +18,16 @@ namespace kov::cli {
 namespace {
 
 // What is left for the answer when the work has to end by itself.
-constexpr double part_of_the_time = 0.8;
-
-using Strata = std::vector<ClassifiedStratum>;
+constexpr double part_of_the_time = 0.85;
+// The rest is for a second run, without the stage that a limit had to end from outside.
+constexpr double part_of_first_run = 0.7;
+constexpr const char* unfinished = "a limit ended the work; what was proved before is shown";
 
 std::string joined(const std::vector<std::string>& all, const std::string& between) {
   std::string text;
   for (const std::string& one : all)
     text += (text.empty() ? "" : between) + one;
   return text;
-}
-
-std::string where_text(const SystemClassification& c, const ClassifiedStratum& s) {
-  const std::string text = joined(conditions(c, s), ", ");
-  return text.empty() ? "all parameters" : text;
-}
-
-std::size_t count(const SystemClassification& c, StratumStatus status) {
-  return static_cast<std::size_t>(
-      std::count_if(c.strata.begin(), c.strata.end(),
-                    [&](const ClassifiedStratum& s) { return s.status == status; }));
-}
-
-// "(a), or (b)"
-std::string alternatives(const SystemClassification& c, const std::vector<StratumStatus>& wanted) {
-  const auto all = places(c, wanted);
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : ", or ") + (all.size() > 1 ? "(" + one + ")" : one);
-  return text;
-}
-
-std::string kind_of(const SystemClassification& c) {
-  const std::string first =
-      "first integrals " + std::string(c.liouville ? "" : "and commuting vector fields ");
-  return first + "that are " + integrals_class(c);
-}
-
-// The statement of the theorem, as one sentence.
-std::string statement(const SystemClassification& c) {
-  switch (c.status()) {
-  case ClassificationStatus::integrable:
-    return "The system is integrable for all parameters.";
-  case ClassificationStatus::non_integrable:
-    return "The system is not integrable with " + kind_of(c) + ".";
-  case ClassificationStatus::depends:
-    return "The system is integrable exactly for " + alternatives(c, {StratumStatus::integrable}) +
-           "; elsewhere it is not integrable with " + kind_of(c) + ".";
-  default:
-    break;
-  }
-  if (count(c, StratumStatus::excluded) == 0) return "No parameters are excluded.";
-  return "If the system is integrable with " + kind_of(c) + ", then " +
-         alternatives(c, {StratumStatus::integrable, StratumStatus::open}) + ".";
 }
 
 std::string title_of(ClassificationStatus s) {
@@ -90,10 +50,6 @@ void put_below(std::ostream& out, const std::string& text) {
   out << "              " << wrapped(text, 16) << '\n';
 }
 
-std::string reason_of(const ExclusionReason& o) {
-  return "along " + o.solution + (o.level.empty() ? "" : " (" + o.level + ")") + ": " + o.reason;
-}
-
 void print(const SystemClassification& c, const ClassifiedStratum& s, std::ostream& out) {
   put(out, to_string(s.status), where_text(c, s));
   std::string with;
@@ -106,18 +62,9 @@ void print(const SystemClassification& c, const ClassifiedStratum& s, std::ostre
 
 // The strata that one equation excludes, together.
 void print_excluded(const SystemClassification& c, std::ostream& out) {
-  std::vector<std::string> told;
-  for (const ClassifiedStratum& s : c.strata) {
-    if (s.status != StratumStatus::excluded) continue;
-    const std::string reason = reason_of(s.by.front());
-    if (std::find(told.begin(), told.end(), reason) != told.end()) continue;
-    told.push_back(reason);
-    std::string where;
-    for (const ClassifiedStratum& x : c.strata)
-      if (x.status == StratumStatus::excluded && reason_of(x.by.front()) == reason)
-        where += (where.empty() ? "" : "; or ") + where_text(c, x);
-    put(out, "excluded", where);
-    put_below(out, reason);
+  for (const ExcludedTogether& e : excluded_together(c)) {
+    put(out, "excluded", joined(e.where, "; or "));
+    put_below(out, reason_of(*e.by));
   }
 }
 
@@ -179,27 +126,84 @@ Json json_of(const System& s, const SystemClassification& c) {
           {"trusted", c.trusted},
           {"notes", c.notes},
           {"strata", strata},
+          {"at_work", c.at_work.empty() ? Json(nullptr) : Json(c.at_work)},
           {"seconds", c.seconds}};
 }
 
 } // namespace
 
+namespace {
+
+/// One run, and perhaps a second one without a stage that did not end.
+class Classification {
+public:
+  Classification(const Settings& settings, const ClassifyArguments& arguments)
+      : settings_(settings), arguments_(arguments), format_(output_format(settings)) {}
+
+  Report run() {
+    Report report = run_for(part_of_first_run, {});
+    if (!report.json.is_object()) return report; // an internal error was told
+    if (!report.limit.empty() && settings_.timeout > 0)
+      if (const Json stage = report.json.value("at_work", Json(nullptr)); stage.is_string())
+        if (Report again = run_for(1 - part_of_first_run, {stage}); again.json.contains("strata"))
+          report = std::move(again);
+    if (!report.limit.empty() && report.json.contains("notes")) tell_limit(report);
+    report.json.erase("at_work");
+    return report;
+  }
+
+private:
+  Report run_for(double part, const std::vector<std::string>& skip) {
+    Settings inner = settings_;
+    inner.timeout *= part;
+    return supervised(inner, arguments_.file, [&](const FileWorker::SoFar& so_far) {
+      const System s = read_system(arguments_.file, parameter_values(inner));
+      inner.timeout *= part_of_the_time;
+      ClassifyOptions options;
+      options.check.decide = inner.solver_options();
+      options.check.decide.ask_the_judge = true;
+      options.degree = arguments_.degree;
+      options.search_solutions = !arguments_.only_file;
+      options.skip = skip;
+      options.so_far = [&](SystemClassification c) {
+        if (format_ == "tex" || format_ == "html") c.notes.emplace_back(unfinished);
+        so_far(report_of(s, c));
+      };
+      return report_of(s, classify_system(s, options));
+    });
+  }
+
+  Report report_of(const System& s, const SystemClassification& c) const {
+    return {c.status() == ClassificationStatus::open ? exit_undecided : exit_decided,
+            format_ == "tex"    ? report::theorem_tex(as_theorem(s, c))
+            : format_ == "html" ? report::theorem_html(as_theorem(s, c))
+                                : text_of(s, c, settings_.quiet, settings_.verbose > 0),
+            json_of(s, c)};
+  }
+
+  // The answer is that of a moment before the limit.
+  void tell_limit(Report& report) const {
+    const bool of_time = report.limit.starts_with("time");
+    const std::string note = (of_time ? Budget::time_limit(settings_.timeout) : report.limit) +
+                             ": what was proved before is shown, and the rest counts as open";
+    report.json["notes"].push_back(note);
+    if (format_ != "text") return;
+    std::ostringstream out;
+    put(out, "note", note);
+    report.text += out.str();
+  }
+
+  const Settings& settings_;
+  const ClassifyArguments& arguments_;
+  std::string format_;
+};
+
+} // namespace
+
 int classify(const Settings& settings, const ClassifyArguments& arguments) {
-  const Report report = supervised(settings, arguments.file, [&] {
-    const System s = read_system(arguments.file, parameter_values(settings));
-    Settings inner = settings;
-    inner.timeout *= part_of_the_time;
-    ClassifyOptions options;
-    options.check.decide = inner.solver_options();
-    options.check.decide.ask_the_judge = true;
-    options.degree = arguments.degree;
-    options.search_solutions = !arguments.only_file;
-    const SystemClassification c = classify_system(s, options);
-    return Report{c.status() == ClassificationStatus::open ? exit_undecided : exit_decided,
-                  text_of(s, c, settings.quiet, settings.verbose > 0), json_of(s, c)};
-  });
+  const Report report = Classification(settings, arguments).run();
   write_output(settings,
-               settings.format == "json" && !report.json.is_null()
+               output_format(settings) == "json" && report.json.is_object()
                    ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
                    : report.text);
   return report.exit;

@@ -93,6 +93,19 @@ constexpr Topic topics[] = {
      "poles merge, an order drops, an exponent difference takes a special value.  The strata are\n"
      "disjoint and cover everything that is assumed; 'always' means: wherever the assumptions "
      "hold."},
+    {"classify",
+     "kovacic classify FILE divides the parameters of a system into strata, disjoint and "
+     "covering.\n"
+     "integrable: as many first integrals in involution as Liouville's theorem wants, proved by\n"
+     "expansion.  excluded: not integrable with first integrals of the class that the theorem "
+     "names\n"
+     "(meromorphic near the solutions, also at their ends, or rational), by one particular "
+     "solution\n"
+     "at one level.  open: neither; what was tried is listed.  Nothing follows from a limit, or "
+     "from\n"
+     "integrals that were not found.  The system file needs no manifolds: solutions and first\n"
+     "integrals are looked for.  What is proved is kept when the time is over.\n"
+     "docs/theory/classify.md"},
     {"degree-bound",
      "D_m bounds the degree of the polynomial part of a rational solution of the m-th symmetric\n"
      "power (m = 4, 6, 8, 12), D_1 that of an exponential solution.  It is a sum of local "

@@ -249,7 +249,8 @@ struct CommandLine {
     set_flag(*command);
     process_flags(*command, 60, "seconds for the whole file");
     work_flag(*command);
-    format_flag(*command, {"text", "json"}, "text or json");
+    format_flag(*command, {"text", "json", "tex", "html"},
+                "text, json, tex or html (also: -o NAME.html)");
     quiet_flag(*command);
     verbose_flag(*command);
     output_flags(*command);

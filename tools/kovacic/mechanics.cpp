@@ -58,16 +58,35 @@ ParameterValues parameter_values(const Settings& settings) {
 
 Report supervised(const Settings& settings, const std::string& file,
                   const std::function<Report()>& work) {
-  return FileWorker(settings, file, [&](std::string_view) { return work(); }).ask("");
+  return supervised(settings, file, [&](const FileWorker::SoFar&) { return work(); });
 }
+
+Report supervised(const Settings& settings, const std::string& file,
+                  const std::function<Report(const FileWorker::SoFar&)>& work) {
+  const auto job = [&](std::string_view, const FileWorker::SoFar& so_far) { return work(so_far); };
+  return FileWorker(settings, file, job).ask("");
+}
+
+namespace {
+
+std::string packed(const Report& r) {
+  return dump({{"exit", r.exit}, {"text", r.text}, {"json", r.json}});
+}
+
+Report unpacked(const std::string& text) {
+  const Json j = Json::parse(text);
+  return {j.at("exit"), j.at("text"), j.at("json")};
+}
+
+} // namespace
 
 FileWorker::FileWorker(const Settings& settings, const std::string& file, Work work)
     : settings_(settings), file_(file),
       worker_(settings, [file, work = std::move(work)](std::string_view job, std::ostream& out,
-                                                       const Worker::Early&) {
+                                                       const Worker::Early& early) {
         try {
-          const Report r = work(job);
-          out << dump({{"text", r.text}, {"json", r.json}});
+          const Report r = work(job, [&](const Report& so_far) { early(packed(so_far)); });
+          out << packed(r);
           return r.exit;
         } catch (const DomainError& e) {
           throw InputError(file, 0, 0, 1, e.what());
@@ -85,7 +104,10 @@ Report FileWorker::ask(std::string_view job) {
   if (a.error) throw *a.error;
   Report r;
   r.exit = a.exit;
-  if (!a.limit.empty()) {
+  if (!a.limit.empty() && !a.early.empty()) {
+    r = unpacked(a.early);
+    r.limit = a.limit;
+  } else if (!a.limit.empty()) {
     r.limit = a.limit;
     r.json = Json{{"format", "kovacic-result/1"}, {"input", Json{{"file", file_}}}};
     set_undecided(r.json, "budget", a.limit);
@@ -97,9 +119,7 @@ Report FileWorker::ask(std::string_view job) {
     report_failure(settings_, failure);
     r.limit = a.exit == exit_interrupted ? "interrupted" : "internal error: " + a.internal;
   } else {
-    const Json j = Json::parse(a.text);
-    r.text = j.at("text");
-    r.json = j.at("json");
+    r = unpacked(a.text);
   }
   return r;
 }

@@ -27,8 +27,10 @@ struct Report {
 /// internal error is printed.
 class FileWorker {
 public:
+  /// Takes what is known before the end: it is the answer if a limit ends the job.
+  using SoFar = std::function<void(const Report&)>;
   /// Runs in the child, which is replaced after a limit.
-  using Work = std::function<Report(std::string_view job)>;
+  using Work = std::function<Report(std::string_view job, const SoFar& so_far)>;
 
   FileWorker(const Settings& settings, const std::string& file, Work work);
   [[nodiscard]] Report ask(std::string_view job);
@@ -42,6 +44,9 @@ private:
 /// One job.
 [[nodiscard]] Report supervised(const Settings& settings, const std::string& file,
                                 const std::function<Report()>& work);
+/// One job that says on the way what it knows; `limit` of the report then says what ended it.
+[[nodiscard]] Report supervised(const Settings& settings, const std::string& file,
+                                const std::function<Report(const FileWorker::SoFar&)>& work);
 
 /// --set as the reader of system files wants it.
 [[nodiscard]] ParameterValues parameter_values(const Settings& settings);

@@ -6,6 +6,7 @@
 #include "commands.hpp"
 #include "exact/error.hpp"
 #include "mechanics.hpp"
+#include "output_format.hpp"
 #include "present.hpp"
 #include "report/render_theorem.hpp"
 #include "settings.hpp"
@@ -17,15 +18,15 @@
 #include <unistd.h>
 
 namespace kov::cli {
-namespace {
 
-// --format, or what the name of the output file says.
-std::string format_of(const Settings& settings) {
+std::string output_format(const Settings& settings) {
   for (const char* ending : {"html", "tex", "json"})
     if (settings.format == "text" && settings.output.ends_with(std::string(".") + ending))
       return ending;
   return settings.format;
 }
+
+namespace {
 
 std::string rendered(const TheoremResult& t, const std::string& format) {
   if (format == "json") return report::theorem_json(t);
@@ -54,7 +55,7 @@ using ReadTheorem = std::function<Theorem()>; // in the child as well: files may
 // Runs in a child process, whose standard error is not ours: the terminal is `screen`, or -1.
 int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std::ostream& out,
               const Worker::Early& early) {
-  const std::string format = format_of(settings);
+  const std::string format = output_format(settings);
   ProveOptions options;
   options.decide = settings.solver_options();
   options.progress = [&](const NodeResult& n, const TheoremResult& so_far) {

@@ -1,0 +1,122 @@
+#include "classification_report.hpp"
+
+#include <algorithm>
+
+namespace kov::cli {
+namespace {
+
+std::string joined(const std::vector<std::string>& all, const std::string& between) {
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? "" : between) + one;
+  return text;
+}
+
+std::string integrals_text(const ClassifiedStratum& s) {
+  std::vector<std::string> all;
+  for (const FoundIntegral& f : s.integrals)
+    all.push_back(f.hamiltonian ? "H" : to_string(f.value));
+  return joined(all, ", ");
+}
+
+Grid integrable_sets(const SystemClassification& c) {
+  Grid g{"Integrable", {"parameters", "first integrals"}, {}};
+  for (const ClassifiedStratum& s : c.strata)
+    if (s.status == StratumStatus::integrable)
+      g.rows.push_back({where_text(c, s), integrals_text(s)});
+  return g;
+}
+
+Grid open_sets(const SystemClassification& c) {
+  Grid g{"Open", {"parameters", "what was tried"}, {}};
+  for (const ClassifiedStratum& s : c.strata)
+    if (s.status == StratumStatus::open)
+      g.rows.push_back({where_text(c, s), joined(s.open_after, "; ")});
+  return g;
+}
+
+NodeResult root(const System& s, const SystemClassification& c) {
+  NodeResult n;
+  n.node.id = "theorem";
+  n.node.title = "The theorem";
+  n.statement = statement(c);
+  n.statement.pop_back(); // the renderers end sentences themselves
+  n.status = NodeStatus::proved;
+  if (s.field.hamiltonian) n.formulas.push_back({"H", to_string(*s.field.hamiltonian)});
+  if (!c.assumptions.empty()) n.formulas.push_back({"assumed", joined(c.assumptions, ", ")});
+  for (const std::string& note : c.notes)
+    n.formulas.push_back({"note", note});
+  for (Grid g : {integrable_sets(c), open_sets(c)})
+    if (!g.rows.empty()) n.tables.push_back(std::move(g));
+  return n;
+}
+
+void add_theorems(NodeResult& n, const ExclusionReason& by) {
+  for (const std::string& name : by.theorems) {
+    const auto& all = literature();
+    const auto known =
+        std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.name == name; });
+    if (known == all.end())
+      n.trusted.push_back(name);
+    else
+      n.theorems.push_back(used(*known));
+  }
+}
+
+NodeResult exclusion(const ExcludedTogether& e, std::size_t number) {
+  NodeResult n;
+  n.node.id = "excluded-" + std::to_string(number);
+  n.node.title = "Not integrable, along " + e.by->solution;
+  n.statement = "not integrable with first integrals that are " + to_string(e.by->integrals);
+  n.summary = e.by->reason;
+  n.status = NodeStatus::proved;
+  n.trusted = e.by->trusted;
+  if (!e.by->level.empty()) n.formulas.push_back({"level", e.by->level});
+  Grid g{"Excluded", {"parameters"}, {}};
+  for (const std::string& where : e.where)
+    g.rows.push_back({where});
+  n.tables.push_back(std::move(g));
+  add_theorems(n, *e.by);
+  return n;
+}
+
+} // namespace
+
+std::string reason_of(const ExclusionReason& o) {
+  return "along " + o.solution + (o.level.empty() ? "" : " (" + o.level + ")") + ": " + o.reason;
+}
+
+std::string where_text(const SystemClassification& c, const ClassifiedStratum& s) {
+  const std::string text = joined(conditions(c, s), ", ");
+  return text.empty() ? "all parameters" : text;
+}
+
+std::vector<ExcludedTogether> excluded_together(const SystemClassification& c) {
+  std::vector<ExcludedTogether> all;
+  for (const ClassifiedStratum& s : c.strata) {
+    if (s.status != StratumStatus::excluded) continue;
+    const ExclusionReason& by = s.by.front();
+    auto same = std::find_if(all.begin(), all.end(), [&](const ExcludedTogether& e) {
+      return reason_of(*e.by) == reason_of(by);
+    });
+    if (same == all.end()) same = all.insert(all.end(), {&by, {}});
+    same->where.push_back(where_text(c, s));
+  }
+  return all;
+}
+
+TheoremResult as_theorem(const System& s, const SystemClassification& c) {
+  TheoremResult t;
+  t.theorem.file = s.file;
+  t.theorem.title = s.title.empty() ? s.file : s.title;
+  t.theorem.cite = s.cite;
+  t.seconds = c.seconds;
+  t.nodes.push_back(root(s, c));
+  for (const ExcludedTogether& e : excluded_together(c)) {
+    t.nodes.push_back(exclusion(e, t.nodes.size()));
+    t.nodes.front().node.needs.push_back(t.nodes.back().node.id);
+  }
+  return t;
+}
+
+} // namespace kov::cli

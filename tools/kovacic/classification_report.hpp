@@ -1,0 +1,24 @@
+#pragma once
+// A classification in the form of a theorem with steps, which has LaTeX and HTML.
+
+#include "classify/classification.hpp"
+#include "theorem/theorem.hpp"
+
+namespace kov::cli {
+
+/// The first step is the theorem with its tables; each of the others proves exclusions by one
+/// equation.
+[[nodiscard]] TheoremResult as_theorem(const System& s, const SystemClassification& c);
+
+/// "along q1 = 0 (E = 1): the equation is ..."
+[[nodiscard]] std::string reason_of(const ExclusionReason& o);
+/// "a = 0, b != 1", or "all parameters"
+[[nodiscard]] std::string where_text(const SystemClassification& c, const ClassifiedStratum& s);
+/// Strata that are excluded for the same reason.
+struct ExcludedTogether {
+  const ExclusionReason* by;
+  std::vector<std::string> where;
+};
+[[nodiscard]] std::vector<ExcludedTogether> excluded_together(const SystemClassification& c);
+
+} // namespace kov::cli
