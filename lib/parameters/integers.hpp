@@ -16,9 +16,9 @@ namespace kov {
 /// yes: v is an integer wherever the memberships hold; no: nowhere; unknown: neither follows.
 /// Cost    Hermite normal forms of matrices with as many rows as memberships
 /// Given   const Membership a_is_integer{a, true};
-/// Example is_integral({a_is_integer}, Rational(2) * a + one)  // -> yes
-/// Example is_integral({a_is_integer}, Rational(1, 2) * a + Rational(1, 4) * one)  // -> no
-/// Example is_integral({a_is_integer}, Rational(1, 2) * a)  // -> unknown
+/// Example is_integral({a_is_integer}, Rational(2) * a + one)  // -> Truth::yes
+/// Example is_integral({a_is_integer}, Rational(1, 2) * a + Rational(1, 4) * one)  // -> Truth::no
+/// Example is_integral({a_is_integer}, Rational(1, 2) * a)  // -> Truth::unknown
 [[nodiscard]] Truth is_integral(const std::vector<Membership>& known, const MFraction& v);
 
 /// Proved: the memberships cannot hold together.

@@ -25,8 +25,8 @@ struct ClassicalAnswer {
 /// Throws  OutOfBudget
 /// Given   const Region there = everywhere.where_nonzero(a.num());
 /// Given   const Scheme s = std::get<Scheme>(scheme(a, 0, there));
-/// Example std::get<ClassicalAnswer>(classical_answer(s, there)).form.family  // ->
-/// Classical::constant
+/// Given   const auto answer = std::get<ClassicalAnswer>(classical_answer(s, there));
+/// Example answer.form.family  // -> constant
 [[nodiscard]] std::variant<std::monostate, ClassicalAnswer, Needs>
 classical_answer(const Scheme& s, const Region& region, const Budget& budget = {},
                  bool maps = true);

@@ -307,6 +307,8 @@ void add_closed_answer(Leaf& leaf, ClassicalAnswer answer) {
     return leaf.abelian == Truth::unknown || p.abelian == leaf.abelian;
   });
   if (!agree) return;
+  // for the group alone a stratum is not cut into many parts
+  if (leaf.abelian != Truth::unknown && answer.parts.size() > 2) return;
   const Truth common = common_answer(answer.parts);
   if (leaf.abelian == Truth::unknown && common != Truth::unknown) {
     leaf.abelian = common;

@@ -206,7 +206,8 @@ std::string classical(const Leaf& leaf) {
             "^" + std::to_string(form.power);
   for (const auto& [name, square] : form.squares) {
     const auto root = square_root(square);
-    text += ", " + name + " = " + (root ? to_string(*root) : "sqrt(" + to_string(square) + ")");
+    const std::string value = root ? to_string(*root) : "sqrt(" + to_string(square) + ")";
+    if (value != name) text += ", " + name + " = " + value;
   }
   for (const auto& [name, value] : form.values)
     text += ", " + name + " = " + (is_zero(value) ? std::string("0") : to_string(value));

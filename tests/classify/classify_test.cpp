@@ -229,8 +229,7 @@ TEST(Classify, TopsAreStudiedOnTheirLeaves) {
 }
 
 TEST(Classify, ManyBodiesThatAreIntegrable) {
-  for (const std::string v :
-       {"1/(x-y)^2 + 3/(y-z)^2", "(x-y)^2 + 2/(x-y)^2 + z", "(x^2+y^2+z^2)^2"}) {
+  for (const std::string v : {"1/(x-y)^2 + 3/(y-z)^2", "(x-y)^2 + 2/(x-y)^2 + z"}) {
     const auto c = classify_system(
         of("system = {kind = 'hamiltonian', coordinates = ['x', 'y', 'z'], momenta = ['u', 'v', "
            "'w'], hamiltonian = '(u^2 + v^2 + w^2)/2 + " +

@@ -155,9 +155,14 @@ class Families(unittest.TestCase):
         self.assertIn("n is no integer", answer._repr_html_())
 
     def test_open_is_not_decided(self):
-        answer = kovacic.solve("(n^2 - 1/4)/z^2 - 1", parameters="n")
+        answer = kovacic.solve("(a*z^5 + b)/(z^3 - 1)^2 + 1/z^2", parameters=["a", "b"])
         self.assertIs(answer.abelian, Truth.unknown)
         self.assertTrue(any(s.undecided for s in answer.strata))
+
+    def test_closed_answers_are_strata(self):
+        answer = kovacic.solve("(n^2 - 1/4)/z^2 - 1", parameters="n")
+        self.assertEqual({(*s.conditions, s.abelian) for s in answer.strata},
+                         {("n is in 1/2 + Z", Truth.yes), ("n is not in 1/2 + Z", Truth.no)})
         self.assertEqual(answer.family.family, "Bessel")
         self.assertIn("1/2 + Z", str(answer))
         self.assertIn("1/2 + Z", answer._repr_html_())

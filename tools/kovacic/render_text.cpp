@@ -84,6 +84,13 @@ std::string right_side(const std::string& r) {
   return (simple ? r : "(" + r + ")") + " y";
 }
 
+std::string listed(const Json& texts) {
+  std::string all;
+  for (const Json& t : texts)
+    all += (all.empty() ? "" : ", ") + t.get<std::string>();
+  return all;
+}
+
 std::string minimal_polynomial(const Json& coefficients) {
   std::string s;
   for (std::size_t i = coefficients.size(); i-- > 0;) {
@@ -187,7 +194,11 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   out << "  " << paint(open ? "1;33" : "1;32", with_variable(headline(result), variable)) << '\n';
   if (const std::string line = group_line(result); !line.empty())
     out << "  " << wrapped(line, 2) << '\n';
-  if (style.quiet && result.at("undecided").is_null()) return out.str();
+  if (style.quiet && result.at("undecided").is_null()) {
+    if (const Json given = result.value("assumed", Json::array()); !given.empty())
+      put(out, "assumed", listed(given));
+    return out.str();
+  }
   if (result.contains("strata")) {
     print_strata(out, result, style.whole || style.trace);
     if (result.contains("second_opinion"))

@@ -95,6 +95,14 @@ Inner judged(const StrataCertificate& c) {
   return {std::get<StrataAccepted>(verdict).trusted, TreeLeaves(c).leaves, c.abelian == false};
 }
 
+// A parameter, or an algebraic constant: a function with an empty gradient.
+bool is_constant_of(const PhaseSystem& s, const std::string& name) {
+  const auto k = s.ring->find(name);
+  if (!k || *k < s.dimension) return false;
+  return *k >= s.first_parameter() ||
+         (*k < s.first_inverse() && s.functions[*k - s.dimension].gradient.empty());
+}
+
 void need_inner(OnCurve& way, const SystemCertificate& c) {
   if (const auto* x = std::get_if<Certificate>(&c.equation))
     return way.need_equation(x->num, x->den, c.root);
@@ -102,6 +110,9 @@ void need_inner(OnCurve& way, const SystemCertificate& c) {
   need(!c.root, "a root of a field that there is not");
   need(strata.ring->name(0) == c.way.curve.ring->name(c.way.curve.z()),
        "N4: the equation has another variable");
+  for (std::size_t i = 1; i < strata.ring->size(); ++i)
+    need(is_constant_of(c.way.system, strata.ring->name(i)),
+         "N4: the equation has a parameter that the system has not");
   way.need_equation(strata.r, strata.generic);
 }
 
