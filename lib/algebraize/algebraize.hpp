@@ -18,7 +18,7 @@ struct AlgebraicOde {
   std::string change;  ///< text of phi
   MFraction phi;
   std::shared_ptr<const FunctionField> field; ///< in which p, q and r were computed
-  std::size_t z = 0;   ///< the variable of the ring
+  std::size_t z = 0;                          ///< the variable of the ring
   std::optional<MFraction> z_dot_squared, z_ddot;
   std::optional<MFraction> p, q; ///< unset where only r is a function of z
   MFraction r;

@@ -61,7 +61,7 @@ struct SystemClassification {
   std::vector<std::string> functions; ///< the class is one in the coordinates and these symbols
   std::vector<std::string> without;   ///< but not in these
   bool on_leaves = false; ///< the bracket is degenerate: independent means on a symplectic leaf
-  bool liouville = true; ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
+  bool liouville = true;  ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
   std::vector<std::pair<std::string, double>> stages; ///< what took how many seconds
   double seconds = 0;
   std::string at_work; ///< on the way: the stage that begins

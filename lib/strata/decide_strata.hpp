@@ -45,9 +45,9 @@ struct StrataCertificate;
 struct StrataAnswer {
   std::vector<Stratum> strata;        ///< disjoint; with `unvisited` they cover the assumptions
   std::vector<std::string> unvisited; ///< conditions of strata that a limit left open
-  std::vector<std::string> trusted;   ///< steps that no checker repeats: Z3, theorems without a rule
-  std::vector<std::string> pruned;    ///< empty strata, with the conditions that contradict
-  bool contradictory = false;         ///< no parameters satisfy the assumptions
+  std::vector<std::string> trusted; ///< steps that no checker repeats: Z3, theorems without a rule
+  std::vector<std::string> pruned;  ///< empty strata, with the conditions that contradict
+  bool contradictory = false;       ///< no parameters satisfy the assumptions
   double seconds = 0;
   /// Strata on which r means nothing and an equation of their own was decided instead: that answer.
   std::vector<std::shared_ptr<const StrataAnswer>> special;

@@ -102,7 +102,8 @@ inline int compare(const Question& q, const StrataAnswer& answer, unsigned seed)
                                            << reason(x.leaf) << "\nbut " << reason(d);
       if (x.leaf.group && d.group) {
         EXPECT_TRUE(x.leaf.group->type == d.group->type &&
-                    (!x.leaf.group->n || *x.leaf.group == *d.group)) << text(q, *point) << describe(*d.group);
+                    (!x.leaf.group->n || *x.leaf.group == *d.group))
+            << text(q, *point) << describe(*d.group);
       }
     }
   }
