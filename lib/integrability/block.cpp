@@ -164,16 +164,30 @@ void study_block(const System& s, const InvariantManifold& m, const LinearSystem
   decide_block(s, options, reduce && reduce->energy == "auto", block);
 }
 
+namespace {
+
+std::vector<std::string> names_of(const LinearSystem& s, const std::vector<std::size_t>& members) {
+  std::vector<std::string> names;
+  for (const std::size_t i : members)
+    names.push_back(s.names[i]);
+  return names;
+}
+
+} // namespace
+
 void study_on_the_leaf(const Study& study, ManifoldReport& report, std::vector<MPoly> divisors,
                        const std::vector<std::size_t>& members, BlockReport& block) {
-  std::vector<std::string> unknowns;
-  for (const std::size_t i : members)
-    unknowns.push_back(report.reduced.system.names[i]);
-  if (members.size() == 2 && study.system.kind != SystemKind::hamiltonian &&
-      !seen_on_the_leaf(study.system.field, *report.manifold, report.normal, unknowns, divisors)) {
-    block.unknowns = std::move(unknowns);
-    block.note = "not seen on the symplectic leaves: nothing was concluded from it";
-    return;
+  const LinearSystem& reduced = report.reduced.system;
+  std::vector<std::string> unknowns = names_of(reduced, members);
+  if (members.size() == 2 && study.system.kind != SystemKind::hamiltonian) {
+    const Restriction to{names_of(reduced, used_by(reduced, *report.manifold, members)),
+                         report.reduced.eliminations};
+    if (!seen_on_the_leaf(study.system.field, *report.manifold, report.normal, to, unknowns,
+                          divisors)) {
+      block.unknowns = std::move(unknowns);
+      block.note = "not seen on the symplectic leaves: nothing was concluded from it";
+      return;
+    }
   }
   study_block(study.system, *report.manifold, report.reduced.system, divisors, members,
               study.options, block);

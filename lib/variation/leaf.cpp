@@ -1,6 +1,8 @@
 #include "variation/leaf.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 namespace kov {
 namespace {
@@ -20,10 +22,20 @@ Row on_the_leaf(const VectorField& v, const InvariantManifold& m, const MFractio
   return row;
 }
 
-// Laplace's expansion by the first row; the blocks that are studied have one or two rows.
-MFraction minor(const std::vector<Row>& rows, const std::vector<std::size_t>& columns) {
-  if (rows.size() == 1) return rows[0][columns[0]];
-  return rows[0][columns[0]] * rows[1][columns[1]] - rows[0][columns[1]] * rows[1][columns[0]];
+// Laplace's expansion by the first row: there are few of them.
+MFraction minor(const std::vector<Row>& rows, std::size_t first,
+                const std::vector<std::size_t>& columns) {
+  MFraction sum(rows[first][0].ring());
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const MFraction& x = rows[first][columns[k]];
+    if (is_zero(x)) continue;
+    if (columns.size() == 1) return x;
+    std::vector<std::size_t> others = columns;
+    others.erase(others.begin() + static_cast<long>(k));
+    const MFraction term = x * minor(rows, first + 1, others);
+    sum = k % 2 == 0 ? sum + term : sum - term;
+  }
+  return sum;
 }
 
 void add(std::vector<MPoly>& divisors, const MFraction& f) {
@@ -33,23 +45,89 @@ void add(std::vector<MPoly>& divisors, const MFraction& f) {
 
 } // namespace
 
-bool seen_on_the_leaf(const VectorField& v, const InvariantManifold& m, const NormalSystem& n,
-                      const std::vector<std::string>& unknowns, std::vector<MPoly>& divisors) {
-  if (!v.poisson || unknowns.empty()) return true;
-  if (unknowns.size() > 2) return false;
+namespace {
+
+constexpr std::size_t most_rows = 5;
+
+// The rows df_i P of the block.
+std::vector<Row> rows_of(const VectorField& v, const InvariantManifold& m, const NormalSystem& n,
+                         const std::vector<std::string>& unknowns) {
   std::vector<Row> rows;
   for (std::size_t i = 0; i < n.system.names.size(); ++i)
     if (std::find(unknowns.begin(), unknowns.end(), n.system.names[i]) != unknowns.end())
       rows.push_back(on_the_leaf(v, m, m.equations[n.equations[i]].difference));
-  if (rows.size() != unknowns.size()) return false;
-  for (std::size_t a = 0; a < v.dimension(); ++a)
-    for (std::size_t b = rows.size() == 1 ? a : a + 1; b < v.dimension(); ++b) {
-      const MFraction f = m.restrict(minor(rows, {a, b}));
-      if (is_zero(f) || m.vanishes_on_curve(f)) continue;
-      add(divisors, f);
-      return true;
-    }
-  return false;
+  return rows;
+}
+
+// dF P for a linear integral F of the normal system.
+Row differential(const VectorField& v, const InvariantManifold& m, const NormalSystem& n,
+                 const LinearIntegral& f) {
+  Row row(v.dimension(), MFraction(v.ring));
+  for (std::size_t i = 0; i < f.coefficients.size(); ++i) {
+    if (is_zero(f.coefficients[i])) continue;
+    const Row df = on_the_leaf(v, m, m.equations[n.equations[i]].difference);
+    for (std::size_t k = 0; k < row.size(); ++k)
+      row[k] = m.restrict(row[k] + f.coefficients[i] * df[k]);
+  }
+  return row;
+}
+
+bool next(std::vector<std::size_t>& columns, std::size_t n) {
+  std::size_t i = columns.size();
+  while (i > 0 && columns[i - 1] == n - columns.size() + i - 1)
+    --i;
+  if (i == 0) return false;
+  ++columns[i - 1];
+  for (; i < columns.size(); ++i)
+    columns[i] = columns[i - 1] + 1;
+  return true;
+}
+
+// A minor that is not 0 on the curve.
+std::optional<MFraction> some_minor(const std::vector<Row>& rows, const InvariantManifold& m) {
+  const std::size_t n = rows[0].size();
+  if (rows.size() > n) return std::nullopt;
+  std::vector<std::size_t> columns(rows.size());
+  std::iota(columns.begin(), columns.end(), std::size_t{0});
+  do {
+    MFraction f = m.restrict(minor(rows, 0, columns));
+    if (!is_zero(f) && !m.vanishes_on_curve(f)) return f;
+  } while (next(columns, n));
+  return std::nullopt;
+}
+
+// What is 0 on the part of the leaf that the block is a quotient of.
+std::vector<Row> restrictions(const VectorField& v, const InvariantManifold& m,
+                              const NormalSystem& n, const Restriction& to) {
+  std::vector<Row> rows = rows_of(v, m, n, to.unknowns);
+  const auto is_used = [&](const LinearIntegral& f) {
+    return std::any_of(to.integrals.begin(), to.integrals.end(),
+                       [&](const Elimination& e) { return e.integral == f.name; });
+  };
+  for (const LinearIntegral& f : n.integrals)
+    if (is_used(f)) rows.push_back(differential(v, m, n, f));
+  return rows;
+}
+
+} // namespace
+
+bool seen_on_the_leaf(const VectorField& v, const InvariantManifold& m, const NormalSystem& n,
+                      const Restriction& to, const std::vector<std::string>& unknowns,
+                      std::vector<MPoly>& divisors) {
+  if (!v.poisson || unknowns.empty()) return true;
+  std::vector<Row> rows;
+  for (Row& row : restrictions(v, m, n, to)) {
+    rows.push_back(std::move(row));
+    if (rows.size() + unknowns.size() > most_rows) return false;
+    if (!some_minor(rows, m)) rows.pop_back(); // it is 0 where the others are
+  }
+  std::vector<Row> block = rows_of(v, m, n, unknowns);
+  if (block.size() != unknowns.size()) return false;
+  std::move(block.begin(), block.end(), std::back_inserter(rows));
+  if (rows.size() > most_rows) return false;
+  const auto f = some_minor(rows, m);
+  if (f) add(divisors, *f);
+  return f.has_value();
 }
 
 } // namespace kov

@@ -7,11 +7,20 @@
 
 namespace kov {
 
-/// Do these unknowns of the normal system take all values on the tangent space of the symplectic
-/// leaf?  Always, where the field is not Hamiltonian or the coordinates are canonical.  Else a minor
-/// of the matrix (df_i P) is needed that is not 0 on the curve; it goes to `divisors`.
+/// Where a block is a quotient: these unknowns of the normal system, on which it depends, are 0, and
+/// so are the differentials of these integrals.
+struct Restriction {
+  std::vector<std::string> unknowns;
+  std::vector<Elimination> integrals;
+};
+
+/// Do the unknowns of a block take all values on the tangent vectors of the symplectic leaf in the
+/// restriction?  Always, where the field is not Hamiltonian or the coordinates are canonical.  Else
+/// a minor is needed of the matrix of the rows df P, f of the block or of the restriction, that is
+/// not 0 on the curve; it goes to `divisors`.  false: no, or too many rows.
 [[nodiscard]] bool seen_on_the_leaf(const VectorField& v, const InvariantManifold& m,
-                                    const NormalSystem& n, const std::vector<std::string>& unknowns,
+                                    const NormalSystem& n, const Restriction& to,
+                                    const std::vector<std::string>& unknowns,
                                     std::vector<MPoly>& divisors);
 
 } // namespace kov

@@ -105,7 +105,10 @@ LinearSystem variational_equations(const VectorField& v, const InvariantManifold
   return s;
 }
 
-std::vector<std::vector<std::size_t>> blocks(const LinearSystem& s, const InvariantManifold& m) {
+namespace {
+
+// [i][j]: y_i is y_j or uses it, directly or through others.
+std::vector<std::vector<bool>> uses(const LinearSystem& s, const InvariantManifold& m) {
   const std::size_t n = s.a.size();
   std::vector<std::vector<bool>> reach(n, std::vector<bool>(n));
   for (std::size_t i = 0; i < n; ++i)
@@ -115,6 +118,25 @@ std::vector<std::vector<std::size_t>> blocks(const LinearSystem& s, const Invari
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j)
         if (reach[i][k] && reach[k][j]) reach[i][j] = true;
+  return reach;
+}
+
+} // namespace
+
+std::vector<std::size_t> used_by(const LinearSystem& s, const InvariantManifold& m,
+                                 const std::vector<std::size_t>& block) {
+  const auto reach = uses(s, m);
+  std::vector<std::size_t> all;
+  for (std::size_t j = 0; j < s.a.size(); ++j)
+    if (std::find(block.begin(), block.end(), j) == block.end() &&
+        std::any_of(block.begin(), block.end(), [&](std::size_t i) { return reach[i][j]; }))
+      all.push_back(j);
+  return all;
+}
+
+std::vector<std::vector<std::size_t>> blocks(const LinearSystem& s, const InvariantManifold& m) {
+  const std::size_t n = s.a.size();
+  const auto reach = uses(s, m);
   std::vector<std::vector<std::size_t>> result;
   std::vector<bool> done(n);
   while (std::find(done.begin(), done.end(), false) != done.end())

@@ -46,6 +46,10 @@ restricted_gradient(const VectorField& v, const InvariantManifold& m, const MFra
 [[nodiscard]] std::vector<std::vector<std::size_t>> blocks(const LinearSystem& s,
                                                            const InvariantManifold& m);
 
+/// The unknowns outside of the block that it uses, directly or through others; ascending.
+[[nodiscard]] std::vector<std::size_t> used_by(const LinearSystem& s, const InvariantManifold& m,
+                                               const std::vector<std::size_t>& block);
+
 /// A linear first integral sum_i c_i y_i of a linear system.
 struct LinearIntegral {
   std::string name; ///< of the first integral that it comes from

@@ -228,6 +228,36 @@ level = "H = 1")t");
   EXPECT_EQ(m.verdict, VerdictKind::undecided);
 }
 
+// On the leaf c = 0 the integrals H, u, v*V commute.  On dF = 0 the block (u, v) has Borel's group,
+// but the leaf meets dF = du + dc = 0 in u = 0 only.  A second Hamiltonian, where c does nothing,
+// shows that a block is still seen behind such a restriction.
+TEST(ParameterTraps, AnIntegralThatRestrictsTheLeaf) {
+  const auto top = [](const std::string& h) {
+    return R"t([system]
+kind = "poisson"
+coordinates = ["x","p","u","U","v","V","c"]
+bracket = [["0","1","0","0","0","0","0"],["-1","0","0","0","0","0","0"],["0","0","0","1","0","0","0"],
+           ["0","0","-1","0","0","0","0"],["0","0","0","0","0","1","0"],["0","0","0","0","-1","0","0"],
+           ["0","0","0","0","0","0","0"]]
+hamiltonian = ")t" +
+           h +
+           R"t("
+[[integral]]
+name = "F"
+value = "u + c"
+[[manifold]]
+name = "N"
+equations = ["u = 0","U = 0","v = 0","V = 0","c = 0"]
+level = ["H = 0"]
+[[reduce]]
+manifold = "N"
+variable = "v"
+)t";
+  };
+  EXPECT_EQ(verdict(top("p + v*V + c*V/x")), VerdictKind::undecided);
+  EXPECT_EQ(verdict(top("p + V^2/2 - x*v^2/2")), VerdictKind::non_integrable); // Airy
+}
+
 // A logarithm that nothing contains: integrals that contain it are not excluded.
 TEST(ParameterTraps, AFunctionThatNothingContains) {
   const ManifoldReport m = run(R"t([system]
