@@ -62,6 +62,7 @@ class Examples(unittest.TestCase):
                             self.compare(command, expected, directory)
 
     def compare(self, command, expected, directory):
+        command = re.sub("^tools/run ", "kovacic ", command)
         script = (f'kovacic() {{ "{PROGRAM}" "$@"; }}; kovacic_verify.py() {{ "{ROOT}/tools/verify/kovacic_verify.py" "$@"; }}; '
                   f'export_certificate.py() {{ "{ROOT}/tools/verify/export_certificate.py" "$@"; }}; {command}')
         done = subprocess.run(["bash", "-c", script], cwd=directory, capture_output=True, encoding="utf-8", timeout=300)
