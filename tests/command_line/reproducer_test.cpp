@@ -1,6 +1,7 @@
 // A mistake of the program leaves a file from which it can be repeated.
 
 #include "reproducer.hpp"
+#include "support/own_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 TEST(Reproducer, HoldsTheCommandItsFilesAndWhatHappened) {
-  const std::string file = ::testing::TempDir() + "reproduced.toml";
+  const std::string file = test::own_folder() + "reproduced.toml";
   std::ofstream(file) << "r = \"z\"\n";
   const Json j = Json::parse(reproducer({"kovacic", "check", file}, "two \xff answers", "a line"));
   EXPECT_EQ(j.at("format"), "kovacic-reproducer/1");
@@ -26,10 +27,10 @@ TEST(Reproducer, HoldsTheCommandItsFilesAndWhatHappened) {
 
 TEST(Reproducer, GoesWhereItCanBeWritten) {
   const std::string text = reproducer({"kovacic"}, "a mistake", "");
-  const std::string path = write_reproducer(text, {"/proc/none", ::testing::TempDir()});
+  const std::string path = write_reproducer(text, {"/proc/none", test::own_folder()});
   ASSERT_TRUE(std::filesystem::exists(path));
   EXPECT_NE(path.find("kovacic-reproducer-"), std::string::npos);
-  EXPECT_EQ(path, write_reproducer(text, {::testing::TempDir()})) << "one mistake, one file";
+  EXPECT_EQ(path, write_reproducer(text, {test::own_folder()})) << "one mistake, one file";
   EXPECT_EQ(write_reproducer(text, {"/proc/none"}), "");
 }
 

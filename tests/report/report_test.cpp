@@ -1,6 +1,7 @@
 // Reports: formulas in three markups, and whole documents.
 
 #include "report/render_theorem.hpp"
+#include "support/own_folder.hpp"
 #include "support/source_dir.hpp"
 #include "theorem/prove.hpp"
 
@@ -9,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 using namespace kov;
@@ -84,12 +84,9 @@ TEST(Report, TextShowsUncheckedHypothesesInPlainView) {
 // Needs texlive-latex-base; skipped where it is not installed.
 TEST(Report, LatexCompiles) {
   if (std::system("command -v pdflatex > /dev/null 2>&1") != 0) GTEST_SKIP() << "no pdflatex";
-  const auto directory = std::filesystem::temp_directory_path() / "kovacic_report_test";
-  std::filesystem::create_directories(directory);
-  std::ofstream(directory / "report.tex") << theorem_tex(heavy_top());
+  std::ofstream(test::own_folder() + "report.tex") << theorem_tex(heavy_top());
   const std::string command =
-      "cd " + directory.string() +
+      "cd " + test::own_folder() +
       " && pdflatex -interaction=nonstopmode -halt-on-error report.tex > log.txt 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0);
-  std::filesystem::remove_all(directory);
 }

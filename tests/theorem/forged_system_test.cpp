@@ -2,6 +2,7 @@
 // names.  Each theorem here is false as its title has it; it must not be proved, or the statement
 // must say less.
 
+#include "support/own_folder.hpp"
 #include "theorem/prove.hpp"
 
 #include <gmock/gmock.h>
@@ -20,9 +21,9 @@ using Files = std::vector<std::pair<std::string, std::string>>; ///< name, text
 
 TheoremResult proved(const Files& files, const std::string& theorem) {
   for (const auto& [name, text] : files)
-    std::ofstream(testing::TempDir() + name) << text;
+    std::ofstream(test::own_folder() + name) << text;
   return prove(read_theorem(parse_document("format = \"theorem/1\"\n" + theorem,
-                                           testing::TempDir() + "forged_theorem.toml")));
+                                           test::own_folder() + "forged_theorem.toml")));
 }
 
 // q1^2 q2 + (1 + e) q2^3: integrable for e = 1 and e = 15, not for e = 0.

@@ -1,12 +1,12 @@
 // The main theorem of the sliding top, from its file: nothing open, certificates for both judges.
 
+#include "support/own_folder.hpp"
 #include "support/source_dir.hpp"
 #include "theorem/prove.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 using namespace kov;
@@ -33,9 +33,7 @@ TEST(MainTheorem, IsProvedFromTheCaseFiles) {
     }
 
   if (std::system("command -v python3 > /dev/null 2>&1") != 0) GTEST_SKIP() << "no python3";
-  const auto directory = std::filesystem::temp_directory_path() / "kovacic_theorem_test";
-  std::filesystem::create_directories(directory);
-  const std::string file = (directory / "certificate.json").string();
+  const std::string file = test::own_folder() + "certificate.json";
   for (const NodeResult& n : r.nodes)
     for (const std::string& c : n.certificates) {
       std::ofstream(file) << c;
@@ -43,5 +41,4 @@ TEST(MainTheorem, IsProvedFromTheCaseFiles) {
                                   file + " > /dev/null 2>&1";
       EXPECT_EQ(std::system(command.c_str()), 0) << n.node.id;
     }
-  std::filesystem::remove_all(directory);
 }

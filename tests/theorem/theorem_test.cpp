@@ -1,5 +1,6 @@
 // Theorem files: reading, the built-in steps, and what openness does.
 
+#include "support/own_folder.hpp"
 #include "support/source_dir.hpp"
 #include "theorem/prove.hpp"
 
@@ -54,7 +55,7 @@ NodeResult run(const TheoremNode& n) {
 
 // A system file for one test.
 std::string written(const std::string& name, const std::string& text) {
-  const std::string path = testing::TempDir() + name;
+  const std::string path = test::own_folder() + name;
   std::ofstream(path) << text;
   return path;
 }
@@ -69,8 +70,8 @@ std::string on_axis(const std::string& parameters, const std::string& hamiltonia
 
 // The step by itself, with a file that is not among the cases.
 NodeResult run_written(TheoremNode n, const std::string& text) {
-  n.file = written(n.file, text).substr(testing::TempDir().size());
-  return prove(alone(n, testing::TempDir())).nodes.front();
+  n.file = written(n.file, text).substr(test::own_folder().size());
+  return prove(alone(n, test::own_folder())).nodes.front();
 }
 
 std::string error_of(const std::string& nodes) {
