@@ -100,12 +100,17 @@ std::string step_text(const Residues& c) {
   return is_zero(c.a) ? p : "+-" + to_string(c.a) + " + " + p;
 }
 
-std::string is_in_one(const std::string& number, const std::vector<Residues>& classes, bool holds) {
-  if (classes.size() == 1) return is_in({number}, class_text(classes[0], Known::up_to_sign), holds);
+// Several classes: "+-1/6 + 2*p, +-5/6 + 2*p (p an integer)", after "one of" or "none of"
+std::string classes_text(const std::vector<Residues>& classes) {
   Texts steps;
   for (const Residues& c : classes)
     steps.push_back(step_text(c));
-  return number + (holds ? " is one of " : " is none of ") + listed(steps) + " (p an integer)";
+  return listed(steps) + " (p an integer)";
+}
+
+std::string is_in_one(const std::string& number, const std::vector<Residues>& classes, bool holds) {
+  if (classes.size() == 1) return is_in({number}, class_text(classes[0], Known::up_to_sign), holds);
+  return number + (holds ? " is one of " : " is none of ") + classes_text(classes);
 }
 
 // h is an integer exactly where `number` is in a + Z, 0 <= a < 1.
@@ -192,9 +197,9 @@ std::string words(const SumIn& s, bool holds) {
   std::string sum;
   for (const MFraction& x : s.squares)
     sum += (sum.empty() ? "" : " +- ") + number_text(x);
-  const std::string what = class_text(s.classes[0], Known::up_to_sign);
-  if (holds || what.rfind("an ", 0) != 0) return (holds ? "some " : "no ") + sum + " is " + what;
-  return "no " + sum + " is " + what;
+  const bool one = s.classes.size() == 1;
+  return (holds ? "some " : "no ") + sum + " is " +
+         (one ? class_text(s.classes[0], Known::up_to_sign) : "one of " + classes_text(s.classes));
 }
 
 // Without the numbers that are rational for all parameters, nor constant terms and factors.

@@ -66,6 +66,28 @@ TEST(ArithmeticConditions, AFunctionIsInOneClass) {
             "b is in 1/3 + Z or b is in 2/3 + Z");
 }
 
+// One to three numbers, rational functions or not, and several classes: none is forgotten.
+TEST(ArithmeticConditions, EveryClassIsNamed) {
+  const std::vector<Residues> classes{{Rational(1, 6), Rational(2)},
+                                      {Rational(5, 6), Rational(2)},
+                                      {Rational(1, 5), Rational(2)},
+                                      {Rational(2, 7), Rational(2)}};
+  const std::vector<MFraction> rational{squared(x("a")), squared(x("b")), squared(x("n"))};
+  const std::vector<MFraction> roots{x("a"), squared(x("b")), x("n") + number(1)};
+  for (const auto& numbers : {rational, roots})
+    for (std::size_t many = 1; many <= 3; ++many)
+      for (std::size_t of = 2; of <= classes.size(); ++of)
+        for (const bool holds : {true, false}) {
+          const SumIn sum{{numbers.begin(), numbers.begin() + static_cast<long>(many)},
+                          {classes.begin(), classes.begin() + static_cast<long>(of)}};
+          const std::string said = to_string({sum, holds});
+          for (std::size_t i = 0; i < classes.size(); ++i)
+            EXPECT_EQ(said.find(to_string(classes[i].a)) != std::string::npos, i < of) << said;
+        }
+  EXPECT_EQ(to_string({SumIn{{x("a"), squared(x("b"))}, {classes[0], classes[1]}}, false}),
+            "no sqrt(a) +- b is one of +-1/6 + 2*p, +-5/6 + 2*p (p an integer)");
+}
+
 // Two of three numbers, of which two are equal.
 TEST(ArithmeticConditions, EqualNumbersCountTwice) {
   const MFraction a = squared(x("a")), n = squared(x("n"));
