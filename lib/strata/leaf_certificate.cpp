@@ -165,7 +165,7 @@ public:
         write(*bound, bound->place < by.places.size() ? by.places[bound->place] : by.infinity);
       if (const auto* values = std::get_if<ExcludedDifferences>(&e)) write(*values);
     }
-    if (needs_invariants()) by.absent = absent();
+    if (asks_open_places()) by.absent = absent();
     return by;
   }
 
@@ -223,6 +223,8 @@ private:
     x.chi = cleared(p.chi, s_.r.ring());
     need(x.chi.back(), "chi");
     if (p.exponent == ExponentKind::irrational) x.irrational = irrational(x.chi);
+    if (p.exponent == ExponentKind::open && x.chi.size() != 2 && asks_open_places())
+      throw NoProof(Gap::degree, "an open exponent of degree > 1");
     x.log = is_regular_logarithm(p) && p.delta != Rational(0);
   }
 
@@ -263,7 +265,8 @@ private:
         throw NoProof(Gap::difference, "Delta != " + kov::to_string(v) + " has no exact proof");
   }
 
-  [[nodiscard]] bool needs_invariants() const {
+  // A logarithm with a torus or without a line is enough, whatever the other places are.
+  [[nodiscard]] bool asks_open_places() const {
     return leaf_.by != Conclusion::torus_log && leaf_.by != Conclusion::irreducible_log;
   }
 

@@ -64,7 +64,7 @@ class Leaf:
             x.real = Fraction(0) if negative else root_above(square, 8) if square is not None else None
         elif x.delta is None:
             x.open, x.real = True, x.b
-            need(linear or self.by == "irreducible-log", "an exponent difference is not known")
+            need(linear or self.by in ("irreducible-log", "torus-log"), "an exponent difference is not known")
         x.irrational = x.delta is None
         if d["log"] and x.delta != 0:
             need(x.n == 1 and x.delta in range(1, 41), "no logarithm can be seen here")

@@ -111,8 +111,8 @@ void Places::examine_exponent(ProvedPlace& x, const StratumPlace& given) {
   }
   x.bound = given.bound;
   if (x.bound) need_bound(x);
-  need(!x.open() || x.linear() || leaf_.theorem == "irreducible-log",
-       "an exponent difference is not known");
+  const bool asks_nothing = leaf_.theorem == "irreducible-log" || leaf_.theorem == "torus-log";
+  need(!x.open() || x.linear() || asks_nothing, "an exponent difference is not known");
 }
 
 // chi(Delta^2) = 0 at every root: Delta^2 = X/Y with Y = q'^2 den/q^2, X = Y + 4 num.
