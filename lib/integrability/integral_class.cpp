@@ -9,9 +9,9 @@
 namespace kov {
 
 std::string to_string(IntegralClass c) {
-  return c == IntegralClass::meromorphic
-             ? "meromorphic"
-             : "meromorphic also at the ends of the phase curve (points at infinity, equilibria)";
+  return c == IntegralClass::meromorphic ? "meromorphic"
+                                         : "meromorphic also at the ends of the phase curve "
+                                           "(points at infinity, equilibria, poles of the system)";
 }
 
 IntegralClass integral_class(const RationalFunction& r) {

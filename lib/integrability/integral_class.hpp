@@ -17,14 +17,14 @@ struct ManifoldReport;
 struct InvariantManifold;
 
 /// Meromorphic near the phase curve, and where a place of r is irregular also at the points that its
-/// closure adds: at infinity, and at equilibria.
+/// closure adds: at infinity, at equilibria, and at poles of the system.
 enum class IntegralClass : std::uint8_t { meromorphic, meromorphic_at_infinity };
 [[nodiscard]] std::string to_string(IntegralClass c); ///< "meromorphic", ...
 
 /// The class that is left where y'' = r y has a non-abelian identity component.
 /// Example integral_class(RationalFunction(2, z*z))  // -> meromorphic
 /// Example integral_class(z)
-///         // -> meromorphic also at the ends of the phase curve (points at infinity, equilibria)
+///         // -> meromorphic also at the ends of the phase curve (points at infinity, equilibria, poles of the system)
 [[nodiscard]] IntegralClass integral_class(const RationalFunction& r);
 
 /// What is excluded, after the decision of all blocks.

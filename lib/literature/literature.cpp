@@ -42,8 +42,8 @@ std::vector<LiteratureTheorem> all_theorems() {
          "Jacobi's identity, when the system is read"},
         {"the curve is a phase curve and no equilibrium", Settled::checked,
          "the manifold of the step is proved to be invariant"},
-        {"the first integrals are meromorphic near the curve (at its points at infinity as well, "
-         "if one is irregular)",
+        {"the first integrals are meromorphic near the curve (also at the ends of the curve, at "
+         "infinity, equilibria and poles of the system, where one is irregular)",
          Settled::stated, "that is what is excluded"},
         independent}},
       {"Ayoul-Zung",

@@ -28,7 +28,7 @@ along the phase curve with z = s on "N": q = 0, p = 0
   with s = z, c = c
   c^2 = -z^2 + 1
 is not integrable in Liouville's sense with first integrals that are meromorphic also at the ends of the phase curve \
-(points at infinity, equilibria) (in the coordinates and s, c) and do not depend on phi, e, i (Morales-Ramis), as
+(points at infinity, equilibria, poles of the system) (in the coordinates and s, c) and do not depend on phi, e, i (Morales-Ramis), as
   for the equation
   the identity component of the differential Galois group of y'' = ((4*z^3 - z^2 - 4*z - 2)/(4*z^4 - 8*z^2 + 4)) y is not abelian
     always: not abelian (torus)""".splitlines()
@@ -78,7 +78,7 @@ class Systems(unittest.TestCase):
         self.assertIn("  with s = (3)/(5), c = (-4)/(5)", V.check(json.dumps(top))[2])
 
     def test_the_class_of_integrals(self):
-        ends = " also at the ends of the phase curve (points at infinity, equilibria)"
+        ends = " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"
         for name, said in (("regular", ""), ("unipotent", " and do not depend on phi"),
                            ("irregular", ends + " and do not depend on phi"), ("inverse", ends)):
             lines = V.check(json.dumps(systems.GENUINE[name]))[2]

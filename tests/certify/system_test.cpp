@@ -18,7 +18,8 @@ TEST(SystemCertificate, TheExampleIsAcceptedAndSaysWhatItProves) {
   EXPECT_EQ(
       lines[4],
       "is not integrable in Liouville's sense with first integrals that are meromorphic also at "
-      "the ends of the phase curve (points at infinity, equilibria) (Morales-Ramis), as");
+      "the ends of the phase curve (points at infinity, equilibria, poles of the system) "
+      "(Morales-Ramis), as");
   EXPECT_EQ(lines[5], "  y'' = ((1/4*z^2 - 3/16)/(z^2)) y");
 }
 

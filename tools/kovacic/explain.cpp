@@ -20,8 +20,8 @@ constexpr Topic topics[] = {
      "algebraic functions (Kovacic's case 4).  The identity component is SL(2, C), not abelian:\n"
      "if the equation is the normal variational equation of a Hamiltonian system, the system has\n"
      "no second first integral that is meromorphic (Morales-Ramis; where the equation is "
-     "irregular\n"
-     "at infinity: meromorphic at infinity, too)."},
+     "irregular:\n"
+     "meromorphic also at the ends of the phase curve)."},
     {"Borel",
      "All triangular matrices.  Exactly one exponential solution y = exp(int omega) up to a "
      "factor,\n"

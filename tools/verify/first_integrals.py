@@ -37,7 +37,7 @@ def integrals(curve, denials):
     symbols = [s for s in space.functions if curve.has(s) and space.gradients[space.at[s]]]
     text = "meromorphic"
     if not all(regular for regular, _ in denials):
-        text += " also at the ends of the phase curve (points at infinity, equilibria)"
+        text += " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"
     if symbols:
         text += f" (in the coordinates and {', '.join(symbols)})"
     if space.brackets is not None and not space.one_leaf():

@@ -141,7 +141,9 @@ private:
   [[nodiscard]] std::string integrals() const {
     const ExcludedClass& x = found_.integrals;
     return std::string("meromorphic") +
-           (x.ends ? " also at the ends of the phase curve (points at infinity, equilibria)" : "") +
+           (x.ends ? " also at the ends of the phase curve (points at infinity, equilibria, poles "
+                     "of the system)"
+                   : "") +
            (x.symbols.empty() ? "" : " (in the coordinates and " + joined(x.symbols, ", ") + ")") +
            (has_leaves() ? " and independent on the symplectic leaf of the phase curve" : "") +
            (x.without.empty() ? "" : " and do not depend on " + joined(x.without, ", "));
