@@ -76,6 +76,14 @@ for f in [f for f in files if f.startswith("docs/") and f.endswith(".md")] + ["R
     for header in re.findall(r"`([a-z_]+(?:/[a-z_]+)?/[a-z0-9_]+\.hpp)`", text(f)):
         if not os.path.exists(os.path.join(root, "lib", header)) and not os.path.exists(os.path.join(root, header)):
             wrong.append(f"{f}: the header {header} does not exist")
+index = text("tools/site_source/index.md")
+for f in [f for f in files if f.startswith("docs/") and f.endswith(".md") and f != "docs/README.md"]:
+    page = f[len("docs/"):-len(".md")]
+    if not re.search(rf"^(?:.* <)?(?:{page}|{os.path.dirname(page) or '-'}/\*)>?$", index, re.M):
+        wrong.append(f"{f}: no table of contents of tools/site_source/index.md leads there")
+for f in [f for f in sources if f.startswith("tests/")]:  # tests run beside each other
+    if re.search(r"TempDir\(\)|\"/tmp/", text(f)):
+        wrong.append(f"{f}: writes where other tests write, see tests/support/own_folder.hpp")
 for key in sorted(keys - cited_keys):
     wrong.append(f"docs/references.bib: nobody cites {key}")
 
