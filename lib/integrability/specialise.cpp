@@ -1,5 +1,8 @@
 #include "integrability/specialise.hpp"
 
+#include "exact/error.hpp"
+#include "system/relations.hpp"
+
 #include <algorithm>
 
 namespace kov {
@@ -45,6 +48,8 @@ void put(ManifoldSpec& m, const Substitution& values) {
 System at_values(const System& s, const Substitution& values) {
   System special = s;
   put(special.field, values);
+  if (special.field.relations != s.field.relations)
+    if (const auto why = reducible_relations(special.field)) throw DomainError(*why);
   for (auto& m : special.manifolds)
     put(m, values);
   for (auto& r : special.reductions)

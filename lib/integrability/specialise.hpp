@@ -6,7 +6,8 @@
 namespace kov {
 
 /// The parameters of `values` replaced everywhere that check_manifold looks at, and removed from
-/// the list of parameters.  Errors  DomainError: something has no value there
+/// the list of parameters.
+/// Errors  DomainError: something has no value there, or the relations have several solutions
 /// Given   const System free = read_system(parse_document("system = {kind = 'hamiltonian', "
 ///             "coordinates = ['q'], momenta = ['p'], parameters = ['a'], "
 ///             "hamiltonian = 'p^2/2 + a*q^2'}", "free.toml"));

@@ -6,6 +6,7 @@
 #include "exact/error.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
+#include "system/relations.hpp"
 
 #include <algorithm>
 
@@ -69,6 +70,8 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
   if (relations)
     for (const Entry* r : relations->list()) {
       const MFraction f = scope.equation(*r).difference;
+      if (is_zero(f)) continue; // at the values that are set
+      if (is_constant(f)) throw r->error("this relation does not hold at the values that are set");
       const auto main = v.main_variables();
       if (std::none_of(main.begin(), main.end(), [&](std::size_t i) { return uses(f.num(), i); }))
         throw r->error("a relation between parameters is an assumption",
@@ -83,6 +86,9 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
         throw relations->error("the relation " + to_string(f) + " = 0 does not agree with the " +
                                "derivatives of its functions: its derivative by " + v.name(j) +
                                " is " + to_string(d));
+  if (const auto why = reducible_relations(v))
+    throw relations->error(*why, "write the relation of the one that is meant; a constant can also "
+                                 "be given a value, like a parameter");
   const Entry* functions = system.find("function");
   for (const auto& f : v.functions) // a gradient is closed
     for (std::size_t i = 0; i < v.dimension(); ++i)
@@ -91,8 +97,8 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
           throw functions->error("there is no function '" + v.ring->name(f.variable) +
                                  "' with these derivatives: those by " + v.name(i) + " and " +
                                  v.name(j) + " do not commute");
-  for (const auto& name : scope.constants) {
-    const std::size_t i = v.ring->index(name);
+  for (const std::size_t i : v.constants) {
+    const std::string& name = v.ring->name(i);
     if (std::none_of(v.relations.begin(), v.relations.end(),
                      [&](const MPoly& f) { return uses(f, i); }))
       throw system.at("constants")
@@ -227,7 +233,8 @@ void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
   VectorField& v = s.field;
   v.ring = scope.ring();
   v.coordinates = indices(v.ring, scope.coordinates);
-  v.constants = indices(v.ring, scope.constants);
+  for (const auto& name : scope.constants)
+    if (!scope.values.count(name)) v.constants.push_back(v.ring->index(name));
   for (const auto& name : scope.parameters)
     if (!scope.values.count(name)) v.parameters.push_back(v.ring->index(name));
   s.z = v.ring->index(scope.independent);

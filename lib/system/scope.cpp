@@ -72,7 +72,10 @@ void SystemScope::define(const std::string& name, const Entry& entry) {
 }
 
 void SystemScope::fix(const std::string& name, const Expression& e) {
-  if (std::find(parameters.begin(), parameters.end(), name) == parameters.end()) {
+  const auto is_in = [&](const std::vector<std::string>& all) {
+    return std::find(all.begin(), all.end(), name) != all.end();
+  };
+  if (!is_in(parameters) && !is_in(constants)) {
     const auto guess = nearest(name, parameters);
     throw e.error("'" + name + "' is not a parameter of this system",
                   guess ? "did you mean '" + *guess + "'?"
