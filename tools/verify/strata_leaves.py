@@ -50,7 +50,7 @@ class Leaf:
             given = {k for k in d if k not in ("q", "order") and d[k] is not None}
             need(given <= ({"log"} if order == 1 else set()), "not a regular place")
             return x
-        x.chi = d["chi"] and self.chi(q, [self.s.poly(f) for f in d["chi"]])
+        x.chi = None if d["chi"] is None else self.chi(q, [self.s.poly(f) for f in d["chi"]])
         linear = x.chi and len(x.chi) == 2
         square = ratio(x.chi[0] * -1, x.chi[1]) if linear else None
         x.delta = x.real = exact_sqrt(square) if square is not None else None
