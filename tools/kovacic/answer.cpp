@@ -212,6 +212,13 @@ private:
     return message(result.at("undecided").is_null() ? tag_decided : tag_undecided, result, proof);
   }
 
+  // Is the identity component decided on some stratum, or on a part of one?
+  static bool says_something(const strata::StrataAnswer& answer) {
+    const auto all = answer.told_apart();
+    return std::any_of(all.begin(), all.end(),
+                       [](const auto& x) { return x.leaf.abelian != Truth::unknown; });
+  }
+
   // The certificate, or nothing; the result says why.
   static std::string certificate_of(const strata::StrataAnswer& answer,
                                     const strata::StrataLimits& limits, Json& result) {
@@ -222,7 +229,7 @@ private:
         return {};
       }
       if (!c.says_anything) {
-        if (answer.decided())
+        if (says_something(answer))
           result["no_certificate"] = "the format has no rule for the strata that are decided";
         return {};
       }
