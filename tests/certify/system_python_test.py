@@ -25,7 +25,7 @@ ANGLE = """the system "an angle"
   first integral "H": (2*J + q^2*s + p^2)/2
   first integral "H again": (2*J*s^2 + 2*J*c^2 + q^2*s + p^2)/2
 along the phase curve with z = s on "N": q = 0, p = 0
-  with s = z, c = c
+  for functions with s = z, c = c there
   c^2 = -z^2 + 1
 is not integrable in Liouville's sense with first integrals that are meromorphic also at the ends of the phase curve \
 (points at infinity, equilibria, poles of the system) (in the coordinates and s, c) and do not depend on phi, e, i (Morales-Ramis), as
@@ -69,13 +69,13 @@ class Systems(unittest.TestCase):
 
     def test_the_statement_names_what_a_curve_chooses(self):
         """k = 3/2 would be a parameter with one value; the sine of 0 is 0, and the solution of s' = c that is 3/5 is shown"""
-        self.assertIn("  with k = w", self.lines("constant", ["title"], "x"))
+        self.assertIn("  for functions with k = w there", self.lines("constant", ["title"], "x"))
         top = systems.GENUINE["airy_field"]
         top = changed(top, ["system", "functions"], [{"name": "s", "meaning": "sin(y)", "gradient": {"y": "c"}},
                                                      {"name": "c", "meaning": "cos(y)", "gradient": {"y": "-s"}}])
         top = changed(changed(top, ["system", "relations"], ["c^2 + s^2 - 1"]), ["curve", "values", "s"], ["3", "5"])
         top = changed(top, ["curve", "values", "c"], ["-4", "5"])
-        self.assertIn("  with s = (3)/(5), c = (-4)/(5)", V.check(json.dumps(top))[2])
+        self.assertIn("  for functions with s = (3)/(5), c = (-4)/(5) there", V.check(json.dumps(top))[2])
 
     def test_the_class_of_integrals(self):
         ends = " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"

@@ -61,7 +61,7 @@ class Shown:
         yield line + f": {where}" * bool(where) + f"; levels {self.zero(self.curve.levels)}" * bool(self.curve.levels)
         values = [f"{s} = {self.element(d['curve']['values'][s])}" for s in self.space.functions if self.curve.has(s)]
         if values:
-            yield f"  with {', '.join(values)}"
+            yield f"  for functions with {', '.join(values)} there"
         for w in self.R.tower:
             yield f"  {w['name']}^{w['degree']} = {self.element(w['value'])}"
         shown = [self.polynomial(p) for p in self.R.shown if p.variables() - {0}]

@@ -103,7 +103,7 @@ private:
     for (std::size_t i = s_.dimension; i < s_.first_inverse(); ++i)
       for (const auto& [k, value] : c.values)
         if (k == i) all.push_back(name(i) + " = " + element(value));
-    if (!all.empty()) lines_.push_back("  with " + joined(all, ", "));
+    if (!all.empty()) lines_.push_back("  for functions with " + joined(all, ", ") + " there");
   }
 
   void curve() {
