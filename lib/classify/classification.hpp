@@ -71,11 +71,15 @@ struct SystemClassification {
 
 /// "meromorphic (in the coordinates and s, c)"; empty where nothing is excluded.
 [[nodiscard]] std::string integrals_class(const SystemClassification& c);
+/// The same for one reason by itself.
+[[nodiscard]] std::string integrals_class(const SystemClassification& c, const ExclusionReason& by);
 /// "b = 6", "b = 1, A = B": the strata with one of these, in few pieces.
 [[nodiscard]] std::vector<std::string> places(const SystemClassification& c,
                                               const std::vector<StratumStatus>& wanted);
 /// The theorem as one sentence.
 [[nodiscard]] std::string statement(const SystemClassification& c);
+/// "not integrable with first integrals that are ...": what one reason proves of its strata.
+[[nodiscard]] std::string statement(const SystemClassification& c, const ExclusionReason& by);
 /// The conditions of a stratum besides the assumptions, each as text; empty: all parameters.
 [[nodiscard]] std::vector<std::string> conditions(const SystemClassification& c,
                                                   const ClassifiedStratum& s);

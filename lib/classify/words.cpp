@@ -35,14 +35,22 @@ std::string listed(const std::vector<std::string>& all, const std::string& first
   return text;
 }
 
+std::string class_text(const SystemClassification& c, ExcludedClass excluded,
+                       const std::vector<std::string>& without) {
+  const std::string in = listed(c.functions, " (in the coordinates and ");
+  return to_string(excluded) + in + (in.empty() ? "" : ")") +
+         (c.on_leaves ? " and independent on the symplectic leaves of the solutions" : "") +
+         listed(without, " and do not contain ");
+}
+
 } // namespace
 
 std::string integrals_class(const SystemClassification& c) {
-  if (!c.excluded) return "";
-  const std::string in = listed(c.functions, " (in the coordinates and ");
-  return to_string(*c.excluded) + in + (in.empty() ? "" : ")") +
-         (c.on_leaves ? " and independent on the symplectic leaves of the solutions" : "") +
-         listed(c.without, " and do not contain ");
+  return c.excluded ? class_text(c, *c.excluded, c.without) : "";
+}
+
+std::string integrals_class(const SystemClassification& c, const ExclusionReason& by) {
+  return class_text(c, by.integrals, by.without);
 }
 
 std::string to_string(ClassificationStatus s) {
@@ -152,10 +160,11 @@ std::string alternatives(const SystemClassification& c, const std::vector<Stratu
   return "for " + text;
 }
 
-std::string kind_of(const SystemClassification& c) {
+std::string kind_of(const SystemClassification& c, const std::string& integrals) {
   return "first integrals " + std::string(c.liouville ? "" : "and commuting vector fields ") +
-         "that are " + integrals_class(c);
+         "that are " + integrals;
 }
+std::string kind_of(const SystemClassification& c) { return kind_of(c, integrals_class(c)); }
 
 bool has(const SystemClassification& c, StratumStatus status) {
   return std::any_of(c.strata.begin(), c.strata.end(),
@@ -163,6 +172,10 @@ bool has(const SystemClassification& c, StratumStatus status) {
 }
 
 } // namespace
+
+std::string statement(const SystemClassification& c, const ExclusionReason& by) {
+  return "not integrable with " + kind_of(c, integrals_class(c, by));
+}
 
 std::string statement(const SystemClassification& c) {
   switch (c.status()) {

@@ -21,7 +21,7 @@ namespace kov {
 /// Given   VectorField v; v.ring = ring, v.coordinates = {0}, v.functions = {{1, "r", {x / r}}};
 /// Given   v.components = {r}, v.relations = {(r * r - x * x).num()};
 /// Example reducible_relations(v).value()
-///         // -> the relations have several solutions: (r - x)*(r + x) = 0
+///         // -> the relations have several solutions: (x - r)*(x + r) = 0
 [[nodiscard]] std::optional<std::string> reducible_relations(const VectorField& v,
                                                              const Budget& budget = {});
 

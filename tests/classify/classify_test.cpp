@@ -257,5 +257,21 @@ TEST(Classify, WithoutTimeAllIsOpen) {
     EXPECT_EQ(s.status, StratumStatus::open);
 }
 
+// mechanics.md (6): H, x exp(-phi) and an integral with exp(s phi) are independent and entire, so
+// that no step may exclude integrals with phi.
+TEST(Classify, EachReasonSaysItsWholeClass) {
+  const System s = read_system(
+      parse_document("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'phi', 'q']\n"
+                     "momenta = ['px', 'pphi', 'p']\nconstants = ['s']\nrelations = ['s^2 = 2']\n"
+                     "hamiltonian = 'x*px + pphi + p^2/2 - ((s + x/(x-1))^2 - x/(x-1)^2)*q^2/2'\n",
+                     "test.toml"));
+  const SystemClassification c = classify_system(s, within(20));
+  ASSERT_EQ(c.status(), ClassificationStatus::non_integrable);
+  EXPECT_THAT(statement(c), testing::HasSubstr("do not contain phi"));
+  for (const ClassifiedStratum& x : c.strata)
+    for (const ExclusionReason& by : x.by)
+      EXPECT_THAT(statement(c, by), testing::HasSubstr("do not contain phi"));
+}
+
 } // namespace
 } // namespace kov

@@ -63,14 +63,16 @@ void add_theorems(NodeResult& n, const ExclusionReason& by) {
   }
 }
 
-NodeResult exclusion(const ExcludedTogether& e, std::size_t number) {
+NodeResult exclusion(const SystemClassification& c, const ExcludedTogether& e, std::size_t number) {
   NodeResult n;
   n.node.id = "excluded-" + std::to_string(number);
   n.node.title = "Not integrable, along " + e.by->solution;
-  n.statement = "not integrable with first integrals that are " + to_string(e.by->integrals);
+  n.statement = statement(c, *e.by);
   n.summary = e.by->reason;
   n.status = NodeStatus::proved;
   n.trusted = e.by->trusted;
+  if (!e.by->unchecked.empty())
+    n.node.hypotheses.push_back({.text = e.by->unchecked, .checked = false});
   if (!e.by->level.empty()) n.formulas.push_back({"level", e.by->level});
   Grid g{"Excluded", {"parameters"}, {}};
   for (const std::string& where : e.where)
@@ -97,7 +99,8 @@ std::vector<ExcludedTogether> excluded_together(const SystemClassification& c) {
     if (s.status != StratumStatus::excluded) continue;
     const ExclusionReason& by = s.by.front();
     auto same = std::find_if(all.begin(), all.end(), [&](const ExcludedTogether& e) {
-      return reason_of(*e.by) == reason_of(by);
+      return reason_of(*e.by) == reason_of(by) && e.by->integrals == by.integrals &&
+             e.by->without == by.without && e.by->unchecked == by.unchecked;
     });
     if (same == all.end()) same = all.insert(all.end(), {&by, {}});
     same->where.push_back(where_text(c, s));
@@ -113,7 +116,7 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c) {
   t.seconds = c.seconds;
   t.nodes.push_back(root(s, c));
   for (const ExcludedTogether& e : excluded_together(c)) {
-    t.nodes.push_back(exclusion(e, t.nodes.size()));
+    t.nodes.push_back(exclusion(c, e, t.nodes.size()));
     t.nodes.front().node.needs.push_back(t.nodes.back().node.id);
   }
   return t;

@@ -104,7 +104,8 @@ Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
                   {"order", o.order},
                   {"level", o.level.empty() ? Json(nullptr) : Json(o.level)},
                   {"reason", o.reason},
-                  {"integrals_class", to_string(o.integrals)}});
+                  {"integrals_class", integrals_class(c, o)},
+                  {"not_checked", o.unchecked.empty() ? Json(nullptr) : Json(o.unchecked)}});
   return {{"conditions", conditions(c, s)},
           {"status", to_string(s.status)},
           {"integrals", integrals},
