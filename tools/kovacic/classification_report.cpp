@@ -63,10 +63,20 @@ void add_theorems(NodeResult& n, const ExclusionReason& by) {
   }
 }
 
+// " for b = 1", so that titles tell the steps apart; long sets stand in the table of the step.
+std::string briefly(const std::vector<std::string>& where) {
+  constexpr std::size_t longest = 60;
+  std::string text = " for " + where.front();
+  if (where.size() > 1) text += " and " + std::to_string(where.size() - 1) + " more";
+  return text.size() > longest ? " in " + std::to_string(where.size()) +
+                                     (where.size() == 1 ? " set" : " sets") + " of parameters"
+                               : text;
+}
+
 NodeResult exclusion(const SystemClassification& c, const ExcludedTogether& e, std::size_t number) {
   NodeResult n;
   n.node.id = "excluded-" + std::to_string(number);
-  n.node.title = "Not integrable, along " + e.by->solution;
+  n.node.title = "Not integrable" + briefly(e.where) + ", along " + e.by->solution;
   n.statement = statement(c, *e.by);
   n.summary = e.by->reason;
   n.status = NodeStatus::proved;
