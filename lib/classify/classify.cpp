@@ -8,6 +8,7 @@
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "integrability/study.hpp"
+#include "system/relations.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -409,7 +410,7 @@ private:
     for (const IntegralsOfSet& set :
          search_integrals(round.system, std::min(options_.degree, low_degree), 0.1).sets)
       if (is_enough(round.system, set))
-        contradict_nothing(conditions_of(set, {}), set, round.system, decided);
+        contradict_nothing(conditions_of(round.system, set, {}), set, round.system, decided);
   }
 
   // As many as Liouville's theorem wants; without a bracket all but one of them.
@@ -417,12 +418,16 @@ private:
     return s.field.poisson ? set.liouville : set.integrals.size() + 1 >= s.field.dimension();
   }
 
-  static Exclusion conditions_of(const IntegralsOfSet& set, const std::vector<MPoly>& not_covered) {
+  // At special values where the relations fall apart the integrals may depend on one another.
+  static Exclusion conditions_of(const System& s, const IntegralsOfSet& set,
+                                 const std::vector<MPoly>& not_covered) {
     Exclusion where;
     where.zero = set.equations;
     for (const auto* list : {&set.inequations, &not_covered})
       for (const MPoly& p : *list)
         where.not_all_zero.push_back({p});
+    if (auto special = where_relations_fall_apart(s.field); !special.empty())
+      where.not_all_zero.push_back(std::move(special));
     return where;
   }
 
@@ -430,7 +435,7 @@ private:
   void take_integrals(Round& round, const IntegralsOfSet& set,
                       const std::vector<MPoly>& not_covered, std::size_t decided,
                       std::vector<Piece>& met) {
-    const Exclusion where = conditions_of(set, not_covered);
+    const Exclusion where = conditions_of(round.system, set, not_covered);
     const bool enough = is_enough(round.system, set);
     if (enough) {
       contradict_nothing(where, set, round.system, decided);

@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "integrability/change_search.hpp"
 #include "integrability/parameters.hpp"
+#include "system/relations.hpp"
 #include "variation/leaf.hpp"
 
 #include <algorithm>
@@ -63,7 +64,9 @@ void decide_parameters(const System& s, const CheckOptions& options, BlockReport
 void except_where_invalid(const System& s, const CheckOptions& options, BlockReport& block) {
   const AlgebraicOde& ode = *block.ode;
   const Truth generic = block.decision->abelian;
-  if (s.field.parameters.empty() || ode.generic.empty()) return void(block.abelian = generic);
+  const bool one_system = where_relations_fall_apart(s.field).empty();
+  if (s.field.parameters.empty() || (ode.generic.empty() && one_system))
+    return void(block.abelian = generic);
   if (s.field.constants.empty()) {
     decide_parameters(s, options, block);
     const auto& all = block.strata->strata;
@@ -83,7 +86,8 @@ void except_where_invalid(const System& s, const CheckOptions& options, BlockRep
             "decided only where " + to_string(g) + " is not zero: " + reason(*block.decision);
         return;
       }
-  block.abelian = generic;
+  block.abelian = one_system ? generic : Truth::unknown;
+  if (!one_system) block.note = "the relations of the functions fall apart for some parameters";
 }
 
 // one_level: one value of the energy is enough, levels.cpp looks for it

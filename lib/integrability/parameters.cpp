@@ -1,6 +1,7 @@
 #include "integrability/parameters.hpp"
 
 #include "exact/error.hpp"
+#include "system/relations.hpp"
 
 #include <algorithm>
 
@@ -30,6 +31,15 @@ void add_assumption(Assumptions& all, const Assumption& a, const Ring& ring) {
       if (a.relation != Relation::real) all.rational.push_back(used[0]);
     }
   }
+}
+
+// At special values there may be several systems, and the curve lies in one of them.
+void add_special_relations(const System& s, const Ring& ring, strata::Question& q) {
+  std::vector<MPoly> special;
+  for (const MPoly& g : where_relations_fall_apart(s.field))
+    special.push_back(transfer(MFraction(g), ring).num());
+  if (!special.empty())
+    q.generic.push_back({std::move(special), "the relations of the functions fall apart there"});
 }
 
 } // namespace
@@ -77,6 +87,7 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
         q.generic.push_back({coefficients(transfer(MFraction(g), ring).num(), q.z),
                              "the reduction divides by " + brief(MFraction(g), 80)});
     }
+  add_special_relations(s, ring, q);
   return q;
 }
 

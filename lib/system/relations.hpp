@@ -25,4 +25,21 @@ namespace kov {
 [[nodiscard]] std::optional<std::string> reducible_relations(const VectorField& v,
                                                              const Budget& budget = {});
 
+/// Polynomials g1, g2, ... in the parameters: where not all of them vanish the relations of the
+/// functions have as many solutions as for general parameters.  Empty: everywhere.  For
+/// r^2 = x^2 + a*y^2 it is a = 0 that is special.
+/// Requires !reducible_relations(v)
+/// Cost     as above, and discriminants of polynomials in one variable and the parameters
+/// Errors   OutOfBudget, also where no line in general position is found
+/// Source   docs/theory/mechanics.md (1), "Special values"
+/// Given   const Ring with_a = make_ring({"x", "y", "r", "a"});
+/// Given   const MFraction X = MFraction::variable(with_a, "x"), Y = MFraction::variable(with_a, "y");
+/// Given   const MFraction R = MFraction::variable(with_a, "r"), a = MFraction::variable(with_a, "a");
+/// Given   VectorField w; w.ring = with_a, w.coordinates = {0, 1}, w.parameters = {3};
+/// Given   w.functions = {{2, "r", {X / R, a * Y / R}}}, w.components = {R, R};
+/// Given   w.relations = {(R * R - X * X - a * Y * Y).num()};
+/// Example where_relations_fall_apart(w)  // -> {a}
+[[nodiscard]] std::vector<MPoly> where_relations_fall_apart(const VectorField& v,
+                                                            const Budget& budget = {});
+
 } // namespace kov

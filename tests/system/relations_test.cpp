@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 namespace kov {
 namespace {
 
@@ -67,6 +69,49 @@ TEST(Relations, ComponentsAboveSpecialCoordinates) {
   EXPECT_THAT(reducible_relations(v).value(), HasSubstr("solution"));
   v.relations = {(r * r - x).num()};
   EXPECT_FALSE(reducible_relations(v));
+}
+
+// A function r with r^2 = p in the variables x, y and parameters a, b; and a second one.
+std::string special(const std::vector<std::string>& squares) {
+  const Ring ring = make_ring({"x", "y", "r", "q", "a", "b"});
+  const auto x = [&](const std::string& name) { return MFraction::variable(ring, name); };
+  const MFraction X = x("x"), Y = x("y"), a = x("a"), b = x("b"), one(ring, Rational(1));
+  const std::map<std::string, MFraction> known{
+      {"ellipse", X * X + a * Y * Y},
+      {"square at 1", X * X + (a + a) * X * Y * Y + Y * Y * Y * Y},
+      {"never", X * X * X + a * Y},
+      {"left", (X - a) * (X - a) + Y * Y},
+      {"right", (X + a) * (X + a) + Y * Y},
+      {"circle", X * X + Y * Y},
+      {"two", X * X + a * Y * Y + b},
+      {"inverse", a * X * X + b * Y * Y}};
+  VectorField v;
+  v.ring = ring;
+  v.coordinates = {0, 1};
+  v.parameters = {4, 5};
+  const char* const names[] = {"r", "q"};
+  for (std::size_t i = 0; i < squares.size(); ++i) {
+    const MFraction f = known.at(squares[i]), r = x(names[i]);
+    const MFraction half = one / (r + r);
+    v.functions.push_back({2 + i, names[i], {half * derivative(f, 0), half * derivative(f, 1)}});
+    v.relations.push_back((r * r - f).num());
+  }
+  v.components = {one, one};
+  std::string text;
+  for (const MPoly& g : where_relations_fall_apart(v))
+    text += (text.empty() ? "" : ", ") + to_factored_string(MFraction(g));
+  return text;
+}
+
+TEST(Relations, SpecialValues) {
+  EXPECT_EQ(special({"circle"}), "");
+  EXPECT_EQ(special({"never"}), "a"); // r^2 = x^3 is one curve, but its branch points meet
+  EXPECT_EQ(special({"ellipse"}), "a");
+  EXPECT_THAT(special({"square at 1"}), testing::AllOf(HasSubstr("(a - 1)"), HasSubstr("(a + 1)")));
+  EXPECT_THAT(special({"left", "right"}), HasSubstr("a"));
+  EXPECT_THAT(special({"circle", "ellipse"}), HasSubstr("a - 1"));
+  EXPECT_THAT(special({"inverse"}), testing::AllOf(HasSubstr("a"), HasSubstr("b")));
+  EXPECT_NE(special({"two"}), "");
 }
 
 } // namespace

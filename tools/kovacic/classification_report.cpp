@@ -65,12 +65,8 @@ void add_theorems(NodeResult& n, const ExclusionReason& by) {
 
 // " for b = 1", so that titles tell the steps apart; long sets stand in the table of the step.
 std::string briefly(const std::vector<std::string>& where) {
-  constexpr std::size_t longest = 60;
-  std::string text = " for " + where.front();
-  if (where.size() > 1) text += " and " + std::to_string(where.size() - 1) + " more";
-  return text.size() > longest ? " in " + std::to_string(where.size()) +
-                                     (where.size() == 1 ? " set" : " sets") + " of parameters"
-                               : text;
+  constexpr std::size_t longest = 30;
+  return where.size() > 1 || where.front().size() > longest ? "" : " for " + where.front();
 }
 
 NodeResult exclusion(const SystemClassification& c, const ExcludedTogether& e, std::size_t number) {
