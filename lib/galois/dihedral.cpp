@@ -4,6 +4,7 @@
 #include "exact/factor.hpp"
 #include "exact/modular.hpp"
 #include "galois/jacobian.hpp"
+#include "galois/torsion_function.hpp"
 #include "linode/polynomial_solution.hpp"
 
 #include <algorithm>
@@ -386,6 +387,13 @@ DihedralAnswer by_curvatures(DihedralAnswer answer, const DihedralCurve& c, cons
 }
 
 } // namespace
+
+std::optional<RationalFunction> torsion_function(const DihedralCurve& c, const Integer& n,
+                                                 const Budget& budget) {
+  const Poles poles = poles_of(c);
+  if (poles.infinite) return std::nullopt;
+  return function_with_divisor(c, poles.list, n, budget);
+}
 
 DihedralAnswer decide_dihedral(const DihedralCurve& c, const Singularities& s,
                                const Budget& budget) {

@@ -1,6 +1,7 @@
 #include "recognized.hpp"
 
 #include "algebraize/algebraize.hpp"
+#include "decide/whittaker_pull_back.hpp"
 #include "equation/linear_form.hpp"
 #include "equation/parameter_scope.hpp"
 #include "exact/error.hpp"
@@ -52,6 +53,8 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
   try {
     found =
         recognize(equation.normal_form.r, budget, decision.places ? &*decision.places : nullptr);
+    if (!found && decision.places)
+      found = recognize_pull_back(*decision.places, equation.variable, budget);
   } catch (const OutOfBudget&) { // the answer itself is there
   }
   if (!found) return nullptr;

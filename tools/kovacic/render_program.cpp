@@ -70,7 +70,9 @@ private:
     return text;
   }
   [[nodiscard]] std::string name(const std::string& name) const {
-    return program_ == Program::maxima && name == "I" ? "%i" : safe_name(name, program_);
+    if (program_ == Program::maxima && (name == "I" || name == "pi"))
+      return name == "I" ? "%i" : "%pi";
+    return safe_name(name, program_);
   }
 
   [[nodiscard]] std::string call(const Expression& e) const {
@@ -81,7 +83,8 @@ private:
     std::string list;
     for (const Expression& x : e.operands())
       list += (list.empty() ? "" : ", ") + (*this)(x);
-    return e.name() + "(" + list + ")";
+    const bool other = program_ == Program::maxima && e.name() == "Ei";
+    return (other ? "expintegral_ei" : e.name()) + "(" + list + ")";
   }
 
   // root(p(x), approximation): the root of p nearest to the point
@@ -133,6 +136,7 @@ public:
     given_form();
     if (result_.contains("strata")) strata();
     if (result_.at("solutions").is_array()) solutions();
+    if (result_.contains("basis")) basis();
     return std::move(text_);
   }
 
@@ -228,6 +232,14 @@ private:
       else
         algebraic(number, solution.at("minimal_polynomial"));
     }
+  }
+
+  // Both solutions where the list above has one, or a polynomial.
+  void basis() {
+    comment("a basis of solutions (checked by kovacic, in exact arithmetic)");
+    const bool first_is_there = result_.at("solutions").at(0).contains("y");
+    if (!first_is_there) define("y1", formula(result_.at("basis").at(0).get<std::string>()));
+    define("y2", formula(result_.at("basis").at(1).get<std::string>()));
   }
 
   void exponential(int number, const std::string& y) {

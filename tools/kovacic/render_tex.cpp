@@ -39,7 +39,9 @@ std::string tex_call(const Expression& e) {
   const std::string inside = tex(e.operand(0));
   if (e.name() == "sqrt") return "\\sqrt{" + inside + "}";
   if (e.name() == "exp") return "\\exp\\left(" + inside + "\\right)";
-  if (e.name() == "int") return "\\int " + tex(e.operand(0), of_product) + "\\,dz";
+  if (e.name() == "int")
+    return "\\int " + tex(e.operand(0), of_product) + "\\,d" +
+           (e.operands().size() > 1 ? tex(e.operand(1)) : "z");
   if (e.name() == "root")
     return "\\operatorname{root}\\left(" + inside + "\\right)"; // the approximation is left out
   std::string list;
@@ -168,6 +170,14 @@ std::string strata_tex(const Json& result) {
   return s;
 }
 
+std::string tex_of_basis(const std::string& name, const std::vector<std::string>& solutions) {
+  std::string s;
+  for (std::size_t i = 0; i < solutions.size(); ++i)
+    s += "\\[ " + name + "_" + std::to_string(i + 1) + " = " + tex_of_formula(solutions[i]) +
+         " \\]\n";
+  return s;
+}
+
 } // namespace
 
 std::string tex_of_formula(const std::string& formula) {
@@ -216,6 +226,9 @@ std::string tex_of_result(const Json& result, const std::string& title) {
     }
     s += "\\[ w = y'/y:\\quad " + polynomial + " = 0 \\]\n";
   }
+  if (result.contains("basis")) s += tex_of_basis("y", solutions_of(result));
+  if (result.contains("original") && result.at("original").at("factor") != "1")
+    s += "Solutions of the given equation:\n" + tex_of_basis("y", original_solutions(result));
   return s;
 }
 

@@ -124,6 +124,13 @@ void put_solutions(std::ostringstream& out, const Json& solutions) {
   }
 }
 
+// y1 = ..., y2 = ..., beside a label.
+void put_all(std::ostringstream& out, const std::string& label,
+             const std::vector<std::string>& solutions) {
+  for (std::size_t i = 0; i < solutions.size(); ++i)
+    put(out, i == 0 ? label : "", "y" + std::to_string(i + 1) + " = " + solutions[i]);
+}
+
 void put_original(std::ostringstream& out, const Json& original) {
   const std::string factor = original.at("factor").get<std::string>();
   if (factor == "1") return;
@@ -224,6 +231,9 @@ std::string text_of_result(const Json& result, const std::string& title, const S
     put(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
   if (result.contains("original")) put_original(out, result.at("original"));
   put_solutions(out, result.at("solutions"));
+  if (result.contains("basis")) put_all(out, "basis", solutions_of(result));
+  if (result.contains("original") && result.at("original").at("factor") != "1")
+    put_all(out, "given: y", original_solutions(result));
   if (style.solutions && result.contains("no_solutions"))
     put(out, "solutions", "not printed: " + result.at("no_solutions").get<std::string>());
   if (style.trace && result.contains("trace")) {

@@ -1,6 +1,7 @@
 #include "result.hpp"
 
 #include "decide/words.hpp"
+#include "galois/basis.hpp"
 #include "galois/exponential_form.hpp"
 #include "recognized.hpp"
 
@@ -38,6 +39,18 @@ void put_solutions(Json& j, const Decision& d, std::size_t most_bytes, const Bud
     j["solutions"] = std::move(all);
   } catch (const OutOfBudget& limit) {
     j["no_solutions"] = limit.what();
+  }
+}
+
+// Both solutions, where "solutions" names one line or a minimal polynomial only; a limit leaves them
+// out.
+void put_basis(Json& j, const Decision& d, std::size_t most_bytes, const Budget& budget) {
+  if (d.no_solutions || d.solutions.size() != 1 || d.proof() == nullptr) return;
+  try {
+    const auto both = basis(*d.proof(), d.r, d.solutions, d.variable, budget);
+    if (!both || (most_bytes > 0 && both->first.size() + both->second.size() > most_bytes)) return;
+    j["basis"] = {both->first, both->second};
+  } catch (const OutOfBudget&) { // the solutions say what is known
   }
 }
 
@@ -95,6 +108,7 @@ Json closed_result(Json open, const Decision& d, double seconds, std::size_t mos
   j["abelian"] = text_of(d.abelian);
   if (d.kovacic_case) j["case"] = *d.kovacic_case;
   put_solutions(j, d, most_bytes, budget);
+  put_basis(j, d, most_bytes, budget);
   j["reason"] = reason(d);
   if (d.undecided)
     j["undecided"] = {{"why", name_of(d.undecided->why)}, {"detail", d.undecided->detail}};
@@ -114,8 +128,28 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
   result["undecided"] = {{"why", why}, {"detail", detail}};
 }
 
+std::vector<std::string> solutions_of(const Json& result) {
+  if (result.contains("basis")) return result.at("basis").get<std::vector<std::string>>();
+  std::vector<std::string> all;
+  if (result.at("solutions").is_array())
+    for (const Json& s : result.at("solutions"))
+      if (s.contains("y")) all.push_back(s.at("y").get<std::string>());
+  return all;
+}
+
+std::vector<std::string> original_solutions(const Json& result) {
+  std::vector<std::string> all;
+  const std::string factor = result.at("original").at("factor").get<std::string>();
+  for (const std::string& u : solutions_of(result))
+    all.push_back(factor == "1" ? u : u == "1" ? factor : factor + "*" + u);
+  return all;
+}
+
 // y = u exp(-1/2 int p), u'' = r u.  Scalars are central: docs/theory/normal_form.md, 1.5.
 Json original_form(const GivenEquation& e, const Budget& budget) {
+  KOV_ENSURE(derivative(e.p) * RationalFunction(Rational(1, 2)) +
+                 e.p * e.p * RationalFunction(Rational(1, 4)) - e.q ==
+             e.normal_form.r);
   Json j = {{"form", e.form == GivenEquation::Form::pq ? "p, q" : "equation"},
             {"p", to_string(e.p, e.variable)},
             {"q", to_string(e.q, e.variable)}};

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <string>
+#include <vector>
 
 namespace kov::cli {
 
@@ -23,6 +24,12 @@ using Json = nlohmann::ordered_json;
 [[nodiscard]] Json unread_result(const Json& id);
 /// Marks a result as undecided.  why: "budget", "parameter", "not-implemented", "inexact"
 void set_undecided(Json& result, const std::string& why, const std::string& detail);
+
+/// The solutions in print: a basis where one is known; empty where there is only a polynomial for
+/// y'/y.
+[[nodiscard]] std::vector<std::string> solutions_of(const Json& result);
+/// Those of the given equation: the same times the factor under "original".
+[[nodiscard]] std::vector<std::string> original_solutions(const Json& result);
 
 /// What the factor exp(-1/2 int p) does: the object under "original".
 [[nodiscard]] Json original_form(const GivenEquation& equation, const Budget& budget);
