@@ -23,6 +23,30 @@ std::string factor_times(const RationalFunction& f, const std::string& text, con
   return factor == "1" ? text : bracketed(factor) + "*" + text;
 }
 
+std::string product(const std::string& a, const std::string& b) {
+  return a == "1" ? b : a + "*" + b;
+}
+
+// Solutions are written in this variable, times exp(int gauge).
+struct Paper {
+  const std::string& z;
+  const RationalFunction& gauge;
+  const Budget& budget;
+
+  // P exp(int theta)
+  [[nodiscard]] std::string exponential(const Poly& p, const RationalFunction& theta) const {
+    const RationalFunction sum = theta + coerce(gauge, theta.field());
+    return exponential_text(p, logarithmic_parts(sum, budget), z);
+  }
+  // f^(1/n)
+  [[nodiscard]] std::string root(const RationalFunction& f, long n) const {
+    const std::string text = to_string(f, z);
+    if (!is_zero(gauge)) return exponential(Poly(1), derivative(f) / (RationalFunction(n) * f));
+    if (text == "1") return text;
+    return n == 2 ? "sqrt(" + text + ")" : bracketed(text) + "^(1/" + std::to_string(n) + ")";
+  }
+};
+
 // ----- one line: y and y int y^-2
 
 // y^-2 = a E: simple poles of y'/y with a residue in 1/2 Z go into the rational factor a.
@@ -42,6 +66,7 @@ HyperexponentialIntegral inverse_square(const ExponentialSolution& y, const Budg
     phi += RationalFunction(scale(derivative(q), NfElem(k)), q);
     a *= pow(RationalFunction(q), -k);
   }
+  KOV_ENSURE(derivative(a) / a + phi == RationalFunction(-2) * y.omega());
   return reduced_integral(a, phi, places, budget);
 }
 
@@ -50,46 +75,43 @@ bool is_long(const ExponentialSolution& y) {
 }
 
 Basis with_second_line(const LiouvillianSolution& found, const RationalFunction& r,
-                       const std::string& z, const Budget& budget) {
+                       const Paper& paper) {
   const ExponentialSolution& y = *found.exponential;
   KOV_ENSURE(solves(y, r));
-  const std::string first = text(found, z, budget);
+  const std::string first = paper.exponential(y.p, y.theta);
   if (degree(y.p) > readable_degree || degree(y.theta.den()) > readable_degree)
-    return {first, bracketed(first) + "*int(1/(" + first + ")^2, " + z + ")"};
-  const std::string integral = to_string(inverse_square(y, budget), z, budget);
-  return {first, (first == "1" ? "" : first + "*") +
-                     (integral.find_first_of("+- ") == std::string::npos && first != "1"
-                          ? integral
-                          : "(" + integral + ")")};
+    return {first, product(first, "int(1/(" + text(found, paper.z, paper.budget) + ")^2, " +
+                                      paper.z + ")")};
+  const std::string integral = to_string(inverse_square(y, paper.budget), paper.z, paper.budget);
+  const bool is_factor = first == "1" || integral.find_first_of("+- ") == std::string::npos;
+  return {first, product(first, is_factor ? integral : "(" + integral + ")")};
 }
 
 // ----- y1 y2 = v with a Wronskian outside K
 
-Basis two_lines(const ExponentialPair& pair, const RationalFunction& r, const std::string& z,
-                const Budget& budget) {
+Basis two_lines(const ExponentialPair& pair, const RationalFunction& r, const Paper& paper) {
   const RationalFunction& v = pair.v;
   const RationalFunction slope = derivative(v);
   KOV_ENSURE(slope * slope - RationalFunction(2) * v * derivative(slope) +
                  RationalFunction(4) * r * v * v ==
              RationalFunction(Poly(pair.w_squared)));
   const HyperexponentialIntegral inverse =
-      reduced_integral(RationalFunction(1) / v, RationalFunction(), {}, budget);
-  const std::string exponent =
-      "1/2*sqrt(" + to_string(pair.w_squared) + ")*(" + to_string(inverse, z, budget) + ")";
-  const std::string front = "sqrt(" + to_string(v, z) + ")*exp(";
-  return {front + exponent + ")", front + "-" + exponent + ")"};
+      reduced_integral(RationalFunction(1) / v, RationalFunction(), {}, paper.budget);
+  const std::string exponent = "1/2*sqrt(" + to_string(pair.w_squared) + ")*(" +
+                               to_string(inverse, paper.z, paper.budget) + ")";
+  const std::string front = paper.root(v, 2);
+  return {product(front, "exp(" + exponent + ")"), product(front, "exp(-" + exponent + ")")};
 }
 
 // ----- (y1 y2)^2 = F = k F0 g^2; T = sqrt(k F0/w^2), u'/u = 1/(g T)
 
 class Dihedral {
 public:
-  Dihedral(const DihedralCurve& c, const RationalFunction& r, const std::string& z,
-           const Budget& budget)
-      : c_(c), z_(z), budget_(budget), t_squared_(scale(c.branch, c.k / c.w_squared)),
+  Dihedral(const DihedralCurve& c, const RationalFunction& r, const Paper& paper)
+      : c_(c), z_(paper.z), budget_(paper.budget), t_squared_(scale(c.branch, c.k / c.w_squared)),
         phi_(derivative(c.branch), scale(c.branch, NfElem(2))),
-        t_("sqrt(" + to_string(t_squared_, z) + ")"),
-        front_(bracketed(to_string(RationalFunction(c.branch) * c.g * c.g, z)) + "^(1/4)") {
+        t_("sqrt(" + to_string(t_squared_, z_) + ")"),
+        front_(paper.root(RationalFunction(c.branch) * c.g * c.g, 4)) {
     const RationalFunction f = RationalFunction(scale(c.branch, c.k)) * c.g * c.g;
     const RationalFunction slope = derivative(f);
     KOV_ENSURE(RationalFunction(Rational(3, 4)) * slope * slope / f - derivative(slope) +
@@ -104,7 +126,7 @@ public:
     KOV_ENSURE((derivative(b) + phi_ * b) * RationalFunction(t_squared_) == order * a / c_.g);
     const std::string h = "(" + to_string(a, z_) + " + " + factor_times(b, t_, z_) + ")";
     const std::string root = "1/" + to_string(Integer(2) * n);
-    return {front_ + "*" + h + "^(" + root + ")", front_ + "*" + h + "^(-" + root + ")"};
+    return {product(front_, h + "^(" + root + ")"), product(front_, h + "^(-" + root + ")")};
   }
 
   // u = exp int 1/(g T) = exp int T/(g T^2)
@@ -122,7 +144,7 @@ public:
 
 private:
   [[nodiscard]] Basis exponentials(const std::string& exponent) const {
-    return {front_ + "*exp(" + exponent + ")", front_ + "*exp(-" + exponent + ")"};
+    return {product(front_, "exp(" + exponent + ")"), product(front_, "exp(-" + exponent + ")")};
   }
   [[nodiscard]] std::string as_it_is() const {
     return "1/2*int(" + bracketed(to_string(RationalFunction(1) / c_.g, z_)) + "/" + t_ + ", " +
@@ -147,11 +169,12 @@ private:
 };
 
 std::optional<Basis> dihedral(const Classification& c, const RationalFunction& r,
-                              const std::string& z, const Budget& budget) {
+                              const Paper& paper) {
   if (!c.curve) return std::nullopt; // the quaternion group has three curves
-  const Dihedral formulas(*c.curve, r, z, budget);
+  const Dihedral formulas(*c.curve, r, paper);
   if (!c.dihedral || c.dihedral->finite != Truth::yes) return formulas.infinite();
-  const auto a = c.dihedral->a ? c.dihedral->a : torsion_function(*c.curve, c.dihedral->n, budget);
+  const auto a =
+      c.dihedral->a ? c.dihedral->a : torsion_function(*c.curve, c.dihedral->n, paper.budget);
   return a ? std::optional(formulas.finite(*a, c.dihedral->n)) : std::nullopt;
 }
 
@@ -159,17 +182,20 @@ std::optional<Basis> dihedral(const Classification& c, const RationalFunction& r
 
 std::optional<Basis> basis(const Classification& c, const RationalFunction& r,
                            const std::vector<LiouvillianSolution>& found,
-                           const std::string& variable, const Budget& budget) {
+                           const std::string& variable, const RationalFunction& gauge,
+                           const Budget& budget) {
   if (!c.group || found.empty()) return std::nullopt;
-  if (found.size() == 2)
-    return Basis{text(found[0], variable, budget), text(found[1], variable, budget)};
+  const Paper paper{variable, gauge, budget};
+  if (found.size() == 2) {
+    const ExponentialSolution &y = *found[0].exponential, &other = *found[1].exponential;
+    return Basis{paper.exponential(y.p, y.theta), paper.exponential(other.p, other.theta)};
+  }
   if (found[0].exponential)
-    return is_long(*found[0].exponential)
-               ? std::nullopt
-               : std::optional(with_second_line(found[0], r, variable, budget));
-  if (c.pair) return two_lines(*c.pair, r, variable, budget);
+    return is_long(*found[0].exponential) ? std::nullopt
+                                          : std::optional(with_second_line(found[0], r, paper));
+  if (c.pair) return two_lines(*c.pair, r, paper);
   if (c.group->type == GroupType::D || c.group->type == GroupType::Dinf)
-    return dihedral(c, r, variable, budget);
+    return dihedral(c, r, paper);
   return std::nullopt;
 }
 

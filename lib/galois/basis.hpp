@@ -20,15 +20,18 @@ struct Basis {
 };
 
 /// Unset: A4, S4, A5, the quaternion group, SL2, and where nothing is known.
-/// found: solutions(c, r).
+/// found: solutions(c, r).  gauge: the solutions are written with the factor exp(int gauge); those
+/// of y'' + p y' + q y = 0 with gauge = -p/2.
 /// Throws   OutOfBudget
 /// Given    const RationalFunction euler(-1, 4*z*z), root(4*z - 3, 16*z*z);
 /// Given    const Classification with_log = classify(euler), dihedral = classify(root);
 /// Example  basis(with_log, euler, solutions(with_log, euler))->second  // -> z^(1/2)*log(z)
 /// Example  basis(dihedral, root, solutions(dihedral, root))->first  // -> z^(1/4)*exp(sqrt(z))
+/// Example  basis(with_log, euler, solutions(with_log, euler), "z", {-1, 2*z})->second  // -> log(z)
 [[nodiscard]] std::optional<Basis> basis(const Classification& c, const RationalFunction& r,
                                          const std::vector<LiouvillianSolution>& found,
                                          const std::string& variable = "z",
+                                         const RationalFunction& gauge = {},
                                          const Budget& budget = {});
 
 } // namespace kov

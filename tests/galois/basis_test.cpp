@@ -52,6 +52,29 @@ TEST(Basis, OneLine) {
   EXPECT_EQ(hermite->second, "exp(z^2/2)*(1/2)*sqrt(pi)*erf(z)");
 }
 
+// Y'' + Y'/z = 0 and the Legendre equation of degree 1, of which z is a solution.
+TEST(Basis, OfTheGivenEquation) {
+  const auto given = [](const RationalFunction& p, const RationalFunction& q) {
+    const RationalFunction gauge = p * RationalFunction(Rational(-1, 2));
+    const RationalFunction r = gauge * gauge - derivative(gauge) - q;
+    const Classification c = classify(r);
+    return basis(c, r, solutions(c, r), "z", gauge);
+  };
+  const auto laplace = given(RationalFunction(Poly(1), z), RationalFunction());
+  ASSERT_TRUE(laplace);
+  EXPECT_EQ(laplace->first, "1");
+  EXPECT_EQ(laplace->second, "log(z)");
+  const Poly one_minus = Poly(1) - z * z;
+  const auto legendre =
+      given(RationalFunction(Poly(-2) * z, one_minus), RationalFunction(Poly(2), one_minus));
+  ASSERT_TRUE(legendre);
+  EXPECT_EQ(legendre->first, "z");
+  const auto bessel = given(RationalFunction(Poly(1), z),
+                            RationalFunction(Poly(4) * z * z - Poly(1), Poly(4) * z * z));
+  ASSERT_TRUE(bessel);
+  EXPECT_EQ(bessel->first, "z^(-1/2)*exp(I*z)");
+}
+
 TEST(Basis, DihedralGroupsOfEveryGenusHaveOne) {
   const NfElem quarter(Rational(1, 4));
   for (const RationalFunction& r :

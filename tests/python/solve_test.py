@@ -26,6 +26,11 @@ class Solve(unittest.TestCase):
         self.assertIsNone(answer.undecided)
         self.assertIn("identity component Borel, not abelian", str(answer))
 
+    def test_both_solutions(self):
+        self.assertEqual(kovacic.solve("-1/(4*z^2)").basis, ("z^(1/2)", "z^(1/2)*log(z)"))
+        self.assertEqual(kovacic.solve("z*y'' + y' = 0").basis, ("1", "log(z)"))
+        self.assertIsNone(kovacic.solve("z").basis)
+
     def test_evidence_by_pattern_matching(self):
         match kovacic.solve("z^2 + 3").because:
             case ByEngines(kovacic.Argument.torus_one_line, exponential=omega):

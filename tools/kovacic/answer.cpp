@@ -157,6 +157,7 @@ private:
     open_ = open_result(id_, equation);
     if (equation.form != GivenEquation::Form::r)
       open_["original"] = original_form(equation, options.budget);
+    gauge_ = equation.p * RationalFunction(Rational(-1, 2));
     say(message(tag_undecided, open_));
     options.proved = [this](const Decision& d) {
       say(message(tag_of(d), closed(d, nullptr), d.certificate));
@@ -179,6 +180,11 @@ private:
     if (open_.contains("original")) {
       Json original = open_.at("original");
       original["identity_component_abelian"] = result.at("abelian");
+      if (!is_zero(gauge_))
+        if (Json given = basis_json(decision, gauge_, settings_.max_print << 20,
+                                    settings_.solver_options().budget);
+            !given.is_null())
+          original["solutions"] = std::move(given);
       result["original"] = std::move(original);
     }
     return result;
@@ -260,7 +266,8 @@ private:
   Clock::time_point start_ = Clock::now();
   Json id_;
   Json open_;
-  std::string said_; // the last early message
+  RationalFunction gauge_; // -p/2 of the given equation
+  std::string said_;       // the last early message
 };
 
 std::string crash_text(const Reply& reply) {

@@ -170,14 +170,6 @@ std::string strata_tex(const Json& result) {
   return s;
 }
 
-std::string tex_of_basis(const std::string& name, const std::vector<std::string>& solutions) {
-  std::string s;
-  for (std::size_t i = 0; i < solutions.size(); ++i)
-    s += "\\[ " + name + "_" + std::to_string(i + 1) + " = " + tex_of_formula(solutions[i]) +
-         " \\]\n";
-  return s;
-}
-
 } // namespace
 
 std::string tex_of_formula(const std::string& formula) {
@@ -187,6 +179,38 @@ std::string tex_of_formula(const std::string& formula) {
     return "\\mathtt{" + escaped(formula) + "}";
   }
 }
+
+namespace {
+
+// The polynomial that w satisfies; coefficients ascending.
+std::string polynomial_tex(const Json& c) {
+  std::string polynomial;
+  for (std::size_t i = c.size(); i-- > 0;) {
+    const std::string text = c[i].get<std::string>();
+    if (text == "0") continue;
+    const std::string power = i == 0 ? "" : i == 1 ? "w" : "w^{" + std::to_string(i) + "}";
+    if (!polynomial.empty()) polynomial += " + ";
+    polynomial +=
+        text == "1" && i > 0 ? power : "\\left(" + tex_of_formula(text) + "\\right)" + power;
+  }
+  return polynomial;
+}
+
+std::string solutions_tex(const Json& result) {
+  std::string s;
+  for (const Json& x : result.at("solutions"))
+    if (x.contains("minimal_polynomial"))
+      s += "\\[ w = y'/y:\\quad " + polynomial_tex(x.at("minimal_polynomial")) + " = 0 \\]\n";
+  if (is_transformed(result) && result.at("original").contains("solutions"))
+    s += "Solutions of the given equation:\n";
+  const std::vector<std::string> formulas = solutions_of(result);
+  for (std::size_t i = 0; i < formulas.size(); ++i)
+    s += "\\[ y" + (formulas.size() > 1 ? "_" + std::to_string(i + 1) : std::string()) + " = " +
+         tex_of_formula(formulas[i]) + " \\]\n";
+  return s;
+}
+
+} // namespace
 
 std::string tex_of_result(const Json& result, const std::string& title) {
   std::string s;
@@ -209,27 +233,7 @@ std::string tex_of_result(const Json& result, const std::string& title) {
     s += "Case " + result.at("case").dump() + " of Kovacic's algorithm.\n";
   s += escaped(result.at("reason").get<std::string>()) + "\n";
   if (!result.at("solutions").is_array()) return s;
-  for (const Json& x : result.at("solutions")) {
-    if (x.at("kind") == "exponential") {
-      s += "\\[ y = " + tex_of_formula(x.at("y").get<std::string>()) + " \\]\n";
-      continue;
-    }
-    std::string polynomial;
-    const Json& c = x.at("minimal_polynomial");
-    for (std::size_t i = c.size(); i-- > 0;) {
-      const std::string text = c[i].get<std::string>();
-      if (text == "0") continue;
-      const std::string power = i == 0 ? "" : i == 1 ? "w" : "w^{" + std::to_string(i) + "}";
-      if (!polynomial.empty()) polynomial += " + ";
-      polynomial +=
-          text == "1" && i > 0 ? power : "\\left(" + tex_of_formula(text) + "\\right)" + power;
-    }
-    s += "\\[ w = y'/y:\\quad " + polynomial + " = 0 \\]\n";
-  }
-  if (result.contains("basis")) s += tex_of_basis("y", solutions_of(result));
-  if (result.contains("original") && result.at("original").at("factor") != "1")
-    s += "Solutions of the given equation:\n" + tex_of_basis("y", original_solutions(result));
-  return s;
+  return s + solutions_tex(result);
 }
 
 } // namespace kov::cli

@@ -108,27 +108,33 @@ void put(std::ostringstream& out, const std::string& label, const std::string& t
       << wrapped(shortened(text), 12) << '\n';
 }
 
-void put_solutions(std::ostringstream& out, const Json& solutions) {
-  if (!solutions.is_array()) return;
-  std::size_t i = 0;
-  for (const Json& s : solutions) {
-    ++i;
-    const std::string number = solutions.size() > 1 ? std::to_string(i) : "";
-    std::string text;
-    if (s.at("kind") == "exponential")
-      text = "y" + number + " = " + s.at("y").get<std::string>();
-    else
-      text = "w = y'/y satisfies " + minimal_polynomial(s.at("minimal_polynomial"));
-    if (s.contains("note")) text += "   [" + s.at("note").get<std::string>() + "]";
-    put(out, i == 1 ? "solution" + std::string(solutions.size() > 1 ? "s" : "") : "", text);
-  }
+std::string note(const Json& solution) {
+  return solution.contains("note") ? "   [" + solution.at("note").get<std::string>() + "]" : "";
 }
 
-// y1 = ..., y2 = ..., beside a label.
-void put_all(std::ostringstream& out, const std::string& label,
-             const std::vector<std::string>& solutions) {
-  for (std::size_t i = 0; i < solutions.size(); ++i)
-    put(out, i == 0 ? label : "", "y" + std::to_string(i + 1) + " = " + solutions[i]);
+// A polynomial for w = y'/y, and formulas.  What belongs to u'' = r u of a given equation is called
+// u.
+std::vector<std::string> solution_lines(const Json& result) {
+  const Json& known = result.at("solutions");
+  std::vector<std::string> lines;
+  const std::string u = is_transformed(result) ? "u" : "y";
+  for (const Json& s : known)
+    if (s.contains("minimal_polynomial"))
+      lines.push_back("w = " + u + "'/" + u + " satisfies " +
+                      minimal_polynomial(s.at("minimal_polynomial")) + note(s));
+  const bool given = is_transformed(result) && result.at("original").contains("solutions");
+  const std::vector<std::string> formulas = solutions_of(result);
+  for (std::size_t i = 0; i < formulas.size(); ++i)
+    lines.push_back((given ? "y" : u) + (formulas.size() > 1 ? std::to_string(i + 1) : "") + " = " +
+                    formulas[i] + (formulas.size() == known.size() ? note(known[i]) : ""));
+  return lines;
+}
+
+void put_solutions(std::ostringstream& out, const Json& result) {
+  if (!result.at("solutions").is_array()) return;
+  const std::vector<std::string> lines = solution_lines(result);
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    put(out, i > 0 ? "" : lines.size() > 1 ? "solutions" : "solution", lines[i]);
 }
 
 void put_original(std::ostringstream& out, const Json& original) {
@@ -230,10 +236,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   if (result.contains("second_opinion"))
     put(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
   if (result.contains("original")) put_original(out, result.at("original"));
-  put_solutions(out, result.at("solutions"));
-  if (result.contains("basis")) put_all(out, "basis", solutions_of(result));
-  if (result.contains("original") && result.at("original").at("factor") != "1")
-    put_all(out, "given: y", original_solutions(result));
+  put_solutions(out, result);
   if (style.solutions && result.contains("no_solutions"))
     put(out, "solutions", "not printed: " + result.at("no_solutions").get<std::string>());
   if (style.trace && result.contains("trace")) {

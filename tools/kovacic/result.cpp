@@ -13,6 +13,19 @@ Json json_integer(const Integer& n) {
   return to_string(n);
 }
 
+Json basis_json(const Decision& d, const RationalFunction& gauge, std::size_t most_bytes,
+                const Budget& budget) {
+  if (d.no_solutions || d.solutions.empty() || d.proof() == nullptr) return nullptr;
+  try {
+    const auto both = basis(*d.proof(), d.r, d.solutions, d.variable, gauge, budget);
+    if (!both || (most_bytes > 0 && both->first.size() + both->second.size() > most_bytes))
+      return nullptr;
+    return {both->first, both->second};
+  } catch (const OutOfBudget&) {
+    return nullptr;
+  }
+}
+
 namespace {
 
 Json solution(const PrintedSolution& s) {
@@ -42,16 +55,11 @@ void put_solutions(Json& j, const Decision& d, std::size_t most_bytes, const Bud
   }
 }
 
-// Both solutions, where "solutions" names one line or a minimal polynomial only; a limit leaves them
-// out.
+// Where "solutions" names one line or a minimal polynomial only.
 void put_basis(Json& j, const Decision& d, std::size_t most_bytes, const Budget& budget) {
-  if (d.no_solutions || d.solutions.size() != 1 || d.proof() == nullptr) return;
-  try {
-    const auto both = basis(*d.proof(), d.r, d.solutions, d.variable, budget);
-    if (!both || (most_bytes > 0 && both->first.size() + both->second.size() > most_bytes)) return;
-    j["basis"] = {both->first, both->second};
-  } catch (const OutOfBudget&) { // the solutions say what is known
-  }
+  if (d.solutions.size() != 1) return;
+  if (Json both = basis_json(d, {}, most_bytes, budget); !both.is_null())
+    j["basis"] = std::move(both);
 }
 
 const char* text_of(Truth t) {
@@ -128,20 +136,18 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
   result["undecided"] = {{"why", why}, {"detail", detail}};
 }
 
+bool is_transformed(const Json& result) {
+  return result.contains("original") && result.at("original").at("factor") != "1";
+}
+
 std::vector<std::string> solutions_of(const Json& result) {
+  if (is_transformed(result) && result.at("original").contains("solutions"))
+    return result.at("original").at("solutions").get<std::vector<std::string>>();
   if (result.contains("basis")) return result.at("basis").get<std::vector<std::string>>();
   std::vector<std::string> all;
   if (result.at("solutions").is_array())
     for (const Json& s : result.at("solutions"))
       if (s.contains("y")) all.push_back(s.at("y").get<std::string>());
-  return all;
-}
-
-std::vector<std::string> original_solutions(const Json& result) {
-  std::vector<std::string> all;
-  const std::string factor = result.at("original").at("factor").get<std::string>();
-  for (const std::string& u : solutions_of(result))
-    all.push_back(factor == "1" ? u : u == "1" ? factor : factor + "*" + u);
   return all;
 }
 

@@ -25,11 +25,15 @@ using Json = nlohmann::ordered_json;
 /// Marks a result as undecided.  why: "budget", "parameter", "not-implemented", "inexact"
 void set_undecided(Json& result, const std::string& why, const std::string& detail);
 
-/// The solutions in print: a basis where one is known; empty where there is only a polynomial for
-/// y'/y.
+/// The solutions in print: a basis where one is known, of the given equation where that is another
+/// one; empty where there is only a polynomial for y'/y.
 [[nodiscard]] std::vector<std::string> solutions_of(const Json& result);
-/// Those of the given equation: the same times the factor under "original".
-[[nodiscard]] std::vector<std::string> original_solutions(const Json& result);
+/// Both solutions times exp(int gauge), those of y'' + p y' + q y = 0 with gauge = -p/2.  Null where
+/// none are known, and where a limit leaves them out.
+[[nodiscard]] Json basis_json(const Decision& decision, const RationalFunction& gauge,
+                              std::size_t most_bytes, const Budget& budget);
+/// Is y'' = r y another equation than the given one?
+[[nodiscard]] bool is_transformed(const Json& result);
 
 /// What the factor exp(-1/2 int p) does: the object under "original".
 [[nodiscard]] Json original_form(const GivenEquation& equation, const Budget& budget);

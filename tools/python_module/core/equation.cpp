@@ -7,6 +7,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/equation_file.hpp"
 #include "equation/parametric_equation.hpp"
+#include "galois/basis.hpp"
 #include "galois/exponential_form.hpp"
 #include "recognize/symbolic_family.hpp"
 #include "strata.hpp"
@@ -66,6 +67,15 @@ std::vector<Solution> solutions_of(const Decision& d) {
   for (const LiouvillianSolution& s : d.solutions)
     all.push_back({s, d.variable});
   return all;
+}
+
+// Both solutions times exp(int gauge); nothing where they are not known as formulas.
+std::optional<std::pair<std::string, std::string>> basis_of(const Decision& d,
+                                                            const RationalFunction& gauge) {
+  if (d.proof() == nullptr) return std::nullopt;
+  const auto both = basis(*d.proof(), d.r, d.solutions, d.variable, gauge, Budget::of_seconds(60));
+  if (!both) return std::nullopt;
+  return std::pair{both->first, both->second};
 }
 
 std::string headline(const Decision& d) {
@@ -304,6 +314,10 @@ void bind_decision(py::module_& m) {
                     "the case that Kovacic's algorithm finds as well, or None")
       .def_property_readonly("solutions", &solutions_of, "of y'' = r y")
       .def_property_readonly(
+          "basis", [](const Decision& d) { return basis_of(d, {}); },
+          "two formulas, checked in exact arithmetic, where the group is reducible or dihedral; or "
+          "None")
+      .def_property_readonly(
           "no_solutions",
           [](const Decision& d) -> std::optional<std::string> {
             if (!d.no_solutions) return std::nullopt;
@@ -348,6 +362,12 @@ void bind_decision(py::module_& m) {
       .def_property_readonly(
           "factor", [](const Solved& s) { return factor_text(s.given); },
           "exp(-1/2 int p): the solutions of the given equation are this times `solutions`")
+      .def_property_readonly(
+          "basis",
+          [](const Solved& s) {
+            return basis_of(s, s.given.p * RationalFunction(Rational(-1, 2)));
+          },
+          "both solutions of the given equation as formulas, or None")
       .def_property_readonly(
           "constants",
           [](const Solved& s) {

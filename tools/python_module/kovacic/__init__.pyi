@@ -183,6 +183,7 @@ class Decision:
     withdrawn: str | None
     second_opinion: int | None
     solutions: list[LiouvillianSolution]
+    basis: tuple[str, str] | None
     no_solutions: str | None
     only_case: int | None
     trace: list[tuple[str, str]]
