@@ -27,6 +27,11 @@ std::string product(const std::string& a, const std::string& b) {
   return a == "1" ? b : a + "*" + b;
 }
 
+// A sum, or what begins with a sign, between parentheses.
+std::string as_factor(const std::string& text) {
+  return text.find_first_of("+- ") == std::string::npos ? text : "(" + text + ")";
+}
+
 // Solutions are written in this variable, times exp(int gauge).
 struct Paper {
   const std::string& z;
@@ -83,8 +88,7 @@ Basis with_second_line(const LiouvillianSolution& found, const RationalFunction&
     return {first, product(first, "int(1/(" + text(found, paper.z, paper.budget) + ")^2, " +
                                       paper.z + ")")};
   const std::string integral = to_string(inverse_square(y, paper.budget), paper.z, paper.budget);
-  const bool is_factor = first == "1" || integral.find_first_of("+- ") == std::string::npos;
-  return {first, product(first, is_factor ? integral : "(" + integral + ")")};
+  return {first, first == "1" ? integral : product(first, as_factor(integral))};
 }
 
 // ----- y1 y2 = v with a Wronskian outside K
@@ -97,8 +101,8 @@ Basis two_lines(const ExponentialPair& pair, const RationalFunction& r, const Pa
              RationalFunction(Poly(pair.w_squared)));
   const HyperexponentialIntegral inverse =
       reduced_integral(RationalFunction(1) / v, RationalFunction(), {}, paper.budget);
-  const std::string exponent = "1/2*sqrt(" + to_string(pair.w_squared) + ")*(" +
-                               to_string(inverse, paper.z, paper.budget) + ")";
+  const std::string exponent = "1/2*sqrt(" + to_string(pair.w_squared) + ")*" +
+                               as_factor(to_string(inverse, paper.z, paper.budget));
   const std::string front = paper.root(v, 2);
   return {product(front, "exp(" + exponent + ")"), product(front, "exp(-" + exponent + ")")};
 }
@@ -109,9 +113,12 @@ class Dihedral {
 public:
   Dihedral(const DihedralCurve& c, const RationalFunction& r, const Paper& paper)
       : c_(c), z_(paper.z), budget_(paper.budget), t_squared_(scale(c.branch, c.k / c.w_squared)),
-        phi_(derivative(c.branch), scale(c.branch, NfElem(2))),
-        t_("sqrt(" + to_string(t_squared_, z_) + ")"),
+        phi_(derivative(c.branch), scale(c.branch, NfElem(2))), root_(c.branch),
         front_(paper.root(RationalFunction(c.branch) * c.g * c.g, 4)) {
+    if (const auto square = exact_sqrt(c.k / c.w_squared))
+      unit_ = *square;
+    else
+      root_ = t_squared_;
     const RationalFunction f = RationalFunction(scale(c.branch, c.k)) * c.g * c.g;
     const RationalFunction slope = derivative(f);
     KOV_ENSURE(RationalFunction(Rational(3, 4)) * slope * slope / f - derivative(slope) +
@@ -124,7 +131,7 @@ public:
     const RationalFunction order{Rational(n)};
     const RationalFunction b = c_.g * derivative(a) / order;
     KOV_ENSURE((derivative(b) + phi_ * b) * RationalFunction(t_squared_) == order * a / c_.g);
-    const std::string h = "(" + to_string(a, z_) + " + " + factor_times(b, t_, z_) + ")";
+    const std::string h = "(" + to_string(a, z_) + " + " + times_t(b) + ")";
     const std::string root = "1/" + to_string(Integer(2) * n);
     return {product(front_, h + "^(" + root + ")"), product(front_, h + "^(-" + root + ")")};
   }
@@ -138,7 +145,7 @@ public:
       places.push_back(f.base);
     if (degree(c_.ordinary) > 0) places.push_back(c_.ordinary);
     const HyperexponentialIntegral u = reduced_integral(a, phi_, distinct(places), budget_);
-    return exponentials(is_zero(u.b) ? factor_times(u.w * RationalFunction(Rational(1, 2)), t_, z_)
+    return exponentials(is_zero(u.b) ? times_t(u.w * RationalFunction(Rational(1, 2)))
                                      : as_it_is());
   }
 
@@ -147,8 +154,13 @@ private:
     return {product(front_, "exp(" + exponent + ")"), product(front_, "exp(-" + exponent + ")")};
   }
   [[nodiscard]] std::string as_it_is() const {
-    return "1/2*int(" + bracketed(to_string(RationalFunction(1) / c_.g, z_)) + "/" + t_ + ", " +
-           z_ + ")";
+    return "1/2*int(" +
+           bracketed(to_string(RationalFunction(1) / (RationalFunction(Poly(unit_)) * c_.g), z_)) +
+           "/" + root_text() + ", " + z_ + ")";
+  }
+  [[nodiscard]] std::string root_text() const { return "sqrt(" + to_string(root_, z_) + ")"; }
+  [[nodiscard]] std::string times_t(const RationalFunction& f) const {
+    return factor_times(f * RationalFunction(Poly(unit_)), root_text(), z_);
   }
 
   static std::vector<Poly> distinct(const std::vector<Poly>& places) {
@@ -165,7 +177,9 @@ private:
   const Budget& budget_;
   Poly t_squared_;
   RationalFunction phi_; ///< T'/T
-  std::string t_, front_;
+  NfElem unit_{1};       ///< T = unit sqrt(root)
+  Poly root_;
+  std::string front_;
 };
 
 std::optional<Basis> dihedral(const Classification& c, const RationalFunction& r,

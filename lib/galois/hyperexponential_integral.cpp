@@ -97,8 +97,13 @@ std::string times(const std::string& a, const std::string& b) {
   return bracketed(a) + "*" + b;
 }
 
+// a + b; a - b' where b begins with a negative number between parentheses: "(-1/2)*log(z)".
 std::string plus(const std::string& a, const std::string& b) {
-  return a.empty() ? b : b.empty() ? a : a + " + " + b;
+  if (a.empty() || b.empty()) return a + b;
+  const auto end = b.find(')');
+  if (!b.starts_with("(-") || b.find_first_not_of("0123456789/", 2) != end) return a + " + " + b;
+  const std::string number = b.substr(2, end - 2);
+  return a + " - " + times(number, b.substr(end + 2));
 }
 
 // int b dz

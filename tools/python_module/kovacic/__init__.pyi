@@ -569,6 +569,7 @@ class Solved(Decision):
     p: RationalFunction
     q: RationalFunction
     factor: str
+    basis: tuple[str, str] | None
     constants: dict[str, str]
 
 
