@@ -1,249 +1,18 @@
 #include "integrability/way.hpp"
 
-#include "algebraize/tower.hpp"
 #include "certify/system/check.hpp"
 #include "exact/error.hpp"
-#include "integrability/curve_rows.hpp"
+#include "integrability/normal_identity.hpp"
 #include "integrability/parameters.hpp"
+#include "integrability/way_names.hpp"
 
 #include <algorithm>
 
 namespace kov {
 namespace {
 
-using certify::CurveFunction;
-using certify::PhaseFunction;
 using Element = FunctionField::Element;
 using Row = CurveRows::Row;
-
-// Denominators as products of powers, each written once.
-class Factors {
-public:
-  /// den = content * prod all()[k]^exponents[k]
-  struct Product {
-    Integer content{1};
-    std::vector<unsigned long> exponents;
-  };
-  Product of(const MPoly& den) {
-    Product product;
-    if (is_constant(den)) {
-      product.content = den.coefficient(0);
-      return product;
-    }
-    auto [content, factors] = factor(den);
-    product.content = content;
-    for (auto& [base, exponent] : factors) {
-      const auto at = std::find(all_.begin(), all_.end(), base);
-      const auto k = static_cast<std::size_t>(at - all_.begin());
-      if (at == all_.end()) all_.push_back(base);
-      if (product.exponents.size() <= k) product.exponents.resize(k + 1, 0);
-      product.exponents[k] = static_cast<unsigned long>(exponent);
-    }
-    return product;
-  }
-  [[nodiscard]] const std::vector<MPoly>& all() const { return all_; }
-
-private:
-  std::vector<MPoly> all_;
-};
-
-// Polynomials in the phase names; what is divided by becomes a symbol.
-class PhaseWriter {
-public:
-  explicit PhaseWriter(const System& s) : s_(s), v_(s.field) {}
-
-  /// To be called for everything that is written later.
-  void divide(const MFraction& f) { factors_.of(f.den()); }
-
-  void make_ring() {
-    std::vector<std::string> names;
-    const auto add = [&](std::size_t i) { names.push_back(s_.ring()->name(i)); };
-    for (const std::size_t i : v_.coordinates)
-      add(i);
-    for (const FunctionSymbol& f : v_.functions)
-      add(f.variable);
-    for (const std::size_t i : v_.constants)
-      add(i);
-    for (std::size_t k = 0; k < factors_.all().size(); ++k)
-      names.push_back(fresh("u" + std::to_string(k + 1)));
-    for (const std::size_t i : v_.parameters)
-      add(i);
-    ring_ = kov::make_ring(names);
-  }
-
-  [[nodiscard]] PhaseFunction write(const MFraction& f) {
-    if (is_zero(f)) return {MPoly(ring_), Integer(1)};
-    const Factors::Product den = factors_.of(f.den());
-    MPoly p = moved(f.num());
-    for (std::size_t k = 0; k < den.exponents.size(); ++k)
-      p *= pow(MPoly::variable(ring_, first_inverse() + k), den.exponents[k]);
-    return {p, den.content};
-  }
-  [[nodiscard]] MPoly moved(const MPoly& f) const {
-    return is_zero(f) ? MPoly(ring_) : transfer(MFraction(f), ring_).num();
-  }
-  [[nodiscard]] const Ring& ring() const { return ring_; }
-  [[nodiscard]] const std::vector<MPoly>& divisors() const { return factors_.all(); }
-  [[nodiscard]] std::size_t first_inverse() const {
-    return v_.dimension() + v_.functions.size() + v_.constants.size();
-  }
-  /// The variable of the system with this place in the ring; not for inverses.
-  [[nodiscard]] std::size_t original(std::size_t i) const {
-    return s_.ring()->index(ring_->name(i));
-  }
-
-private:
-  [[nodiscard]] std::string fresh(std::string name) const {
-    while (s_.ring()->find(name))
-      name += "_";
-    return name;
-  }
-
-  const System& s_;
-  const VectorField& v_;
-  Factors factors_;
-  Ring ring_;
-};
-
-// Elements of the function field in the names of the tower.
-class CurveWriter {
-public:
-  CurveWriter(const System& s, std::size_t z, const Tower& tower) : tower_(tower) {
-    std::vector<std::string> names;
-    for (const Tower::Step& step : tower.steps())
-      names.insert(names.begin(), s.ring()->name(step.variable));
-    names.push_back(s.ring()->name(z));
-    for (const std::size_t i : s.field.parameters)
-      names.push_back(s.ring()->name(i));
-    ring_ = kov::make_ring(names);
-  }
-
-  [[nodiscard]] CurveFunction write(const Element& a) {
-    const auto c = tower_.coordinates(a);
-    std::vector<Factors::Product> dens;
-    Factors::Product common;
-    for (const MFraction& x : c) {
-      dens.push_back(is_zero(x) ? Factors::Product{} : factors_.of(x.den()));
-      common = together(common, dens.back());
-    }
-    MPoly sum(ring_);
-    for (std::size_t k = 0; k < c.size(); ++k) {
-      if (is_zero(c[k])) continue;
-      MPoly term = moved(c[k].num());
-      term *= MPoly(ring_, exact_div(common.content, dens[k].content));
-      for (std::size_t i = 0; i < common.exponents.size(); ++i)
-        if (const auto e = common.exponents[i] - at(dens[k].exponents, i); e > 0)
-          term *= moved(pow(factors_.all()[i], e));
-      sum += term * monomial(tower_.monomials()[k]);
-    }
-    return {sum, common.content, common.exponents};
-  }
-  [[nodiscard]] certify::CurveRow write(const Row& row) {
-    certify::CurveRow all;
-    for (const Element& a : row)
-      all.push_back(write(a));
-    return all;
-  }
-  [[nodiscard]] const Ring& ring() const { return ring_; }
-  [[nodiscard]] const std::vector<MPoly>& denominators() const { return factors_.all(); }
-  [[nodiscard]] MPoly moved(const MPoly& f) const { return transfer(MFraction(f), ring_).num(); }
-
-private:
-  static unsigned long at(const std::vector<unsigned long>& e, std::size_t k) {
-    return k < e.size() ? e[k] : 0;
-  }
-  static Factors::Product together(Factors::Product a, const Factors::Product& b) {
-    a.content = lcm(a.content, b.content);
-    a.exponents.resize(std::max(a.exponents.size(), b.exponents.size()), 0);
-    for (std::size_t k = 0; k < b.exponents.size(); ++k)
-      a.exponents[k] = std::max(a.exponents[k], b.exponents[k]);
-    return a;
-  }
-  [[nodiscard]] MPoly monomial(const Tower::Exponents& e) const {
-    MPoly m(ring_, Integer(1));
-    for (std::size_t i = 0; i < e.size(); ++i)
-      m *= pow(MPoly::variable(ring_, e.size() - 1 - i), e[i]);
-    return m;
-  }
-
-  const Tower& tower_;
-  Factors factors_;
-  Ring ring_;
-};
-
-// Covectors that vanish where the variational equation is restricted: the differentials of the
-// integrals that eliminate, and those of the unknowns to which the block leads.
-class Annihilators {
-public:
-  Annihilators(const ManifoldReport& m, const CurveRows& rows) : m_(m), rows_(rows) {
-    for (const std::size_t i : m.normal.equations)
-      df_.push_back(rows.gradient(m.manifold->equations[i].difference));
-  }
-
-  [[nodiscard]] const Row& of_unknown(const std::string& name) const {
-    const auto& names = m_.normal.system.names;
-    const auto at = std::find(names.begin(), names.end(), name);
-    KOV_ENSURE(at != names.end());
-    return df_[static_cast<std::size_t>(at - names.begin())];
-  }
-
-  /// The differentials of the integrals that were used, in their order.
-  [[nodiscard]] std::vector<Row> of_integrals() const {
-    std::vector<Row> all;
-    auto next = m_.normal.integrals.begin();
-    for (const Elimination& e : m_.reduced.eliminations) {
-      while (next != m_.normal.integrals.end() && next->name != e.integral)
-        ++next;
-      KOV_ENSURE(next != m_.normal.integrals.end());
-      all.push_back(combined(next->coefficients));
-      ++next;
-    }
-    return all;
-  }
-
-  /// Those of the unknowns outside the block on which its equations depend.
-  [[nodiscard]] std::vector<Row> of_other_blocks(const std::vector<std::string>& block) const {
-    const LinearSystem& r = m_.reduced.system;
-    const auto inside = [&](std::size_t i) {
-      return std::find(block.begin(), block.end(), r.names[i]) != block.end();
-    };
-    std::vector<bool> reached(r.names.size());
-    for (std::size_t round = 0; round < r.names.size(); ++round)
-      for (std::size_t i = 0; i < r.names.size(); ++i)
-        for (std::size_t j = 0; j < r.names.size(); ++j)
-          if ((inside(i) || reached[i]) && !inside(j) && !reached[j] &&
-              !m_.manifold->vanishes_on_curve(r.a[i][j]))
-            reached[j] = true;
-    std::vector<Row> all;
-    for (std::size_t j = 0; j < r.names.size(); ++j)
-      if (reached[j]) all.push_back(of_unknown(r.names[j]));
-    return all;
-  }
-
-private:
-  [[nodiscard]] Row combined(const std::vector<MFraction>& c) const {
-    Row sum(df_.front().size(), rows_.constant(0));
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      if (is_zero(c[i])) continue;
-      const Element factor = rows_.value(c[i]);
-      for (std::size_t k = 0; k < sum.size(); ++k)
-        if (!is_zero(df_[i][k])) sum[k] = sum[k] + rows_.times(factor, df_[i][k]);
-    }
-    return sum;
-  }
-
-  const ManifoldReport& m_;
-  const CurveRows& rows_;
-  std::vector<Row> df_;
-};
-
-// The identity of N1 to N3 in the function field.
-struct Identity {
-  std::vector<Row> annihilators, matrices;
-  Row row, rest;
-  Element p, q;
-  std::vector<Row> vectors;
-};
 
 class WayWriter {
 public:
@@ -252,10 +21,12 @@ public:
         f_(*ode_.field), rows_(v_, f_) {}
 
   std::optional<WayToR> operator()(std::string& none) {
-    if (!find_identity()) {
+    auto identity = normal_identity(m_, block_, rows_);
+    if (!identity) {
       none = "the covectors of the block span no subsystem of which it is a quotient";
       return std::nullopt;
     }
+    id_ = *std::move(identity);
     const auto tower = Tower::make(f_);
     if (!tower) {
       none = "the function field of the curve has no tower: it has components of different degrees";
@@ -275,82 +46,6 @@ public:
   }
 
 private:
-  // ---- the identity
-
-  [[nodiscard]] const NormalVariationalEquation& scalar() const {
-    const auto at = std::find_if(block_.scalar.begin(), block_.scalar.end(),
-                                 [&](const auto& e) { return e.unknown == ode_.unknown; });
-    KOV_ENSURE(at != block_.scalar.end());
-    return *at;
-  }
-
-  bool find_identity() {
-    const auto square = rows_.times(f_.inverse_z_dot(), f_.inverse_z_dot());
-    id_.p = rows_.times(f_.z_ddot() + rows_.times(rows_.value(scalar().a1), f_.z_dot()), square);
-    id_.q = rows_.times(rows_.value(scalar().a0), square);
-    const Annihilators found(m_, rows_);
-    id_.row = found.of_unknown(ode_.unknown);
-    const Row first = rows_.nabla(id_.row);
-    Row left = rows_.nabla(first);
-    for (std::size_t k = 0; k < left.size(); ++k)
-      left[k] = left[k] + rows_.times(id_.p, first[k]) + rows_.times(id_.q, id_.row[k]);
-    auto all = found.of_integrals();
-    if (!restrict_to(all, left)) {
-      for (Row& row : found.of_other_blocks(block_.unknowns))
-        all.push_back(std::move(row));
-      if (!restrict_to(all, left)) return false;
-    }
-    return find_vectors(first);
-  }
-
-  // left = sum rest_l lambda_l, with the fewest of these annihilators that span a subsystem.
-  bool restrict_to(const std::vector<Row>& all, const Row& left) {
-    const auto c = rows_.combination(all, left);
-    if (!c) return false;
-    std::vector<Row> matrices;
-    std::vector<bool> needed;
-    for (const Element& x : *c)
-      needed.push_back(!is_zero(x));
-    for (const Row& row : all) {
-      auto a = rows_.combination(all, rows_.nabla(row));
-      if (!a) return false;
-      matrices.push_back(*std::move(a));
-    }
-    for (std::size_t round = 0; round < all.size(); ++round)
-      for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t j = 0; j < all.size() && needed[i]; ++j)
-          if (!is_zero(matrices[i][j])) needed[j] = true;
-    const auto chosen = [&](const Row& row) {
-      Row part;
-      for (std::size_t j = 0; j < all.size(); ++j)
-        if (needed[j]) part.push_back(row[j]);
-      return part;
-    };
-    id_.rest = chosen(*c);
-    for (std::size_t i = 0; i < all.size(); ++i)
-      if (needed[i]) {
-        id_.annihilators.push_back(all[i]);
-        id_.matrices.push_back(chosen(matrices[i]));
-      }
-    return true;
-  }
-
-  bool find_vectors(const Row& first) {
-    std::vector<Row> rows;
-    rows.push_back(rows_.through_bracket(id_.row));
-    rows.push_back(rows_.through_bracket(first));
-    for (const Row& l : id_.annihilators)
-      rows.push_back(rows_.through_bracket(l));
-    for (std::size_t i = 0; i < 2; ++i) {
-      Row right(rows.size(), rows_.constant(0));
-      right[i] = rows_.constant(1);
-      auto x = rows_.solve(rows, right);
-      if (!x) return false;
-      id_.vectors.push_back(*std::move(x));
-    }
-    return true;
-  }
-
   // ---- the system
 
   [[nodiscard]] bool has_bracket() const { return v_.poisson && v_.hamiltonian; }
@@ -547,7 +242,7 @@ private:
   const AlgebraicOde& ode_;
   const FunctionField& f_;
   CurveRows rows_;
-  Identity id_;
+  NormalIdentity id_;
   WayToR way_;
 };
 

@@ -1,0 +1,178 @@
+#include "integrability/normal_identity.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+using Element = FunctionField::Element;
+using Row = CurveRows::Row;
+
+// Covectors that vanish where the variational equation is restricted: the differentials of the
+// integrals that eliminate, and those of the unknowns to which the block leads.
+class Annihilators {
+public:
+  Annihilators(const ManifoldReport& m, const CurveRows& rows) : m_(m), rows_(rows) {
+    for (const std::size_t i : m.normal.equations)
+      df_.push_back(rows.gradient(m.manifold->equations[i].difference));
+  }
+
+  [[nodiscard]] const Row& of_unknown(const std::string& name) const {
+    const auto& names = m_.normal.system.names;
+    const auto at = std::find(names.begin(), names.end(), name);
+    KOV_ENSURE(at != names.end());
+    return df_[static_cast<std::size_t>(at - names.begin())];
+  }
+
+  /// The differentials of the integrals that were used, in their order.
+  [[nodiscard]] std::vector<Row> of_integrals() const {
+    std::vector<Row> all;
+    auto next = m_.normal.integrals.begin();
+    for (const Elimination& e : m_.reduced.eliminations) {
+      while (next != m_.normal.integrals.end() && next->name != e.integral)
+        ++next;
+      KOV_ENSURE(next != m_.normal.integrals.end());
+      all.push_back(combined(next->coefficients));
+      ++next;
+    }
+    return all;
+  }
+
+  /// Those of the unknowns outside the block on which its equations depend.
+  [[nodiscard]] std::vector<Row> of_other_blocks(const std::vector<std::string>& block) const {
+    const LinearSystem& r = m_.reduced.system;
+    const auto inside = [&](std::size_t i) {
+      return std::find(block.begin(), block.end(), r.names[i]) != block.end();
+    };
+    std::vector<bool> reached(r.names.size());
+    for (std::size_t round = 0; round < r.names.size(); ++round)
+      for (std::size_t i = 0; i < r.names.size(); ++i)
+        for (std::size_t j = 0; j < r.names.size(); ++j)
+          if ((inside(i) || reached[i]) && !inside(j) && !reached[j] &&
+              !m_.manifold->vanishes_on_curve(r.a[i][j]))
+            reached[j] = true;
+    std::vector<Row> all;
+    for (std::size_t j = 0; j < r.names.size(); ++j)
+      if (reached[j]) all.push_back(of_unknown(r.names[j]));
+    return all;
+  }
+
+private:
+  [[nodiscard]] Row combined(const std::vector<MFraction>& c) const {
+    Row sum(df_.front().size(), rows_.constant(0));
+    for (std::size_t i = 0; i < c.size(); ++i) {
+      if (is_zero(c[i])) continue;
+      const Element factor = rows_.value(c[i]);
+      for (std::size_t k = 0; k < sum.size(); ++k)
+        if (!is_zero(df_[i][k])) sum[k] = sum[k] + rows_.times(factor, df_[i][k]);
+    }
+    return sum;
+  }
+
+  const ManifoldReport& m_;
+  const CurveRows& rows_;
+  std::vector<Row> df_;
+};
+
+class IdentityFinder {
+public:
+  IdentityFinder(const ManifoldReport& report, const BlockReport& block, const CurveRows& rows)
+      : m_(report), block_(block), ode_(*block.ode), f_(*ode_.field), rows_(rows) {}
+
+  std::optional<NormalIdentity> operator()() {
+    return find_identity() ? std::optional(id_) : std::nullopt;
+  }
+
+private:
+  [[nodiscard]] const NormalVariationalEquation& scalar() const {
+    const auto at = std::find_if(block_.scalar.begin(), block_.scalar.end(),
+                                 [&](const auto& e) { return e.unknown == ode_.unknown; });
+    KOV_ENSURE(at != block_.scalar.end());
+    return *at;
+  }
+
+  bool find_identity() {
+    const auto square = rows_.times(f_.inverse_z_dot(), f_.inverse_z_dot());
+    id_.p = rows_.times(f_.z_ddot() + rows_.times(rows_.value(scalar().a1), f_.z_dot()), square);
+    id_.q = rows_.times(rows_.value(scalar().a0), square);
+    const Annihilators found(m_, rows_);
+    id_.row = found.of_unknown(ode_.unknown);
+    const Row first = rows_.nabla(id_.row);
+    Row left = rows_.nabla(first);
+    for (std::size_t k = 0; k < left.size(); ++k)
+      left[k] = left[k] + rows_.times(id_.p, first[k]) + rows_.times(id_.q, id_.row[k]);
+    auto all = found.of_integrals();
+    if (!restrict_to(all, left)) {
+      for (Row& row : found.of_other_blocks(block_.unknowns))
+        all.push_back(std::move(row));
+      if (!restrict_to(all, left)) return false;
+    }
+    return find_vectors(first);
+  }
+
+  // left = sum rest_l lambda_l, with the fewest of these annihilators that span a subsystem.
+  bool restrict_to(const std::vector<Row>& all, const Row& left) {
+    const auto c = rows_.combination(all, left);
+    if (!c) return false;
+    std::vector<Row> matrices;
+    std::vector<bool> needed;
+    for (const Element& x : *c)
+      needed.push_back(!is_zero(x));
+    for (const Row& row : all) {
+      auto a = rows_.combination(all, rows_.nabla(row));
+      if (!a) return false;
+      matrices.push_back(*std::move(a));
+    }
+    for (std::size_t round = 0; round < all.size(); ++round)
+      for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = 0; j < all.size() && needed[i]; ++j)
+          if (!is_zero(matrices[i][j])) needed[j] = true;
+    const auto chosen = [&](const Row& row) {
+      Row part;
+      for (std::size_t j = 0; j < all.size(); ++j)
+        if (needed[j]) part.push_back(row[j]);
+      return part;
+    };
+    id_.rest = chosen(*c);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (needed[i]) {
+        id_.annihilators.push_back(all[i]);
+        id_.matrices.push_back(chosen(matrices[i]));
+      }
+    return true;
+  }
+
+  bool find_vectors(const Row& first) {
+    std::vector<Row> rows;
+    rows.push_back(rows_.through_bracket(id_.row));
+    rows.push_back(rows_.through_bracket(first));
+    for (const Row& l : id_.annihilators)
+      rows.push_back(rows_.through_bracket(l));
+    for (std::size_t i = 0; i < 2; ++i) {
+      Row right(rows.size(), rows_.constant(0));
+      right[i] = rows_.constant(1);
+      auto x = rows_.solve(rows, right);
+      if (!x) return false;
+      id_.vectors.push_back(*std::move(x));
+    }
+    return true;
+  }
+
+  const ManifoldReport& m_;
+  const BlockReport& block_;
+  const AlgebraicOde& ode_;
+  const FunctionField& f_;
+  const CurveRows& rows_;
+  NormalIdentity id_;
+};
+
+} // namespace
+
+std::optional<NormalIdentity> normal_identity(const ManifoldReport& report,
+                                              const BlockReport& block, const CurveRows& rows) {
+  return IdentityFinder(report, block, rows)();
+}
+
+} // namespace kov
