@@ -134,6 +134,37 @@ conditions = ["b = 1"]
             kovacic.integrals(CUBIC, -1)
 
 
+class Classifications(unittest.TestCase):
+    GALAXY = """[system]
+kind = "hamiltonian"
+coordinates = ["x", "y"]
+momenta = ["u", "v"]
+parameters = ["b"]
+hamiltonian = "(u^2 + v^2)/2 + (x^2 + y^2)/2 + (x^2 + y^2)^2/4 + b*x^2*y^2/2"
+"""
+
+    def test_strata(self):
+        found = kovacic.classify(self.GALAXY)
+        self.assertIs(found.status, kovacic.ClassificationStatus.depends)
+        self.assertEqual(found.integrals_class, "rational")
+        integrable = [s.conditions for s in found.strata if s.status is kovacic.StratumStatus.integrable]
+        self.assertCountEqual(integrable, [["b = 0"], ["b = 2"], ["b = -1"]])
+        for stratum in found.strata:
+            if stratum.status is kovacic.StratumStatus.excluded:
+                self.assertTrue(stratum.by[0].solution)
+        self.assertIn("integrable exactly", found.statement)
+        self.assertIn("<table>", found._repr_html_())
+        self.assertIn(found.statement, str(found))
+
+    def test_one_value(self):
+        self.assertIs(kovacic.classify(self.GALAXY, set={"b": 1}).status, kovacic.ClassificationStatus.non_integrable)
+        self.assertIs(kovacic.classify(self.GALAXY, set={"b": 2}).status, kovacic.ClassificationStatus.integrable)
+
+    def test_degree(self):
+        with self.assertRaises(kovacic.InvalidArgument):
+            kovacic.classify(self.GALAXY, degree=0)
+
+
 class Sections(unittest.TestCase):
     SCENE = """format = "scene/1"
 title = "a ball"

@@ -58,6 +58,7 @@ PYBIND11_MODULE(_core, m) {
   kov::python::bind_equation(m);
   kov::python::bind_strata(m);
   kov::python::bind_system(m);
+  kov::python::bind_classification(m);
   kov::python::bind_theorem(m);
   kov::python::bind_numerics(m);
 }

@@ -2,6 +2,7 @@
 
 #include "bind.hpp"
 #include "question.hpp"
+#include "source.hpp"
 #include "strata.hpp"
 
 #include "equation/equation_file.hpp"
@@ -21,16 +22,6 @@ KOV_PYTHON_ENUM(kov::Settled, "Settled");
 
 namespace kov::python {
 namespace {
-
-/// A file, or the text of one.
-struct Source {
-  std::string text; ///< empty: `name` is a path
-  std::string name;
-
-  [[nodiscard]] Entry document() const {
-    return text.empty() ? read_document(name) : parse_document(text, name);
-  }
-};
 
 FamilyAnswer family(const strata::StrataAnswer& a, const BlockReport& b) {
   return {a, b.ode && a.question ? a.question->r.ring()->name(b.ode->z) : "z"};

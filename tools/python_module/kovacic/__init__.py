@@ -20,11 +20,12 @@ from array import array as _array
 from . import _convert, _core, _evidence, _show
 from ._core import (  # noqa: F401
     Accepted, AlgebraicNumber, Argument, BlockReport, ByEngines, ByFormula, ByKovacic, CheckReport, ClaimReport,
-    Connected, Decision, Ended, FixedPoint, FixedPoints, FoundIntegral, GaloisGroup, GroupType, IntegralSearch,
-    IntegralsOfSet, LameAnswer, LameConditions, LameFamily, LiouvillianSolution, ManifoldReport, Method,
-    MFraction, Monodromy, NodeResult, NodeStatus, OrbitReport, RationalFunction, Rejected, Settled, Solved,
-    Stability, StrataAnswer, Stratum, SymbolicFamily, TheoremHypothesis, TheoremResult, TheoremUsed, Trichotomy,
-    Truth, Unable, VerdictKind, Why)
+    Classification, ClassificationStatus, ClassifiedStratum, Connected, Decision, Ended, ExclusionReason,
+    FixedPoint, FixedPoints, FoundIntegral, GaloisGroup, GroupType, IntegralSearch, IntegralsOfSet, LameAnswer,
+    LameConditions, LameFamily, LiouvillianSolution, ManifoldReport, Method, MFraction, Monodromy, NodeResult,
+    NodeStatus, OrbitReport, RationalFunction, Rejected, Settled, Solved, Stability, StrataAnswer, Stratum,
+    StratumStatus, SymbolicFamily, TheoremHypothesis, TheoremResult, TheoremUsed, Trichotomy, Truth, Unable,
+    VerdictKind, Why)
 from ._errors import (  # noqa: F401
     DomainError, Error, FreeParameters, InputError, InternalError, Interrupted, InvalidArgument, OutOfBudget,
     WrongType)
@@ -99,6 +100,15 @@ def integrals(source, degree=2, *, coefficients=None, set=None, timeout=_QUESTIO
     """First integrals of a system file, of this degree in the momenta, at all values of its parameters."""
     return _core.integrals(_limits(timeout, max_work), _source(source), _convert.values(set),
                            _int(degree, "degree"), _int(coefficients, "coefficients"))
+
+
+def classify(source, *, degree=4, search=True, set=None, timeout=_QUESTION, max_work=None):
+    """For which parameters is a system integrable?  A Classification: strata with proofs, the rest open.
+
+    degree: of the first integrals that are looked for; search=False: no solutions but the manifolds of the file.
+    """
+    return _core.classify(_limits(timeout, max_work), _source(source), _convert.values(set),
+                          _int(degree, "degree"), bool(search))
 
 
 def monodromy(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, set=None, minpoly=None,
@@ -301,7 +311,8 @@ for _type in (RationalFunction, MFraction, AlgebraicNumber, LiouvillianSolution)
 for _type, _shown in (
         (Decision, _show.decision), (StrataAnswer, _show.strata), (ManifoldReport, _show.manifold),
         (CheckReport, _show.report), (TheoremResult, _show.theorem), (Accepted, _show.verdict),
-        (Rejected, _show.verdict), (IntegralSearch, _show.integrals), (Monodromy, _show.monodromy)):
+        (Rejected, _show.verdict), (IntegralSearch, _show.integrals), (Classification, _show.classification),
+        (Monodromy, _show.monodromy)):
     _type._repr_html_ = _shown
 
 from ._evidence import (  # noqa: E402, F401

@@ -37,6 +37,14 @@ class Argument(enum.Enum):
     def __bool__(self) -> bool: ...
 
 
+class ClassificationStatus(enum.Enum):
+    integrable = 0
+    non_integrable = 1
+    open = 2
+    depends = 3
+    def __bool__(self) -> bool: ...
+
+
 class Connected(enum.Enum):
     trivial = 0
     additive = 1
@@ -99,6 +107,13 @@ class Stability(enum.Enum):
     hyperbolic = 1
     inverse_hyperbolic = 2
     parabolic = 3
+    def __bool__(self) -> bool: ...
+
+
+class StratumStatus(enum.Enum):
+    integrable = 0
+    excluded = 1
+    open = 2
     def __bool__(self) -> bool: ...
 
 
@@ -290,6 +305,29 @@ class ClassicalForm:
 class ConditionFails: ...
 
 
+class Classification:
+    __match_args__ = ('status', 'strata')
+    status: ClassificationStatus
+    statement: str
+    strata: list[ClassifiedStratum]
+    integrals_class: str | None
+    assumptions: list[str]
+    theorems: list[str]
+    trusted_steps: list[str]
+    notes: list[str]
+    stages: list[tuple[str, float]]
+    seconds: float
+
+
+class ClassifiedStratum:
+    __match_args__ = ('status', 'conditions')
+    conditions: list[str]
+    status: StratumStatus
+    integrals: list[FoundIntegral]
+    by: list[ExclusionReason]
+    open_after: list[str]
+
+
 class DifferenceBound:
     place: str
     square: Fraction
@@ -324,6 +362,19 @@ class FixedPoints:
     unexplained_cells: int
     stopped: bool
     degenerate: bool
+
+
+class ExclusionReason:
+    __match_args__ = ('solution', 'reason')
+    solution: str
+    level: str
+    order: int
+    reason: str
+    theorems: list[str]
+    trusted: list[str]
+    not_checked: str
+    statement: str
+    integrals_class: str
 
 
 class FoundIntegral:
@@ -689,6 +740,10 @@ def lame(n: Formula | None = None, B: Formula | None = None, g2: Formula | None 
 def integrals(source: Source, degree: int = 2, *, coefficients: int | None = None,
               set: Mapping[Name, Formula] | None = None, timeout: float | None = 60,
               max_work: float | None = None) -> IntegralSearch: ...
+
+
+def classify(source: Source, *, degree: int = 4, search: bool = True, set: Mapping[Name, Formula] | None = None,
+             timeout: float | None = 60, max_work: float | None = None) -> Classification: ...
 
 
 def monodromy(equation: Formula | None = None, *, r: Formula | None = None, ode: Formula | None = None,

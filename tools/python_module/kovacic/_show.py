@@ -112,6 +112,19 @@ def integrals(s):
     return f"<p>{escape(s.searched)}</p>" + text + table(rows, ("where", "first integrals", ""))
 
 
+def classification(c):
+    rows = []
+    for s in c.strata:
+        why = ["<br>".join(math(str(f.value)) for f in s.integrals),
+               "<br>".join(escape(f"{by.statement}; along {by.solution}: {by.reason}") for by in s.by),
+               "<br>".join(escape(f"not checked: {by.not_checked}") for by in s.by if by.not_checked),
+               "<br>".join(escape(tried) for tried in s.open_after)]
+        rows.append((escape(", ".join(s.conditions) or "all parameters"), s.status.name, "<br>".join(filter(None, why))))
+    assumed = f"<p>assumed: {escape(', '.join(c.assumptions))}</p>" if c.assumptions else ""
+    trusted = f"<p>on trust: {escape('; '.join(c.trusted_steps))}</p>" if c.trusted_steps else ""
+    return f"<p><b>{escape(c.statement)}</b></p>" + assumed + table(rows, ("parameters", "", "why")) + trusted
+
+
 def monodromy(m):
     rows = []
     for loop in m.loops:
