@@ -5,6 +5,7 @@
 #include "certificate_file.hpp"
 #include "commands.hpp"
 #include "equation/assumptions.hpp"
+#include "json_text.hpp"
 #include "kept_answers.hpp"
 #include "progress.hpp"
 #include "reproducer.hpp"
@@ -100,55 +101,21 @@ std::string too_long(std::size_t length) {
   throw InputError("the line", column > 0 ? 1 : 0, column, 1, message, hint);
 }
 
-// Where a JSON string that begins at `at` ends (behind its quote).
-std::size_t end_of_string(std::string_view text, std::size_t at) {
-  for (++at; at < text.size() && text[at] != '"'; ++at)
-    if (text[at] == '\\') ++at;
-  return std::min(at + 1, text.size());
-}
-
-// Where a JSON value ends: at the comma or bracket behind it.
-std::size_t end_of_value(std::string_view text, std::size_t at) {
-  for (long depth = 0; at < text.size();) {
-    const char c = text[at];
-    if (c == '"') {
-      at = end_of_string(text, at);
-      continue;
-    }
-    if (depth == 0 && (c == ',' || c == '}' || c == ']')) break;
-    depth += (c == '{' || c == '[') - (c == '}' || c == ']');
-    ++at;
-  }
-  while (at > 0 && (text[at - 1] == ' ' || text[at - 1] == '\t'))
-    --at;
-  return at;
-}
-
-// The id of a line as it is written there; "" if there is none.
-std::string_view written_id(std::string_view text) {
-  for (std::size_t at = text.find('{') + 1; at < text.size();) { // from member to member
-    at = text.find('"', at);
-    if (at == std::string_view::npos) break;
-    const std::size_t end = end_of_string(text, at);
-    const std::string_view key = text.substr(at, end - at);
-    const std::size_t colon = text.find_first_not_of(" \t", end);
-    if (colon == std::string_view::npos || text[colon] != ':') break;
-    const std::size_t value = text.find_first_not_of(" \t", colon + 1);
-    if (value == std::string_view::npos) break;
-    at = end_of_value(text, value);
-    if (key == "\"id\"") return text.substr(value, at - value);
-  }
-  return {};
-}
-
 // Gives the id of an answer back byte for byte: a JSON reader rounds numbers of more than 64 bits.
 void restore_id(std::string& answer, std::string_view line) {
-  const std::string_view id = written_id(line);
+  const std::string_view id = member(line, "id");
   const Json read = Json::parse(id, nullptr, false);
   const auto at = answer.find("\"id\":");
   if (id.empty() || read.is_discarded() || at == std::string::npos) return;
   const std::string dumped = dump(read);
   if (answer.compare(at + 5, dumped.size(), dumped) == 0) answer.replace(at + 5, dumped.size(), id);
+}
+
+// What differs from run to run.
+void remove_time(std::string& answer) {
+  const std::string_view seconds = member(answer, "seconds");
+  if (seconds.empty()) return;
+  answer.replace(static_cast<std::size_t>(seconds.data() - answer.data()), seconds.size(), "null");
 }
 
 // The id of a line that is not JSON as a whole, as far as it can be read.
@@ -443,7 +410,7 @@ private:
     if (!answer.certificate.empty())
       keep_certificate(settings_, line.text, answer, line.number, used_);
     std::string& text = answer.text;
-    if (arguments_.no_times) text = without_time(text);
+    if (arguments_.no_times) remove_time(text);
     restore_id(text, line.text);
     text += '\n';
     if (std::fwrite(text.data(), 1, text.size(), out_) != text.size()) not_written();

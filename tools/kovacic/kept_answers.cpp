@@ -1,6 +1,5 @@
 #include "kept_answers.hpp"
 
-#include "answer.hpp"
 #include "commands.hpp"
 
 #include <filesystem>
@@ -47,12 +46,6 @@ KeptAnswers kept_answers(const std::string& path) {
     kept.bytes += line.size() + 1;
   }
   return kept;
-}
-
-std::string without_time(std::string_view answer) {
-  Json j = Json::parse(answer);
-  if (j.contains("seconds")) j["seconds"] = nullptr;
-  return dump(j);
 }
 
 } // namespace kov::cli

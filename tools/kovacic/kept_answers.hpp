@@ -7,7 +7,6 @@
 #include <deque>
 #include <set>
 #include <string>
-#include <string_view>
 
 namespace kov::cli {
 
@@ -21,8 +20,5 @@ struct KeptAnswers {
 
 /// A file that is not there has no answers.  Throws InputError for a line that is no answer.
 [[nodiscard]] KeptAnswers kept_answers(const std::string& path);
-
-/// The answer without what differs from run to run: its time.
-[[nodiscard]] std::string without_time(std::string_view answer);
 
 } // namespace kov::cli
