@@ -182,9 +182,48 @@ private:
   std::string front_;
 };
 
-std::optional<Basis> dihedral(const Classification& c, const RationalFunction& r,
-                              const Paper& paper) {
-  if (!c.curve) return std::nullopt; // the quaternion group has three curves
+// F = exp(2 int phi), if it is a rational function with a constant w^2.
+std::optional<QuarticRoot> square_of_product(const RationalFunction& phi, const Singularities& s,
+                                             const Budget& budget) {
+  QuarticRoot root{coerce(Poly(1), phi.field()), std::vector<long>(s.finite.size()), NfElem(1), {}};
+  const LogarithmicParts parts = logarithmic_parts(phi, budget);
+  if (!is_zero(parts.rational_part)) return std::nullopt;
+  RationalFunction f(1);
+  for (const auto& [q, rho] : parts.residues) {
+    if (degree(rho) > 0 || !is_rational(rho.coeff(0))) return std::nullopt;
+    const Rational e = Rational(2) * to_rational(rho.coeff(0));
+    if (!is_integer(e) || abs(e) > Rational(printable_degree)) return std::nullopt;
+    f *= pow(RationalFunction(q), to_long(e.num()));
+    const auto place = std::find_if(s.finite.begin(), s.finite.end(),
+                                    [&q = q](const Singularity& p) { return p.place == q; });
+    if (place == s.finite.end())
+      root.q *= q; // y1 y2 has a simple zero at an ordinary point
+    else
+      root.e[static_cast<std::size_t>(place - s.finite.begin())] = to_long(e.num());
+  }
+  const RationalFunction slope = derivative(f);
+  const RationalFunction w_squared = RationalFunction(Rational(3, 4)) * slope * slope / f -
+                                     derivative(slope) + RationalFunction(4) * s.r * f;
+  if (degree(w_squared.num()) != 0 || degree(w_squared.den()) != 0) return std::nullopt;
+  root.w_squared = w_squared.num().coeff(0);
+  return root;
+}
+
+// The quaternion group has three products y1 y2; one of them is known where they are not conjugate.
+std::optional<Basis> quaternion(const LiouvillianSolution& found, const Classification& c,
+                                const RationalFunction& r, const Paper& paper) {
+  if (found.minimal_polynomial.size() != 3 || !c.local) return std::nullopt;
+  const auto root = square_of_product(-found.minimal_polynomial[1], *c.local, paper.budget);
+  if (!root) return std::nullopt;
+  const DihedralCurve curve = dihedral_curve(*root, *c.local);
+  const Integer n(2);
+  const auto a = torsion_function(curve, n, paper.budget);
+  return a ? std::optional(Dihedral(curve, r, paper).finite(*a, n)) : std::nullopt;
+}
+
+std::optional<Basis> dihedral(const LiouvillianSolution& found, const Classification& c,
+                              const RationalFunction& r, const Paper& paper) {
+  if (!c.curve) return quaternion(found, c, r, paper);
   const Dihedral formulas(*c.curve, r, paper);
   if (!c.dihedral || c.dihedral->finite != Truth::yes) return formulas.infinite();
   const auto a =
@@ -209,7 +248,7 @@ std::optional<Basis> basis(const Classification& c, const RationalFunction& r,
                                           : std::optional(with_second_line(found[0], r, paper));
   if (c.pair) return two_lines(*c.pair, r, paper);
   if (c.group->type == GroupType::D || c.group->type == GroupType::Dinf)
-    return dihedral(c, r, paper);
+    return dihedral(found[0], c, r, paper);
   return std::nullopt;
 }
 

@@ -19,7 +19,8 @@ struct Basis {
   std::string first, second;
 };
 
-/// Unset: A4, S4, A5, the quaternion group, SL2, and where nothing is known.
+/// Unset: A4, S4, A5, SL2, the quaternion group where its three quadratics are conjugate, and where
+/// nothing is known.
 /// found: solutions(c, r).  gauge: the solutions are written with the factor exp(int gauge); those
 /// of y'' + p y' + q y = 0 with gauge = -p/2.
 /// Throws   OutOfBudget

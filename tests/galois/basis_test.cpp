@@ -78,7 +78,8 @@ TEST(Basis, OfTheGivenEquation) {
 TEST(Basis, DihedralGroupsOfEveryGenusHaveOne) {
   const NfElem quarter(Rational(1, 4));
   for (const RationalFunction& r :
-       {testing::riemann(quarter, quarter, NfElem(Rational(1, 25))),
+       {testing::riemann(quarter, quarter, quarter), // the quaternion group
+        testing::riemann(quarter, quarter, NfElem(Rational(1, 25))),
         testing::riemann(quarter, quarter, NfElem(Rational(9, 16))),
         testing::from_square(RationalFunction(pow(z, 3) + Poly(1)), NfElem(1)),
         testing::from_square(RationalFunction(pow(z, 6) + z) * RationalFunction(z * z), NfElem(3))})

@@ -45,8 +45,8 @@ def riemann(a, b, c):
     return f"(({a})^2-1)/(4*z^2)+(({b})^2-1)/(4*(z-1)^2)+(1-({a})^2-({b})^2+({c})^2)/(4*z*(z-1))"
 
 
-EQUATIONS += [(riemann("1/2", "1/2", c), "D") for c in ("1/3", "2/3", "1/4", "3/5", "7/5")]
-EQUATIONS += [(riemann("1/2", "3/2", c), "D") for c in ("1/3", "4/3")]
+EQUATIONS += [(riemann("1/2", "1/2", c), "D") for c in ("1/2", "1/3", "2/3", "1/4", "3/5", "7/5")]
+EQUATIONS += [(riemann("1/2", "3/2", c), "D") for c in ("1/2", "1/3", "4/3")]
 EQUATIONS += [(riemann("1/3", "1/5", "8/15+1"), "T"), (riemann("1/3", "1/5", "8/15+5"), "T"),
               (riemann("0", "0", "3"), "T"), (riemann("1/2", "1/2", "sqrt(2)"), "Dinf")]
 # y1 y2 = v, the Wronskian w: over Q(w), and over Q(sqrt 2) outside it
