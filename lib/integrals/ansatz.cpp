@@ -2,6 +2,7 @@
 #include "integrals/independence.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 namespace kov {
@@ -177,15 +178,22 @@ bool is_parametric(const PhaseSpace& p, const MFraction& f) {
   return is_zero(f) || (is_parametric(p, f.num()) && is_parametric(p, f.den()));
 }
 
-// The degree of V where it is a polynomial.
-std::optional<long> potential_degree(const PhaseSpace& p) {
-  if (!p.is_polynomial_ring() || !is_parametric(p, p.field.hamiltonian->den())) return std::nullopt;
+// Of H = p^T G p/2 + (A/D)·p + N/D, G constant: what degree the numerators over D^j may gain with
+// each j, twice (docs/theory/integrals.md, Theorem 3).
+long twice_step(const PhaseSpace& p, bool even) {
+  const MFraction over = *p.field.hamiltonian * MFraction(p.denominator);
   const std::size_t n = p.variables.size() / 2;
-  unsigned long degree = 0;
-  for (const auto& [e, c] : by_monomials(p, p.field.hamiltonian->num()))
-    if (std::all_of(e.begin() + static_cast<long>(n), e.end(), [](auto k) { return k == 0; }))
-      degree = std::max(degree, std::accumulate(e.begin(), e.end(), 0UL));
-  return static_cast<long>(degree);
+  const long d = degree_of(p, p.denominator);
+  std::array<long, 2> degree{}; // of N and A
+  for (const auto& [e, c] : by_monomials(p, over.num())) {
+    const auto middle = e.begin() + static_cast<long>(n);
+    const auto k = std::accumulate(middle, e.end(), 0UL);
+    if (k < 2)
+      degree.at(k) =
+          std::max(degree.at(k), static_cast<long>(std::accumulate(e.begin(), middle, 0UL)));
+  }
+  if (even) return 2 * std::max(degree[0], d - 2);
+  return std::max({2 * degree[1], degree[0] + d, 2 * d - 2});
 }
 
 } // namespace
@@ -222,7 +230,10 @@ std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p) {
   }
   natural.determinant = determinant(rows);
   if (is_zero(natural.determinant)) return std::nullopt;
-  if (natural.even) natural.degree = potential_degree(p);
+  if (p.is_polynomial_ring()) {
+    natural.polynomial = is_one(p.denominator);
+    natural.twice_step = twice_step(p, natural.even);
+  }
   return natural;
 }
 
@@ -254,13 +265,12 @@ long top_degree(const NaturalHamiltonian& natural, long degree, long k) {
 /// The largest degree of the coefficients beside momenta of degree k.
 long coefficient_bound(const AnsatzBounds& b, const std::optional<NaturalHamiltonian>& natural,
                        long k, long denominator_degree) {
-  if (b.layered) {
-    const long j = layer(natural.value(), b.degree, k);
-    return j == 0 ? top_degree(*natural, b.degree, k) : *b.coefficients + j * denominator_degree;
-  }
-  if (b.coefficients) return *b.coefficients + denominator_degree;
-  const long top = top_degree(natural.value(), b.degree, k);
-  return top + layer(*natural, b.degree, k) * natural->degree.value();
+  if (b.coefficients && !b.layered) return *b.coefficients + denominator_degree;
+  const long j = layer(natural.value(), b.degree, k);
+  const long top = top_degree(*natural, b.degree, k);
+  if (j == 0) return top;
+  return b.coefficients ? *b.coefficients + j * denominator_degree
+                        : top + j * natural->twice_step.value() / 2;
 }
 
 bool is_standard(const PhaseSpace& p, const std::vector<unsigned long>& e) {

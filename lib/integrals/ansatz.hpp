@@ -48,16 +48,18 @@ struct PhaseSpace {
 struct NaturalHamiltonian {
   MPoly determinant; ///< of G, up to a factor; the bounds below hold where it is not 0
   bool even = true;  ///< a = 0
-  /// a = 0 and V is a polynomial, of this degree for generic parameters: an upper bound for all.
-  std::optional<long> degree = {};
+  bool polynomial = false; ///< a and V are polynomials in q
+  /// a and V are rational in q: twice what each layer below the highest one adds to the degree of
+  /// the numerators (Theorems 2 and 3).  Computed for generic parameters: an upper bound for all.
+  std::optional<long> twice_step = {};
 };
 [[nodiscard]] std::optional<NaturalHamiltonian> natural_hamiltonian(const PhaseSpace& p);
 
 /// Which monomials the numerator may have.
 struct AnsatzBounds {
   long degree = 0; ///< in the momenta; in all phase variables where there are none
-  /// of the coefficients in the other variables; unset: by docs/theory/integrals.md, Theorem 2,
-  /// which needs a natural Hamiltonian with polynomial V
+  /// of the coefficients in the other variables; unset: by docs/theory/integrals.md, Theorems 2 and
+  /// 3, which need a natural Hamiltonian with rational a and V
   std::optional<long> coefficients = {};
   /// For natural Hamiltonians: beside momenta of the highest degree only what Theorem 2 leaves,
   /// beside those of lower degrees the powers of the denominator that they need.

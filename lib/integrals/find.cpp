@@ -8,6 +8,9 @@
 namespace kov {
 namespace {
 
+// Of an ansatz with the bounds of Theorem 3; above, a smaller one is chosen.
+constexpr std::size_t most_unknowns = 1000;
+
 std::vector<std::vector<MFraction>> bracket_fields(const VectorField& v) {
   std::vector<std::vector<MFraction>> all;
   for (std::size_t j = 0; j < v.dimension(); ++j) {
@@ -40,10 +43,9 @@ public:
           space_.not_covered.end())
         result_.assumed.push_back(f);
     for (const auto& [where, natural] : by_metric(all)) {
-      const bool bounded = natural && natural_->degree;
       coefficients_ = options_.coefficients;
-      if (!bounded && !coefficients_) coefficients_ = options_.degree;
-      layered_ = natural && !bounded;
+      layered_ = natural && !(natural_->even && natural_->polynomial);
+      if (!coefficients_ && !(natural && has_bounds())) coefficients_ = options_.degree;
       plan_stages();
       start(where);
     }
@@ -91,6 +93,18 @@ private:
     return parts;
   }
 
+  // Those of Theorems 2 and 3 leave an ansatz that is small enough.
+  bool has_bounds() const {
+    if (!natural_->twice_step) return false;
+    if (!layered_) return true;
+    try {
+      const auto whole = make_ansatz(space_, {options_.degree, {}, layered_}, natural_);
+      return whole.numerators.size() <= most_unknowns;
+    } catch (const OutOfBudget&) {
+      return false;
+    }
+  }
+
   std::string searched() const {
     const std::string d = std::to_string(options_.degree);
     if (layered_) return searched_in_layers();
@@ -106,13 +120,18 @@ private:
            std::to_string(*coefficients_ + more) + " in the other variables" + over;
   }
 
-  // What Theorem 2 says of the highest part needs no words.
+  // What the theorems say of the highest part, and of denominators and degrees, needs no words.
   std::string searched_in_layers() const {
+    const std::string first =
+        "polynomials of degree <= " + std::to_string(options_.degree) + " in the momenta";
+    if (!coefficients_)
+      return first + (natural_->polynomial
+                          ? ""
+                          : ", their coefficients rational functions of the coordinates");
     const long more = degree_of(space_, space_.denominator);
     const std::string c = std::to_string(*coefficients_);
     const std::string step = natural_->even ? "2" : "1";
-    std::string text = "polynomials of degree <= " + std::to_string(options_.degree) +
-                       " in the momenta, their other coefficients polynomials of degree <= " + c;
+    const std::string text = first + ", their other coefficients polynomials of degree <= " + c;
     if (more == 0) return text + " in the other variables";
     return text + " + " + std::to_string(more) + "*j over (" +
            brief(MFraction(space_.denominator), 200) + ")^j, " + step +
@@ -312,7 +331,7 @@ private:
     set.only_declared_relations = !space_.is_polynomial_ring();
     const bool ended_early = options_.until_integrable && set.liouville;
     set.complete = set.open.empty() && space_.is_polynomial_ring() && !ended_early;
-    set.complete_for_smooth = set.complete && natural_ && !coefficients_;
+    set.complete_for_smooth = set.complete && natural_ && natural_->polynomial && !coefficients_;
     try {
       set.inequations = s.where.proper_inequations();
       if (space_.field.poisson && !set.liouville) find_commuting(s.where, set);

@@ -260,6 +260,41 @@ TEST(Integrals, PotentialsThatAreNoPolynomials) {
       is_integrable(search(of(two + "3/4*w^4 + (y^2 + 2)/w^2'\n" + cube), 3)));
 }
 
+// Where V grows, so do the numerators, with each power of the denominator.
+TEST(Integrals, RationalPotentialsThatGrow) {
+  const auto generic_set = [](const std::string& h, long degree) {
+    const auto found = find_integrals(planar(h, "'a', 'b'"), {.degree = degree});
+    const auto whole = std::find_if(found.sets.begin(), found.sets.end(),
+                                    [](const auto& s) { return s.equations.empty(); });
+    return whole == found.sets.end() ? IntegralsOfSet{} : *whole;
+  };
+  const std::vector<std::pair<std::string, long>> integrable = {
+      {"(u^2 + v^2)/2 + a*(x^4 + 12*x^2*y^2 + 16*y^4) + b/x^2", 2},
+      {"u*v/2 + a*(5*x^4 - 60*x^3*y + 126*x^2*y^2 - 60*x*y^3 + 5*y^4) + b/(x + y)^2", 2},
+      {"((u + 2*x*y)^2 + (v + x^2)^2)/2 + a*(x^4 + 12*x^2*y^2 + 16*y^4) + b/x^2", 2}, // a gauge
+      {"(u^2 + v^2 + a*x^2 + 16*a*y^2)/2 + x^2*y + 16*y^3/3 + b/x^2", 4}, // Henon-Heiles KK
+      {"(u^2 + v^2)/2 + x*y^2 + 2*x^3 + a/y^2", 2}};
+  for (const auto& [h, degree] : integrable) {
+    const auto set = generic_set(h, degree);
+    EXPECT_TRUE(set.liouville && set.complete && !set.complete_for_smooth) << h;
+    EXPECT_THAT(set.searched, testing::EndsWith("rational functions of the coordinates")) << h;
+  }
+  const auto none = find_integrals(planar("(u^2 + v^2)/2 + x^4 + y/x^2"), {.degree = 3});
+  EXPECT_TRUE(none.sets.empty() && none.elsewhere->complete);
+}
+
+// Polynomials beside momenta of degree 1: no denominator, and smooth coefficients are polynomials.
+TEST(Integrals, MagneticFieldsNeedNoBound) {
+  const auto search = [](const std::string& h) {
+    const auto found = find_integrals(planar(h), {.degree = 2});
+    return found.sets.empty() ? *found.elsewhere : found.sets.front();
+  };
+  const auto separable = search("((u + x^2*y)^2 + (v + x^3/3)^2)/2 + x^4 + y^6");
+  EXPECT_TRUE(separable.liouville && separable.complete_for_smooth);
+  const auto none = search("((u + y^3)^2 + (v - x^3)^2)/2 + x^4 + y^6 + x");
+  EXPECT_TRUE(!none.liouville && none.complete_for_smooth);
+}
+
 // Momentum first, then what commutes with it: n integrals in involution, and not only n of them.
 TEST(Integrals, TheSearchForIntegrabilityAsksForInvolution) {
   const System s = of(
