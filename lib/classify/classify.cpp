@@ -163,7 +163,8 @@ private:
       for (const MFactor& f : factor(den).second)
         if (in_parameters(f.base) && !all.is_nonzero(f.base))
           keep_nonzero(f.base, to_string(f.base) + " != 0", all);
-    if (all.is_empty()) throw InvalidArgument("no parameter values satisfy the assumptions");
+    if (all.is_empty() || contradicts_itself(system_))
+      throw InvalidArgument("no parameter value satisfies the relations and assumptions");
     return all;
   }
 

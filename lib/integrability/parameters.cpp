@@ -108,11 +108,21 @@ std::vector<std::size_t> level_parameters(const System& s) {
   return levels;
 }
 
-std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {
+namespace {
+
+Region assumed_region(const System& s) {
   Assumptions assumed;
   for (const auto& a : s.assumptions)
     add_assumption(assumed, a, s.ring());
-  const Region all(s.ring(), assumed);
+  return {s.ring(), assumed};
+}
+
+} // namespace
+
+bool contradicts_itself(const System& s) { return assumed_region(s).refutes({}); }
+
+std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {
+  const Region all = assumed_region(s);
   std::vector<MPoly> left;
   for (const MPoly& g : generic)
     if (!is_constant(g) && all.doubtful_factor(g)) left.push_back(g);

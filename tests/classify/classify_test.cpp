@@ -3,6 +3,7 @@
 #include "classify/classify.hpp"
 
 #include "classify/darboux_points.hpp"
+#include "exact/error.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -246,6 +247,23 @@ TEST(Classify, WhereNothingMovesEverythingIsConserved) {
                          "y = '(c - a)*x*z'\nz = '(a - b)*x*y'\n"),
                       within(60));
   EXPECT_EQ(c.status(), ClassificationStatus::integrable);
+}
+
+// Of real parameters none are left: that is no theorem on all of them.
+TEST(Classify, NoRealParametersIsAnErrorOfTheInput) {
+  const auto classify = [](const std::string& assumed) {
+    return classify_system(
+        planar("(u^2 + v^2)/2 + x^4 + y^4 + a*x^2*y^2", "'a', 'b'", "[assume]\n" + assumed),
+        within(20, 2));
+  };
+  for (const std::string assumed :
+       {"a = 'real'\nconditions = ['a^2 = -1']", "a = 'positive'\nconditions = ['a < -1']",
+        "a = 'positive'\nb = 'positive'\nconditions = ['a*b + 1 < 0']",
+        "conditions = ['a > 1', 'a^2 = 1']", "conditions = ['a = 1', 'a = 2']"})
+    EXPECT_THROW(static_cast<void>(classify(assumed)), InvalidArgument) << assumed;
+  for (const std::string assumed :
+       {"a = 'real'\nconditions = ['a^2 = 1']", "conditions = ['a^2 = -1']"})
+    EXPECT_NE(classify(assumed).status(), ClassificationStatus::integrable) << assumed;
 }
 
 // A limit is never a verdict.
