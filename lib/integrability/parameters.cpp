@@ -91,6 +91,25 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
   return q;
 }
 
+namespace {
+
+bool occurs(const std::vector<Equation>& all, std::size_t i) {
+  return std::any_of(all.begin(), all.end(),
+                     [i](const Equation& e) { return uses(e.difference, i); });
+}
+
+// Only what the file assumes contains the parameter: it restricts the others, and is no level.
+bool is_auxiliary(const System& s, std::size_t i) {
+  return std::any_of(s.assumptions.begin(), s.assumptions.end(),
+                     [i](const Assumption& a) { return uses(a.value, i); }) &&
+         s.reductions.empty() &&
+         std::none_of(s.manifolds.begin(), s.manifolds.end(), [i](const ManifoldSpec& m) {
+           return occurs(m.equations, i) || occurs(m.levels, i);
+         });
+}
+
+} // namespace
+
 std::vector<std::size_t> level_parameters(const System& s) {
   // whatever the equations of motion rest on
   std::vector<MFraction> equations(s.field.components);
@@ -103,7 +122,8 @@ std::vector<std::size_t> level_parameters(const System& s) {
   std::vector<std::size_t> levels;
   for (const std::size_t i : s.field.parameters)
     if (std::none_of(equations.begin(), equations.end(),
-                     [&](const MFraction& x) { return uses(x, i); }))
+                     [&](const MFraction& x) { return uses(x, i); }) &&
+        !is_auxiliary(s, i))
       levels.push_back(i);
   return levels;
 }

@@ -10,6 +10,7 @@ namespace kov {
 [[nodiscard]] strata::Question strata_question(const System& s, const AlgebraicOde& ode);
 
 /// Parameters of the levels only: the vector field does not contain them, and they may be chosen.
+/// One that occurs in assumptions and in no manifold or reduction labels no level.
 /// Given   const System free = read_system(parse_document("system = {kind = 'hamiltonian', "
 ///             "coordinates = ['q'], momenta = ['p'], parameters = ['a', 'h'], "
 ///             "hamiltonian = 'p^2/2 + a*q^2'}\n"

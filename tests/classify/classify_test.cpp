@@ -266,6 +266,18 @@ TEST(Classify, NoRealParametersIsAnErrorOfTheInput) {
     EXPECT_NE(classify(assumed).status(), ClassificationStatus::integrable) << assumed;
 }
 
+// A parameter that only assumptions contain labels no level: it restricts the others.
+TEST(Classify, AssumedEquationsWithFurtherParameters) {
+  const auto c = classify_system(planar("(u^2 + v^2)/2 + x^4 + y^4 + a*x^2*y^2", "'a', 'b'",
+                                        "[assume]\nconditions = ['a = b^2 + 2', 'b >= 0']\n"),
+                                 within(60));
+  EXPECT_THAT(c.notes, testing::IsEmpty());
+  EXPECT_EQ(status_at(c, {{"b", 0}, {"a", 2}}), "integrable");
+  EXPECT_EQ(status_at(c, {{"b", 2}, {"a", 6}}), "integrable");
+  EXPECT_EQ(status_at(c, {{"b", 1}, {"a", 3}}), "excluded");
+  EXPECT_EQ(status_at(c, {{"b", 0}, {"a", 0}}), ""); // not what the file is about
+}
+
 // A limit is never a verdict.
 TEST(Classify, WithoutTimeAllIsOpen) {
   ClassifyOptions options;
