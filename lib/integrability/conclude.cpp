@@ -55,7 +55,11 @@ const strata::StrataAnswer* deciding_strata(const BlockReport& block) {
   return level ? &*level->strata : nullptr;
 }
 
-// Of "C = A, A != 2" the equations are enough to name an exception.
+bool is_general(const std::vector<Condition>& all) {
+  return std::none_of(all.begin(), all.end(),
+                      [](const Condition& c) { return c.sign == Sign::zero; });
+}
+
 std::string in_equations(const std::vector<Condition>& all) {
   std::vector<Condition> equations;
   std::copy_if(all.begin(), all.end(), std::back_inserter(equations),
@@ -63,24 +67,37 @@ std::string in_equations(const std::vector<Condition>& all) {
   return to_string(equations.empty() ? all : equations);
 }
 
+// Of "C = A, A != 2" the equations are enough to name an exception; without equations, of a part
+// that was told apart, the first statement that holds.
+std::string named(const strata::Stratum& s) {
+  if (is_general(s.conditions))
+    for (const ArithmeticCondition& c : s.arithmetic)
+      if (c.holds) return to_string(c);
+  return in_equations(s.conditions);
+}
+
 // Strata without an obstruction, and those that a limit left open.
 std::vector<std::string> not_excluded_by(const strata::StrataAnswer& answer) {
   std::vector<std::string> all = answer.unvisited;
-  for (const strata::Stratum& s : answer.strata)
-    if (s.leaf.abelian != Truth::no) all.push_back(in_equations(s.conditions));
+  for (const strata::Stratum& s : answer.told_apart()) {
+    if (s.leaf.abelian == Truth::no) continue;
+    if (std::string where = named(s); std::find(all.begin(), all.end(), where) == all.end())
+      all.push_back(std::move(where));
+  }
   return all;
 }
 
 bool is_general(const strata::Stratum& s) {
-  return std::none_of(s.conditions.begin(), s.conditions.end(),
-                      [](const Condition& c) { return c.sign == Sign::zero; });
+  return is_general(s.conditions) &&
+         std::none_of(s.arithmetic.begin(), s.arithmetic.end(),
+                      [](const ArithmeticCondition& c) { return c.holds; });
 }
 
 // The strata of one block are enough where the general one has an obstruction.
 const strata::StrataAnswer* excluding_strata(const ManifoldReport& report) {
   for (const BlockReport& b : report.blocks)
     if (b.abelian == Truth::unknown && b.strata)
-      for (const strata::Stratum& s : b.strata->strata)
+      for (const strata::Stratum& s : b.strata->told_apart())
         if (s.leaf.abelian == Truth::no && is_general(s)) return &*b.strata;
   return nullptr;
 }

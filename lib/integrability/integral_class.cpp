@@ -39,7 +39,7 @@ struct NonAbelian {
     if (d.abelian == Truth::no) add(integral_class(r), d.component == Connected::sl2);
   }
   void add(const strata::StrataAnswer& answer) {
-    for (const auto& x : answer.strata)
+    for (const strata::Stratum& x : answer.told_apart())
       if (x.leaf.abelian == Truth::no)
         add(strata::has_irregular_place(x.leaf) ? IntegralClass::meromorphic_at_infinity
                                                 : IntegralClass::meromorphic,

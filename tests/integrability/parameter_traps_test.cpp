@@ -2,6 +2,7 @@
 // these was once answered wrongly.
 
 #include "integrability/check.hpp"
+#include "integrability/conclude.hpp"
 #include "strata/words.hpp"
 #include "symbol/input_error.hpp"
 
@@ -324,6 +325,19 @@ value = "c*y3"
 name = "N"
 equations = ["y1 = 0","y2 = 0","y3 = 0","y4 = 0"])t");
   EXPECT_EQ(m.integrals, IntegralClass::meromorphic_at_infinity);
+}
+
+// Riemann's equation with a difference that depends on a, and one value of a left open: the general
+// answer is told with its exceptions, and the class is that of the equation it rests on.
+TEST(ParameterTraps, AnOpenValueDoesNotHideTheGeneralAnswer) {
+  const std::string h = "(p1^2 + p2^2)/2 + 3*q1^2*q2^2 + a*q2^4";
+  const CheckReport report =
+      check_system(read_system(parse_document(hamiltonian(h, axis), "test.toml"), {}));
+  const ManifoldReport& m = report.manifolds.at(0);
+  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_THAT(m.statement, testing::HasSubstr("not integrable"));
+  EXPECT_THAT(exceptions(m), testing::AllOf(testing::HasSubstr("a = 0"),
+                                            testing::HasSubstr("sqrt((a + 12)/(4*a))")));
 }
 
 } // namespace
