@@ -66,6 +66,126 @@ bool implies(const DifferenceCondition& a, const DifferenceCondition& b) {
   return a.kind == b.kind || strength(a.kind) > strength(b.kind);
 }
 
+namespace {
+
+/// What one statement says of one difference.
+struct Special {
+  MFraction square;
+  Kind kind;
+};
+
+// a + step Z and -a + step Z lie in it.
+Kind kind_of(const Rational& a, const Rational& step) {
+  if (is_integer(step) && is_integer(a)) return Kind::integer;
+  if (is_integer(step) && is_integer(a - Rational(1, 2))) return Kind::odd_half;
+  const Rational two(2);
+  return is_integer(two * step) && is_integer(two * a) ? Kind::half_integer : Kind::rational;
+}
+
+// The smallest kind with both.
+Kind join(Kind a, Kind b) {
+  if (a == b) return a;
+  return a == Kind::rational || b == Kind::rational ? Kind::rational : Kind::half_integer;
+}
+
+// The only one that is no number, and the sums of the others with both signs; unset: there are
+// more, or a number is irrational.
+struct OneOpen {
+  MFraction square;
+  std::vector<Rational> sums{Rational(0)};
+};
+std::optional<OneOpen> one_open(const Squares& squares) {
+  std::optional<MFraction> open;
+  std::vector<Rational> sums{Rational(0)};
+  for (const MFraction& square : squares) {
+    if (!is_zero(square) && !is_constant(square)) {
+      if (open) return std::nullopt;
+      open = square;
+      continue;
+    }
+    const auto root = exact_sqrt(is_zero(square) ? Rational(0) : to_rational(square));
+    if (!root) return std::nullopt;
+    std::vector<Rational> more;
+    for (const Rational& x : sums) {
+      more.push_back(x + *root);
+      more.push_back(x - *root);
+    }
+    sums = std::move(more);
+  }
+  if (!open) return std::nullopt;
+  return OneOpen{*std::move(open), std::move(sums)};
+}
+
+std::optional<Special> said_by(const SumIn& s) {
+  const auto one = one_open(s.squares);
+  if (!one || s.classes.empty()) return std::nullopt;
+  std::optional<Kind> kind;
+  for (const Residues& r : s.classes)
+    for (const Rational& x : one->sums) {
+      const Kind here = kind_of(r.a + x, r.step);
+      kind = kind ? join(*kind, here) : here;
+    }
+  return Special{one->square, *kind};
+}
+
+struct WhatItSays {
+  std::vector<Special> operator()(const SumIn& s) const {
+    const auto one = said_by(s);
+    return one ? std::vector{*one} : std::vector<Special>{};
+  }
+  std::vector<Special> operator()(const AllRational& s) const { return all_rational(s.squares); }
+  std::vector<Special> operator()(const InRow& s) const { return all_rational(s.squares); }
+  std::vector<Special> operator()(const InHalves& s) const {
+    if (s.count < s.squares.size()) return {}; // which of them is not known
+    std::vector<Special> all;
+    for (const MFraction& square : s.squares)
+      all.push_back({square, Kind::odd_half});
+    return all;
+  }
+  template <class Other> std::vector<Special> operator()(const Other&) const { return {}; }
+
+private:
+  static std::vector<Special> all_rational(const Squares& squares) {
+    std::vector<Special> all;
+    for (const MFraction& square : squares)
+      all.push_back({square, Kind::rational});
+    return all;
+  }
+};
+
+std::vector<Special> said_by(const std::vector<ArithmeticCondition>& part) {
+  std::vector<Special> all;
+  for (const ArithmeticCondition& c : part)
+    if (c.holds)
+      for (Special& one : std::visit(WhatItSays{}, c.statement))
+        all.push_back(std::move(one));
+  return all;
+}
+
+} // namespace
+
+std::optional<DifferenceCondition>
+necessary_condition(const std::vector<std::vector<ArithmeticCondition>>& parts) {
+  if (parts.empty()) return std::nullopt;
+  std::vector<Special> common = said_by(parts.front());
+  std::erase_if(common,
+                [](const Special& c) { return is_zero(c.square) || is_constant(c.square); });
+  for (const auto& part : parts) {
+    const auto here = said_by(part);
+    std::vector<Special> both;
+    for (const Special& c : common)
+      for (const Special& x : here)
+        if (x.square == c.square) both.push_back({c.square, join(c.kind, x.kind)});
+    common = std::move(both);
+  }
+  if (common.empty()) return std::nullopt;
+  const auto strongest =
+      std::max_element(common.begin(), common.end(), [](const Special& a, const Special& b) {
+        return (a.kind == Kind::rational) > (b.kind == Kind::rational);
+      });
+  return DifferenceCondition{strongest->kind, {strongest->square}};
+}
+
 DifferenceCondition negation(DifferenceCondition c) {
   c.holds = !c.holds;
   return c;

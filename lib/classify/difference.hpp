@@ -6,6 +6,7 @@
 // Source  docs/theory/classify.md (2)
 
 #include "integrals/stratum.hpp"
+#include "special/arithmetic.hpp"
 
 #include <cstdint>
 #include <string>
@@ -44,6 +45,13 @@ struct DifferenceCondition {
                                                              const ParameterSet& where);
 /// a implies b, by its kind: proved.
 [[nodiscard]] bool implies(const DifferenceCondition& a, const DifferenceCondition& b);
+/// What holds in all parts, each a conjunction: one difference is special.  Unset: none is seen.
+/// Given   const MFraction b = MFraction(a);
+/// Given   const ArithmeticCondition halves{SumIn{{b}, {{Rational(1, 2), Rational(2)}}}};
+/// Given   const ArithmeticCondition other{InHalves{{b}, 1}};
+/// Example to_string(*necessary_condition({{halves}, {other}}))  // -> sqrt(a) - 1/2 is an integer
+[[nodiscard]] std::optional<DifferenceCondition>
+necessary_condition(const std::vector<std::vector<ArithmeticCondition>>& parts);
 [[nodiscard]] DifferenceCondition negation(DifferenceCondition c);
 [[nodiscard]] std::string to_string(const DifferenceCondition& c);
 

@@ -168,6 +168,27 @@ std::optional<DifferenceCondition> some(const strata::Leaf& leaf,
   return c;
 }
 
+// Where the parts of a closed answer say it: outside `condition` the group is `otherwise`.
+struct ClosedAnswer {
+  DifferenceCondition condition;
+  strata::Leaf otherwise;
+};
+
+// Some part is not abelian, and on all others one and the same difference is special.
+std::optional<ClosedAnswer> closed_answer(const Stratum& x) {
+  std::vector<std::vector<ArithmeticCondition>> others;
+  std::optional<strata::Leaf> otherwise;
+  for (const Stratum& part : strata::told_apart(x))
+    if (part.leaf.abelian == Truth::no)
+      otherwise = part.leaf;
+    else
+      others.push_back(part.arithmetic);
+  if (!otherwise) return std::nullopt;
+  auto condition = necessary_condition(others);
+  if (!condition) return std::nullopt;
+  return ClosedAnswer{*std::move(condition), *std::move(otherwise)};
+}
+
 // What an undecided leaf says all the same; unset: nothing.
 std::optional<OnlyIf> only_if(const strata::Leaf& leaf) {
   OnlyIf result;
@@ -246,8 +267,13 @@ std::optional<Exclusion> exclusion(const System& s, const Stratum& x,
   const strata::Leaf& leaf = x.leaf;
   std::optional<OnlyIf> open;
   if (leaf.abelian == Truth::yes) return std::nullopt;
+  std::optional<ClosedAnswer> closed;
   if (leaf.abelian == Truth::unknown) {
-    if (leaf.open) open = only_if(leaf);
+    closed = closed_answer(x);
+    if (closed)
+      open = OnlyIf{{}, closed->condition};
+    else if (leaf.open)
+      open = only_if(leaf);
     if (!open) return std::nullopt;
   }
   Projection p(s, levels);
@@ -257,8 +283,10 @@ std::optional<Exclusion> exclusion(const System& s, const Stratum& x,
     if (!require_some(e, p, open->vanish)) return std::nullopt;
     if (open->difference && !require_no_difference(e, p, *open->difference)) return std::nullopt;
   }
-  e.by.reason = open ? strata::open_condition(leaf) : strata::reason(leaf);
-  if (open) e.by.trusted.emplace_back("necessary conditions of undecided strata");
+  const bool necessary = open && !closed;
+  e.by.reason =
+      necessary ? strata::open_condition(leaf) : strata::reason(closed ? closed->otherwise : leaf);
+  if (necessary) e.by.trusted.emplace_back("necessary conditions of undecided strata");
   e.by.integrals = class_of(leaf);
   return e;
 }

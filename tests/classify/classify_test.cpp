@@ -278,6 +278,25 @@ TEST(Classify, AssumedEquationsWithFurtherParameters) {
   EXPECT_EQ(status_at(c, {{"b", 0}, {"a", 0}}), ""); // not what the file is about
 }
 
+// Parts of a closed answer: what is not abelian only where a difference is not special.
+TEST(Classify, ClosedAnswersExcludeWhatTheyExclude) {
+  const auto c = classify_system(
+      of("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+         "parameters = ['m']\nhamiltonian = '(u^2/(1 + m) + v^2/x^2)/2 + x*(m - c)'\n"
+         "relations = ['s^2 + c^2 = 1']\n"
+         "[[system.function]]\nname = 's'\nmeans = 'sin(y)'\nderivative = {y = 'c'}\n"
+         "[[system.function]]\nname = 'c'\nmeans = 'cos(y)'\nderivative = {y = '-s'}\n"),
+      within(60, 2));
+  for (const Rational& m :
+       {Rational(2), Rational(4), Rational(-3), Rational(1, 3), Rational(15), Rational(35, 19)})
+    EXPECT_EQ(status_at(c, {{"m", m}}), "excluded") << to_string(m);
+  for (const long p : {2, 3, 4}) { // m = 1 + 4/(p^2 + p - 4)
+    const Rational m = Rational(1) + Rational(4, p * p + p - 4);
+    EXPECT_EQ(status_at(c, {{"m", m}}), "open") << to_string(m);
+  }
+  EXPECT_EQ(status_at(c, {{"m", 0}}), "integrable");
+}
+
 // A limit is never a verdict.
 TEST(Classify, WithoutTimeAllIsOpen) {
   ClassifyOptions options;

@@ -125,5 +125,44 @@ TEST_F(Parts, ComponentsContainAllZeros) {
   EXPECT_EQ(components({a_ * b_, a_ - number(1)}, {}).size(), 1U);
 }
 
+// At every rational point where a statement is so, what it says of one difference is so.
+TEST_F(Parts, WhatAStatementSaysOfADifference) {
+  const MFraction a(a_);
+  const auto square = [&](long p, long q) { return MFraction(ring_, Rational(p * p, q * q)); };
+  const Residues odd{Rational(1), Rational(2)};
+  const std::vector<ArithmeticStatement> all = {
+      SumIn{{a}, {{Rational(1, 2), Rational(2)}, {Rational(-3, 2), Rational(4)}}},
+      SumIn{{a}, {odd}},
+      SumIn{{square(1, 2), a}, {odd}},
+      SumIn{{square(2, 1), square(1, 2), a}, {odd}},
+      SumIn{{square(1, 4), square(1, 4), a}, {odd}},
+      SumIn{{square(1, 3), square(1, 2), a}, {odd}},
+      AllRational{{a}},
+      InHalves{{a}, 1},
+      InRow{{square(1, 2), square(1, 3), a}, GroupType::S4}};
+  for (const ArithmeticStatement& s : all) {
+    const auto c = necessary_condition({{{s, true}}});
+    ASSERT_TRUE(c) << to_string(ArithmeticCondition{s});
+    long met = 0;
+    for (long q : {1, 2, 3, 4, 12})
+      for (long p = 0; p <= 12 * q; ++p) {
+        const Rational value(p * p, q * q);
+        const auto at = [&](const MFraction& f) {
+          return NfElem(is_zero(f) || is_constant(f) ? (is_zero(f) ? Rational(0) : to_rational(f))
+                                                     : value);
+        };
+        if (!is_so({s, true}, at)) continue;
+        ++met;
+        const ParameterSet there = all_.where_zero((a - MFraction(ring_, value)).num());
+        const auto here = on_set(*c, there);
+        EXPECT_TRUE(std::get<bool>(here)) << to_string(*c) << " at " << to_string(value);
+      }
+    EXPECT_GT(met, 0) << to_string(ArithmeticCondition{s});
+  }
+  EXPECT_FALSE(necessary_condition({{{all[0], false}}}));
+  EXPECT_FALSE(necessary_condition({{{all[0], true}}, {}}));
+  EXPECT_FALSE(necessary_condition({{{SumIn{{a, MFraction(b_)}, {odd}}, true}}}));
+}
+
 } // namespace
 } // namespace kov
