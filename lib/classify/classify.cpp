@@ -587,7 +587,7 @@ private:
       auto claims = kov::at_values(round.claims, values);
       auto levels = at_values(round.levels, values, claims);
       Round next{std::move(special), std::move(claims), std::move(levels), std::move(piece)};
-      next.integrals_known = round.integrals_known;
+      next.integrals_known = round.integrals_known && looks_at_the_same(round.system, next.system);
       waiting_.push_back(std::move(next));
     } catch (const DomainError& e) {
       note(piece, "the equations of the parameters", e.what());
@@ -595,6 +595,18 @@ private:
     } catch (const OutOfBudget& e) {
       note(piece, "the equations of the parameters", e.what());
       leave_open(std::move(piece));
+    }
+  }
+
+  // A special Hamiltonian may have another form, and integrals of another one.
+  [[nodiscard]] bool looks_at_the_same(const System& s, const System& special) const {
+    IntegralOptions options;
+    options.degree = options_.degree;
+    options.budget = share(0.05);
+    try {
+      return searched_class(s, options) == searched_class(special, options);
+    } catch (const InvalidArgument&) { // nothing can be looked at
+      return true;
     }
   }
 

@@ -43,14 +43,17 @@ public:
           space_.not_covered.end())
         result_.assumed.push_back(f);
     for (const auto& [where, natural] : by_metric(all)) {
-      coefficients_ = options_.coefficients;
-      layered_ = natural && !(natural_->even && natural_->polynomial);
-      if (!coefficients_ && !(natural && has_bounds())) coefficients_ = options_.degree;
+      choose_bounds(natural);
       plan_stages();
       start(where);
     }
     gather_elsewhere(all.equations());
     return std::move(result_);
+  }
+
+  std::string generic_class() {
+    choose_bounds(natural_.has_value());
+    return searched();
   }
 
 private:
@@ -91,6 +94,13 @@ private:
     if (const auto degenerate = all.where_zero(natural_->determinant); !degenerate.is_empty())
       parts.emplace_back(degenerate, false);
     return parts;
+  }
+
+  // natural: where the metric is regular.
+  void choose_bounds(bool natural) {
+    coefficients_ = options_.coefficients;
+    layered_ = natural && !(natural_->even && natural_->polynomial);
+    if (!coefficients_ && !(natural && has_bounds())) coefficients_ = options_.degree;
   }
 
   // Those of Theorems 2 and 3 leave an ansatz that is small enough.
@@ -417,6 +427,10 @@ bool IntegralSearch::finished() const {
 
 IntegralSearch find_integrals(const System& s, const IntegralOptions& options) {
   return Search(s, options).run();
+}
+
+std::string searched_class(const System& s, const IntegralOptions& options) {
+  return Search(s, options).generic_class();
 }
 
 } // namespace kov

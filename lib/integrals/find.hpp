@@ -76,4 +76,12 @@ struct IntegralSearch {
 /// Example to_string(found.sets.at(0).integrals.at(1).value)  // -> v
 [[nodiscard]] IntegralSearch find_integrals(const System& s, const IntegralOptions& options = {});
 
+/// The class that find_integrals looks at for most parameters, in words: what is absent from it
+/// need not be absent from that of a special system.
+/// Given   const System line = read_system(parse_document(
+///             "system = {kind = 'hamiltonian', coordinates = ['x'], momenta = ['u'], "
+///             "hamiltonian = 'u^2/2 + x^3'}", "l.toml"));
+/// Example searched_class(line)  // -> polynomials of degree <= 2 in the momenta
+[[nodiscard]] std::string searched_class(const System& s, const IntegralOptions& options = {});
+
 } // namespace kov

@@ -297,6 +297,13 @@ TEST(Classify, ClosedAnswersExcludeWhatTheyExclude) {
   EXPECT_EQ(status_at(c, {{"m", 0}}), "integrable");
 }
 
+// Where H is no quotient any more, the degrees of the coefficients are other ones.
+TEST(Classify, IntegralsOfASpecialFormAreLookedForAgain) {
+  const auto c = classify_system(
+      planar("(u^2 + v^2)/(2 + 2*b*x^2) + 6*x^4*y + 32*x^2*y^3 + 32*y^5", "'b'"), within(60, 2));
+  EXPECT_EQ(status_at(c, {{"b", 0}}), "integrable");
+}
+
 // A limit is never a verdict.
 TEST(Classify, WithoutTimeAllIsOpen) {
   ClassifyOptions options;
