@@ -151,17 +151,23 @@ void add_poles(const System& s, const MFraction& integral, ManifoldSpec& spec) {
       spec.nonzero.push_back(f.base);
 }
 
+/// One level is enough: that of the Hamiltonian stays free, and others are set to 1 or stay free.
+enum class OtherLevels : std::uint8_t { one, free };
+
+bool has_other_levels(const FoundManifold& m, const std::vector<KnownLevel>& levels) {
+  const auto of_hamiltonian = std::count_if(m.independent.begin(), m.independent.end(),
+                                            [&](std::size_t k) { return !levels[k].claim; });
+  return of_hamiltonian > 0 && m.independent.size() > 1;
+}
+
 ManifoldSpec with_its_levels(const System& s, const FoundManifold& m,
-                             const std::vector<KnownLevel>& levels) {
+                             const std::vector<KnownLevel>& levels, OtherLevels others) {
   ManifoldSpec spec;
-  spec.name = text_of(m.equations);
+  spec.name = text_of(m.equations) + (others == OtherLevels::free ? " (all levels)" : "");
   spec.equations = m.equations;
-  // One level is enough: that of the Hamiltonian stays free, others are set to 1.
-  const bool has_hamiltonian = std::any_of(m.independent.begin(), m.independent.end(),
-                                           [&](std::size_t k) { return !levels[k].claim; });
   for (const std::size_t k : m.independent) {
     const KnownLevel& known = levels[k];
-    const bool fixed = has_hamiltonian && known.claim;
+    const bool fixed = others == OtherLevels::one && has_other_levels(m, levels) && known.claim;
     const MFraction value =
         fixed ? MFraction(s.ring(), Rational(1)) : MFraction::variable(s.ring(), known.level);
     spec.levels.push_back({known.integral - value, known.text + " = " + to_string(value)});
@@ -241,6 +247,24 @@ void add_at_one_energy(const System& s, const std::vector<KnownLevel>& levels,
 
 } // namespace
 
+namespace {
+
+// At most levels more is excluded than at one, but r(z) is larger: for what is left.
+void add_at_all_levels(const System& s, const std::vector<KnownLevel>& levels,
+                       const std::vector<FoundManifold>& found, const Budget& budget,
+                       std::vector<ManifoldSpec>& manifolds) {
+  try {
+    for (const FoundManifold& m : found)
+      if (has_other_levels(m, levels))
+        for (ManifoldSpec& part :
+             curve_components(s, with_its_levels(s, m, levels, OtherLevels::free), budget))
+          manifolds.push_back(std::move(part));
+  } catch (const OutOfBudget&) { // those found are at work
+  }
+}
+
+} // namespace
+
 ParticularSolutions particular_solutions(const System& s, const std::vector<KnownLevel>& levels,
                                          bool search, const Budget& budget) {
   ParticularSolutions all{s.manifolds, {}};
@@ -254,16 +278,20 @@ ParticularSolutions particular_solutions(const System& s, const std::vector<Know
       integrals.push_back(l.integral);
     FoundManifolds found = find_manifolds(s.field, integrals, budget);
     all.left_out = std::move(found.left_out);
+    std::vector<FoundManifold> used;
     for (FoundManifold& m : found.proved) {
       if (m.equilibria || m.leaf_dimension() != 1 || !has_points(s, m.equations)) continue;
       m.equations = that_matter(s, m.equations);
       std::string set = set_of(s, m.equations, budget);
       if (std::find(known.begin(), known.end(), set) != known.end()) continue;
       known.push_back(std::move(set));
-      for (ManifoldSpec& part : curve_components(s, with_its_levels(s, m, levels), budget))
+      for (ManifoldSpec& part :
+           curve_components(s, with_its_levels(s, m, levels, OtherLevels::one), budget))
         all.manifolds.push_back(std::move(part));
+      used.push_back(std::move(m));
     }
     if (free_parameters(s, levels) >= many_parameters) add_at_one_energy(s, levels, all.manifolds);
+    add_at_all_levels(s, levels, used, budget, all.manifolds);
   } catch (const OutOfBudget& limit) {
     all.left_out.push_back(std::string("the search for invariant manifolds ended: ") +
                            limit.what());

@@ -304,6 +304,16 @@ TEST(Classify, IntegralsOfASpecialFormAreLookedForAgain) {
   EXPECT_EQ(status_at(c, {{"b", 0}}), "integrable");
 }
 
+// w is conserved, and w^2 + a takes all values: what is left at one level is excluded at others.
+TEST(Classify, LevelsBesideTheEnergyAreFree) {
+  const auto c = classify_system(
+      of("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\n"
+         "momenta = ['u', 'v', 'w']\nparameters = ['a']\n"
+         "hamiltonian = '(u^2 + v^2)/2 + (w^2 + a)*x^2*y^2 + x^4 + y^4'\n"),
+      within(60, 2));
+  EXPECT_EQ(c.status(), ClassificationStatus::non_integrable);
+}
+
 // A limit is never a verdict.
 TEST(Classify, WithoutTimeAllIsOpen) {
   ClassifyOptions options;
