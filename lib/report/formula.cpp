@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <map>
+#include <optional>
 #include <regex>
 #include <vector>
 
@@ -41,6 +42,7 @@ const std::map<std::string, std::pair<std::string, std::string>>& greek() {
       {"mu", {"\\mu", "&mu;"}},
       {"pi", {"\\pi", "&pi;"}},
       {"Gamma", {"\\Gamma", "&Gamma;"}},
+      {"Delta", {"\\Delta", "&Delta;"}},
       {"Omega", {"\\Omega", "&Omega;"}}};
   return letters;
 }
@@ -233,11 +235,46 @@ std::string script(const std::string& inner, bool above, Markup m) {
 
 } // namespace
 
-// Greek names, indices, powers and relations inside a sentence are set as such; Z3 is a program.
+namespace {
+
+std::string in_math(const std::string& formula, Markup m) {
+  return m == Markup::tex ? "$" + formula + "$"
+                          : "<math displaystyle=\"true\">" + formula + "</math>";
+}
+
+/// "sqrt(...)" inside a sentence.
+struct Root {
+  std::size_t begin = 0, end = 0;
+  std::string markup;
+};
+std::optional<Root> first_root(const std::string& source, Markup m) {
+  for (auto at = source.find("sqrt("); at != std::string::npos; at = source.find("sqrt(", at + 1)) {
+    if (at > 0 && std::isalnum(static_cast<unsigned char>(source[at - 1])) != 0) continue;
+    long open = 0;
+    for (std::size_t i = at + 4; i < source.size(); ++i) {
+      open += source[i] == '(' ? 1 : source[i] == ')' ? -1 : 0;
+      if (open > 0) continue;
+      try {
+        return Root{at, i + 1, in_math(one_formula(source.substr(at, i + 1 - at), m), m)};
+      } catch (const InputError&) { // no formula
+      }
+      break;
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+// Roots, Greek names, indices, powers and relations inside a sentence are set as such; Z3 is a
+// program.
 std::string prose(const std::string& source, Markup m) {
   if (m == Markup::text) return source;
+  if (const auto root = first_root(source, m))
+    return prose(source.substr(0, root->begin), m) + root->markup +
+           prose(source.substr(root->end), m);
   static const std::regex piece(
-      R"(\b(Gamma|Omega|lambda|alpha|beta|delta|nu|epsilon|mu|pi)(\d?)(?![A-Za-z])|\b(?!Z3\b)([A-Z])(\d)\b|\^(\([^()]*\)|[A-Za-z0-9]+)|_(ijk|[a-z+-]|\d+)(?![A-Za-z])|(<=|>=|!=|\+-|-\+|->))");
+      R"(\b(Gamma|Delta|Omega|lambda|alpha|beta|delta|nu|epsilon|mu|pi)(\d?)(?![A-Za-z])|\b(?!Z3\b)([A-Z])(\d)\b|\^(\([^()]*\)|[A-Za-z0-9]+)|_(ijk|[a-z+-]|\d+)(?![A-Za-z])|(<=|>=|!=|\+-|-\+|->))");
   std::string out;
   std::size_t last = 0;
   for (std::sregex_iterator it(source.begin(), source.end(), piece), end; it != end; ++it) {
@@ -285,7 +322,7 @@ std::string formula(const std::string& source, Markup m) {
     }
     try {
       one = one_formula(piece, m);
-      one = m == Markup::tex ? "$" + one + "$" : "<math displaystyle=\"true\">" + one + "</math>";
+      one = in_math(one, m);
     } catch (const InputError&) {
       one = prose(piece, m);
     }

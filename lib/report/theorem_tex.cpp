@@ -163,13 +163,15 @@ std::string theorem_tex(const TheoremResult& t) {
   for (const TheoremUsed& use : t.uses()) {
     const LiteratureTheorem& theorem = *use.theorem;
     out += "\\item " + prose(theorem.name, tex) + " [" + prose(theorem.cite, tex) +
-           "]: " + prose(theorem.statement, tex) + "\n\\begin{itemize}\n";
+           "]: " + prose(theorem.statement, tex) + "\n";
+    if (use.hypotheses.empty()) continue;
+    out += "\\begin{itemize}\n";
     for (const TheoremHypothesis& h : use.hypotheses)
       out += "\\item " + prose(settled(h) + h.text, tex) + "\n";
     out += "\\end{itemize}\n";
   }
   if (out.ends_with("\\begin{itemize}\n")) out += "\\item nothing\n";
-  out += "\\item[] \n\\end{itemize}\n\\section*{The steps}\n";
+  out += "\\end{itemize}\n\\section*{The steps}\n";
   for (const NodeResult& n : t.nodes)
     out += step(t, n);
   return out + "\\end{document}\n";

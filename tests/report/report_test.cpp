@@ -48,6 +48,16 @@ TEST(Prose, IsEscapedAndScriptsAreSet) {
   EXPECT_THAT(prose("<script>alert(1)</script>", Markup::html), Not(HasSubstr("<script>")));
 }
 
+TEST(Prose, RootsAreSetAsRoots) {
+  const std::string text = "Delta^2 = a, and sqrt((4*a + 1)/4) or sqrt(sqrt(b)) is not rational";
+  const std::string t = prose(text, Markup::tex);
+  EXPECT_THAT(t, HasSubstr("$\\Delta$"));
+  EXPECT_THAT(t, HasSubstr("$\\sqrt{\\sqrt{b}}$ is not rational"));
+  EXPECT_THAT(t, Not(HasSubstr("sqrt(")));
+  EXPECT_THAT(prose(text, Markup::html), HasSubstr("<msqrt>"));
+  EXPECT_THAT(prose("sqrt(no formula, sqrt(", Markup::tex), HasSubstr("sqrt(no formula"));
+}
+
 TEST(Picture, PointsLieInTheBox) {
   PolePicture p;
   p.points = {{Rational(-5), Rational(2), "", false}, {Rational(100), Rational(0), "", true}};
