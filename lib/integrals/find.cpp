@@ -8,8 +8,10 @@
 namespace kov {
 namespace {
 
-// Of an ansatz with the bounds of Theorem 3; above, a smaller one is chosen.
-constexpr std::size_t most_unknowns = 1000;
+// Of an ansatz with the bounds of Theorem 3, with and without parameters; above, a smaller one is
+// chosen.
+constexpr std::size_t most_with_parameters = 600;
+constexpr std::size_t most_without = 2000;
 
 std::vector<std::vector<MFraction>> bracket_fields(const VectorField& v) {
   std::vector<std::vector<MFraction>> all;
@@ -77,11 +79,11 @@ private:
       for (long k = 1; k <= options_.degree; ++k)
         stages_.push_back({Stage::Kind::casimirs, k, coefficients_});
     if (space_.field.hamiltonian) stages_.push_back({Stage::Kind::hamiltonian});
-    if (options_.until_integrable && coefficients_ && mechanical_)
+    if (options_.until_integrable && !bounded_ && mechanical_)
       for (long k = 1; k <= std::min(options_.degree, 2L) && k < *coefficients_; ++k)
         stages_.push_back({Stage::Kind::integrals, k, k});
     for (long k = 1; k <= options_.degree; ++k)
-      stages_.push_back({Stage::Kind::integrals, k, coefficients_});
+      stages_.push_back({Stage::Kind::integrals, k, coefficients(k)});
   }
 
   // The part on which Theorem 2 bounds the coefficients, and the rest.
@@ -98,20 +100,28 @@ private:
 
   // natural: where the metric is regular.
   void choose_bounds(bool natural) {
-    coefficients_ = options_.coefficients;
     layered_ = natural && !(natural_->even && natural_->polynomial);
-    if (!coefficients_ && !(natural && has_bounds())) coefficients_ = options_.degree;
+    bounded_ = natural && natural_->twice_step && !options_.coefficients;
+    coefficients_ = coefficients(options_.degree);
   }
 
-  // Those of Theorems 2 and 3 leave an ansatz that is small enough.
-  bool has_bounds() const {
-    if (!natural_->twice_step) return false;
-    if (!layered_) return true;
+  // For integrals of this degree; unset: those of Theorems 2 and 3.
+  std::optional<long> coefficients(long degree) const {
+    if (bounded_ && (!layered_ || is_small(degree))) return std::nullopt;
+    return options_.coefficients ? options_.coefficients : options_.degree;
+  }
+  // The ansatz of Theorem 3, by itself or beside the one that is chosen otherwise.
+  bool is_small(long degree) const {
+    const std::size_t most = space_.parameters.empty() ? most_without : most_with_parameters;
+    const auto size = unknowns(degree, std::nullopt);
+    return size && (*size <= most || *size <= unknowns(degree, options_.degree).value_or(*size));
+  }
+  // Unset: too many.
+  std::optional<std::size_t> unknowns(long degree, std::optional<long> coefficients) const {
     try {
-      const auto whole = make_ansatz(space_, {options_.degree, {}, layered_}, natural_);
-      return whole.numerators.size() <= most_unknowns;
+      return make_ansatz(space_, {degree, coefficients, layered_}, natural_).numerators.size();
     } catch (const OutOfBudget&) {
-      return false;
+      return std::nullopt;
     }
   }
 
@@ -405,8 +415,9 @@ private:
   IntegralOptions options_;
   PhaseSpace space_;
   std::optional<NaturalHamiltonian> natural_;
-  std::optional<long> coefficients_; ///< on the part that is looked at
+  std::optional<long> coefficients_; ///< of the highest degree, on the part that is looked at
   bool layered_ = false;             ///< the ansatz, on that part
+  bool bounded_ = false;             ///< by a theorem, where that leaves a small ansatz
   bool mechanical_;
   std::vector<Stage> stages_;
   IntegralSearch result_;
