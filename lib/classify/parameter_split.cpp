@@ -9,6 +9,18 @@ using Sets = std::vector<ParameterSet>;
 
 void append(Sets& all, Sets more) { std::move(more.begin(), more.end(), std::back_inserter(all)); }
 
+// Of b^2 = 4, b != 2 nothing is left where b >= 0 is assumed.  old: equations that were looked at.
+bool has_points(const ParameterSet& s, const std::vector<MPoly>& old, const MayVanish& may_vanish) {
+  if (s.is_empty()) return false;
+  const auto equations = s.equations();
+  return std::all_of(equations.begin(), equations.end(), [&](const MPoly& p) {
+    if (std::find(old.begin(), old.end(), p) != old.end()) return true;
+    const auto factors = factor(p).second;
+    return std::any_of(factors.begin(), factors.end(),
+                       [&](const MFactor& f) { return may_vanish(f.base); });
+  });
+}
+
 // The set where p vanishes, one part for each irreducible factor, and the rest.
 struct Halves {
   Sets zero, nonzero;
@@ -17,12 +29,14 @@ Halves halves(const ParameterSet& where, const MPoly& p, const MayVanish& may_va
   const MFraction here = where.restrict(p);
   if (is_zero(here)) return {{where}, {}};
   ParameterSet rest = where;
+  const auto old = where.equations();
   Halves all;
   for (const MFactor& f : factor(here.num()).second) {
     if (!may_vanish(f.base)) continue;
-    if (auto zero = rest.where_zero(f.base); !zero.is_empty()) all.zero.push_back(std::move(zero));
+    if (auto zero = rest.where_zero(f.base); has_points(zero, old, may_vanish))
+      all.zero.push_back(std::move(zero));
     rest = rest.where_nonzero(f.base);
-    if (rest.is_empty()) return all;
+    if (!has_points(rest, old, may_vanish)) return all;
   }
   all.nonzero.push_back(std::move(rest));
   return all;

@@ -45,6 +45,18 @@ TEST_F(Parts, WhatCannotVanishIsNoCut) {
   EXPECT_EQ(split_set(all_, {}, {{a_}}, none).inside.size(), 1U);
 }
 
+// Where b >= 0 is assumed, b^2 = 4 is b = 2: no part has b = -2, whichever comes first.
+TEST_F(Parts, NoPartIsOutsideTheAssumptions) {
+  const MayVanish nonnegative = [&](const MPoly& p) { return !(p == b_ + number(2)); };
+  const ParameterSet two = all_.where_zero(b_ * b_ - number(4));
+  const SetParts parts = split_set(two, {}, {{b_ - number(2)}}, nonnegative);
+  EXPECT_TRUE(parts.inside.empty());
+  ASSERT_EQ(parts.outside.size(), 1U);
+  EXPECT_EQ(parts.outside.front().equations(), std::vector{b_ - number(2)});
+  EXPECT_EQ(split_set(two, {b_ - number(2)}, {}, nonnegative).outside.size(), 0U);
+  EXPECT_EQ(split_set(two, {}, {{b_ - number(2)}}, any_).inside.size(), 1U);
+}
+
 TEST_F(Parts, HalvesAreUnited) {
   const ParameterSet line = all_.where_zero(a_ - number(1));
   const auto one = united({line.where_zero(b_), line.where_nonzero(b_).where_nonzero(b_ - a_),
