@@ -57,9 +57,25 @@ std::variant<bool, DifferenceCondition> on_set(const DifferenceCondition& c,
   return left;
 }
 
+namespace {
+
+// Each is the other one times the square of a rational number.
+bool same_up_to_squares(const std::vector<MFraction>& a, const std::vector<MFraction>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const MFraction& x, const MFraction& y) {
+                      if (is_zero(x) || is_zero(y)) return is_zero(x) && is_zero(y);
+                      const MFraction ratio = x / y;
+                      return is_constant(ratio) && exact_sqrt(to_rational(ratio)).has_value();
+                    });
+}
+
+} // namespace
+
 bool implies(const DifferenceCondition& a, const DifferenceCondition& b) {
   if (a == b) return true;
-  if (!a.holds || !b.holds || a.or_all_rational || a.squares != b.squares) return false;
+  if (!a.holds || !b.holds || a.or_all_rational) return false;
+  if (b.kind == Kind::rational && same_up_to_squares(a.squares, b.squares)) return true;
+  if (a.squares != b.squares) return false;
   const auto strength = [](Kind kind) {
     return kind == Kind::rational ? 0 : kind == Kind::half_integer ? 1 : 2;
   };

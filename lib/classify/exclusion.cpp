@@ -2,6 +2,7 @@
 
 #include "decide/words.hpp"
 #include "exact/error.hpp"
+#include "integrability/conclude.hpp"
 #include "integrability/matrices.hpp"
 #include "strata/words.hpp"
 
@@ -284,6 +285,7 @@ std::optional<Exclusion> exclusion(const System& s, const Stratum& x,
     if (open->difference && !require_no_difference(e, p, *open->difference)) return std::nullopt;
   }
   const bool necessary = open && !closed;
+  if (closed) e.by.trusted.emplace_back(closed_answer_step);
   e.by.reason =
       necessary ? strata::open_condition(leaf) : strata::reason(closed ? closed->otherwise : leaf);
   if (necessary) e.by.trusted.emplace_back("necessary conditions of undecided strata");
@@ -368,7 +370,9 @@ std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
     e.by.unchecked = report.not_checked;
     e.by.theorems = {theorem(s).name};
     const auto steps = trusted_steps(report);
-    e.by.trusted.insert(e.by.trusted.end(), steps.begin(), steps.end());
+    for (const std::string& step : steps)
+      if (std::find(e.by.trusted.begin(), e.by.trusted.end(), step) == e.by.trusted.end())
+        e.by.trusted.push_back(step);
     if (e.by.level.empty() && has_free_level(report, levels))
       e.by.level = "all levels but special ones";
     for (const std::string& fixed : fixed_levels(report, levels))

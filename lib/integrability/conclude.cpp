@@ -264,6 +264,19 @@ void add_trusted(const std::optional<Decision>& d, const Add& add) {
 
 } // namespace
 
+namespace {
+
+// What is excluded in part is a part of the general stratum.
+bool rests_on_a_part(const ManifoldReport& m) {
+  if (m.verdict != VerdictKind::undecided) return false;
+  const auto* answer = excluding_strata(m);
+  return answer && std::any_of(answer->strata.begin(), answer->strata.end(), [](const auto& s) {
+           return s.leaf.abelian == Truth::unknown && !s.leaf.parts.empty();
+         });
+}
+
+} // namespace
+
 std::vector<std::string> trusted_steps(const ManifoldReport& m) {
   std::vector<std::string> all;
   const Add add = [&](const std::string& step) {
@@ -275,6 +288,7 @@ std::vector<std::string> trusted_steps(const ManifoldReport& m) {
         m.name);
   for (const std::string& step : uncertified_way(m))
     add(step);
+  if (rests_on_a_part(m)) add(closed_answer_step);
   for (const BlockReport& b : m.blocks) {
     for (const auto* answer : strata_of(b))
       add_trusted(*answer, add);

@@ -16,4 +16,8 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
 /// not integrable; empty where that cannot be named.  In the exceptions nothing follows.
 [[nodiscard]] std::string exceptions(const ManifoldReport& report);
 
+/// The step on trust where a stratum is told apart by the closed answer of a classical equation.
+inline constexpr const char* closed_answer_step =
+    "the closed answer of a classical equation, without a certificate";
+
 } // namespace kov

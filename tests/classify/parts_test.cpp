@@ -137,6 +137,18 @@ TEST_F(Parts, ComponentsContainAllZeros) {
   EXPECT_EQ(components({a_ * b_, a_ - number(1)}, {}).size(), 1U);
 }
 
+// Also where the number is told with another rational factor.
+TEST_F(Parts, SpecialDifferencesAreRational) {
+  const MFraction a(a_);
+  const DifferenceCondition half{Kind::odd_half, {a}};
+  const DifferenceCondition twice{Kind::rational, {Rational(4) * a}};
+  const DifferenceCondition other{Kind::rational, {Rational(2) * a}};
+  EXPECT_TRUE(implies(half, twice));
+  EXPECT_FALSE(implies(half, other));
+  EXPECT_FALSE(implies(twice, half));
+  EXPECT_FALSE(implies(half, DifferenceCondition{Kind::integer, {Rational(4) * a}}));
+}
+
 // At every rational point where a statement is so, what it says of one difference is so.
 TEST_F(Parts, WhatAStatementSaysOfADifference) {
   const MFraction a(a_);

@@ -336,6 +336,7 @@ TEST(ParameterTraps, AnOpenValueDoesNotHideTheGeneralAnswer) {
   const ManifoldReport& m = report.manifolds.at(0);
   EXPECT_EQ(m.verdict, VerdictKind::undecided);
   EXPECT_THAT(m.statement, testing::HasSubstr("not integrable"));
+  EXPECT_THAT(trusted_steps(m), testing::Contains(closed_answer_step));
   EXPECT_THAT(exceptions(m),
               testing::AllOf(testing::HasSubstr("h = 0"), testing::HasSubstr("sqrt((a + 12)/a)")));
 }
