@@ -69,6 +69,25 @@ std::string briefly(const std::vector<std::string>& where) {
   return where.size() > 1 || where.front().size() > longest ? "" : " for " + where.front();
 }
 
+// The search expands the derivative of each integral that it returns, and their brackets.
+NodeResult integrable(const SystemClassification& c, const ClassifiedStratum& s,
+                      std::size_t number) {
+  NodeResult n;
+  const std::string where = where_text(c, s);
+  n.node.id = "integrable-" + std::to_string(number);
+  n.node.title = "Integrable" + briefly({where});
+  n.statement = "integrable: as many independent first integrals" +
+                std::string(c.liouville ? " in involution" : "") + " as needed";
+  n.status = NodeStatus::proved;
+  n.formulas.push_back({"parameters", where});
+  for (const FoundIntegral& f : s.integrals) {
+    if (f.hamiltonian) continue;
+    n.formulas.push_back({"first integral", to_string(f.value)});
+    n.checks.push_back({"its derivative along the field vanishes: " + brief(f.value, 60), true});
+  }
+  return n;
+}
+
 NodeResult exclusion(const SystemClassification& c, const ExcludedTogether& e, std::size_t number) {
   NodeResult n;
   n.node.id = "excluded-" + std::to_string(number);
@@ -121,10 +140,12 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c) {
   t.theorem.cite = s.cite;
   t.seconds = c.seconds;
   t.nodes.push_back(root(s, c));
-  for (const ExcludedTogether& e : excluded_together(c)) {
+  for (const ClassifiedStratum& s : c.strata)
+    if (s.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, s, t.nodes.size()));
+  for (const ExcludedTogether& e : excluded_together(c))
     t.nodes.push_back(exclusion(c, e, t.nodes.size()));
-    t.nodes.front().node.needs.push_back(t.nodes.back().node.id);
-  }
+  for (std::size_t i = 1; i < t.nodes.size(); ++i)
+    t.nodes.front().node.needs.push_back(t.nodes[i].node.id);
   return t;
 }
 
