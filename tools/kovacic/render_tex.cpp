@@ -32,13 +32,15 @@ std::string tex(const Expression& e, Level least) {
 
 std::string tex_name(const std::string& name) {
   if (name == "I") return "\\mathrm{i}";
+  if (name == "pi") return "\\pi";
   return name.size() == 1 ? name : "\\mathrm{" + name + "}";
 }
 
 std::string tex_call(const Expression& e) {
   const std::string inside = tex(e.operand(0));
   if (e.name() == "sqrt") return "\\sqrt{" + inside + "}";
-  if (e.name() == "exp") return "\\exp\\left(" + inside + "\\right)";
+  if (e.name() == "exp" || e.name() == "log")
+    return "\\" + e.name() + "\\left(" + inside + "\\right)";
   if (e.name() == "int")
     return "\\int " + tex(e.operand(0), of_product) + "\\,d" +
            (e.operands().size() > 1 ? tex(e.operand(1)) : "z");
