@@ -53,6 +53,7 @@ struct SystemClassification {
   std::vector<ClassifiedStratum> strata; ///< disjoint; they cover all parameters
   std::vector<std::string> assumptions;  ///< under which all of this is proved
   std::vector<MPoly> nonzero;            ///< those of them that say what does not vanish
+  std::vector<MPoly> relations;          ///< of the algebraic constants: each set satisfies them
   std::vector<std::string> theorems;     ///< of the literature that are used
   std::vector<std::string> trusted;      ///< steps that no certificate repeats
   std::vector<std::string> notes;        ///< what of the file was not used, and why

@@ -151,7 +151,10 @@ private:
       });
     };
     for (const MPoly& p : system_.field.relations)
-      if (in_parameters(p)) all = all.where_zero(p);
+      if (in_parameters(p)) {
+        all = all.where_zero(p);
+        result_.relations.push_back(p);
+      }
     for (const Assumption& a : system_.assumptions) {
       using Relation = Assumption::Relation;
       if (a.relation == Relation::zero) all = all.where_zero(a.value.num());

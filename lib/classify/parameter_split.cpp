@@ -1,6 +1,7 @@
 #include "classify/parameter_split.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace kov {
 namespace {
@@ -73,6 +74,37 @@ SetParts split_set(const ParameterSet& where, const std::vector<MPoly>& zero,
     parts.inside = std::move(inside);
   }
   return parts;
+}
+
+namespace {
+
+unsigned long total_degree(const MPoly& f) {
+  unsigned long degree = 0;
+  for (long t = 0; t < f.length(); ++t) {
+    const auto e = f.exponents(t);
+    degree = std::max(degree, std::accumulate(e.begin(), e.end(), 0UL));
+  }
+  return degree;
+}
+
+} // namespace
+
+std::vector<MPoly> proper_equations(const ParameterSet& where, const std::vector<MPoly>& known) {
+  auto all = where.equations();
+  if (known.empty()) return all;
+  std::stable_sort(all.begin(), all.end(), [](const MPoly& a, const MPoly& b) {
+    return total_degree(a) < total_degree(b);
+  });
+  ParameterSet so_far = where.plain();
+  for (const MPoly& p : known)
+    so_far = so_far.where_zero(p);
+  std::vector<MPoly> proper;
+  for (const MPoly& p : all) {
+    if (is_zero(so_far.restrict(p))) continue;
+    so_far = so_far.where_zero(p);
+    proper.push_back(p);
+  }
+  return proper;
 }
 
 std::vector<MPoly> inequations(const ParameterSet& where) {

@@ -82,9 +82,18 @@ ClassificationStatus SystemClassification::status() const {
 
 namespace {
 
+// "i^2 + 1 = 0" is told where i is declared; what follows from it and from other equations is not.
+std::vector<MPoly> equations_told(const SystemClassification& c, const ParameterSet& where) {
+  try {
+    return proper_equations(where, c.relations);
+  } catch (const OutOfBudget&) {
+    return where.equations();
+  }
+}
+
 void add_conditions(const SystemClassification& c, const ParameterSet& where,
                     std::vector<std::string>& all) {
-  for (const MPoly& p : where.equations())
+  for (const MPoly& p : equations_told(c, where))
     all.push_back(to_string(Condition{p, Sign::zero}));
   for (const MPoly& p : inequations(where))
     if (std::find(c.nonzero.begin(), c.nonzero.end(), p) == c.nonzero.end())

@@ -45,6 +45,17 @@ TEST_F(Parts, WhatCannotVanishIsNoCut) {
   EXPECT_EQ(split_set(all_, {}, {{a_}}, none).inside.size(), 1U);
 }
 
+// With b^2 = -1 known, "a = 2*b, a^2 + 4 = 0, b^2 + 1 = 0" is a = 2*b.
+TEST_F(Parts, WhatFollowsFromTheConstantsIsNotTold) {
+  const MPoly imaginary = b_ * b_ + number(1);
+  const ParameterSet there = all_.where_zero(imaginary).where_zero(a_ - number(2) * b_);
+  const auto told = proper_equations(there.where_zero(a_ * a_ + number(4)), {imaginary});
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(is_zero(there.restrict(told.front())));
+  EXPECT_TRUE(proper_equations(all_.where_zero(imaginary), {imaginary}).empty());
+  EXPECT_EQ(proper_equations(all_.where_zero(imaginary), {}).size(), 1U);
+}
+
 // Where b >= 0 is assumed, b^2 = 4 is b = 2: no part has b = -2, whichever comes first.
 TEST_F(Parts, NoPartIsOutsideTheAssumptions) {
   const MayVanish nonnegative = [&](const MPoly& p) { return !(p == b_ + number(2)); };
