@@ -24,8 +24,9 @@ TEST(SpecialRelations, AreNotExcludedByTheGeneralAnswer) {
     for (const long one : {1L, -1L}) {
       const Ring& ring = x.where.ring();
       const MPoly there = MPoly::variable(ring, "a") - MPoly(ring, Integer(one));
-      if (x.status != StratumStatus::open)
+      if (x.status != StratumStatus::open) {
         EXPECT_TRUE(x.where.where_zero(there).is_empty()) << to_string(x.status);
+      }
     }
   EXPECT_THAT(statement(c), HasSubstr("only for"));
 }

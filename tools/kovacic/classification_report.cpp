@@ -97,7 +97,7 @@ NodeResult exclusion(const SystemClassification& c, const ExcludedTogether& e, s
   n.status = NodeStatus::proved;
   n.trusted = e.by->trusted;
   if (!e.by->unchecked.empty())
-    n.node.hypotheses.push_back({.text = e.by->unchecked, .checked = false});
+    n.node.hypotheses.push_back({.text = e.by->unchecked, .by = {}, .checked = false});
   if (!e.by->level.empty()) n.formulas.push_back({"level", e.by->level});
   Grid g{"Excluded", {"parameters"}, {}};
   for (const std::string& where : e.where)
@@ -140,8 +140,8 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c) {
   t.theorem.cite = s.cite;
   t.seconds = c.seconds;
   t.nodes.push_back(root(s, c));
-  for (const ClassifiedStratum& s : c.strata)
-    if (s.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, s, t.nodes.size()));
+  for (const ClassifiedStratum& x : c.strata)
+    if (x.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, x, t.nodes.size()));
   for (const ExcludedTogether& e : excluded_together(c))
     t.nodes.push_back(exclusion(c, e, t.nodes.size()));
   for (std::size_t i = 1; i < t.nodes.size(); ++i)
