@@ -82,6 +82,7 @@ struct Round {
   std::vector<KnownLevel> levels;
   Piece whole;
   std::vector<Piece> pieces = {whole};
+  std::vector<ManifoldSpec> at_all_levels = {}; ///< solutions for what is left
   std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
   bool integrals_known = false;     ///< for all of these parameters, from a round before
   std::size_t decided = 0;          ///< strata that were there before
@@ -218,6 +219,9 @@ private:
       look_for_a_contradiction(round, decided);
     else if (begins(round, "integrals"))
       try_integrals(round, decided);
+    for (const ManifoldSpec& m : round.at_all_levels)
+      if (!round.pieces.empty() && begins(round, m.name))
+        try_solution(round, m, 0.2 / static_cast<double>(round.at_all_levels.size()));
     if (begins(round, "exceptions"))
       for (const Exclusion& e : round.late)
         exclude(round, e);
@@ -259,6 +263,7 @@ private:
     const auto solutions =
         particular_solutions(round.system, round.levels, options_.search_solutions, share(0.2));
     result_.stages.emplace_back("invariant manifolds", seconds_since(start));
+    round.at_all_levels = solutions.at_all_levels;
     std::size_t left = solutions.manifolds.size();
     for (const ManifoldSpec& m : solutions.manifolds) {
       if (round.pieces.empty()) return;

@@ -291,7 +291,7 @@ ParticularSolutions particular_solutions(const System& s, const std::vector<Know
       used.push_back(std::move(m));
     }
     if (free_parameters(s, levels) >= many_parameters) add_at_one_energy(s, levels, all.manifolds);
-    add_at_all_levels(s, levels, used, budget, all.manifolds);
+    add_at_all_levels(s, levels, used, budget, all.at_all_levels);
   } catch (const OutOfBudget& limit) {
     all.left_out.push_back(std::string("the search for invariant manifolds ended: ") +
                            limit.what());

@@ -30,8 +30,9 @@ struct LevelledSystem {
 [[nodiscard]] LevelledSystem with_levels(const System& s, std::vector<ClaimReport> claims);
 
 struct ParticularSolutions {
-  std::vector<ManifoldSpec> manifolds; ///< those of the file first; each set once
-  std::vector<std::string> left_out;   ///< searches that a limit ended, as sentences
+  std::vector<ManifoldSpec> manifolds;          ///< those of the file first; each set once
+  std::vector<std::string> left_out;            ///< searches that a limit ended, as sentences
+  std::vector<ManifoldSpec> at_all_levels = {}; ///< again, with more free levels: for what is left
 };
 /// search: also those that the file does not name.
 [[nodiscard]] ParticularSolutions particular_solutions(const System& s,
