@@ -1,0 +1,233 @@
+#include "jets/obstruction.hpp"
+
+#include "exact/error.hpp"
+#include "linode/normal_form.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kov::jets {
+namespace {
+
+constexpr long first_terms = 24;
+constexpr long most_terms = 1500;
+
+void add_once(std::vector<MPoly>& all, const MPoly& p) {
+  if (std::none_of(all.begin(), all.end(), [&](const MPoly& q) { return q == p; }))
+    all.push_back(p);
+}
+
+// Of a homogeneous polynomial of degree n in c1, c2: the coefficient of c1^i c2^(n - i).
+std::vector<MFraction> binary_coefficients(const InvariantPlane& plane, const MFraction& f,
+                                           std::size_t n) {
+  std::vector<MFraction> all(n + 1);
+  const auto by_c1 = coefficients(f, plane.c1);
+  for (std::size_t i = 0; i < by_c1.size(); ++i) {
+    const auto by_c2 = coefficients(by_c1[i], plane.c2);
+    if (by_c2.size() > n - i) all[i] = plane.reduced(by_c2[n - i]);
+  }
+  return all;
+}
+
+using Column = std::array<MFraction, 3>;
+
+MFraction determinant(const Column& a, const Column& b, const Column& c) {
+  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0]);
+}
+
+} // namespace
+
+std::vector<MPoly> commuting_determinants(const InvariantPlane& plane, const MFraction& form) {
+  const MFraction c1 = MFraction::variable(plane.ring, plane.c1);
+  const MFraction c2 = MFraction::variable(plane.ring, plane.c2);
+  const MFraction r1 = derivative(form, plane.c1), r2 = derivative(form, plane.c2);
+  if (is_zero(form)) return {};
+  const auto exponents = form.num().exponents(0);
+  const std::size_t n = exponents[plane.c1] + exponents[plane.c2]; // the degree of the form
+  const std::array<std::vector<MFraction>, 3> rows{
+      binary_coefficients(plane, c1 * r2, n), binary_coefficients(plane, c2 * r2 - c1 * r1, n),
+      binary_coefficients(plane, c2 * r1, n)};
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < rows[0].size(); ++i) {
+    Column c{rows[0][i], rows[1][i], rows[2][i]};
+    if (std::any_of(c.begin(), c.end(), [](const MFraction& x) { return !is_zero(x); }))
+      columns.push_back(std::move(c));
+  }
+  std::vector<MPoly> all;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    for (std::size_t j = i + 1; j < columns.size(); ++j)
+      for (std::size_t k = j + 1; k < columns.size(); ++k)
+        if (const MFraction d = plane.reduced(determinant(columns[i], columns[j], columns[k]));
+            !is_zero(d))
+          add_once(all, squarefree_part(d.num()));
+  return all;
+}
+
+bool in_first_family(long degree, const Rational& difference) {
+  const auto integral = [&](int one) {
+    return is_integer(Rational(degree - 2) * (difference + one) / Rational(2 * degree));
+  };
+  return integral(1) || integral(-1);
+}
+
+namespace {
+
+class Search {
+public:
+  Search(const System& s, const ManifoldSpec& m, const HigherOptions& options)
+      : options_(options), budget_(options.decide.budget) {
+    if (options.order < 2 || options.order > largest_order)
+      throw InvalidArgument("the order must be between 2 and " + std::to_string(largest_order));
+    result_.up_to = options.order;
+    auto plane = invariant_plane(s, m);
+    if (auto* no = std::get_if<OutOfScope>(&plane))
+      result_.open = no->why;
+    else
+      result_.plane = std::get<InvariantPlane>(std::move(plane));
+  }
+
+  HigherOrders run() {
+    if (!result_.plane) return std::move(result_);
+    try {
+      for (const int sign : {1, -1})
+        if (!result_.obstruction && (sign == 1 || two_places_)) look(sign);
+    } catch (const OutOfBudget& limit) {
+      note(limit.what());
+    }
+    if (result_.obstruction) result_.open.clear();
+    return std::move(result_);
+  }
+
+private:
+  void note(const std::string& why) {
+    if (result_.open.find(why) != std::string::npos) return;
+    result_.open += (result_.open.empty() ? "" : "; ") + why;
+  }
+
+  // One place over infinity if the degree is odd, two that y -> -y exchanges if it is even.
+  void look(int sign) {
+    plane_ = sign == 1 ? *result_.plane : result_.plane->reflected();
+    for (long terms = first_terms;; terms += terms / 2) {
+      budget_.check();
+      try {
+        return look(sign, terms);
+      } catch (const NeedsMoreTerms&) {
+        if (terms > most_terms) throw OutOfBudget("the series would need too many terms");
+      }
+    }
+  }
+
+  void look(int sign, long terms) {
+    auto expanded = place_at_infinity(plane_, terms, budget_);
+    if (auto* no = std::get_if<OutOfScope>(&expanded)) return note(no->why);
+    Place& place = std::get<Place>(expanded);
+    place.sign = sign;
+    two_places_ = place.degree % 2 == 0;
+    auto log = first_logarithm(plane_, place, options_.order, budget_);
+    if (!log) return;
+    log->form = at_energy(log->form, place);
+    judge(place, *log);
+  }
+
+  // e is linear in the energy.
+  [[nodiscard]] MFraction at_energy(const MFraction& f, const Place& place) const {
+    const MFraction slope = derivative(place.energy, plane_.e);
+    KOV_ENSURE(!is_zero(slope) && !uses(slope, plane_.e));
+    const MFraction start = substitute(place.energy, {{plane_.e, MFraction(plane_.ring)}});
+    const MFraction energy = MFraction::variable(plane_.ring, plane_.energy);
+    return plane_.reduced(substitute(f, {{plane_.e, (energy - start) / slope}}));
+  }
+
+  void judge(const Place& place, const Logarithm& log) {
+    const auto determinants = commuting_determinants(plane_, log.form);
+    const std::string where = "VE_" + std::to_string(log.order) + " has a logarithm at infinity, R = " +
+                              brief(log.form, 120) + ", ";
+    if (determinants.empty())
+      return note(where + "which commutes with a quadratic form: nothing follows");
+    HigherObstruction found;
+    found.logarithm = log;
+    found.rho1 = place.rho1;
+    found.rho2 = place.rho2;
+    found.sign = place.sign;
+    if (!infinite_group(place, determinants, found))
+      return note(where + "but the group of the normal equation is not known to be infinite");
+    for (const MPoly& p : plane_.nonzero)
+      found.not_all_zero.push_back({p});
+    for (const MPoly& p : {place.time_scale.num(), place.time_scale.den()})
+      if (!is_constant(p)) found.not_all_zero.push_back({p});
+    result_.obstruction = std::move(found);
+  }
+
+  // At the level of the file, if that is a number; else by the highest terms; else at some level.
+  bool infinite_group(const Place& place, const std::vector<MPoly>& determinants,
+                      HigherObstruction& found) {
+    const auto& level = result_.plane->level;
+    if (numeric() && level && is_constant(*level) && decided_at(*level, determinants, found))
+      return true;
+    if (in_first_family(place.degree, place.difference())) {
+      found.because = InfiniteGroup::first_family;
+      std::vector<MPoly> parts;
+      for (const MPoly& d : determinants)
+        for (const MPoly& c : kov::coefficients(d, plane_.energy))
+          if (!is_zero(c)) add_once(parts, c);
+      found.not_all_zero.push_back(std::move(parts));
+      return true;
+    }
+    if (!numeric()) return false;
+    for (const Rational& h : {Rational(1), Rational(-1), Rational(2), Rational(1, 3), Rational(7)})
+      if (decided_at(MFraction(plane_.ring, h), determinants, found)) return true;
+    return false;
+  }
+
+  // No parameters, no algebraic constants.
+  [[nodiscard]] bool numeric() const {
+    const auto used = [&](const MFraction& f) {
+      for (const std::size_t i : used_variables(f))
+        if (i != plane_.x && i != plane_.y) return true;
+      return false;
+    };
+    return !used(plane_.across) && !used(plane_.along) && !used(plane_.inertia);
+  }
+
+  // The curve y'^2 = 2 A (h - V) is smooth, R does not commute there, and the normal equation
+  // 2A(h - V) u_yy + g u_y - w u = 0 has an infinite group.
+  bool decided_at(const MFraction& h, const std::vector<MPoly>& determinants,
+                  HigherObstruction& found) {
+    const Substitution here{{plane_.energy, h}};
+    if (std::all_of(determinants.begin(), determinants.end(),
+                    [&](const MPoly& d) { return is_zero(substitute(d, here)); }))
+      return false;
+    const Substitution on_plane{{plane_.x, MFraction(plane_.ring)}};
+    const MFraction kinetic = h - plane_.potential;
+    if (is_zero(kov::discriminant(kinetic.num(), plane_.y))) return false;
+    const MFraction twice = 2 * (plane_.inertia * kinetic);
+    const MFraction p = substitute(plane_.along, on_plane) / twice;
+    const MFraction q = -(substitute(derivative(plane_.across, plane_.x), on_plane) / twice);
+    Options options = options_.decide;
+    options.ask_the_judge = true;
+    options.want_solutions = false;
+    options.want_trace = false;
+    Decision d = decide(
+        normal_form(to_rational_function(p, plane_.y), to_rational_function(q, plane_.y)), options);
+    if (!d.component || *d.component == Connected::trivial || d.withdrawn) return false;
+    found.because = InfiniteGroup::decided;
+    found.energy = h;
+    found.group = std::move(d);
+    return true;
+  }
+
+  const HigherOptions& options_;
+  const Budget& budget_;
+  InvariantPlane plane_; ///< the one looked at, reflected for the second place
+  bool two_places_ = false;
+  HigherOrders result_;
+};
+
+} // namespace
+
+HigherOrders higher_orders(const System& s, const ManifoldSpec& m, const HigherOptions& options) {
+  return Search(s, m, options).run();
+}
+
+} // namespace kov::jets

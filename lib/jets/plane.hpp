@@ -1,0 +1,51 @@
+#pragma once
+// A natural system of two degrees of freedom with an invariant plane of phase space:
+//
+//   x'' = f(x, y),   y'' = g(x, y),   f(0, y) = 0,
+//
+// y along the line on which the solutions of the plane run, x across it.  Their energy is free.
+
+#include "manifold/invariant_manifold.hpp"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace kov::jets {
+
+/// Why something is not what this room is about, as a clause.
+struct OutOfScope {
+  std::string why;
+};
+
+/// The equations of motion around the plane x = 0.
+struct InvariantPlane {
+  Ring ring; ///< that of the system, and the variables below
+  std::size_t x = 0, y = 0;
+  std::size_t e = 0;          ///< the free coefficient of the solution at a place
+  std::size_t energy = 0;     ///< the value of H
+  std::size_t c1 = 0, c2 = 0; ///< constants of the general solution of the normal equation
+  MFraction across, along;    ///< f and g, polynomials in x and y
+  MFraction inertia;          ///< A in H = y'^2/(2 A) + potential, on the plane
+  MFraction potential;        ///< V(0, y)
+  std::optional<MFraction> level; ///< of H, where the file names one
+  std::optional<Ideal> constants; ///< what an algebraic constant satisfies: a field extension
+  std::vector<MPoly> nonzero;     ///< in the parameters: what was divided by
+
+  /// f modulo the relation of the algebraic constant.
+  [[nodiscard]] MFraction reduced(const MFraction& f) const;
+  /// The same system with y replaced by -y.
+  [[nodiscard]] InvariantPlane reflected() const;
+};
+
+/// The coefficients of f in x_i, ascending; empty for 0.  Requires a denominator without x_i.
+[[nodiscard]] std::vector<MFraction> coefficients(const MFraction& f, std::size_t i);
+
+/// H = (a p1^2 + b p2^2)/2 + V with constants a, b and a polynomial V, and a manifold with the
+/// equation of a line q = a + s d, d.d != 0, of configurations (a coordinate axis, if a != b).
+/// Invariance is verified once more: the force across the line vanishes on it.
+[[nodiscard]] std::variant<InvariantPlane, OutOfScope> invariant_plane(const System& s,
+                                                                       const ManifoldSpec& m);
+
+} // namespace kov::jets
