@@ -84,6 +84,7 @@ struct Round {
   std::vector<Piece> pieces = {whole};
   std::vector<ManifoldSpec> at_all_levels = {}; ///< solutions for what is left
   std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
+  std::vector<ManifoldSpec> solutions = {};
   bool integrals_known = false;     ///< for all of these parameters, from a round before
   std::size_t decided = 0;          ///< strata that were there before
 };
@@ -222,6 +223,8 @@ private:
     for (const ManifoldSpec& m : round.at_all_levels)
       if (!round.pieces.empty() && begins(round, m.name))
         try_solution(round, m, 0.2 / static_cast<double>(round.at_all_levels.size()));
+    if (options_.order > 1 && !round.pieces.empty() && begins(round, "higher orders"))
+      try_higher_orders(round);
     if (begins(round, "exceptions"))
       for (const Exclusion& e : round.late)
         exclude(round, e);
@@ -264,6 +267,7 @@ private:
         particular_solutions(round.system, round.levels, options_.search_solutions, share(0.2));
     result_.stages.emplace_back("invariant manifolds", seconds_since(start));
     round.at_all_levels = solutions.at_all_levels;
+    round.solutions = solutions.manifolds;
     std::size_t left = solutions.manifolds.size();
     for (const ManifoldSpec& m : solutions.manifolds) {
       if (round.pieces.empty()) return;
@@ -295,6 +299,23 @@ private:
         exclude(round, e);
     for (Piece& p : round.pieces)
       note(p, "along " + report.name, outcome(report));
+  }
+
+  void try_higher_orders(Round& round) {
+    const auto start = Clock::now();
+    std::size_t left = round.solutions.size();
+    for (const ManifoldSpec& m : round.solutions) {
+      if (round.pieces.empty()) break;
+      Options decide = options_.check.decide;
+      decide.budget = share(0.3 / static_cast<double>(left--));
+      std::string why;
+      if (const auto e =
+              exclusion_of_higher_order(round.system, m, options_.order, decide, why))
+        exclude(round, *e);
+      for (Piece& p : round.pieces)
+        note(p, "orders 2.." + std::to_string(options_.order) + " along " + m.name, why);
+    }
+    result_.stages.emplace_back("higher orders", seconds_since(start));
   }
 
   void try_darboux_points(Round& round) {

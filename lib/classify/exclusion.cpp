@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/matrices.hpp"
+#include "jets/words.hpp"
 #include "strata/words.hpp"
 
 #include <algorithm>
@@ -382,6 +383,32 @@ std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
   std::stable_sort(all.begin(), all.end(),
                    [](const Exclusion& a, const Exclusion& b) { return !a.unless && b.unless; });
   return all;
+}
+
+std::optional<Exclusion> exclusion_of_higher_order(const System& s, const ManifoldSpec& m,
+                                                   int order, const Options& options,
+                                                   std::string& why) {
+  const jets::HigherOrders orders = jets::higher_orders(s, m, {order, options});
+  if (!orders.obstruction) {
+    why = orders.open.empty() ? "no logarithm at infinity up to VE_" + std::to_string(order)
+                              : orders.open;
+    return std::nullopt;
+  }
+  const jets::HigherObstruction& o = *orders.obstruction;
+  why = "VE_" + std::to_string(o.logarithm.order) + " excludes no more";
+  Exclusion e;
+  for (const auto& list : o.not_all_zero) {
+    e.not_all_zero.emplace_back();
+    for (const MPoly& p : list)
+      e.not_all_zero.back().push_back(transfer(MFraction(p), s.ring()).num());
+  }
+  e.by.solution = m.name;
+  e.by.level = jets::level(o);
+  e.by.order = o.logarithm.order;
+  e.by.reason = jets::reason(orders);
+  e.by.theorems = {jets::theorem()};
+  e.by.trusted = {"the series of the higher variational equations"};
+  return e;
 }
 
 } // namespace kov

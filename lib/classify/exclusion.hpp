@@ -25,4 +25,11 @@ struct Exclusion {
 [[nodiscard]] std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
                                                 const std::vector<std::size_t>& levels);
 
+/// The same of the variational equations up to this order, along an invariant plane of a natural
+/// system; nothing if there is no obstruction.  why: what was found.
+[[nodiscard]] std::optional<Exclusion> exclusion_of_higher_order(const System& s,
+                                                                 const ManifoldSpec& m, int order,
+                                                                 const Options& options,
+                                                                 std::string& why);
+
 } // namespace kov

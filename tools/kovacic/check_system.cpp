@@ -9,6 +9,7 @@
 #include "integrability/expect.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
+#include "jets/words.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
 #include "second_opinion.hpp"
@@ -202,6 +203,58 @@ std::string text_of(const System& s, const ManifoldReport& m, Detail detail) {
   return out.str();
 }
 
+// "A - B = 0", or "a = b = 0": where nothing follows.
+std::string where_nothing_follows(const System& s, const jets::HigherOrders& orders) {
+  std::string text;
+  for (const auto& list : orders.obstruction->not_all_zero) {
+    std::vector<MPoly> in_system;
+    for (const MPoly& p : list)
+      in_system.push_back(transfer(MFraction(p), s.ring()).num());
+    if (not_excluded(s, in_system).size() < in_system.size()) continue; // one of them is not 0
+    std::string all;
+    for (const MPoly& p : in_system)
+      all += (all.empty() ? "" : " and ") + to_string(p) + " = 0";
+    text += (text.empty() ? "except where " : "; or ") + all;
+  }
+  return text;
+}
+
+void put_higher_orders(std::ostringstream& out, const System& s, const jets::HigherOrders& h) {
+  const std::string label = "order " + std::to_string(h.up_to);
+  if (!h.obstruction)
+    return put(out, label,
+               h.open.empty() ? "no obstruction up to VE_" + std::to_string(h.up_to) +
+                                    " (no logarithm at infinity; this proves nothing)"
+                              : "OPEN: " + h.open);
+  const std::string except = where_nothing_follows(s, h);
+  put(out, label,
+      "NON-INTEGRABLE at order " + std::to_string(h.obstruction->logarithm.order) +
+          (except.empty() ? "" : ", " + except) + "  (" + jets::theorem() +
+          ": not integrable in Liouville's sense with first integrals that are meromorphic near "
+          "the phase curve, " +
+          jets::level(*h.obstruction) + ")");
+  put(out, "because", jets::reason(h));
+  const auto& group = h.obstruction->group;
+  put(out, "trusted",
+      "the series of the higher variational equations" +
+          std::string(group && !group->checked ? "; the group of the normal equation" : "") +
+          ", without a certificate");
+}
+
+Json json_of_orders(const System& s, const jets::HigherOrders& h) {
+  Json j{{"up_to", h.up_to}, {"verdict", h.open.empty() ? "no-obstruction" : "undecided"}};
+  if (!h.open.empty()) j["open"] = h.open;
+  if (!h.obstruction) return j;
+  const std::string except = where_nothing_follows(s, h);
+  j["verdict"] = except.empty() ? "non-integrable" : "depends";
+  j["order"] = h.obstruction->logarithm.order;
+  j["residue"] = to_string(h.obstruction->logarithm.form);
+  j["level"] = jets::level(*h.obstruction);
+  j["exceptions"] = except;
+  j["reason"] = jets::reason(h);
+  return j;
+}
+
 Json json_of_round(const System& s) {
   Json set = Json::object();
   for (const auto& [name, value] : s.values)
@@ -220,10 +273,16 @@ Json json_of_round(const System& s) {
 }
 
 int exit_of(const Settings& settings, const Json& manifolds) {
+  // Of the first order; an obstruction of higher order is one where there was none.
+  const auto verdict = [](const Json& m) -> std::string {
+    if (m.contains("failure")) return "";
+    const bool higher = m.contains("higher_orders") &&
+                        m.at("higher_orders").at("verdict") == to_string(VerdictKind::non_integrable);
+    return higher ? to_string(VerdictKind::non_integrable) : m.at("verdict").get<std::string>();
+  };
   const auto any = [&](VerdictKind kind) {
-    return std::any_of(manifolds.begin(), manifolds.end(), [kind](const Json& m) {
-      return !m.contains("failure") && m.at("verdict") == to_string(kind);
-    });
+    return std::any_of(manifolds.begin(), manifolds.end(),
+                       [&](const Json& m) { return verdict(m) == to_string(kind); });
   };
   for (const Json& m : manifolds)
     if (m.contains("failure")) return exit_input;
@@ -343,6 +402,8 @@ private:
     if (m.failure && is_fine_without(round.values, m.name)) degenerate(m);
     Report answer{exit_decided, text_of(s, m, detail_of(round)), {{"manifold", json_of(s, m)}}, {}};
     if (settings_.second_opinion) ask_monodromy(s, m, answer);
+    if (settings_.order > 1 && m.manifold && m.verdict != VerdictKind::non_integrable)
+      ask_higher_orders(s, *manifolds_to_check(s, options_).at(index), answer);
     if (!settings_.certificate.empty()) file_certificates(s, m, answer);
     answer.json["unmet"] = Json::array(); // null: the expectation is about another one
     for (const SystemExpectation* x : expectations_of(round))
@@ -382,6 +443,16 @@ private:
       put(lines, "monodromy", o.at("text").get<std::string>());
     answer.text += lines.str();
     answer.json.at("manifold")["second_opinion"] = opinions;
+  }
+
+  // Where the first order leaves something open.
+  void ask_higher_orders(const System& s, const ManifoldSpec& m, Report& answer) const {
+    const auto orders = jets::higher_orders(s, m, {settings_.order, options_.decide});
+    std::ostringstream lines;
+    if (answer.text.empty()) lines << title_of_manifold(s, m.name) << "\n";
+    put_higher_orders(lines, s, orders);
+    answer.text += lines.str();
+    answer.json.at("manifold")["higher_orders"] = json_of_orders(s, orders);
   }
 
   void file_certificates(const System& s, const ManifoldReport& m, Report& answer) const {

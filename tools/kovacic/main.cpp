@@ -3,6 +3,7 @@
 #include "bench.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
+#include "jets/obstruction.hpp"
 #include "reproducer.hpp"
 #include "section.hpp"
 #include "symbol/suggest.hpp"
@@ -90,6 +91,13 @@ struct CommandLine {
   void manifold_flag(CLI::App& command) {
     command.add_option("--manifold", settings.manifold, "system files: only this manifold")
         ->type_name("NAME");
+  }
+  void order_flag(CLI::App& command) {
+    command
+        .add_option("--order", settings.order,
+                    "also the variational equations up to this order (at most 7)")
+        ->check(silent(CLI::Range(1, jets::largest_order)))
+        ->type_name("K");
   }
   // What is reasonable to wait for unasked: a minute for a question, ten for a theorem; 0 = any
   // time.
@@ -246,6 +254,7 @@ struct CommandLine {
         ->check(silent(CLI::Range(1, 20)))
         ->type_name("D");
     command->add_flag("--only-file", a.only_file, "no solutions but the manifolds of the file");
+    order_flag(*command);
     set_flag(*command);
     process_flags(*command, 60, "seconds for the whole file");
     work_flag(*command);
@@ -313,6 +322,7 @@ struct CommandLine {
     check->add_option("FILE", files, "equation or system files")->required()->type_name("");
     solver_flags(*check, {"text", "json", "tex"}, "text, json or tex");
     manifold_flag(*check);
+    order_flag(*check);
 
     CLI::App* show = app.add_subcommand("show", "a system file up to a stage of the reduction");
     show->add_option("FILE", word, "a system file")->required()->type_name("");

@@ -1,0 +1,15 @@
+#pragma once
+// What the higher variational equations say, in words.
+
+#include "jets/obstruction.hpp"
+
+namespace kov::jets {
+
+/// Why the system is not integrable.
+[[nodiscard]] std::string reason(const HigherOrders& orders);
+/// "for all but countably many values of the energy", or "at the energy H = 1".
+[[nodiscard]] std::string level(const HigherObstruction& obstruction);
+/// The theorem that is used.
+[[nodiscard]] const std::string& theorem();
+
+} // namespace kov::jets
