@@ -140,18 +140,18 @@ private:
   }
 
   void judge(const Place& place, const Logarithm& log) {
-    const auto determinants = commuting_determinants(plane_, log.form);
-    const std::string where = "VE_" + std::to_string(log.order) + " has a logarithm at infinity, R = " +
-                              brief(log.form, 120) + ", ";
-    if (determinants.empty())
-      return note(where + "which commutes with a quadratic form: nothing follows");
     HigherObstruction found;
     found.logarithm = log;
     found.rho1 = place.rho1;
     found.rho2 = place.rho2;
     found.sign = place.sign;
-    if (!infinite_group(place, determinants, found))
-      return note(where + "but the group of the normal equation is not known to be infinite");
+    const auto determinants = commuting_determinants(plane_, log.form);
+    if (!homogeneous(place, log, found) && !by_determinants(place, determinants, found))
+      return note("VE_" + std::to_string(log.order) + " has a logarithm at infinity, R = " +
+                  brief(log.form, 120) +
+                  (determinants.empty()
+                       ? ", which commutes with a quadratic form: nothing follows"
+                       : ", but the group of the normal equation is not known to be infinite"));
     for (const MPoly& p : plane_.nonzero)
       found.not_all_zero.push_back({p});
     for (const MPoly& p : {place.time_scale.num(), place.time_scale.den()})
@@ -159,9 +159,42 @@ private:
     result_.obstruction = std::move(found);
   }
 
+  // (2.7)
+  bool homogeneous(const Place& place, const Logarithm& log, HigherObstruction& found) const {
+    const auto is_monomial = [&](const MFraction& f) {
+      const auto c = coefficients(f, plane_.y);
+      return std::count_if(c.begin(), c.end(), [](const MFraction& x) { return !is_zero(x); }) <= 1;
+    };
+    const Substitution on_plane{{plane_.x, MFraction(plane_.ring)}};
+    const MFraction normal = substitute(derivative(plane_.across, plane_.x), on_plane);
+    const bool applies = is_monomial(substitute(plane_.along, on_plane)) && is_monomial(normal) &&
+                         place.difference() != Rational(1) &&
+                         in_first_family(place.degree, place.difference());
+    const MPoly form = log.form.num();
+    const MFraction last = substitute(log.form, {{plane_.c1, MFraction(plane_.ring)}});
+    if (!applies || !is_zero(plane_.reduced(last))) return false;
+    found.because = InfiniteGroup::homogeneous;
+    found.not_all_zero.push_back(coefficients_in({plane_.c1, plane_.c2, plane_.energy}, form));
+    return true;
+  }
+
+  static std::vector<MPoly> coefficients_in(const std::vector<std::size_t>& variables,
+                                            const MPoly& f) {
+    std::vector<MPoly> parts{f};
+    for (const std::size_t i : variables) {
+      std::vector<MPoly> finer;
+      for (const MPoly& part : parts)
+        for (const MPoly& c : kov::coefficients(part, i))
+          if (!is_zero(c)) add_once(finer, c);
+      parts = std::move(finer);
+    }
+    return parts;
+  }
+
   // At the level of the file, if that is a number; else by the highest terms; else at some level.
-  bool infinite_group(const Place& place, const std::vector<MPoly>& determinants,
-                      HigherObstruction& found) {
+  bool by_determinants(const Place& place, const std::vector<MPoly>& determinants,
+                       HigherObstruction& found) {
+    if (determinants.empty()) return false;
     const auto& level = result_.plane->level;
     if (numeric() && level && is_constant(*level) && decided_at(*level, determinants, found))
       return true;
@@ -169,8 +202,8 @@ private:
       found.because = InfiniteGroup::first_family;
       std::vector<MPoly> parts;
       for (const MPoly& d : determinants)
-        for (const MPoly& c : kov::coefficients(d, plane_.energy))
-          if (!is_zero(c)) add_once(parts, c);
+        for (const MPoly& c : coefficients_in({plane_.energy}, d))
+          add_once(parts, c);
       found.not_all_zero.push_back(std::move(parts));
       return true;
     }

@@ -14,7 +14,8 @@ namespace kov::jets {
 /// Why the group of the normal equation is infinite.
 enum class InfiniteGroup : std::uint8_t {
   first_family, ///< for all but countably many energies: the equation of the highest terms (2.6)
-  decided       ///< at one energy: its identity component (2.7)
+  homogeneous,  ///< for all energies but 0: it is the equation of the highest terms (2.7)
+  decided       ///< at one energy: its identity component (2.8)
 };
 
 /// The system is not integrable where, of each list, some polynomial does not vanish.
@@ -23,7 +24,7 @@ struct HigherObstruction {
   Rational rho1, rho2; ///< the exponents at the place
   int sign = 1;        ///< of y at the place
   InfiniteGroup because = InfiniteGroup::first_family;
-  std::optional<MFraction> energy; ///< of the curve; unset: all but countably many
+  std::optional<MFraction> energy; ///< of the curve, if it was decided
   std::optional<Decision> group;   ///< where it was decided
   std::vector<std::vector<MPoly>> not_all_zero; ///< in the parameters, in the ring of the plane
 };

@@ -141,7 +141,7 @@ std::variant<Place, OutOfScope> place_at_infinity(const InvariantPlane& plane, l
   if (static_cast<long>(w.size()) > k - 1)
     return OutOfScope{"the normal equation is irregular at infinity"};
   const Rational sigma(-2, k - 2), first = sigma * (sigma - 1);
-  p.time_scale = number(plane, first) / g.back();
+  p.time_scale = plane.reduced(number(plane, first) / g.back());
   for (auto* all : {&g, &w})
     for (MFraction& c : *all)
       c = plane.reduced(p.time_scale * c);

@@ -155,17 +155,61 @@ std::optional<OutOfScope> take_constants(const VectorField& v, InvariantPlane& p
   for (const std::size_t i : used)
     if (std::find(v.coordinates.begin(), v.coordinates.end(), i) != v.coordinates.end())
       return OutOfScope{"there is a relation between the coordinates"};
-  plane.constants.emplace(plane.ring, v.constants,
-                          std::vector<MPoly>{transfer(MFraction(v.relations.front()), plane.ring).num()});
+  plane.relation = transfer(MFraction(v.relations.front()), plane.ring).num();
+  plane.constants.emplace(plane.ring, v.constants, std::vector<MPoly>{*plane.relation});
   for (const MPoly& p : plane.constants->inverted())
     keep_nonzero(plane, p);
   return std::nullopt;
 }
 
+using Univariate = std::vector<MFraction>; // ascending, the last coefficient is not 0
+
+void trim(Univariate& f) {
+  while (!f.empty() && is_zero(f.back()))
+    f.pop_back();
+}
+
+// a - factor x^shift b, without the leading term.
+Univariate minus_multiple(Univariate a, const MFraction& factor, std::size_t shift,
+                          const Univariate& b) {
+  if (a.size() < b.size() + shift) a.resize(b.size() + shift);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    a[i + shift] -= factor * b[i];
+  return a;
+}
+
+// 1/f modulo the relation r, by Euclid's algorithm: s f = remainder modulo r.
+MFraction inverse(const MPoly& f, const MPoly& r, std::size_t constant) {
+  Univariate a = coefficients(MFraction(r), constant), b = coefficients(MFraction(f), constant);
+  Univariate s, t{MFraction(f.ring(), Rational(1))};
+  while (b.size() > 1) {
+    while (a.size() >= b.size()) {
+      const MFraction q = a.back() / b.back();
+      const std::size_t shift = a.size() - b.size();
+      a = minus_multiple(std::move(a), q, shift, b);
+      s = minus_multiple(std::move(s), q, shift, t);
+      trim(a);
+      trim(s);
+    }
+    std::swap(a, b);
+    std::swap(s, t);
+  }
+  if (b.empty()) throw DomainError("division by 0 modulo the relation of a constant");
+  MFraction sum(f.ring());
+  const MFraction x = MFraction::variable(f.ring(), constant);
+  for (std::size_t i = t.size(); i-- > 0;)
+    sum = sum * x + t[i];
+  return sum / b[0];
+}
+
 } // namespace
 
 MFraction InvariantPlane::reduced(const MFraction& f) const {
-  return constants && !is_zero(f) ? constants->normal_form(f) : f;
+  if (!constants || is_zero(f)) return f;
+  const std::size_t constant = constants->main().front();
+  if (!uses(f.den(), constant)) return constants->normal_form(f);
+  return constants->normal_form(constants->normal_form(f.num()) *
+                                inverse(f.den(), *relation, constant));
 }
 
 InvariantPlane InvariantPlane::reflected() const {

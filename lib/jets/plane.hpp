@@ -31,6 +31,7 @@ struct InvariantPlane {
   MFraction potential;        ///< V(0, y)
   std::optional<MFraction> level; ///< of H, where the file names one
   std::optional<Ideal> constants; ///< what an algebraic constant satisfies: a field extension
+  std::optional<MPoly> relation;
   std::vector<MPoly> nonzero;     ///< in the parameters: what was divided by
 
   /// f modulo the relation of the algebraic constant.

@@ -11,23 +11,43 @@ const std::string& theorem() {
 }
 
 std::string level(const HigherObstruction& o) {
-  return o.energy ? "at the energy H = " + to_string(*o.energy)
-                  : "for all but countably many values of the energy";
+  switch (o.because) {
+  case InfiniteGroup::decided:
+    return "at the energy H = " + to_string(*o.energy);
+  case InfiniteGroup::homogeneous:
+    return "for all but finitely many values of the energy";
+  default:
+    return "for all but countably many values of the energy";
+  }
 }
+
+namespace {
+
+std::string why_infinite(const HigherObstruction& o) {
+  switch (o.because) {
+  case InfiniteGroup::decided:
+    return "no quadratic form but 0 commutes with R, and the group of the normal equation is "
+           "infinite: " +
+           kov::reason(*o.group);
+  case InfiniteGroup::homogeneous:
+    return "the identity component of the group of the normal equation, which is homogeneous with "
+           "exponents in the first family, is Ga, and its quadratic form does not commute with R";
+  default:
+    return "no quadratic form but 0 commutes with R, and the group of the normal equation is "
+           "infinite, as that of its highest terms is, whose exponents are in the first family";
+  }
+}
+
+} // namespace
 
 std::string reason(const HigherOrders& orders) {
   KOV_ENSURE(orders.obstruction.has_value());
   const HigherObstruction& o = *orders.obstruction;
-  const std::string infinite =
-      o.energy ? "it is decided: " + kov::reason(*o.group)
-               : "that of its highest terms is, whose exponents belong to the first family";
   return "VE_" + std::to_string(o.logarithm.order) +
          " is the first with a logarithm at infinity on the curve (exponents " + to_string(o.rho1) +
          ", " + to_string(o.rho2) + (o.sign < 0 ? ", the place -infinity" : "") +
-         "), with the residue R(c1, c2) = " + to_factored_string(o.logarithm.form) +
-         "; no quadratic form but 0 commutes with R, and the group of the normal equation is "
-         "infinite (" +
-         infinite + ")";
+         "), with the residue R(c1, c2) = " + to_factored_string(o.logarithm.form) + "; " +
+         why_infinite(o);
 }
 
 } // namespace kov::jets

@@ -1,56 +1,291 @@
+// First logarithms that are known, and integrable families in which none may appear.
+
 #include "jets/obstruction.hpp"
 
 #include <gtest/gtest.h>
-#include <chrono>
 
 namespace kov::jets {
 namespace {
 
-System system_of(const std::string& potential, const std::string& parameters = "") {
+struct Example {
+  std::string potential;
+  std::string parameters = {}; ///< "'A', 'B'"
+  std::string constant = {};   ///< "a^2 = -49"
+  std::string manifold = "'q1 = 0', 'p1 = 0'";
+  std::string level = {};
+};
+
+System system_of(const Example& x) {
+  const std::string constants =
+      x.constant.empty() ? ""
+                         : "constants = ['" + x.constant.substr(0, x.constant.find('^')) +
+                               "'], relations = ['" + x.constant + "'], ";
+  const std::string levels = x.level.empty() ? "" : ", level = ['" + x.level + "']";
   return read_system(parse_document(
-      "system = {kind = 'hamiltonian', coordinates = ['q1', 'q2'], momenta = ['p1', 'p2'], "
-      "parameters = [" + parameters + "], hamiltonian = '(p1^2 + p2^2)/2 + " + potential + "'}\n"
-      "manifold = [{name = 'N', equations = ['q1 = 0', 'p1 = 0']}]",
+      "system = {kind = 'hamiltonian', coordinates = ['q1', 'q2'], momenta = ['p1', 'p2'], " +
+          constants + "parameters = [" + x.parameters + "], hamiltonian = '(p1^2 + p2^2)/2 + " +
+          x.potential + "'}\nmanifold = [{name = 'N', equations = [" + x.manifold + "]" + levels +
+          "}]",
       "test.toml"));
 }
 
-HigherOrders look(const std::string& potential, int order, const std::string& parameters = "") {
-  const System s = system_of(potential, parameters);
+HigherOrders look(const Example& x, int order) {
+  const System s = system_of(x);
   HigherOptions options;
   options.order = order;
-  const auto t = std::chrono::steady_clock::now();
-  auto r = higher_orders(s, s.manifolds.front(), options);
-  std::cout << potential << "  up to " << order << "  "
-            << std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count() << " s\n   ";
-  if (r.obstruction) {
-    const auto& o = *r.obstruction;
-    std::cout << "VE_" << o.logarithm.order << " rho " << to_string(o.rho1) << " " << to_string(o.rho2) << " R = " << to_factored_string(o.logarithm.form)
-      << (o.energy ? " at E = " + to_string(*o.energy) : "") << "\n   where ";
-    for (const auto& list : o.not_all_zero) { std::cout << "{"; for (const auto& p : list) std::cout << to_string(p) << ";  "; std::cout << "} "; }
-    std::cout << "\n";
-  } else std::cout << "open: " << r.open << "\n";
-  return r;
+  return higher_orders(s, s.manifolds.front(), options);
 }
 
-TEST(HigherOrders, Show) {
-  const std::string hh = "(A*q1^2 + B*q2^2)/2 + q1^2*q2 + ";
-  look(hh + "2/3*q2^3", 3, "'A', 'B'");
-  look(hh + "1/3*q2^3", 3, "'A', 'B'");
-  look("(A*q1^2 + A*q2^2)/2 + q1^2*q2 + 1/3*q2^3", 6, "'A'");
-  look(hh + "6/3*q2^3", 6, "'A', 'B'");
-  look("(A*q1^2 + 16*A*q2^2)/2 + q1^2*q2 + 16/3*q2^3", 6, "'A'");
-  look(hh + "1/5*q2^3", 3, "'A', 'B'");
-  look("(q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3", 3);
-  look("(q1^2 + q2^2)/2 + q1^2*q2 + 16/3*q2^3", 3);
-  look("q2^3/3 + 1/2*q1^2*q2 + a*q1^3", 3, "'a'");
-  look("q2^3/3 + 1/2*q1^2*q2", 3);
-  look("q2^3/3 + 5/2*q1^2*q2", 5);
-  look("q2^4/4 + 1/2*q1^2*q2^2 + al*q1^3*q2 + be*q1^4/4", 3, "'al', 'be'");
-  look("(A*q1^2 + B*q2^2)/2 + q2^4/2 + 3*q1^2*q2^2 + c*q1^4/2", 3, "'A','B','c'");
-  look("(A*q1^2 + B*q2^2)/2 + q2^4/2 + 6*q1^2*q2^2 + 8*q1^4", 3, "'A','B'");
-  look("(-11*B*q1^2 + B*q2^2)/2 + q2^4/2 + 6*q1^2*q2^2 + 8*q1^4", 5, "'B'");
-  look("(4*B*q1^2 + B*q2^2)/2 + q2^4/2 + 6*q1^2*q2^2 + 8*q1^4", 5, "'B'");
-  look("(A*q1^2 + B*q2^2)/2 + q2^4/2 + 6*q1^2*q2^2 + 4*q1^4", 3, "'A','B'");
+/// R up to a constant factor, as text; "none", or why it is open.
+std::string residue(const HigherOrders& found) {
+  if (!found.obstruction) return found.open.empty() ? "none" : "open: " + found.open;
+  const Logarithm& log = found.obstruction->logarithm;
+  const auto factors = factor(log.form.num()).second;
+  std::string text = "VE_" + std::to_string(log.order);
+  for (const MFactor& f : factors)
+    text += " (" + to_string(f.base) + ")" + (f.exponent > 1 ? "^" + std::to_string(f.exponent) : "");
+  return text;
+}
+
+const std::string hh = "(A*q1^2 + B*q2^2)/2 + q1^2*q2 + ";
+const std::string quartic = "(A*q1^2 + B*q2^2)/2 + q2^4/2 + ";
+
+struct Known {
+  Example system;
+  int order;
+  std::string found;
+};
+
+class FirstLogarithm : public testing::TestWithParam<Known> {};
+
+TEST_P(FirstLogarithm, IsAsComputedByOtherCode) {
+  EXPECT_EQ(residue(look(GetParam().system, GetParam().order)), GetParam().found);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    HenonHeiles, FirstLogarithm,
+    testing::Values(
+        Known{{hh + "2/3*q2^3", "'A', 'B'"}, 3, "VE_3 (c2) (c1)^3"},
+        Known{{hh + "1/3*q2^3", "'A', 'B'"}, 3, "VE_3 (c2) (A - B) (c1)^3"},
+        Known{{hh + "b/3*q2^3", "'A', 'B', 'b'"}, 3,
+              "open: the exponents at infinity depend on the parameters"},
+        Known{{"(q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3"}, 3, "VE_3 (c2) (c1)^3"},
+        Known{{"(q1^2 + q2^2)/2 + q1^2*q2 + 16/3*q2^3"}, 3,
+              "open: the first variational equation has a logarithm at infinity"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Homogeneous, FirstLogarithm,
+    testing::Values(
+        Known{{"q2^3/3 + q1^2*q2/2 + a*q1^3", "'a'"}, 3, "VE_2 (c2) (a) (c1)^2"},
+        Known{{"q2^3/3 + q1^2*q2/2"}, 3, "VE_3 (c2) (c1)^3"},
+        Known{{"q2^3/3 + 5/2*q1^2*q2"}, 3, "VE_3 (c2) (E) (c1)^3"},
+        Known{{"q2^4/2 + q1^2*q2^2 + 2/3*al*q1^3*q2 + be/2*q1^4", "'al', 'be'"}, 3,
+              "VE_2 (c2) (al) (c1)^2"},
+        Known{{"q2^4/2 + q1^2*q2^2 + be/2*q1^4", "'be'"}, 3, "VE_3 (c2) (be - 1) (c1)^3"},
+        Known{{"q2^4/2 + 36*q1^2*q2^2 + a*q1^3*q2 + q1^4", "'a'"}, 2, "VE_2 (a) (c1)^3 (E)^6"},
+        // lambda = 3/8: a finite normal group; the same potential at its point of lambda = 136
+        Known{{"(1088*q2^4 + 816*q1^2*q2^2 + 3*q1^4)/2"}, 5,
+              "open: VE_5 has a logarithm at infinity, R = 8645*c1^6/591872, which commutes with a "
+              "quadratic form: nothing follows"},
+        Known{{"q2^4/2 + 136*q1^2*q2^2 + 544*q1^4"}, 5, "VE_5 (c2) (c1)^5 (E)^15"}));
+
+// lambda = Lambda + 1 = m(m + 1)/2; integrable for m = 2
+const auto isotropic = [](const std::string& lambda) {
+  return Example{"(q2 - j*q1)^2*((q2 + j*q1)^2/4 + " + lambda + "*q1^2/2)", "", "j^2 = -1"};
+};
+INSTANTIATE_TEST_SUITE_P(IsotropicFamily, FirstLogarithm,
+                         testing::Values(Known{isotropic("2"), 5, "none"},
+                                         Known{isotropic("5"), 3, "VE_3 (c2) (E) (c1)^3"},
+                                         Known{isotropic("9"), 2, "VE_2 (j) (c1)^3 (E)"},
+                                         Known{isotropic("14"), 2, "VE_2 (c2) (j) (c1)^2 (E)"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Quartic, FirstLogarithm,
+    testing::Values(
+        Known{{quartic + "3*q1^2*q2^2 + c*q1^4/2", "'A', 'B', 'c'"}, 3,
+              "VE_3 (c2) (3*A*c - 17*A - 6*B*c + 20*B) (c1)^3"},
+        Known{{quartic + "6*q1^2*q2^2 + 8*q1^4", "'A', 'B'"}, 3,
+              "VE_3 (c2) (A - 4*B) (A + 11*B) (c1)^3"},
+        Known{{"(-11*B*q1^2 + B*q2^2)/2 + q2^4/2 + 6*q1^2*q2^2 + 8*q1^4", "'B'"}, 5,
+              "VE_5 (c2) (2556*B^2 - 941*E) (B)^2 (c1)^5"},
+        Known{{quartic + "6*q1^2*q2^2 + 4*q1^4", "'A', 'B'"}, 3,
+              "VE_3 (c2) (251*A^2 - 1183*A*B - 184*B^2 - 5400*E) (c1)^3"}));
+
+// ---- no false alarm
+
+class Integrable : public testing::TestWithParam<Example> {};
+
+TEST_P(Integrable, HasNoLogarithmUpToOrderSix) { EXPECT_EQ(residue(look(GetParam(), 6)), "none"); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Known, Integrable,
+    testing::Values(
+        Example{hh + "6/3*q2^3", "'A', 'B'"},
+        Example{"A*(q1^2 + q2^2)/2 + q1^2*q2 + q2^3/3", "'A'"},
+        Example{"A*(q1^2 + 16*q2^2)/2 + q1^2*q2 + 16/3*q2^3", "'A'"},
+        Example{quartic + "q1^2*q2^2 + q1^4/2", "'A', 'B'"},
+        Example{"A*(q1^2 + q2^2)/2 + q2^4/2 + 3*q1^2*q2^2 + q1^4/2", "'A'"},
+        Example{"B*(4*q1^2 + q2^2)/2 + q2^4/2 + 6*q1^2*q2^2 + 8*q1^4", "'B'"},
+        Example{"B*(q1^2 + 4*q2^2)/2 + 16*q2^4 + 12*q1^2*q2^2 + q1^4", "'B'"},
+        Example{"8*q2^4 + 6*q1^2*q2^2 + q1^4"}, Example{"q2^4 + 6*q1^2*q2^2 + 8*q1^4"},
+        Example{"q2^3/3 + 5/2*q1^2*q2 + a/3*q1^3", "", "a^2 = -49"},
+        Example{"q2^3/3 + 15/2*q1^2*q2 + a/3*q1^3", "", "a^2 = -2023/2"},
+        Example{"q2^3/3 + 15/2*q1^2*q2 + a/3*q1^3", "", "a^2 = -2187/4"},
+        Example{"q2^3/3 + 10/6*q1^2*q2 + a/3*q1^3", "", "a^2 = -484/27"}));
+
+std::string sum(const std::vector<std::string>& terms) {
+  std::string text;
+  for (std::size_t n = 0; n < terms.size(); ++n)
+    text += (n == 0 ? "f" : " + f") + std::to_string(n) + "*(" + terms[n] + ")";
+  return text;
+}
+
+// Separable in the axes (a, b), (b, -a), along a line that is none of them.
+Example rotated(int a, int b, int degree) {
+  std::vector<std::string> terms;
+  for (int n = 2; n <= degree; ++n) {
+    const std::string e = std::to_string(n);
+    const std::string u = std::to_string(a) + "*q1 + " + std::to_string(b) + "*q2";
+    const std::string w = std::to_string(b) + "*q1 - " + std::to_string(a) + "*q2";
+    terms.push_back("(" + u + ")^" + e + (n % 2 == 0 ? " + " : " - ") + "(" + std::to_string(b) +
+                    "/" + std::to_string(a) + ")^" + std::to_string(n - 2) + "*(" + w + ")^" + e);
+  }
+  return {sum(terms), ""};
+}
+
+// V_n of the parabolic coordinates: V_(n+1) = 2 q2 V_n + q1^2 V_(n-1).
+Example parabolic(int degree) {
+  std::vector<std::string> v{"1", "2*q2"};
+  for (int n = 1; n < degree; ++n)
+    v.push_back("2*q2*(" + v[static_cast<std::size_t>(n)] + ") + q1^2*(" +
+                v[static_cast<std::size_t>(n - 1)] + ")");
+  return {sum({v.begin() + 1, v.end()}), ""};
+}
+
+std::string with_parameters(int count) {
+  std::string names;
+  for (int n = 0; n < count; ++n)
+    names += (n == 0 ? "'f" : ", 'f") + std::to_string(n) + "'";
+  return names;
+}
+
+void expect_none(Example x, int parameters, int order) {
+  x.parameters = with_parameters(parameters);
+  EXPECT_EQ(residue(look(x, order)), "none") << x.potential;
+}
+
+TEST(IntegrableFamilies, SeparableInRotatedAxes) {
+  expect_none(rotated(1, 1, 3), 2, 5);
+  expect_none(rotated(1, 2, 4), 3, 4);
+  expect_none(rotated(3, 4, 5), 4, 3);
+  expect_none(rotated(2, 1, 6), 5, 3);
+}
+TEST(IntegrableFamilies, Central) {
+  expect_none({sum({"q1^2 + q2^2", "(q1^2 + q2^2)^2"})}, 2, 5);
+  expect_none({sum({"q1^2 + q2^2", "(q1^2 + q2^2)^2", "(q1^2 + q2^2)^3"})}, 3, 5);
+}
+TEST(IntegrableFamilies, SeparableInParabolicCoordinates) {
+  expect_none(parabolic(3), 3, 5);
+  expect_none(parabolic(4), 4, 4);
+  expect_none(parabolic(5), 5, 3);
+}
+TEST(IntegrableFamilies, SeparableInEllipticCoordinates) {
+  const std::string r = "(q1^2 + q2^2)", s = "(f3*q1^2 + f4*q2^2)";
+  expect_none({sum({r, s + " + " + r + "^2",
+                    "f3^2*q1^2 + f4^2*q2^2 + 2*" + r + "*" + s + " + " + r + "^3"})},
+              5, 4);
+}
+
+// ---- hypotheses
+
+TEST(HigherOrders, NothingIsSaidOfTheTrivialGroupOrOfCommutingLogarithms) {
+  // n = 4: at A = B = 0 the normal group is finite, and so for no parameters by the highest terms
+  EXPECT_EQ(residue(look({hh + "1/5*q2^3", "'A', 'B'"}, 3)).substr(0, 5), "open:");
+}
+
+TEST(HigherOrders, ConditionsAreInTheParameters) {
+  const auto found = look({hh + "1/3*q2^3", "'A', 'B'"}, 3);
+  ASSERT_TRUE(found.obstruction);
+  EXPECT_EQ(found.obstruction->because, InfiniteGroup::first_family);
+  ASSERT_EQ(found.obstruction->not_all_zero.size(), 1U);
+  EXPECT_EQ(to_string(found.obstruction->not_all_zero.front().front()), "A - B");
+}
+
+TEST(HigherOrders, ALineThatIsNoAxis) {
+  // HH b = 1 along q1 = q2 ... of A = B is separable there; b = 2 in axes turned by 45 degrees
+  const std::string x = "(q1 - q2)", y = "(q1 + q2)"; // sqrt(2) times the coordinates
+  const auto found =
+      look({"(A*" + x + "^2 + B*" + y + "^2)/4 + " + x + "^2*" + y + " + 2/3*" + y + "^3",
+            "'A', 'B'", "", "'q1 = q2', 'p1 = p2'"},
+           3);
+  EXPECT_EQ(residue(found), "VE_3 (c2) (c1)^3");
+}
+
+TEST(HigherOrders, ALineWithAnAlgebraicSlope) {
+  const std::string x = "(q1 - s*q2)", y = "(s*q1 + q2)"; // sqrt(3) times the coordinates
+  const std::string potential = "(A*" + x + "^2 + B*" + y + "^2)/2 + s*" + x + "^2*" + y;
+  const auto along = [&](const std::string& b) {
+    return residue(look({potential + " + s*" + b + "*" + y + "^3", "'A', 'B'", "s^2 = 2",
+                         "'q1 = s*q2', 'p1 = s*p2'"},
+                        3));
+  };
+  EXPECT_EQ(along("2/3"), "VE_3 (c2) (c1)^3");
+  EXPECT_EQ(along("1/3"), "VE_3 (c2) (s) (A - B) (c1)^3");
+  EXPECT_EQ(along("2"), "none");
+}
+
+TEST(HigherOrders, TwoInertias) {
+  // q1 -> 2 q1 makes 4 p1^2 of p1^2; all of H times 3 is another time
+  EXPECT_EQ(residue(look({"3/2*p1^2 + (A*q1^2/4 + B*q2^2)/2 + q1^2*q2/4 + q2^3/3", "'A', 'B'"}, 3)),
+            "VE_3 (c2) (A - B) (c1)^3");
+  EXPECT_EQ(residue(look({"5*p1^2 + 1*p2^2 + (A*q1^2*3/11 + B*q2^2)/2 + 3/11*q1^2*q2 + q2^3/3",
+                          "'A', 'B'"}, 3)),
+            "VE_3 (c2) (A - B) (c1)^3");
+}
+
+TEST(HigherOrders, TheLevelOfTheFile) {
+  const auto at = [](const std::string& level) {
+    return look({"(q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3", "", "", "'q1 = 0', 'p1 = 0'", level}, 3);
+  };
+  ASSERT_TRUE(at("H = 3").obstruction);
+  EXPECT_EQ(to_string(*at("H = 3").obstruction->energy), "3");
+  EXPECT_EQ(at("H = 3").obstruction->because, InfiniteGroup::decided);
+}
+
+TEST(HigherOrders, OutOfScope) {
+  const auto open = [](const Example& x) { return look(x, 3).open; };
+  EXPECT_EQ(open({"q1^2 + q2^2 + q1^2*q2"}), "the potential on the plane is of degree < 3");
+  EXPECT_EQ(open({"q2^3 + q1^2*q2^2"}), "the normal equation is irregular at infinity");
+  EXPECT_EQ(open({"q2^3 + q1^2/q2"}),
+            "H is not (a*p1^2 + b*p2^2)/2 + V with a polynomial V");
+  EXPECT_EQ(open({"q2^3/3 + q1^2*q2/7"}), "the exponents at infinity are irrational or equal");
+  EXPECT_THROW((void)look({"q2^3"}, 1), InvalidArgument);
+  EXPECT_THROW((void)look({"q2^3"}, 8), InvalidArgument);
+}
+
+TEST(CommutingForms, AreThoseOfTheMonomials) {
+  const System s = system_of({"q2^3/3 + q1^2*q2/2"});
+  const auto plane = std::get<InvariantPlane>(invariant_plane(s, s.manifolds.front()));
+  const MFraction c1 = MFraction::variable(plane.ring, plane.c1);
+  const MFraction c2 = MFraction::variable(plane.ring, plane.c2);
+  EXPECT_TRUE(commuting_determinants(plane, pow(c1, 3)).empty());
+  EXPECT_TRUE(commuting_determinants(plane, pow(c1 + c2, 4)).empty());
+  EXPECT_TRUE(commuting_determinants(plane, pow(c1 * c2, 2)).empty());
+  EXPECT_TRUE(commuting_determinants(plane, pow(c1 * c1 - c1 * c2 + c2 * c2, 3)).empty());
+  EXPECT_FALSE(commuting_determinants(plane, pow(c1, 3) * c2).empty());
+  EXPECT_FALSE(commuting_determinants(plane, c1 * c1 * c2).empty());
+  EXPECT_FALSE(commuting_determinants(plane, pow(c1, 3) + pow(c2, 3)).empty());
+}
+
+TEST(FirstFamily, IsThatOfMoralesRamis) {
+  // k = 3: lambda = 0, 1, 2, 5, 7 are p + 3p(p - 1)/2; 1/3 and 10/3 are not
+  for (const long difference : {1, 5, 7, 11, 13})
+    EXPECT_TRUE(in_first_family(3, difference)) << difference;
+  EXPECT_FALSE(in_first_family(3, 3));
+  EXPECT_FALSE(in_first_family(3, 9));
+  EXPECT_TRUE(in_first_family(4, 3));
+  EXPECT_FALSE(in_first_family(4, 2));
+  EXPECT_FALSE(in_first_family(4, Rational(1, 2)));
 }
 
 } // namespace
