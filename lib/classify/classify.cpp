@@ -85,8 +85,8 @@ struct Round {
   std::vector<ManifoldSpec> at_all_levels = {}; ///< solutions for what is left
   std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
   std::vector<ManifoldSpec> solutions = {};
-  bool integrals_known = false;     ///< for all of these parameters, from a round before
-  std::size_t decided = 0;          ///< strata that were there before
+  bool integrals_known = false; ///< for all of these parameters, from a round before
+  std::size_t decided = 0;      ///< strata that were there before
 };
 
 class Composition {
@@ -309,8 +309,7 @@ private:
       Options decide = options_.check.decide;
       decide.budget = share(0.3 / static_cast<double>(left--));
       std::string why;
-      if (const auto e =
-              exclusion_of_higher_order(round.system, m, options_.order, decide, why))
+      if (const auto e = exclusion_of_higher_order(round.system, m, options_.order, decide, why))
         exclude(round, *e);
       for (Piece& p : round.pieces)
         note(p, "orders 2.." + std::to_string(options_.order) + " along " + m.name, why);

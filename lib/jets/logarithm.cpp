@@ -15,8 +15,8 @@ Rational binomial(std::size_t n, int m) {
 class Jets {
 public:
   Jets(const InvariantPlane& plane, const Place& p, int up_to, const Budget& budget)
-      : plane_(plane), p_(p), up_to_(up_to), budget_(budget),
-        across_(taylor(plane.across)), along_(taylor(plane.along)) {
+      : plane_(plane), p_(p), up_to_(up_to), budget_(budget), across_(taylor(plane.across)),
+        along_(taylor(plane.along)) {
     const auto c = [&](std::size_t i) { return MFraction::variable(plane.ring, i); };
     xi_ = {{}, c(plane.c1) * p.u1 + c(plane.c2) * p.u2};
     eta_ = {{}, {}}; // the energy is that of y(t) to the first order
@@ -48,6 +48,7 @@ private:
     for (int a = 0; a < static_cast<int>(in_x.size()) && a <= up_to_; ++a) {
       const auto in_y = coefficients(p_.time_scale * in_x[static_cast<std::size_t>(a)], plane_.y);
       for (int m = 0; a + 2 * m <= up_to_; ++m) {
+        budget_.check();
         Series sum;
         for (std::size_t b = in_y.size(); b-- > static_cast<std::size_t>(m);)
           sum = reduced(sum * p_.y) + Series::constant(binomial(b, m) * in_y[b]);
@@ -87,9 +88,11 @@ private:
 
   Series force(const Taylor& taylor, int j) {
     Series sum;
-    for (const auto& [exponents, coefficient] : taylor)
+    for (const auto& [exponents, coefficient] : taylor) {
+      budget_.check();
       if (exponents.first + 2 * exponents.second <= j)
         sum += coefficient * monomial(exponents.first, exponents.second, j);
+    }
     return reduced(sum);
   }
 

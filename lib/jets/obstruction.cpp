@@ -45,9 +45,9 @@ std::vector<MPoly> commuting_determinants(const InvariantPlane& plane, const MFr
   if (is_zero(form)) return {};
   const auto exponents = form.num().exponents(0);
   const std::size_t n = exponents[plane.c1] + exponents[plane.c2]; // the degree of the form
-  const std::array<std::vector<MFraction>, 3> rows{
-      binary_coefficients(plane, c1 * r2, n), binary_coefficients(plane, c2 * r2 - c1 * r1, n),
-      binary_coefficients(plane, c2 * r1, n)};
+  const std::array<std::vector<MFraction>, 3> rows{binary_coefficients(plane, c1 * r2, n),
+                                                   binary_coefficients(plane, c2 * r2 - c1 * r1, n),
+                                                   binary_coefficients(plane, c2 * r1, n)};
   std::vector<Column> columns;
   for (std::size_t i = 0; i < rows[0].size(); ++i) {
     Column c{rows[0][i], rows[1][i], rows[2][i]};
@@ -147,8 +147,8 @@ private:
     found.sign = place.sign;
     const auto determinants = commuting_determinants(plane_, log.form);
     if (!homogeneous(place, log, found) && !by_determinants(place, determinants, found))
-      return note("VE_" + std::to_string(log.order) + " has a logarithm at infinity, R = " +
-                  brief(log.form, 120) +
+      return note("VE_" + std::to_string(log.order) +
+                  " has a logarithm at infinity, R = " + brief(log.form, 120) +
                   (determinants.empty()
                        ? ", which commutes with a quadratic form: nothing follows"
                        : ", but the group of the normal equation is not known to be infinite"));

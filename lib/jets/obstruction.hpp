@@ -24,8 +24,8 @@ struct HigherObstruction {
   Rational rho1, rho2; ///< the exponents at the place
   int sign = 1;        ///< of y at the place
   InfiniteGroup because = InfiniteGroup::first_family;
-  std::optional<MFraction> energy; ///< of the curve, if it was decided
-  std::optional<Decision> group;   ///< where it was decided
+  std::optional<MFraction> energy;              ///< of the curve, if it was decided
+  std::optional<Decision> group;                ///< where it was decided
   std::vector<std::vector<MPoly>> not_all_zero; ///< in the parameters, in the ring of the plane
 };
 

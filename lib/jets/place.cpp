@@ -22,12 +22,15 @@ MFraction on_the_plane(const InvariantPlane& plane, const MFraction& f) {
 // the coefficients of all powers of y.  [Knuth] 4.7 for the powers of a series.
 class PlaneSolution {
 public:
-  PlaneSolution(const InvariantPlane& plane, std::vector<MFraction> g, long d, long terms)
+  PlaneSolution(const InvariantPlane& plane, std::vector<MFraction> g, long d, long terms,
+                const Budget& budget)
       : plane_(plane), g_(std::move(g)), k_(static_cast<long>(g_.size())), d_(d) {
     sigma_ = as_long(Rational(-2 * d_, k_ - 2));
     powers_.assign(g_.size(), {number(plane, 1)});
-    for (long n = 1; n < terms; ++n)
+    for (long n = 1; n < terms; ++n) {
+      budget.check();
       add(n);
+    }
   }
 
   [[nodiscard]] Series y() const {
@@ -77,9 +80,11 @@ private:
   std::vector<std::vector<MFraction>> powers_; ///< of y/t^sigma, by exponent; [0] is not used
 };
 
-Series polynomial_at(const std::vector<MFraction>& c, const Series& y, const InvariantPlane& plane) {
+Series polynomial_at(const std::vector<MFraction>& c, const Series& y, const InvariantPlane& plane,
+                     const Budget& budget) {
   Series sum;
   for (std::size_t b = c.size(); b-- > 0;) {
+    budget.check();
     sum = map(sum * y, 0, [&](const MFraction& x, long) { return plane.reduced(x); });
     sum += Series::constant(c[b]);
   }
@@ -91,10 +96,10 @@ Series time_derivative(const Series& f, long d) {
 }
 
 // H = y_t^2/(2 A scale) + potential: all coefficients but that of s^0 vanish.
-MFraction energy_of(const InvariantPlane& plane, const Place& p) {
+MFraction energy_of(const InvariantPlane& plane, const Place& p, const Budget& budget) {
   const MFraction half = number(plane, Rational(1, 2)) / (plane.inertia * p.time_scale);
   Series h = half * (p.y_t * p.y_t);
-  h += polynomial_at(coefficients(plane.potential, plane.y), p.y, plane);
+  h += polynomial_at(coefficients(plane.potential, plane.y), p.y, plane, budget);
   for (long m = h.low(); m < std::min(h.end(), h.top()); ++m)
     KOV_ENSURE(m == 0 || is_zero(plane.reduced(h[m])));
   return plane.reduced(h[0]);
@@ -149,7 +154,8 @@ std::variant<Place, OutOfScope> place_at_infinity(const InvariantPlane& plane, l
   if (!is_constant(lead)) return OutOfScope{"the exponents at infinity depend on the parameters"};
   const Rational alpha = to_rational(lead);
   const auto root = exact_sqrt(1 + 4 * alpha);
-  if (!root || is_zero(*root)) return OutOfScope{"the exponents at infinity are irrational or equal"};
+  if (!root || is_zero(*root))
+    return OutOfScope{"the exponents at infinity are irrational or equal"};
   p.rho1 = (1 - *root) / 2;
   p.rho2 = (1 + *root) / 2;
   const Integer d = lcm(sigma.den(), lcm(p.rho1.den(), p.rho2.den()));
@@ -158,15 +164,15 @@ std::variant<Place, OutOfScope> place_at_infinity(const InvariantPlane& plane, l
   p.ramification = to_long(d);
   p.terms = terms;
   budget.check();
-  p.y = PlaneSolution(plane, g, p.ramification, terms).y();
+  p.y = PlaneSolution(plane, g, p.ramification, terms, budget).y();
   p.y_t = time_derivative(p.y, p.ramification);
   p.y_e = map(p.y, 0, [&](const MFraction& c, long) { return derivative(c, plane.e); });
-  p.normal_force = polynomial_at(w, p.y, plane);
+  p.normal_force = polynomial_at(w, p.y, plane, budget);
   for (std::size_t b = 0; b < g.size(); ++b)
     g[b] = Rational(static_cast<long>(b)) * g[b];
   g.erase(g.begin());
-  p.plane_force = polynomial_at(g, p.y, plane);
-  p.energy = energy_of(plane, p);
+  p.plane_force = polynomial_at(g, p.y, plane, budget);
+  p.energy = energy_of(plane, p, budget);
   const auto start = [&](const Rational& rho) { return as_long(rho * p.ramification); };
   const SecondOrder normal{p.normal_force, alpha, p.ramification, terms};
   const auto u1 = solution(normal, {}, start(p.rho1), plane);

@@ -15,13 +15,13 @@
 namespace kov::jets {
 
 struct Place {
-  int sign = 1;    ///< of y; what follows is about the plane reflected() if it is -1
-  long degree = 0; ///< k
+  int sign = 1;          ///< of y; what follows is about the plane reflected() if it is -1
+  long degree = 0;       ///< k
   long ramification = 1; ///< d
   long terms = 0;        ///< of y
   Rational rho1, rho2;
-  MFraction time_scale; ///< t^2 = (time)^2 / time_scale
-  Series y, y_t, y_e;   ///< the solution and its derivatives
+  MFraction time_scale;             ///< t^2 = (time)^2 / time_scale
+  Series y, y_t, y_e;               ///< the solution and its derivatives
   Series normal_force, plane_force; ///< of the equations u'' = w u across and along
   Series u1, u2;
   MFraction energy; ///< H on the solution, as a function of e

@@ -17,8 +17,12 @@ std::string unused(const std::vector<std::string>& names, std::string name) {
 // The ring of the system with the variables of this room.
 void extend_ring(const System& s, InvariantPlane& plane) {
   std::vector<std::string> names = s.ring()->names();
-  for (const auto& [place, name] : {std::pair{&plane.x, "x"}, {&plane.y, "y"}, {&plane.e, "e"},
-                                    {&plane.energy, "E"}, {&plane.c1, "c1"}, {&plane.c2, "c2"}}) {
+  for (const auto& [place, name] : {std::pair{&plane.x, "x"},
+                                    {&plane.y, "y"},
+                                    {&plane.e, "e"},
+                                    {&plane.energy, "E"},
+                                    {&plane.c1, "c1"},
+                                    {&plane.c2, "c2"}}) {
     *place = names.size();
     names.push_back(unused(names, name));
   }
@@ -78,10 +82,10 @@ std::optional<Line> line_of(const VectorField& v, const ManifoldSpec& spec) {
 
 /// q and p of the system in x, y and the momentum P along the line, for which x stands there.
 struct Chart {
-  Substitution positions;      ///< q(x, y)
-  Substitution on_the_plane;   ///< q(0, y), p(P)
-  MFraction across, along;     ///< x'' = -across dV/dx, y'' = -along dV/dy
-  MFraction kinetic;           ///< P^2 kinetic/2 on the plane
+  Substitution positions;    ///< q(x, y)
+  Substitution on_the_plane; ///< q(0, y), p(P)
+  MFraction across, along;   ///< x'' = -across dV/dx, y'' = -along dV/dy
+  MFraction kinetic;         ///< P^2 kinetic/2 on the plane
 };
 
 MFraction variable_of(const InvariantPlane& plane, std::size_t i) {
@@ -97,7 +101,9 @@ Chart axis_chart(const VectorField& v, const Natural& n, const Line& line, std::
   const MFraction a = transfer(n.inertia[across], plane.ring);
   const MFraction b = transfer(n.inertia[along], plane.ring);
   return {{{z[across], start + x}, {z[along], y}},
-          {{z[across], start}, {z[along], y}, {z[across + 2], MFraction(plane.ring)},
+          {{z[across], start},
+           {z[along], y},
+           {z[across + 2], MFraction(plane.ring)},
            {z[along + 2], x}},
           a,
           b,
@@ -248,8 +254,7 @@ std::variant<InvariantPlane, OutOfScope> invariant_plane(const System& s, const 
   if (is_zero(plane.reduced(square))) return OutOfScope{"the line is isotropic"};
   const Chart chart = axis ? axis_chart(v, *natural, *line, is_zero(line->m[0]) ? 1 : 0, plane)
                            : line_chart(v, *natural, *line, plane);
-  const MFraction potential =
-      substitute(transfer(natural->potential, plane.ring), chart.positions);
+  const MFraction potential = substitute(transfer(natural->potential, plane.ring), chart.positions);
   plane.across = plane.reduced(-(chart.across * derivative(potential, plane.x)));
   plane.along = plane.reduced(-(chart.along * derivative(potential, plane.y)));
   plane.inertia = chart.along;

@@ -23,16 +23,16 @@ struct OutOfScope {
 struct InvariantPlane {
   Ring ring; ///< that of the system, and the variables below
   std::size_t x = 0, y = 0;
-  std::size_t e = 0;          ///< the free coefficient of the solution at a place
-  std::size_t energy = 0;     ///< the value of H
-  std::size_t c1 = 0, c2 = 0; ///< constants of the general solution of the normal equation
-  MFraction across, along;    ///< f and g, polynomials in x and y
-  MFraction inertia;          ///< A in H = y'^2/(2 A) + potential, on the plane
-  MFraction potential;        ///< V(0, y)
+  std::size_t e = 0;              ///< the free coefficient of the solution at a place
+  std::size_t energy = 0;         ///< the value of H
+  std::size_t c1 = 0, c2 = 0;     ///< constants of the general solution of the normal equation
+  MFraction across, along;        ///< f and g, polynomials in x and y
+  MFraction inertia;              ///< A in H = y'^2/(2 A) + potential, on the plane
+  MFraction potential;            ///< V(0, y)
   std::optional<MFraction> level; ///< of H, where the file names one
   std::optional<Ideal> constants; ///< what an algebraic constant satisfies: a field extension
   std::optional<MPoly> relation;
-  std::vector<MPoly> nonzero;     ///< in the parameters: what was divided by
+  std::vector<MPoly> nonzero; ///< in the parameters: what was divided by
 
   /// f modulo the relation of the algebraic constant.
   [[nodiscard]] MFraction reduced(const MFraction& f) const;

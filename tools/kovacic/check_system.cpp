@@ -276,8 +276,8 @@ int exit_of(const Settings& settings, const Json& manifolds) {
   // Of the first order; an obstruction of higher order is one where there was none.
   const auto verdict = [](const Json& m) -> std::string {
     if (m.contains("failure")) return "";
-    const bool higher = m.contains("higher_orders") &&
-                        m.at("higher_orders").at("verdict") == to_string(VerdictKind::non_integrable);
+    const bool higher = m.contains("higher_orders") && m.at("higher_orders").at("verdict") ==
+                                                           to_string(VerdictKind::non_integrable);
     return higher ? to_string(VerdictKind::non_integrable) : m.at("verdict").get<std::string>();
   };
   const auto any = [&](VerdictKind kind) {
