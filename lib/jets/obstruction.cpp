@@ -220,7 +220,8 @@ private:
         if (i != plane_.x && i != plane_.y) return true;
       return false;
     };
-    return !used(plane_.across) && !used(plane_.along) && !used(plane_.inertia);
+    return !used(plane_.across) && !used(plane_.along) && !used(plane_.inertia) &&
+           !used(plane_.potential);
   }
 
   // The curve y'^2 = 2 A (h - V) is smooth, R does not commute there, and the normal equation
@@ -260,7 +261,16 @@ private:
 } // namespace
 
 HigherOrders higher_orders(const System& s, const ManifoldSpec& m, const HigherOptions& options) {
-  return Search(s, m, options).run();
+  HigherOrders open;
+  open.up_to = options.order;
+  try {
+    return Search(s, m, options).run();
+  } catch (const OutOfBudget& limit) {
+    open.open = limit.what();
+  } catch (const DomainError& undefined) { // a division by 0 at these values
+    open.open = undefined.what();
+  }
+  return open;
 }
 
 } // namespace kov::jets

@@ -264,6 +264,24 @@ TEST(HigherOrders, ALineWithAnAlgebraicSlope) {
   EXPECT_EQ(along("2"), "none");
 }
 
+TEST(HigherOrders, NamesOfTheRoomMayBeThoseOfTheFile) {
+  const System s = read_system(parse_document(
+      "system = {kind = 'hamiltonian', coordinates = ['x', 'y'], momenta = ['c1', 'c2'], "
+      "parameters = ['e', 'E'], hamiltonian = '(c1^2 + c2^2)/2 + e*x^2/2 + E*y^2/2 + x^2*y + "
+      "y^3/3'}\nmanifold = [{name = 'N', equations = ['x = 0', 'c1 = 0']}]",
+      "test.toml"));
+  const auto found = higher_orders(s, s.manifolds.front());
+  EXPECT_EQ(residue(found), "VE_3 (c2_) (e - E) (c1_)^3");
+}
+
+// A constant in V is one in h.
+TEST(HigherOrders, AConstantInThePotential) {
+  EXPECT_EQ(residue(look({"(q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3 + v", "'v'"}, 3)).substr(0, 5),
+            "open:");
+  const auto found = look({hh + "2/3*q2^3 + v", "'A', 'B', 'v'"}, 3);
+  EXPECT_EQ(residue(found), "VE_3 (c2) (c1)^3");
+}
+
 TEST(HigherOrders, TwoInertias) {
   // q1 -> 2 q1 makes 4 p1^2 of p1^2; all of H times 3 is another time
   EXPECT_EQ(residue(look({"3/2*p1^2 + (A*q1^2/4 + B*q2^2)/2 + q1^2*q2/4 + q2^3/3", "'A', 'B'"}, 3)),
