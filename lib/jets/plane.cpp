@@ -9,6 +9,7 @@ namespace kov::jets {
 namespace {
 
 std::string unused(const std::vector<std::string>& names, std::string name) {
+  if (name == "E" && std::find(names.begin(), names.end(), name) != names.end()) name = "energy";
   while (std::find(names.begin(), names.end(), name) != names.end())
     name += "_";
   return name;
