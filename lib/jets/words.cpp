@@ -2,13 +2,11 @@
 
 #include "decide/words.hpp"
 #include "exact/error.hpp"
+#include "literature/literature.hpp"
 
 namespace kov::jets {
 
-const std::string& theorem() {
-  static const std::string name = "Morales-Ruiz, Ramis and Simo (2007)";
-  return name;
-}
+const std::string& theorem() { return morales_ramis_simo().name; }
 
 std::string level(const HigherObstruction& o) {
   switch (o.because) {

@@ -56,6 +56,19 @@ std::vector<LiteratureTheorem> all_theorems() {
          "the manifold of the step is proved to be invariant"},
         {"the first integrals and symmetry fields are meromorphic near the curve", Settled::stated,
          "that is what is excluded"}}},
+      {"Morales-Ramis-Simo",
+       "Morales-Ruiz, Ramis and Simo (2007)",
+       "If a Hamiltonian system is integrable with first integrals that are meromorphic near a "
+       "phase curve, the identity component of the differential Galois group of the variational "
+       "equations of each order along it is abelian.",
+       "MoralesRamisSimo2007",
+       "meromorphic",
+       {{"the system is Hamiltonian", Settled::checked, "its form: kinetic energy and potential"},
+        {"the curve is a phase curve and no equilibrium", Settled::checked,
+         "the plane of the step is proved to be invariant, and the energy is no critical value"},
+        {"the first integrals are meromorphic near the curve", Settled::stated,
+         "that is what is excluded"},
+        independent}},
       {"Ziglin 1980",
        "Ziglin on the splitting of separatrices (1980)",
        "Let H = H0(q, p, I) + mu H1(q, p, phi, I) + ... and let hypotheses 1 to 6 hold for a "
@@ -119,6 +132,7 @@ const LiteratureTheorem& known(const char* id) {
 
 const LiteratureTheorem& morales_ramis() { return known("Morales-Ramis"); }
 const LiteratureTheorem& ayoul_zung() { return known("Ayoul-Zung"); }
+const LiteratureTheorem& morales_ramis_simo() { return known("Morales-Ramis-Simo"); }
 const LiteratureTheorem& ziglin_1980() { return known("Ziglin 1980"); }
 const LiteratureTheorem& ziglin_1982() { return known("Ziglin 1982"); }
 

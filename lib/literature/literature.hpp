@@ -40,10 +40,11 @@ struct LiteratureTheorem {
 /// Example literature_theorem("Fermat") == nullptr  // -> yes
 [[nodiscard]] const LiteratureTheorem* literature_theorem(const std::string& id);
 
-[[nodiscard]] const LiteratureTheorem& morales_ramis(); ///< Hamiltonian systems
-[[nodiscard]] const LiteratureTheorem& ayoul_zung();    ///< all vector fields
-[[nodiscard]] const LiteratureTheorem& ziglin_1980();   ///< splitting of separatrices
-[[nodiscard]] const LiteratureTheorem& ziglin_1982();   ///< lowest-order parts
+[[nodiscard]] const LiteratureTheorem& morales_ramis();      ///< Hamiltonian systems
+[[nodiscard]] const LiteratureTheorem& ayoul_zung();         ///< all vector fields
+[[nodiscard]] const LiteratureTheorem& morales_ramis_simo(); ///< higher orders
+[[nodiscard]] const LiteratureTheorem& ziglin_1980();        ///< splitting of separatrices
+[[nodiscard]] const LiteratureTheorem& ziglin_1982();        ///< lowest-order parts
 
 /// One use of a theorem.
 struct TheoremUsed {
