@@ -407,7 +407,7 @@ std::optional<Exclusion> exclusion_of_higher_order(const System& s, const Manifo
   e.by.order = o.logarithm.order;
   e.by.reason = jets::reason(orders);
   e.by.theorems = {jets::theorem()};
-  e.by.trusted = {"the series of the higher variational equations"};
+  e.by.trusted = jets::trusted(o);
   return e;
 }
 

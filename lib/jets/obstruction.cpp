@@ -174,7 +174,9 @@ private:
     const MFraction last = substitute(log.form, {{plane_.c1, MFraction(plane_.ring)}});
     if (!applies || !is_zero(plane_.reduced(last))) return false;
     found.because = InfiniteGroup::homogeneous;
-    found.not_all_zero.push_back(coefficients_in({plane_.c1, plane_.c2, plane_.energy}, form));
+    auto& list = found.not_all_zero.emplace_back();
+    for (const MPoly& c : coefficients_in({plane_.c1, plane_.c2, plane_.energy}, form))
+      add_once(list, squarefree_part(c));
     return true;
   }
 

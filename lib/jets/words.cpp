@@ -8,6 +8,12 @@ namespace kov::jets {
 
 const std::string& theorem() { return morales_ramis_simo().name; }
 
+std::vector<std::string> trusted(const HigherObstruction& o) {
+  std::vector<std::string> all{"the series of the higher variational equations"};
+  if (o.group && !o.group->checked) all.emplace_back("the group of the normal equation");
+  return all;
+}
+
 std::string level(const HigherObstruction& o) {
   switch (o.because) {
   case InfiniteGroup::decided:
@@ -36,6 +42,15 @@ std::string why_infinite(const HigherObstruction& o) {
   }
 }
 
+// "R(c1, c2) = 3*c2*c1^3", and what stands for the energy if it occurs
+std::string residue(const HigherOrders& orders) {
+  const InvariantPlane& plane = *orders.plane;
+  const MFraction& form = orders.obstruction->logarithm.form;
+  const auto name = [&](std::size_t i) { return plane.ring->name(i); };
+  return "R(" + name(plane.c1) + ", " + name(plane.c2) + ") = " + to_factored_string(form) +
+         (uses(form, plane.energy) ? ", " + name(plane.energy) + " the energy" : "");
+}
+
 } // namespace
 
 std::string reason(const HigherOrders& orders) {
@@ -44,8 +59,7 @@ std::string reason(const HigherOrders& orders) {
   return "VE_" + std::to_string(o.logarithm.order) +
          " is the first with a logarithm at infinity on the curve (exponents " + to_string(o.rho1) +
          ", " + to_string(o.rho2) + (o.sign < 0 ? ", the place -infinity" : "") +
-         "), with the residue R(c1, c2) = " + to_factored_string(o.logarithm.form) + "; " +
-         why_infinite(o);
+         "), with the residue " + residue(orders) + "; " + why_infinite(o);
 }
 
 } // namespace kov::jets

@@ -9,6 +9,8 @@ namespace kov::jets {
 [[nodiscard]] std::string reason(const HigherOrders& orders);
 /// "for all but countably many values of the energy", or "at the energy H = 1".
 [[nodiscard]] std::string level(const HigherObstruction& obstruction);
+/// What it rests on besides the theorem and exact computation.
+[[nodiscard]] std::vector<std::string> trusted(const HigherObstruction& obstruction);
 /// The theorem that is used.
 [[nodiscard]] const std::string& theorem();
 

@@ -234,11 +234,10 @@ void put_higher_orders(std::ostringstream& out, const System& s, const jets::Hig
           "the phase curve, " +
           jets::level(*h.obstruction) + ")");
   put(out, "because", jets::reason(h));
-  const auto& group = h.obstruction->group;
-  put(out, "trusted",
-      "the series of the higher variational equations" +
-          std::string(group && !group->checked ? "; the group of the normal equation" : "") +
-          ", without a certificate");
+  std::string trusted;
+  for (const std::string& step : jets::trusted(*h.obstruction))
+    trusted += (trusted.empty() ? "" : "; ") + step;
+  put(out, "trusted", trusted + ", without a certificate");
 }
 
 Json json_of_orders(const System& s, const jets::HigherOrders& h) {
@@ -252,6 +251,8 @@ Json json_of_orders(const System& s, const jets::HigherOrders& h) {
   j["level"] = jets::level(*h.obstruction);
   j["exceptions"] = except;
   j["reason"] = jets::reason(h);
+  j["theorem"] = jets::theorem();
+  j["trusted"] = jets::trusted(*h.obstruction);
   return j;
 }
 

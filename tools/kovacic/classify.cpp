@@ -164,7 +164,7 @@ private:
       options.check.decide = inner.solver_options();
       options.check.decide.ask_the_judge = true;
       options.degree = arguments_.degree;
-      options.order = settings_.order;
+      if (settings_.order > 0) options.order = settings_.order;
       options.search_solutions = !arguments_.only_file;
       options.skip = skip;
       options.so_far = [&](SystemClassification c) {

@@ -92,10 +92,10 @@ struct CommandLine {
     command.add_option("--manifold", settings.manifold, "system files: only this manifold")
         ->type_name("NAME");
   }
-  void order_flag(CLI::App& command) {
+  void order_flag(CLI::App& command, const std::string& otherwise) {
     command
         .add_option("--order", settings.order,
-                    "also the variational equations up to this order (at most 7)")
+                    "variational equations up to this order, 1 to 7 (" + otherwise + ")")
         ->check(silent(CLI::Range(1, jets::largest_order)))
         ->type_name("K");
   }
@@ -254,7 +254,7 @@ struct CommandLine {
         ->check(silent(CLI::Range(1, 20)))
         ->type_name("D");
     command->add_flag("--only-file", a.only_file, "no solutions but the manifolds of the file");
-    order_flag(*command);
+    order_flag(*command, "3");
     set_flag(*command);
     process_flags(*command, 60, "seconds for the whole file");
     work_flag(*command);
@@ -322,7 +322,7 @@ struct CommandLine {
     check->add_option("FILE", files, "equation or system files")->required()->type_name("");
     solver_flags(*check, {"text", "json", "tex"}, "text, json or tex");
     manifold_flag(*check);
-    order_flag(*check);
+    order_flag(*check, "1");
 
     CLI::App* show = app.add_subcommand("show", "a system file up to a stage of the reduction");
     show->add_option("FILE", word, "a system file")->required()->type_name("");

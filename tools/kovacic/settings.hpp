@@ -35,7 +35,7 @@ struct Settings {
   std::size_t max_print = 4;     ///< MiB of solutions; 0 = no limit
   std::string manifold;          ///< system files: only this one
   int only_case = 0;
-  int order = 1; ///< check, classify: of the variational equations
+  int order = 0; ///< check, classify: of the variational equations; 0 = as the command has it
   std::string method = "automatic";
   std::string format = "text";
   std::string output;      ///< -o; empty = standard output
