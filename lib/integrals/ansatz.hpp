@@ -46,8 +46,8 @@ struct PhaseSpace {
 
 /// H = p^T G p/2 + a(q)·p + V(q) with a constant matrix G, in canonical coordinates.
 struct NaturalHamiltonian {
-  MPoly determinant; ///< of G, up to a factor; the bounds below hold where it is not 0
-  bool even = true;  ///< a = 0
+  MPoly determinant;       ///< of G, up to a factor; the bounds below hold where it is not 0
+  bool even = true;        ///< a = 0
   bool polynomial = false; ///< a and V are polynomials in q
   /// a and V are rational in q: twice what each layer below the highest one adds to the degree of
   /// the numerators (Theorems 2 and 3).  Computed for generic parameters: an upper bound for all.
