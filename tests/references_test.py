@@ -76,6 +76,12 @@ for f in [f for f in files if f.startswith("docs/") and f.endswith(".md")] + ["R
     for header in re.findall(r"`([a-z_]+(?:/[a-z_]+)?/[a-z0-9_]+\.hpp)`", text(f)):
         if not os.path.exists(os.path.join(root, "lib", header)) and not os.path.exists(os.path.join(root, header)):
             wrong.append(f"{f}: the header {header} does not exist")
+types = {}  # one definition of each name in a namespace: the linker keeps one of two without a word
+for f in [f for f in files if f.startswith("lib/") and f.endswith(".hpp")]:
+    space = re.search(r"^namespace ([a-z:]+) \{", text(f), re.M)
+    for name in re.findall(r"^(?:struct|class|enum class) (\w+)[^;\n]*\{", text(f), re.M):
+        types.setdefault((space.group(1) if space else "", name), []).append(f)
+wrong += [f"{name} is defined in {' and '.join(found)}" for (_, name), found in types.items() if len(found) > 1]
 index = text("tools/site_source/index.md")
 for f in [f for f in files if f.startswith("docs/") and f.endswith(".md") and f != "docs/README.md"]:
     page = f[len("docs/"):-len(".md")]

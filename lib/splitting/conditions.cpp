@@ -34,7 +34,7 @@ Cone sum_cone(const OrbitSpace& o, const EulerPerturbation& p) {
 std::vector<MFraction> parts_of_sums(const SplittingData& d) {
   const std::size_t i = d.space.chart.ring->index("i");
   std::map<long, std::vector<std::pair<MFraction, MFraction>>> by_k;
-  for (const Residues& r : d.residues)
+  for (const StripResidues& r : d.residues)
     by_k[r.k].push_back(d.space.field.parts(strip_sum(d.space, r), i));
   std::vector<MFraction> parts;
   for (const auto& [k, sums] : by_k) {

@@ -48,7 +48,7 @@ CheckedIdentities check_ziglin_hypotheses(const SplittingData& d) {
   for (const CheckedIdentity& c : d.checks)
     joined = joined && c.holds;
   bool poles = !d.residues.empty();
-  for (const Residues& r : d.residues)
+  for (const StripResidues& r : d.residues)
     poles = poles && r.pole_order > 0;
   return {
       {"the saddles (L, l) = (0, 0), (0, pi) are hyperbolic: eigenvalues +-lambda, "

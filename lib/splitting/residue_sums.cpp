@@ -33,14 +33,14 @@ MFraction residue_at(const OrbitSpace& o, MFraction regular, long n, long k, int
 } // namespace
 
 // With z = i w the poles are w = +-1, and no denominator holds an i; dz/z = dw/w, dz = i dw.
-Residues residues(const OrbitSpace& o, const MFraction& rational, long k, int sign) {
+StripResidues residues(const OrbitSpace& o, const MFraction& rational, long k, int sign) {
   const Ring& r = o.chart.ring;
   const std::size_t zi = r->index("z");
   const MFraction w = o.chart.variable("z"), i = o.chart.variable("i");
   const MFraction one(r, Rational(1));
   const MFraction turned = o.field.reduce(substitute(rational, {{zi, i * w}}));
   const MPoly circle = (w * w - one).num();
-  Residues out{k, sign, rational, multiplicity(circle, turned.den()), {}, {}, {}, {}};
+  StripResidues out{k, sign, rational, multiplicity(circle, turned.den()), {}, {}, {}, {}};
   const MFraction smooth = turned * pow(MFraction(circle), out.pole_order);
   if (kov::degree(smooth.den(), zi) != multiplicity(w.num(), smooth.den()))
     throw DomainError("h_k has poles other than z = 0, i and -i");
@@ -57,11 +57,11 @@ Residues residues(const OrbitSpace& o, const MFraction& rational, long k, int si
   return out;
 }
 
-MFraction strip_sum(const OrbitSpace& o, const Residues& r) {
+MFraction strip_sum(const OrbitSpace& o, const StripResidues& r) {
   return o.field.reduce(r.upper + pow(o.chart.variable("Y"), r.k) * r.lower);
 }
 
-MFraction principal_sum(const OrbitSpace& o, const Residues& r) {
+MFraction principal_sum(const OrbitSpace& o, const StripResidues& r) {
   return o.field.reduce(r.upper_dz + pow(o.chart.variable("Y"), -r.k) * r.lower_dz);
 }
 

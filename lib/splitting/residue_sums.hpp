@@ -16,7 +16,7 @@
 
 namespace kov {
 
-struct Residues {
+struct StripResidues {
   long k = 0;
   int sign = 1;                 ///< which orbit
   MFraction mode;               ///< R(z)
@@ -26,20 +26,21 @@ struct Residues {
 };
 
 /// r_+ + X^(-k) r_-, with Y = 1/X a variable of the ring; the positive factor X^(-k/2) is left out.
-[[nodiscard]] MFraction strip_sum(const OrbitSpace& o, const Residues& r);
+[[nodiscard]] MFraction strip_sum(const OrbitSpace& o, const StripResidues& r);
 /// The sum on the principal branch of the residues of h_k(z) dz, without X^(-k/2).
-[[nodiscard]] MFraction principal_sum(const OrbitSpace& o, const Residues& r);
+[[nodiscard]] MFraction principal_sum(const OrbitSpace& o, const StripResidues& r);
 
 /// Residues of z^(i k nu) R(z).   Errors  DomainError when R has other poles than 0, +-i
-[[nodiscard]] Residues residues(const OrbitSpace& o, const MFraction& rational, long k, int sign);
+[[nodiscard]] StripResidues residues(const OrbitSpace& o, const MFraction& rational, long k,
+                                     int sign);
 
 /// Everything from the perturbation to the residues of h_1, ..., h_n on both orbits.
 struct SplittingData {
   EulerPerturbation perturbation;
   OrbitSpace space;
-  MFraction first;                 ///< H1 in (l, g; L, G, F)
-  std::map<long, MFraction> modes; ///< h_k e^(-i k g)
-  std::vector<Residues> residues;  ///< k > 0, both orbits
+  MFraction first;                     ///< H1 in (l, g; L, G, F)
+  std::map<long, MFraction> modes;     ///< h_k e^(-i k g)
+  std::vector<StripResidues> residues; ///< k > 0, both orbits
   CheckedIdentities checks;
 };
 [[nodiscard]] SplittingData splitting_data(const EulerPerturbation& p, const Budget& budget = {});

@@ -6,7 +6,7 @@
 
 namespace kov {
 
-SurdField::SurdField(Ring ring, std::vector<Surd> surds)
+SurdField::SurdField(Ring ring, std::vector<SurdSymbol> surds)
     : ring_(std::move(ring)), surds_(std::move(surds)) {}
 
 // s^(2k+e) = D^k s^e, for the surds from the last to the first.
@@ -46,7 +46,7 @@ MFraction SurdField::reduce(const MFraction& f) const {
   num = reduce_powers(num.num()) / MFraction(num.den());
   MFraction value = num / den;
   // A common factor may have been cancelled; the numerator stays of degree <= 1 in each surd.
-  for (const Surd& s : surds_)
+  for (const SurdSymbol& s : surds_)
     KOV_ENSURE(!uses(value.den(), s.variable));
   return value;
 }

@@ -13,14 +13,14 @@
 
 namespace kov {
 
-struct Surd {
+struct SurdSymbol {
   std::size_t variable = 0;
   MFraction square;
 };
 
 class SurdField {
 public:
-  SurdField(Ring ring, std::vector<Surd> surds);
+  SurdField(Ring ring, std::vector<SurdSymbol> surds);
 
   [[nodiscard]] const Ring& ring() const noexcept { return ring_; }
   /// The canonical form.   Errors  DomainError when the denominator is zero in the field
@@ -36,7 +36,7 @@ private:
   [[nodiscard]] MFraction reduce_powers(const MPoly& f) const;
 
   Ring ring_;
-  std::vector<Surd> surds_;
+  std::vector<SurdSymbol> surds_;
 };
 
 } // namespace kov

@@ -24,7 +24,7 @@ void show_data(NodeResult& n, const SplittingData& d, const VanishingConditions&
     sums.rows.push_back({to_string(f) + " = 0"});
   n.tables.push_back(std::move(sums));
   Grid poles{"Poles of h_k in the strip", {"mode k", "orbit", "order at z = i and z = -i"}, {}};
-  for (const Residues& r : d.residues)
+  for (const StripResidues& r : d.residues)
     poles.rows.push_back(
         {std::to_string(r.k), r.sign > 0 ? "+" : "-", std::to_string(r.pole_order)});
   n.tables.push_back(std::move(poles));

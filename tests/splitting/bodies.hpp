@@ -24,8 +24,8 @@ inline const SplittingData& heavy_top() {
   return d;
 }
 
-inline const Residues& residues_of(const SplittingData& d, long k, int sign) {
-  for (const Residues& r : d.residues)
+inline const StripResidues& residues_of(const SplittingData& d, long k, int sign) {
+  for (const StripResidues& r : d.residues)
     if (r.k == k && r.sign == sign) return r;
   throw InvalidArgument("no such mode");
 }

@@ -10,7 +10,7 @@ using namespace kov;
 TEST(Residues, SingleResiduesOfTheHeavyTopGiveHessAppelrot) {
   const SplittingData& d = heavy_top();
   const Names x(d);
-  const Residues& r = residues_of(d, 1, 1);
+  const StripResidues& r = residues_of(d, 1, 1);
   const MFraction line = x("beta") * x("L1") + x("alpha") * x("L3");
   const MFraction expected = x("i") * x("delta") * x("L2") - line;
   EXPECT_TRUE(uses(d.space.field.reduce(r.upper / expected), d.space.chart.ring->index("L1")) ==
@@ -43,8 +43,8 @@ struct SingleResidues : ::testing::Test, SlidingTopLetters {
 
 TEST_F(SingleResidues, AreTheFormsPAndQ) {
   for (const long sign : {1L, -1L}) {
-    const Residues &one = residues_of(d, 1, static_cast<int>(sign)),
-                   &two = residues_of(d, 2, static_cast<int>(sign));
+    const StripResidues &one = residues_of(d, 1, static_cast<int>(sign)),
+                        &two = residues_of(d, 2, static_cast<int>(sign));
     const MFraction P = p(sign), Q = q_form(sign);
     EXPECT_TRUE(equal(one.upper, sign * first_mode * (i * Q - P))) << sign;
     EXPECT_TRUE(equal(one.lower, sign * first_mode * (i * Q + P))) << sign;
@@ -81,7 +81,7 @@ TEST_F(SingleResidues, LinesOfBothOrbitsMeetInTheFamilies) {
 TEST_F(SingleResidues, OfDzVanishOnTheHessAppelrotLineOnly) {
   const MFraction scale_dz = x("m") * b * x("F") * x("s") / (12 * al * be * d2);
   for (const long sign : {1L, -1L}) {
-    const Residues& r = residues_of(d, 1, static_cast<int>(sign));
+    const StripResidues& r = residues_of(d, 1, static_cast<int>(sign));
     const MFraction rest = at_zero(r.upper_dz, {"L2"}) / (scale_dz * hess_appelrot(sign));
     const MFraction real = 3 * al * be * (sign * be * (b - 2 * a2) * s1 + al * (b + 2 * b2) * s3);
     EXPECT_TRUE(equal(rest, sign * (real - 2 * i * second_line(sign)))) << sign;

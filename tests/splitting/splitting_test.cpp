@@ -88,7 +88,7 @@ TEST(Residues, ThePrintedSumsMissAFamily) {
   const SurdField root(r, {{r->index("i"), x.number(-1)},
                            {r->index("beta"), x.number(2)},
                            {r->index("delta"), x.number(3)}});
-  for (const Residues& one : d.residues) {
+  for (const StripResidues& one : d.residues) {
     EXPECT_TRUE(root.is_zero(substitute(strip_sum(d.space, one), at)));
     EXPECT_FALSE(root.is_zero(substitute(principal_sum(d.space, one), at)));
   }
@@ -125,7 +125,7 @@ TEST(Families, MembersVanishAndOthersDoNot) {
                         {r->index("L3"), l3},
                         {r->index("b"), x.number(7)}};
   };
-  for (const Residues& one : d.residues) {
+  for (const StripResidues& one : d.residues) {
     const MFraction sum = strip_sum(d.space, one);
     EXPECT_TRUE(root.is_zero(substitute(sum, at(x("alpha"), x("beta")))));
     EXPECT_TRUE(root.is_zero(substitute(sum, at(x("alpha"), -x("beta")))));
@@ -175,7 +175,7 @@ OrbitPoint random_point(std::mt19937& random, bool gravity) {
 // Both enclosures have 50 digits and overlap.
 void expect_agreement(const SplittingData& d, const OrbitPoint& at) {
   const long bits = 288;
-  for (const Residues& r : d.residues) {
+  for (const StripResidues& r : d.residues) {
     const ComplexBall exact =
         evaluate(strip_sum(d.space, r), values_at(d.space.chart.ring, at, bits), bits);
     const ComplexBall integral = strip_integral(d.perturbation, at, r.k, r.sign, bits);
