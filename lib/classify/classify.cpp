@@ -455,8 +455,12 @@ private:
     for (const auto* list : {&set.inequations, &not_covered})
       for (const MPoly& p : *list)
         where.not_all_zero.push_back({p});
-    if (auto special = where_relations_fall_apart(s.field); !special.empty())
-      where.not_all_zero.push_back(std::move(special));
+    try {
+      if (auto special = where_relations_fall_apart(s.field); !special.empty())
+        where.not_all_zero.push_back(std::move(special));
+    } catch (const OutOfBudget&) {
+      where.not_all_zero.emplace_back(); // they may be special everywhere: nothing is concluded
+    }
     return where;
   }
 

@@ -8,8 +8,8 @@
 namespace kov {
 namespace {
 
-constexpr long candidates = 40;
-constexpr long most_branches = 64;
+constexpr long candidates = 40, points = 4;
+constexpr long most_branches = 200;
 
 bool uses_one(const MPoly& f, const std::vector<std::size_t>& variables) {
   return std::any_of(variables.begin(), variables.end(), [&](std::size_t i) { return uses(f, i); });
@@ -26,18 +26,35 @@ std::vector<std::size_t> without(std::vector<std::size_t> all,
 /// The zeros of I over the field K of the independent variables.
 class Branches {
 public:
-  Branches(const Ideal& whole, const std::vector<MPoly>& relations)
-      : independent_(whole.independent_variables()),
-        dependent_(without(whole.main(), independent_)),
-        algebra_(Ideal(whole.ring(), dependent_, relations, {}, whole.budget()), most_branches) {}
+  Branches(const Ideal& whole, std::vector<MPoly> relations)
+      : Branches(whole, std::move(relations), whole.independent_variables()) {}
+
+  /// Those above a line or a point: `where` gives values to variables of K.
+  [[nodiscard]] Branches above(const Ideal& whole, const Substitution& where) const {
+    std::vector<MPoly> there;
+    for (const MPoly& f : relations_)
+      there.push_back(substitute(MFraction(f), where).num());
+    return {whole, std::move(there), independent_};
+  }
 
   /// What was inverted has zeros in the independent variables, and components may lie above these:
   /// the closure of the zeros elsewhere, or nothing if there are no such zeros.
-  [[nodiscard]] std::optional<Ideal> closure(const Ideal& whole,
-                                             const std::vector<MPoly>& relations) const {
+  [[nodiscard]] std::optional<Ideal> closure(const Ideal& whole) const {
     const std::vector<MPoly> inverted = inverted_with(independent_);
     if (inverted.empty()) return std::nullopt;
-    return Ideal(whole.ring(), whole.main(), relations, inverted, whole.budget());
+    return Ideal(whole.ring(), whole.main(), relations_, inverted, whole.budget());
+  }
+
+  /// A characteristic polynomial that is irreducible at a point is so in general: much cheaper.
+  [[nodiscard]] bool one_above_a_point(const Ideal& whole) const {
+    for (long k = 0; k < points; ++k) {
+      const Substitution point = numbers(k);
+      if (std::any_of(inverted().begin(), inverted().end(),
+                      [&](const MPoly& f) { return is_zero(substitute(f, point)); }))
+        continue;
+      if (above(whole, point).is_irreducible()) return true;
+    }
+    return false;
   }
 
   /// Nothing if the algebra is a field.
@@ -54,23 +71,17 @@ public:
 
   [[nodiscard]] const std::vector<std::size_t>& independent() const { return independent_; }
   [[nodiscard]] const std::vector<MPoly>& inverted() const { return algebra_.ideal().inverted(); }
-  /// Where one of these vanishes the fibre may have other than dim points: what was inverted, the
-  /// leading coefficient and the discriminant of F, F(theta) = 0 of degree dim; and F itself.
-  struct Cover {
-    MPoly f;
-    std::size_t unknown;
-    std::vector<MPoly> inverted;
-  };
-  [[nodiscard]] Cover cover() const {
+  [[nodiscard]] std::size_t degree() const { return algebra_.dimension(); }
+  [[nodiscard]] std::size_t unknown() const { return dependent_[0]; }
+  /// F, F(theta) = 0 of degree dim for a generator theta, without denominators; the first dependent
+  /// variable stands for its unknown.  Nothing if none of the candidates generates the algebra.
+  [[nodiscard]] std::optional<MPoly> equation() const {
     for (long k = 0; k < candidates; ++k) {
       const auto minimal = algebra_.minimal_polynomial(*algebra_.evaluate(candidate(k)));
-      if (minimal.size() == algebra_.dimension() + 1)
-        return {polynomial(minimal).num(), dependent_[0], inverted_with(independent_)};
+      if (minimal.size() == algebra_.dimension() + 1) return polynomial(minimal).num();
     }
-    throw OutOfBudget("no generator of the functions was found");
+    return std::nullopt;
   }
-
-private:
   [[nodiscard]] std::vector<MPoly> inverted_with(const std::vector<std::size_t>& variables) const {
     std::vector<MPoly> all;
     for (const MPoly& f : inverted())
@@ -78,6 +89,27 @@ private:
     return all;
   }
 
+private:
+  Branches(const Ideal& whole, std::vector<MPoly> relations, std::vector<std::size_t> independent)
+      : independent_(std::move(independent)), dependent_(without(whole.main(), independent_)),
+        relations_(std::move(relations)),
+        algebra_(Ideal(whole.ring(), dependent_, relations_, {}, whole.budget()), most_branches) {}
+
+  // Some numbers for all variables of K.
+  [[nodiscard]] Substitution numbers(long k) const {
+    Substitution point;
+    const Ring& ring = algebra_.ring();
+    for (std::size_t i = 0; i < ring->size(); ++i)
+      if (std::find(dependent_.begin(), dependent_.end(), i) == dependent_.end())
+        point[i] = MFraction(ring, Rational(static_cast<long>(i * i) + 3 * k + 2, 1 + k));
+    return point;
+  }
+  [[nodiscard]] bool is_irreducible() const {
+    const long general = static_cast<long>(dependent_.size()) + 1;
+    const auto f = algebra_.minimal_polynomial(*algebra_.evaluate(candidate(general)));
+    const auto factors = branches(f);
+    return f.size() == algebra_.dimension() + 1 && factors.size() == 1 && factors[0].exponent == 1;
+  }
   // x1, x2, ..., then x1 + k x2 + k^2 x3 + ...: all but finitely many generate a field.
   [[nodiscard]] MFraction candidate(long k) const {
     const Ring& ring = algebra_.ring();
@@ -118,6 +150,7 @@ private:
   }
 
   std::vector<std::size_t> independent_, dependent_;
+  std::vector<MPoly> relations_;
   FiniteAlgebra algebra_;
 };
 
@@ -145,30 +178,37 @@ private:
   std::vector<MPoly> all_;
 };
 
-/// The cover above the line U = p + t e; the first independent variable is t.
+// U = p + t e; the first independent variable is t.
+Substitution line(const Ring& ring, const std::vector<std::size_t>& independent, long number) {
+  const MFraction t = MFraction::variable(ring, independent.front());
+  Substitution all;
+  long k = number;
+  for (std::size_t i = 1; i < independent.size(); ++i) {
+    k = (k * 7 + 3) % 11; // any numbers
+    all[independent[i]] = Rational(k + 1) * t + MFraction(ring, Rational(2 * k + number, 3));
+  }
+  return all;
+}
+
+/// The cover above a line.
 class OnLine {
 public:
-  OnLine(const Branches::Cover& cover, const std::vector<std::size_t>& independent, long number)
-      : t_(independent.front()), unknown_(cover.unknown) {
-    const Ring& ring = cover.f.ring();
-    const MFraction t = MFraction::variable(ring, t_);
-    long k = number;
-    for (std::size_t i = 1; i < independent.size(); ++i) {
-      k = (k * 7 + 3) % 11; // any numbers
-      line_[independent[i]] = Rational(k + 1) * t + MFraction(ring, Rational(2 * k + number, 3));
-    }
-    f_ = restricted(cover.f);
-    for (const MPoly& g : cover.inverted)
-      bad_.push_back(restricted(g));
+  OnLine(const Ideal& whole, const Branches& all, long number)
+      : t_(all.independent().front()), unknown_(all.unknown()) {
+    const Substitution where = line(whole.ring(), all.independent(), number);
+    for (const MPoly& g : all.inverted_with(all.independent()))
+      bad_.push_back(substitute(MFraction(g), where).num());
+    if (std::any_of(bad_.begin(), bad_.end(), [](const MPoly& g) { return is_zero(g); })) return;
+    const Branches there = all.above(whole, where);
+    bad_.insert(bad_.end(), there.inverted().begin(), there.inverted().end());
+    if (there.degree() == all.degree()) f_ = there.equation();
   }
 
   /// For general parameters the cover is irreducible above the line, of the same degree.
-  [[nodiscard]] bool is_general(long degree_of_cover) const {
-    if (is_zero(f_) || degree(f_, unknown_) != degree_of_cover) return false;
-    if (std::any_of(bad_.begin(), bad_.end(), [](const MPoly& g) { return is_zero(g); }))
-      return false;
+  [[nodiscard]] bool is_general() const {
+    if (!f_) return false;
     long factors = 0;
-    for (const MFactor& x : factor(f_).second)
+    for (const MFactor& x : factor(*f_).second)
       if (uses(x.base, unknown_)) factors += static_cast<long>(x.exponent);
     return factors == 1;
   }
@@ -182,8 +222,8 @@ public:
         if (uses(x.base, t_) && std::find(points.begin(), points.end(), x.base) == points.end())
           points.push_back(x.base);
     };
-    add(coefficients(f_, unknown_).back());
-    if (degree(f_, unknown_) > 1) add(discriminant(f_, unknown_));
+    add(coefficients(*f_, unknown_).back());
+    if (degree(*f_, unknown_) > 1) add(discriminant(*f_, unknown_));
     for (const MPoly& g : bad_)
       add(g);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -195,14 +235,9 @@ public:
   }
 
 private:
-  [[nodiscard]] MPoly restricted(const MPoly& g) const {
-    return substitute(MFraction(g), line_).num();
-  }
-
   std::size_t t_, unknown_;
-  Substitution line_;
-  MPoly f_;
-  std::vector<MPoly> bad_;
+  std::optional<MPoly> f_;
+  std::vector<MPoly> bad_; ///< what was inverted
 };
 
 // Of f, g, ... as lists of irreducible factors: the common ones, if the rest has no common zeros.
@@ -226,7 +261,7 @@ std::vector<MPoly> common_zeros(const VectorField& v, const std::vector<std::vec
     rest.push_back(product(some, false));
   }
   if (!Ideal(v.ring, v.parameters, rest, {}, budget).is_unit()) return products;
-  const MPoly p = product(all.front().size() == common.size() ? all.front() : common, true);
+  const MPoly p = product(common, true);
   return is_constant(p) ? std::vector<MPoly>{} : std::vector<MPoly>{p};
 }
 
@@ -246,8 +281,9 @@ std::optional<std::string> reducible_relations(const VectorField& v, const Budge
   const Ideal whole = relation_ideal(v, {}, {}, budget);
   if (whole.is_zero_ideal()) return std::nullopt;
   const Branches branches(whole, v.relations);
-  if (auto several = branches.several()) return several;
-  if (has_other_components(whole, branches.closure(whole, v.relations)))
+  if (!branches.one_above_a_point(whole))
+    if (auto several = branches.several()) return several;
+  if (has_other_components(whole, branches.closure(whole)))
     return "the relations have another solution at special values of the coordinates";
   return std::nullopt;
 }
@@ -262,17 +298,15 @@ std::vector<MPoly> where_relations_fall_apart(const VectorField& v, const Budget
     always.add(f);
   for (const MPoly& f : whole.inverted())
     always.add(f);
-  if (const auto closure = branches.closure(whole, v.relations))
+  if (const auto closure = branches.closure(whole))
     for (const MPoly& f : closure->inverted())
       always.add(f);
-  const Branches::Cover cover = branches.cover();
-  const long n = degree(cover.f, cover.unknown);
   std::vector<std::vector<MPoly>> found;
   for (long k = 0; k < most_lines && found.size() < lines; ++k) {
-    const OnLine line(cover, branches.independent(), k);
-    if (!line.is_general(n)) continue;
+    const OnLine one(whole, branches, k);
+    if (!one.is_general()) continue;
     Special special = always;
-    line.add_to(special);
+    one.add_to(special);
     if (special.all().empty()) return {};
     found.push_back(special.all());
   }

@@ -40,6 +40,24 @@ TEST(Relations, OfOneSystem) {
     EXPECT_EQ(refusal(file(good)), "") << good;
 }
 
+// Distances from many points: proved at numbers, not in general, where the polynomials are immense.
+TEST(Relations, OfManyRoots) {
+  VectorField v;
+  v.ring = make_ring({"x", "y", "r1", "r2", "r3", "r4", "a"});
+  v.coordinates = {0, 1};
+  v.parameters = {6};
+  const auto x = [&](std::size_t i) { return MFraction::variable(v.ring, i); };
+  for (std::size_t i = 2; i < 6; ++i) {
+    const MFraction dx = x(0) - Rational(static_cast<long>(i)) * x(6);
+    v.functions.push_back({i, v.ring->name(i), {dx / x(i), x(1) / x(i)}});
+    v.relations.push_back((x(i) * x(i) - dx * dx - x(1) * x(1)).num());
+    v.components = {x(i), x(i)};
+  }
+  EXPECT_FALSE(reducible_relations(v));
+  v.relations.back() = (x(5) * x(5) - Rational(4) * x(2) * x(2)).num(); // r4 = 2 r1 or -2 r1
+  EXPECT_TRUE(reducible_relations(v));
+}
+
 TEST(Relations, OfSeveralSystemsAreRefused) {
   for (const char* bad :
        {"'s^2 = 256', 't = 1'", "'s^2 = 5*s + 6', 't = 1'", "'s^3 = 2*s', 't = 1'",
