@@ -23,6 +23,12 @@
 #include <unistd.h>
 #include <utility>
 
+#ifdef KOV_COVERAGE
+extern "C" { // gcov.h says so of C only
+#include <gcov.h>
+}
+#endif
+
 namespace kov::cli {
 namespace {
 
@@ -51,6 +57,15 @@ void* take_zeros(std::size_t n, std::size_t size) {
 void* take_more(void* p, std::size_t n) { return checked(std::realloc(p, n == 0 ? 1 : n)); }
 void* gmp_take_more(void* p, std::size_t, std::size_t n) { return take_more(p, n); }
 void gmp_give(void* p, std::size_t) { std::free(p); }
+
+// A worker ends by a signal, which writes no counters of executed lines: tools/coverage has them after
+// each job.
+void keep_counters() {
+#ifdef KOV_COVERAGE
+  __gcov_dump();
+  __gcov_reset();
+#endif
+}
 
 void prepare_child(const ProcessLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -207,6 +222,7 @@ void Worker::child(int channel) const {
       std::memcpy(notice_->text, early.data(), early.size());
       notice_->length = early.size();
     });
+    keep_counters();
     if (!send_message(channel, kind_final, answer)) break;
   }
   _exit(0);
