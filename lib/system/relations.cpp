@@ -215,22 +215,23 @@ public:
 
   /// Where points of the line above which the cover is branched come together or go to infinity.
   void add_to(Special& special) const {
-    std::vector<MPoly> points;
+    std::vector<MPoly> branched;
     const auto add = [&](const MPoly& g) {
       special.add(g);
       for (const MFactor& x : factor(g).second)
-        if (uses(x.base, t_) && std::find(points.begin(), points.end(), x.base) == points.end())
-          points.push_back(x.base);
+        if (uses(x.base, t_) &&
+            std::find(branched.begin(), branched.end(), x.base) == branched.end())
+          branched.push_back(x.base);
     };
     add(coefficients(*f_, unknown_).back());
     if (degree(*f_, unknown_) > 1) add(discriminant(*f_, unknown_));
     for (const MPoly& g : bad_)
       add(g);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      special.add(coefficients(points[i], t_).back());
-      if (degree(points[i], t_) > 1) special.add(discriminant(points[i], t_));
+    for (std::size_t i = 0; i < branched.size(); ++i) {
+      special.add(coefficients(branched[i], t_).back());
+      if (degree(branched[i], t_) > 1) special.add(discriminant(branched[i], t_));
       for (std::size_t j = 0; j < i; ++j)
-        special.add(resultant(points[i], points[j], t_));
+        special.add(resultant(branched[i], branched[j], t_));
     }
   }
 

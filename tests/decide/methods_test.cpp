@@ -209,5 +209,23 @@ TEST(Solutions, ThatAreNotThereSayWhy) {
   EXPECT_EQ(d.no_solutions->why, SolutionsMissing::Why::not_asked_for);
 }
 
+// Exponents beyond every search: a formula, or the numbers that Kovacic's first case needs, decide;
+// the certificate has no rule for a formula, and the answer says so.
+TEST(Methods, ExponentsBeyondEverySearch) {
+  const Rational huge = Rational(pow(Integer(10), 60)) - Rational(1, 4);
+  const auto answer = [](const RationalFunction& r, bool want_certificate) {
+    Options options;
+    options.want_certificate = want_certificate;
+    return decide({.r = r, .p = RationalFunction()}, options);
+  };
+  const RationalFunction bessel =
+      RationalFunction(Poly(huge), z * z) - RationalFunction(Poly(1));
+  EXPECT_EQ(answer(bessel, false).abelian, Truth::no);
+  EXPECT_NE(reason(answer(bessel, false)).find("by the formula for"), std::string::npos);
+  const Decision with = answer(bessel, true);
+  EXPECT_EQ(with.abelian, Truth::no);
+  EXPECT_TRUE(!with.certificate.empty() || !with.no_certificate.empty());
+}
+
 } // namespace
 } // namespace kov

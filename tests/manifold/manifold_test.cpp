@@ -112,5 +112,32 @@ w = "x*y"
   EXPECT_TRUE(seen);
 }
 
+// Two particles in exponential potentials e^x, e^(a y): x - a y may rest on the set where its force,
+// e^x - a^2 e^(a y), is 0.  Without a force on the difference there is no such set.
+TEST(Manifold, ExponentialsInAConstantRatioAreProposedAndProved) {
+  const auto found = [](const std::string& potential) {
+    const System s = read_system(parse_document(R"t([system]
+kind = "hamiltonian"
+coordinates = ["x", "y"]
+momenta = ["u", "v"]
+parameters = ["a"]
+hamiltonian = "(u^2 + v^2)/2 + )t" + potential + R"t("
+[[system.function]]
+name = "s"
+derivative = {x = "s"}
+[[system.function]]
+name = "t"
+derivative = {y = "a*t"}
+)t",
+                                                "exponentials.toml"));
+    std::size_t count = 0;
+    for (const FoundManifold& m : find_manifolds(s.field, {}).proved)
+      count += m.kind == "exponentials in a constant ratio" ? 1 : 0;
+    return count;
+  };
+  EXPECT_EQ(found("s + t"), 1U);
+  EXPECT_EQ(found("s"), 0U);
+}
+
 } // namespace
 } // namespace kov
