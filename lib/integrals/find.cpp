@@ -286,7 +286,7 @@ private:
       MPoly sum(space_.field.ring);
       for (const auto& [j, c] : restricted(where, row))
         sum += c * ansatz.numerators[j];
-      const MFraction value(sum, ansatz.denominator);
+      const MFraction value = on_set(where, sum, ansatz.denominator);
       all.push_back({value, degree_in_momenta(value), casimirs});
     }
     std::stable_sort(all.begin(), all.end(), [](const FoundIntegral& a, const FoundIntegral& b) {
@@ -294,6 +294,17 @@ private:
              std::pair(b.degree, b.value.num().length());
     });
     return all;
+  }
+
+  // num/den up to a constant, in the simplest form that the equations of the set allow.
+  MFraction on_set(const ParameterSet& where, const MPoly& num, const MPoly& den) const {
+    const MFraction below = where.restrict(den);
+    if (is_zero(below)) return {num, den};
+    const MFraction value = where.restrict(num) / below;
+    const bool constant_below =
+        std::none_of(space_.variables.begin(), space_.variables.end(),
+                     [&](std::size_t v) { return degree(value.den(), v) > 0; });
+    return constant_below ? MFraction(value.num()) : value;
   }
 
   // Those that are independent of what is known; the parameters are split where that depends on

@@ -74,7 +74,8 @@ void print(const std::string& where, const IntegralsOfSet& set, std::ostringstre
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
     const FoundIntegral& f = set.integrals[i];
     const std::string title = label[i] + (f.casimir ? " (Casimir) = " : " = ");
-    out << "    " << wrapped(title + to_string(f.value), 6) << '\n';
+    const std::string value = f.hamiltonian ? "the Hamiltonian of the file" : to_string(f.value);
+    out << "    " << wrapped(title + value, 6) << '\n';
   }
   if (set.found() == 0 && set.open.empty()) out << "    no other integral found\n";
   if (set.liouville) out << "    " << wrapped(integrable_text(set, label), 6) << '\n';
