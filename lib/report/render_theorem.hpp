@@ -5,6 +5,8 @@
 #include "report/formula.hpp"
 #include "theorem/theorem.hpp"
 
+#include <cstdint>
+
 namespace kov::report {
 
 /// "checked by ...: ", "part of the statement: " or "NOT CHECKED: ".
@@ -12,8 +14,12 @@ namespace kov::report {
 /// What stands before the words of the author.
 [[nodiscard]] std::string remark(const NodeResult& n);
 
-/// The tree with one line per step, then the steps.
-[[nodiscard]] std::string theorem_text(const TheoremResult& t);
+enum class TheoremDetail : std::uint8_t {
+  tree,  ///< what is proved, given what, and one line per step: a screen
+  whole, ///< also each step with what was checked, and the theorems with their hypotheses
+};
+[[nodiscard]] std::string theorem_text(const TheoremResult& t,
+                                       TheoremDetail detail = TheoremDetail::whole);
 /// kovacic-theorem/1.
 [[nodiscard]] std::string theorem_json(const TheoremResult& t);
 /// An article; compiles with texlive-latex-base.

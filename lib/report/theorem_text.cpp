@@ -41,21 +41,52 @@ std::string filled(const std::string& text, std::size_t indent, std::size_t widt
   return out;
 }
 
-void put_tree(std::string& out, const TheoremResult& t, const std::string& id, std::size_t depth,
-              std::set<std::string>& seen) {
-  const NodeResult& n = node_of(t, id);
-  const bool again = !seen.insert(id).second;
-  out += mark(to_string(n.status)) + " " + std::string(2 * depth, ' ') + n.node.title +
-         (n.rests_on_open ? "  (rests on open steps)" : "") + (again ? "  (above)" : "") + "\n";
-  if (again) return;
-  const std::string inner(2 * depth + 3, ' ');
-  for (const Hypothesis& h : n.node.hypotheses)
-    if (!h.checked) out += mark("unchecked") + inner + "hypothesis: " + h.text + "\n";
-  for (const TheoremUsed& u : n.theorems)
-    out += mark("trusted") + inner + "the theorem of " + u.theorem->name + "\n";
-  for (const std::string& child : n.node.needs)
-    put_tree(out, t, child, depth + 1, seen);
+// "  [Ziglin1980, Ziglin1983]"
+std::string cited(const std::vector<TheoremUsed>& uses) {
+  std::set<std::string> keys;
+  for (const TheoremUsed& u : uses)
+    keys.insert(u.theorem->cite);
+  std::string out;
+  for (const std::string& key : keys)
+    out += (out.empty() ? "" : ", ") + key;
+  return out.empty() ? "" : "  [" + out + "]";
 }
+
+// What no short form may hide: why a step is not proved, and what does not fit.
+void put_caution(std::string& out, const NodeResult& n, std::size_t indent) {
+  const bool good = n.status == NodeStatus::proved || n.status == NodeStatus::trusted;
+  for (const Hypothesis& h : n.node.hypotheses)
+    if (!h.checked) out += filled("HYPOTHESIS NOT CHECKED: " + h.text, indent);
+  if (!good && !n.summary.empty())
+    out += filled(n.summary, indent);
+  else if (!n.caution.empty())
+    out += filled(n.caution, indent);
+}
+
+struct Tree {
+  const TheoremResult& theorem;
+  TheoremDetail detail;
+  std::set<std::string> seen{};
+  std::string text{};
+
+  void put(const std::string& id, std::size_t depth) {
+    const NodeResult& n = node_of(theorem, id);
+    const bool again = !seen.insert(id).second;
+    const bool whole = detail == TheoremDetail::whole;
+    if (again && !whole) return;
+    text += mark(to_string(n.status)) + " " + std::string(2 * depth, ' ') + n.node.title +
+            (whole ? "" : cited(n.theorems)) +
+            (n.rests_on_open ? "  (rests on open steps)" : "") + (again ? "  (above)" : "") + "\n";
+    if (again) return;
+    put_caution(text, n, mark("").size() + 2 * depth + 3);
+    const std::string inner(2 * depth + 3, ' ');
+    if (whole)
+      for (const TheoremUsed& u : n.theorems)
+        text += mark("trusted") + inner + "the theorem of " + u.theorem->name + "\n";
+    for (const std::string& child : n.node.needs)
+      put(child, depth + 1);
+  }
+};
 
 void put_step(std::string& out, const NodeResult& n) {
   out += "\n" + n.node.title + "  [" + to_string(n.status) + ", " + to_string(n.node.kind) + "]\n";
@@ -95,6 +126,19 @@ void put_hypotheses(std::string& out, const TheoremResult& t) {
   }
 }
 
+// What is believed: the steps, the hypotheses that nobody checked, the theorems.
+std::string trust(const TheoremResult& t, bool whole) {
+  std::string out;
+  for (const std::string& s : t.trusted_steps())
+    out += filled(s, 2);
+  for (const std::string& s : t.unchecked_hypotheses())
+    out += filled("HYPOTHESIS NOT CHECKED  " + s, 2);
+  if (whole) put_hypotheses(out, t);
+  for (const TheoremUsed& u : t.uses())
+    if (!whole) out += "  the theorem of " + u.theorem->name + "  [" + u.theorem->cite + "]\n";
+  return "trusted\n" + (out.empty() ? "  nothing\n" : out);
+}
+
 std::vector<std::string> ids(const std::vector<TheoremUsed>& uses) {
   std::vector<std::string> all;
   for (const TheoremUsed& use : uses)
@@ -111,21 +155,18 @@ std::vector<std::string> names(const std::vector<TheoremUsed>& uses) {
 
 } // namespace
 
-std::string theorem_text(const TheoremResult& t) {
+std::string theorem_text(const TheoremResult& t, TheoremDetail detail) {
+  const bool whole = detail == TheoremDetail::whole;
   std::string out = t.theorem.title + "  (the author's title)\n";
-  if (!t.theorem.statement.empty()) out += filled("the author's words: " + t.theorem.statement, 2);
+  if (whole && !t.theorem.statement.empty())
+    out += filled("the author's words: " + t.theorem.statement, 2);
   out += "\n" + filled(t.conclusion() + ".", 0);
   if (!t.statement().empty()) out += filled(t.statement() + ".", 2);
   out += "time " + t.time() + "\n\n";
-  std::set<std::string> seen;
-  put_tree(out, t, t.nodes.front().node.id, 0, seen);
-  out += "\ntrusted\n";
-  for (const std::string& s : t.trusted_steps())
-    out += filled(s, 2);
-  for (const std::string& s : t.unchecked_hypotheses())
-    out += filled("HYPOTHESIS NOT CHECKED  " + s, 2);
-  put_hypotheses(out, t);
-  if (out.ends_with("\ntrusted\n")) out += "  nothing\n";
+  Tree tree{t, detail};
+  tree.put(t.nodes.front().node.id, 0);
+  out += tree.text + "\n" + trust(t, whole);
+  if (!whole) return out + "Each step with what was checked: --verbose, or -o NAME.html\n";
   for (const NodeResult& n : t.nodes)
     put_step(out, n);
   return out;

@@ -274,7 +274,8 @@ void compare(NodeResult& n, const System& family, const ManifoldReport& whole,
   n.formulas.push_back({"the sample by itself", found(there)});
   if (n.status != NodeStatus::proved) return;
   if (there.verdict == VerdictKind::undecided) {
-    n.summary += "; THE SAMPLE " + text + " BY ITSELF IS UNDECIDED";
+    n.caution = "THE SAMPLE " + text + " BY ITSELF IS UNDECIDED";
+    n.summary += "; " + n.caution;
     return;
   }
   const bool same = there.verdict == whole.verdict;

@@ -155,6 +155,7 @@ struct NodeResult {
   bool rests_on_open = false;           ///< something below it is open or refuted
   std::vector<AdmittedFamily> admitted; ///< splitting: families that are left to other nodes
   std::string summary;                  ///< one sentence: what was found
+  std::string caution;                  ///< a part of it that no short form leaves out
   std::string headline;                 ///< case: the verdict in a few words
   CheckedIdentities checks;             ///< each identity that was verified
   std::vector<Formula> formulas;

@@ -28,11 +28,12 @@ std::string output_format(const Settings& settings) {
 
 namespace {
 
-std::string rendered(const TheoremResult& t, const std::string& format) {
+std::string rendered(const TheoremResult& t, const std::string& format, bool verbose) {
   if (format == "json") return report::theorem_json(t);
   if (format == "tex") return report::theorem_tex(t);
   if (format == "html") return report::theorem_html(t);
-  return report::theorem_text(t);
+  return report::theorem_text(t,
+                              verbose ? report::TheoremDetail::whole : report::TheoremDetail::tree);
 }
 
 // --certificate DIR: the certificates of the steps, as ID.json, ID-2.json, ...
@@ -62,11 +63,11 @@ int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std
     if (screen >= 0)
       (void)::dprintf(screen, "%-9s %5.1f s  %s\n", to_string(n.status).c_str(), n.seconds,
                       n.node.title.c_str());
-    early(rendered(so_far, format));
+    early(rendered(so_far, format, settings.verbose > 0));
   };
   const TheoremResult result = kov::prove(read(), options);
   write_certificates(settings, result);
-  out << rendered(result, format);
+  out << rendered(result, format, settings.verbose > 0);
   return exit_of(result);
 }
 
