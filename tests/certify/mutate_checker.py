@@ -1,21 +1,21 @@
 #!/usr/bin/env python3
-"""Mutation test of the Python checker: changes one operator, comparison, sign, constant, index, `and`/`or`/`not` or
-requirement of tools/verify at a time, and runs the traps on each mutant until one of them answers otherwise.
+"""Mutation test of the Python checker: runs the traps on every mutant (mutants.py) of tools/verify until one of them
+answers otherwise, and prints the score.
 
-The traps are the properties of arithmetic.py, several_variables.py and groups.py, the genuine certificates (data,
-data/strata), the false ones (false, and what false/strata.jsonl and false/changed.jsonl make of genuine ones) and the
-hostile texts of traps.py.  A mutant is killed if a property fails, if a certificate is accepted instead of refused or the other way round, has another
-statement, is "malformed" where it was refused, or takes too long.  Only traps that run through the changed line are
-tried, those that killed a mutant of the same function first; a changed function takes the place of its code in the
-modules that are loaded.  Survivors that change nothing a certificate could show are listed with the reason in
-mutants.txt.
+A trap is a certificate, right or wrong, which both checkers judge alike (traps.py: everything in data and false, and what
+certificates() of a module beside this file yields), or a property of a function (properties() of such a module).  A mutant is
+killed if it accepts what is refused or the other way round, states something else, ends in an error that is no refusal, or
+takes too long.  Only traps that run through the changed line are tried: first those that killed another mutant of the same
+function, then those that are refused at the line, then the fast ones; properties last.  Each mutant has a process of its
+own, so that it can leave nothing behind.  Mutants that change no rule stand in mutants.txt with the reason, and are counted.
 
-usage: mutate_checker.py [--sample N] [--seed S] [--module NAME...] [--function NAME] [--least PERCENT] [--jobs J] [--show]
-                         [--traps N] [--certify TEST_CERTIFY]      (its certificates over strata, too)
+usage: mutate_checker.py [--sample N] [--seed S] [--module NAME...] [--function NAME] [--least PERCENT] [--jobs J]
+                         [--traps N] [--seconds S] [--cache FILE] [--out FILE]
 """
 import argparse
-import fnmatch
+import hashlib
 import os
+import pickle
 import random
 import resource
 import select
@@ -24,35 +24,20 @@ import sys
 import time
 import traceback
 import types
-from collections import Counter, defaultdict
+from collections import Counter, defaultdict, namedtuple
 
-import arithmetic
-import groups
-import several_variables
-import systems
 import traps
-from mutants import mutants, source
+from mutants import equivalent, is_equivalent, modules, mutants, source
 
-VERIFY = traps.VERIFY
-MODULES = ["modular", "exact", "certificate_format", "multivariate", "places", "strata_format", "strata_invariant",
-           "strata_leaves", "stratum", "statement", "first_integrals", "strata", "system_format", "phase_space",
-           "function_algebra", "phase_curve", "system_statement", "system", "equation", "singular_points", "group_rules",
-           "conclusions", "kovacic_verify"]
-SECONDS = 2.0                               # for one trap, beside ten times what it takes unchanged
-TOTAL = 0.5                                 # seconds for the traps of one mutant, unchanged; the fast ones first
-SLOW = 0.3                                  # a trap that takes longer is left out
+SECONDS = 2                                 # of processor time for one trap, beside ten times what it takes unchanged;
+FAST, SLOW = 0.004, 0.5                     # a trap that takes longer is traced by functions, or left out
 MEMORY = 3 * 2**30
-
-
-class TooLong(BaseException):
-    pass
-
-
-def too_long(*_):
-    raise TooLong
-
-
+MODULES = modules()
 CODE = {name: compile(source(name), name + ".py", "exec") for name in MODULES}
+
+# text: a certificate or a function of the modules; said: the answer of the unchanged checker; seconds: its time; lines: the
+# lines of the checker that it runs through, refused: those on the way to its refusal, as (module, number)
+Trap = namedtuple("Trap", "name text said seconds lines refused")
 
 
 def checker(module=None, code=None):
@@ -62,77 +47,46 @@ def checker(module=None, code=None):
         sys.modules.pop(name, None)
     for name in MODULES:
         m = sys.modules[name] = types.ModuleType(name)
-        m.__file__ = os.path.join(VERIFY, name + ".py")
+        m.__file__ = os.path.join(traps.VERIFY, name + ".py")
         m.__dict__.update(ceil=ceil, floor=floor, lcm=lcm, gcd=gcd)
         exec(code if name == module else CODE[name], m.__dict__)
     return sys.modules["kovacic_verify"]
 
 
-class Changed:
-    """The checker with one function, or with a whole module where the change is in none, replaced."""
-    loaded = None                           # the unchanged modules
-
-    def __init__(self, module, function, code):
-        self.module, self.function, self.code, self.undo = module, function, code, None
-
-    def __enter__(self):
-        if self.function is None:
-            return checker(self.module, self.code)
-        Changed.loaded = Changed.loaded or checker()
-        live, code = sys.modules[self.module], self.code
-        for name in self.function:
-            live = vars(live)[name]
-            code = next(x for x in code.co_consts if getattr(x, "co_name", None) == name)
-        live = getattr(live, "fget", getattr(live, "__func__", live))
-        self.undo, live.__code__ = (live, live.__code__), code
-        return Changed.loaded
-
-    def __exit__(self, *_):
-        if self.undo:
-            self.undo[0].__code__ = self.undo[1]
-        else:
-            Changed.loaded = None
-
-
-def answer(v, text, seconds):
+def answer(v, text):
     """What the checker says to one text, the statement included; or whether a property holds."""
-    signal.setitimer(signal.ITIMER_REAL, seconds)
     try:
         if callable(text):
-            return "accepted" if text(sys.modules) else "rejected", 0, "", ()
-        trusted, summary, lines = v.check(text)
-        return "accepted", trusted, summary, tuple(lines)
-    except v.Malformed:
-        return ("malformed",)
-    except v.Rejected:
-        return ("rejected",)
-    except TooLong:
-        return ("too long",)
+            return "accepted" if text(sys.modules) else "refused",
+        return "accepted", *v.check(text)
+    except (v.Malformed, v.Rejected):
+        return "refused",
     except Exception as error:              # noqa: BLE001 (a mutant may do anything)
-        return (type(error).__name__,)
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
+        return type(error).__name__,
 
 
-def lines_of(v, text):
+def lines_of(v, text, whole):
     """The lines of the checker that a text runs through, and those on the way to its refusal.  A function is left alone
-    that goes round in circles."""
+    that goes round in circles; whole: all the lines of each function that is called, which is faster."""
     found, left, old, refused = set(), {}, Counter(), set()
 
     def trace(frame, event, _):
         code = frame.f_code
-        module = code.co_filename[:-3]
-        if module not in CODE:
-            return None
         rest = left.get(code)
-        if rest is None:
-            rest = left[code] = {x[2] for x in code.co_lines() if x[2]}
-        old[code] += frame.f_lineno not in rest
-        rest.discard(frame.f_lineno)
-        found.add((module, frame.f_lineno))
-        if not rest or old[code] > 500:
-            frame.f_trace_lines = False
+        if rest is None:                    # the lines of this code that were not seen yet
+            left[code] = rest = {x[2] for x in code.co_lines() if x[2]} if code.co_filename[:-3] in CODE else set()
+        if whole:
+            found.update((code.co_filename[:-3], x) for x in rest)
+            rest.clear()
+        if not rest:
             return None
+        if frame.f_lineno in rest:
+            rest.discard(frame.f_lineno)
+            found.add((code.co_filename[:-3], frame.f_lineno))
+        else:
+            old[code] += 1
+            if old[code] > 100:
+                rest.clear()
         return trace
     sys.settrace(trace)
     try:
@@ -147,167 +101,167 @@ def lines_of(v, text):
     return found, refused
 
 
-def killed(mutant, todo, killers):
-    """The trap that sees the mutant, or None; killers: how many mutants of this function a trap saw before."""
-    name, module, function, code = mutant
-    todo = sorted(todo, key=lambda t: -killers[t[0]])
-    try:
-        signal.setitimer(signal.ITIMER_REAL, SECONDS)
-        with Changed(module, function, code) as v:
-            signal.setitimer(signal.ITIMER_REAL, 0)
-            for trap, text, expected, seconds in todo:
-                if answer(v, text, SECONDS + 10 * seconds) != expected:
-                    killers[trap] += 1
-                    return trap
-    except BaseException as error:          # noqa: BLE001
-        return f"import: {type(error).__name__}"
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-    return None
+def measured(given, cache):
+    """The traps, run once on the unchanged checker; fast ones first.  cache: a file with those that were run before."""
+    v, key = checker(), hashlib.sha256("".join(map(source, MODULES)).encode()).digest()
+    old, known = {}, {}
+    if cache and os.path.exists(cache):
+        with open(cache, "rb") as f:
+            old = pickle.load(f)
+    for name, text, accepted in given:
+        mark = None if callable(text) else (key, hashlib.sha256(text.encode()).digest())
+        if mark not in old or mark is None:
+            start = time.process_time()
+            said = answer(v, text)
+            seconds = time.process_time() - start
+            old[mark] = said, seconds, *lines_of(v, text, callable(text) or seconds > FAST)
+        if (old[mark][0][0] == "accepted") != accepted:
+            raise SystemExit(f"the unchanged checker: {name}: {old[mark][0][0]}")
+        if old[mark][1] < SLOW or callable(text):
+            known[name, mark] = Trap(name, text, *old[mark])
+    if cache:
+        with open(cache, "wb") as f:
+            pickle.dump({k: x for k, x in old.items() if k and k[0] == key}, f)
+    return sorted(known.values(), key=lambda t: t.seconds)
 
 
-def work(jobs, pipe):
+class Order:
+    """Which traps are tried on a mutant, and in which order"""
+
+    def __init__(self, all_traps, seconds):
+        self.all, self.seconds = all_traps, seconds
+        self.at, self.refused, self.killers = defaultdict(list), defaultdict(list), defaultdict(Counter)
+        for trap in all_traps:
+            for line in trap.lines:
+                self.at[line].append(trap)
+            for line in trap.refused:
+                self.refused[line].append(trap)
+
+    def of(self, mutant):
+        """As long as the time allows: those that are refused here, the fast ones, a fixed choice of the others"""
+        here = self.at[mutant.module, mutant.line] or (self.all if mutant.function is None else [])
+        killers = self.killers[mutant.module, mutant.function]
+        first = sorted((t for t in here if killers[t.name]), key=lambda t: -killers[t.name])[:20]
+        for line in range(mutant.line, mutant.line - 3, -1):        # the start of a statement
+            first += self.refused[mutant.module, line][:20]
+        half = len(here) // 2
+        first += here[:half] + random.Random(1).sample(here[half:], len(here) - half)
+        chosen, left = {}, self.seconds
+        for t in first:
+            if t.text not in chosen and not callable(t.text) and left > 0:
+                chosen[t.text], left = t, left - t.seconds
+        return [*chosen.values(), *(t for t in here if callable(t.text))]
+
+    def killed(self, mutant, trap):
+        self.killers[mutant.module, mutant.function][trap.name] += 1
+
+
+def change(mutant):
+    """The changed function takes the place of its code in the modules that are loaded; else all are loaded anew."""
+    if mutant.function is None:
+        return checker(mutant.module, mutant.code())
+    live = sys.modules[mutant.module]
+    for name in mutant.function:
+        live = vars(live)[name]
+    live = getattr(live, "fget", getattr(live, "__func__", live))
+    live.__code__ = mutant.code()
+    return sys.modules["kovacic_verify"]
+
+
+def try_all(mutant, todo, pipe):
+    """In a process of its own: writes the number of the trap that kills the mutant; SIGPROF ends it where it takes too long."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    out = os.fdopen(pipe, "w", buffering=1)
-    killers = defaultdict(Counter)
-    for i, (mutant, todo) in jobs:
-        by = killed(mutant, todo, killers[mutant[1:3]])
-        out.write(f"{i}\t{by or ''}\n")
-    out.close()
+    signal.setitimer(signal.ITIMER_PROF, SECONDS)
+    said = b"-1"
+    try:
+        v = change(mutant)
+        for i, trap in enumerate(todo):
+            signal.setitimer(signal.ITIMER_PROF, SECONDS + 10 * trap.seconds)
+            if answer(v, trap.text) != trap.said:
+                said = b"%d" % i
+                break
+    except BaseException:                   # noqa: BLE001
+        said = b"-2"
+    os.write(pipe, said)
     os._exit(0)
 
 
-def run_all(jobs, workers):
-    """{number: trap that killed it, or ''}; a worker that is stuck in one operation is replaced."""
-    results, queue, busy = {}, list(enumerate(jobs)), []
-
-    def start(share):
-        read, write = os.pipe()
-        pid = os.fork()
-        if pid == 0:
+def run_all(chosen, order, jobs):
+    """Yields each mutant with the name of the trap that killed it, or None, and with the number of traps; the processes one
+    after the other, or `jobs` at a time."""
+    waiting, busy = iter(chosen), {}
+    while True:
+        while len(busy) < jobs and (mutant := next(waiting, None)):
+            todo, (read, write) = order.of(mutant), os.pipe()
+            if not (pid := os.fork()):
+                try_all(mutant, todo, write)
+            os.close(write)
+            busy[read] = pid, mutant, todo
+        if not busy:
+            return
+        for read in select.select(list(busy), [], [])[0]:
+            pid, mutant, todo = busy.pop(read)
+            said = os.read(read, 99)
             os.close(read)
-            work(share, write)
-        os.close(write)
-        busy.append({"pid": pid, "fd": read, "left": [i for i, _ in share], "share": share, "since": time.time(),
-                     "text": ""})
-    shares = [queue[k::workers] for k in range(workers)]
-    for share in filter(None, shares):
-        start(share)
-    while busy:
-        ready = select.select([w["fd"] for w in busy], [], [], 1)[0]
-        for w in list(busy):
-            if w["fd"] in ready:
-                data = os.read(w["fd"], 1 << 16).decode()
-                w["text"] += data
-                *rows, w["text"] = w["text"].split("\n")
-                for row in rows:
-                    i, _, by = row.partition("\t")
-                    results[int(i)] = by
-                    if not by:
-                        print("alive:", jobs[int(i)][0][0], f"  [{len(jobs[int(i)][1])} traps]", flush=True)
-                    w["left"].remove(int(i))
-                    w["since"] = time.time()
-                ended = not data
-            else:
-                ended = time.time() - w["since"] > 60
-                if ended:
-                    os.kill(w["pid"], signal.SIGKILL)
-            if ended:
-                os.waitpid(w["pid"], 0)
-                os.close(w["fd"])
-                busy.remove(w)
-                if w["left"]:               # it died or was stuck at the first that is left
-                    results[w["left"][0]] = "the process ended"
-                    rest = set(w["left"][1:])
-                    if rest:
-                        start([x for x in w["share"] if x[0] in rest])
-    return results
+            os.waitpid(pid, 0)
+            i = int(said or b"-3")
+            if i >= 0:
+                order.killed(mutant, todo[i])
+            yield mutant, todo[i].name if i >= 0 else {-1: None, -2: "not loaded", -3: "too long"}[i], len(todo)
 
 
-def within(todo, refused_here, seconds):
-    """The properties, what is refused at the changed line, and of the others the fast ones and a fixed choice, as long as
-    the time allows."""
-    first = [t for t in todo if callable(t[1])] + refused_here[:20]
-    names = {t[0] for t in first}
-    todo = [t for t in todo if t[0] not in names]
-    random.Random(1).shuffle(rest := todo[len(todo) // 2:])
-    chosen = []
-    for trap in todo[:len(todo) // 2] + rest:
-        seconds -= trap[3]
-        if seconds < 0:
-            break
-        chosen.append(trap)
-    return first + chosen
+def chosen_mutants(given):
+    """How many there are, patterns of equivalent ones with their numbers, and the mutants to be run"""
+    every = [x for name in given.module for x in mutants(name) if given.function in (None, x.name.split(":")[0])]
+    patterns, count = equivalent(), Counter()
+    for x in every:
+        count.update([p for p in patterns if is_equivalent(x, [p])][:1])
+    rest = [x for x in every if not is_equivalent(x, patterns)]
+    if given.sample and given.sample < len(rest):
+        rest = random.Random(given.seed).sample(rest, given.sample)
+    return len(every), count, rest
 
 
-def equivalent():
-    """Patterns of mutants that change nothing, from mutants.txt: pattern, then the reason after ' # '."""
-    with open(os.path.join(traps.HERE, "mutants.txt"), encoding="utf-8") as f:
-        rows = [line.rstrip("\n").partition("  # ")[0].rstrip() for line in f]
-    return [x for x in rows if x and not x.startswith("#")]
+def options():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("--sample", type=int, help="how many mutants are drawn; all of them if missing")
+    parser.add_argument("--traps", type=int, help="how many certificates are drawn as traps; all of them if missing")
+    parser.add_argument("--seed", type=int, default=13)
+    parser.add_argument("--module", nargs="+", default=MODULES)
+    parser.add_argument("--function", help="MODULE.FUNCTION or MODULE.CLASS.FUNCTION")
+    parser.add_argument("--least", type=float, default=0, help="a lower score is a failure")
+    parser.add_argument("--seconds", type=float, default=2, help="for the certificates of one mutant, unchanged")
+    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--cache", help="a file that keeps what the traps ran through")
+    parser.add_argument("--out", help="a file for every mutant with the trap that killed it")
+    return parser.parse_args()
 
 
 def main():
-    options = argparse.ArgumentParser()
-    options.add_argument("--sample", type=int)
-    options.add_argument("--seed", type=int, default=13)
-    options.add_argument("--module", nargs="+", default=MODULES)
-    options.add_argument("--function", help="MODULE.FUNCTION or MODULE.CLASS.FUNCTION")
-    options.add_argument("--least", type=float, default=0)
-    options.add_argument("--certify")
-    options.add_argument("--traps", type=int, help="how many certificates are drawn as traps; all of them if missing")
-    options.add_argument("--jobs", type=int, default=1)
-    options.add_argument("--show", action="store_true", help="every mutant with the trap that kills it")
-    given = options.parse_args()
-    signal.signal(signal.SIGALRM, too_long)
-    sys.path.insert(0, VERIFY)
-    known = equivalent()
-    every = [(name, module, line, function, make) for module in given.module
-             for name, line, function, make in mutants(module)
-             if given.function in (None, name.split(":")[0])]
-    considered = [m for m in every if not any(fnmatch.fnmatchcase(m[0], x) for x in known)]
-    chosen = considered
-    if given.sample and given.sample < len(considered):
-        chosen = random.Random(given.seed).sample(considered, given.sample)
-    v, all_traps = checker(), []
-    properties = arithmetic.properties() + several_variables.properties() + groups.properties()
-    others = traps.of_the_judge(given.certify) if given.certify else []
-    texts = [*traps.certificates(), *systems.certificates(), *others]
+    given = options()
+    sys.path.insert(0, traps.VERIFY)
+    total, count, chosen = chosen_mutants(given)
+    texts, properties = list(traps.certificates()), traps.properties()
     if given.traps:
         texts = random.Random(given.seed).sample(texts, min(given.traps, len(texts)))
-    for trap, text, accepted in [*properties, *texts]:
-        start = time.process_time()
-        said = answer(v, text, 60)
-        seconds = time.process_time() - start
-        if (said[0] == "accepted") != accepted:
-            print(f"the unchanged checker: {trap}: {said[0]}")
-            return 1
-        if seconds < SLOW or callable(text):
-            all_traps.append((trap, text, said, seconds, *lines_of(v, text)))
-    all_traps.sort(key=lambda t: t[3])
-    at, refused_at = defaultdict(list), defaultdict(list)
-    for *trap, lines, refused in all_traps:
-        for line in lines:
-            at[line].append(tuple(trap))
-        for line in refused:
-            refused_at[line].append(tuple(trap))
-    jobs = []
-    for name, module, line, function, make in chosen:
-        todo = at[module, line] or ([t[:4] for t in all_traps] if function is None else [])
-        here = [t for i in range(line, line - 3, -1) for t in refused_at[module, i]]        # the start of a statement
-        jobs.append(((name, module, function, make()), within(todo, here, TOTAL)))
-    results = run_all(jobs, given.jobs)
-    table = defaultdict(Counter)
-    for i, ((name, module, *_), _) in enumerate(jobs):
-        table[module][bool(results.get(i))] += 1
-        if given.show:
-            print(f"{name}\t{results.get(i) or 'ALIVE'}")
+    all_traps = measured([*texts, *properties], given.cache)
+    table, by_property = defaultdict(Counter), 0
+    with open(given.out or os.devnull, "w", encoding="utf-8", buffering=1) as out:
+        for mutant, by, tried in run_all(chosen, Order(all_traps, given.seconds), given.jobs):
+            table[mutant.module][bool(by)] += 1
+            by_property += by in {name for name, *_ in properties}
+            print(f"{mutant.name}\t{by or f'ALIVE {tried}'}", file=out)
+            if not by:
+                print(f"alive: {mutant.name}  [{tried} traps]", flush=True)
     for module, n in table.items():
         print(f"{module:20} {n[True] + n[False]:5} mutants, {100 * n[True] / (n[True] + n[False]):5.1f} % killed")
+    for pattern, reason in equivalent().items():
+        if count[pattern]:
+            print(f"{count[pattern]:4} left out: {pattern}: {reason}")
     dead = sum(n[True] for n in table.values())
-    score = 100 * dead / max(1, len(jobs))
-    print(f"{len(every)} mutants, {len(every) - len(considered)} of them known to be equivalent; {len(jobs)} run against "
-          f"{len(all_traps)} traps: {dead} killed, {score:.1f} %")
+    score = 100 * dead / max(1, len(chosen))
+    print(f"{total} mutants, {sum(count.values())} of them equivalent (mutants.txt); {len(chosen)} run against {len(all_traps)} traps: "
+          f"{dead} killed ({by_property} of them by a property only), {score:.1f} %")
     return 0 if score >= given.least else 1
 
 

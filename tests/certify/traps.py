@@ -1,11 +1,11 @@
-"""The traps of the Python checker: texts with the answer that is right."""
+"""The traps of the Python checker: texts with the answer that is right, and properties of its functions."""
 import copy
+import importlib
 import json
 import os
+import re
 import subprocess
 import tempfile
-
-import asymmetric
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 VERIFY = os.path.normpath(os.path.join(HERE, "../../tools/verify"))
@@ -17,6 +17,7 @@ def read(*path):
 
 
 def names(*path):
+    """Of the certificates in a folder"""
     return sorted(x for x in os.listdir(os.path.join(HERE, *path)) if x.endswith(".json"))
 
 
@@ -64,14 +65,28 @@ def lines_of(*path):
     return map(json.loads, read(*path).splitlines())
 
 
+def beside(function):
+    """The modules beside this one that define certificates() or properties(), as (name, module)"""
+    for name in sorted(x[:-3] for x in os.listdir(HERE) if x.endswith(".py") and x != os.path.basename(__file__)):
+        if re.search(rf"^def {function}\(\)", read(name + ".py"), re.MULTILINE):
+            yield name, importlib.import_module(name)
+
+
 def certificates():
-    """(name, text, is it right?)"""
-    for folder, right in (("data", True), ("data/strata", True), ("false", False)):
-        for name in names(folder):
-            yield f"{folder}/{name}", read(folder, name), right
+    """(name, text, is it right?): whatever is in data and false, and what the modules beside this one make"""
+    for top, right in (("data", True), ("false", False)):
+        for folder, *_ in sorted(os.walk(os.path.join(HERE, top))):
+            folder = os.path.relpath(folder, HERE)
+            yield from ((os.path.join(folder, name), read(folder, name), right) for name in names(folder))
     yield from changes(lines_of("false/strata.jsonl"), "data/strata")
     yield from changes(lines_of("false/changed.jsonl"))
-    yield from asymmetric.certificates()
+    for module, m in beside("certificates"):
+        yield from ((f"{module}: {name}", text, right) for name, text, right in m.certificates())
+
+
+def properties():
+    """(name, function of the modules, True)"""
+    return [x for _, m in beside("properties") for x in m.properties()]
 
 
 def of_the_judge(program):

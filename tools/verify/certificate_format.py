@@ -66,7 +66,8 @@ def read(kind, v, path):
         right(all(k in v for k in kind if k[-1] != "?"), f"keys are missing: {sorted(set(names) - set(v))}")
         return {k: read(kind[full], v[k], f"{path}.{k}") if k in v else None for k, full in names.items()}
     if isinstance(kind, list):
-        right(isinstance(v, list) and len(v) <= LENGTH, "an array is expected")
+        right(isinstance(v, list), "an array is expected")
+        right(len(v) <= LENGTH, "too many entries")
         return [read(kind[0], x, f"{path}[{i}]") for i, x in enumerate(v)]
     if kind == "poly":
         return read_poly(v, right)
@@ -84,7 +85,8 @@ def read(kind, v, path):
 
 
 def read_poly(v, right):
-    right(isinstance(v, list) and len(v) <= LENGTH, "a polynomial is expected")
+    right(isinstance(v, list), "a polynomial is expected")
+    right(len(v) <= LENGTH, "too many coefficients")
     rows, q, largest = [], 1, 1
     for row in v:
         row = row if isinstance(row, list) else [row]

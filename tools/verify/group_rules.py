@@ -68,7 +68,8 @@ class Checker(SingularPoints):
             need(0 <= d["place"] < len(local.finite), "no such place")
             x = local.finite[d["place"]]
             need(root < p and meval(reduce(x.q), root, p) == 0, "not a root of the place modulo p")
-        need(2 <= terms <= LENGTH and delta < p, "too few or too many terms, or delta is not reduced")
+        need(terms <= LENGTH, "too many terms")
+        need(terms >= 2 and delta < p, "too few terms, or delta is not reduced")
         L = local.degree_bound_1() + sum(y.n * max(1, y.order // 2) for y in local.finite)
         L += max(1, x.order // 2) if root is None else max(0, local.infinity.order // 2 - 2) + 1
         n, e = self.expansion(p, num, den, root, x.order)
@@ -120,7 +121,8 @@ class Checker(SingularPoints):
         p, reduce, num, den = self.good(d)
         T, x0, groups, U, first = d["terms"], d["x0"], {}, [1], max(D, -1) + 1
         need(first + m + 1 <= T <= p, "too few terms, or more than the prime allows")
-        need(T <= first + m + 1001 and (m + 1) * T <= 2 * 10**7 and T * self.length <= WORK, "too many terms")
+        need(T <= first + m + 1001, "more terms than the format has")
+        need((m + 1) * T <= 2 * 10**7 and T * self.length <= WORK, "too many terms")
         self.spend(T * (self.length + (m + 1)**2))
         need(x0 < p and meval(den, x0, p), "x0 is a pole modulo p")
         n, e = mshift(num, x0, p), mshift(den, x0, p)
@@ -154,7 +156,8 @@ class Checker(SingularPoints):
     def torsion_function(self, d, local, v):
         """h = (a + b w s)/c has h' = n (w/v) h, and no root of h does better (dihedral_torsion.md 6)."""
         n, a, b, c, f = d["n"], d["a"], d["b"], d["den"], v.branch
-        need(1 <= n <= 10**6 and c.c and (a.c or b.c), "not a torsion function")
+        need(n >= 1 and c.c and (a.c or b.c), "not a torsion function")
+        need(n <= 10**6, "n is too large")
         (A, B), top, bottom = v.fraction(), v.top, v.bottom
         need(sum(abs(k) * (1 + u.bits()) for u, k in v.powers) <= 10**8, "an exponent is too large")
         for u, k in v.powers:

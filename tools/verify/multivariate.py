@@ -40,7 +40,7 @@ class P(dict):
     @staticmethod
     def of(terms):
         f = P((k, c) for k, c in terms.items() if c)
-        need(not any(k & HIGH for k in f), "a degree is too large")
+        need(not any(k & HIGH for k in f), "a degree does not fit its field")
         return f
 
     def __add__(self, o):
@@ -122,8 +122,10 @@ def parse(text, names):
     spend(1 + len(text) // 8)
     sign, rest, terms = (-1, text[1:], {}) if text[:1] == "-" else (1, text, {})
     parts = re.split(" ([+-]) ", rest)
+    if len(parts) > 40000:
+        raise Malformed("a polynomial with too many terms")
     for s, term in zip(["+"] + parts[1::2], parts[::2]):
-        if not TERM.match(term) or len(parts) > 40000:
+        if not TERM.match(term):
             raise Malformed(f"not a polynomial: {text[:60]!r}")
         first, *others = term.split("*")
         c, k = (int(first), 0) if first.isdigit() else (1, 0)

@@ -38,7 +38,8 @@ class Place:
             self.real = sqrt_above(c)
         elif annihilator is not None:
             chi, v = [annihilator.coefficient(i).rational() for i in range(annihilator.degree() + 1)], ZERO
-            need(2 <= len(chi) <= 501 and None not in chi, "the annihilator is constant, too large or not over Q")
+            need(len(chi) <= 501, "the annihilator is too large")
+            need(len(chi) >= 2 and None not in chi, "the annihilator is constant or not over Q")
             for x in reversed(chi):
                 v = self.times(v, value) + ONE * x
             need(not v.c, "the annihilator does not vanish")

@@ -39,9 +39,10 @@ class SingularPoints(Equation):
     def local(self, d):
         """The places are all singular points (local_exponents.md 1)."""
         rows, second = d["places"], self.den.diff().diff()
-        need(len(rows) <= 20000 and all(e["q"].degree() >= 1 and e["q"].lead() == ONE for e in rows),
-             "a place is not a monic polynomial")
-        need(all(1 <= e["order"] <= LENGTH for e in rows), "an order is not positive")
+        need(len(rows) <= 20000, "too many places")
+        need(all(e["q"].degree() >= 1 and e["q"].lead() == ONE for e in rows), "a place is not a monic polynomial")
+        need(all(e["order"] <= LENGTH for e in rows), "an order is too large")
+        need(all(e["order"] >= 1 for e in rows), "an order is not positive")
         need(sum(e["q"].degree() * e["order"] for e in rows) == self.dd, "the degrees do not add up to deg den")
         need(self.dd * sum(e["order"] * e["q"].bits() for e in rows) <= BULK, "the places are too large")
         need(product(e["q"]**e["order"] for e in rows) == self.den, "the product of the places is not den")

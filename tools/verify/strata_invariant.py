@@ -34,6 +34,7 @@ def invariant(s, d):
     """A solution of Sym^m at every point (strata.md 5.3)."""
     c, qs, orders = factors(s, d["content"], d["places"])
     m, p, es = d["m"], s.poly(d["p"], True), [e["e"] for e in d["places"]]
-    need(1 <= m <= 200 and all(abs(e) <= 10**7 for e in es), "m or an exponent is out of range")
+    need(1 <= m <= 200, "m is out of range")
+    need(all(abs(e) <= 10**7 for e in es), "an exponent is too large")
     need(any(s.is_nonzero(f) for f in p.coefficients(Z)), "the solution may vanish")
     need(not any(symmetric_power(s, c, list(zip(qs, orders, es)), m, [p])), "the symmetric power does not vanish on v")
