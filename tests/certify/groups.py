@@ -71,6 +71,8 @@ def worlds(modules):
     for deltas in (("1/4", "2/5"), ("1/6",), ("1/7",)):
         yield "SL2", None, [f.local(*map(regular, deltas)), f.irreducible, *f.absent(2, 4, 12)], \
             {"sl2-irreducible-infinite", "sl2-irreducible-12"}
+    yield "SL2", None, [f.local(regular("1/4"), regular("2/5"), infinity=f.place(None, 2, "3/4")), f.irreducible, *f.absent(2, 4)], \
+        {"sl2-irreducible-infinite"}
     for deltas in (("1/4", "1/3"), ("2/5", "1/3"), ("1/2",)):
         yield "SL2", None, [f.local(*map(regular, deltas)), f.curvature(5, "irreducible"), *f.absent(2, 4)], set()
     for place in (odd, even, irrational):

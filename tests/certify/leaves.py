@@ -169,7 +169,7 @@ def with_minors(by, r, places, m, D, **more):
 
 def one_open():
     """No torus: the other differences are rational; with a bound of Delta^2"""
-    for c, d, bound in (("1/3", "1/3", "7/3"), ("1/2", "1/3", "2"), ("1/4", "2/3", "3/2"), ("1/5", "1/3", "3/4"), ("1/7", "1/3", "1"), ("3/5", "2/5", "3")):
+    for c, d, bound in (("1/3", "1/3", "7/3"), ("1/2", "1/3", "2"), ("1/4", "2/3", "3/2"), ("2/3", "1/3", "3/4"), ("1/7", "1/3", "1"), ("3/5", "2/5", "3")):
         c, d = F(c)**2, F(d)**2
         for where in (0, 1, None):
             squares, infinity = ([A, c], d) if where == 0 else ([d, A], c) if where == 1 else ([c, d], A)
@@ -273,9 +273,42 @@ def rational():
             place(deltas[-1]**2) if order == 2 else None)
 
 
+def irreducible_log():
+    """A simple pole, and D_1 < 0 by what is known of the real parts: 0 where Delta^2 < 0, the next of n/8 or n/2 above it"""
+    known = [(-3, {"irrational": "positive"}), (2, {"irrational": "constant"}), (F(9, 5), {"irrational": "constant"}), (-2, {"irrational": "constant"}),
+             (F(1, 9), {}), (F(1, 4), {}), (A, {"bound": "1/5"}), (A, {"bound": "0"}), (A, {"bound": "9/4"}), (F(16, 9), {})]
+    for i, (x, how) in enumerate(known):
+        for y, more in (known[(i + 3) % len(known)], known[(i + 4) % len(known)]):
+            for infinity, last in ((F(1, 9), {}), (-1, {"irrational": "positive"}), (3, {"irrational": "constant"})):
+                if (x is A) + (y is A) < 2:
+                    terms = {k: z for k, z in regular([x, y, 1], infinity, [F(2)]).items() if z}
+                    yield f"{x}, {y}, {infinity}", certificate("irreducible-log", Fraction.sum(terms), [place(x, **how), place(y, **more), {}],
+                                                               place(infinity, **last))
+
+
+def no_logarithms():
+    """Delta = 1/2 is no natural number, 41 too large for the format, and lines with j = 0 are not excluded."""
+    for square, residue, right in ((F(1, 4), 1, False), (1600, 2, True), (1600, 1, False), (1681, 1, False)):
+        r = Fraction.sum({(2, 2): F(square - 1) / 4, (2, 1): F(residue)}, [1])
+        yield f"Delta^2 = {square}, {residue}", certificate("torus-log", r, [place(square, log=True)]), right
+    for c, d, right in ((F(4, 3), F(2, 3), False), (F(1, 3), F(2, 3), True)):
+        double, values = scaled(mplus(A, poly(1), -1), F(1, 4)), {F(a, b) for b in range(1, 13) for a in range(1, b + 1)}
+        h = mplus(poly((d * d - 1) / 4 - (c * c - 1) / 4), scaled(double, 2), -1)
+        terms = {(1, 2): double, (-1, 2): double, (0, 2): (c * c - 1) / 4, (1, 1): scaled(h, F(1, 2)), (-1, 1): scaled(h, F(-1, 2))}
+        top = certificate("one-open", Fraction.sum(terms), [place(A, bound="1"), place(c * c)], place(d * d), together=[(1, -1)])
+        excluded = [{"p": f"{v.denominator**2}*A - {v.numerator**2}", "sign": "nonzero"} for v in sorted(values)]
+        excluded += [{"p": x, "sign": y} for x, y in (("A", "nonzero"), ("4*A - 1", "nonzero"), ("1 - A", "positive"))]
+        yield f"two open roots, {c} and {d}", top | {"assumptions": excluded}, right
+
+
 def certificates():
     for family in (one_open, one_open_torus, several_open, torus, logarithms):
         for name, top in family():
             yield from ((f"{family.__name__}: {x}", y, right) for x, y, right in with_conditions(name, top))
     for name, top in rational():
         yield f"rational: {name}", json.dumps(top), accepted(top)
+    for name, top in irreducible_log():
+        top |= {"assumptions": [{"p": p, "sign": "positive"} for p in ("1 - 5*A", "9 - 4*A", "-A")]} if top["parameters"] else {}
+        yield f"irreducible_log: {name}", json.dumps(top), accepted(top)
+    for name, top, right in no_logarithms():
+        yield f"no_logarithms: {name}", json.dumps(top), right

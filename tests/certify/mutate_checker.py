@@ -13,6 +13,7 @@ usage: mutate_checker.py [--sample N] [--seed S] [--module NAME...] [--function 
                          [--traps N] [--seconds S] [--cache FILE] [--out FILE]
 """
 import argparse
+import gc
 import hashlib
 import os
 import pickle
@@ -24,6 +25,7 @@ import sys
 import time
 import traceback
 import types
+from array import array
 from collections import Counter, defaultdict, namedtuple
 
 import traps
@@ -36,8 +38,12 @@ MODULES = modules()
 CODE = {name: compile(source(name), name + ".py", "exec") for name in MODULES}
 
 # text: a certificate or a function of the modules; said: the answer of the unchanged checker; seconds: its time; lines: the
-# lines of the checker that it runs through, refused: those on the way to its refusal, as (module, number)
+# lines of the checker that it runs through, refused: those on the way to its refusal, as numbers (at)
 Trap = namedtuple("Trap", "name text said seconds lines refused")
+
+
+def at(module, line):
+    return MODULES.index(module) * 10**4 + line
 
 
 def checker(module=None, code=None):
@@ -76,13 +82,13 @@ def lines_of(v, text, whole):
         if rest is None:                    # the lines of this code that were not seen yet
             left[code] = rest = {x[2] for x in code.co_lines() if x[2]} if code.co_filename[:-3] in CODE else set()
         if whole:
-            found.update((code.co_filename[:-3], x) for x in rest)
+            found.update(at(code.co_filename[:-3], x) for x in rest)
             rest.clear()
         if not rest:
             return None
         if frame.f_lineno in rest:
             rest.discard(frame.f_lineno)
-            found.add((code.co_filename[:-3], frame.f_lineno))
+            found.add(at(code.co_filename[:-3], frame.f_lineno))
         else:
             old[code] += 1
             if old[code] > 100:
@@ -94,11 +100,12 @@ def lines_of(v, text, whole):
     except Exception as error:              # noqa: BLE001
         while error:
             for frame, line in traceback.walk_tb(error.__traceback__):
-                refused.add((frame.f_code.co_filename[:-3], line))
+                if frame.f_code.co_filename[:-3] in CODE:
+                    refused.add(at(frame.f_code.co_filename[:-3], line))
             error = error.__context__
     finally:
         sys.settrace(None)
-    return found, refused
+    return array("I", found), array("I", refused)
 
 
 def measured(given, cache):
@@ -139,17 +146,18 @@ class Order:
 
     def of(self, mutant):
         """As long as the time allows: those that are refused here, the fast ones, a fixed choice of the others"""
-        here = self.at[mutant.module, mutant.line] or (self.all if mutant.function is None else [])
+        place = at(mutant.module, mutant.line)
+        here = self.at[place] or (self.all if mutant.function is None else [])
         killers = self.killers[mutant.module, mutant.function]
         first = sorted((t for t in here if killers[t.name]), key=lambda t: -killers[t.name])[:20]
-        for line in range(mutant.line, mutant.line - 3, -1):        # the start of a statement
-            first += self.refused[mutant.module, line][:20]
+        refused = [t for line in range(place, place - 3, -1) for t in self.refused[line][:20]]      # the start of a statement
         half = len(here) // 2
-        first += here[:half] + random.Random(1).sample(here[half:], len(here) - half)
-        chosen, left = {}, self.seconds
-        for t in first:
-            if t.text not in chosen and not callable(t.text) and left > 0:
-                chosen[t.text], left = t, left - t.seconds
+        rest = here[:half] + random.Random(1).sample(here[half:], len(here) - half)
+        chosen = {}
+        for some, seconds in ((first, self.seconds / 3), (refused, self.seconds / 3), (rest, self.seconds)):
+            for t in some:
+                if t.text not in chosen and not callable(t.text) and seconds > 0:
+                    chosen[t.text], seconds = t, seconds - t.seconds
         return [*chosen.values(), *(t for t in here if callable(t.text))]
 
     def killed(self, mutant, trap):
@@ -190,6 +198,7 @@ def run_all(chosen, order, jobs):
     """Yields each mutant with the name of the trap that killed it, or None, and with the number of traps; the processes one
     after the other, or `jobs` at a time."""
     waiting, busy = iter(chosen), {}
+    gc.freeze()                             # so that a child copies little
     while True:
         while len(busy) < jobs and (mutant := next(waiting, None)):
             todo, (read, write) = order.of(mutant), os.pipe()
