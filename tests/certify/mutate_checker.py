@@ -71,16 +71,17 @@ def answer(v, text):
         return type(error).__name__,
 
 
-def lines_of(v, text, whole):
-    """The lines of the checker that a text runs through, and those on the way to its refusal.  A function is left alone
-    that goes round in circles; whole: all the lines of each function that is called, which is faster."""
+def lines_of(v, text, whole, wanted=None):
+    """The lines of the checker that a text runs through (of those that are wanted), and those on the way to its refusal.  A
+    function is left alone that goes round in circles; whole: all the lines of each function that is called, which is faster."""
     found, left, old, refused = set(), {}, Counter(), set()
 
     def trace(frame, event, _):
         code = frame.f_code
         rest = left.get(code)
         if rest is None:                    # the lines of this code that were not seen yet
-            left[code] = rest = {x[2] for x in code.co_lines() if x[2]} if code.co_filename[:-3] in CODE else set()
+            lines = {x[2] for x in code.co_lines() if x[2]} if code.co_filename[:-3] in CODE else ()
+            left[code] = rest = {x for x in lines if wanted is None or at(code.co_filename[:-3], x) in wanted}
         if whole:
             found.update(at(code.co_filename[:-3], x) for x in rest)
             rest.clear()
@@ -108,9 +109,9 @@ def lines_of(v, text, whole):
     return array("I", found), array("I", refused)
 
 
-def measured(given, cache):
+def measured(given, wanted, cache):
     """The traps, run once on the unchanged checker; fast ones first.  cache: a file with those that were run before."""
-    v, key = checker(), hashlib.sha256("".join(map(source, MODULES)).encode()).digest()
+    v, key = checker(), hashlib.sha256(repr((sorted(wanted), *map(source, MODULES))).encode()).digest()
     old, known = {}, {}
     if cache and os.path.exists(cache):
         with open(cache, "rb") as f:
@@ -121,7 +122,7 @@ def measured(given, cache):
             start = time.process_time()
             said = answer(v, text)
             seconds = time.process_time() - start
-            old[mark] = said, seconds, *lines_of(v, text, callable(text) or seconds > FAST)
+            old[mark] = said, seconds, *lines_of(v, text, callable(text) or seconds > FAST, wanted)
         if (old[mark][0][0] == "accepted") != accepted:
             raise SystemExit(f"the unchanged checker: {name}: {old[mark][0][0]}")
         if old[mark][1] < SLOW or callable(text):
@@ -253,7 +254,7 @@ def main():
     texts, properties = list(traps.certificates()), traps.properties()
     if given.traps:
         texts = random.Random(given.seed).sample(texts, min(given.traps, len(texts)))
-    all_traps = measured([*texts, *properties], given.cache)
+    all_traps = measured([*texts, *properties], {at(x.module, x.line) for x in chosen}, given.cache)
     table, by_property = defaultdict(Counter), 0
     with open(given.out or os.devnull, "w", encoding="utf-8", buffering=1) as out:
         for mutant, by, tried in run_all(chosen, Order(all_traps, given.seconds), given.jobs):
