@@ -76,15 +76,40 @@ std::string named(const strata::Stratum& s) {
   return in_equations(s.conditions);
 }
 
-// Strata without an obstruction, and those that a limit left open.
-std::vector<std::string> not_excluded_by(const strata::StrataAnswer& answer) {
-  std::vector<std::string> all = answer.unvisited;
-  for (const strata::Stratum& s : answer.told_apart()) {
-    if (s.leaf.abelian == Truth::no) continue;
-    if (std::string where = named(s); std::find(all.begin(), all.end(), where) == all.end())
-      all.push_back(std::move(where));
-  }
+/// Parameters where nothing follows.
+struct Exception {
+  std::string where;
+  std::vector<MPoly> equations = {}; ///< empty: it is named otherwise
+};
+
+std::vector<MPoly> equations_of(const strata::Stratum& s) {
+  std::vector<MPoly> all;
+  for (const Condition& c : s.conditions)
+    if (c.sign == Sign::zero) all.push_back(c.p);
   return all;
+}
+
+// "h = 0" says what "h = 0, b = a" says.
+bool says(const Exception& a, const Exception& b) {
+  if (a.where == b.where) return true;
+  return !a.equations.empty() &&
+         std::all_of(a.equations.begin(), a.equations.end(), [&](const MPoly& f) {
+           return std::find(b.equations.begin(), b.equations.end(), f) != b.equations.end();
+         });
+}
+
+void add(std::vector<Exception>& all, Exception one) {
+  if (std::any_of(all.begin(), all.end(), [&](const Exception& x) { return says(x, one); })) return;
+  std::erase_if(all, [&](const Exception& x) { return says(one, x); });
+  all.push_back(std::move(one));
+}
+
+// Strata without an obstruction, and those that a limit left open.
+void add_exceptions(const strata::StrataAnswer& answer, std::vector<Exception>& all) {
+  for (const std::string& where : answer.unvisited)
+    add(all, {where});
+  for (const strata::Stratum& s : answer.told_apart())
+    if (s.leaf.abelian != Truth::no) add(all, {named(s), equations_of(s)});
 }
 
 bool is_general(const strata::Stratum& s) {
@@ -103,16 +128,14 @@ const strata::StrataAnswer* excluding_strata(const ManifoldReport& report) {
 }
 
 // The parameters where nothing follows.
-std::vector<std::string> not_excluded_by(const ManifoldReport& report) {
+std::vector<Exception> not_excluded_by(const ManifoldReport& report) {
+  std::vector<Exception> all;
   if (report.verdict != VerdictKind::depends) {
-    const auto* answer = excluding_strata(report);
-    return answer ? not_excluded_by(*answer) : std::vector<std::string>{};
+    if (const auto* answer = excluding_strata(report)) add_exceptions(*answer, all);
+    return all;
   }
-  std::vector<std::string> all;
   for (const BlockReport& b : report.blocks)
-    if (const auto* answer = deciding_strata(b))
-      for (std::string& where : not_excluded_by(*answer))
-        all.push_back(std::move(where));
+    if (const auto* answer = deciding_strata(b)) add_exceptions(*answer, all);
   return all;
 }
 
@@ -240,8 +263,8 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
 
 std::string exceptions(const ManifoldReport& report) {
   std::string text;
-  for (const std::string& where : not_excluded_by(report))
-    text += (text.empty() ? "except where " : "; or ") + where;
+  for (const Exception& e : not_excluded_by(report))
+    text += (text.empty() ? "except where " : "; or ") + e.where;
   return text;
 }
 
