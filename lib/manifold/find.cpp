@@ -81,7 +81,20 @@ std::vector<FoundManifold> coordinate_subspaces(const VectorField& v, const Exte
   return found;
 }
 
-/// sigma(x)_j = sign_j x_pi(j), an involution.
+// u = exp(a·q): the vector a, if its entries are constants of the field.
+std::optional<std::vector<MFraction>> exponent(const VectorField& v, const FunctionSymbol& u) {
+  std::vector<MFraction> a;
+  for (const MFraction& slope : u.gradient) {
+    a.push_back(slope / MFraction::variable(v.ring, u.variable));
+    for (const std::size_t i : used_variables(a.back()))
+      if (std::find(v.parameters.begin(), v.parameters.end(), i) == v.parameters.end())
+        return std::nullopt;
+  }
+  return a;
+}
+
+/// sigma(x)_j = sign_j x_pi(j), an involution.  For exponentials the sign -1 means 1/x_pi(j), as a
+/// reflection of the coordinates does it.
 struct Involution {
   std::vector<std::size_t> image;
   std::vector<int> sign;
@@ -109,6 +122,14 @@ void involutions(std::size_t j, Involution& s, std::vector<Involution>& all) {
     }
     s.sign[j] = 0;
   }
+}
+
+// Which of the variables are exponentials of linear forms in the coordinates.
+std::vector<bool> exponentials(const VectorField& v, const Extended& x) {
+  std::vector<bool> all(x.variables.size(), false);
+  for (std::size_t j = v.coordinates.size(); j < all.size(); ++j)
+    all[j] = exponent(v, v.functions[j - v.coordinates.size()]).has_value();
+  return all;
 }
 
 std::vector<Involution> involutions(std::size_t n) {
@@ -157,13 +178,16 @@ public:
     nmod_init(&mod_, 2147483629UL);
     std::mt19937_64 generator(20240501);
     for (auto& c : point_)
-      c = generator() % mod_.n;
+      c = 1 + generator() % (mod_.n - 1);
+    is_exponential_ = exponentials(v, x);
   }
   [[nodiscard]] std::optional<std::vector<ulong>> at(const Involution& s) const {
     std::vector<ulong> p(point_);
     for (std::size_t j = 0; j < s.image.size(); ++j) {
       const ulong c = point_[x_->variables[s.image[j]]];
-      p[x_->variables[j]] = s.sign[j] > 0 ? c : nmod_neg(c, mod_);
+      p[x_->variables[j]] = s.sign[j] > 0        ? c
+                            : is_exponential_[j] ? nmod_inv(c, mod_)
+                                                 : nmod_neg(c, mod_);
     }
     std::vector<ulong> values;
     for (const auto& f : x_->components) {
@@ -182,42 +206,62 @@ public:
     if (!there) return false;
     for (std::size_t j = 0; j < s.image.size(); ++j) {
       const ulong c = here[s.image[j]];
-      if ((*there)[j] != (s.sign[j] > 0 ? c : nmod_neg(c, mod_))) return false;
+      if ((*there)[j] != (s.sign[j] > 0 ? c : reflected(c, j, s.image[j]))) return false;
     }
     return true;
   }
 
 private:
+  // The derivative of -x_k, or of 1/x_k, where that of x_k is c.
+  [[nodiscard]] ulong reflected(ulong c, std::size_t j, std::size_t k) const {
+    if (!is_exponential_[j]) return nmod_neg(c, mod_);
+    const ulong inverse = nmod_inv(point_[x_->variables[k]], mod_);
+    return nmod_neg(nmod_mul(c, nmod_mul(inverse, inverse, mod_), mod_), mod_);
+  }
   [[nodiscard]] ulong evaluate(const MPoly& f, const std::vector<ulong>& p) const {
     return fmpz_mpoly_evaluate_all_nmod(f.raw(), p.data(), f.ctx(), mod_);
   }
   const Extended* x_;
   std::vector<ulong> point_;
+  std::vector<bool> is_exponential_;
   nmod_t mod_{};
 };
+
+// x_j = sigma(x)_j, j the smaller of two that are exchanged.
+Equation fixed_equation(const VectorField& v, const Extended& x, const Involution& s, std::size_t j,
+                        bool is_exponential) {
+  const std::size_t k = s.image[j];
+  const MFraction a = MFraction::variable(v.ring, x.variables[j]);
+  const MFraction b = MFraction::variable(v.ring, x.variables[k]);
+  const std::string from = v.ring->name(x.variables[j]);
+  const std::string to = v.ring->name(x.variables[k]);
+  if (s.sign[j] > 0) return {a - b, from + " = " + to};
+  if (!is_exponential) return {a + b, from + " = -" + to};
+  const MFraction one(v.ring, Rational(1)); // of a^2 = 1 the part a = 1
+  return j == k ? Equation{a - one, from + " = 1"}
+                : Equation{a * b - one, from + "*" + to + " = 1"};
+}
 
 std::optional<FoundManifold> fixed_set(const VectorField& v, const Extended& x,
                                        const Involution& s) {
   FoundManifold m;
   std::string moved;
   bool swaps = false;
+  const auto is_exponential = exponentials(v, x);
   for (std::size_t j = 0; j < s.image.size(); ++j) {
     const std::size_t k = s.image[j];
-    const std::string& name = v.ring->name(x.variables[j]);
     if (k == j && s.sign[j] > 0) continue;
-    moved += (moved.empty() ? "" : ", ") + name + " -> " + (s.sign[j] < 0 ? "-" : "") +
-             v.ring->name(x.variables[k]);
-    if (k == j) {
+    const std::string image = (s.sign[j] > 0       ? ""
+                               : is_exponential[j] ? "1/"
+                                                   : "-") +
+                              v.ring->name(x.variables[k]);
+    moved += (moved.empty() ? "" : ", ") + v.ring->name(x.variables[j]) + " -> " + image;
+    if (k == j && !is_exponential[j]) {
       m.equations.push_back(zero_equation(v.ring, x.variables[j]));
       continue;
     }
     swaps = true;
-    if (k < j) continue;
-    const MFraction a = MFraction::variable(v.ring, x.variables[j]);
-    const MFraction b = MFraction::variable(v.ring, x.variables[k]);
-    m.equations.push_back(
-        {s.sign[j] > 0 ? a - b : a + b,
-         name + " = " + (s.sign[j] > 0 ? "" : "-") + v.ring->name(x.variables[k])});
+    if (k >= j) m.equations.push_back(fixed_equation(v, x, s, j, is_exponential[j]));
   }
   if (m.equations.empty() || !swaps) return std::nullopt; // sign changes give coordinate subspaces
   m.kind = "fixed points of " + moved;
@@ -291,18 +335,6 @@ std::vector<FoundManifold> lines(const VectorField& v) {
     found.push_back(std::move(m));
   }
   return found;
-}
-
-// u = exp(a·q): the vector a, if its entries are constants of the field.
-std::optional<std::vector<MFraction>> exponent(const VectorField& v, const FunctionSymbol& u) {
-  std::vector<MFraction> a;
-  for (const MFraction& slope : u.gradient) {
-    a.push_back(slope / MFraction::variable(v.ring, u.variable));
-    for (const std::size_t i : used_variables(a.back()))
-      if (std::find(v.parameters.begin(), v.parameters.end(), i) == v.parameters.end())
-        return std::nullopt;
-  }
-  return a;
 }
 
 // exp(a·q) and exp(b·q) in a constant ratio: (a - b)·q' = 0, and the ratio is such that this stays.
@@ -400,6 +432,29 @@ Substitution solve(const VectorField& v, const FoundManifold& m) {
 
 namespace {
 
+// A coordinate that nothing contains, whether or not functions depend on it.
+bool is_ignorable(const VectorField& v, const std::vector<MFraction>& integrals, std::size_t x) {
+  const auto contain = [x](const std::vector<MFraction>& all) {
+    return std::any_of(all.begin(), all.end(), [x](const MFraction& f) { return uses(f, x); });
+  };
+  return std::find(v.coordinates.begin(), v.coordinates.end(), x) != v.coordinates.end() &&
+         !contain(v.components) && !contain(integrals) &&
+         std::none_of(v.functions.begin(), v.functions.end(),
+                      [&](const FunctionSymbol& f) { return contain(f.gradient); }) &&
+         std::none_of(v.relations.begin(), v.relations.end(),
+                      [x](const MPoly& f) { return uses(f, x); });
+}
+
+// An equation between coordinates on which nothing depends: where a set with it is invariant, so is
+// the larger one without it.
+bool says_nothing(const VectorField& v, const std::vector<MFraction>& integrals,
+                  const Equation& e) {
+  const auto used = used_variables(e.difference);
+  return !used.empty() && std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+    return is_ignorable(v, integrals, i) || is_constant_of(v, i);
+  });
+}
+
 std::string equations_of(const FoundManifold& m) {
   std::string text;
   for (const auto& e : m.equations)
@@ -453,6 +508,8 @@ private:
 
   void prove(FoundManifold& m) {
     budget_.check();
+    std::erase_if(m.equations, [&](const Equation& e) { return says_nothing(v_, integrals_, e); });
+    if (m.equations.empty()) return;
     std::vector<MPoly> generators;
     for (const auto& e : m.equations)
       generators.push_back(e.difference.num());

@@ -139,5 +139,28 @@ derivative = {y = "a*t"}
   EXPECT_EQ(found("s"), 0U);
 }
 
+// A reflection takes exp(x) to 1/exp(x), and the angles themselves say nothing.
+TEST(FindManifolds, FunctionsAreReflectedWithTheCoordinates) {
+  const auto has = [](const std::string& text, const std::string& set) {
+    const System s = read_system(parse_document(text, "test.toml"));
+    for (const FoundManifold& m : find_manifolds(s.field, {*s.field.hamiltonian}).proved) {
+      std::string equations;
+      for (const Equation& e : m.equations)
+        equations += (equations.empty() ? "" : ", ") + e.text;
+      if (equations == set && m.leaf_dimension() == 1) return true;
+    }
+    return false;
+  };
+  const std::string planar = "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\n"
+                             "momenta = ['u', 'v']\nhamiltonian = '(u^2 + v^2)/2 + ";
+  const std::string exponentials = "'\n[[system.function]]\nname = 'e'\nderivative = {x = 'e'}\n"
+                                   "[[system.function]]\nname = 'f'\nderivative = {y = 'f'}\n";
+  const std::string even = planar + "e + 1/e + f + 1/f + e*f + 1/(e*f)" + exponentials;
+  EXPECT_TRUE(has(even, "u = v, e = f"));
+  EXPECT_TRUE(has(even, "u = -v, e*f = 1"));
+  EXPECT_TRUE(has(planar + "e + 1/e + f + e*f + f/e" + exponentials, "u = 0, e = 1"));
+  EXPECT_FALSE(has(planar + "e + 2/e + f + e*f + f/e" + exponentials, "u = 0, e = 1"));
+}
+
 } // namespace
 } // namespace kov
