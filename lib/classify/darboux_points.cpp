@@ -6,18 +6,24 @@
 #include "special/potential.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 namespace kov {
 namespace {
 
 constexpr long most_table_entries = 100000;
-constexpr long largest_degree = 8;
-constexpr long most_lost = 2; // points at double zeros of V
+constexpr long most_directions = 8;
+constexpr long most_lost = 2; // points at double zeros or poles of V
+
+// For other degrees every eigenvalue is in the table, or there is none.
+bool has_darboux_points(long k) { return k != 0 && k != 2 && k != -2; }
 
 // ---- the table
 
-// Lambda != 0 of the table, up to `most`.
+long side(long k) { return k > 0 ? 1 : -1; }
+
+// Lambda sign(k) != 0 of the table, up to `most`: the families grow to the side of k.
 std::vector<Rational> table_values(const EigenvalueTable& table, const Rational& most,
                                    const Budget& budget) {
   std::set<Rational> values;
@@ -25,7 +31,7 @@ std::vector<Rational> table_values(const EigenvalueTable& table, const Rational&
     for (const long step : {1L, -1L})
       for (long p = step > 0 ? 0 : -1;; p += step) {
         const Rational slope = (f.u + f.v * Rational(p)) * Rational(step) * f.v;
-        const Rational value = f.at(Integer(p)) - Rational(1);
+        const Rational value = Rational(side(table.k)) * (f.at(Integer(p)) - Rational(1));
         if (value > most && sign(slope) > 0) break;
         if (value <= most && !is_zero(value)) values.insert(value);
         if (std::abs(p) > most_table_entries)
@@ -42,7 +48,7 @@ public:
   }
 
   std::vector<std::vector<Rational>> run(long points, const Rational& sum) {
-    choose_negative(0, points, sum);
+    choose_negative(0, points, Rational(side(table_.k)) * sum);
     return {found_.begin(), found_.end()};
   }
 
@@ -63,6 +69,8 @@ private:
     if (left == 0) {
       if (is_zero(rest)) {
         auto sorted = chosen_;
+        for (Rational& value : sorted)
+          value = Rational(side(table_.k)) * value;
         std::sort(sorted.begin(), sorted.end());
         found_.insert(std::move(sorted));
       }
@@ -86,7 +94,9 @@ private:
   }
   [[nodiscard]] bool is_in_table(const Rational& value) const {
     return std::any_of(table_.families.begin(), table_.families.end(),
-                       [&](const EigenvalueFamily& f) { return f.contains(value + Rational(1)); });
+                       [&](const EigenvalueFamily& f) {
+                         return f.contains(Rational(side(table_.k)) * value + Rational(1));
+                       });
   }
 
   EigenvalueTable table_;
@@ -98,73 +108,166 @@ private:
 
 // ---- the potential
 
-/// H = c p^2 + V(q) with two coordinates.
+/// H = (m11 p1^2 + 2 m12 p1 p2 + m22 p2^2)/2 + V(q), V = num/den homogeneous of degree k.
 struct PlanarPotential {
-  MPoly leading; ///< of degree k in the coordinates, up to a constant factor
-  long k = 0;
-  bool homogeneous = false;
   std::size_t x = 0, y = 0;
-  MPoly mass; ///< H = c p^2 + V with c = 0 where this vanishes: nothing is said there
+  MPoly m11, m12, m22; ///< up to a common factor
+  MPoly num, den;      ///< without a common factor
+  long k = 0;
+  long directions =
+      0; ///< degree of the form that vanishes at the Darboux points: num and den together
+  enum class Part : std::uint8_t { all, highest, lowest } part = Part::all; ///< of the potential
 };
 
-long degree_in(const std::vector<unsigned long>& e, std::size_t x, std::size_t y) {
+MPoly determinant(const PlanarPotential& p) { return p.m11 * p.m22 - p.m12 * p.m12; }
+
+using Part = PlanarPotential::Part;
+
+/// A homogeneous rational function of two variables.
+struct Form {
+  MFraction value;
+  long degree = 0;
+};
+
+long degree_of_term(const MPoly& f, long t, std::size_t x, std::size_t y) {
+  const auto e = f.exponents(t);
   return static_cast<long>(e[x] + e[y]);
 }
+// Of a form.
+long degree_of(const MPoly& f, std::size_t x, std::size_t y) { return degree_of_term(f, 0, x, y); }
 
-// V = H - c (p1^2 + p2^2), polynomial in the coordinates.
-std::optional<MFraction> potential_of(const System& s) {
+/// The terms of highest or lowest degree in two variables.
+class Leading {
+public:
+  Leading(std::size_t x, std::size_t y, Part part) : x_(x), y_(y), part_(part) {}
+
+  [[nodiscard]] Form operator()(const MFraction& f) const {
+    const Form num = of(f.num());
+    const Form den = of(f.den());
+    return {num.value / den.value, num.degree - den.degree};
+  }
+
+private:
+  [[nodiscard]] Form of(const MPoly& f) const {
+    Form best;
+    for (long t = 0; t < f.length(); ++t) {
+      const long d = degree_of_term(f, t, x_, y_);
+      if (t == 0 || (part_ == Part::highest ? d > best.degree : d < best.degree))
+        best = {MFraction(f.ring()), d};
+      if (d == best.degree)
+        best.value += MFraction(MPoly::term(f.ring(), f.coefficient(t), f.exponents(t)));
+    }
+    return best;
+  }
+  std::size_t x_, y_;
+  Part part_;
+};
+
+/// H = (a quadratic form in p with constant coefficients)/2 + A1 p1 + A2 p2 + V.
+struct NaturalHamiltonian {
+  std::array<MFraction, 3> mass; ///< m11, m12, m22
+  std::array<MFraction, 2> linear;
+  MFraction potential;
+};
+
+bool is_free_of(const MFraction& f, const std::vector<std::size_t>& variables) {
+  return std::none_of(variables.begin(), variables.end(),
+                      [&](std::size_t i) { return uses(f, i); });
+}
+
+std::optional<NaturalHamiltonian> natural_hamiltonian(const System& s) {
   const VectorField& v = s.field;
   if (s.kind != SystemKind::hamiltonian || v.dimension() != 4 || !v.functions.empty() ||
       !v.hamiltonian)
     return std::nullopt;
-  const std::size_t p1 = v.coordinates[2];
-  const std::size_t p2 = v.coordinates[3];
+  const auto& z = v.coordinates;
   const MFraction& h = *v.hamiltonian;
-  const MFraction c = Rational(1, 2) * derivative(derivative(h, p1), p1);
-  const MFraction a = MFraction::variable(v.ring, p1);
-  const MFraction b = MFraction::variable(v.ring, p2);
-  if (is_zero(c)) return std::nullopt;
-  const MFraction potential = h - c * (a * a + b * b);
-  for (const std::size_t i : v.coordinates)
-    if (uses(c, i) || uses(potential.den(), i)) return std::nullopt;
-  if (uses(potential, p1) || uses(potential, p2)) return std::nullopt;
-  return potential;
+  const auto second = [&](std::size_t i, std::size_t j) {
+    return derivative(derivative(h, z[i]), z[j]);
+  };
+  NaturalHamiltonian n{{second(2, 2), second(2, 3), second(3, 3)}, {}, {}};
+  for (const MFraction& m : n.mass)
+    if (!is_free_of(m, z)) return std::nullopt;
+  if (is_free_of(h, {z[2], z[3]})) return std::nullopt;
+  const MFraction zero(v.ring);
+  const Substitution at_rest{{z[2], zero}, {z[3], zero}};
+  for (const std::size_t i : {0U, 1U})
+    n.linear[i] = substitute(derivative(h, z[i + 2]), at_rest);
+  n.potential = substitute(h, at_rest);
+  return n;
 }
 
-std::optional<PlanarPotential> planar_potential(const System& s) {
-  const auto potential = potential_of(s);
-  if (!potential) return std::nullopt;
-  PlanarPotential p;
-  p.x = s.field.coordinates[0];
-  p.y = s.field.coordinates[1];
-  const std::size_t p1 = s.field.coordinates[2];
-  p.mass = derivative(derivative(*s.field.hamiltonian, p1), p1).num();
-  const MPoly num = potential->num();
-  for (long t = 0; t < num.length(); ++t)
-    p.k = std::max(p.k, degree_in(num.exponents(t), p.x, p.y));
-  p.leading = MPoly(num.ring());
-  p.homogeneous = true;
-  for (long t = 0; t < num.length(); ++t) {
-    const auto e = num.exponents(t);
-    if (degree_in(e, p.x, p.y) == p.k)
-      p.leading += MPoly::term(num.ring(), num.coefficient(t), e);
-    else if (degree_in(e, p.x, p.y) > 0)
-      p.homogeneous = false;
+// Without the part of degree 0, which no equation of motion contains.
+MFraction without_constant(const MFraction& potential, std::size_t x, std::size_t y) {
+  if (!is_free_of(MFraction(potential.den()), {x, y})) return potential;
+  const MFraction zero(potential.ring());
+  return potential - substitute(potential, {{x, zero}, {y, zero}});
+}
+
+// With the weights 2 of q and k of p all the rest of H is lower (of the part of highest degree), or
+// higher: of A1 p1 + A2 p2 this asks that its coefficients have a degree below (above) k/2.
+bool is_leading(const NaturalHamiltonian& n, const Leading& leading, Part part, long k) {
+  return std::all_of(n.linear.begin(), n.linear.end(), [&](const MFraction& a) {
+    if (is_zero(a)) return true;
+    const long d = 2 * leading(a).degree;
+    return part == Part::highest ? d < k : d > k;
+  });
+}
+
+// The common factor 1/(all denominators) of the masses does not matter.
+void set_mass(PlanarPotential& p, const NaturalHamiltonian& n) {
+  MFraction common(n.potential.ring(), Rational(1));
+  for (const MFraction& m : n.mass)
+    common = common * MFraction((MFraction(m.den()) / common).num());
+  p.m11 = (n.mass[0] * common).num();
+  p.m12 = (n.mass[1] * common).num();
+  p.m22 = (n.mass[2] * common).num();
+}
+
+// V itself if it is homogeneous, else its parts of highest and of lowest degree.
+std::vector<PlanarPotential> planar_potentials(const System& s) {
+  std::vector<PlanarPotential> all;
+  const auto n = natural_hamiltonian(s);
+  if (!n) return all;
+  const std::size_t x = s.field.coordinates[0];
+  const std::size_t y = s.field.coordinates[1];
+  const MFraction v = without_constant(n->potential, x, y);
+  if (is_zero(v)) return all;
+  const bool at_rest = is_zero(n->linear[0]) && is_zero(n->linear[1]);
+  for (const Part part : {Part::highest, Part::lowest}) {
+    const Leading leading(x, y, part);
+    const Form top = leading(v);
+    const bool whole = at_rest && top.value == v;
+    if (!has_darboux_points(top.degree) || !is_leading(*n, leading, part, top.degree)) continue;
+    PlanarPotential p;
+    p.x = x;
+    p.y = y;
+    set_mass(p, *n);
+    p.num = top.value.num();
+    p.den = top.value.den();
+    p.k = top.degree;
+    p.directions = degree_of(p.num, x, y) + degree_of(p.den, x, y);
+    p.part = whole ? Part::all : part;
+    if (!is_zero(determinant(p))) all.push_back(std::move(p));
+    if (whole) break;
   }
-  return p;
+  return all;
 }
 
-/// The Darboux points in the chart w = x/y after a rotation, without those where V vanishes and the
-/// isotropic ones: the zeros of g.
+/// The Darboux points in the chart w = x/y after a linear change of coordinates, without those where
+/// V is 0 or infinite and the isotropic ones: the zeros of g.
 struct Chart {
   Ring ring; ///< that of the system, and L
   std::size_t w = 0, l = 0;
-  MPoly v;                ///< V(w, 1)
-  MPoly derivative_of_g0; ///< of (1 + w^2) v' - k w v
+  MPoly num, den;         ///< V(w, 1) is their quotient
+  MPoly circle;           ///< 0 at the isotropic directions: 1 + w^2 for p1^2 + p2^2
+  MPoly determinant;      ///< of the masses
+  MPoly derivative_of_g0; ///< of all of the equation for directions
   MPoly g;
-  MPoly leading;      ///< of that polynomial: 0 where a point is at infinity
-  long points = 0;    ///< degree of g
-  long isotropic = 0; ///< the power of 1 + w^2 in v
+  MPoly leading;               ///< of that equation: 0 where a direction is at infinity
+  long points = 0;             ///< degree of g
+  std::vector<long> isotropic; ///< the powers in V of the two isotropic directions
+  MPoly rest;                  ///< num den without them
 };
 
 MPoly without(MPoly f, const MPoly& factors) {
@@ -173,56 +276,101 @@ MPoly without(MPoly f, const MPoly& factors) {
   return f;
 }
 
+long take_out(const MPoly& factor, MPoly& f) {
+  long power = 0;
+  while (const auto quotient = divides(factor, f)) {
+    f = *quotient;
+    ++power;
+  }
+  return power;
+}
+
+// Conjugate directions have the same power.
+void count_isotropic(Chart& c) {
+  MPoly num = c.num;
+  MPoly den = c.den;
+  for (const MFactor& f : factor(c.circle).second) {
+    const long d = degree(f.base, c.w);
+    if (d < 1) continue;
+    const long power = take_out(f.base, num) - take_out(f.base, den);
+    for (long i = 0; i < d * static_cast<long>(f.exponent); ++i)
+      c.isotropic.push_back(power);
+  }
+  c.rest = num * den;
+}
+
+/// q = B (w, 1), B = (a -b; b a), and the masses there.
+class LinearChange {
+public:
+  LinearChange(const PlanarPotential& p, const Ring& ring, long a, long b)
+      : p_(p), ring_(ring), a_(ring, Integer(a)), b_(ring, Integer(b)) {}
+  [[nodiscard]] MPoly of(const MPoly& f) const {
+    const MFraction w = MFraction::variable(ring_, p_.x);
+    const MFraction a(a_), b(b_);
+    return substitute(transfer(MFraction(f), ring_), {{p_.x, a * w - b}, {p_.y, b * w + a}}).num();
+  }
+  // adj(B) M adj(B)^T
+  [[nodiscard]] std::array<MPoly, 3> mass() const {
+    const MPoly m11 = here(p_.m11), m12 = here(p_.m12), m22 = here(p_.m22);
+    const MPoly two(ring_, Integer(2));
+    return {a_ * a_ * m11 + two * a_ * b_ * m12 + b_ * b_ * m22,
+            a_ * a_ * m12 - b_ * b_ * m12 + a_ * b_ * (m22 - m11),
+            b_ * b_ * m11 - two * a_ * b_ * m12 + a_ * a_ * m22};
+  }
+
+private:
+  [[nodiscard]] MPoly here(const MPoly& f) const { return transfer(MFraction(f), ring_).num(); }
+  const PlanarPotential& p_;
+  Ring ring_;
+  MPoly a_, b_;
+};
+
 Chart chart(const PlanarPotential& p, long cosine, long sine) {
   Chart c;
-  auto names = p.leading.ring()->names();
+  auto names = p.num.ring()->names();
   names.emplace_back("eigenvalue L");
   c.ring = make_ring(names);
   c.w = p.x;
   c.l = names.size() - 1;
-  const MFraction w = MFraction::variable(c.ring, c.w);
-  const MFraction one(c.ring, Rational(1));
-  const Rational a(cosine);
-  const Rational b(sine);
-  c.v = substitute(transfer(MFraction(p.leading), c.ring),
-                   {{p.x, a * w - b * one}, {p.y, b * w + a * one}})
-            .num();
-  const MPoly wp = MPoly::variable(c.ring, c.w);
-  const MPoly circle = wp * wp + MPoly(c.ring, Integer(1));
-  const MPoly g0 = circle * derivative(c.v, c.w) - MPoly(c.ring, Integer(p.k)) * wp * c.v;
+  const LinearChange change(p, c.ring, cosine, sine);
+  const auto [m11, m12, m22] = change.mass();
+  c.num = change.of(p.num);
+  c.den = change.of(p.den);
+  const MPoly w = MPoly::variable(c.ring, c.w);
+  c.circle = m22 * w * w - MPoly(c.ring, Integer(2)) * m12 * w + m11;
+  c.determinant = m11 * m22 - m12 * m12;
+  if (degree(c.circle, c.w) != 2) return c; // an isotropic direction is at infinity
+  count_isotropic(c);
+  const MPoly wronskian = derivative(c.num, c.w) * c.den - c.num * derivative(c.den, c.w);
+  const MPoly g0 =
+      c.circle * wronskian - MPoly(c.ring, Integer(p.k)) * (m22 * w - m12) * c.num * c.den;
   c.derivative_of_g0 = derivative(g0, c.w);
-  MPoly rest = c.v;
-  while (const auto quotient = divides(circle, rest)) {
-    rest = *quotient;
-    ++c.isotropic;
-  }
-  if (degree(g0, c.w) != p.k) return c; // a point at infinity, for all parameters
+  if (is_zero(g0) || degree(g0, c.w) != p.directions) return c; // a direction at infinity
   c.leading = coefficients(g0, c.w).back();
-  c.g = without(without(g0, c.v), circle);
+  c.g = without(without(without(g0, c.num), c.den), c.circle);
   c.points = degree(c.g, c.w);
   return c;
 }
 
-// Where none of these vanishes the zeros of g are simple and not isotropic, and none is at infinity.
+// Where none of these vanishes the zeros of g are simple and not isotropic, none of them nor an
+// isotropic direction is at infinity, those are two, and num/den is in lowest terms.
 std::vector<MPoly> generic(const Chart& c) {
-  const MPoly wp = MPoly::variable(c.ring, c.w);
-  const MPoly circle = wp * wp + MPoly(c.ring, Integer(1));
-  std::vector<MPoly> all{c.leading, resultant(c.g, circle, c.w)};
+  std::vector<MPoly> all{c.determinant, coefficients(c.circle, c.w).back(), c.leading,
+                         resultant(c.g, c.circle, c.w)};
   if (c.points > 1) all.push_back(discriminant(c.g, c.w));
-  MPoly rest = c.v;
-  for (long i = 0; i < c.isotropic; ++i)
-    rest = exact_div(rest, circle);
-  all.push_back(resultant(rest, circle, c.w));
+  if (degree(c.num, c.w) > 0 && degree(c.den, c.w) > 0) all.push_back(resultant(c.num, c.den, c.w));
+  all.push_back(resultant(c.rest, c.circle, c.w));
   return all;
 }
 
 // prod (L - Lambda_i) up to a factor, by powers of L.
 std::vector<MPoly> eigenvalue_polynomial(const Chart& c, long k) {
-  const MPoly wp = MPoly::variable(c.ring, c.w);
-  const MPoly circle = wp * wp + MPoly(c.ring, Integer(1));
   const MPoly l = MPoly::variable(c.ring, c.l);
-  return coefficients(
-      resultant(c.g, circle * c.derivative_of_g0 - l * MPoly(c.ring, Integer(k)) * c.v, c.w), c.l);
+  return coefficients(resultant(c.g,
+                                c.circle * c.derivative_of_g0 -
+                                    l * MPoly(c.ring, Integer(k)) * c.determinant * c.num * c.den,
+                                c.w),
+                      c.l);
 }
 
 MPoly at(const std::vector<MPoly>& polynomial, const Rational& value) {
@@ -265,9 +413,42 @@ std::string text_of(const std::vector<std::vector<Rational>>& choices) {
 
 MPoly back(const MPoly& p, const Ring& ring) { return transfer(MFraction(p), ring).num(); }
 
-// With `lost` simple zeros of g at double zeros of v: chi loses so many degrees.
+// The sum of 1/Lambda over all directions; unset: V decides it.
+std::optional<Rational> sum_of_inverses(const Chart& c, long k) {
+  Rational sum(0);
+  for (const long m : c.isotropic) {
+    if (2 * m == k) return std::nullopt;
+    sum = sum - Rational(k, 2 * (k - 2 * m));
+  }
+  return sum;
+}
+
+std::string which_part(const PlanarPotential& p) {
+  if (p.part == Part::all) return "the potential";
+  return std::string("the part of ") + (p.part == Part::highest ? "highest" : "lowest") +
+         " degree, " + std::to_string(p.k) + ", of the potential";
+}
+
+ExclusionReason why(const PlanarPotential& p, std::size_t points,
+                    const std::vector<std::vector<Rational>>& choices) {
+  ExclusionReason by;
+  by.solution = "the Darboux points of " + which_part(p);
+  by.level = "energy not 0";
+  by.reason = "their eigenvalues are not in the table of Morales-Ruiz and Ramis; with " +
+              std::to_string(points) + " simple points it leaves " + text_of(choices);
+  by.integrals = p.part == Part::all ? ExcludedClass::meromorphic : ExcludedClass::rational;
+  by.theorems = {morales_ramis().name};
+  by.trusted = {"the polynomial of the eigenvalues at Darboux points"};
+  if (p.part != Part::all)
+    by.theorems.push_back("Ziglin's lemma, for parts of " +
+                          std::string(p.part == Part::highest ? "highest" : "lowest") + " weight");
+  return by;
+}
+
+// With `lost` simple zeros of g where V has no Darboux point: chi loses so many degrees.
 std::optional<Exclusion> exclusion(const System& s, const PlanarPotential& p, const Chart& c,
-                                   std::vector<MPoly> chi, long lost, const Budget& budget) {
+                                   const Rational& sum, std::vector<MPoly> chi, long lost,
+                                   const Budget& budget) {
   Exclusion e;
   for (; lost > 0; --lost) {
     if (is_constant(chi.back())) return std::nullopt;
@@ -279,10 +460,8 @@ std::optional<Exclusion> exclusion(const System& s, const PlanarPotential& p, co
   conditions.push_back(chi.back());
   if (std::any_of(conditions.begin(), conditions.end(), [](const MPoly& f) { return is_zero(f); }))
     return std::nullopt;
-  const long points = static_cast<long>(chi.size()) - 1;
-  const auto choices =
-      eigenvalue_choices(p.k, points, Rational(-p.k, p.k - 2 * c.isotropic), budget);
-  if (!is_constant(p.mass)) e.not_all_zero.push_back({p.mass});
+  const std::size_t points = chi.size() - 1;
+  const auto choices = eigenvalue_choices(p.k, static_cast<long>(points), sum, budget);
   for (const MPoly& f : conditions)
     e.not_all_zero.push_back({back(f, s.ring())});
   for (const auto& choice : choices)
@@ -291,44 +470,43 @@ std::optional<Exclusion> exclusion(const System& s, const PlanarPotential& p, co
       for (const MPoly& f : component)
         e.not_all_zero.back().push_back(back(f, s.ring()));
     }
-  e.by.solution =
-      "the Darboux points of the part of degree " + std::to_string(p.k) + " of the potential";
-  e.by.level = "energy not 0";
-  e.by.reason = "their eigenvalues are not in the table of Morales-Ruiz and Ramis; with " +
-                std::to_string(points) + " simple points it leaves " + text_of(choices);
-  e.by.integrals = p.homogeneous ? ExcludedClass::meromorphic : ExcludedClass::rational;
-  e.by.theorems = {morales_ramis().name};
-  e.by.trusted = {"the polynomial of the eigenvalues at Darboux points"};
-  if (!p.homogeneous) e.by.theorems.emplace_back("Ziglin's lemma, for parts of highest weight");
+  e.by = why(p, points, choices);
   return e;
 }
 
 void add_exclusions(const System& s, const PlanarPotential& p, const Chart& c, const Budget& budget,
                     std::vector<Exclusion>& all) {
-  if (c.points == 0 || 2 * c.isotropic == p.k) return;
+  if (c.points == 0) return;
+  const auto sum = sum_of_inverses(c, p.k);
+  if (!sum) return;
   const auto chi = eigenvalue_polynomial(c, p.k);
   if (chi.size() != static_cast<std::size_t>(c.points) + 1) return;
   for (long lost = 0; lost < c.points && lost <= most_lost; ++lost)
-    if (auto e = exclusion(s, p, c, chi, lost, budget)) all.push_back(*std::move(e));
+    if (auto e = exclusion(s, p, c, *sum, chi, lost, budget)) all.push_back(*std::move(e));
+}
+
+void add_exclusions(const System& s, const PlanarPotential& p, const Budget& budget,
+                    std::vector<Exclusion>& all) {
+  if (p.directions > most_directions) return;
+  for (const auto& [cosine, sine] : {std::pair(1L, 0L), std::pair(3L, 4L), std::pair(5L, 12L)}) {
+    const Chart c = chart(p, cosine, sine);
+    add_exclusions(s, p, c, budget, all);
+    if (c.points > 0 && is_constant(c.leading)) break; // no point is ever at infinity
+  }
 }
 
 } // namespace
 
 std::vector<std::vector<Rational>> eigenvalue_choices(long k, long points, const Rational& sum,
                                                       const Budget& budget) {
-  KOV_ENSURE(k >= 3);
+  KOV_ENSURE(has_darboux_points(k));
   return Choices(k, budget).run(points, sum);
 }
 
 std::vector<Exclusion> exclusions_by_darboux_points(const System& s, const Budget& budget) {
-  const auto p = planar_potential(s);
   std::vector<Exclusion> all;
-  if (!p || p->k < 3 || p->k > largest_degree) return all;
-  for (const auto& [cosine, sine] : {std::pair(1L, 0L), std::pair(3L, 4L), std::pair(5L, 12L)}) {
-    const Chart c = chart(*p, cosine, sine);
-    add_exclusions(s, *p, c, budget, all);
-    if (c.points > 0 && is_constant(c.leading)) break; // no point is ever at infinity
-  }
+  for (const PlanarPotential& p : planar_potentials(s))
+    add_exclusions(s, p, budget, all);
   return all;
 }
 
