@@ -82,7 +82,7 @@ struct Round {
   std::vector<KnownLevel> levels;
   Piece whole;
   std::vector<Piece> pieces = {whole};
-  std::vector<ManifoldSpec> at_all_levels = {}; ///< solutions for what is left
+  std::vector<ManifoldSpec> at_energy_zero = {}, at_all_levels = {}; ///< solutions for what is left
   std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
   std::vector<ManifoldSpec> solutions = {};
   bool integrals_known = false; ///< for all of these parameters, from a round before
@@ -220,9 +220,10 @@ private:
       look_for_a_contradiction(round, decided);
     else if (begins(round, "integrals"))
       try_integrals(round, decided);
-    for (const ManifoldSpec& m : round.at_all_levels)
-      if (!round.pieces.empty() && begins(round, m.name))
-        try_solution(round, m, 0.2 / static_cast<double>(round.at_all_levels.size()));
+    meet_conditions(round);
+    try_what_is_left(round, round.at_energy_zero);
+    meet_conditions(round);
+    try_what_is_left(round, round.at_all_levels);
     if (options_.order > 1 && !round.pieces.empty() && begins(round, "higher orders"))
       try_higher_orders(round);
     if (begins(round, "exceptions"))
@@ -267,6 +268,7 @@ private:
         particular_solutions(round.system, round.levels, options_.search_solutions, share(0.2));
     result_.stages.emplace_back("invariant manifolds", seconds_since(start));
     round.at_all_levels = solutions.at_all_levels;
+    round.at_energy_zero = solutions.at_energy_zero;
     round.solutions = solutions.manifolds;
     std::size_t left = solutions.manifolds.size();
     for (const ManifoldSpec& m : solutions.manifolds) {
@@ -281,6 +283,54 @@ private:
         note(p, "invariant manifolds",
              options_.search_solutions ? "none was found" : "the file has none");
     }
+  }
+
+  void try_what_is_left(Round& round, const std::vector<ManifoldSpec>& solutions) {
+    for (const ManifoldSpec& m : solutions)
+      if (!round.pieces.empty() && begins(round, m.name))
+        try_solution(round, m, 0.2 / static_cast<double>(solutions.size()));
+  }
+
+  // Where two conditions hold together at finitely many values of a difference only.
+  void meet_conditions(Round& round) {
+    std::vector<Piece> left;
+    for (Piece& piece : round.pieces)
+      try {
+        auto parts = at_common_values(round, piece);
+        std::move(parts.begin(), parts.end(), std::back_inserter(left));
+      } catch (const OutOfBudget&) {
+        left.push_back(std::move(piece));
+      }
+    round.pieces = std::move(left);
+  }
+
+  std::vector<Piece> at_common_values(const Round& round, const Piece& piece) {
+    for (std::size_t i = 0; i < piece.special.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (const auto common = common_values(piece.special[i], piece.special[j])) {
+          add_once(result_.trusted, "the common values of two exponent differences");
+          return at_those_values(round, piece, *common,
+                                 piece.special[i].squares.front().den() *
+                                     piece.special[j].squares.front().den());
+        }
+    return {piece};
+  }
+
+  // Where the denominators vanish nothing is concluded.
+  static std::vector<Piece> at_those_values(const Round& round, const Piece& piece,
+                                            const CommonValues& common, const MPoly& denominators) {
+    const MayVanish possible = may_vanish(round.system);
+    const SetParts parts = split_set(piece.where, {denominators}, {}, possible);
+    std::vector<Piece> all;
+    for (const ParameterSet& special : parts.inside)
+      all.push_back({special, piece.special, piece.tried});
+    for (const ParameterSet& where : parts.outside)
+      for (const Rational& value : common.values) {
+        const MFraction difference = common.square - MFraction(common.square.ring(), value);
+        for (const ParameterSet& there : split_set(where, {difference.num()}, {}, possible).inside)
+          if (auto part = on_part(piece, there)) all.push_back(*std::move(part));
+      }
+    return all;
   }
 
   void try_solution(Round& round, const ManifoldSpec& m, double part) {

@@ -1,5 +1,6 @@
 #include "classify/difference.hpp"
 
+#include "exact/error.hpp"
 #include "special/arithmetic.hpp"
 
 #include <algorithm>
@@ -9,20 +10,39 @@ namespace {
 
 using Kind = DifferenceCondition::Kind;
 
-bool is_special(Kind kind, const Rational& square) {
+// Q itself for Kind::rational.
+std::optional<std::vector<Residues>> residues(const DifferenceCondition& c) {
+  const Rational zero(0), half(1, 2), one(1);
+  switch (c.kind) {
+  case Kind::rational:
+    return std::nullopt;
+  case Kind::integer:
+    return std::vector{Residues{zero, one}};
+  case Kind::half_integer:
+    return std::vector{Residues{zero, half}};
+  case Kind::odd_half:
+    return std::vector{Residues{half, one}};
+  case Kind::classes:
+    break;
+  }
+  return c.classes;
+}
+
+bool contains(const Residues& r, const Rational& x) {
+  return is_integer((x - r.a) / r.step) || is_integer((x + r.a) / r.step);
+}
+bool contains(const Residues& r, const Residues& smaller) {
+  return is_integer(smaller.step / r.step) && contains(r, smaller.a);
+}
+bool contains(const std::vector<Residues>& all, const Rational& x) {
+  return std::any_of(all.begin(), all.end(), [&](const Residues& r) { return contains(r, x); });
+}
+
+bool is_special(const DifferenceCondition& c, const Rational& square) {
   const auto root = exact_sqrt(square);
   if (!root) return false;
-  switch (kind) {
-  case Kind::rational:
-    return true;
-  case Kind::integer:
-    return is_integer(*root);
-  case Kind::half_integer:
-    return is_integer(Rational(2) * *root);
-  case Kind::odd_half:
-    return is_integer(*root - Rational(1, 2));
-  }
-  return true;
+  const auto classes = residues(c);
+  return !classes || contains(*classes, *root);
 }
 
 // f as a function on the set, where its denominator does not vanish identically.
@@ -50,7 +70,7 @@ std::variant<bool, DifferenceCondition> on_set(const DifferenceCondition& c,
       continue;
     }
     const Rational value = is_zero(*here) ? Rational(0) : to_rational(*here);
-    if (is_special(c.kind, value)) return with_sign(true, c.holds);
+    if (is_special(c, value)) return with_sign(true, c.holds);
     if (!exact_sqrt(value)) left.or_all_rational = false;
   }
   if (left.squares.empty()) return with_sign(left.or_all_rational, c.holds);
@@ -76,72 +96,137 @@ bool implies(const DifferenceCondition& a, const DifferenceCondition& b) {
   if (!a.holds || !b.holds || a.or_all_rational) return false;
   if (b.kind == Kind::rational && same_up_to_squares(a.squares, b.squares)) return true;
   if (a.squares != b.squares) return false;
-  const auto strength = [](Kind kind) {
-    return kind == Kind::rational ? 0 : kind == Kind::half_integer ? 1 : 2;
-  };
-  return a.kind == b.kind || strength(a.kind) > strength(b.kind);
+  const auto smaller = residues(a);
+  const auto larger = residues(b);
+  if (!smaller || !larger) return !larger;
+  return std::all_of(smaller->begin(), smaller->end(), [&](const Residues& x) {
+    return std::any_of(larger->begin(), larger->end(),
+                       [&](const Residues& r) { return contains(r, x); });
+  });
 }
 
 namespace {
 
+// a in [0, step/2], as a + step Z and -a + step Z are one.
+Residues reduced(const Residues& r) {
+  const Rational step = sign(r.step) < 0 ? -r.step : r.step;
+  Rational a = r.a - Rational(floor(r.a / step)) * step;
+  if (a + a > step) a = step - a;
+  return {a, step};
+}
+
+void add(std::vector<Residues>& all, const Residues& r) {
+  if (std::any_of(all.begin(), all.end(), [&](const Residues& x) { return contains(x, r); }))
+    return;
+  std::erase_if(all, [&](const Residues& x) { return contains(r, x); });
+  all.push_back(r);
+}
+
+// a + step Z and a + step/2 + step Z are a + (step/2) Z.
+std::vector<Residues> joined(std::vector<Residues> all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Rational half = all[i].step * Rational(1, 2);
+    const Residues partner = reduced({all[i].a + half, all[i].step});
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Residues& x) { return contains(x, partner); }))
+      continue;
+    add(all, reduced({all[i].a, half}));
+    i = static_cast<std::size_t>(-1); // from the beginning: there are fewer now
+  }
+  std::sort(all.begin(), all.end(), [](const Residues& a, const Residues& b) {
+    return a.step != b.step ? b.step < a.step : a.a < b.a;
+  });
+  return all;
+}
+
+std::vector<Residues> simplified(const std::vector<Residues>& classes) {
+  std::vector<Residues> all;
+  for (const Residues& r : classes)
+    add(all, reduced(r));
+  return joined(std::move(all));
+}
+
+DifferenceCondition condition(const MFraction& square, const std::vector<Residues>& classes) {
+  for (const Kind kind : {Kind::integer, Kind::half_integer, Kind::odd_half})
+    if (DifferenceCondition c{kind, {square}}; residues(c) == classes) return c;
+  DifferenceCondition c{Kind::classes, {square}};
+  c.classes = classes;
+  return c;
+}
+
 /// What one statement says of one difference.
 struct Special {
   MFraction square;
-  Kind kind;
+  std::optional<std::vector<Residues>> classes; ///< unset: it is rational
 };
 
-// a + step Z and -a + step Z lie in it.
-Kind kind_of(const Rational& a, const Rational& step) {
-  if (is_integer(step) && is_integer(a)) return Kind::integer;
-  if (is_integer(step) && is_integer(a - Rational(1, 2))) return Kind::odd_half;
-  const Rational two(2);
-  return is_integer(two * step) && is_integer(two * a) ? Kind::half_integer : Kind::rational;
-}
+bool is_number(const MFraction& f) { return is_zero(f) || is_constant(f); }
 
-// The smallest kind with both.
-Kind join(Kind a, Kind b) {
-  if (a == b) return a;
-  return a == Kind::rational || b == Kind::rational ? Kind::rational : Kind::half_integer;
-}
-
-// The only one that is no number, and the sums of the others with both signs; unset: there are
-// more, or a number is irrational.
+/// x + c1 Delta, up to sign, for all signs in a sum of Delta, taken `times` times, and numbers.
 struct OneOpen {
   MFraction square;
-  std::vector<Rational> sums{Rational(0)};
+  long times = 0;
+  std::vector<Rational> sums{Rational(0)}; ///< of the numbers
 };
+// Unset: there are other differences, or a number is irrational.
 std::optional<OneOpen> one_open(const Squares& squares) {
-  std::optional<MFraction> open;
-  std::vector<Rational> sums{Rational(0)};
+  OneOpen one;
   for (const MFraction& square : squares) {
-    if (!is_zero(square) && !is_constant(square)) {
-      if (open) return std::nullopt;
-      open = square;
+    if (!is_number(square)) {
+      if (one.times > 0 && !(one.square == square)) return std::nullopt;
+      one.square = square;
+      ++one.times;
       continue;
     }
     const auto root = exact_sqrt(is_zero(square) ? Rational(0) : to_rational(square));
     if (!root) return std::nullopt;
     std::vector<Rational> more;
-    for (const Rational& x : sums) {
+    for (const Rational& x : one.sums) {
       more.push_back(x + *root);
       more.push_back(x - *root);
     }
-    sums = std::move(more);
+    one.sums = std::move(more);
   }
-  if (!open) return std::nullopt;
-  return OneOpen{*std::move(open), std::move(sums)};
+  if (one.times == 0) return std::nullopt;
+  return one;
 }
 
+// x + c Delta in r for some sum x of the numbers; for c = 0 this may say nothing of Delta.
 std::optional<Special> said_by(const SumIn& s) {
   const auto one = one_open(s.squares);
-  if (!one || s.classes.empty()) return std::nullopt;
-  std::optional<Kind> kind;
-  for (const Residues& r : s.classes)
-    for (const Rational& x : one->sums) {
-      const Kind here = kind_of(r.a + x, r.step);
-      kind = kind ? join(*kind, here) : here;
+  if (!one) return std::nullopt;
+  std::vector<Residues> classes;
+  for (long c = one->times; c >= 0; c -= 2)
+    for (const Residues& r : s.classes)
+      for (const Rational& x : one->sums) {
+        if (c == 0 && contains(r, x)) return std::nullopt;
+        if (c == 0) continue;
+        const Rational by = Rational(1, c);
+        for (const Rational& a : {r.a - x, -(r.a + x)})
+          classes.push_back({a * by, r.step * by});
+      }
+  return Special{one->square, simplified(classes)};
+}
+
+// Of the rows for A4, S4, A5 all entries are in (1/6)Z, (1/12)Z, (1/30)Z.
+Residues entries(GroupType group) {
+  return {Rational(0), Rational(1, group == GroupType::A4 ? 6 : group == GroupType::S4 ? 12 : 30)};
+}
+
+// Where all that is open is one difference: the rows matter up to sign and modulo 2.
+std::optional<Special> said_by(const InRow& s) {
+  const auto one = one_open(s.squares);
+  if (!one) return std::nullopt;
+  std::vector<Residues> classes;
+  for (long d = 2; d <= 5; ++d)
+    for (long j = 0; j <= d; ++j) {
+      const Rational nu(j, d);
+      const auto at = [&](const MFraction& f) {
+        return NfElem(f == one->square ? nu * nu : is_zero(f) ? Rational(0) : to_rational(f));
+      };
+      if (is_so({s, true}, at)) classes.push_back({nu, Rational(2)});
     }
-  return Special{one->square, *kind};
+  return Special{one->square, simplified(classes)};
 }
 
 struct WhatItSays {
@@ -149,33 +234,50 @@ struct WhatItSays {
     const auto one = said_by(s);
     return one ? std::vector{*one} : std::vector<Special>{};
   }
-  std::vector<Special> operator()(const AllRational& s) const { return all_rational(s.squares); }
-  std::vector<Special> operator()(const InRow& s) const { return all_rational(s.squares); }
+  std::vector<Special> operator()(const AllRational& s) const { return all(s.squares, {}); }
+  std::vector<Special> operator()(const InRow& s) const {
+    if (const auto one = said_by(s)) return {*one};
+    return all(s.squares, std::vector{entries(s.group)});
+  }
   std::vector<Special> operator()(const InHalves& s) const {
     if (s.count < s.squares.size()) return {}; // which of them is not known
-    std::vector<Special> all;
-    for (const MFraction& square : s.squares)
-      all.push_back({square, Kind::odd_half});
-    return all;
+    return all(s.squares, std::vector{Residues{Rational(1, 2), Rational(1)}});
   }
   template <class Other> std::vector<Special> operator()(const Other&) const { return {}; }
 
 private:
-  static std::vector<Special> all_rational(const Squares& squares) {
-    std::vector<Special> all;
+  static std::vector<Special> all(const Squares& squares,
+                                  const std::optional<std::vector<Residues>>& classes) {
+    std::vector<Special> each;
     for (const MFraction& square : squares)
-      all.push_back({square, Kind::rational});
-    return all;
+      each.push_back({square, classes});
+    return each;
   }
 };
 
+// Each difference once; a finite union of classes rather than Q.
 std::vector<Special> said_by(const std::vector<ArithmeticCondition>& part) {
-  std::vector<Special> all;
-  for (const ArithmeticCondition& c : part)
-    if (c.holds)
-      for (Special& one : std::visit(WhatItSays{}, c.statement))
-        all.push_back(std::move(one));
-  return all;
+  std::vector<Special> each;
+  for (const ArithmeticCondition& c : part) {
+    if (!c.holds) continue;
+    for (Special& one : std::visit(WhatItSays{}, c.statement)) {
+      const auto known = std::find_if(each.begin(), each.end(),
+                                      [&](const Special& x) { return x.square == one.square; });
+      if (known == each.end())
+        each.push_back(std::move(one));
+      else if (!known->classes)
+        *known = std::move(one);
+    }
+  }
+  return each;
+}
+
+// The smallest set with both.
+Special united(const Special& a, const Special& b) {
+  if (!a.classes || !b.classes) return {a.square, std::nullopt};
+  std::vector<Residues> both = *a.classes;
+  both.insert(both.end(), b.classes->begin(), b.classes->end());
+  return {a.square, simplified(both)};
 }
 
 } // namespace
@@ -184,22 +286,160 @@ std::optional<DifferenceCondition>
 necessary_condition(const std::vector<std::vector<ArithmeticCondition>>& parts) {
   if (parts.empty()) return std::nullopt;
   std::vector<Special> common = said_by(parts.front());
-  std::erase_if(common,
-                [](const Special& c) { return is_zero(c.square) || is_constant(c.square); });
-  for (const auto& part : parts) {
-    const auto here = said_by(part);
+  std::erase_if(common, [](const Special& c) { return is_number(c.square); });
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const auto here = said_by(parts[i]);
     std::vector<Special> both;
     for (const Special& c : common)
       for (const Special& x : here)
-        if (x.square == c.square) both.push_back({c.square, join(c.kind, x.kind)});
+        if (x.square == c.square) both.push_back(united(c, x));
     common = std::move(both);
   }
   if (common.empty()) return std::nullopt;
-  const auto strongest =
-      std::max_element(common.begin(), common.end(), [](const Special& a, const Special& b) {
-        return (a.kind == Kind::rational) > (b.kind == Kind::rational);
-      });
-  return DifferenceCondition{strongest->kind, {strongest->square}};
+  const auto discrete = std::find_if(common.begin(), common.end(),
+                                     [](const Special& c) { return c.classes.has_value(); });
+  if (discrete == common.end()) return DifferenceCondition{Kind::rational, {common.front().square}};
+  if (discrete->classes->empty()) return std::nullopt; // no part has a point
+  return condition(discrete->square, *discrete->classes);
+}
+
+// ---- two conditions on one parameter
+
+namespace {
+
+constexpr long most_values = 200000;
+
+/// A rational function of one variable over Q.
+struct Univariate {
+  std::vector<Rational> num, den; ///< ascending, without common factor
+};
+
+Rational at(const std::vector<Rational>& p, const Rational& x) {
+  Rational sum(0);
+  for (std::size_t i = p.size(); i-- > 0;)
+    sum = sum * x + p[i];
+  return sum;
+}
+
+std::vector<Rational> univariate(const MPoly& f, std::size_t x) {
+  std::vector<Rational> all;
+  for (const MPoly& c : coefficients(f, x))
+    all.push_back(is_zero(c) ? Rational(0) : to_rational(MFraction(c)));
+  return all;
+}
+
+// g as a function of f, if it is one: f is solved for a parameter that it contains to degree 1.
+std::optional<Univariate> in_terms_of(const MFraction& f, const MFraction& g) {
+  auto names = f.ring()->names();
+  names.emplace_back("value of the square");
+  const Ring ring = make_ring(names);
+  const std::size_t x = names.size() - 1;
+  const MFraction value = MFraction::variable(ring, x);
+  const MFraction here = transfer(f, ring);
+  const MFraction zero(ring);
+  for (const std::size_t t : used_variables(here)) {
+    const MFraction equation = MFraction(here.num()) - value * MFraction(here.den());
+    const MFraction slope = derivative(equation, t);
+    if (is_zero(slope) || uses(slope, t)) continue;
+    const MFraction solved = -(substitute(equation, {{t, zero}}) / slope);
+    MFraction result;
+    try {
+      result = substitute(transfer(g, ring), {{t, solved}});
+    } catch (const DomainError&) {
+      continue;
+    }
+    if (is_zero(result) || used_variables(result) != std::vector{x}) continue;
+    return Univariate{univariate(result.num(), x), univariate(result.den(), x)};
+  }
+  return std::nullopt;
+}
+
+// All real zeros have a smaller absolute value (Cauchy).
+Rational bound_of_zeros(std::vector<Rational> p) {
+  while (!p.empty() && is_zero(p.back()))
+    p.pop_back();
+  Rational largest(0);
+  for (const Rational& c : p) {
+    const Rational ratio = c / p.back();
+    largest = std::max(largest, sign(ratio) < 0 ? -ratio : ratio);
+  }
+  return largest + Rational(1);
+}
+
+// N with all classes in (1/N) Z.
+Integer denominator(const std::vector<Residues>& classes) {
+  Integer n(1);
+  for (const Residues& r : classes)
+    n = lcm(lcm(n, r.a.den()), r.step.den());
+  return n;
+}
+
+// How far the squares of (1/N) Z other than `limit` itself are from it, at least.
+std::optional<Rational> distance(const Rational& limit, const Integer& n) {
+  if (sign(limit) < 0) return -limit;
+  std::optional<Rational> least;
+  for (long j = 0; j <= most_values; ++j) {
+    const Rational root = Rational(Integer(j)) / Rational(n);
+    const Rational square = root * root;
+    if (!(square == limit)) {
+      const Rational d = square < limit ? limit - square : square - limit;
+      least = least ? std::min(*least, d) : d;
+      if (limit < square) return least;
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<Rational> plus_multiple(std::vector<Rational> a, const Rational& c,
+                                    const std::vector<Rational>& b) {
+  a.resize(std::max(a.size(), b.size()), Rational(0));
+  for (std::size_t i = 0; i < b.size(); ++i)
+    a[i] = a[i] + c * b[i];
+  return a;
+}
+
+// F(x) is no square of (1/N) Z for x at or beyond this; unset: F has no finite limit.
+std::optional<Rational> bound(const Univariate& f, const Integer& n) {
+  if (f.num.size() > f.den.size()) return std::nullopt;
+  const Rational limit = f.num.size() < f.den.size() ? Rational(0) : f.num.back() / f.den.back();
+  const auto gap = distance(limit, n);
+  if (!gap) return std::nullopt;
+  // F - limit = rest/den: beyond all zeros of rest, den and gap den +- rest it is not 0 and < gap
+  const auto rest = plus_multiple(f.num, -limit, f.den);
+  std::vector<Rational> scaled = plus_multiple({}, *gap, f.den);
+  return std::max({bound_of_zeros(rest), bound_of_zeros(f.den),
+                   bound_of_zeros(plus_multiple(scaled, Rational(1), rest)),
+                   bound_of_zeros(plus_multiple(scaled, Rational(-1), rest))});
+}
+
+std::optional<CommonValues> values_by(const DifferenceCondition& a, const DifferenceCondition& b) {
+  const auto first = residues(a);
+  const auto second = residues(b);
+  const auto f = in_terms_of(a.squares.front(), b.squares.front());
+  if (!f) return std::nullopt;
+  const auto from = bound(*f, denominator(*second));
+  if (!from) return std::nullopt;
+  CommonValues all{a.squares.front(), {}};
+  const Integer n = denominator(*first);
+  for (long j = 0;; ++j) {
+    if (j > most_values) return std::nullopt;
+    const Rational root = Rational(Integer(j)) / Rational(n);
+    const Rational square = root * root;
+    if (*from < square) return all;
+    if (!contains(*first, root) || is_zero(at(f->den, square))) continue;
+    if (is_special(b, at(f->num, square) / at(f->den, square))) all.values.push_back(square);
+  }
+}
+
+} // namespace
+
+std::optional<CommonValues> common_values(const DifferenceCondition& a,
+                                          const DifferenceCondition& b) {
+  for (const DifferenceCondition* c : {&a, &b})
+    if (!c->holds || c->or_all_rational || c->squares.size() != 1 || c->kind == Kind::rational)
+      return std::nullopt;
+  if (auto values = values_by(a, b)) return values;
+  return values_by(b, a);
 }
 
 DifferenceCondition negation(DifferenceCondition c) {
@@ -234,9 +474,24 @@ std::string listed(const std::vector<std::string>& all, const std::string& last)
   return text;
 }
 
+std::string to_string(const Residues& r) {
+  const std::string step = r.step == Rational(1) ? "Z" : to_string(r.step) + "*Z";
+  if (is_zero(r.a)) return step;
+  return (r.a + r.a == r.step ? "" : "+-") + to_string(r.a) + " + " + step;
+}
+
+// One difference in classes.
+std::string in_classes(const DifferenceCondition& c) {
+  std::vector<std::string> sets;
+  for (const Residues& r : c.classes)
+    sets.push_back(to_string(r));
+  return root(c.squares.front()) + (c.holds ? " is in " : " is not in ") + listed(sets, " or ");
+}
+
 } // namespace
 
 std::string to_string(const DifferenceCondition& c) {
+  if (c.kind == Kind::classes) return in_classes(c);
   std::vector<std::string> subjects, roots;
   for (const MFraction& square : c.squares) {
     subjects.push_back(subject(c.kind, square));

@@ -15,6 +15,10 @@
 
 namespace kov {
 
+[[nodiscard]] inline bool operator==(const Residues& a, const Residues& b) {
+  return a.a == b.a && a.step == b.step;
+}
+
 /// Some root of `squares` is special; or all of them are rational, where that is enough.
 ///
 /// Given   const Ring ring = make_ring({"a"});
@@ -29,12 +33,14 @@ struct DifferenceCondition {
     rational,     ///< Delta in Q
     half_integer, ///< 2 Delta in Z
     integer,      ///< Delta in Z
-    odd_half      ///< Delta - 1/2 in Z
+    odd_half,     ///< Delta - 1/2 in Z
+    classes       ///< Delta in one of the classes below
   };
   Kind kind = Kind::rational;
   std::vector<MFraction> squares; ///< Delta^2 in the parameters; never empty
   bool or_all_rational = false;
-  bool holds = true; ///< false: it is required that nothing of this is so
+  bool holds = true;                  ///< false: it is required that nothing of this is so
+  std::vector<Residues> classes = {}; ///< each a + step Z and -a + step Z, none in another
 
   friend bool operator==(const DifferenceCondition&, const DifferenceCondition&) = default;
 };
@@ -52,6 +58,21 @@ struct DifferenceCondition {
 /// Example to_string(*necessary_condition({{halves}, {other}}))  // -> sqrt(a) - 1/2 is an integer
 [[nodiscard]] std::optional<DifferenceCondition>
 necessary_condition(const std::vector<std::vector<ArithmeticCondition>>& parts);
+/// One of the two numbers Delta^2, and its values.
+struct CommonValues {
+  MFraction square;
+  std::vector<Rational> values; ///< ascending
+};
+/// Where both conditions may hold; unset: not known to be at finitely many values.
+/// Two differences D1, D2 in (1/N) Z with D2^2 = F(D1^2), F a rational function with a finite limit at
+/// infinity: near the limit D2^2 takes no special value.
+/// Cost   the numbers of (1/N) Z below a bound on the zeros of F
+/// Given   const MFraction other = MFraction(ring, Rational(16)) / MFraction(a);
+/// Given   const DifferenceCondition inverse{DifferenceCondition::Kind::integer, {other}};
+/// Example common_values(integer, inverse)->values.size()  // -> 3
+[[nodiscard]] std::optional<CommonValues> common_values(const DifferenceCondition& a,
+                                                        const DifferenceCondition& b);
+
 [[nodiscard]] DifferenceCondition negation(DifferenceCondition c);
 [[nodiscard]] std::string to_string(const DifferenceCondition& c);
 

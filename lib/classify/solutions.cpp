@@ -176,30 +176,6 @@ ManifoldSpec with_its_levels(const System& s, const FoundManifold& m,
   return spec;
 }
 
-// A coordinate that nothing contains, whether or not functions depend on it.
-bool is_ignorable(const VectorField& v, std::size_t x) {
-  const auto contain = [x](const std::vector<MFraction>& all) {
-    return std::any_of(all.begin(), all.end(), [x](const MFraction& f) { return uses(f, x); });
-  };
-  return std::find(v.coordinates.begin(), v.coordinates.end(), x) != v.coordinates.end() &&
-         !contain(v.components) &&
-         std::none_of(v.functions.begin(), v.functions.end(),
-                      [&](const FunctionSymbol& f) { return contain(f.gradient); }) &&
-         std::none_of(v.relations.begin(), v.relations.end(),
-                      [x](const MPoly& f) { return uses(f, x); });
-}
-
-// Without equations for coordinates on which nothing depends: where such a set is invariant, so is
-// the larger one.
-std::vector<Equation> that_matter(const System& s, const std::vector<Equation>& equations) {
-  std::vector<Equation> all;
-  for (const Equation& e : equations) {
-    const auto used = used_variables(e.difference);
-    if (used.size() != 1 || !is_ignorable(s.field, used.front())) all.push_back(e);
-  }
-  return all;
-}
-
 // The components of its phase curves, as far as factors tell them apart; else the set itself.
 std::vector<ManifoldSpec> curve_components(const System& s, const ManifoldSpec& whole,
                                            const Budget& budget) {
@@ -226,23 +202,35 @@ std::size_t free_parameters(const System& s, const std::vector<KnownLevel>& leve
   return s.field.parameters.size() - std::min(s.field.parameters.size(), levels.size());
 }
 
-// Beside many parameters the energy costs much: first the same sets at one energy.
-void add_at_one_energy(const System& s, const std::vector<KnownLevel>& levels,
-                       std::vector<ManifoldSpec>& manifolds) {
+// Those of the sets whose energy is free, at one energy.
+std::vector<ManifoldSpec> at_energy(const System& s, const std::vector<KnownLevel>& levels,
+                                    const std::vector<ManifoldSpec>& manifolds, long energy) {
   std::vector<ManifoldSpec> all;
+  const MFraction value(s.ring(), Rational(energy));
   for (ManifoldSpec m : manifolds) {
     bool fixed = false;
     for (Equation& e : m.levels)
       for (const KnownLevel& known : levels) {
         if (known.claim || !uses(e.difference, known.level)) continue;
-        const MFraction one(s.ring(), Rational(1));
-        e = {substitute(e.difference, {{known.level, one}}), known.text + " = 1"};
+        e = {substitute(e.difference, {{known.level, value}}),
+             known.text + " = " + std::to_string(energy)};
         fixed = true;
       }
-    m.name += " (energy 1)";
+    m.name += " (energy " + std::to_string(energy) + ")";
     if (fixed) all.push_back(std::move(m));
   }
-  manifolds.insert(manifolds.begin(), all.begin(), all.end());
+  return all;
+}
+
+// Where the potential on a line has two terms the energy 0 has symmetries that others have not.
+void add_at_energy_zero(const System& s, const std::vector<KnownLevel>& levels,
+                        const Budget& budget, ParticularSolutions& all) {
+  try {
+    for (const ManifoldSpec& m : at_energy(s, levels, all.manifolds, 0))
+      for (ManifoldSpec& part : curve_components(s, m, budget))
+        all.at_energy_zero.push_back(std::move(part));
+  } catch (const OutOfBudget&) { // those found are at work
+  }
 }
 
 } // namespace
@@ -281,7 +269,6 @@ ParticularSolutions particular_solutions(const System& s, const std::vector<Know
     std::vector<FoundManifold> used;
     for (FoundManifold& m : found.proved) {
       if (m.equilibria || m.leaf_dimension() != 1 || !has_points(s, m.equations)) continue;
-      m.equations = that_matter(s, m.equations);
       std::string set = set_of(s, m.equations, budget);
       if (std::find(known.begin(), known.end(), set) != known.end()) continue;
       known.push_back(std::move(set));
@@ -290,7 +277,11 @@ ParticularSolutions particular_solutions(const System& s, const std::vector<Know
         all.manifolds.push_back(std::move(part));
       used.push_back(std::move(m));
     }
-    if (free_parameters(s, levels) >= many_parameters) add_at_one_energy(s, levels, all.manifolds);
+    add_at_energy_zero(s, levels, budget, all);
+    if (free_parameters(s, levels) >= many_parameters) { // the energy costs much beside them
+      auto first = at_energy(s, levels, all.manifolds, 1);
+      all.manifolds.insert(all.manifolds.begin(), first.begin(), first.end());
+    }
     add_at_all_levels(s, levels, used, budget, all.at_all_levels);
   } catch (const OutOfBudget& limit) {
     all.left_out.push_back(std::string("the search for invariant manifolds ended: ") +

@@ -30,9 +30,10 @@ struct LevelledSystem {
 [[nodiscard]] LevelledSystem with_levels(const System& s, std::vector<ClaimReport> claims);
 
 struct ParticularSolutions {
-  std::vector<ManifoldSpec> manifolds;          ///< those of the file first; each set once
-  std::vector<std::string> left_out;            ///< searches that a limit ended, as sentences
-  std::vector<ManifoldSpec> at_all_levels = {}; ///< again, with more free levels: for what is left
+  std::vector<ManifoldSpec> manifolds; ///< those of the file first; each set once
+  std::vector<std::string> left_out;   ///< searches that a limit ended, as sentences
+  /// Again, for what is left: where H = 0, and with more free levels.
+  std::vector<ManifoldSpec> at_energy_zero = {}, at_all_levels = {};
 };
 /// search: also those that the file does not name.
 [[nodiscard]] ParticularSolutions particular_solutions(const System& s,

@@ -129,11 +129,75 @@ TEST(Classify, IntegrableSystemsRaiseNoAlarm) {
       "(u^2 + v^2)/2 + x^2*y + 2*y^3 + a*x^2",
       "(u^2 + v^2)/2 + x^2*y + 16/3*y^3 + a*(x^2 + 16*y^2)/2",
       "(u^2 + v^2)/2 + a*(x^2 + 4*y^2) + 1/x^2",
-      "(u^2 + v^2)/2 + a*x*y"};
+      "(u^2 + v^2)/2 + a*x*y",
+      "(a*u^2 + v^2)/2 + x^2*y/a + 2*y^3 + 1/x^2", // a mass
+      "(v^2 - u^2)/2 + 2*y^3 - x^2*y + a*x^2",     // indefinite
+      "u*v + (x + y)^3 + a*(x - y)^3 + x*y",       // isotropic axes
+      "(u^2 + v^2 + u*v)/2 + a*(x + 2*y)^4 + (5*x - 4*y)^4 + (x + 2*y)^2",
+      "(u^2 + v^2)/2 - a*(x*v - y*u) + (x^2 + y^2)^2 + x^2 + y^2", // in a rotating frame
+      "(u^2 + v^2)/2 + 1/x + a/y",
+      "(u^2 + v^2)/2 + 1/(x + y)^4 + a/(x - y)^4",
+      "(u^2 + v^2)/2 + a/(x^2 + y^2)^3",
+      "(u^2 + v^2)/2 + x^2*y + 16*y^3/3 + 1/x^2 + a*(x^2 + 16*y^2)/2"};
   for (const std::string& h : integrable) {
     const auto c = classify_system(planar(h, "'a'"), within(30));
     EXPECT_THAT(strata_with(c, StratumStatus::excluded), testing::IsEmpty()) << h;
   }
+}
+
+bool excludes(const std::vector<Exclusion>& all, const System& s, const Point& point) {
+  Substitution there;
+  for (const auto& [name, value] : point)
+    there[*s.ring()->find(name)] = MFraction(s.ring(), value);
+  const auto vanishes = [&](const MPoly& p) { return is_zero(substitute(p, there)); };
+  return std::any_of(all.begin(), all.end(), [&](const Exclusion& e) {
+    return std::all_of(e.zero.begin(), e.zero.end(), vanishes) &&
+           std::none_of(e.not_all_zero.begin(), e.not_all_zero.end(), [&](const auto& list) {
+             return std::all_of(list.begin(), list.end(), vanishes);
+           });
+  });
+}
+
+// q -> Bq, p -> B^-T p: what the Darboux points exclude does not depend on the coordinates.
+TEST(Classify, DarbouxPointsDoNotDependOnCoordinates) {
+  const std::string form = "b*(X)^3/3 + c*(X)^2*(Y)/2 + (Y)^3/3";
+  const auto at = [&](const std::string& kinetic, const std::string& x, const std::string& y) {
+    std::string v = form;
+    for (std::size_t i; (i = v.find_first_of("XY")) != std::string::npos;)
+      v.replace(i, 1, v[i] == 'X' ? x : y);
+    return planar(kinetic + " + " + v, "'b', 'c'");
+  };
+  const std::vector<System> systems = {
+      at("(u^2 + v^2)/2", "x", "y"), at("(u^2 + (v - u)^2)/2", "x + y", "y"),
+      at("(4*u^2 + v^2/9)/2", "x/2", "3*y"),
+      at("((u + 2*v)^2 + (u - v)^2)/2", "(x + y)/3", "(2*x - y)/3")};
+  std::vector<std::vector<Exclusion>> all;
+  for (const System& s : systems)
+    all.push_back(exclusions_by_darboux_points(s));
+  for (long b = -2; b <= 2; ++b)
+    for (const Rational& c : {Rational(0), Rational(1), Rational(2), Rational(1, 3), Rational(1, 8),
+                              Rational(5), Rational(-3), Rational(7, 2)})
+      for (std::size_t i = 1; i < systems.size(); ++i)
+        EXPECT_EQ(excludes(all[i], systems[i], {{"b", b}, {"c", c}}),
+                  excludes(all[0], systems[0], {{"b", b}, {"c", c}}))
+            << i << " at " << b << ' ' << to_string(c);
+}
+
+// Potentials of negative degree, complex and indefinite masses, other terms beside the leading one.
+TEST(Classify, DarbouxPointsOfAllDegrees) {
+  const auto excluded = [](const std::string& h, const Rational& a) {
+    const System s = planar(h, "'a'");
+    return excludes(exclusions_by_darboux_points(s), s, {{"a", a}});
+  };
+  EXPECT_TRUE(excluded("u^2 + v^2 - u*v - 1/x - 1/y - a/(x + y)", 1)); // three bodies on a line
+  EXPECT_FALSE(excluded("(u^2 + v^2)/2 + 1/x + 1/y + a/(x + y)", 0));
+  EXPECT_TRUE(excluded("(u^2 + v^2)/2 - (x*v - y*u) + x^2*y - a*y^3/3", 1));
+  EXPECT_FALSE(excluded("(u^2 + v^2)/2 - (x*v - y*u) + x^2*y + a*y^3/3", 6));
+  EXPECT_FALSE(excluded("(u^2 + v^2)/2 - (1 + x)*(x*v - y*u) + x^2*y - a*y^3/3", 1));
+  EXPECT_TRUE(excluded("(v^2 - u^2)/2 + x^4 + y^4 + a*x^2*y^2", 1));
+  EXPECT_FALSE(excluded("(v^2 - u^2)/2 + x^4 + y^4 + a*x^2*y^2", -2)); // (x^2 - y^2)^2
+  EXPECT_FALSE(excluded("(v^2 - u^2)/2 + x^4 + y^4 + a*x^2*y^2", -6)); // 1:6:1
+  EXPECT_TRUE(excluded("(u^2 + v^2)/2 + x^2 + y^2 + x^2*y - a*y^3/3 + x/y^5", 1));
 }
 
 TEST(Classify, StrataAreDisjointAndCover) {
@@ -299,6 +363,19 @@ TEST(Classify, ClosedAnswersExcludeWhatTheyExclude) {
     EXPECT_EQ(status_at(c, {{"m", m}}), "open") << to_string(m);
   }
   EXPECT_EQ(status_at(c, {{"m", 0}}), "integrable");
+}
+
+// Both axes of the van der Waals problem at energy 0 leave finitely many values together.
+TEST(Classify, TwoDifferencesLeaveFinitelyManyValues) {
+  const auto c = classify_system(
+      of("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+         "parameters = ['b']\nhamiltonian = '(u^2 + v^2)/2 - 1/r + x^2 + b*y^2'\n"
+         "relations = ['r^2 = x^2 + y^2']\n[[system.function]]\nname = 'r'\n"
+         "derivative = {x = 'x/r', y = 'y/r'}\n[assume]\nb = 'nonzero'\n"),
+      within(120));
+  for (const Rational& b : {Rational(1), Rational(4), Rational(1, 4)})
+    EXPECT_EQ(status_at(c, {{"b", b}}), "integrable") << to_string(b);
+  EXPECT_THAT(strata_with(c, StratumStatus::open), testing::IsEmpty());
 }
 
 // Where H is no quotient any more, the degrees of the coefficients are other ones.

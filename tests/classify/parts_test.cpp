@@ -199,5 +199,93 @@ TEST_F(Parts, WhatAStatementSaysOfADifference) {
   EXPECT_FALSE(necessary_condition({{{SumIn{{a, MFraction(b_)}, {odd}}, true}}}));
 }
 
+// A difference that occurs twice in a sum, and the rows of the table with two that are open.
+TEST_F(Parts, ADifferenceMayOccurTwice) {
+  const MFraction a(a_);
+  const MFraction third(ring_, Rational(1, 9));
+  const Residues odd{Rational(1), Rational(2)};
+  const std::vector<std::vector<ArithmeticCondition>> parts = {
+      {{SumIn{{third, a, a}, {odd}}}},
+      {{InHalves{{a, a}, 2}}},
+      {{InRow{{third, a, a}, GroupType::A4}}},
+      {{InRow{{third, a, a}, GroupType::A5}}}};
+  const auto all = necessary_condition(parts);
+  ASSERT_TRUE(all);
+  EXPECT_NE(all->kind, Kind::rational);
+  long met = 0;
+  for (long q : {1, 2, 3, 4, 5, 6, 7, 30})
+    for (long p = 0; p <= 8 * q; ++p) {
+      const Rational value(p * p, q * q);
+      const auto at = [&](const MFraction& f) {
+        return NfElem(is_zero(f) ? Rational(0) : is_constant(f) ? to_rational(f) : value);
+      };
+      const bool some = std::any_of(parts.begin(), parts.end(),
+                                    [&](const auto& part) { return is_so(part.front(), at); });
+      if (!some) continue;
+      ++met;
+      const ParameterSet there = all_.where_zero((a - MFraction(ring_, value)).num());
+      EXPECT_TRUE(std::get<bool>(on_set(*all, there))) << to_string(value);
+    }
+  EXPECT_GT(met, 20);
+  // 2 Delta = 0 is no odd integer, and says nothing of Delta where c itself is one
+  EXPECT_FALSE(necessary_condition({{{SumIn{{MFraction(ring_, Rational(1)), a, a}, {odd}}}}}));
+}
+
+DifferenceCondition in_classes(const MFraction& square, std::vector<Residues> classes) {
+  DifferenceCondition c{Kind::classes, {square}};
+  c.classes = std::move(classes);
+  return c;
+}
+
+// All values up to a bound, by looking at each.
+TEST_F(Parts, CommonValuesAreAllOfThem) {
+  const MFraction a(a_), b(b_), one(ring_, Rational(1)), four(ring_, Rational(4));
+  const std::vector<Residues> thirds{{Rational(1, 3), Rational(1)}, {Rational(1, 2), Rational(1)}};
+  const DifferenceCondition x = in_classes(Rational(4, 9) * (one / a), thirds);
+  struct Pair {
+    DifferenceCondition first, second;
+  };
+  const std::vector<Pair> pairs = {
+      {x, in_classes(Rational(4, 9) * a, thirds)},
+      {{Kind::integer, {a}}, {Kind::half_integer, {(four + a) / (a + one)}}},
+      {{Kind::half_integer, {(Rational(9) * a + one) / (a + one)}},
+       {Kind::half_integer, {(Rational(9) * a - one) / (a - one)}}},
+      {{Kind::odd_half, {a}}, {Kind::integer, {one / a - one}}}};
+  for (const auto& [first, second] : pairs) {
+    const auto common = common_values(first, second);
+    ASSERT_TRUE(common);
+    const bool of_first = common->square == first.squares.front();
+    const DifferenceCondition& other = of_first ? second : first;
+    // numbers of (1/6)Z as the root of the square, a from it
+    for (long n = 0; n <= 300; ++n) {
+      const Rational square(n * n, 36);
+      const MFraction equation = common->square - MFraction(ring_, square);
+      if (degree(equation.num(), 0) < 1) continue;
+      const ParameterSet there = all_.where_zero(equation.num());
+      const auto here = on_set(of_first ? first : second, there);
+      const auto also = on_set(other, there);
+      const bool both = std::holds_alternative<bool>(here) && std::get<bool>(here) &&
+                        std::holds_alternative<bool>(also) && std::get<bool>(also);
+      const bool told =
+          std::find(common->values.begin(), common->values.end(), square) != common->values.end();
+      EXPECT_EQ(both, told) << to_string(first) << "; " << to_string(second) << " at "
+                            << to_string(square);
+    }
+  }
+}
+
+TEST_F(Parts, CommonValuesNeedALimitAndOneRelation) {
+  const MFraction a(a_), b(b_), one(ring_, Rational(1));
+  const auto finite = [](const DifferenceCondition& x, const DifferenceCondition& y) {
+    return common_values(x, y).has_value();
+  };
+  const DifferenceCondition of_a{Kind::integer, {a}};
+  EXPECT_FALSE(finite(of_a, {Kind::integer, {Rational(2) * a + one}})); // Pell
+  EXPECT_FALSE(finite(of_a, {Kind::integer, {b}}));                     // independent
+  EXPECT_FALSE(finite(of_a, {Kind::rational, {one / a}}));              // Q is dense
+  EXPECT_FALSE(finite(of_a, negation({Kind::integer, {one / a}})));
+  EXPECT_TRUE(finite({Kind::integer, {a / b}}, {Kind::integer, {b / a}})); // one relation
+}
+
 } // namespace
 } // namespace kov
