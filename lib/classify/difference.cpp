@@ -79,14 +79,19 @@ std::variant<bool, DifferenceCondition> on_set(const DifferenceCondition& c,
 
 namespace {
 
-// Each is the other one times the square of a rational number.
-bool same_up_to_squares(const std::vector<MFraction>& a, const std::vector<MFraction>& b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const MFraction& x, const MFraction& y) {
-                      if (is_zero(x) || is_zero(y)) return is_zero(x) && is_zero(y);
-                      const MFraction ratio = x / y;
-                      return is_constant(ratio) && exact_sqrt(to_rational(ratio)).has_value();
-                    });
+// The differences of b are this number times those of a, one for one.
+std::optional<Rational> scale(const DifferenceCondition& a, const DifferenceCondition& b) {
+  if (a.squares == b.squares) return Rational(1);
+  if (a.squares.size() != b.squares.size()) return std::nullopt;
+  std::optional<Rational> all;
+  for (std::size_t i = 0; i < a.squares.size(); ++i) {
+    if (is_zero(a.squares[i]) || is_zero(b.squares[i])) return std::nullopt;
+    const MFraction ratio = b.squares[i] / a.squares[i];
+    const auto root = is_constant(ratio) ? exact_sqrt(to_rational(ratio)) : std::nullopt;
+    if (!root || (all && !(*all == *root))) return std::nullopt;
+    all = root;
+  }
+  return all;
 }
 
 } // namespace
@@ -94,14 +99,15 @@ bool same_up_to_squares(const std::vector<MFraction>& a, const std::vector<MFrac
 bool implies(const DifferenceCondition& a, const DifferenceCondition& b) {
   if (a == b) return true;
   if (!a.holds || !b.holds || a.or_all_rational) return false;
-  if (b.kind == Kind::rational && same_up_to_squares(a.squares, b.squares)) return true;
-  if (a.squares != b.squares) return false;
+  const auto by = scale(a, b);
+  if (!by) return false;
   const auto smaller = residues(a);
   const auto larger = residues(b);
   if (!smaller || !larger) return !larger;
   return std::all_of(smaller->begin(), smaller->end(), [&](const Residues& x) {
+    const Residues scaled{x.a * *by, x.step * *by};
     return std::any_of(larger->begin(), larger->end(),
-                       [&](const Residues& r) { return contains(r, x); });
+                       [&](const Residues& r) { return contains(r, scaled); });
   });
 }
 

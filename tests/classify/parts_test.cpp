@@ -157,7 +157,10 @@ TEST_F(Parts, SpecialDifferencesAreRational) {
   EXPECT_TRUE(implies(half, twice));
   EXPECT_FALSE(implies(half, other));
   EXPECT_FALSE(implies(twice, half));
-  EXPECT_FALSE(implies(half, DifferenceCondition{Kind::integer, {Rational(4) * a}}));
+  EXPECT_TRUE(implies(half, DifferenceCondition{Kind::integer, {Rational(4) * a}}));
+  EXPECT_FALSE(implies(half, DifferenceCondition{Kind::odd_half, {Rational(4) * a}}));
+  EXPECT_FALSE(implies(half, DifferenceCondition{Kind::integer, {Rational(9) * a}}));
+  EXPECT_TRUE(implies(half, DifferenceCondition{Kind::odd_half, {Rational(9) * a}}));
 }
 
 // At every rational point where a statement is so, what it says of one difference is so.
