@@ -55,6 +55,7 @@ def command_line(modules):
                 and printed(v, [path("airy")]) == (0, ["accepted (0 trusted steps)", *("  " + x for x in group)], [])
                 and printed(v, [path("airy"), path("false")]) == (1, lines, [])
                 and printed(v, [path("false"), path("text"), path("airy")])[0] == 2
+                and printed(v, [path("airy"), path("\u00e9")])[0] == 2
                 and printed(v, ["--strict", path("trusted")]) == (1, ["rejected: 1 trusted steps, refused by --strict"], [])
                 and printed(v, []) == (2, [], [*str(v.__doc__).splitlines(), ""]) and printed(v, ["--strict"])[0] == 2
                 and v.shown("a\nb\x7f") == "a?b?" and v.shown("x" * 1001) == "x" * 1000

@@ -93,6 +93,7 @@ FALSE = [                                   # of, why, then path and value, or p
     ("solve_signs", "the coefficient may vanish", "assumptions 0 sign", "zero"),
     ("moebius", "another coefficient may vanish", "tree p", "b - 2"),
     ("outside_node", "r is given where den is 0", "tree zero then zero r", {"num": "0", "den": "0"}),
+    ("empty_zero", "a value without a membership", "tree zero then value", "1"),
     ("empty_zero", "r is missing", "tree zero r"),
     ("empty_zero", "another r", "tree nonzero zero r num", "2*a*z"),
     ("empty_zero", "the denominator vanishes for b = 0", "tree nonzero zero r", {"num": "b*z", "den": "b"}),
@@ -105,6 +106,15 @@ def strata():
         for path, *value in changes if isinstance(changes[0], tuple) else [changes]:
             top = changed(top, path.split(), *value)
         yield f"{of}: {why}", top, False
+    yield "the content may vanish", certificate(["a"], "z", LEAF | {"content": "a"}, den="a"), False
+    yield "a constant place", certificate([], "z", LEAF | {"places": [{"q": "2", "order": "1"}]}, den="2"), False
+    for m, right in (("200", True), ("201", False), ("0", False)):
+        yield f"degree {m}", certificate([], "0", {"node": "leaf", "abelian": "yes", "by": "invariant", "content": "1", "places": [], "m": m, "p": "1"},
+                                         True), right
+    yield "no root modulo 2", certificate(["n"], "z*n^2 + z*n + z", lemma("n^2 + n + 1", "nonzero", prime="2"), rational=["n"]), True
+    trusted = changed(AIRY, ["steps", "+"], {"id": "t", "rule": "apply-theorem", "premises": ["conclusion"],
+                                             "data": {"theorem": "a book", "statement": "so it is"}})
+    yield "a trusted step inside", changed(json.loads(read("data/strata/number.json")), ["tree", "certificate"], trusted), True
     thirds = [[c, ["condition", "0", "1"]] for c in ("1/2", "1/3", "1/6")]
     yield "thirds", certificate(["a"], "a*z", lemma("a", "positive", terms=thirds), real=["a"], assumptions=positive("a")), True
     twelve = [f"a{i}" for i in range(12)]

@@ -21,13 +21,19 @@ def texts():
             ("n is a JSON number", NAIVE, "claim n", 5), ("the claim is a JSON number", NAIVE, "claim abelian", 0),
             ("a leading coefficient 0", NAIVE, "r num", ["0", "1", "0"]), ("a minimal polynomial that is not irreducible", SQUARE_ROOT, "field minpoly", ["-4", "0", "1"]),
             ("a minimal polynomial that is not monic", SQUARE_ROOT, "field minpoly", ["-4", "0", "2"]), ("a field of degree 0", NAIVE, "field minpoly", ["1"]),
-            ("a field of degree 1 with another name for 0", NAIVE, "field minpoly", ["1", "1"]), ("two coordinates over Q", NAIVE, "r num", ["0", ["1", "0"]]),
+            ("r is a text", NAIVE, "r num", "01"), ("no such way", NAIVE, "steps 1 data by", "what"), ("a way that is no text", NAIVE, "steps 1 data by", []), ("two coordinates over Q", NAIVE, "r num", ["0", ["1", "0"]]),
             ("no coordinate", NAIVE, "r num", ["0", []]), ("a is no root modulo p", SQUARE_ROOT, "steps 0 data prime a", "438"),
             ("a is not reduced", SQUARE_ROOT, "steps 0 data prime a", str(439 + 1009)), ("p = 2", NAIVE, "steps 0 data prime p", "2"),
             ("p is no prime", NAIVE, "steps 0 data prime p", "1007"), ("no steps", NAIVE, "steps", []), ("an unknown theorem", NAIVE, "steps 3 data theorem", "yes"),
             ("a premise of nothing", NAIVE, "steps 3 premises", ["none"]), ("a premise for the places", NAIVE, "steps 0 premises", ["local"]),
             ("nothing is claimed", NAIVE, "claim", dict.fromkeys(("group", "n", "component", "abelian")))):
         yield why, changed(top, path.split(), value), False
+    yield "a field of degree 1 with another name for 0", changed(changed(NAIVE, ["field", "minpoly"], ["1", "1"]), ["steps", 0, "data", "prime", "a"], "1008"), False
+    yield "a key twice", json.dumps(NAIVE)[:-1] + ', "format": "kovacic-certificate/1"}', False
+    yield "5000 digits", json.loads(abelian((["2"], ["0", "0", "1"]), 1, ["1" + "0" * 5000], (Z, "2"))), True
+    unused = changed(NAIVE, ["steps", 1], NAIVE["steps"][1] | {"id": "again"})
+    unused["steps"].insert(1, NAIVE["steps"][1])
+    yield "a step is not used", unused, False
     two = ["4"], ["0", "0", "2"]
     yield "den is not monic", json.loads(abelian(two, 1, ["1"], (Z, "2"))), False
     yield "den is 0", json.loads(abelian((["1"], []), 1)), False
@@ -47,7 +53,21 @@ def simple_pole(equation, place, infinity=None):
 def places():
     one = ["1"], ["0", "0", "1"]            # Delta^2 = 5 at 0 and at infinity
     yield "4 is no Delta^2 of a pole of order 2", diagonal(one, "cyclic", "2", [{"q": Z, "order": "2", "eps2": ["4"]}], ["1"], (Z, "1")), False
-    three = ["1"], ["0", "0", "0", "1"]
+    yield "the same at infinity", json.dumps(changed(json.loads(diagonal(one, "Gm", None, [AT_ZERO], ["1"], (Z, "1"))), ["steps", 0, "data", "infinity"],
+                                                     {"eps2": ["4"]})), False
+    yield "Delta^2 is 5, not 5 + z", diagonal(one, "Gm", None, [AT_ZERO | {"delta2": ["5", "1"]}], ["1"], (Z, "1")), False
+    yield "-z is not monic", diagonal(one, "Gm", None, [AT_ZERO | {"q": ["0", "-1"]}], ["1"], (Z, "1")), False
+    yield "Delta is not known", diagonal((["-2/9"], ["0", "0", "1"]), "cyclic", "1", [{"q": Z, "order": "2"}], ["1"], (Z, "1")), False
+    conjugate = {"q": ["-2", "0", "1"], "order": "2", "delta2": ["0", "1/10"]}
+    yield "Delta^2 is not a number", certificate((["-2", "1/5"], ["4", "0", "-4", "0", "1"]), {"abelian": False}, local(conjugate), (
+        "no-invariant", ["s0"], {"m": "4", "by": "degree"}), conclude("torus-nonabelian", 0, 1)), False
+    for roots, right in ((["0"], True), (["1009"], False), ([], False), (["1"], False)):
+        yield f"a logarithm at 0, {roots}", certificate((["3/4", "1"], ["0", "0", "1"]), {"group": "SL2"}, local(
+            {"q": Z, "order": "2", "delta2": ["4"], "log": PRIME | {"roots": roots}}), ("no-exponential", ["s0"], {"by": "parity"}),
+            conclude("sl2-irreducible-log", 0, 1)), right
+    third, three = SINGULAR["order 2"], (["1"], ["0", "0", "0", "1"])
+    yield "a logarithm without roots", simple_pole(third, {1: third.local()[2]["places"][1] | {"log": PRIME | {"roots": []}}}), False
+    yield "eps^2 at infinity of order 5", json.dumps(changed(NAIVE, ["steps", 0, "data", "infinity"], {"eps2": []})), False
 
     def odd(place=None, infinity=None, equation=three):
         rule, none, data = local({"q": Z, "order": "3"} | (place or {}))
@@ -60,6 +80,9 @@ def places():
     yield "a logarithm at infinity of order 1", odd(infinity={"log": PRIME}), False
     yield "eps^2 at infinity of order 1", odd(infinity={"eps2": ["4"]}), False
     yield "the places do not make den", odd(equation=(["1"], ["0", "0", "0", "2", "1"])), False
+    for why, row in (("a constant place", {"q": ["1"], "order": "2"}), ("a negative order", {"q": ["1", "1"], "order": "-1"}),
+                     ("an order 0", {"q": ["1", "1"], "order": "0"})):
+        yield f"{why} more", json.dumps(changed(json.loads(odd()), ["steps", 0, "data", "places", "+"], row)), False
     for why, rows in (("q is not squarefree", [{"q": ["0", "0", "1"], "order": "1"}]), ("a place twice", [{"q": Z, "order": "1"}] * 2),
                       ("a constant place", [{"q": ["1"], "order": "2"}, {"q": Z, "order": "2"}]), ("an order 0", [{"q": ["1", "1"], "order": "0"}, {"q": Z, "order": "2"}]),
                       ("q is not monic", [{"q": ["0", "-1"], "order": "2"}]), ("a negative order", [{"q": ["1", "1"], "order": "-1"}, {"q": Z, "order": "3"}])):
@@ -113,6 +136,10 @@ def rules():
     for m, right in (("200", True), ("202", False), ("199", False), ("0", False), ("-2", False)):
         yield f"Airy, degree {m}", certificate(AIRY, {"abelian": False}, local(), ("no-invariant", ["s0"], {"m": m, "by": "degree"}),
                                                ("no-invariant", ["s0"], {"m": "4", "by": "degree"}), conclude("torus-nonabelian", 0, 1, 2)), right
+    for x0, right in (("5", True), ("1009", False)):
+        yield f"x0 = {x0}", certificate(AIRY, {"abelian": False}, local(), ("no-invariant", ["s0"], {
+            "m": "2", "by": "series", "p": "1009", "a": "0", "x0": x0, "terms": "9"}),
+            ("no-invariant", ["s0"], {"m": "4", "by": "degree"}), conclude("torus-nonabelian", 0, 1, 2)), right
     for e, right in (("1/2", False), ("1/3", False), ("1", True), ("3/2", False)):
         yield f"an invariant of degree 1 with e = {e}", abelian(([], ["1"]), 1, ["1"], (Z, e)), right
 

@@ -211,9 +211,32 @@ def backwards():
     return top
 
 
+GENUINE |= {
+    "negative": changed(changed(GENUINE["inverse"], ["curve", "denominators", 1], "-3"), ["curve", "values", "g"], ["-3", "1", "0", "1", "1"]),
+    "a sum": constants(False), "two roots": constants(True), "pole": driven("airy-naive", [(1, "z^0")], "z"),
+    "irregular pole": driven("airy-naive", [(1, "z^0")], "z^3"),
+    "of nothing": changed(changed(GENUINE["henon_heiles"], ["claim", "not_integrable"], False), ["equation", "certificate", "claim", "abelian"], None)}
+GENUINE["pole"]["equation"]["certificate"] = torus("1", "z", {"content": "1", "places": [{"q": "z", "order": "1"}]})
+GENUINE["irregular pole"]["equation"]["certificate"] = torus("1", "z^3", {"content": "1", "places": [{"q": "z", "order": "3"}]})
+GENUINE["two roots"]["curve"]["tower"] += [{"name": "v", "degree": "2", "value": "v + w", "derivative": "0"},
+                                           {"name": "u", "degree": "2", "value": "v*w + w", "derivative": "0"}]
+for path, value in ((["system", "relations"], ["k^2 - 2*k - 1"]), (["curve", "values", "k"], "w + 1"), (["normal", "q"], "-z*w - z"),
+                    (["equation", "certificate", "generic"], [["k"]])):
+    GENUINE["a sum"] = changed(GENUINE["a sum"], path, value)
 CHANGES = [                                 # of, what is false, then path and value, or pairs of them
     ("inverse", "an inverse with another value", "curve values g", ["1", "1", "0", "1", "1"]),
     ("inverse", "an inverse without a value", "curve values g"),
+    ("negative", "another sign", "curve values g", ["3", "1", "0", "1", "1"]),
+    ("a sum", "another root", "curve values k", "w"),
+    ("two roots", "the first is made of the second", "curve tower", [{"name": "v", "degree": "2", "value": "w", "derivative": "0"},
+                                                                     {"name": "w", "degree": "2", "value": "2", "derivative": "0"}]),
+    ("airy_field", "one entry more", "system field +", "0"),
+    ("airy_field", "a parameter twice", "parameters", ["a", "a"]),
+    ("airy_field", "0/0", "curve values y", ["0", "0"]),
+    ("angle", "too high a power", "curve values q", ["0", "1", "1001"]),
+    ("level", "neither an integral nor a Casimir function", "claims 0 kind", "constant"),
+    ("henon_heiles", "{q1, q1} = 0", "system brackets +", ["q1", "q1", "0"]),
+    ("henon_heiles", "four entries", "system brackets 0", ["q1", "p1", "1", "1"]),
     ("inverse", "another solution", "curve values u", ["1", "1", "1"]),
     ("inverse", "the inverse of a number", ("system inverses 1 of", "3"), ("curve values g", ["1", "3"])),
     ("inverse", "the inverse of an inverse", ("system inverses 1 of", "u"), ("curve values g", "z")),
