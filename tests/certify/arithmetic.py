@@ -312,7 +312,8 @@ def bounds(modules):
         return abs(c[-1]) * b**(len(c) - 1) >= sum(abs(x) * b**i for i, x in enumerate(c[:-1]))
     some = [[Fraction(rng.randint(-9, 9), rng.randint(1, 5)) for _ in range(n)] + [Fraction(rng.randint(1, 9) * (-1)**n)]
             for n in (1, 1, 2, 3, 4, 6, 9) for _ in range(3)]
-    some += [[Fraction(7), Fraction(1, 100)], [Fraction(3), Fraction(-5), Fraction(1, 1000)], [Fraction(-10**30), Fraction(1)], [Fraction(-1, 10**6), Fraction(0), Fraction(1)], [Fraction(7), Fraction(0), Fraction(-2)]]
+    some += [[Fraction(7), Fraction(1, 100)], [Fraction(3), Fraction(-5), Fraction(1, 1000)],
+             [Fraction(-10**30), Fraction(1)], [Fraction(-1, 10**6), Fraction(0), Fraction(1)], [Fraction(7), Fraction(0), Fraction(-2)]]
     for c in some:
         b = bound(c)
         if any(c[:-1]) and (not holds(c, b) or holds(c, b * (1 - small))) or not any(c[:-1]) and b != 0:

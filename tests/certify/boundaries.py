@@ -178,9 +178,10 @@ def variants(data, right):
     yield data, right
     p, rows = int(data["p"]), data["lines"]
     if right and rows:
-        first, rest = rows[0], rows[1:]
-        yield data | {"lines": [first | {"approximant": [*first["approximant"], *["0"] * (int(first["length"]) + 2 - len(first["approximant"]))]}, *rest]}, False
-        yield data | {"lines": [first | {"approximant": [str(p + int(first["approximant"][0])), *first["approximant"][1:]]}, *rest]}, False
+        first, (start, *others) = rows[0], rows[0]["approximant"]
+        zeros = ["0"] * (int(first["length"]) + 1 - len(others))
+        for approximant in ([start, *others, *zeros], [str(p + int(start)), *others]):
+            yield data | {"lines": [first | {"approximant": approximant}, *rows[1:]]}, False
         yield data | {"lines": rows[:-1]}, False
         yield data | {"delta": str(p + int(data["delta"]))}, False
 

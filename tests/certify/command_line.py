@@ -44,7 +44,8 @@ def command_line(modules):
                 f.write(text)
         once = group + ['trusted, "a?book": "so it is"']
         code, missing, nothing = v.judge(path("not there"), False)
-        lines = [f"{path('airy')}: accepted (0 trusted steps)", *("  " + x for x in group), f"{path('false')}: rejected: the claim does not follow: abelian"]
+        lines = [f"{path('airy')}: accepted (0 trusted steps)", *("  " + x for x in group),
+                 f"{path('false')}: rejected: the claim does not follow: abelian"]
         return ((v.judge(path("airy"), False), v.judge(path("airy"), True)) == ((0, "accepted (0 trusted steps)", group),) * 2
                 and v.judge(path("trusted"), False) == (0, "accepted (1 trusted step)", once)
                 and v.judge(path("trusted"), True) == (1, "rejected: 1 trusted steps, refused by --strict", [])

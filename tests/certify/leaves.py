@@ -169,7 +169,8 @@ def with_minors(by, r, places, m, D, **more):
 
 def one_open():
     """No torus: the other differences are rational; with a bound of Delta^2"""
-    for c, d, bound in (("1/3", "1/3", "7/3"), ("1/2", "1/3", "2"), ("1/4", "2/3", "3/2"), ("2/3", "1/3", "3/4"), ("1/7", "1/3", "1"), ("3/5", "2/5", "3")):
+    for c, d, bound in (("1/3", "1/3", "7/3"), ("1/2", "1/3", "2"), ("1/4", "2/3", "3/2"), ("2/3", "1/3", "3/4"), ("1/7", "1/3", "1"),
+                        ("3/5", "2/5", "3")):
         c, d = F(c)**2, F(d)**2
         for where in (0, 1, None):
             squares, infinity = ([A, c], d) if where == 0 else ([d, A], c) if where == 1 else ([c, d], A)
@@ -181,7 +182,8 @@ def one_open():
     terms = {(1, 2): scaled(mplus(A, poly(1), -1), F(1, 4)), (-1, 2): scaled(mplus(A, poly(1), -1), F(1, 4)), (0, 2): F(-2, 9)}
     for inf, third in ((F(1, 9), 0), (F(4, 9), 1)):
         h = mplus(poly((inf - 1) / 4 + F(2, 9)), scaled(mplus(A, poly(1), -1), F(1, 2)), -1)        # at 1 and -1
-        r = Fraction.sum(terms | {(1, 1): mplus(scaled(h, F(1, 2)), poly(third)), (-1, 1): mplus(scaled(h, F(-1, 2)), poly(third)), (0, 1): -2 * third})
+        residues = {(x, 1): mplus(scaled(h, F(x, 2)), poly(third)) for x in (1, -1)}
+        r = Fraction.sum(terms | residues | {(0, 1): -2 * third})
         yield f"two roots, {inf}", certificate("one-open", r, [place(A, bound="5/4"), place(F(1, 9))], place(inf), together=[(1, -1)])
 
 
@@ -208,14 +210,19 @@ def one_open_torus():
         yield f"infinity of order {3 + len(whole)}, Delta = 1/2", certificate("one-open", r, [place(A, **bound), place(F(1, 4))])
     r = Fraction.sum(regular([A, 2, F(1, 9)], 1, [F(1)]))
     yield "infinity of order 1: a logarithm", certificate("one-open", r, [place(A), place(2, **irrational), place(F(1, 9))])
-    # the coefficient of z^-3 is 0, too: h = sum c rho for the residues rho, and sum c^2 rho is known
+    yield ordinary_infinity()
+
+
+def ordinary_infinity():
+    """The coefficient of z^-3 is 0, too: h = sum c rho for the residues rho, and sum c^2 rho is known."""
     squares = [A, poly(2), poly(F(1, 9))]
     double = [scaled(mplus(x, poly(1), -1), F(1, 4)) for x in squares]
     h = scaled(mplus(mplus(double[0], double[1]), double[2]), -1)
     second = scaled(mplus(mplus(double[1], scaled(double[2], 2)), scaled(h, F(1, 2))), -1)
     r = Fraction.sum({(c, 2): x for c, x in enumerate(double)} | {
         (0, 1): mplus(second, h, -1), (1, 1): mplus(h, second, -2), (2, 1): second})
-    yield "infinity is ordinary", certificate("one-open", r, [place(A, **bound), place(2, **irrational), place(F(1, 9))])
+    places = [place(A, bound="13/4"), place(2, irrational="constant"), place(F(1, 9))]
+    return "infinity is ordinary", certificate("one-open", r, places)
 
 
 def several_open():
@@ -275,11 +282,12 @@ def rational():
 
 def irreducible_log():
     """A simple pole, and D_1 < 0 by what is known of the real parts: 0 where Delta^2 < 0, the next of n/8 or n/2 above it"""
-    known = [(-3, {"irrational": "positive"}), (2, {"irrational": "constant"}), (F(9, 5), {"irrational": "constant"}), (-2, {"irrational": "constant"}),
+    negative, constant = {"irrational": "positive"}, {"irrational": "constant"}
+    known = [(-3, negative), (2, constant), (F(9, 5), constant), (-2, constant),
              (F(1, 9), {}), (F(1, 4), {}), (A, {"bound": "1/5"}), (A, {"bound": "0"}), (A, {"bound": "9/4"}), (F(16, 9), {})]
     for i, (x, how) in enumerate(known):
         for y, more in (known[(i + 3) % len(known)], known[(i + 4) % len(known)]):
-            for infinity, last in ((F(1, 9), {}), (-1, {"irrational": "positive"}), (3, {"irrational": "constant"})):
+            for infinity, last in ((F(1, 9), {}), (-1, negative), (3, constant)):
                 if (x is A) + (y is A) < 2:
                     terms = {k: z for k, z in regular([x, y, 1], infinity, [F(2)]).items() if z}
                     yield f"{x}, {y}, {infinity}", certificate("irreducible-log", Fraction.sum(terms), [place(x, **how), place(y, **more), {}],

@@ -100,17 +100,26 @@ FALSE = [                                   # of, why, then path and value, or p
 ]
 
 
+TRUE = [
+    ("positive", "all of -chi is positive", "tree infinity chi", ["4*a - 1", "-1"]),
+    ("bound_complex", "c > 0 is real", ("real", ["a"]), ("assumptions 0", {"p": "c", "sign": "positive"})),
+    ("bound_complex", "-c > 0 is real", ("real", ["a"]), ("assumptions 0", {"p": "-c", "sign": "positive"})),
+    ("invariant", "nothing is claimed", "claim abelian", None),
+]
+
+
 def strata():
-    for of, why, *changes in FALSE:
-        top = json.loads(read("data/strata", of + ".json"))
-        for path, *value in changes if isinstance(changes[0], tuple) else [changes]:
-            top = changed(top, path.split(), *value)
-        yield f"{of}: {why}", top, False
+    for right, rows in ((False, FALSE), (True, TRUE)):
+        for of, why, *changes in rows:
+            top = json.loads(read("data/strata", of + ".json"))
+            for path, *value in changes if isinstance(changes[0], tuple) else [changes]:
+                top = changed(top, path.split(), *value)
+            yield f"{of}: {why}", top, right
     yield "the content may vanish", certificate(["a"], "z", LEAF | {"content": "a"}, den="a"), False
     yield "a constant place", certificate([], "z", LEAF | {"places": [{"q": "2", "order": "1"}]}, den="2"), False
     for m, right in (("200", True), ("201", False), ("0", False)):
-        yield f"degree {m}", certificate([], "0", {"node": "leaf", "abelian": "yes", "by": "invariant", "content": "1", "places": [], "m": m, "p": "1"},
-                                         True), right
+        leaf = {"node": "leaf", "abelian": "yes", "by": "invariant", "content": "1", "places": [], "m": m, "p": "1"}
+        yield f"degree {m}", certificate([], "0", leaf, True), right
     yield "no root modulo 2", certificate(["n"], "z*n^2 + z*n + z", lemma("n^2 + n + 1", "nonzero", prime="2"), rational=["n"]), True
     trusted = changed(AIRY, ["steps", "+"], {"id": "t", "rule": "apply-theorem", "premises": ["conclusion"],
                                              "data": {"theorem": "a book", "statement": "so it is"}})
@@ -136,9 +145,10 @@ def over_a_root(p, m, num, den, inner, image):
 def roots():
     p, m = "2*a^2 + 2*a - 1", ["-2", "2", "1"]
     image = next(x for x in range(1009) if (x * x + 2 * x - 2) % 1009 == 0)
-    for num, den, inner, right in (("a*z", "1", ["0", ["0", "1/2"]], True), ("a^2*z", "1", ["0", ["1/2", "-1/2"]], True),
-                                   ("z", "a", ["0", ["2", "1"]], True), ("a^2*z + a*z", "1", ["0", "1/2"], True), ("a^3*z", "a", ["0", ["1/2", "-1/2"]], True),
-                                   ("a*z", "1", ["0", ["0", "1"]], False), ("a^2*z", "1", ["0", ["1/2", "1/2"]], False), ("z", "a", ["0", ["-2", "1"]], False)):
+    for num, den, inner, right in (
+            ("a*z", "1", ["0", ["0", "1/2"]], True), ("a^2*z", "1", ["0", ["1/2", "-1/2"]], True), ("z", "a", ["0", ["2", "1"]], True),
+            ("a^2*z + a*z", "1", ["0", "1/2"], True), ("a^3*z", "a", ["0", ["1/2", "-1/2"]], True), ("a*z", "1", ["0", ["0", "1"]], False),
+            ("a^2*z", "1", ["0", ["1/2", "1/2"]], False), ("z", "a", ["0", ["-2", "1"]], False)):
         yield f"r = ({num})/({den}), {inner}", over_a_root(p, m, num, den, inner, image), right
     yield "the polynomial of a, not of 2 a", over_a_root(p, ["-1", "2", "2"], "a*z", "1", ["0", ["0", "1"]], image), False
     yield "another polynomial", over_a_root(p, ["-2", "4", "1"], "a*z", "1", ["0", ["0", "1/2"]], image), False

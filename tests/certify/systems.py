@@ -215,7 +215,8 @@ GENUINE |= {
     "negative": changed(changed(GENUINE["inverse"], ["curve", "denominators", 1], "-3"), ["curve", "values", "g"], ["-3", "1", "0", "1", "1"]),
     "a sum": constants(False), "two roots": constants(True), "pole": driven("airy-naive", [(1, "z^0")], "z"),
     "irregular pole": driven("airy-naive", [(1, "z^0")], "z^3"),
-    "of nothing": changed(changed(GENUINE["henon_heiles"], ["claim", "not_integrable"], False), ["equation", "certificate", "claim", "abelian"], None)}
+    "of nothing": changed(changed(GENUINE["henon_heiles"], ["claim", "not_integrable"], False),
+                          ["equation", "certificate", "claim", "abelian"], None)}
 GENUINE["pole"]["equation"]["certificate"] = torus("1", "z", {"content": "1", "places": [{"q": "z", "order": "1"}]})
 GENUINE["irregular pole"]["equation"]["certificate"] = torus("1", "z^3", {"content": "1", "places": [{"q": "z", "order": "3"}]})
 GENUINE["two roots"]["curve"]["tower"] += [{"name": "v", "degree": "2", "value": "v + w", "derivative": "0"},
