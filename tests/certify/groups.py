@@ -90,6 +90,8 @@ def worlds(modules):
                          f.invariant(2), f.invariant(4)], {"diagonal", "invariant-abelian"}
     yield "cyclic", 4, [f.local(half, half), v := f.invariant(2, factors=((0, "1/2"), (1, "1/2"))),
                         f.fact("torsion-function", n=1, of=v)], {"dihedral-genus-0", "dihedral-finite", "invariant-abelian"}
+    yield "Dinf", None, [f.local(half, half, odd), f.invariant(2, factors=((0, "1/2"), (1, "1/2"))),
+                         f.fact("torsion-function", n=3, of=f.invariant(2))], {"dihedral-infinite", "invariant-abelian"}
     yield "cyclic", 4, [f.local(half, half), f.exponential, f.invariant(4, p=(1,)), f.invariant(4, p=(2,))], {"invariant-abelian"}
     yield "D", 3, [f.irreducible, f.invariant(2, factors=[(0, "3/2"), (1, "1/2")])], {"invariant-abelian"}
     yield from imprimitive(f, every, half, irrational, odd)

@@ -63,6 +63,7 @@ FALSE = [                                   # of, why, then path and value, or p
     ("number", "another parameter in r", ("parameters", ["a", "b"]), ("r num", "b*z")),
     ("number", "the claim inside says nothing", "tree certificate claim abelian", None),
     ("number", "neither yes nor no", "tree abelian", "maybe"),
+    ("number", "a certificate shows no emptiness", "tree abelian", "empty"),
     ("number", "the equation is another one by a sign", "r num", "-z"),
     ("number", "a certificate over another field", ("tree certificate field", {"name": "a", "minpoly": ["-2", "0", "1"]}),
      ("tree certificate steps 0 data prime", {"p": "1009", "a": "439"})),
@@ -115,6 +116,10 @@ def strata():
             for path, *value in changes if isinstance(changes[0], tuple) else [changes]:
                 top = changed(top, path.split(), *value)
             yield f"{of}: {why}", top, right
+    yield "r = 0", certificate([], "0", LEAF), False
+    root = {"zero": "root", "variable": "a", "certificate": AIRY, "abelian": "no"}
+    yield "a root of degree 1", certificate(["a"], "a*z + z", {"node": "split", "p": "a", "nonzero": {"node": "open", "reason": ""}, "zero": root},
+                                            None), False
     yield "the content may vanish", certificate(["a"], "z", LEAF | {"content": "a"}, den="a"), False
     yield "a constant place", certificate([], "z", LEAF | {"places": [{"q": "2", "order": "1"}]}, den="2"), False
     for m, right in (("200", True), ("201", False), ("0", False)):

@@ -49,6 +49,11 @@ def texts():
     unused = changed(NAIVE, ["steps", 1], NAIVE["steps"][1] | {"id": "again"})
     unused["steps"].insert(1, NAIVE["steps"][1])
     yield "a step is not used", unused, False
+    last = changed(NAIVE, ["steps", 0], NAIVE["steps"][0])
+    last["steps"].insert(3, NAIVE["steps"][1] | {"id": "again"})
+    yield "the last but one is not used", last, False
+    after = {"id": "after", "rule": "no-invariant", "premises": ["local", "conclusion"], "data": {"m": "2", "by": "degree"}}
+    yield "a step after the conclusion", changed(NAIVE, ["steps", "+"], after), False
     two = ["4"], ["0", "0", "2"]
     yield "den is not monic", json.loads(abelian(two, 1, ["1"], (Z, "2"))), False
     yield "den is 0", json.loads(abelian((["1"], []), 1)), False

@@ -231,6 +231,7 @@ CHANGES = [                                 # of, what is false, then path and v
     ("a sum", "another root", "curve values k", "w"),
     ("two roots", "the first is made of the second", "curve tower", [{"name": "v", "degree": "2", "value": "w", "derivative": "0"},
                                                                      {"name": "w", "degree": "2", "value": "2", "derivative": "0"}]),
+    ("root", "a step of degree 1", "curve tower +", {"name": "v", "degree": "1", "value": "2", "derivative": "0"}),
     ("airy_field", "one entry more", "system field +", "0"),
     ("airy_field", "a parameter twice", "parameters", ["a", "a"]),
     ("airy_field", "0/0", "curve values y", ["0", "0"]),
