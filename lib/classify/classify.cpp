@@ -22,6 +22,8 @@ using Clock = Budget::Clock;
 constexpr std::size_t most_pieces = 200; // of one round of solutions
 constexpr std::size_t most_compared = 8; // integrable strata with one exclusion
 constexpr double set_work = 1e6;         // in the ideals of sets of parameters
+constexpr int default_order = 3;         // of variational equations
+constexpr int order_at_numbers = 5;      // where no parameters are left
 constexpr long low_degree = 2;           // of the integrals that are looked for first
 
 double seconds_since(Clock::time_point start) {
@@ -214,8 +216,11 @@ private:
     const std::size_t decided = round.decided = result_.strata.size();
     if (!round.integrals_known && begins(round, "integrals of low degree"))
       try_integrals_of_low_degree(round, decided);
+    // beside many parameters solutions cost much, and Darboux points leave few of their values
+    const bool first = has_many_parameters(round.system, round.levels);
+    if (first && begins(round, "Darboux points")) try_darboux_points(round);
     if (begins(round, "solutions")) try_solutions(round);
-    if (begins(round, "Darboux points")) try_darboux_points(round);
+    if (!first && begins(round, "Darboux points")) try_darboux_points(round);
     if (round.pieces.empty())
       look_for_a_contradiction(round, decided);
     else if (begins(round, "integrals"))
@@ -227,7 +232,7 @@ private:
     if (options_.order > 1 && !round.pieces.empty() && begins(round, "higher orders"))
       try_higher_orders(round);
     if (begins(round, "exceptions"))
-      for (const Exclusion& e : round.late)
+      for (const Exclusion& e : std::exchange(round.late, {}))
         exclude(round, e);
     tell(round, "");
     const std::size_t later = waiting_.size();
@@ -351,6 +356,14 @@ private:
       note(p, "along " + report.name, outcome(report));
   }
 
+  // At numbers an order costs little.
+  [[nodiscard]] int highest_order(const Round& round) const {
+    const bool at_numbers = round.system.field.parameters.size() <= round.levels.size();
+    return at_numbers && options_.order >= default_order
+               ? std::max(options_.order, order_at_numbers)
+               : options_.order;
+  }
+
   void try_higher_orders(Round& round) {
     const auto start = Clock::now();
     std::size_t left = round.solutions.size();
@@ -359,10 +372,11 @@ private:
       Options decide = options_.check.decide;
       decide.budget = share(0.3 / static_cast<double>(left--));
       std::string why;
-      if (const auto e = exclusion_of_higher_order(round.system, m, options_.order, decide, why))
+      const int order = highest_order(round);
+      if (const auto e = exclusion_of_higher_order(round.system, m, order, decide, why))
         exclude(round, *e);
       for (Piece& p : round.pieces)
-        note(p, "orders 2.." + std::to_string(options_.order) + " along " + m.name, why);
+        note(p, "orders 2.." + std::to_string(order) + " along " + m.name, why);
     }
     result_.stages.emplace_back("higher orders", seconds_since(start));
   }
@@ -401,19 +415,40 @@ private:
 
   void exclude(Round& round, const Exclusion& e) {
     contradict_no_integrals(round, e);
+    bool too_hard = false;
     std::vector<Piece> left;
     for (Piece& piece : round.pieces) {
       if (left.size() > most_pieces) {
         left.push_back(std::move(piece));
         continue;
       }
-      try {
-        exclude(piece, e, may_vanish(round.system), left);
-      } catch (const OutOfBudget&) {
-        left.push_back(std::move(piece)); // nothing is concluded
-      }
+      if (try_to_exclude(piece, e, may_vanish(round.system), left)) continue;
+      left.push_back(std::move(piece)); // nothing is concluded for now
+      too_hard = true;
     }
     round.pieces = std::move(left);
+    if (too_hard) round.late.push_back(with_simple_exceptions(e));
+  }
+
+  bool try_to_exclude(const Piece& piece, const Exclusion& e, const MayVanish& may_vanish,
+                      std::vector<Piece>& left) {
+    try {
+      exclude(piece, e, may_vanish, left);
+      return true;
+    } catch (const OutOfBudget&) {
+      return false;
+    }
+  }
+
+  // Less is excluded, for later: of "p and q both vanish" only p = 0 is kept, a larger set, which is
+  // studied again by itself.
+  static Exclusion with_simple_exceptions(Exclusion e) {
+    for (auto& list : e.not_all_zero)
+      if (list.size() > 1)
+        list = {*std::min_element(list.begin(), list.end(), [](const MPoly& a, const MPoly& b) {
+          return a.length() < b.length();
+        })};
+    return e;
   }
 
   void exclude(const Piece& piece, const Exclusion& e, const MayVanish& may_vanish,

@@ -137,9 +137,16 @@ ParameterSet without_inequation(const ParameterSet& s, const MPoly& p) {
   return larger;
 }
 
+bool vanishes(const MPoly& p, const ParameterSet& there) { return is_zero(there.restrict(p)); }
+
 // The union, if the two are the halves of a set.
 std::optional<ParameterSet> union_of(const ParameterSet& zero, const ParameterSet& nonzero) {
+  const auto& equations = nonzero.equations();
+  if (!std::all_of(equations.begin(), equations.end(),
+                   [&](const MPoly& f) { return vanishes(f, zero); }))
+    return std::nullopt;
   for (const MPoly& p : nonzero.proper_inequations()) {
+    if (!vanishes(p, zero)) continue; // cheap beside what follows
     ParameterSet whole = without_inequation(nonzero, p);
     if (same_set(whole.where_zero(p), zero)) return whole;
   }

@@ -198,10 +198,6 @@ std::vector<ManifoldSpec> curve_components(const System& s, const ManifoldSpec& 
 
 constexpr std::size_t many_parameters = 3;
 
-std::size_t free_parameters(const System& s, const std::vector<KnownLevel>& levels) {
-  return s.field.parameters.size() - std::min(s.field.parameters.size(), levels.size());
-}
-
 // Those of the sets whose energy is free, at one energy.
 std::vector<ManifoldSpec> at_energy(const System& s, const std::vector<KnownLevel>& levels,
                                     const std::vector<ManifoldSpec>& manifolds, long energy) {
@@ -253,6 +249,10 @@ void add_at_all_levels(const System& s, const std::vector<KnownLevel>& levels,
 
 } // namespace
 
+bool has_many_parameters(const System& s, const std::vector<KnownLevel>& levels) {
+  return s.field.parameters.size() >= levels.size() + many_parameters;
+}
+
 ParticularSolutions particular_solutions(const System& s, const std::vector<KnownLevel>& levels,
                                          bool search, const Budget& budget) {
   ParticularSolutions all{s.manifolds, {}};
@@ -278,7 +278,7 @@ ParticularSolutions particular_solutions(const System& s, const std::vector<Know
       used.push_back(std::move(m));
     }
     add_at_energy_zero(s, levels, budget, all);
-    if (free_parameters(s, levels) >= many_parameters) { // the energy costs much beside them
+    if (has_many_parameters(s, levels)) { // the energy costs much beside them
       auto first = at_energy(s, levels, all.manifolds, 1);
       all.manifolds.insert(all.manifolds.begin(), first.begin(), first.end());
     }

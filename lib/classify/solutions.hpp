@@ -29,6 +29,9 @@ struct LevelledSystem {
 /// The parameters of the result begin with those of s, at the same places of the ring.
 [[nodiscard]] LevelledSystem with_levels(const System& s, std::vector<ClaimReport> claims);
 
+/// Three or more, without those that label levels: then the cheap ways come first.
+[[nodiscard]] bool has_many_parameters(const System& s, const std::vector<KnownLevel>& levels);
+
 struct ParticularSolutions {
   std::vector<ManifoldSpec> manifolds; ///< those of the file first; each set once
   std::vector<std::string> left_out;   ///< searches that a limit ended, as sentences

@@ -378,6 +378,29 @@ TEST(Classify, TwoDifferencesLeaveFinitelyManyValues) {
   EXPECT_THAT(strata_with(c, StratumStatus::open), testing::IsEmpty());
 }
 
+// All even quartic forms with x^2*y^2; 136 : 816 : 1088 falls by VE_5.
+TEST(Classify, EvenQuartics) {
+  const auto c = classify_system(
+      planar("(u^2 + v^2)/2 + x^2*y^2/2 + c*x^4/4 + d*y^4/4", "'c', 'd'"), within(240));
+  const auto at = [&](const Rational& x, const Rational& y) {
+    return status_at(c, {{"c", x}, {"d", y}});
+  };
+  const Rational third(1, 3), sixth(1, 6);
+  for (const auto& [x, y] : {std::pair(Rational(1), Rational(1)),
+                             {third, third},
+                             {8 * third, sixth},
+                             {sixth, 8 * third},
+                             {third, 8 * third},
+                             {8 * third, third}})
+    EXPECT_EQ(at(x, y), "integrable") << to_string(x) << ' ' << to_string(y);
+  for (const auto& [x, y] : {std::pair(Rational(2), Rational(5)),
+                             {Rational(0), Rational(2)},
+                             {third, Rational(1)},
+                             {8 * third, Rational(1, 136)}})
+    EXPECT_EQ(at(x, y), "excluded") << to_string(x) << ' ' << to_string(y);
+  EXPECT_THAT(strata_with(c, StratumStatus::open), testing::IsEmpty());
+}
+
 // Where H is no quotient any more, the degrees of the coefficients are other ones.
 TEST(Classify, IntegralsOfASpecialFormAreLookedForAgain) {
   const auto c = classify_system(
