@@ -249,10 +249,10 @@ void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
     scope.named["H"] = *v.hamiltonian;
 }
 
-System read_system(const Entry& document, const ParameterValues& settings) {
+System read_system(const Entry& document, SystemScope& scope) {
   document.check_keys({"format", "title", "cite", "system", "set", "assume", "expansion",
                        "manifold", "integral", "casimir", "darboux", "poisson", "equal", "reduce",
-                       "expect"});
+                       "expect", "scene"}); // [scene] is for lib/flow
   if (const Entry* format = document.find("format"); format && format->string() != "equation/1")
     throw format->error("unknown format '" + format->string() + "'",
                         "this program reads equation/1");
@@ -262,7 +262,6 @@ System read_system(const Entry& document, const ParameterValues& settings) {
   if (const Entry* cite = document.find("cite"))
     for (const std::string& key : cite->strings())
       s.cite.push_back(one_line(key));
-  SystemScope scope(document, settings);
   read_vector_field(document, scope, s);
   read_claims(document, scope, s);
   read_manifolds(document, scope, s);
@@ -270,6 +269,11 @@ System read_system(const Entry& document, const ParameterValues& settings) {
   s.named = scope.named;
   s.values = scope.values;
   return s;
+}
+
+System read_system(const Entry& document, const ParameterValues& settings) {
+  SystemScope scope(document, settings);
+  return read_system(document, scope);
 }
 
 System read_system(const std::string& path, const ParameterValues& settings) {

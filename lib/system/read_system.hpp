@@ -1,5 +1,5 @@
 #pragma once
-// The parts of the reader of system files; used by read_*.cpp only.
+// The parts of the reader of system files; used by read_*.cpp, and by who reads more of the same file (lib/flow).
 
 #include "system/system.hpp"
 
@@ -41,6 +41,8 @@ private:
   mutable std::set<std::string> open_; ///< being evaluated, to see circles
 };
 
+/// Requires  scope = SystemScope(document, settings); then it knows all names of the file.
+[[nodiscard]] System read_system(const Entry& document, SystemScope& scope);
 void read_vector_field(const Entry& document, SystemScope& scope, System& s);
 void read_claims(const Entry& document, SystemScope& scope, System& s);
 void read_manifolds(const Entry& document, const SystemScope& scope, System& s);
