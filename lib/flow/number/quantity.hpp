@@ -3,9 +3,8 @@
 // number type gets it with its own precision, and its sign is decided exactly: what a scene has and has not
 // (a lever, gravity, a gyrostat, an off-diagonal moment) never depends on rounding.
 
-#include "flow/number/big_real.hpp"
+#include "flow/number/conversions.hpp"
 #include "flow/number/enclosure.hpp"
-#include "flow/number/twin.hpp"
 #include "symbol/expression.hpp"
 
 #include <string>
@@ -42,11 +41,6 @@ private:
   /// Of relative radius 2^-bits.
   [[nodiscard]] Enclosure enclosed(long bits) const;
 };
-
-inline Twin1 to_twin(const BigReal& x) {
-  const auto high = static_cast<double>(x);
-  return {high, static_cast<double>(x - BigReal(high))};
-}
 
 template <> double Quantity::as<double>() const;
 template <> long double Quantity::as<long double>() const;

@@ -9,11 +9,10 @@
 //        does not depend on the radius of convergence, i.e. not on where the orbit is (choose_order measures it).
 //        A bad order costs time, not accuracy.
 
-#include "flow/number/roots.hpp"
 #include "flow/orbit/section_jets.hpp"
+#include "flow/orbit/steps.hpp"
 
 #include <atomic>
-#include <cmath>
 #include <cstddef>
 
 namespace kov::flow {
@@ -32,8 +31,6 @@ template <class R> struct Crossing {
   R x[6]{}; ///< Omega, Gamma in body axes
   bool falling = true;
 };
-
-enum class Ended : unsigned char { time, crossings, steps, stopped, broken };
 
 template <class R> struct Finish {
   R x[6]{};   ///< the last state (rounded)
@@ -66,14 +63,6 @@ template <class R> struct Run {
 };
 
 inline namespace KOV_ISA {
-
-/// log2 of the longest step in units of ||x_1||^-1 and (2 ||x_2||)^(-1/2).  Where x turns at the
-/// rate w, the terms of its series add up to e^(w h), and their rounding to u e^(w h), u being the
-/// unit roundoff.  So w h is at most 1, or what makes that e epsilon if epsilon is larger than u.
-inline double log2_reach(double log2_tolerance, double log2_roundoff) {
-  const double spare = log2_tolerance - log2_roundoff;
-  return spare > 0 ? std::log2(1 + spare * 0.6931471805599453) : 0;
-}
 
 /// A compiled set of effects for one pack type.
 template <class T> struct Kernel {
@@ -166,7 +155,8 @@ private:
   double log2_reach_ = log2_reach(run_.log2_tolerance, log2_estimate(unit_roundoff<Real>()));
   Jet<T> jet_{};
   T x_[6]{}, low_[6]{}, first_[3]{}, drift_[3]{};
-  T t_{}, t_low_{}, above_{};
+  T t_{}, t_low_{};
+  SectionWatch<T> watch_{run_.section.falling, run_.section.rising};
   std::size_t orbit_[n]{};
   bool busy_[n]{};
   Finish<Real> tally_[n]{};
@@ -205,7 +195,7 @@ private:
       L::set(first_[i], lane, L::get(now[i], lane));
     L::set(t_, lane, Real(0));
     L::set(t_low_, lane, Real(0));
-    L::set(above_, lane, Real(0)); // not known yet
+    watch_.forget(lane);
   }
 
   void step() {
@@ -242,68 +232,25 @@ private:
   }
 
   void look_for_crossings(const T& h) {
-    const int p = run_.order;
-    kernel_.section(model_, jet_, p, axis_);
-    T* s = jet_.s[Jet<T>::section];
-    const T one = L::all(Real(1)), zero{};
-    T power = h, rest{}, bend{}, end = s[0];
-    const T slope = absolute(T(s[1] * h));
-    for (int k = 1; k <= p; ++k) {
-      const T b = s[k] * power;
-      const T a = absolute(b);
-      rest += a;
-      if (k > 1) bend += L::all(Real(k)) * a;
-      end += b;
-      power = power * h;
-    }
-    const T below = -one;
-    const T sign0 = choose(s[0] > zero, one, below);
-    const T sign1 = choose(end > zero, one, choose(end < zero, below, above_)); // 0 decides nothing
-    // 1 where a crossing, or doubt, remains
-    const T same_start = choose(sign0 == above_, one, zero);
-    T boring = choose(sign1 == above_, one, zero);
-    // a single sign change that nobody asked for needs no place
-    if (!run_.section.rising) boring = choose(above_ < zero, one, boring);
-    if (!run_.section.falling) boring = choose(above_ > zero, one, boring);
-    const T apart = choose(absolute(s[0]) > rest, same_start, zero);
-    const T monotone = choose(slope > bend, boring, zero);
-    const T look = choose(apart + monotone > zero, zero, one);
-    for (int lane = 0; lane < n; ++lane)
-      if (busy_[lane] && !(L::get(look, lane) == Real(0))) look_closer(lane, L::get(h, lane));
-    above_ = sign1;
+    kernel_.section(model_, jet_, run_.order, axis_);
+    watch_.step(jet_.s[Jet<T>::section], run_.order, h, [&](int lane, const Real& sign_before) {
+      if (busy_[lane]) look_closer(lane, L::get(h, lane), sign_before);
+    });
   }
 
-  void look_closer(int lane, const Real& h) {
-    Real b[max_degree + 1];
-    const int p = run_.order;
-    Real power(1);
-    Real scale(0);
-    for (int k = 0; k <= p; ++k) {
-      b[k] = L::get(jet_.s[Jet<T>::section][k], lane) * power;
-      scale += b[k] < Real(0) ? Real(Real(0) - b[k]) : b[k];
-      power = power * h;
-    }
-    const Real carried = L::get(above_, lane);
-    bool above = carried > Real(0);
-    if (carried == Real(0)) { // a new orbit; one that starts on the section has crossed it already
-      const Real size = b[0] < Real(0) ? Real(Real(0) - b[0]) : b[0];
-      above = (size > Real(1e-10) * scale ? b[0] : b[1]) > Real(0);
-    }
-    // S below the rounding of its own terms is taken for 0: on an invariant plane it vanishes identically.
+  void look_closer(int lane, const Real& h, const Real& sign_before) {
     const Real noise =
         L::get(jet_.s[Jet<T>::m_squared][0], lane) * (unit_roundoff<Real>() * Real(16));
     Root<Real> roots[16];
-    const int found = sign_changes(b, p, noise, above, run_.section.falling, run_.section.rising,
-                                   roots, 16, tally_[lane].tangencies);
+    const int found =
+        watch_.sign_changes_in(lane, jet_.s[Jet<T>::section], run_.order, h, sign_before, noise,
+                               roots, 16, tally_[lane].tangencies);
     for (int i = 0; i < found; ++i)
       land(lane, Real(roots[i].x * h), roots[i].falling);
   }
 
   Real at(int series, int lane, const Real& dt) const {
-    Real v = L::get(jet_.s[series][run_.order], lane);
-    for (int k = run_.order - 1; k >= 0; --k)
-      v = multiply_add(v, dt, L::get(jet_.s[series][k], lane));
-    return v;
+    return value_at(jet_.s[series], run_.order, lane, dt);
   }
 
   // Evaluates the orbit on the section, and reports it if it is on the wanted side.
@@ -324,14 +271,6 @@ private:
     c.falling = falling;
     ++tally_[lane].crossings;
     run_.sink->crossing(c);
-  }
-
-  static void add_compensated(T& x, T& low, const T& increment) {
-    const T d = low + increment;
-    const T sum = x + d;
-    const T back = sum - x;
-    low = (x - (sum - back)) + (d - back);
-    x = sum;
   }
 
   void advance(const T& h) {

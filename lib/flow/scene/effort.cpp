@@ -11,14 +11,6 @@ namespace {
 
 constexpr std::size_t kept_points = 10;
 
-BigReal exact(const BigReal& x) { return x; }
-BigReal exact(double x) { return BigReal(x); }
-BigReal exact(const Twin1& x) { return BigReal(x.hi) + BigReal(x.lo); }
-BigReal exact(long double x) {
-  const auto high = static_cast<double>(x);
-  return BigReal(high) + BigReal(static_cast<double>(x - high));
-}
-
 // Counts, and keeps the first points as they come.
 template <class R> struct Counter : Sink<R> {
   std::vector<long> crossings;
@@ -99,8 +91,8 @@ std::vector<std::array<BigReal, 2>> charted(const Scene& s,
   for (const Crossing<R>& c : points) {
     State<BigReal> x;
     for (std::size_t i = 0; i < 3; ++i) {
-      x.omega[i] = exact(c.x[i]);
-      x.gamma[i] = exact(c.x[3 + i]);
+      x.omega[i] = to_big(c.x[i]);
+      x.gamma[i] = to_big(c.x[3 + i]);
     }
     const Andoyer<BigReal> a = andoyer_of(body, x, s.section.axis);
     out.push_back({a.l, a.y});
@@ -149,8 +141,6 @@ Effort measured(const Scene& s, int digits, std::size_t orbits, int lanes,
   return e;
 }
 
-long bits_of(int digits) { return static_cast<long>(std::ceil(digits * std::log2(10.0))) + 16; }
-
 } // namespace
 
 std::string to_string(Arithmetic a) {
@@ -169,7 +159,7 @@ std::string to_string(Arithmetic a) {
 }
 
 Reference reference_of(const Scene& scene, int digits) {
-  const PrecisionScope scope(bits_of(digits));
+  const PrecisionScope scope(bits_of(digits + 2));
   Reference out;
   const std::size_t all = starts_of(scene).size();
   Trial<Twin1> counting(scene, -28 * std::log2(10.0), all);
@@ -183,7 +173,7 @@ Reference reference_of(const Scene& scene, int digits) {
 
 Effort measure(const Scene& scene, Arithmetic arithmetic, int digits, std::size_t orbits,
                const Reference& reference) {
-  const PrecisionScope scope(bits_of(std::max(digits + 4, 40)));
+  const PrecisionScope scope(bits_of(std::max(digits + 6, 42)));
   switch (arithmetic) {
   case Arithmetic::packs:
     return measured<double>(scene, digits, orbits, best_lanes(), reference);

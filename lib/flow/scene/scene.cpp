@@ -173,7 +173,9 @@ SceneExpectation expectation(const Entry& e) {
   return x;
 }
 
-Scene scene_of(const Entry& root) {
+} // namespace
+
+Scene read_scene(const Entry& root) {
   root.check_keys({"format", "title", "source", "body", "levels", "section", "orbits", "accuracy",
                    "plot", "expect"});
   const Entry& format = root.at("format");
@@ -202,8 +204,6 @@ Scene scene_of(const Entry& root) {
   return s;
 }
 
-} // namespace
-
 Effects Scene::effects() const {
   Body<int> signs;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -224,10 +224,10 @@ bool is_scene(const Entry& document) {
          format->string().starts_with("scene/");
 }
 
-Scene read_scene(const std::string& path) { return scene_of(read_document(path)); }
+Scene read_scene(const std::string& path) { return read_scene(read_document(path)); }
 
 Scene parse_scene(std::string text, const std::string& name) {
-  return scene_of(parse_document(std::move(text), name));
+  return read_scene(parse_document(std::move(text), name));
 }
 
 } // namespace kov::flow

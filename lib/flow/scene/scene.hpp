@@ -93,6 +93,7 @@ struct Scene {
 /// an inertia
 ///         that is not symmetric and positive or violates a triangle inequality, F1 <= 0, no
 ///         orbits, no end
+[[nodiscard]] Scene read_scene(const Entry& document);
 [[nodiscard]] Scene read_scene(const std::string& path);
 [[nodiscard]] bool is_scene(const Entry& document); ///< format = "scene/..."
 [[nodiscard]] Scene parse_scene(std::string text, const std::string& name);

@@ -16,10 +16,6 @@ template <class R> State<double> rounded(const R (&x)[6]) {
   return {{d(0), d(1), d(2)}, {d(3), d(4), d(5)}};
 }
 
-BigReal exact(const BigReal& x) { return x; }
-BigReal exact(long double x) { return BigReal(x); }
-BigReal exact(const Twin1& x) { return BigReal(x.hi) + BigReal(x.lo); }
-
 std::string decimal(BigReal x, long shift, int digits) {
   mpfr_mul_2si(x.raw(), x.raw(), shift, MPFR_RNDN);
   return to_string(x, digits);
@@ -64,12 +60,12 @@ private:
     } else {
       State<BigReal> x;
       for (std::size_t i = 0; i < 3; ++i) {
-        x.omega[i] = exact(c.x[i]);
-        x.gamma[i] = exact(c.x[3 + i]);
+        x.omega[i] = to_big(c.x[i]);
+        x.gamma[i] = to_big(c.x[3 + i]);
       }
       const Andoyer<BigReal> a = andoyer_of(precise, x, scene.section.axis);
-      const int n = digits_shown(scene);
-      return decimal(exact(c.t), units.time, n) + " " + decimal(a.l, 0, n) + " " +
+      const int n = digits_shown(scene.tolerance, scene.digits);
+      return decimal(to_big(c.t), units.time, n) + " " + decimal(a.l, 0, n) + " " +
              decimal(a.y, 0, n) + " " + decimal(a.g_size, units.momentum(), n);
     }
   }
@@ -83,8 +79,6 @@ template <class R> struct Plan {
   Run<R> run;
   long bits = 128; ///< of a BigReal
 };
-
-long bits_of(int digits) { return static_cast<long>(std::ceil(digits * 3.3219280948873623)) + 8; }
 
 double log2_tolerance(const Scene& s) {
   return log2_estimate(s.tolerance.as<BigReal>()) - safety_bits;
@@ -304,9 +298,9 @@ void run_in_arithmetic(const Scene& s, const OwnUnits& u, const SimulateOptions&
 
 } // namespace
 
-int digits_shown(const Scene& s) {
-  const double digits = -log2_estimate(s.tolerance.as<BigReal>()) * std::log10(2.0);
-  return std::clamp(static_cast<int>(digits + 1.5), 6, s.digits > 0 ? s.digits : 17);
+int digits_shown(const Quantity& tolerance, int digits) {
+  const double n = -log2_estimate(tolerance.as<BigReal>()) * std::log10(2.0);
+  return std::clamp(static_cast<int>(n + 1.5), 6, digits > 0 ? digits : 17);
 }
 
 std::size_t Section::cut_short() const {

@@ -31,8 +31,8 @@ struct OrbitReport {
   Ended ended = Ended::time;
 };
 
-/// How many digits of a point the tolerance justifies.
-[[nodiscard]] int digits_shown(const Scene& scene);
+/// How many digits of a point the tolerance justifies; digits: of a scene, 0 for double.
+[[nodiscard]] int digits_shown(const Quantity& tolerance, int digits);
 
 struct Section {
   std::vector<SectionPoint> points; ///< by orbit, then by time
