@@ -1,0 +1,167 @@
+#include "flow/field/field.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov::flow {
+
+template <> BigReal number_as<BigReal>(const Rational& q) {
+  BigReal r;
+  fmpq_get_mpfr(r.raw(), q.raw(), MPFR_RNDN);
+  return r;
+}
+template <> double number_as<double>(const Rational& q) {
+  const PrecisionScope scope(53);
+  return static_cast<double>(number_as<BigReal>(q));
+}
+template <> long double number_as<long double>(const Rational& q) {
+  const PrecisionScope scope(64);
+  return mpfr_get_ld(number_as<BigReal>(q).raw(), MPFR_RNDN);
+}
+template <> Twin1 number_as<Twin1>(const Rational& q) {
+  const PrecisionScope scope(160);
+  return to_twin(number_as<BigReal>(q));
+}
+
+namespace {
+
+constexpr double max_places = 4e6; // of a storage: 256 MB with eight lanes
+
+std::vector<NodeId> nodes_of(Graph& g, const std::vector<MFraction>& functions) {
+  std::vector<NodeId> nodes;
+  for (const MFraction& f : functions)
+    nodes.push_back(g.of(f));
+  return nodes;
+}
+
+Instruction at_stride(Instruction i, std::uint32_t stride) {
+  const bool is_sum = i.op == Instruction::Op::sum; // its a and b are no registers
+  for (std::size_t k = 0; k < group; ++k) {
+    i.out[k] *= stride;
+    if (is_sum) continue;
+    i.a[k] *= stride;
+    i.b[k] *= stride;
+  }
+  return i;
+}
+
+template <class R> std::vector<R> numbers_as(const std::vector<Rational>& numbers) {
+  std::vector<R> all;
+  for (const Rational& q : numbers)
+    all.push_back(number_as<R>(q));
+  return all;
+}
+
+} // namespace
+
+Field::Field(const System& s, const MFraction& section, const std::vector<MFraction>& integrals,
+             const std::vector<MFraction>& needed, const Values& values, bool tangent)
+    : motion_([&] {
+        std::vector<MFraction> used = integrals;
+        used.insert(used.end(), needed.begin(), needed.end());
+        used.push_back(section);
+        return motion_of(s, used);
+      }()),
+      values_(values) {
+  if (tangent) add_tangent(motion_, s.ring()->size());
+  for (const auto& [variable, value] : values)
+    numbers_.push_back(variable);
+  std::vector<std::size_t> inputs = motion_.variables, points = motion_.variables;
+  inputs.insert(inputs.end(), motion_.tangent.begin(), motion_.tangent.end());
+  if (inputs.size() > most_variables || integrals.size() > most_integrals)
+    throw OutOfBudget("size limit: sections are drawn of systems with up to " +
+                      std::to_string(most_variables) + " variables and " +
+                      std::to_string(most_integrals) + " integrals");
+  for (auto* all : {&inputs, &points})
+    all->insert(all->end(), numbers_.begin(), numbers_.end());
+  registers_ = std::make_unique<Registers>(inputs);
+  integral_registers_ = std::make_unique<Registers>(points);
+  std::vector<NodeId> roots = motion_.derivatives;
+  roots.insert(roots.end(), motion_.deviations.begin(), motion_.deviations.end());
+  const NodeId on_section = motion_.graph.of(section);
+  const std::vector<NodeId> constants_of_motion = nodes_of(motion_.graph, integrals);
+  field_ = compile(motion_.graph, roots, *registers_);
+  section_ = compile(motion_.graph, {on_section}, *registers_);
+  integrals_ = compile(motion_.graph, constants_of_motion, *integral_registers_);
+}
+
+template <class R> Tape<R> Tapes<R>::Kept::tape(const Program& p, std::uint32_t stride) {
+  for (const Instruction& i : p.once)
+    once.push_back(at_stride(i, stride));
+  for (const Instruction& i : p.each)
+    each.push_back(at_stride(i, stride));
+  for (const SumTerm& t : p.terms)
+    terms.push_back({t.reg * stride, t.number});
+  numbers = numbers_as<R>(p.numbers);
+  return {once.data(),  once.data() + once.size(),
+          each.data(),  each.data() + each.size(),
+          terms.data(), numbers.data()};
+}
+
+template <class R> Tapes<R>::Tapes(const Field& f, int order) {
+  const auto stride = static_cast<std::uint32_t>(order + 1);
+  if (static_cast<double>(f.registers_->count()) * stride > max_places)
+    throw OutOfBudget("size limit: the field has too many operations for steps of this order");
+  tapes_.field = field_.tape(f.field_, stride);
+  tapes_.section = section_.tape(f.section_, stride);
+  tapes_.integrals = integrals_.tape(f.integrals_, 1);
+  for (const std::uint32_t reg : f.field_.outputs)
+    derivatives_.push_back(reg * stride);
+  for (const std::size_t variable : f.numbers_)
+    values_.push_back(f.values_.at(variable).template as<R>());
+  const std::uint32_t section = f.section_.outputs.front();
+  const std::vector<std::size_t>& inputs = f.registers_->inputs();
+  tapes_.derivatives = derivatives_.data();
+  integral_places_ = f.integrals_.outputs;
+  tapes_.integral_places = integral_places_.data();
+  tapes_.section_place = section * stride;
+  tapes_.last_order = section >= inputs.size();
+  tapes_.coordinates = f.coordinates();
+  tapes_.variables = f.variables().size();
+  tapes_.tangent = f.tangent();
+  tapes_.values = f.numbers_.size();
+  tapes_.integral_count = f.integrals_.outputs.size();
+  tapes_.registers = f.registers_->count();
+  tapes_.integral_registers = f.integral_registers_->count();
+}
+
+template <class R>
+Evaluator<R>::Evaluator(const Field& f, const std::vector<MFraction>& functions) {
+  Graph g = f.motion_.graph;
+  std::vector<std::size_t> variables = f.motion_.variables;
+  inputs_ = variables.size();
+  variables.insert(variables.end(), f.numbers_.begin(), f.numbers_.end());
+  Registers places(variables);
+  const Program p = compile(g, nodes_of(g, functions), places);
+  code_ = p.each;
+  terms_ = p.terms;
+  numbers_ = numbers_as<R>(p.numbers);
+  outputs_ = p.outputs;
+  registers_.resize(places.count());
+  results_.resize(outputs_.size());
+  for (std::size_t i = 0; i < f.numbers_.size(); ++i)
+    registers_[inputs_ + i] = f.values_.at(f.numbers_[i]).template as<R>();
+  for (const Instruction& i : p.once)
+    machine::execute(i, terms_.data(), numbers_.data(), registers_.data(), 0);
+}
+
+template <class R> const std::vector<R>& Evaluator<R>::operator()(const R* x) {
+  std::copy_n(x, inputs_, registers_.begin());
+  for (const Instruction& i : code_)
+    machine::execute(i, terms_.data(), numbers_.data(), registers_.data(), 0);
+  for (std::size_t i = 0; i < outputs_.size(); ++i)
+    results_[i] = registers_[outputs_[i]];
+  return results_;
+}
+
+template class Tapes<double>;
+template class Tapes<long double>;
+template class Tapes<Twin1>;
+template class Tapes<BigReal>;
+template class Evaluator<double>;
+template class Evaluator<long double>;
+template class Evaluator<Twin1>;
+template class Evaluator<BigReal>;
+
+} // namespace kov::flow

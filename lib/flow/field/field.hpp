@@ -1,0 +1,87 @@
+#pragma once
+// A system made ready for the integration: its field, section function and integrals as programs.
+
+#include "flow/field/field_stepper.hpp"
+#include "flow/field/program.hpp"
+#include "flow/number/quantity.hpp"
+
+#include <memory>
+
+namespace kov::flow {
+
+/// q in R, to the last bit.
+template <class R> [[nodiscard]] R number_as(const Rational& q);
+template <> double number_as<double>(const Rational& q);
+template <> long double number_as<long double>(const Rational& q);
+template <> Twin1 number_as<Twin1>(const Rational& q);
+template <> BigReal number_as<BigReal>(const Rational& q);
+
+/// The numbers of a system without a rational value: parameters such as sqrt(2), algebraic constants.
+using Values = std::map<std::size_t, Quantity>; ///< by variable of the ring
+
+class Field {
+public:
+  /// Errors  OutOfBudget: too large;  InvalidArgument: a parameter has no value
+  /// needed: functions that an Evaluator will be asked for; tangent: with the first variational equation.
+  Field(const System& s, const MFraction& section, const std::vector<MFraction>& integrals,
+        const std::vector<MFraction>& needed, const Values& values, bool tangent);
+
+  [[nodiscard]] std::size_t coordinates() const noexcept { return motion_.coordinates; }
+  /// Coordinates, then function symbols: as variables of the ring.
+  [[nodiscard]] const std::vector<std::size_t>& variables() const noexcept {
+    return motion_.variables;
+  }
+  [[nodiscard]] std::size_t tangent() const noexcept { return motion_.tangent.size(); }
+  /// Products of series in an order (a square counts half).
+  [[nodiscard]] double cost() const { return products(motion_.graph, motion_.derivatives); }
+  [[nodiscard]] const Motion& motion() const noexcept { return motion_; }
+
+private:
+  template <class R> friend class Tapes;
+  template <class R> friend class Evaluator;
+  Motion motion_;
+  std::vector<std::size_t> numbers_; ///< parameters and constants that have a value here
+  Values values_;
+  std::unique_ptr<Registers> registers_, integral_registers_;
+  Program field_, section_, integrals_;
+  std::uint32_t section_register_ = 0;
+};
+
+/// The programs for steps of one order, with numbers of one type.  Refers to nothing outside of itself.
+template <class R> class Tapes {
+public:
+  Tapes(const Field& f, int order);
+  [[nodiscard]] const FieldTapes<R>& tapes() const noexcept { return tapes_; }
+  [[nodiscard]] const R* values() const noexcept { return values_.data(); }
+  Tapes(const Tapes&) = delete;
+  Tapes& operator=(const Tapes&) = delete;
+
+private:
+  struct Kept {
+    std::vector<Instruction> once, each;
+    std::vector<SumTerm> terms;
+    std::vector<R> numbers;
+    Tape<R> tape(const Program& p, std::uint32_t stride);
+  };
+  Kept field_, section_, integrals_;
+  std::vector<std::uint32_t> derivatives_, integral_places_;
+  std::vector<R> values_;
+  FieldTapes<R> tapes_;
+};
+
+/// Functions of the variables at a point: f_1(x), f_2(x), ...
+template <class R> class Evaluator {
+public:
+  Evaluator(const Field& f, const std::vector<MFraction>& functions);
+  /// x: the values of f.variables(), in their order.
+  [[nodiscard]] const std::vector<R>& operator()(const R* x);
+
+private:
+  std::vector<Instruction> code_;
+  std::vector<SumTerm> terms_;
+  std::vector<R> numbers_, registers_, results_;
+  std::vector<std::uint32_t> outputs_;
+  std::size_t inputs_ = 0;
+};
+
+} // namespace kov::flow

@@ -1,0 +1,33 @@
+#pragma once
+// The compiled steppers of fields: which instruction set, which pack.
+
+#include "flow/field/field.hpp"
+#include "flow/orbit/kernels.hpp"
+
+namespace kov::flow {
+
+/// Integrates all orbits of `run`.
+///
+/// Shape     lanes: 1, 4 or 8 orbits at a time for double (other types have one), 0: best_lanes; the results of an
+///           orbit do not depend on it
+/// Requires  the tapes are for run.order; 4 <= run.order <= max_degree
+void integrate_field(const FieldTapes<double>& tapes, const FieldRun<double>& run, int lanes = 0,
+                     Isa isa = best_isa());
+void integrate_field(const FieldTapes<Twin1>& tapes, const FieldRun<Twin1>& run, int lanes = 0,
+                     Isa isa = best_isa());
+void integrate_field(const FieldTapes<long double>& tapes, const FieldRun<long double>& run);
+void integrate_field(const FieldTapes<BigReal>& tapes, const FieldRun<BigReal>& run);
+
+/// What a few of the orbits show of the scales of the motion.
+struct Scales {
+  std::vector<double> of; ///< the size of each variable, a power of 2
+  std::vector<double>
+      path; ///< states along the orbits, one after the other: for the sizes of functions
+};
+/// Follows a few of the orbits for some hundred steps, not beyond t_end, and not far away from where they start.
+/// Shape  starts: f.variables() numbers for each orbit
+[[nodiscard]] Scales scales_of(const Field& f, const std::vector<double>& starts, double t_end);
+/// The order with which the field costs least for this tolerance, measured at these states.
+[[nodiscard]] int choose_order(const Field& f, const Scales& scales, double log2_tolerance);
+
+} // namespace kov::flow

@@ -1,0 +1,351 @@
+#pragma once
+// Integration of many orbits of any field, lane by lane, with section crossings; the rules for the step, the state
+// and the order are those of orbit/stepper.hpp, where |x_k| is taken in units of the scale of each variable, so
+// that the units of the coordinates do not matter.  The series of a step are in units tau of time, a power of 2
+// near the length of the step before: x_k tau^k neither overflows nor vanishes however short the steps become.
+//
+// A step shorter than 8 u of the orbit's longest one (u: unit roundoff) is the way to a singularity: the orbit ends.
+
+#include "flow/field/growth.hpp"
+#include "flow/field/machine.hpp"
+#include "flow/orbit/steps.hpp"
+
+#include <atomic>
+#include <cstddef>
+
+namespace kov::flow {
+
+template <class R> struct FieldFinish {
+  R t{};
+  const R* drift =
+      nullptr; ///< largest change of every integral that was seen at the checks, absolute
+  long steps = 0, crossings = 0;
+  int tangencies = 0;
+  Indicators indicators = {}; ///< with a tangent vector only
+  Ended ended = Ended::time;
+};
+
+template <class R> struct FieldSink {
+  /// x: all variables on the section.  False: not a crossing that is wanted (`where`).
+  virtual bool crossing(std::size_t orbit, const R& t, const R* x, bool rising) = 0;
+  /// x: the last state.
+  virtual void finished(std::size_t orbit, const R* x, const FieldFinish<R>&) = 0;
+  virtual ~FieldSink() = default;
+};
+
+/// A field, its section and its integrals for the machine; registers 0 ... variables - 1 are the variables x, then
+/// come the tangent vector v (as many, or none) and the numbers without a rational value.
+template <class R> struct FieldTapes {
+  Tape<R> field, section, integrals;
+  const std::uint32_t* derivatives = nullptr; ///< places of x' and v'
+  const std::uint32_t* integral_places = nullptr;
+  std::uint32_t section_place = 0;
+  bool last_order = false; ///< the section needs the field's nodes at the last order
+  std::size_t coordinates = 0, variables = 0, tangent = 0, values = 0, integral_count = 0;
+  std::size_t registers = 0, integral_registers = 0;
+};
+
+template <class R> struct FieldRun {
+  double log2_tolerance = -53;
+  int order = 20;
+  R t_end{};
+  long max_crossings = -1, max_steps = -1; ///< -1: no limit
+  int check_every = 16;
+  bool section = true, falling = false, rising = true;
+  R noise{};                    ///< S below it is 0
+  const R* per_scale = nullptr; ///< 1/scale of every variable
+  const R* values = nullptr;    ///< of the numbers
+  const R* starts = nullptr;    ///< variables + tangent for each orbit
+  std::size_t orbits = 0;
+  const std::atomic<bool>* stop = nullptr;
+  FieldSink<R>* sink = nullptr;
+};
+
+inline namespace KOV_ISA {
+
+inline constexpr std::size_t most_variables = 64; ///< with the tangent vector
+inline constexpr std::size_t most_integrals = 16;
+
+template <class T> class FieldStepper {
+public:
+  using L = Lanes<T>;
+  using Real = typename L::Real;
+  using Step = typename L::Step;
+  static constexpr int n = L::size;
+
+  /// How many T the storage needs.
+  static std::size_t storage_size(const FieldTapes<Real>& tapes, int order) {
+    return tapes.registers * static_cast<std::size_t>(order + 1) + tapes.integral_registers;
+  }
+
+  /// `storage`: aligned for T and zero; the places of the tapes are for this order.
+  FieldStepper(const FieldTapes<Real>& tapes, const FieldRun<Real>& run, T* storage)
+      : tapes_(tapes), run_(run), s_(storage),
+        points_(storage + tapes.registers * static_cast<std::size_t>(run.order + 1)),
+        stride_(run.order + 1), total_(static_cast<int>(tapes.variables + tapes.tangent)),
+        variables_(static_cast<int>(tapes.variables)) {
+    for (std::size_t i = 0; i < tapes_.values; ++i) {
+      *series(total_ + static_cast<int>(i)) = L::all(run_.values[i]);
+      points_[tapes_.variables + i] = L::all(run_.values[i]);
+    }
+    run_once(tapes_.field, s_);
+    run_once(tapes_.section, s_);
+    run_once(tapes_.integrals, points_);
+    for (int i = 0; i < variables_; ++i)
+      scale_[i] = L::all(Real(1) / run_.per_scale[i]);
+  }
+
+  void integrate() {
+    for (int lane = 0; lane < n; ++lane)
+      refill(lane);
+    while (active_ > 0) {
+      if (run_.stop != nullptr && run_.stop->load(std::memory_order_relaxed)) {
+        for (int lane = 0; lane < n; ++lane)
+          if (busy_[lane]) finish(lane, Ended::stopped);
+        return;
+      }
+      step();
+    }
+  }
+
+private:
+  T* series(int i) const { return s_ + static_cast<std::ptrdiff_t>(i) * stride_; }
+
+  // Gives the lane its next orbit, or leaves it idle (it goes on with its old state and nobody looks).
+  void refill(int lane) {
+    if (busy_[lane]) --active_;
+    busy_[lane] = next_ < run_.orbits;
+    if (!busy_[lane]) {
+      if (run_.orbits > 0) load(lane, 0);
+      return;
+    }
+    ++active_;
+    orbit_[lane] = next_;
+    load(lane, next_++);
+  }
+
+  void load(int lane, std::size_t orbit) {
+    const Real* start = run_.starts + static_cast<std::size_t>(total_) * orbit;
+    for (int i = 0; i < total_; ++i) {
+      L::set(x_[i], lane, start[i]);
+      L::set(low_[i], lane, Real(0));
+    }
+    measure_integrals();
+    for (std::size_t i = 0; i < tapes_.integral_count; ++i) {
+      L::set(first_[i], lane, L::get(points_[tapes_.integral_places[i]], lane));
+      L::set(drift_[i], lane, Real(0));
+    }
+    L::set(t_, lane, Real(0));
+    L::set(t_low_, lane, Real(0));
+    L::set(longest_, lane, Real(0));
+    Lanes<Step>::set(log2_tau_, lane, 0.0);
+    watch_.forget(lane);
+    tally_[lane] = FieldFinish<Real>{};
+    if (tapes_.tangent > 0) {
+      log_scale_[lane] = 0;
+      growth_[lane].begin(log_norm(lane));
+    }
+  }
+
+  void step() {
+    tau_ = T(exp2_estimate(log2_tau_));
+    jets();
+    const T left = (L::all(run_.t_end) - t_) - t_low_;
+    const Step log2_wanted = log2_step();
+    const T wanted = T(exp2_estimate(log2_wanted)) * tau_;
+    const T h = choose(wanted < left, wanted, left);
+    const T part = h / tau_;
+    if (run_.section) look_for_crossings(part);
+    for (int i = 0; i < total_; ++i)
+      add_compensated(x_[i], low_[i], increment(series(i), run_.order, part));
+    log2_tau_ =
+        within(log2_tau_ + ((log2_wanted + 6755399441055744.0) - 6755399441055744.0)); // rounded
+    add_compensated(t_, t_low_, h);
+    if (tapes_.tangent > 0) follow_growth(h);
+    account(h, left);
+  }
+
+  void jets() {
+    for (int i = 0; i < total_; ++i)
+      *series(i) = x_[i];
+    for (int i = 0; i < variables_;
+         ++i) // far from where the scales were seen, the orbit has its own
+      per_scale_[i] = L::all(Real(1)) / larger(scale_[i], absolute(x_[i]));
+    for (int k = 0; k < run_.order; ++k) {
+      run_order(tapes_.field, s_, k);
+      const T rate = tau_ * L::all(Real(1) / Real(k + 1));
+      for (int i = 0; i < total_; ++i)
+        series(i)[k + 1] = s_[tapes_.derivatives[i] + static_cast<std::uint32_t>(k)] * rate;
+    }
+  }
+
+  // log2 of ||x_k||
+  Step log2_size(int k) const {
+    T most{};
+    for (int i = 0; i < variables_; ++i)
+      most = larger(most, T(absolute(series(i)[k]) * per_scale_[i]));
+    return log2_estimate(larger(most, L::all(Real(1e-300))));
+  }
+
+  // What a step may be, as an exponent.
+  static Step within(Step x) {
+    const Step zero{};
+    x = x < zero - 900.0 ? zero - 900.0 : x;
+    return x > zero + 900.0 ? zero + 900.0 : x;
+  }
+
+  // log2 of the length of the step, in units of tau
+  Step log2_step() const {
+    Step best = log2_reach_ - log2_size(1);
+    const auto at_most = [&best](const Step& log_h) { best = log_h < best ? log_h : best; };
+    at_most(log2_reach_ - (log2_size(2) + 1.0) * 0.5);
+    for (int k = run_.order - 1; k <= run_.order; ++k)
+      at_most((run_.log2_tolerance - log2_size(k)) * (1.0 / k));
+    return best;
+  }
+
+  // h: in units of tau
+  void look_for_crossings(const T& h) {
+    if (tapes_.last_order) run_order(tapes_.field, s_, run_.order);
+    if (tapes_.section.each != tapes_.section.each_end)
+      for (int k = 0; k <= run_.order; ++k)
+        run_order(tapes_.section, s_, k);
+    watch_.step(s_ + tapes_.section_place, run_.order, h, [&](int lane, const Real& sign_before) {
+      if (busy_[lane]) look_closer(lane, L::get(h, lane), sign_before);
+    });
+  }
+
+  void look_closer(int lane, const Real& h, const Real& sign_before) {
+    Root<Real> roots[16];
+    const int found =
+        watch_.sign_changes_in(lane, s_ + tapes_.section_place, run_.order, h, sign_before,
+                               run_.noise, roots, 16, tally_[lane].tangencies);
+    for (int i = 0; i < found; ++i)
+      land(lane, Real(roots[i].x * h), !roots[i].falling);
+  }
+
+  void land(int lane, const Real& dt, bool rising) {
+    if (run_.max_crossings >= 0 && tally_[lane].crossings >= run_.max_crossings) return;
+    Real x[most_variables];
+    for (int i = 0; i < variables_; ++i)
+      x[i] = value_at(series(i), run_.order, lane, dt);
+    const Real t = L::get(t_, lane) + (L::get(t_low_, lane) + dt * L::get(tau_, lane));
+    if (run_.sink->crossing(orbit_[lane], t, x, rising)) ++tally_[lane].crossings;
+  }
+
+  void measure_integrals() {
+    for (int i = 0; i < variables_; ++i)
+      points_[i] = x_[i];
+    run_order(tapes_.integrals, points_, 0);
+  }
+
+  // `due`: 1 in the lanes that are looked at, 0 elsewhere.
+  void measure_drift(const T& due) {
+    measure_integrals();
+    for (std::size_t i = 0; i < tapes_.integral_count; ++i) {
+      const T change = absolute(T(points_[tapes_.integral_places[i]] - first_[i]));
+      drift_[i] = larger(drift_[i], T(due * change));
+    }
+  }
+
+  double log_norm(int lane) const {
+    double square = 0;
+    for (std::size_t i = 0; i < tapes_.coordinates; ++i) {
+      const auto v =
+          static_cast<double>(Real(L::get(x_[tapes_.variables + i], lane) * run_.per_scale[i]));
+      square += v * v;
+    }
+    return 0.5 * std::log(square) + log_scale_[lane];
+  }
+
+  void follow_growth(const T& h) {
+    for (int lane = 0; lane < n; ++lane) {
+      if (!busy_[lane]) continue;
+      const double log_v = log_norm(lane);
+      growth_[lane].step(static_cast<double>(L::get(h, lane)), log_v);
+      const double above = log_v - log_scale_[lane];
+      if (above < 40 && above > -40) continue;
+      const Real factor = Real(1) / Real(above > 0 ? 0x1p50 : 0x1p-50);
+      log_scale_[lane] += (above > 0 ? 50 : -50) * 0.6931471805599453;
+      for (int i = variables_; i < total_; ++i) {
+        L::set(x_[i], lane, Real(L::get(x_[i], lane) * factor));
+        L::set(low_[i], lane, Real(L::get(low_[i], lane) * factor));
+      }
+    }
+  }
+
+  // Bookkeeping after a step: who is finished, who is broken.
+  void account(const T& h, const T& left) {
+    bool check = false;
+    T due{}, finite{}; // what the integrals are deep in a close encounter is seen when it is over
+    const T close = longest_ * L::all(Real(0x1p-20));
+    for (int i = 0; i < variables_; ++i)
+      add_product(finite, x_[i], T{}); // 0 only if all are numbers
+    longest_ = larger(longest_, h);
+    for (int lane = 0; lane < n; ++lane) {
+      const long steps = ++tally_[lane].steps;
+      if (!busy_[lane] || run_.check_every <= 0 || steps % run_.check_every != 0) continue;
+      if (L::get(h, lane) < L::get(close, lane)) continue;
+      check = true;
+      L::set(due, lane, Real(1));
+    }
+    if (check) measure_drift(due);
+    for (int lane = 0; lane < n; ++lane) {
+      if (!busy_[lane]) continue;
+      const FieldFinish<Real>& f = tally_[lane];
+      const Real step = L::get(h, lane);
+      if (!(step > Real(0)) || !(L::get(finite, lane) == Real(0)))
+        finish(lane, Ended::broken);
+      else if (step == L::get(left, lane))
+        finish(lane, Ended::time);
+      else if (step < L::get(longest_, lane) * shrunk_)
+        finish(lane, Ended::singular);
+      else if (run_.max_crossings >= 0 && f.crossings >= run_.max_crossings)
+        finish(lane, Ended::crossings);
+      else if (run_.max_steps >= 0 && f.steps >= run_.max_steps)
+        finish(lane, Ended::steps);
+    }
+  }
+
+  void finish(int lane, Ended why) {
+    T due{};
+    L::set(due, lane, Real(why == Ended::singular || why == Ended::broken ? 0 : 1));
+    measure_drift(due);
+    FieldFinish<Real>& f = tally_[lane];
+    Real x[most_variables], drift[most_integrals];
+    for (int i = 0; i < variables_; ++i)
+      x[i] = L::get(x_[i], lane);
+    for (std::size_t i = 0; i < tapes_.integral_count; ++i)
+      drift[i] = L::get(drift_[i], lane);
+    f.drift = drift;
+    f.t = L::get(t_, lane);
+    f.ended = why;
+    if (tapes_.tangent > 0) f.indicators = growth_[lane].indicators();
+    run_.sink->finished(orbit_[lane], x, f);
+    refill(lane);
+  }
+
+  const FieldTapes<Real>& tapes_;
+  const FieldRun<Real>& run_;
+  T *s_, *points_;
+  std::ptrdiff_t stride_;
+  int total_, variables_;
+  double log2_reach_ = log2_reach(run_.log2_tolerance, log2_estimate(unit_roundoff<Real>()));
+  Real shrunk_ = unit_roundoff<Real>() * Real(8);
+  T x_[most_variables]{}, low_[most_variables]{}, scale_[most_variables]{},
+      per_scale_[most_variables]{};
+  T first_[most_integrals]{}, drift_[most_integrals]{};
+  T t_{}, t_low_{}, longest_{}, tau_{};
+  Step log2_tau_{};
+  SectionWatch<T> watch_{run_.falling, run_.rising};
+  std::size_t orbit_[n]{};
+  bool busy_[n]{};
+  FieldFinish<Real> tally_[n]{};
+  Growth growth_[n]{};
+  double log_scale_[n]{};
+  std::size_t next_ = 0;
+  int active_ = 0;
+};
+
+} // namespace KOV_ISA
+} // namespace kov::flow

@@ -1,0 +1,420 @@
+#include "flow/field/graph.hpp"
+
+#include "exact/budget.hpp"
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov::flow {
+namespace {
+
+constexpr std::size_t max_nodes = 200'000;
+constexpr long factored_terms = 400; // longer polynomials are not factored
+
+long total_degree(const std::vector<unsigned long>& exponents) {
+  long sum = 0;
+  for (const unsigned long e : exponents)
+    sum += static_cast<long>(e);
+  return sum;
+}
+
+MPoly term_of(const MPoly& f, long i) {
+  return MPoly::term(f.ring(), f.coefficient(i), f.exponents(i));
+}
+
+} // namespace
+
+// ---- nodes ----
+
+NodeId Graph::keep(Node n, const std::string& key) {
+  if (const auto known = ids_.find(key); known != ids_.end()) return known->second;
+  if (nodes_.size() >= max_nodes)
+    throw OutOfBudget("size limit: the field has too many operations");
+  nodes_.push_back(std::move(n));
+  return ids_[key] = static_cast<NodeId>(nodes_.size() - 1);
+}
+
+bool Graph::is_zero(NodeId n) const {
+  const Node& x = node(n);
+  return x.kind == Node::Kind::sum && x.terms.empty() && x.constant == Rational();
+}
+
+NodeId Graph::variable(std::size_t i) {
+  Node n;
+  n.kind = Node::Kind::variable;
+  n.variable = i;
+  n.fixed = fixed_.contains(i);
+  return keep(std::move(n), "x" + std::to_string(i));
+}
+
+// Short sums are taken apart: that costs less than another instruction.
+NodeId Graph::sum(const Node::Terms& terms, const Rational& constant) {
+  std::map<NodeId, Rational> all;
+  Node n;
+  n.constant = constant;
+  for (const auto& [c, id] : terms) {
+    const Node& part = node(id);
+    if (part.kind == Node::Kind::sum && part.terms.size() <= 3) {
+      n.constant = n.constant + c * part.constant;
+      for (const auto& [inner, inner_id] : part.terms)
+        all[inner_id] = all[inner_id] + c * inner;
+    } else {
+      all[id] = all[id] + c;
+    }
+  }
+  n.fixed = true;
+  std::string key = "+" + to_string(n.constant);
+  for (const auto& [id, c] : all) {
+    if (c == Rational()) continue;
+    n.terms.emplace_back(c, id);
+    n.fixed = n.fixed && node(id).fixed;
+    key += "," + to_string(c) + "*" + std::to_string(id);
+  }
+  if (n.terms.size() == 1 && n.constant == Rational() && n.terms[0].first == Rational(1))
+    return n.terms[0].second;
+  return keep(std::move(n), key);
+}
+
+std::pair<Rational, NodeId> Graph::without_factor(NodeId n) const {
+  const Node& x = node(n);
+  if (x.kind == Node::Kind::sum && x.terms.size() == 1 && x.constant == Rational())
+    return x.terms[0];
+  return {Rational(1), n};
+}
+
+NodeId Graph::product(NodeId a, NodeId b) {
+  for (const auto& [x, y] : {std::pair{a, b}, std::pair{b, a}})
+    if (const Node& n = node(x); n.kind == Node::Kind::sum && n.terms.empty())
+      return scaled(n.constant, y);
+  const auto [c, p] = without_factor(a);
+  const auto [d, q] = without_factor(b);
+  Node n;
+  n.kind = p == q ? Node::Kind::square : Node::Kind::product;
+  n.a = std::min(p, q);
+  n.b = std::max(p, q);
+  n.fixed = node(p).fixed && node(q).fixed;
+  const std::string key = "*" + std::to_string(n.a) + "," + std::to_string(n.b);
+  return scaled(c * d, keep(std::move(n), key));
+}
+
+NodeId Graph::quotient(NodeId a, NodeId b) {
+  if (is_zero(b)) throw DomainError("a denominator of the field is 0");
+  if (is_zero(a)) return a;
+  if (const Node& n = node(b); n.kind == Node::Kind::sum && n.terms.empty())
+    return scaled(Rational(1) / n.constant, a);
+  const auto [c, p] = without_factor(a);
+  const auto [d, q] = without_factor(b);
+  if (p == q) return constant(c / d);
+  if (node(q).fixed && !node(p).fixed) // one number instead of a recurrence
+    return scaled(c / d, product(p, quotient(constant(Rational(1)), q)));
+  Node n;
+  n.kind = Node::Kind::quotient;
+  n.a = p;
+  n.b = q;
+  n.fixed = node(p).fixed && node(q).fixed;
+  const std::string key = "/" + std::to_string(p) + "," + std::to_string(q);
+  return scaled(c / d, keep(std::move(n), key));
+}
+
+NodeId Graph::power(NodeId a, long n) {
+  if (n == 1) return a;
+  const NodeId half = power(a, n / 2), even = product(half, half);
+  return n % 2 == 0 ? even : product(a, power(a, n - 1));
+}
+
+// ---- from the algebra ----
+
+NodeId Graph::of_factors(const std::vector<MFactor>& factors) {
+  NodeId all = constant(Rational(1));
+  for (const MFactor& f : factors)
+    all = product(power(of(f.base), f.exponent), all);
+  return all;
+}
+
+// The variable to put outside of the brackets: a number if there is one, else the most frequent.
+std::size_t Graph::outermost(const MPoly& f) const {
+  std::map<std::size_t, long> terms;
+  for (long i = 0; i < f.length(); ++i) {
+    const auto e = f.exponents(i);
+    for (std::size_t v = 0; v < e.size(); ++v)
+      if (e[v] > 0) terms[v] += fixed_.contains(v) ? 1'000'000 : 1;
+  }
+  const auto most = std::max_element(
+      terms.begin(), terms.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most->first;
+}
+
+// linear terms + x (what x divides) + the rest
+NodeId Graph::of_terms(const MPoly& f) {
+  Node::Terms terms;
+  Rational constant;
+  MPoly rest(f.ring());
+  for (long i = 0; i < f.length(); ++i) {
+    const long degree = total_degree(f.exponents(i));
+    const MPoly term = term_of(f, i);
+    if (degree == 0)
+      constant = Rational(f.coefficient(i));
+    else if (degree == 1)
+      terms.emplace_back(Rational(f.coefficient(i)), variable(used_variables(term).front()));
+    else
+      rest += term;
+  }
+  if (!kov::is_zero(rest)) {
+    const std::size_t x = outermost(rest);
+    MPoly inside(f.ring()), outside(f.ring());
+    for (long i = 0; i < rest.length(); ++i)
+      (rest.exponents(i)[x] > 0 ? inside : outside) += term_of(rest, i);
+    if (kov::is_zero(outside)) {
+      terms.emplace_back(Rational(1),
+                         product(variable(x), of(exact_div(inside, MPoly::variable(f.ring(), x)))));
+    } else {
+      terms.emplace_back(Rational(1), of(inside));
+      terms.emplace_back(Rational(1), of(outside));
+    }
+  }
+  return sum(terms, constant);
+}
+
+NodeId Graph::of_primitive(const MPoly& f) {
+  if (f.length() <= factored_terms) {
+    const auto [content, factors] = factor(f);
+    long count = 0;
+    for (const MFactor& x : factors)
+      count += x.exponent;
+    if (count > 1) return scaled(Rational(content), of_factors(factors));
+  }
+  return of_terms(f);
+}
+
+NodeId Graph::of(const MPoly& f) {
+  if (kov::is_zero(f)) return constant(Rational());
+  if (kov::is_constant(f)) return constant(Rational(f.coefficient(0)));
+  Integer content(0);
+  for (long i = 0; i < f.length(); ++i)
+    content = gcd(content, f.coefficient(i));
+  if (f.coefficient(0) < Integer(0)) content = Integer(0) - content;
+  const MPoly primitive = exact_div(f, MPoly(f.ring(), content));
+  const std::string key = to_string(primitive);
+  const auto known = polynomials_.find(key);
+  const NodeId n = known != polynomials_.end() ? known->second : of_primitive(primitive);
+  polynomials_[key] = n;
+  return scaled(Rational(content), n);
+}
+
+NodeId Graph::of(const MFraction& f) {
+  if (kov::is_zero(f)) return constant(Rational());
+  return quotient(of(f.num()), of(f.den()));
+}
+
+// ---- derivatives ----
+
+std::map<std::size_t, NodeId> Graph::gradient(NodeId root) {
+  std::map<NodeId, Node::Terms> parts; // of the derivative of root by the node
+  parts[root] = {{Rational(1), constant(Rational(1))}};
+  std::map<std::size_t, NodeId> result;
+  const auto add = [&](NodeId n, const Rational& c, NodeId d) {
+    if (!node(n).fixed) parts[n].emplace_back(c, d);
+  };
+  for (NodeId n = root + 1; n-- > 0;) {
+    const auto mine = parts.find(n);
+    if (mine == parts.end()) continue;
+    const NodeId d = sum(mine->second);
+    const Node x = node(n);
+    switch (x.kind) {
+    case Node::Kind::variable:
+      result[x.variable] = d;
+      break;
+    case Node::Kind::sum:
+      for (const auto& [c, part] : x.terms)
+        add(part, c, d);
+      break;
+    case Node::Kind::product:
+      if (!node(x.a).fixed) add(x.a, Rational(1), product(d, x.b));
+      if (!node(x.b).fixed) add(x.b, Rational(1), product(d, x.a));
+      break;
+    case Node::Kind::square:
+      add(x.a, Rational(2), product(d, x.a));
+      break;
+    case Node::Kind::quotient: {
+      const NodeId by_a = quotient(d, x.b);
+      add(x.a, Rational(1), by_a);
+      if (!node(x.b).fixed) add(x.b, Rational(-1), product(by_a, n));
+    }
+    }
+  }
+  return result;
+}
+
+NodeId Graph::tangent(NodeId n, const std::map<std::size_t, NodeId>& v, Tangents& known) {
+  if (const auto done = known.find(n); done != known.end()) return done->second;
+  const Node x = node(n);
+  const auto of_part = [&](NodeId part) { return tangent(part, v, known); };
+  NodeId d = constant(Rational());
+  if (x.fixed) return d;
+  switch (x.kind) {
+  case Node::Kind::variable:
+    if (const auto direction = v.find(x.variable); direction != v.end()) d = direction->second;
+    break;
+  case Node::Kind::sum: {
+    Node::Terms terms;
+    for (const auto& [c, part] : x.terms)
+      terms.emplace_back(c, of_part(part));
+    d = sum(terms);
+    break;
+  }
+  case Node::Kind::product:
+    d = sum({{Rational(1), product(of_part(x.a), x.b)}, {Rational(1), product(x.a, of_part(x.b))}});
+    break;
+  case Node::Kind::square:
+    d = scaled(Rational(2), product(x.a, of_part(x.a)));
+    break;
+  case Node::Kind::quotient:
+    d = quotient(sum({{Rational(1), of_part(x.a)}, {Rational(-1), product(n, of_part(x.b))}}), x.b);
+  }
+  return known[n] = d;
+}
+
+double products(const Graph& g, const std::vector<NodeId>& roots) {
+  std::vector<NodeId> open = roots;
+  std::set<NodeId> seen;
+  double cost = 0;
+  const auto serial = [&](NodeId n) { return !g.node(n).fixed; };
+  while (!open.empty()) {
+    const NodeId id = open.back();
+    open.pop_back();
+    if (!serial(id) || !seen.insert(id).second) continue;
+    const Node& n = g.node(id);
+    if (n.kind == Node::Kind::sum) {
+      cost += 0.02 * static_cast<double>(n.terms.size());
+      for (const auto& [c, part] : n.terms)
+        open.push_back(part);
+    } else if (n.kind != Node::Kind::variable) {
+      open.push_back(n.a);
+      open.push_back(n.b);
+      const bool numbers = n.kind != Node::Kind::quotient && !(serial(n.a) && serial(n.b));
+      cost += numbers ? 0.02 : n.kind == Node::Kind::square ? 0.5 : 1.0;
+    }
+  }
+  return cost;
+}
+
+// ---- the motion ----
+
+namespace {
+
+class MotionBuilder {
+public:
+  MotionBuilder(const System& s, std::set<std::size_t> fixed)
+      : s_(s), v_(s.field), graph_(std::move(fixed)) {
+    for (const FunctionSymbol& f : v_.functions)
+      functions_[f.variable] = &f;
+  }
+
+  Motion build(bool from_h, const std::vector<MFraction>& used) {
+    std::vector<NodeId> x = from_h ? by_hamiltonian() : by_components();
+    Motion m{graph_, v_.dimension(), v_.coordinates, {}};
+    m.derivatives = x;
+    std::vector<NodeId> roots = x;
+    for (const MFraction& f : used)
+      roots.push_back(graph_.of(f));
+    add_functions(m, std::move(roots));
+    m.graph = std::move(graph_);
+    return m;
+  }
+
+private:
+  std::vector<NodeId> by_components() {
+    std::vector<NodeId> x;
+    for (const MFraction& f : v_.components)
+      x.push_back(graph_.of(f));
+    return x;
+  }
+
+  // X_i = sum_j {x_i, x_j} d_j H
+  std::vector<NodeId> by_hamiltonian() {
+    auto by = graph_.gradient(graph_.of(*v_.hamiltonian));
+    const auto partial_by = [&](std::size_t variable) {
+      const auto d = by.find(variable);
+      return d == by.end() ? graph_.constant(Rational()) : d->second;
+    };
+    std::vector<NodeId> d;
+    for (std::size_t j = 0; j < v_.dimension(); ++j) {
+      Node::Terms terms{{Rational(1), partial_by(v_.coordinates[j])}};
+      for (const FunctionSymbol& f : v_.functions)
+        if (const NodeId outer = partial_by(f.variable);
+            !kov::is_zero(f.gradient[j]) && !graph_.is_zero(outer))
+          terms.emplace_back(Rational(1), graph_.product(outer, graph_.of(f.gradient[j])));
+      d.push_back(graph_.sum(terms));
+    }
+    std::vector<NodeId> x;
+    for (std::size_t i = 0; i < v_.dimension(); ++i)
+      x.push_back(combination((*v_.poisson)[i], d));
+    return x;
+  }
+
+  // sum_j f_j n_j
+  NodeId combination(const std::vector<MFraction>& f, const std::vector<NodeId>& n) {
+    Node::Terms terms;
+    for (std::size_t j = 0; j < n.size(); ++j)
+      if (!kov::is_zero(f[j]))
+        terms.emplace_back(Rational(1), graph_.product(graph_.of(f[j]), n[j]));
+    return graph_.sum(terms);
+  }
+
+  // The functions that the roots use, those that their derivatives use, and so on.
+  void add_functions(Motion& m, std::vector<NodeId> open) {
+    std::set<NodeId> seen;
+    while (!open.empty()) {
+      const NodeId id = open.back();
+      open.pop_back();
+      if (!seen.insert(id).second) continue;
+      const Node n = graph_.node(id);
+      if (n.kind == Node::Kind::sum)
+        for (const auto& [c, part] : n.terms)
+          open.push_back(part);
+      else if (n.kind != Node::Kind::variable)
+        open.insert(open.end(), {n.a, n.b});
+      else if (const auto f = functions_.find(n.variable); f != functions_.end()) {
+        const std::vector<NodeId> x(m.derivatives.begin(),
+                                    m.derivatives.begin() + static_cast<long>(m.coordinates));
+        m.variables.push_back(n.variable);
+        m.derivatives.push_back(combination(f->second->gradient, x));
+        open.push_back(m.derivatives.back());
+        for (const MFraction& d : f->second->gradient)
+          open.push_back(graph_.of(d));
+      }
+    }
+  }
+
+  const System& s_;
+  const VectorField& v_;
+  Graph graph_;
+  std::map<std::size_t, const FunctionSymbol*> functions_;
+};
+
+} // namespace
+
+Motion motion_of(const System& s, const std::vector<MFraction>& used) {
+  const VectorField& v = s.field;
+  std::set<std::size_t> fixed(v.parameters.begin(), v.parameters.end());
+  fixed.insert(v.constants.begin(), v.constants.end());
+  Motion direct = MotionBuilder(s, fixed).build(false, used);
+  if (!v.hamiltonian || !v.poisson) return direct;
+  Motion swept = MotionBuilder(s, fixed).build(true, used);
+  const bool cheaper =
+      products(swept.graph, swept.derivatives) < products(direct.graph, direct.derivatives);
+  return cheaper ? swept : direct;
+}
+
+void add_tangent(Motion& m, std::size_t ring_size) {
+  std::map<std::size_t, NodeId> v;
+  for (std::size_t i = 0; i < m.variables.size(); ++i) {
+    m.tangent.push_back(ring_size + i);
+    v[m.variables[i]] = m.graph.variable(ring_size + i);
+  }
+  Graph::Tangents known;
+  for (const NodeId n : m.derivatives)
+    m.deviations.push_back(m.graph.tangent(n, v, known));
+}
+
+} // namespace kov::flow

@@ -1,0 +1,105 @@
+#pragma once
+// A vector field as a graph of operations on power series.
+//
+// The algebra holds rational functions of the phase variables, of function symbols s (sin q, a square root, ...)
+// and of parameters.  A function symbol is one more variable with s' = sum_j (ds/dx_j) x_j', so that every system
+// becomes x' = X(x) with rational X, and the k-th coefficient of X(x(t)) comes from those of x up to k by
+//
+//   sum       (c0 + sum c_i n_i)_k = sum c_i (n_i)_k        a few operations
+//   product   (a b)_k = sum_j a_j b_(k-j)                   k + 1 multiplications
+//   square    (a^2)_k                                       half as many
+//   quotient  q = a/b:  b_0 q_k = a_k - sum_(j<k) q_j b_(k-j)
+//
+// A node exists once: the same subexpression is the same node.  A coefficient that is 0 makes no node.  What does
+// not depend on the phase variables (parameters without a rational value) is `fixed`: it is a number, not a series.
+//
+// Source  [JorbaZou2005] for the recurrences; [GriewankWalther2008] for both derivatives
+
+#include "system/system.hpp"
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kov::flow {
+
+using NodeId = std::uint32_t;
+
+struct Node {
+  enum class Kind : std::uint8_t { variable, sum, product, square, quotient };
+  using Terms = std::vector<std::pair<Rational, NodeId>>;
+  Kind kind = Kind::sum;
+  bool fixed = false;       ///< does not depend on the phase variables
+  std::size_t variable = 0; ///< variable: its index in the ring
+  Rational constant;        ///< sum: the term without a node
+  Terms terms = {};         ///< sum: by rising node, no coefficient 0; empty: a constant
+  NodeId a = 0, b = 0;      ///< a b, a^2, a/b
+};
+
+class Graph {
+public:
+  /// The variables in `fixed` are numbers.
+  explicit Graph(std::set<std::size_t> fixed) : fixed_(std::move(fixed)) {}
+
+  [[nodiscard]] const Node& node(NodeId n) const { return nodes_.at(n); }
+  [[nodiscard]] std::size_t size() const noexcept { return nodes_.size(); }
+  [[nodiscard]] bool is_zero(NodeId n) const;
+
+  NodeId constant(const Rational& c) { return sum({}, c); }
+  NodeId variable(std::size_t i);
+  NodeId sum(const Node::Terms& terms, const Rational& constant = {});
+  NodeId product(NodeId a, NodeId b);
+  NodeId quotient(NodeId a, NodeId b); ///< Requires b != 0.
+  NodeId power(NodeId a, long n);      ///< Requires n >= 1.
+  /// A rational function: factors are kept, what remains is multiplied out by Horner's rule, the most frequent
+  /// variable first.  Errors  OutOfBudget
+  NodeId of(const MFraction& f);
+  NodeId of(const MPoly& f);
+
+  /// d(root)/dx_i for every variable x_i that it uses: one sweep from the root to the variables.
+  std::map<std::size_t, NodeId> gradient(NodeId root);
+  /// sum_i d(n)/dx_i v_i for given v_i; `known` keeps what has been found for these v.
+  using Tangents = std::map<NodeId, NodeId>;
+  NodeId tangent(NodeId n, const std::map<std::size_t, NodeId>& v, Tangents& known);
+
+private:
+  NodeId keep(Node n, const std::string& key);
+  NodeId scaled(const Rational& c, NodeId n) { return sum({{c, n}}); }
+  /// n = c m with the largest such c split off; m = n if there is none.
+  [[nodiscard]] std::pair<Rational, NodeId> without_factor(NodeId n) const;
+  NodeId of_primitive(const MPoly& f);
+  NodeId of_factors(const std::vector<MFactor>& factors);
+  NodeId of_terms(const MPoly& f);
+  [[nodiscard]] std::size_t outermost(const MPoly& f) const;
+
+  std::set<std::size_t> fixed_;
+  std::vector<Node> nodes_;
+  std::map<std::string, NodeId> ids_;
+  std::map<std::string, NodeId> polynomials_;
+};
+
+/// The motion x' = X(x) with its function symbols.
+struct Motion {
+  Graph graph;
+  std::size_t coordinates = 0; ///< how many of the variables are coordinates: the first
+  std::vector<std::size_t>
+      variables; ///< in the ring: the coordinates, then the functions that are needed
+  std::vector<NodeId> derivatives;       ///< of the variables
+  std::vector<NodeId> deviations = {};   ///< of the tangent vector (add_tangent)
+  std::vector<std::size_t> tangent = {}; ///< its variables, beyond the ring
+};
+
+/// The motion of a system, with at least the functions that `used` depends on.
+/// Cost    X is taken as the file writes it, or by one sweep from H where that is cheaper
+/// Errors  OutOfBudget
+[[nodiscard]] Motion motion_of(const System& s, const std::vector<MFraction>& used);
+/// Adds the first variational equation v' = DX(x) v.
+void add_tangent(Motion& m, std::size_t ring_size);
+
+/// Products of series (a square counts half) that the nodes need together: the cost of an order.
+[[nodiscard]] double products(const Graph& g, const std::vector<NodeId>& roots);
+
+} // namespace kov::flow

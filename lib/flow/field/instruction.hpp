@@ -1,0 +1,25 @@
+#pragma once
+// One instruction of the machine (machine.hpp); made by compile (program.hpp).
+
+#include <cstddef>
+#include <cstdint>
+
+namespace kov::flow {
+
+inline constexpr std::size_t group = 4;
+
+struct Instruction {
+  enum class Op : std::uint8_t { products, squares, sum, scaled, quotient };
+  Op op = Op::sum;
+  std::uint8_t count = 1; ///< products, squares: how many
+  std::uint32_t out[group]{}, a[group]{}, b[group]{};
+  ///< registers; sum: a[0] first term, b[0] end of the terms, a[1] the number that is added at order 0 (or none);
+  ///< scaled: a number a[0] times the series b[0]; quotient: out[1] keeps 1/b_0
+  static constexpr std::uint32_t none = ~0U;
+};
+
+struct SumTerm {
+  std::uint32_t reg = 0, number = 0;
+};
+
+} // namespace kov::flow

@@ -1,0 +1,44 @@
+#pragma once
+// A graph as a list of instructions for a machine whose registers are series (machine.hpp).
+//
+// Every node that is needed has a register.  What is fixed is computed once; the rest for every order, level by
+// level: a node's level is one more than that of what it is made of, so that the products of one level are
+// independent of each other.  Up to four of them are one instruction: the machine sums them in one loop, and the
+// processor works on all of them at once.
+
+#include "flow/field/graph.hpp"
+#include "flow/field/instruction.hpp"
+
+namespace kov::flow {
+
+struct Program {
+  std::vector<Instruction> once, each;
+  std::vector<SumTerm> terms;
+  std::vector<Rational> numbers;
+  std::vector<std::uint32_t> outputs; ///< the registers of the roots
+};
+
+/// Which node has which register; several programs may share one, and then the later ones use what the earlier
+/// ones have computed.
+class Registers {
+public:
+  /// The variables `inputs` (indices of the ring) get the registers 0, 1, ...
+  explicit Registers(std::vector<std::size_t> inputs);
+  [[nodiscard]] std::uint32_t count() const noexcept { return count_; }
+  [[nodiscard]] const std::vector<std::size_t>& inputs() const noexcept { return inputs_; }
+  /// The register of a variable.  Errors  InvalidArgument
+  [[nodiscard]] std::uint32_t input(std::size_t variable) const;
+
+private:
+  friend class Compiler;
+  std::vector<std::size_t> inputs_;
+  std::map<std::size_t, std::uint32_t> input_of_;
+  std::map<NodeId, std::uint32_t> of_;
+  std::uint32_t count_ = 0;
+};
+
+/// The instructions that compute the roots.
+[[nodiscard]] Program compile(const Graph& g, const std::vector<NodeId>& roots,
+                              Registers& registers);
+
+} // namespace kov::flow
