@@ -172,9 +172,9 @@ TEST(Nothing, IsSearchedAfterAStop) {
 // More digits of a number type are kept in the points.
 TEST(Digits, ArePrintedAsFarAsTheyAreKnown) {
   Scene s = read_scene(scene_path("asymmetric_sliding"));
-  EXPECT_EQ(digits_shown(s), 17);
+  EXPECT_EQ(digits_shown(s.tolerance, s.digits), 17);
   s.tolerance = "10^-8";
-  EXPECT_EQ(digits_shown(s), 9);
+  EXPECT_EQ(digits_shown(s.tolerance, s.digits), 9);
   s.columns = s.rows = 1;
   s.crossings = 2;
   s.tolerance = "10^-38";

@@ -1,0 +1,573 @@
+#include "flow/scene/starts.hpp"
+
+#include "exact/error.hpp"
+#include "flow/orbit/kernels.hpp"
+#include "symbol/input_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace kov::flow {
+namespace {
+
+// ---- functions of one argument ----
+
+using MpfrFunction = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
+
+MpfrFunction known_function(const std::string& name) {
+  static const std::map<std::string, MpfrFunction> all{
+      {"sin", mpfr_sin},   {"cos", mpfr_cos},   {"tan", mpfr_tan},   {"exp", mpfr_exp},
+      {"log", mpfr_log},   {"sqrt", mpfr_sqrt}, {"sinh", mpfr_sinh}, {"cosh", mpfr_cosh},
+      {"tanh", mpfr_tanh}, {"atan", mpfr_atan}, {"asin", mpfr_asin}, {"acos", mpfr_acos},
+      {"cot", mpfr_cot},   {"sec", mpfr_sec},   {"csc", mpfr_csc}};
+  const auto found = all.find(name);
+  return found == all.end() ? nullptr : found->second;
+}
+
+void set(BigReal& to, const BigReal& x) { to = x; }
+void set(double& to, const BigReal& x) { to = static_cast<double>(x); }
+void set(long double& to, const BigReal& x) { to = mpfr_get_ld(x.raw(), MPFR_RNDN); }
+void set(Twin1& to, const BigReal& x) { to = to_twin(x); }
+
+template <class R> R value_of(MpfrFunction f, const R& x) {
+  const PrecisionScope scope(std::max<long>(BigReal::bits(), 160));
+  BigReal y = to_big(x);
+  f(y.raw(), y.raw(), MPFR_RNDN);
+  R r{};
+  set(r, y);
+  return r;
+}
+
+// ---- coordinates -> all variables ----
+
+const FunctionMeaning& meaning_of(const SystemScene& s, std::size_t variable) {
+  for (const FunctionMeaning& m : s.meanings)
+    if (m.variable == variable && known_function(m.name) != nullptr) return m;
+  throw InputError(
+      s.file, 0, 0, 1,
+      "the function '" + s.system.ring()->name(variable) + "' has no value to start with",
+      "means = \"sin(q)\": sin, cos, tan, exp, log, sqrt, sinh, cosh, tanh, atan, asin, acos");
+}
+
+template <class R> class Lift {
+public:
+  Lift(const SystemScene& s, const Field& f)
+      : coordinates_(f.coordinates()), n_(f.variables().size()) {
+    for (std::size_t i = coordinates_; i < n_; ++i) {
+      const FunctionMeaning& m = meaning_of(s, f.variables()[i]);
+      functions_.push_back({known_function(m.name), Evaluator<R>(f, {m.argument})});
+    }
+  }
+  // Twice, for arguments that are functions themselves: later ones may be needed by earlier ones.
+  std::vector<R> operator()(const std::vector<R>& coordinates) {
+    std::vector<R> x = coordinates;
+    x.resize(n_);
+    for (std::size_t round = 0; round <= functions_.size() && round < 4; ++round)
+      for (std::size_t i = 0; i < functions_.size(); ++i)
+        x[coordinates_ + i] = value_of(functions_[i].first, R(functions_[i].second(x.data())[0]));
+    return x;
+  }
+
+private:
+  std::size_t coordinates_, n_;
+  std::vector<std::pair<MpfrFunction, Evaluator<R>>> functions_;
+};
+
+// ---- equations ----
+
+// False: the others are as many as coordinates.
+bool section_is_one(const SystemScene& s) {
+  return s.levels.size() + s.start.size() + 2 != s.system.field.dimension();
+}
+
+// What has a known value at a start; the last two are what is drawn.
+std::vector<MFraction> equations_of(const SystemScene& s) {
+  std::vector<MFraction> all;
+  if (section_is_one(s)) all.push_back(s.section.value);
+  for (const auto& level : s.levels)
+    all.push_back(level.function.value);
+  for (const SceneFormula& f : s.start)
+    all.push_back(f.value);
+  for (const SceneFormula& f : s.plot)
+    all.push_back(f.value);
+  return all;
+}
+
+template <class R> std::vector<R> targets_of(const SystemScene& s, const std::array<R, 2>& drawn) {
+  std::vector<R> all;
+  if (section_is_one(s)) all.push_back(R(0));
+  for (const auto& level : s.levels)
+    all.push_back(level.value.template as<R>());
+  for (std::size_t i = 0; i < s.start.size(); ++i)
+    all.push_back(R(0));
+  all.insert(all.end(), drawn.begin(), drawn.end());
+  return all;
+}
+
+// Values and derivatives by the coordinates of the equations.
+template <class R> class StartEquations {
+public:
+  StartEquations(const SystemScene& s, const Field& f)
+      : n_(f.coordinates()), lift_(s, f), all_(f, with_derivatives(s)) {}
+  struct At {
+    std::vector<R> value;            ///< of each equation
+    std::vector<std::vector<R>> row; ///< its derivatives
+  };
+  At operator()(const std::vector<R>& coordinates) {
+    const std::vector<R> x = lift_(coordinates);
+    const std::vector<R>& all = all_(x.data());
+    At at;
+    for (std::size_t i = 0; i * (n_ + 1) < all.size(); ++i) {
+      const auto from = all.begin() + static_cast<long>(i * (n_ + 1));
+      at.value.push_back(*from);
+      at.row.emplace_back(from + 1, from + static_cast<long>(n_) + 1);
+    }
+    return at;
+  }
+  std::vector<R> lifted(const std::vector<R>& coordinates) { return lift_(coordinates); }
+
+private:
+  static std::vector<MFraction> with_derivatives(const SystemScene& s) {
+    std::vector<MFraction> all;
+    for (const MFraction& f : equations_of(s)) {
+      all.push_back(f);
+      for (std::size_t j = 0; j < s.system.field.dimension(); ++j)
+        all.push_back(partial(s.system.field, f, j));
+    }
+    return all;
+  }
+  std::size_t n_;
+  Lift<R> lift_;
+  Evaluator<R> all_;
+};
+
+template <class R> R size_of(const R& x) { return x < R(0) ? R(R(0) - x) : x; }
+
+// a x = b by elimination with pivots; empty if singular.
+template <class R> std::vector<R> solve(std::vector<std::vector<R>> a, std::vector<R> b) {
+  const std::size_t n = b.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    std::size_t best = c;
+    for (std::size_t r = c + 1; r < n; ++r)
+      if (size_of(a[r][c]) > size_of(a[best][c])) best = r;
+    if (!(size_of(a[best][c]) > R(0))) return {};
+    std::swap(a[c], a[best]);
+    std::swap(b[c], b[best]);
+    for (std::size_t r = 0; r < n; ++r) {
+      if (r == c) continue;
+      const R factor = a[r][c] / a[c][c];
+      for (std::size_t k = c; k < n; ++k)
+        a[r][k] -= factor * a[c][k];
+      b[r] -= factor * b[c];
+    }
+  }
+  for (std::size_t c = 0; c < n; ++c)
+    b[c] = b[c] / a[c][c];
+  return b;
+}
+
+// One step of Newton's method; false if there is none.
+template <class R>
+bool newton_step(StartEquations<R>& equations, const std::vector<R>& targets, std::vector<R>& x) {
+  const auto at = equations(x);
+  std::vector<R> rest;
+  for (std::size_t i = 0; i < targets.size(); ++i)
+    rest.push_back(R(targets[i] - at.value[i]));
+  const std::vector<R> d = solve(at.row, rest);
+  if (d.empty()) return false;
+  for (std::size_t j = 0; j < x.size(); ++j)
+    x[j] += d[j];
+  return true;
+}
+
+// ---- all starts over one place of the picture ----
+
+// The real roots of c_0 + c_1 u + ... .
+std::vector<double> real_roots(std::vector<double> c) {
+  while (!c.empty() && c.back() == 0)
+    c.pop_back();
+  if (c.size() < 2 || c.size() > 64) return {};
+  double bound = 0;
+  for (std::size_t i = 0; i + 1 < c.size(); ++i)
+    bound = std::max(
+        bound, std::pow(std::abs(c[i] / c.back()), 1.0 / static_cast<double>(c.size() - 1 - i)));
+  bound *= 2.1; // [Fujiwara1916]
+  if (!(bound > 0) || !std::isfinite(bound)) return {};
+  const int degree = static_cast<int>(c.size()) - 1;
+  std::vector<double> b = c; // in u = bound (2 x - 1), x in [0, 1]
+  double power = 1;
+  for (double& x : b) {
+    x *= power;
+    power *= 2 * bound;
+  }
+  for (int i = 0; i < degree; ++i) // Taylor shift by -1/2
+    for (int k = degree - 1; k >= i; --k)
+      b[static_cast<std::size_t>(k)] -= b[static_cast<std::size_t>(k) + 1] / 2;
+  bool above = b[0] > 0;
+  int tangencies = 0;
+  Root<double> roots[64];
+  const int n = sign_changes(b.data(), degree, 0.0, above, true, true, roots, 64, tangencies);
+  std::vector<double> all;
+  for (int i = 0; i < n; ++i)
+    all.push_back(bound * (2 * roots[i].x - 1));
+  return all;
+}
+
+class Sheets {
+public:
+  Sheets(const SystemScene& s, const Field& f)
+      : s_(s), f_(f), n_(f.coordinates()), equations_(s, f), lift_(s, f) {
+    std::vector<MFraction> conditions{lie_derivative(s.system.field, s.section.value)};
+    if (s.where) conditions.push_back(s.where->value);
+    conditions_ = std::make_unique<Evaluator<double>>(f, conditions);
+    plan();
+  }
+
+  /// The states over this place.
+  std::vector<std::vector<double>> over(const std::array<double, 2>& drawn) {
+    const std::vector<double> targets = targets_of(s_, drawn);
+    std::vector<std::vector<double>> found;
+    for (const std::vector<double>& guess : guesses(targets))
+      if (auto x = solution(guess, targets)) add(found, *x);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  [[nodiscard]] bool in_direction(const std::vector<double>& coordinates) {
+    const std::vector<double> x = lift_(coordinates);
+    const auto& at = (*conditions_)(x.data());
+    if (!(at[0] > 0 ? s_.rising : at[0] < 0 && s_.falling)) return false;
+    return at.size() < 2 || at[1] > 0;
+  }
+
+private:
+  struct Linear { // equation `number` gives coordinate `place`: c0 + c1 x
+    std::size_t number, place;
+    double c0, c1;
+  };
+
+  void plan() {
+    const std::vector<MFraction> all = equations_of(s_);
+    if (all.size() != n_)
+      throw InputError(
+          s_.file, 0, 0, 1,
+          std::to_string(n_) + " coordinates at a start, but section, levels, start and plot are " +
+              std::to_string(all.size()) + " equations",
+          all.size() < n_
+              ? "levels = {...} or start = [\"x = 0\", ...] give more; or give whole states"
+              : "leave some out, or give whole states");
+    std::vector<bool> used(all.size()), known(n_);
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (const auto one = linear(all[i], i); one && !known[one->place]) {
+        linear_.push_back(*one);
+        used[i] = known[one->place] = true;
+      }
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!used[i]) open_.push_back(i);
+    for (std::size_t j = 0; j < n_; ++j)
+      if (!known[j]) unknown_.push_back(j);
+    if (unknown_.size() == 1) plan_polynomial(all[open_[0]]);
+  }
+
+  [[nodiscard]] std::optional<Linear> linear(const MFraction& f, std::size_t number) const {
+    const auto variables = used_variables(f);
+    if (variables.size() != 1 || !is_constant(MFraction(f.den())) ||
+        degree(f.num(), variables[0]) != 1)
+      return std::nullopt;
+    const auto& x = s_.system.field.coordinates;
+    const auto place = std::find(x.begin(), x.end(), variables[0]);
+    if (place == x.end()) return std::nullopt;
+    const auto c = coefficients(f.num(), variables[0]);
+    const Rational den = to_rational(MFraction(f.den()));
+    return Linear{number, static_cast<std::size_t>(place - x.begin()),
+                  number_as<double>(to_rational(MFraction(c[0])) / den),
+                  number_as<double>(to_rational(MFraction(c[1])) / den)};
+  }
+
+  // num - target den, as a polynomial in the unknown, if no function depends on that.
+  void plan_polynomial(const MFraction& f) {
+    const std::size_t u = s_.system.field.coordinates[unknown_[0]];
+    for (const FunctionMeaning& m : s_.meanings)
+      if (uses(m.argument, u)) return;
+    std::vector<MFraction> parts;
+    for (const MPoly& part : {f.num(), f.den()}) {
+      const auto c = coefficients(part, u);
+      (parts.empty() ? num_terms_ : den_terms_) = c.size();
+      for (const MPoly& one : c)
+        parts.emplace_back(one);
+    }
+    polynomial_ = std::make_unique<Evaluator<double>>(f_, parts);
+  }
+
+  std::vector<std::vector<double>> guesses(const std::vector<double>& targets) {
+    std::vector<double> x(n_);
+    for (const Linear& l : linear_)
+      x[l.place] = (targets[l.number] - l.c0) / l.c1;
+    if (unknown_.empty()) return {x};
+    return polynomial_ ? roots_over(x, targets[open_[0]]) : scattered(x);
+  }
+
+  std::vector<std::vector<double>> roots_over(std::vector<double> x, double target) {
+    const std::vector<double> all = lift_(x);
+    const auto& c = (*polynomial_)(all.data());
+    std::vector<double> p(std::max(num_terms_, den_terms_));
+    for (std::size_t i = 0; i < num_terms_; ++i)
+      p[i] += c[i];
+    for (std::size_t i = 0; i < den_terms_; ++i)
+      p[i] -= target * c[num_terms_ + i];
+    std::vector<std::vector<double>> guesses;
+    for (const double root : real_roots(p)) {
+      x[unknown_[0]] = root;
+      guesses.push_back(x);
+    }
+    return guesses;
+  }
+
+  // The same for every place: starts do not depend on chance.
+  [[nodiscard]] std::vector<std::vector<double>> scattered(const std::vector<double>& x) const {
+    std::mt19937 gen(20);
+    std::uniform_real_distribution<double> size(-1.5, 1.0), sign(-1, 1);
+    std::vector<std::vector<double>> guesses;
+    for (int i = 0; i < 64; ++i) {
+      guesses.push_back(x);
+      for (const std::size_t j : unknown_)
+        guesses.back()[j] = std::copysign(std::pow(10, size(gen)), sign(gen));
+    }
+    return guesses;
+  }
+
+  static double norm(const std::vector<double>& value, const std::vector<double>& targets) {
+    double most = 0;
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      most = std::max(most, std::isfinite(value[i]) ? std::abs(value[i] - targets[i]) : INFINITY);
+    return most;
+  }
+
+  // Newton's method with halved steps.
+  std::optional<std::vector<double>> solution(std::vector<double> x,
+                                              const std::vector<double>& targets) {
+    auto at = equations_(x);
+    double size = norm(at.value, targets);
+    for (int i = 0; i < 60 && size > 0; ++i) {
+      std::vector<double> rest;
+      for (std::size_t k = 0; k < targets.size(); ++k)
+        rest.push_back(targets[k] - at.value[k]);
+      const std::vector<double> d = solve(at.row, rest);
+      if (d.empty()) return std::nullopt;
+      double part = 1;
+      bool better = false;
+      for (; part > 1e-4 && !better; part /= 2) {
+        std::vector<double> next = x;
+        for (std::size_t j = 0; j < n_; ++j)
+          next[j] += part * d[j];
+        const auto there = equations_(next);
+        if (const double now = norm(there.value, targets); now < size) {
+          better = true;
+          x = next;
+          at = there;
+          size = now;
+        }
+      }
+      if (!better) break;
+    }
+    double scale = 1e-300; // what rounding leaves of an equation
+    for (const auto& row : at.row)
+      for (std::size_t j = 0; j < n_; ++j)
+        scale = std::max(scale, std::abs(row[j]) * std::max(std::abs(x[j]), 1e-3));
+    return size <= 1e-10 * scale ? std::optional(x) : std::nullopt;
+  }
+
+  void add(std::vector<std::vector<double>>& found, const std::vector<double>& x) {
+    if (!in_direction(x)) return;
+    for (const auto& other : found) {
+      double apart = 0;
+      for (std::size_t j = 0; j < n_; ++j)
+        apart = std::max(apart, std::abs(x[j] - other[j]) / (1e-3 + std::abs(x[j])));
+      if (apart < 1e-6) return;
+    }
+    found.push_back(x);
+  }
+
+  const SystemScene& s_;
+  const Field& f_;
+  std::size_t n_;
+  StartEquations<double> equations_;
+  Lift<double> lift_;
+  std::unique_ptr<Evaluator<double>> conditions_, polynomial_;
+  std::vector<Linear> linear_;
+  std::vector<std::size_t> open_, unknown_; ///< equations; coordinates
+  std::size_t num_terms_ = 0, den_terms_ = 0;
+};
+
+std::array<double, 2> numbers(const std::array<Quantity, 2>& pair) {
+  return {pair[0].as<double>(), pair[1].as<double>()};
+}
+
+class Collection {
+public:
+  Collection(const SystemScene& s, const Field& f)
+      : s_(s), drawn_(f, {s.plot[0].value, s.plot[1].value}), lift_(s, f) {
+    if (!s.seeds.empty() || s.columns > 0 || s.random > 0) sheets_ = std::make_unique<Sheets>(s, f);
+  }
+
+  std::vector<FieldStart> all(std::size_t* skipped) {
+    for (std::size_t i = 0; i < s_.states.size(); ++i)
+      state(i);
+    for (std::size_t i = 0; i < s_.seeds.size(); ++i)
+      if (!place(numbers(s_.seeds[i]), i))
+        throw InputError(s_.file, 0, 0, 1,
+                         "the level has no point over " + s_.plot[0].text + " = " +
+                             s_.seeds[i][0].text() + ", " + s_.plot[1].text + " = " +
+                             s_.seeds[i][1].text() + " with the wanted direction",
+                         "a grid instead of seeds shows where the level has points");
+    std::size_t missing = grid();
+    random();
+    if (starts_.empty())
+      throw InputError(s_.file, 0, 0, 1,
+                       "no place of the range lies on the level with the wanted direction");
+    if (skipped != nullptr) *skipped = missing;
+    return std::move(starts_);
+  }
+
+private:
+  void state(std::size_t i) {
+    FieldStart start;
+    for (const Quantity& x : s_.states[i])
+      start.x.push_back(x.as<double>());
+    const std::vector<double> x = lift_(start.x);
+    const auto& drawn = drawn_(x.data());
+    start.drawn = {drawn[0], drawn[1]};
+    start.state = i;
+    starts_.push_back(start);
+  }
+
+  bool place(const std::array<double, 2>& drawn, std::optional<std::size_t> seed) {
+    const auto states = sheets_->over(drawn);
+    for (const auto& x : states)
+      starts_.push_back({x, drawn, seed, std::nullopt});
+    return !states.empty();
+  }
+
+  std::size_t grid() {
+    std::size_t missing = 0;
+    for (int i = 0; i < s_.columns; ++i)
+      for (int k = 0; k < s_.rows;
+           ++k) { // off the lines of symmetry, so that mirror images are different orbits
+        const double u = (i + 0.3819660112501051) / s_.columns, v = (k + 0.5) / s_.rows;
+        if (!place(at(u, v), std::nullopt)) ++missing;
+      }
+    return missing;
+  }
+
+  void random() {
+    std::mt19937 gen(7);
+    std::uniform_real_distribution<double> part(0, 1);
+    const auto wanted = starts_.size() + static_cast<std::size_t>(s_.random);
+    for (long tries = 0; starts_.size() < wanted && tries < 200 * s_.random; ++tries) {
+      const double u = part(gen), v = part(gen);
+      static_cast<void>(place(at(u, v), std::nullopt));
+    }
+  }
+
+  [[nodiscard]] std::array<double, 2> at(double u, double v) const {
+    const auto x = numbers((*s_.range)[0]), y = numbers((*s_.range)[1]);
+    return {x[0] + u * (x[1] - x[0]), y[0] + v * (y[1] - y[0])};
+  }
+
+  const SystemScene& s_;
+  Evaluator<double> drawn_;
+  Lift<double> lift_;
+  std::unique_ptr<Sheets> sheets_;
+  std::vector<FieldStart> starts_;
+};
+
+} // namespace
+
+std::vector<FieldStart> starts_of(const SystemScene& scene, const Field& field,
+                                  std::size_t* skipped) {
+  return Collection(scene, field).all(skipped);
+}
+
+// ---- refinement ----
+
+template <class R> struct StartRefiner<R>::Parts {
+  const SystemScene& scene;
+  const Field& field;
+  Lift<R> lift;
+  std::unique_ptr<StartEquations<R>> equations; ///< for places of the picture
+  std::unique_ptr<Evaluator<R>> gradients;      ///< of the function symbols, for the tangent vector
+};
+
+template <class R>
+StartRefiner<R>::StartRefiner(const SystemScene& scene, const Field& field)
+    : parts_(new Parts{scene, field, Lift<R>(scene, field), nullptr, nullptr}) {
+  if (equations_of(scene).size() == field.coordinates())
+    parts_->equations = std::make_unique<StartEquations<R>>(scene, field);
+  if (field.tangent() == 0) return;
+  std::vector<MFraction> all;
+  for (std::size_t i = field.coordinates(); i < field.variables().size(); ++i)
+    for (const FunctionSymbol& f : scene.system.field.functions)
+      if (f.variable == field.variables()[i])
+        all.insert(all.end(), f.gradient.begin(), f.gradient.end());
+  parts_->gradients = std::make_unique<Evaluator<R>>(field, all);
+}
+
+template <class R> StartRefiner<R>::~StartRefiner() = default;
+
+template <class R> std::vector<R> StartRefiner<R>::operator()(const FieldStart& start) {
+  const SystemScene& s = parts_->scene;
+  std::vector<R> x;
+  for (std::size_t j = 0; j < start.x.size(); ++j)
+    x.push_back(start.state ? s.states[*start.state][j].template as<R>() : R(start.x[j]));
+  if (!start.state) {
+    std::array<R, 2> drawn{R(start.drawn[0]), R(start.drawn[1])};
+    for (std::size_t i = 0; i < 2 && start.seed; ++i)
+      drawn[i] = s.seeds[*start.seed][i].template as<R>();
+    const std::vector<R> targets = targets_of(s, drawn);
+    const int steps = std::is_same_v<R, double> ? 2 : std::is_same_v<R, BigReal> ? 6 : 3;
+    for (int i = 0; i < steps; ++i) {
+      std::vector<R> next = x;
+      if (!newton_step(*parts_->equations, targets, next)) break;
+      x = next;
+    }
+  }
+  std::vector<R> all = parts_->lift(x);
+  if (parts_->field.tangent() == 0) return all;
+  const std::size_t n = x.size(), functions = all.size() - n;
+  const std::vector<R> gradient = (*parts_->gradients)(all.data());
+  std::vector<R> v;
+  for (std::size_t j = 0; j < n; ++j) // any direction will do, but none of a symmetry
+    v.push_back(R(std::cos(1 + 2.4 * static_cast<double>(j))) * (size_of(x[j]) + R(1) / R(8)));
+  for (std::size_t i = 0; i < functions; ++i) {
+    R d(0);
+    for (std::size_t j = 0; j < n; ++j)
+      d += gradient[i * n + j] * v[j];
+    v.push_back(d);
+  }
+  all.insert(all.end(), v.begin(), v.end());
+  return all;
+}
+
+template class StartRefiner<double>;
+template class StartRefiner<long double>;
+template class StartRefiner<Twin1>;
+template class StartRefiner<BigReal>;
+
+MeaningCheck::MeaningCheck(const SystemScene& scene, const Field& field) {
+  for (std::size_t i = field.coordinates(); i < field.variables().size(); ++i) {
+    const FunctionMeaning& m = meaning_of(scene, field.variables()[i]);
+    all_.push_back({i, m.name, Evaluator<double>(field, {m.argument})});
+  }
+}
+
+double MeaningCheck::deviation(const double* x, const std::vector<double>& scales) {
+  double most = 0;
+  for (One& one : all_) {
+    const double value = value_of(known_function(one.name), one.argument(x)[0]);
+    most = std::max(most, std::abs(x[one.place] - value) / scales[one.place]);
+  }
+  return most;
+}
+
+} // namespace kov::flow

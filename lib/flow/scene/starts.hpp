@@ -1,0 +1,52 @@
+#pragma once
+// The starting points of a scene: the solutions of its equations.
+//
+//   section = 0,  levels,  `start` = 0,  and the two functions that are drawn = the wanted values,
+//
+// as many as coordinates.  An equation that is linear in one coordinate alone gives that coordinate; if then one
+// equation in one coordinate is left that is polynomial in it, all its real roots are taken (all sheets of the level);
+// otherwise Newton's method looks for solutions from many guesses.  Every solution is refined in the arithmetic of
+// the run, and taken if the section is crossed in the wanted direction there.
+
+#include "flow/scene/system_scene.hpp"
+
+namespace kov::flow {
+
+struct FieldStart {
+  std::vector<double> x;                  ///< the coordinates
+  std::array<double, 2> drawn{};          ///< where it is in the picture
+  std::optional<std::size_t> seed, state; ///< its number there
+};
+
+/// Errors  InputError: not as many equations as coordinates, a seed that is not on the level, no start at all
+[[nodiscard]] std::vector<FieldStart> starts_of(const SystemScene& scene, const Field& field,
+                                                std::size_t* skipped);
+
+/// All variables (and the tangent vector, if the field has one) at a start, to the last digit of R.
+template <class R> class StartRefiner {
+public:
+  StartRefiner(const SystemScene& scene, const Field& field);
+  ~StartRefiner();
+  [[nodiscard]] std::vector<R> operator()(const FieldStart& start);
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+/// Of the function symbols: the largest |s - f(argument)|, e.g. |s - sin(q)|, in units of the scale of s.
+class MeaningCheck {
+public:
+  MeaningCheck(const SystemScene& scene, const Field& field);
+  [[nodiscard]] double deviation(const double* x, const std::vector<double>& scales);
+
+private:
+  struct One {
+    std::size_t place;
+    std::string name;
+    Evaluator<double> argument;
+  };
+  std::vector<One> all_;
+};
+
+} // namespace kov::flow

@@ -1,0 +1,319 @@
+#include "flow/scene/system_scene.hpp"
+
+#include "exact/error.hpp"
+#include "symbol/document.hpp"
+#include "symbol/suggest.hpp"
+#include "system/claims.hpp"
+#include "system/read_system.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace kov::flow {
+namespace {
+
+Quantity quantity(const Entry& e) { return Quantity(e.expression()); }
+
+std::array<Quantity, 2> pair_of(const Entry& e) {
+  if (e.array().size() != 2) throw e.error("'" + e.name() + "' needs pairs of numbers");
+  return {quantity(e.array()[0]), quantity(e.array()[1])};
+}
+
+long count(const Entry& e, long least, long most) {
+  if (e.integer() < least || e.integer() > most)
+    throw e.error("'" + e.name() + "' is " + std::to_string(least) + " to " + std::to_string(most));
+  return e.integer();
+}
+
+bool is_irrational(const Expression& e) {
+  if (e.kind() == Expression::Kind::call) return true;
+  if (e.kind() == Expression::Kind::name) return e.name() == "pi" || e.name() == "Pi";
+  return std::any_of(e.operands().begin(), e.operands().end(), is_irrational);
+}
+
+class Reader {
+public:
+  Reader(const Entry& system_document, const Entry& scene) : e_(scene) {
+    s_.file = scene.file();
+    read_values(system_document);
+    read_texts();
+    read_section();
+    read_levels();
+    read_plot();
+    read_orbits();
+    read_accuracy();
+    for (const Entry* x : e_.find("expect") ? e_.at("expect").list() : std::vector<const Entry*>{})
+      s_.expect.push_back(expectation(*x));
+  }
+  SystemScene scene() && { return std::move(s_); }
+
+private:
+  [[nodiscard]] SceneFormula function(const Entry& e) const {
+    const Expression formula = e.expression(true);
+    const bool equation = formula.kind() == Expression::Kind::equation;
+    return {equation ? evaluate_equation(formula, *scope_) : evaluate(formula, *scope_),
+            e.string()};
+  }
+
+  // Rational values go into the algebra, the others into the integration.
+  void read_values(const Entry& document) {
+    ParameterValues rational;
+    std::vector<const std::pair<std::string, Entry>*> others;
+    if (const Entry* set = e_.find("set"))
+      for (const auto& one : set->members()) {
+        if (is_irrational(one.second.expression()))
+          others.push_back(&one);
+        else
+          rational.emplace_back(one.first, std::string(one.second.expression().text()));
+      }
+    scope_ = std::make_unique<SystemScope>(document, rational);
+    s_.system = read_system(document, *scope_);
+    s_.meanings = scope_->meanings;
+    const VectorField& v = s_.system.field;
+    std::vector<std::size_t> open = v.parameters;
+    open.insert(open.end(), v.constants.begin(), v.constants.end());
+    for (const auto* one : others) {
+      const auto place = std::find_if(open.begin(), open.end(),
+                                      [&](std::size_t i) { return v.ring->name(i) == one->first; });
+      if (place == open.end())
+        throw one->second.error("'" + one->first +
+                                "' is not a parameter of this system without a value");
+      s_.values.emplace(*place, quantity(one->second));
+      open.erase(place);
+    }
+    for (const std::size_t i : open)
+      if (is_used(i))
+        throw e_.error("'" + v.ring->name(i) + "' has no value",
+                       "set = {" + v.ring->name(i) + " = \"...\"}");
+  }
+
+  // h, the name of a level for another part of the program, needs no value.
+  [[nodiscard]] bool is_used(std::size_t i) const {
+    const VectorField& v = s_.system.field;
+    const auto in = [i](const auto& f) { return uses(f, i); };
+    return std::any_of(v.components.begin(), v.components.end(), in) ||
+           std::any_of(v.relations.begin(), v.relations.end(), in) ||
+           (v.hamiltonian && uses(*v.hamiltonian, i)) ||
+           std::any_of(v.functions.begin(), v.functions.end(), [&](const auto& f) {
+             return std::any_of(f.gradient.begin(), f.gradient.end(), in);
+           });
+  }
+
+  void read_texts() {
+    const auto text = [&](const char* key, std::string& to) {
+      if (const Entry* e = e_.find(key)) to = e->string();
+    };
+    s_.title = s_.system.title;
+    text("name", s_.name);
+    text("title", s_.title);
+    text("source", s_.source);
+    const auto bad = [](char c) {
+      return c == '/' || c == '\\' || static_cast<unsigned char>(c) < ' ';
+    };
+    if (std::any_of(s_.name.begin(), s_.name.end(), bad))
+      throw e_.at("name").error("the name of a scene becomes the name of files: no slashes");
+  }
+
+  void read_section() {
+    const Entry& section = e_.at("section");
+    s_.section = function(section);
+    if (is_constant(s_.section.value))
+      throw section.error("the section does not depend on the coordinates");
+    if (const Entry* where = e_.find("where")) s_.where = function(*where);
+    const Entry* direction = e_.find("direction");
+    const std::string way = direction == nullptr ? "upward" : direction->string();
+    if (way != "upward" && way != "downward" && way != "both")
+      throw direction->error(
+          "the direction is \"upward\" (the section function grows), \"downward\" or \"both\"");
+    s_.falling = way != "upward";
+    s_.rising = way != "downward";
+  }
+
+  void read_levels() {
+    if (const Entry* levels = e_.find("levels"))
+      for (const auto& [name, value] : levels->members())
+        s_.levels.push_back({{formula_named(name, value), name}, quantity(value)});
+    if (const Entry* start = e_.find("start"))
+      for (const Entry* one : start->list())
+        s_.start.push_back(function(*one));
+  }
+
+  [[nodiscard]] MFraction formula_named(const std::string& text, const Entry& at) const {
+    try {
+      return evaluate(parse_expression(text, "levels"), *scope_);
+    } catch (const InputError& e) {
+      throw at.key_error("'" + text + "' is no function of this system: " + e.what());
+    }
+  }
+
+  void read_plot() {
+    const Entry& plot = e_.at("plot");
+    const std::size_t n = plot.list().size();
+    if (n != 1 && n != 2)
+      throw plot.error("two functions are drawn, or one against its next value",
+                       "plot = [\"q2\", \"p2\"]");
+    for (std::size_t i = 0; i < n; ++i)
+      s_.plot[i] = function(*plot.list()[i]);
+    s_.return_map = n == 1;
+    if (s_.return_map) s_.plot[1] = {s_.plot[0].value, "next " + s_.plot[0].text};
+    if (const Entry* angles = e_.find("angles"))
+      for (const Entry* angle : angles->list()) {
+        const auto place = std::find_if(s_.plot.begin(), s_.plot.end(),
+                                        [&](const auto& f) { return f.text == angle->string(); });
+        if (place == s_.plot.end())
+          throw angle->error("this angle is not drawn", "it must be written as in 'plot'");
+        s_.angle[static_cast<std::size_t>(place - s_.plot.begin())] = true;
+      }
+    if (const Entry* range = e_.find("range")) {
+      if (range->array().size() != 2) throw range->error("a range is [[a, b], [c, d]]");
+      s_.range = {pair_of(range->array()[0]), pair_of(range->array()[1])};
+      for (const auto& [low, high] : *s_.range)
+        if ((high - low).sign() <= 0)
+          throw range->error("a range goes from the smaller number to the larger");
+    }
+  }
+
+  void read_orbits() {
+    if (const Entry* seeds = e_.find("seeds"))
+      for (const Entry& seed : seeds->array())
+        s_.seeds.push_back(pair_of(seed));
+    if (const Entry* states = e_.find("states"))
+      for (const Entry& state : states->array()) {
+        if (state.array().size() != s_.system.field.dimension())
+          throw state.error("a state has one number for each of " +
+                            std::to_string(s_.system.field.dimension()) + " coordinates");
+        s_.states.emplace_back();
+        for (const Entry& x : state.array())
+          s_.states.back().push_back(quantity(x));
+      }
+    if (const Entry* grid = e_.find("grid")) {
+      if (grid->array().size() != 2) throw grid->error("a grid is [columns, rows]");
+      s_.columns = static_cast<int>(count(grid->array()[0], 1, 1000));
+      s_.rows = static_cast<int>(count(grid->array()[1], 1, 1000));
+    }
+    if (const Entry* random = e_.find("random")) s_.random = count(*random, 1, 1'000'000);
+    if ((s_.columns > 0 || s_.random > 0) && !s_.range)
+      throw e_.error("a grid and random orbits need a range", "range = [[-1, 1], [-1, 1]]");
+    if (s_.seeds.empty() && s_.states.empty() && s_.columns == 0 && s_.random == 0)
+      throw e_.error("no orbits: give seeds, a grid, random or states");
+    if (const Entry* n = e_.find("crossings")) s_.crossings = count(*n, 1, 1'000'000'000);
+    if (const Entry* n = e_.find("skip")) s_.skip = count(*n, 0, 1'000'000'000);
+    if (const Entry* t = e_.find("time")) {
+      s_.time = quantity(*t);
+      if (s_.time->sign() <= 0) throw t->error("the time must be positive");
+    }
+    if (s_.return_map && (!s_.seeds.empty() || s_.columns > 0 || s_.random > 0))
+      throw e_.at("plot").error("a return map starts from whole states", "states = [[...]]");
+    if (s_.crossings < 0 && !s_.time) throw e_.error("no end: give crossings or time");
+  }
+
+  void read_accuracy() {
+    const auto set = [&](const char* key, Quantity& q) {
+      if (const Entry* e = e_.find(key)) q = quantity(*e);
+    };
+    set("tolerance", s_.tolerance);
+    set("drift", s_.drift);
+    if (const Entry* digits = e_.find("digits"))
+      s_.digits = static_cast<int>(count(*digits, 16, 300));
+    const double t = s_.tolerance.as<double>(), floor = s_.digits > 0 ? 0.0 : 1e-20;
+    if (!(t > floor) || t > 0.01)
+      throw e_.at("tolerance")
+          .error("the tolerance must lie between 10^-20 and 1/100", "smaller ones need 'digits'");
+    if (const Entry* indicator = e_.find("indicator")) {
+      for (const Indicator i : {Indicator::megno, Indicator::lyapunov, Indicator::fli})
+        if (indicator->string() == to_string(i)) s_.indicator = i;
+      if (s_.indicator == Indicator::none)
+        throw indicator->error("the indicator is \"megno\", \"lyapunov\" or \"fli\"");
+    }
+  }
+
+  static SystemScene::Expectation expectation(const Entry& e) {
+    e.check_keys({"points", "drift", "never_crossed", "singular", "source"});
+    SystemScene::Expectation x;
+    if (const Entry* source = e.find("source")) x.source = source->string();
+    if (const Entry* drift = e.find("drift")) x.drift = quantity(*drift);
+    if (const Entry* points = e.find("points")) x.points = points->integer();
+    if (const Entry* singular = e.find("singular")) x.singular = singular->integer();
+    if (const Entry* never = e.find("never_crossed")) x.never_crossed = never->boolean();
+    return x;
+  }
+
+  const Entry& e_;
+  SystemScene s_;
+  std::unique_ptr<SystemScope> scope_; ///< what the names of the system mean
+};
+
+} // namespace
+
+std::string to_string(Indicator i) {
+  switch (i) {
+  case Indicator::megno:
+    return "megno";
+  case Indicator::lyapunov:
+    return "lyapunov";
+  case Indicator::fli:
+    return "fli";
+  default:
+    return "";
+  }
+}
+
+std::vector<SceneFormula> SystemScene::integrals() const {
+  std::vector<SceneFormula> all;
+  const VectorField& v = system.field;
+  const auto add = [&](const MFraction& f, const std::string& text) {
+    const auto same = [&](const SceneFormula& other) { return other.value == f; };
+    if (!is_constant(f) && std::none_of(all.begin(), all.end(), same)) all.push_back({f, text});
+  };
+  if (v.hamiltonian) add(*v.hamiltonian, "H");
+  for (const SystemClaim& c : system.claims)
+    if ((c.kind == SystemClaim::Kind::integral || c.kind == SystemClaim::Kind::casimir) &&
+        c.holds && c.on.empty() && decide_claim(system, c).proved)
+      add(c.value, c.name);
+  for (const Level& level :
+       levels) { // a level of a function that is not an integral is for the start only
+    SystemClaim c;
+    c.value = level.function.value;
+    if (decide_claim(system, c).proved) add(c.value, level.function.text);
+  }
+  for (const MPoly& r : v.relations)
+    add(MFraction(r), kov::to_string(r));
+  return all;
+}
+
+bool has_system_scenes(const Entry& document) {
+  return document.find("scene") != nullptr ||
+         (is_scene(document) && document.find("system") != nullptr);
+}
+
+std::vector<SystemScene> read_system_scenes(const Entry& document) {
+  const auto check = [](const Entry& e) {
+    e.check_keys({"name",      "title",  "source",    "set",    "section", "direction", "where",
+                  "levels",    "start",  "plot",      "angles", "range",   "seeds",     "states",
+                  "grid",      "random", "crossings", "skip",   "time",    "drift",     "digits",
+                  "tolerance", "expect", "indicator", "format", "system"});
+  };
+  std::vector<SystemScene> scenes;
+  if (const Entry* all = document.find("scene")) {
+    for (const Entry* one : all->list()) {
+      check(*one);
+      for (const char* other : {"format", "system"})
+        if (const Entry* e = one->find(other))
+          throw e->key_error("only a scene in a file of its own has this key");
+      scenes.push_back(Reader(document, *one).scene());
+    }
+  } else {
+    check(document);
+    const std::filesystem::path beside(document.file());
+    const Entry system =
+        read_document((beside.parent_path() / document.at("system").string()).string());
+    if (!is_system_document(system)) throw document.at("system").error("this file holds no system");
+    scenes.push_back(Reader(system, document).scene());
+  }
+  for (SystemScene& s : scenes)
+    if (s.name.empty() && scenes.size() > 1)
+      throw document.at("scene").error("several scenes of a file need names", "name = \"...\"");
+  return scenes;
+}
+
+} // namespace kov::flow

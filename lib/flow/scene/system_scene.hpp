@@ -1,0 +1,85 @@
+#pragma once
+// A scene of any system: which section, which level, which orbits.  A [scene] or [[scene]] table of a system file, or
+// a file of its own that names the system:
+//
+//   format = "scene/1"       system = "henon_heiles.toml"        (only in a file of its own)
+//   name        of the files that are written; needed if a file has several scenes
+//   title       source
+//   set         {k = "sqrt(2)", ...}: values of the parameters that the system leaves open
+//   section     "q1" or "q1 = 0": any formula of the system
+//   direction   "upward": the formula grows | "downward" | "both"       where = a formula that is positive there
+//   levels      {H = "1/12", "x^2 + y^2" = 1}: names or formulas, and their values
+//   start       ["z = 0", ...]: further equations that hold at the start of each orbit
+//   plot        ["q2", "p2"]: what is drawn; or ["z"]: each value of z against the next one (states only)
+//                            angles = ["phi"]: which of it counts modulo 2 pi
+//   range       [[a, b], [c, d]] for grid, random and the picture
+//   seeds       [[u, v], ...] values of what is drawn; and/or grid = [columns, rows]; and/or random = orbits;
+//   states      [[x1, x2, ...], ...]: all coordinates, anywhere
+//   crossings   of each orbit, and/or time;              skip = how many first crossings are not drawn
+//   tolerance   drift    digits                          as in scene.hpp
+//   indicator   "megno" | "lyapunov" | "fli": the colour of an orbit (growth.hpp)
+//   [[scene.expect]]  points; drift (an upper bound); never_crossed; singular (orbits that end so); source
+//
+// The coordinates at a start are what section, levels, start and what is drawn leave: as many equations as
+// coordinates, and each of their solutions is an orbit.  With one equation too many the section is not one of them: an
+// angle q1 that is seen where sin(q1) = 0 starts at `start = "q1 = 0"`.
+
+#include "flow/field/field.hpp"
+#include "flow/scene/scene.hpp"
+
+namespace kov::flow {
+
+/// A formula of the system and its text.
+struct SceneFormula {
+  MFraction value;
+  std::string text;
+};
+
+enum class Indicator : std::uint8_t { none, megno, lyapunov, fli };
+[[nodiscard]] std::string to_string(Indicator i);
+
+struct SystemScene {
+  std::string file, name, title, source;
+  System system;
+  std::vector<FunctionMeaning> meanings; ///< of its function symbols: sin(q1), ...
+  Values values; ///< parameters without a rational value
+  SceneFormula section;
+  bool falling = false, rising = true;
+  std::optional<SceneFormula> where;
+  struct Level {
+    SceneFormula function;
+    Quantity value;
+  };
+  std::vector<Level> levels;
+  std::vector<SceneFormula> start; ///< 0 at the start
+  std::array<SceneFormula, 2> plot;
+  bool return_map = false; ///< the second is the next value of the first
+  std::array<bool, 2> angle{};
+  std::optional<std::array<std::array<Quantity, 2>, 2>> range;
+  std::vector<std::array<Quantity, 2>> seeds;
+  std::vector<std::vector<Quantity>> states;
+  int columns = 0, rows = 0;
+  long random = 0;
+  long crossings = -1, skip = 0;
+  std::optional<Quantity> time;
+  Quantity tolerance = "10^-15", drift = "10^-9";
+  int digits = 0;
+  Indicator indicator = Indicator::none;
+  struct Expectation {
+    std::string source;
+    std::optional<long> points, singular;
+    std::optional<Quantity> drift;
+    bool never_crossed = false;
+  };
+  std::vector<Expectation> expect;
+
+  /// What must not change along an orbit: H, the integrals and Casimirs of the file that are proved, relations.
+  [[nodiscard]] std::vector<SceneFormula> integrals() const;
+};
+
+/// Is this a system file with scenes, or a scene that names a system?
+[[nodiscard]] bool has_system_scenes(const Entry& document);
+/// The scenes of such a document.  Errors  InputError with the place
+[[nodiscard]] std::vector<SystemScene> read_system_scenes(const Entry& document);
+
+} // namespace kov::flow

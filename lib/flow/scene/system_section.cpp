@@ -1,0 +1,352 @@
+#include "flow/scene/system_section.hpp"
+
+#include "exact/error.hpp"
+#include "symbol/input_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+namespace kov::flow {
+namespace {
+
+// A time that no orbit reaches, whose products do not overflow.
+constexpr double forever = 1e150;
+
+std::vector<MFraction> values_of(const std::vector<SceneFormula>& formulas) {
+  std::vector<MFraction> all;
+  for (const SceneFormula& f : formulas)
+    all.push_back(f.value);
+  return all;
+}
+
+// All that a run asks of the variables.
+std::vector<MFraction> needed_by(const SystemScene& s) {
+  std::vector<MFraction> all = values_of(s.start);
+  for (const auto& level : s.levels)
+    all.push_back(level.function.value);
+  for (const SceneFormula& f : s.plot)
+    all.push_back(f.value);
+  if (s.where) all.push_back(s.where->value);
+  all.push_back(lie_derivative(s.system.field, s.section.value));
+  return all;
+}
+
+double term_at(const MPoly& f, long i, const std::vector<double>& at) {
+  double x = number_as<double>(Rational(f.coefficient(i)));
+  const auto e = f.exponents(i);
+  for (std::size_t v = 0; v < e.size(); ++v)
+    if (e[v] > 0) x *= std::pow(at[v], static_cast<double>(e[v]));
+  return x;
+}
+
+double value_at(const MPoly& f, const std::vector<double>& at) {
+  double sum = 0;
+  for (long i = 0; i < f.length(); ++i)
+    sum += term_at(f, i, at);
+  return sum;
+}
+
+double size_of_terms(const MPoly& f, const std::vector<double>& at) {
+  double sum = 0;
+  for (long i = 0; i < f.length(); ++i)
+    sum += std::abs(term_at(f, i, at));
+  return sum;
+}
+
+// What all orbits and all arithmetics share.
+struct Stage {
+  const SystemScene& scene;
+  std::vector<SceneFormula> integrals;
+  Field field;
+  std::size_t skipped = 0;
+  std::vector<FieldStart> starts;
+  Scales scales;
+  std::vector<double> sizes; ///< of the integrals, then of the section
+  int order = 20;
+
+  explicit Stage(const SystemScene& s)
+      : scene(s), integrals(s.integrals()),
+        field(s.system, s.section.value, values_of(integrals), needed_by(s), s.values,
+              s.indicator != Indicator::none),
+        starts(starts_of(s, field, &skipped)) {
+    const std::size_t n = field.variables().size();
+    std::vector<double> all;
+    StartRefiner<double> refine(s, field);
+    for (const FieldStart& start : starts) {
+      const auto x = refine(start);
+      all.insert(all.end(), x.begin(), x.begin() + static_cast<long>(n));
+    }
+    scales = scales_of(field, all, s.time ? s.time->as<double>() : forever);
+    scales.path.insert(scales.path.end(), all.begin(), all.end());
+    measure();
+    order = flow::choose_order(field, scales, log2_tolerance());
+  }
+
+  [[nodiscard]] double log2_tolerance() const {
+    return log2_estimate(scene.tolerance.as<BigReal>()) - safety_bits;
+  }
+
+private:
+  // The size of a function: that of its terms, at most, on what a few orbits have shown.
+  void measure() {
+    std::vector<MFraction> functions = values_of(integrals);
+    functions.push_back(scene.section.value);
+    sizes.assign(functions.size(), 1e-300);
+    std::vector<double> at(scene.system.ring()->size());
+    for (const auto& [variable, value] : scene.values)
+      at[variable] = value.as<double>();
+    const std::size_t n = field.variables().size(), states = scales.path.size() / n;
+    for (std::size_t state = 0; state < states; state += states / most_states + 1) {
+      for (std::size_t i = 0; i < n; ++i)
+        at[field.variables()[i]] = scales.path[state * n + i];
+      for (std::size_t i = 0; i < functions.size(); ++i) {
+        const MPoly den = functions[i].den();
+        const double size = size_of_terms(functions[i].num(), at) / std::abs(value_at(den, at));
+        if (std::isfinite(size)) sizes[i] = std::max(sizes[i], size);
+      }
+    }
+  }
+  static constexpr std::size_t most_states = 1000;
+};
+
+double turned(double angle) {
+  return angle - 2 * pi_of(0.0) * std::floor(angle / (2 * pi_of(0.0)) + 0.5);
+}
+BigReal turned(BigReal angle) {
+  const BigReal turn = BigReal(2) * pi_of(angle), turns = angle / turn + BigReal(0.5);
+  BigReal whole;
+  mpfr_floor(whole.raw(), turns.raw());
+  return angle - turn * whole;
+}
+
+template <class R> struct DrawnSink : FieldSink<R> {
+  const Stage& stage;
+  std::size_t first;
+  Evaluator<R> drawn, where;
+  MeaningCheck meanings;
+  std::vector<double> before; ///< of each orbit: what was drawn last, for a return map
+  std::vector<long> seen;     ///< crossings of each orbit, with those that are skipped
+  std::vector<DrawnPoint> points;
+  std::vector<std::pair<std::size_t, DrawnOrbit>> orbits;
+  std::vector<double> drifts;
+
+  DrawnSink(const Stage& s, std::size_t n, std::size_t count)
+      : stage(s), first(n), drawn(s.field, {s.scene.plot[0].value, s.scene.plot[1].value}),
+        where(s.field,
+              s.scene.where ? std::vector{s.scene.where->value} : std::vector<MFraction>{}),
+        meanings(s.scene, s.field), before(count), seen(count), drifts(s.integrals.size() + 1) {}
+
+  bool crossing(std::size_t orbit, const R& t, const R* x, bool) override {
+    if (stage.scene.where && !(where(x)[0] > R(0))) return false;
+    if (++seen[orbit] <= stage.scene.skip) return true;
+    const auto& at = drawn(x);
+    DrawnPoint p{first + orbit, to_double(t), {to_double(at[0]), to_double(at[1])}, {}};
+    for (std::size_t i = 0; i < 2; ++i)
+      if (stage.scene.angle[i]) p.at[i] = turned(p.at[i]);
+    if constexpr (!std::is_same_v<R, double>)
+      if (!stage.scene.return_map) p.digits = all_digits(t, at);
+    if (stage.scene.return_map) {
+      const bool first_one = seen[orbit] == stage.scene.skip + 1;
+      p.at[0] = std::exchange(before[orbit], p.at[1]);
+      if (first_one) return true;
+    }
+    points.push_back(std::move(p));
+    return true;
+  }
+
+  void finished(std::size_t orbit, const R* x, const FieldFinish<R>& f) override {
+    DrawnOrbit o;
+    o.crossings = f.crossings;
+    o.steps = f.steps;
+    o.tangencies = f.tangencies;
+    o.time = to_double(f.t);
+    o.indicators = f.indicators;
+    o.ended = f.ended;
+    const bool whole = f.ended != Ended::singular && f.ended != Ended::broken;
+    const auto note = [&](std::size_t i, double drift) {
+      o.drift = std::max(o.drift, drift);
+      drifts[i] = std::max(drifts[i], drift);
+    };
+    for (std::size_t i = 0; i < stage.integrals.size(); ++i)
+      note(i, to_double(f.drift[i]) / stage.sizes[i]);
+    std::vector<double> last;
+    for (std::size_t i = 0; i < stage.field.variables().size(); ++i)
+      last.push_back(to_double(x[i]));
+    if (whole) note(stage.integrals.size(), meanings.deviation(last.data(), stage.scales.of));
+    orbits.emplace_back(first + orbit, o);
+  }
+
+private:
+  [[nodiscard]] std::string all_digits(const R& t, const std::vector<R>& at) const {
+    const int n = digits_shown(stage.scene.tolerance, stage.scene.digits);
+    std::string text = to_string(to_big(t), n);
+    for (std::size_t i = 0; i < 2; ++i)
+      text += " " + to_string(stage.scene.angle[i] ? turned(to_big(at[i])) : to_big(at[i]), n);
+    return text;
+  }
+};
+
+// One worker: takes the next few orbits until none are left.
+template <class R> struct SectionWork {
+  const Stage& stage;
+  const SystemSectionOptions& options;
+  SystemSection& out;
+  std::atomic<std::size_t> next{0};
+  std::size_t done = 0;
+  std::mutex mutex{};
+
+  void operator()() {
+    const SystemScene& s = stage.scene;
+    const PrecisionScope scope(bits_of(std::max(s.digits, 34)));
+    const Tapes<R> tapes(stage.field, stage.order);
+    StartRefiner<R> refine(s, stage.field);
+    FieldRun<R> run = plan(tapes);
+    std::vector<R> per_scale;
+    for (const double size : stage.scales.of)
+      per_scale.push_back(R(1 / size));
+    run.per_scale = per_scale.data();
+    const std::size_t chunk = std::is_same_v<R, double> ? 64 : std::is_same_v<R, Twin1> ? 8 : 1;
+    for (std::size_t first = next.fetch_add(chunk); first < stage.starts.size();
+         first = next.fetch_add(chunk)) {
+      if (options.stop != nullptr && options.stop->load()) return;
+      const std::size_t last = std::min(stage.starts.size(), first + chunk);
+      DrawnSink<R> sink(stage, first, last - first);
+      std::vector<R> numbers;
+      for (std::size_t i = first; i < last; ++i) {
+        const std::vector<R> x = refine(stage.starts[i]);
+        numbers.insert(numbers.end(), x.begin(), x.end());
+      }
+      run.starts = numbers.data();
+      run.orbits = last - first;
+      run.sink = &sink;
+      if constexpr (std::is_same_v<R, double>)
+        integrate_field(tapes.tapes(), run, options.lanes);
+      else
+        integrate_field(tapes.tapes(), run);
+      keep(sink);
+    }
+  }
+
+  FieldRun<R> plan(const Tapes<R>& tapes) const {
+    const SystemScene& s = stage.scene;
+    FieldRun<R> run;
+    run.log2_tolerance = stage.log2_tolerance();
+    run.order = stage.order;
+    run.t_end = s.time ? s.time->as<R>() : R(forever);
+    run.max_crossings = s.crossings > 0 ? s.crossings + s.skip
+                                        : most_points / static_cast<long>(stage.starts.size()) + 1;
+    run.max_steps = s.time ? -1 : least_steps + steps_for_crossing * (s.crossings + s.skip);
+    run.falling = s.falling;
+    run.rising = s.rising;
+    run.noise = R(stage.sizes.back()) * (unit_roundoff<R>() * R(16));
+    run.values = tapes.values();
+    run.stop = options.stop;
+    return run;
+  }
+
+  void keep(const DrawnSink<R>& sink) {
+    const std::lock_guard lock(mutex);
+    out.points.insert(out.points.end(), sink.points.begin(), sink.points.end());
+    for (const auto& [orbit, o] : sink.orbits) {
+      const auto start = out.orbits[orbit].start;
+      out.orbits[orbit] = o;
+      out.orbits[orbit].start = start;
+    }
+    for (std::size_t i = 0; i < out.drifts.size(); ++i)
+      out.drifts[i] = std::max(out.drifts[i], sink.drifts[i]);
+    done += sink.orbits.size();
+    if (options.progress) options.progress(done, stage.starts.size());
+    if (options.finished_some) options.finished_some(out);
+  }
+};
+
+template <class R>
+void run_all(const Stage& stage, const SystemSectionOptions& o, SystemSection& out) {
+  SectionWork<R> work{stage, o, out};
+  std::vector<std::jthread> threads;
+  for (int i = 1; i < o.threads; ++i)
+    threads.emplace_back([&work] { work(); });
+  work();
+}
+
+void run_in_arithmetic(const Stage& stage, const SystemSectionOptions& o, SystemSection& out) {
+  const int digits = stage.scene.digits;
+  if (digits == 0) {
+    const int lanes = o.lanes == 0 ? best_lanes() : o.lanes;
+    out.arithmetic = "double, " + to_string(best_isa()) + ", " + std::to_string(lanes) +
+                     (lanes == 1 ? " lane" : " lanes");
+    run_all<double>(stage, o, out);
+  } else if (digits <= 19) {
+    out.arithmetic = "long double";
+    run_all<long double>(stage, o, out);
+  } else if (digits <= 31) {
+    out.arithmetic = "pairs of doubles";
+    run_all<Twin1>(stage, o, out);
+  } else {
+    out.arithmetic = "MPFR, " + std::to_string(bits_of(digits)) + " bits";
+    run_all<BigReal>(stage, o, out);
+  }
+}
+
+// Refuses what would not fit into the memory.
+void check_points(const SystemScene& s, std::size_t orbits) {
+  if (s.crossings > 0 && s.crossings > most_points / static_cast<long>(orbits))
+    throw InputError(s.file, 0, 0, 1,
+                     std::to_string(orbits) + " orbits with " + std::to_string(s.crossings) +
+                         " crossings each are more than " + std::to_string(most_points) + " points",
+                     "fewer orbits, or fewer crossings");
+}
+
+Stage staged(const SystemScene& s) {
+  try {
+    return Stage(s);
+  } catch (const InputError&) {
+    throw;
+  } catch (const OutOfBudget& e) {
+    throw InputError(s.file, 0, 0, 1, e.what());
+  } catch (const InvalidArgument& e) {
+    throw InputError(s.file, 0, 0, 1, e.what());
+  } catch (const DomainError& e) {
+    throw InputError(s.file, 0, 0, 1, e.what());
+  }
+}
+
+} // namespace
+
+std::size_t SystemSection::count(Ended how) const {
+  return static_cast<std::size_t>(std::count_if(
+      orbits.begin(), orbits.end(), [&](const DrawnOrbit& o) { return o.ended == how; }));
+}
+
+std::size_t SystemSection::cut_short() const {
+  return count(Ended::steps) + (has_time ? count(Ended::crossings) : 0);
+}
+
+SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& options) {
+  const Stage stage = staged(scene);
+  SystemSection out;
+  check_points(scene, stage.starts.size());
+  for (const FieldStart& start : stage.starts)
+    out.orbits.emplace_back().start = start.drawn;
+  for (const SceneFormula& f : stage.integrals)
+    out.integrals.push_back(f.text);
+  if (stage.field.variables().size() > stage.field.coordinates())
+    out.integrals.emplace_back("functions");
+  out.drifts.assign(stage.integrals.size() + 1, 0);
+  out.skipped = stage.skipped;
+  out.order = stage.order;
+  out.products = stage.field.cost();
+  out.has_time = scene.time && scene.crossings < 0;
+  run_in_arithmetic(stage, options, out);
+  std::stable_sort(out.points.begin(), out.points.end(), [](const auto& a, const auto& b) {
+    return a.orbit != b.orbit ? a.orbit < b.orbit : a.t < b.t;
+  });
+  out.drift = *std::max_element(out.drifts.begin(), out.drifts.end());
+  out.stopped = out.count(Ended::stopped) > 0;
+  out.drifts.resize(out.integrals.size());
+  return out;
+}
+
+} // namespace kov::flow

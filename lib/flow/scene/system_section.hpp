@@ -1,0 +1,61 @@
+#pragma once
+// From a scene of any system to the points of its section.
+
+#include "flow/field/field_kernels.hpp"
+#include "flow/scene/simulate.hpp"
+#include "flow/scene/starts.hpp"
+
+namespace kov::flow {
+
+struct DrawnPoint {
+  std::size_t orbit = 0;
+  double t = 0;
+  std::array<double, 2> at{}; ///< what is drawn; angles in [-pi, pi)
+  std::string digits;         ///< "t x y" of a run in more digits than double
+};
+
+struct DrawnOrbit {
+  std::array<double, 2> start{}; ///< in the picture
+  long crossings = 0, steps = 0;
+  int tangencies = 0;
+  double time = 0;
+  double drift = 0; ///< the largest of its integrals and function symbols, relative to their sizes
+  Indicators indicators = {};
+  Ended ended = Ended::stopped;
+};
+
+struct SystemSection {
+  std::vector<DrawnPoint> points; ///< by orbit, then by time
+  std::vector<DrawnOrbit> orbits;
+  std::vector<std::string>
+      integrals; ///< their texts; the last is the functions' own check, if there are functions
+  std::vector<double>
+      drifts;       ///< of each, the largest over the orbits that did not end in a singularity
+  double drift = 0; ///< the largest of them
+  int order = 0;
+  double products = 0; ///< of series in each order
+  std::string arithmetic;
+  std::size_t skipped = 0; ///< places of the grid where the level has no point
+  bool stopped = false, has_time = false;
+  [[nodiscard]] std::size_t count(Ended how) const;
+  /// Orbits with fewer crossings than asked for: they reached the limit of steps, or (with a time) of points.
+  [[nodiscard]] std::size_t cut_short() const;
+};
+
+struct SystemSectionOptions {
+  int threads = 1, lanes = 0;
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(std::size_t done, std::size_t all)> progress;
+  std::function<void(const SystemSection& so_far)> finished_some; ///< points are not sorted yet
+};
+
+/// Integrates the orbits of the scene.
+///
+/// Units   a step's error and the drifts are relative to the scales of the coordinates, which a few orbits show:
+///         the units of the system do not matter
+/// Errors  InputError: no start, a function without a value, too many points, too large a system
+/// Cost    proportional to orbits * time; the answer does not depend on threads or lanes
+[[nodiscard]] SystemSection simulate(const SystemScene& scene,
+                                     const SystemSectionOptions& options = {});
+
+} // namespace kov::flow
