@@ -3,7 +3,7 @@
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
-#include "flow/scene/scene.hpp"
+#include "flow/scene/system_scene.hpp"
 #include "mechanics.hpp"
 #include "present.hpp"
 #include "theorem/prove.hpp"
@@ -210,9 +210,16 @@ CaseReport check_case(const Settings& settings, const std::string& path) {
 CaseReport test_case(const Settings& settings, const std::string& path) {
   const Entry document = read_document(path);
   if (is_theorem_document(document)) return test_theorem(settings, path);
-  if (flow::is_scene(document)) return test_scene(path);
-  return is_equation_file(document) ? check_equation(settings, document)
-                                    : test_system_file(settings, path);
+  if (flow::is_scene(document) && !flow::has_system_scenes(document)) return test_scene(path);
+  CaseReport report;
+  if (!flow::is_scene(document))
+    report = is_equation_file(document) ? check_equation(settings, document)
+                                        : test_system_file(settings, path);
+  if (flow::has_system_scenes(document)) {
+    const std::vector<Expected> scenes = test_system_scenes(document);
+    report.expected.insert(report.expected.end(), scenes.begin(), scenes.end());
+  }
+  return report;
 }
 
 std::optional<GroupName> parse_group(const std::string& text) {

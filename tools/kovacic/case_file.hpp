@@ -35,6 +35,8 @@ struct CaseReport {
 [[nodiscard]] CaseReport test_system_file(const Settings& settings, const std::string& path);
 /// Scenes (format = "scene/1"): the expectations, after a run with all lanes in one thread.
 [[nodiscard]] CaseReport test_scene(const std::string& path);
+/// The same for the scenes of a system file, or the one of a file that names a system.
+[[nodiscard]] std::vector<Expected> test_system_scenes(const Entry& document);
 
 /// A group as people write it: "SL2", "SL(2)", "Borel", "Ga", "Gm", "T_4", "C_3", "mu_3",
 /// "cyclic_3", "trivial", "Dinf", "D_3", "A4", "S4", "A5".  Nothing if it is none of them.

@@ -153,6 +153,20 @@ constexpr Topic topics[] = {
      "0 decided; 1 a failed expectation or a rejected certificate; 2 usage error or bad input;\n"
      "3 something is undecided, the reason is printed; 4 internal error; 130 interrupted.\n"
      "With --exit-verdict: 10 identity component not abelian, 20 abelian, 0 undecided."},
+    {"section",
+     "kovacic section FILE draws the points in which orbits meet a surface in phase space.  FILE "
+     "is "
+     "a\n"
+     "system file with [scene] tables, a scene that names a system, or a scene of a rigid body\n"
+     "([body]).  The integrals of the file are watched: their drift, relative to their sizes, is "
+     "in\n"
+     "every caption, and beyond the drift that a scene allows nothing is drawn.  Orbits that end "
+     "at\n"
+     "a singularity (a collision) are counted.  A picture proves nothing.  docs/guide/sections.md"},
+    {"megno",
+     "Mean exponential growth of nearby orbits: the mean <Y> tends to 2 on a regular orbit and\n"
+     "grows like half the largest Lyapunov exponent times the time on a chaotic one.  A number,\n"
+     "not a proof: orbits that stick to islands look regular for a while."},
     {"batch", "kovacic solve --batch FILE.jsonl reads one JSON object per line, with an id and r, "
               "or p and q,\n"
               "or ode, and optionally variable, minpoly, parameters and assumptions, and writes "

@@ -143,6 +143,35 @@ verdict = "non-integrable"
 source  = "this program"
 )TOML";
 
+constexpr const char* scene_file =
+    R"TOML(# A system and what is to be seen of it.  kovacic section THIS_FILE -o DIR writes points and pictures.
+format = "equation/1"
+title  = "Henon-Heiles"
+
+[system]
+kind        = "hamiltonian"      # or vector-field, poisson, euler-poisson, lagrangian
+coordinates = ["x", "y"]
+momenta     = ["u", "v"]
+parameters  = ["b"]
+hamiltonian = "(u^2 + v^2)/2 + (x^2 + y^2)/2 + x^2*y - b/3*y^3"
+
+[[scene]]                        # as many as you like; each with a name
+name      = "energy_8"           # of the files that are written
+title     = "Henon-Heiles, E = 1/8"
+set       = { b = 1 }            # parameters; fractions, sqrt(2) and pi too
+section   = "x"                  # seen where this formula is 0
+direction = "upward"             # while it grows; or downward, both
+# where   = "u"                  # and where this is positive
+levels    = { H = "1/8" }        # of H and other functions
+plot      = ["y", "v"]           # what is drawn; angles = [...]: modulo 2 pi
+range     = [["-1/2", "7/10"], ["-1/2", "1/2"]]
+grid      = [8, 8]               # starts; or seeds = [[0, "1/10"], ...], random = 50, states = [[x, y, u, v], ...]
+crossings = 300                  # of each orbit; or time = 1000
+indicator = "megno"              # colour by chaos: megno, lyapunov, fli
+tolerance = "10^-15"             # of a step, relative to the scales of the coordinates
+drift     = "10^-11"             # of the integrals, beyond which nothing is drawn
+)TOML";
+
 struct StartingFile {
   std::string kind;
   const char* text;
@@ -151,7 +180,8 @@ struct StartingFile {
 const std::vector<StartingFile> starting_files{{"ode", ode_file},
                                                {"hamiltonian", hamiltonian_file},
                                                {"euler-poisson", euler_poisson_file},
-                                               {"vector-field", vector_field_file}};
+                                               {"vector-field", vector_field_file},
+                                               {"scene", scene_file}};
 
 } // namespace
 

@@ -114,6 +114,81 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   return run_gnuplot(base, formats);
 }
 
+namespace {
+
+// At most `width` characters in a line, broken at spaces.
+std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::size_t width) {
+  std::vector<std::string> all;
+  for (std::string rest : lines) {
+    while (rest.size() > width) {
+      const std::size_t space = rest.rfind(' ', width);
+      const std::size_t cut = space == std::string::npos || space == 0 ? width : space;
+      all.push_back(rest.substr(0, cut));
+      rest.erase(0, rest[cut] == ' ' ? cut + 1 : cut);
+    }
+    all.push_back(rest);
+  }
+  return all;
+}
+
+void print_axes(std::ofstream& out, const PlanePlot& plot) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    const char* axis = i == 0 ? "x" : "y";
+    fmt::print(out, "set {}label {} noenhanced\n", axis, gnuplot_quoted(plot.labels[i]));
+    if (plot.angle[i])
+      fmt::print(
+          out,
+          "set {0}range [-pi:pi]\nset {0}tics (\"-π\" -pi, \"-π/2\" -pi/2, \"0\" 0, \"π/2\" pi/2, "
+          "\"π\" pi)\n",
+          axis);
+    else if (plot.range)
+      fmt::print(out, "set {}range [{:.6g}:{:.6g}]\n", axis, (*plot.range)[i][0],
+                 (*plot.range)[i][1]);
+  }
+}
+
+} // namespace
+
+std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& plot,
+                                    const std::vector<std::string>& formats) {
+  const std::string name = fs::path(base).filename().string();
+  const std::vector<std::string> caption = wrapped(plot.caption, 125);
+  const double lines = static_cast<double>(caption.size());
+  std::ofstream out(base + ".gp");
+  fmt::print(out, "# gnuplot -e \"format='pdf'\" {}.gp    (png, svg, pdf)\n", name);
+  fmt::print(out, "{}", gnuplot_terminal(name, 800, 700));
+  fmt::print(out, "set title {} noenhanced\nset bmargin {:.1f}\nset lmargin 9\n",
+             gnuplot_quoted(plot.title), 4.5 + 1.2 * lines);
+  for (std::size_t i = 0; i < caption.size(); ++i)
+    fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
+               i + 1, gnuplot_quoted(caption[i]),
+               0.02 + 0.024 * (lines - 1 - static_cast<double>(i)));
+  print_axes(out, plot);
+  const double size = plot.points > 40'000 ? 0.08 : plot.points > 8'000 ? 0.14 : 0.25;
+  const bool one_each = plot.colour.empty();
+  if (one_each) // neighbours in the list of orbits have different colours
+    fmt::print(out, "unset key\nunset colorbox\nset palette defined (0 \"#102040\", 1 \"#0060c0\", "
+                    "2 \"#007020\", "
+                    "3 \"#b06000\", 4 \"#a00040\", 5 \"#6000a0\")\nset cbrange [0:5]\n");
+  else
+    fmt::print(out,
+               "unset key\nset palette defined (0 \"#0040a0\", 1 \"#00a0a0\", 2 \"#80b020\", 3 "
+               "\"#e08000\", "
+               "4 \"#c00020\")\nset cblabel {} noenhanced\n{}",
+               gnuplot_quoted(plot.colour_label),
+               plot.logarithmic ? "set logscale cb\nset cbrange [1:40]\n" : "");
+  fmt::print(out,
+             "plot {} using {}:{}:({}) notitle with points pt 7 ps (format eq \"png\" ? {} : {}) "
+             "lc palette\n",
+             gnuplot_quoted(name + ".dat"), gnuplot_quoted(plot.columns[0]),
+             gnuplot_quoted(plot.columns[1]),
+             one_each ? "int(column(\"orbit\")) % 6"
+                      : "column(" + gnuplot_quoted(plot.colour) + ")",
+             size + 0.05, size);
+  close_file(out, base + ".gp");
+  return run_gnuplot(base, formats);
+}
+
 std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& chart,
                                     const std::vector<std::string>& formats) {
   const std::string name = fs::path(base).filename().string();

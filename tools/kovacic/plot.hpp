@@ -1,7 +1,9 @@
 #pragma once
 // Pictures by gnuplot: a script that the user can edit, and what it draws if gnuplot is there.
 
+#include <array>
 #include <compare>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -25,6 +27,23 @@ struct SectionPlot {
 /// gnuplot).
 std::vector<std::string> draw_section(const std::string& base, const SectionPlot& plot,
                                       const std::vector<std::string>& formats);
+
+/// A section of any system: two columns of BASE.dat.
+struct PlanePlot {
+  std::string title;
+  std::vector<std::string> caption; ///< lines; long ones are broken
+  std::array<std::string, 2> labels, columns;
+  std::array<bool, 2> angle{}; ///< in [-pi, pi)
+  std::optional<std::array<std::array<double, 2>, 2>> range;
+  std::string colour,
+      colour_label;         ///< a column for the colour of the points, or empty: one for each orbit
+  bool logarithmic = false; ///< the colour
+  std::size_t points = 0;   ///< how many: many points are drawn smaller
+};
+
+/// Writes BASE.gp for BASE.dat and draws it, as draw_section does.
+std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& plot,
+                                    const std::vector<std::string>& formats);
 
 /// Curves in a (doubly logarithmic) chart, one for each value of a text column.
 struct ChartPlot {

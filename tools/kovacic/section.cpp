@@ -1,27 +1,23 @@
 #include "section.hpp"
 
 #include "flow/scene/simulate.hpp"
+#include "flow/scene/system_scene.hpp"
 #include "flow/section/fixed_points.hpp"
-#include "interrupt.hpp"
 #include "plot.hpp"
+#include "section_files.hpp"
+#include "symbol/document.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <fmt/ostream.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <cstdio>
-#include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
 
 namespace kov::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using flow::Scene;
 
 std::string list(const std::array<flow::Quantity, 3>& v) {
@@ -90,17 +86,6 @@ std::string partial(const flow::Section& r) {
   return missing.empty() ? "" : "PARTIAL: " + missing;
 }
 
-// The file appears when it is complete.
-template <class F> void write_whole(const std::string& path, const F& write) {
-  const std::string beside = path + ".part";
-  std::ofstream out(beside);
-  write(out);
-  close_file(out, beside);
-  std::error_code wrong;
-  fs::rename(beside, path, wrong);
-  if (wrong) throw InputError(path, 0, 0, 1, "cannot be written: " + wrong.message());
-}
-
 void write_data(const std::string& path, const Scene& s, const flow::Section& r) {
   write_whole(path, [&](std::ofstream& out) {
     if (const std::string missing = partial(r); !missing.empty())
@@ -111,7 +96,7 @@ void write_data(const std::string& path, const Scene& s, const flow::Section& r)
     fmt::print(out, "# l in radian, t and G in the units of the scene, L/G without unit; sign of "
                     "the form 'sign_of' at the start of the orbit\n");
     fmt::print(out, "orbit t l L/G G sign\n");
-    const int n = flow::digits_shown(s);
+    const int n = flow::digits_shown(s.tolerance, s.digits);
     for (const auto& p : r.points) {
       const int sign = r.orbits[p.orbit].sign;
       if (p.digits.empty())
@@ -121,21 +106,6 @@ void write_data(const std::string& path, const Scene& s, const flow::Section& r)
         fmt::print(out, "{} {} {}\n", p.orbit, p.digits, sign);
     }
   });
-}
-
-const char* word(flow::Ended e) {
-  switch (e) {
-  case flow::Ended::time:
-    return "time";
-  case flow::Ended::crossings:
-    return "crossings";
-  case flow::Ended::steps:
-    return "steps";
-  case flow::Ended::stopped:
-    return "stopped";
-  default:
-    return "broken";
-  }
 }
 
 void write_orbits(const std::string& path, const flow::Section& r) {
@@ -234,32 +204,6 @@ void print_fixed_points(const flow::FixedPoints& found) {
     fmt::print("    {}\n", line_of(f));
 }
 
-// "  asymmetric_sliding  32 of 72 orbits, 3 s left" on a terminal, at most ten times a second.
-class Progress {
-public:
-  Progress(std::string name, std::string what, bool on)
-      : name_(std::move(name)), what_(std::move(what)), on_(on && isatty(2) != 0) {}
-  void operator()(std::size_t done, std::size_t all) {
-    const auto now = Clock::now();
-    if (!on_ || (done < all && now - shown_ < std::chrono::milliseconds(100))) return;
-    shown_ = now;
-    const double spent = std::chrono::duration<double>(now - begun_).count();
-    const double left =
-        done == 0 ? 0 : spent * static_cast<double>(all - done) / static_cast<double>(done);
-    fmt::print(stderr, "\r\033[K  {}  {} of {} {}, {:.0f} s left", name_, done, all, what_, left);
-    std::fflush(stderr);
-  }
-  ~Progress() {
-    if (on_) fmt::print(stderr, "\r\033[K");
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  std::string name_, what_;
-  bool on_;
-  Clock::time_point begun_ = Clock::now(), shown_{};
-};
-
 // What is wrong with the result, in words; empty if nothing.
 std::string complaint(const Scene& s, const flow::Section& r) {
   for (std::size_t i = 0; i < r.orbits.size(); ++i)
@@ -275,23 +219,17 @@ std::string complaint(const Scene& s, const flow::Section& r) {
   return {};
 }
 
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point begun) {
-  return std::chrono::duration<double>(Clock::now() - begun).count();
-}
-
 // One scene on its way to the files.
 class Job {
 public:
-  Job(const std::string& file, const Settings& settings, const SectionArguments& o, double seconds)
-      : file_(file), settings_(settings), o_(o), scene_(flow::read_scene(file)),
-        name_(file == "-" ? "section" : fs::path(file).stem().string()), interrupt_(seconds) {
+  Job(const std::string& file, const Entry& document, const Settings& settings,
+      const SectionArguments& o, double seconds)
+      : file_(file), settings_(settings), o_(o), scene_(flow::read_scene(document)),
+        name_(name_of_files(file)), interrupt_(seconds) {
     if (o.fixed_points && scene_.section.falling && scene_.section.rising)
       throw InputError(file, 0, 0, 1, "--fixed-points needs one direction of crossing, not both",
                        "direction = \"upward\" or \"downward\"");
-    const fs::path directory = settings.output.empty() ? "." : settings.output;
-    make_directory(directory.string());
-    base_ = (directory / name_).string();
+    base_ = base_of_files(settings, name_);
   }
 
   int run() {
@@ -331,7 +269,7 @@ private:
     const auto begun = Clock::now();
     auto written = begun;
     double cost = 0;
-    Progress progress(name_, "orbits", !settings_.quiet);
+    OrbitProgress progress(name_, "orbits", !settings_.quiet);
     flow::SimulateOptions options;
     options.threads = o_.threads;
     options.lanes = o_.lanes;
@@ -368,7 +306,7 @@ private:
     auto written = Clock::now();
     flow::FixedPoints found;
     {
-      Progress progress(name_, "proofs", !settings_.quiet);
+      OrbitProgress progress(name_, "proofs", !settings_.quiet);
       flow::FixedPointOptions options;
       options.stop = interrupt_.flag();
       options.progress = [&](const flow::FixedPoints& so_far, std::size_t proofs) {
@@ -392,30 +330,16 @@ private:
     const std::string missing = partial(result_);
     const std::string title = scene_.title + (missing.empty() ? "" : "  [" + missing + "]");
     const SectionPlot plot{title, caption(scene_, result_), scene_.sign_of.has_value(), marks_};
-    std::vector<std::string> formats = o_.formats;
-    if (formats.empty()) formats = {"png", "svg", "pdf"};
-    std::erase(formats, "none");
-    if (interrupt_.timed_out() && !formats.empty()) { // gnuplot knows no time limit
-      formats.clear();
-      complain(settings_, "the time is over: no picture is drawn",
-               "gnuplot " + base_ + ".gp draws it");
-    }
-    const auto drawn = draw_section(base_, plot, formats);
-    for (const std::string& picture : drawn)
-      if (!settings_.quiet) fmt::print("  picture {}\n", picture);
-    if (drawn.size() == formats.size()) return exit_decided;
-    complain(settings_,
-             fmt::format("{} of {} pictures were drawn: gnuplot is missing, or fails", drawn.size(),
-                         formats.size()),
-             "install gnuplot-nox; gnuplot " + base_ + ".gp draws them later");
-    return o_.formats.empty() ? exit_decided : exit_input;
+    return draw(settings_, o_, interrupt_, base_, [&](const std::vector<std::string>& formats) {
+      return draw_section(base_, plot, formats);
+    });
   }
 };
 
 } // namespace
 
 void declare_section(CLI::App& command, SectionArguments& a) {
-  command.add_option("FILE", a.files, "scene files; - is standard input")
+  command.add_option("FILE", a.files, "scenes, and system files with [scene]; - is standard input")
       ->required()
       ->type_name("");
   command.add_option("--pictures", a.formats, "png,svg,pdf (the default) or none")
@@ -426,7 +350,10 @@ void declare_section(CLI::App& command, SectionArguments& a) {
       ->check(CLI::Range(1, 256).description(""))
       ->type_name("N");
   command.add_flag("--fixed-points", a.fixed_points,
-                   "find and prove the fixed points of the section map");
+                   "find and prove the fixed points of the section map of a rigid body");
+  command.add_option("--scene", a.names, "only these scenes of a system file")
+      ->delimiter(',')
+      ->type_name("NAMES");
   command
       .add_option("--lanes", a.lanes,
                   "orbits at a time in a thread: 1, 4, 8; 0 = what is fastest here")
@@ -439,8 +366,14 @@ int section(const Settings& settings, const SectionArguments& arguments) {
   const auto begun = Clock::now();
   for (const std::string& file : arguments.files) {
     const double left = settings.timeout - seconds_since(begun);
-    Job job(file, settings, arguments, settings.timeout > 0 ? std::max(left, 1e-3) : 0);
-    code = std::max(code, job.run());
+    const double seconds = settings.timeout > 0 ? std::max(left, 1e-3) : 0;
+    const Entry document = read_document(file);
+    if (is_system_document(document) && !flow::has_system_scenes(document))
+      throw InputError(file, 0, 0, 1, "this system has no scene",
+                       "kovacic new scene shows a [[scene]] table");
+    code = std::max(code, flow::has_system_scenes(document)
+                              ? system_sections(settings, arguments, file, document, seconds)
+                              : Job(file, document, settings, arguments, seconds).run());
     if (code == exit_interrupted) break;
   }
   return code;

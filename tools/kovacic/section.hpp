@@ -10,6 +10,10 @@ namespace CLI {
 class App;
 }
 
+namespace kov {
+class Entry;
+}
+
 namespace kov::cli {
 
 struct SectionArguments {
@@ -18,11 +22,16 @@ struct SectionArguments {
   int threads = 1;
   int lanes = 0; ///< 0: what is fastest here
   bool fixed_points = false;
+  std::vector<std::string> names; ///< of the scenes of a system file; empty: all
 };
 
 /// The options of the sub-command.
 void declare_section(CLI::App& command, SectionArguments& arguments);
 /// Data, script and pictures of every scene, in the directory settings.output.  Throws InputError.
 int section(const Settings& settings, const SectionArguments& arguments);
+
+/// The scenes of a system file, or the one that names a system.
+int system_sections(const Settings& settings, const SectionArguments& arguments,
+                    const std::string& file, const Entry& document, double seconds);
 
 } // namespace kov::cli

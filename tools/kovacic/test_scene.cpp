@@ -1,8 +1,9 @@
 // The [[expect]] blocks of a scene.
 
 #include "case_file.hpp"
-#include "flow/scene/simulate.hpp"
+#include "flow/scene/system_section.hpp"
 #include "flow/section/fixed_points.hpp"
+#include "symbol/document.hpp"
 
 #include <fmt/core.h>
 
@@ -56,6 +57,28 @@ void compare_fixed_points(Comparison& c, const flow::SceneExpectation& x,
 }
 
 } // namespace
+
+std::vector<Expected> test_system_scenes(const Entry& document) {
+  std::vector<Expected> all;
+  for (const flow::SystemScene& scene : flow::read_system_scenes(document)) {
+    if (scene.expect.empty()) continue;
+    const flow::SystemSection run = flow::simulate(scene);
+    for (const auto& x : scene.expect) {
+      Comparison c;
+      c.count("points", x.points, static_cast<long>(run.points.size()));
+      c.count("singular", x.singular, static_cast<long>(run.count(flow::Ended::singular)));
+      if (x.drift)
+        c.item("drift at most " + x.drift->text(), fmt::format("drift {:.1e}", run.drift),
+               run.drift <= x.drift->as<double>());
+      if (x.never_crossed)
+        c.item("never crossed", fmt::format("{} crossings", run.points.size()), run.points.empty());
+      Expected e = c.expected(x.source);
+      if (!scene.name.empty()) e.name = scene.name + ": " + e.name;
+      all.push_back(std::move(e));
+    }
+  }
+  return all;
+}
 
 CaseReport test_scene(const std::string& path) {
   const flow::Scene scene = flow::read_scene(path);

@@ -1,0 +1,305 @@
+// Sections of any system: the scenes of a system file.
+
+#include "flow/scene/system_section.hpp"
+#include "plot.hpp"
+#include "section_files.hpp"
+#include "symbol/document.hpp"
+#include "symbol/suggest.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kov::cli {
+namespace {
+
+using flow::Ended;
+using flow::Indicator;
+using flow::SystemScene;
+using flow::SystemSection;
+
+std::string levels_of(const SystemScene& s) {
+  std::string text;
+  for (const auto& level : s.levels)
+    text +=
+        fmt::format("{}{} = {}", text.empty() ? "" : ", ", level.function.text, level.value.text());
+  return text;
+}
+
+std::string parameters_of(const SystemScene& s) {
+  std::string text;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
+  };
+  for (const auto& [name, value] : s.system.values)
+    add(name, to_string(value));
+  for (const auto& [variable, value] : s.values)
+    add(s.system.ring()->name(variable), value.text());
+  return text;
+}
+
+std::string drifts_of(const SystemSection& r) {
+  std::string text;
+  for (std::size_t i = 0; i < r.integrals.size(); ++i)
+    text += fmt::format("{}{} {:.1e}", text.empty() ? "drift " : ", ", r.integrals[i], r.drifts[i]);
+  return text.empty() ? "no integrals to check" : text;
+}
+
+// Two lines: the mechanics; the numerics.
+std::vector<std::string> caption(const SystemScene& s, const SystemSection& r) {
+  std::string mechanics;
+  for (const std::string& part : {parameters_of(s), levels_of(s)})
+    if (!part.empty()) mechanics += part + "; ";
+  mechanics += fmt::format("section {}, {}", s.section.text,
+                           s.rising && s.falling ? "both directions"
+                           : s.rising            ? "upward"
+                                                 : "downward");
+  if (s.where) mechanics += fmt::format(", where {} > 0", s.where->text);
+  return {mechanics, fmt::format("{} orbits, {} points; Taylor order {}, {}, tolerance {}; {}",
+                                 r.orbits.size(), r.points.size(), r.order, r.arithmetic,
+                                 s.tolerance.text(), drifts_of(r))};
+}
+
+// What is missing in a result, in words; empty if nothing is.
+std::string shortfall(const SystemSection& r) {
+  std::string text;
+  const auto add = [&](std::size_t n, const std::string& what) {
+    if (n > 0)
+      text +=
+          fmt::format("{}{} of {} orbits {}", text.empty() ? "" : "; ", n, r.orbits.size(), what);
+  };
+  add(r.count(Ended::stopped), "were stopped before their end");
+  add(r.cut_short(), fmt::format("ended at the limit of {} before their last crossing",
+                                 r.has_time ? "points" : "steps"));
+  return text;
+}
+
+std::string partial(const SystemSection& r) {
+  const std::string missing = shortfall(r);
+  return missing.empty() ? "" : "PARTIAL: " + missing;
+}
+
+// A column has no spaces.
+std::string column(const std::string& text) {
+  std::string name;
+  for (const char c : text)
+    if (c != ' ' && c != '"') name += c;
+  return name;
+}
+
+double indicator_of(const SystemScene& s, const flow::DrawnOrbit& o) {
+  switch (s.indicator) {
+  case Indicator::megno:
+    return o.indicators.megno;
+  case Indicator::lyapunov:
+    return o.indicators.lyapunov;
+  case Indicator::fli:
+    return o.indicators.fli;
+  default:
+    return 0;
+  }
+}
+
+void write_points(const std::string& path, const SystemScene& s, const SystemSection& r) {
+  write_whole(path, [&](std::ofstream& out) {
+    if (const std::string missing = partial(r); !missing.empty())
+      fmt::print(out, "# {}\n", missing);
+    fmt::print(out, "# {}\n", s.title);
+    for (const std::string& line : caption(s, r))
+      fmt::print(out, "# {}\n", line);
+    const std::string colour = to_string(s.indicator);
+    fmt::print(out, "orbit t {} {}{}{}\n", column(s.plot[0].text), column(s.plot[1].text),
+               colour.empty() ? "" : " ", colour);
+    const int n = flow::digits_shown(s.tolerance, s.digits);
+    for (const auto& p : r.points) {
+      const std::string last =
+          colour.empty() ? "" : fmt::format(" {:.6g}", indicator_of(s, r.orbits[p.orbit]));
+      if (p.digits.empty())
+        fmt::print(out, "{} {:.{}g} {:.{}g} {:.{}g}{}\n", p.orbit, p.t, n, p.at[0], n, p.at[1], n,
+                   last);
+      else
+        fmt::print(out, "{} {}{}\n", p.orbit, p.digits, last);
+    }
+  });
+}
+
+void write_orbits(const std::string& path, const SystemScene& s, const SystemSection& r) {
+  write_whole(path, [&](std::ofstream& out) {
+    if (const std::string missing = partial(r); !missing.empty())
+      fmt::print(out, "# {}\n", missing);
+    const bool with = s.indicator != Indicator::none;
+    fmt::print(out, "orbit {}_0 {}_0 crossings tangencies steps time drift{} ended_by\n",
+               column(s.plot[0].text), column(s.plot[1].text),
+               with ? " lyapunov lyapunov_error fli megno" : "");
+    for (std::size_t i = 0; i < r.orbits.size(); ++i) {
+      const auto& o = r.orbits[i];
+      const auto& c = o.indicators;
+      const std::string chaos = with ? fmt::format(" {:.6g} {:.2g} {:.6g} {:.6g}", c.lyapunov,
+                                                   c.lyapunov_error, c.fli, c.megno)
+                                     : "";
+      fmt::print(out, "{} {:.12g} {:.12g} {} {} {} {:.8g} {:.2e}{} {}\n", i, o.start[0], o.start[1],
+                 o.crossings, o.tangencies, o.steps, o.time, o.drift, chaos, word(o.ended));
+    }
+  });
+}
+
+class SystemJob {
+public:
+  SystemJob(const std::string& file, const SystemScene& scene, const Settings& settings,
+            const SectionArguments& o, double seconds)
+      : file_(file), scene_(scene), settings_(settings), o_(o),
+        name_(scene.name.empty() ? name_of_files(file) : scene.name),
+        base_(base_of_files(settings, name_)), interrupt_(seconds) {}
+
+  int run() {
+    simulate();
+    if (!settings_.quiet) summary();
+    if (const std::string wrong = complaint(); !wrong.empty()) {
+      complain(settings_, file_ + ": " + wrong);
+      return result_.points.empty() ? exit_input : exit_undecided;
+    }
+    const int code = pictures();
+    if (shortfall(result_).empty()) return code;
+    if (interrupt_.flag()->load() && !interrupt_.timed_out()) return exit_interrupted; // by hand
+    complain(settings_, file_ + ": the result is partial, and its files say so");
+    return exit_undecided;
+  }
+
+private:
+  void write(const SystemSection& r) const {
+    write_points(base_ + ".dat", scene_, r);
+    write_orbits(base_ + ".orbits.dat", scene_, r);
+  }
+
+  void simulate() {
+    const auto begun = Clock::now();
+    auto written = begun;
+    double cost = 0;
+    OrbitProgress progress(name_, "orbits", !settings_.quiet);
+    flow::SystemSectionOptions options;
+    options.threads = o_.threads;
+    options.lanes = o_.lanes;
+    options.stop = interrupt_.flag();
+    options.progress = [&](std::size_t done, std::size_t all) { progress(done, all); };
+    options.finished_some = [&](const SystemSection& so_far) { // what a crash must not take away
+      if (seconds_since(written) < std::max(10.0, 20 * cost)) return;
+      const auto now = Clock::now();
+      write(so_far);
+      cost = seconds_since(now);
+      written = Clock::now();
+    };
+    result_ = flow::simulate(scene_, options);
+    seconds_ = seconds_since(begun);
+    write(result_);
+  }
+
+  // What is wrong with the result, in words; empty if nothing.
+  [[nodiscard]] std::string complaint() const {
+    for (std::size_t i = 0; i < result_.orbits.size(); ++i)
+      if (const auto& o = result_.orbits[i]; o.ended == Ended::broken)
+        return fmt::format("orbit {} could not be continued beyond t = {:.6g}", i, o.time);
+    if (result_.points.empty() && !result_.stopped)
+      return fmt::format("the section is never crossed by any of {} orbits", result_.orbits.size());
+    if (result_.drift > scene_.drift.as<double>())
+      return fmt::format("the integrals drift by {:.1e}, more than the {} that the scene allows; "
+                         "no picture is drawn "
+                         "(lower the tolerance)",
+                         result_.drift, scene_.drift.text());
+    return {};
+  }
+
+  void summary() const {
+    fmt::print("{}{}\n  {}\n", file_, scene_.name.empty() ? "" : ": " + scene_.name, scene_.title);
+    for (const std::string& line : caption(scene_, result_))
+      fmt::print("  {}\n", line);
+    if (result_.skipped > 0)
+      fmt::print("  {} places of the grid are not on the level\n", result_.skipped);
+    if (const std::size_t n = result_.count(Ended::singular); n > 0)
+      fmt::print("  {} of {} orbits end in a singularity of the field (a collision): their steps "
+                 "shrink to nothing\n",
+                 n, result_.orbits.size());
+    if (scene_.indicator != Indicator::none) chaos();
+    if (const std::string missing = partial(result_); !missing.empty())
+      fmt::print("  {}\n", missing);
+    fmt::print("  {:.2f} s; data {}.dat\n", seconds_, base_);
+  }
+
+  void chaos() const {
+    const auto most = std::max_element(
+        result_.orbits.begin(), result_.orbits.end(),
+        [](const auto& a, const auto& b) { return a.indicators.lyapunov < b.indicators.lyapunov; });
+    fmt::print("  largest Lyapunov exponent {:.4g} +- {:.1g} (orbit {}, numerically); <MEGNO> "
+               "above 3: {} of {} orbits\n",
+               most->indicators.lyapunov, most->indicators.lyapunov_error,
+               most - result_.orbits.begin(),
+               std::count_if(result_.orbits.begin(), result_.orbits.end(),
+                             [](const auto& o) { return o.indicators.megno > 3; }),
+               result_.orbits.size());
+  }
+
+  [[nodiscard]] int pictures() const {
+    PlanePlot plot;
+    const std::string missing = partial(result_);
+    plot.title = scene_.title + (missing.empty() ? "" : "  [" + missing + "]");
+    plot.caption = caption(scene_, result_);
+    for (std::size_t i = 0; i < 2; ++i) {
+      plot.labels[i] = scene_.plot[i].text;
+      plot.columns[i] = column(scene_.plot[i].text);
+    }
+    plot.angle = scene_.angle;
+    plot.colour = to_string(scene_.indicator);
+    plot.colour_label = scene_.indicator == Indicator::lyapunov ? "largest Lyapunov exponent"
+                        : scene_.indicator == Indicator::fli    ? "fast Lyapunov indicator"
+                                                                : "mean MEGNO (2: regular)";
+    plot.logarithmic = scene_.indicator == Indicator::megno;
+    plot.points = result_.points.size();
+    return draw(settings_, o_, interrupt_, base_, [&](const std::vector<std::string>& formats) {
+      return draw_plane(base_, plot, formats);
+    });
+  }
+
+  std::string file_;
+  const SystemScene& scene_;
+  const Settings& settings_;
+  const SectionArguments& o_;
+  std::string name_, base_;
+  Interrupt interrupt_;
+  SystemSection result_;
+  double seconds_ = 0;
+};
+
+std::vector<SystemScene> wanted(std::vector<SystemScene> scenes, const SectionArguments& o,
+                                const std::string& file) {
+  if (o.names.empty()) return scenes;
+  std::vector<std::string> names;
+  for (const SystemScene& s : scenes)
+    names.push_back(s.name);
+  for (const std::string& name : o.names)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw InputError(file, 0, 0, 1, "there is no scene '" + name + "'",
+                       "scenes: " + enumerate(names));
+  std::erase_if(scenes, [&](const SystemScene& s) {
+    return std::find(o.names.begin(), o.names.end(), s.name) == o.names.end();
+  });
+  return scenes;
+}
+
+} // namespace
+
+int system_sections(const Settings& settings, const SectionArguments& arguments,
+                    const std::string& file, const Entry& document, double seconds) {
+  if (arguments.fixed_points)
+    throw InputError(file, 0, 0, 1, "--fixed-points is for scenes of a rigid body ([body])");
+  const auto begun = Clock::now();
+  int code = exit_decided;
+  for (const SystemScene& scene : wanted(flow::read_system_scenes(document), arguments, file)) {
+    const double left = seconds > 0 ? std::max(seconds - seconds_since(begun), 1e-3) : 0;
+    code = std::max(code, SystemJob(file, scene, settings, arguments, left).run());
+    if (code == exit_interrupted) break;
+  }
+  return code;
+}
+
+} // namespace kov::cli
