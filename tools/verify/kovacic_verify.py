@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Independent checker for kovacic-certificate/1, kovacic-strata/1, kovacic-system/1 (Python 3 standard library only).
+"""Independent checker for kovacic-certificate/1, kovacic-strata/1, kovacic-system/1, kovacic-theorem/1 (Python 3 standard
+library only).
 
 A certificate proves a statement about the differential Galois group G of y'' = r(z) y, r = num/den in K(z), K = Q(a).
 docs/theory/certificates.md defines the format; the pages beside it prove the theorem behind each rule, and the numbers
@@ -8,7 +9,9 @@ Beside this file: certificate_format.py reads, equation.py, singular_points.py a
 conclusions.py the table of theorems, places.py the degree bounds, exact.py and modular.py the arithmetic.  strata.py,
 stratum.py, strata_leaves.py, strata_invariant.py, strata_format.py and multivariate.py are for equations with
 parameters (docs/theory/strata_certificates.md); system.py, system_format.py, phase_space.py, function_algebra.py,
-phase_curve.py, first_integrals.py and system_statement.py for mechanical systems (docs/theory/system_certificates.md).
+phase_curve.py, first_integrals.py and system_statement.py for mechanical systems (docs/theory/system_certificates.md);
+theorem.py, theorem_format.py, real_proof.py, tower.py, place.py, splitting.py, lowest_order.py and theorem_statement.py for
+theorems (docs/theory/theorem_certificates.md).
 
 usage: kovacic_verify.py [--strict] FILE...   (- is standard input)     exit 0 accepted, 1 rejected, 2 malformed
 """
@@ -17,6 +20,7 @@ import sys
 import statement
 import strata
 import system
+import theorem
 from certificate_format import CLAIM, Malformed, Rejected, load, need, parse
 from conclusions import COMPONENT, conclude
 from equation import Equation, Fact
@@ -79,6 +83,8 @@ def check(text):
     """The number of trusted steps, a summary and the lines of the statement; raises Malformed or Rejected."""
     top, Equation.spent, Work.left = parse(text), 0, 4 * 10**7
     form = top.get("format") if isinstance(top, dict) else None
+    if form == theorem.FORMAT:
+        return theorem.verify(top, prove)
     if form == system.FORMAT:
         return system.verify(top, prove)
     if form == strata.FORMAT:

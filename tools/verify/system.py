@@ -68,10 +68,9 @@ class Inner:
         return self.R.divided(self.R.sum(Element(self.R, {0: row}) * e**j for j, row in enumerate(rows) if row), f.q)
 
 
-def verify(top, prove):
-    """The number of trusted steps, a summary and the statement; prove checks ordinary certificates.  Raises Malformed or
+def accept(d, prove):
+    """What was read, checked: the curve, the claims with their functions and the inner certificate.  Raises Malformed or
     Rejected."""
-    d = read_system(top)
     try:
         space = PhaseSpace(d["system"], d["parameters"])
         claims = [(claim, space.need_claim(claim)) for claim in d["claims"]]
@@ -80,8 +79,15 @@ def verify(top, prove):
         inner = Inner(curve, d["equation"], prove)
         need(not normal.potential() * inner.den - inner.num, "the certificate is about another equation")
         need(inner.nowhere or not d["claim"]["not_integrable"], "the claim does not follow")
-        lines = statement(d, curve, claims, inner)
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
         raise Rejected(f"{type(why).__name__}: {why}") from None
+    return curve, claims, inner
+
+
+def verify(top, prove):
+    """The number of trusted steps, a summary and the statement; prove checks ordinary certificates."""
+    d = read_system(top)
+    curve, claims, inner = accept(d, prove)
+    lines = statement(d, curve, claims, inner)
     proved = "not integrable" if d["claim"]["not_integrable"] else "not integrable for some parameters"
     return inner.trust, f"{proved if inner.denials else 'nothing follows'}; ", lines

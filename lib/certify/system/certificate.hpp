@@ -5,6 +5,7 @@
 // comments are its rules).  Nothing here is checked beyond syntax and limits.
 
 #include "certify/strata/certificate.hpp"
+#include "certify/text/json_node.hpp"
 
 namespace kov::certify {
 
@@ -109,6 +110,11 @@ struct SystemCertificate {
 /// Throws InvalidArgument (one sentence, with the path of the offending entry) on anything that is
 /// not a certificate of this format or exceeds its limits.
 [[nodiscard]] SystemCertificate read_system_certificate(std::string_view text);
+/// The object `system` in other data.
+[[nodiscard]] PhaseSystem read_phase_system(const Node& n,
+                                            const std::vector<std::string>& parameters);
+/// "P" or ["P", "n"].
+[[nodiscard]] PhaseFunction read_phase_function(const Ring& ring, const Node& n);
 [[nodiscard]] std::string write_system_certificate(const SystemCertificate& c);
 
 } // namespace kov::certify

@@ -75,57 +75,35 @@ std::vector<std::pair<std::string, Node>> members(const Node& n) {
   return all;
 }
 
-class SystemReader {
+// The members of system_certificates.md 2 that belong to `system`.
+class PhaseReader {
 public:
-  explicit SystemReader(const Node& n) : top_(n) {}
-
-  SystemCertificate operator()() {
-    const Node format = top_.at("format");
-    if (format.text() != "kovacic-system/1") format.fail("not kovacic-system/1");
-    c_.way.title = top_.at("title").text();
-    parameters_ = texts(top_.at("parameters"), max_parameters);
-    read_system(top_.at("system"));
-    if (const auto claims = top_.find("claims"))
-      for (const Node& n : claims->items())
-        c_.way.claims.push_back(claim(n));
-    read_curve(top_.at("curve"));
-    read_normal(top_.at("normal"));
-    read_equation(top_.at("equation"));
-    Keys claim(top_.at("claim"));
-    const Node said = claim.at("not_integrable");
-    if (!said.json().truth()) said.fail("true or false is expected");
-    c_.not_integrable = *said.json().truth();
-    claim.done();
-    top_.done();
-    return std::move(c_);
-  }
+  PhaseReader(const Node& n, const std::vector<std::string>& parameters) { read(n, parameters); }
+  PhaseSystem take() { return std::move(s_); }
 
 private:
-  // ---- the system
-
-  void read_system(const Node& n) {
+  void read(const Node& n, const std::vector<std::string>& parameters) {
     Keys k(n);
-    PhaseSystem& s = c_.way.system;
     auto names = texts(k.at("coordinates"), max_coordinates);
-    s.dimension = names.size();
+    s_.dimension = names.size();
     const auto functions = k.find("functions");
     const auto inverses = k.find("inverses");
     for (const auto* list : {&functions, &inverses})
       if (*list)
         for (const Node& x : (*list)->items())
           names.push_back(Keys(x).at("name").text());
-    names.insert(names.end(), parameters_.begin(), parameters_.end());
+    names.insert(names.end(), parameters.begin(), parameters.end());
     if (names.size() > max_phase_names) n.fail("more than 64 names");
-    s.ring = ring_of(n, names);
+    s_.ring = ring_of(n, names);
     if (functions)
       for (const Node& x : functions->items())
-        s.functions.push_back(symbol(x));
+        s_.functions.push_back(symbol(x));
     if (inverses)
       for (const Node& x : inverses->items())
-        s.inverses.push_back(inverse(x));
+        s_.inverses.push_back(inverse(x));
     if (const auto relations = k.find("relations"))
       for (const Node& x : relations->items())
-        s.relations.push_back(poly(s.ring, x));
+        s_.relations.push_back(poly(s_.ring, x));
     read_field(k);
     k.done();
   }
@@ -142,36 +120,66 @@ private:
   MPoly inverse(const Node& n) {
     Keys k(n);
     static_cast<void>(k.at("name"));
-    MPoly h = poly(c_.way.system.ring, k.at("of"));
+    MPoly h = poly(s_.ring, k.at("of"));
     k.done();
     return h;
   }
   void read_field(Keys& k) {
-    PhaseSystem& s = c_.way.system;
     if (const auto field = k.find("field")) {
-      s.field = phase_functions(s.ring, *field);
-      if (s.field.size() != s.dimension) field->fail("one entry for each coordinate is expected");
+      s_.field = phase_functions(s_.ring, *field);
+      if (s_.field.size() != s_.dimension) field->fail("one entry for each coordinate is expected");
       return;
     }
-    s.hamiltonian = function(k.at("hamiltonian"));
+    s_.hamiltonian = function(k.at("hamiltonian"));
     for (const Node& n : k.at("brackets").items()) {
       const auto parts = n.items();
       if (parts.size() != 3) n.fail("two coordinates and their bracket are expected");
       PhaseBracket b{coordinate(parts[0], parts[0].text()), coordinate(parts[1], parts[1].text()),
                      function(parts[2])};
-      for (const PhaseBracket& x : s.brackets)
+      for (const PhaseBracket& x : s_.brackets)
         if (std::minmax(x.first, x.second) == std::minmax(b.first, b.second))
           n.fail("the pair occurs twice");
       if (b.first == b.second) n.fail("two different coordinates are expected");
-      s.brackets.push_back(std::move(b));
+      s_.brackets.push_back(std::move(b));
     }
   }
 
   [[nodiscard]] std::size_t coordinate(const Node& n, const std::string& name) const {
-    const auto i = c_.way.system.ring->find(name);
-    if (!i || *i >= c_.way.system.dimension) n.fail("a coordinate is expected");
+    const auto i = s_.ring->find(name);
+    if (!i || *i >= s_.dimension) n.fail("a coordinate is expected");
     return *i;
   }
+  [[nodiscard]] PhaseFunction function(const Node& n) const { return phase_function(s_.ring, n); }
+
+  PhaseSystem s_;
+};
+
+class SystemReader {
+public:
+  explicit SystemReader(const Node& n) : top_(n) {}
+
+  SystemCertificate operator()() {
+    const Node format = top_.at("format");
+    if (format.text() != "kovacic-system/1") format.fail("not kovacic-system/1");
+    c_.way.title = top_.at("title").text();
+    parameters_ = texts(top_.at("parameters"), max_parameters);
+    c_.way.system = PhaseReader(top_.at("system"), parameters_).take();
+    if (const auto claims = top_.find("claims"))
+      for (const Node& n : claims->items())
+        c_.way.claims.push_back(claim(n));
+    read_curve(top_.at("curve"));
+    read_normal(top_.at("normal"));
+    read_equation(top_.at("equation"));
+    Keys claim(top_.at("claim"));
+    const Node said = claim.at("not_integrable");
+    if (!said.json().truth()) said.fail("true or false is expected");
+    c_.not_integrable = *said.json().truth();
+    claim.done();
+    top_.done();
+    return std::move(c_);
+  }
+
+private:
   [[nodiscard]] PhaseFunction function(const Node& n) const {
     return phase_function(c_.way.system.ring, n);
   }
@@ -301,6 +309,14 @@ private:
 };
 
 } // namespace
+
+PhaseSystem read_phase_system(const Node& n, const std::vector<std::string>& parameters) {
+  return PhaseReader(n, parameters).take();
+}
+
+PhaseFunction read_phase_function(const Ring& ring, const Node& n) {
+  return phase_function(ring, n);
+}
 
 SystemCertificate read_system_certificate(std::string_view text) {
   if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");

@@ -1,0 +1,488 @@
+#include "certify/theorem/check.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "certify/system/check.hpp"
+#include "certify/text/limits.hpp"
+#include "certify/theorem/fact.hpp"
+#include "certify/theorem/lowest_order.hpp"
+#include "certify/theorem/splitting.hpp"
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+constexpr std::size_t max_families = 40, max_theorem_steps = 200, max_word = 40;
+constexpr std::size_t max_proof_nodes = 200000;
+constexpr int max_json_depth = 512;
+
+// The coefficients of a polynomial in one more name, z.
+Coefficients in_z(const Ring& ring, const std::string& z, const Node& at, const MPoly& f) {
+  const auto i = f.ring()->find(z);
+  if (!i) at.fail("the variable is missing");
+  Coefficients all;
+  for (const MPoly& c : coefficients(f, *i)) {
+    MPoly moved(ring);
+    for (long t = 0; t < c.length(); ++t) {
+      std::vector<unsigned long> e(ring->size(), 0);
+      const auto from = c.exponents(t);
+      for (std::size_t j = 0; j < from.size(); ++j)
+        if (from[j] > 0) {
+          const auto k = ring->find(c.ring()->name(j));
+          need(k.has_value(), "a denominator uses the tower");
+          e[*k] = from[j];
+        }
+      moved = moved + MPoly::term(ring, c.coefficient(t), e);
+    }
+    all.push_back(moved);
+  }
+  return all;
+}
+
+AskedCondition not_all_zero(std::vector<MPoly> all, const Ring& ring) {
+  if (all.empty()) all.emplace_back(ring);
+  return {false, Sign::nonzero, MPoly(ring), std::move(all)};
+}
+
+class Steps {
+public:
+  explicit Steps(const Node& top) : top_(top) {}
+
+  std::variant<TheoremAccepted, Rejected> operator()() {
+    Keys k(top_);
+    static_cast<void>(k.at("format").text());
+    static_cast<void>(k.at("title").text());
+    const auto families = k.at("systems").items(), steps = k.at("steps").items();
+    k.done();
+    if (families.size() > max_families || steps.empty() || steps.size() > max_theorem_steps)
+      top_.fail("too many systems or steps");
+    std::string at = "systems";
+    try {
+      for (const Node& n : families)
+        put_family(n);
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        at = "step " + quoted_id(steps[i]);
+        step(steps[i], i + 1 == steps.size());
+      }
+      at = "";
+      for (std::size_t i = 0; i + 1 < steps.size(); ++i)
+        need(named_.contains(Keys(steps[i]).at("id").text()), "a step is not used");
+    } catch (const Refused& no) {
+      return Rejected{at, no.why, no.limit};
+    } catch (const InvalidArgument&) {
+      throw;
+    } catch (const std::exception& e) {
+      return Rejected{at, e.what()};
+    }
+    return accepted();
+  }
+
+private:
+  static std::string quoted_id(const Node& n) {
+    Keys k(n);
+    std::string id = k.at("id").text().substr(0, 60);
+    for (char& c : id)
+      if (c < ' ' || c > '~') c = '?';
+    return "'" + id + "' (" + k.at("rule").text().substr(0, 20) + ")";
+  }
+
+  TheoremAccepted accepted() const {
+    TheoremAccepted yes{0, 0, theorem_statement(*last_, parts_, symmetries_)};
+    for (const NamedTheorem& t : named_theorems()) {
+      if (!last_->used.contains(t.id)) continue;
+      ++yes.theorems;
+      for (const auto& [how, what] : t.hypotheses)
+        yes.unchecked += how == "NOT CHECKED" ? 1 : 0;
+    }
+    return yes;
+  }
+
+  void put_family(const Node& n) {
+    Arithmetic a;
+    auto f = std::make_unique<Family>(read_family(n, a));
+    for (const auto& g : families_)
+      if (g->name == f->name) n.fail("a system occurs twice");
+    families_.push_back(std::move(f));
+  }
+
+  void step(const Node& n, bool is_last) {
+    Keys k(n);
+    const std::string id = k.at("id").text(), rule = k.at("rule").text();
+    need(!facts_.contains(id), "the id occurs twice");
+    need((rule == "cover") == is_last, "the last step is a cover, and no other");
+    arithmetic_ = Arithmetic();
+    TheoremFact f = rule == "certificate"    ? certificate(k)
+                    : rule == "literature"   ? literature(k)
+                    : rule == "integrals"    ? integrals(k)
+                    : rule == "splitting"    ? splitting(k)
+                    : rule == "place"        ? place(k)
+                    : rule == "symmetry"     ? symmetry(k)
+                    : rule == "lowest-order" ? lowest_order(k)
+                    : rule == "cover"        ? cover(k)
+                                             : (n.fail("an unknown rule"), TheoremFact{});
+    k.done();
+    last_ = &facts_.emplace(id, std::move(f)).first->second;
+  }
+
+  const Family& family(Keys& k) {
+    const std::string name = k.at("system").text();
+    const auto found = std::find_if(families_.begin(), families_.end(),
+                                    [&](const auto& f) { return f->name == name; });
+    need(found != families_.end(), "there is no such system");
+    return **found;
+  }
+  const TheoremFact& fact(const Node& n) {
+    const auto found = facts_.find(n.text());
+    need(found != facts_.end(), "there is no such step before");
+    named_.insert(n.text());
+    return found->second;
+  }
+  static void need_kind(const TheoremFact& f, bool right) {
+    static_cast<void>(f);
+    need(right, "the step says something else");
+  }
+
+  // ---- 5
+
+  TheoremFact certificate(Keys& k) {
+    const Node inner = k.at("certificate");
+    SystemCertificate c = [&] {
+      try {
+        return read_system_certificate(to_string(inner.json()));
+      } catch (const InvalidArgument& e) {
+        inner.fail(e.what());
+      }
+    }();
+    const auto verdict = check_way(c);
+    if (const auto* no = std::get_if<Rejected>(&verdict))
+      throw Refused{no->step + ": " + no->why, no->limit};
+    const auto& yes = std::get<SystemAccepted>(verdict);
+    need(yes.trusted == 0 && yes.not_integrable,
+         "not proved for all parameters, or not without trust");
+    need(c.way.system.hamiltonian && yes.integrals.symbols.empty() && yes.integrals.without.empty(),
+         "another class");
+    TheoremFact f;
+    f.classes = {class_of(c, yes)};
+    f.used = {"Morales-Ramis"};
+    f.system = std::make_shared<PhaseSystem>(c.way.system);
+    f.target = Target{f.system.get(), asked(c, inner)};
+    static_cast<void>(used_names(*f.system));
+    return f;
+  }
+  static std::string class_of(const SystemCertificate& c, const SystemAccepted& yes) {
+    const auto lines = statement(c, yes);
+    const std::string before = "is not integrable in Liouville's sense with first integrals that "
+                               "are ",
+                      after = " (Morales-Ramis), as";
+    for (const std::string& line : lines)
+      if (line.starts_with(before) && line.ends_with(after))
+        return line.substr(before.size(), line.size() - before.size() - after.size());
+    throw Refused{"another class"};
+  }
+  static std::vector<AskedCondition> asked(const SystemCertificate& c, const Node& at) {
+    std::vector<AskedCondition> all;
+    const Ring& ring = c.way.system.ring;
+    if (const auto* x = std::get_if<StrataCertificate>(&c.equation)) ask_strata(all, *x, c, at);
+    const PhaseCurve& curve = c.way.curve;
+    for (const MPoly& d : curve.denominators)
+      all.push_back(not_all_zero(in_z(ring, curve.ring->name(curve.z()), at, d), ring));
+    return all;
+  }
+  static void ask_strata(std::vector<AskedCondition>& all, const StrataCertificate& x,
+                         const SystemCertificate& c, const Node& at) {
+    const Ring& ring = c.way.system.ring;
+    need(x.memberships.empty() &&
+             std::none_of(x.rational.begin(), x.rational.end(), [](bool b) { return b; }),
+         "memberships are not looked at here");
+    for (std::size_t i = 1; i < x.ring->size(); ++i) {
+      const auto j = ring->find(x.ring->name(i));
+      need(j && *j >= c.way.system.first_parameter(), "an algebraic constant among the parameters");
+    }
+    const auto moved = [&](const MPoly& f) {
+      return only(in_z(ring, x.ring->name(0), at, f), ring);
+    };
+    for (std::size_t i = 1; i < x.ring->size(); ++i)
+      if (x.real[i]) all.push_back({true, Sign::nonzero, moved(MPoly::variable(x.ring, i))});
+    for (const Condition& f : x.assumptions)
+      all.push_back({false, f.sign, moved(f.p)});
+    for (const auto& group : x.generic) {
+      std::vector<MPoly> members;
+      for (const MPoly& f : group)
+        members.push_back(moved(f));
+      all.push_back(not_all_zero(std::move(members), ring));
+    }
+    all.push_back(not_all_zero(in_z(ring, x.ring->name(0), at, x.r.den), ring));
+  }
+  static MPoly only(const Coefficients& c, const Ring& ring) {
+    return c.empty() ? MPoly(ring) : c.front();
+  }
+
+  TheoremFact literature(Keys& k) {
+    need(k.at("theorem").text() == "Ziglin 1983", "an unknown theorem");
+    const Family& y = family(k);
+    const Json json = parse_json(symmetric_heavy_top());
+    const Family known = read_family(Node(json, "Ziglin 1983", rationals()), arithmetic_);
+    const auto same = [](const PhaseFunction& f, const PhaseFunction& g) {
+      return f.n == g.n && to_string(f.p) == to_string(g.p);
+    };
+    const PhaseSystem &s = y.system, &t = known.system;
+    bool equal = s.ring->names() == t.ring->names() && s.dimension == t.dimension &&
+                 same(*s.hamiltonian, *t.hamiltonian) && s.brackets.size() == t.brackets.size() &&
+                 s.inverses.size() == t.inverses.size() &&
+                 y.assumptions.size() == known.assumptions.size();
+    for (std::size_t i = 0; equal && i < s.inverses.size(); ++i)
+      equal = to_string(s.inverses[i]) == to_string(t.inverses[i]);
+    for (std::size_t i = 0; equal && i < s.brackets.size(); ++i)
+      equal = s.brackets[i].first == t.brackets[i].first &&
+              s.brackets[i].second == t.brackets[i].second &&
+              same(s.brackets[i].value, t.brackets[i].value);
+    for (std::size_t i = 0; equal && i < y.assumptions.size(); ++i)
+      equal = y.assumptions[i].sign == known.assumptions[i].sign &&
+              to_string(y.assumptions[i].p) == to_string(known.assumptions[i].p);
+    need(equal, "not the system of the theorem");
+    TheoremFact f;
+    f.family = &y;
+    f.classes = {on_leaves};
+    f.used = {"Ziglin 1983"};
+    return f;
+  }
+
+  TheoremFact integrals(Keys& k) {
+    const Family& y = family(k);
+    const PhaseSpace space(y.system, arithmetic_);
+    const auto field = space.field();
+    TheoremFact f;
+    f.kind = FactKind::integrals;
+    f.family = &y;
+    ClaimedIntegrals all{&y, {}, functions(y, k.at("level"))};
+    for (const PhaseFunction& g : all.level)
+      space.need_cleared(along(space, y, field, g), {}, "the level is not invariant");
+    const auto claims = k.at("claims").items();
+    if (claims.empty()) k.at("claims").fail("nothing is claimed");
+    const Functions in(y.system.ring, arithmetic_);
+    for (const Node& n : claims) {
+      Keys c(n);
+      const PhaseFunction value = function(y, c.at("value"));
+      const auto cofactors = functions(y, c.at("cofactors"));
+      if (cofactors.size() != all.level.size()) n.fail("a cofactor for each function is expected");
+      PhaseFunction rest = along(space, y, field, value);
+      for (std::size_t i = 0; i < cofactors.size(); ++i)
+        rest = in.minus(rest, in.times(cofactors[i], all.level[i]));
+      space.need_cleared(rest, {}, "not a first integral");
+      all.claims.emplace_back(c.at("name").text(), value);
+      c.done();
+    }
+    f.integrals.push_back(std::move(all));
+    return f;
+  }
+  static PhaseFunction function(const Family& y, const Node& n) {
+    PhaseFunction f = read_phase_function(y.system.ring, n);
+    if (is_zero(f.n)) n.fail("a number is 0");
+    return f;
+  }
+  static std::vector<PhaseFunction> functions(const Family& y, const Node& n) {
+    std::vector<PhaseFunction> all;
+    for (const Node& x : n.items())
+      all.push_back(function(y, x));
+    return all;
+  }
+  static PhaseFunction along(const PhaseSpace& space, const Family& y,
+                             const std::vector<PhaseFunction>& field, const PhaseFunction& f) {
+    std::vector<PhaseFunction> df;
+    for (std::size_t j = 0; j < y.system.dimension; ++j)
+      df.push_back(space.partial(f, j));
+    return space.product(field, df);
+  }
+
+  TheoremFact splitting(Keys& k) {
+    TheoremFact f;
+    f.family = &family(k);
+    f.region = need_splitting(*f.family, k, arithmetic_, nodes_);
+    f.classes = {real_analytic};
+    f.used = {"Ziglin 1980"};
+    return f;
+  }
+
+  // ---- 4
+
+  ParameterFunctions read_at(const Family& x, const Node& n) {
+    ParameterFunctions at;
+    for (const Node& row : n.items()) {
+      const auto pair = row.items();
+      if (pair.size() != 2) row.fail("a parameter and its value are expected");
+      const auto i = x.system.ring->find(pair[0].text());
+      if (!i || !x.is_parameter(*i)) row.fail("a parameter is expected");
+      need(!at.contains(*i), "a parameter is put twice");
+      at[*i] = function(x, pair[1]);
+    }
+    for (const auto& [i, f] : at)
+      for (const std::size_t j : used_variables(f.p))
+        need(x.is_parameter(j) && !at.contains(j),
+             "a function of the other parameters is expected");
+    return at;
+  }
+
+  TheoremFact place(Keys& k) {
+    const Family& x = family(k);
+    const TheoremFact& of = fact(k.at("of"));
+    need_kind(of, of.kind != FactKind::symmetry);
+    const ParameterFunctions at = read_at(x, k.at("at"));
+    const Conditions region = x.region(k.at("region"));
+    const Target y = of.target
+                         ? *of.target
+                         : target_of(*of.family, of.region, of.kind == FactKind::not_integrable);
+    const Map map(x, at, region, y, k, arithmetic_, nodes_);
+    need(!has(of, real_analytic) || !map.has_roots(), "a real system, and a root");
+    if (has(of, on_leaves)) map.need_level(rigid_level);
+    TheoremFact f;
+    f.kind = of.kind;
+    f.family = &x;
+    f.classes = of.classes;
+    f.integrals = of.integrals;
+    f.used = of.used;
+    for (const auto& [i, value] : at)
+      f.region.push_back(
+          {scaled(MPoly::variable(x.system.ring, i), value.n) - value.p, Sign::zero});
+    f.region.insert(f.region.end(), region.begin(), region.end());
+    return f;
+  }
+  static bool has(const TheoremFact& f, const char* integrals) {
+    return std::find(f.classes.begin(), f.classes.end(), integrals) != f.classes.end();
+  }
+
+  TheoremFact symmetry(Keys& k) {
+    const Family& x = family(k);
+    if (!k.at("adjoined").items().empty()) k.at("adjoined").fail("nothing is adjoined");
+    auto map = std::make_shared<Map>(x, ParameterFunctions{}, Conditions{}, target_of(x, {}, false),
+                                     k, arithmetic_, nodes_);
+    need(!map->moves_origin(), "the origin moves");
+    for (std::size_t i = x.system.first_parameter(); i < x.system.ring->size(); ++i)
+      need(map->parameter(i).n == Integer(1), "a number below");
+    TheoremFact f;
+    f.kind = FactKind::symmetry;
+    f.family = &x;
+    f.map = std::move(map);
+    return f;
+  }
+
+  TheoremFact lowest_order(Keys& k) {
+    const Family& x = family(k);
+    const TheoremFact& of = fact(k.at("of"));
+    need_kind(of, of.kind == FactKind::not_integrable);
+    need(of.family != nullptr, "the step is about a system of a certificate");
+    need_lowest_order(x, *of.family, k, arithmetic_, nodes_);
+    TheoremFact f;
+    f.family = &x;
+    f.region = renamed(of.region, x);
+    f.classes = of.classes;
+    f.classes.emplace_back(near_origin);
+    f.used = of.used;
+    f.used.insert("Ziglin 1982");
+    return f;
+  }
+
+  // ---- 8
+
+  TheoremFact cover(Keys& k) {
+    const Family& x = family(k);
+    TheoremFact all;
+    all.family = &x;
+    for (const Node& n : k.at("symmetries").items())
+      symmetries_.push_back(&of_kind(n, x, FactKind::symmetry, FactKind::symmetry));
+    for (const Node& n : k.at("parts").items())
+      parts_.push_back(&of_kind(n, x, FactKind::not_integrable, FactKind::integrals));
+    for (const TheoremFact* f : parts_) {
+      for (const std::string& c : f->classes)
+        if (!has(all, c.c_str())) all.classes.push_back(c);
+      all.used.insert(f->used.begin(), f->used.end());
+    }
+    need(!all.classes.empty(), "nothing says that it is not integrable");
+    if (has(all, on_leaves))
+      for (const TheoremFact* f : symmetries_)
+        f->map->need_level(rigid_level);
+    RealProof(x.system.ring, parameters(x), arithmetic_, nodes_)
+        .refute(k.at("tree"), x.assumptions,
+                [&](const Node& n, const Conditions& given) { part(n, given, x); });
+    return all;
+  }
+  const TheoremFact& of_kind(const Node& n, const Family& x, FactKind one, FactKind other) {
+    const TheoremFact& f = fact(n);
+    need_kind(f, f.kind == one || f.kind == other);
+    need(f.family == &x, "a step is about another system");
+    return f;
+  }
+  static std::vector<bool> parameters(const Family& x) {
+    std::vector<bool> real(x.system.ring->size(), false);
+    for (std::size_t i = x.system.first_parameter(); i < real.size(); ++i)
+      real[i] = true;
+    return real;
+  }
+
+  void part(const Node& n, const Conditions& given, const Family& x) {
+    Keys k(n);
+    if (k.at("node").text() != "part") n.fail("an unknown node");
+    const TheoremFact& f = *parts_[index(k.at("part"), parts_.size(), "no such part")];
+    const auto word = k.at("word").items(), shown = k.at("shown").items();
+    need(word.size() <= max_word, "no such part");
+    if (shown.size() != f.region.size()) n.fail("each condition of the part must be shown");
+    RealProof proof(x.system.ring, parameters(x), arithmetic_, nodes_);
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      MPoly g = f.region[i].p;
+      for (const Node& w : word)
+        g = symmetries_[index(w, symmetries_.size(), "no such symmetry")]->map->phi(g).p;
+      proof.show({back(g, x), f.region[i].sign}, shown[i], given);
+    }
+    k.done();
+  }
+  // The ring of a symmetry has the names of the family.
+  static MPoly back(const MPoly& f, const Family& x) {
+    return f.ring() == x.system.ring || is_zero(f) ? (is_zero(f) ? MPoly(x.system.ring) : f)
+                                                   : renamed({{f, Sign::zero}}, x).front().p;
+  }
+  static std::size_t index(const Node& n, std::size_t size, const char* why) {
+    const long i = n.count();
+    need(i >= 0 && static_cast<std::size_t>(i) < size, why);
+    return static_cast<std::size_t>(i);
+  }
+
+  Node top_;
+  std::vector<std::unique_ptr<Family>> families_;
+  std::map<std::string, TheoremFact> facts_;
+  std::set<std::string> named_;
+  std::vector<const TheoremFact*> parts_, symmetries_;
+  const TheoremFact* last_ = nullptr;
+  Arithmetic arithmetic_;
+  std::size_t nodes_ = max_proof_nodes;
+};
+
+} // namespace
+
+Family read_family(const Node& n, Arithmetic& a) {
+  Keys k(n);
+  Family f;
+  f.name = k.at("name").text();
+  std::vector<std::string> parameters;
+  for (const Node& x : k.at("parameters").items())
+    parameters.push_back(x.text());
+  if (parameters.size() > max_parameters) n.fail("too many parameters");
+  const Node system = k.at("system");
+  f.system = read_phase_system(system, parameters);
+  if (!f.system.hamiltonian || !f.system.functions.empty() || !f.system.relations.empty())
+    system.fail("a Hamiltonian and brackets are expected, and nothing else");
+  const PhaseSpace space(f.system, a);
+  space.need_symbols();
+  static_cast<void>(space.field());
+  f.assumptions = f.region(k.at("assumptions"));
+  k.done();
+  return f;
+}
+
+std::variant<TheoremAccepted, Rejected> check_theorem(std::string_view text) {
+  if (text.size() > max_text) throw InvalidArgument("the certificate is longer than 2^28 bytes");
+  const Json json = parse_json(text, max_json_depth);
+  return Steps(Node(json, "certificate", rationals()))();
+}
+
+} // namespace kov::certify

@@ -1,0 +1,25 @@
+#pragma once
+// The judge of certificates of a theorem, kovacic-theorem/1: docs/theory/theorem_certificates.md.
+// It links lib/exact only and searches for nothing.
+
+#include "certify/equation/check.hpp"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace kov::certify {
+
+struct TheoremAccepted {
+  std::size_t theorems = 0;  ///< of the literature, used and not proved here
+  std::size_t unchecked = 0; ///< hypotheses of these that nothing checks
+  std::vector<std::string> statement;
+};
+
+/// Throws InvalidArgument on what is not a certificate of this format.  Rejected::step is the step
+/// with its rule.
+/// Cost  counted polynomial products (Arithmetic), for each step
+[[nodiscard]] std::variant<TheoremAccepted, Rejected> check_theorem(std::string_view text);
+
+} // namespace kov::certify

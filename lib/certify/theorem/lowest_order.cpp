@@ -1,0 +1,210 @@
+#include "certify/theorem/lowest_order.hpp"
+
+#include "certify/equation/facts.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace kov::certify {
+
+namespace {
+
+using Exponents = std::vector<unsigned long>;
+
+class LowestOrder {
+public:
+  LowestOrder(const Family& x, const Family& y, Keys& k, Arithmetic& a, std::size_t& nodes_left)
+      : x_(x), y_(y), k_(k), a_(a), nodes_(nodes_left) {}
+
+  void operator()() {
+    const PhaseSystem &s = x_.system, &t = y_.system;
+    need_same_names();
+    read_weights(k_.at("weights"));
+    need_bracket();
+    const long given = k_.at("degree").count();
+    if (given < 0 || given > 1000000) k_.at("degree").fail("a degree is out of range");
+    const auto degree = static_cast<unsigned long>(given);
+    need(lowest(t.hamiltonian->p) >= degree && highest(t.hamiltonian->p) <= degree,
+         "not homogeneous");
+    for (const MPoly& h : t.inverses)
+      need(highest(h) == 0, "not a polynomial");
+    need_difference(degree, s);
+  }
+
+private:
+  void need_same_names() const {
+    const PhaseSystem &s = x_.system, &t = y_.system;
+    const auto names = [](const PhaseSystem& z, std::size_t from, std::size_t to) {
+      const auto& all = z.ring->names();
+      return std::vector<std::string>(all.begin() + static_cast<long>(from),
+                                      all.begin() + static_cast<long>(to));
+    };
+    need(names(s, 0, s.dimension) == names(t, 0, t.dimension) &&
+             names(s, s.first_parameter(), s.ring->size()) ==
+                 names(t, t.first_parameter(), t.ring->size()),
+         "other names");
+    const Conditions assumed = renamed(y_.assumptions, x_);
+    for (const Condition& c : assumed)
+      need(std::find(x_.assumptions.begin(), x_.assumptions.end(), c) != x_.assumptions.end(),
+           "it assumes more");
+    need(s.brackets.size() == t.brackets.size(), "another bracket");
+    for (std::size_t i = 0; i < s.brackets.size(); ++i) {
+      const PhaseBracket &b = s.brackets[i], &c = t.brackets[i];
+      need(b.first == c.first && b.second == c.second && b.value.n == c.value.n &&
+               to_string(b.value.p) == to_string(c.value.p),
+           "another bracket");
+    }
+  }
+
+  void read_weights(const Node& n) {
+    for (const Node& w : n.items()) {
+      const long x = w.count();
+      if (x < 1 || x > 1000) w.fail("a weight of 1 or more is expected");
+      weights_.push_back(static_cast<unsigned long>(x));
+    }
+    if (weights_.size() != x_.system.dimension) n.fail("a weight for each coordinate is expected");
+  }
+  [[nodiscard]] unsigned long weight(const Exponents& e) const {
+    unsigned long sum = 0;
+    for (std::size_t i = 0; i < weights_.size(); ++i)
+      sum += weights_[i] * e[i];
+    return sum;
+  }
+  // Of 0: at least everything, at most nothing.
+  [[nodiscard]] unsigned long lowest(const MPoly& f) const {
+    unsigned long low = ~0UL;
+    for (long t = 0; t < f.length(); ++t)
+      low = std::min(low, weight(f.exponents(t)));
+    return low;
+  }
+  [[nodiscard]] unsigned long highest(const MPoly& f) const {
+    unsigned long high = 0;
+    for (long t = 0; t < f.length(); ++t)
+      high = std::max(high, weight(f.exponents(t)));
+    return high;
+  }
+
+  void need_bracket() const {
+    std::set<long> shifts;
+    const PhaseSystem& s = x_.system;
+    for (const PhaseBracket& b : s.brackets)
+      for (long t = 0; t < b.value.p.length(); ++t) {
+        const Exponents e = b.value.p.exponents(t);
+        for (std::size_t u = s.first_inverse(); u < s.first_parameter(); ++u)
+          need(e[u] == 0, "the bracket mixes orders");
+        shifts.insert(static_cast<long>(weights_[b.first] + weights_[b.second]) -
+                      static_cast<long>(weight(e)));
+      }
+    need(shifts.size() <= 1, "the bracket mixes orders");
+  }
+
+  // The orders of the inverses of X, and what they add for this polynomial.
+  unsigned long read_orders(const MPoly& difference) {
+    const PhaseSystem& s = x_.system;
+    const Node n = k_.at("orders");
+    const auto rows = n.items();
+    if (rows.size() != s.inverses.size()) n.fail("an order for each inverse is expected");
+    unsigned long sum = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      Keys row(rows[i]);
+      const std::size_t u = s.first_inverse() + i;
+      if (row.at("inverse").text() != s.ring->name(u)) rows[i].fail("another inverse is expected");
+      const long given = row.at("order").count();
+      if (given < 0 || given > 1000000) rows[i].fail("an order is out of range");
+      const auto order = static_cast<unsigned long>(given);
+      const MPoly part = read_poly(s.ring, row.at("part"));
+      x_.need_parameters(part);
+      need(lowest(s.inverses[i]) >= order, "an order is another one");
+      need(has_part(s.inverses[i], order, part), "no such part of lowest order");
+      std::vector<bool> real(s.ring->size(), false);
+      std::fill(real.begin() + static_cast<long>(s.first_parameter()), real.end(), true);
+      RealProof(s.ring, real, a_, nodes_).show({part, Sign::nonzero}, row.at("by"), x_.assumptions);
+      row.done();
+      sum += static_cast<unsigned long>(std::max(0L, kov::degree(difference, u))) * order;
+    }
+    return sum;
+  }
+  [[nodiscard]] bool has_part(const MPoly& h, unsigned long order, const MPoly& part) const {
+    std::map<Exponents, MPoly> all;
+    for (long t = 0; t < h.length(); ++t) {
+      Exponents e = h.exponents(t);
+      if (weight(e) != order) continue;
+      Exponents monomial(e.begin(), e.begin() + static_cast<long>(weights_.size()));
+      std::fill(e.begin(), e.begin() + static_cast<long>(weights_.size()), 0UL);
+      MPoly& sum = all.try_emplace(monomial, MPoly(h.ring())).first->second;
+      sum = sum + MPoly::term(h.ring(), h.coefficient(t), e);
+    }
+    return std::any_of(all.begin(), all.end(), [&](const auto& x) { return x.second == part; });
+  }
+
+  // The names of X, then the inverses of Y.
+  void need_difference(unsigned long degree, const PhaseSystem& s) {
+    const PhaseSystem& t = y_.system;
+    auto names = s.ring->names();
+    for (std::size_t i = 0; i < t.inverses.size(); ++i)
+      names.push_back("_inverse_" + std::to_string(i));
+    need(names.size() <= 64, "too many names");
+    const Ring both = make_ring(names);
+    const Functions in(both, a_);
+    const auto ours = [&](const PhaseFunction& f) { return in.composed(f, images(s, both, 0)); };
+    const auto theirs = [&](const PhaseFunction& f) {
+      return in.composed(f, images(t, both, s.ring->size()));
+    };
+    MPoly f = in.minus(ours(*s.hamiltonian), theirs(*t.hamiltonian)).p;
+    const unsigned long bound = degree + read_orders(f);
+    const auto clear = [&](std::size_t u, const MPoly& h) {
+      MPoly sum(both);
+      for (const MPoly& c : coefficients(f, u))
+        sum = a_.plus(a_.times(sum, h), c);
+      f = std::move(sum);
+    };
+    for (std::size_t i = 0; i < s.inverses.size(); ++i)
+      clear(s.first_inverse() + i, ours({s.inverses[i], Integer(1)}).p);
+    for (std::size_t i = 0; i < t.inverses.size(); ++i)
+      clear(s.ring->size() + i, theirs({t.inverses[i], Integer(1)}).p);
+    need(is_zero(f) || lowest(f) > bound, "another system of lowest order");
+  }
+  // Names of X, or of Y with its inverses at this place.
+  [[nodiscard]] std::vector<std::optional<PhaseFunction>>
+  images(const PhaseSystem& z, const Ring& both, std::size_t inverses) const {
+    std::vector<std::optional<PhaseFunction>> all;
+    for (std::size_t i = 0; i < z.ring->size(); ++i) {
+      const bool is_inverse = i >= z.first_inverse() && i < z.first_parameter();
+      const std::size_t at = is_inverse && inverses > 0 ? inverses + i - z.first_inverse()
+                                                        : both->index(z.ring->name(i));
+      all.emplace_back(PhaseFunction{MPoly::variable(both, at), Integer(1)});
+    }
+    return all;
+  }
+
+  const Family &x_, &y_;
+  Keys& k_;
+  Arithmetic& a_;
+  std::size_t& nodes_;
+  std::vector<unsigned long> weights_;
+};
+
+} // namespace
+
+Conditions renamed(const Conditions& of_y, const Family& x) {
+  Conditions all;
+  for (const Condition& c : of_y) {
+    MPoly p(x.system.ring);
+    for (long t = 0; t < c.p.length(); ++t) {
+      Exponents e(x.system.ring->size(), 0);
+      const Exponents from = c.p.exponents(t);
+      for (std::size_t i = 0; i < from.size(); ++i)
+        if (from[i] > 0) e[x.system.ring->index(c.p.ring()->name(i))] = from[i];
+      p = p + MPoly::term(x.system.ring, c.p.coefficient(t), e);
+    }
+    all.push_back({p, c.sign});
+  }
+  return all;
+}
+
+void need_lowest_order(const Family& x, const Family& y, Keys& data, Arithmetic& a,
+                       std::size_t& nodes_left) {
+  LowestOrder(x, y, data, a, nodes_left)();
+}
+
+} // namespace kov::certify

@@ -1,0 +1,352 @@
+#include "certify/theorem/place.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "certify/text/limits.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+std::string name_of(const Node& n) { return Keys(n).at("name").text(); }
+
+// The same polynomial in a ring that begins with the same names.
+MPoly widened(const MPoly& f, const Ring& ring) {
+  MPoly g(ring);
+  for (long i = 0; i < f.length(); ++i) {
+    auto e = f.exponents(i);
+    e.resize(ring->size(), 0);
+    fmpz_mpoly_push_term_fmpz_ui(g.raw(), f.coefficient(i).raw(), e.data(), g.ctx());
+  }
+  fmpz_mpoly_sort_terms(g.raw(), g.ctx());
+  return g;
+}
+
+// f = c primitive, c > 0
+Integer content_of(const MPoly& f, const MPoly& primitive) {
+  return exact_div(f.coefficient(0), primitive.coefficient(0));
+}
+
+PhaseFunction bracket_of(const PhaseSystem& s, std::size_t i, std::size_t j) {
+  for (const PhaseBracket& b : s.brackets) {
+    if (b.first == i && b.second == j) return b.value;
+    if (b.first == j && b.second == i) return {-b.value.p, b.value.n};
+  }
+  return {MPoly(s.ring), Integer(1)};
+}
+
+} // namespace
+
+void Family::need_parameters(const MPoly& f) const {
+  for (const std::size_t i : used_variables(f))
+    need(is_parameter(i), "a polynomial in the parameters is expected");
+}
+
+Conditions Family::region(const Node& n) const {
+  Conditions all = read_conditions(system.ring, n);
+  for (const Condition& c : all)
+    need_parameters(c.p);
+  return all;
+}
+
+Target target_of(const Family& f, const Conditions& region, bool real) {
+  Target t{&f.system, {}};
+  for (std::size_t i = f.system.first_parameter(); real && i < f.system.ring->size(); ++i)
+    t.asked.push_back({true, Sign::nonzero, MPoly::variable(f.system.ring, i)});
+  for (const Conditions* all : {&f.assumptions, &region})
+    for (const Condition& c : *all)
+      t.asked.push_back({false, c.sign, c.p});
+  return t;
+}
+
+std::vector<bool> used_names(const PhaseSystem& s) {
+  std::vector<bool> used(s.ring->size(), false);
+  std::vector<MPoly> left{s.hamiltonian->p};
+  for (const PhaseBracket& b : s.brackets)
+    left.push_back(b.value.p);
+  while (!left.empty()) {
+    const MPoly f = std::move(left.back());
+    left.pop_back();
+    for (const std::size_t i : used_variables(f)) {
+      if (used[i]) continue;
+      used[i] = true;
+      if (i >= s.first_inverse() && i < s.first_parameter())
+        left.push_back(s.inverses[i - s.first_inverse()]);
+    }
+  }
+  for (std::size_t i = s.dimension; i < s.first_inverse(); ++i)
+    need(!used[i], "a function occurs in the system");
+  return used;
+}
+
+Map::Map(const Family& x, const ParameterFunctions& at, const Conditions& region, const Target& y,
+         Keys& data, Arithmetic& a, std::size_t& nodes_left)
+    : x_(x), y_(y), a_(a), nodes_(nodes_left) {
+  const Node adjoined = data.at("adjoined");
+  read_names(adjoined);
+  start(at);
+  for (const Conditions* all : {&x_.assumptions, &region})
+    for (const Condition& c : *all)
+      given_.push_back(primitive({moved({c.p, Integer(1)}).p, c.sign}));
+  for (const Node& n : adjoined.items())
+    adjoin(n);
+  read_values(data.at("values"));
+  need_change(data.at("back"));
+  const PhaseFunction bracket = unit(data.at("bracket"));
+  need_same(bracket, unit(data.at("energy")));
+  need_shown(data.at("shown"));
+}
+
+void Map::read_names(const Node& adjoined) {
+  auto names = x_.system.ring->names();
+  for (const Node& n : adjoined.items())
+    names.push_back(name_of(n));
+  if (names.size() > max_phase_names) adjoined.fail("more than 64 names");
+  for (const std::string& s : names)
+    if (s.empty() || std::count(names.begin(), names.end(), s) != 1)
+      adjoined.fail("different names are expected");
+  ring_ = make_ring(names);
+  functions_ = std::make_unique<Functions>(ring_, a_);
+  tower_ = std::make_unique<Tower>(*functions_);
+}
+
+// (M1): the inverses of X, with `at` put in.
+void Map::start(const ParameterFunctions& at) {
+  const PhaseSystem& s = x_.system;
+  const std::size_t old = s.ring->size();
+  constant_.assign(ring_->size(), false);
+  known_.assign(ring_->size(), false);
+  put_.resize(old);
+  for (std::size_t i = 0; i < old; ++i) {
+    known_[i] = !at.contains(i);
+    constant_[i] = known_[i] && x_.is_parameter(i);
+    put_[i] = in().variable(i);
+  }
+  free_ = constant_;
+  for (const auto& [i, f] : at)
+    put_[i] = PhaseFunction{widened(f.p, ring_), f.n};
+  for (std::size_t k = 0; k < s.inverses.size(); ++k) {
+    const std::size_t u = s.first_inverse() + k;
+    const PhaseFunction h = moved({s.inverses[k], Integer(1)});
+    need(!is_zero(h.p), "a denominator is 0");
+    const MPoly p = primitive(h.p); // h = c p/n
+    tower_->adjoin({u, std::nullopt, p});
+    put_[u] = PhaseFunction{scaled(MPoly::variable(ring_, u), h.n), content_of(h.p, p)};
+  }
+}
+
+PhaseFunction Map::moved(const PhaseFunction& f) const { return in().composed(f, put_); }
+
+MPoly Map::free_parameters(const Node& n) const {
+  MPoly f = read_poly(ring_, n);
+  for (const std::size_t i : used_variables(f))
+    if (!free_[i]) n.fail("a polynomial in the parameters is expected");
+  return f;
+}
+
+PhaseFunction Map::element(const Node& n) const {
+  PhaseFunction f = read_phase_function(ring_, n);
+  for (const std::size_t i : used_variables(f.p))
+    if (!known_[i]) n.fail("a name that is not known here");
+  if (is_zero(f.n)) n.fail("a number is 0");
+  return f;
+}
+
+void Map::need_constant(const PhaseFunction& f) const {
+  for (const std::size_t i : used_variables(f.p))
+    need(constant_[i], "not a function of the parameters");
+}
+
+void Map::adjoin(const Node& n) {
+  Keys k(n);
+  const std::size_t x = ring_->index(k.at("name").text());
+  AdjoinedName name{x, std::nullopt, MPoly(ring_)};
+  if (const auto square = k.find("square")) {
+    name.square = element(*square);
+    need_constant(*name.square);
+  } else {
+    name.inverse_of = element(k.at("inverse")).p;
+    const PhaseFunction h{name.inverse_of, Integer(1)}, times = element(k.at("times"));
+    need_constant(h);
+    need_constant(times);
+    need(!is_zero(h.p), "the inverse of 0");
+    const MPoly norm = free_parameters(k.at("norm"));
+    need(tower_->clears(in().minus(in().times(h, times), {norm, Integer(1)})),
+         "the norm is another one");
+    RealProof(ring_, free_, a_, nodes_).show({norm, Sign::nonzero}, k.at("by"), given_);
+  }
+  k.done();
+  tower_->adjoin(std::move(name));
+  known_[x] = constant_[x] = true;
+}
+
+// (M2)
+void Map::read_values(const Node& n) {
+  const PhaseSystem& y = *y_.system;
+  const std::vector<bool> used = used_names(y);
+  values_.resize(y.ring->size());
+  Keys k(n);
+  for (std::size_t i = 0; i < y.ring->size(); ++i) {
+    const bool is_inverse = i >= y.first_inverse() && i < y.first_parameter();
+    const bool is_function = i >= y.dimension && i < y.first_inverse();
+    if (is_function || (is_inverse && !used[i])) continue;
+    values_[i] = element(k.at(y.ring->name(i)));
+    if (i >= y.first_parameter()) need_constant(*values_[i]);
+  }
+  k.done();
+}
+
+PhaseFunction Map::put_in(const PhaseFunction& f) const { return in().composed(f, values_); }
+PhaseFunction Map::phi(const MPoly& f) const { return put_in({f, Integer(1)}); }
+
+Map::Row Map::linear_part(const PhaseFunction& f) {
+  Row row;
+  MPoly rest = f.p;
+  for (std::size_t j = 0; j < x_.system.dimension; ++j) {
+    const Coefficients c = coefficients(f.p, j);
+    need(c.size() <= 2, "the map is not affine");
+    row.push_back(c.size() == 2 ? PhaseFunction{c[1], f.n} : in().zero());
+    need_constant(row.back());
+    if (c.size() == 2) rest = a_.minus(rest, a_.times(c[1], MPoly::variable(ring_, j)));
+  }
+  need_constant({rest, f.n});
+  moves_origin_ = moves_origin_ || !is_zero(rest);
+  return row;
+}
+
+void Map::need_change(const Node& back) {
+  const std::size_t n = x_.system.dimension;
+  need(n == y_.system->dimension, "another number of coordinates");
+  for (std::size_t i = 0; i < n; ++i)
+    s_.push_back(linear_part(*values_[i]));
+  const auto rows = back.items();
+  if (rows.size() != n) back.fail("a square matrix is expected");
+  Square inverse;
+  for (const Node& row : rows) {
+    inverse.emplace_back();
+    for (const Node& entry : row.items()) {
+      inverse.back().push_back(element(entry));
+      need_constant(inverse.back().back());
+    }
+    if (inverse.back().size() != n) row.fail("a square matrix is expected");
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      PhaseFunction sum = in().zero();
+      for (std::size_t k = 0; k < n; ++k)
+        sum = in().plus(sum, in().times(s_[i][k], inverse[k][j]));
+      need(tower_->clears(i == j ? in().minus(sum, in().one()) : sum), "not the inverse matrix");
+    }
+}
+
+PhaseFunction Map::unit(const Node& pair) const {
+  const auto parts = pair.items();
+  if (parts.size() != 2) pair.fail("a number and its inverse are expected");
+  PhaseFunction c = element(parts[0]);
+  const PhaseFunction d = element(parts[1]);
+  need_constant(c);
+  need_constant(d);
+  need(tower_->clears(in().minus(in().times(c, d), in().one())), "not an inverse");
+  return c;
+}
+
+// (M3)
+void Map::need_same(const PhaseFunction& bracket, const PhaseFunction& energy) const {
+  const PhaseSystem &x = x_.system, &y = *y_.system;
+  for (std::size_t k = 0; k < y.inverses.size(); ++k)
+    if (const auto& u = values_[y.first_inverse() + k])
+      need(tower_->clears(in().minus(in().times(*u, phi(y.inverses[k])), in().one())),
+           "the value of an inverse is another one");
+  need(
+      tower_->clears(in().minus(moved(*x.hamiltonian), in().times(energy, put_in(*y.hamiltonian)))),
+      "another Hamiltonian");
+  for (std::size_t i = 0; i < x.dimension; ++i)
+    for (std::size_t j = i + 1; j < x.dimension; ++j) {
+      PhaseFunction sum = in().zero();
+      for (const PhaseBracket& b : x.brackets) {
+        const auto part = in().minus(in().times(s_[i][b.first], s_[j][b.second]),
+                                     in().times(s_[i][b.second], s_[j][b.first]));
+        if (!is_zero(part.p)) sum = in().plus(sum, in().times(part, moved(b.value)));
+      }
+      need(tower_->clears(in().minus(sum, in().times(bracket, put_in(bracket_of(y, i, j))))),
+           "another bracket");
+    }
+}
+
+void Map::need_level(const std::string& f) const {
+  const PhaseSystem &x = x_.system, &y = *y_.system;
+  need(x.dimension == y.dimension, "other coordinates");
+  for (std::size_t i = 0; i < x.dimension; ++i)
+    need(x.ring->name(i) == y.ring->name(i), "other coordinates");
+  const PhaseFunction here{widened(read_polynomial(x.ring, f), ring_), Integer(1)};
+  const PhaseFunction image = phi(read_polynomial(y.ring, f));
+  need(tower_->clears(in().minus(image, here)) || tower_->clears(in().plus(image, here)),
+       "another level");
+}
+
+// (M4)
+void Map::need_shown(const Node& n) {
+  const auto rows = n.items();
+  std::size_t next = 0;
+  for (const AskedCondition& c : y_.asked) {
+    if (!c.real && c.sign == Sign::zero) {
+      need(tower_->clears(phi(c.f)), "an equation does not hold");
+      continue;
+    }
+    if (next == rows.size()) n.fail("not everything is shown");
+    const Node& row = rows[next++];
+    if (!c.group.empty()) {
+      need_group(c, row);
+      continue;
+    }
+    Keys k(row);
+    PhaseFunction f = phi(c.f);
+    AskedCondition wanted = c;
+    if (const auto square = k.find("square")) {
+      if (!square->json().truth() || !*square->json().truth()) square->fail("true is expected");
+      need(c.real || c.sign == Sign::nonzero, "a square has no other sign");
+      f = in().times(f, f);
+      if (c.real) wanted = {false, Sign::positive, c.f};
+    }
+    const MPoly over = free_parameters(k.at("over")), value = free_parameters(k.at("value"));
+    need_value(f, over, value);
+    need_sign(wanted, over, value, k.at("by"));
+    k.done();
+  }
+  if (next != rows.size()) n.fail("more is shown than is needed");
+}
+
+void Map::need_value(const PhaseFunction& f, const MPoly& over, const MPoly& value) const {
+  need_constant(f);
+  const PhaseFunction square{a_.times(over, over), Integer(1)};
+  need(tower_->clears(in().minus(in().times(f, square), {value, Integer(1)})), "another value");
+}
+
+// If all members were 0, the values would be.
+void Map::need_group(const AskedCondition& c, const Node& n) {
+  Keys k(n);
+  Conditions zeros = given_;
+  for (const Node& chosen : k.at("chosen").items()) {
+    const auto parts = chosen.items();
+    if (parts.size() != 3) chosen.fail("an index and two polynomials are expected");
+    const long i = parts[0].count();
+    if (i < 0 || static_cast<std::size_t>(i) >= c.group.size()) chosen.fail("no such member");
+    const MPoly value = free_parameters(parts[2]);
+    need_value(phi(c.group[static_cast<std::size_t>(i)]), free_parameters(parts[1]), value);
+    zeros.push_back({value, Sign::zero});
+  }
+  RealProof(ring_, free_, a_, nodes_).refute(k.at("by"), zeros);
+  k.done();
+}
+
+void Map::need_sign(const AskedCondition& c, const MPoly& over, const MPoly& value,
+                    const Node& by) {
+  RealProof proof(ring_, free_, a_, nodes_);
+  if (c.real) return proof.show({over, Sign::nonzero}, by, given_);
+  const bool is_number = is_constant(over) && !is_zero(over);
+  const Sign sign = c.sign == Sign::nonnegative && !is_number ? Sign::positive : c.sign;
+  proof.show({value, sign}, by, given_);
+}
+
+} // namespace kov::certify

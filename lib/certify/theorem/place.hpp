@@ -1,0 +1,101 @@
+#pragma once
+// A system X(p) and the system Y that it is in other coordinates: theorem_certificates.md 4.
+
+#include "certify/system/phase_space.hpp"
+#include "certify/theorem/real_proof.hpp"
+#include "certify/theorem/tower.hpp"
+
+#include <map>
+#include <memory>
+
+namespace kov::certify {
+
+/// X: all parameters are real.
+struct Family {
+  std::string name;
+  PhaseSystem system;
+  Conditions assumptions; ///< in the ring of the system
+
+  [[nodiscard]] bool is_parameter(std::size_t i) const { return i >= system.first_parameter(); }
+  /// Refuses a polynomial with coordinates or inverses.
+  void need_parameters(const MPoly& f) const;
+  [[nodiscard]] Conditions region(const Node& n) const;
+};
+
+/// What is to be shown of the parameters of Y.  `real` beside the signs: the value is real.
+struct AskedCondition {
+  bool real = false;
+  Sign sign = Sign::nonzero;
+  MPoly f;
+  std::vector<MPoly> group{}; ///< if there are some: not all of them are 0
+};
+
+/// Y.  Requires that the system stays alive.
+struct Target {
+  const PhaseSystem* system = nullptr;
+  std::vector<AskedCondition> asked;
+};
+[[nodiscard]] Target target_of(const Family& f, const Conditions& region, bool real);
+
+/// Values of parameters of X that are functions of the others.
+using ParameterFunctions = std::map<std::size_t, PhaseFunction>;
+
+class Map {
+public:
+  /// Checks all of it.  Requires that X and Y stay alive.
+  Map(const Family& x, const ParameterFunctions& at, const Conditions& region, const Target& y,
+      Keys& data, Arithmetic& a, std::size_t& nodes_left);
+
+  [[nodiscard]] bool has_roots() const { return tower_->has_roots(); }
+  [[nodiscard]] bool moves_origin() const { return moves_origin_; }
+  /// phi(f) is f or -f, in coordinates of the same names; refuses otherwise.
+  void need_level(const std::string& f) const;
+  /// phi of a parameter of Y.
+  [[nodiscard]] PhaseFunction parameter(std::size_t i) const { return *values_[i]; }
+  /// phi of a polynomial in the names of Y, in the ring of the map.
+  [[nodiscard]] PhaseFunction phi(const MPoly& f) const;
+  [[nodiscard]] const Ring& ring() const { return ring_; }
+
+private:
+  using Row = std::vector<PhaseFunction>;
+  using Square = std::vector<Row>;
+
+  void read_names(const Node& adjoined);
+  void start(const ParameterFunctions& at);
+  void adjoin(const Node& n);
+  void read_values(const Node& n);
+  void need_change(const Node& back);
+  [[nodiscard]] Row linear_part(const PhaseFunction& f);
+  [[nodiscard]] PhaseFunction unit(const Node& pair) const;
+  void need_same(const PhaseFunction& bracket, const PhaseFunction& energy) const;
+  void need_shown(const Node& n);
+  void need_group(const AskedCondition& c, const Node& n);
+  /// over and value of f: f over^2 = value
+  void need_value(const PhaseFunction& f, const MPoly& over, const MPoly& value) const;
+  void need_sign(const AskedCondition& c, const MPoly& over, const MPoly& value, const Node& by);
+
+  [[nodiscard]] PhaseFunction element(const Node& n) const; ///< in adjoined names so far
+  [[nodiscard]] MPoly free_parameters(const Node& n) const; ///< a polynomial in p
+  void need_constant(const PhaseFunction& f) const;
+  [[nodiscard]] PhaseFunction moved(const PhaseFunction& f) const; ///< of X, with `at` put in
+  [[nodiscard]] PhaseFunction put_in(const PhaseFunction& f) const;
+  [[nodiscard]] const Functions& in() const { return *functions_; }
+
+  const Family& x_;
+  const Target y_;
+  Arithmetic& a_;
+  std::size_t& nodes_;
+  Ring ring_; ///< names of X, then the adjoined ones
+  std::unique_ptr<Functions> functions_;
+  std::unique_ptr<Tower> tower_;
+  std::vector<bool> constant_, known_, free_; ///< by variable of the ring
+  std::vector<std::optional<PhaseFunction>> put_, values_;
+  Conditions given_;
+  Square s_;
+  bool moves_origin_ = false;
+};
+
+/// The inverses that the Hamiltonian, the brackets and these inverses use.
+[[nodiscard]] std::vector<bool> used_names(const PhaseSystem& s);
+
+} // namespace kov::certify

@@ -1,0 +1,155 @@
+#include "certify/theorem/real_proof.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+constexpr std::size_t max_terms_of_a_node = 1000, max_zeros = 200;
+constexpr long max_exponent_of_a_factor = 100;
+
+Sign sign_of(const Node& n) {
+  const std::string text = n.text();
+  if (text == "positive") return Sign::positive;
+  if (text == "nonnegative") return Sign::nonnegative;
+  if (text == "nonzero") return Sign::nonzero;
+  if (text != "zero") n.fail("a sign is expected");
+  return Sign::zero;
+}
+
+Condition negation(const Condition& c) {
+  switch (c.sign) {
+  case Sign::positive:
+    return {-c.p, Sign::nonnegative};
+  case Sign::nonnegative:
+    return {-c.p, Sign::positive};
+  case Sign::nonzero:
+    return {c.p, Sign::zero};
+  default:
+    return {c.p, Sign::nonzero};
+  }
+}
+
+Conditions with(Conditions given, Condition more) {
+  given.push_back(std::move(more));
+  return given;
+}
+
+} // namespace
+
+Condition primitive(const Condition& c) { return {primitive(c.p), c.sign}; }
+
+MPoly read_poly(const Ring& ring, const Node& n) {
+  try {
+    return read_polynomial(ring, n.text());
+  } catch (const InvalidArgument& e) {
+    n.fail(e.what());
+  }
+}
+
+Conditions read_conditions(const Ring& ring, const Node& n) {
+  Conditions all;
+  for (const Node& x : n.items()) {
+    Keys k(x);
+    all.push_back({read_poly(ring, k.at("p")), sign_of(k.at("sign"))});
+    k.done();
+  }
+  return all;
+}
+
+void RealProof::refute(const Node& n, Conditions given, const Leaf& leaf, int depth) {
+  need_within(left_ > 0 && depth > 0, "too many nodes");
+  --left_;
+  a_.charge(static_cast<double>(10 + given.size()));
+  Keys k(n);
+  const std::string kind = k.at("node").text();
+  if (kind == "empty") return contradiction(n, given);
+  if (kind != "sign" && kind != "zero") {
+    if (!leaf) n.fail("an unknown node");
+    return leaf(n, given);
+  }
+  const MPoly p = poly(k.at("p"));
+  const auto branch = [&](const char* key, const MPoly& f, Sign sign) {
+    refute(k.at(key), with(given, {f, sign}), leaf, depth - 1);
+  };
+  if (kind == "sign") {
+    branch("positive", p, Sign::positive);
+    branch("zero", p, Sign::zero);
+    branch("negative", -p, Sign::positive);
+  } else {
+    branch("nonzero", p, Sign::nonzero);
+    branch("zero", p, Sign::zero);
+  }
+  k.done();
+}
+
+void RealProof::show(const Condition& c, const Node& n, Conditions given) {
+  refute(n, with(std::move(given), negation(c)));
+}
+
+MPoly RealProof::poly(const Node& n) const {
+  MPoly f = read_poly(ring_, n);
+  for (const std::size_t i : used_variables(f))
+    if (!real_[i]) n.fail("a name that is not real");
+  return f;
+}
+
+const Condition& RealProof::at(const Node& n, const Conditions& given) {
+  const long i = n.count();
+  need(i >= 0 && static_cast<std::size_t>(i) < given.size(), "there is no such condition");
+  return given[static_cast<std::size_t>(i)];
+}
+
+RealProof::Term RealProof::term(const Node& n, const Conditions& given) {
+  const auto parts = n.items();
+  if (parts.size() < 2) n.fail("a term is expected");
+  const MPoly q = poly(parts[1]);
+  Term t{parts[0].rational(), a_.times(q, q), !is_zero(q) && is_constant(q)};
+  need(t.c > Rational(0), "a factor is not positive");
+  for (std::size_t j = 2; j < parts.size(); ++j) {
+    const auto pair = parts[j].items();
+    if (pair.size() != 2) parts[j].fail("an index and an exponent are expected");
+    const Condition& f = at(pair[0], given);
+    const long e = pair[1].count();
+    need(e >= 1 && e <= max_exponent_of_a_factor, "an exponent is out of range");
+    need(f.sign == Sign::positive || f.sign == Sign::nonnegative ||
+             (f.sign == Sign::nonzero && e % 2 == 0),
+         "a factor has no sign");
+    t.strict = t.strict && f.sign != Sign::nonnegative;
+    t.f = a_.times(t.f, a_.power(f.p, static_cast<unsigned long>(e)));
+  }
+  return t;
+}
+
+void RealProof::contradiction(const Node& n, const Conditions& given) {
+  Keys k(n);
+  static_cast<void>(k.at("node"));
+  const auto terms = k.at("terms").items(), zeros = k.at("zeros").items();
+  k.done();
+  if (terms.size() > max_terms_of_a_node || zeros.size() > max_zeros) n.fail("too many terms");
+  std::vector<Term> all;
+  Integer common(1);
+  for (const Node& t : terms) {
+    all.push_back(term(t, given));
+    common = lcm(common, all.back().c.den());
+  }
+  MPoly sum(ring_);
+  for (const Term& t : all)
+    sum = a_.plus(sum, scaled(t.f, t.c.num() * exact_div(common, t.c.den())));
+  for (const Node& z : zeros) {
+    const auto pair = z.items();
+    if (pair.size() != 2) z.fail("an index and a polynomial are expected");
+    const Condition& f = at(pair[0], given);
+    need(f.sign == Sign::zero, "a condition is not one of sign zero");
+    sum = a_.plus(sum, scaled(a_.times(poly(pair[1]), f.p), common));
+  }
+  need(std::any_of(all.begin(), all.end(), [](const Term& t) { return t.strict; }),
+       "no term is strict");
+  need(is_zero(sum), "the sum is not 0");
+}
+
+} // namespace kov::certify

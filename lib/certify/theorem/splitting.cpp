@@ -1,0 +1,421 @@
+#include "certify/theorem/splitting.hpp"
+
+#include "certify/equation/facts.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kov::certify {
+
+namespace {
+
+constexpr unsigned long most_degree = 12, most_power = 12;
+constexpr std::array<const char*, 7> extra_names{"_alpha", "_beta", "_delta", "_s",
+                                                 "_F",     "_Y",    "_i"};
+
+MPoly widened(const MPoly& f, const Ring& ring) {
+  return is_zero(f) ? MPoly(ring) : transfer(MFraction(f), ring).num();
+}
+
+/// A power series in theta, up to theta^degree.
+using Series = std::vector<PhaseFunction>;
+/// Powers of zeta with series.
+using Modes = std::map<long, Series>;
+
+/// theta times the coordinates on an orbit near one of the two points.
+class Orbits {
+public:
+  Orbits(const Functions& in, const std::array<MPoly, 3>& moments, std::size_t degree)
+      : in_(in), degree_(degree) {
+    const auto& [a, b, c] = moments;
+    const std::size_t first = in_.ring()->size() - extra_names.size();
+    for (std::size_t i = 0; i < extra_names.size(); ++i)
+      extra_[i] = first + i;
+    b_ = times(a, c);
+    squares_ = {{extra_[0], times(c, a - b)},
+                {extra_[1], times(a, b - c)},
+                {extra_[2], times(b, a - c)},
+                {extra_[6], MPoly(in_.ring(), Integer(-1))},
+                {extra_[3], MPoly(in_.ring(), Integer(1)) - times(name(4), name(4))}};
+    expand(times(times(a, c), times(a - b, b - c)));
+  }
+
+  /// The sums of Z4, real and imaginary part of each.
+  std::vector<MPoly> sums(const MPoly& perturbation) {
+    std::map<std::pair<int, int>, std::map<long, PhaseFunction>> rho;
+    for (const int sigma : {1, -1})
+      for (const int sign : {1, -1})
+        rho[{sigma, sign}] = residues(perturbation, coordinates(sigma, sign));
+    std::vector<MPoly> all;
+    for (std::size_t k = 1; k <= degree_; ++k)
+      for (const int sigma : {1, -1})
+        put_sum(all, rho[{sigma, 1}], rho[{sigma, -1}], static_cast<long>(k));
+    return all;
+  }
+  /// alpha^2 - _alpha^2, ...; s^2 comes last
+  [[nodiscard]] MPoly relation(std::size_t i) const {
+    return squares_.at(extra_[i]) - times(name(i), name(i));
+  }
+  [[nodiscard]] MPoly name(std::size_t i) const { return MPoly::variable(in_.ring(), extra_[i]); }
+
+private:
+  [[nodiscard]] MPoly times(const MPoly& a, const MPoly& b) const {
+    return in_.arithmetic().times(a, b);
+  }
+  [[nodiscard]] PhaseFunction of(const MPoly& f) const { return {f, Integer(1)}; }
+  [[nodiscard]] MPoly number(long c) const { return {in_.ring(), Integer(c)}; }
+
+  // x/sinh x and x/tanh x, x^2 = q theta^2, by division by sinh x/x.
+  void expand(const MPoly& q) {
+    const std::size_t half = degree_ / 2;
+    std::vector<Rational> sinh, cosh, fact{Rational(1)};
+    for (std::size_t k = 1; k <= 2 * half + 1; ++k)
+      fact.push_back(fact.back() * Rational(static_cast<long>(k)));
+    for (std::size_t k = 0; k <= half; ++k) {
+      cosh.push_back(Rational(1) / fact[2 * k]);
+      sinh.push_back(Rational(1) / fact[2 * k + 1]);
+    }
+    std::vector<Rational> one(half + 1, Rational(0));
+    one[0] = Rational(1);
+    f_ = quotient(one, sinh, q);
+    g_ = quotient(cosh, sinh, q);
+  }
+  [[nodiscard]] Series quotient(std::vector<Rational> top, const std::vector<Rational>& bottom,
+                                const MPoly& q) const {
+    for (std::size_t k = 0; k < top.size(); ++k)
+      for (std::size_t j = 0; j < k; ++j)
+        top[k] = top[k] - top[j] * bottom[k - j];
+    Series s(degree_ + 1, in_.zero());
+    MPoly power = number(1);
+    for (std::size_t k = 0; k < top.size(); ++k) {
+      s[2 * k] = {scaled(power, top[k].num()), top[k].den()};
+      if (k + 1 < top.size()) power = times(power, q);
+    }
+    return s;
+  }
+
+  [[nodiscard]] Series combination(const std::vector<std::pair<MPoly, const Series*>>& all) const {
+    Series sum(degree_ + 1, in_.zero());
+    for (const auto& [c, s] : all)
+      for (std::size_t k = 0; k <= degree_; ++k)
+        sum[k] = in_.plus(sum[k], in_.times(of(c), (*s)[k]));
+    return sum;
+  }
+
+  [[nodiscard]] std::vector<Modes> coordinates(int sigma, int sign) const {
+    const MPoly alpha = name(0), beta = name(1), delta = name(2), s = name(3), F = name(4),
+                i = name(6);
+    Series theta(degree_ + 1, in_.zero());
+    if (degree_ > 0) theta[1] = in_.one();
+    const Series v = combination({{scaled(i, Integer(-sign)), &f_}});
+    const std::array<Series, 3> momentum{combination({{scaled(beta, Integer(2)), &v}}),
+                                         combination({{scaled(delta, Integer(-2 * sigma)), &g_}}),
+                                         combination({{scaled(alpha, Integer(2 * sigma)), &v}})};
+    const auto rotating = [&](const MPoly& unit) {
+      const MPoly along = scaled(times(unit, times(times(alpha, alpha), beta)), Integer(sigma));
+      const MPoly across = scaled(times(times(unit, unit), beta), Integer(sigma));
+      return std::array<Series, 3>{
+          combination({{along, &theta}, {across, &g_}}), combination({{-delta, &v}}),
+          combination({{-alpha, &g_}, {-times(unit, times(alpha, times(beta, beta))), &theta}})};
+    };
+    const auto up = rotating(i), down = rotating(-i);
+    std::vector<Modes> all;
+    for (const Series& m : momentum)
+      all.push_back({{0, m}});
+    for (std::size_t j = 0; j < 3; ++j)
+      all.push_back({{0, combination({{F, &momentum[j]}})},
+                     {1, combination({{s, &up[j]}})},
+                     {-1, combination({{s, &down[j]}})}});
+    return all;
+  }
+
+  // Squares of the extra names are put in.
+  [[nodiscard]] PhaseFunction reduced(PhaseFunction f) const {
+    for (const std::size_t x : {extra_[0], extra_[1], extra_[2], extra_[6], extra_[3]}) {
+      if (degree(f.p, x) < 2) continue;
+      MPoly sum(in_.ring()), lift = number(1);
+      const Coefficients c = coefficients(f.p, x);
+      for (std::size_t j = 0; j < c.size(); j += 2) {
+        MPoly part = c[j];
+        if (j + 1 < c.size())
+          part = in_.arithmetic().plus(part, times(c[j + 1], MPoly::variable(in_.ring(), x)));
+        sum = in_.arithmetic().plus(sum, times(part, lift));
+        lift = times(lift, squares_.at(x));
+      }
+      f.p = std::move(sum);
+    }
+    return f;
+  }
+
+  [[nodiscard]] Modes product(const Modes& a, const Modes& b) const {
+    Modes c;
+    for (const auto& [k, u] : a)
+      for (const auto& [m, v] : b) {
+        Series& row = c.try_emplace(k + m, degree_ + 1, in_.zero()).first->second;
+        for (std::size_t r = 0; r <= degree_; ++r)
+          for (std::size_t j = 0; j <= r; ++j)
+            row[r] = in_.plus(row[r], in_.times(u[j], v[r - j]));
+      }
+    for (auto& [k, row] : c)
+      for (PhaseFunction& x : row)
+        x = reduced(std::move(x));
+    return c;
+  }
+
+  using Exponents = std::array<unsigned long, 6>;
+  const Modes& monomial(const Exponents& e, const std::vector<Modes>& x,
+                        std::map<Exponents, Modes>& known) const {
+    if (const auto found = known.find(e); found != known.end()) return found->second;
+    const auto j = static_cast<std::size_t>(
+        std::find_if(e.begin(), e.end(), [](auto n) { return n > 0; }) - e.begin());
+    if (j == e.size()) {
+      Series one(degree_ + 1, in_.zero());
+      one[0] = in_.one();
+      return known.emplace(e, Modes{{0, one}}).first->second;
+    }
+    Exponents less = e;
+    --less[j];
+    Modes m = product(x[j], monomial(less, x, known));
+    return known.emplace(e, std::move(m)).first->second;
+  }
+
+  // The coefficient of zeta^k/theta in the perturbation times exp(i k b theta), k > 0.
+  [[nodiscard]] std::map<long, PhaseFunction> residues(const MPoly& perturbation,
+                                                       const std::vector<Modes>& x) const {
+    std::map<Exponents, Modes> known;
+    std::map<long, PhaseFunction> found;
+    const MPoly unit = scaled(times(times(name(0), name(1)), name(2)), Integer(2));
+    for (long t = 0; t < perturbation.length(); ++t) {
+      auto rest = perturbation.exponents(t);
+      Exponents e{};
+      std::size_t d = 0;
+      for (std::size_t j = 0; j < 6; ++j)
+        d += e[j] = std::exchange(rest[j], 0);
+      if (d == 0) continue;
+      const MPoly c = times(MPoly::term(in_.ring(), perturbation.coefficient(t), rest),
+                            in_.arithmetic().power(unit, degree_ - d));
+      for (const auto& [k, row] : monomial(e, x, known))
+        if (k > 0) put_residue(found, k, row, d, c);
+    }
+    return found;
+  }
+  void put_residue(std::map<long, PhaseFunction>& found, long k, const Series& row, std::size_t d,
+                   const MPoly& c) const {
+    PhaseFunction& sum = found.try_emplace(k, in_.zero()).first->second;
+    PhaseFunction exponential = in_.one(); // (i k b theta)^j/j!
+    const PhaseFunction step = of(scaled(times(name(6), b_), Integer(k)));
+    for (std::size_t j = 0; j < d; ++j) {
+      sum = in_.plus(sum, in_.times(in_.times(exponential, row[d - 1 - j]), of(c)));
+      exponential = reduced(in_.times(exponential, step));
+      exponential.n = exponential.n * Integer(static_cast<long>(j + 1));
+    }
+    sum = reduced(std::move(sum));
+  }
+  void put_sum(std::vector<MPoly>& all, const std::map<long, PhaseFunction>& upper,
+               const std::map<long, PhaseFunction>& lower, long k) const {
+    const auto at = [&](const std::map<long, PhaseFunction>& rho) {
+      const auto found = rho.find(k);
+      return found == rho.end() ? in_.zero() : found->second;
+    };
+    const MPoly y = in_.arithmetic().power(name(5), static_cast<unsigned long>(k));
+    const PhaseFunction sum = reduced(in_.plus(at(upper), in_.times(at(lower), of(y))));
+    Coefficients c = coefficients(sum.p, extra_[6]);
+    c.resize(2, MPoly(in_.ring()));
+    for (const MPoly& part : c)
+      all.push_back(primitive(part));
+  }
+
+  Functions in_;
+  std::size_t degree_;
+  std::array<std::size_t, 7> extra_{};
+  MPoly b_;
+  std::map<std::size_t, MPoly> squares_;
+  Series f_, g_;
+};
+
+unsigned long degree_in(const std::vector<unsigned long>& e, const std::vector<std::size_t>& x) {
+  unsigned long sum = 0;
+  for (const std::size_t i : x)
+    sum += e[i];
+  return sum;
+}
+
+const std::vector<std::size_t> all_coordinates{0, 1, 2, 3, 4, 5}, second_triple{3, 4, 5};
+
+template <class Predicate> bool every_term(const MPoly& f, Predicate holds) {
+  for (long t = 0; t < f.length(); ++t)
+    if (!holds(f.exponents(t))) return false;
+  return true;
+}
+
+// {M_i, M_j} = -eps_ijk M_k, {M_i, G_j} = -eps_ijk G_k, and nothing else.
+bool has_euler_bracket(const PhaseSystem& s) {
+  if (s.dimension != 6) return false;
+  std::map<std::pair<std::size_t, std::size_t>, MPoly> wanted;
+  const auto put = [&](std::size_t i, std::size_t j, std::size_t k, long sign) {
+    wanted[std::minmax(i, j)] = scaled(MPoly::variable(s.ring, k), Integer(i < j ? sign : -sign));
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    put(i, j, k, -1);
+    put(i, 3 + j, 3 + k, -1);
+    put(j, 3 + i, 3 + k, 1);
+  }
+  std::size_t found = 0;
+  for (const PhaseBracket& b : s.brackets) {
+    if (is_zero(b.value.p)) continue;
+    const auto w = wanted.find(std::minmax(b.first, b.second));
+    if (w == wanted.end() || b.value.n != Integer(1)) return false;
+    if (!(b.value.p == (b.first < b.second ? w->second : -w->second))) return false;
+    ++found;
+  }
+  return found == wanted.size();
+}
+
+// (Z1)
+void need_scaling(const Family& y, const std::vector<std::size_t>& small) {
+  const auto balanced = [&](const auto& e) {
+    return degree_in(e, second_triple) == degree_in(e, small);
+  };
+  need(every_term(y.system.hamiltonian->p, balanced), "the system does not scale");
+  for (const MPoly& h : y.system.inverses)
+    need(every_term(h, balanced), "the system does not scale");
+}
+
+// (Z2), the denominators: c A^i B^j C^k where the small parameters are 0.
+void need_units(const Family& y, const SplittingData& d, const std::vector<std::size_t>& small) {
+  const std::vector<std::size_t> moments(d.moments.begin(), d.moments.end());
+  std::vector<std::size_t> all(y.system.ring->size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i] = i;
+  for (const MPoly& h : y.system.inverses) {
+    long free = 0;
+    need(every_term(h,
+                    [&](const auto& e) {
+                      if (degree_in(e, small) > 0) return true;
+                      ++free;
+                      return degree_in(e, moments) == degree_in(e, all);
+                    }) &&
+             free == 1,
+         "a denominator may vanish");
+  }
+}
+
+// (Z2)
+void need_order(const Family& y, const SplittingData& d, const std::vector<std::size_t>& small,
+                Arithmetic& a) {
+  need(every_term(d.first,
+                  [&](const auto& e) {
+                    return degree_in(e, small) == d.order &&
+                           degree_in(e, all_coordinates) <= most_degree;
+                  }),
+       "not of this order");
+  const PhaseSystem& s = y.system;
+  const auto v = [&](std::size_t i) { return MPoly::variable(s.ring, i); };
+  const MPoly A = v(d.moments[0]), B = v(d.moments[1]), C = v(d.moments[2]);
+  const MPoly whole = a.power(A * B * C, d.power - 1);
+  const MPoly euler =
+      a.times(whole, B * C * v(0) * v(0) + A * C * v(1) * v(1) + A * B * v(2) * v(2));
+  const Functions in(s.ring, a);
+  PhaseFunction rest =
+      in.times({scaled(a.times(whole, A * B * C), Integer(2)), Integer(1)}, *s.hamiltonian);
+  rest = in.minus(rest, {a.plus(euler, d.first), Integer(1)});
+  MPoly f = rest.p;
+  for (std::size_t k = 0; k < s.inverses.size(); ++k) {
+    MPoly sum(s.ring);
+    for (const MPoly& c : coefficients(f, s.first_inverse() + k))
+      sum = a.plus(a.times(sum, s.inverses[k]), c);
+    f = std::move(sum);
+  }
+  need(every_term(f, [&](const auto& e) { return degree_in(e, small) > d.order; }),
+       "another perturbation");
+}
+
+std::array<std::size_t, 3> three(const Family& y, const Node& n) {
+  const auto items = n.items();
+  if (items.size() != 3) n.fail("three parameters are expected");
+  std::array<std::size_t, 3> all{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto at = y.system.ring->find(items[i].text());
+    if (!at || !y.is_parameter(*at)) items[i].fail("a parameter is expected");
+    all[i] = *at;
+  }
+  return all;
+}
+
+unsigned long natural(const Node& n, unsigned long most) {
+  const long x = n.count();
+  if (x < 1 || static_cast<unsigned long>(x) > most) n.fail("a number is out of range");
+  return static_cast<unsigned long>(x);
+}
+
+SplittingData read_splitting(const Family& y, Keys& k) {
+  SplittingData d{three(y, k.at("moments")),
+                  three(y, k.at("small")),
+                  natural(k.at("order"), 1000),
+                  natural(k.at("power"), most_power),
+                  read_poly(y.system.ring, k.at("first")),
+                  y.region(k.at("region"))};
+  std::vector<std::size_t> names(d.moments.begin(), d.moments.end());
+  names.insert(names.end(), d.small.begin(), d.small.end());
+  std::sort(names.begin(), names.end());
+  need(std::adjacent_find(names.begin(), names.end()) == names.end(), "a parameter occurs twice");
+  for (const std::size_t i : used_variables(d.first))
+    need(i < 6 || y.is_parameter(i), "the perturbation has an inverse");
+  return d;
+}
+
+} // namespace
+
+Ring splitting_ring(const Family& y) {
+  auto names = y.system.ring->names();
+  for (const char* name : extra_names)
+    need(std::find(names.begin(), names.end(), name) == names.end(), "a name is taken");
+  names.insert(names.end(), extra_names.begin(), extra_names.end());
+  need(names.size() <= 64, "too many names");
+  return make_ring(names);
+}
+
+Conditions splitting_conditions(const Family& y, const SplittingData& d, const Ring& ring,
+                                Arithmetic& a) {
+  unsigned long degree = 0;
+  for (long t = 0; t < d.first.length(); ++t)
+    degree = std::max(degree, degree_in(d.first.exponents(t), all_coordinates));
+  need(degree <= most_degree, "the degree of the perturbation");
+  const auto v = [&](std::size_t i) { return MPoly::variable(ring, i); };
+  Orbits orbits(Functions(ring, a), {v(d.moments[0]), v(d.moments[1]), v(d.moments[2])}, degree);
+  Conditions all;
+  for (const Conditions* known : {&y.assumptions, &d.region})
+    for (const Condition& c : *known)
+      all.push_back({widened(c.p, ring), c.sign});
+  for (std::size_t i = 0; i < 6; ++i)
+    all.push_back({orbits.name(i), Sign::positive});
+  all.push_back({MPoly(ring, Integer(1)) - orbits.name(5), Sign::positive});
+  for (std::size_t i = 0; i < 4; ++i)
+    all.push_back({orbits.relation(i), Sign::zero});
+  for (MPoly& f : orbits.sums(widened(d.first, ring)))
+    all.push_back({std::move(f), Sign::zero});
+  return all;
+}
+
+Conditions need_splitting(const Family& y, Keys& k, Arithmetic& a, std::size_t& nodes_left) {
+  need(has_euler_bracket(y.system), "not the bracket of e(3)");
+  const SplittingData d = read_splitting(y, k);
+  const std::vector<std::size_t> small(d.small.begin(), d.small.end());
+  need_scaling(y, small);
+  need_units(y, d, small);
+  need_order(y, d, small, a);
+  const auto v = [&](std::size_t i) { return MPoly::variable(y.system.ring, d.moments[i]); };
+  for (const MPoly& f : {v(0) - v(1), v(1) - v(2), v(2)})
+    need(std::find(d.region.begin(), d.region.end(), Condition{f, Sign::positive}) !=
+             d.region.end(),
+         "the moments are not known to be ordered");
+  const Ring ring = splitting_ring(y);
+  std::vector<bool> real(ring->size(), false);
+  for (std::size_t i = y.system.first_parameter(); i + 1 < ring->size(); ++i)
+    real[i] = true;
+  RealProof(ring, real, a, nodes_left).refute(k.at("proof"), splitting_conditions(y, d, ring, a));
+  return d.region;
+}
+
+} // namespace kov::certify

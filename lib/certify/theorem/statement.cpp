@@ -1,0 +1,155 @@
+// What an accepted certificate of a theorem states: theorem_certificates.md 9, 10.  The Python
+// checker prints the same.
+
+#include "certify/equation/statement.hpp"
+#include "certify/theorem/fact.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+const char* const checked = "checked";
+const char* const stated = "part of the statement";
+const char* const open_one = "NOT CHECKED";
+
+std::string text(const PhaseFunction& f) {
+  return f.n == Integer(1) ? to_string(f.p) : "(" + to_string(f.p) + ")/" + to_string(f.n);
+}
+
+std::string joined(const std::vector<std::string>& parts, const char* between = ", ") {
+  std::string s;
+  for (const std::string& p : parts)
+    s += (s.empty() ? "" : between) + p;
+  return s;
+}
+
+std::string enumerated(std::vector<std::string> all) {
+  if (all.empty()) return "";
+  const std::string last = all.back();
+  all.pop_back();
+  return all.empty() ? last : joined(all) + " and " + last;
+}
+
+std::string text(const Conditions& all) {
+  std::vector<std::string> said;
+  for (const Condition& c : all)
+    said.push_back(to_string(c.p) + (c.sign == Sign::positive      ? " > 0"
+                                     : c.sign == Sign::nonnegative ? " >= 0"
+                                     : c.sign == Sign::nonzero     ? " != 0"
+                                                                   : " = 0"));
+  return joined(said);
+}
+
+void put_system(std::vector<std::string>& lines, const Family& f) {
+  const PhaseSystem& s = f.system;
+  const auto& names = s.ring->names();
+  const std::vector<std::string> parameters(names.begin() + static_cast<long>(s.first_parameter()),
+                                            names.end());
+  lines.push_back("the system " + quoted(f.name) +
+                  (parameters.empty() ? "" : " with real parameters " + joined(parameters)));
+  std::vector<std::string> field;
+  for (const PhaseBracket& b : s.brackets)
+    field.push_back("{" + names[b.first] + ", " + names[b.second] + "} = " + text(b.value));
+  field.push_back("H = " + text(*s.hamiltonian));
+  lines.push_back("  " + joined(field));
+  for (std::size_t k = 0; k < s.inverses.size(); ++k)
+    lines.push_back("  " + names[s.first_inverse() + k] + " = 1/(" + to_string(s.inverses[k]) +
+                    ")");
+  if (!f.assumptions.empty()) lines.push_back("  " + text(f.assumptions));
+}
+
+std::string exception(const TheoremFact& f, bool has_symmetries) {
+  std::string line = "  except possibly " +
+                     (f.region.empty() ? std::string("everywhere") : "where " + text(f.region)) +
+                     (has_symmetries ? ", or where a symmetry leads there" : "");
+  for (const ClaimedIntegrals& c : f.integrals) {
+    std::vector<std::string> said, level;
+    for (const auto& [name, value] : c.claims)
+      said.push_back("first integral " + quoted(name) + ": " + text(value));
+    for (const PhaseFunction& g : c.level)
+      level.push_back(text(g) + " = 0");
+    line += ": " + joined(said) + " (of " + quoted(c.family->name) +
+            (level.empty() ? "" : "; on " + joined(level)) + ")";
+  }
+  return line;
+}
+
+// In the names of the family: the map adjoins nothing.
+std::string shown_symmetry(const TheoremFact& f) {
+  const PhaseSystem& s = f.family->system;
+  std::vector<std::string> moved;
+  for (std::size_t i = s.first_parameter(); i < s.ring->size(); ++i) {
+    const PhaseFunction value = f.map->parameter(i);
+    if (!(value.p == MPoly::variable(f.map->ring(), i)))
+      moved.push_back(s.ring->name(i) + " -> " + text(value));
+  }
+  return "  a symmetry: " + (moved.empty() ? "none of the parameters" : joined(moved));
+}
+
+} // namespace
+
+const std::vector<NamedTheorem>& named_theorems() {
+  static const std::vector<NamedTheorem> all{
+      {"Morales-Ramis",
+       "Morales-Ruiz and Ramis (2001)",
+       {{checked, "the system is Hamiltonian on the leaves of a Poisson structure (S2)"},
+        {checked, "the curve is a phase curve and no equilibrium (C4, C5)"},
+        {stated, "the first integrals are meromorphic near the curve, and independent on the "
+                 "symplectic leaf that carries it"}}},
+      {"Ziglin 1980",
+       "Ziglin on the splitting of separatrices (1980)",
+       {{checked, "hypotheses 1 to 6, for a perturbation of the Euler top (Z1 to Z3)"},
+        {stated, "the first integral is real-analytic near the closure of the orbit"}}},
+      {"Ziglin 1982",
+       "Ziglin's lemma on lowest-order parts (1982)",
+       {{checked, "the bracket and the lowest-order terms are weight-homogeneous (7)"},
+        {stated, "the first integrals are meromorphic near the origin"}}},
+      {"Ziglin 1983",
+       "Ziglin on the symmetric heavy top (1983)",
+       {{stated, "the first integrals are meromorphic on the leaves with F2 = 0"},
+        {open_one, "first integrals that are independent are so on the leaves with F2 = 0"}}}};
+  return all;
+}
+
+const std::string& symmetric_heavy_top() {
+  static const std::string json = R"({"name": "Ziglin 1983",
+"parameters": ["A", "C", "L1", "L2", "L3"],
+"system": {"coordinates": ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"],
+"inverses": [{"name": "u1", "of": "C"}, {"name": "u2", "of": "A"}],
+"hamiltonian": ["M1^2*u1*u2*C + M2^2*u1*u2*C + M3^2*u1*u2*A + 2*Gamma1*u1*u2*A*C*L1 + )"
+                                  R"(2*Gamma2*u1*u2*A*C*L2 + 2*Gamma3*u1*u2*A*C*L3", "2"],
+"brackets": [["M1", "M2", "-M3"], ["M1", "M3", "M2"], ["M1", "Gamma2", "-Gamma3"],
+["M1", "Gamma3", "Gamma2"], ["M2", "M3", "-M1"], ["M2", "Gamma1", "Gamma3"],
+["M2", "Gamma3", "-Gamma1"], ["M3", "Gamma1", "-Gamma2"], ["M3", "Gamma2", "Gamma1"]]},
+"assumptions": [{"p": "A", "sign": "positive"}, {"p": "C", "sign": "positive"},
+{"p": "L1^2 + L2^2", "sign": "positive"}, {"p": "A - C", "sign": "nonzero"},
+{"p": "A^2 - 4*A*C + 4*C^2 + L3^2", "sign": "positive"},
+{"p": "A^2 - 8*A*C + 16*C^2 + L3^2", "sign": "positive"}]})";
+  return json;
+}
+
+std::vector<std::string> theorem_statement(const TheoremFact& last,
+                                           const std::vector<const TheoremFact*>& parts,
+                                           const std::vector<const TheoremFact*>& symmetries) {
+  std::vector<std::string> lines;
+  put_system(lines, *last.family);
+  lines.push_back("is not integrable with first integrals that are " +
+                  std::string(last.classes.size() > 1 ? "at once " : "") +
+                  enumerated(last.classes) +
+                  ", where the denominators are not 0 for all coordinates");
+  for (const TheoremFact* f : parts)
+    if (f->kind == FactKind::integrals) lines.push_back(exception(*f, !symmetries.empty()));
+  for (const TheoremFact* f : symmetries)
+    lines.push_back(shown_symmetry(*f));
+  for (const NamedTheorem& t : named_theorems()) {
+    if (!last.used.contains(t.id)) continue;
+    lines.push_back("given " + t.title);
+    for (const auto& [how, what] : t.hypotheses)
+      lines.push_back("  " + how + ": " + what);
+  }
+  return lines;
+}
+
+} // namespace kov::certify

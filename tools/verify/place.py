@@ -1,0 +1,207 @@
+"""A system X(p) and the system Y that it is in other coordinates (docs/theory/theorem_certificates.md 4).
+
+A Family is X; a Target is Y with the conditions that its parameters must satisfy."""
+from itertools import combinations
+
+from certificate_format import Malformed, need, read
+from multivariate import ONE, P, parse
+from phase_space import Function, PhaseSpace, total
+from real_proof import conditions, refute, show
+from system_format import entries, right
+from theorem_format import CHOSEN, SHOWN, read_adjoined
+from tower import Tower, compose
+
+ZERO, UNIT = Function(P()), Function(ONE)
+
+
+class Family:
+    def __init__(self, d):
+        self.name, self.parameters, self.data = d["name"], d["parameters"], d["system"]
+        self.space = PhaseSpace(d["system"], d["parameters"])
+        self.names = {x: self.space.at[x] for x in self.parameters}
+        self.assumptions = conditions(d["assumptions"], self.names)
+
+    def region(self, rows):
+        return conditions(rows, self.names)
+
+
+class Target:
+    """conditions: triples (kind, polynomial, ...) of what is to be shown, in the names of the space"""
+
+    def __init__(self, space, parameters, shown):
+        self.space, self.parameters, self.conditions = space, parameters, shown
+        self.uses, left = set(), [space.hamiltonian.p, *(f.p for *_, f in space.pairs)]
+        while left:
+            for x in left.pop().variables() - self.uses:
+                self.uses.add(x)
+                if x in space.denominators:
+                    left.append(space.denominators[x].p)
+        need(not any(space.at[s] in self.uses for s in space.functions), "a function occurs in the system")
+
+    @staticmethod
+    def of(family, region, real=True):
+        shown = [("real", Function(parse(x, family.names))) for x in family.parameters] if real else []
+        return Target(family.space, family.parameters, shown + [(s, Function(f)) for f, s in family.assumptions + region])
+
+
+class Map:
+    """y = S x + s and the parameters of Y, checked"""
+
+    def __init__(self, family, at, region, target, d):
+        self.family, self.target, self.space = family, target, family.space
+        self.free = {x: v for x, v in family.names.items() if x not in at}
+        self.put = {family.names[x]: f for x, f in at.items()} | {v: Function(P({1 << v: 1})) for v in self.free.values()}
+        self.given = [(self.at(Function(f)).p.primitive(), sign) for f, sign in family.assumptions + region]
+        self.start()
+        self.adjoin(d["adjoined"])
+        self.read_values(d["values"])
+        self.need_change(d["back"])
+        self.need_same(*(self.unit(d[key]) for key in ("bracket", "energy")))
+        self.need_shown(d["shown"])
+
+    def at(self, f):
+        """f of X with the values of `at`"""
+        for x in f.p.variables() - set(self.put):
+            self.put[x] = Function(P({1 << x: 1}))
+        return compose(f, self.put)
+
+    # -- the tower (M1)
+
+    def start(self):
+        space, names = self.space, {x: v for x, v in self.space.at.items() if x not in self.family.names}
+        self.tower = Tower(names | self.free)
+        for u in space.inverses:
+            h = self.at(space.denominators[space.at[u]])
+            need(h, "a denominator is 0")
+            p = h.p.primitive()                                                 # h = c p/n
+            self.tower.steps.append((space.at[u], None, p))
+            self.put[space.at[u]] = Function(P({1 << space.at[u]: h.n}), h.p[max(p)] // p[max(p)])
+        self.constants = set(self.free.values())
+
+    def adjoin(self, rows):
+        for v in rows:
+            d = read_adjoined(v)
+            names = {x: k for x, k in self.tower.names.items() if k in self.constants}
+            if "square" in d:
+                square = self.tower.read(d["square"])
+                need(square.p.variables() <= self.constants, "a root of what is not constant")
+                self.tower.adjoin(d["name"], square=square)
+            else:
+                h, times, norm = parse(d["inverse"], names), parse(d["times"], names), parse(d["norm"], self.free)
+                need(h, "the inverse of 0")
+                self.tower.need_zero(Function(h * times - norm), "the norm is another one")
+                show(norm, "nonzero", d["by"], self.given, self.free)
+                self.tower.adjoin(d["name"], h=h)
+            self.constants.add(self.tower.names[d["name"]])
+
+    # -- the change of variables (M2)
+
+    def constant(self, f):
+        need(f.p.variables() <= self.constants, "not a function of the parameters")
+        return f
+
+    def read_values(self, values):
+        y = self.target.space
+        wanted = [*y.coordinates, *self.target.parameters, *(u for u in y.inverses if y.at[u] in self.target.uses)]
+        entries(values, wanted, "values")
+        right(len(values) == len(wanted), "a value is missing")
+        self.values = {y.at[x]: self.tower.read(v) for x, v in values.items()}
+        for x in self.target.parameters:
+            self.constant(self.values[y.at[x]])
+
+    def phi(self, f):
+        return compose(f, self.values)
+
+    def row(self, f):
+        """S_i1, S_i2, ... of phi(y_i)"""
+        rows, coordinates = [ZERO] * len(self.space.indices), [self.space.at[x] for x in self.space.coordinates]
+        rest = f.p
+        for j, x in enumerate(coordinates):
+            parts = f.p.coefficients(x)
+            need(len(parts) <= 2, "the map is not affine")
+            if len(parts) == 2:
+                rows[j] = self.constant(Function(parts[1], f.n))
+                rest = rest - parts[1] * P({1 << x: 1})
+        self.affine = self.affine or bool(self.constant(Function(rest)))
+        return rows
+
+    def need_change(self, back):
+        n, y, self.affine = len(self.space.coordinates), self.target.space, False
+        need(n == len(y.coordinates), "another number of coordinates")
+        self.S = [self.row(self.values[y.at[x]]) for x in y.coordinates]
+        right(len(back) == n and all(len(row) == n for row in back), "a square matrix is expected")
+        back = [[self.constant(self.tower.read(v)) for v in row] for row in back]
+        for i in range(n):
+            for j in range(n):
+                f = total(self.S[i][k] * back[k][j] for k in range(n))
+                self.tower.need_zero(f - UNIT if i == j else f, "not the inverse matrix")
+
+    def unit(self, pair):
+        right(len(pair) == 2, "a number and its inverse are expected")
+        c, d = (self.constant(self.tower.read(v)) for v in pair)
+        self.tower.need_zero(c * d - UNIT, "not an inverse")
+        return c
+
+    # -- the same system (M3)
+
+    def need_same(self, c, k):
+        x, y = self.space, self.target.space
+        for u, h in y.denominators.items():
+            if u in self.target.uses:
+                self.tower.need_zero(self.values[u] * self.phi(h) - UNIT, "the value of an inverse is another one")
+        self.tower.need_zero(self.at(x.hamiltonian) - k * self.phi(y.hamiltonian), "another Hamiltonian")
+        theirs = {(i, j): self.phi(f) for (i, j), f in y.brackets.items()}
+        ours = {pair: self.at(f) for pair, f in x.brackets.items()}
+        for i, j in combinations(x.indices, 2):
+            f = total(self.S[i][a] * self.S[j][b] * g for (a, b), g in ours.items() if self.S[i][a] and self.S[j][b])
+            self.tower.need_zero(f - c * theirs.get((i, j), ZERO), "another bracket")
+
+    def need_level(self, f):
+        """phi(f) is f or -f, f a function of coordinates of the same names"""
+        need(self.space.coordinates == self.target.space.coordinates, "other coordinates")
+        y, x = (Function(parse(f, space.at)) for space in (self.target.space, self.space))
+        image = self.phi(y)
+        need(any(self.tower.is_zero(g.p, len(self.tower.steps)) for g in (image - x, image + x)), "another level")
+
+    # -- what is assumed of the parameters of Y (M4)
+
+    def need_shown(self, rows):
+        rows = iter(rows)
+        for sign, f in self.target.conditions:
+            if sign == "zero":
+                self.tower.need_zero(self.phi(f), "an equation does not hold")
+                continue
+            d = next(rows, None)
+            if d is None:
+                raise Malformed("not everything is shown")
+            if sign == "group":
+                self.need_group(f, d)
+                continue
+            d = read(SHOWN, d, "shown")
+            over, value = parse(d["over"], self.free), parse(d["value"], self.free)
+            f = self.constant(self.phi(f))
+            if d["square"]:
+                need(sign in ("real", "nonzero"), "a square has no other sign")
+                f, sign = f * f, "positive" if sign == "real" else sign
+            self.tower.need_zero(f * Function(over * over) - Function(value), "another value")
+            self.need_sign(sign, over, value, d["by"])
+        right(next(rows, None) is None, "more is shown than is needed")
+
+    def need_group(self, members, d):
+        """Not all of them are 0: the values would be."""
+        d, zeros = read(CHOSEN, d, "shown"), []
+        for v in d["chosen"]:
+            right(len(v) == 3, "an index and two polynomials are expected")
+            i, over, value = read("int", v[0], "an index"), *(parse(read("text", x, "P"), self.free) for x in v[1:])
+            right(0 <= i < len(members), "no such member")
+            f = self.constant(self.phi(members[i]))
+            self.tower.need_zero(f * Function(over * over) - Function(value), "another value")
+            zeros.append((value, "zero"))
+        refute(d["by"], self.given + zeros, self.free)
+
+    def need_sign(self, sign, over, value, by):
+        if sign == "real":
+            return show(over, "nonzero", by, self.given, self.free)
+        if sign == "nonnegative" and not over.constant():
+            sign = "positive"
+        return show(value, sign, by, self.given, self.free)

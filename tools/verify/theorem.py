@@ -1,0 +1,216 @@
+"""Checks certificates of a theorem, kovacic-theorem/1 (docs/theory/theorem_certificates.md; numbers are its sections).
+
+Each step becomes a Fact by its rule; a step names earlier ones only.  real_proof.py has the signs (2), tower.py and
+place.py the changes of variables (3, 4), splitting.py (6) and lowest_order.py (7) their steps."""
+import re
+
+import strata
+import system
+from certificate_format import Malformed, Rejected, need, read
+from first_integrals import integrals
+from lowest_order import lowest_order
+from multivariate import FIELD, P, Work, parse
+from phase_space import Function, total
+from place import Family, Map, Target
+from real_proof import Nodes, refute, show
+from splitting import Splitting
+from system_format import read_system, right
+from theorem_format import FORMAT, NODES, read_theorem
+from theorem_statement import LEAVES, LITERATURE, REAL, RIGID, ORIGIN, SYMMETRIC_TOP, statement
+
+
+WORK = 4 * 10**7                            # for each step
+
+
+class Fact:
+    """kind: N, I or S (1); target: the conditions, for a place; region: those of a fact about a family; classes: K, in the
+    order in which they came; integrals: lines; used: names of theorems"""
+
+    def __init__(self, kind, family, region=(), classes=(), integrals=(), used=(), target=None, map=None):
+        self.kind, self.family, self.region, self.classes = kind, family, list(region), list(classes)
+        self.integrals, self.used, self.target, self.map = list(integrals), set(used), target, map
+
+
+class Theorem:
+    def __init__(self, top, prove):
+        self.prove, self.facts, self.named, self.certified = prove, {}, set(), 0
+        self.families = {d["name"]: Family(d) for d in top["systems"]}
+        for i, d in enumerate(top["steps"]):
+            Work.left = WORK
+            try:
+                need(d["id"] not in self.facts, "the id occurs twice")
+                need((d["rule"] == "cover") == (i == len(top["steps"]) - 1), "the last step is a cover, and no other")
+                self.facts[d["id"]] = getattr(self, d["rule"].replace("-", "_"))(d)
+            except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
+                raise Rejected(f"step {d['id'][:60]!r}: {type(why).__name__}: {why}") from None
+            except Rejected as why:
+                raise Rejected(f"step {d['id'][:60]!r} ({d['rule']}): {why}") from None
+        need(self.named >= {d["id"] for d in top["steps"][:-1]}, "a step is not used")
+
+    def family(self, d):
+        need(d["system"] in self.families, "there is no such system")
+        return self.families[d["system"]]
+
+    def fact(self, name, *kinds):
+        need(name in self.facts, "there is no such step before")
+        need(self.facts[name].kind in kinds, "the step says something else")
+        self.named.add(name)
+        return self.facts[name]
+
+    # -- single systems (5)
+
+    def certificate(self, d):
+        need(isinstance(d["certificate"], dict) and d["certificate"].get("format") == system.FORMAT, "another format")
+        top = read_system(d["certificate"])
+        curve, _, inner = system.accept(top, self.prove)
+        need(not inner.trust and top["claim"]["not_integrable"], "not proved for all parameters, or not without trust")
+        said = integrals(curve, inner.denials)
+        need(curve.space.brackets is not None and " (in the" not in said and " and do not" not in said, "another class")
+        self.certified += 1
+        target = Target(curve.space, top["parameters"], list(self.asked(top, curve)))
+        return Fact("N", None, (), [said], (), ["Morales-Ramis"], target)
+
+    @staticmethod
+    def asked(top, curve):
+        """What the certificate asks of a point"""
+        names = {x: curve.space.at[x] for x in top["parameters"]}
+        inner = top["equation"]["certificate"]
+
+        def coefficients(text, z):
+            rows = parse(text, names | {z: FIELD * 100}).coefficients(FIELD * 100)
+            return "group", [Function(f) for f in rows or [P()]]
+        if inner["format"] == strata.FORMAT:
+            need(not inner.get("memberships") and not inner.get("rational"), "memberships are not looked at here")
+            need(set(inner["parameters"]) <= set(names), "an algebraic constant among the parameters")
+            for x in inner["real"]:
+                yield "real", Function(parse(x, names))
+            for c in inner["assumptions"]:
+                yield c["sign"], Function(parse(c["p"], names))
+            for group in inner["generic"]:
+                yield "group", [Function(parse(text, names)) for text in group]
+            yield coefficients(inner["r"]["den"], inner["variable"])
+        for text in top["curve"]["denominators"]:
+            yield coefficients(text, curve.variable)
+
+    def literature(self, d):
+        need(d["theorem"] == "Ziglin 1983", "an unknown theorem")
+        y, known = self.family(d), Family(SYMMETRIC_TOP)
+        same = y.data["coordinates"] == known.data["coordinates"] and y.parameters == known.parameters and \
+            y.space.at == known.space.at and y.space.hamiltonian.p == known.space.hamiltonian.p and \
+            y.space.hamiltonian.n == known.space.hamiltonian.n and y.assumptions == known.assumptions and \
+            {u: h.p for u, h in y.space.denominators.items()} == {u: h.p for u, h in known.space.denominators.items()} and \
+            {k: f.p for k, f in y.space.brackets.items()} == {k: f.p for k, f in known.space.brackets.items()} and \
+            all(f.n == 1 for f in y.space.brackets.values())
+        need(same, "not the system of the theorem")
+        return Fact("N", y, (), [LEAVES], (), ["Ziglin 1983"])
+
+    def integrals(self, d):
+        y = self.family(d)
+        space = y.space
+        right(d["claims"], "nothing is claimed")
+        level = [space.read(v) for v in d["level"]]
+        for g in level:
+            space.need_zero(self.along(space, g), "the level is not invariant")
+        lines = []
+        for claim in d["claims"]:
+            f, cofactors = space.read(claim["value"]), [space.read(v) for v in claim["cofactors"]]
+            right(len(cofactors) == len(level), "a cofactor for each function of the level is expected")
+            rest = self.along(space, f) - total(c * g for c, g in zip(cofactors, level))
+            space.need_zero(rest, "not a first integral")
+            lines.append((claim["name"], f))
+        return Fact("I", y, (), (), [(y, lines, level)])
+
+    @staticmethod
+    def along(space, f):
+        return total(x * space.d(f, j) for j, x in enumerate(space.field))
+
+    def splitting(self, d):
+        y = self.family(d)
+        return Fact("N", y, Splitting(y, d).region, [REAL], (), ["Ziglin 1980"])
+
+    # -- changes of variables (4)
+
+    def place(self, d):
+        x, of = self.family(d), self.fact(d["of"], "N", "I")
+        right(all(len(v) == 2 and isinstance(v[0], str) and v[0] in x.names for v in d["at"]), "a parameter is expected")
+        at, free = {}, {name: v for name, v in x.names.items() if name not in {v[0] for v in d["at"]}}
+        for name, value in d["at"]:
+            need(name not in at, "a parameter is put twice")
+            at[name] = self.function(value, free)
+        region = x.region(d["region"])
+        target = of.target or Target.of(of.family, of.region, of.kind == "N")
+        map = Map(x, at, region, target, d)
+        need(REAL not in of.classes or not map.tower.roots, "a real system, and a root")
+        if LEAVES in of.classes:
+            map.need_level(RIGID)
+        equations = [(P({1 << v: at[name].n}) - at[name].p, "zero") for name, v in x.names.items() if name in at]
+        return Fact(of.kind, x, equations + region, of.classes, of.integrals, of.used)
+
+    @staticmethod
+    def function(v, names):
+        p, n = (v, "1") if isinstance(v, str) else v
+        right(isinstance(p, str) and isinstance(n, str), "a polynomial over a number is expected")
+        n = read("int", n, "a number")
+        right(n >= 1, "a number is out of range")
+        return Function(parse(p, names), n)
+
+    def symmetry(self, d):
+        x = self.family(d)
+        right(not d["adjoined"], "nothing is adjoined")
+        map = Map(x, {}, [], Target.of(x, [], False), d)
+        need(not map.affine, "the origin moves")
+        need(all(map.values[v].n == 1 for v in x.names.values()), "a number below")
+        return Fact("S", x, map=map)
+
+    def lowest_order(self, d):
+        x, of = self.family(d), self.fact(d["of"], "N")
+        need(of.family is not None, "the step is about a system of a certificate")
+        lowest_order(x, of.family, d)
+        at = {of.family.names[name]: x.names[name] for name in x.parameters}
+        region = [(P((sum((k >> v & 2**32 - 1) << w for v, w in at.items()), c) for k, c in f.items()), sign)
+                  for f, sign in of.region]
+        return Fact("N", x, region, [*of.classes, ORIGIN], of.integrals, of.used | {"Ziglin 1982"})
+
+    # -- the cover (8)
+
+    def cover(self, d):
+        x = self.family(d)
+        self.symmetries = [self.fact(name, "S") for name in d["symmetries"]]
+        self.parts = [self.fact(name, "N", "I") for name in d["parts"]]
+        need(all(f.family is x for f in self.symmetries + self.parts), "a step is about another system")
+        need(any(f.kind == "N" for f in self.parts), "nothing says that it is not integrable")
+        if any(LEAVES in f.classes for f in self.parts):
+            for f in self.symmetries:
+                f.map.need_level(RIGID)
+        refute(d["tree"], x.assumptions, x.names, self.part)
+        classes = [c for f in self.parts for c in f.classes]
+        return Fact("N", x, (), dict.fromkeys(classes), (), set().union(*(f.used for f in self.parts)))
+
+    def part(self, v, given):
+        d = read({"node": "text", "part": "int", "word": ["int"], "shown": ["any"]}, v, "part")
+        need(d["node"] == "part" and 0 <= d["part"] < len(self.parts) and len(d["word"]) <= 40, "no such part")
+        f = self.parts[d["part"]]
+        right(len(d["shown"]) == len(f.region), "each condition of the part must be shown")
+        for (g, sign), by in zip(f.region, d["shown"]):
+            for i in d["word"]:
+                need(0 <= i < len(self.symmetries), "no such symmetry")
+                map = self.symmetries[i].map
+                g = map.phi(Function(g)).p
+            show(g, sign, by, given, f.family.names)
+
+
+def verify(top, prove):
+    """The number of trusted steps, a summary and the statement.  Raises Malformed or Rejected."""
+    Nodes.left = NODES
+    top = read_theorem(top)
+    try:
+        theorem = Theorem(top, prove)
+    except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
+        raise Rejected(f"{type(why).__name__}: {why}") from None
+    last = theorem.facts[top["steps"][-1]["id"]]
+    lines = statement(last, theorem)
+    used = [LITERATURE[name] for name in LITERATURE if name in last.used]
+    unchecked = sum(how == "NOT CHECKED" for _, hypotheses in used for how, _ in hypotheses)
+    plural = "hypothesis" if unchecked == 1 else "hypotheses"
+    said = f"given {len(used)} theorem{'s' * (len(used) != 1)} of the literature"
+    return 0, said + (f" and {unchecked} {plural} NOT CHECKED" if unchecked else "") + "; ", lines

@@ -1,0 +1,50 @@
+"""Reads kovacic-theorem/1 (docs/theory/theorem_certificates.md 1): syntax and types; nothing is judged here."""
+from certificate_format import Malformed, read
+from system_format import SYSTEM, right
+
+FORMAT = "kovacic-theorem/1"
+COND = {"p": "text", "sign": "text"}
+FAMILY = {"name": "text", "parameters": ["text"], "system": SYSTEM, "assumptions": [COND]}
+SHOWN = {"over": "text", "value": "text", "by": "any", "square?": "true"}
+CHOSEN = {"chosen": [["any"]], "by": "any"}
+ROOT = {"name": "text", "square": "any"}
+INVERSE = {"name": "text", "inverse": "text", "times": "text", "norm": "text", "by": "any"}
+MAP = {"adjoined": ["any"], "values": "any", "back": [["any"]], "bracket": ["any"], "energy": ["any"], "shown": ["any"]}
+CLAIM = {"name": "text", "value": "any", "cofactors": ["any"]}
+ORDER = {"inverse": "text", "order": "int", "part": "text", "by": "any"}
+RULES = {"certificate": {"certificate": "any"},
+         "literature": {"system": "text", "theorem": "text"},
+         "integrals": {"system": "text", "claims": [CLAIM], "level": ["any"]},
+         "splitting": {"system": "text", "moments": ["text"], "small": ["text"], "order": "int", "first": "text",
+                       "power": "int", "region": [COND], "proof": "any"},
+         "place": MAP | {"of": "text", "system": "text", "at": [["any"]], "region": [COND]},
+         "symmetry": MAP | {"system": "text"},
+         "lowest-order": {"of": "text", "system": "text", "weights": ["int"], "degree": "int", "orders": [ORDER]},
+         "cover": {"system": "text", "symmetries": ["text"], "parts": ["text"], "tree": "any"}}
+FAMILIES, STEPS, NODES = 40, 200, 200000
+
+
+def read_theorem(top):
+    top = read({"format": "text", "title": "text", "systems": [FAMILY], "steps": ["any"]}, top, "certificate")
+    right(len(top["systems"]) <= FAMILIES and 1 <= len(top["steps"]) <= STEPS, "too many systems or steps")
+    names = [s["name"] for s in top["systems"]]
+    right(len(set(names)) == len(names), "a system occurs twice")
+    for family in top["systems"]:
+        system = family["system"]
+        given = [system[key] is not None for key in ("hamiltonian", "brackets", "functions", "relations", "field")]
+        right(given == [True, True, False, False, False], "a Hamiltonian and brackets are expected, and nothing else")
+        for key in ("functions", "inverses", "relations"):
+            system[key] = system[key] or []
+    top["steps"] = [read_step(v) for v in top["steps"]]
+    return top
+
+
+def read_step(v):
+    rule = v.get("rule") if isinstance(v, dict) else None
+    if not isinstance(rule, str) or rule not in RULES:
+        raise Malformed("an unknown rule")
+    return read(RULES[rule] | {"id": "text", "rule": "text"}, v, rule)
+
+
+def read_adjoined(v):
+    return read(ROOT if isinstance(v, dict) and "square" in v else INVERSE, v, "adjoined")

@@ -1,0 +1,65 @@
+"""Polynomials in names to which roots and inverses are adjoined (docs/theory/theorem_certificates.md 3)."""
+from certificate_format import need
+from multivariate import FIELD, NAMES, ONE, P
+from phase_space import Function, total
+from strata_format import NAME
+from system_format import fraction, right
+
+
+def compose(f, images):
+    """f with a Function for each of its variables"""
+    def put(p, order):
+        if not order:
+            return Function(p)
+        x, *rest = order
+        power, terms = Function(ONE), []
+        for row in p.coefficients(x):
+            if row:
+                terms.append(put(row, rest) * power)
+            power = power * images[x]
+        return total(terms)
+    need(f.p.variables() <= set(images), "a name has no value")
+    g = put(f.p, sorted(f.p.variables()))
+    return Function(g.p, g.n * f.n)
+
+
+class Tower:
+    """names: {name: variable}; steps: (variable, None, h) of u = 1/h and (variable, square, None) of a root."""
+
+    def __init__(self, names):
+        self.names, self.steps, self.roots = dict(names), [], False
+
+    def read(self, v):
+        return Function(*fraction(v, self.names)[:2])
+
+    def adjoin(self, name, square=None, h=None):
+        right(NAME.match(name) and name not in self.names and len(self.names) < NAMES, "another name is expected")
+        taken = max(self.names.values(), default=-FIELD)
+        self.names[name] = taken + FIELD
+        self.steps.append((self.names[name], square, h))
+        self.roots = self.roots or square is not None
+
+    def need_zero(self, f, why):
+        need(self.is_zero(f.p, len(self.steps)), why)
+
+    def is_zero(self, p, k):
+        while p and k:
+            k -= 1
+            x, square, h = self.steps[k]
+            n = p.degree(x)
+            if n <= 0:
+                continue
+            if square is None:
+                p = p.substitute(x, h, ONE * -1, n)
+            else:
+                rows = p.coefficients(x)
+                return all(self.is_zero(self.even(half, square), k) for half in (rows[::2], rows[1::2]))
+        return not p
+
+    @staticmethod
+    def even(rows, square):
+        """sum rows[j] r^(2 j), times a number"""
+        value, lift = P(), 1
+        for row in reversed(rows):
+            value, lift = value * square.p + row * lift, lift * square.n
+        return value
