@@ -1,0 +1,70 @@
+// Proofs of signs: what is found is accepted by the checker, and what has a point is not refuted.
+
+#include "certify/theorem/real_proof.hpp"
+#include "parameters/combination.hpp"
+#include "parameters/refutation.hpp"
+
+#include <gmock/gmock.h>
+
+namespace kov {
+namespace {
+
+const Ring& ring() {
+  static const Ring r = make_ring({"A", "B", "C", "g", "x", "y"});
+  return r;
+}
+
+Condition is(const char* f, Sign sign) { return {certify::read_polynomial(ring(), f), sign}; }
+
+// Found, and accepted.
+bool refuted(const std::vector<Condition>& given, int depth = 6) {
+  const auto node = refutation(ring(), given, depth);
+  if (!node) return false;
+  certify::Arithmetic arithmetic;
+  std::size_t nodes = 100000;
+  const std::string text = certify::to_string(*node);
+  const Json json = certify::parse_json(text, 512);
+  certify::RealProof(ring(), std::vector<bool>(ring()->size(), true), arithmetic, nodes)
+      .refute(certify::Node(json, "node", rationals()), given);
+  return true;
+}
+
+TEST(Refutation, CombinationsOfInequalities) {
+  EXPECT_TRUE(refuted(
+      {is("A - B", Sign::positive), is("B - C", Sign::positive), is("C - A", Sign::nonnegative)}));
+  EXPECT_FALSE(refuted({is("A - B", Sign::nonnegative), is("B - C", Sign::nonnegative),
+                        is("C - A", Sign::nonnegative)}));
+}
+
+TEST(Refutation, EquationsArePutIn) {
+  EXPECT_TRUE(refuted({is("A - 4*B + C", Sign::zero), is("B + C - A", Sign::nonnegative),
+                       is("B - C", Sign::positive), is("C", Sign::positive)}));
+  EXPECT_FALSE(refuted({is("A - 4*B + C", Sign::zero), is("B + C - A", Sign::nonnegative),
+                        is("B - C", Sign::nonnegative), is("C", Sign::nonnegative)}));
+  EXPECT_TRUE(refuted(
+      {is("2*x + 3*y - 1", Sign::zero), is("x - y", Sign::zero), is("5*x - 1", Sign::nonzero)}));
+}
+
+TEST(Refutation, SumsOfSquares) {
+  EXPECT_TRUE(refuted({is("x^2 + y^2", Sign::zero), is("x", Sign::nonzero)}));
+  EXPECT_FALSE(refuted({is("x^2 - y^2", Sign::zero), is("x", Sign::nonzero)}));
+  EXPECT_FALSE(refuted({is("x^2 + A^2 - 4*A*C + 4*C^2", Sign::positive),
+                        is("-g^2*x^2 - A^2 + 4*A*C - 4*C^2", Sign::nonnegative)}));
+}
+
+TEST(Refutation, Products) {
+  EXPECT_TRUE(refuted(
+      {is("2*A*x - 2*B*x", Sign::zero), is("A - B", Sign::positive), is("x", Sign::nonzero)}));
+  EXPECT_FALSE(refuted(
+      {is("2*A*x - 2*B*x", Sign::zero), is("A + B", Sign::positive), is("x", Sign::nonzero)}));
+}
+
+TEST(Combination, IsExact) {
+  const auto q = [](long a) { return Rational(a); };
+  EXPECT_TRUE(nonnegative_combination({{q(1), q(-1)}}, {true, false}).has_value());
+  EXPECT_FALSE(nonnegative_combination({{q(1), q(1)}}, {true, false}).has_value());
+  EXPECT_FALSE(nonnegative_combination({{q(0), q(1)}}, {false, true}).has_value());
+}
+
+} // namespace
+} // namespace kov
