@@ -103,6 +103,7 @@ std::vector<ParameterMap> symmetries(NodeResult& n, const Theorem& t, const Syst
     n.checks.push_back({name + " maps the system to itself", found.objection.empty()});
     if (!found.objection.empty())
       throw DomainError(name + " is no symmetry of the system: " + found.objection);
+    n.symmetries.push_back(*found.map);
     ParameterMap map = identity(ring);
     for (const auto& [variable, value] : s.as)
       map[ring->index(variable)] = formula(whole, value);
@@ -193,6 +194,7 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
   for (std::string& t : found.trusted)
     n.trusted.push_back(std::move(t));
   n.region = std::move(found.region);
+  n.map = std::move(found.map);
   if (!found.objection.empty()) unbind(n, found.objection);
 }
 

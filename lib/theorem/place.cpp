@@ -40,54 +40,6 @@ private:
   std::vector<FunctionMeaning> none_;
 };
 
-/// Computing with square roots: names r with r^2 = f.
-class Roots {
-public:
-  Roots(const PlaceScope& scope, const ParameterValues& roots) {
-    for (const auto& [name, square] : roots)
-      squares_.emplace_back(*scope.ring()->find(name), scope.read(square));
-  }
-  // p with r^2 replaced by f, as a fraction.
-  [[nodiscard]] MFraction reduced(const MPoly& p) const {
-    MFraction value(p);
-    for (auto root = squares_.rbegin(); root != squares_.rend(); ++root)
-      value = reduced(value.num(), *root) / reduced(value.den(), *root);
-    return value;
-  }
-  [[nodiscard]] bool vanishes(const MFraction& f) const { return is_zero(reduced(f.num())); }
-  // A polynomial without roots that vanishes wherever p does: the product over the conjugates.
-  [[nodiscard]] MPoly norm(const MPoly& p) const {
-    MPoly value = p;
-    for (auto root = squares_.rbegin(); root != squares_.rend(); ++root) {
-      if (!kov::uses(value, root->first)) continue;
-      const MFraction r = MFraction::variable(p.ring(), root->first);
-      value =
-          reduced((MFraction(value) * substitute(value, {{root->first, -r}})).num(), *root).num();
-    }
-    return value;
-  }
-  [[nodiscard]] bool uses_root(const MFraction& f) const {
-    return std::any_of(squares_.begin(), squares_.end(),
-                       [&](const auto& root) { return kov::uses(f, root.first); });
-  }
-
-private:
-  using Root = std::pair<std::size_t, MFraction>;
-  static MFraction reduced(const MPoly& p, const Root& root) {
-    const auto c = coefficients(p, root.first);
-    if (c.size() < 3) return MFraction(p);
-    const MFraction r = MFraction::variable(p.ring(), root.first);
-    MFraction even = MFraction(c[0]) - MFraction(c[0]), odd = even,
-              power = MFraction(p.ring(), Rational(1));
-    for (std::size_t i = 0; i < c.size(); ++i) {
-      (i % 2 == 0 ? even : odd) = (i % 2 == 0 ? even : odd) + MFraction(c[i]) * power;
-      if (i % 2 == 1) power = power * root.second;
-    }
-    return even + odd * r;
-  }
-  std::vector<Root> squares_; ///< a root may occur in the squares of later ones
-};
-
 Sign sign_of(Assumption::Relation r) {
   using Relation = Assumption::Relation;
   return r == Relation::positive      ? Sign::positive
@@ -154,7 +106,7 @@ class Comparison {
 public:
   Comparison(const System& whole, const System& base, const System& single, const Place& place)
       : whole_(whole), base_(base), single_(single), place_(place), scope_(base, place.roots),
-        roots_(scope_, place.roots), region_(parameters()) {}
+        roots_(read_roots()), region_(parameters()) {}
 
   Located run() {
     Located found;
@@ -164,6 +116,7 @@ public:
       found.objection = why.what();
     }
     found.checks = checks_;
+    if (found.objection.empty()) found.map = map_found();
     for (const TrustedStep& t : region_.trusted())
       found.trusted.push_back(t.claim);
     return found;
@@ -171,7 +124,19 @@ public:
 
 private:
   [[nodiscard]] const Ring& ring() const { return scope_.ring(); }
+  [[nodiscard]] PlaceMap map_found() const {
+    PlaceMap all{ring(), roots_, {}, jacobian_, bracket_, time_};
+    for (const auto& [i, value] : map_)
+      all.values.emplace(single_.ring()->name(i), value);
+    return all;
+  }
 
+  [[nodiscard]] Roots read_roots() const {
+    std::vector<Roots::Root> squares;
+    for (const auto& [name, square] : place_.roots)
+      squares.emplace_back(*scope_.ring()->find(name), scope_.read(square));
+    return Roots(std::move(squares));
+  }
   // What is known about the parameters.
   [[nodiscard]] Region parameters() const {
     Assumptions known;
@@ -320,6 +285,7 @@ private:
       }
     if (factor && (!is_parametric(*factor) || is_zero(*factor) || !is_nonzero(factor->num())))
       return "its Poisson bracket is another one";
+    bracket_ = factor;
     checks_.push_back({"the Poisson brackets agree, up to a constant factor", true});
     return "";
   }
@@ -412,6 +378,7 @@ private:
   std::map<std::size_t, MFraction> map_;
   std::vector<std::vector<MFraction>> jacobian_;
   MFraction time_;
+  std::optional<MFraction> bracket_;
   CheckedIdentities checks_;
 };
 
@@ -430,6 +397,14 @@ void require(Assumptions& known, const std::vector<Assumption>& assumed, const R
       known.require(value, sign_of(a.relation));
     }
   }
+}
+
+std::vector<Condition> conditions_of(const System& whole, const Place& place) {
+  const PlaceScope scope(whole, {});
+  Assumptions all;
+  for (const auto& [value, sign] : read_conditions(place, scope))
+    all.require(value, sign);
+  return all.conditions;
 }
 
 ParameterRegion region_of(const System& whole, const Place& place) {

@@ -15,6 +15,7 @@
 #include "parameters/conditions.hpp"
 #include "splitting/checked.hpp"
 #include "system/system.hpp"
+#include "theorem/roots.hpp"
 
 namespace kov {
 
@@ -34,16 +35,29 @@ struct ParameterRegion {
   std::vector<Condition> conditions;
 };
 
+/// The map of a place, as it was checked.  Parameters in `at` do not occur.
+struct PlaceMap {
+  Ring ring;                               ///< the names of X, and the roots
+  Roots roots;                             ///< r^2 = f, in this ring
+  std::map<std::string, MFraction> values; ///< coordinates and parameters of Y, by name
+  std::vector<std::vector<MFraction>> jacobian; ///< S
+  std::optional<MFraction> bracket;             ///< c, unless both brackets are 0
+  MFraction time;                               ///< tau
+};
+
 struct Located {
   std::string objection;            ///< why the step is not about the system; empty: it is
   ParameterRegion region;           ///< where it is
   CheckedIdentities checks;         ///< what was verified
   std::vector<std::string> trusted; ///< decisions of Z3
+  std::optional<PlaceMap> map;      ///< if it is about the system
 };
 
 /// The parameters that a place describes, and nothing else.
 /// Errors  InputError: a formula that cannot be read
 [[nodiscard]] ParameterRegion region_of(const System& whole, const Place& place);
+/// Those of `if` alone, in the ring of the system.
+[[nodiscard]] std::vector<Condition> conditions_of(const System& whole, const Place& place);
 
 /// Checks that `single` is `base` in other words.
 /// Requires that `whole` is the theorem's system and `base` has parameters of the same names; both

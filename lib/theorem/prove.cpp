@@ -1,6 +1,7 @@
 #include "theorem/prove.hpp"
 
 #include "exact/error.hpp"
+#include "theorem/bundle.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -137,6 +138,25 @@ private:
   std::set<std::string> done_;
 };
 
+// All of it as one certificate: then no decision of Z3 is needed any more.
+void certify_whole(TheoremResult& result, const std::string& directory, const Budget& budget) {
+  if (!result.complete() || result.nodes.front().node.kind != NodeKind::cover) return;
+  try {
+    TheoremBundle b = theorem_bundle(result, directory, budget);
+    result.bundle = std::move(b.json);
+    result.no_bundle = std::move(b.none);
+  } catch (const InputError&) {
+    throw;
+  } catch (const InternalError&) {
+    throw;
+  } catch (const Error& why) {
+    result.no_bundle = why.what();
+  }
+  if (result.bundle.empty()) return;
+  for (NodeResult& n : result.nodes)
+    std::erase_if(n.trusted, [](const std::string& step) { return step.starts_with("Z3"); });
+}
+
 } // namespace
 
 TheoremResult prove(const Theorem& t, const ProveOptions& options) {
@@ -159,6 +179,7 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
   const Covers composed(result, directory);
   const Openness settled(result);
   settle_hypotheses(result, directory);
+  if (options.want_bundle) certify_whole(result, directory, options.decide.budget);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -10,6 +10,7 @@ namespace kov {
 
 struct ProveOptions {
   Options decide;
+  bool want_bundle = false; ///< all of it as one certificate (bundle.hpp)
   /// After each step: the step, and what is known so far (the rest is open).
   std::function<void(const NodeResult&, const TheoremResult&)> progress;
 };

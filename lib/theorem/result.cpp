@@ -153,8 +153,10 @@ std::string TheoremResult::statement() const { return complete() ? nodes.front()
 std::string TheoremResult::computed() const {
   const auto certified = static_cast<std::size_t>(std::count_if(
       nodes.begin(), nodes.end(), [](const NodeResult& n) { return !n.certificates.empty(); }));
-  return plural(count(NodeStatus::proved), "step") + " computed here, " +
-         std::to_string(certified) + " of them with certificates";
+  const std::string steps = plural(count(NodeStatus::proved), "step") + " computed here, ";
+  if (!bundle.empty()) return steps + "all that the statement rests on in one certificate";
+  return steps + std::to_string(certified) + " of them with certificates" +
+         (no_bundle.empty() ? "" : "; no certificate of the whole (" + no_bundle + ")");
 }
 
 std::string TheoremResult::conclusion() const {

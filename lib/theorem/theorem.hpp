@@ -151,6 +151,8 @@ struct NodeResult {
   /// What the step needs of the parameters of its file besides what the file assumes.
   std::vector<Inequality> domain;
   ParameterRegion region; ///< of the theorem's parameters, if the step is about its system
+  std::optional<PlaceMap> map;      ///< if its system had to be compared
+  std::vector<PlaceMap> symmetries; ///< cover
   NodeStatus status = NodeStatus::open;
   bool rests_on_open = false;           ///< something below it is open or refuted
   std::vector<AdmittedFamily> admitted; ///< splitting: families that are left to other nodes
@@ -171,6 +173,8 @@ struct TheoremResult {
   Theorem theorem;
   std::vector<NodeResult> nodes; ///< in the order of the file
   double seconds = 0;
+  std::string bundle{};    ///< all of it as one certificate, accepted by the judge; or empty
+  std::string no_bundle{}; ///< why there is none
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
   /// Each theorem once, with a hypothesis open where one of its uses leaves it open.

@@ -36,9 +36,20 @@ std::string rendered(const TheoremResult& t, const std::string& format, bool ver
                               verbose ? report::TheoremDetail::whole : report::TheoremDetail::tree);
 }
 
+// --certificate OUT.json: the whole theorem as one certificate.
+void write_bundle(const Settings& settings, const TheoremResult& result) {
+  if (result.bundle.empty()) {
+    if (result.no_bundle.empty()) return;
+    throw InputError("", 0, 0, 1, settings.certificate + " is not written: " + result.no_bundle,
+                     "--certificate DIRECTORY writes the certificates of the steps");
+  }
+  write_file(settings.certificate, laid_out(result.bundle) + "\n");
+}
+
 // --certificate DIR: the certificates of the steps, as ID.json, ID-2.json, ...
 void write_certificates(const Settings& settings, const TheoremResult& result) {
   if (settings.certificate.empty()) return;
+  if (settings.certificate.ends_with(".json")) return write_bundle(settings, result);
   make_directory(settings.certificate);
   for (const NodeResult& n : result.nodes)
     for (std::size_t i = 0; i < n.certificates.size(); ++i)
@@ -59,6 +70,7 @@ int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std
   const std::string format = output_format(settings);
   ProveOptions options;
   options.decide = settings.solver_options();
+  options.want_bundle = settings.certificate.ends_with(".json");
   options.progress = [&](const NodeResult& n, const TheoremResult& so_far) {
     if (screen >= 0)
       (void)::dprintf(screen, "%-9s %5.1f s  %s\n", to_string(n.status).c_str(), n.seconds,

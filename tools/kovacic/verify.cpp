@@ -7,6 +7,7 @@
 #include "certify/equation/statement.hpp"
 #include "certify/strata/check.hpp"
 #include "certify/system/check.hpp"
+#include "certify/theorem/check.hpp"
 #include "exact/error.hpp"
 #include "symbol/document.hpp"
 
@@ -89,6 +90,16 @@ Report judge_system(Report r, const std::string& certificate, bool strict) {
   return r;
 }
 
+Report judge_theorem(Report r, const std::string& certificate) {
+  const auto verdict = certify::check_theorem(certificate);
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
+  const auto& yes = std::get<certify::TheoremAccepted>(verdict);
+  r = accepted(r, 0, false);
+  r["statement"] = yes.statement;
+  r["given"] = {{"theorems", yes.theorems}, {"unchecked_hypotheses", yes.unchecked}};
+  return r;
+}
+
 // The outcome of one text: "accepted", "rejected" or "malformed", with its reason.
 Report judge(const std::string& path, const std::string& certificate, bool strict) {
   Report r{{"file", path}};
@@ -96,6 +107,7 @@ Report judge(const std::string& path, const std::string& certificate, bool stric
     const auto format = certify::format_of(certificate);
     if (format == "kovacic-strata/1") return judge_strata(r, certificate, strict);
     if (format == "kovacic-system/1") return judge_system(r, certificate, strict);
+    if (format == "kovacic-theorem/1") return judge_theorem(r, certificate);
     return judge_group(r, certificate, strict);
   } catch (const Error& e) {
     r["verdict"] = "malformed";
@@ -150,12 +162,26 @@ std::string strata_text(const Report& strata) {
   return std::to_string(all) + (all == 1 ? " stratum" : " strata") + s;
 }
 
+// "given 3 theorems of the literature and 1 hypothesis NOT CHECKED; 0 trusted steps"
+std::string given_text(const Report& given, std::size_t trusted) {
+  const auto n = given["theorems"].get<std::size_t>();
+  const auto open = given["unchecked_hypotheses"].get<std::size_t>();
+  std::string s =
+      "given " + std::to_string(n) + (n == 1 ? " theorem" : " theorems") + " of the literature";
+  if (open > 0)
+    s += " and " + std::to_string(open) + (open == 1 ? " hypothesis" : " hypotheses") +
+         " NOT CHECKED";
+  return s + "; " + trust(trusted);
+}
+
 // One line, and the statement: what a certificate says cannot look like another line.
 std::string text(const Report& r) {
   std::string s = printable(r["file"].get<std::string>()) + ": " + r["verdict"].get<std::string>();
   if (r.contains("strata"))
     s +=
         " (" + strata_text(r["strata"]) + "; " + trust(r["trusted_steps"].get<std::size_t>()) + ")";
+  else if (r.contains("given"))
+    s += " (" + given_text(r["given"], r["trusted_steps"].get<std::size_t>()) + ")";
   else if (r.contains("system"))
     s += " (" + r["system"].get<std::string>() + "; " +
          trust(r["trusted_steps"].get<std::size_t>()) + ")";

@@ -5,7 +5,7 @@ usage: manual.py PROGRAM DIRECTORY
 
     kovacic(1)               the --help of the program and of each of its commands
     kovacic-system(5)        docs/guide/system-files.md
-    kovacic-certificate(5)   docs/theory/certificates.md, strata_certificates.md, system_certificates.md
+    kovacic-certificate(5)   docs/theory/certificates.md, strata_certificates.md, system_certificates.md, theorem_certificates.md
 """
 
 import os

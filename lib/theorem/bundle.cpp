@@ -1,0 +1,459 @@
+#include "theorem/bundle.hpp"
+
+#include "certify/strata/arithmetic.hpp"
+#include "certify/theorem/check.hpp"
+#include "certify/theorem/fact.hpp"
+#include "certify/theorem/splitting.hpp"
+#include "exact/error.hpp"
+#include "splitting/perturbation.hpp"
+#include "system/weights.hpp"
+#include "theorem/bundle_place.hpp"
+#include "theorem/cover_search.hpp"
+#include "theorem/prove.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr int splitting_depth = 40;
+
+/// A step of the certificate that the cover needs.
+struct BundlePart {
+  std::string id;
+  std::vector<Condition> region; ///< in the ring of the theorem's system
+};
+
+class Bundle {
+public:
+  Bundle(const TheoremResult& t, std::string directory, const Budget& budget)
+      : t_(t), directory_(std::move(directory)), budget_(budget) {}
+
+  std::string operator()() {
+    const NodeResult& root = t_.nodes.front();
+    if (root.node.kind != NodeKind::cover || t_.theorem.system.empty() ||
+        !root.node.place.at.empty() || !root.node.place.conditions.empty())
+      throw DomainError("the first step is no cover of all parameters");
+    whole_ = &family(t_.theorem.system, {}, {});
+    for (const std::string& id : root.node.needs)
+      if (const NodeResult& n = find(id); n.says != Conclusion::none) put_part(n);
+    put_cover(root);
+    std::vector<Json> families;
+    for (const auto& f : families_)
+      families.push_back(f->json());
+    return certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
+                                                {"title", json_text(t_.theorem.title)},
+                                                {"systems", json_list(std::move(families))},
+                                                {"steps", json_list(std::move(steps_))}}});
+  }
+
+private:
+  const NodeResult& find(const std::string& id) const {
+    return *std::find_if(t_.nodes.begin(), t_.nodes.end(),
+                         [&](const NodeResult& n) { return n.node.id == id; });
+  }
+
+  // ---- systems
+
+  static std::string name_of(const std::string& file, const ParameterValues& where) {
+    std::string name = file;
+    for (const auto& [p, value] : where)
+      name += ", " + p + " = " + value;
+    return name;
+  }
+  FamilyWriter& family(const std::string& file, const ParameterValues& where,
+                       const std::vector<Assumption>& assumed) {
+    return family(read_system(beside(directory_, file), where), name_of(file, where), assumed);
+  }
+  FamilyWriter& family(const System& s, const std::string& name,
+                       const std::vector<Assumption>& more) {
+    for (const auto& f : families_)
+      if (f->name() == name) return *f;
+    auto assumed = s.assumptions;
+    assumed.insert(assumed.end(), more.begin(), more.end());
+    families_.push_back(std::make_unique<FamilyWriter>(s, name, assumed));
+    return *families_.back();
+  }
+
+  void put_step(const std::string& id, const std::string& rule, Json::Object members) {
+    Json::Object step{{"id", json_text(id)}, {"rule", json_text(rule)}};
+    for (auto& m : members)
+      step.push_back(std::move(m));
+    steps_.push_back(Json{std::move(step)});
+  }
+
+  // ---- a part of the cover
+
+  void put_part(const NodeResult& n) {
+    try {
+      const std::string own = n.node.id + "-step";
+      const Place& p = n.node.place;
+      if (p.of.empty()) {
+        parts_.push_back(put_place(n, put_own_step(n, own), n.node.id, *whole_));
+      } else {
+        FamilyWriter& low = lowest_family(find(p.of));
+        const BundlePart there = put_place(n, put_own_step(n, own), n.node.id + "-place", low);
+        parts_.push_back(put_lowest_order(n, there, low));
+      }
+    } catch (const DomainError& why) {
+      throw DomainError("step '" + n.node.id + "': " + why.what());
+    } catch (const InvalidArgument& why) {
+      throw DomainError("step '" + n.node.id + "': " + why.what());
+    }
+  }
+
+  /// What the step says of the system of its own file.
+  struct Own {
+    std::string id;
+    BundleTarget target;
+  };
+  Own put_own_step(const NodeResult& n, const std::string& id) {
+    switch (n.node.kind) {
+    case NodeKind::case_file:
+      return put_certificate(n, id);
+    case NodeKind::theorem:
+      return put_literature(n, id);
+    case NodeKind::splitting:
+      return put_splitting(n, id);
+    case NodeKind::claims:
+      return put_integrals(n, id);
+    default:
+      throw DomainError("there is no rule for a step of kind " + to_string(n.node.kind));
+    }
+  }
+
+  Own put_certificate(const NodeResult& n, const std::string& id) {
+    std::string why = "the step has no certificate";
+    for (const std::string& json : n.certificates) {
+      try {
+        Own own{id, target_of(json)};
+        put_step(id, "certificate", {{"certificate", certify::parse_json(json, 512)}});
+        return own;
+      } catch (const Error& no) {
+        why = no.what();
+      }
+    }
+    throw DomainError(why);
+  }
+
+  Own put_literature(const NodeResult& n, const std::string& id) {
+    FamilyWriter& y =
+        family(read_system(parse_document(n.node.theorem->system, n.node.theorem->id)),
+               n.node.theorem->id, {});
+    put_step(id, "literature",
+             {{"system", json_text(y.name())}, {"theorem", json_text(n.node.theorem->id)}});
+    return {id, target_of(y, {}, true)};
+  }
+
+  Own put_integrals(const NodeResult& n, const std::string& id) {
+    FamilyWriter& y = family(n.node.file, n.node.where, {});
+    const System& s = y.system();
+    std::vector<Json> claims, level;
+    const SystemClaim* first = nullptr;
+    for (const SystemClaim& c : s.claims) {
+      if (c.kind != SystemClaim::Kind::integral || !c.holds) continue;
+      if (!first) {
+        first = &c;
+        for (const Equation& e : c.on)
+          level.push_back(y.function(e.difference));
+      }
+      if (c.on.size() != first->on.size() || c.on.size() > 1 ||
+          (!c.on.empty() && !(c.on[0].difference == first->on[0].difference)))
+        continue;
+      const MFraction along = lie_derivative(s.field, c.value);
+      std::vector<Json> cofactors;
+      if (!c.on.empty())
+        cofactors.push_back(is_zero(along) ? json_text("0")
+                                           : y.function(along / c.on[0].difference));
+      claims.push_back(Json{Json::Object{{"name", json_text(c.name)},
+                                         {"value", y.function(c.value)},
+                                         {"cofactors", json_list(std::move(cofactors))}}});
+    }
+    put_step(id, "integrals",
+             {{"system", json_text(y.name())},
+              {"claims", json_list(std::move(claims))},
+              {"level", json_list(std::move(level))}});
+    return {id, target_of(y, {}, false)};
+  }
+
+  // ---- splitting
+
+  Own put_splitting(const NodeResult& n, const std::string& id) {
+    FamilyWriter& y = family(n.node.file, n.node.where, {});
+    const System& s = y.system();
+    std::vector<Condition> region;
+    for (const Inequality& x : n.domain)
+      region.push_back(
+          y.moved({formula(s, x.value).num(), x.strict ? Sign::positive : Sign::nonnegative}));
+    const EulerPerturbation p = perturbation_of_euler(s, n.node.small);
+    certify::SplittingData d;
+    std::vector<Json> moments, small;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto used = used_variables(p.inverse_inertia[k]);
+      if (used.size() != 1 || k >= n.node.small.size())
+        throw DomainError("the moments of inertia are no parameters");
+      const std::string name = s.ring()->name(used.front());
+      moments.push_back(json_text(name));
+      small.push_back(json_text(n.node.small[k]));
+      d.moments[k] = y.ring()->index(name);
+      d.small[k] = y.ring()->index(n.node.small[k]);
+    }
+    put_perturbation(d, p, y);
+    d.region = region;
+    put_step(id, "splitting",
+             {{"system", json_text(y.name())},
+              {"moments", json_list(std::move(moments))},
+              {"small", json_list(std::move(small))},
+              {"order", json_text(std::to_string(d.order))},
+              {"first", json_text(to_string(d.first))},
+              {"power", json_text(std::to_string(d.power))},
+              {"region", json_conditions(region)},
+              {"proof", splitting_proof(y, d)}});
+    return {id, target_of(y, region, true)};
+  }
+  // H1 = first/(2 (A B C)^power)
+  static void put_perturbation(certify::SplittingData& d, const EulerPerturbation& p,
+                               const FamilyWriter& y) {
+    MFraction f = Rational(2) * transfer(p.first, y.ring());
+    MPoly abc(y.ring(), Integer(1));
+    for (const std::size_t i : d.moments)
+      abc = abc * MPoly::variable(y.ring(), i);
+    d.order = static_cast<unsigned long>(p.order);
+    for (d.power = 1; d.power <= 12; ++d.power) {
+      f = f * MFraction(abc);
+      if (is_constant(f.den())) break;
+    }
+    if (!is_constant(f.den()) || !(f.den().coefficient(0) == Integer(1)))
+      throw DomainError("the perturbation is no polynomial over a power of the moments");
+    d.first = f.num();
+  }
+  Json splitting_proof(FamilyWriter& y, const certify::SplittingData& d) {
+    certify::Arithmetic a;
+    const Json json = y.json();
+    const certify::Family family =
+        certify::read_family(certify::Node(json, y.name(), rationals()), a);
+    const Ring ring = certify::splitting_ring(family);
+    auto proof = refutation(ring, certify::splitting_conditions(family, d, ring, a),
+                            splitting_depth, budget_);
+    if (!proof) throw DomainError("it is not shown that a sum of residues is not 0");
+    return *std::move(proof);
+  }
+
+  // ---- the place of a step
+
+  BundlePart put_place(const NodeResult& n, const Own& own, const std::string& id,
+                       FamilyWriter& x) {
+    const Place& p = n.node.place;
+    const System base =
+        read_system(beside(directory_, &x == whole_ ? t_.theorem.system : file_of(x)), p.at);
+    std::vector<Condition> region;
+    for (const Condition& c : conditions_of(x.system(), p))
+      region.push_back(x.moved(c));
+    auto [at, equations] = at_members(x, p.at, base);
+    const PlaceMap map = n.map ? *n.map : identity_map(base);
+    Json::Object members{{"of", json_text(own.id)},
+                         {"system", json_text(x.name())},
+                         {"at", std::move(at)},
+                         {"region", json_conditions(region)}};
+    for (auto& m : map_members(x, p.at, base, map, region, own.target, budget_))
+      members.push_back(std::move(m));
+    put_step(id, "place", std::move(members));
+    equations.insert(equations.end(), region.begin(), region.end());
+    return {id, std::move(equations)};
+  }
+  static PlaceMap identity_map(const System& s) {
+    const std::size_t n = s.field.dimension();
+    const MFraction zero(s.ring(), Rational(0)), one(s.ring(), Rational(1));
+    PlaceMap map{s.ring(), Roots(), {}, {}, one, one};
+    for (std::size_t i = 0; i < s.ring()->size(); ++i)
+      map.values.emplace(s.ring()->name(i), MFraction::variable(s.ring(), i));
+    for (const auto& [name, value] : s.values)
+      map.values.insert_or_assign(name, transfer(value, s.ring()));
+    map.jacobian.assign(n, std::vector<MFraction>(n, zero));
+    for (std::size_t i = 0; i < n; ++i)
+      map.jacobian[i][i] = one;
+    return map;
+  }
+
+  // ---- lowest order
+
+  [[nodiscard]] std::string file_of(const FamilyWriter& low) const {
+    return low_file_.at(low.name());
+  }
+  FamilyWriter& lowest_family(const NodeResult& n) {
+    const System whole = read_system(beside(directory_, t_.theorem.system));
+    System s = read_system(beside(directory_, n.node.other), n.node.where);
+    std::vector<Assumption> assumed;
+    for (Assumption a : whole.assumptions) {
+      a.value = transfer(a.value, s.ring());
+      assumed.push_back(std::move(a));
+    }
+    s.assumptions.clear();
+    low_file_[n.node.other] = n.node.other;
+    return family(s, n.node.other, assumed);
+  }
+
+  BundlePart put_lowest_order(const NodeResult& n, const BundlePart& there, FamilyWriter& low) {
+    const System& s = whole_->system();
+    if (s.weights.empty()) throw DomainError("the system has no weights");
+    std::vector<Json> weights, orders;
+    for (const std::size_t i : s.field.coordinates)
+      weights.push_back(json_text(std::to_string(s.weights.at(i))));
+    for (std::size_t k = 0; k < whole_->divisors().size(); ++k)
+      orders.push_back(order_of(k));
+    const MFraction& h = *low.system().field.hamiltonian;
+    const long degree = weight_of(low.system(), s, h.num());
+    put_step(n.node.id, "lowest-order",
+             {{"of", json_text(there.id)},
+              {"system", json_text(whole_->name())},
+              {"weights", json_list(std::move(weights))},
+              {"degree", json_text(std::to_string(degree))},
+              {"orders", json_list(std::move(orders))}});
+    std::vector<Condition> region;
+    for (const Condition& c : there.region)
+      region.push_back(
+          {is_zero(c.p) ? MPoly(whole_->ring()) : transfer(MFraction(c.p), whole_->ring()).num(),
+           c.sign});
+    return {n.node.id, std::move(region)};
+  }
+  // The weight of the first term; the checker looks at all of them.
+  static long weight_of(const System& low, const System& s, const MPoly& f) {
+    long sum = 0;
+    const auto e = f.exponents(0);
+    for (std::size_t j = 0; j < low.field.dimension(); ++j)
+      sum += s.weights.at(*s.ring()->find(low.field.name(j))) *
+             static_cast<long>(e[low.field.coordinates[j]]);
+    return sum;
+  }
+  Json order_of(std::size_t k) {
+    const System& s = whole_->system();
+    const MPoly low = lowest_part(whole_->divisors()[k], s.weights);
+    std::map<std::vector<unsigned long>, MPoly> parts;
+    long order = 0;
+    for (long t = 0; t < low.length(); ++t) {
+      auto rest = low.exponents(t);
+      std::vector<unsigned long> monomial;
+      order = 0;
+      for (const std::size_t i : s.field.coordinates) {
+        order += s.weights.at(i) * static_cast<long>(rest[i]);
+        monomial.push_back(std::exchange(rest[i], 0));
+      }
+      MPoly& sum = parts.try_emplace(monomial, MPoly(low.ring())).first->second;
+      sum = sum + MPoly::term(low.ring(), low.coefficient(t), rest);
+    }
+    for (const auto& [monomial, part] : parts) {
+      const Condition c = whole_->moved({part, Sign::nonzero});
+      auto proof = shown(whole_->ring(), whole_->assumptions(), c, 3, budget_);
+      if (!proof) continue;
+      return Json{Json::Object{{"inverse", json_text(whole_->inverse_name(k))},
+                               {"order", json_text(std::to_string(order))},
+                               {"part", json_text(to_string(c.p))},
+                               {"by", *std::move(proof)}}};
+    }
+    throw DomainError("the lowest order of a denominator may be another one somewhere");
+  }
+
+  // ---- the cover
+
+  void put_cover(const NodeResult& root) {
+    std::vector<Substitution> symmetries;
+    std::vector<Json> names, parts;
+    for (std::size_t i = 0; i < root.symmetries.size(); ++i) {
+      const std::string id = "symmetry-" + std::to_string(i + 1);
+      put_symmetry(id, root.symmetries[i], symmetries);
+      names.push_back(json_text(id));
+    }
+    for (const BundlePart& p : parts_)
+      parts.push_back(json_text(p.id));
+    const auto tree =
+        cover_tree(whole_->ring(), whole_->assumptions(), pieces(symmetries), budget_);
+    if (!tree) throw DomainError("the cover of the parameters: no proof without Z3 was found");
+    put_step(root.node.id, "cover",
+             {{"system", json_text(whole_->name())},
+              {"symmetries", json_list(std::move(names))},
+              {"parts", json_list(std::move(parts))},
+              {"tree", *tree}});
+  }
+  void put_symmetry(const std::string& id, const PlaceMap& map,
+                    std::vector<Substitution>& symmetries) {
+    BundleTarget y = target_of(*whole_, {}, false);
+    Json::Object members{{"system", json_text(whole_->name())}};
+    for (auto& m : map_members(*whole_, {}, whole_->system(), map, {}, y, budget_))
+      members.push_back(std::move(m));
+    put_step(id, "symmetry", std::move(members));
+    Substitution put;
+    for (const std::string& p : whole_->parameters())
+      put[whole_->ring()->index(p)] = transfer(map.values.at(p), whole_->ring());
+    symmetries.push_back(std::move(put));
+  }
+
+  // The regions under all products of symmetries: first the first letter of the word is put in.
+  [[nodiscard]] std::vector<CoverPiece> pieces(const std::vector<Substitution>& symmetries) const {
+    struct Product {
+      std::vector<std::size_t> word;
+      Substitution put;
+    };
+    Substitution same;
+    for (const std::string& p : whole_->parameters())
+      same[whole_->ring()->index(p)] = MFraction::variable(whole_->ring(), p);
+    std::vector<Product> all{{{}, same}};
+    constexpr std::size_t most = 48;
+    for (std::size_t i = 0; i < all.size() && all.size() <= most; ++i)
+      for (std::size_t k = 0; k < symmetries.size(); ++k) {
+        Product next{all[i].word, {}};
+        next.word.push_back(k);
+        for (const auto& [x, value] : all[i].put)
+          next.put[x] = substitute(value, symmetries[k]);
+        if (std::none_of(all.begin(), all.end(),
+                         [&](const Product& p) { return p.put == next.put; }))
+          all.push_back(std::move(next));
+      }
+    std::vector<CoverPiece> found;
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      for (const Product& p : all) {
+        CoverPiece piece{k, p.word, {}};
+        for (const Condition& c : parts_[k].region)
+          piece.region.push_back({substitute(c.p, p.put).num(), c.sign});
+        found.push_back(std::move(piece));
+      }
+    return found;
+  }
+
+  const TheoremResult& t_;
+  std::string directory_;
+  const Budget& budget_;
+  std::vector<std::unique_ptr<FamilyWriter>> families_;
+  std::map<std::string, std::string> low_file_;
+  FamilyWriter* whole_ = nullptr;
+  std::vector<Json> steps_;
+  std::vector<BundlePart> parts_;
+};
+
+} // namespace
+
+TheoremBundle theorem_bundle(const TheoremResult& t, const std::string& directory,
+                             const Budget& budget) {
+  TheoremBundle b;
+  if (!t.complete()) {
+    b.none = "the theorem is not proved";
+    return b;
+  }
+  try {
+    b.json = Bundle(t, directory, budget)();
+  } catch (const DomainError& why) {
+    b.none = why.what();
+    return b;
+  }
+  const auto verdict = certify::check_theorem(b.json);
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) {
+    b.none = "the judge refuses it: " + no->step + ": " + no->why;
+    b.json.clear();
+    return b;
+  }
+  const auto& yes = std::get<certify::TheoremAccepted>(verdict);
+  b.theorems = yes.theorems;
+  b.unchecked = yes.unchecked;
+  return b;
+}
+
+} // namespace kov

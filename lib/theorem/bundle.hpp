@@ -1,0 +1,21 @@
+#pragma once
+// A proved theorem as one certificate, kovacic-theorem/1 (docs/theory/theorem_certificates.md): each
+// step by its data, accepted by the judge before it is handed out.
+
+#include "exact/budget.hpp"
+#include "theorem/theorem.hpp"
+
+namespace kov {
+
+struct TheoremBundle {
+  std::string json; ///< accepted; empty: there is none
+  std::string none; ///< why there is none: the first step that has no rule or no data
+  std::size_t theorems = 0, unchecked = 0;
+};
+
+/// Reads the files of the steps again.  `directory` ends in '/' or is empty.
+/// Errors  OutOfBudget; InputError: a file that cannot be read
+[[nodiscard]] TheoremBundle theorem_bundle(const TheoremResult& t, const std::string& directory,
+                                           const Budget& budget = {});
+
+} // namespace kov

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+"""Both checkers of certificates of theorems accept what `kovacic prove` wrote, state the same, and refuse every way to cheat
+of theorems.py.
+
+usage: theorem_python_test.py KOVACIC"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+sys.path[:0] = [os.path.join(HERE, "../../tools/verify"), HERE]
+import kovacic_verify as V  # noqa: E402
+import real_proof  # noqa: E402
+import theorems  # noqa: E402
+from multivariate import FIELD, Work, parse  # noqa: E402
+
+KOVACIC = os.path.abspath(sys.argv.pop(1))
+
+
+def verdict(text):
+    """a accepted, r rejected, m malformed"""
+    try:
+        V.verify(text)
+        return "a"
+    except V.Rejected:
+        return "r"
+    except V.Malformed:
+        return "m"
+
+
+def reports(texts):
+    """Of the C++ checker, for each text"""
+    with tempfile.TemporaryDirectory() as folder:
+        names = []
+        for i, text in enumerate(texts):
+            names.append(os.path.join(folder, f"{i}.json"))
+            with open(names[-1], "w", encoding="utf-8") as f:
+                f.write(text)
+        out = subprocess.run([KOVACIC, "verify", "--format", "json", *names], capture_output=True, text=True, check=False)
+        return [json.loads(line) for line in out.stdout.splitlines()]
+
+
+class Theorems(unittest.TestCase):
+    def test_accepts_what_the_solver_wrote_and_states_the_same(self):
+        genuine = [json.dumps(top) for top in (theorems.HEAVY, theorems.SLIDING)]
+        for text, report in zip(genuine, reports(genuine)):
+            trusted, _, lines = V.check(text)
+            self.assertEqual((trusted, report["verdict"], report["trusted_steps"]), (0, "accepted", 0))
+            self.assertEqual(lines, report["statement"])
+
+    def test_refuses_every_way_to_cheat(self):
+        false = list(theorems.traps())
+        self.assertGreaterEqual(len(false), 50)
+        for (name, text), report in zip(false, reports([text for _, text in false])):
+            with self.subTest(name):
+                self.assertNotEqual(verdict(text), "a", "Python")
+                self.assertNotEqual(report["verdict"], "accepted", "C++")
+
+
+class Signs(unittest.TestCase):
+    """A NODE for conditions on a and b: what it proves and what it does not."""
+
+    def proved(self, given, node):
+        Work.left, real_proof.Nodes.left = 10**6, 1000
+        names = {"a": 0, "b": FIELD}
+        try:
+            real_proof.refute(node, [(parse(f, names), sign) for f, sign in given], names)
+            return True
+        except V.Rejected:
+            return False
+
+    def test_terms(self):
+        def empty(terms, zeros=()):
+            return {"node": "empty", "terms": terms, "zeros": list(zeros)}
+        squares = empty([["1", "1", ["1", "2"]], ["1", "b"]], [["0", "-1"]])
+        for right, given, node in (
+                (True, [("a", "positive"), ("-a", "nonnegative")], empty([["1", "1", ["0", "1"]], ["1", "1", ["1", "1"]]])),
+                (False, [("a", "nonnegative"), ("-a", "nonnegative")], empty([["1", "1", ["0", "1"]], ["1", "1", ["1", "1"]]])),
+                (False, [("a", "nonzero"), ("-a", "nonnegative")], empty([["1", "1", ["0", "1"]], ["1", "1", ["1", "1"]]])),
+                (True, [("a^2 + b^2", "zero"), ("a", "nonzero")], squares),
+                (False, [("a^2 - b^2", "zero"), ("a", "nonzero")], squares),
+                (False, [("a^2 + b^2", "nonnegative"), ("a", "nonzero")], squares),
+                (True, [("a", "zero"), ("a - 2", "nonnegative")], empty([["1", "1", ["1", "1"]], ["2", "1"]], [["0", "-1"]])),
+                (False, [("a", "zero"), ("a - 2", "nonnegative")], empty([["1", "1", ["1", "1"]]], [["0", "-1"]])),
+                (False, [("a", "zero"), ("a + 2", "nonnegative")], empty([["1", "1", ["1", "1"]], ["2", "1"]], [["0", "-1"]])),
+                (False, [("a", "positive"), ("-a", "nonnegative")], empty([["-1", "1", ["0", "1"]], ["-1", "1", ["1", "1"]]])),
+                (False, [("a", "positive")], empty([])),
+                (False, [("a", "positive")], empty([["1", "0", ["0", "1"]]]))):
+            with self.subTest(f"{given} {node}"):
+                self.assertEqual(self.proved(given, node), right)
+
+    def test_case_distinctions(self):
+        def empty(i, e="1", zeros=()):
+            return {"node": "empty", "terms": [["1", "1", [i, e]]], "zeros": list(zeros)}
+        both = {"node": "empty", "terms": [["1", "1", ["0", "1"]], ["1", "1", ["2", "1"]]], "zeros": []}
+        given = [("-a", "positive"), ("-b", "zero")]
+        node = {"node": "sign", "p": "a", "positive": both, "zero": empty("0", "1", [["2", "1"]]), "negative": both}
+        self.assertFalse(self.proved(given, node))
+        self.assertTrue(self.proved([*given, ("a", "zero")], empty("0", "1", [["2", "1"]])))
+        zero = {"node": "zero", "p": "b", "nonzero": empty("2", "2", [["1", "b"]]), "zero": empty("0", "1", [["2", "1"]])}
+        self.assertFalse(self.proved(given, zero))
+        self.assertTrue(self.proved([*given[1:], ("b - 1", "zero")],
+                                    {"node": "zero", "p": "b", "nonzero": empty("2", "2", [["0", "b"]]),
+                                     "zero": {"node": "empty", "terms": [["1", "1"]], "zeros": [["1", "1"], ["2", "-1"]]}}))
+
+
+if __name__ == "__main__":
+    unittest.main()
