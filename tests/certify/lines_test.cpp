@@ -4,6 +4,7 @@
 
 #include "certify/equation/check.hpp"
 #include "certify/system/check.hpp"
+#include "certify/theorem/check.hpp"
 #include "certify/text/json.hpp"
 #include "exact/error.hpp"
 
@@ -27,6 +28,8 @@ char verdict(const std::string& text) {
       const auto verdict = check_way(read_system_certificate(text));
       return std::holds_alternative<SystemAccepted>(verdict) ? 'a' : 'r';
     }
+    if (format_of(text) == "kovacic-theorem/1")
+      return std::holds_alternative<TheoremAccepted>(check_theorem(text)) ? 'a' : 'r';
     const Certificate c = read_certificate(text);
     return std::holds_alternative<Accepted>(check(c)) ? 'a' : 'r';
   } catch (const Error&) {
