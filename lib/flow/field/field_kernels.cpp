@@ -152,7 +152,7 @@ Scales scales_of(const Field& f, const std::vector<double>& starts, double t_end
   const double largest = std::max(*std::max_element(s.of.begin(), s.of.end()), 1e-100);
   const std::vector<double> at_start = s.of;
   for (double& size : s.of)
-    size = size > 0 ? size : largest; // for the pilot only
+    size = size > 1e-14 * largest ? size : largest; // what rounding leaves of 0 is no scale
   const std::vector<double> begun = s.of;
   Probe probe(f, pilot_order);
   const std::size_t every = std::max<std::size_t>(1, orbits / pilot_orbits);
