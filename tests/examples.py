@@ -9,7 +9,7 @@ In the documentation of lib/ROOM/*.hpp the lines
 become one test for each header: the text of each value (tests/support/shown.hpp) is compared with what stands
 behind the arrow.  An example may go on in the lines below it; declarations may stand before its expression, each
 with a semicolon.  What is Given holds for all examples below it in the header; z = Poly::z() always, but in lib/strata
-z, a, one are elements of Q(z, a), and `everywhere` is the region of all a.
+(and lib/spectrum) z, a, one are elements of Q(z, a), and `everywhere` is the region of all a.
 """
 import os
 import re
@@ -46,7 +46,7 @@ excused = {
     "decide/witness.hpp": "the searches of certificate.cpp",
 }
 
-own_namespace = {"kovacic", "strata"}  # the others are in namespace kov
+own_namespace = {"kovacic", "spectrum", "strata"}  # the others are in namespace kov
 
 names = """[[maybe_unused]] const Poly z = Poly::z();
 """
@@ -120,7 +120,7 @@ def main(source, room, output):
     out += [f'#include "{room}/{h}"\n' for h in headers]
     out += ['#include "exact/poly.hpp"\n', '#include "support/shown.hpp"\n']
     out += ["namespace kov {\n", "namespace {\n", "using testing::example;\n",
-            names_of_strata if room in ("parameters", "strata") else names]
+            names_of_strata if room in ("parameters", "strata", "spectrum") else names]
     for header in headers:
         with open(os.path.join(folder, header), encoding="utf-8") as text:
             try:

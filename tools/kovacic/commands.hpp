@@ -41,6 +41,14 @@ struct MonodromyArguments {
   long digits = 30;
 };
 
+struct SpectrumArguments {
+  std::optional<std::string> r, ode;
+  std::string variable;
+  std::string energy = "E"; ///< the parameter that is asked for
+  std::vector<std::string> assume;
+  long levels = 4; ///< how many integers N are written out
+};
+
 struct IntegralsArguments {
   std::string file;
   long degree = 2;
@@ -58,6 +66,8 @@ int solve(const Settings& settings, const SolveArguments& arguments);
 int monodromy(const Settings& settings, const MonodromyArguments& arguments);
 /// Lame's equation: the closed answer, or the condition on what is left free.
 int lame(const Settings& settings, const LameArguments& arguments);
+/// The values of a parameter with a Liouvillian solution.
+int spectrum(const Settings& settings, const SpectrumArguments& arguments);
 /// The eigenvalues that an integrable homogeneous potential may have.
 int potential(const Settings& settings, const PotentialArguments& arguments);
 struct BatchArguments {

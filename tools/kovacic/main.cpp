@@ -52,6 +52,7 @@ struct CommandLine {
   PotentialArguments potential_arguments;
   MonodromyArguments monodromy_arguments;
   IntegralsArguments integrals_arguments;
+  SpectrumArguments spectrum_arguments;
   ClassifyArguments classify_arguments;
   SectionArguments section_arguments;
   BenchArguments bench_arguments;
@@ -197,6 +198,30 @@ struct CommandLine {
     output_flags(*potential);
   }
 
+  void declare_spectrum(CLI::App& app) {
+    SpectrumArguments& a = spectrum_arguments;
+    CLI::App* command =
+        app.add_subcommand("spectrum", "for which E is there a Liouvillian solution?");
+    command->add_option("-r", a.r, "y'' = R y")->type_name("R(z)");
+    command->add_option("-e,--ode", a.ode, "a linear equation, e.g. y'' = (z^2 - E)*y")
+        ->type_name("EQUATION");
+    command->add_option("--for", a.energy, "the parameter that is asked for (E)")
+        ->type_name("NAME");
+    command->add_option("--variable", a.variable, "its name, if not clear (z)")->type_name("NAME");
+    command->add_option("--assume", a.assume, "parameters: \"a > 0\", \"n integer\" (repeatable)")
+        ->type_name("SENTENCE");
+    command
+        ->add_option("--levels", a.levels,
+                     "how many integers N are written out (1 to 20); default 4")
+        ->check(number(20, "a number of levels"))
+        ->type_name("N");
+    set_flag(*command);
+    budget_flags(*command);
+    format_flag(*command, {"text", "json"}, "text or json");
+    quiet_flag(*command);
+    output_flags(*command);
+  }
+
   void declare_monodromy(CLI::App& app) {
     MonodromyArguments& a = monodromy_arguments;
     CLI::App* command = app.add_subcommand("monodromy", "monodromy matrices with proven radii");
@@ -316,6 +341,7 @@ struct CommandLine {
                  "text, json, tex, sympy, maxima or sage");
 
     declare_families(app);
+    declare_spectrum(app);
     declare_monodromy(app);
 
     CLI::App* check = app.add_subcommand("check", "files: the answer and what was expected");
@@ -408,6 +434,7 @@ struct CommandLine {
     if (command == "check") return check(settings, files);
     if (command == "show") return show(settings, word, stage);
     if (command == "find-manifolds") return find_manifolds(settings, word);
+    if (command == "spectrum") return spectrum(settings, spectrum_arguments);
     if (command == "integrals") return integrals(settings, integrals_arguments);
     if (command == "classify") return classify(settings, classify_arguments);
     if (command == "test") return test(settings, files);

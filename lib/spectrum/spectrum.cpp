@@ -1,0 +1,430 @@
+#include "spectrum/spectrum.hpp"
+
+#include "exact/error.hpp"
+#include "exact/ideal.hpp"
+#include "spectrum/solve_for_energy.hpp"
+
+#include <algorithm>
+
+namespace kov::spectrum {
+namespace {
+
+using strata::GroupBound;
+using strata::Leaf;
+using strata::Part;
+using strata::Question;
+using strata::Scheme;
+using strata::Stratum;
+
+// Is there a Liouvillian solution?  unknown also where that depends on whether it is reducible.
+Truth has_solution(const std::optional<GaloisGroup>& group, GroupBound bound) {
+  if (group) return truth(group->type != GroupType::SL2);
+  switch (bound) {
+  case GroupBound::unknown:
+  case GroupBound::SL2_or_Borel:
+  case GroupBound::Borel_where_odd:
+    return Truth::unknown;
+  default:
+    return Truth::yes;
+  }
+}
+
+// What is known not to vanish, in the parameters that the equations of the stratum leave free.
+Region region_of(const Question& q, const Stratum& s) {
+  const auto is_free = [&](const MPoly& p) {
+    const auto used = used_variables(p);
+    return std::none_of(used.begin(), used.end(),
+                        [&](std::size_t i) { return s.solved.contains(i); });
+  };
+  Assumptions all = q.assumptions;
+  std::erase_if(all.conditions,
+                [&](const Condition& c) { return c.sign == certify::Sign::zero || !is_free(c.p); });
+  all.memberships.clear();
+  Region region(q.r.ring(), all);
+  for (const Condition& c : s.conditions)
+    if (c.sign == certify::Sign::nonzero && is_free(c.p))
+      for (const MPoly& p : irreducible_parts(c.p))
+        region = region.where_nonzero(p);
+  return region;
+}
+
+// false: the conditions contradict the values that are put in.
+bool admits(const std::vector<Condition>& conditions, const Substitution& put) {
+  return std::all_of(conditions.begin(), conditions.end(), [&](const Condition& c) {
+    const MFraction value = substitute(c.p, put);
+    if (!is_constant(value)) return true;
+    const int s = is_zero(value) ? 0 : sign(to_rational(value));
+    switch (c.sign) {
+    case certify::Sign::zero:
+      return s == 0;
+    case certify::Sign::nonzero:
+      return s != 0;
+    case certify::Sign::positive:
+      return s > 0;
+    case certify::Sign::nonnegative:
+      return s >= 0;
+    case certify::Sign::dropped:
+      return true;
+    }
+    return true;
+  });
+}
+
+bool has_equation(const Assumptions& all) {
+  return std::any_of(all.conditions.begin(), all.conditions.end(),
+                     [](const Condition& c) { return c.sign == certify::Sign::zero; });
+}
+
+// The irreducible factors of the conditions "p != 0", with the values put in.
+std::vector<MPoly> nonzero_factors(const std::vector<Condition>& conditions,
+                                   const Substitution& put) {
+  std::vector<MPoly> all;
+  for (const Condition& c : conditions) {
+    if (c.sign != certify::Sign::nonzero && c.sign != certify::Sign::positive) continue;
+    const MFraction value = substitute(c.p, put);
+    if (is_constant(value)) continue;
+    for (const MPoly& p : irreducible_parts(value.num()))
+      all.push_back(p);
+  }
+  return all;
+}
+
+// The equations without what is known not to be 0, each factor once; unset: they contradict.
+std::optional<std::vector<MPoly>> simplified(const std::vector<MPoly>& equations,
+                                             const std::vector<MPoly>& nonzero) {
+  std::vector<MPoly> out;
+  for (const MPoly& f : equations) {
+    MPoly product(f.ring(), Integer(1));
+    for (const MPoly& p : irreducible_parts(f))
+      if (std::none_of(nonzero.begin(), nonzero.end(),
+                       [&](const MPoly& q) { return p == q || p == -q; }))
+        product *= p;
+    if (is_constant(product)) return std::nullopt;
+    out.push_back(product);
+  }
+  if (out.size() < 2) return out;
+  MPoly common = out.front();
+  std::vector<std::size_t> main;
+  for (const MPoly& f : out) {
+    common = gcd(common, f);
+    for (const std::size_t i : used_variables(f))
+      if (std::find(main.begin(), main.end(), i) == main.end()) main.push_back(i);
+  }
+  const Ideal ideal(common.ring(), main, out, nonzero);
+  if (ideal.is_unit()) return std::nullopt;
+  if (!is_constant(common) && ideal.contains(common)) return std::vector<MPoly>{common};
+  return out;
+}
+
+// Might the local monodromy exchange two lines there?  docs/theory/spectrum.md, 2
+bool may_exchange(const strata::ParametricPlace& p) {
+  if (p.kind == PlaceKind::ramified) return true;
+  if (p.kind != PlaceKind::regular) return false;
+  return p.exponent != strata::ExponentKind::rational ||
+         (is_integer(Rational(2) * p.delta) && !is_integer(p.delta));
+}
+
+// The group contains a torus and is not dihedral: too few places could exchange its two lines.
+bool is_not_dihedral(const Scheme& s) {
+  bool irregular = false;
+  long exchanges = 0;
+  for (std::size_t i = 0; i < number_of_places(s); ++i) {
+    const auto& p = place_at(s, i);
+    irregular = irregular || p.kind == PlaceKind::irregular;
+    if (may_exchange(p)) exchanges += p.degree(s.z);
+  }
+  return irregular && exchanges < 2;
+}
+
+// A Liouvillian solution is there exactly if an exponential one is: no identity component is abelian,
+// so that each group is SL(2, C) or all triangular matrices; or no group is finite or dihedral.
+bool is_exponential_or_none(const Leaf& leaf) {
+  if (leaf.scheme && is_not_dihedral(*leaf.scheme)) return true;
+  if (leaf.parts.empty()) return leaf.abelian == Truth::no;
+  return std::all_of(leaf.parts.begin(), leaf.parts.end(),
+                     [](const Part& p) { return p.abelian == Truth::no; });
+}
+
+class Study {
+public:
+  Study(const Question& q, std::size_t energy, const SpectrumOptions& options)
+      : q_(q), energy_(energy), options_(options), budget_(options.strata.decide.budget) {}
+
+  Piece piece(const Stratum& s) {
+    Piece p;
+    p.conditions = s.conditions;
+    try {
+      study(s, p);
+    } catch (const OutOfBudget& limit) {
+      p.status = Piece::Status::open;
+      p.why = limit.what();
+    }
+    return p;
+  }
+
+private:
+  void study(const Stratum& s, Piece& p) {
+    if (s.leaf.no_equation()) {
+      p.status = Piece::Status::no_equation;
+      return;
+    }
+    if (!s.leaf.parts.empty()) {
+      by_parts(s, p);
+      if (p.status == Piece::Status::open && is_exponential_or_none(s.leaf)) by_degrees(s, p);
+      return;
+    }
+    if (s.leaf.group) p.groups = {*s.leaf.group};
+    const Truth answer = has_solution(s.leaf.group, s.leaf.bound);
+    if (answer != Truth::unknown)
+      p.status = answer == Truth::yes ? Piece::Status::all : Piece::Status::none;
+    else if (is_exponential_or_none(s.leaf))
+      by_degrees(s, p);
+    else
+      p.why = "the group is not known there";
+  }
+
+  // The parts cover the stratum: solutions are there outside those with SL(2, C).
+  void by_parts(const Stratum& s, Piece& p) {
+    const Part* without = nullptr;
+    for (const Part& part : s.leaf.parts) {
+      const Truth answer = has_solution(part.group, part.bound);
+      if (answer == Truth::unknown) {
+        p.why = "the group is not known on a part";
+        return;
+      }
+      if (answer == Truth::yes && part.group) p.groups.push_back(*part.group);
+      if (answer == Truth::no && without != nullptr) {
+        p.why = "several parts are without solutions";
+        return;
+      }
+      if (answer == Truth::no) without = &part;
+    }
+    p.status = without == nullptr ? Piece::Status::all : Piece::Status::conditions;
+    if (without == nullptr) return;
+    for (ArithmeticCondition c : without->where) {
+      c.holds = !c.holds;
+      p.where.push_back(c);
+      const auto* sum = c.holds ? std::get_if<SumIn>(&c.statement) : nullptr;
+      auto solved = sum != nullptr ? solve_for_energy(*sum, energy_) : std::vector<Series>{};
+      if (solved.empty()) p.unsolved.push_back(c);
+      for (Series& x : solved) {
+        if (x.value) x.first = first_levels(s, x);
+        p.series.push_back(std::move(x));
+      }
+    }
+  }
+
+  // The eigenfunctions for N = 0, 1, ..., where E is a function of the parameters alone.
+  std::vector<Level> first_levels(const Stratum& s, const Series& series) {
+    std::vector<Level> out;
+    for (long n = 0; n < options_.levels; ++n) {
+      const Ring& wide = series.equation.ring();
+      const Substitution put{{series.n, MFraction(wide, Rational(n))}};
+      if (is_zero(substitute(series.value->den(), put))) continue; // no level
+      const MFraction value = substitute(*series.value, put);
+      for (const std::size_t i : used_variables(value))
+        if (!q_.r.ring()->find(wide->name(i))) return {}; // a square root
+      Level level;
+      level.n = n;
+      level.fixed = {energy_, transfer(value, q_.r.ring())};
+      const Substitution there{{energy_, level.fixed->second}};
+      if (!admits(s.conditions, there) || !admits(q_.assumptions.conditions, there)) continue;
+      level.y = eigenfunction(s, level.fixed->second);
+      out.push_back(std::move(level));
+    }
+    return out;
+  }
+
+  // Of the smallest degree that is a number.
+  std::optional<Eigenfunction> eigenfunction(const Stratum& s, const MFraction& value) {
+    try {
+      const MFraction r = substitute(substitute(q_.r, s.solved), {{energy_, value}});
+      if (is_zero(r)) return std::nullopt;
+      Region region(q_.r.ring(), {});
+      auto places = strata::scheme(r, q_.z, region, budget_);
+      while (const auto* needs = std::get_if<strata::Needs>(&places)) {
+        region = region.where_nonzero(needs->p);
+        places = strata::scheme(r, q_.z, region, budget_);
+      }
+      return smallest(std::get<Scheme>(places), region);
+    } catch (const DomainError&) { // this N is no level
+      return std::nullopt;
+    }
+  }
+
+  std::optional<Eigenfunction> smallest(const Scheme& s, const Region& region) {
+    const Families families = families_of_exponents(s, budget_);
+    for (long d = 0; d <= 4 * (options_.levels + 1); ++d)
+      for (const Family& f : families.all) {
+        if (!is_constant(f.degree) || to_rational(f.degree) != Rational(d)) continue;
+        const PolynomialPart part = polynomial_part(s, f, d, region, budget_);
+        if (part.open.empty() && part.conditions.empty()) return function_of(part, f);
+      }
+    return std::nullopt;
+  }
+
+  static Eigenfunction function_of(const PolynomialPart& part, const Family& f) {
+    return {part.p, f.powers, f.exponent};
+  }
+
+  void by_degrees(const Stratum& s, Piece& p) {
+    p.why.clear();
+    p.groups.clear();
+    if (has_equation(q_.assumptions)) {
+      p.why =
+          "equations between constants or parameters are assumed, which the search of exponential "
+          "solutions does not know";
+      return;
+    }
+    if (!s.leaf.scheme) {
+      p.why = "the places of the equation are not at hand";
+      return;
+    }
+    const Families families = families_of_exponents(*s.leaf.scheme, budget_);
+    if (!families.missing.empty()) {
+      p.why = families.missing;
+      return;
+    }
+    p.status = Piece::Status::none;
+    const Region region = region_of(q_, s);
+    for (const Family& f : families.all) {
+      DegreeFamily found = levels_of(s, f, region);
+      if (found.first.empty() && found.open.empty()) continue; // none, proved
+      p.families.push_back(std::move(found));
+      p.status = Piece::Status::degrees;
+    }
+  }
+
+  // A degree that is a number: one level at most.
+  DegreeFamily levels_of(const Stratum& stratum, const Family& f, const Region& region) {
+    const Scheme& s = *stratum.leaf.scheme;
+    DegreeFamily out{f.degree, {}, {}};
+    if (!is_constant(f.degree)) return levels_by_degree(stratum, f, std::move(out));
+    const Rational d = to_rational(f.degree);
+    if (!is_integer(d) || sign(d) < 0) return out;
+    if (d > Rational(most_unknowns)) {
+      out.open = "a polynomial of degree " + kov::to_string(d) + " is needed, the limit is " +
+                 std::to_string(most_unknowns);
+      return out;
+    }
+    add_level(stratum, s, f, to_long(floor(d)), region, std::nullopt, out);
+    return out;
+  }
+
+  // degree = N is solved for a parameter.
+  DegreeFamily levels_by_degree(const Stratum& stratum, const Family& f, DegreeFamily out) {
+    const Scheme& s = *stratum.leaf.scheme;
+    for (long n = 0; n < options_.levels; ++n) {
+      const MFraction condition = f.degree - MFraction(s.r.ring(), Rational(n));
+      const auto fixed = solved_linearly(condition);
+      if (!fixed) {
+        out.open = "the degree is linear in no parameter";
+        return out;
+      }
+      const Substitution put{{fixed->first, fixed->second}};
+      try {
+        if (!admits(stratum.conditions, put) || !admits(q_.assumptions.conditions, put)) continue;
+        const Scheme there = at(s, put);
+        Family g = f;
+        g.omega = substitute(f.omega, put);
+        g.exponent = substitute(f.exponent, put);
+        for (auto& [base, power] : g.powers) {
+          base = substitute(base, put).num();
+          power = substitute(power, put);
+        }
+        add_level(stratum, there, g, n, known(stratum, put), fixed, out);
+      } catch (const DomainError&) {
+        out.open = "degree " + std::to_string(n) + " is at the edge of the stratum";
+        return out;
+      }
+      if (!out.open.empty()) return out;
+    }
+    out.open = "N >= " + std::to_string(options_.levels) + " was not looked at (--levels)";
+    return out;
+  }
+
+  static Scheme at(const Scheme& s, const Substitution& put) {
+    Scheme there = s;
+    there.r = substitute(s.r, put);
+    return there;
+  }
+
+  // A variable other than E, if there is one, with a constant coefficient.
+  [[nodiscard]] std::optional<std::pair<std::size_t, MFraction>>
+  solved_linearly(const MFraction& condition) const {
+    std::vector<std::size_t> order = used_variables(condition.num());
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return i != energy_; });
+    for (const std::size_t i : order) {
+      const auto c = coefficients(condition.num(), i);
+      if (c.size() == 2 && is_constant(c[1]))
+        return std::pair(i, -MFraction(c[0]) / MFraction(c[1]));
+    }
+    return std::nullopt;
+  }
+
+  // What is not 0 on the stratum, with the values put in.
+  [[nodiscard]] Region known(const Stratum& stratum, const Substitution& put) const {
+    Region region(q_.r.ring(), {});
+    for (const MPoly& p : nonzero_factors(all_conditions(stratum), put))
+      region = region.where_nonzero(p);
+    return region;
+  }
+
+  [[nodiscard]] std::vector<Condition> all_conditions(const Stratum& stratum) const {
+    std::vector<Condition> all = stratum.conditions;
+    all.insert(all.end(), q_.assumptions.conditions.begin(), q_.assumptions.conditions.end());
+    return all;
+  }
+
+  void add_level(const Stratum& stratum, const Scheme& s, const Family& f, long n,
+                 const Region& region, std::optional<std::pair<std::size_t, MFraction>> fixed,
+                 DegreeFamily& out) {
+    PolynomialPart part = polynomial_part(s, f, n, region, budget_);
+    if (!part.open.empty()) {
+      out.open = part.open;
+      return;
+    }
+    const Substitution put = fixed ? Substitution{{fixed->first, fixed->second}} : Substitution{};
+    auto equations = simplified(part.conditions, nonzero_factors(all_conditions(stratum), put));
+    if (!equations) return; // no such point
+    Level level;
+    level.n = n;
+    level.fixed = std::move(fixed);
+    level.y = function_of(part, f);
+    level.equations = *std::move(equations);
+    out.first.push_back(std::move(level));
+  }
+
+  static constexpr long most_unknowns = 24;
+
+  const Question& q_;
+  std::size_t energy_;
+  const SpectrumOptions& options_;
+  Budget budget_;
+};
+
+} // namespace
+
+bool AlgebraicSpectrum::decided() const {
+  return not_studied.empty() && std::none_of(pieces.begin(), pieces.end(), [](const Piece& p) {
+           return p.status == Piece::Status::open ||
+                  std::any_of(p.families.begin(), p.families.end(),
+                              [](const DegreeFamily& f) { return !f.open.empty(); });
+         });
+}
+
+AlgebraicSpectrum algebraic_spectrum(const Question& q, std::size_t energy,
+                                     const SpectrumOptions& options) {
+  if (energy == q.z) throw InvalidArgument("the energy is the variable of the equation");
+  const strata::StrataAnswer answer = strata::decide_strata(q, options.strata);
+  AlgebraicSpectrum out;
+  out.trusted = answer.trusted;
+  out.contradictory = answer.contradictory;
+  out.not_studied = answer.unvisited;
+  Study study(q, energy, options);
+  for (const Stratum& s : answer.strata)
+    out.pieces.push_back(study.piece(s));
+  return out;
+}
+
+} // namespace kov::spectrum

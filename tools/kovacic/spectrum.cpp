@@ -1,0 +1,321 @@
+// kovacic spectrum: for which E has y'' = r(z; E) y a Liouvillian solution?
+
+#include "spectrum/spectrum.hpp"
+
+#include "commands.hpp"
+#include "equation/parametric_equation.hpp"
+#include "galois/group.hpp"
+#include "mechanics.hpp"
+#include "recognized.hpp"
+#include "render.hpp"
+#include "special/arithmetic.hpp"
+#include "symbol/notations.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace kov::cli {
+namespace {
+
+using spectrum::AlgebraicSpectrum;
+using spectrum::DegreeFamily;
+using spectrum::Level;
+using spectrum::Piece;
+using spectrum::Series;
+
+struct Asked {
+  ParametricEquation equation;
+  bool reduced = false; ///< another equation was given, whose solutions have one more factor
+  std::size_t energy = 0;
+};
+
+// --variable; else z; else the one of x, t that occurs.
+std::string name_of_the_variable(const EquationText& text) {
+  if (!text.variable.empty()) return text.variable;
+  const auto names = settable_names(text);
+  for (const char* name : {"z", "x", "t"})
+    if (std::find(names.begin(), names.end(), name) != names.end()) return name;
+  return "z";
+}
+
+// Every name that has no value is a parameter.
+EquationText text_of(const Settings& settings, const SpectrumArguments& a) {
+  EquationText text;
+  if (a.r) text.r = parse_expression(*a.r, "-r");
+  if (a.ode) text.ode = parse_ode(*a.ode, "-e");
+  text.variable = a.variable;
+  text.set = settings.settings();
+  text.variable = name_of_the_variable(text);
+  const auto has_value = [&](const std::string& name) {
+    return std::any_of(text.set.begin(), text.set.end(),
+                       [&](const auto& value) { return value.first == name; });
+  };
+  for (const std::string& name : settable_names(text))
+    if (name != text.variable && !has_value(name)) text.parameters.push_back(name);
+  for (const std::string& sentence : a.assume)
+    text.assume.push_back({sentence, origin_of_text("--assume", sentence), ""});
+  return text;
+}
+
+Asked read(const Settings& settings, const SpectrumArguments& a) {
+  Asked asked{read_parametric_equation(text_of(settings, a)), a.ode.has_value(), 0};
+  const Ring& ring = asked.equation.question.r.ring();
+  const auto energy = ring->find(a.energy);
+  if (!energy || *energy == asked.equation.question.z)
+    throw InvalidArgument("the equation has no parameter '" + a.energy +
+                          "'; --for NAME says which one is asked for");
+  asked.energy = *energy;
+  return asked;
+}
+
+// "E^2 - 8 = 0", "E*(E - 8)*(E + 8) = 0"
+std::string equation_text(const MPoly& f) {
+  const auto factors = factor(f).second;
+  const bool irreducible = factors.size() == 1 && factors.front().exponent == 1;
+  return (irreducible ? to_string(factors.front().base) : to_factored_string(MFraction(f))) +
+         " = 0";
+}
+
+// Factored, unless that is one pair of parentheses.
+std::string value_text(const MFraction& f) {
+  if (is_zero(f) || !is_one(f.den())) return to_factored_string(f);
+  const auto factors = factor(f.num()).second;
+  return factors.size() == 1 && factors.front().exponent == 1 ? to_string(f)
+                                                              : to_factored_string(f);
+}
+
+// ---- text
+
+class Text {
+public:
+  Text(const Asked& asked, const AlgebraicSpectrum& spectrum)
+      : q_(asked.equation.question), energy_(q_.r.ring()->name(asked.energy)), asked_(asked),
+        spectrum_(spectrum) {}
+
+  std::string run() {
+    out_ << wrapped("y'' = (" + to_string_by_powers(q_.r, q_.z) + ") y", 6) << '\n';
+    below(2, "the values of " + energy_ + " with a Liouvillian solution");
+    for (const std::string& sentence : in_words(q_.assumptions, q_.r.ring()))
+      put("assumed", sentence);
+    if (asked_.reduced)
+      put("note",
+          "y is a solution of this equation; one of the given equation has one more factor, "
+          "exp(-1/2 int p) for y'' + p y' + q y = 0");
+    if (spectrum_.contradictory) put("note", "no parameters satisfy the assumptions");
+    for (const Piece& p : spectrum_.pieces)
+      piece(p);
+    for (const std::string& text : spectrum_.not_studied)
+      put("open", "not studied, a limit was reached: " + text);
+    for (const std::string& text : spectrum_.trusted)
+      put("trusted", "the solver: " + text);
+    return out_.str();
+  }
+
+private:
+  void below(std::size_t indent, const std::string& text) {
+    out_ << std::string(indent, ' ') << wrapped(text, indent + 2) << '\n';
+  }
+  void put(const std::string& label, const std::string& text) {
+    out_ << "  " << label << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ')
+         << wrapped(text, 12) << '\n';
+  }
+
+  void piece(const Piece& p) {
+    const std::string where = p.conditions.empty() ? "" : "where " + to_string(p.conditions) + ": ";
+    switch (p.status) {
+    case Piece::Status::no_equation:
+      return put("none", where + "the equation means nothing there");
+    case Piece::Status::none:
+      return put("none", where + "no " + energy_ + "; the group is SL(2, C)");
+    case Piece::Status::all:
+      return put("all",
+                 where + (p.conditions.empty() ? "every " + energy_ : "all of these") + groups(p));
+    case Piece::Status::open:
+      return put("open", where + p.why);
+    case Piece::Status::conditions:
+      put("exactly", where + alternatives(p) + groups(p));
+      for (const Series& s : p.series)
+        series(s);
+      if (!p.series.empty() && !p.unsolved.empty())
+        below(12, "the other conditions are not solved for " + energy_);
+      return;
+    case Piece::Status::degrees:
+      put("exactly", where + "if an exponential solution P exp(...) exists, P a polynomial:");
+      for (const DegreeFamily& f : p.families)
+        degrees(f);
+    }
+  }
+
+  static std::string groups(const Piece& p) {
+    std::string text;
+    std::vector<std::string> seen;
+    for (const GaloisGroup& g : p.groups) {
+      const std::string one = describe(g);
+      if (std::find(seen.begin(), seen.end(), one) != seen.end()) continue;
+      seen.push_back(one);
+      text += (text.empty() ? "; group " : " or ") + one;
+    }
+    return text;
+  }
+
+  static std::string alternatives(const Piece& p) {
+    std::string text;
+    for (const ArithmeticCondition& c : p.where)
+      text += (text.empty() ? "if " : "; or ") + kov::to_string(c);
+    return text;
+  }
+
+  void series(const Series& s) {
+    const std::string integer = s.equation.ring()->name(s.n);
+    const std::string equation = equation_text(s.equation);
+    const std::string some = ", for some integer " + integer;
+    below(12, s.every_energy ? "every " + energy_ + " where " + equation + some
+              : s.value      ? energy_ + " = " + value_text(*s.value) + some
+                             : equation + some);
+    for (const Level& level : s.first)
+      if (level.y)
+        below(14, integer + " = " + std::to_string(level.n) + ":  " + energy_ + " = " +
+                      to_factored_string(level.fixed->second) +
+                      ",  y = " + spectrum::to_string(*level.y, q_.z));
+  }
+
+  void degrees(const DegreeFamily& f) {
+    const bool number = is_constant(f.degree);
+    if (!number)
+      below(12, "the degree of P: " + kov::to_string(f.degree) + " = N, a natural number");
+    for (const Level& level : f.first)
+      below(14, (number ? "" : "N = " + std::to_string(level.n) + ":  ") + conditions(level) +
+                    (level.y ? ",  y = " + spectrum::to_string(*level.y, q_.z) : ""));
+    if (!f.open.empty()) put("open", f.open);
+  }
+
+  [[nodiscard]] std::string conditions(const Level& level) const {
+    std::string text;
+    const auto add = [&](const std::string& one) { text += (text.empty() ? "" : ", ") + one; };
+    if (level.fixed)
+      add(q_.r.ring()->name(level.fixed->first) + " = " + kov::to_string(level.fixed->second));
+    for (const MPoly& f : level.equations)
+      add(equation_text(f));
+    return text.empty() ? "every " + energy_ : text;
+  }
+
+  const strata::Question& q_;
+  std::string energy_;
+  const Asked& asked_;
+  const AlgebraicSpectrum& spectrum_;
+  std::ostringstream out_;
+};
+
+// ---- JSON
+
+Json json_of(const Level& level, const Ring& ring, std::size_t z) {
+  Json equations = Json::array();
+  for (const MPoly& f : level.equations)
+    equations.push_back(to_string(f));
+  Json j = {{"N", level.n}, {"equations", equations}};
+  if (level.fixed) j["fixed"] = {{ring->name(level.fixed->first), to_string(level.fixed->second)}};
+  if (level.y) j["y"] = spectrum::to_string(*level.y, z);
+  return j;
+}
+
+Json json_of(const std::vector<Level>& levels, const Ring& ring, std::size_t z) {
+  Json all = Json::array();
+  for (const Level& level : levels)
+    all.push_back(json_of(level, ring, z));
+  return all;
+}
+
+const char* status_text(Piece::Status s) {
+  switch (s) {
+  case Piece::Status::no_equation:
+    return "no equation";
+  case Piece::Status::none:
+    return "none";
+  case Piece::Status::all:
+    return "all";
+  case Piece::Status::conditions:
+    return "conditions";
+  case Piece::Status::degrees:
+    return "degrees";
+  case Piece::Status::open:
+    return "open";
+  }
+  throw InternalError("status of a piece");
+}
+
+Json json_of(const Piece& p, const Ring& ring, std::size_t z) {
+  Json where = Json::array();
+  for (const ArithmeticCondition& c : p.where)
+    where.push_back(to_string(c));
+  Json unsolved = Json::array();
+  for (const ArithmeticCondition& c : p.unsolved)
+    unsolved.push_back(to_string(c));
+  Json series = Json::array();
+  for (const Series& s : p.series)
+    series.push_back({{"every_energy", s.every_energy},
+                      {"value", s.value ? Json(to_string(*s.value)) : Json(nullptr)},
+                      {"equation", to_string(s.equation)},
+                      {"integer", s.equation.ring()->name(s.n)},
+                      {"first", json_of(s.first, ring, z)}});
+  Json degrees = Json::array();
+  for (const DegreeFamily& f : p.families)
+    degrees.push_back({{"degree", to_string(f.degree)},
+                       {"first", json_of(f.first, ring, z)},
+                       {"open", f.open.empty() ? Json(nullptr) : Json(f.open)}});
+  Json groups = Json::array();
+  for (const GaloisGroup& g : p.groups)
+    groups.push_back(group_json(g));
+  return {{"conditions", to_string(p.conditions)},
+          {"status", status_text(p.status)},
+          {"where", where},
+          {"series", series},
+          {"unsolved", unsolved},
+          {"degrees", degrees},
+          {"groups", groups},
+          {"open", p.why.empty() ? Json(nullptr) : Json(p.why)}};
+}
+
+Json json_of(const Asked& asked, const AlgebraicSpectrum& spectrum) {
+  const auto& q = asked.equation.question;
+  Json pieces = Json::array();
+  for (const Piece& p : spectrum.pieces)
+    pieces.push_back(json_of(p, q.r.ring(), q.z));
+  return {{"format", "kovacic-spectrum/1"},
+          {"r", to_string(q.r)},
+          {"for", q.r.ring()->name(asked.energy)},
+          {"y_solves", "y'' = r y"},
+          {"assumptions", in_words(q.assumptions, q.r.ring())},
+          {"pieces", pieces},
+          {"not_studied", spectrum.not_studied},
+          {"trusted", spectrum.trusted},
+          {"decided", spectrum.decided()}};
+}
+
+} // namespace
+
+int spectrum(const Settings& settings, const SpectrumArguments& arguments) {
+  if (arguments.r.has_value() + arguments.ode.has_value() != 1) {
+    complain(settings, arguments.r ? "two equations are given" : "no equation is given",
+             "write e.g. kovacic spectrum -r 'z^6 - 7*z^2 - E'");
+    return exit_input;
+  }
+  const Report report = supervised(settings, arguments.r ? "-r" : "-e", [&] {
+    const Asked asked = read(settings, arguments);
+    spectrum::SpectrumOptions options;
+    options.levels = arguments.levels;
+    options.strata.decide = settings.solver_options();
+    options.strata.decide.variable = asked.equation.variable;
+    options.strata.decide.ask_the_judge = true;
+    const AlgebraicSpectrum found =
+        spectrum::algebraic_spectrum(asked.equation.question, asked.energy, options);
+    return Report{found.decided() ? exit_decided : exit_undecided, Text(asked, found).run(),
+                  json_of(asked, found)};
+  });
+  write_output(settings,
+               settings.format == "json" && !report.json.is_null()
+                   ? report.json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"
+                   : report.text);
+  return report.exit;
+}
+
+} // namespace kov::cli
