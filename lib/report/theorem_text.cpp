@@ -75,8 +75,8 @@ struct Tree {
     const bool whole = detail == TheoremDetail::whole;
     if (again && !whole) return;
     text += mark(to_string(n.status)) + " " + std::string(2 * depth, ' ') + n.node.title +
-            (whole ? "" : cited(n.theorems)) +
-            (n.rests_on_open ? "  (rests on open steps)" : "") + (again ? "  (above)" : "") + "\n";
+            (whole ? "" : cited(n.theorems)) + (n.rests_on_open ? "  (rests on open steps)" : "") +
+            (again ? "  (above)" : "") + "\n";
     if (again) return;
     put_caution(text, n, mark("").size() + 2 * depth + 3);
     const std::string inner(2 * depth + 3, ' ');

@@ -37,9 +37,9 @@ struct ParameterRegion {
 
 /// The map of a place, as it was checked.  Parameters in `at` do not occur.
 struct PlaceMap {
-  Ring ring;                               ///< the names of X, and the roots
-  Roots roots;                             ///< r^2 = f, in this ring
-  std::map<std::string, MFraction> values; ///< coordinates and parameters of Y, by name
+  Ring ring;                                    ///< the names of X, and the roots
+  Roots roots;                                  ///< r^2 = f, in this ring
+  std::map<std::string, MFraction> values;      ///< coordinates and parameters of Y, by name
   std::vector<std::vector<MFraction>> jacobian; ///< S
   std::optional<MFraction> bracket;             ///< c, unless both brackets are 0
   MFraction time;                               ///< tau

@@ -150,8 +150,8 @@ struct NodeResult {
   std::vector<std::string> excluded; ///< says not_integrable: classes of first integrals
   /// What the step needs of the parameters of its file besides what the file assumes.
   std::vector<Inequality> domain;
-  ParameterRegion region; ///< of the theorem's parameters, if the step is about its system
-  std::optional<PlaceMap> map;      ///< if its system had to be compared
+  ParameterRegion region;      ///< of the theorem's parameters, if the step is about its system
+  std::optional<PlaceMap> map; ///< if its system had to be compared
   std::vector<PlaceMap> symmetries; ///< cover
   NodeStatus status = NodeStatus::open;
   bool rests_on_open = false;           ///< something below it is open or refuted

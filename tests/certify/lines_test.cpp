@@ -4,8 +4,8 @@
 
 #include "certify/equation/check.hpp"
 #include "certify/system/check.hpp"
-#include "certify/theorem/check.hpp"
 #include "certify/text/json.hpp"
+#include "certify/theorem/check.hpp"
 #include "exact/error.hpp"
 
 #include <gtest/gtest.h>

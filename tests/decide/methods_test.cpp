@@ -218,8 +218,7 @@ TEST(Methods, ExponentsBeyondEverySearch) {
     options.want_certificate = want_certificate;
     return decide({.r = r, .p = RationalFunction()}, options);
   };
-  const RationalFunction bessel =
-      RationalFunction(Poly(huge), z * z) - RationalFunction(Poly(1));
+  const RationalFunction bessel = RationalFunction(Poly(huge), z * z) - RationalFunction(Poly(1));
   EXPECT_EQ(answer(bessel, false).abelian, Truth::no);
   EXPECT_NE(reason(answer(bessel, false)).find("by the formula for"), std::string::npos);
   const Decision with = answer(bessel, true);

@@ -42,7 +42,7 @@ struct SystemScene {
   std::string file, name, title, source;
   System system;
   std::vector<FunctionMeaning> meanings; ///< of its function symbols: sin(q1), ...
-  Values values; ///< parameters without a rational value
+  Values values;                         ///< parameters without a rational value
   SceneFormula section;
   bool falling = false, rising = true;
   std::optional<SceneFormula> where;
