@@ -87,6 +87,9 @@ private:
 
 /// The NODE, or nothing if it is not found with case distinctions of this depth.
 /// Errors  OutOfBudget
+/// Example refutation(ring, {{a.num(), Sign::positive}, {-a.num(), Sign::nonnegative}}, 1).has_value()
+///         // -> yes
+/// Example refutation(ring, {{a.num(), Sign::positive}}, 1).has_value()  // -> no
 [[nodiscard]] std::optional<Json> refutation(const Ring& ring, const std::vector<Condition>& given,
                                              int depth, const Budget& budget = {});
 /// The same for the conditions and the negation of c.

@@ -32,7 +32,7 @@ import traps
 from mutants import equivalent, is_equivalent, modules, mutants, source
 
 SECONDS = 2                                 # of processor time for one trap, beside ten times what it takes unchanged;
-FAST, SLOW = 0.004, 0.5                     # a trap that takes longer is traced by functions, or left out
+FAST, SLOW = 0.004, 3                       # a trap that takes longer is traced by functions, or left out
 MEMORY = 3 * 2**30
 MODULES = modules()
 CODE = {name: compile(source(name), name + ".py", "exec") for name in MODULES}
@@ -146,16 +146,17 @@ class Order:
                 self.refused[line].append(trap)
 
     def of(self, mutant):
-        """As long as the time allows: those that are refused here, the fast ones, a fixed choice of the others"""
+        """As long as the time allows: those that are refused here, two that are right, the fast ones, a fixed choice of the others"""
         place = at(mutant.module, mutant.line)
         here = self.at[place] or (self.all if mutant.function is None else [])
         killers = self.killers[mutant.module, mutant.function]
         first = sorted((t for t in here if killers[t.name]), key=lambda t: -killers[t.name])[:20]
         refused = [t for line in range(place, place - 3, -1) for t in self.refused[line][:20]]      # the start of a statement
+        right = [t for t in here if t.said[0] == "accepted"][:2]
         half = len(here) // 2
         rest = here[:half] + random.Random(1).sample(here[half:], len(here) - half)
         chosen = {}
-        for some, seconds in ((first, self.seconds / 3), (refused, self.seconds / 3), (rest, self.seconds)):
+        for some, seconds in ((first, self.seconds / 3), (refused, self.seconds / 3), (right, self.seconds / 3), (rest, self.seconds)):
             for t in some:
                 if t.text not in chosen and not callable(t.text) and seconds > 0:
                     chosen[t.text], seconds = t, seconds - t.seconds
@@ -247,13 +248,21 @@ def options():
     return parser.parse_args()
 
 
+def drawn(texts, number, seed):
+    """So many of them, and all of a small module"""
+    group = Counter(name.split(":")[0] for name, *_ in texts)
+    small = [t for t in texts if group[t[0].split(":")[0]] <= 60 and ":" in t[0]]
+    rest = [t for t in texts if t not in small]
+    return small + random.Random(seed).sample(rest, max(0, min(number - len(small), len(rest))))
+
+
 def main():
     given = options()
     sys.path.insert(0, traps.VERIFY)
     total, count, chosen = chosen_mutants(given)
     texts, properties = list(traps.certificates()), traps.properties()
     if given.traps:
-        texts = random.Random(given.seed).sample(texts, min(given.traps, len(texts)))
+        texts = drawn(texts, given.traps, given.seed)
     all_traps = measured([*texts, *properties], {at(x.module, x.line) for x in chosen}, given.cache)
     table, by_property = defaultdict(Counter), 0
     with open(given.out or os.devnull, "w", encoding="utf-8", buffering=1) as out:

@@ -205,4 +205,5 @@ def traps():
 
 def certificates():
     """The quick ones: name, text, is it right?"""
+    yield "heavy top", json.dumps(HEAVY), True
     yield from ((name, text, False) for name, text in cheated("heavy top", HEAVY, HEAVY_TRAPS))

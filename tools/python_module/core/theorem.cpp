@@ -51,6 +51,7 @@ void bind_prove(py::module_& m) {
       .def("__repr__", [](const NodeResult& n) {
         return "<NodeResult " + n.node.id + ": " + to_string(n.status) + ">";
       });
+  const auto whole_text = [](const TheoremResult& t) { return report::theorem_text(t); };
   read_only<TheoremResult>(m, "TheoremResult", "A theorem as a tree of lemmas, and what was found.",
                            {"complete"})
       .def_property_readonly("title", [](const TheoremResult& t) { return t.theorem.title; })
@@ -65,11 +66,11 @@ void bind_prove(py::module_& m) {
       .def_property_readonly("trusted_steps", &TheoremResult::trusted_steps)
       .def_property_readonly("unchecked_hypotheses", &TheoremResult::unchecked_hypotheses)
       .def_readonly("seconds", &TheoremResult::seconds)
-      .def("text", &report::theorem_text)
+      .def("text", whole_text)
       .def("json", &report::theorem_json)
       .def("tex", &report::theorem_tex)
       .def("html", &report::theorem_html)
-      .def("__str__", &report::theorem_text)
+      .def("__str__", whole_text)
       .def("__repr__",
            [](const TheoremResult& t) { return "<TheoremResult: " + t.conclusion() + ">"; });
   m.def("prove", [](const Wishes& wishes, const std::string& path) {
