@@ -32,7 +32,7 @@ import traps
 from mutants import equivalent, is_equivalent, modules, mutants, source
 
 SECONDS = 2                                 # of processor time for one trap, beside ten times what it takes unchanged;
-FAST, SLOW = 0.004, 3                       # a trap that takes longer is traced by functions, or left out
+FAST, SLOW = 0.004, 0.5                     # a trap that takes longer is traced by functions, or left out
 MEMORY = 3 * 2**30
 MODULES = modules()
 CODE = {name: compile(source(name), name + ".py", "exec") for name in MODULES}
@@ -248,21 +248,13 @@ def options():
     return parser.parse_args()
 
 
-def drawn(texts, number, seed):
-    """So many of them, and all of a small module"""
-    group = Counter(name.split(":")[0] for name, *_ in texts)
-    small = [t for t in texts if group[t[0].split(":")[0]] <= 60 and ":" in t[0]]
-    rest = [t for t in texts if t not in small]
-    return small + random.Random(seed).sample(rest, max(0, min(number - len(small), len(rest))))
-
-
 def main():
     given = options()
     sys.path.insert(0, traps.VERIFY)
     total, count, chosen = chosen_mutants(given)
     texts, properties = list(traps.certificates()), traps.properties()
     if given.traps:
-        texts = drawn(texts, given.traps, given.seed)
+        texts = random.Random(given.seed).sample(texts, min(given.traps, len(texts)))
     all_traps = measured([*texts, *properties], {at(x.module, x.line) for x in chosen}, given.cache)
     table, by_property = defaultdict(Counter), 0
     with open(given.out or os.devnull, "w", encoding="utf-8", buffering=1) as out:
