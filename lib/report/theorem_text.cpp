@@ -187,7 +187,7 @@ std::string theorem_json(const TheoremResult& t) {
            {"needs", n.node.needs},
            {"cite", n.node.cite},
            {"theorems", ids(n.theorems)},
-           {"trusted", n.trusted},
+           {"trusted", n.on_faith()},
            {"certificates", n.certificates.size()}};
     j["hypotheses"] = Json::array();
     for (const Hypothesis& h : n.node.hypotheses)

@@ -287,7 +287,7 @@ std::vector<MFraction> applied(const Operator& op, std::size_t z, long i) {
 }
 
 // By other code than the elimination: theta' + theta^2 = r for theta = omega + P'/P.
-void verify(const Scheme& s, const Family& f, const PolynomialPart& part) {
+void verify(const Scheme& s, const Family& f, const PolynomialPart& part, const Budget& budget) {
   const MFraction x = MFraction::variable(s.r.ring(), s.z);
   MFraction p(s.r.ring());
   for (std::size_t i = 0; i < part.p.size(); ++i)
@@ -299,7 +299,8 @@ void verify(const Scheme& s, const Family& f, const PolynomialPart& part) {
   for (const MPoly& g : part.conditions)
     for (const std::size_t i : used_variables(g))
       if (std::find(main.begin(), main.end(), i) == main.end()) main.push_back(i);
-  KOV_ENSURE(!main.empty() && Ideal(s.r.ring(), main, part.conditions).contains(rest.num()));
+  KOV_ENSURE(!main.empty() &&
+             Ideal(s.r.ring(), main, part.conditions, {}, budget).contains(rest.num()));
 }
 
 } // namespace
@@ -324,7 +325,7 @@ PolynomialPart polynomial_part(const Scheme& s, const Family& f, long d, const R
   if (!part) return {{}, {}, "a coefficient of the linear system for P may vanish"};
   const bool exists = std::none_of(part->conditions.begin(), part->conditions.end(),
                                    [](const MPoly& g) { return is_constant(g); }); // 1 = 0
-  if (exists) verify(s, f, *part);
+  if (exists) verify(s, f, *part, budget);
   return *std::move(part);
 }
 

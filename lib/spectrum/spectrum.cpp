@@ -91,7 +91,8 @@ std::vector<MPoly> nonzero_factors(const std::vector<Condition>& conditions,
 
 // The equations without what is known not to be 0, each factor once; unset: they contradict.
 std::optional<std::vector<MPoly>> simplified(const std::vector<MPoly>& equations,
-                                             const std::vector<MPoly>& nonzero) {
+                                             const std::vector<MPoly>& nonzero,
+                                             const Budget& budget) {
   std::vector<MPoly> out;
   for (const MPoly& f : equations) {
     MPoly product(f.ring(), Integer(1));
@@ -110,7 +111,7 @@ std::optional<std::vector<MPoly>> simplified(const std::vector<MPoly>& equations
     for (const std::size_t i : used_variables(f))
       if (std::find(main.begin(), main.end(), i) == main.end()) main.push_back(i);
   }
-  const Ideal ideal(common.ring(), main, out, nonzero);
+  const Ideal ideal(common.ring(), main, out, nonzero, budget);
   if (ideal.is_unit()) return std::nullopt;
   if (!is_constant(common) && ideal.contains(common)) return std::vector<MPoly>{common};
   return out;
@@ -385,7 +386,8 @@ private:
       return;
     }
     const Substitution put = fixed ? Substitution{{fixed->first, fixed->second}} : Substitution{};
-    auto equations = simplified(part.conditions, nonzero_factors(all_conditions(stratum), put));
+    auto equations =
+        simplified(part.conditions, nonzero_factors(all_conditions(stratum), put), budget_);
     if (!equations) return; // no such point
     Level level;
     level.n = n;
@@ -418,12 +420,21 @@ AlgebraicSpectrum algebraic_spectrum(const Question& q, std::size_t energy,
   if (energy == q.z) throw InvalidArgument("the energy is the variable of the equation");
   const strata::StrataAnswer answer = strata::decide_strata(q, options.strata);
   AlgebraicSpectrum out;
+  out.refusal = answer.refusal;
   out.trusted = answer.trusted;
   out.contradictory = answer.contradictory;
   out.not_studied = answer.unvisited;
   Study study(q, energy, options);
   for (const Stratum& s : answer.strata)
     out.pieces.push_back(study.piece(s));
+  const auto is = [&](Piece::Status x) {
+    return std::any_of(out.pieces.begin(), out.pieces.end(),
+                       [&](const Piece& p) { return p.status == x; });
+  };
+  if (is(Piece::Status::degrees))
+    out.trusted.emplace_back("the families of exponential solutions, which have no certificate");
+  if (is(Piece::Status::conditions))
+    out.trusted.emplace_back("the conditions solved for the parameter, which have no certificate");
   return out;
 }
 

@@ -67,8 +67,10 @@ struct Piece {
 };
 
 struct AlgebraicSpectrum {
-  std::vector<Piece> pieces; ///< disjoint
-  std::vector<std::string> trusted, not_studied;
+  std::vector<Piece> pieces;        ///< disjoint
+  std::vector<std::string> trusted; ///< steps that no checker repeats
+  std::vector<std::string> not_studied;
+  std::string refusal; ///< what our own checker has against the strata: every verdict is withdrawn
   bool contradictory = false;
   [[nodiscard]] bool decided() const;
 };

@@ -38,6 +38,7 @@ public:
     for (const std::string& id : root.node.needs)
       if (const NodeResult& n = find(id); n.says != Conclusion::none) put_part(n);
     put_cover(root);
+    carried_.push_back(root.node.id);
     std::vector<Json> families;
     for (const auto& f : families_)
       families.push_back(f->json());
@@ -46,6 +47,8 @@ public:
                                                 {"systems", json_list(std::move(families))},
                                                 {"steps", json_list(std::move(steps_))}}});
   }
+
+  [[nodiscard]] std::vector<std::string> carried() const { return carried_; }
 
 private:
   const NodeResult& find(const std::string& id) const {
@@ -94,7 +97,9 @@ private:
         FamilyWriter& low = lowest_family(find(p.of));
         const BundlePart there = put_place(n, put_own_step(n, own), n.node.id + "-place", low);
         parts_.push_back(put_lowest_order(n, there, low));
+        carried_.push_back(p.of);
       }
+      carried_.push_back(n.node.id);
     } catch (const DomainError& why) {
       throw DomainError("step '" + n.node.id + "': " + why.what());
     } catch (const InvalidArgument& why) {
@@ -427,6 +432,7 @@ private:
   FamilyWriter* whole_ = nullptr;
   std::vector<Json> steps_;
   std::vector<BundlePart> parts_;
+  std::vector<std::string> carried_;
 };
 
 } // namespace
@@ -439,17 +445,17 @@ TheoremBundle theorem_bundle(const TheoremResult& t, const std::string& director
     return b;
   }
   try {
-    b.json = Bundle(t, directory, budget)();
+    Bundle bundle(t, directory, budget);
+    b.json = bundle();
+    b.carried = bundle.carried();
   } catch (const DomainError& why) {
     b.none = why.what();
     return b;
   }
   const auto verdict = certify::check_theorem(b.json);
-  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) {
-    b.none = "the judge refuses it: " + no->step + ": " + no->why;
-    b.json.clear();
-    return b;
-  }
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict))
+    throw InternalError("the judge refuses the certificate of the theorem: " + no->step + ": " +
+                        no->why);
   const auto& yes = std::get<certify::TheoremAccepted>(verdict);
   b.theorems = yes.theorems;
   b.unchecked = yes.unchecked;

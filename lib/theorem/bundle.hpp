@@ -10,11 +10,12 @@ namespace kov {
 struct TheoremBundle {
   std::string json; ///< accepted; empty: there is none
   std::string none; ///< why there is none: the first step that has no rule or no data
+  std::vector<std::string> carried; ///< the steps that are in it
   std::size_t theorems = 0, unchecked = 0;
 };
 
 /// Reads the files of the steps again.  `directory` ends in '/' or is empty.
-/// Errors  OutOfBudget; InputError: a file that cannot be read
+/// Errors  OutOfBudget; InputError: a file that cannot be read; InternalError: the judge refuses it
 [[nodiscard]] TheoremBundle theorem_bundle(const TheoremResult& t, const std::string& directory,
                                            const Budget& budget = {});
 

@@ -184,7 +184,7 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
   const std::string by = " (" + m.by->id() + ", along the manifold " + name_in_words(m.name) + ")";
   for (const std::string& step : trusted_steps(m))
-    n.trusted.push_back(step);
+    n.trusted.push_back({step});
   n.theorems.push_back(*m.by);
   if (m.verdict == VerdictKind::non_integrable) {
     n.says = Conclusion::not_integrable;

@@ -192,7 +192,7 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
   for (CheckedIdentity& c : found.checks)
     n.checks.push_back(std::move(c));
   for (std::string& t : found.trusted)
-    n.trusted.push_back(std::move(t));
+    n.trusted.push_back({std::move(t), true});
   n.region = std::move(found.region);
   n.map = std::move(found.map);
   if (!found.objection.empty()) unbind(n, found.objection);
@@ -324,8 +324,8 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   }
   n.status = NodeStatus::proved;
   n.says = Conclusion::not_integrable;
-  n.trusted.emplace_back("Z3: the regions of the steps cover the parameters");
-  n.checks.push_back({"the regions of the steps cover the parameters (Z3)", true});
+  n.trusted.push_back({"Z3: the regions of the steps cover the parameters", true});
+  n.checks.push_back({"the regions of the steps cover the parameters", true});
   n.integrals = joined(found.exceptions, "; ");
   state(n, whole, result.theorem.system, maps.size() > 1);
   n.summary = "the regions of " + std::to_string(n.tables.back().rows.size()) +

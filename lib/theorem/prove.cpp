@@ -138,13 +138,15 @@ private:
   std::set<std::string> done_;
 };
 
-// All of it as one certificate: then no decision of Z3 is needed any more.
+// All of it as one certificate: then no decision of Z3 is needed for what it carries.
 void certify_whole(TheoremResult& result, const std::string& directory, const Budget& budget) {
-  if (!result.complete() || result.nodes.front().node.kind != NodeKind::cover) return;
+  std::vector<std::string> carried;
+  if (!result.complete()) return;
   try {
     TheoremBundle b = theorem_bundle(result, directory, budget);
     result.bundle = std::move(b.json);
     result.no_bundle = std::move(b.none);
+    carried = std::move(b.carried);
   } catch (const InputError&) {
     throw;
   } catch (const InternalError&) {
@@ -154,7 +156,8 @@ void certify_whole(TheoremResult& result, const std::string& directory, const Bu
   }
   if (result.bundle.empty()) return;
   for (NodeResult& n : result.nodes)
-    std::erase_if(n.trusted, [](const std::string& step) { return step.starts_with("Z3"); });
+    if (std::find(carried.begin(), carried.end(), n.node.id) != carried.end())
+      std::erase_if(n.trusted, [](const OnFaith& x) { return x.by_z3; });
 }
 
 } // namespace

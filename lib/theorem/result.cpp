@@ -69,11 +69,18 @@ std::vector<TheoremUsed> TheoremResult::uses() const {
   return all;
 }
 
+std::vector<std::string> NodeResult::on_faith() const {
+  std::vector<std::string> all;
+  for (const OnFaith& t : trusted)
+    all.push_back(t.step);
+  return all;
+}
+
 std::vector<std::string> TheoremResult::trusted_steps() const {
   std::vector<std::string> all;
   for (const NodeResult& n : nodes) { // two steps may have one title
     std::vector<std::string> own;
-    for (const std::string& t : n.trusted)
+    for (const std::string& t : n.on_faith())
       add_once(own, n.node.title + ": " + t);
     all.insert(all.end(), own.begin(), own.end());
   }

@@ -142,6 +142,12 @@ struct Inequality {
 /// What a step says about the parameters of its region.
 enum class Conclusion : std::uint8_t { none, not_integrable, has_integral };
 
+/// A step that nothing here repeats.
+struct OnFaith {
+  std::string step;
+  bool by_z3 = false; ///< a decision of Z3, which a certificate of the theorem replaces
+};
+
 struct NodeResult {
   TheoremNode node;
   std::string statement; ///< what was computed, in words; empty for an argument
@@ -163,9 +169,10 @@ struct NodeResult {
   std::vector<Formula> formulas;
   std::vector<Grid> tables;
   std::vector<PolePicture> pictures;
-  std::vector<TheoremUsed> theorems;     ///< of the literature
-  std::vector<std::string> trusted;      ///< other steps on faith
-  std::vector<std::string> certificates; ///< JSON, accepted by the judge
+  std::vector<TheoremUsed> theorems;                       ///< of the literature
+  std::vector<OnFaith> trusted;                            ///< other steps on faith
+  [[nodiscard]] std::vector<std::string> on_faith() const; ///< the same in words
+  std::vector<std::string> certificates;                   ///< JSON, accepted by the judge
   double seconds = 0;
 };
 

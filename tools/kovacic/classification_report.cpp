@@ -57,7 +57,7 @@ void add_theorems(NodeResult& n, const ExclusionReason& by) {
     const auto known =
         std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.name == name; });
     if (known == all.end())
-      n.trusted.push_back(name);
+      n.trusted.push_back({name});
     else
       n.theorems.push_back(used(*known));
   }
@@ -95,7 +95,8 @@ NodeResult exclusion(const SystemClassification& c, const ExcludedTogether& e, s
   n.statement = statement(c, *e.by);
   n.summary = e.by->reason;
   n.status = NodeStatus::proved;
-  n.trusted = e.by->trusted;
+  for (const std::string& step : e.by->trusted)
+    n.trusted.push_back({step});
   if (!e.by->unchecked.empty())
     n.node.hypotheses.push_back({.text = e.by->unchecked, .by = {}, .checked = false});
   if (!e.by->level.empty()) n.formulas.push_back({"level", e.by->level});

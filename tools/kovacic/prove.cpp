@@ -36,10 +36,10 @@ std::string rendered(const TheoremResult& t, const std::string& format, bool ver
                               verbose ? report::TheoremDetail::whole : report::TheoremDetail::tree);
 }
 
-// --certificate OUT.json: the whole theorem as one certificate.
+// --certificate OUT.json: the whole theorem as one certificate.  What is not proved has none.
 void write_bundle(const Settings& settings, const TheoremResult& result) {
   if (result.bundle.empty()) {
-    if (result.no_bundle.empty()) return;
+    if (!result.complete()) return;
     throw InputError("", 0, 0, 1, settings.certificate + " is not written: " + result.no_bundle,
                      "--certificate DIRECTORY writes the certificates of the steps");
   }
@@ -80,6 +80,8 @@ int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std
   const TheoremResult result = kov::prove(read(), options);
   write_certificates(settings, result);
   out << rendered(result, format, settings.verbose > 0);
+  if (options.want_bundle && !result.complete() && format == "text")
+    out << settings.certificate << " is not written: the theorem is not proved\n";
   return exit_of(result);
 }
 

@@ -308,6 +308,8 @@ int spectrum(const Settings& settings, const SpectrumArguments& arguments) {
     options.strata.decide.ask_the_judge = true;
     const AlgebraicSpectrum found =
         spectrum::algebraic_spectrum(asked.equation.question, asked.energy, options);
+    if (!found.refusal.empty())
+      throw InternalError("our own checker refuses the strata: " + found.refusal);
     return Report{found.decided() ? exit_decided : exit_undecided, Text(asked, found).run(),
                   json_of(asked, found)};
   });

@@ -45,7 +45,7 @@ void bind_prove(py::module_& m) {
       .def_readonly("integrals", &NodeResult::integrals)
       .def_readonly("excluded", &NodeResult::excluded, "classes of first integrals")
       .def_readonly("theorems", &NodeResult::theorems)
-      .def_readonly("trusted", &NodeResult::trusted)
+      .def_property_readonly("trusted", &NodeResult::on_faith)
       .def_readonly("certificates", &NodeResult::certificates)
       .def_readonly("seconds", &NodeResult::seconds)
       .def("__repr__", [](const NodeResult& n) {
