@@ -105,6 +105,14 @@ struct Decision {
   std::string refused; ///< the certificate that our own checker refused; with it goes the verdict
   double seconds = 0;
 
+  // In decision.cpp, and not in each file that copies one: they are long.
+  Decision();
+  Decision(const Decision&);
+  Decision(Decision&&) noexcept;
+  Decision& operator=(const Decision&);
+  Decision& operator=(Decision&&) noexcept;
+  ~Decision();
+
   /// The engines' proof, where the answer is theirs; else null.
   [[nodiscard]] const Classification* proof() const {
     const auto* engines = std::get_if<ByEngines>(&because);

@@ -181,9 +181,20 @@ struct ConditionFails {
   OpenCondition condition;
 };
 
-using Evidence = std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
-                              ExcludedDifferences, NoProducts, AssumedNotInteger, NoExponential,
-                              NoFamilies, NoInvariant, InvariantFound, BesselForm, WeberForm,
-                              ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
+using AnyEvidence = std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
+                                 ExcludedDifferences, NoProducts, AssumedNotInteger, NoExponential,
+                                 NoFamilies, NoInvariant, InvariantFound, BesselForm, WeberForm,
+                                 ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
+
+/// For std::visit and std::get_if.  It is copied and destroyed in evidence.cpp, and not in each file
+/// that does so: that takes seconds of the compiler.
+struct Evidence : AnyEvidence {
+  using AnyEvidence::AnyEvidence;
+  Evidence(const Evidence&);
+  Evidence(Evidence&&) noexcept;
+  Evidence& operator=(const Evidence&);
+  Evidence& operator=(Evidence&&) noexcept;
+  ~Evidence();
+};
 
 } // namespace kov::strata

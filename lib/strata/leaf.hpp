@@ -28,6 +28,14 @@ struct Leaf {
   std::vector<Part> parts{};
   std::vector<TraceStep> trace{}; ///< if asked for: the first case, as it is done by hand
 
+  // In evidence.cpp, as for Evidence.
+  Leaf();
+  Leaf(const Leaf&);
+  Leaf(Leaf&&) noexcept;
+  Leaf& operator=(const Leaf&);
+  Leaf& operator=(Leaf&&) noexcept;
+  ~Leaf();
+
   /// Undecided because r does not mean anything here.
   [[nodiscard]] bool no_equation() const {
     return open && std::holds_alternative<NoEquation>(*open);
