@@ -117,6 +117,8 @@ struct PlanarPotential {
   long directions =
       0; ///< degree of the form that vanishes at the Darboux points: num and den together
   enum class Part : std::uint8_t { all, highest, lowest } part = Part::all; ///< of the potential
+  /// Where not all of each list vanish, that part of H is the one of generic parameters.
+  std::vector<std::vector<MPoly>> not_all_zero;
 };
 
 MPoly determinant(const PlanarPotential& p) { return p.m11 * p.m22 - p.m12 * p.m12; }
@@ -145,6 +147,14 @@ public:
     const Form num = of(f.num());
     const Form den = of(f.den());
     return {num.value / den.value, num.degree - den.degree};
+  }
+  /// Where all of them vanish the part of this polynomial is another.
+  [[nodiscard]] std::vector<MPoly> coefficients_of(const MPoly& f) const {
+    std::vector<MPoly> all;
+    for (const MPoly& by_x : coefficients(of(f).value.num(), x_))
+      for (MPoly& c : coefficients(by_x, y_))
+        if (!is_zero(c)) all.push_back(std::move(c));
+    return all;
   }
 
 private:
@@ -214,6 +224,14 @@ bool is_leading(const NaturalHamiltonian& n, const Leading& leading, Part part, 
   });
 }
 
+// At special parameters a form may be 0, and a common factor of two forms too, which their quotient
+// does not show; of A1, A2 only the denominators matter: a larger degree is no bound any more.
+void set_conditions(PlanarPotential& p, const NaturalHamiltonian& n, const MFraction& v,
+                    const Leading& leading) {
+  for (const MPoly& f : {v.num(), v.den(), n.linear[0].den(), n.linear[1].den()})
+    p.not_all_zero.push_back(leading.coefficients_of(f));
+}
+
 // The common factor 1/(all denominators) of the masses does not matter.
 void set_mass(PlanarPotential& p, const NaturalHamiltonian& n) {
   MFraction common(n.potential.ring(), Rational(1));
@@ -248,6 +266,7 @@ std::vector<PlanarPotential> planar_potentials(const System& s) {
     p.k = top.degree;
     p.directions = degree_of(p.num, x, y) + degree_of(p.den, x, y);
     p.part = whole ? Part::all : part;
+    if (!whole) set_conditions(p, *n, v, leading);
     if (!is_zero(determinant(p))) all.push_back(std::move(p));
     if (whole) break;
   }
@@ -462,6 +481,7 @@ std::optional<Exclusion> exclusion(const System& s, const PlanarPotential& p, co
     return std::nullopt;
   const std::size_t points = chi.size() - 1;
   const auto choices = eigenvalue_choices(p.k, static_cast<long>(points), sum, budget);
+  e.not_all_zero = p.not_all_zero;
   for (const MPoly& f : conditions)
     e.not_all_zero.push_back({back(f, s.ring())});
   for (const auto& choice : choices)

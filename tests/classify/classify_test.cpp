@@ -200,6 +200,24 @@ TEST(Classify, DarbouxPointsOfAllDegrees) {
   EXPECT_TRUE(excluded("(u^2 + v^2)/2 + x^2 + y^2 + x^2*y - a*y^3/3 + x/y^5", 1));
 }
 
+// A common factor of leading forms may vanish: then other parts lead, here an integrable system.
+TEST(Classify, LeadingPartsOfSpecialParametersAreOthers) {
+  const std::string v = "(x^4 + 6*x^2*y^2 + 8*y^4)";
+  for (const std::string& h : std::vector<std::string>{
+           "(u^2 + v^2)/2 + (a*(x^5 + x^4*y + 3*y^5) + " + v + ")/(a*y + 1)",
+           "(u^2 + v^2)/2 + (a*(x^3 + 2*x^2*y - x*y^2 + 3*y^3) + (x + y)*" + v + ")/(a + x + y)",
+           "(u^2 + v^2)/2 + (a*x^3/(x - y)^2 + x/y^3)/(a*x^2 + y)"}) {
+    const System s = planar(h, "'a'");
+    const auto all = exclusions_by_darboux_points(s);
+    EXPECT_TRUE(excludes(all, s, {{"a", 1}})) << h;
+    EXPECT_FALSE(excludes(all, s, {{"a", 0}})) << h;
+  }
+  // what is linear in the momenta is of lower weight for a != 0 only
+  const System s = planar("(u^2 + v^2)/2 + u*y^3/(a*x^3 + 1) + x^4 + x^3*y + 3*y^4 + x^2", "'a'");
+  EXPECT_TRUE(excludes(exclusions_by_darboux_points(s), s, {{"a", 1}}));
+  EXPECT_FALSE(excludes(exclusions_by_darboux_points(s), s, {{"a", 0}}));
+}
+
 TEST(Classify, StrataAreDisjointAndCover) {
   const auto c = classify_system(planar("(u^2 + v^2)/2 + b*x^3/3 + c*x^2*y/2 + y^3/3", "'b', 'c'"),
                                  within(60));
