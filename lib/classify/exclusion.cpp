@@ -253,6 +253,8 @@ bool require_no_difference(Exclusion& e, const Projection& p, const DifferenceCo
           changes.push_back(std::move(k));
     e.not_all_zero.push_back(std::move(changes));
   }
+  for (const MFraction& square : left.squares) // it says something where they have values
+    e.not_all_zero.push_back({square.den()});
   if (!left.squares.empty()) e.unless = std::move(left);
   return true;
 }
