@@ -4,25 +4,11 @@
 
 #include "algebraize/tower.hpp"
 #include "certify/system/certificate.hpp"
+#include "exact/factors.hpp"
 #include "integrability/curve_rows.hpp"
 #include "system/system.hpp"
 
 namespace kov {
-
-/// Denominators as products of powers, each written once.
-class Factors {
-public:
-  /// den = content * prod all()[k]^exponents[k]
-  struct Product {
-    Integer content{1};
-    std::vector<unsigned long> exponents;
-  };
-  Product of(const MPoly& den);
-  [[nodiscard]] const std::vector<MPoly>& all() const { return all_; }
-
-private:
-  std::vector<MPoly> all_;
-};
 
 /// Polynomials in the phase names; what is divided by becomes a symbol.
 class PhaseWriter {

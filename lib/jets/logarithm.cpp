@@ -30,7 +30,9 @@ public:
       const Series f = force(across_, j), g = force(along_, j);
       const MFraction r1 = residue(f, p_.u1), r2 = residue(f, p_.u2);
       KOV_ENSURE(is_zero(residue(g, p_.y_t)) && is_zero(residue(g, p_.y_e))); // (4.2)
-      if (!is_zero(r1) || !is_zero(r2)) return Logarithm{j, form(r1, r2, j)};
+      if (!is_zero(r1) || !is_zero(r2))
+        return Logarithm{
+            j, form(r1, r2, j), {xi_.begin() + 2, xi_.end()}, {eta_.begin() + 2, eta_.end()}};
       xi_.push_back(without_logarithm(f, p_.normal_force, p_.rho1 * (p_.rho1 - 1)));
       eta_.push_back(without_logarithm(g, p_.plane_force, tangential));
     }

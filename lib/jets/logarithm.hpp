@@ -17,6 +17,8 @@ struct Logarithm {
   /// R(c1, c2), homogeneous of degree order + 1: the local monodromy is exp of a multiple of its
   /// Hamiltonian field, up to terms of higher order.
   MFraction form;
+  /// xi_2, ..., xi_(order - 1) and eta_2, ..., eta_(order - 1)
+  std::vector<Series> across, along;
 };
 
 /// orders 2..up_to; unset: none of them has a logarithm there, for any value of e.

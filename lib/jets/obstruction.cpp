@@ -1,6 +1,7 @@
 #include "jets/obstruction.hpp"
 
 #include "exact/error.hpp"
+#include "jets/squares.hpp"
 #include "linode/normal_form.hpp"
 
 #include <algorithm>
@@ -126,8 +127,13 @@ private:
     two_places_ = place.degree % 2 == 0;
     auto log = first_logarithm(plane_, place, options_.order, budget_);
     if (!log) return;
+    HigherObstruction found;
+    found.local_form = log->form;
     log->form = at_energy(log->form, place);
-    judge(place, *log);
+    found.logarithm = *std::move(log);
+    found.place = place;
+    found.plane = plane_;
+    judge(std::move(found));
   }
 
   // e is linear in the energy.
@@ -139,28 +145,27 @@ private:
     return plane_.reduced(substitute(f, {{plane_.e, (energy - start) / slope}}));
   }
 
-  void judge(const Place& place, const Logarithm& log) {
-    HigherObstruction found;
-    found.logarithm = log;
-    found.rho1 = place.rho1;
-    found.rho2 = place.rho2;
-    found.sign = place.sign;
+  void judge(HigherObstruction found) {
+    const Place& place = found.place;
+    const Logarithm& log = found.logarithm;
     const auto determinants = commuting_determinants(plane_, log.form);
-    if (!homogeneous(place, log, found) && !by_determinants(place, determinants, found))
+    if (!homogeneous(found) && !by_determinants(determinants, found))
       return note("VE_" + std::to_string(log.order) +
                   " has a logarithm at infinity, R = " + brief(log.form, 120) +
                   (determinants.empty()
                        ? ", which commutes with a quadratic form: nothing follows"
                        : ", but the group of the normal equation is not known to be infinite"));
     for (const MPoly& p : plane_.nonzero)
-      found.not_all_zero.push_back({p});
+      found.not_all_zero.push_back({plane_.norm(p)});
     for (const MPoly& p : {place.time_scale.num(), place.time_scale.den()})
-      if (!is_constant(p)) found.not_all_zero.push_back({p});
+      if (!is_constant(p)) found.not_all_zero.push_back({plane_.norm(p)});
     result_.obstruction = std::move(found);
   }
 
   // (2.7)
-  bool homogeneous(const Place& place, const Logarithm& log, HigherObstruction& found) const {
+  bool homogeneous(HigherObstruction& found) const {
+    const Place& place = found.place;
+    const Logarithm& log = found.logarithm;
     const auto is_monomial = [&](const MFraction& f) {
       const auto c = coefficients(f, plane_.y);
       return std::count_if(c.begin(), c.end(), [](const MFraction& x) { return !is_zero(x); }) <= 1;
@@ -176,7 +181,7 @@ private:
     found.because = InfiniteGroup::homogeneous;
     auto& list = found.not_all_zero.emplace_back();
     for (const MPoly& c : coefficients_in({plane_.c1, plane_.c2, plane_.energy}, form))
-      add_once(list, squarefree_part(c));
+      add_once(list, squarefree_part(plane_.norm(c)));
     return true;
   }
 
@@ -193,26 +198,44 @@ private:
     return parts;
   }
 
-  // At the level of the file, if that is a number; else by the highest terms; else at some level.
-  bool by_determinants(const Place& place, const std::vector<MPoly>& determinants,
-                       HigherObstruction& found) {
+  // At the level of the file, if that is a number; else for almost all levels; else at some level.
+  bool by_determinants(const std::vector<MPoly>& determinants, HigherObstruction& found) {
     if (determinants.empty()) return false;
     const auto& level = result_.plane->level;
     if (numeric() && level && is_constant(*level) && decided_at(*level, determinants, found))
       return true;
-    if (in_first_family(place.degree, place.difference())) {
+    if (in_first_family(found.place.degree, found.place.difference()))
       found.because = InfiniteGroup::first_family;
-      std::vector<MPoly> parts;
-      for (const MPoly& d : determinants)
-        for (const MPoly& c : coefficients_in({plane_.energy}, d))
-          add_once(parts, c);
-      found.not_all_zero.push_back(std::move(parts));
-      return true;
-    }
-    if (!numeric()) return false;
-    for (const Rational& h : {Rational(1), Rational(-1), Rational(2), Rational(1, 3), Rational(7)})
-      if (decided_at(MFraction(plane_.ring, h), determinants, found)) return true;
-    return false;
+    else if (by_equilibria(found))
+      found.because = InfiniteGroup::equilibria;
+    else
+      return numeric() && decided_somewhere(determinants, found);
+    std::vector<MPoly> parts;
+    for (const MPoly& d : determinants)
+      for (const MPoly& c : coefficients_in({plane_.energy}, d))
+        add_once(parts, squarefree_part(plane_.norm(c)));
+    found.not_all_zero.push_back(std::move(parts));
+    return true;
+  }
+
+  // (2.9) The squares of the exponents at the equilibria, of which there are k - 1, have this sum.
+  bool by_equilibria(HigherObstruction& found) const {
+    const Place& p = found.place;
+    const Rational sigma(-2, p.degree - 2);
+    const Rational sum = p.rho1 * (p.rho1 - 1) / (sigma * (sigma - 1));
+    if (may_be_sum_of_squares(sum, p.degree - 1)) return false;
+    const MPoly slope = derivative(plane_.potential, plane_.y).num();
+    const MFraction simple = plane_.reduced(MFraction(kov::discriminant(slope, plane_.y)));
+    if (is_zero(simple)) return false;
+    found.not_all_zero.push_back({squarefree_part(plane_.norm(simple.num()))});
+    return true;
+  }
+
+  bool decided_somewhere(const std::vector<MPoly>& determinants, HigherObstruction& found) {
+    const std::vector<Rational> levels{1, -1, 2, Rational(1, 3), 7};
+    return std::any_of(levels.begin(), levels.end(), [&](const Rational& h) {
+      return decided_at(MFraction(plane_.ring, h), determinants, found);
+    });
   }
 
   // No parameters, no algebraic constants.

@@ -15,14 +15,16 @@ namespace kov::jets {
 enum class InfiniteGroup : std::uint8_t {
   first_family, ///< for all but countably many energies: the equation of the highest terms (2.6)
   homogeneous,  ///< for all energies but 0: it is the equation of the highest terms (2.7)
+  equilibria,   ///< for all but countably many energies: by its exponents at equilibria (2.9)
   decided       ///< at one energy: its identity component (2.8)
 };
 
 /// The system is not integrable where, of each list, some polynomial does not vanish.
 struct HigherObstruction {
-  Logarithm logarithm; ///< the form in c1, c2, the parameters and the energy E
-  Rational rho1, rho2; ///< the exponents at the place
-  int sign = 1;        ///< of y at the place
+  Logarithm logarithm;  ///< the form in c1, c2, the parameters and the energy E
+  MFraction local_form; ///< the same form in the free coefficient e of the solution
+  Place place;
+  InvariantPlane plane; ///< reflected for the place y = -infinity
   InfiniteGroup because = InfiniteGroup::first_family;
   std::optional<MFraction> energy;              ///< of the curve, if it was decided
   std::optional<Decision> group;                ///< where it was decided

@@ -83,6 +83,7 @@ std::optional<Line> line_of(const VectorField& v, const ManifoldSpec& spec) {
 
 /// q and p of the system in x, y and the momentum P along the line, for which x stands there.
 struct Chart {
+  LineOfConfigurations line;
   Substitution positions;    ///< q(x, y)
   Substitution on_the_plane; ///< q(0, y), p(P)
   MFraction across, along;   ///< x'' = -across dV/dx, y'' = -along dV/dy
@@ -101,7 +102,12 @@ Chart axis_chart(const VectorField& v, const Natural& n, const Line& line, std::
   const MFraction start = transfer(line.n / line.m[across], plane.ring);
   const MFraction a = transfer(n.inertia[across], plane.ring);
   const MFraction b = transfer(n.inertia[along], plane.ring);
-  return {{{z[across], start + x}, {z[along], y}},
+  const MFraction one(plane.ring, Rational(1)), zero(plane.ring);
+  LineOfConfigurations at{{zero, zero}, {zero, zero}, {zero, zero}};
+  at.start[across] = start;
+  at.across[across] = at.along[along] = one;
+  return {at,
+          {{z[across], start + x}, {z[along], y}},
           {{z[across], start},
            {z[along], y},
            {z[across + 2], MFraction(plane.ring)},
@@ -125,7 +131,10 @@ Chart line_chart(const VectorField& v, const Natural& n, const Line& line,
   };
   const auto [q1, q2] = position(start + x);
   const auto [r1, r2] = position(start);
-  return {{{z[0], q1}, {z[1], q2}},
+  return {{{start * m1 / square, start * m2 / square},
+           {m1 / square, m2 / square},
+           {-(m2 / square), m1 / square}},
+          {{z[0], q1}, {z[1], q2}},
           {{z[0], r1}, {z[1], r2}, {z[2], -(x * m2) / square}, {z[3], x * m1 / square}},
           a * square,
           a * square,
@@ -219,12 +228,19 @@ MFraction InvariantPlane::reduced(const MFraction& f) const {
                                 inverse(f.den(), *relation, constant));
 }
 
+MPoly InvariantPlane::norm(const MPoly& f) const {
+  if (!constants || !uses(f, constants->main().front())) return f;
+  return resultant(f, *relation, constants->main().front());
+}
+
 InvariantPlane InvariantPlane::reflected() const {
   InvariantPlane other = *this;
   const Substitution minus{{y, -MFraction::variable(ring, y)}};
   other.across = substitute(across, minus);
   other.along = -substitute(along, minus);
   other.potential = substitute(potential, minus);
+  for (MFraction& m : other.line.along)
+    m = -m;
   return other;
 }
 
@@ -258,6 +274,7 @@ std::variant<InvariantPlane, OutOfScope> invariant_plane(const System& s, const 
   const MFraction potential = substitute(transfer(natural->potential, plane.ring), chart.positions);
   plane.across = plane.reduced(-(chart.across * derivative(potential, plane.x)));
   plane.along = plane.reduced(-(chart.along * derivative(potential, plane.y)));
+  plane.line = chart.line;
   plane.inertia = chart.along;
   const Substitution zero{{plane.x, MFraction(plane.ring)}};
   plane.potential = plane.reduced(substitute(potential, zero));

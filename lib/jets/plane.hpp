@@ -7,6 +7,7 @@
 
 #include "manifold/invariant_manifold.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,14 +20,20 @@ struct OutOfScope {
   std::string why;
 };
 
+/// q = start + x across + y along.
+struct LineOfConfigurations {
+  std::array<MFraction, 2> start, across, along;
+};
+
 /// The equations of motion around the plane x = 0.
 struct InvariantPlane {
   Ring ring; ///< that of the system, and the variables below
   std::size_t x = 0, y = 0;
-  std::size_t e = 0;              ///< the free coefficient of the solution at a place
-  std::size_t energy = 0;         ///< the value of H
-  std::size_t c1 = 0, c2 = 0;     ///< constants of the general solution of the normal equation
-  MFraction across, along;        ///< f and g, polynomials in x and y
+  std::size_t e = 0;          ///< the free coefficient of the solution at a place
+  std::size_t energy = 0;     ///< the value of H
+  std::size_t c1 = 0, c2 = 0; ///< constants of the general solution of the normal equation
+  MFraction across, along;    ///< f and g, polynomials in x and y
+  LineOfConfigurations line;
   MFraction inertia;              ///< A in H = y'^2/(2 A) + potential, on the plane
   MFraction potential;            ///< V(0, y)
   std::optional<MFraction> level; ///< of H, where the file names one
@@ -36,6 +43,9 @@ struct InvariantPlane {
 
   /// f modulo the relation of the algebraic constant.
   [[nodiscard]] MFraction reduced(const MFraction& f) const;
+  /// A polynomial that is not 0 only where f, a polynomial without x and y, is not 0 for any value
+  /// of the algebraic constant: its norm.
+  [[nodiscard]] MPoly norm(const MPoly& f) const;
   /// The same system with y replaced by -y.
   [[nodiscard]] InvariantPlane reflected() const;
 };

@@ -36,6 +36,12 @@ std::string why_infinite(const HigherObstruction& o) {
   case InfiniteGroup::homogeneous:
     return "the identity component of the group of the normal equation, which is homogeneous with "
            "exponents in the first family, is Ga, and its quadratic form does not commute with R";
+  case InfiniteGroup::equilibria:
+    return "no quadratic form but 0 commutes with R, and the group of the normal equation is "
+           "infinite: not all of its exponents at equilibria are rational, because the sum of "
+           "their "
+           "squares is no sum of " +
+           std::to_string(o.place.degree - 1) + " squares of rational numbers";
   default:
     return "no quadratic form but 0 commutes with R, and the group of the normal equation is "
            "infinite, as that of its highest terms is, whose exponents are in the first family";
@@ -57,9 +63,10 @@ std::string reason(const HigherOrders& orders) {
   KOV_ENSURE(orders.obstruction.has_value());
   const HigherObstruction& o = *orders.obstruction;
   return "VE_" + std::to_string(o.logarithm.order) +
-         " is the first with a logarithm at infinity on the curve (exponents " + to_string(o.rho1) +
-         ", " + to_string(o.rho2) + (o.sign < 0 ? ", the place -infinity" : "") +
-         "), with the residue " + residue(orders) + "; " + why_infinite(o);
+         " is the first with a logarithm at infinity on the curve (exponents " +
+         to_string(o.place.rho1) + ", " + to_string(o.place.rho2) +
+         (o.place.sign < 0 ? ", the place -infinity" : "") + "), with the residue " +
+         residue(orders) + "; " + why_infinite(o);
 }
 
 } // namespace kov::jets

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace kov::jets {
 namespace {
 
@@ -216,7 +218,8 @@ TEST(IntegrableFamilies, SeparableInEllipticCoordinates) {
 
 TEST(HigherOrders, NothingIsSaidOfTheTrivialGroupOrOfCommutingLogarithms) {
   // n = 4: at A = B = 0 the normal group is finite, and so for no parameters by the highest terms
-  EXPECT_EQ(residue(look({hh + "1/5*q2^3", "'A', 'B'"}, 3)).substr(0, 5), "open:");
+  const Example both_equilibria_at_0{"A*q1^2/2 + q1^2*q2 + q2^3/5", "'A'"};
+  EXPECT_EQ(residue(look(both_equilibria_at_0, 3)).substr(0, 5), "open:");
 }
 
 TEST(HigherOrders, WhyTheGroupIsInfinite) {
@@ -227,7 +230,10 @@ TEST(HigherOrders, WhyTheGroupIsInfinite) {
   EXPECT_EQ(because({"q2^3/3 + q1^2*q2/2"}, 3), InfiniteGroup::homogeneous);
   EXPECT_EQ(because({"q2^3/3 + q1^2*q2/2 + q1^4"}, 3), InfiniteGroup::homogeneous);
   EXPECT_EQ(because({"q2^3/3 + q1^2*q2/2 + q1^2"}, 3), InfiniteGroup::first_family);
-  EXPECT_EQ(because({"(q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3"}, 3), InfiniteGroup::decided);
+  EXPECT_EQ(because({"(q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3"}, 3), InfiniteGroup::equilibria);
+  EXPECT_EQ(
+      because({"(q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3", "", "", "'q1 = 0', 'p1 = 0'", "H = 3"}, 3),
+      InfiniteGroup::decided);
   // lambda = 10/3: a finite group, and a logarithm
   EXPECT_EQ(because({"q2^3/3 + 5/3*q1^2*q2 + q1^3"}, 4), std::nullopt);
   EXPECT_NE(residue(look({"q2^3/3 + 5/3*q1^2*q2 + q1^3"}, 4)), "none");
@@ -239,6 +245,33 @@ TEST(HigherOrders, ConditionsAreInTheParameters) {
   EXPECT_EQ(found.obstruction->because, InfiniteGroup::first_family);
   ASSERT_EQ(found.obstruction->not_all_zero.size(), 1U);
   EXPECT_EQ(to_string(found.obstruction->not_all_zero.front().front()), "A - B");
+}
+
+// (2.9): 10/3 is no sum of two squares of rational numbers
+TEST(HigherOrders, TheExponentsAtEquilibriaAreNotAllRational) {
+  const auto found = look({hh + "1/5*q2^3", "'A', 'B'"}, 3);
+  EXPECT_EQ(residue(found), "VE_3 (c2) (1077*A^2 - 3590*A*B + 2273*B^2) (c1)^3");
+  ASSERT_EQ(found.obstruction->not_all_zero.size(), 2U);
+  EXPECT_EQ(to_string(found.obstruction->not_all_zero[0].front()), "B");
+  EXPECT_EQ(to_string(found.obstruction->not_all_zero[1].front()),
+            "1077*A^2 - 3590*A*B + 2273*B^2");
+  // on the locus that is left, A/B the root of a quadratic equation
+  EXPECT_EQ(look({"(A*q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3", "", "A^2 = 3590/1077*A - 2273/1077"}, 5)
+                .obstruction->logarithm.order,
+            5);
+}
+
+TEST(HigherOrders, AnAlgebraicConstantIsNoException) {
+  for (const std::string lambda : {"9", "14"}) {
+    const auto found = look(isotropic(lambda), 2);
+    ASSERT_TRUE(found.obstruction);
+    for (const auto& list : found.obstruction->not_all_zero)
+      EXPECT_TRUE(std::any_of(list.begin(), list.end(),
+                              [](const MPoly& p) { return is_constant(p) && !is_zero(p); }));
+  }
+  // s^2 = t: where t = 0 the constant is 0
+  const auto found = look({"q2^3/3 + q1^2*q2/2 + s*q1^3", "'t'", "s^2 = t"}, 2);
+  EXPECT_EQ(to_string(found.obstruction->not_all_zero.front().front()), "t");
 }
 
 TEST(HigherOrders, ALineThatIsNoAxis) {
@@ -276,8 +309,8 @@ TEST(HigherOrders, NamesOfTheRoomMayBeThoseOfTheFile) {
 
 // A constant in V is one in h.
 TEST(HigherOrders, AConstantInThePotential) {
-  EXPECT_EQ(residue(look({"(q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3 + v", "'v'"}, 3)).substr(0, 5),
-            "open:");
+  EXPECT_EQ(residue(look({"(q1^2 + q2^2)/2 + q1^2*q2 + 1/5*q2^3 + v", "'v'"}, 3)),
+            "VE_3 (c2) (c1)^3");
   const auto found = look({hh + "2/3*q2^3 + v", "'A', 'B', 'v'"}, 3);
   EXPECT_EQ(residue(found), "VE_3 (c2) (c1)^3");
 }
