@@ -1,6 +1,7 @@
 #include "jets/obstruction.hpp"
 
 #include "exact/error.hpp"
+#include "jets/certificate.hpp"
 #include "jets/squares.hpp"
 #include "linode/normal_form.hpp"
 
@@ -77,7 +78,7 @@ namespace {
 class Search {
 public:
   Search(const System& s, const ManifoldSpec& m, const HigherOptions& options)
-      : options_(options), budget_(options.decide.budget) {
+      : s_(s), options_(options), budget_(options.decide.budget) {
     if (options.order < 2 || options.order > largest_order)
       throw InvalidArgument("the order must be between 2 and " + std::to_string(largest_order));
     result_.up_to = options.order;
@@ -96,11 +97,22 @@ public:
     } catch (const OutOfBudget& limit) {
       note(limit.what());
     }
-    if (result_.obstruction) result_.open.clear();
+    if (result_.obstruction) certify();
     return std::move(result_);
   }
 
 private:
+  // What our own checker refuses is withdrawn.
+  void certify() {
+    result_.open.clear();
+    Certified c = certificate(s_, *result_.obstruction);
+    result_.obstruction->certificate = std::move(c.json);
+    result_.obstruction->no_certificate = c.none;
+    if (!c.refused) return;
+    result_.obstruction.reset();
+    note("an obstruction was withdrawn: " + c.none);
+  }
+
   void note(const std::string& why) {
     if (result_.open.find(why) != std::string::npos) return;
     result_.open += (result_.open.empty() ? "" : "; ") + why;
@@ -172,8 +184,9 @@ private:
     };
     const Substitution on_plane{{plane_.x, MFraction(plane_.ring)}};
     const MFraction normal = substitute(derivative(plane_.across, plane_.x), on_plane);
-    const bool applies = is_monomial(substitute(plane_.along, on_plane)) && is_monomial(normal) &&
-                         place.difference() != Rational(1) &&
+    const bool vanishes = place.difference() == Rational(1); // the coefficient of y^(k - 2)
+    const bool applies = is_monomial(substitute(plane_.along, on_plane)) &&
+                         (vanishes ? is_zero(normal) : is_monomial(normal)) &&
                          in_first_family(place.degree, place.difference());
     const MPoly form = log.form.num();
     const MFraction last = substitute(log.form, {{plane_.c1, MFraction(plane_.ring)}});
@@ -264,7 +277,7 @@ private:
     const MFraction p = substitute(plane_.along, on_plane) / twice;
     const MFraction q = -(substitute(derivative(plane_.across, plane_.x), on_plane) / twice);
     Options options = options_.decide;
-    options.ask_the_judge = true;
+    options.want_certificate = true;
     options.want_solutions = false;
     options.want_trace = false;
     Decision d = decide(
@@ -276,6 +289,7 @@ private:
     return true;
   }
 
+  const System& s_;
   const HigherOptions& options_;
   const Budget& budget_;
   InvariantPlane plane_; ///< the one looked at, reflected for the second place

@@ -29,6 +29,8 @@ struct HigherObstruction {
   std::optional<MFraction> energy;              ///< of the curve, if it was decided
   std::optional<Decision> group;                ///< where it was decided
   std::vector<std::vector<MPoly>> not_all_zero; ///< in the parameters, in the ring of the plane
+  std::string certificate;                      ///< that our own checker accepted
+  std::string no_certificate;                   ///< why there is none
 };
 
 struct HigherOrders {

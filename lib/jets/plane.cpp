@@ -194,30 +194,6 @@ Univariate minus_multiple(Univariate a, const MFraction& factor, std::size_t shi
   return a;
 }
 
-// 1/f modulo the relation r, by Euclid's algorithm: s f = remainder modulo r.
-MFraction inverse(const MPoly& f, const MPoly& r, std::size_t constant) {
-  Univariate a = coefficients(MFraction(r), constant), b = coefficients(MFraction(f), constant);
-  Univariate s, t{MFraction(f.ring(), Rational(1))};
-  while (b.size() > 1) {
-    while (a.size() >= b.size()) {
-      const MFraction q = a.back() / b.back();
-      const std::size_t shift = a.size() - b.size();
-      a = minus_multiple(std::move(a), q, shift, b);
-      s = minus_multiple(std::move(s), q, shift, t);
-      trim(a);
-      trim(s);
-    }
-    std::swap(a, b);
-    std::swap(s, t);
-  }
-  if (b.empty()) throw DomainError("division by 0 modulo the relation of a constant");
-  MFraction sum(f.ring());
-  const MFraction x = MFraction::variable(f.ring(), constant);
-  for (std::size_t i = t.size(); i-- > 0;)
-    sum = sum * x + t[i];
-  return sum / b[0];
-}
-
 } // namespace
 
 MFraction InvariantPlane::reduced(const MFraction& f) const {
@@ -225,7 +201,7 @@ MFraction InvariantPlane::reduced(const MFraction& f) const {
   const std::size_t constant = constants->main().front();
   if (!uses(f.den(), constant)) return constants->normal_form(f);
   return constants->normal_form(constants->normal_form(f.num()) *
-                                inverse(f.den(), *relation, constant));
+                                inverse_modulo(f.den(), *relation, constant));
 }
 
 MPoly InvariantPlane::norm(const MPoly& f) const {
@@ -251,6 +227,29 @@ std::vector<MFraction> coefficients(const MFraction& f, std::size_t i) {
   for (const MPoly& c : coefficients(f.num(), i))
     all.emplace_back(c, f.den());
   return all;
+}
+
+MFraction inverse_modulo(const MFraction& f, const MFraction& r, std::size_t i) {
+  Univariate a = coefficients(r, i), b = coefficients(f, i);
+  Univariate s, t{MFraction(f.ring(), Rational(1))};
+  while (b.size() > 1) { // s f = a, t f = b modulo r
+    while (a.size() >= b.size()) {
+      const MFraction q = a.back() / b.back();
+      const std::size_t shift = a.size() - b.size();
+      a = minus_multiple(std::move(a), q, shift, b);
+      s = minus_multiple(std::move(s), q, shift, t);
+      trim(a);
+      trim(s);
+    }
+    std::swap(a, b);
+    std::swap(s, t);
+  }
+  if (b.empty()) throw DomainError("division by 0 modulo a polynomial");
+  MFraction sum(f.ring());
+  const MFraction x = MFraction::variable(f.ring(), i);
+  for (std::size_t k = t.size(); k-- > 0;)
+    sum = sum * x + t[k];
+  return sum / b[0];
 }
 
 std::variant<InvariantPlane, OutOfScope> invariant_plane(const System& s, const ManifoldSpec& m) {

@@ -53,6 +53,9 @@ struct InvariantPlane {
 /// The coefficients of f in x_i, ascending; empty for 0.  Requires a denominator without x_i.
 [[nodiscard]] std::vector<MFraction> coefficients(const MFraction& f, std::size_t i);
 
+/// 1/f modulo r, polynomials in x_i, by Euclid's algorithm.  Throws DomainError if there is none.
+[[nodiscard]] MFraction inverse_modulo(const MFraction& f, const MFraction& r, std::size_t i);
+
 /// H = (a p1^2 + b p2^2)/2 + V with constants a, b and a polynomial V, and a manifold with the
 /// equation of a line q = a + s d, d.d != 0, of configurations (a coordinate axis, if a != b).
 /// Invariance is verified once more: the force across the line vanishes on it.

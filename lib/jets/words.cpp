@@ -9,6 +9,7 @@ namespace kov::jets {
 const std::string& theorem() { return morales_ramis_simo().name; }
 
 std::vector<std::string> trusted(const HigherObstruction& o) {
+  if (!o.certificate.empty()) return {};
   std::vector<std::string> all{"the series of the higher variational equations"};
   if (o.group && !o.group->checked) all.emplace_back("the group of the normal equation");
   return all;

@@ -3,6 +3,7 @@
 // ".cpp".  Not set: nothing to do.
 
 #include "certify/equation/check.hpp"
+#include "certify/jets/check.hpp"
 #include "certify/system/check.hpp"
 #include "certify/text/json.hpp"
 #include "certify/theorem/check.hpp"
@@ -27,6 +28,10 @@ char verdict(const std::string& text) {
     if (format_of(text) == "kovacic-system/1") {
       const auto verdict = check_way(read_system_certificate(text));
       return std::holds_alternative<SystemAccepted>(verdict) ? 'a' : 'r';
+    }
+    if (format_of(text) == "kovacic-jets/1") {
+      const auto verdict = check_jets(read_jets_certificate(text));
+      return std::holds_alternative<JetsAccepted>(verdict) ? 'a' : 'r';
     }
     if (format_of(text) == "kovacic-theorem/1")
       return std::holds_alternative<TheoremAccepted>(check_theorem(text)) ? 'a' : 'r';

@@ -237,7 +237,7 @@ void put_higher_orders(std::ostringstream& out, const System& s, const jets::Hig
   std::string trusted;
   for (const std::string& step : jets::trusted(*h.obstruction))
     trusted += (trusted.empty() ? "" : "; ") + step;
-  put(out, "trusted", trusted + ", without a certificate");
+  if (!trusted.empty()) put(out, "trusted", trusted + ", without a certificate");
 }
 
 Json json_of_orders(const System& s, const jets::HigherOrders& h) {
@@ -403,9 +403,11 @@ private:
     if (m.failure && is_fine_without(round.values, m.name)) degenerate(m);
     Report answer{exit_decided, text_of(s, m, detail_of(round)), {{"manifold", json_of(s, m)}}, {}};
     if (settings_.second_opinion) ask_monodromy(s, m, answer);
+    std::vector<NamedCertificate> proofs;
+    if (!settings_.certificate.empty()) proofs = certificates(s, m);
     if (settings_.order > 1 && m.manifold && m.verdict != VerdictKind::non_integrable)
-      ask_higher_orders(s, *manifolds_to_check(s, options_).at(index), answer);
-    if (!settings_.certificate.empty()) file_certificates(s, m, answer);
+      ask_higher_orders(s, *manifolds_to_check(s, options_).at(index), answer, proofs);
+    if (!settings_.certificate.empty()) file_certificates(s, proofs, answer);
     answer.json["unmet"] = Json::array(); // null: the expectation is about another one
     for (const SystemExpectation* x : expectations_of(round))
       answer.json["unmet"].push_back(
@@ -447,23 +449,29 @@ private:
   }
 
   // Where the first order leaves something open.
-  void ask_higher_orders(const System& s, const ManifoldSpec& m, Report& answer) const {
+  void ask_higher_orders(const System& s, const ManifoldSpec& m, Report& answer,
+                         std::vector<NamedCertificate>& proofs) const {
     const auto orders = jets::higher_orders(s, m, {settings_.order, options_.decide});
     std::ostringstream lines;
     if (answer.text.empty()) lines << title_of_manifold(s, m.name) << "\n";
     put_higher_orders(lines, s, orders);
     answer.text += lines.str();
     answer.json.at("manifold")["higher_orders"] = json_of_orders(s, orders);
+    if (!orders.obstruction) return;
+    const jets::HigherObstruction& o = *orders.obstruction;
+    proofs.push_back(
+        {m.name + "-order-" + std::to_string(o.logarithm.order), o.certificate, o.no_certificate});
   }
 
-  void file_certificates(const System& s, const ManifoldReport& m, Report& answer) const {
+  void file_certificates(const System& s, const std::vector<NamedCertificate>& proofs,
+                         Report& answer) const {
     std::string values;
     for (const auto& [name, value] : s.values)
       values += "-" + name + "=" + to_string(value);
     Json& json = answer.json.at("manifold");
     json["certificate_files"] = Json::array();
     std::ostringstream lines;
-    for (const NamedCertificate& c : certificates(s, m)) {
+    for (const NamedCertificate& c : proofs) {
       if (c.json.empty()) {
         json["no_certificate"].push_back(c.name + ": " + c.none);
         put(lines, "no proof", "of " + c.name + ": " + c.none);

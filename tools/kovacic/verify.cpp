@@ -5,6 +5,7 @@
 #include "commands.hpp"
 
 #include "certify/equation/statement.hpp"
+#include "certify/jets/check.hpp"
 #include "certify/strata/check.hpp"
 #include "certify/system/check.hpp"
 #include "certify/theorem/check.hpp"
@@ -90,6 +91,17 @@ Report judge_system(Report r, const std::string& certificate, bool strict) {
   return r;
 }
 
+Report judge_jets(Report r, const std::string& certificate, bool strict) {
+  const certify::JetsCertificate c = certify::read_jets_certificate(certificate);
+  const auto verdict = certify::check_jets(c);
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
+  const auto& yes = std::get<certify::JetsAccepted>(verdict);
+  r = accepted(r, yes.trusted, strict);
+  r["statement"] = certify::statement(c, yes);
+  r["system"] = "not integrable";
+  return r;
+}
+
 Report judge_theorem(Report r, const std::string& certificate) {
   const auto verdict = certify::check_theorem(certificate);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
@@ -107,6 +119,7 @@ Report judge(const std::string& path, const std::string& certificate, bool stric
     const auto format = certify::format_of(certificate);
     if (format == "kovacic-strata/1") return judge_strata(r, certificate, strict);
     if (format == "kovacic-system/1") return judge_system(r, certificate, strict);
+    if (format == "kovacic-jets/1") return judge_jets(r, certificate, strict);
     if (format == "kovacic-theorem/1") return judge_theorem(r, certificate);
     return judge_group(r, certificate, strict);
   } catch (const Error& e) {

@@ -115,6 +115,15 @@ struct SystemCertificate {
                                             const std::vector<std::string>& parameters);
 /// "P" or ["P", "n"].
 [[nodiscard]] PhaseFunction read_phase_function(const Ring& ring, const Node& n);
+/// Names that are different and well formed.
+[[nodiscard]] Ring ring_of(const Node& n, const std::vector<std::string>& names);
+/// At most so many entries.
+[[nodiscard]] std::vector<std::string> read_texts(const Node& n, std::size_t most);
+[[nodiscard]] MPoly read_poly(const Ring& ring, const Node& n);
+/// "P" or ["P", "n", "e_1", ...], with the ring and the denominators of c.
+[[nodiscard]] CurveFunction read_curve_function(const PhaseCurve& c, const Node& n);
+[[nodiscard]] Json to_json(const CurveFunction& f);
+[[nodiscard]] Json to_json(const PhaseFunction& f);
 [[nodiscard]] std::string write_system_certificate(const SystemCertificate& c);
 
 } // namespace kov::certify

@@ -23,6 +23,8 @@ bool is_name(const std::string& s) {
                      [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
 }
 
+} // namespace
+
 Ring ring_of(const Node& n, const std::vector<std::string>& names) {
   for (const std::string& s : names)
     if (!is_name(s) || std::count(names.begin(), names.end(), s) != 1)
@@ -30,7 +32,7 @@ Ring ring_of(const Node& n, const std::vector<std::string>& names) {
   return make_ring(names);
 }
 
-std::vector<std::string> texts(const Node& n, std::size_t most) {
+std::vector<std::string> read_texts(const Node& n, std::size_t most) {
   std::vector<std::string> all;
   for (const Node& x : n.items())
     all.push_back(x.text());
@@ -38,7 +40,7 @@ std::vector<std::string> texts(const Node& n, std::size_t most) {
   return all;
 }
 
-MPoly poly(const Ring& ring, const Node& n) {
+MPoly read_poly(const Ring& ring, const Node& n) {
   try {
     return read_polynomial(ring, n.text());
   } catch (const InvalidArgument& e) {
@@ -46,16 +48,18 @@ MPoly poly(const Ring& ring, const Node& n) {
   }
 }
 
+namespace {
+
 Integer natural(const Node& n) {
   if (!is_natural(n.text())) n.fail("a natural number is expected");
   return n.integer();
 }
 
 PhaseFunction phase_function(const Ring& ring, const Node& n) {
-  if (n.json().text()) return {poly(ring, n), Integer(1)};
+  if (n.json().text()) return {read_poly(ring, n), Integer(1)};
   const auto parts = n.items();
   if (parts.size() != 2) n.fail("a polynomial, or one and a number, is expected");
-  return {poly(ring, parts[0]), natural(parts[1])};
+  return {read_poly(ring, parts[0]), natural(parts[1])};
 }
 
 std::vector<PhaseFunction> phase_functions(const Ring& ring, const Node& n) {
@@ -84,7 +88,7 @@ public:
 private:
   void read(const Node& n, const std::vector<std::string>& parameters) {
     Keys k(n);
-    auto names = texts(k.at("coordinates"), max_coordinates);
+    auto names = read_texts(k.at("coordinates"), max_coordinates);
     s_.dimension = names.size();
     const auto functions = k.find("functions");
     const auto inverses = k.find("inverses");
@@ -103,7 +107,7 @@ private:
         s_.inverses.push_back(inverse(x));
     if (const auto relations = k.find("relations"))
       for (const Node& x : relations->items())
-        s_.relations.push_back(poly(s_.ring, x));
+        s_.relations.push_back(read_poly(s_.ring, x));
     read_field(k);
     k.done();
   }
@@ -120,7 +124,7 @@ private:
   MPoly inverse(const Node& n) {
     Keys k(n);
     static_cast<void>(k.at("name"));
-    MPoly h = poly(s_.ring, k.at("of"));
+    MPoly h = read_poly(s_.ring, k.at("of"));
     k.done();
     return h;
   }
@@ -162,7 +166,7 @@ public:
     const Node format = top_.at("format");
     if (format.text() != "kovacic-system/1") format.fail("not kovacic-system/1");
     c_.way.title = top_.at("title").text();
-    parameters_ = texts(top_.at("parameters"), max_parameters);
+    parameters_ = read_texts(top_.at("parameters"), max_parameters);
     c_.way.system = PhaseReader(top_.at("system"), parameters_).take();
     if (const auto claims = top_.find("claims"))
       for (const Node& n : claims->items())
@@ -216,7 +220,7 @@ private:
     names.insert(names.end(), parameters_.begin(), parameters_.end());
     c.ring = ring_of(n, names);
     for (const Node& x : k.at("denominators").items())
-      c.denominators.push_back(poly(c.ring, x));
+      c.denominators.push_back(read_poly(c.ring, x));
     if (c.denominators.size() > max_denominators) n.fail("more than 200 denominators");
     read_tower(steps, n);
     for (const auto& [name, value] : members(k.at("values"))) {
@@ -244,19 +248,7 @@ private:
   }
 
   [[nodiscard]] CurveFunction element(const Node& n) const {
-    const PhaseCurve& c = c_.way.curve;
-    if (n.json().text()) return {poly(c.ring, n), Integer(1), {}};
-    const auto parts = n.items();
-    if (parts.size() < 2 || parts.size() > 2 + c.denominators.size())
-      n.fail("a polynomial, a number and an exponent for each denominator are expected");
-    CurveFunction f{poly(c.ring, parts[0]), natural(parts[1]), {}};
-    for (std::size_t i = 2; i < parts.size(); ++i) {
-      const long e = parts[i].count();
-      if (e < 0 || static_cast<unsigned long>(e) > max_power)
-        parts[i].fail("an exponent from 0 to 1000 is expected");
-      f.over.push_back(static_cast<unsigned long>(e));
-    }
-    return f;
+    return read_curve_function(c_.way.curve, n);
   }
   [[nodiscard]] CurveRow elements(const Node& n) const {
     CurveRow all;
@@ -309,6 +301,21 @@ private:
 };
 
 } // namespace
+
+CurveFunction read_curve_function(const PhaseCurve& c, const Node& n) {
+  if (n.json().text()) return {read_poly(c.ring, n), Integer(1), {}};
+  const auto parts = n.items();
+  if (parts.size() < 2 || parts.size() > 2 + c.denominators.size())
+    n.fail("a polynomial, a number and an exponent for each denominator are expected");
+  CurveFunction f{read_poly(c.ring, parts[0]), natural(parts[1]), {}};
+  for (std::size_t i = 2; i < parts.size(); ++i) {
+    const long e = parts[i].count();
+    if (e < 0 || static_cast<unsigned long>(e) > max_power)
+      parts[i].fail("an exponent from 0 to 1000 is expected");
+    f.over.push_back(static_cast<unsigned long>(e));
+  }
+  return f;
+}
 
 PhaseSystem read_phase_system(const Node& n, const std::vector<std::string>& parameters) {
   return PhaseReader(n, parameters).take();

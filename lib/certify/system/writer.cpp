@@ -18,16 +18,23 @@ template <class T, class F> Json listed(const std::vector<T>& all, F entry) {
   return {std::move(list)};
 }
 
-Json function(const PhaseFunction& f) {
+} // namespace
+
+Json to_json(const PhaseFunction& f) {
   if (f.n == Integer(1)) return text(f.p);
   return {Json::Array{text(f.p), text(to_string(f.n))}};
 }
+namespace {
+
+Json function(const PhaseFunction& f) { return to_json(f); }
 Json functions(const std::vector<PhaseFunction>& all) { return listed(all, function); }
 Json polys(const std::vector<MPoly>& all) {
   return listed(all, [](const MPoly& p) { return text(p); });
 }
 
-Json element(const CurveFunction& f) {
+} // namespace
+
+Json to_json(const CurveFunction& f) {
   std::size_t last = f.over.size();
   while (last > 0 && f.over[last - 1] == 0)
     --last;
@@ -37,6 +44,9 @@ Json element(const CurveFunction& f) {
     parts.push_back(text(std::to_string(f.over[k])));
   return {std::move(parts)};
 }
+namespace {
+
+Json element(const CurveFunction& f) { return to_json(f); }
 Json elements(const CurveRow& row) { return listed(row, element); }
 
 class SystemWriter {

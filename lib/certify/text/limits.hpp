@@ -44,6 +44,14 @@ inline constexpr unsigned long max_power = 1000;      ///< of a denominator
 inline constexpr std::size_t max_denominators = 200;
 inline constexpr std::size_t max_annihilators = 40;
 
+// Certificates of higher variational equations (jet_certificates.md 2).
+inline constexpr std::size_t max_jet_parameters = 6;
+inline constexpr long max_turns = 100;
+inline constexpr long max_order = 12;
+inline constexpr long max_jet_terms = 2000;
+inline constexpr long max_jet_power = 20; ///< of a minor
+inline constexpr unsigned long max_jet_degree = 40; ///< of a potential
+
 /// Bits of the largest coefficient: of the numerators over a common denominator, and of that.
 [[nodiscard]] inline double bits(const Poly& f) {
   const auto top = std::abs(_fmpz_vec_max_bits(f.raw()->coeffs, f.raw()->length));

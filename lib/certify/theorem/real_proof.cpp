@@ -43,14 +43,6 @@ Conditions with(Conditions given, Condition more) {
 
 Condition primitive(const Condition& c) { return {primitive(c.p), c.sign}; }
 
-MPoly read_poly(const Ring& ring, const Node& n) {
-  try {
-    return read_polynomial(ring, n.text());
-  } catch (const InvalidArgument& e) {
-    n.fail(e.what());
-  }
-}
-
 Conditions read_conditions(const Ring& ring, const Node& n) {
   Conditions all;
   for (const Node& x : n.items()) {

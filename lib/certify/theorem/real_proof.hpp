@@ -3,8 +3,7 @@
 // theorem_certificates.md 2.
 
 #include "certify/strata/arithmetic.hpp"
-#include "certify/strata/certificate.hpp"
-#include "certify/text/json_node.hpp"
+#include "certify/system/certificate.hpp"
 
 #include <functional>
 
@@ -16,7 +15,6 @@ using Conditions = std::vector<Condition>;
 [[nodiscard]] Condition primitive(const Condition& c);
 /// [{"p": P, "sign": SIGN}, ...]
 [[nodiscard]] Conditions read_conditions(const Ring& ring, const Node& n);
-[[nodiscard]] MPoly read_poly(const Ring& ring, const Node& n);
 
 class RealProof {
 public:

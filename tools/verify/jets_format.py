@@ -1,0 +1,60 @@
+"""Reads kovacic-jets/1 (docs/theory/jet_certificates.md 2): syntax, types and sizes; nothing is judged here."""
+from certificate_format import read
+from multivariate import FIELD, parse
+from strata_format import NAME
+from system_format import DENOMINATORS, DIGITS, TOWER, right
+
+FORMAT = "kovacic-jets/1"
+PARAMETERS, TURNS, ORDER, TERMS, DEGREE, POWER = 6, 100, 12, 2000, 40, 20
+GROUPS = {"first-family": {}, "homogeneous": {}, "equilibria": {"first": ["any"], "second": ["any"]},
+          "group": {"e": "rational", "first": ["any"], "second": ["any"], "certificate": "any"}}
+LINE = dict.fromkeys(("start", "across", "along", "masses", "inertias"), ["any"])
+TOP = {"format": "text", "title": "text", "parameters": ["text"], "variables": ["text"],
+       "system": {"coordinates": ["text"], "momenta": ["text"], "hamiltonian": "any"},
+       "denominators": ["text"], "constants": [{"name": "text", "degree": "int", "value": "any"}], "line": LINE,
+       "place": {"turns": "int", "time_scale": "any", "solution": "any", "normal": ["any"]},
+       "jets": {"order": "int", "across": ["any"], "along": ["any"], "form": "any"},
+       "obstruction": {"columns": ["int"], "cofactor": "any", "value": "any", "power": "int"}, "group": {"by": GROUPS}}
+SERIES = {"low": "int", "terms": ["any"]}
+
+
+def read_jets(top):
+    """The certificate, with its names and numbers in their limits; a series is (low, terms) or None."""
+    d = read(TOP, top, "certificate")
+    system, place, jets, constants = d["system"], d["place"], d["jets"], [x["name"] for x in d["constants"]]
+    right(len(d["parameters"]) <= PARAMETERS and len(constants) <= TOWER, "too many names")
+    right(len(d["variables"]) == 3 and len(system["coordinates"]) == len(system["momenta"]) == 2, "another number of names")
+    for names in ([*d["variables"], *d["parameters"], *constants],
+                  [*system["coordinates"], *system["momenta"], *d["parameters"], *constants]):
+        right(all(map(NAME.match, names)) and len(set(names)) == len(names), "different names are expected")
+    right(all(2 <= x["degree"] <= 64 for x in d["constants"]), "a degree from 2 to 64")
+    right(len(d["denominators"]) <= DENOMINATORS, "too many denominators")
+    right(all(len(x) == 2 for x in d["line"].values()) and len(place["normal"]) == 2, "pairs are expected")
+    right(1 <= place["turns"] <= TURNS and 2 <= jets["order"] <= ORDER, "a number is out of range")
+    right(len(jets["across"]) == len(jets["along"]) == jets["order"] - 2, "one for each lower order")
+    right(all(0 <= x <= ORDER + 1 for x in d["obstruction"]["columns"]), "a column is out of range")
+    right(1 <= d["obstruction"]["power"] <= POWER, "a power is out of range")
+    right(all(len(d["group"].get(x) or []) <= TERMS for x in ("first", "second")), "too many entries")
+    place["solution"], place["normal"] = series(place["solution"]), [series(x) for x in place["normal"]]
+    for key in ("across", "along"):
+        jets[key] = [series(x) for x in jets[key]]
+    return d
+
+
+def series(v):
+    if v is None:
+        return None
+    x = read(SERIES, v, "series")
+    right(abs(x["low"]) <= TERMS and len(x["terms"]) <= TERMS, "a series is too long")
+    return x["low"], x["terms"]
+
+
+def hamiltonian(d):
+    """A polynomial in coordinates, momenta, parameters and constants, and the number it is divided by."""
+    names = [*d["system"]["coordinates"], *d["system"]["momenta"], *d["parameters"], *(x["name"] for x in d["constants"])]
+    v = d["system"]["hamiltonian"]
+    v = v if isinstance(v, list) else [v, "1"]
+    right(len(v) == 2 and all(isinstance(x, str) for x in v) and len(v[1]) <= DIGITS, "a polynomial over a number is expected")
+    n = read("int", v[1], "a number")
+    right(n >= 1, "a number is out of range")
+    return parse(v[0], {x: FIELD * i for i, x in enumerate(names)}), n, names

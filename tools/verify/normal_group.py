@@ -1,0 +1,117 @@
+"""Why the group of the normal equation is infinite: J7 of docs/theory/jet_certificates.md."""
+from fractions import Fraction
+
+from certificate_format import need
+from exact import K
+from jet_series import Series
+
+
+class NormalGroup:
+    """J7: why the group of the normal equation is infinite; energy: with a certificate of that group"""
+
+    def __init__(self, jets, group, prove):
+        self.jets, self.R, self.energy, self.trust, self.lines = jets, jets.R, None, 0, []
+        self.delta = jets.rho[1] - jets.rho[0]
+        by = group["by"]
+        if by in ("first-family", "homogeneous"):
+            sizes = [(jets.k - 2) * (self.delta + one) / (2 * jets.k) for one in (1, -1)]
+            need(any(x.denominator == 1 for x in sizes), "the exponents are not in the first family")
+        if by == "homogeneous":
+            need(len([x for x in jets.g if x]) == 1 and len([x for x in jets.w if x]) == (self.delta != 1),
+                 "the first variational equation is not homogeneous")
+            need(not jets.entry(0), "the form has a power of c2 alone")
+        if by == "equilibria":
+            v = self.slope(jets.v)
+            self.need_one(group["first"], v, group["second"], self.slope(v))
+            total = (self.delta**2 - 1) / (4 * jets.sigma * (jets.sigma - 1))
+            need(no_sum_of_squares(total.numerator * total.denominator, jets.k - 1), "the exponents may be rational")
+        if by == "group":
+            self.of_certificate(group, prove)
+
+    def slope(self, f):
+        return [x * i for i, x in enumerate(f)][1:]
+
+    def need_one(self, first, f, second, g):
+        """first f + second g = 1"""
+        sides = [[self.jets.constant(x) for x in side] for side in (first, second)]
+        total = [self.R.one * -1] + [self.R.sum([])] * (2 + len(f) + len(g) + len(sides[0]) + len(sides[1]))
+        for a, b in zip(sides, (f, g)):
+            for i, x in enumerate(a):
+                for j, y in enumerate(b):
+                    total[i + j] = total[i + j] + x * y
+        need(not any(total), "a polynomial is not proved to have simple roots")
+
+    def number(self, f, e=0):
+        """The value at this e of an element without parameters and constants"""
+        need(set(f.rows) <= {0}, "a number is expected")
+        total = sum(c * e**k for k, c in f.rows.get(0, {}).items())
+        for _, k in zip(self.R.denominators, f.e):
+            need(not k, "a number is expected")
+        return Fraction(total) / f.n
+
+    def of_certificate(self, group, prove):
+        jets, e = self.jets, group["e"]
+        need(not jets.d["parameters"] and not jets.d["constants"], "there are parameters or constants")
+        self.energy = self.number(self.level(), e)
+        kinetic = [x * -1 for x in jets.v]
+        kinetic[0] = kinetic[0] + self.R.divided(self.R.one * self.energy.numerator, self.energy.denominator)
+        self.need_one(group["first"], kinetic, group["second"], self.slope(jets.v))
+        need(self.number(jets.value, e), "the obstruction is 0 there")
+        num, den, claim, self.trust, self.lines = prove(group["certificate"])
+        need(K.d == 1, "the equation is over another field")
+        m, g, w = ([self.number(x) for x in f] for f in ([x * jets.line["inertias"][1] * 2 for x in kinetic], jets.g, jets.w))
+        right = plus(scaled(times(g, g), Fraction(-3, 4)), times(m, plus(scaled(slope(g), Fraction(1, 2)), w)))
+        left, right = (times([Fraction(c, f.q) for c in f.c], h) for f, h in ((num, times(m, m)), (den, right)))
+        need(not any(plus(left, scaled(right, -1))), "the certificate is about another equation")
+        need(claim.get("component", "trivial") != "trivial", "the group is not said to be infinite")
+
+    def level(self):
+        """H on the solution: y_t^2/(2 A scale) + v(y), of s^0"""
+        jets = self.jets
+        down, y_t = jets.v[-1] * (-jets.k), jets.y.derivative(jets.turns)
+        lead = 2 * jets.sigma * (jets.sigma - 1)
+        kinetic = self.R.divided(down * y_t.coefficient(y_t, 0) * lead.denominator, lead.numerator)
+        total = Series(self.R)
+        for k in reversed(jets.v):
+            total = total * jets.y + jets.number(k)
+        return kinetic + total[0]
+
+
+def no_sum_of_squares(m, n):
+    """m is no sum of n >= 2 squares of rational numbers (jets.md 2.9)"""
+    need(m < 10**12, "the sum of the squares is too large")
+    if m <= 0 or n > 3:
+        return m < 0
+    if n == 3:
+        while m % 4 == 0:
+            m //= 4
+        return m % 8 == 7
+    p, odd = 2, []
+    while p * p <= m:
+        exponent = 0
+        while m % p == 0:
+            m, exponent = m // p, exponent + 1
+        odd += [p] * (exponent % 2)
+        p += 1
+    return any(p % 4 == 3 for p in [*odd, m])
+
+
+def times(f, g):
+    total = [Fraction(0)] * (len(f) + len(g))
+    for i, x in enumerate(f):
+        for j, y in enumerate(g):
+            total[i + j] += x * y
+    return total
+
+
+def plus(f, g):
+    n = max(len(f), len(g))
+    return [x + y for x, y in zip(f + [Fraction(0)] * (n - len(f)), g + [Fraction(0)] * (n - len(g)))]
+
+
+def scaled(f, c):
+    return [x * c for x in f]
+
+
+def slope(f):
+    return [x * i for i, x in enumerate(f)][1:]
