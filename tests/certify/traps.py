@@ -79,6 +79,7 @@ def certificates():
             folder = os.path.relpath(folder, HERE)
             yield from ((os.path.join(folder, name), read(folder, name), right) for name in names(folder))
     yield from changes(lines_of("false/strata.jsonl"), "data/strata")
+    yield from changes(lines_of("false/jets.jsonl"), "data/jets")
     yield from changes(lines_of("false/changed.jsonl"))
     for module, m in beside("certificates"):
         yield from ((f"{module}: {name}", text, right) for name, text, right in m.certificates())
