@@ -1,7 +1,9 @@
 // 10^6 periods: minutes of computing.  Built and run on request only:
 //   tools/setup release test_flow_long && ctest --test-dir build/release -C slow -L slow
 
+#include "flow/scene/system_section.hpp"
 #include "flow/support.hpp"
+#include "symbol/document.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,6 +30,19 @@ void million_turns(const std::string& name, double bound) {
   }
   EXPECT_LE(largest_drift(r), bound);
   std::printf("%s: drift %.1e\n", name.c_str(), largest_drift(r));
+}
+
+// The same by the machine for any system: a regular and a chaotic orbit.
+TEST(ManyTurns, HenonHeiles) {
+  const SystemSection s = simulate(read_system_scenes(parse_document(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+      "hamiltonian = '(u^2 + v^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3'\n[scene]\nsection = 'x'\n"
+      "plot = ['y', 'v']\nstates = [[0, '1/10', '2/5', 0], [0, '-1/10', '12/25', '1/10']]\n"
+      "crossings = 1000000\n",
+      "test.toml"))[0]);
+  EXPECT_EQ(s.points.size(), 2'000'000U);
+  EXPECT_LE(s.drift, 1e-11);
+  std::printf("Henon-Heiles: drift %.1e\n", s.drift);
 }
 
 TEST(ManyTurns, ClassicalTop) { million_turns("asymmetric_classical", 5e-10); }

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace kov::flow {
 
@@ -35,6 +36,19 @@ std::vector<NodeId> nodes_of(Graph& g, const std::vector<MFraction>& functions) 
   return nodes;
 }
 
+bool is_linear(const MFraction& f, const std::vector<std::size_t>& variables) {
+  const auto degree_in = [&](const std::vector<unsigned long>& e) {
+    unsigned long sum = 0;
+    for (const std::size_t v : variables)
+      sum += e[v];
+    return sum;
+  };
+  for (long i = 0; i < f.num().length(); ++i)
+    if (degree_in(f.num().exponents(i)) > 1) return false;
+  return std::none_of(variables.begin(), variables.end(),
+                      [&](std::size_t v) { return uses(f.den(), v); });
+}
+
 Instruction at_stride(Instruction i, std::uint32_t stride) {
   const bool is_sum = i.op == Instruction::Op::sum; // its a and b are no registers
   for (std::size_t k = 0; k < group; ++k) {
@@ -55,35 +69,32 @@ template <class R> std::vector<R> numbers_as(const std::vector<Rational>& number
 
 } // namespace
 
-Field::Field(const System& s, const MFraction& section, const std::vector<MFraction>& integrals,
-             const std::vector<MFraction>& needed, const Values& values, bool tangent)
+Field::Field(const System& s, const MFraction& section, const std::vector<MFraction>& needed,
+             const Values& values, bool tangent)
     : motion_([&] {
-        std::vector<MFraction> used = integrals;
-        used.insert(used.end(), needed.begin(), needed.end());
+        std::vector<MFraction> used = needed;
         used.push_back(section);
         return motion_of(s, used);
       }()),
-      values_(values) {
+      values_(values), curved_(!is_linear(section, motion_.variables)) {
   if (tangent) add_tangent(motion_, s.ring()->size());
   for (const auto& [variable, value] : values)
     numbers_.push_back(variable);
   std::vector<std::size_t> inputs = motion_.variables, points = motion_.variables;
   inputs.insert(inputs.end(), motion_.tangent.begin(), motion_.tangent.end());
-  if (inputs.size() > most_variables || integrals.size() > most_integrals)
+  if (inputs.size() > most_variables)
     throw OutOfBudget("size limit: sections are drawn of systems with up to " +
-                      std::to_string(most_variables) + " variables and " +
-                      std::to_string(most_integrals) + " integrals");
+                      std::to_string(most_variables) + " variables");
   for (auto* all : {&inputs, &points})
     all->insert(all->end(), numbers_.begin(), numbers_.end());
   registers_ = std::make_unique<Registers>(inputs);
-  integral_registers_ = std::make_unique<Registers>(points);
+  point_registers_ = std::make_unique<Registers>(points);
   std::vector<NodeId> roots = motion_.derivatives;
   roots.insert(roots.end(), motion_.deviations.begin(), motion_.deviations.end());
   const NodeId on_section = motion_.graph.of(section);
-  const std::vector<NodeId> constants_of_motion = nodes_of(motion_.graph, integrals);
   field_ = compile(motion_.graph, roots, *registers_);
   section_ = compile(motion_.graph, {on_section}, *registers_);
-  integrals_ = compile(motion_.graph, constants_of_motion, *integral_registers_);
+  section_at_ = compile(motion_.graph, {on_section}, *point_registers_);
 }
 
 template <class R> Tape<R> Tapes<R>::Kept::tape(const Program& p, std::uint32_t stride) {
@@ -105,7 +116,7 @@ template <class R> Tapes<R>::Tapes(const Field& f, int order) {
     throw OutOfBudget("size limit: the field has too many operations for steps of this order");
   tapes_.field = field_.tape(f.field_, stride);
   tapes_.section = section_.tape(f.section_, stride);
-  tapes_.integrals = integrals_.tape(f.integrals_, 1);
+  tapes_.section_at = section_at_.tape(f.section_at_, 1);
   for (const std::uint32_t reg : f.field_.outputs)
     derivatives_.push_back(reg * stride);
   for (const std::size_t variable : f.numbers_)
@@ -113,17 +124,16 @@ template <class R> Tapes<R>::Tapes(const Field& f, int order) {
   const std::uint32_t section = f.section_.outputs.front();
   const std::vector<std::size_t>& inputs = f.registers_->inputs();
   tapes_.derivatives = derivatives_.data();
-  integral_places_ = f.integrals_.outputs;
-  tapes_.integral_places = integral_places_.data();
+  tapes_.section_at_place = f.section_at_.outputs.front();
+  tapes_.curved = f.curved_;
   tapes_.section_place = section * stride;
   tapes_.last_order = section >= inputs.size();
   tapes_.coordinates = f.coordinates();
   tapes_.variables = f.variables().size();
   tapes_.tangent = f.tangent();
   tapes_.values = f.numbers_.size();
-  tapes_.integral_count = f.integrals_.outputs.size();
   tapes_.registers = f.registers_->count();
-  tapes_.integral_registers = f.integral_registers_->count();
+  tapes_.point_registers = f.point_registers_->count();
 }
 
 template <class R>
@@ -153,6 +163,39 @@ template <class R> const std::vector<R>& Evaluator<R>::operator()(const R* x) {
   for (std::size_t i = 0; i < outputs_.size(); ++i)
     results_[i] = registers_[outputs_[i]];
   return results_;
+}
+
+std::vector<TermSize::Term> TermSize::terms_of(const Field& f, const MPoly& p) {
+  std::vector<Term> all;
+  for (long i = 0; i < p.length(); ++i) {
+    Term t{std::abs(number_as<double>(Rational(p.coefficient(i)))), {}};
+    const auto e = p.exponents(i);
+    for (std::size_t v = 0; v < e.size(); ++v) {
+      if (e[v] == 0) continue;
+      const auto place = std::find(f.variables().begin(), f.variables().end(), v);
+      if (const auto known = f.values_.find(v); known != f.values_.end())
+        t.coefficient *= std::pow(std::abs(known->second.as<double>()), static_cast<double>(e[v]));
+      else if (place != f.variables().end())
+        t.powers.emplace_back(place - f.variables().begin(), e[v]);
+    }
+    all.push_back(std::move(t));
+  }
+  return all;
+}
+
+TermSize::TermSize(const Field& f, const MFraction& function)
+    : num_(terms_of(f, function.num())), denominator_(f, {MFraction(function.den())}) {}
+
+double TermSize::operator()(const double* x) {
+  double sum = 0;
+  for (const Term& t : num_) {
+    double product = t.coefficient;
+    for (const auto& [place, exponent] : t.powers)
+      for (long k = 0; k < exponent; ++k)
+        product *= std::abs(x[place]);
+    sum += product;
+  }
+  return sum / std::abs(denominator_(x)[0]);
 }
 
 template class Tapes<double>;

@@ -1,5 +1,5 @@
 #pragma once
-// A system made ready for the integration: its field, section function and integrals as programs.
+// A system made ready for the integration: its field and section function as programs.
 
 #include "flow/field/field_stepper.hpp"
 #include "flow/field/program.hpp"
@@ -23,8 +23,8 @@ class Field {
 public:
   /// Errors  OutOfBudget: too large;  InvalidArgument: a parameter has no value
   /// needed: functions that an Evaluator will be asked for; tangent: with the first variational equation.
-  Field(const System& s, const MFraction& section, const std::vector<MFraction>& integrals,
-        const std::vector<MFraction>& needed, const Values& values, bool tangent);
+  Field(const System& s, const MFraction& section, const std::vector<MFraction>& needed,
+        const Values& values, bool tangent);
 
   [[nodiscard]] std::size_t coordinates() const noexcept { return motion_.coordinates; }
   /// Coordinates, then function symbols: as variables of the ring.
@@ -39,12 +39,13 @@ public:
 private:
   template <class R> friend class Tapes;
   template <class R> friend class Evaluator;
+  friend class TermSize;
   Motion motion_;
   std::vector<std::size_t> numbers_; ///< parameters and constants that have a value here
   Values values_;
-  std::unique_ptr<Registers> registers_, integral_registers_;
-  Program field_, section_, integrals_;
-  std::uint32_t section_register_ = 0;
+  std::unique_ptr<Registers> registers_, point_registers_;
+  Program field_, section_, section_at_;
+  bool curved_ = false; ///< the section is no linear function of the variables
 };
 
 /// The programs for steps of one order, with numbers of one type.  Refers to nothing outside of itself.
@@ -63,8 +64,8 @@ private:
     std::vector<R> numbers;
     Tape<R> tape(const Program& p, std::uint32_t stride);
   };
-  Kept field_, section_, integrals_;
-  std::vector<std::uint32_t> derivatives_, integral_places_;
+  Kept field_, section_, section_at_;
+  std::vector<std::uint32_t> derivatives_;
   std::vector<R> values_;
   FieldTapes<R> tapes_;
 };
@@ -82,6 +83,24 @@ private:
   std::vector<R> numbers_, registers_, results_;
   std::vector<std::uint32_t> outputs_;
   std::size_t inputs_ = 0;
+};
+
+/// The size of the terms of a function at a point: (|c_1 x^e_1| + |c_2 x^e_2| + ...)/|denominator|.  Rounding leaves
+/// units of it, however much the terms cancel.
+class TermSize {
+public:
+  TermSize(const Field& f, const MFraction& function);
+  /// x: the values of f.variables(), in their order.
+  [[nodiscard]] double operator()(const double* x);
+
+private:
+  struct Term {
+    double coefficient;
+    std::vector<std::pair<std::size_t, long>> powers; ///< place in x, exponent
+  };
+  static std::vector<Term> terms_of(const Field& f, const MPoly& p);
+  std::vector<Term> num_;
+  Evaluator<double> denominator_;
 };
 
 } // namespace kov::flow

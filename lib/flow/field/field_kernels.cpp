@@ -153,7 +153,10 @@ Scales scales_of(const Field& f, const std::vector<double>& starts, double t_end
   const std::vector<double> at_start = s.of;
   for (double& size : s.of)
     size = size > 1e-14 * largest ? size : largest; // what rounding leaves of 0 is no scale
-  const std::vector<double> begun = s.of;
+  std::vector<double> begun =
+      s.of; // a small number may be what a start near 0 has left: it may grow
+  for (double& size : begun)
+    size = size > largest / far_away ? size : largest;
   Probe probe(f, pilot_order);
   const std::size_t every = std::max<std::size_t>(1, orbits / pilot_orbits);
   for (std::size_t i = 0; i < orbits; i += every)

@@ -16,9 +16,7 @@
 namespace kov::flow {
 
 template <class R> struct FieldFinish {
-  R t{};
-  const R* drift =
-      nullptr; ///< largest change of every integral that was seen at the checks, absolute
+  R t{}; ///< of the last state that is a number
   long steps = 0, crossings = 0;
   int tangencies = 0;
   Indicators indicators = {}; ///< with a tangent vector only
@@ -28,21 +26,22 @@ template <class R> struct FieldFinish {
 template <class R> struct FieldSink {
   /// x: all variables on the section.  False: not a crossing that is wanted (`where`).
   virtual bool crossing(std::size_t orbit, const R& t, const R* x, bool rising) = 0;
-  /// x: the last state.
-  virtual void finished(std::size_t orbit, const R* x, const FieldFinish<R>&) = 0;
+  /// x: the state at the start, after every `check_every` steps and at the end, but not deep in a close encounter.
+  virtual void look(std::size_t orbit, const R* x) = 0;
+  virtual void finished(std::size_t orbit, const FieldFinish<R>&) = 0;
   virtual ~FieldSink() = default;
 };
 
-/// A field, its section and its integrals for the machine; registers 0 ... variables - 1 are the variables x, then
+/// A field and its section for the machine; registers 0 ... variables - 1 are the variables x, then
 /// come the tangent vector v (as many, or none) and the numbers without a rational value.
 template <class R> struct FieldTapes {
-  Tape<R> field, section, integrals;
+  Tape<R> field, section, section_at; ///< section_at: its value at a point, in registers of its own
   const std::uint32_t* derivatives = nullptr; ///< places of x' and v'
-  const std::uint32_t* integral_places = nullptr;
-  std::uint32_t section_place = 0;
+  std::uint32_t section_place = 0, section_at_place = 0;
   bool last_order = false; ///< the section needs the field's nodes at the last order
-  std::size_t coordinates = 0, variables = 0, tangent = 0, values = 0, integral_count = 0;
-  std::size_t registers = 0, integral_registers = 0;
+  bool curved = false;     ///< the section is no linear function of the variables
+  std::size_t coordinates = 0, variables = 0, tangent = 0, values = 0;
+  std::size_t registers = 0, point_registers = 0;
 };
 
 template <class R> struct FieldRun {
@@ -52,6 +51,7 @@ template <class R> struct FieldRun {
   long max_crossings = -1, max_steps = -1; ///< -1: no limit
   int check_every = 16;
   bool section = true, falling = false, rising = true;
+  R section_scale{1};           ///< the size of S
   R noise{};                    ///< S below it is 0
   const R* per_scale = nullptr; ///< 1/scale of every variable
   const R* values = nullptr;    ///< of the numbers
@@ -64,18 +64,17 @@ template <class R> struct FieldRun {
 inline namespace KOV_ISA {
 
 inline constexpr std::size_t most_variables = 64; ///< with the tangent vector
-inline constexpr std::size_t most_integrals = 16;
 
 template <class T> class FieldStepper {
 public:
   using L = Lanes<T>;
   using Real = typename L::Real;
   using Step = typename L::Step;
-  static constexpr int n = L::size;
+  static constexpr int n = L::size, most_halvings = 12;
 
   /// How many T the storage needs.
   static std::size_t storage_size(const FieldTapes<Real>& tapes, int order) {
-    return tapes.registers * static_cast<std::size_t>(order + 1) + tapes.integral_registers;
+    return tapes.registers * static_cast<std::size_t>(order + 1) + tapes.point_registers;
   }
 
   /// `storage`: aligned for T and zero; the places of the tapes are for this order.
@@ -90,7 +89,7 @@ public:
     }
     run_once(tapes_.field, s_);
     run_once(tapes_.section, s_);
-    run_once(tapes_.integrals, points_);
+    run_once(tapes_.section_at, points_);
     for (int i = 0; i < variables_; ++i)
       scale_[i] = L::all(Real(1) / run_.per_scale[i]);
   }
@@ -122,6 +121,7 @@ private:
     ++active_;
     orbit_[lane] = next_;
     load(lane, next_++);
+    look(lane);
   }
 
   void load(int lane, std::size_t orbit) {
@@ -129,11 +129,6 @@ private:
     for (int i = 0; i < total_; ++i) {
       L::set(x_[i], lane, start[i]);
       L::set(low_[i], lane, Real(0));
-    }
-    measure_integrals();
-    for (std::size_t i = 0; i < tapes_.integral_count; ++i) {
-      L::set(first_[i], lane, L::get(points_[tapes_.integral_places[i]], lane));
-      L::set(drift_[i], lane, Real(0));
     }
     L::set(t_, lane, Real(0));
     L::set(t_low_, lane, Real(0));
@@ -150,16 +145,19 @@ private:
   void step() {
     tau_ = T(exp2_estimate(log2_tau_));
     jets();
+    if (run_.section) section_series();
     const T left = (L::all(run_.t_end) - t_) - t_low_;
     const Step log2_wanted = log2_step();
     const T wanted = T(exp2_estimate(log2_wanted)) * tau_;
-    const T h = choose(wanted < left, wanted, left);
+    T h = choose(wanted < left, wanted, left);
+    if (run_.section && tapes_.curved) h = followed(h);
     const T part = h / tau_;
     if (run_.section) look_for_crossings(part);
     for (int i = 0; i < total_; ++i)
       add_compensated(x_[i], low_[i], increment(series(i), run_.order, part));
     log2_tau_ =
         within(log2_tau_ + ((log2_wanted + 6755399441055744.0) - 6755399441055744.0)); // rounded
+    before_ = t_;
     add_compensated(t_, t_low_, h);
     if (tapes_.tangent > 0) follow_growth(h);
     account(h, left);
@@ -177,6 +175,35 @@ private:
       for (int i = 0; i < total_; ++i)
         series(i)[k + 1] = s_[tapes_.derivatives[i] + static_cast<std::uint32_t>(k)] * rate;
     }
+  }
+
+  void section_series() {
+    if (tapes_.last_order) run_order(tapes_.field, s_, run_.order);
+    if (tapes_.section.each != tapes_.section.each_end)
+      for (int k = 0; k <= run_.order; ++k)
+        run_order(tapes_.section, s_, k);
+  }
+
+  // The series of a section that is no linear function may end before the function does (or the radius of
+  // convergence may be its own): the step is halved until it has the value of the function at its end.
+  T followed(T h) {
+    const T* s = s_ + tapes_.section_place;
+    for (int i = 0; i < most_halvings; ++i) {
+      const T part = h / tau_;
+      for (int j = 0; j < variables_; ++j)
+        points_[j] = x_[j] + (low_[j] + increment(series(j), run_.order, part));
+      run_order(tapes_.section_at, points_, 0);
+      const T value = points_[tapes_.section_at_place];
+      const T apart = absolute(T(s[0] + increment(s, run_.order, part) - value));
+      const T bound = larger(absolute(value), L::all(run_.section_scale)) * section_error_;
+      const T zero{}, too_far = choose(apart > bound, L::all(Real(1)), zero);
+      bool again = false;
+      for (int lane = 0; lane < n; ++lane)
+        again = again || (busy_[lane] && !(L::get(too_far, lane) == Real(0)));
+      if (!again) break;
+      h = choose(too_far > zero, T(h * L::all(Real(0.5))), h);
+    }
+    return h;
   }
 
   // log2 of ||x_k||
@@ -201,25 +228,30 @@ private:
     at_most(log2_reach_ - (log2_size(2) + 1.0) * 0.5);
     for (int k = run_.order - 1; k <= run_.order; ++k)
       at_most((run_.log2_tolerance - log2_size(k)) * (1.0 / k));
+    if (run_.section && tapes_.curved)
+      for (int k = run_.order - 1; k <= run_.order; ++k)
+        at_most((run_.log2_tolerance - log2_section_size(k)) * (1.0 / k));
     return best;
+  }
+
+  Step log2_section_size(int k) const {
+    const T* s = s_ + tapes_.section_place;
+    const T scale = larger(absolute(s[0]), L::all(run_.section_scale));
+    return log2_estimate(larger(T(absolute(s[k]) / scale), L::all(Real(1e-300))));
   }
 
   // h: in units of tau
   void look_for_crossings(const T& h) {
-    if (tapes_.last_order) run_order(tapes_.field, s_, run_.order);
-    if (tapes_.section.each != tapes_.section.each_end)
-      for (int k = 0; k <= run_.order; ++k)
-        run_order(tapes_.section, s_, k);
     watch_.step(s_ + tapes_.section_place, run_.order, h, [&](int lane, const Real& sign_before) {
       if (busy_[lane]) look_closer(lane, L::get(h, lane), sign_before);
     });
   }
 
   void look_closer(int lane, const Real& h, const Real& sign_before) {
-    Root<Real> roots[16];
+    Root<Real> roots[max_degree]; // a polynomial has no more
     const int found =
         watch_.sign_changes_in(lane, s_ + tapes_.section_place, run_.order, h, sign_before,
-                               run_.noise, roots, 16, tally_[lane].tangencies);
+                               run_.noise, roots, max_degree, tally_[lane].tangencies);
     for (int i = 0; i < found; ++i)
       land(lane, Real(roots[i].x * h), !roots[i].falling);
   }
@@ -233,19 +265,11 @@ private:
     if (run_.sink->crossing(orbit_[lane], t, x, rising)) ++tally_[lane].crossings;
   }
 
-  void measure_integrals() {
+  void look(int lane) {
+    Real x[most_variables];
     for (int i = 0; i < variables_; ++i)
-      points_[i] = x_[i];
-    run_order(tapes_.integrals, points_, 0);
-  }
-
-  // `due`: 1 in the lanes that are looked at, 0 elsewhere.
-  void measure_drift(const T& due) {
-    measure_integrals();
-    for (std::size_t i = 0; i < tapes_.integral_count; ++i) {
-      const T change = absolute(T(points_[tapes_.integral_places[i]] - first_[i]));
-      drift_[i] = larger(drift_[i], T(due * change));
-    }
+      x[i] = L::get(x_[i], lane);
+    run_.sink->look(orbit_[lane], x);
   }
 
   double log_norm(int lane) const {
@@ -276,8 +300,7 @@ private:
 
   // Bookkeeping after a step: who is finished, who is broken.
   void account(const T& h, const T& left) {
-    bool check = false;
-    T due{}, finite{}; // what the integrals are deep in a close encounter is seen when it is over
+    T finite{};
     const T close = longest_ * L::all(Real(0x1p-20));
     for (int i = 0; i < variables_; ++i)
       add_product(finite, x_[i], T{}); // 0 only if all are numbers
@@ -285,11 +308,9 @@ private:
     for (int lane = 0; lane < n; ++lane) {
       const long steps = ++tally_[lane].steps;
       if (!busy_[lane] || run_.check_every <= 0 || steps % run_.check_every != 0) continue;
-      if (L::get(h, lane) < L::get(close, lane)) continue;
-      check = true;
-      L::set(due, lane, Real(1));
+      // what the integrals are deep in a close encounter is seen when it is over
+      if (!(L::get(h, lane) < L::get(close, lane))) look(lane);
     }
-    if (check) measure_drift(due);
     for (int lane = 0; lane < n; ++lane) {
       if (!busy_[lane]) continue;
       const FieldFinish<Real>& f = tally_[lane];
@@ -308,20 +329,12 @@ private:
   }
 
   void finish(int lane, Ended why) {
-    T due{};
-    L::set(due, lane, Real(why == Ended::singular || why == Ended::broken ? 0 : 1));
-    measure_drift(due);
+    if (why != Ended::singular && why != Ended::broken) look(lane);
     FieldFinish<Real>& f = tally_[lane];
-    Real x[most_variables], drift[most_integrals];
-    for (int i = 0; i < variables_; ++i)
-      x[i] = L::get(x_[i], lane);
-    for (std::size_t i = 0; i < tapes_.integral_count; ++i)
-      drift[i] = L::get(drift_[i], lane);
-    f.drift = drift;
-    f.t = L::get(t_, lane);
+    f.t = L::get(why == Ended::broken ? before_ : t_, lane);
     f.ended = why;
     if (tapes_.tangent > 0) f.indicators = growth_[lane].indicators();
-    run_.sink->finished(orbit_[lane], x, f);
+    run_.sink->finished(orbit_[lane], f);
     refill(lane);
   }
 
@@ -331,11 +344,13 @@ private:
   std::ptrdiff_t stride_;
   int total_, variables_;
   double log2_reach_ = log2_reach(run_.log2_tolerance, log2_estimate(unit_roundoff<Real>()));
+  // what the series of the section may miss of its value
+  T section_error_ = T(exp2_estimate(Step{} + (run_.log2_tolerance + 4.0))) +
+                     L::all(unit_roundoff<Real>() * Real(64));
   Real shrunk_ = unit_roundoff<Real>() * Real(8);
   T x_[most_variables]{}, low_[most_variables]{}, scale_[most_variables]{},
       per_scale_[most_variables]{};
-  T first_[most_integrals]{}, drift_[most_integrals]{};
-  T t_{}, t_low_{}, longest_{}, tau_{};
+  T t_{}, t_low_{}, before_{}, longest_{}, tau_{};
   Step log2_tau_{};
   SectionWatch<T> watch_{run_.falling, run_.rising};
   std::size_t orbit_[n]{};

@@ -76,7 +76,11 @@ public:
     }
     const T below = -one;
     const T sign0 = choose(s[0] > zero, one, below);
-    const T sign1 = choose(end > zero, one, choose(end < zero, below, above_)); // 0 decides nothing
+    const T slow = L::all(Real(1e-10)) * (absolute(s[0]) + rest); // as in sign_changes_in
+    const T leaves = choose(s[1] > zero, one, below);
+    const T begun = choose(absolute(s[0]) > slow, sign0, leaves);
+    const T before = choose(above_ == zero, begun, above_);
+    const T sign1 = choose(end > zero, one, choose(end < zero, below, before)); // 0 decides nothing
     // 1 where a crossing, or doubt, remains
     const T same_start = choose(sign0 == above_, one, zero);
     T boring = choose(sign1 == above_, one, zero);

@@ -15,14 +15,30 @@ namespace {
 
 using MpfrFunction = int (*)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t);
 
-MpfrFunction known_function(const std::string& name) {
-  static const std::map<std::string, MpfrFunction> all{
-      {"sin", mpfr_sin},   {"cos", mpfr_cos},   {"tan", mpfr_tan},   {"exp", mpfr_exp},
-      {"log", mpfr_log},   {"sqrt", mpfr_sqrt}, {"sinh", mpfr_sinh}, {"cosh", mpfr_cosh},
-      {"tanh", mpfr_tanh}, {"atan", mpfr_atan}, {"asin", mpfr_asin}, {"acos", mpfr_acos},
-      {"cot", mpfr_cot},   {"sec", mpfr_sec},   {"csc", mpfr_csc}};
+struct KnownFunction {
+  MpfrFunction exact = nullptr;
+  double (*quick)(double) = nullptr; ///< to a few units of the last digit
+};
+
+KnownFunction known_function(const std::string& name) {
+  static const std::map<std::string, KnownFunction> all{
+      {"sin", {mpfr_sin, std::sin}},
+      {"cos", {mpfr_cos, std::cos}},
+      {"tan", {mpfr_tan, std::tan}},
+      {"exp", {mpfr_exp, std::exp}},
+      {"log", {mpfr_log, std::log}},
+      {"sqrt", {mpfr_sqrt, std::sqrt}},
+      {"sinh", {mpfr_sinh, std::sinh}},
+      {"cosh", {mpfr_cosh, std::cosh}},
+      {"tanh", {mpfr_tanh, std::tanh}},
+      {"atan", {mpfr_atan, std::atan}},
+      {"asin", {mpfr_asin, std::asin}},
+      {"acos", {mpfr_acos, std::acos}},
+      {"cot", {mpfr_cot, [](double x) { return 1 / std::tan(x); }}},
+      {"sec", {mpfr_sec, [](double x) { return 1 / std::cos(x); }}},
+      {"csc", {mpfr_csc, [](double x) { return 1 / std::sin(x); }}}};
   const auto found = all.find(name);
-  return found == all.end() ? nullptr : found->second;
+  return found == all.end() ? KnownFunction{} : found->second;
 }
 
 void set(BigReal& to, const BigReal& x) { to = x; }
@@ -43,7 +59,7 @@ template <class R> R value_of(MpfrFunction f, const R& x) {
 
 const FunctionMeaning& meaning_of(const SystemScene& s, std::size_t variable) {
   for (const FunctionMeaning& m : s.meanings)
-    if (m.variable == variable && known_function(m.name) != nullptr) return m;
+    if (m.variable == variable && known_function(m.name).exact != nullptr) return m;
   throw InputError(
       s.file, 0, 0, 1,
       "the function '" + s.system.ring()->name(variable) + "' has no value to start with",
@@ -56,7 +72,7 @@ public:
       : coordinates_(f.coordinates()), n_(f.variables().size()) {
     for (std::size_t i = coordinates_; i < n_; ++i) {
       const FunctionMeaning& m = meaning_of(s, f.variables()[i]);
-      functions_.push_back({known_function(m.name), Evaluator<R>(f, {m.argument})});
+      functions_.push_back({known_function(m.name).exact, Evaluator<R>(f, {m.argument})});
     }
   }
   // Twice, for arguments that are functions themselves: later ones may be needed by earlier ones.
@@ -406,8 +422,8 @@ std::array<double, 2> numbers(const std::array<Quantity, 2>& pair) {
 
 class Collection {
 public:
-  Collection(const SystemScene& s, const Field& f)
-      : s_(s), drawn_(f, {s.plot[0].value, s.plot[1].value}), lift_(s, f) {
+  Collection(const SystemScene& s, const Field& f, const std::atomic<bool>* stop)
+      : s_(s), stop_(stop), drawn_(f, {s.plot[0].value, s.plot[1].value}), lift_(s, f) {
     if (!s.seeds.empty() || s.columns > 0 || s.random > 0) sheets_ = std::make_unique<Sheets>(s, f);
   }
 
@@ -423,6 +439,8 @@ public:
                          "a grid instead of seeds shows where the level has points");
     std::size_t missing = grid();
     random();
+    if (starts_.empty() && stopped())
+      throw InputError(s_.file, 0, 0, 1, "stopped before a place on the level was found");
     if (starts_.empty())
       throw InputError(s_.file, 0, 0, 1,
                        "no place of the range lies on the level with the wanted direction");
@@ -443,6 +461,7 @@ private:
   }
 
   bool place(const std::array<double, 2>& drawn, std::optional<std::size_t> seed) {
+    if (stopped()) return true;
     const auto states = sheets_->over(drawn);
     for (const auto& x : states)
       starts_.push_back({x, drawn, seed, std::nullopt});
@@ -463,8 +482,10 @@ private:
   void random() {
     std::mt19937 gen(7);
     std::uniform_real_distribution<double> part(0, 1);
-    const auto wanted = starts_.size() + static_cast<std::size_t>(s_.random);
-    for (long tries = 0; starts_.size() < wanted && tries < 200 * s_.random; ++tries) {
+    const auto begun = starts_.size(), wanted = begun + static_cast<std::size_t>(s_.random);
+    for (std::size_t tries = 0;
+         starts_.size() < wanted && !stopped() && tries < 200 * (starts_.size() - begun + 100);
+         ++tries) { // a level that fills less than 1/200 of the range is not looked for for ever
       const double u = part(gen), v = part(gen);
       static_cast<void>(place(at(u, v), std::nullopt));
     }
@@ -475,7 +496,10 @@ private:
     return {x[0] + u * (x[1] - x[0]), y[0] + v * (y[1] - y[0])};
   }
 
+  [[nodiscard]] bool stopped() const { return stop_ != nullptr && stop_->load(); }
+
   const SystemScene& s_;
+  const std::atomic<bool>* stop_;
   Evaluator<double> drawn_;
   Lift<double> lift_;
   std::unique_ptr<Sheets> sheets_;
@@ -485,8 +509,8 @@ private:
 } // namespace
 
 std::vector<FieldStart> starts_of(const SystemScene& scene, const Field& field,
-                                  std::size_t* skipped) {
-  return Collection(scene, field).all(skipped);
+                                  std::size_t* skipped, const std::atomic<bool>* stop) {
+  return Collection(scene, field, stop).all(skipped);
 }
 
 // ---- refinement ----
@@ -557,15 +581,15 @@ template class StartRefiner<BigReal>;
 MeaningCheck::MeaningCheck(const SystemScene& scene, const Field& field) {
   for (std::size_t i = field.coordinates(); i < field.variables().size(); ++i) {
     const FunctionMeaning& m = meaning_of(scene, field.variables()[i]);
-    all_.push_back({i, m.name, Evaluator<double>(field, {m.argument})});
+    all_.push_back({i, known_function(m.name).quick, Evaluator<double>(field, {m.argument})});
   }
 }
 
 double MeaningCheck::deviation(const double* x, const std::vector<double>& scales) {
   double most = 0;
   for (One& one : all_) {
-    const double value = value_of(known_function(one.name), one.argument(x)[0]);
-    most = std::max(most, std::abs(x[one.place] - value) / scales[one.place]);
+    const double value = one.function(one.argument(x)[0]), s = x[one.place];
+    most = std::max(most, std::abs(s - value) / std::max(scales[one.place], std::abs(s)));
   }
   return most;
 }

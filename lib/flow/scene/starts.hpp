@@ -10,6 +10,8 @@
 
 #include "flow/scene/system_scene.hpp"
 
+#include <atomic>
+
 namespace kov::flow {
 
 struct FieldStart {
@@ -18,9 +20,11 @@ struct FieldStart {
   std::optional<std::size_t> seed, state; ///< its number there
 };
 
+/// Stop    when *stop is set, what was found so far
 /// Errors  InputError: not as many equations as coordinates, a seed that is not on the level, no start at all
 [[nodiscard]] std::vector<FieldStart> starts_of(const SystemScene& scene, const Field& field,
-                                                std::size_t* skipped);
+                                                std::size_t* skipped,
+                                                const std::atomic<bool>* stop = nullptr);
 
 /// All variables (and the tangent vector, if the field has one) at a start, to the last digit of R.
 template <class R> class StartRefiner {
@@ -34,7 +38,7 @@ private:
   std::unique_ptr<Parts> parts_;
 };
 
-/// Of the function symbols: the largest |s - f(argument)|, e.g. |s - sin(q)|, in units of the scale of s.
+/// Of the function symbols: the largest |s - f(argument)|, e.g. |s - sin(q)|, in units of the scale of s, or of s.
 class MeaningCheck {
 public:
   MeaningCheck(const SystemScene& scene, const Field& field);
@@ -43,7 +47,7 @@ public:
 private:
   struct One {
     std::size_t place;
-    std::string name;
+    double (*function)(double);
     Evaluator<double> argument;
   };
   std::vector<One> all_;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace kov::flow {
 namespace {
@@ -33,7 +34,8 @@ bool is_irrational(const Expression& e) {
 
 class Reader {
 public:
-  Reader(const Entry& system_document, const Entry& scene) : e_(scene) {
+  Reader(const Entry& system_document, const Entry& scene, ParameterValues varied = {})
+      : e_(scene), varied_(std::move(varied)) {
     s_.file = scene.file();
     read_values(system_document);
     read_texts();
@@ -57,7 +59,7 @@ private:
 
   // Rational values go into the algebra, the others into the integration.
   void read_values(const Entry& document) {
-    ParameterValues rational;
+    ParameterValues rational = varied_;
     std::vector<const std::pair<std::string, Entry>*> others;
     if (const Entry* set = e_.find("set"))
       for (const auto& one : set->members()) {
@@ -108,10 +110,17 @@ private:
     text("title", s_.title);
     text("source", s_.source);
     const auto bad = [](char c) {
-      return c == '/' || c == '\\' || static_cast<unsigned char>(c) < ' ';
+      return std::string_view("/\\\"'`$").find(c) != std::string_view::npos ||
+             static_cast<unsigned char>(c) < ' ';
     };
     if (std::any_of(s_.name.begin(), s_.name.end(), bad))
-      throw e_.at("name").error("the name of a scene becomes the name of files: no slashes");
+      throw e_.at("name").error(
+          "the name of a scene becomes the name of files: no slashes, quotes or '$'");
+    if (const Entry* name = e_.find("name");
+        name != nullptr &&
+        (s_.name.empty() || s_.name.size() > 100 || s_.name[0] == '.' || s_.name[0] == '-'))
+      throw name->error("the name of a scene becomes the name of files: up to 100 bytes, not "
+                        "beginning with '.' or '-'");
   }
 
   void read_section() {
@@ -154,8 +163,10 @@ private:
                        "plot = [\"q2\", \"p2\"]");
     for (std::size_t i = 0; i < n; ++i)
       s_.plot[i] = function(*plot.list()[i]);
-    s_.return_map = n == 1;
-    if (s_.return_map) s_.plot[1] = {s_.plot[0].value, "next " + s_.plot[0].text};
+    s_.return_map = n == 1 && varied_.empty();
+    if (n == 2 && !varied_.empty())
+      throw plot.error("a diagram over a parameter draws one function");
+    if (n == 1) s_.plot[1] = {s_.plot[0].value, "next " + s_.plot[0].text};
     if (const Entry* angles = e_.find("angles"))
       for (const Entry* angle : angles->list()) {
         const auto place = std::find_if(s_.plot.begin(), s_.plot.end(),
@@ -202,8 +213,10 @@ private:
       s_.time = quantity(*t);
       if (s_.time->sign() <= 0) throw t->error("the time must be positive");
     }
-    if (s_.return_map && (!s_.seeds.empty() || s_.columns > 0 || s_.random > 0))
-      throw e_.at("plot").error("a return map starts from whole states", "states = [[...]]");
+    if ((s_.return_map || !varied_.empty()) &&
+        (!s_.seeds.empty() || s_.columns > 0 || s_.random > 0))
+      throw e_.at("plot").error("what draws one function starts from whole states",
+                                "states = [[...]]");
     if (s_.crossings < 0 && !s_.time) throw e_.error("no end: give crossings or time");
   }
 
@@ -213,6 +226,7 @@ private:
     };
     set("tolerance", s_.tolerance);
     set("drift", s_.drift);
+    if (s_.drift.sign() <= 0) throw e_.at("drift").error("the drift must be positive");
     if (const Entry* digits = e_.find("digits"))
       s_.digits = static_cast<int>(count(*digits, 16, 300));
     const double t = s_.tolerance.as<double>(), floor = s_.digits > 0 ? 0.0 : 1e-20;
@@ -239,9 +253,47 @@ private:
   }
 
   const Entry& e_;
+  ParameterValues varied_;
   SystemScene s_;
   std::unique_ptr<SystemScope> scope_; ///< what the names of the system mean
 };
+
+// The value texts of vary = {r = [a, b, n]}.
+std::vector<std::string> values_of(const Entry& range) {
+  if (range.array().size() != 3)
+    throw range.error("a parameter varies in [from, to, how many values]");
+  const long n = count(range.array()[2], 2, 2000);
+  const auto end = [&](std::size_t i) {
+    const Entry& e = range.array()[i];
+    if (is_irrational(e.expression())) throw e.error("a parameter varies between fractions");
+    return "(" + std::string(e.expression().text()) + ")";
+  };
+  std::vector<std::string> all;
+  for (long i = 0; i < n; ++i)
+    all.push_back(end(0) + " + (" + end(1) + " - " + end(0) + ")*" + std::to_string(i) + "/" +
+                  std::to_string(n - 1));
+  return all;
+}
+
+SystemScene read_scene(const Entry& document, const Entry& scene) {
+  const Entry* vary = scene.find("vary");
+  if (vary == nullptr) return Reader(document, scene).scene();
+  if (vary->members().size() != 1) throw vary->error("one parameter varies");
+  const auto& [name, range] = vary->members().front();
+  if (const Entry* set = scene.find("set"); set != nullptr && set->find(name) != nullptr)
+    throw range.error("'" + name + "' is set, and varies");
+  std::vector<SystemScene> family;
+  for (const std::string& value : values_of(range)) {
+    family.push_back(Reader(document, scene, {{name, value}}).scene());
+    family.back().value = Quantity(value.c_str());
+  }
+  SystemScene whole = family.front();
+  whole.varied = name;
+  whole.plot = {SceneFormula{whole.plot[0].value, name}, whole.plot[0]};
+  whole.angle = {false, whole.angle[0]};
+  whole.family = std::move(family);
+  return whole;
+}
 
 } // namespace
 
@@ -291,7 +343,7 @@ std::vector<SystemScene> read_system_scenes(const Entry& document) {
     e.check_keys({"name",      "title",  "source",    "set",    "section", "direction", "where",
                   "levels",    "start",  "plot",      "angles", "range",   "seeds",     "states",
                   "grid",      "random", "crossings", "skip",   "time",    "drift",     "digits",
-                  "tolerance", "expect", "indicator", "format", "system"});
+                  "tolerance", "expect", "indicator", "format", "system",  "vary"});
   };
   std::vector<SystemScene> scenes;
   if (const Entry* all = document.find("scene")) {
@@ -300,7 +352,7 @@ std::vector<SystemScene> read_system_scenes(const Entry& document) {
       for (const char* other : {"format", "system"})
         if (const Entry* e = one->find(other))
           throw e->key_error("only a scene in a file of its own has this key");
-      scenes.push_back(Reader(document, *one).scene());
+      scenes.push_back(read_scene(document, *one));
     }
   } else {
     check(document);
@@ -308,11 +360,16 @@ std::vector<SystemScene> read_system_scenes(const Entry& document) {
     const Entry system =
         read_document((beside.parent_path() / document.at("system").string()).string());
     if (!is_system_document(system)) throw document.at("system").error("this file holds no system");
-    scenes.push_back(Reader(system, document).scene());
+    scenes.push_back(read_scene(system, document));
   }
-  for (SystemScene& s : scenes)
+  if (scenes.empty()) throw document.at("scene").error("there is no scene in this list");
+  std::set<std::string> names;
+  for (const SystemScene& s : scenes)
     if (s.name.empty() && scenes.size() > 1)
       throw document.at("scene").error("several scenes of a file need names", "name = \"...\"");
+    else if (!names.insert(s.name).second)
+      throw document.at("scene").error("two scenes have the name '" + s.name +
+                                       "', which becomes the name of files");
   return scenes;
 }
 

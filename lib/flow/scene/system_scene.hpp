@@ -12,6 +12,7 @@
 //   start       ["z = 0", ...]: further equations that hold at the start of each orbit
 //   plot        ["q2", "p2"]: what is drawn; or ["z"]: each value of z against the next one (states only)
 //                            angles = ["phi"]: which of it counts modulo 2 pi
+//   vary        {r = [a, b, n]}: a diagram over n values of a parameter; plot has one function
 //   range       [[a, b], [c, d]] for grid, random and the picture
 //   seeds       [[u, v], ...] values of what is drawn; and/or grid = [columns, rows]; and/or random = orbits;
 //   states      [[x1, x2, ...], ...]: all coordinates, anywhere
@@ -72,6 +73,9 @@ struct SystemScene {
     bool never_crossed = false;
   };
   std::vector<Expectation> expect;
+  std::string varied;              ///< the parameter of a diagram
+  Quantity value;                  ///< its value, of a member of the family
+  std::vector<SystemScene> family; ///< one scene for each value; empty: no diagram
 
   /// What must not change along an orbit: H, the integrals and Casimirs of the file that are proved, relations.
   [[nodiscard]] std::vector<SceneFormula> integrals() const;

@@ -22,8 +22,10 @@ std::vector<MFraction> values_of(const std::vector<SceneFormula>& formulas) {
 }
 
 // All that a run asks of the variables.
-std::vector<MFraction> needed_by(const SystemScene& s) {
+std::vector<MFraction> needed_by(const SystemScene& s, const std::vector<SceneFormula>& integrals) {
   std::vector<MFraction> all = values_of(s.start);
+  for (const SceneFormula& f : integrals)
+    all.push_back(f.value);
   for (const auto& level : s.levels)
     all.push_back(level.function.value);
   for (const SceneFormula& f : s.plot)
@@ -33,26 +35,10 @@ std::vector<MFraction> needed_by(const SystemScene& s) {
   return all;
 }
 
-double term_at(const MPoly& f, long i, const std::vector<double>& at) {
-  double x = number_as<double>(Rational(f.coefficient(i)));
-  const auto e = f.exponents(i);
-  for (std::size_t v = 0; v < e.size(); ++v)
-    if (e[v] > 0) x *= std::pow(at[v], static_cast<double>(e[v]));
-  return x;
-}
-
-double value_at(const MPoly& f, const std::vector<double>& at) {
-  double sum = 0;
-  for (long i = 0; i < f.length(); ++i)
-    sum += term_at(f, i, at);
-  return sum;
-}
-
-double size_of_terms(const MPoly& f, const std::vector<double>& at) {
-  double sum = 0;
-  for (long i = 0; i < f.length(); ++i)
-    sum += std::abs(term_at(f, i, at));
-  return sum;
+// Changes its sign where the section N/D does: where N does, without the pole that its series could not pass; and
+// where D does, which crosses_a_zero tells apart.
+MFraction without_poles(const MFraction& section) {
+  return is_constant(section.den()) ? section : MFraction(section.num() * section.den());
 }
 
 // What all orbits and all arithmetics share.
@@ -63,24 +49,28 @@ struct Stage {
   std::size_t skipped = 0;
   std::vector<FieldStart> starts;
   Scales scales;
-  std::vector<double> sizes; ///< of the integrals, then of the section
+  std::vector<TermSize> term_sizes;   ///< of the integrals, then of the section
+  std::vector<double> sizes;          ///< the largest that were seen
+  std::array<double, 2> part_sizes{}; ///< of the section's numerator and denominator
   int order = 20;
 
-  explicit Stage(const SystemScene& s)
+  Stage(const SystemScene& s, const std::atomic<bool>* stop)
       : scene(s), integrals(s.integrals()),
-        field(s.system, s.section.value, values_of(integrals), needed_by(s), s.values,
+        field(s.system, without_poles(s.section.value), needed_by(s, integrals), s.values,
               s.indicator != Indicator::none),
-        starts(starts_of(s, field, &skipped)) {
+        starts(starts_of(s, field, &skipped, stop)) {
     const std::size_t n = field.variables().size();
     std::vector<double> all;
     StartRefiner<double> refine(s, field);
     for (const FieldStart& start : starts) {
+      if (stop != nullptr && stop->load() && !all.empty()) break;
       const auto x = refine(start);
       all.insert(all.end(), x.begin(), x.begin() + static_cast<long>(n));
     }
     scales = scales_of(field, all, s.time ? s.time->as<double>() : forever);
     scales.path.insert(scales.path.end(), all.begin(), all.end());
     measure();
+    check_relations(all);
     order = flow::choose_order(field, scales, log2_tolerance());
   }
 
@@ -92,22 +82,43 @@ private:
   // The size of a function: that of its terms, at most, on what a few orbits have shown.
   void measure() {
     std::vector<MFraction> functions = values_of(integrals);
-    functions.push_back(scene.section.value);
-    sizes.assign(functions.size(), 1e-300);
-    std::vector<double> at(scene.system.ring()->size());
-    for (const auto& [variable, value] : scene.values)
-      at[variable] = value.as<double>();
-    const std::size_t n = field.variables().size(), states = scales.path.size() / n;
-    for (std::size_t state = 0; state < states; state += states / most_states + 1) {
-      for (std::size_t i = 0; i < n; ++i)
-        at[field.variables()[i]] = scales.path[state * n + i];
-      for (std::size_t i = 0; i < functions.size(); ++i) {
-        const MPoly den = functions[i].den();
-        const double size = size_of_terms(functions[i].num(), at) / std::abs(value_at(den, at));
-        if (std::isfinite(size)) sizes[i] = std::max(sizes[i], size);
-      }
+    functions.push_back(without_poles(scene.section.value));
+    for (const MFraction& f : functions)
+      term_sizes.emplace_back(field, f);
+    sizes.resize(functions.size());
+    const MFraction& f = scene.section.value;
+    for (std::size_t i = 0; i < functions.size(); ++i)
+      sizes[i] = largest(term_sizes[i]);
+    for (std::size_t i = 0; i < 2; ++i) {
+      TermSize part(field, MFraction(i == 0 ? f.num() : f.den()));
+      part_sizes[i] = largest(part);
     }
   }
+
+  double largest(TermSize& size) const {
+    const std::size_t n = field.variables().size(), states = scales.path.size() / n;
+    double most = 1e-300;
+    for (std::size_t state = 0; state < states; state += states / most_states + 1)
+      if (const double now = size(&scales.path[state * n]); std::isfinite(now))
+        most = std::max(most, now);
+    return most;
+  }
+
+  // A relation that does not hold at the start holds nowhere.
+  void check_relations(const std::vector<double>& all) {
+    const std::size_t n = field.variables().size();
+    for (const MPoly& relation : scene.system.field.relations) {
+      Evaluator<double> value(field, {MFraction(relation)});
+      TermSize size(field, MFraction(relation));
+      for (std::size_t i = 0; i < all.size() && i < most_states * n; i += n)
+        if (std::abs(value(&all[i])[0]) > 1e-6 * size(&all[i]))
+          throw InputError(scene.file, 0, 0, 1,
+                           "the relation " + kov::to_string(relation) +
+                               " = 0 does not hold at a start",
+                           "a value in 'set' contradicts it, or what 'means' says of a function");
+    }
+  }
+
   static constexpr std::size_t most_states = 1000;
 };
 
@@ -124,10 +135,13 @@ BigReal turned(BigReal angle) {
 template <class R> struct DrawnSink : FieldSink<R> {
   const Stage& stage;
   std::size_t first;
-  Evaluator<R> drawn, where;
+  Evaluator<R> drawn, where, integrals, fraction; ///< fraction: of the section
+  std::vector<TermSize> sizes;
   MeaningCheck meanings;
-  std::vector<double> before; ///< of each orbit: what was drawn last, for a return map
-  std::vector<long> seen;     ///< crossings of each orbit, with those that are skipped
+  std::vector<double> before;        ///< of each orbit: what was drawn last, for a return map
+  std::vector<long> seen;            ///< crossings of each orbit, with those that are skipped
+  std::vector<std::vector<R>> begun; ///< of each orbit: its integrals
+  std::vector<double> worst;         ///< of each orbit: its drift
   std::vector<DrawnPoint> points;
   std::vector<std::pair<std::size_t, DrawnOrbit>> orbits;
   std::vector<double> drifts;
@@ -136,9 +150,12 @@ template <class R> struct DrawnSink : FieldSink<R> {
       : stage(s), first(n), drawn(s.field, {s.scene.plot[0].value, s.scene.plot[1].value}),
         where(s.field,
               s.scene.where ? std::vector{s.scene.where->value} : std::vector<MFraction>{}),
-        meanings(s.scene, s.field), before(count), seen(count), drifts(s.integrals.size() + 1) {}
+        integrals(s.field, values_of(s.integrals)), fraction(s.field, parts_of(s)),
+        sizes(s.term_sizes), meanings(s.scene, s.field), before(count), seen(count), begun(count),
+        worst(count), drifts(s.integrals.size() + 1) {}
 
   bool crossing(std::size_t orbit, const R& t, const R* x, bool) override {
+    if (!is_constant(stage.scene.section.value.den()) && !crosses_a_zero(x)) return false;
     if (stage.scene.where && !(where(x)[0] > R(0))) return false;
     if (++seen[orbit] <= stage.scene.skip) return true;
     const auto& at = drawn(x);
@@ -156,29 +173,54 @@ template <class R> struct DrawnSink : FieldSink<R> {
     return true;
   }
 
-  void finished(std::size_t orbit, const R* x, const FieldFinish<R>& f) override {
+  void look(std::size_t orbit, const R* x) override {
+    const std::vector<R>& now = integrals(x);
+    const std::vector<double> at = doubles(x);
+    if (begun[orbit].empty()) begun[orbit] = now;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const double change = std::abs(to_double(R(now[i] - begun[orbit][i])));
+      note(orbit, i, change / std::max(stage.sizes[i], sizes[i](at.data())));
+    }
+    note(orbit, now.size(), meanings.deviation(at.data(), stage.scales.of));
+  }
+
+  void finished(std::size_t orbit, const FieldFinish<R>& f) override {
     DrawnOrbit o;
     o.crossings = f.crossings;
     o.steps = f.steps;
     o.tangencies = f.tangencies;
     o.time = to_double(f.t);
+    o.drift = worst[orbit];
     o.indicators = f.indicators;
     o.ended = f.ended;
-    const bool whole = f.ended != Ended::singular && f.ended != Ended::broken;
-    const auto note = [&](std::size_t i, double drift) {
-      o.drift = std::max(o.drift, drift);
-      drifts[i] = std::max(drifts[i], drift);
-    };
-    for (std::size_t i = 0; i < stage.integrals.size(); ++i)
-      note(i, to_double(f.drift[i]) / stage.sizes[i]);
-    std::vector<double> last;
-    for (std::size_t i = 0; i < stage.field.variables().size(); ++i)
-      last.push_back(to_double(x[i]));
-    if (whole) note(stage.integrals.size(), meanings.deviation(last.data(), stage.scales.of));
     orbits.emplace_back(first + orbit, o);
   }
 
 private:
+  void note(std::size_t orbit, std::size_t i, double drift) {
+    worst[orbit] = std::max(worst[orbit], drift);
+    drifts[i] = std::max(drifts[i], drift);
+  }
+
+  [[nodiscard]] std::vector<double> doubles(const R* x) const {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < stage.field.variables().size(); ++i)
+      all.push_back(to_double(x[i]));
+    return all;
+  }
+
+  static std::vector<MFraction> parts_of(const Stage& s) {
+    const MFraction& f = s.scene.section.value;
+    return {MFraction(f.num()), MFraction(f.den())};
+  }
+
+  // Of N/D, at a zero of N D: is it N that is 0?
+  [[nodiscard]] bool crosses_a_zero(const R* x) {
+    const std::vector<R>& parts = fraction(x);
+    return std::abs(to_double(parts[0])) / stage.part_sizes[0] <
+           std::abs(to_double(parts[1])) / stage.part_sizes[1];
+  }
+
   [[nodiscard]] std::string all_digits(const R& t, const std::vector<R>& at) const {
     const int n = digits_shown(stage.scene.tolerance, stage.scene.digits);
     std::string text = to_string(to_big(t), n);
@@ -240,6 +282,7 @@ template <class R> struct SectionWork {
     run.max_steps = s.time ? -1 : least_steps + steps_for_crossing * (s.crossings + s.skip);
     run.falling = s.falling;
     run.rising = s.rising;
+    run.section_scale = R(stage.sizes.back());
     run.noise = R(stage.sizes.back()) * (unit_roundoff<R>() * R(16));
     run.values = tapes.values();
     run.stop = options.stop;
@@ -299,9 +342,9 @@ void check_points(const SystemScene& s, std::size_t orbits) {
                      "fewer orbits, or fewer crossings");
 }
 
-Stage staged(const SystemScene& s) {
+Stage staged(const SystemScene& s, const std::atomic<bool>* stop) {
   try {
-    return Stage(s);
+    return {s, stop};
   } catch (const InputError&) {
     throw;
   } catch (const OutOfBudget& e) {
@@ -324,8 +367,52 @@ std::size_t SystemSection::cut_short() const {
   return count(Ended::steps) + (has_time ? count(Ended::crossings) : 0);
 }
 
+namespace {
+
+// The section at one value of the parameter joins those at the values before.
+void join(SystemSection& all, SystemSection&& one, double value) {
+  for (DrawnPoint& p : one.points) {
+    p.orbit += all.orbits.size();
+    p.at = {value, p.at[0]};
+    p.digits.clear();
+    all.points.push_back(std::move(p));
+  }
+  for (DrawnOrbit& o : one.orbits) {
+    o.start[0] = value;
+    all.orbits.push_back(o);
+  }
+  if (all.integrals.empty()) all.integrals = one.integrals;
+  all.drifts.resize(all.integrals.size());
+  for (std::size_t i = 0; i < std::min(all.drifts.size(), one.drifts.size()); ++i)
+    all.drifts[i] = std::max(all.drifts[i], one.drifts[i]);
+  all.drift = std::max(all.drift, one.drift);
+  all.order = std::max(all.order, one.order);
+  all.products = one.products;
+  all.arithmetic = one.arithmetic;
+  all.stopped = all.stopped || one.stopped;
+  all.has_time = one.has_time;
+}
+
+SystemSection simulate_family(const SystemScene& scene, const SystemSectionOptions& options) {
+  const std::size_t values = scene.family.size();
+  check_points(scene, scene.states.size() * values);
+  SystemSectionOptions each = options;
+  each.progress = {};
+  each.finished_some = {};
+  SystemSection all;
+  for (std::size_t i = 0; i < values && !all.stopped; ++i) {
+    const SystemScene& one = scene.family[i];
+    join(all, simulate(one, each), one.value.as<double>());
+    if (options.progress) options.progress(i + 1, values);
+  }
+  return all;
+}
+
+} // namespace
+
 SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& options) {
-  const Stage stage = staged(scene);
+  if (!scene.family.empty()) return simulate_family(scene, options);
+  const Stage stage = staged(scene, options.stop);
   SystemSection out;
   check_points(scene, stage.starts.size());
   for (const FieldStart& start : stage.starts)

@@ -30,7 +30,7 @@ struct SystemSection {
   std::vector<std::string>
       integrals; ///< their texts; the last is the functions' own check, if there are functions
   std::vector<double>
-      drifts;       ///< of each, the largest over the orbits that did not end in a singularity
+      drifts; ///< of each, the largest over the orbits, relative to the size of its terms there
   double drift = 0; ///< the largest of them
   int order = 0;
   double products = 0; ///< of series in each order
@@ -49,7 +49,7 @@ struct SystemSectionOptions {
   std::function<void(const SystemSection& so_far)> finished_some; ///< points are not sorted yet
 };
 
-/// Integrates the orbits of the scene.
+/// Integrates the orbits of the scene; of a diagram, for each value of its parameter, which is what is drawn first.
 ///
 /// Units   a step's error and the drifts are relative to the scales of the coordinates, which a few orbits show:
 ///         the units of the system do not matter

@@ -1,0 +1,277 @@
+// Sections of any system where it is hard: sections that are no linear function, poles, tangencies, collisions, ways to
+// infinity, separate time scales, functions on the wrong branch.
+
+#include "flow/scene/system_section.hpp"
+#include "support.hpp"
+
+#include "symbol/document.hpp"
+#include "symbol/input_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace kov::flow {
+namespace {
+
+SystemScene scene_of(const std::string& text) {
+  return read_system_scenes(parse_document(text, "test.toml")).front();
+}
+SystemSection section_of(const std::string& text) { return simulate(scene_of(text)); }
+
+// x' = f, y' = g
+std::string plane_field(const std::string& f, const std::string& g,
+                        const std::string& direction = "both") {
+  return "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y']\n[system.field]\nx = '" + f +
+         "'\ny = '" + g + "'\n[scene]\nplot = ['x', 'y']\ndirection = '" + direction + "'\n";
+}
+
+std::string henon_heiles(const std::string& scene) {
+  return "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+         "hamiltonian = '(u^2 + v^2)/2 + (x^2 + y^2)/2 + x^2*y - y^3/3'\n[scene]\n"
+         "section = 'x'\nplot = ['y', 'v']\n" +
+         scene;
+}
+
+std::vector<double> column(const SystemSection& s, std::size_t i) {
+  std::vector<double> all;
+  for (const DrawnPoint& p : s.points)
+    all.push_back(p.at[i]);
+  return all;
+}
+
+// ---- the section is no linear function ----
+
+TEST(HardSections, EveryZeroOfAPolynomialIsSeenWhereItIs) {
+  std::string product;
+  for (int k = 1; k <= 30; ++k)
+    product += (k == 1 ? "(x - " : "*(x - ") + std::to_string(k) + "/31)";
+  const SystemSection s = section_of(plane_field("1", "-y") + "section = '" + product +
+                                     "'\nstates = [[0, 1]]\ntime = 2\n");
+  const std::vector<double> x = column(s, 0);
+  ASSERT_EQ(x.size(), 30U);
+  for (std::size_t k = 0; k < 30; ++k) // the polynomial is 10^-11 of its terms between its zeros
+    EXPECT_NEAR(x[k], static_cast<double>(k + 1) / 31, 2e-3) << k;
+  for (const char* power : {"x^10 - 1/2^10", "x^40 - 1/2^40", "x^40*y - y/2^40"}) {
+    const SystemSection one = section_of(plane_field("1", "-y", "upward") + "section = '" +
+                                         std::string(power) + "'\nstates = [[0, 1]]\ntime = 1\n");
+    ASSERT_EQ(one.points.size(), 1U) << power;
+    EXPECT_NEAR(one.points[0].at[0], 0.5, 1e-12) << power;
+  }
+}
+
+TEST(HardSections, ASectionMayHaveSingularitiesNearTheOrbit) {
+  for (const int sharp :
+       {100, 10'000, 1'000'000}) { // poles of the section at distance 1/sqrt(sharp)
+    const SystemSection s = section_of(
+        plane_field("y", "-x") + "section = '1/(1/" + std::to_string(sharp) + " + (x - 1/2)^2) - " +
+        std::to_string(sharp) + "/2'\nstates = [[0, 1]]\ntime = 20\n");
+    ASSERT_EQ(s.points.size(), 14U) << sharp; // 2 each time; x = 1/2 is passed 7 times
+    for (const double x : column(s, 0))
+      EXPECT_NEAR(std::abs(x - 0.5), 1 / std::sqrt(sharp), 1e-15 * sharp + 1e-12) << sharp;
+  }
+}
+
+TEST(HardSections, APoleIsNoCrossing) {
+  const SystemSection s =
+      section_of(plane_field("y", "-x") + "section = 'x/y'\nstates = [['1/3', 1]]\ntime = 20\n");
+  ASSERT_EQ(s.points.size(), 6U);
+  for (const double x : column(s, 0))
+    EXPECT_NEAR(x, 0, 1e-13);
+  // upward of x/y is x y' < x' y, always, here: the sign of the denominator counts
+  const SystemSection up = section_of(plane_field("y", "-x", "upward") +
+                                      "section = '(x - 1/2)/y'\nstates = [[0, 1]]\ntime = 6\n");
+  EXPECT_EQ(up.points.size(), 2U);
+}
+
+TEST(HardSections, TangenciesAreDecidedAboveRounding) {
+  const auto touch = [](const char* distance) {
+    return section_of(plane_field("y", "-x") + "section = '1 + " + std::string(distance) +
+                      " - x'\nstates = [[0, 1], ['3/5', '4/5'], ['5/13', '12/13']]\ntime = 62\n");
+  };
+  EXPECT_EQ(touch("1/10^12").points.size(), 0U);
+  EXPECT_EQ(touch("-1/10^12").points.size(), 60U); // in and out, ten times, three orbits
+  const SystemSection exact = touch("0");
+  EXPECT_EQ(exact.points.size() % 2, 0U);
+  for (const double x : column(exact, 0))
+    EXPECT_NEAR(x, 1, 1e-14);
+}
+
+// The first step from (1, 1) has the length 1.
+TEST(HardSections, AStepMayEndOnTheSection) {
+  for (const char* state : {"[1, 1]", "[1, 2]", "['3/4', 1]", "['1/3', 1]"}) {
+    const SystemSection s = section_of(plane_field("1", "y/x") + "section = 'x - 2'\nstates = [" +
+                                       std::string(state) + "]\ntime = 4\n");
+    EXPECT_EQ(s.points.size(), 1U) << state;
+  }
+}
+
+// ---- orbits that end early ----
+
+TEST(HardSections, TheWayToInfinityLeavesThePictureOfTheOthers) {
+  const SystemSection s = section_of(
+      henon_heiles("levels = {H = '1/4'}\nrange = [['-1/2', '7/10'], ['-1/2', '1/2']]\ngrid = [4, "
+                   "4]\ncrossings = 100\n"));
+  EXPECT_GE(s.count(Ended::singular), 9U); // y escapes in finite time
+  EXPECT_GE(s.points.size(), 10U);
+  EXPECT_LE(s.drift, 1e-12);
+}
+
+TEST(HardSections, WhereTheFieldHasNoValueOneOrbitEnds) {
+  const SystemSection s =
+      section_of(plane_field("1", "y/x") +
+                 "section = 'x - 2'\nstates = [[0, 0], [1, 1], [-1, 1]]\ntime = 4\n");
+  EXPECT_EQ(s.orbits[0].ended, Ended::broken);
+  EXPECT_EQ(s.orbits[0].time, 0);
+  EXPECT_EQ(s.orbits[1].ended, Ended::time);
+  EXPECT_LE(s.orbits[2].time, 1);
+  ASSERT_EQ(s.points.size(), 1U);
+  EXPECT_NEAR(s.points[0].at[1], 2, 1e-14);
+  const SystemSection growth =
+      section_of(plane_field("x", "1") + "section = 'x - 1'\nstates = [['1/2', 0]]\ntime = 2000\n");
+  EXPECT_EQ(growth.orbits[0].ended, Ended::broken);
+  EXPECT_NEAR(growth.orbits[0].time, 710, 2); // e^t is a double until then
+}
+
+std::string three_bodies(const std::string& scene) {
+  std::string functions, relations;
+  for (const auto& [i, j] : {std::pair{'1', '2'}, std::pair{'1', '3'}, std::pair{'2', '3'}}) {
+    const std::string r = std::string("r") + i + j, dx = std::string("(x") + i + " - x" + j + ")",
+                      dy = std::string("(y") + i + " - y" + j + ")";
+    relations += (relations.empty() ? "'" : ", '") + r + "^2 = " + dx + "^2 + " + dy + "^2'";
+    functions += "[[system.function]]\nname = '" + r + "'\nmeans = 'sqrt(" + dx + "^2 + " + dy +
+                 "^2)'\nderivative = {x" + i + " = '" + dx + "/" + r + "', x" + j + " = '-" + dx +
+                 "/" + r + "', y" + i + " = '" + dy + "/" + r + "', y" + j + " = '-" + dy + "/" +
+                 r + "'}\n";
+  }
+  return "[system]\nkind = 'hamiltonian'\ncoordinates = ['x1', 'y1', 'x2', 'y2', 'x3', 'y3']\n"
+         "momenta = ['p1', 'q1', 'p2', 'q2', 'p3', 'q3']\nhamiltonian = '(p1^2 + q1^2)/6 + (p2^2 + "
+         "q2^2)/8 + (p3^2 + q3^2)/10 - 12/r12 - 15/r13 - 20/r23'\nrelations = [" +
+         relations + "]\n" + functions +
+         "[scene]\nsection = 'x1'\ndirection = 'both'\nplot = ['y1', 'x2']\n" + scene;
+}
+
+// Three bodies of masses 3, 4, 5 at rest in the corners of the triangle with the sides 3, 4, 5 [SzebehelyPeters1967]:
+// many close encounters (the closest, 4e-4, at t = 15.83), then the lightest one leaves.
+TEST(HardSections, ThePythagoreanProblemAndACollisionInIt) {
+  const SystemSection s =
+      section_of(three_bodies("states = [[1, 3, -2, -1, 1, -1, 0, 0, 0, 0, 0, 0]]\ntime = 70\n"));
+  EXPECT_EQ(s.orbits[0].ended, Ended::time);
+  EXPECT_LE(s.drift, 1e-11);
+  const SystemSection fall =
+      section_of(three_bodies("states = [[1, 0, 0, 0, 10, 0, 0, 0, 0, 0, 0, 0]]\ntime = 70\n"));
+  EXPECT_EQ(fall.orbits[0].ended, Ended::singular); // on a line two of them must meet
+  EXPECT_LE(fall.orbits[0].time, 1);
+  EXPECT_LE(fall.drift, 1e-9);
+}
+
+// ---- time scales, many turns ----
+
+TEST(HardSections, FrequenciesMayDifferByAMillion) {
+  const SystemSection s = section_of(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+      "hamiltonian = '(u^2 + v^2 + x^2 + 10^12*y^2)/2 + x*y/1000'\n[scene]\nsection = 'x'\n"
+      "plot = ['y', 'v']\nstates = [['-1/10', '1/10^6', 1, 0]]\ntime = '1/5'\n");
+  ASSERT_EQ(s.points.size(), 1U);
+  const double t = std::atan(0.1); // but for 1e-15: the coupling moves it by 1e-21
+  EXPECT_NEAR(s.points[0].t, t, 1e-14);
+  EXPECT_NEAR(s.points[0].at[0], 1e-6 * std::cos(1e6 * t), 1e-15);
+  EXPECT_LE(s.drift, 1e-11);
+}
+
+TEST(HardSections, AHundredThousandReturns) {
+  const SystemSection s =
+      section_of(henon_heiles("states = [[0, '1/10', '2/5', 0]]\ncrossings = 100000\n"));
+  EXPECT_EQ(s.points.size(), 100'000U);
+  EXPECT_LE(s.drift, 2e-11); // 4e-12: 5e-18 for a step
+}
+
+// ---- diagrams ----
+
+TEST(HardSections, ADiagramShowsThePeriodDoublingOfRoessler) {
+  const std::string rest = "section = 'y + z'\nplot = ['x']\nstates = [[1, 1, 0]]\nskip = 300\n"
+                           "crossings = 16\n",
+                    system = "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y', 'z']\n"
+                             "parameters = ['c']\n[system.field]\nx = '-y - z'\ny = 'x + y/5'\n"
+                             "z = '1/5 + z*(x - c)'\n[scene]\n" +
+                             rest;
+  const SystemSection s = section_of(system + "vary = {c = ['5/2', 4, 4]}\n");
+  ASSERT_EQ(s.points.size(), 64U);
+  std::map<double, std::set<long>> seen; // maxima of x, in units of 10^-4
+  for (const DrawnPoint& p : s.points)
+    seen[p.at[0]].insert(std::lround(p.at[1] * 1e4));
+  ASSERT_EQ(seen.size(), 4U);
+  const auto periods = {seen[2.5].size(), seen[3].size(), seen[3.5].size(), seen[4].size()};
+  EXPECT_EQ(std::vector<std::size_t>(periods), (std::vector<std::size_t>{1, 2, 2, 4}));
+  const SystemSection one =
+      section_of(system + "set = {c = 4}\n"); // the same orbit, as a return map
+  EXPECT_EQ(one.points.back().at[1], s.points.back().at[1]);
+  for (const char* bad :
+       {"vary = {c = [2, 3]}\n", "vary = {d = [2, 3, 4]}\n", "vary = {c = ['sqrt(2)', 3, 4]}\n",
+        "vary = {c = [2, 3, 1000000]}\n", "vary = {c = [2, 3, 4]}\nset = {c = 1}\n", "vary = {}\n"})
+    EXPECT_THROW(section_of(system + bad), InputError) << bad;
+}
+
+// ---- starts ----
+
+TEST(HardSections, AStartNearZeroHasTheScaleOfItsMotion) {
+  const auto steps = [](const std::string& x) {
+    return section_of(henon_heiles("states = [[" + x + ", '1/10', '2/5', 0]]\ncrossings = 50\n"))
+        .orbits[0]
+        .steps;
+  };
+  const long at_zero = steps("0");
+  for (const char* x : {"'1/10^3'", "'1/10^5'", "'1/10^8'", "'1/10^13'"})
+    EXPECT_LE(steps(x), 2 * at_zero) << x;
+}
+
+TEST(HardSections, RoundingIsNoScale) { // cos(pi/2) = 6e-17 at a start
+  const Entry file = read_document(kov::test::in_source("/cases/sections/double_pendulum.toml"));
+  for (SystemScene& scene : read_system_scenes(file)) {
+    scene.columns = 5;
+    scene.rows = 3;
+    scene.crossings = 50;
+    EXPECT_EQ(simulate(scene).count(Ended::singular), 0U) << scene.name;
+  }
+}
+
+TEST(HardSections, RelationsHoldAtTheStart) {
+  const std::string field =
+      "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y']\nconstants = ['k']\n"
+      "relations = ['k^2 = 2']\n[system.field]\nx = 'k*y'\ny = '-k*x'\n[scene]\nsection = 'x'\n"
+      "plot = ['x', 'y']\nstates = [[1, 0]]\ntime = 9\nset = {k = '";
+  EXPECT_NO_THROW(section_of(field + "sqrt(2)'}\n"));
+  EXPECT_NO_THROW(section_of(field + "-sqrt(2)'}\n"));
+  EXPECT_THROW(section_of(field + "sqrt(3)'}\n"), InputError);
+  const std::string pendulum = // c is not what it is said to mean
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['q']\nmomenta = ['p']\nhamiltonian = 'p^2/2 "
+      "- c'\nrelations = ['s^2 + c^2 = 1']\n[[system.function]]\nname = 's'\nmeans = 'sin(q)'\n"
+      "derivative = {q = 'c'}\n[[system.function]]\nname = 'c'\nmeans = 'cos(2*q)'\nderivative = "
+      "{q = '-s'}\n[scene]\nsection = 'q'\nplot = ['q', 'p']\nstates = [['1/3', 1]]\ncrossings = "
+      "3\n";
+  EXPECT_THROW(section_of(pendulum), InputError);
+}
+
+// |x| is r until x = 0 is passed, then -r, and r again in the end.
+TEST(HardSections, AFunctionThatLeavesItsBranchIsSeen) {
+  const SystemSection s = section_of(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x']\nmomenta = ['u']\nhamiltonian = "
+      "'(u^2 + x^2)/2 + r^3/30'\n[[system.function]]\nname = 'r'\nmeans = 'sqrt(x^2)'\n"
+      "derivative = {x = 'x/r'}\n[scene]\nsection = 'u'\ndirection = 'downward'\nplot = ['x', "
+      "'u']\nstates = [[1, 0]]\ncrossings = 9\n");
+  EXPECT_GE(s.drift, 1);
+}
+
+TEST(HardSections, TheSearchForStartsCanBeStopped) {
+  const SystemScene scene = scene_of(henon_heiles(
+      "levels = {H = '-10^6'}\nrange = [[50, 51], [0, 1]]\nrandom = 1000000\ncrossings = 1\n"));
+  EXPECT_THROW(static_cast<void>(simulate(scene)), InputError); // gives up by itself
+  std::atomic<bool> stop{true};
+  SystemSectionOptions options;
+  options.stop = &stop;
+  EXPECT_THROW(static_cast<void>(simulate(scene, options)), InputError);
+}
+
+} // namespace
+} // namespace kov::flow
