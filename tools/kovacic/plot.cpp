@@ -15,6 +15,10 @@ namespace fs = std::filesystem;
 std::string gnuplot_quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
+    if (c == '`') { // which would run a command, even in a string
+      out += "\\140";
+      continue;
+    }
     if (c == '"' || c == '\\') out += '\\';
     out += c == '\n' ? ' ' : c;
   }
@@ -72,7 +76,8 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
                                       const std::vector<std::string>& formats) {
   const std::string name = fs::path(base).filename().string();
   std::ofstream out(base + ".gp");
-  fmt::print(out, "# gnuplot -e \"format='pdf'\" {}.gp    (png, svg, pdf)\n", name);
+  fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n",
+             gnuplot_quoted(name + ".gp"));
   fmt::print(out, "{}", gnuplot_terminal(name, 800, 600));
   fmt::print(out, "set title {} noenhanced\n", gnuplot_quoted(plot.title));
   for (std::size_t i = 0; i < plot.caption.size(); ++i)
@@ -155,7 +160,8 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
   const std::vector<std::string> caption = wrapped(plot.caption, 125);
   const double lines = static_cast<double>(caption.size());
   std::ofstream out(base + ".gp");
-  fmt::print(out, "# gnuplot -e \"format='pdf'\" {}.gp    (png, svg, pdf)\n", name);
+  fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n",
+             gnuplot_quoted(name + ".gp"));
   fmt::print(out, "{}", gnuplot_terminal(name, 800, 700));
   fmt::print(out, "set title {} noenhanced\nset bmargin {:.1f}\nset lmargin 9\n",
              gnuplot_quoted(plot.title), 4.5 + 1.2 * lines);
@@ -193,7 +199,8 @@ std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& ch
                                     const std::vector<std::string>& formats) {
   const std::string name = fs::path(base).filename().string();
   std::ofstream out(base + ".gp");
-  fmt::print(out, "# gnuplot -e \"format='pdf'\" {}.gp    (png, svg, pdf)\n", name);
+  fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n",
+             gnuplot_quoted(name + ".gp"));
   fmt::print(out, "{}", gnuplot_terminal(name, 900, 640));
   fmt::print(out, "set title {} noenhanced\nset grid\n", gnuplot_quoted(chart.title));
   if (!chart.linear) fmt::print(out, "set logscale xy\nset format \"10^{{%L}}\"\n");
