@@ -342,9 +342,11 @@ void declare_section(CLI::App& command, SectionArguments& a) {
   command.add_option("FILE", a.files, "scenes, and system files with [scene]; - is standard input")
       ->required()
       ->type_name("");
-  command.add_option("--pictures", a.formats, "png,svg,pdf (the default) or none")
+  command
+      .add_option("--pictures", a.formats,
+                  "png,svg,pdf (the default), html (a page, for a system file) or none")
       ->delimiter(',')
-      ->check(CLI::IsMember({"png", "svg", "pdf", "none"}).description(""))
+      ->check(CLI::IsMember({"png", "svg", "pdf", "html", "none"}).description(""))
       ->type_name("LIST");
   command.add_option("-j", a.threads, "threads")
       ->check(CLI::Range(1, 256).description(""))
@@ -371,6 +373,10 @@ int section(const Settings& settings, const SectionArguments& arguments) {
     if (is_system_document(document) && !flow::has_system_scenes(document))
       throw InputError(file, 0, 0, 1, "this system has no scene",
                        "kovacic new scene shows a [[scene]] table");
+    const bool page = std::find(arguments.formats.begin(), arguments.formats.end(), "html") !=
+                      arguments.formats.end();
+    if (page && !flow::has_system_scenes(document))
+      throw InputError(file, 0, 0, 1, "pages (html) are for scenes of a system file");
     code = std::max(code, flow::has_system_scenes(document)
                               ? system_sections(settings, arguments, file, document, seconds)
                               : Job(file, document, settings, arguments, seconds).run());

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -74,6 +75,8 @@ int draw(const Settings& settings, const SectionArguments& arguments, const Inte
   std::vector<std::string> formats = arguments.formats;
   if (formats.empty()) formats = {"png", "svg", "pdf"};
   std::erase(formats, "none");
+  std::sort(formats.begin(), formats.end());
+  formats.erase(std::unique(formats.begin(), formats.end()), formats.end());
   if (interrupt.timed_out() && !formats.empty()) { // gnuplot knows no time limit
     formats.clear();
     complain(settings, "the time is over: no picture is drawn", "gnuplot " + base + ".gp draws it");

@@ -3,6 +3,7 @@
 #include "flow/scene/system_section.hpp"
 #include "plot.hpp"
 #include "section_files.hpp"
+#include "section_page.hpp"
 #include "symbol/document.hpp"
 #include "symbol/suggest.hpp"
 
@@ -20,11 +21,16 @@ using flow::Indicator;
 using flow::SystemScene;
 using flow::SystemSection;
 
+// A level that is no integral is one for the start.
 std::string levels_of(const SystemScene& s) {
   std::string text;
-  for (const auto& level : s.levels)
-    text +=
-        fmt::format("{}{} = {}", text.empty() ? "" : ", ", level.function.text, level.value.text());
+  const std::vector<flow::SceneFormula> integrals = s.integrals();
+  for (const auto& level : s.levels) {
+    const bool stays = std::any_of(integrals.begin(), integrals.end(),
+                                   [&](const auto& f) { return f.value == level.function.value; });
+    text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", level.function.text,
+                        level.value.text(), stays ? "" : " at the start");
+  }
   return text;
 }
 
@@ -34,7 +40,10 @@ std::string parameters_of(const SystemScene& s) {
     text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
   };
   for (const auto& [name, value] : s.system.values)
-    add(name, to_string(value));
+    add(name, name != s.varied ? to_string(value)
+                               : fmt::format("{} ... {} ({} values)", to_string(value),
+                                             to_string(s.family.back().system.values.at(name)),
+                                             s.family.size()));
   for (const auto& [variable, value] : s.values)
     add(s.system.ring()->name(variable), value.text());
   return text;
@@ -43,7 +52,8 @@ std::string parameters_of(const SystemScene& s) {
 std::string drifts_of(const SystemSection& r) {
   std::string text;
   for (std::size_t i = 0; i < r.integrals.size(); ++i)
-    text += fmt::format("{}{} {:.1e}", text.empty() ? "drift " : ", ", r.integrals[i], r.drifts[i]);
+    text +=
+        fmt::format("{}{}: {:.1e}", text.empty() ? "drift of " : ", ", r.integrals[i], r.drifts[i]);
   return text.empty() ? "no integrals to check" : text;
 }
 
@@ -158,7 +168,7 @@ public:
     if (!settings_.quiet) summary();
     if (const std::string wrong = complaint(); !wrong.empty()) {
       complain(settings_, file_ + ": " + wrong);
-      return result_.points.empty() ? exit_input : exit_undecided;
+      return result_.points.empty() && shortfall(result_).empty() ? exit_input : exit_undecided;
     }
     const int code = pictures();
     if (shortfall(result_).empty()) return code;
@@ -197,28 +207,38 @@ private:
 
   // What is wrong with the result, in words; empty if nothing.
   [[nodiscard]] std::string complaint() const {
-    for (std::size_t i = 0; i < result_.orbits.size(); ++i)
-      if (const auto& o = result_.orbits[i]; o.ended == Ended::broken)
-        return fmt::format("orbit {} could not be continued beyond t = {:.6g}", i, o.time);
+    if (result_.points.empty() && result_.count(Ended::steps) > 0)
+      return fmt::format("no crossing within the limit of steps, which {} of {} orbits reached (a "
+                         "'time' has no such limit)",
+                         result_.count(Ended::steps), result_.orbits.size());
     if (result_.points.empty() && !result_.stopped)
       return fmt::format("the section is never crossed by any of {} orbits", result_.orbits.size());
     if (result_.drift > scene_.drift.as<double>())
       return fmt::format("the integrals drift by {:.1e}, more than the {} that the scene allows; "
-                         "no picture is drawn "
-                         "(lower the tolerance)",
-                         result_.drift, scene_.drift.text());
+                         "no picture is drawn ({})",
+                         result_.drift, scene_.drift.text(),
+                         result_.drift > 1e-3 && result_.integrals.back() == "functions" &&
+                                 result_.drifts.back() == result_.drift
+                             ? "a function has left its branch, or is not what 'means' says"
+                             : "lower the tolerance");
     return {};
   }
 
   void summary() const {
-    fmt::print("{}{}\n  {}\n", file_, scene_.name.empty() ? "" : ": " + scene_.name, scene_.title);
+    fmt::print("{}{}\n", file_, scene_.name.empty() ? "" : ": " + scene_.name);
+    if (!scene_.title.empty()) fmt::print("  {}\n", scene_.title);
     for (const std::string& line : caption(scene_, result_))
       fmt::print("  {}\n", line);
     if (result_.skipped > 0)
       fmt::print("  {} places of the grid are not on the level\n", result_.skipped);
     if (const std::size_t n = result_.count(Ended::singular); n > 0)
-      fmt::print("  {} of {} orbits end in a singularity of the field (a collision): their steps "
-                 "shrink to nothing\n",
+      fmt::print(
+          "  {} of {} orbits end in a singularity (a collision, or infinity in finite time): "
+          "their steps shrink to nothing\n",
+          n, result_.orbits.size());
+    if (const std::size_t n = result_.count(Ended::broken); n > 0)
+      fmt::print("  {} of {} orbits end where the field has no value (0/0), or beyond the largest "
+                 "number\n",
                  n, result_.orbits.size());
     if (scene_.indicator != Indicator::none) chaos();
     if (const std::string missing = partial(result_); !missing.empty())
@@ -255,9 +275,38 @@ private:
                                                                 : "mean MEGNO (2: regular)";
     plot.logarithmic = scene_.indicator == Indicator::megno;
     plot.points = result_.points.size();
-    return draw(settings_, o_, interrupt_, base_, [&](const std::vector<std::string>& formats) {
-      return draw_plane(base_, plot, formats);
+    return draw(settings_, o_, interrupt_, base_, [&](std::vector<std::string> formats) {
+      const bool with_page = std::erase(formats, "html") > 0;
+      std::vector<std::string> drawn = draw_plane(base_, plot, formats);
+      if (with_page) drawn.push_back(write_page(plot));
+      return drawn;
     });
+  }
+
+  // "orbit 3 from (0.1, 0.2): 300 crossings until t = 2000, drift 1e-14; ended by crossings"
+  [[nodiscard]] std::string text_of(std::size_t i) const {
+    const flow::DrawnOrbit& o = result_.orbits[i];
+    const auto& c = o.indicators;
+    const std::string chaos =
+        scene_.indicator == Indicator::none
+            ? ""
+            : fmt::format("; Lyapunov exponent {:.3g} +- {:.1g}, MEGNO {:.3g}, FLI {:.3g}",
+                          c.lyapunov, c.lyapunov_error, c.megno, c.fli);
+    return fmt::format("orbit {} from ({:.6g}, {:.6g}): {} crossings until t = {:.6g}, drift "
+                       "{:.1e}{}; ended by: {}",
+                       i, o.start[0], o.start[1], o.crossings, o.time, o.drift, chaos,
+                       word(o.ended));
+  }
+
+  [[nodiscard]] std::string write_page(const PlanePlot& plot) const {
+    SectionPage page{plot.title, plot.caption, plot.labels, {}, plot.logarithmic, {}};
+    if (!plot.colour.empty()) page.colour_label = plot.colour_label;
+    for (std::size_t i = 0; i < result_.orbits.size(); ++i)
+      page.orbits.push_back({text_of(i), indicator_of(scene_, result_.orbits[i]), {}});
+    for (const auto& p : result_.points)
+      page.orbits[p.orbit].points.push_back(p.at);
+    write_whole(base_ + ".html", [&](std::ofstream& out) { out << section_page(page); });
+    return base_ + ".html";
   }
 
   std::string file_;
@@ -294,7 +343,14 @@ int system_sections(const Settings& settings, const SectionArguments& arguments,
     throw InputError(file, 0, 0, 1, "--fixed-points is for scenes of a rigid body ([body])");
   const auto begun = Clock::now();
   int code = exit_decided;
-  for (const SystemScene& scene : wanted(flow::read_system_scenes(document), arguments, file)) {
+  const std::vector<SystemScene> scenes = [&] {
+    try {
+      return wanted(flow::read_system_scenes(document), arguments, file);
+    } catch (const OutOfBudget& e) {
+      throw InputError(file, 0, 0, 1, e.what());
+    }
+  }();
+  for (const SystemScene& scene : scenes) {
     const double left = seconds > 0 ? std::max(seconds - seconds_since(begun), 1e-3) : 0;
     code = std::max(code, SystemJob(file, scene, settings, arguments, left).run());
     if (code == exit_interrupted) break;

@@ -1,0 +1,27 @@
+#pragma once
+// A section as one HTML file: pan, zoom, and click an orbit.  No network, no library.
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace kov::cli {
+
+struct SectionPage {
+  struct Orbit {
+    std::string text; ///< what is said of it when it is clicked
+    double value = 0; ///< its colour
+    std::vector<std::array<double, 2>> points;
+  };
+  std::string title;
+  std::vector<std::string> caption;
+  std::array<std::string, 2> labels;
+  std::string colour_label; ///< empty: neighbours in the list have different colours
+  bool logarithmic = false; ///< the colour, from 1 to 40
+  std::vector<Orbit> orbits;
+};
+
+/// The page; what texts say is text, never markup or a script.
+[[nodiscard]] std::string section_page(const SectionPage& page);
+
+} // namespace kov::cli
