@@ -85,6 +85,22 @@ TEST(HardSections, APoleIsNoCrossing) {
   EXPECT_EQ(up.points.size(), 2U);
 }
 
+TEST(HardSections, WhatOnlyTouchesZeroIsNoSection) {
+  const std::string rest = "'\nstates = [[0, 1]]\ntime = 20\n";
+  for (const char* even : {"x^2", "-x^4*y^2", "(x - 1/2)^2*(x + y)^2/y^2"})
+    EXPECT_THROW(section_of(plane_field("y", "-x") + "section = '" + even + rest), InputError)
+        << even;
+  for (const char* odd :
+       {"x^3", "-x*(y - 1/2)^2", "x/(x - y)^2"}) { // where x = 0, later than the start
+    const SystemSection s = section_of(plane_field("y", "-x") + "section = '" + odd + rest);
+    ASSERT_EQ(s.points.size(), 6U) << odd;
+    for (const double x : column(s, 0))
+      EXPECT_NEAR(x, 0, 1e-13) << odd;
+  }
+  EXPECT_EQ(section_of(plane_field("y", "-x", "upward") + "section = '-x^3" + rest).points.size(),
+            3U);
+}
+
 TEST(HardSections, TangenciesAreDecidedAboveRounding) {
   const auto touch = [](const char* distance) {
     return section_of(plane_field("y", "-x") + "section = '1 + " + std::string(distance) +

@@ -35,10 +35,26 @@ std::vector<MFraction> needed_by(const SystemScene& s, const std::vector<SceneFo
   return all;
 }
 
-// Changes its sign where the section N/D does: where N does, without the pole that its series could not pass; and
-// where D does, which crosses_a_zero tells apart.
-MFraction without_poles(const MFraction& section) {
-  return is_constant(section.den()) ? section : MFraction(section.num() * section.den());
+// Changes its sign where the section N/D does: the factors of N and of D with odd exponents.  Its series passes the
+// poles, which crosses_a_zero tells from zeros; where the section only touches 0 it has none.
+MFraction sign_changes_of(const MFraction& section) {
+  MFraction all(section.ring(), Rational(1));
+  for (const MPoly& part : {section.num(), section.den()}) {
+    const auto [content, factors] = factor(part);
+    if (content < Integer(0)) all = -all;
+    for (const MFactor& f : factors)
+      if (f.exponent % 2 != 0) all = all * MFraction(f.base);
+  }
+  return all;
+}
+
+MFraction crossed_in(const SystemScene& s) {
+  MFraction f = sign_changes_of(s.section.value);
+  if (is_constant(f))
+    throw InputError(s.file, 0, 0, 1,
+                     "the section " + s.section.text +
+                         " never changes its sign: it is not crossed");
+  return f;
 }
 
 // What all orbits and all arithmetics share.
@@ -55,9 +71,8 @@ struct Stage {
   int order = 20;
 
   Stage(const SystemScene& s, const std::atomic<bool>* stop)
-      : scene(s), integrals(s.integrals()),
-        field(s.system, without_poles(s.section.value), needed_by(s, integrals), s.values,
-              s.indicator != Indicator::none),
+      : scene(s), integrals(s.integrals()), field(s.system, crossed_in(s), needed_by(s, integrals),
+                                                  s.values, s.indicator != Indicator::none),
         starts(starts_of(s, field, &skipped, stop)) {
     const std::size_t n = field.variables().size();
     std::vector<double> all;
@@ -82,7 +97,7 @@ private:
   // The size of a function: that of its terms, at most, on what a few orbits have shown.
   void measure() {
     std::vector<MFraction> functions = values_of(integrals);
-    functions.push_back(without_poles(scene.section.value));
+    functions.push_back(sign_changes_of(scene.section.value));
     for (const MFraction& f : functions)
       term_sizes.emplace_back(field, f);
     sizes.resize(functions.size());
