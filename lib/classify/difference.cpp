@@ -457,19 +457,40 @@ namespace {
 
 std::string root(const MFraction& square) {
   if (const auto exact = square_root(square)) return to_factored_string(*exact);
-  return "sqrt(" + to_factored_string(square) + ")";
+  const std::string text = to_factored_string(square);
+  const bool bracketed = text.front() == '(' && text.find(')') + 1 == text.size();
+  return "sqrt" + (bracketed ? text : "(" + text + ")");
+}
+
+// Without the square of a number as a factor: rational where the other is.
+MFraction without_squares(const MFraction& f) {
+  if (is_zero(f)) return f;
+  const Integer den = factor(f.den()).first;
+  const Integer product = factor(f.num()).first * den;
+  const Rational root(square_part(product).first, den);
+  return MFraction(f.ring(), Rational(1) / (root * root)) * f;
+}
+
+std::string rational_root(const MFraction& square) { return root(without_squares(square)); }
+
+// "2*sqrt(a)", but "sqrt(4*a + 1)" for (4*a + 1)/4.
+std::string twice_root(const MFraction& square) {
+  const MFraction four = MFraction(square.ring(), Rational(4)) * square;
+  const bool shorter =
+      square_root(square) || is_integer(Rational(factor(square.den()).first, Integer(4)));
+  return shorter ? root(four) : "2*" + root(square);
 }
 
 std::string subject(Kind kind, const MFraction& square) {
-  const std::string text = root(square);
-  const bool sum = text.find_first_of("+-", 1) != std::string::npos && !text.starts_with("sqrt(");
   switch (kind) {
+  case Kind::rational:
+    return rational_root(square);
   case Kind::half_integer:
-    return "2*" + (sum ? "(" + text + ")" : text);
+    return twice_root(square);
   case Kind::odd_half:
-    return text + " - 1/2";
+    return root(square) + " - 1/2";
   default:
-    return text;
+    return root(square);
   }
 }
 
@@ -501,7 +522,7 @@ std::string to_string(const DifferenceCondition& c) {
   std::vector<std::string> subjects, roots;
   for (const MFraction& square : c.squares) {
     subjects.push_back(subject(c.kind, square));
-    roots.push_back(root(square));
+    roots.push_back(rational_root(square));
   }
   const std::string what = c.kind == Kind::rational ? "rational" : "an integer";
   if (c.holds)

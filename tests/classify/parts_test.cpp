@@ -105,6 +105,23 @@ TEST_F(Parts, DifferencesAtNumbers) {
   EXPECT_FALSE(at(Kind::rational, Rational(4, 9), false));
 }
 
+// Numbers are taken out of a root where the condition is that of another one.
+TEST_F(Parts, DifferencesAreToldInASimpleForm) {
+  const auto told = [&](Kind kind, const Rational& number, const MFraction& f) {
+    return to_string(DifferenceCondition{kind, {MFraction(ring_, number) * f}});
+  };
+  const MFraction a(a_);
+  const MFraction odd = MFraction(ring_, Rational(8)) * a - MFraction(ring_, Rational(7));
+  EXPECT_EQ(told(Kind::half_integer, 4, a * a), "4*a is an integer");
+  EXPECT_EQ(told(Kind::half_integer, 1, a), "2*sqrt(a) is an integer");
+  EXPECT_EQ(told(Kind::half_integer, Rational(1, 4), a), "sqrt(a) is an integer");
+  EXPECT_EQ(told(Kind::half_integer, Rational(1, 4), odd), "sqrt(8*a - 7) is an integer");
+  EXPECT_EQ(told(Kind::rational, Rational(1, 4), odd), "sqrt(8*a - 7) is rational");
+  EXPECT_EQ(told(Kind::rational, Rational(9, 4), a * a), "a is rational");
+  EXPECT_EQ(told(Kind::rational, Rational(8), a), "sqrt(2*a) is rational");
+  EXPECT_EQ(told(Kind::integer, Rational(9, 4), a * a), "3*a/2 is an integer");
+}
+
 // "Some 2 Delta is an integer, or all are rational."
 TEST_F(Parts, SeveralDifferences) {
   const DifferenceCondition c{Kind::half_integer, {a_, b_}, true};
