@@ -19,12 +19,13 @@ namespace {
 
 using Clock = Budget::Clock;
 
-constexpr std::size_t most_pieces = 200; // of one round of solutions
-constexpr std::size_t most_compared = 8; // integrable strata with one exclusion
-constexpr double set_work = 1e6;         // in the ideals of sets of parameters
-constexpr int default_order = 3;         // of variational equations
-constexpr int order_at_numbers = 5;      // where no parameters are left
-constexpr long low_degree = 2;           // of the integrals that are looked for first
+constexpr std::size_t most_pieces = 200;     // of one round of solutions
+constexpr std::size_t most_compared = 8;     // integrable strata with one exclusion
+constexpr double set_work = 1e6;             // in the ideals of sets of parameters
+constexpr int default_order = 3;             // of variational equations
+constexpr int order_at_numbers = 5;          // where no parameters are left
+constexpr long low_degree = 2;               // of the integrals that are looked for first
+constexpr double part_with_parameters = 0.5; // of the time that is left: special values need some
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -89,6 +90,8 @@ struct Round {
   std::vector<ManifoldSpec> solutions = {};
   bool integrals_known = false; ///< for all of these parameters, from a round before
   std::size_t decided = 0;      ///< strata that were there before
+  bool limited = false;         ///< some stage ended by its share of the time
+  bool last = false;            ///< after all others, with all the time that is left
 };
 
 class Composition {
@@ -107,9 +110,10 @@ public:
     result_.on_leaves = result_.liouville && system_.kind != SystemKind::hamiltonian;
     waiting_.push_back({system_, claims_, levels_, {all_parameters(), {}, {}}});
     try {
-      while (!waiting_.empty()) {
-        Round next = std::move(waiting_.back());
-        waiting_.pop_back();
+      while (!waiting_.empty() || !later_.empty()) {
+        auto& from = waiting_.empty() ? later_ : waiting_;
+        Round next = std::move(from.back());
+        from.pop_back();
         study(std::move(next));
       }
       finish();
@@ -202,18 +206,20 @@ private:
     return [&s](const MPoly& p) { return !not_excluded(s, {p}).empty(); };
   }
 
+  // Of the time of the round, as long as it has some.
   [[nodiscard]] Budget share(double part) const {
-    return part_of_the_time(options_.check.decide.budget, part);
+    const Budget& all = options_.check.decide.budget;
+    return part_of_the_time(round_budget_ && !is_over(*round_budget_) ? *round_budget_ : all, part);
   }
-  [[nodiscard]] bool time_is_over() const {
-    const auto& deadline = options_.check.decide.budget.deadline;
-    return deadline && Clock::now() >= *deadline;
-  }
+  static bool is_over(const Budget& b) { return b.deadline && Clock::now() >= *b.deadline; }
+  [[nodiscard]] bool time_is_over() const { return is_over(options_.check.decide.budget); }
 
   // ---- one round
 
   void study(Round round) {
     const std::size_t decided = round.decided = result_.strata.size();
+    round_budget_ = part_of_the_time(options_.check.decide.budget,
+                                     round.last || is_at_numbers(round) ? 1 : part_with_parameters);
     if (!round.integrals_known && begins(round, "integrals of low degree"))
       try_integrals_of_low_degree(round, decided);
     // beside many parameters solutions cost much, and Darboux points leave few of their values
@@ -260,8 +266,9 @@ private:
     result_.at_work = next;
     for (const Piece& piece : round.pieces)
       leave_open(piece);
-    for (const Round& later : waiting_)
-      leave_open(later.whole);
+    for (const auto* rounds : {&waiting_, &later_})
+      for (const Round& later : *rounds)
+        leave_open(later.whole);
     finish();
     so_far_ = std::exchange(result_, std::move(kept));
     if (options_.so_far) options_.so_far(so_far_);
@@ -343,6 +350,7 @@ private:
     CheckOptions check = options_.check;
     check.decide.budget = share(part);
     const ManifoldReport report = check_manifold(round.system, m, round.claims, check);
+    round.limited = round.limited || is_over(check.decide.budget);
     result_.stages.emplace_back(m.name, seconds_since(start));
     if (report.failure && is_of_the_file(m.name) && is_the_first(round))
       add_once(result_.notes,
@@ -358,10 +366,12 @@ private:
 
   // At numbers an order costs little.
   [[nodiscard]] int highest_order(const Round& round) const {
-    const bool at_numbers = round.system.field.parameters.size() <= round.levels.size();
-    return at_numbers && options_.order >= default_order
+    return is_at_numbers(round) && options_.order >= default_order
                ? std::max(options_.order, order_at_numbers)
                : options_.order;
+  }
+  [[nodiscard]] static bool is_at_numbers(const Round& round) {
+    return round.system.field.parameters.size() <= round.levels.size();
   }
 
   void try_higher_orders(Round& round) {
@@ -696,8 +706,11 @@ private:
       Substitution values;
       for (const auto& [i, value] : solved.values)
         if (is_parameter(round.system, i)) values[i] = value;
-      if (time_is_over()) note(piece, "the time limit was reached", "");
-      if (values.empty() || time_is_over()) return leave_open(std::move(piece));
+      if (time_is_over()) {
+        note(piece, "the time limit was reached", "");
+        return leave_open(std::move(piece));
+      }
+      if (values.empty()) return once_more(round, std::move(piece));
       System special = kov::at_values(round.system, values);
       for (const MPoly& p : piece.where.inequations())
         assume_nonzero(special, substitute(p, values));
@@ -713,6 +726,15 @@ private:
       note(piece, "the equations of the parameters", e.what());
       leave_open(std::move(piece));
     }
+  }
+
+  // With the time that is left when all special values have had theirs.
+  void once_more(const Round& round, Piece piece) {
+    if (!round.limited || round.last) return leave_open(std::move(piece));
+    Round next{round.system, round.claims, round.levels, std::move(piece)};
+    next.integrals_known = round.integrals_known;
+    next.last = true;
+    later_.push_back(std::move(next));
   }
 
   // A special Hamiltonian may have another form, and integrals of another one.
@@ -782,10 +804,12 @@ private:
   }
 
   ClassifyOptions options_;
-  System system_; ///< with names for levels
+  std::optional<Budget> round_budget_; ///< for the round at work
+  System system_;                      ///< with names for levels
   std::vector<ClaimReport> claims_;
   std::vector<KnownLevel> levels_;
   std::vector<Round> waiting_; ///< parts of the parameters that were not studied yet
+  std::vector<Round> later_;   ///< those that their time did not suffice for
   SystemClassification result_;
   SystemClassification so_far_; ///< what result_ was at the end of a stage, the rest open
   Clock::time_point start_;
