@@ -68,8 +68,14 @@ private:
         else
           rational.emplace_back(one.first, std::string(one.second.expression().text()));
       }
-    scope_ = std::make_unique<SystemScope>(document, rational);
-    s_.system = read_system(document, *scope_);
+    try {
+      scope_ = std::make_unique<SystemScope>(document, rational);
+      s_.system = read_system(document, *scope_);
+    } catch (const InputError& e) { // a value is known there as one of the command line
+      const Entry* set = e_.find(varied_.empty() ? "set" : "vary");
+      if (e.file() != "--set" || set == nullptr) throw;
+      throw set->error(e.message(), e.hint());
+    }
     s_.meanings = scope_->meanings;
     const VectorField& v = s_.system.field;
     std::vector<std::size_t> open = v.parameters;
