@@ -17,7 +17,8 @@ class NoWords : public Error {
 
 class Writer {
 public:
-  Writer(const System& s, const HigherObstruction& o) : s_(s), o_(o), plane_(o.plane) {}
+  Writer(const System& whole, const Subspace& inside, const HigherObstruction& o)
+      : whole_(whole), inside_(inside), s_(inside.system), o_(o), plane_(o.plane) {}
 
   certify::JetsCertificate operator()() {
     c_.title = s_.file;
@@ -47,11 +48,17 @@ public:
 private:
   void names() {
     const VectorField& v = s_.field;
-    const MFraction& h = *v.hamiltonian;
+    const MFraction& h = *whole_.field.hamiltonian;
     const Ring& from = s_.ring();
     std::vector<std::string> field, phase;
-    for (const std::size_t i : v.coordinates)
-      phase.push_back(from->name(i));
+    const std::size_t n = whole_.field.dimension() / 2;
+    for (const std::size_t half : {0, 1}) { // positions, momenta
+      for (const std::size_t i : {2 * half, 2 * half + 1})
+        phase.push_back(from->name(v.coordinates[i]));
+      for (const std::size_t l : inside_.others)
+        phase.push_back(from->name(whole_.field.coordinates[l + half * n]));
+    }
+    c_.others = inside_.others.size();
     for (const std::size_t i : v.constants)
       field.push_back(from->name(i));
     const std::vector<std::string> constants = field;
@@ -72,7 +79,7 @@ private:
 
   // One constant at most, a root.
   void system() {
-    const MFraction h = *s_.field.hamiltonian;
+    const MFraction h = *whole_.field.hamiltonian;
     if (!is_constant(h.den())) throw NoWords("H has a denominator");
     c_.hamiltonian = {transfer(MFraction(h.num()), c_.phase).num(), h.den().coefficient(0)};
     if (!plane_.relation) return;
@@ -230,7 +237,9 @@ private:
     return all;
   }
 
-  const System& s_;
+  const System& whole_;
+  const Subspace& inside_;
+  const System& s_; ///< inside
   const HigherObstruction& o_;
   const InvariantPlane& plane_;
   certify::JetsCertificate c_;
@@ -239,10 +248,10 @@ private:
 
 } // namespace
 
-Certified certificate(const System& s, const HigherObstruction& o) {
+Certified certificate(const System& whole, const Subspace& inside, const HigherObstruction& o) {
   Certified result;
   try {
-    const std::string text = certify::write_jets_certificate(Writer(s, o)());
+    const std::string text = certify::write_jets_certificate(Writer(whole, inside, o)());
     const auto verdict = certify::check_jets(certify::read_jets_certificate(text));
     const auto* no = std::get_if<certify::Rejected>(&verdict);
     if (!no) return {text, "", false};

@@ -3,6 +3,7 @@
 // (docs/theory/jet_certificates.md).
 
 #include "jets/obstruction.hpp"
+#include "jets/subspace.hpp"
 
 namespace kov::jets {
 
@@ -13,6 +14,7 @@ struct Certified {
 };
 
 /// Cost  that of the series once more
-[[nodiscard]] Certified certificate(const System& s, const HigherObstruction& o);
+[[nodiscard]] Certified certificate(const System& whole, const Subspace& inside,
+                                    const HigherObstruction& o);
 
 } // namespace kov::jets

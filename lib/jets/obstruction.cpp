@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "jets/certificate.hpp"
 #include "jets/squares.hpp"
+#include "jets/subspace.hpp"
 #include "linode/normal_form.hpp"
 
 #include <algorithm>
@@ -77,12 +78,10 @@ namespace {
 
 class Search {
 public:
-  Search(const System& s, const ManifoldSpec& m, const HigherOptions& options)
-      : s_(s), options_(options), budget_(options.decide.budget) {
-    if (options.order < 2 || options.order > largest_order)
-      throw InvalidArgument("the order must be between 2 and " + std::to_string(largest_order));
+  Search(const System& whole, const Subspace& inside, const HigherOptions& options)
+      : whole_(whole), inside_(inside), options_(options), budget_(options.decide.budget) {
     result_.up_to = options.order;
-    auto plane = invariant_plane(s, m);
+    auto plane = invariant_plane(inside.system, inside.manifold);
     if (auto* no = std::get_if<OutOfScope>(&plane))
       result_.open = no->why;
     else
@@ -105,7 +104,7 @@ private:
   // What our own checker refuses is withdrawn.
   void certify() {
     result_.open.clear();
-    Certified c = certificate(s_, *result_.obstruction);
+    Certified c = certificate(whole_, inside_, *result_.obstruction);
     result_.obstruction->certificate = std::move(c.json);
     result_.obstruction->no_certificate = c.none;
     if (!c.refused) return;
@@ -145,6 +144,10 @@ private:
     found.logarithm = *std::move(log);
     found.place = place;
     found.plane = plane_;
+    for (const std::size_t l : inside_.others)
+      for (const std::size_t i : {l, l + whole_.field.dimension() / 2})
+        found.within += whole_.ring()->name(whole_.field.coordinates[i]) + " = ";
+    if (!found.within.empty()) found.within += "0";
     judge(std::move(found));
   }
 
@@ -289,7 +292,8 @@ private:
     return true;
   }
 
-  const System& s_;
+  const System& whole_;
+  const Subspace& inside_;
   const HigherOptions& options_;
   const Budget& budget_;
   InvariantPlane plane_; ///< the one looked at, reflected for the second place
@@ -297,19 +301,37 @@ private:
   HigherOrders result_;
 };
 
-} // namespace
-
-HigherOrders higher_orders(const System& s, const ManifoldSpec& m, const HigherOptions& options) {
+HigherOrders within(const System& s, const Subspace& inside, const HigherOptions& options) {
   HigherOrders open;
   open.up_to = options.order;
   try {
-    return Search(s, m, options).run();
+    return Search(s, inside, options).run();
   } catch (const OutOfBudget& limit) {
     open.open = limit.what();
   } catch (const DomainError& undefined) { // a division by 0 at these values
     open.open = undefined.what();
   }
   return open;
+}
+
+} // namespace
+
+HigherOrders higher_orders(const System& s, const ManifoldSpec& m, const HigherOptions& options) {
+  if (options.order < 2 || options.order > largest_order)
+    throw InvalidArgument("the order must be between 2 and " + std::to_string(largest_order));
+  HigherOrders all;
+  all.up_to = options.order;
+  for (const Subspace& inside : invariant_subspaces(s, m)) {
+    HigherOrders one = within(s, inside, options);
+    if (one.obstruction || inside.others.empty()) return one;
+    const std::string why = one.open.empty() ? "no logarithm at infinity" : one.open;
+    if (all.open.find(why) == std::string::npos)
+      all.open += (all.open.empty() ? "in subspaces of two degrees of freedom: " : "; ") + why;
+  }
+  if (all.open.empty())
+    all.open = "the line is in no invariant subspace of two degrees of freedom, two of the "
+               "coordinates with their momenta";
+  return all;
 }
 
 } // namespace kov::jets

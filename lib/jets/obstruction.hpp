@@ -25,6 +25,7 @@ struct HigherObstruction {
   MFraction local_form; ///< the same form in the free coefficient e of the solution
   Place place;
   InvariantPlane plane; ///< reflected for the place y = -infinity
+  std::string within;   ///< "q3 = p3 = 0", or empty: the invariant subspace
   InfiniteGroup because = InfiniteGroup::first_family;
   std::optional<MFraction> energy;              ///< of the curve, if it was decided
   std::optional<Decision> group;                ///< where it was decided

@@ -66,7 +66,8 @@ std::string reason(const HigherOrders& orders) {
   return "VE_" + std::to_string(o.logarithm.order) +
          " is the first with a logarithm at infinity on the curve (exponents " +
          to_string(o.place.rho1) + ", " + to_string(o.place.rho2) +
-         (o.place.sign < 0 ? ", the place -infinity" : "") + "), with the residue " +
+         (o.place.sign < 0 ? ", the place -infinity" : "") +
+         (o.within.empty() ? "" : ", in the subspace " + o.within) + "), with the residue " +
          residue(orders) + "; " + why_infinite(o);
 }
 

@@ -289,6 +289,44 @@ TEST(HigherOrders, HaveCertificates) {
   }
 }
 
+HigherOrders of_three(const std::string& potential, int order) {
+  const System s = read_system(parse_document(
+      "system = {kind = 'hamiltonian', coordinates = ['q1', 'q2', 'q3'], momenta = ['p1', 'p2', "
+      "'p3'], parameters = ['A', 'B', 'C'], hamiltonian = '(p1^2 + p2^2 + p3^2)/2 + " +
+          potential +
+          "'}\nmanifold = [{name = 'N', equations = ['q1 = 0', 'q3 = 0', 'p1 = 0', 'p3 = 0']}]",
+      "test.toml"));
+  HigherOptions options;
+  options.order = order;
+  return higher_orders(s, s.manifolds.front(), options);
+}
+
+TEST(HigherOrders, InASubspaceOfThreeDegreesOfFreedom) {
+  const std::string quadratic = "(A*q1^2 + B*q2^2 + C*q3^2)/2 + ";
+  const auto found = of_three(quadratic + "q1^2*q2 + q2^3/3 + 6*q3^2*q2 + q1^2*q3^2", 3);
+  EXPECT_EQ(residue(found), "VE_3 (c2) (A - B) (c1)^3");
+  EXPECT_EQ(found.obstruction->within, "q3 = p3 = 0");
+  EXPECT_EQ(found.obstruction->no_certificate, "");
+  EXPECT_NE(found.obstruction->certificate, "");
+  // only the second of the two subspaces has a logarithm with consequences
+  EXPECT_EQ(of_three(quadratic + "q1^2*q2/6 + q2^3/3 + q3^2*q2", 3).obstruction->within,
+            "q1 = p1 = 0");
+}
+
+TEST(HigherOrders, NoFalseAlarmInThreeDegreesOfFreedom) {
+  // q1 and q2 as in the integrable case of Henon and Heiles, q3 on its own; a central potential
+  EXPECT_EQ(residue(of_three("(A*q1^2 + B*q2^2)/2 + q1^2*q2 + 2*q2^3 + C*q3^2", 5)).substr(0, 5),
+            "open:");
+  EXPECT_EQ(residue(of_three("A*(q1^2 + q2^2 + q3^2) + B*(q1^2 + q2^2 + q3^2)^2", 5)).substr(0, 5),
+            "open:");
+}
+
+TEST(HigherOrders, ASubspaceThatIsNotInvariant) {
+  const auto found = of_three("q2^3/3 + q1^2*q2/2 + q1*q3^2 + q3*q1^2", 3);
+  EXPECT_FALSE(found.obstruction);
+  EXPECT_NE(found.open.find("no invariant subspace"), std::string::npos) << found.open;
+}
+
 TEST(HigherOrders, AnAlgebraicConstantIsNoException) {
   for (const std::string lambda : {"9", "14"}) {
     const auto found = look(isotropic(lambda), 2);

@@ -2,7 +2,7 @@
 from certificate_format import read
 from multivariate import FIELD, parse
 from strata_format import NAME
-from system_format import DENOMINATORS, DIGITS, TOWER, right
+from system_format import COORDINATES, DENOMINATORS, DIGITS, TOWER, right
 
 FORMAT = "kovacic-jets/1"
 PARAMETERS, TURNS, ORDER, TERMS, DEGREE, POWER = 6, 100, 12, 2000, 40, 20
@@ -23,7 +23,8 @@ def read_jets(top):
     d = read(TOP, top, "certificate")
     system, place, jets, constants = d["system"], d["place"], d["jets"], [x["name"] for x in d["constants"]]
     right(len(d["parameters"]) <= PARAMETERS and len(constants) <= TOWER, "too many names")
-    right(len(d["variables"]) == 3 and len(system["coordinates"]) == len(system["momenta"]) == 2, "another number of names")
+    right(len(d["variables"]) == 3 and 2 <= len(system["coordinates"]) == len(system["momenta"]) <= COORDINATES // 2,
+          "another number of names")
     for names in ([*d["variables"], *d["parameters"], *constants],
                   [*system["coordinates"], *system["momenta"], *d["parameters"], *constants]):
         right(all(map(NAME.match, names)) and len(set(names)) == len(names), "different names are expected")

@@ -54,7 +54,8 @@ def statement(d, jets, group):
     yield f"the system {quoted(d['title'])}" + f" with parameters {', '.join(d['parameters'])}" * bool(d["parameters"])
     yield "  H = " + (f"({text})/{n}" if n != 1 else text)
     yield from (f"  {x['name']}^{x['degree']} = {shown.element(x['value'])}" for x in d["constants"])
-    yield f"along the line ({', '.join(names[:2])}) = {shown.pair(line['start'])} + y*{shown.pair(line['along'])}"
+    yield f"along the line ({', '.join(names[:2])}) = {shown.pair(line['start'])} + y*{shown.pair(line['along'])}" \
+        + "".join(f", {x} = 0" for x in d["system"]["coordinates"][2:])
     yield from exceptions(d, shown)
     yield "is not integrable in Liouville's sense with first integrals that are meromorphic near the phase curve, " \
         f"{level(d, group.energy)} (Morales-Ruiz, Ramis and Simo), as"

@@ -13,7 +13,7 @@ class Motion:
     """J1: the Hamiltonian in x and y; tables {(i, j): coefficient of x^i y^j} of V and of the forces"""
 
     def __init__(self, d):
-        self.d, e = d, d["variables"][0]
+        self.d, e, self.n = d, d["variables"][0], len(d["system"]["coordinates"])
         tower = [x | {"derivative": "0"} for x in d["constants"]]
         curve = {"variable": e, "denominators": d["denominators"], "tower": tower}
         self.R = FunctionAlgebra(curve, [*d["parameters"], *d["variables"][1:]])
@@ -49,26 +49,36 @@ class Motion:
     def dot(self, a, b):
         return self.R.sum(m * x * y for m, x, y in zip(self.line["masses"], a, b))
 
+    def restricted(self, h):
+        """H on the subspace where all positions but the first two, and their momenta, are 0"""
+        zero = [FIELD * (i + half) for half in (0, self.n) for i in range(2, self.n)]
+
+        def at_zero(f):
+            return P((k, c) for k, c in f.items() if not any(k >> x & MASK for x in zero))
+        need(not any(at_zero(h.diff(x)) for x in zero), "the subspace is not invariant")
+        return at_zero(h)
+
     def natural(self, h, n, names):
         """V as a table; H is natural and has these masses"""
-        for i in (2, 3):
-            rows = h.coefficients(FIELD * i)
+        h = self.restricted(h)
+        for i in (0, 1):
+            rows = h.coefficients(FIELD * (self.n + i))
             need(len(rows) == 3 and not rows[1], "H is no natural Hamiltonian")
-            need(not rows[2].variables() & {FIELD * k for k in range(4)}, "H is no natural Hamiltonian")
+            need(not rows[2].variables() & {FIELD * k for k in range(2 * self.n)}, "H is no natural Hamiltonian")
             inertia = self.R.divided(self.in_chart(rows[2], names).get((0, 0), self.zero) * 2, n)
-            need(self.same(inertia * self.line["masses"][i - 2], self.one), "a mass is not that of H")
+            need(self.same(inertia * self.line["masses"][i], self.one), "a mass is not that of H")
             h = rows[0]
         return {e: self.R.divided(k, n) for e, k in self.in_chart(h, names).items()}
 
     def in_chart(self, f, names):
         """A polynomial at q = start + x across + y along"""
-        values = {FIELD * i: {1: self.R.read(x)} for i, x in enumerate(names) if i >= 4}
+        values = {FIELD * i: {1: self.R.read(x)} for i, x in enumerate(names) if i >= 2 * self.n}
         q = [self.table(zip([(0, 0), (1, 0), (0, 1)], (self.line[k][i] for k in ("start", "across", "along")))) for i in (0, 1)]
         powers, total = [[self.table([((0, 0), self.one)]), x] for x in q], []
         for k, c in f.items():
             a, b = k & MASK, k >> FIELD & MASK
             need(max(a, b) <= DEGREE, "the degree of the potential is too large")
-            need(not any(k >> FIELD * i & MASK for i in (2, 3)), "H is no natural Hamiltonian")
+            need(not any(k >> FIELD * i & MASK for i in range(2, 2 * self.n)), "H is no natural Hamiltonian")
             for known, n in ((powers[0], a), (powers[1], b)):
                 while len(known) <= n:
                     known.append(self.times(known[-1], known[1]))

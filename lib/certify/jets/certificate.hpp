@@ -1,6 +1,6 @@
 #pragma once
 // The certificate format kovacic-jets/1 as plain data, with its JSON reader and writer: a natural
-// system of two degrees of freedom, a line of configurations, the series of its variational
+// system of two degrees of freedom (in an invariant subspace, if there are more), a line of configurations, the series of its variational
 // equations at a place over infinity, the residue at which the first logarithm appears, and why the
 // group of the normal equation is infinite.  docs/theory/jet_certificates.md defines every entry
 // (names in comments are its rules).  Nothing here is checked beyond syntax and limits.
@@ -52,7 +52,8 @@ struct JetsCertificate {
   /// With e for the variable z, and the parameters, c1, c2 after it; the tower has the algebraic
   /// constants.  Of the rest nothing is used.
   PhaseCurve field;
-  Ring phase; ///< q1, q2, p1, p2, parameters, algebraic constants
+  Ring phase;             ///< positions, momenta, parameters, algebraic constants
+  std::size_t others = 0; ///< positions that are 0 on an invariant subspace, after the first two
   PhaseFunction hamiltonian;
   JetLine line;
   long turns = 1; ///< d: t = s^d

@@ -35,12 +35,12 @@ void Motion::need_line() {
        {&c_.line.start, &c_.line.across, &c_.line.along, &c_.line.masses, &c_.line.inertias})
     for (const CurveFunction& f : *two)
       need_free(f, false);
-  MPoly v = c_.hamiltonian.p; // n H - n (a1 p1^2 + a2 p2^2)/2
+  MPoly v = restricted(); // n H - n (a1 p1^2 + a2 p2^2)/2
   const CurveFunction one = a_.integer(1);
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto c = coefficients(v, 2 + i);
+    const auto c = coefficients(v, 2 + c_.others + i);
     need(c.size() == 3 && is_zero(c[1]), "H is no natural Hamiltonian");
-    for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t k = 0; k < 4 + 2 * c_.others; ++k)
       need(!uses(c[2], k), "H is no natural Hamiltonian");
     Table inertia = chart_potential(c[2]);
     CurveFunction twice = inertia.count({0, 0}) ? inertia.at({0, 0}) : a_.zero();
@@ -61,6 +61,21 @@ void Motion::need_line() {
   need(column(across_, 0).empty(), "the force does not point along the line");
 }
 
+MPoly Motion::restricted() const {
+  const std::size_t n = 2 + c_.others;
+  std::vector<std::size_t> zero;
+  for (std::size_t l = 2; l < n; ++l)
+    zero.insert(zero.end(), {l, l + n});
+  const auto at_zero = [&](MPoly f) {
+    for (const std::size_t i : zero)
+      f = is_zero(f) ? f : coefficients(f, i)[0];
+    return f;
+  };
+  for (const std::size_t i : zero)
+    need(is_zero(at_zero(kov::derivative(c_.hamiltonian.p, i))), "the subspace is not invariant");
+  return at_zero(c_.hamiltonian.p);
+}
+
 // A polynomial in q1, q2, parameters and constants, at q = start + x across + y along.
 Table Motion::chart_potential(const MPoly& v) const {
   std::array<std::vector<Table>, 2> powers;
@@ -77,12 +92,13 @@ Table Motion::chart_potential(const MPoly& v) const {
     return powers[i][n];
   };
   std::vector<std::optional<CurveFunction>> at(c_.phase->size());
-  for (std::size_t i = 4; i < at.size(); ++i)
+  for (std::size_t i = 4 + 2 * c_.others; i < at.size(); ++i)
     at[i] = a_.variable(c_.field.ring->index(c_.phase->name(i)));
   Table sum;
   for (long k = 0; k < v.length(); ++k) {
     auto e = v.exponents(k);
-    need(e[2] == 0 && e[3] == 0, "H is no natural Hamiltonian");
+    for (std::size_t i = 2; i < 4 + 2 * c_.others; ++i)
+      need(e[i] == 0, "H is no natural Hamiltonian");
     const Table q = s_.times(power(0, e[0]), power(1, e[1]));
     e[0] = e[1] = 0;
     const MPoly term = MPoly::term(c_.phase, v.coefficient(k), e);

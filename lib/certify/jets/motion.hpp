@@ -36,6 +36,8 @@ private:
   void need_free(const CurveFunction& f, bool of_e) const;
   [[nodiscard]] CurveFunction dot(const std::array<CurveFunction, 2>& a,
                                   const std::array<CurveFunction, 2>& b) const;
+  /// The Hamiltonian on the invariant subspace.
+  [[nodiscard]] MPoly restricted() const;
   [[nodiscard]] Table chart_potential(const MPoly& v) const;
   [[nodiscard]] CurveRow column(const Table& f, long power_of_x) const;
   [[nodiscard]] LocalSeries polynomial_at(const CurveRow& f) const;

@@ -67,9 +67,11 @@ private:
   void read_system(const Node& n, const std::vector<std::string>& parameters,
                    const std::vector<std::string>& constants) {
     Keys k(n);
-    auto names = read_texts(k.at("coordinates"), 2);
-    const auto momenta = read_texts(k.at("momenta"), 2);
-    if (names.size() != 2 || momenta.size() != 2) n.fail("two coordinates and two momenta");
+    auto names = read_texts(k.at("coordinates"), max_coordinates / 2);
+    const auto momenta = read_texts(k.at("momenta"), max_coordinates / 2);
+    if (names.size() < 2 || momenta.size() != names.size())
+      n.fail("two coordinates or more, and as many momenta, are expected");
+    c_.others = names.size() - 2;
     for (const auto* more : {&momenta, &parameters, &constants})
       names.insert(names.end(), more->begin(), more->end());
     c_.phase = ring_of(n, names);

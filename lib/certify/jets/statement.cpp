@@ -23,7 +23,7 @@ public:
                        std::to_string(c_.field.tower[i].degree) + " = " +
                        element(c_.field.tower[i].value));
     lines_.push_back("along the line (" + c_.phase->name(0) + ", " + c_.phase->name(1) +
-                     ") = " + pair(c_.line.start) + " + y*" + pair(c_.line.along));
+                     ") = " + pair(c_.line.start) + " + y*" + pair(c_.line.along) + subspace());
     exceptions();
     lines_.push_back("is not integrable in Liouville's sense with first integrals that are "
                      "meromorphic near the phase curve, " +
@@ -53,6 +53,12 @@ private:
   }
   [[nodiscard]] std::string pair(const std::array<CurveFunction, 2>& two) const {
     return "(" + element(two[0]) + ", " + element(two[1]) + ")";
+  }
+  [[nodiscard]] std::string subspace() const {
+    std::string all;
+    for (std::size_t l = 2; l < 2 + c_.others; ++l)
+      all += ", " + c_.phase->name(l) + " = 0";
+    return all;
   }
   [[nodiscard]] std::string exponent(std::size_t i) const {
     return to_string(Rational(c_.normal[i]->low, c_.turns));

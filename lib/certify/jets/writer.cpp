@@ -74,8 +74,8 @@ private:
         Json::Array{text(ring.name(c_.e())), text(ring.name(c_.c1())), text(ring.name(c_.c2()))}};
   }
   [[nodiscard]] Json system() const {
-    return {Json::Object{{"coordinates", names(*c_.phase, 0, 2)},
-                         {"momenta", names(*c_.phase, 2, 4)},
+    return {Json::Object{{"coordinates", names(*c_.phase, 0, 2 + c_.others)},
+                         {"momenta", names(*c_.phase, 2 + c_.others, 4 + 2 * c_.others)},
                          {"hamiltonian", to_json(c_.hamiltonian)}}};
   }
   [[nodiscard]] Json constants() const {
