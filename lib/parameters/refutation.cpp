@@ -85,8 +85,14 @@ Json json_zero_node(const MPoly& p, Json nonzero, Json zero) {
                            {"zero", std::move(zero)}}};
 }
 
-RealFacts::RealFacts(Ring ring, std::vector<Condition> given)
-    : ring_(std::move(ring)), given_(std::move(given)) {
+const Factorizations::Factors& Factorizations::of(const MPoly& f) {
+  const auto [at, is_new] = known_.try_emplace(to_string(f));
+  if (is_new) at->second = factor(f);
+  return at->second;
+}
+
+RealFacts::RealFacts(Ring ring, std::vector<Condition> given, SharedFactorizations factorizations)
+    : ring_(std::move(ring)), given_(std::move(given)), factorizations_(std::move(factorizations)) {
   solve();
   for (const Condition& c : given_)
     reduced_.push_back(reduced(c.p));
@@ -276,7 +282,7 @@ std::optional<RealFacts::Known> RealFacts::known(const MPoly& q, bool ordered) c
 // sign c monomial^2 as one Term; false: it is not seen to be >= 0.
 bool RealFacts::put_group(std::vector<Term>& all, const MPoly& c, const MPoly& monomial, int sign,
                           std::vector<Split>* missing) const {
-  auto [content, factors] = factor(c);
+  const auto& [content, factors] = factorizations_->of(c);
   Term t = one();
   t.c = Rational(content) * Rational(sign);
   const auto square = [&](const MPoly& q, long half) {
@@ -403,7 +409,7 @@ std::optional<Json> RealFacts::by_factors() const {
   for (const ReducedPoly& e : equations_) {
     Term t = one();
     bool all = true;
-    for (const MFactor& f : factor(e.rest).second) {
+    for (const MFactor& f : factorizations_->of(e.rest).second) {
       const auto k = known(f.base, false);
       all = all && k && given_[k->condition].sign != Sign::nonnegative;
       if (all) t.powers.emplace_back(k->condition, 2 * f.exponent);
@@ -456,7 +462,7 @@ std::optional<Json> RealFacts::contradiction() const {
 std::vector<RealFacts::Split> RealFacts::splits() const {
   std::vector<Split> all;
   for (const ReducedPoly& e : equations_) { // factors of equations
-    const auto factors = factor(e.rest).second;
+    const auto& factors = factorizations_->of(e.rest).second;
     for (const MFactor& f : factors)
       if (!known(f.base, false) && (factors.size() > 1 || f.exponent > 1))
         all.push_back({f.base, false});
@@ -509,48 +515,63 @@ Json joined(const RealFacts::Split& s, std::vector<Branch>& all) {
   return json_zero_node(s.p, *std::move(all[0].node), *std::move(all[1].node));
 }
 
+struct Search {
+  const Ring& ring;
+  const Budget& budget;
+  SharedFactorizations factorizations;
+  [[nodiscard]] RealFacts facts(const std::vector<Condition>& given) const {
+    return RealFacts(ring, given, factorizations);
+  }
+};
+
 // The branches that are closed at once; how many are not.
-std::size_t close(const Ring& ring, std::vector<Branch>& all) {
+std::size_t close(const Search& search, std::vector<Branch>& all) {
   std::size_t open = 0;
   for (Branch& b : all) {
-    b.node = RealFacts(ring, b.given).contradiction();
+    b.node = search.facts(b.given).contradiction();
     open += b.node ? 0 : 1;
   }
   return open;
 }
 
-std::optional<Json> follow(const Ring& ring, const RealFacts::Split& s, std::vector<Branch> all,
-                           int depth, const Budget& budget) {
+std::optional<Json> refuted(const Search& search, const std::vector<Condition>& given, int depth);
+
+std::optional<Json> follow(const Search& search, const RealFacts::Split& s, std::vector<Branch> all,
+                           int depth) {
   for (Branch& b : all)
-    if (!b.node && !(b.node = refutation(ring, b.given, depth - 1, budget))) return std::nullopt;
+    if (!b.node && !(b.node = refuted(search, b.given, depth - 1))) return std::nullopt;
   return joined(s, all);
 }
 
-} // namespace
-
 // A case distinction of which one case is left is a lemma, and is not taken back.
-std::optional<Json> refutation(const Ring& ring, const std::vector<Condition>& given, int depth,
-                               const Budget& budget) {
-  budget.check();
-  const RealFacts facts(ring, given);
+std::optional<Json> refuted(const Search& search, const std::vector<Condition>& given, int depth) {
+  search.budget.check();
+  const RealFacts facts = search.facts(given);
   if (auto node = facts.contradiction()) return node;
   if (depth == 0) return std::nullopt;
   std::vector<std::pair<RealFacts::Split, std::vector<Branch>>> open;
   for (const RealFacts::Split& s : facts.splits()) {
     std::vector<Branch> all = branches(given, s);
-    if (close(ring, all) <= 1) return follow(ring, s, std::move(all), depth, budget);
+    if (close(search, all) <= 1) return follow(search, s, std::move(all), depth);
     open.emplace_back(s, std::move(all));
   }
   open.resize(std::min(open.size(), most_branches));
   for (auto& [s, all] : open)
-    if (auto node = follow(ring, s, std::move(all), depth, budget)) return node;
+    if (auto node = follow(search, s, std::move(all), depth)) return node;
   return std::nullopt;
 }
 
+} // namespace
+
+std::optional<Json> refutation(const Ring& ring, const std::vector<Condition>& given, int depth,
+                               const Budget& budget, const SharedFactorizations& known) {
+  return refuted({ring, budget, known ? known : std::make_shared<Factorizations>()}, given, depth);
+}
+
 std::optional<Json> shown(const Ring& ring, std::vector<Condition> given, const Condition& c,
-                          int depth, const Budget& budget) {
+                          int depth, const Budget& budget, const SharedFactorizations& known) {
   given.push_back(negation(c));
-  return refutation(ring, given, depth, budget);
+  return refutation(ring, given, depth, budget, known);
 }
 
 } // namespace kov

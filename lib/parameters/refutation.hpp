@@ -8,6 +8,7 @@
 #include "exact/budget.hpp"
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -24,11 +25,24 @@ struct ReducedPoly {
   std::map<std::size_t, MPoly> cofactors;
 };
 
+/// Factorisations that one search asks for again and again.
+class Factorizations {
+public:
+  using Factors = std::pair<Integer, std::vector<MFactor>>;
+  /// As `factor`, f of one ring.
+  const Factors& of(const MPoly& f);
+
+private:
+  std::map<std::string, Factors> known_;
+};
+using SharedFactorizations = std::shared_ptr<Factorizations>;
+
 /// What follows from a list of conditions without any case distinction.
 class RealFacts {
 public:
   /// All names of the ring are real variables.
-  explicit RealFacts(Ring ring, std::vector<Condition> given);
+  explicit RealFacts(Ring ring, std::vector<Condition> given,
+                     SharedFactorizations factorizations = std::make_shared<Factorizations>());
 
   [[nodiscard]] const std::vector<Condition>& given() const { return given_; }
   /// The node `empty`, if it is found.
@@ -79,22 +93,26 @@ private:
 
   Ring ring_;
   std::vector<Condition> given_;
+  SharedFactorizations factorizations_;
   std::vector<Basis> basis_;
   std::vector<ReducedPoly> reduced_;   ///< of the conditions
   std::vector<ReducedPoly> equations_; ///< nonlinear: rest = sum cofactors (condition), scale 1
   std::optional<ReducedPoly> number_;  ///< an equation that is a number other than 0
 };
 
-/// The NODE, or nothing if it is not found with case distinctions of this depth.
+/// The NODE, or nothing if it is not found with case distinctions of this depth.  `known` may come
+/// from searches before, in the same ring.
 /// Errors  OutOfBudget
 /// Example refutation(ring, {{a.num(), Sign::positive}, {-a.num(), Sign::nonnegative}}, 1).has_value()
 ///         // -> yes
 /// Example refutation(ring, {{a.num(), Sign::positive}}, 1).has_value()  // -> no
 [[nodiscard]] std::optional<Json> refutation(const Ring& ring, const std::vector<Condition>& given,
-                                             int depth, const Budget& budget = {});
+                                             int depth, const Budget& budget = {},
+                                             const SharedFactorizations& known = {});
 /// The same for the conditions and the negation of c.
 [[nodiscard]] std::optional<Json> shown(const Ring& ring, std::vector<Condition> given,
-                                        const Condition& c, int depth, const Budget& budget = {});
+                                        const Condition& c, int depth, const Budget& budget = {},
+                                        const SharedFactorizations& known = {});
 /// not (f, sign)
 [[nodiscard]] Condition negation(const Condition& c);
 

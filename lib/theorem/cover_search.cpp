@@ -33,7 +33,7 @@ private:
 
   std::optional<Json> node(const std::vector<Condition>& given, Known known, int depth) {
     budget_.check();
-    const RealFacts facts(ring_, given);
+    const RealFacts facts(ring_, given, factorizations_);
     if (auto end = facts.contradiction()) return end;
     if (depth == 0) return std::nullopt;
     for (std::size_t i = 0; i < atoms_.size(); ++i)
@@ -57,7 +57,7 @@ private:
   }
   [[nodiscard]] bool follows(std::vector<Condition> given, const Condition& c) const {
     given.push_back(negation(c));
-    return RealFacts(ring_, std::move(given)).contradiction().has_value();
+    return RealFacts(ring_, std::move(given), factorizations_).contradiction().has_value();
   }
 
   // The piece that is not excluded and lacks least.
@@ -82,7 +82,7 @@ private:
     for (const std::size_t i : piece.word)
       word.push_back(json_text(std::to_string(i)));
     for (const Condition& c : piece.region) {
-      auto proof = shown(ring_, given, c, proof_depth, budget_);
+      auto proof = shown(ring_, given, c, proof_depth, budget_, factorizations_);
       if (!proof) return std::nullopt;
       proofs.push_back(*std::move(proof));
     }
@@ -97,7 +97,7 @@ private:
                                            const Condition& c) const {
     auto with = given;
     with.push_back(negation(c));
-    const auto splits = RealFacts(ring_, with).splits();
+    const auto splits = RealFacts(ring_, with, factorizations_).splits();
     if (c.sign == Sign::positive && c.p.length() > 1)
       for (const RealFacts::Split& s : splits)
         if (!s.ordered && s.p.length() < c.p.length()) return s;
@@ -133,6 +133,7 @@ private:
   Ring ring_;
   const std::vector<CoverPiece>& pieces_;
   const Budget& budget_;
+  SharedFactorizations factorizations_ = std::make_shared<Factorizations>();
   std::vector<Condition> atoms_;
   std::vector<std::vector<std::size_t>> atoms_of_; ///< of each piece
 };
