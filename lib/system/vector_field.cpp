@@ -136,13 +136,12 @@ Legendre legendre(const MFraction& lagrangian, const std::vector<std::size_t>& v
     throw DomainError("the kinetic energy is degenerate: dL/dOmega = M cannot be solved");
   Legendre result;
   result.velocities = *solve_linear(mass, rest);
-  Substitution back;
+  // L = v.Mv/2 + b.v + c and p = Mv + b: then p.v - L = (p - b).v/2 - c, of one denominator.
   MFraction pairing(ring);
-  for (std::size_t i = 0; i < n; ++i) {
-    back[velocities[i]] = result.velocities[i];
-    pairing += MFraction::variable(ring, momenta[i]) * result.velocities[i];
-  }
-  result.hamiltonian = pairing - substitute(lagrangian, back);
+  for (std::size_t i = 0; i < n; ++i)
+    pairing += rest[i] * result.velocities[i];
+  result.hamiltonian =
+      pairing * MFraction(ring, Rational(Integer(1), Integer(2))) - substitute(lagrangian, at_rest);
   return result;
 }
 
