@@ -182,7 +182,7 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
   const Covers composed(result, directory);
   const Openness settled(result);
   settle_hypotheses(result, directory);
-  if (options.want_bundle) certify_whole(result, directory, options.decide.budget);
+  if (options.with_bundle) certify_whole(result, directory, options.decide.budget);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

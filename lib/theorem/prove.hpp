@@ -10,7 +10,7 @@ namespace kov {
 
 struct ProveOptions {
   Options decide;
-  bool want_bundle = false; ///< all of it as one certificate (bundle.hpp)
+  bool with_bundle = true; ///< all of it as one certificate (bundle.hpp), if it is proved
   /// After each step: the step, and what is known so far (the rest is open).
   std::function<void(const NodeResult&, const TheoremResult&)> progress;
 };

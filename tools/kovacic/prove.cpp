@@ -70,7 +70,6 @@ int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std
   const std::string format = output_format(settings);
   ProveOptions options;
   options.decide = settings.solver_options();
-  options.want_bundle = settings.certificate.ends_with(".json");
   options.progress = [&](const NodeResult& n, const TheoremResult& so_far) {
     if (screen >= 0)
       (void)::dprintf(screen, "%-9s %5.1f s  %s\n", to_string(n.status).c_str(), n.seconds,
@@ -80,7 +79,7 @@ int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std
   const TheoremResult result = kov::prove(read(), options);
   write_certificates(settings, result);
   out << rendered(result, format, settings.verbose > 0);
-  if (options.want_bundle && !result.complete() && format == "text")
+  if (settings.certificate.ends_with(".json") && !result.complete() && format == "text")
     out << settings.certificate << " is not written: the theorem is not proved\n";
   return exit_of(result);
 }
