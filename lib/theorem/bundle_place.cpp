@@ -95,10 +95,30 @@ Json FamilyWriter::json() {
   if (!inverses.empty()) system.emplace_back("inverses", json_list(std::move(inverses)));
   system.emplace_back("hamiltonian", function(*v.hamiltonian));
   system.emplace_back("brackets", json_list(std::move(brackets)));
-  return Json{Json::Object{{"name", json_text(name_)},
-                           {"parameters", json_list(std::move(names))},
-                           {"system", Json{std::move(system)}},
-                           {"assumptions", json_conditions(assumptions_)}}};
+  Json::Object family{{"name", json_text(name_)},
+                      {"parameters", json_list(std::move(names))},
+                      {"system", Json{std::move(system)}},
+                      {"assumptions", json_conditions(assumptions_)}};
+  if (s_.lagrangian && is_constant(s_.lagrangian->den()))
+    family.emplace_back("lagrangian", lagrangian());
+  return Json{std::move(family)};
+}
+
+// (L1) to (L3): the Lagrangian has the velocities as names of its own.
+Json FamilyWriter::lagrangian() {
+  const VectorField& v = s_.field;
+  std::vector<Json> velocities;
+  for (std::size_t i = 0; i < s_.velocities.size(); ++i)
+    velocities.push_back(Json{Json::Object{{"name", json_text(v.ring->name(s_.velocities[i]))},
+                                           {"momentum", json_text(v.name(i))},
+                                           {"value", function(s_.velocity_values[i])}}});
+  std::vector<std::string> names = ring()->names();
+  for (const std::size_t w : s_.velocities)
+    names.push_back(v.ring->name(w));
+  const MFraction& l = *s_.lagrangian;
+  return Json{Json::Object{
+      {"value", over_number(in_ring(l.num(), make_ring(names)), l.den().coefficient(0))},
+      {"velocities", json_list(std::move(velocities))}}};
 }
 
 BundleTarget target_of(const FamilyWriter& y, const std::vector<Condition>& region, bool real) {

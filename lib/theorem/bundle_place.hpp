@@ -30,6 +30,8 @@ public:
   [[nodiscard]] Condition moved(const Condition& c) const;
 
 private:
+  [[nodiscard]] Json lagrangian();
+
   System s_;
   std::string name_;
   PhaseWriter writer_;

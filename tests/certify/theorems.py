@@ -107,6 +107,23 @@ def reflection(top):
     s["values"]["M1"], s["back"][0][0] = "-M1", "-1"
 
 
+def lagrangian(top):
+    return system(top, "sliding_top.toml")["lagrangian"]
+
+
+def momentum_in_lagrangian(top):
+    """L + M1 Omega2 - M2 Omega1 has the same energy, and its derivatives are no functions of the velocities alone"""
+    l = lagrangian(top)
+    value, n = l["value"]
+    l["value"] = [f"{value} + {n}*M1*Omega2 - {n}*M2*Omega1", n]
+
+
+def cubic_lagrangian(top):
+    l = lagrangian(top)
+    value, n = l["value"]
+    l["value"] = [f"{value} + {n}*Omega1^3", n]
+
+
 HEAVY_TRAPS = {
     # signs
     "a leaf without what is strict": lambda t: [to(n, "terms", []) for n in nodes(tree(t), "empty")][:1],
@@ -186,6 +203,16 @@ SLIDING_TRAPS = {
     "gravity at a body without": lambda t: to(step(t, "lemma-3"), "at", [["B", "A"], ["L3", "0"]]),
     "another family": lambda t: to(step(t, "long-axis"), "at", [["C", "A - B"], ["g", "0"], ["L2", "0"], ["L3", "0"]]),
     "the triangle inequality forgotten": lambda t: without(step(t, "asymmetric-step")["region"], 4),
+    "another Lagrangian": lambda t: to(lagrangian(t)["value"], 1, "1"),
+    "velocities of another Lagrangian": lambda t: to(lagrangian(t)["velocities"][0], "value", "M1"),
+    "momenta in another order": lambda t: [to(lagrangian(t)["velocities"][i], "momentum", f"M{2 - i}") for i in (0, 1)],
+    "one momentum for two velocities": lambda t: to(lagrangian(t)["velocities"][1], "momentum", "M1"),
+    "a momentum that is a velocity": lambda t: to(lagrangian(t)["velocities"][0], "momentum", "Omega1"),
+    "a velocity with the name of a parameter": lambda t: to(lagrangian(t)["velocities"][0], "name", "A"),
+    "a Lagrangian of the momenta": momentum_in_lagrangian,
+    "a Lagrangian that is not quadratic": cubic_lagrangian,
+    "a Lagrangian without a velocity": lambda t: without(lagrangian(t)["velocities"], 2),
+    "the energy of another system": lambda t: to(system(t, "sliding_top.toml, g = 0"), "lagrangian", lagrangian(t)),
     "the family forgotten": lambda t: without(step(t, "asymmetric-step")["region"], -1),
 }
 

@@ -4,6 +4,7 @@ A Family is X; a Target is Y with the conditions that its parameters must satisf
 from itertools import combinations
 
 from certificate_format import Malformed, need, read
+from legendre import Lagrangian
 from multivariate import ONE, P, parse
 from phase_space import Function, PhaseSpace, total
 from real_proof import conditions, refute, show
@@ -20,6 +21,8 @@ class Family:
         self.space = PhaseSpace(d["system"], d["parameters"])
         self.names = {x: self.space.at[x] for x in self.parameters}
         self.assumptions = conditions(d["assumptions"], self.names)
+        given = d.get("lagrangian")
+        self.lagrangian = Lagrangian(given, self.space) if given else None
 
     def region(self, rows):
         return conditions(rows, self.names)

@@ -4,7 +4,9 @@ from system_format import SYSTEM, right
 
 FORMAT = "kovacic-theorem/1"
 COND = {"p": "text", "sign": "text"}
-FAMILY = {"name": "text", "parameters": ["text"], "system": SYSTEM, "assumptions": [COND]}
+VELOCITY = {"name": "text", "momentum": "text", "value": "any"}
+FAMILY = {"name": "text", "parameters": ["text"], "system": SYSTEM, "assumptions": [COND],
+          "lagrangian?": {"value": "any", "velocities": [VELOCITY]}}
 SHOWN = {"over": "text", "value": "text", "by": "any", "square?": "true"}
 CHOSEN = {"chosen": [["any"]], "by": "any"}
 ROOT = {"name": "text", "square": "any"}

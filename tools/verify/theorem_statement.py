@@ -55,6 +55,8 @@ def system(family):
     yield "  " + ", ".join([*pairs, f"H = {function(space.hamiltonian, space.names)}"])
     for u in space.inverses:
         yield f"  {u} = 1/({polynomial(space.denominators[space.at[u]].p, space.names)})"
+    if family.lagrangian:
+        yield family.lagrangian.line()
     if family.assumptions:
         yield "  " + conditions(family.assumptions, space)
 

@@ -475,6 +475,8 @@ Family read_family(const Node& n, Arithmetic& a) {
   space.need_symbols();
   static_cast<void>(space.field());
   f.assumptions = f.region(k.at("assumptions"));
+  if (const auto lagrangian = k.find("lagrangian"))
+    f.lagrangian = read_lagrangian(*lagrangian, f.system, a);
   k.done();
   return f;
 }

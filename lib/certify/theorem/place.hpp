@@ -2,6 +2,7 @@
 // A system X(p) and the system Y that it is in other coordinates: theorem_certificates.md 4.
 
 #include "certify/system/phase_space.hpp"
+#include "certify/theorem/legendre.hpp"
 #include "certify/theorem/real_proof.hpp"
 #include "certify/theorem/tower.hpp"
 
@@ -15,6 +16,7 @@ struct Family {
   std::string name;
   PhaseSystem system;
   Conditions assumptions; ///< in the ring of the system
+  std::optional<LagrangianForm> lagrangian{};
 
   [[nodiscard]] bool is_parameter(std::size_t i) const { return i >= system.first_parameter(); }
   /// Refuses a polynomial with coordinates or inverses.

@@ -57,6 +57,7 @@ void put_system(std::vector<std::string>& lines, const Family& f) {
   for (std::size_t k = 0; k < s.inverses.size(); ++k)
     lines.push_back("  " + names[s.first_inverse() + k] + " = 1/(" + to_string(s.inverses[k]) +
                     ")");
+  if (f.lagrangian) lines.push_back(shown_lagrangian(*f.lagrangian, s));
   if (!f.assumptions.empty()) lines.push_back("  " + text(f.assumptions));
 }
 

@@ -1,0 +1,122 @@
+#include "certify/theorem/legendre.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "certify/system/phase_space.hpp"
+#include "certify/text/limits.hpp"
+#include "certify/theorem/tower.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+struct VelocityNode {
+  std::string name, momentum;
+  Node value;
+};
+
+std::vector<VelocityNode> read_velocities(const Node& n) {
+  std::vector<VelocityNode> all;
+  for (const Node& row : n.items()) {
+    Keys k(row);
+    all.push_back({k.at("name").text(), k.at("momentum").text(), k.at("value")});
+    k.done();
+  }
+  if (all.empty()) n.fail("a velocity is expected");
+  return all;
+}
+
+class Legendre {
+public:
+  Legendre(const Node& n, const PhaseSystem& s, Arithmetic& a) : s_(s), in_(s.ring, a) {
+    Keys k(n);
+    const Node velocities = k.at("velocities");
+    const auto rows = read_velocities(velocities);
+    std::vector<std::string> names = s.ring->names();
+    for (const VelocityNode& row : rows)
+      names.push_back(row.name);
+    if (names.size() > max_phase_names) n.fail("more than 64 names");
+    l_.value = read(ring_of(velocities, names), k.at("value"));
+    k.done();
+    for (const VelocityNode& row : rows) {
+      const auto i = s.ring->find(row.momentum);
+      if (!i || *i >= s.dimension) velocities.fail("a momentum is no coordinate");
+      need(std::find(l_.momenta.begin(), l_.momenta.end(), *i) == l_.momenta.end(),
+           "a momentum occurs twice");
+      l_.momenta.push_back(*i);
+      l_.velocities.push_back(read(s.ring, row.value));
+    }
+  }
+
+  LagrangianForm operator()() {
+    need_quadratic();
+    const PhaseSpace space(s_, in_.arithmetic());
+    PhaseFunction energy = in_.minus(in_.zero(), at_velocities(l_.value));
+    for (std::size_t i = 0; i < l_.momenta.size(); ++i) {
+      const PhaseFunction momentum = in_.variable(l_.momenta[i]);
+      const PhaseFunction slope{derivative(l_.value.p, s_.ring->size() + i), l_.value.n};
+      space.need_cleared(in_.minus(at_velocities(slope), momentum), {},
+                         "a momentum is not the derivative of the Lagrangian");
+      energy = in_.plus(energy, in_.times(momentum, l_.velocities[i]));
+    }
+    space.need_cleared(in_.minus(energy, *s_.hamiltonian), {},
+                       "the Hamiltonian is not that of the Lagrangian");
+    return l_;
+  }
+
+private:
+  static PhaseFunction read(const Ring& ring, const Node& n) {
+    PhaseFunction f = read_phase_function(ring, n);
+    if (is_zero(f.n)) n.fail("a number is 0");
+    return f;
+  }
+
+  // (L1)
+  void need_quadratic() const {
+    const MPoly& f = l_.value.p;
+    for (const std::size_t m : l_.momenta) {
+      need(!uses(f, m), "the Lagrangian depends on a momentum");
+      for (std::size_t k = 0; k < s_.inverses.size(); ++k)
+        need(!uses(f, s_.first_inverse() + k) || !uses(s_.inverses[k], m),
+             "the Lagrangian depends on a momentum");
+    }
+    for (long t = 0; t < f.length(); ++t) {
+      const auto e = f.exponents(t);
+      unsigned long degree = 0;
+      for (std::size_t i = s_.ring->size(); i < e.size(); ++i)
+        degree = std::max(degree + e[i], e[i]); // no overflow
+      need(degree <= 2, "the Lagrangian is not quadratic in the velocities");
+    }
+  }
+
+  PhaseFunction at_velocities(const PhaseFunction& f) const {
+    std::vector<std::optional<PhaseFunction>> images;
+    for (std::size_t i = 0; i < s_.ring->size(); ++i)
+      images.emplace_back(in_.variable(i));
+    images.insert(images.end(), l_.velocities.begin(), l_.velocities.end());
+    return in_.composed(f, images);
+  }
+
+  const PhaseSystem& s_;
+  Functions in_;
+  LagrangianForm l_;
+};
+
+} // namespace
+
+LagrangianForm read_lagrangian(const Node& n, const PhaseSystem& s, Arithmetic& a) {
+  return Legendre(n, s, a)();
+}
+
+std::string shown_lagrangian(const LagrangianForm& l, const PhaseSystem& s) {
+  const Ring& ring = l.value.p.ring();
+  std::string line = "  H is the energy of the Lagrangian L = ";
+  line += l.value.n == Integer(1) ? to_string(l.value.p)
+                                  : "(" + to_string(l.value.p) + ")/" + to_string(l.value.n);
+  for (std::size_t i = 0; i < l.momenta.size(); ++i)
+    line += ", " + ring->name(l.momenta[i]) + " = dL/d" + ring->name(s.ring->size() + i);
+  return line;
+}
+
+} // namespace kov::certify
