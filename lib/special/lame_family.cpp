@@ -93,17 +93,18 @@ class Recognizer {
 public:
   Recognizer(const MFraction& r, std::size_t z) : ring_(r.ring()), z_(z) { note(r.den()); }
 
-  // `variable`: what z is called, z or (z - c)^2
+  // `variable`: what w is called, z or (z - c)^2
   std::optional<LameFamilyForm> try_all(const Fraction& r, const std::vector<MFraction>& places,
-                                        const std::string& variable) {
+                                        const std::string& variable, const MFraction& w) {
     if (r.num.size() > 10 || r.den.size() > 12) return std::nullopt;
     if (const auto form = lame_form(r))
-      return found(*form, variable + " = " + plus("x", form->shift));
+      return found(*form, variable + " = " + plus("x", form->shift), w - form->shift);
     for (const MFraction& c : places) {
       const auto form = lame_form(turned(r, c));
       if (!form) continue;
       note(c.den());
-      return found(*form, variable + " = " + plus("1/(" + plus("x", form->shift) + ")", c));
+      return found(*form, variable + " = " + plus("1/(" + plus("x", form->shift) + ")", c),
+                   pow(w - c, -1) - form->shift);
     }
     return std::nullopt;
   }
@@ -117,10 +118,10 @@ public:
   }
 
 private:
-  LameFamilyForm found(const Form& form, const std::string& change) {
+  LameFamilyForm found(const Form& form, const std::string& change, MFraction map) {
     for (const MFraction* f : {&form.alpha, &form.p.b, &form.p.g2, &form.p.g3, &form.shift})
       if (f->ring()) note(f->den());
-    return {form.alpha, form.p, change, false, generic_};
+    return {form.alpha, form.p, change, z_, std::move(map), false, generic_};
   }
 
   Ring ring_;
@@ -187,7 +188,9 @@ std::optional<LameFamilyForm> recognize_lame(const MFraction& r, std::size_t z,
   if (degree(r.num(), z) > largest || degree(r.den(), z) > largest) return std::nullopt;
   const std::string name = r.ring()->name(z);
   const Fraction direct{in_z(r.num(), z), in_z(r.den(), z)};
-  if (auto form = Recognizer(r, z).try_all(direct, rational_places(r.den(), z), name)) return form;
+  const MFraction x = MFraction::variable(r.ring(), z);
+  if (auto form = Recognizer(r, z).try_all(direct, rational_places(r.den(), z), name, x))
+    return form;
   const Polynomial& d = direct.den;
   if (d.size() < 2) return std::nullopt;
   const MFraction centre =
@@ -200,7 +203,7 @@ std::optional<LameFamilyForm> recognize_lame(const MFraction& r, std::size_t z,
   recognizer.note(centre.den());
   const std::string square = is_zero(centre) ? name + "^2" : "(" + plus(name, -centre) + ")^2";
   auto form = recognizer.try_all({in_z(rho.num(), z), in_z(rho.den(), z)},
-                                 rational_places(rho.den(), z), square);
+                                 rational_places(rho.den(), z), square, pow(x - centre, 2));
   if (form) form->squared = true;
   return form;
 }

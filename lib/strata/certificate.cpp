@@ -72,7 +72,7 @@ public:
     whole_.tree = node(*a_.tree, {KnownFacts(q_.r.ring(), q_.assumptions, groups(q_)), whole_.r});
     if (said_.size() == 1 && !open_) whole_.abelian = said_.front() == Truth::yes;
     result_.json = certify::write_strata_certificate(whole_);
-    result_.says_anything = !said_.empty();
+    result_.says_anything = result_.says_anything || !said_.empty();
     if (const auto no = refused(result_.json)) {
       result_.refusal = (no->step.empty() ? "" : no->step + ": ") + no->why;
       result_.limit = no->limit;
@@ -158,9 +158,9 @@ private:
     const Leaf& l = *t.leaf;
     if (l.no_equation())
       if (auto outside = no_points(state)) return node_of(*outside);
-    if (l.abelian == Truth::unknown) return node_of(open(open_condition(l)));
-    say(l.abelian);
     std::vector<Lemma> lemmas;
+    if (l.abelian == Truth::unknown) return parts(t, state, lemmas);
+    say(l.abelian);
     try {
       const MFraction r(state.r.num, state.r.den);
       auto n = leaf_certificate(l, r, *t.region, state.facts, lemmas, budget_);
@@ -168,6 +168,21 @@ private:
     } catch (const NoProof& why) {
       return node_of(trusted(l, why));
     }
+  }
+
+  // The parts of an open stratum: a closed criterion tells where it is abelian.
+  Subtree parts(const ProofTree& t, State& state, std::vector<Lemma>& lemmas) {
+    const Leaf& l = *t.leaf;
+    if (is_zero(state.r.den)) return node_of(open(open_condition(l)));
+    try {
+      const MFraction r(state.r.num, state.r.den);
+      if (auto n = criterion_certificate(l, r, *t.region, state.facts, lemmas, budget_)) {
+        open_ = result_.says_anything = true; // more than one verdict
+        return with_lemmas(std::move(lemmas), node_of(*std::move(n)));
+      }
+    } catch (const NoProof&) { // nothing is said of the parts
+    }
+    return node_of(open(open_condition(l)));
   }
 
   // No admitted points: r has no value, or all polynomials of a group are 0.
@@ -359,7 +374,7 @@ void certify(StrataAnswer& a, const Budget& budget) {
   if (a.certificate->refusal.empty()) return trust_what_is_not_checked(a);
   a.refusal = a.certificate->refusal;
   for (Stratum& s : a.strata) {
-    if (s.leaf.abelian == Truth::unknown) continue;
+    if (s.leaf.abelian == Truth::unknown && s.leaf.parts.empty()) continue;
     s.leaf = open_leaf(RefusedByChecker{a.refusal});
   }
 }

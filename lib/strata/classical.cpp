@@ -177,6 +177,7 @@ private:
       if (!square || n > 3) return false;
       for (long k = 0; k < n; ++k)
         squares_.push_back(*square);
+      numbers_.push_back(*square);
       regular_.push_back(i);
     }
     return true;
@@ -189,9 +190,11 @@ private:
   [[nodiscard]] const Ring& ring() const { return s_.r.ring(); }
 
   using Named = std::vector<std::pair<std::string, MFraction>>;
-  Answer found(Classical family, Named squares) {
-    return ClassicalAnswer{{family, std::move(squares), MFraction(ring()), 1}, parts_.take()};
+  Answer found(Classical family, Named squares, std::optional<ClassicalEquation> equation = {}) {
+    ClassicalForm form{family, std::move(squares), MFraction(ring()), 1};
+    return ClassicalAnswer{std::move(form), parts_.take(), std::move(equation)};
   }
+  [[nodiscard]] MFraction variable() const { return MFraction::variable(ring(), s_.z); }
 
   Answer regular() {
     if (squares_.size() == 2) return euler(squares_[0]);
@@ -199,7 +202,10 @@ private:
     Riemann riemann(squares_, parts_);
     riemann.run();
     const Squares& s = riemann.squares();
-    return found(Classical::riemann, {{"l", s[0]}, {"m", s[1]}, {"n", s[2]}});
+    ClassicalEquation equation{s_.z, variable(), s_.r, {}, numbers_};
+    for (const PlaceIndex i : regular_)
+      if (!place_at(s_, i).at_infinity) equation.factors.push_back(place_at(s_, i).q);
+    return found(Classical::riemann, {{"l", s[0]}, {"m", s[1]}, {"n", s[2]}}, std::move(equation));
   }
 
   Answer euler(const MFraction& square) {
@@ -217,9 +223,9 @@ private:
     return found(Classical::euler, {{"l", square}});
   }
 
-  // r with the irregular place at infinity and the regular one at 0.
-  [[nodiscard]] MFraction moved() const {
-    const MFraction x = MFraction::variable(ring(), s_.z);
+  // The irregular place goes to infinity and the regular one to 0.
+  [[nodiscard]] ClassicalEquation moved() const {
+    const MFraction x = variable();
     const auto root = [&](PlaceIndex i) {
       const auto line = coefficients(place_at(s_, i).q, s_.z);
       return -(MFraction(line[0]) / MFraction(line[1]));
@@ -227,53 +233,60 @@ private:
     const ParametricPlace& irregular = place_at(s_, irregular_[0]);
     const bool other = !regular_.empty();
     MFraction r = s_.r;
+    MFraction change = x;
     MFraction shift(ring());
     if (!irregular.at_infinity) {
       const MFraction c = root(irregular_[0]);
+      change = pow(x - c, -1);
       r = substitute(r, {{s_.z, c + pow(x, -1)}}) * pow(x, -4);
       if (other && !place_at(s_, regular_[0]).at_infinity) shift = pow(root(regular_[0]) - c, -1);
     } else if (other) {
       shift = root(regular_[0]);
     }
-    return substitute(r, {{s_.z, x + shift}});
+    return {s_.z, change - shift, substitute(r, {{s_.z, x + shift}}), {}, {}};
   }
 
   Answer confluent() {
     const long order = place_at(s_, irregular_[0]).order;
     const bool alone = squares_.empty();
     if (order == 3 && !alone) return ramified_bessel(squares_[0]);
-    const MFraction x = MFraction::variable(ring(), s_.z);
-    const MFraction f = alone ? moved() : moved() * x * x;
+    const MFraction x = variable();
+    ClassicalEquation equation = moved();
+    const MFraction f = alone ? equation.r : equation.r * x * x;
     if (uses(f.den(), s_.z)) return {};
     std::vector<MFraction> c;
     for (const MPoly& p : coefficients(f.num(), s_.z))
       c.push_back(MFraction(p) / MFraction(f.den()));
     if (alone) return polynomial(c);
-    if (order == 4 && c.size() == 3)
-      return whittaker(c[1] * c[1] / (Rational(4) * c[2]), Rational(1, 4) * squares_[0]);
-    return {};
+    if (order != 4 || c.size() != 3) return {};
+    equation.numbers = {c[1] * c[1] / (Rational(4) * c[2]), Rational(1, 4) * squares_[0]};
+    return whittaker(std::move(equation));
   }
 
   Answer ramified_bessel(const MFraction& m) {
     parts_.split(
         SumIn{{m}, {half_integers}}, [&] { parts_.add(GroupType::Dinf); },
         [&] { parts_.add(GroupType::SL2); });
-    return found(Classical::bessel, {{"m", m}});
+    ClassicalEquation equation = moved();
+    equation.numbers = {m};
+    return found(Classical::bessel, {{"m", m}}, std::move(equation));
   }
 
-  Answer whittaker(const MFraction& k, const MFraction& m) {
+  Answer whittaker(ClassicalEquation equation) {
+    const MFraction k = equation.numbers[0];
+    const MFraction m = equation.numbers[1];
     const auto gm = [&] { parts_.add(GroupType::Gm); };
     const auto sl2 = [&] { parts_.add(GroupType::SL2); };
     if (is_zero(k)) {
       parts_.split(SumIn{{m}, {half_integers}}, gm, sl2);
-      return found(Classical::bessel, {{"m", m}});
+      return found(Classical::bessel, {{"m", m}}, std::move(equation));
     }
     const auto reducible = [&] {
       parts_.split(Separated{{Rational(4) * m, Rational(4) * k}}, gm,
                    [&] { parts_.add(GroupType::Borel); });
     };
     parts_.split(SumIn{{k, m}, {half_integers}}, reducible, sl2);
-    return found(Classical::whittaker, {{"k", k}, {"m", m}});
+    return found(Classical::whittaker, {{"k", k}, {"m", m}}, std::move(equation));
   }
 
   // c[0] + c[1] x + ... with c.back() != 0.
@@ -325,6 +338,7 @@ private:
   Parts parts_;
   std::vector<PlaceIndex> irregular_, regular_;
   Squares squares_; ///< of the differences at the regular places, one for each root
+  Squares numbers_; ///< the same, one for each place
 };
 
 // ---- Lame: lame.md
@@ -348,10 +362,20 @@ public:
       return *std::move(needs);
     ClassicalForm found{Classical::lame, {{"2*n + 1", square}}, MFraction(ring), 1};
     found.values = {{"B", p_.b}, {"g2", p_.g2}, {"g3", p_.g3}};
-    return ClassicalAnswer{std::move(found), parts_.take()};
+    return ClassicalAnswer{std::move(found), parts_.take(), equation(square)};
   }
 
 private:
+  // f = 4x^3 - g2 x - g3:  r = f''/(4f) - 3 f'^2/(16 f^2) + (alpha x + B)/f
+  [[nodiscard]] ClassicalEquation equation(const MFraction& square) const {
+    const Ring& ring = form_.alpha.ring();
+    const MFraction x = MFraction::variable(ring, form_.z);
+    const MFraction f = Rational(4) * (x * x * x) - p_.g2 * x - p_.g3;
+    const MFraction slope = derivative(f, form_.z);
+    const MFraction r = (Rational(1, 4) * derivative(slope, form_.z) + form_.alpha * x + p_.b) / f -
+                        Rational(3, 16) * (slope * slope) / (f * f);
+    return {form_.z, form_.map, r, {f.num()}, {number(ring, Rational(1, 4)), square}};
+  }
   [[nodiscard]] std::optional<Needs> must_not_vanish(const MPoly& f) const {
     auto doubt = region_.doubtful_factor(f);
     if (!doubt) return std::nullopt;
@@ -538,6 +562,10 @@ Answer classical_answer(const Scheme& s, const Region& region, const Budget& bud
     if (auto* found = std::get_if<ClassicalAnswer>(&answer)) {
       found->form.centre = centre;
       found->form.power = below->power;
+      if (auto& equation = found->equation)
+        equation->change =
+            substitute(equation->change,
+                       {{s.z, pow(MFraction::variable(s.r.ring(), s.z) - centre, below->power)}});
       for (Part& part : found->parts)
         pull_back(part, s);
     }

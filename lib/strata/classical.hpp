@@ -15,9 +15,18 @@
 
 namespace kov::strata {
 
+/// y'' = r y in x = change(z), for a certificate: strata_certificates.md 7.8.
+struct ClassicalEquation {
+  std::size_t z = 0; ///< also the name of x
+  MFraction change, r;
+  std::vector<MPoly> factors;     ///< of Riemann, Lame: the finite places
+  std::vector<MFraction> numbers; ///< squares, as the format wants them
+};
+
 struct ClassicalAnswer {
   ClassicalForm form;
   std::vector<Part> parts; ///< at least one; disjoint, and they cover the stratum
+  std::optional<ClassicalEquation> equation{}; ///< where the format has a rule
 };
 
 /// Unset: another equation.  Needs: the answer depends on whether this vanishes.

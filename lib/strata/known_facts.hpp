@@ -28,6 +28,7 @@ public:
 
   [[nodiscard]] const std::vector<Condition>& conditions() const noexcept { return conditions_; }
   [[nodiscard]] const std::vector<std::vector<MPoly>>& generic() const noexcept { return generic_; }
+  [[nodiscard]] const std::vector<Membership>& memberships() const noexcept { return memberships_; }
   [[nodiscard]] bool is_real(const MPoly& p) const;
 
   /// What is left of p after division by the members of `nonzero`: constant if p is known != 0.

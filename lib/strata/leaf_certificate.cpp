@@ -2,6 +2,8 @@
 
 #include "exact/error.hpp"
 #include "exact/modular.hpp"
+#include "strata/classical.hpp"
+#include "strata/classical_certificate.hpp"
 #include "strata/decide_leaf.hpp"
 #include "strata/irrational.hpp"
 
@@ -353,6 +355,16 @@ Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s, const R
   throw otherwise;
 }
 
+// The closed answer of the classical equation that a leaf is, if it is one.
+std::optional<ClassicalAnswer> closed_answer(const Leaf& leaf, const Region& region,
+                                             const Budget& budget) {
+  if (evidence<ClassicalForm>(leaf) == nullptr && leaf.by != Conclusion::bessel)
+    return std::nullopt;
+  auto answer = classical_answer(*leaf.scheme, Region(region), budget);
+  auto* found = std::get_if<ClassicalAnswer>(&answer);
+  return found != nullptr ? std::optional(std::move(*found)) : std::nullopt;
+}
+
 } // namespace
 
 LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& region,
@@ -368,17 +380,46 @@ LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& re
     if (rule_of(one.by) == nullptr) return std::nullopt;
     return LeafNode{false, writer.places()};
   };
-  const bool invariant = evidence<InvariantFound>(leaf) != nullptr;
-  auto fewer = invariant ? std::nullopt
-                         : LeafWriter(leaf, region, facts, lemmas, budget).with_fewer_logarithms();
-  auto node = fewer ? written(by_places(
-                          leaf, std::make_shared<const Scheme>(*std::move(fewer)), region, budget,
-                          {Gap::logarithm, "a logarithm has no exact proof that the format shows"}))
-              : leaf.by == Conclusion::bessel || leaf.by == Conclusion::classical
-                  ? written(by_places(leaf, leaf.scheme, region, budget, no_rule))
-                  : written(leaf);
-  if (!node) throw no_rule;
-  return *std::move(node);
+  const auto by_rules = [&]() -> std::optional<LeafNode> {
+    const bool invariant = evidence<InvariantFound>(leaf) != nullptr;
+    auto fewer = invariant
+                     ? std::nullopt
+                     : LeafWriter(leaf, region, facts, lemmas, budget).with_fewer_logarithms();
+    if (fewer) {
+      const auto weaker = std::make_shared<const Scheme>(*std::move(fewer));
+      const NoProof no_log(Gap::logarithm, "a logarithm has no exact proof that the format shows");
+      return written(by_places(leaf, weaker, region, budget, no_log));
+    }
+    if (leaf.by == Conclusion::bessel || leaf.by == Conclusion::classical)
+      return written(by_places(leaf, leaf.scheme, region, budget, no_rule));
+    return written(leaf);
+  };
+  // the places first: they say more of the equation than a closed answer does
+  const auto closed = [&]() -> std::optional<LeafNode> {
+    const auto answer = closed_answer(leaf, region, budget);
+    if (!answer) return std::nullopt;
+    return classical_leaf(*answer, leaf.abelian, region, facts, lemmas);
+  };
+  try {
+    if (auto node = by_rules()) return *std::move(node);
+  } catch (const NoProof&) {
+    if (auto node = closed()) return *std::move(node);
+    throw;
+  }
+  if (auto node = closed()) return *std::move(node);
+  throw no_rule;
+}
+
+std::optional<LeafNode> criterion_certificate(const Leaf& leaf, const MFraction& r,
+                                              const Region& region, KnownFacts& facts,
+                                              std::vector<Lemma>& lemmas, const Budget& budget) {
+  const bool told = !leaf.parts.empty() &&
+                    std::none_of(leaf.parts.begin(), leaf.parts.end(),
+                                 [](const Part& p) { return p.abelian == Truth::unknown; });
+  if (!told || !leaf.scheme || !(leaf.scheme->r == r)) return std::nullopt;
+  const auto answer = closed_answer(leaf, region, budget);
+  if (!answer) return std::nullopt;
+  return classical_leaf(*answer, Truth::unknown, region, facts, lemmas);
 }
 
 } // namespace kov::strata

@@ -45,6 +45,11 @@ public:
                                                  const Region& region, KnownFacts& facts,
                                                  std::vector<Lemma>& lemmas, const Budget& budget);
 
+/// The same for an open leaf whose parts are decided by a closed criterion; unset for others.
+[[nodiscard]] std::optional<certify::LeafNode>
+criterion_certificate(const Leaf& leaf, const MFraction& r, const Region& region, KnownFacts& facts,
+                      std::vector<Lemma>& lemmas, const Budget& budget);
+
 /// The certificate of an equation without parameters.
 [[nodiscard]] certify::Certificate number_certificate(const Decision& d);
 

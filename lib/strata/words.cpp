@@ -1,6 +1,9 @@
 #include "strata/words.hpp"
 
 #include "decide/words.hpp"
+#include "recognize/canonical_names.hpp"
+
+#include <set>
 
 namespace kov::strata {
 namespace {
@@ -191,6 +194,29 @@ std::string not_special(const Leaf& leaf) {
          "; that is not so on this stratum";
 }
 
+// ", n_1 = 2*n + 1": a letter of the canonical form that the equation has for something else gets
+// an index.
+std::string numbers_of(const ClassicalForm& form, const Scheme& s) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto& [name, square] : form.squares) {
+    const auto root = square_root(square);
+    all.emplace_back(name, root ? to_string(*root) : "sqrt(" + to_string(square) + ")");
+  }
+  for (const auto& [name, value] : form.values)
+    all.emplace_back(name, is_zero(value) ? std::string("0") : to_string(value));
+  std::set<std::string> taken;
+  for (const std::size_t i : used_variables(s.r))
+    if (i != s.z) taken.insert(s.r.ring()->name(i));
+  auto letters = all;
+  if (form.family == Classical::lame && all.front().first == all.front().second)
+    letters.emplace_back("n", "n"); // 2*n + 1 is 2*n + 1
+  const auto fresh = fresh_names(letters, taken);
+  std::string text;
+  for (const auto& [name, value] : all)
+    if (value != name) text += ", " + renamed(name, fresh) + " = " + value;
+  return text;
+}
+
 std::string classical(const Leaf& leaf) {
   const auto& form = *evidence<ClassicalForm>(leaf);
   const Ring& ring = leaf.scheme->r.ring();
@@ -204,14 +230,7 @@ std::string classical(const Leaf& leaf) {
                  ? ring->name(leaf.scheme->z)
                  : "(" + to_string(MFraction::variable(ring, leaf.scheme->z) - form.centre) + ")") +
             "^" + std::to_string(form.power);
-  for (const auto& [name, square] : form.squares) {
-    const auto root = square_root(square);
-    const std::string value = root ? to_string(*root) : "sqrt(" + to_string(square) + ")";
-    if (value != name) text += ", " + name + " = " + value;
-  }
-  for (const auto& [name, value] : form.values)
-    text += ", " + name + " = " + (is_zero(value) ? std::string("0") : to_string(value));
-  return text + ": its closed answer";
+  return text + numbers_of(form, *leaf.scheme) + ": its closed answer";
 }
 
 std::string argument(const Leaf& leaf, std::size_t longest) {

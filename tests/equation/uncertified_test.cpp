@@ -116,5 +116,40 @@ TEST(Uncertified, StrataWaitForANamedRule) {
   EXPECT_LE(uncertified, 3U);
 }
 
+// Each stratum is abelian exactly where a closed criterion holds, or has a verdict; none is trusted.
+TEST(Uncertified, ClosedFamiliesHaveACertificate) {
+  const std::vector<Equation> closed{
+      {"(4*nu^2 - 1)/(4*z^2) - 1", {"nu complex"}},
+      {"(4*nu^2 - 1)/(4*z^2) - 1", {"nu in 1/2 + Z"}},
+      {"(4*nu^2 - 1)/(4*z^2) - 1", {"nu not in 1/2 + Z"}},
+      {"1/4 - k/z + (4*m^2 - 1)/(4*z^2)", {"k complex", "m complex"}},
+      {"1/4 - k/z + (4*m^2 - 1)/(4*z^2)",
+       {"k + m - 1/2 not an integer", "k - m - 1/2 not an integer"}},
+      {"1/z^4 - 4*k/z^3 + (4*m^2 - 1)/(4*z^2)", {"k complex", "m complex"}},
+      {"l*(l + 1)/z^2 - 2*e/z - 1", {"l complex", "e complex"}},
+      {"b/z + (m^2 - 1)/(4*z^2)", {"m complex", "b complex"}},
+      {"(m^2 - 1)/(4*z^2) + b*z^4", {"m complex", "b complex"}},
+      {"(l^2 - 1)/(4*z^2) + (m^2 - 1)/(4*(z - 1)^2) + (1 - l^2 - m^2 + n^2)/(4*z*(z - 1))",
+       {"l complex", "m complex", "n complex"}},
+      {"(n*(n + 1)*(z^2 - 1) - 1)/(z^2 - 1)^2", {"n complex"}},
+      {"(n*(n + 1)*(z^2 - 1) - 1)/(z^2 - 1)^2", {"n integer"}},
+      {"(n*(n + 1)*(z^2 - 1) - 1)/(z^2 - 1)^2", {"n not an integer"}},
+      {"(n*(n + 1)*(z^2 - 1) + m^2 - 1)/(z^2 - 1)^2", {"n complex", "m complex"}},
+      {"24*z/(4*(4*z^3 - 4*z)) - 3*(12*z^2 - 4)^2/(16*(4*z^3 - 4*z)^2) + (n*(n + 1)*z + B)/(4*z^3 "
+       "- 4*z)",
+       {"n complex", "B complex"}},
+      {"24*z/(4*(4*z^3 - 4*z)) - 3*(12*z^2 - 4)^2/(16*(4*z^3 - 4*z)^2) + (n*(n + 1)*z + B)/(4*z^3 "
+       "- 4*z)",
+       {"n integer", "B complex"}}};
+  for (const Equation& e : closed) {
+    const auto answer = decided(e);
+    EXPECT_EQ(answer.refusal, "") << e.r;
+    const auto c = strata::certificate(answer);
+    EXPECT_TRUE(c.says_anything) << e.r;
+    EXPECT_TRUE(c.trusted.empty() && c.left_out.empty()) << e.r << "\n" << c.json;
+    EXPECT_EQ(c.json.find("\"reason\""), std::string::npos) << e.r << "\n" << c.json;
+  }
+}
+
 } // namespace
 } // namespace kov

@@ -231,10 +231,14 @@ std::vector<MPoly> events(const StrataAnswer& a) {
   return all;
 }
 
-void attack(const Asked& asked, const Texts& also, int points, Random& random) {
+// equations: how many targets a point meets at most
+void attack(const Asked& asked, const Texts& also, int points, Random& random, int equations = 1) {
   SCOPED_TRACE(asked.command());
   const ParametricEquation f = asked.family();
-  const StrataAnswer a = decide_strata(f.question, little_time());
+  auto limits = little_time();
+  limits.decide.want_certificate = random.once_in(4);
+  const StrataAnswer a = decide_strata(f.question, limits);
+  EXPECT_EQ(a.refusal, "");
   if (a.contradictory) return;
   std::vector<MPoly> targets = events(a);
   const ParameterScope scope(f.question.r.ring(), {});
@@ -245,7 +249,8 @@ void attack(const Asked& asked, const Texts& also, int points, Random& random) {
     std::vector<MPoly> zero;
     for (const auto& c : f.question.assumptions.conditions)
       if (c.sign == Sign::zero) zero.push_back(c.p);
-    if (!targets.empty() && !random.once_in(3)) zero.push_back(random.one_of(targets));
+    for (int k = 0; k < equations && !targets.empty() && !random.once_in(3); ++k)
+      zero.push_back(random.one_of(targets));
     const auto point = random_point(f.question, zero, random);
     try {
       if (point && point->meets(f.question.assumptions)) compare_at(asked, f, a, *point);
@@ -463,6 +468,71 @@ TEST(RandomFamilies, InsideAndOutsideArithmeticConditions) {
                         random.one_of(Texts{"1", "3", "-1"}));
     }
     attack(asked, targets, 8, random);
+  });
+  report();
+}
+
+// The kinds of equations with parameters that lib/strata knows, at values at which their closed
+// conditions bite and beside them; P, Q, R are numbers, S a factor that may vanish.
+const std::vector<std::pair<const char*, Texts>> kinds{
+    {"Riemann", {riemann}},
+    {"Legendre", {"(P*(P+1)*(z^2-1)+Q^2-1)/(z^2-1)^2", "(P*(P+1)*(z^2-1)-1)/(z^2-1)^2"}},
+    {"hypergeometric at roots", {"((P^2-1)*z^2+Q)/(4*(z^2-S)^2)"}},
+    {"Euler", {"(P^2-1)/(4*z^2)", "(P^2-1)*S/(z^2-S)^2", "(P^2-1)/(4*(z-S)^2)"}},
+    {"Bessel", {"(P^2-1/4)/z^2-S", "(P^2-1)/(4*z^2)+S/z"}},
+    {"Whittaker", {"1/4-P/z+(Q^2-1/4)/z^2", "S^2/4-S*P/z+(Q^2-1/4)/z^2"}},
+    {"Coulomb", {"P*(P+1)/z^2-2*Q/z-1", "P*(P+1)/z^2-2*Q/z+S^2"}},
+    {"Weber", {"z^2+P", "S^2*z^2+2*S*P", "z^2/4-P-1/2", "S*z^2+P*z+Q"}},
+    {"polynomials", {"z^4+P*z+Q", "z^3+P*z", "S*z^4+P*z", "S*z+P"}},
+    {"Lame",
+     {"96*z/(16*(z^3-z))-3*(12*z^2-4)^2/(256*(z^3-z)^2)+(P*(P+1)*z+S)/(4*(z^3-z))",
+      "-3/16/z^2-3/16/(z-1)^2-3/16/(z-S)^2+(P*(P+1)/4*z+3/8*z+Q)/(z*(z-1)*(z-S))"}},
+    {"Mathieu", {"-3/(16*z^2)-3/(16*(z-1)^2)+3/(8*z*(z-1))+(P+S*z)/(z*(z-1))"}},
+    {"dihedral", {riemann}},
+    {"pulled back",
+     {"(16*P^2-1)/(4*z^2)-4*S*z^2", "(36*P^2-1)/(4*z^2)+9*S*z", "(4*P^2-1)/(4*z^2)-S*z^-4",
+      "9/4*z^4-9*P*z+(9*Q^2-1/4)/z^2", "(4*P^2-1)/(4*z^2)+(Q^2-1)*z^2/(z^2-1)^2"}},
+    {"irregular", {"P/z^3+Q/z^2", "1/z^4+P/z^3+Q/z^2", "S*z+P/z^2", "z^2+P+(Q^2-1/4)/z^2"}},
+    {"two irregular places", {"S+P/z+Q/z^2+1/z^4", "z^2+P/z^2+Q/z^4"}},
+    {"Heun",
+     {"(P^2-1)/(4*z^2)-3/16/(z-1)^2-3/16/(z-2)^2+(Q*z+R)/(z*(z-1)*(z-2))",
+      "-3/16*(1/z^2+1/(z-1)^2+1/(z-2)^2)+(P*z+Q)/(z*(z-1)*(z-2))"}},
+    {"confluent Heun", {"1/4+P/z+Q/(z-1)+(R^2-1)/(4*z^2)-3/16/(z-1)^2"}}};
+
+TEST(RandomFamilies, SeventeenKinds) {
+  compared = 0;
+  random_rounds(68, [](Random& random) {
+    const Texts numbers{"a",   "a",   "b", "2*a", "a+1", "a/2", "a-1/2", "a+b", "a/3",
+                        "a-b", "1/2", "1", "1/3", "0",   "c",   "3/2",   "2/5"};
+    const auto& [kind, texts] = random.one_of(kinds);
+    const std::string p = random.one_of(numbers), q = random.one_of(numbers),
+                      s = random.one_of(Texts{"c", "c", "1", "-1", "c^2+1", "b", "4"});
+    const auto with = [&](const std::string& form) {
+      return replaced(form, {{'P', p}, {'Q', q}, {'R', random.one_of(numbers)}, {'S', s}});
+    };
+    const auto squared = [](const std::string& x) { return "(" + x + ")^2"; };
+    std::string r = with(random.one_of(texts));
+    if (kind == std::string("Riemann"))
+      r = replaced(riemann,
+                   {{'P', squared(p)}, {'Q', squared(q)}, {'R', squared(random.one_of(numbers))}});
+    if (kind == std::string("dihedral"))
+      r = replaced(riemann, {{'P', "1/4"}, {'Q', squared(p)}, {'R', squared(q)}});
+    Texts assumed;
+    if (random.once_in(5))
+      assumed.push_back(random.one_of(
+          Texts{"a integer", "2*a odd integer", "a real", "a rational", "a not in 1/2+Z"}));
+    const Asked asked{"-r", r, {"a", "b", "c"}, assumed};
+    Texts targets;
+    for (const std::string& x :
+         {p, q, std::string("a"), std::string("b"), "(" + p + ")+(" + q + ")"})
+      for (const char* at : {"1/2", "1", "3/2", "2", "0", "1/3"})
+        targets.push_back("(" + x + ")-" + at);
+    for (const char* at : {"1/4", "2", "-1", "3"})
+      targets.push_back(squared(p) + "-(" + at + ")");
+    targets.push_back("c");
+    targets.push_back("c^2-2");
+    SCOPED_TRACE(kind);
+    attack(asked, targets, 12, random, 2);
   });
   report();
 }

@@ -68,11 +68,9 @@ Report judge_strata(Report r, const std::string& certificate, bool strict) {
   const auto& yes = std::get<certify::StrataAccepted>(verdict);
   r = accepted(r, yes.trusted, strict);
   r["statement"] = certify::statement(c);
-  r["strata"] = Report{{"abelian", yes.abelian},
-                       {"not_abelian", yes.not_abelian},
-                       {"undecided", yes.open},
-                       {"not_admitted", yes.outside},
-                       {"empty", yes.empty}};
+  r["strata"] = Report{{"abelian", yes.abelian},           {"not_abelian", yes.not_abelian},
+                       {"by_criterion", yes.by_criterion}, {"undecided", yes.open},
+                       {"not_admitted", yes.outside},      {"empty", yes.empty}};
   r["claim"] = {{"abelian", yes.claim ? Report(*yes.claim) : Report(nullptr)}};
   return r;
 }
@@ -167,6 +165,7 @@ std::string strata_text(const Report& strata) {
   std::string s;
   for (const auto& [key, name] : {std::pair("abelian", "abelian"),
                                   {"not_abelian", "not abelian"},
+                                  {"by_criterion", "by a criterion"},
                                   {"undecided", "undecided"}}) {
     const auto n = strata[key].get<std::size_t>();
     all += n;

@@ -11,7 +11,8 @@ from exact import ZERO, K, Poly
 from first_integrals import denial, falls
 from multivariate import FIELD, MASK, quotient, remove, spend
 from statement import SAID, polynomial, quoted
-from strata_format import ENDS, FORMAT, NAME, NODES, TOP, ZEROS, choose
+from strata_classical import Classical
+from strata_format import CRITERIA, ENDS, FORMAT, NAME, NODES, TOP, ZEROS, choose
 from strata_invariant import Z, invariant
 from strata_leaves import Leaf
 from stratum import Stratum, vanishes
@@ -120,6 +121,8 @@ class Tree:
             need(d["abelian"] == "yes", "an invariant proves abelian")
             self.say("abelian (invariant)")
             invariant(s, d)
+        elif d["by"] in CRITERIA:
+            self.classical(Classical(s, d), d)
         else:
             self.leaves["no"] += 1
             need(d["abelian"] == "no", "the places prove not abelian")
@@ -128,6 +131,15 @@ class Tree:
             leaf.prove()
             self.denials.append((all(x.order <= 2 for x in leaf.local.finite) and falls(s.num.degree(Z), s.den.degree(Z)),
                                  False))
+
+    def classical(self, leaf, d):
+        """Everywhere, nowhere, or exactly where a criterion holds."""
+        said = d["abelian"]
+        need(said == "where" or said == leaf.verdict(), "the criterion is not shown to say that")
+        self.leaves[said] += 1
+        self.denials += [(False, False)] * (said == "no")
+        words = f"abelian exactly where {leaf.criterion(self.names)}" if said == "where" else SAID[said]
+        self.say(f"{words} ({leaf.by})")
 
     def nested(self, d, by):
         """num and den of an ordinary certificate; the field K is set to its own."""
@@ -196,9 +208,10 @@ def verify(top, prove):
         tree.node(s, top["tree"], 1)
     except (ArithmeticError, ValueError, LookupError, TypeError, AttributeError, RecursionError, MemoryError) as why:
         raise Rejected(f"{type(why).__name__}: {why}") from None
-    others = {"yes", "no", "open"} & set(tree.leaves) - {"yes" if claim else "no"}
+    others = {"yes", "no", "where", "open"} & set(tree.leaves) - {"yes" if claim else "no"}
     need(claim is None or not others, "the claim does not follow")
-    words = {"yes": "abelian", "no": "not abelian", "open": "undecided"}        # strata without points are left out
+    words = {"yes": "abelian", "no": "not abelian", "where": "by a criterion", "open": "undecided"}
+    # strata without points are left out
     counts = ", ".join(f"{tree.leaves[k]} {word}" for k, word in words.items() if tree.leaves[k])
     total = sum(tree.leaves[k] for k in words)
     summary = f"{total} {'stratum' if total == 1 else 'strata'}{': ' * bool(counts)}{counts}; "

@@ -19,6 +19,11 @@ FACTOR = {"q": "text", "order": "int", "e": "int"}
 LEAVES = {"number": {"certificate": "any"},
           "invariant": {"content": "text", "places": [FACTOR], "m": "int", "p": "text"}}
 LEAVES |= dict.fromkeys(("torus-log", "torus", "irreducible-log", "rational", "one-open", "open"), PLACED)
+NUMBER = {"square": FRACTION, "root?": FRACTION}
+CLASSICAL = {"change": FRACTION, "equation": FRACTION, "factors?": ["text"], "numbers": [NUMBER],
+             "shown?": [{"value": FRACTION, "integral": "truth", "times": "int", "membership": "int"}]}
+CRITERIA = ("whittaker", "bessel", "riemann", "lame")
+LEAVES |= dict.fromkeys(CRITERIA, CLASSICAL)
 ENDS = {"empty": VIOLATED | {"terms?": ["any"]}, "outside": {"generic?": "int"}, "open": {"reason": "text"},
         "trusted": {"abelian": "text", "theorem": "text", "statement": "text"}}
 NODES = ENDS | {"split": {"p": "text", "nonzero": "any", "zero": "any"},

@@ -1,5 +1,7 @@
 #include "certify/equation/statement.hpp"
 
+#include "certify/strata/classical.hpp"
+
 #include <algorithm>
 
 namespace kov::certify {
@@ -167,9 +169,13 @@ private:
   void take(const LemmasNode& n) { node(*n.then); }
   void take(const SolvedStratum& n) { node(*n.then); }
   void take(const LeafNode& n) {
-    if (const auto* x = std::get_if<ByNumber>(&n.by)) return nested(n.abelian, "number", *x);
+    if (const auto* c = std::get_if<ByClassical>(&n.by))
+      return say((n.abelian ? word(*n.abelian) : "abelian exactly where " + criterion(*c)) + " (" +
+                 c->family + ")");
+    const bool abelian = n.abelian.value();
+    if (const auto* x = std::get_if<ByNumber>(&n.by)) return nested(abelian, "number", *x);
     const auto* x = std::get_if<ByPlaces>(&n.by);
-    say(word(n.abelian) + " (" + (x ? x->theorem : "invariant") + ")");
+    say(word(abelian) + " (" + (x ? x->theorem : "invariant") + ")");
   }
   void take(const RootStratum& n) { nested(n.abelian, "root", n); }
   void take(const EmptyStratum&) {}

@@ -100,6 +100,28 @@ struct ByPlaces {
   std::vector<AbsentInvariant> absent;
 };
 
+/// A number that is known by its square; root: a function with this square.
+struct SquaredNumber {
+  Fraction square;
+  std::optional<Fraction> root{};
+};
+/// A membership w settles the value v: both sides of "times w - v" (integral: w and v are
+/// integers), or of "times v - w" (w is none, so v is none), differ by an integer constant.
+struct ShownMembership {
+  Fraction value;
+  bool integral = false;
+  Integer times{1};
+  std::size_t membership = 0;
+};
+/// 7.8: z -> change turns the classical equation y'' = equation y into the one of the stratum.
+struct ByClassical {
+  std::string family; ///< whittaker, bessel, riemann, lame
+  Fraction change, equation;
+  std::vector<MPoly> factors; ///< riemann, lame: the finite places
+  std::vector<SquaredNumber> numbers;
+  std::vector<ShownMembership> shown;
+};
+
 // ---- 4: nodes
 
 struct StrataNode;
@@ -148,8 +170,8 @@ struct LemmasNode {
   Subtree then;
 };
 struct LeafNode {
-  bool abelian = false;
-  std::variant<ByNumber, ByInvariant, ByPlaces> by;
+  std::optional<bool> abelian = false; ///< unset: exactly where the criterion of ByClassical holds
+  std::variant<ByNumber, ByInvariant, ByPlaces, ByClassical> by;
 };
 
 struct StrataNode {

@@ -21,9 +21,10 @@ public:
   StrataAccepted operator()() {
     node(*c_.tree, Stratum(c_, arithmetic_));
     path_ = "claim";
-    need(c_.abelian != true || (count_.not_abelian == 0 && count_.open == 0),
+    const std::size_t other = count_.open + count_.by_criterion;
+    need(c_.abelian != true || count_.not_abelian + other == 0,
          "not every stratum is proved abelian");
-    need(c_.abelian != false || (count_.abelian == 0 && count_.open == 0),
+    need(c_.abelian != false || count_.abelian + other == 0,
          "not every stratum is proved not abelian");
     count_.claim = c_.abelian;
     return count_;
@@ -87,13 +88,20 @@ private:
   }
 
   void take(const LeafNode& n, Stratum& s, const MPoly*) {
+    if (const auto* c = std::get_if<ByClassical>(&n.by)) return classical(n.abelian, *c, s);
+    const bool abelian = n.abelian.value();
     if (const auto* x = std::get_if<ByNumber>(&n.by))
-      count_.trusted += nested_.number(s, *x, n.abelian);
+      count_.trusted += nested_.number(s, *x, abelian);
     else if (const auto* v = std::get_if<ByInvariant>(&n.by))
-      need(n.abelian, "an invariant proves 'yes'"), check_invariant(s, *v);
+      need(abelian, "an invariant proves 'yes'"), check_invariant(s, *v);
     else
-      need(!n.abelian, "the theorem proves 'no'"), check_places(s, std::get<ByPlaces>(n.by));
-    ++(n.abelian ? count_.abelian : count_.not_abelian);
+      need(!abelian, "the theorem proves 'no'"), check_places(s, std::get<ByPlaces>(n.by));
+    ++(abelian ? count_.abelian : count_.not_abelian);
+  }
+  void classical(std::optional<bool> abelian, const ByClassical& leaf, Stratum& s) {
+    const Truth found = check_classical(s, leaf);
+    need(!abelian || found == truth(*abelian), "the criterion is not shown to say that");
+    ++(!abelian ? count_.by_criterion : *abelian ? count_.abelian : count_.not_abelian);
   }
 
   void take(const EmptyStratum& n, Stratum& s, const MPoly* p) {

@@ -11,6 +11,7 @@ struct StrataAccepted {
   std::size_t trusted = 0; ///< nodes and steps taken on faith, counted and never hidden
   // leaves, by what they say of the identity component
   std::size_t abelian = 0, not_abelian = 0;
+  std::size_t by_criterion = 0;   ///< abelian exactly where a closed criterion holds
   std::size_t open = 0;           ///< nothing is said
   std::size_t outside = 0;        ///< no admitted points
   std::size_t empty = 0;          ///< no points

@@ -2,6 +2,7 @@
 // keys are errors.
 
 #include "certify/strata/certificate.hpp"
+#include "certify/strata/classical.hpp"
 #include "certify/text/json_node.hpp"
 #include "certify/text/limits.hpp"
 #include "exact/error.hpp"
@@ -233,9 +234,38 @@ private:
     k.done();
     return x;
   }
+  [[nodiscard]] ByClassical classical(const std::string& family, Keys& k) const {
+    ByClassical x{family, fraction(k.at("change")), fraction(k.at("equation")), {}, {}, {}};
+    if (const auto v = k.find("factors")) x.factors = polys(*v);
+    const Node numbers = k.at("numbers");
+    for (const Node& n : numbers.items()) {
+      Keys f(n);
+      x.numbers.push_back({fraction(f.at("square"))});
+      if (const auto v = f.find("root")) x.numbers.back().root = fraction(*v);
+      f.done();
+    }
+    if (x.numbers.empty() || (family == "whittaker" && x.numbers.size() != 2))
+      numbers.fail("these are not the numbers of the family");
+    if (const auto v = k.find("shown"))
+      for (const Node& n : v->items())
+        x.shown.push_back(shown(n));
+    return x;
+  }
+  [[nodiscard]] ShownMembership shown(const Node& n) const {
+    Keys k(n);
+    ShownMembership x{fraction(k.at("value")), truth(k.at("integral")), k.at("times").integer(),
+                      index(k.at("membership"))};
+    k.done();
+    return x;
+  }
   [[nodiscard]] LeafNode leaf(Keys& k) const {
-    const bool abelian = yes(k.at("abelian"));
+    const Node said = k.at("abelian");
     const Node by = k.at("by");
+    if (is_classical_rule(by.text())) {
+      const bool where = said.text() == "where";
+      return {where ? std::nullopt : std::optional(yes(said)), classical(by.text(), k)};
+    }
+    const bool abelian = yes(said);
     if (by.text() == "number") return {abelian, ByNumber{read_certificate(k.at("certificate"))}};
     if (by.text() == "invariant") {
       if (!abelian) by.fail("an invariant proves 'yes'");

@@ -4,6 +4,7 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/strata/state.hpp"
+#include "exact/truth.hpp"
 
 namespace kov::certify {
 
@@ -43,5 +44,8 @@ void need_denominator(const Stratum& s, const MPoly& content,
 
 void check_invariant(const Stratum& s, const ByInvariant& leaf);
 void check_places(const Stratum& s, const ByPlaces& leaf);
+/// What the criterion of the family says on the whole stratum; unknown where it depends on the
+/// point, or is not shown.
+[[nodiscard]] Truth check_classical(const Stratum& s, const ByClassical& leaf);
 
 } // namespace kov::certify

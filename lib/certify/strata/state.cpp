@@ -60,6 +60,11 @@ const Condition& Stratum::condition(std::size_t i) const {
   return conditions_[i];
 }
 
+const Membership& Stratum::membership(std::size_t i) const {
+  need(i < memberships_.size(), "there is no such membership");
+  return memberships_[i];
+}
+
 const std::vector<MPoly>& Stratum::group(std::size_t i) const {
   need(i < generic_.size(), "there is no such group of generic");
   return generic_[i];
@@ -86,8 +91,7 @@ bool Stratum::all_real(const MPoly& p) const {
 }
 
 void Stratum::need_violated(const Violation& v, const MPoly* p) const {
-  need(v.membership < memberships_.size(), "there is no such membership");
-  const auto& [value, integral] = memberships_[v.membership];
+  const auto& [value, integral] = membership(v.membership);
   need(is_integer(v.value) != integral, "the membership allows this value");
   const MPoly f =
       arithmetic_->minus(scaled(value.num, v.value.den()), scaled(value.den, v.value.num()));

@@ -24,6 +24,7 @@ public:
   void need_variables(const MPoly& p) const; ///< the same; z is allowed
   [[nodiscard]] bool all_real(const MPoly& p) const;
   [[nodiscard]] bool is_rational(std::size_t variable) const { return rational_[variable]; }
+  [[nodiscard]] const Membership& membership(std::size_t i) const; ///< Refuses, as condition().
   /// Refuses unless a membership would have the value that it has not: where p = 0; everywhere if p
   /// is null.
   void need_violated(const Violation& v, const MPoly* p) const;

@@ -126,6 +126,26 @@ void put(Json::Object& o, const ByPlaces& x) {
   if (!x.absent.empty()) o.emplace_back("absent", listed(x.absent, absent));
 }
 
+Json number(const SquaredNumber& x) {
+  Json::Object o{{"square", fraction(x.square)}};
+  if (x.root) o.emplace_back("root", fraction(*x.root));
+  return {std::move(o)};
+}
+Json shown(const ShownMembership& x) {
+  return {Json::Object{{"value", fraction(x.value)},
+                       {"integral", Json{x.integral}},
+                       {"times", text(to_string(x.times))},
+                       {"membership", text(x.membership)}}};
+}
+void put(Json::Object& o, const ByClassical& x) {
+  o.emplace_back("by", text(x.family));
+  o.emplace_back("change", fraction(x.change));
+  o.emplace_back("equation", fraction(x.equation));
+  if (!x.factors.empty()) o.emplace_back("factors", polys(x.factors));
+  o.emplace_back("numbers", listed(x.numbers, number));
+  if (!x.shown.empty()) o.emplace_back("shown", listed(x.shown, shown));
+}
+
 // ---- nodes: `key` is "node", or "zero" for what becomes of the points with p = 0
 
 Json json_of(const EmptyStratum& n, const char* key) {
@@ -178,7 +198,8 @@ private:
         {"node", text("lemmas")}, {"lemmas", listed(n.lemmas, lemma)}, {"then", (*this)(n.then)}}};
   }
   [[nodiscard]] static Json node(const LeafNode& n) {
-    Json::Object o{{"node", text("leaf")}, {"abelian", yes_or_no(n.abelian)}};
+    Json::Object o{{"node", text("leaf")},
+                   {"abelian", n.abelian ? yes_or_no(*n.abelian) : text("where")}};
     std::visit([&](const auto& by) { put(o, by); }, n.by);
     return {std::move(o)};
   }

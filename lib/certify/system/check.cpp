@@ -55,7 +55,8 @@ private:
     if (!n.abelian) look_at(n.certificate, leaves);
   }
   void take(const LeafNode& n, const Fraction& r) {
-    if (n.abelian) return;
+    if (n.abelian.value_or(true)) return;
+    if (std::holds_alternative<ByClassical>(n.by)) return leaves.add(false, false);
     if (const auto* x = std::get_if<ByNumber>(&n.by)) return look_at(x->certificate, leaves);
     const auto& places = std::get<ByPlaces>(n.by).places;
     const bool finite = std::all_of(places.begin(), places.end(),

@@ -27,6 +27,7 @@ inline constexpr std::size_t max_nodes = 10000;
 inline constexpr int max_node_depth = 64;
 inline constexpr std::size_t max_parameters = 12;
 inline constexpr mp_limb_t max_lemma_prime = 10000; ///< exclusive
+inline constexpr long max_multiple = 1000000;       ///< of a membership
 inline constexpr long max_unknowns = 40;            ///< of a linear system
 inline constexpr double max_products = 1e8;         ///< term by term, of the whole run
 inline constexpr double max_word_work = 4e9;     ///< the same, times the words of the coefficients

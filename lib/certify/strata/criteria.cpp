@@ -1,0 +1,203 @@
+// The criteria of classical.hpp, from numbers that are known by their squares.
+
+#include "certify/strata/classical.hpp"
+
+#include <algorithm>
+
+namespace kov::certify {
+
+namespace {
+
+const Rational half(1, 2);
+
+std::string text(const Fraction& f) {
+  return "(" + to_string(f.num) + ")/(" + to_string(f.den) + ")";
+}
+
+} // namespace
+
+bool is_classical_rule(const std::string& name) {
+  return name == "whittaker" || name == "bessel" || name == "riemann" || name == "lame";
+}
+
+std::string criterion(const ByClassical& leaf) {
+  const auto& x = leaf.numbers;
+  if (leaf.family == "bessel") return "n is in 1/2 + Z, n^2 = " + text(x[0].square);
+  if (leaf.family == "lame")
+    return "n is an integer or the group is finite, (2*n + 1)^2 = " + text(x.back().square);
+  if (leaf.family == "whittaker") {
+    const std::string m = ", m^2 = " + text(x[1].square);
+    if (is_zero(x[0].square.num)) return "m is in 1/2 + Z" + m;
+    return "k + m - 1/2 and k - m - 1/2 are integers, one >= 0 and one < 0, k^2 = " +
+           text(x[0].square) + m;
+  }
+  std::string squares;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const long n = i < leaf.factors.size() ? degree(leaf.factors[i], 0) : 1;
+    for (long k = 0; k < n; ++k)
+      squares += (squares.empty() ? "" : ", ") + text(x[i].square);
+  }
+  return "two exponent differences are in 1/2 + Z, or they are in the table of Schwarz and Kimura, "
+         "or a sum of the three with signs is odd and all are rational or one is an integer and "
+         "there is no logarithm; their squares: " +
+         squares;
+}
+
+std::optional<Rational> constant_value(const Fraction& f) {
+  if (is_zero(f.den)) return std::nullopt;
+  if (is_zero(f.num)) return Rational(0);
+  const MPoly num = primitive(f.num);
+  const MPoly den = primitive(f.den);
+  if (!(num == den) && !(num == -den)) return std::nullopt;
+  return Rational(f.num.coefficient(0), f.den.coefficient(0));
+}
+
+Fraction combined(const Fraction& f, const Rational& c, const Fraction& g, Arithmetic& a) {
+  const MPoly left = scaled(a.times(f.num, g.den), c.den());
+  const MPoly right = scaled(a.times(g.num, f.den), c.num());
+  return {a.plus(left, right), scaled(a.times(f.den, g.den), c.den())};
+}
+
+Fraction shifted(const Fraction& f, const Rational& c, Arithmetic& a) {
+  return {a.plus(scaled(f.num, c.den()), scaled(f.den, c.num())), scaled(f.den, c.den())};
+}
+
+namespace {
+
+// A number of the leaf: a root that is a function, or known to be irrational everywhere.
+struct Number {
+  std::optional<Fraction> root;
+  std::optional<Rational> constant; ///< the root, if it is one
+  bool irrational = false;
+
+  explicit Number(const SquaredNumber& x) : root(x.root) {
+    const auto square = constant_value(x.square);
+    if (square) {
+      if (kov::sign(*square) >= 0) constant = exact_sqrt(*square);
+      irrational = !constant;
+    }
+    if (!constant) return;
+    const MPoly one(x.square.den.ring(), Integer(1));
+    root = Fraction{scaled(one, constant->num()), scaled(one, constant->den())};
+  }
+};
+
+class Criterion {
+public:
+  Criterion(const ByClassical& leaf, const ParameterFacts& facts, Arithmetic& a)
+      : leaf_(leaf), facts_(facts), a_(a) {
+    for (const SquaredNumber& x : leaf.numbers)
+      numbers_.emplace_back(x);
+  }
+
+  Truth operator()() {
+    if (leaf_.family == "bessel") return in_halves(numbers_[0]);
+    if (leaf_.family == "whittaker") return whittaker(numbers_[0], numbers_[1]);
+    if (leaf_.family == "lame") return lame(numbers_.back());
+    return riemann();
+  }
+
+private:
+  Truth integral(const Fraction& f) const {
+    if (const auto c = constant_value(f)) return truth(is_integer(*c));
+    return facts_.integral(f);
+  }
+  // x + shift
+  Truth integral(const Number& x, const Rational& shift) const {
+    if (x.irrational) return Truth::no;
+    return x.root ? integral(shifted(*x.root, shift, a_)) : Truth::unknown;
+  }
+  Truth in_halves(const Number& x) const { return integral(x, -half); }
+  // c x
+  Truth multiple(const Number& x, const Rational& c) const {
+    if (x.irrational) return Truth::no;
+    return x.root ? integral(times(c, *x.root)) : Truth::unknown;
+  }
+  static Fraction times(const Rational& c, const Fraction& f) {
+    return {scaled(f.num, c.num()), scaled(f.den, c.den())};
+  }
+
+  // P = k + m - 1/2, Q = k - m - 1/2: 2m = P - Q and 2k = P + Q + 1 are integers if P and Q are.
+  Truth whittaker(const Number& k, const Number& m) const {
+    if (is_zero(leaf_.numbers[0].square.num)) return in_halves(m);
+    for (const Number* x : {&k, &m})
+      if (multiple(*x, Rational(2)) == Truth::no) return Truth::no;
+    if (!k.root || !m.root) return Truth::unknown;
+    const Fraction P = shifted(combined(*k.root, Rational(1), *m.root, a_), -half, a_);
+    const Fraction Q = shifted(combined(*k.root, Rational(-1), *m.root, a_), -half, a_);
+    if (integral(P) == Truth::no || integral(Q) == Truth::no) return Truth::no;
+    const auto p = constant_value(P);
+    const auto q = constant_value(Q);
+    if (p && q) return truth((sign(*p) >= 0) != (sign(*q) >= 0));
+    return Truth::unknown;
+  }
+
+  // x = 2n + 1; a finite group has x in 2Z, (2/3)Z, (1/2)Z or (2/5)Z.
+  Truth lame(const Number& x) const {
+    if (!x.irrational && x.root &&
+        integral(times(half, shifted(*x.root, Rational(-1), a_))) == Truth::yes)
+      return Truth::yes;
+    if (multiple(x, Rational(30)) == Truth::no) return Truth::no;
+    if (!x.constant) return Truth::unknown;
+    for (const Rational& c : {Rational(1), Rational(3, 2), Rational(2), Rational(5, 2)})
+      if (is_integer(c * *x.constant)) return Truth::unknown;
+    return Truth::no;
+  }
+
+  Truth riemann() const {
+    std::vector<const Number*> three;
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+      for (long k = i < leaf_.factors.size() ? degree(leaf_.factors[i], facts_.z) : 1; k > 0; --k)
+        three.push_back(&numbers_[i]);
+    const auto count = [&](const auto& property) {
+      return std::count_if(three.begin(), three.end(),
+                           [&](const Number* x) { return property(*x); });
+    };
+    if (count([&](const Number& x) { return in_halves(x) == Truth::yes; }) >= 2) return Truth::yes;
+    const Truth reducible = odd_sum(three);
+    if (reducible == Truth::yes && count([&](const Number& x) { return rational(x); }) >= 2)
+      return Truth::yes;
+    const bool dihedral = count([&](const Number& x) { return in_halves(x) != Truth::no; }) >= 2;
+    const bool polyhedral = count([&](const Number& x) { return in_no_row(x); }) == 0;
+    return reducible == Truth::no && !dihedral && !polyhedral ? Truth::no : Truth::unknown;
+  }
+  Truth odd_sum(const std::vector<const Number*>& x) const {
+    if (!std::all_of(x.begin(), x.end(), [](const Number* one) { return one->root.has_value(); }))
+      return Truth::unknown;
+    bool never = true;
+    for (const long s : {1L, -1L})
+      for (const long t : {1L, -1L}) {
+        const Fraction two = combined(*x[0]->root, Rational(s), *x[1]->root, a_);
+        const Fraction sum = combined(two, Rational(t), *x[2]->root, a_);
+        const Truth odd = integral(times(half, shifted(sum, Rational(-1), a_)));
+        if (odd == Truth::yes) return odd;
+        never = never && odd == Truth::no;
+      }
+    return never ? Truth::no : Truth::unknown;
+  }
+  [[nodiscard]] bool rational(const Number& x) const {
+    if (!x.root) return false;
+    for (const MPoly* f : {&x.root->num, &x.root->den})
+      for (const std::size_t i : used_variables(*f))
+        if (!facts_.is_rational(i)) return false;
+    return true;
+  }
+  // A row has no integers, and denominators up to 5 only.
+  [[nodiscard]] bool in_no_row(const Number& x) const {
+    if (x.irrational || integral(x, Rational(0)) == Truth::yes) return true;
+    return multiple(x, Rational(60)) == Truth::no;
+  }
+
+  const ByClassical& leaf_;
+  const ParameterFacts& facts_;
+  Arithmetic& a_;
+  std::vector<Number> numbers_;
+};
+
+} // namespace
+
+Truth criterion_holds(const ByClassical& leaf, const ParameterFacts& facts, Arithmetic& a) {
+  return Criterion(leaf, facts, a)();
+}
+
+} // namespace kov::certify

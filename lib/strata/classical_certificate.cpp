@@ -1,0 +1,155 @@
+#include "strata/classical_certificate.hpp"
+
+#include "certify/strata/classical.hpp"
+#include "exact/error.hpp"
+#include "strata/leaf_certificate.hpp"
+
+#include <algorithm>
+
+namespace kov::strata {
+namespace {
+
+using certify::ByClassical;
+using certify::Fraction;
+
+Fraction fraction_of(const MFraction& f, const Ring& ring) {
+  if (!f.ring()) return {MPoly(ring), MPoly(ring, Integer(1))};
+  return {f.num(), f.den()};
+}
+
+class ClassicalWriter {
+public:
+  ClassicalWriter(Classical family, const ClassicalEquation& form, const Region& region,
+                  KnownFacts& facts, std::vector<Lemma>& lemmas)
+      : family_(family), form_(form), region_(region), facts_(facts), lemmas_(lemmas),
+        ring_(form.r.ring()) {}
+
+  certify::LeafNode operator()(Truth abelian) {
+    leaf_.change = fraction_of(form_.change, ring_);
+    leaf_.equation = fraction_of(form_.r, ring_);
+    need_change();
+    if (form_.factors.empty())
+      confluent();
+    else
+      places();
+    for (const MFraction& square : form_.numbers)
+      add_number(square);
+    if (abelian == Truth::unknown) return {std::nullopt, std::move(leaf_)};
+    certify::Arithmetic arithmetic;
+    const certify::ParameterFacts facts{[this](const Fraction& f) { return shown(f); },
+                                        [this](std::size_t i) { return region_.is_rational(i); },
+                                        form_.z};
+    if (certify::criterion_holds(leaf_, facts, arithmetic) != abelian)
+      throw NoProof(Gap::rule,
+                    "what is assumed of integers does not settle the criterion by itself");
+    return {abelian == Truth::yes, std::move(leaf_)};
+  }
+
+private:
+  void need(const MPoly& p) {
+    if (!facts_.ensure_nonzero(p, lemmas_))
+      throw NoProof(Gap::places, "a change of variable: " + brief(MFraction(p), 120) +
+                                     " != 0 has no exact proof");
+  }
+  // The derivative of the change of variable is not 0.
+  void need_change() {
+    const auto& [p, q] = leaf_.change;
+    const MPoly wronskian = derivative(p, form_.z) * q - p * derivative(q, form_.z);
+    const auto c = coefficients(wronskian, form_.z);
+    if (std::none_of(c.begin(), c.end(),
+                     [&](const MPoly& f) { return facts_.ensure_nonzero(f, lemmas_); }))
+      throw NoProof(Gap::places, "the change of variable may be constant");
+  }
+  // num/(e z^2)
+  void confluent() {
+    const MPoly x = MPoly::variable(ring_, form_.z);
+    auto& [num, den] = leaf_.equation;
+    while (degree(den, form_.z) < 2) {
+      num = num * x;
+      den = den * x;
+    }
+    need(coefficients(num, form_.z).back());
+    need(coefficients(den, form_.z).back());
+    leaf_.family = degree(num, form_.z) == 2 ? "whittaker" : "bessel";
+  }
+  // num/(e P^2)
+  void places() {
+    leaf_.family = family_ == Classical::lame ? "lame" : "riemann";
+    leaf_.factors = form_.factors;
+    MPoly product(ring_, Integer(1));
+    for (const MPoly& q : form_.factors)
+      product = product * q;
+    auto& [num, den] = leaf_.equation;
+    for (const MPoly& q : form_.factors)
+      while (!divides(q * q, den)) {
+        num = num * q;
+        den = den * q;
+      }
+    need(exact_div(den, product * product));
+    need(coefficients(product, form_.z).back());
+    need(resultant(product, derivative(product, form_.z), form_.z));
+  }
+  void add_number(const MFraction& square) {
+    leaf_.numbers.push_back({fraction_of(square, ring_)});
+    need(leaf_.numbers.back().square.den);
+    const auto root = square_root(square);
+    if (!root || is_constant(square)) return;
+    leaf_.numbers.back().root = fraction_of(*root, ring_);
+    need(leaf_.numbers.back().root->den);
+  }
+
+  // An assumed membership that makes the value an integer, or none.
+  Truth shown(const Fraction& f) {
+    const MFraction value(f.num, f.den);
+    const auto& all = facts_.memberships();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const MFraction& w = all[i].value;
+      const bool integral = all[i].in_integers;
+      const auto times = integral ? multiple(w, value) : multiple(value, w);
+      if (!times || !facts_.ensure_nonzero(value.den(), lemmas_)) continue;
+      add({{value.num(), value.den()}, integral, *times, i});
+      return truth(integral);
+    }
+    return Truth::unknown;
+  }
+  void add(certify::ShownMembership x) {
+    const bool old = std::any_of(leaf_.shown.begin(), leaf_.shown.end(), [&](const auto& y) {
+      return y.value.num == x.value.num && y.value.den == x.value.den;
+    });
+    if (!old) leaf_.shown.push_back(std::move(x));
+  }
+  // m with m f - g an integer.
+  [[nodiscard]] static std::optional<Integer> multiple(const MFraction& f, const MFraction& g) {
+    if (!f.ring() || !g.ring()) return std::nullopt;
+    for (const std::size_t x : used_variables(f)) {
+      const MFraction slope = derivative(f, x);
+      if (is_zero(slope)) continue;
+      const MFraction ratio = derivative(g, x) / slope;
+      if (is_zero(ratio) || !is_constant(ratio) || !is_integer(to_rational(ratio)))
+        return std::nullopt;
+      const MFraction rest = to_rational(ratio) * f - g;
+      if (!is_zero(rest) && (!is_constant(rest) || !is_integer(to_rational(rest))))
+        return std::nullopt;
+      return to_rational(ratio).num();
+    }
+    return std::nullopt;
+  }
+
+  Classical family_;
+  const ClassicalEquation& form_;
+  const Region& region_;
+  KnownFacts& facts_;
+  std::vector<Lemma>& lemmas_;
+  Ring ring_;
+  ByClassical leaf_;
+};
+
+} // namespace
+
+certify::LeafNode classical_leaf(const ClassicalAnswer& answer, Truth abelian, const Region& region,
+                                 KnownFacts& facts, std::vector<Lemma>& lemmas) {
+  if (!answer.equation) throw NoProof(Gap::rule, "the format has no rule for this closed answer");
+  return ClassicalWriter(answer.form.family, *answer.equation, region, facts, lemmas)(abelian);
+}
+
+} // namespace kov::strata

@@ -1,0 +1,226 @@
+"""Leaves that rest on the closed criterion of a classical equation (docs/theory/strata_certificates.md 7.8): Whittaker,
+Bessel, Riemann and Lame after a change of variable.  s is the state at the leaf, a Stratum of stratum.py; a fraction is
+a pair (num, den) of polynomials."""
+from fractions import Fraction
+from itertools import product as pairs
+
+from certificate_format import Malformed, need
+from exact import exact_sqrt
+from multivariate import ONE, P, product, pseudo_remainder, quotient, ratio, resultant
+from statement import polynomial
+from strata_invariant import Z
+
+HALF = Fraction(1, 2)
+
+
+def constant(f):
+    """num/den, if it is a constant"""
+    return ratio(*f) if f[1] else None
+
+
+def plus(f, g, c=1):
+    """f + c g, c a rational number; g may be one"""
+    c = Fraction(c)
+    a, b = g if isinstance(g, tuple) else (ONE, ONE)
+    return f[0] * b * c.denominator + a * f[1] * c.numerator, f[1] * b * c.denominator
+
+
+def times(f, c):
+    c = Fraction(c)
+    return f[0] * c.numerator, f[1] * c.denominator
+
+
+def integral(f):
+    c = constant(f)
+    return c is not None and c.denominator == 1
+
+
+class Number:
+    """Known by its square: a root that is a function, or irrational everywhere."""
+
+    def __init__(self, s, d, pair):
+        self.square, self.root = pair(d["square"]), d["root"] and pair(d["root"])
+        if self.root:
+            need(equal(tuple(f * f for f in self.root), self.square), "the root has another square")
+        c = constant(self.square)
+        self.value = exact_sqrt(c) if c is not None else None
+        self.irrational = c is not None and self.value is None
+        if self.value is not None:
+            self.root = ONE * self.value.numerator, ONE * self.value.denominator
+        self.rational = bool(self.root) and (self.root[0].variables() | self.root[1].variables()) <= s.rational
+
+
+def equal(f, g):
+    return f[0] * g[1] == g[0] * f[1]
+
+
+class Classical:
+    """The equation (7.8) and its numbers; verdict: what the criterion says everywhere, "yes", "no" or None."""
+
+    def __init__(self, s, d):
+        self.s, self.by = s, d["by"]
+        self.num, self.den = (s.poly(d["equation"][k], True) for k in ("num", "den"))
+        self.factors = [s.poly(q, True) for q in d["factors"] or []]
+        if not d["numbers"] or self.by == "whittaker" and len(d["numbers"]) != 2:
+            raise Malformed("these are not the numbers of the family")
+        self.numbers = [Number(s, x, self.pair) for x in d["numbers"]]
+        self.change(*(s.poly(d["change"][k], True) for k in ("num", "den")))
+        if self.by in ("whittaker", "bessel"):
+            self.confluent(self.by == "whittaker")
+        else:
+            self.places(self.by == "lame")
+        self.shown = [self.show(x) for x in d["shown"] or []]
+
+    def pair(self, d):
+        f = tuple(self.s.poly(d[k]) for k in ("num", "den"))
+        need(self.s.is_nonzero(f[1]), "a denominator may vanish")
+        return f
+
+    def change(self, p, q):
+        """r = f'^2 equation(f) - S(f)/2 for f = p/q, f' = W/q^2, f''/f' = U/(W q)."""
+        W = p.diff(Z) * q - p * q.diff(Z)
+        need(any(map(self.s.is_nonzero, W.coefficients(Z))), "the change of variable may be constant")
+        U, Wq = W.diff(Z) * q - W * q.diff(Z) * 2, W * q
+        schwarz = (U.diff(Z) * Wq - U * Wq.diff(Z)) * 2 - U * U
+        n = max(self.num.degree(Z), self.den.degree(Z), 0)
+        need(self.den, "the equation has no denominator")
+        top, bottom = (f.substitute(Z, q, p * -1, n) if f else f for f in (self.num, self.den))
+        r = W * W * W * W * top * 4 - q * q * bottom * schwarz, W * W * q * q * q * q * bottom * 4
+        need(equal((self.s.num, self.s.den), r), "the change of variable gives another equation")
+
+    def confluent(self, whittaker):
+        """a + b/z + c/z^2, resp. b/z + c/z^2"""
+        c, e = self.num.coefficients(Z), self.den.coefficients(Z)
+        need(len(e) == 3 and not e[0] and not e[1] and self.s.is_nonzero(e[2]), "another denominator")
+        need(len(c) == 2 + whittaker and self.s.is_nonzero(c[-1]), "another numerator")
+        need(not self.factors and len(self.numbers) == 1 + whittaker, "other numbers")
+        need(equal(self.numbers[-1].square, (e[2] + c[0] * 4, e[2] * (4 if whittaker else 1))), "another number")
+        if whittaker:
+            need(equal(self.numbers[0].square, (c[1] * c[1], c[2] * e[2] * 4)), "another number")
+
+    def places(self, lame):
+        """N/(e P^2), P the product of the finite places"""
+        need(all(1 <= q.degree(Z) <= 3 for q in self.factors), "a place has no roots, or too many")
+        need(len(self.factors) <= 3, "too many places")
+        whole = product(self.factors)
+        n, slope = whole.degree(Z), whole.diff(Z)
+        need(n == 3 or n == 2 and not lame, "not enough places, or too many")
+        need(self.s.is_nonzero(whole.lead(Z)), "a place may disappear")
+        need(self.s.is_nonzero(resultant(whole, slope, Z)), "places may meet")
+        e = exact_quotient(self.den, whole * whole)
+        need(e and e.degree(Z) == 0 and self.s.is_nonzero(e), "another denominator")
+        need(self.num.degree(Z) <= (4 if lame else 2), "another place")
+        infinity = lame or n == 2
+        need(len(self.numbers) == len(self.factors) + infinity, "other numbers")
+        for q, x in zip(self.factors, self.numbers):
+            a, b = x.square
+            f = self.num * b * 4 - (a - b) * e * slope * slope
+            need(not pseudo_remainder(f, q, Z), "another exponent difference")
+            need(not lame or constant(x.square) == Fraction(1, 4), "a difference is not 1/2")
+        if infinity:
+            c, scale = self.num.coefficients(Z), e * whole.lead(Z) * whole.lead(Z)
+            top = c[2 * n - 2] if len(c) > 2 * n - 2 else P()
+            square = (scale + top * 4) * (4 if lame else 1), scale      # lame: 2n + 1 = 2 (n + 1/2)
+            need(equal(self.numbers[-1].square, square), "another difference at infinity")
+
+    # -- integers
+
+    def show(self, d):
+        """A value that a membership makes an integer, or none."""
+        v, i, m = self.pair(d["value"]), d["membership"], d["times"]
+        need(0 <= i < len(self.s.memberships) and abs(m) <= 10**6, "no such membership, or too large a multiple")
+        num, den, is_in = self.s.memberships[i]
+        need(is_in == d["integral"], "the membership says something else")
+        left, right = ((num, den), v) if is_in else (v, (num, den))
+        need(integral(plus(times(left, m), right, -1)), "nothing follows from the membership")
+        return v, is_in
+
+    def known(self, f):
+        """Is f an integer at every point (True), at none (False)?"""
+        c = constant(f)
+        if c is not None:
+            return c.denominator == 1
+        return next((is_in for v, is_in in self.shown if any(integral(plus(f, v, sign)) for sign in (1, -1))), None)
+
+    def multiple(self, x, c, shift=0):
+        """c x + shift"""
+        return False if x.irrational else self.known(plus(times(x.root, c), None, shift)) if x.root else None
+
+    def halves(self, x):
+        return self.multiple(x, 1, -HALF)
+
+    def verdict(self):
+        found = getattr(self, "of_" + self.by)()
+        return None if found is None else "yes" if found else "no"
+
+    def of_bessel(self):
+        return self.halves(self.numbers[0])
+
+    def of_whittaker(self):
+        k, m = self.numbers
+        if not k.square[0]:
+            return self.halves(m)
+        if any(self.multiple(x, 2) is False for x in (k, m)):
+            return False
+        if not (k.root and m.root):
+            return None
+        both = [plus(plus(k.root, m.root, sign), None, -HALF) for sign in (1, -1)]
+        if any(self.known(f) is False for f in both):
+            return False
+        p, q = map(constant, both)
+        return None if p is None or q is None else (p >= 0) != (q >= 0)
+
+    def of_lame(self):
+        """x = 2n + 1; a finite group has x in 2Z, (2/3)Z, (1/2)Z or (2/5)Z."""
+        x = self.numbers[-1]
+        if self.multiple(x, HALF, -HALF):
+            return True
+        if self.multiple(x, 30) is False:
+            return False
+        possible = x.value is None or any((x.value * c).denominator == 1 for c in (1, 3 * HALF, 2, 5 * HALF))
+        return None if possible else False
+
+    def of_riemann(self):
+        three = [x for i, x in enumerate(self.numbers)
+                 for _ in range(self.factors[i].degree(Z) if i < len(self.factors) else 1)]
+        if sum(self.halves(x) is True for x in three) >= 2:
+            return True
+        odd = self.odd_sums(three)
+        if any(odd) and sum(x.rational for x in three) >= 2:
+            return True
+        dihedral = sum(self.halves(x) is not False for x in three) >= 2
+        no_row = any(x.irrational or self.multiple(x, 1) or self.multiple(x, 60) is False for x in three)
+        return False if all(v is False for v in odd) and not dihedral and no_row else None
+
+    def odd_sums(self, three):
+        """Is (l +- m +- n - 1)/2 an integer?"""
+        if not all(x.root for x in three):
+            return [None]
+        l, m, n = (x.root for x in three)
+        return [self.known(times(plus(plus(plus(l, m, a), n, b), None, -1), HALF)) for a, b in pairs((1, -1), repeat=2)]
+
+    def criterion(self, names):
+        def text(x):
+            return "({})/({})".format(*(polynomial(f, names) for f in x.square))
+        last = text(self.numbers[-1])
+        if self.by == "bessel":
+            return f"n is in 1/2 + Z, n^2 = {last}"
+        if self.by == "lame":
+            return f"n is an integer or the group is finite, (2*n + 1)^2 = {last}"
+        if self.by == "whittaker":
+            if not self.numbers[0].square[0]:
+                return f"m is in 1/2 + Z, m^2 = {last}"
+            return ("k + m - 1/2 and k - m - 1/2 are integers, one >= 0 and one < 0, "
+                    f"k^2 = {text(self.numbers[0])}, m^2 = {last}")
+        degrees = [q.degree(Z) for q in self.factors] + [1] * (len(self.numbers) - len(self.factors))
+        squares = ", ".join(text(x) for x, n in zip(self.numbers, degrees) for _ in range(n))
+        return ("two exponent differences are in 1/2 + Z, or they are in the table of Schwarz and Kimura, or a sum of "
+                "the three with signs is odd and all are rational or one is an integer and there is no logarithm; "
+                f"their squares: {squares}")
+
+
+def exact_quotient(f, g):
+    """f/g with integral coefficients, or None; g need not be primitive."""
+    part = g.primitive()
+    found = quotient(f, part)
+    return found and quotient(found, ONE * int(ratio(g, part)))
