@@ -474,6 +474,7 @@ TEST(RandomFamilies, InsideAndOutsideArithmeticConditions) {
 
 // The kinds of equations with parameters that lib/strata knows, at values at which their closed
 // conditions bite and beside them; P, Q, R are numbers, S a factor that may vanish.
+// KOV_RANDOM_POINTS in the environment: how many points of each family (12).
 const std::vector<std::pair<const char*, Texts>> kinds{
     {"Riemann", {riemann}},
     {"Legendre", {"(P*(P+1)*(z^2-1)+Q^2-1)/(z^2-1)^2", "(P*(P+1)*(z^2-1)-1)/(z^2-1)^2"}},
@@ -532,7 +533,8 @@ TEST(RandomFamilies, SeventeenKinds) {
     targets.push_back("c");
     targets.push_back("c^2-2");
     SCOPED_TRACE(kind);
-    attack(asked, targets, 12, random, 2);
+    attack(asked, targets, static_cast<int>(number_in_environment("KOV_RANDOM_POINTS", 12)), random,
+           2);
   });
   report();
 }
