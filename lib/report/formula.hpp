@@ -12,7 +12,9 @@ enum class Markup : std::uint8_t { text, tex, html };
 [[nodiscard]] std::string formula(const std::string& source, Markup m);
 /// Prose, escaped.
 [[nodiscard]] std::string prose(const std::string& source, Markup m);
-/// Formulas whose text is longer than this are cut in tables (0: never).
+/// A formula of a page is whole, unless nobody could read it.
+inline constexpr std::size_t longest_on_a_page = 20000;
+/// Formulas whose text is longer than this are cut (0: never).
 [[nodiscard]] std::string shortened(const std::string& source, std::size_t length);
 
 } // namespace kov::report

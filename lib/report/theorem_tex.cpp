@@ -98,7 +98,7 @@ std::string step(const TheoremResult& t, const NodeResult& n) {
     out += "\\end{itemize}\n";
   }
   for (const Formula& f : n.formulas)
-    out += paragraph(f.label, formula(shortened(f.text, 1200), tex));
+    out += paragraph(f.label, formula(shortened(f.text, longest_on_a_page), tex));
   for (const Grid& g : n.tables)
     out += table(g);
   for (const PolePicture& p : n.pictures)

@@ -86,10 +86,51 @@ void show_strata(NodeResult& n, const strata::StrataAnswer& a, const std::string
   n.tables.push_back(std::move(grid));
 }
 
+// "c", or what comes after it in the alphabet, so that no name c0, c1, ... is taken.
+std::string free_letter(const Ring& ring, std::size_t indices) {
+  for (char letter = 'c'; letter <= 'z'; ++letter) {
+    const auto taken = [&](std::size_t k) {
+      return ring->find(letter + std::to_string(k)).has_value();
+    };
+    bool is_free = true;
+    for (std::size_t k = 0; k < indices; ++k)
+      is_free = is_free && !taken(k);
+    if (is_free) return {letter};
+  }
+  return "coefficient";
+}
+
+// r(z) whole: a long numerator by powers of z, with names for the coefficients.
+void show_equation(NodeResult& n, const MFraction& r, const Ring& ring, std::size_t z) {
+  constexpr std::size_t fits_a_line = 160;
+  const std::string label = "r(" + ring->name(z) + ")";
+  const std::string whole = to_factored_string(r);
+  if (whole.size() <= fits_a_line || degree(r.num(), z) < 1) {
+    n.formulas.push_back({label, whole});
+    return;
+  }
+  const auto coefficient = coefficients(r.num(), z);
+  const std::string letter = free_letter(ring, coefficient.size());
+  std::string top;
+  for (std::size_t k = coefficient.size(); k-- > 0;) {
+    if (is_zero(coefficient[k])) continue;
+    top += (top.empty() ? "" : " + ") + letter + std::to_string(k) +
+           (k == 0   ? ""
+            : k == 1 ? "*" + ring->name(z)
+                     : "*" + ring->name(z) + "^" + std::to_string(k));
+  }
+  const std::string bottom = to_factored_string(MFraction(r.den()));
+  n.formulas.push_back({label, "(" + top + ")" + (bottom == "1" ? "" : "/(" + bottom + ")")});
+  for (std::size_t k = coefficient.size(); k-- > 0;)
+    if (!is_zero(coefficient[k]))
+      n.formulas.push_back(
+          {letter + std::to_string(k), to_factored_string(MFraction(coefficient[k]))});
+}
+
 void show_block(NodeResult& n, const System& s, const BlockReport& b) {
   if (b.ode) {
     n.formulas.push_back({"change of variable", b.ode->change});
-    n.formulas.push_back({"r(" + s.ring()->name(b.ode->z) + ")", to_factored_string(b.ode->r)});
+    show_equation(n, b.ode->r, s.ring(), b.ode->z);
   }
   if (b.decision) show_decision(n, *b.decision);
   if (b.strata) show_strata(n, *b.strata);

@@ -50,7 +50,7 @@ inline constexpr std::size_t max_jet_parameters = 6;
 inline constexpr long max_turns = 100;
 inline constexpr long max_order = 12;
 inline constexpr long max_jet_terms = 2000;
-inline constexpr long max_jet_power = 20; ///< of a minor
+inline constexpr long max_jet_power = 20;           ///< of a minor
 inline constexpr unsigned long max_jet_degree = 40; ///< of a potential
 
 /// Bits of the largest coefficient: of the numerators over a common denominator, and of that.
