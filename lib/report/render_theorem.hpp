@@ -20,7 +20,7 @@ enum class TheoremDetail : std::uint8_t {
 };
 [[nodiscard]] std::string theorem_text(const TheoremResult& t,
                                        TheoremDetail detail = TheoremDetail::whole);
-/// kovacic-theorem/1.
+/// kovacic-proof/1: what prove found, to be read by programs; a certificate is kovacic-theorem/1.
 [[nodiscard]] std::string theorem_json(const TheoremResult& t);
 /// An article; compiles with texlive-latex-base.
 [[nodiscard]] std::string theorem_tex(const TheoremResult& t);

@@ -210,7 +210,7 @@ std::string theorem_json(const TheoremResult& t) {
     j["seconds"] = n.seconds;
     nodes.push_back(std::move(j));
   }
-  const Json all{{"format", "kovacic-theorem/1"},
+  const Json all{{"format", "kovacic-proof/1"},
                  {"title", t.theorem.title},
                  {"statement", t.statement()},
                  {"remark", t.theorem.statement},

@@ -82,7 +82,7 @@ TEST(Report, HtmlIsOneFileWithoutScriptsOrNetwork) {
 
 TEST(Report, JsonHasTheStatusOfEveryStep) {
   const auto j = nlohmann::json::parse(theorem_json(heavy_top()));
-  EXPECT_EQ(j.at("format"), "kovacic-theorem/1");
+  EXPECT_EQ(j.at("format"), "kovacic-proof/1");
   EXPECT_EQ(j.at("nodes").size(), heavy_top().nodes.size());
   EXPECT_EQ(j.at("unchecked_hypotheses").size(), 1U);
 }
