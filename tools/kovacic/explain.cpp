@@ -127,7 +127,8 @@ constexpr Topic topics[] = {
      "A proof of the answer as data, written with --certificate.  kovacic verify checks it and\n"
      "shares with the solver only the arithmetic (lib/exact); tools/verify/kovacic_verify.py\n"
      "shares nothing with it but the text of the format.  What a certificate takes on trust\n"
-     "(a theorem of the literature, an answer of Z3) is counted; --strict refuses it."},
+     "(a theorem of the literature, an answer of Z3) is counted; --strict refuses it, and\n"
+     "a hypothesis of a theorem that nothing checks."},
     {"trusted",
      "A step that is not checked: a theorem of the literature, the way from a system to r, or an\n"
      "answer of Z3 about real inequalities.  It is named and counted."},

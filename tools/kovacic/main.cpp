@@ -383,7 +383,8 @@ struct CommandLine {
 
     CLI::App* verify = app.add_subcommand("verify", "check a certificate independently");
     verify->add_option("CERT", files, "a certificate; - is stdin")->required()->type_name("");
-    verify->add_flag("--strict", settings.strict, "refuse steps that are taken on trust");
+    verify->add_flag("--strict", settings.strict,
+                     "refuse steps on trust and hypotheses that nothing checks");
     process_flags(*verify, 600);
     format_flag(*verify, {"text", "json"}, "text or json, one line for each file");
     quiet_flag(*verify);

@@ -43,10 +43,16 @@ Report rejected(Report r, const char* where, const certify::Rejected& no) {
   return r;
 }
 
-Report accepted(Report r, std::size_t trusted, bool strict) {
-  r["verdict"] = strict && trusted ? "rejected" : "accepted";
+std::string not_checked(std::size_t n) {
+  return std::to_string(n) + (n == 1 ? " hypothesis" : " hypotheses") + " NOT CHECKED";
+}
+
+Report accepted(Report r, std::size_t trusted, bool strict, std::size_t unchecked = 0) {
+  const bool refused = strict && trusted + unchecked > 0;
+  r["verdict"] = refused ? "rejected" : "accepted";
   r["trusted_steps"] = trusted;
-  if (strict && trusted) r["reason"] = trust(trusted) + ", refused by --strict";
+  if (refused)
+    r["reason"] = (trusted ? trust(trusted) : not_checked(unchecked)) + ", refused by --strict";
   return r;
 }
 
@@ -100,11 +106,11 @@ Report judge_jets(Report r, const std::string& certificate, bool strict) {
   return r;
 }
 
-Report judge_theorem(Report r, const std::string& certificate) {
+Report judge_theorem(Report r, const std::string& certificate, bool strict) {
   const auto verdict = certify::check_theorem(certificate);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
   const auto& yes = std::get<certify::TheoremAccepted>(verdict);
-  r = accepted(r, 0, false);
+  r = accepted(r, 0, strict, yes.unchecked);
   r["statement"] = yes.statement;
   r["given"] = {{"theorems", yes.theorems}, {"unchecked_hypotheses", yes.unchecked}};
   return r;
@@ -118,7 +124,7 @@ Report judge(const std::string& path, const std::string& certificate, bool stric
     if (format == "kovacic-strata/1") return judge_strata(r, certificate, strict);
     if (format == "kovacic-system/1") return judge_system(r, certificate, strict);
     if (format == "kovacic-jets/1") return judge_jets(r, certificate, strict);
-    if (format == "kovacic-theorem/1") return judge_theorem(r, certificate);
+    if (format == "kovacic-theorem/1") return judge_theorem(r, certificate, strict);
     return judge_group(r, certificate, strict);
   } catch (const Error& e) {
     r["verdict"] = "malformed";
@@ -180,9 +186,7 @@ std::string given_text(const Report& given, std::size_t trusted) {
   const auto open = given["unchecked_hypotheses"].get<std::size_t>();
   std::string s =
       "given " + std::to_string(n) + (n == 1 ? " theorem" : " theorems") + " of the literature";
-  if (open > 0)
-    s += " and " + std::to_string(open) + (open == 1 ? " hypothesis" : " hypotheses") +
-         " NOT CHECKED";
+  if (open > 0) s += " and " + not_checked(open);
   return s + "; " + trust(trusted);
 }
 
