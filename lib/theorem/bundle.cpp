@@ -301,11 +301,13 @@ private:
   BundlePart put_lowest_order(const NodeResult& n, const BundlePart& there, FamilyWriter& low) {
     const System& s = whole_->system();
     if (s.weights.empty()) throw DomainError("the system has no weights");
-    std::vector<Json> weights, orders;
+    std::vector<Json> weights, orders, units;
     for (const std::size_t i : s.field.coordinates)
       weights.push_back(json_text(std::to_string(s.weights.at(i))));
     for (std::size_t k = 0; k < whole_->divisors().size(); ++k)
       orders.push_back(order_of(k));
+    for (const MPoly& h : low.divisors())
+      units.push_back(shown_unit(h));
     const MFraction& h = *low.system().field.hamiltonian;
     const long degree = weight_of(low.system(), s, h.num());
     put_step(n.node.id, "lowest-order",
@@ -313,6 +315,7 @@ private:
               {"system", json_text(whole_->name())},
               {"weights", json_list(std::move(weights))},
               {"degree", json_text(std::to_string(degree))},
+              {"units", json_list(std::move(units))},
               {"orders", json_list(std::move(orders))}});
     std::vector<Condition> region;
     for (const Condition& c : there.region)
@@ -320,6 +323,13 @@ private:
           {is_zero(c.p) ? MPoly(whole_->ring()) : transfer(MFraction(c.p), whole_->ring()).num(),
            c.sign});
     return {n.node.id, std::move(region)};
+  }
+  // A denominator of the lowest-order system.
+  Json shown_unit(const MPoly& h) {
+    const MPoly ours = certify::primitive(transfer(MFraction(h), whole_->ring()).num());
+    auto proof = shown(whole_->ring(), whole_->assumptions(), {ours, Sign::nonzero}, 3, budget_);
+    if (!proof) throw DomainError("it is not shown that " + to_string(ours) + " is not 0");
+    return *std::move(proof);
   }
   // The weight of the first term; the checker looks at all of them.
   static long weight_of(const System& low, const System& s, const MPoly& f) {

@@ -14,7 +14,7 @@ const Ring& ring() {
   return r;
 }
 
-bool proves(const Conditions& given, const std::string& node) {
+bool proves(Conditions given, const std::string& node) {
   Arithmetic arithmetic;
   std::size_t nodes = 100;
   const Json json = parse_json(node);

@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -45,7 +46,7 @@ def reports(texts):
 
 class Theorems(unittest.TestCase):
     def test_accepts_what_the_solver_wrote_and_states_the_same(self):
-        genuine = [json.dumps(top) for top in (theorems.HEAVY, theorems.SLIDING)]
+        genuine = [json.dumps(top) for top in (theorems.HEAVY, theorems.SLIDING, *theorems.RIGHT.values())]
         for text, report in zip(genuine, reports(genuine)):
             trusted, _, lines = V.check(text)
             self.assertEqual((trusted, report["verdict"], report["trusted_steps"]), (0, "accepted", 0))
@@ -58,6 +59,25 @@ class Theorems(unittest.TestCase):
             with self.subTest(name):
                 self.assertNotEqual(verdict(text), "a", "Python")
                 self.assertNotEqual(report["verdict"], "accepted", "C++")
+
+
+    def test_what_is_long_comes_to_an_end(self):
+        long = list(theorems.long_ones())
+        start = time.monotonic()
+        for (name, text), report in zip(long, reports([text for _, text in long])):
+            with self.subTest(name):
+                self.assertEqual((verdict(text), report["verdict"]), ("r", "rejected"))
+        self.assertLess(time.monotonic() - start, 60)
+
+    def test_strict_refuses_a_hypothesis_that_is_not_checked(self):
+        for top, code in ((theorems.HEAVY, 1), (theorems.RIGHT["small"], 0)):
+            with tempfile.NamedTemporaryFile("w", suffix=".json") as f:
+                json.dump(top, f)
+                f.flush()
+                for command in ([KOVACIC, "verify"], [sys.executable, V.__file__]):
+                    out = subprocess.run([*command, "--strict", f.name], capture_output=True, text=True, check=False)
+                    self.assertEqual(out.returncode, code, out.stdout)
+                    self.assertEqual("1 hypothesis NOT CHECKED, refused by --strict" in out.stdout, bool(code))
 
 
 class Signs(unittest.TestCase):

@@ -13,7 +13,7 @@ def read(name):
         return json.load(f)
 
 
-HEAVY, SLIDING = read("heavy_top"), read("sliding_top")
+HEAVY, SLIDING, CUBIC = read("heavy_top"), read("sliding_top"), read("cubic_potential")
 
 
 def step(top, name):
@@ -22,6 +22,24 @@ def step(top, name):
 
 def system(top, name):
     return next(s for s in top["systems"] if s["name"] == name)
+
+
+TOP = ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"]
+ONE = [["1" if i == j else "0" for j in range(6)] for i in range(6)]
+
+
+def small():
+    """The heavy top with A = B = 1, C = 3, L = (1, 0, 0), from the certificate of that system"""
+    h = {"coordinates": TOP, "inverses": [], "hamiltonian": ["3*M1^2 + 3*M2^2 + M3^2 + 6*Gamma1", "6"],
+         "brackets": system(HEAVY, "heavy_top.toml")["system"]["brackets"]}
+    group = {"chosen": [["1", "1", "1"]], "by": {"node": "empty", "terms": [["1", "1"]], "zeros": [["0", "-1"]]}}
+    place = {"id": "y", "rule": "place", "of": "flat-step", "system": "Y", "at": [], "region": [], "adjoined": [],
+             "values": {x: x for x in TOP}, "back": ONE, "bracket": ["1", "1"], "energy": ["1", "1"], "shown": [group, group]}
+    cover = {"id": "main", "rule": "cover", "system": "Y", "symmetries": [], "parts": ["y"],
+             "tree": {"node": "part", "part": "0", "word": [], "shown": []}}
+    family = {"name": "Y", "parameters": [], "system": h, "assumptions": []}
+    return copy.deepcopy({"format": "kovacic-theorem/1", "title": "small", "systems": [family],
+                          "steps": [step(HEAVY, "flat-step"), place, cover]})
 
 
 def nodes(v, kind):
@@ -46,6 +64,12 @@ def to(owner, key, value):
 
 def without(rows, i):
     del rows[i]
+
+
+def changed(top, change):
+    top = copy.deepcopy(top)
+    change(top)
+    return top
 
 
 def swapped(owner, a, b):
@@ -124,6 +148,61 @@ def cubic_lagrangian(top):
     l["value"] = [f"{value} + {n}*Omega1^3", n]
 
 
+def divided_level(top):
+    """1/F2 as a cofactor on F2 = 0"""
+    system(top, "heavy_top_goryachev_chaplygin.toml")["system"]["inverses"].append(
+        {"name": "w", "of": "M1*Gamma1 + M2*Gamma2 + M3*Gamma3"})
+    step(top, "goryachev-chaplygin-step")["claims"] = [{"name": "F3", "value": "M1", "cofactors": ["3*M2*M3*u1*w"]}]
+
+
+def adjoined(row):
+    return lambda t: step(t, "y")["adjoined"].append(row)
+
+
+def parameters(*names):
+    return lambda t: t["systems"][0]["parameters"].extend(names)
+
+
+TWO = {"name": "v", "inverse": "2", "times": "1", "norm": "2",
+       "by": {"node": "empty", "terms": [["2", "1"]], "zeros": [["0", "-1"]]}}
+
+
+def at_and_adjoined(top):
+    """A name that a parameter with a value had"""
+    top["systems"][0]["parameters"] = ["p"]
+    step(top, "y")["at"], step(top, "y")["adjoined"] = [["p", "1"]], [{"name": "p", "square": "2"}]
+    top["steps"][-1]["tree"]["shown"] = [{"node": "empty", "terms": [["1", "p"]], "zeros": []}]
+
+
+def on_one_leaf(top):
+    """What is proved on the leaf of a phase curve, of the system of lowest order"""
+    whole = copy.deepcopy(top["systems"][0])
+    whole["name"], whole["system"]["hamiltonian"][0] = "X", whole["system"]["hamiltonian"][0] + " + 6*Gamma1^2"
+    top["systems"].append(whole)
+    top["steps"].insert(2, {"id": "x", "rule": "lowest-order", "of": "y", "system": "X", "degree": "2",
+                            "weights": ["1", "1", "1", "2", "2", "2"], "units": [], "orders": []})
+    top["steps"][-1].update(system="X", parts=["x"])
+
+
+def shifted(s, hamiltonian):
+    """The same system with q1 + s in the place of q1, after the step of lowest order"""
+    def change(top):
+        there = copy.deepcopy(system(top, "X.toml"))
+        there["name"], there["system"]["hamiltonian"] = "Z", hamiltonian
+        top["systems"].append(there)
+        names = ["q1", "q2", "p1", "p2"]
+        values = {x: x for x in [*names, "a", "u1", "u2"]}
+        values["q1"] = s
+        top["steps"].insert(-1, {
+            "id": "z", "rule": "place", "of": "cubic", "system": "Z", "at": [], "region": [], "adjoined": [],
+            "values": values, "back": [row[:4] for row in ONE[:4]], "bracket": ["1", "1"], "energy": ["1", "1"],
+            "shown": [{"over": "1", "value": "a", "by": {"node": "empty", "terms": terms, "zeros": zeros}}
+                      for terms, zeros in (([["1", "1"]], [["1", "-1"]]),
+                                           ([["1", "1", ["0", "1"]], ["1", "1", ["1", "1"]]], []))]})
+        top["steps"][-1].update(system="Z", parts=["z"])
+    return change
+
+
 HEAVY_TRAPS = {
     # signs
     "a leaf without what is strict": lambda t: [to(n, "terms", []) for n in nodes(tree(t), "empty")][:1],
@@ -176,6 +255,7 @@ HEAVY_TRAPS = {
     "no integral": lambda t: to(step(t, "lagrange-step")["claims"][0], "value", "M1"),
     "a forgotten level": forgotten_level,
     "a level that is not invariant": moved_level,
+    "what vanishes on the level as a denominator": divided_level,
     # splitting
     "another order": lambda t: to(step(t, "three-step"), "order", "2"),
     "a perturbation with a term forgotten": lambda t: to(
@@ -217,6 +297,36 @@ SLIDING_TRAPS = {
 }
 
 
+SMALL_TRAPS = {
+    "a parameter that forges lines": parameters("A\nis integrable by quadratures"),
+    "a parameter that is a coordinate": parameters("M1"),
+    "a parameter twice": parameters("a", "a"),
+    "a parameter without a name": parameters(""),
+    "a parameter that is no name": parameters("a b"),
+    "too many parameters": parameters(*(f"p{i}" for i in range(13))),
+    "an inverse that the system has not": lambda t: t["systems"][0]["system"]["inverses"].append({"name": "w", "of": "M1"}),
+    "a root that is no name": adjoined({"name": "r 1", "square": "2"}),
+    "a root that is a parameter with a value": at_and_adjoined,
+    "an inverse over a number": adjoined(TWO | {"inverse": ["2", "7"]}),
+    "a factor over a number": adjoined(TWO | {"times": ["2", "2"]}),
+    "lowest order on one leaf": on_one_leaf,
+}
+CUBIC_H = system(CUBIC, "X.toml")["system"]["hamiltonian"]
+SHIFTED = ["2*q1^4*u1*u2*a + 8*q1^3*u1*u2*a + 12*q1^2*u1*u2*a + 8*q1*u1*u2*a + 2*u1*u2*a + 2*q1^2*q2^2*u1*u2*a + "
+           "4*q1*q2^2*u1*u2*a + 2*q2^2*u1*u2*a + 2*q1^2*q2*u1*u2*a^2 + 4*q1*q2*u1*u2*a^2 + 2*q2*u1*u2*a^2 + "
+           "2*q2^4*u1*u2*a + 2*q2^3*u1*u2*a^2 + q2*p1^2*u1*u2 + q2*p2^2*u1*u2 + p1^2*u1*u2*a + p2^2*u1*u2*a", "2"]
+CUBIC_TRAPS = {
+    "another origin": shifted("q1 + 1", SHIFTED),
+    "a denominator of lowest order that is not shown": lambda t: to(step(t, "cubic"), "units", []),
+    "another denominator": lambda t: to(step(t, "cubic")["units"][0], "zeros", [["1", "-2"]]),
+}
+RIGHT = {"small": small(), "small, a parameter": changed(small(), parameters("a")),
+         "small, no functions": changed(small(), lambda t: t["systems"][0]["system"].update(functions=[], relations=[])),
+         "small, a root": changed(small(), adjoined({"name": "r", "square": ["2", "3"]})),
+         "small, an inverse": changed(small(), adjoined(TWO)),
+         "cubic": CUBIC, "cubic, another place": changed(CUBIC, shifted("q1", CUBIC_H))}
+
+
 def cheated(of, top, changes):
     """Names and certificates that must be refused"""
     for name, change in changes.items():
@@ -225,12 +335,70 @@ def cheated(of, top, changes):
         yield f"{of}: {name}", json.dumps(false)
 
 
+def many_nodes(top):
+    """What is known is long, and there are many nodes"""
+    top["systems"][0]["parameters"] = ["p", "q"]
+    top["systems"][0]["assumptions"] = [
+        {"p": " + ".join(f"p^{i}*q^{j}" for i in range(10) for j in range(10)), "sign": "positive"}] * 50
+    for s in step(top, "y")["shown"]:
+        s["by"]["zeros"][0][0] = "50"
+    node = top["steps"][-1]["tree"]
+    for _ in range(13):
+        node = {"node": "zero", "p": "1", "nonzero": node, "zero": node}
+    node["zero"] = {"node": "empty", "terms": [], "zeros": []}
+    top["steps"][-1]["tree"] = node
+
+
+def denominators(top):
+    """1000 terms whose common denominator has a million digits"""
+    step(top, "y")["shown"][0]["by"]["terms"] = [["1/1" + f"{2 * i + 1:01000}", "1"] for i in range(1000)]
+
+
+def long_powers(top):
+    """p/n in p^9999, n with 9999 digits"""
+    other, n = copy.deepcopy(top["systems"][0]), "7" * 9999
+    other.update(name="X", parameters=["p"])
+    top["systems"][0].update(parameters=["p"], assumptions=[{"p": "p^9999", "sign": "nonzero"}])
+    top["systems"].append(other)
+    for s in step(top, "y")["shown"]:
+        s["by"]["zeros"][0][0] = "1"
+    z = copy.deepcopy(step(top, "y"))
+    z.update(id="z", of="y", system="X", values=z["values"] | {"p": ["p", n]})
+    z["shown"] = [{"over": n, "value": n + "*p", "by": {"node": "empty", "terms": [[n, "1"]], "zeros": [["0", "-1"]]}}] * 2
+    top["steps"].insert(2, z)
+    top["steps"][-1].update(system="X", parts=["z"])
+
+
+def high_degree(top):
+    """p -> p^9000 three times"""
+    top["systems"][0]["parameters"] = ["p"]
+    y = step(top, "y")
+    y["region"] = [{"p": "p", "sign": "nonnegative"}]
+    for s in y["shown"]:
+        s["by"]["zeros"][0][0] = "1"
+    symmetry = {key: y[key] for key in ("system", "adjoined", "back", "bracket", "energy")}
+    symmetry |= {"id": "s", "rule": "symmetry", "values": y["values"] | {"p": "p^9000"}, "shown": []}
+    top["steps"].insert(2, symmetry)
+    top["steps"][-1].update(symmetries=["s"], tree={"node": "part", "part": "0", "word": ["0"] * 3, "shown": [
+        {"node": "empty", "terms": [["1", "1"]], "zeros": []}]})
+
+
+def long_ones():
+    """Small files that are much work if it is not counted"""
+    for change in (many_nodes, denominators, long_powers, high_degree):
+        yield change.__name__, json.dumps(changed(small(), change))
+
+
 def traps():
     yield from cheated("heavy top", HEAVY, HEAVY_TRAPS)
     yield from cheated("sliding top", SLIDING, SLIDING_TRAPS)
+    yield from cheated("small", small(), SMALL_TRAPS)
+    yield from cheated("cubic", CUBIC, CUBIC_TRAPS)
 
 
 def certificates():
     """The quick ones: name, text, is it right?"""
     yield "heavy top", json.dumps(HEAVY), True
-    yield from ((name, text, False) for name, text in cheated("heavy top", HEAVY, HEAVY_TRAPS))
+    yield from ((name, json.dumps(top), True) for name, top in RIGHT.items())
+    for of, top, changes in (("heavy top", HEAVY, HEAVY_TRAPS), ("small", small(), SMALL_TRAPS), ("cubic", CUBIC, CUBIC_TRAPS)):
+        yield from ((name, text, False) for name, text in cheated(of, top, changes))

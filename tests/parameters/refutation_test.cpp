@@ -17,7 +17,7 @@ const Ring& ring() {
 Condition is(const char* f, Sign sign) { return {certify::read_polynomial(ring(), f), sign}; }
 
 // Found, and accepted.
-bool refuted(const std::vector<Condition>& given, int depth = 6) {
+bool refuted(std::vector<Condition> given, int depth = 6) {
   const auto node = refutation(ring(), given, depth);
   if (!node) return false;
   certify::Arithmetic arithmetic;

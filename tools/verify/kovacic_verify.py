@@ -81,12 +81,13 @@ def prove(top):
     return num, den, claim, len(trusted), lines
 
 
-def check(text):
-    """The number of trusted steps, a summary and the lines of the statement; raises Malformed or Rejected."""
+def check(text, strict=False):
+    """The number of trusted steps, a summary and the lines of the statement; strict: no hypothesis of a theorem may be
+    unchecked.  Raises Malformed or Rejected."""
     top, Equation.spent, Work.left = parse(text), 0, 4 * 10**7
     form = top.get("format") if isinstance(top, dict) else None
     if form == theorem.FORMAT:
-        return theorem.verify(top, prove)
+        return theorem.verify(top, prove, strict)
     if form == system.FORMAT:
         return system.verify(top, prove)
     if form == jets.FORMAT:
@@ -114,7 +115,7 @@ def judge(name, strict):
         with open(0 if name == "-" else name, "rb", closefd=name != "-") as f:
             text = f.read(2**28 + 1)
         need(len(text) <= 2**28, "longer than 2^28 bytes")
-        trusted, summary, lines = check(text.decode("utf-8"))
+        trusted, summary, lines = check(text.decode("utf-8"), strict)
         need(not trusted or not strict, f"{trusted} trusted steps, refused by --strict")
     except (Malformed, OSError, UnicodeDecodeError) as error:
         return 2, f"malformed: {shown(str(error))}", []

@@ -26,6 +26,9 @@ def lowest_order(X, Y, d):
     need(len(shifts) <= 1 and not any(f.p.variables() & inverses for f in space.brackets.values()), "the bracket mixes orders")
     need(all(weight(k) == d["degree"] for k in other.hamiltonian.p), "not homogeneous")
     need(not any(monomial(k) != (0,) * len(places) for h in other.denominators.values() for k in h.p), "not a polynomial")
+    right(len(d["units"]) == len(other.inverses), "a node for each denominator is expected")
+    for u, by in zip(other.inverses, d["units"]):
+        show(parse_again(other.denominators[other.at[u]].p, Y, X), "nonzero", by, X.assumptions, X.names)
     right([row["inverse"] for row in d["orders"]] == space.inverses, "an order for each inverse is expected")
     bound = d["degree"]
     difference = space.hamiltonian - moved(other.hamiltonian, Y, X)

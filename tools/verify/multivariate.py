@@ -13,6 +13,7 @@ from certificate_format import Malformed, need
 from modular import power
 
 FIELD, MASK, VARIABLES, NAMES = 32, 2**32 - 1, 13, 64           # quotient: the first 13; all else: 64
+DEGREE, LONG = 10**6, 10**6
 GUARD = sum(1 << FIELD * i + 31 for i in range(VARIABLES))      # no exponent reaches these bits,
 HIGH = sum(3 << FIELD * i + 30 for i in range(NAMES))           # nor does a sum of two
 POWER = r"[A-Za-z_][A-Za-z0-9_]*(\^(0|[1-9][0-9]{0,3}))?"
@@ -32,6 +33,14 @@ def cost(f, g):
     """Of a product of two coefficients, long ones counting more"""
     m, n = f.bits(), g.bits()
     return 1 + (m + n >> 9) + (m * n >> 18)
+
+
+def product_of_numbers(m, n):
+    """m n; long ones count."""
+    a, b = m.bit_length(), n.bit_length()
+    need(a + b <= LONG, "a limit: the length of a number")
+    spend((a + b >> 9) + (a * b >> 18))
+    return m * n
 
 
 class P(dict):
@@ -55,7 +64,7 @@ class P(dict):
 
     def __mul__(self, o):
         if isinstance(o, int):
-            spend(2 + len(self))
+            spend(2 + len(self) * (1 + (self.bits() >> 9) * (o.bit_length() >> 9)))
             return P((k, c * o) for k, c in self.items()) if o else P()
         spend(8 + len(self) * len(o) * cost(self, o))
         small, large = sorted((self, o), key=len)
@@ -84,7 +93,10 @@ class P(dict):
 
     def coefficients(self, x):
         """Of x^0, x^1, ..."""
-        rows = [P() for _ in range(self.degree(x) + 1)]
+        n = self.degree(x)
+        need(n <= DEGREE, "a limit: the degree of a polynomial")
+        spend(n + 1)
+        rows = [P() for _ in range(n + 1)]
         for k, c in self.items():
             e = k >> x & MASK
             rows[e][k - (e << x)] = c

@@ -1,10 +1,10 @@
 """A system: functions on phase space with their derivatives, its bracket and field, and what is claimed of it
 (docs/theory/system_certificates.md 3).  All of it are identities between polynomials in the names of phase space."""
 from itertools import combinations
-from math import lcm
+from math import gcd
 
 from certificate_format import need
-from multivariate import FIELD, ONE, P, spend
+from multivariate import FIELD, ONE, P, product_of_numbers, spend
 from system_format import entries, fraction, right
 
 
@@ -20,14 +20,14 @@ class Function:
     def __add__(self, o):
         if not self or not o:
             return self or o
-        n = lcm(self.n, o.n)
+        n = product_of_numbers(self.n, o.n) // gcd(self.n, o.n)
         return Function(self.p * (n // self.n) + o.p * (n // o.n), n)
 
     def __sub__(self, o):
         return self + Function(o.p * -1, o.n)
 
     def __mul__(self, o):
-        return Function(self.p * o.p, self.n * o.n)
+        return Function(self.p * o.p, product_of_numbers(self.n, o.n))
 
 
 NOTHING = Function(P())

@@ -23,6 +23,8 @@ class Family:
         self.assumptions = conditions(d["assumptions"], self.names)
         given = d.get("lagrangian")
         self.lagrangian = Lagrangian(given, self.space) if given else None
+        seen = set().union(self.space.hamiltonian.p.variables(), *(f.p.variables() for *_, f in self.space.pairs))
+        need(seen >= set(self.space.denominators), "an inverse that is not one of the system")
 
     def region(self, rows):
         return conditions(rows, self.names)
@@ -84,6 +86,7 @@ class Map:
     def adjoin(self, rows):
         for v in rows:
             d = read_adjoined(v)
+            right(d["name"] not in self.space.at, "another name is expected")
             names = {x: k for x, k in self.tower.names.items() if k in self.constants}
             if "square" in d:
                 square = self.tower.read(d["square"])

@@ -8,7 +8,7 @@ from multivariate import P, parse, spend
 NEGATED = {"positive": ("nonnegative", -1), "nonnegative": ("positive", -1), "nonzero": ("zero", 1), "zero": ("nonzero", 1)}
 BRANCHES = {"sign": (("positive", 1, "positive"), ("zero", 1, "zero"), ("negative", -1, "positive")),
             "zero": (("nonzero", 1, "nonzero"), ("zero", 1, "zero"))}
-DEPTH, TERMS, ZEROS = 64, 1000, 200
+DEPTH, TERMS, ZEROS, BITS = 64, 1000, 200, 33220                # 10000 digits
 
 
 class Nodes:
@@ -50,9 +50,12 @@ def contradiction(d, given, names):
     if len(d["terms"]) > TERMS or len(d["zeros"]) > ZEROS:
         raise Malformed("too many terms")
     terms = [term(v, given, names) for v in d["terms"]]
-    common, total = lcm(*(c.denominator for c, *_ in terms)), P()
+    common, total = 1, P()
+    for c, *_ in terms:
+        spend(common.bit_length() >> 6)
+        common = short(lcm(common, short(c.denominator)))
     for c, f, _ in terms:
-        total += f * int(c * common)
+        total += f * (short(c.numerator) * (common // c.denominator))
     for v in d["zeros"]:
         if not isinstance(v, list) or len(v) != 2:
             raise Malformed("an index and a polynomial are expected")
@@ -61,6 +64,11 @@ def contradiction(d, given, names):
         total += parse(text(v[1]), names) * f * common
     need(any(strict for *_, strict in terms), "no term is strict")
     need(not total, "the sum is not 0")
+
+
+def short(n):
+    need(n.bit_length() <= BITS, "a limit: the length of a number")
+    return n
 
 
 def text(v):

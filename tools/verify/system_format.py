@@ -25,6 +25,16 @@ def right(condition, what):
         raise Malformed(what)
 
 
+def need_names(system, parameters, field=()):
+    """Coordinates, functions, inverses, parameters; z, parameters, tower: each different names, not too many"""
+    phase = [*system["coordinates"], *(f["name"] for f in system["functions"]),
+             *(u["name"] for u in system["inverses"]), *parameters]
+    for names in (phase, field):
+        right(all(map(NAME.match, names)) and len(set(names)) == len(names), "different names are expected")
+    right(len(parameters) <= PARAMETERS and len(phase) <= PHASE, "too many names")
+    right(1 <= len(system["coordinates"]) <= COORDINATES, "1 to 40 coordinates are expected")
+
+
 def read_system(v):
     """The certificate, its names and its numbers of things in their limits."""
     top = read(TOP, v, "certificate")
@@ -32,14 +42,8 @@ def read_system(v):
     for key in ("functions", "inverses", "relations"):
         system[key] = system[key] or []
     top["claims"] = top["claims"] or []
-    phase = [*system["coordinates"], *(f["name"] for f in system["functions"]),
-             *(u["name"] for u in system["inverses"]), *top["parameters"]]
-    field = [curve["variable"], *top["parameters"], *(w["name"] for w in curve["tower"])]
-    for names in (phase, field):
-        right(all(map(NAME.match, names)) and len(set(names)) == len(names), "different names are expected")
-    right(len(top["parameters"]) <= PARAMETERS and len(phase) <= PHASE, "too many names")
+    need_names(system, top["parameters"], [curve["variable"], *top["parameters"], *(w["name"] for w in curve["tower"])])
     right(len(curve["tower"]) <= TOWER, "too many names in the tower")
-    right(1 <= len(system["coordinates"]) <= COORDINATES, "1 to 40 coordinates are expected")
     right(len(curve["denominators"]) <= DENOMINATORS, "too many denominators")
     right(len(normal["annihilators"]) <= ANNIHILATORS, "too many annihilators")
     given = [system[key] is not None for key in ("hamiltonian", "brackets", "field")]

@@ -16,7 +16,7 @@ from real_proof import Nodes, refute, show
 from splitting import Splitting
 from system_format import read_system, right
 from theorem_format import FORMAT, NODES, read_theorem
-from theorem_statement import LEAVES, LITERATURE, REAL, RIGID, ORIGIN, SYMMETRIC_TOP, statement
+from theorem_statement import LEAVES, LITERATURE, ON_ONE_LEAF, ORIGIN, REAL, RIGID, SYMMETRIC_TOP, statement
 
 
 WORK = 4 * 10**7                            # for each step
@@ -143,6 +143,7 @@ class Theorem:
         need(REAL not in of.classes or not map.tower.roots, "a real system, and a root")
         if LEAVES in of.classes:
             map.need_level(RIGID)
+        need(ORIGIN not in of.classes or not map.affine, "the origin moves")
         equations = [(P({1 << v: at[name].n}) - at[name].p, "zero") for name, v in x.names.items() if name in at]
         return Fact(of.kind, x, equations + region, of.classes, of.integrals, of.used)
 
@@ -165,6 +166,7 @@ class Theorem:
     def lowest_order(self, d):
         x, of = self.family(d), self.fact(d["of"], "N")
         need(of.family is not None, "the step is about a system of a certificate")
+        need(not any(ON_ONE_LEAF in c for c in of.classes), "what is independent on one leaf, of parts of lowest order")
         lowest_order(x, of.family, d)
         at = {of.family.names[name]: x.names[name] for name in x.parameters}
         region = [(P((sum((k >> v & 2**32 - 1) << w for v, w in at.items()), c) for k, c in f.items()), sign)
@@ -199,8 +201,9 @@ class Theorem:
             show(g, sign, by, given, f.family.names)
 
 
-def verify(top, prove):
-    """The number of trusted steps, a summary and the statement.  Raises Malformed or Rejected."""
+def verify(top, prove, strict=False):
+    """The number of trusted steps, a summary and the statement; strict: no hypothesis may be unchecked.  Raises Malformed or
+    Rejected."""
     Nodes.left = NODES
     top = read_theorem(top)
     try:
@@ -211,6 +214,7 @@ def verify(top, prove):
     lines = statement(last, theorem)
     used = [LITERATURE[name] for name in LITERATURE if name in last.used]
     unchecked = sum(how == "NOT CHECKED" for _, hypotheses in used for how, _ in hypotheses)
-    plural = "hypothesis" if unchecked == 1 else "hypotheses"
+    open_ones = f"{unchecked} {'hypothesis' if unchecked == 1 else 'hypotheses'} NOT CHECKED"
+    need(not unchecked or not strict, f"{open_ones}, refused by --strict")
     said = f"given {len(used)} theorem{'s' * (len(used) != 1)} of the literature"
-    return 0, said + (f" and {unchecked} {plural} NOT CHECKED" if unchecked else "") + "; ", lines
+    return 0, said + f" and {open_ones}" * bool(unchecked) + "; ", lines

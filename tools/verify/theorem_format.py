@@ -1,6 +1,6 @@
 """Reads kovacic-theorem/1 (docs/theory/theorem_certificates.md 1): syntax and types; nothing is judged here."""
 from certificate_format import Malformed, read
-from system_format import SYSTEM, right
+from system_format import SYSTEM, need_names, right
 
 FORMAT = "kovacic-theorem/1"
 COND = {"p": "text", "sign": "text"}
@@ -21,7 +21,8 @@ RULES = {"certificate": {"certificate": "any"},
                        "power": "int", "region": [COND], "proof": "any"},
          "place": MAP | {"of": "text", "system": "text", "at": [["any"]], "region": [COND]},
          "symmetry": MAP | {"system": "text"},
-         "lowest-order": {"of": "text", "system": "text", "weights": ["int"], "degree": "int", "orders": [ORDER]},
+         "lowest-order": {"of": "text", "system": "text", "weights": ["int"], "degree": "int", "units": ["any"],
+                          "orders": [ORDER]},
          "cover": {"system": "text", "symmetries": ["text"], "parts": ["text"], "tree": "any"}}
 FAMILIES, STEPS, NODES = 40, 200, 200000
 
@@ -33,10 +34,12 @@ def read_theorem(top):
     right(len(set(names)) == len(names), "a system occurs twice")
     for family in top["systems"]:
         system = family["system"]
-        given = [system[key] is not None for key in ("hamiltonian", "brackets", "functions", "relations", "field")]
-        right(given == [True, True, False, False, False], "a Hamiltonian and brackets are expected, and nothing else")
         for key in ("functions", "inverses", "relations"):
             system[key] = system[key] or []
+        given = [system[key] is not None for key in ("hamiltonian", "brackets", "field")]
+        right(given == [True, True, False] and not system["functions"] and not system["relations"],
+              "a Hamiltonian and brackets are expected, and nothing else")
+        need_names(system, family["parameters"])
     top["steps"] = [read_step(v) for v in top["steps"]]
     return top
 

@@ -5,6 +5,7 @@ from system_statement import function
 REAL = "real-analytic on the whole real phase space"
 ORIGIN = "meromorphic near the origin"
 LEAVES = "meromorphic on the leaves with F2 = 0"
+ON_ONE_LEAF = "independent on the symplectic leaf"     # in the name of a class (system_certificates.md 7)
 RIGID = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3"
 CHECKED, STATED, OPEN = "checked", "part of the statement", "NOT CHECKED"
 LITERATURE = {

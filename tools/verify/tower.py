@@ -1,6 +1,6 @@
 """Polynomials in names to which roots and inverses are adjoined (docs/theory/theorem_certificates.md 3)."""
 from certificate_format import need
-from multivariate import FIELD, NAMES, ONE, P
+from multivariate import FIELD, NAMES, ONE, P, product_of_numbers
 from phase_space import Function, total
 from strata_format import NAME
 from system_format import fraction, right
@@ -20,7 +20,7 @@ def compose(f, images):
         return total(terms)
     need(f.p.variables() <= set(images), "a name has no value")
     g = put(f.p, sorted(f.p.variables()))
-    return Function(g.p, g.n * f.n)
+    return Function(g.p, product_of_numbers(g.n, f.n))
 
 
 class Tower:
@@ -61,5 +61,5 @@ class Tower:
         """sum rows[j] r^(2 j), times a number"""
         value, lift = P(), 1
         for row in reversed(rows):
-            value, lift = value * square.p + row * lift, lift * square.n
+            value, lift = value * square.p + row * lift, product_of_numbers(lift, square.n)
         return value

@@ -17,6 +17,11 @@ double words(const MPoly& f) { // of the largest coefficient
   return 1 + static_cast<double>(top) / 64;
 }
 
+double words(const Integer& n) { return 1 + static_cast<double>(fmpz_bits(n.raw())) / 64; }
+
+// Of a product of two numbers of these lengths, for the limit.
+double work(double a, double b) { return (a + b) * std::sqrt(std::min(a, b)); }
+
 double terms(const MPoly& f) { return static_cast<double>(f.length()); }
 
 std::vector<slong> degrees(const MPoly& f) {
@@ -71,7 +76,7 @@ MPoly Arithmetic::times(const MPoly& a, const MPoly& b) {
   const double wa = words(a);
   const double wb = words(b);
   const double pairs = terms(a) * terms(b);
-  charge(1 + pairs, pairs * (wa + wb) * std::sqrt(std::min(wa, wb)));
+  charge(1 + pairs, pairs * work(wa, wb));
   const auto da = degrees(a);
   const auto db = degrees(b);
   double box = 1; // an upper bound for the terms of the product
@@ -102,6 +107,27 @@ MPoly Arithmetic::plus(const MPoly& a, const MPoly& b) {
 MPoly Arithmetic::minus(const MPoly& a, const MPoly& b) {
   charge(1 + terms(a) + terms(b), terms(a) * words(a) + terms(b) * words(b));
   return a - b;
+}
+
+Integer Arithmetic::times(const Integer& a, const Integer& b) {
+  const double m = words(a), n = words(b);
+  charge(0, work(m, n));
+  need_within(m + n <= max_number, "a limit: the length of a number");
+  return a * b;
+}
+
+Integer Arithmetic::common_multiple(const Integer& a, const Integer& b) {
+  const double m = words(a), n = words(b);
+  charge(0, 10 * work(m, n));
+  need_within(m + n <= max_number, "a limit: the length of a number");
+  return lcm(a, b);
+}
+
+MPoly Arithmetic::scaled(const MPoly& f, const Integer& c) {
+  const double w = words(f), n = words(c);
+  charge(0, terms(f) * work(w, n));
+  need_within(terms(f) * (w + n) <= max_result, "a limit: the size of a polynomial");
+  return certify::scaled(f, c);
 }
 
 // School division in the first variable of b, whose coefficients are divided in the same way.

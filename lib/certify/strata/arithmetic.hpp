@@ -19,6 +19,10 @@ public:
   [[nodiscard]] MPoly power(const MPoly& f, unsigned long e);
   [[nodiscard]] MPoly plus(const MPoly& a, const MPoly& b);
   [[nodiscard]] MPoly minus(const MPoly& a, const MPoly& b);
+  /// The numbers below fractions: they grow as well.
+  [[nodiscard]] Integer times(const Integer& a, const Integer& b);
+  [[nodiscard]] Integer common_multiple(const Integer& a, const Integer& b);
+  [[nodiscard]] MPoly scaled(const MPoly& f, const Integer& c);
   /// a/b in Z[t], if it exists.  Requires b != 0.
   /// Cost  counted: terms of the quotient times terms of b
   [[nodiscard]] std::optional<MPoly> quotient(const MPoly& a, const MPoly& b);

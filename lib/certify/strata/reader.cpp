@@ -45,15 +45,6 @@ public:
   }
 
 private:
-  static bool is_name(const std::string& s) {
-    const auto letter = [](char c) {
-      return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-    };
-    return !s.empty() && s.size() <= 1000 && letter(s[0]) &&
-           std::all_of(s.begin(), s.end(),
-                       [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
-  }
-
   void read_names() {
     std::vector<std::string> names{top_.at("variable").text()};
     const Node parameters = top_.at("parameters");

@@ -89,9 +89,9 @@ CurveFunction CurveAlgebra::reduced(CurveFunction f) const {
         MPoly& part = static_cast<long>(k) >= d ? high : low;
         part = a_.plus(a_.times(part, x), c[k]);
       }
-      f.p = a_.plus(a_.times(scaled(low, step.value.n), denominator(step.value.over)),
+      f.p = a_.plus(a_.times(a_.scaled(low, step.value.n), denominator(step.value.over)),
                     a_.times(high, step.value.p));
-      f.n *= step.value.n;
+      f.n = a_.times(f.n, step.value.n);
       f.over = sum(f.over, step.value.over);
     }
   }
@@ -99,10 +99,10 @@ CurveFunction CurveAlgebra::reduced(CurveFunction f) const {
 }
 
 CurveFunction CurveAlgebra::plus(const CurveFunction& f, const CurveFunction& g) const {
-  const Integer n = lcm(f.n, g.n);
+  const Integer n = a_.common_multiple(f.n, g.n);
   const Exponents e = largest(f.over, g.over);
   const auto raised = [&](const CurveFunction& x) {
-    return a_.times(scaled(x.p, exact_div(n, x.n)), denominator(difference(e, x.over)));
+    return a_.times(a_.scaled(x.p, exact_div(n, x.n)), denominator(difference(e, x.over)));
   };
   return reduced({a_.plus(raised(f), raised(g)), n, e});
 }
@@ -113,7 +113,7 @@ CurveFunction CurveAlgebra::minus(const CurveFunction& f, const CurveFunction& g
 
 CurveFunction CurveAlgebra::times(const CurveFunction& f, const CurveFunction& g) const {
   if (is_zero(f.p) || is_zero(g.p)) return zero();
-  return reduced({a_.times(f.p, g.p), f.n * g.n, sum(f.over, g.over)});
+  return reduced({a_.times(f.p, g.p), a_.times(f.n, g.n), sum(f.over, g.over)});
 }
 
 CurveFunction CurveAlgebra::power(const CurveFunction& f, unsigned long e) const {

@@ -45,14 +45,14 @@ bool PhaseSpace::uses_inverses(const MPoly& f) const {
 }
 
 PhaseFunction PhaseSpace::times(const PhaseFunction& a, const PhaseFunction& b) const {
-  return {a_.times(a.p, b.p), a.n * b.n};
+  return {a_.times(a.p, b.p), a_.times(a.n, b.n)};
 }
 
 PhaseFunction PhaseSpace::plus(const PhaseFunction& a, const PhaseFunction& b) const {
   if (is_zero(a.p)) return b;
   if (is_zero(b.p)) return a;
-  const Integer n = lcm(a.n, b.n);
-  return {a_.plus(scaled(a.p, exact_div(n, a.n)), scaled(b.p, exact_div(n, b.n))), n};
+  const Integer n = a_.common_multiple(a.n, b.n);
+  return {a_.plus(a_.scaled(a.p, exact_div(n, a.n)), a_.scaled(b.p, exact_div(n, b.n))), n};
 }
 
 PhaseFunction PhaseSpace::product(const std::vector<PhaseFunction>& a,

@@ -14,15 +14,6 @@ namespace {
 
 constexpr int max_json_depth = 4 * max_node_depth + 8;
 
-bool is_name(const std::string& s) {
-  const auto letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  return !s.empty() && s.size() <= 1000 && letter(s[0]) &&
-         std::all_of(s.begin(), s.end(),
-                     [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
-}
-
 } // namespace
 
 Ring ring_of(const Node& n, const std::vector<std::string>& names) {

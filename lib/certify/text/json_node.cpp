@@ -13,6 +13,15 @@ bool is_natural(std::string_view s) { // no sign, no leading zero
          std::all_of(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
+bool is_name(std::string_view s) {
+  const auto letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  return !s.empty() && s.size() <= 1000 && letter(s[0]) &&
+         std::all_of(s.begin(), s.end(),
+                     [&](char c) { return letter(c) || (c >= '0' && c <= '9'); });
+}
+
 namespace {
 
 bool is_integer_text(std::string_view s) {

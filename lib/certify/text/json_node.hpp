@@ -56,6 +56,8 @@ private:
 
 /// Digits without sign and without a leading zero.
 [[nodiscard]] bool is_natural(std::string_view s);
+/// Letters, digits and _, at most 1000, no digit first.
+[[nodiscard]] bool is_name(std::string_view s);
 
 /// A certificate of the format kovacic-certificate/1 inside other data.
 [[nodiscard]] Certificate read_certificate(const Node& n);

@@ -32,6 +32,7 @@ inline constexpr long max_unknowns = 40;            ///< of a linear system
 inline constexpr double max_products = 1e8;         ///< term by term, of the whole run
 inline constexpr double max_word_work = 4e9;     ///< the same, times the words of the coefficients
 inline constexpr double max_result = 1e7;        ///< words of one polynomial that is computed
+inline constexpr double max_number = 15625;      ///< words of the number below a fraction
 inline constexpr long max_degree = 1000000;      ///< of a polynomial that is computed
 inline constexpr double work_of_a_rational = 20; ///< one exponent, in products
 inline constexpr std::size_t max_sums = 4000;    ///< of exponents

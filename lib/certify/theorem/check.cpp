@@ -336,6 +336,7 @@ private:
     const Map map(x, at, region, y, k, arithmetic_, nodes_);
     need(!has(of, real_analytic) || !map.has_roots(), "a real system, and a root");
     if (has(of, on_leaves)) map.need_level(rigid_level);
+    need(!has(of, near_origin) || !map.moves_origin(), "the origin moves");
     TheoremFact f;
     f.kind = of.kind;
     f.family = &x;
@@ -372,6 +373,9 @@ private:
     const TheoremFact& of = fact(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable);
     need(of.family != nullptr, "the step is about a system of a certificate");
+    need(std::none_of(of.classes.begin(), of.classes.end(),
+                      [](const std::string& c) { return c.find(on_one_leaf) != c.npos; }),
+         "what is independent on one leaf, of parts of lowest order");
     need_lowest_order(x, *of.family, k, arithmetic_, nodes_);
     TheoremFact f;
     f.family = &x;
@@ -402,9 +406,9 @@ private:
     if (has(all, on_leaves))
       for (const TheoremFact* f : symmetries_)
         f->map->need_level(rigid_level);
+    Conditions given = x.assumptions;
     RealProof(x.system.ring, parameters(x), arithmetic_, nodes_)
-        .refute(k.at("tree"), x.assumptions,
-                [&](const Node& n, const Conditions& given) { part(n, given, x); });
+        .refute(k.at("tree"), given, [&](const Node& n, Conditions& here) { part(n, here, x); });
     return all;
   }
   const TheoremFact& of_kind(const Node& n, const Family& x, FactKind one, FactKind other) {
@@ -420,7 +424,7 @@ private:
     return real;
   }
 
-  void part(const Node& n, const Conditions& given, const Family& x) {
+  void part(const Node& n, Conditions& given, const Family& x) {
     Keys k(n);
     if (k.at("node").text() != "part") n.fail("an unknown node");
     const TheoremFact& f = *parts_[index(k.at("part"), parts_.size(), "no such part")];
@@ -478,6 +482,9 @@ Family read_family(const Node& n, Arithmetic& a) {
   if (const auto lagrangian = k.find("lagrangian"))
     f.lagrangian = read_lagrangian(*lagrangian, f.system, a);
   k.done();
+  const std::vector<bool> used = used_names(f.system);
+  for (std::size_t i = f.system.first_inverse(); i < f.system.first_parameter(); ++i)
+    need(used[i], "an inverse that is not one of the system");
   return f;
 }
 

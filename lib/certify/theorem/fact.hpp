@@ -33,6 +33,8 @@ struct TheoremFact {
 inline constexpr const char* real_analytic = "real-analytic on the whole real phase space";
 inline constexpr const char* near_origin = "meromorphic near the origin";
 inline constexpr const char* on_leaves = "meromorphic on the leaves with F2 = 0";
+/// In the name of a class about one leaf (system_certificates.md 7).
+inline constexpr const char* on_one_leaf = "independent on the symplectic leaf";
 inline constexpr const char* rigid_level = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3";
 
 struct NamedTheorem {

@@ -26,8 +26,7 @@ public:
     const auto degree = static_cast<unsigned long>(given);
     need(lowest(t.hamiltonian->p) >= degree && highest(t.hamiltonian->p) <= degree,
          "not homogeneous");
-    for (const MPoly& h : t.inverses)
-      need(highest(h) == 0, "not a polynomial");
+    need_units();
     need_difference(degree, s);
   }
 
@@ -98,6 +97,29 @@ private:
     need(shifts.size() <= 1, "the bracket mixes orders");
   }
 
+  // The denominators of Y: free of coordinates, and not 0 at any admitted point of X.
+  void need_units() {
+    Conditions of_y;
+    for (const MPoly& h : y_.system.inverses) {
+      need(highest(h) == 0, "not a polynomial");
+      of_y.push_back({h, Sign::nonzero});
+    }
+    const Node units = k_.at("units");
+    const auto rows = units.items();
+    if (rows.size() != of_y.size()) units.fail("a node for each denominator is expected");
+    const Conditions units_of_x = renamed(of_y, x_);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      show(units_of_x[i], rows[i]);
+  }
+  // From the assumptions of X.
+  void show(const Condition& c, const Node& by) {
+    const std::size_t all = x_.system.ring->size();
+    std::vector<bool> real(all, false);
+    std::fill(real.begin() + static_cast<long>(x_.system.first_parameter()), real.end(), true);
+    Conditions given = x_.assumptions;
+    RealProof(x_.system.ring, real, a_, nodes_).show(c, by, given);
+  }
+
   // The orders of the inverses of X, and what they add for this polynomial.
   unsigned long read_orders(const MPoly& difference) {
     const PhaseSystem& s = x_.system;
@@ -116,9 +138,7 @@ private:
       x_.need_parameters(part);
       need(lowest(s.inverses[i]) >= order, "an order is another one");
       need(has_part(s.inverses[i], order, part), "no such part of lowest order");
-      std::vector<bool> real(s.ring->size(), false);
-      std::fill(real.begin() + static_cast<long>(s.first_parameter()), real.end(), true);
-      RealProof(s.ring, real, a_, nodes_).show({part, Sign::nonzero}, row.at("by"), x_.assumptions);
+      show({part, Sign::nonzero}, row.at("by"));
       row.done();
       sum += static_cast<unsigned long>(std::max(0L, kov::degree(difference, u))) * order;
     }

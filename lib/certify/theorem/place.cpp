@@ -104,8 +104,8 @@ void Map::read_names(const Node& adjoined) {
     names.push_back(name_of(n));
   if (names.size() > max_phase_names) adjoined.fail("more than 64 names");
   for (const std::string& s : names)
-    if (s.empty() || std::count(names.begin(), names.end(), s) != 1)
-      adjoined.fail("different names are expected");
+    if (!is_name(s) || std::count(names.begin(), names.end(), s) != 1)
+      adjoined.fail("different names of letters, digits and _ are expected");
   ring_ = make_ring(names);
   functions_ = std::make_unique<Functions>(ring_, a_);
   tower_ = std::make_unique<Tower>(*functions_);
@@ -145,6 +145,13 @@ MPoly Map::free_parameters(const Node& n) const {
   return f;
 }
 
+MPoly Map::constants(const Node& n) const {
+  MPoly f = read_poly(ring_, n);
+  for (const std::size_t i : used_variables(f))
+    if (!constant_[i]) n.fail("a polynomial in the parameters and adjoined names is expected");
+  return f;
+}
+
 PhaseFunction Map::element(const Node& n) const {
   PhaseFunction f = read_phase_function(ring_, n);
   for (const std::size_t i : used_variables(f.p))
@@ -166,10 +173,8 @@ void Map::adjoin(const Node& n) {
     name.square = element(*square);
     need_constant(*name.square);
   } else {
-    name.inverse_of = element(k.at("inverse")).p;
-    const PhaseFunction h{name.inverse_of, Integer(1)}, times = element(k.at("times"));
-    need_constant(h);
-    need_constant(times);
+    name.inverse_of = constants(k.at("inverse"));
+    const PhaseFunction h{name.inverse_of, Integer(1)}, times{constants(k.at("times")), Integer(1)};
     need(!is_zero(h.p), "the inverse of 0");
     const MPoly norm = free_parameters(k.at("norm"));
     need(tower_->clears(in().minus(in().times(h, times), {norm, Integer(1)})),

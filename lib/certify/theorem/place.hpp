@@ -78,6 +78,7 @@ private:
 
   [[nodiscard]] PhaseFunction element(const Node& n) const; ///< in adjoined names so far
   [[nodiscard]] MPoly free_parameters(const Node& n) const; ///< a polynomial in p
+  [[nodiscard]] MPoly constants(const Node& n) const;       ///< in p and adjoined names so far
   void need_constant(const PhaseFunction& f) const;
   [[nodiscard]] PhaseFunction moved(const PhaseFunction& f) const; ///< of X, with `at` put in
   [[nodiscard]] PhaseFunction put_in(const PhaseFunction& f) const;

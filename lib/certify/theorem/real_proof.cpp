@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t max_terms_of_a_node = 1000, max_zeros = 200;
 constexpr long max_exponent_of_a_factor = 100;
+constexpr mp_limb_t max_bits_of_a_number = 33220;
 
 Sign sign_of(const Node& n) {
   const std::string text = n.text();
@@ -34,9 +35,9 @@ Condition negation(const Condition& c) {
   }
 }
 
-Conditions with(Conditions given, Condition more) {
-  given.push_back(std::move(more));
-  return given;
+// The common denominator of the terms of a node is written by nobody: 10000 digits.
+void need_short(const Integer& n) {
+  need_within(fmpz_bits(n.raw()) <= max_bits_of_a_number, "a limit: the length of a number");
 }
 
 } // namespace
@@ -53,7 +54,7 @@ Conditions read_conditions(const Ring& ring, const Node& n) {
   return all;
 }
 
-void RealProof::refute(const Node& n, Conditions given, const Leaf& leaf, int depth) {
+void RealProof::refute(const Node& n, Conditions& given, const Leaf& leaf, int depth) {
   need_within(left_ > 0 && depth > 0, "too many nodes");
   --left_;
   a_.charge(static_cast<double>(10 + given.size()));
@@ -66,7 +67,7 @@ void RealProof::refute(const Node& n, Conditions given, const Leaf& leaf, int de
   }
   const MPoly p = poly(k.at("p"));
   const auto branch = [&](const char* key, const MPoly& f, Sign sign) {
-    refute(k.at(key), with(given, {f, sign}), leaf, depth - 1);
+    refute_with({f, sign}, k.at(key), given, leaf, depth - 1);
   };
   if (kind == "sign") {
     branch("positive", p, Sign::positive);
@@ -79,8 +80,15 @@ void RealProof::refute(const Node& n, Conditions given, const Leaf& leaf, int de
   k.done();
 }
 
-void RealProof::show(const Condition& c, const Node& n, Conditions given) {
-  refute(n, with(std::move(given), negation(c)));
+void RealProof::refute_with(Condition more, const Node& n, Conditions& given, const Leaf& leaf,
+                            int depth) {
+  given.push_back(std::move(more));
+  refute(n, given, leaf, depth);
+  given.pop_back();
+}
+
+void RealProof::show(const Condition& c, const Node& n, Conditions& given) {
+  refute_with(negation(c), n, given, {}, max_node_depth);
 }
 
 MPoly RealProof::poly(const Node& n) const {
@@ -102,6 +110,7 @@ RealProof::Term RealProof::term(const Node& n, const Conditions& given) {
   const MPoly q = poly(parts[1]);
   Term t{parts[0].rational(), a_.times(q, q), !is_zero(q) && is_constant(q)};
   need(t.c > Rational(0), "a factor is not positive");
+  need_short(t.c.num());
   for (std::size_t j = 2; j < parts.size(); ++j) {
     const auto pair = parts[j].items();
     if (pair.size() != 2) parts[j].fail("an index and an exponent are expected");
@@ -127,17 +136,19 @@ void RealProof::contradiction(const Node& n, const Conditions& given) {
   Integer common(1);
   for (const Node& t : terms) {
     all.push_back(term(t, given));
-    common = lcm(common, all.back().c.den());
+    need_short(all.back().c.den());
+    common = a_.common_multiple(common, all.back().c.den());
+    need_short(common);
   }
   MPoly sum(ring_);
   for (const Term& t : all)
-    sum = a_.plus(sum, scaled(t.f, t.c.num() * exact_div(common, t.c.den())));
+    sum = a_.plus(sum, a_.scaled(t.f, t.c.num() * exact_div(common, t.c.den())));
   for (const Node& z : zeros) {
     const auto pair = z.items();
     if (pair.size() != 2) z.fail("an index and a polynomial are expected");
     const Condition& f = at(pair[0], given);
     need(f.sign == Sign::zero, "a condition is not one of sign zero");
-    sum = a_.plus(sum, scaled(a_.times(poly(pair[1]), f.p), common));
+    sum = a_.plus(sum, a_.scaled(a_.times(poly(pair[1]), f.p), common));
   }
   need(std::any_of(all.begin(), all.end(), [](const Term& t) { return t.strict; }),
        "no term is strict");

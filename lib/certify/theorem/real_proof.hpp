@@ -19,16 +19,17 @@ using Conditions = std::vector<Condition>;
 class RealProof {
 public:
   /// Takes nodes of other kinds than those of section 2.
-  using Leaf = std::function<void(const Node&, const Conditions&)>;
+  using Leaf = std::function<void(const Node&, Conditions&)>;
 
   /// real: by variable of the ring, which names may occur.
   RealProof(Ring ring, std::vector<bool> real, Arithmetic& a, std::size_t& nodes_left)
       : ring_(std::move(ring)), real_(std::move(real)), a_(a), left_(nodes_left) {}
 
   /// Refuses a node that does not prove that there is no point.
-  void refute(const Node& n, Conditions given, const Leaf& leaf = {}, int depth = max_node_depth);
+  /// given: longer in between, not copied for each node
+  void refute(const Node& n, Conditions& given, const Leaf& leaf = {}, int depth = max_node_depth);
   /// The same for the conditions and the negation of c.
-  void show(const Condition& c, const Node& n, Conditions given);
+  void show(const Condition& c, const Node& n, Conditions& given);
 
 private:
   struct Term {
@@ -37,6 +38,7 @@ private:
     bool strict = false;
   };
 
+  void refute_with(Condition more, const Node& n, Conditions& given, const Leaf& leaf, int depth);
   void contradiction(const Node& n, const Conditions& given);
   [[nodiscard]] Term term(const Node& n, const Conditions& given);
   [[nodiscard]] MPoly poly(const Node& n) const;

@@ -414,7 +414,8 @@ Conditions need_splitting(const Family& y, Keys& k, Arithmetic& a, std::size_t& 
   std::vector<bool> real(ring->size(), false);
   for (std::size_t i = y.system.first_parameter(); i + 1 < ring->size(); ++i)
     real[i] = true;
-  RealProof(ring, real, a, nodes_left).refute(k.at("proof"), splitting_conditions(y, d, ring, a));
+  Conditions all = splitting_conditions(y, d, ring, a);
+  RealProof(ring, real, a, nodes_left).refute(k.at("proof"), all);
   return d.region;
 }
 

@@ -8,14 +8,14 @@ namespace kov::certify {
 
 PhaseFunction Functions::times(const PhaseFunction& a, const PhaseFunction& b) const {
   if (is_zero(a.p) || is_zero(b.p)) return zero();
-  return {a_.times(a.p, b.p), a.n * b.n};
+  return {a_.times(a.p, b.p), a_.times(a.n, b.n)};
 }
 
 PhaseFunction Functions::plus(const PhaseFunction& a, const PhaseFunction& b) const {
   if (is_zero(a.p)) return b;
   if (is_zero(b.p)) return a;
-  const Integer n = lcm(a.n, b.n);
-  return {a_.plus(scaled(a.p, exact_div(n, a.n)), scaled(b.p, exact_div(n, b.n))), n};
+  const Integer n = a_.common_multiple(a.n, b.n);
+  return {a_.plus(a_.scaled(a.p, exact_div(n, a.n)), a_.scaled(b.p, exact_div(n, b.n))), n};
 }
 
 PhaseFunction Functions::minus(const PhaseFunction& a, const PhaseFunction& b) const {
@@ -26,7 +26,7 @@ PhaseFunction Functions::composed(const PhaseFunction& f,
                                   const std::vector<std::optional<PhaseFunction>>& images) const {
   if (is_zero(f.p)) return zero();
   PhaseFunction g = put(f.p, used_variables(f.p), images);
-  g.n = g.n * f.n;
+  g.n = a_.times(g.n, f.n);
   return g;
 }
 
@@ -61,8 +61,8 @@ MPoly Tower::half(const Coefficients& c, std::size_t first, const PhaseFunction&
   for (std::size_t j = first; j < c.size(); j += 2)
     rows.push_back(c[j]);
   for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
-    sum = a.plus(a.times(sum, square.p), scaled(*row, lift));
-    lift = lift * square.n;
+    sum = a.plus(a.times(sum, square.p), a.scaled(*row, lift));
+    lift = a.times(lift, square.n);
   }
   return sum;
 }
