@@ -1,6 +1,7 @@
 // How steps are put together: the place of a step, and the cover of parameters by regions.
 // docs/theory/composition.md
 
+#include "certify/theorem/fact.hpp"
 #include "exact/error.hpp"
 #include "parameters/reals.hpp"
 #include "symbol/suggest.hpp"
@@ -200,6 +201,13 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
 
 } // namespace
 
+// Lowest-order parts of integrals that are independent on a leaf need not be so on that leaf.
+bool excludes_on_one_leaf(const NodeResult& n) {
+  return std::any_of(n.excluded.begin(), n.excluded.end(), [](const std::string& c) {
+    return c.find(certify::on_one_leaf) != std::string::npos;
+  });
+}
+
 // An integral that is analytic at the origin has a polynomial as lowest-order part, a meromorphic
 // one a rational function; both belong to the class that is excluded, besides that at the origin.
 void transport_from_lowest_order(NodeResult& n) {
@@ -215,8 +223,12 @@ void settle_place(NodeResult& n, const TheoremResult& result, const std::string&
     settle(n, result, directory);
     if (n.status == NodeStatus::unbound) return;
     if (!n.node.place.of.empty() && n.says == Conclusion::has_integral) n.says = Conclusion::none;
-    if (!n.node.place.of.empty() && n.says == Conclusion::not_integrable)
+    if (!n.node.place.of.empty() && n.says == Conclusion::not_integrable) {
+      if (excludes_on_one_leaf(n))
+        return unbind(n, "it is about integrals that are independent on one symplectic leaf, and "
+                         "their lowest-order parts need not be so there");
       transport_from_lowest_order(n);
+    }
     if (!n.statement.empty() && !n.region.conditions.empty())
       n.statement += ". In the parameters of the theorem: " + text_of(n.region);
   } catch (const DomainError& why) {
@@ -292,6 +304,33 @@ std::vector<Condition> range_of(const NodeResult& n, const System& whole) {
   return known.conditions;
 }
 
+// The affine map y = S x + s, s != 0.
+bool moves_origin(const PlaceMap& map, const VectorField& v) {
+  std::vector<std::size_t> coordinates;
+  for (std::size_t j = 0; j < v.dimension(); ++j)
+    coordinates.push_back(map.ring->index(v.name(j)));
+  const auto is_constant_term = [&](const std::vector<unsigned long>& e) {
+    return std::all_of(coordinates.begin(), coordinates.end(),
+                       [&](std::size_t i) { return e[i] == 0; });
+  };
+  for (std::size_t j = 0; j < v.dimension(); ++j) {
+    const MPoly& f = map.values.at(v.name(j)).num();
+    for (long t = 0; t < f.length(); ++t)
+      if (is_constant_term(f.exponents(t))) return true;
+  }
+  return false;
+}
+
+// A class of integrals near the origin is one near its image.
+void need_origin(const NodeResult& n, const System& whole) {
+  const auto& near = ziglin_1982().integrals;
+  if (std::find(n.excluded.begin(), n.excluded.end(), near) == n.excluded.end()) return;
+  for (const PlaceMap& map : n.symmetries)
+    if (moves_origin(map, whole.field))
+      throw DomainError(
+          "a symmetry moves the origin, and a step excludes first integrals that are " + near);
+}
+
 void state(NodeResult& n, const System& whole, const std::string& file, bool has_symmetries) {
   n.statement = assumptions_of(whole) + "The system of " + file;
   if (!n.region.conditions.empty()) n.statement += ", where " + text_of(n.region) + ",";
@@ -311,6 +350,7 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   const System whole = read_system(path);
   const auto maps = symmetries(n, result.theorem, whole, path);
   const Pieces found = pieces(n, result, maps);
+  need_origin(n, whole);
   n.region = region_of(whole, n.node.place);
   const Covered covered = is_covered(range_of(n, whole), found.regions, cover_milliseconds);
   if (covered.holds != Truth::yes || n.excluded.empty()) {

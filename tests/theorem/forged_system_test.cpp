@@ -159,6 +159,72 @@ TEST_P(Forged, IsNotProved) {
 INSTANTIATE_TEST_SUITE_P(SystemFiles, Forged, testing::ValuesIn(forgeries),
                          [](const auto& test) { return test.param.name; });
 
+namespace {
+
+std::string summary_of(const TheoremResult& r, const std::string& id) {
+  for (const NodeResult& n : r.nodes)
+    if (n.node.id == id) return n.summary;
+  return "";
+}
+
+// (1 + p) q2 (q1^2 + q2^2) at the origin, (1 - p) of it at q1 = 1.
+std::string two_places(const std::string& symmetry) {
+  const auto potential = [](const std::string& q) { return "(" + q + "^2*q2 + q2^3)"; };
+  const std::string begin = "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"q1\", \"q2\"]\n"
+                            "momenta = [\"p1\", \"p2\"]\nparameters = [\"p\"]\nhamiltonian = \""
+                            "(p1^2 + p2^2)/2 + (1 + p)*" +
+                            potential("q1"),
+                    real_p = "[assume]\np = \"real\"\n";
+  std::ofstream(test::own_folder() + "forged_whole.toml")
+      << begin << "*(1 - q1)^4 + (1 - p)*" << potential("(1 - q1)") << "*q1^4\"\n"
+      << real_p << "[expansion]\nweights = {q1 = 2, q2 = 2, p1 = 3, p2 = 3}\n";
+  std::ofstream(test::own_folder() + "forged_lowest.toml") << begin << "\"\n" << real_p;
+  return cover("forged_whole.toml", "\"ni\"",
+               case_of("forged_part.toml",
+                       "of = \"lo\"\nif = [\"p != -1\"]\nas = {q1 = \"(1 + p)*q1\", q2 = \"(1 + "
+                       "p)*q2\", p1 = \"(1 + p)*p1\", p2 = \"(1 + p)*p2\"}\n") +
+                   "[[node]]\nid = \"lo\"\nkind = \"lowest-order\"\nfile = "
+                   "\"forged_whole.toml\"\nother = \"forged_lowest.toml\"\n") +
+         "[[symmetry]]\nas = " + symmetry + "\n";
+}
+
+} // namespace
+
+// "Near the origin" is near another point for the image.
+TEST(LowestOrder, IsNotCarriedToAnotherPoint) {
+  const TheoremResult r = proved({{"forged_part.toml", henon_heiles}},
+                                 two_places("{ q1 = \"1 - q1\", p1 = \"-p1\", p = \"-p\" }"));
+  EXPECT_FALSE(r.complete()) << r.statement();
+  EXPECT_THAT(summary_of(r, "main"), HasSubstr("moves the origin"));
+  EXPECT_THAT(summary_of(r, "ni"), Not(HasSubstr("NOT CHECKED")));
+}
+
+// F1 and F1 + F2 G are independent, not so where F2 = 0: the leaf of a phase curve may be there.
+TEST(LowestOrder, SaysNothingOfOneLeaf) {
+  const std::string top = "[system]\nkind = \"euler-poisson\"\ncoordinates = [\"M1\", \"M2\", "
+                          "\"M3\", \"Gamma1\", \"Gamma2\", \"Gamma3\"]\n",
+                    h = "hamiltonian = \"(M1^2 + M2^2 + M3^2/3)/2 + Gamma1";
+  const TheoremResult r = proved(
+      {{"forged_whole.toml",
+        top + h +
+            " + Gamma1^2\"\n[expansion]\nweights = {M1 = 1, M2 = 1, M3 = 1, Gamma1 = 2, "
+            "Gamma2 = 2, Gamma3 = 2}\n"},
+       {"forged_lowest.toml", top + h + "\"\n"},
+       {"forged_part.toml",
+        top + "parameters = [\"h\"]\n" + h +
+            "\"\n[[casimir]]\nname = \"F1\"\nvalue = \"Gamma1^2 + Gamma2^2 + Gamma3^2\"\n"
+            "[[casimir]]\nname = \"F2\"\nvalue = \"M1*Gamma1 + M2*Gamma2 + M3*Gamma3\"\n"
+            "[[manifold]]\nname = \"N\"\nequations = [\"M1 = 0\", \"M3 = 0\", \"Gamma2 = 0\"]\n"
+            "level = [\"F1 = 1\", \"H = h\"]\n[reduce]\nvariable = \"M1\"\nchange = \"z = "
+            "Gamma1\"\n"}},
+      cover("forged_whole.toml", "\"ni\"",
+            case_of("forged_part.toml", "of = \"lo\"\n") +
+                "[[node]]\nid = \"lo\"\nkind = \"lowest-order\"\nfile = \"forged_whole.toml\"\n"
+                "other = \"forged_lowest.toml\"\n"));
+  EXPECT_FALSE(r.complete()) << r.statement();
+  EXPECT_THAT(summary_of(r, "ni"), HasSubstr("one symplectic leaf"));
+}
+
 // An exception without a name of its own is an exception.
 TEST(Statement, NamesEveryException) {
   const std::string real = "[assume]\ns = \"real\"\n";
