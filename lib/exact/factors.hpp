@@ -5,6 +5,8 @@
 
 namespace kov {
 
+/// Given   const Ring ring = make_ring({"x", "y"});
+/// Given   const MPoly x = MPoly::variable(ring, "x");
 class Factors {
 public:
   /// den = content * prod all()[k]^exponents[k]
@@ -13,6 +15,7 @@ public:
     std::vector<unsigned long> exponents;
   };
   /// Cost  a factorisation over Z
+  /// Example Factors().of(x*x).exponents  // -> {2}
   Product of(const MPoly& den);
   [[nodiscard]] const std::vector<MPoly>& all() const { return all_; }
 

@@ -176,7 +176,8 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
   if (!checks.empty()) out += tag("ul", checks, "class=\"checks\"");
   std::string list;
   for (const Formula& f : n.formulas)
-    list += tag("dt", prose(f.label, html)) + tag("dd", formula(shortened(f.text, longest_on_a_page), html));
+    list += tag("dt", prose(f.label, html)) +
+            tag("dd", formula(shortened(f.text, longest_on_a_page), html));
   if (!list.empty()) out += tag("dl", list);
   for (const Grid& g : n.tables)
     out += table(g);

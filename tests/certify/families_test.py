@@ -68,11 +68,12 @@ def changed_claims(top):
         if node.get("node") == "leaf" or node.get("zero") == "root":
             yield node
     for i, _ in enumerate(leaves(top["tree"])):
-        other = copy.deepcopy(top)
-        leaf = next(itertools.islice(leaves(other["tree"]), i, None))
-        leaf["abelian"] = {"yes": "no", "no": "yes"}[leaf["abelian"]]
-        other["claim"]["abelian"] = None
-        yield other
+        said = next(itertools.islice(leaves(top["tree"]), i, None))["abelian"]
+        for false in {"yes": ["no"], "no": ["yes"], "where": ["yes", "no"]}[said]:
+            other = copy.deepcopy(top)
+            next(itertools.islice(leaves(other["tree"]), i, None))["abelian"] = false
+            other["claim"]["abelian"] = None
+            yield other
 
 
 class At:
@@ -108,10 +109,10 @@ class At:
         return r
 
     def said(self):
-        """abelian, not abelian, undecided or, at a point of no stratum, None"""
+        """abelian, not abelian, a criterion, undecided or, at a point of no stratum, None"""
         found = []
         for line in self.statement:
-            where = re.match(r"  (.*?): (abelian|not abelian|undecided|no points)", line)
+            where = re.match(r"  (.*?): (abelian exactly where|abelian|not abelian|undecided|no points)", line)
             if where and (where[1] == "always" or all(map(self.holds, where[1].split(", ")))):
                 found.append(where[2])
         assert len(found) <= 1, "the strata are not disjoint"
