@@ -10,7 +10,7 @@ import subprocess
 import sys
 import tempfile
 
-SECONDS = 8
+SECONDS = 4
 MEBIBYTES = 1024
 
 
