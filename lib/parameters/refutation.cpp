@@ -86,9 +86,9 @@ Json json_zero_node(const MPoly& p, Json nonzero, Json zero) {
 }
 
 const Factorizations::Factors& Factorizations::of(const MPoly& f) {
-  const auto [at, is_new] = known_.try_emplace(to_string(f));
-  if (is_new) at->second = factor(f);
-  return at->second;
+  std::string name = to_string(f);
+  const auto at = known_.find(name);
+  return at != known_.end() ? at->second : known_.emplace(std::move(name), factor(f)).first->second;
 }
 
 RealFacts::RealFacts(Ring ring, std::vector<Condition> given, SharedFactorizations factorizations)

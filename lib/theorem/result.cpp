@@ -156,14 +156,18 @@ std::string TheoremResult::verdict() const {
 
 std::string TheoremResult::statement() const { return complete() ? nodes.front().statement : ""; }
 
-// The steps that can be certified, and those that are.
+// Of the steps that are proved; a report on one file has no whole to certify.
 std::string TheoremResult::computed() const {
-  const auto certified = static_cast<std::size_t>(std::count_if(
-      nodes.begin(), nodes.end(), [](const NodeResult& n) { return !n.certificates.empty(); }));
+  const auto certified =
+      static_cast<std::size_t>(std::count_if(nodes.begin(), nodes.end(), [](const NodeResult& n) {
+        return n.status == NodeStatus::proved && !n.certificates.empty();
+      }));
+  const bool has_whole = !nodes.empty() && nodes.front().node.kind == NodeKind::cover;
   const std::string steps = plural(count(NodeStatus::proved), "step") + " computed here, ";
   if (!bundle.empty()) return steps + "all that the statement rests on in one certificate";
   return steps + std::to_string(certified) + " of them with certificates" +
-         (no_bundle.empty() ? "" : "; no certificate of the whole (" + no_bundle + ")");
+         (no_bundle.empty() || !has_whole ? ""
+                                          : "; no certificate of the whole (" + no_bundle + ")");
 }
 
 std::string TheoremResult::conclusion() const {

@@ -126,6 +126,18 @@ TEST(Conclusion, SaysWhatTheProofIsGiven) {
   EXPECT_THAT(nothing.conclusion(), HasSubstr("NOT PROVED"));
 }
 
+// A report on one file has no whole to certify, and an open step no certificate to count.
+TEST(Conclusion, CountsCertificatesOfProvedSteps) {
+  TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
+  n.where = {{"A", "1"}, {"C", "3/2"}};
+  TheoremResult r = prove(alone(n, cases + "sliding_top/"));
+  EXPECT_THAT(r.computed(), HasSubstr("1 of them with certificates"));
+  EXPECT_THAT(r.computed(), Not(HasSubstr("no certificate of the whole")));
+  for (NodeResult& one : r.nodes)
+    one.status = NodeStatus::open;
+  EXPECT_EQ(r.computed(), "0 steps computed here, 0 of them with certificates");
+}
+
 // The theorem of the literature is counted, whether the file names it or not.
 TEST(Conclusion, CountsTheTheoremsThatStepsUse) {
   TheoremNode n = node(NodeKind::case_file, "lemma3.toml");
