@@ -203,6 +203,24 @@ def shifted(s, hamiltonian):
     return change
 
 
+def with_lagrangian(value, hamiltonian, velocities):
+    """One more system, v1 and v2 the velocities of p1 and p2"""
+    def change(top):
+        top["systems"].append({
+            "name": "L", "parameters": [], "assumptions": [],
+            "system": {"coordinates": ["q1", "q2", "p1", "p2"], "hamiltonian": hamiltonian,
+                       "brackets": [["q1", "p1", "1"], ["q2", "p2", "1"]]},
+            "lagrangian": {"value": value, "velocities": [{"name": f"v{i + 1}", "momentum": f"p{i + 1}", "value": v}
+                                                          for i, v in enumerate(velocities)]}})
+    return change
+
+
+ENERGY, SPEEDS = ["3*p1^2 + p2^2 - 2*p2*q1 + 7*q1^2", "6"], ["p1", ["p2 - q1", "3"]]
+FREE = ["v1^2 + 3*v2^2 + 2*q1*v2 - 2*q1^2", "2"]
+# FREE + (3*v2 - p2 + q1)^2/2: the same derivatives and the same value at the velocities
+WITH_MOMENTA = ["v1^2 + 12*v2^2 + 8*q1*v2 - 6*v2*p2 + p2^2 - 2*p2*q1 - q1^2", "2"]
+
+
 HEAVY_TRAPS = {
     # signs
     "a leaf without what is strict": lambda t: [to(n, "terms", []) for n in nodes(tree(t), "empty")][:1],
@@ -298,6 +316,12 @@ SLIDING_TRAPS = {
 
 
 SMALL_TRAPS = {
+    "a Lagrangian of the momenta with the right derivatives": with_lagrangian(WITH_MOMENTA, ENERGY, SPEEDS),
+    "a cubic Lagrangian with the right derivatives": with_lagrangian(
+        ["3*v1*v2 + v2^3", "3"], ["3*p1*p2 - p1^3", "3"], ["p2 - p1^2", "p1"]),
+    "another linear part of a Lagrangian": with_lagrangian(["v1^2 + 3*v2^2 - 2*q1*v2 - 2*q1^2", "2"], ENERGY, SPEEDS),
+    "another sign of the potential": with_lagrangian(["v1^2 + 3*v2^2 + 2*q1*v2 + 2*q1^2", "2"], ENERGY, SPEEDS),
+    "velocities exchanged": with_lagrangian(FREE, ENERGY, SPEEDS[::-1]),
     "a parameter that forges lines": parameters("A\nis integrable by quadratures"),
     "a parameter that is a coordinate": parameters("M1"),
     "a parameter twice": parameters("a", "a"),
@@ -320,7 +344,8 @@ CUBIC_TRAPS = {
     "a denominator of lowest order that is not shown": lambda t: to(step(t, "cubic"), "units", []),
     "another denominator": lambda t: to(step(t, "cubic")["units"][0], "zeros", [["1", "-2"]]),
 }
-RIGHT = {"small": small(), "small, a parameter": changed(small(), parameters("a")),
+RIGHT = {"small": small(), "small, a Lagrangian": changed(small(), with_lagrangian(FREE, ENERGY, SPEEDS)),
+         "small, a parameter": changed(small(), parameters("a")),
          "small, no functions": changed(small(), lambda t: t["systems"][0]["system"].update(functions=[], relations=[])),
          "small, a root": changed(small(), adjoined({"name": "r", "square": ["2", "3"]})),
          "small, an inverse": changed(small(), adjoined(TWO)),
