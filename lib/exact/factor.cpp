@@ -299,10 +299,40 @@ Poly norm(const Poly& f) {
   return n;
 }
 
+namespace {
+
+// The largest k with z^k | f.
+long order_at_zero(const Poly& f) {
+  long k = 0;
+  while (
+      fmpz_is_zero(f.raw()->coeffs + k)) // flat: the order of the first coefficient that is not 0
+    ++k;
+  return k / f.stride();
+}
+
+// z^k and a linear polynomial are at hand; what is left goes into `rest`.
+std::vector<Factor> obvious_factors(const Poly& f, Poly& rest) {
+  std::vector<Factor> found;
+  const long k = order_at_zero(f);
+  if (k > 0) found.push_back({coerce(Poly::z(), f.field()), k});
+  rest = k > 0 ? shift_right(f, k) : f;
+  if (degree(rest) != 1) return found;
+  found.push_back({monic(rest), 1});
+  rest = Poly(1);
+  return found;
+}
+
+} // namespace
+
 std::vector<Factor> irreducible_factors(const Poly& f, const Budget& budget) {
   KOV_ENSURE(!is_zero(f));
   Poly rest;
-  std::vector<Factor> found = linear_factors(f, rest);
+  std::vector<Factor> found = obvious_factors(f, rest);
+  if (degree(rest) > 0) {
+    const Poly open = rest;
+    for (Factor& linear : linear_factors(open, rest))
+      found.push_back(std::move(linear));
+  }
   for (const Factor& part : squarefree_factors(rest)) {
     budget.check_degree(degree(part.base));
     for (Poly& q : split_over_field(part.base, budget)) {

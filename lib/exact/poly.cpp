@@ -167,8 +167,8 @@ Poly derivative(const Poly& f) {
 Poly monic(const Poly& f) {
   if (is_zero(f)) throw DomainError("the zero polynomial has no monic form");
   if (f.stride() == 1) {
-    Poly g = f;
-    fmpq_poly_make_monic(g.raw(), g.raw());
+    Poly g(f.field());
+    fmpq_poly_make_monic(g.raw(), f.raw());
     return g;
   }
   const NfElem c = lead(f);
@@ -178,6 +178,7 @@ Poly monic(const Poly& f) {
 Poly scale(const Poly& f, const NfElem& c) {
   if (is_rational(c)) {
     Poly g = coerce(f, common_field(f.field(), c.field()));
+    if (is_one(c)) return g;
     fmpq_poly_scalar_mul_fmpq(g.raw(), g.raw(), c.coeff(0).raw());
     return g;
   }
@@ -248,15 +249,15 @@ Poly inverse_series(const Poly& f, long n) {
 std::pair<Poly, Poly> divrem(const Poly& a0, const Poly& b0) {
   if (is_zero(b0)) throw DomainError("division by the zero polynomial");
   const Field& k = common_field(a0.field(), b0.field());
-  const Poly a = coerce(a0, k);
-  const Poly b = coerce(b0, k);
+  if (degree(a0) < degree(b0)) return {Poly(k), coerce(a0, k)};
   if (k->is_rational()) {
     std::pair<Poly, Poly> qr{Poly(k), Poly(k)};
-    fmpq_poly_divrem(qr.first.raw(), qr.second.raw(), a.raw(), b.raw());
+    fmpq_poly_divrem(qr.first.raw(), qr.second.raw(), a0.raw(), b0.raw());
     return qr;
   }
+  const Poly a = coerce(a0, k);
+  const Poly b = coerce(b0, k);
   const long n = degree(a) - degree(b) + 1; // number of coefficients of the quotient
-  if (n <= 0) return {Poly(k), a};
   if (degree(b) == 0) return {scale(a, inverse(lead(b))), Poly(k)};
   const Poly top = truncate(reverse(a, degree(a) + 1), n);
   const Poly bottom = truncate(reverse(b, degree(b) + 1), n);
@@ -289,6 +290,7 @@ std::pair<long, Poly> remove_factor(const Poly& f, const Poly& q) {
 
 Poly gcd(const Poly& a0, const Poly& b0) {
   const Field& k = common_field(a0.field(), b0.field());
+  if (degree(a0) == 0 || degree(b0) == 0) return coerce(Poly(1), k);
   const bool small = degree(a0) + degree(b0) < 24;
   if (k->is_rational() && (small || is_zero(a0) || is_zero(b0))) {
     Poly g(k);
@@ -300,7 +302,6 @@ Poly gcd(const Poly& a0, const Poly& b0) {
   if (is_zero(a)) return is_zero(b) ? b : monic(b);
   if (is_zero(b)) return monic(a);
   if (degree(a) < degree(b)) std::swap(a, b);
-  if (degree(b) == 0) return coerce(Poly(1), k);
   // One prime bounds the degree of the gcd: that settles the two common cases, 1 and b itself.
   const auto bound = gcd_degree_bound(a, b);
   if (bound && *bound == 0) return coerce(Poly(1), k);

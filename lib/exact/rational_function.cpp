@@ -3,40 +3,48 @@
 #include "exact/error.hpp"
 
 namespace kov {
+namespace {
+
+bool is_monic(const Poly& f) {
+  const fmpq_poly_struct* flat = f.raw();
+  return fmpq_poly_degree(flat) == degree(f) * f.stride() &&
+         fmpz_equal(flat->coeffs + flat->length - 1, flat->den) != 0;
+}
+
+// f/d for d | f
+Poly without(const Poly& f, const Poly& d) { return degree(d) == 0 ? f : exact_div(f, d); }
+
+} // namespace
 
 RationalFunction::RationalFunction(const Poly& num, const Poly& den) {
   if (is_zero(den)) throw DomainError("division by the zero function");
-  const Field& k = common_field(num.field(), den.field());
   if (is_zero(num)) {
+    const Field& k = common_field(num.field(), den.field());
     num_ = Poly(k);
     den_ = coerce(Poly(1), k);
     return;
   }
   const Poly g = gcd(num, den);
-  num_ = coerce(degree(g) == 0 ? num : exact_div(num, g), k);
-  den_ = coerce(degree(g) == 0 ? den : exact_div(den, g), k);
-  const NfElem c = lead(den_);
-  if (!is_one(c)) {
-    num_ = scale(num_, inverse(c));
-    den_ = monic(den_);
-  }
+  *this = from_coprime(without(num, g), without(den, g));
 }
 
 RationalFunction RationalFunction::from_coprime(Poly num, Poly den) {
-  RationalFunction f;
-  const Field& k = common_field(num.field(), den.field());
-  const NfElem c = lead(den);
-  if (!is_one(c)) {
-    num = scale(num, inverse(c));
+  const Field k = common_field(num.field(), den.field());
+  if (num.field() != k) num = coerce(num, k);
+  if (is_zero(num)) return RationalFunction(std::move(num));
+  if (den.field() != k) den = coerce(den, k);
+  if (!is_monic(den)) {
+    num = scale(num, inverse(lead(den)));
     den = monic(den);
   }
-  f.num_ = coerce(num, k);
-  f.den_ = coerce(is_zero(num) ? Poly(1) : den, k);
+  RationalFunction f(std::move(num));
+  f.den_ = std::move(den);
   return f;
 }
 
 // Henrici's rules: gcds of the given numerators and denominators only, never of their products.
 RationalFunction operator+(const RationalFunction& a, const RationalFunction& b) {
+  if (is_one(a.den_) && is_one(b.den_)) return RationalFunction(a.num_ + b.num_);
   if (a.den_ == b.den_) return {a.num_ + b.num_, a.den_};
   const Poly g = gcd(a.den_, b.den_);
   if (degree(g) == 0)
@@ -52,12 +60,10 @@ RationalFunction operator+(const RationalFunction& a, const RationalFunction& b)
 RationalFunction operator-(const RationalFunction& a, const RationalFunction& b) { return a + -b; }
 
 RationalFunction operator*(const RationalFunction& a, const RationalFunction& b) {
-  if (is_zero(a.num_) || is_zero(b.num_)) return {a.num_ * b.num_, Poly(1)};
+  if (is_zero(a.num_) || is_zero(b.num_) || (is_one(a.den_) && is_one(b.den_)))
+    return RationalFunction(a.num_ * b.num_);
   const Poly g = gcd(a.num_, b.den_);
   const Poly h = gcd(b.num_, a.den_);
-  const auto without = [](const Poly& f, const Poly& d) {
-    return degree(d) == 0 ? f : exact_div(f, d);
-  };
   return RationalFunction::from_coprime(without(a.num_, g) * without(b.num_, h),
                                         without(a.den_, h) * without(b.den_, g));
 }
@@ -72,8 +78,14 @@ RationalFunction operator-(RationalFunction a) {
   return a;
 }
 
+// A pole of order k becomes one of order k+1: den times its squarefree part is the denominator.
 RationalFunction derivative(const RationalFunction& f) {
-  return {derivative(f.num()) * f.den() - f.num() * derivative(f.den()), f.den() * f.den()};
+  if (is_one(f.den())) return RationalFunction(derivative(f.num()));
+  const Poly slope = derivative(f.den());
+  const Poly multiple = gcd(f.den(), slope);
+  const Poly squarefree = without(f.den(), multiple);
+  return RationalFunction::from_coprime(
+      derivative(f.num()) * squarefree - f.num() * without(slope, multiple), f.den() * squarefree);
 }
 
 RationalFunction pow(const RationalFunction& f, long e) {
@@ -127,11 +139,12 @@ Integer shown_denominator(const Poly& f) {
 std::string to_string(const RationalFunction& f, const std::string& variable) {
   // Without denominators in what is shown; den is monic, so that no common factor is left.
   const Integer common = lcm(shown_denominator(f.num()), shown_denominator(f.den()));
-  const Poly num = scale(f.num(), NfElem(Rational(common)));
-  const Poly den = scale(f.den(), NfElem(Rational(common)));
-  const std::string top = to_string(num, variable);
-  if (is_one(den)) return top;
-  const std::string bottom = to_string(den, variable);
+  const auto shown = [&](const Poly& p) {
+    return to_string(common == Integer(1) ? p : scale(p, NfElem(Rational(common))), variable);
+  };
+  const std::string top = shown(f.num());
+  if (is_one(f.den()) && common == Integer(1)) return top;
+  const std::string bottom = shown(f.den());
   const auto wrap = [](const std::string& s, const char* marks) {
     return s.find_first_of(marks, 1) != std::string::npos ? "(" + s + ")" : s;
   };

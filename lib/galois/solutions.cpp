@@ -96,10 +96,16 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
     found.push_back(std::move(s));
     return found;
   }
+  // omega' + omega^2 = (2 v v'' - v'^2 + w^2)/(4 v^2)
+  const RationalFunction slope = derivative(pair.v);
+  KOV_ENSURE(*w * *w == pair.w_squared);
+  KOV_ENSURE(slope * slope +
+                 (RationalFunction(4) * r * pair.v - RationalFunction(2) * derivative(slope)) *
+                     pair.v ==
+             RationalFunction(Poly(pair.w_squared)));
   for (const NfElem& sign : {*w, -*w}) {
     const RationalFunction omega =
-        (derivative(v) + RationalFunction(Poly(sign))) / (RationalFunction(2) * v);
-    KOV_ENSURE(derivative(omega) + omega * omega == coerce(r, omega.field()));
+        (coerce(slope, v.field()) + RationalFunction(Poly(sign))) / (RationalFunction(2) * v);
     found.push_back({.exponential = ExponentialSolution{omega, Poly(1)}, .adjoined = adjoin});
   }
   return found;

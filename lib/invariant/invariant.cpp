@@ -11,7 +11,9 @@
 namespace kov {
 namespace {
 
-constexpr long spare_columns = 25;
+// Of linearly independent forms the first m+1 derivatives have full rank at all points but the zeros
+// of a Wronskian, and the point is one of 2^60 without meaning: a few columns more are for doubters.
+constexpr long spare_columns = 3;
 
 // The kernel modulo one prime, as polynomials P in reduced echelon form from the top degree down.
 struct ModularKernel {
@@ -167,24 +169,34 @@ std::optional<std::vector<Invariant>> verified_basis(const ChineseLift& lift, co
 
 namespace {
 
-// Local data and one prime: a proof of absence, or the dimension modulo that prime.
+// Local data and one prime: a proof of absence, or the kernel modulo that prime.
 struct FirstLook {
   std::optional<NoInvariant> none;
-  std::size_t dimension = 0;
+  PrimeIdeal prime;
+  ModularKernel kernel;
 };
 
+bool same(const PrimeIdeal& a, const PrimeIdeal& b) {
+  return a.p == b.p && a.generator == b.generator;
+}
+
+long sufficient_terms(const InvariantShape& shape) {
+  return shape.degree + 1 + shape.m + 1 + spare_columns;
+}
+
 FirstLook first_look(const Singularities& s, const InvariantShape& shape, const Budget& budget) {
-  if (shape.obstruction) return {NoInvariant{.m = shape.m, .obstruction = shape.obstruction}, 0};
+  if (shape.obstruction)
+    return {NoInvariant{.m = shape.m, .obstruction = shape.obstruction}, {}, {}};
   budget.check_degree(shape.degree);
-  const Search search{s, shape, shape.degree + 1 + shape.m + 1 + spare_columns};
+  const Search search{s, shape, sufficient_terms(shape)};
   PrimeIdeals primes = PrimeIdeals::large(s.r.field());
   for (int tries = 0; tries < 50; ++tries) {
     budget.check();
     const PrimeIdeal prime = primes.next();
-    const auto kernel = search.kernel(prime);
+    auto kernel = search.kernel(prime);
     if (!kernel) continue;
-    if (kernel->basis.empty()) return {rank_proof(search, prime, *kernel), 0};
-    return {std::nullopt, kernel->basis.size()};
+    if (kernel->basis.empty()) return {rank_proof(search, prime, *kernel), {}, {}};
+    return {std::nullopt, prime, *std::move(kernel)};
   }
   throw OutOfBudget("no good prime found for Sym^" + std::to_string(shape.m));
 }
@@ -204,9 +216,9 @@ InvariantSearch invariants(const Singularities& s, long m, const Budget& budget)
     answer.none = look.none;
     return answer;
   }
-  const Search search{s, shape, shape.degree + 1 + m + 1 + spare_columns};
+  const Search search{s, shape, sufficient_terms(shape)};
   const Field& k = s.r.field();
-  std::size_t dimension = look.dimension;
+  std::size_t dimension = look.kernel.basis.size();
   PrimeIdeals primes = PrimeIdeals::large(k);
   std::optional<ChineseLift> lift;
   std::vector<long> pivots;
@@ -215,7 +227,7 @@ InvariantSearch invariants(const Singularities& s, long m, const Budget& budget)
     const auto ideals = primes.next_split();
     std::vector<std::vector<mp_limb_t>> rows;
     for (const PrimeIdeal& ideal : ideals) {
-      const auto kernel = search.kernel(ideal);
+      const auto kernel = same(ideal, look.prime) ? look.kernel : search.kernel(ideal);
       if (!kernel || kernel->basis.size() > dimension) break;
       if (kernel->basis.empty()) {
         answer.none = rank_proof(search, ideal, *kernel);

@@ -2,7 +2,76 @@
 
 #include "exact/error.hpp"
 
+#include <algorithm>
+#include <vector>
+
 namespace kov {
+namespace {
+
+// Coefficients modulo a small prime, ascending.
+using Residues = std::vector<mp_limb_t>;
+
+constexpr mp_limb_t small_prime = 1 << 16; // sums of 2^32 products fit a word
+constexpr std::size_t long_factor = 64;
+
+Residues residues(const NmodPoly& f) {
+  return {f.raw()->coeffs, f.raw()->coeffs + f.raw()->length};
+}
+
+NmodPoly polynomial(const Residues& c, mp_limb_t p) {
+  NmodPoly f(p);
+  for (std::size_t i = c.size(); i-- > 0;)
+    if (c[i] != 0) f.set_coeff(static_cast<long>(i), c[i]);
+  return f;
+}
+
+// The sum is left unreduced.
+void add_product(Residues& sum, const Residues& f, const Residues& g, nmod_t mod) {
+  if (f.size() < g.size()) return add_product(sum, g, f, mod);
+  if (g.size() < long_factor) {
+    for (std::size_t j = 0; j < g.size(); ++j)
+      for (std::size_t i = 0; i < f.size(); ++i)
+        sum[i + j] += f[i] * g[j];
+    return;
+  }
+  Residues product(f.size() + g.size() - 1);
+  _nmod_poly_mul(product.data(), f.data(), static_cast<slong>(f.size()), g.data(),
+                 static_cast<slong>(g.size()), mod);
+  for (std::size_t i = 0; i < product.size(); ++i)
+    sum[i] += product[i];
+}
+
+Residues derivative(const Residues& f, mp_limb_t p) {
+  Residues slope(f.empty() ? 0 : f.size() - 1);
+  mp_limb_t i = 0; // modulo p
+  for (std::size_t j = 0; j < slope.size(); ++j) {
+    if (++i == p) i = 0;
+    slope[j] = i * f[j + 1] % p;
+  }
+  return slope;
+}
+
+Residues scaled(Residues f, mp_limb_t c, mp_limb_t p) {
+  for (mp_limb_t& x : f)
+    x = x * c % p;
+  return f;
+}
+
+// D f' + E f + g h
+Residues next(const Residues& D, const Residues& E, const Residues& f, const Residues& g,
+              const Residues& h, nmod_t mod) {
+  Residues sum(std::max(D.size() + f.size(), g.size() + h.size()));
+  add_product(sum, D, derivative(f, mod.n), mod);
+  add_product(sum, E, f, mod);
+  add_product(sum, g, h, mod);
+  for (mp_limb_t& c : sum)
+    c %= mod.n;
+  while (!sum.empty() && sum.back() == 0)
+    sum.pop_back();
+  return sum;
+}
+
+} // namespace
 
 std::optional<NmodPoly> p_curvature(const RationalFunction& r, const PrimeIdeal& prime) {
   const auto n = prime.reduce(r.num());
@@ -13,17 +82,21 @@ std::optional<NmodPoly> p_curvature(const RationalFunction& r, const PrimeIdeal&
   //   beta_(k+1)  = D beta_k' - k D' beta_k + D alpha_k.
   // The second row of the matrix at k = p is the derivative of the first one, and its trace is 0.
   const mp_limb_t p = prime.p;
-  const NmodPoly dd = derivative(*d);
-  NmodPoly alpha(p);
-  NmodPoly beta = *d;
-  const auto derived = [&](mp_limb_t k, const NmodPoly& f) {
-    return *d * derivative(f) - scale(dd * f, k % p);
-  };
+  KOV_ENSURE(p < small_prime);
+  const nmod_t mod = d->mod();
+  const Residues D = residues(*d);
+  const Residues N = residues(*n);
+  const Residues slope = derivative(D, p);
+  Residues a;
+  Residues b = D;
   for (mp_limb_t k = 1; k < p; ++k) {
-    NmodPoly next = derived(k, alpha) + *n * beta;
-    beta = derived(k, beta) + *d * alpha;
-    alpha = std::move(next);
+    const Residues E = scaled(slope, p - k, p); // -k D'
+    Residues longer = next(D, E, a, N, b, mod);
+    b = next(D, E, b, D, a, mod);
+    a = std::move(longer);
   }
+  const NmodPoly alpha = polynomial(a, p);
+  const NmodPoly beta = polynomial(b, p);
   // in characteristic p: (alpha/D^p)' = alpha'/D^p, and all is multiplied by D^(2p)
   KOV_ENSURE(is_zero(scale(alpha, 2) + derivative(beta)));
   const NmodPoly lower = derivative(alpha) + exact_div(*n * beta, *d);

@@ -92,6 +92,7 @@ std::optional<Recognized> irregular(const Singularities& s, long regular_places)
     return polynomial(r, m);
   }
   const NfElem at = -r.den().coeff(degree(r.den()) - 1) / NfElem(degree(r.den())); // the only pole
+  if (is_zero(at)) return one_regular(r, m);
   const Moebius centre = shift(at);
   return one_regular(pull_back(r, centre), composed(m, centre));
 }

@@ -40,20 +40,28 @@ bool dihedral(const ExponentTriple& t) {
   return std::count_if(t.begin(), t.end(), is_half_integer) >= 2;
 }
 
+// Half the traces of p, q and pq, sorted: the exponents, and whether p and q generate an irreducible
+// group, depend on them only.
+std::array<Surd, 3> half_traces(const PolyhedralGroup& g, const Quaternion& p,
+                                const Quaternion& q) {
+  std::array<Surd, 3> w{p[0], q[0], g.real_part_of_product(p, q)};
+  std::sort(w.begin(), w.end());
+  return w;
+}
+
 std::set<ExponentTriple> triples_in(const PolyhedralGroup& g) {
-  std::set<ExponentTriple> found;
+  std::set<std::array<Surd, 3>> seen;
+  std::set<ExponentTriple> classes;
   for (std::size_t a = 0; a < g.elements().size(); ++a)
     for (std::size_t b = a; b < g.elements().size(); ++b) { // (B, A) has the traces of (A, B)
       const Quaternion& p = g.elements()[a];
       const Quaternion& q = g.elements()[b];
-      if (!g.irreducible(p, q)) continue;
-      const ExponentTriple t{g.exponent(a), g.exponent(b),
-                             g.exponent_of_real_part(g.real_part_of_product(p, q))};
-      if (!dihedral(t)) found.insert(t);
+      const auto w = half_traces(g, p, q);
+      if (!seen.insert(w).second || !g.irreducible(p, q)) continue;
+      const ExponentTriple t{g.exponent_of_real_part(w[0]), g.exponent_of_real_part(w[1]),
+                             g.exponent_of_real_part(w[2])};
+      if (!dihedral(t)) classes.insert(canonical(t));
     }
-  std::set<ExponentTriple> classes;
-  for (const ExponentTriple& t : found)
-    classes.insert(canonical(t));
   return classes;
 }
 

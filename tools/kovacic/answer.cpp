@@ -7,9 +7,11 @@
 #include "second_opinion.hpp"
 #include "strata/certificate.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <sstream>
+#include <utility>
 
 namespace kov::cli {
 namespace {
@@ -44,6 +46,13 @@ std::string memory_limit(const Settings& settings) {
   return "memory limit of " + std::to_string(settings.memory) + " MiB reached";
 }
 
+// An early message says only what is known: the rest of the result is open.
+Json completed(std::string_view early) {
+  Json result = unread_result(nullptr);
+  if (!early.empty()) result.update(Json::parse(early));
+  return result;
+}
+
 bool proves_something(const Json& result) {
   return !result.at("group").is_null() || result.at("abelian") != "undecided";
 }
@@ -53,7 +62,7 @@ std::string stopped(std::string_view early, const std::string& why, const std::s
                     double seconds, const Settings& settings) {
   if (early.empty()) early = "u";
   const auto [json, certificate] = parts(early);
-  Json result = json.empty() ? unread_result(nullptr) : Json::parse(json);
+  Json result = completed(json);
   result["seconds"] = seconds;
   if (!proves_something(result)) {
     set_undecided(result, why, detail);
@@ -121,7 +130,7 @@ private:
   std::string decide_it(std::string_view job) {
     const Question question = read_(job, [&](const Json& id) {
       id_ = id;
-      say(message(tag_undecided, unread_result(id)));
+      say(message(tag_undecided, {{"id", id}}));
     });
     id_ = question.id;
     check_names(question.text);
@@ -250,7 +259,7 @@ private:
 
   // What was proved before stays.
   std::string undecided(const std::string& why, const std::string& detail) {
-    if (!said_.empty() && proves_something(Json::parse(parts(said_).first)))
+    if (!said_.empty() && proves_something(completed(parts(said_).first)))
       return stopped(said_, why, detail, seconds_since(start_), settings_);
     Json result = open_.is_null() ? unread_result(id_) : open_;
     set_undecided(result, why, detail);
@@ -298,12 +307,50 @@ std::string final_message(const Reply& reply, const Settings& settings, double s
 }
 
 bool early_proof(const Reply& reply) {
-  return !reply.early.empty() && proves_something(Json::parse(parts(reply.early).first));
+  return !reply.early.empty() && proves_something(completed(parts(reply.early).first));
 }
 
 } // namespace
 
-std::string dump(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
+namespace {
+
+std::string dumped(const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+bool is_plain(char c) { return c >= ' ' && c != '"' && c != '\\' && c != '\x7f'; } // and ASCII
+
+void append_text(std::string& out, const std::string& s) {
+  if (std::all_of(s.begin(), s.end(), is_plain))
+    out.append(1, '"').append(s).append(1, '"');
+  else
+    out += dumped(s);
+}
+
+void append(std::string& out, const Json& j) {
+  const char* before = j.is_object() ? "{" : "[";
+  if (j.is_string()) {
+    append_text(out, j.get_ref<const std::string&>());
+  } else if (j.empty() || !j.is_structured()) {
+    out += dumped(j);
+  } else if (j.is_object()) {
+    for (const auto& [key, value] : j.get_ref<const Json::object_t&>()) {
+      append_text(out.append(std::exchange(before, ",")), key);
+      append(out += ':', value);
+    }
+    out += '}';
+  } else {
+    for (const Json& value : j)
+      append(out.append(std::exchange(before, ",")), value);
+    out += ']';
+  }
+}
+
+} // namespace
+
+std::string dump(const Json& j) {
+  std::string out;
+  append(out, j);
+  return out;
+}
 
 Solver::Solver(Read read, const Settings& settings)
     : read_(std::move(read)), settings_(settings),
@@ -374,8 +421,7 @@ namespace {
 Solver::Line line_of(const Reply& reply, const Settings& settings, double seconds) {
   if (reply.end == Reply::End::interrupted) return {"", exit_interrupted, ""};
   if (reply.end != Reply::End::crashed) return read_line(final_message(reply, settings, seconds));
-  const Json early =
-      reply.early.empty() ? unread_result(nullptr) : Json::parse(parts(reply.early).first);
+  const Json early = completed(reply.early.empty() ? "" : parts(reply.early).first);
   return {dump({{"id", early.at("id")}, {"error", "internal error: " + crash_text(reply)}}),
           exit_internal, ""};
 }

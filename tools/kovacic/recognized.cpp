@@ -31,13 +31,18 @@ std::set<std::string> letters_of(const std::string& generator) {
 } // namespace
 
 Json group_json(const GaloisGroup& g) {
-  return {{"type", to_string(g.type)}, {"n", g.n ? json_integer(*g.n) : Json(nullptr)}};
+  Json j;
+  j["type"] = to_string(g.type);
+  j["n"] = g.n ? json_integer(*g.n) : Json(nullptr);
+  return j;
 }
 
 Json closed_json(const ClosedAnswer& answer) {
-  return {{"abelian", text_of(answer.abelian)},
-          {"group", answer.group ? group_json(*answer.group) : Json(nullptr)},
-          {"reason", answer.reason}};
+  Json j;
+  j["abelian"] = text_of(answer.abelian);
+  j["group"] = answer.group ? group_json(*answer.group) : Json(nullptr);
+  j["reason"] = answer.reason;
+  return j;
 }
 
 void ensure_agreement(const ClosedAnswer& closed, const Decision& d) {
@@ -59,7 +64,9 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
   }
   if (!found) return nullptr;
   const auto names = fresh_names(found->parameters, letters_of(equation.constant));
-  Json j = {{"family", to_string(found->family)}, {"equation", renamed(found->equation, names)}};
+  Json j;
+  j["family"] = to_string(found->family);
+  j["equation"] = renamed(found->equation, names);
   j["parameters"] = Json::object();
   for (const auto& [name, value] : found->parameters)
     j["parameters"][renamed(name, names)] = value;

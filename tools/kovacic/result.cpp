@@ -30,10 +30,14 @@ namespace {
 
 Json solution(const PrintedSolution& s) {
   Json j;
-  if (s.minimal_polynomial.empty())
-    j = {{"kind", "exponential"}, {"y", s.y}, {"omega", s.omega}};
-  else
-    j = {{"kind", "minimal-polynomial"}, {"minimal_polynomial", s.minimal_polynomial}};
+  if (s.minimal_polynomial.empty()) {
+    j["kind"] = "exponential";
+    j["y"] = s.y;
+    j["omega"] = s.omega;
+  } else {
+    j["kind"] = "minimal-polynomial";
+    j["minimal_polynomial"] = s.minimal_polynomial;
+  }
   if (!s.note.empty()) j["note"] = s.note;
   return j;
 }
@@ -85,19 +89,22 @@ std::string name_of(Unable::Why why) {
 }
 
 Json unread_result(const Json& id) {
-  return {{"format", "kovacic-result/1"},
-          {"id", id},
-          {"variable", nullptr},
-          {"r", nullptr},
-          {"group", nullptr},
-          {"identity_component", nullptr},
-          {"abelian", "undecided"},
-          {"case", nullptr},
-          {"solutions", nullptr},
-          {"reason", ""},
-          {"undecided", nullptr},
-          {"seconds", nullptr},
-          {"recognized", nullptr}};
+  static const Json blank{{"format", "kovacic-result/1"},
+                          {"id", nullptr},
+                          {"variable", nullptr},
+                          {"r", nullptr},
+                          {"group", nullptr},
+                          {"identity_component", nullptr},
+                          {"abelian", "undecided"},
+                          {"case", nullptr},
+                          {"solutions", nullptr},
+                          {"reason", ""},
+                          {"undecided", nullptr},
+                          {"seconds", nullptr},
+                          {"recognized", nullptr}};
+  Json j = blank;
+  j["id"] = id;
+  return j;
 }
 
 Json open_result(const Json& id, const GivenEquation& equation) {
