@@ -77,4 +77,29 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
   return f;
 }
 
+void take_all_parameters(EquationText& text) {
+  if (text.variable.empty()) {
+    const auto names = settable_names(text);
+    text.variable = "z";
+    for (const char* name : {"t", "x", "z"})
+      if (std::find(names.begin(), names.end(), name) != names.end()) text.variable = name;
+  }
+  const auto has_value = [&](const std::string& name) {
+    return std::any_of(text.set.begin(), text.set.end(),
+                       [&](const auto& value) { return value.first == name; });
+  };
+  for (const std::string& name : settable_names(text))
+    if (name != text.variable && !has_value(name) &&
+        std::find(text.parameters.begin(), text.parameters.end(), name) == text.parameters.end())
+      text.parameters.push_back(name);
+}
+
+std::size_t energy_of(const ParametricEquation& equation, const std::string& name) {
+  const auto found = equation.question.r.ring()->find(name);
+  if (!found || *found == equation.question.z)
+    throw InvalidArgument("the equation has no parameter '" + name +
+                          "'; name the one whose values are asked for");
+  return *found;
+}
+
 } // namespace kov

@@ -28,8 +28,23 @@ struct ParametricEquation {
 ///         square, beside parameters; an equation that is not linear of the second order
 /// Given   EquationText weber;
 /// Given   weber.r = parse_expression("z^2 + a", "r"), weber.parameters = {"a"};
-/// Example read_parametric_equation(weber).variable  // -> z
-/// Example read_parametric_equation(weber).question.r  // -> a + z^2
+/// Given   const ParametricEquation weber_equation = read_parametric_equation(weber);
+/// Example weber_equation.variable  // -> z
+/// Example weber_equation.question.r  // -> a + z^2
 [[nodiscard]] ParametricEquation read_parametric_equation(const EquationText& text);
+
+/// Every name without a value but the variable becomes a parameter.  The variable is z, x or t, the
+/// first of them that occurs, if none is named.
+/// Given   EquationText hermite;
+/// Given   hermite.r = parse_expression("x^2 - E", "r");
+/// Given   take_all_parameters(hermite);
+/// Example hermite.variable  // -> x
+/// Example hermite.parameters  // -> {E}
+void take_all_parameters(EquationText& text);
+
+/// The variable of a parameter whose values are asked for.
+/// Errors  InvalidArgument: the equation has no such parameter
+/// Example weber_equation.question.r.ring()->name(energy_of(weber_equation, "a"))  // -> a
+[[nodiscard]] std::size_t energy_of(const ParametricEquation& equation, const std::string& name);
 
 } // namespace kov

@@ -26,6 +26,25 @@ class Solve(unittest.TestCase):
         self.assertIsNone(answer.undecided)
         self.assertIn("identity component Borel, not abelian", str(answer))
 
+    def test_spectrum(self):
+        weber = kovacic.spectrum("x^2 - E")
+        self.assertTrue(weber.decided)
+        series = next(s for piece in weber.pieces for s in piece.series)
+        self.assertEqual((str(series.value), series.integer), ("2*N + 1", "N"))
+        self.assertEqual([level.n for level in series.levels], [0, 1, 2, 3])
+        for level in series.levels:                      # each eigenfunction solves y'' = (x^2 - E) y
+            self.assertEqual(level.fixed[0], "E")
+            self.assertEqual(int(str(level.fixed[1])), 2 * level.n + 1)
+            self.assertIn("exp(", level.y)
+        sextic = kovacic.spectrum("x^6 - (4*J + 3)*x^2 - E", energy="E", set={"J": 1}, levels=1)
+        degrees = [f for piece in sextic.pieces for f in piece.families]
+        self.assertIs(sextic.pieces[0].status, kovacic.SpectrumStatus.degrees)
+        self.assertEqual(str(degrees[0].levels[0].equations[0]), "E^2 - 8")
+        with self.assertRaises(kovacic.InvalidArgument):
+            kovacic.spectrum("x^2 - E", energy="x")
+        with self.assertRaises(TypeError):
+            bool(weber)
+
     def test_both_solutions(self):
         self.assertEqual(kovacic.solve("-1/(4*z^2)").basis, ("z^(1/2)", "z^(1/2)*log(z)"))
         self.assertEqual(kovacic.solve("z*y'' + y' = 0").basis, ("1", "log(z)"))

@@ -29,29 +29,13 @@ struct Asked {
   std::size_t energy = 0;
 };
 
-// --variable; else z; else the one of x, t that occurs.
-std::string name_of_the_variable(const EquationText& text) {
-  if (!text.variable.empty()) return text.variable;
-  const auto names = settable_names(text);
-  for (const char* name : {"z", "x", "t"})
-    if (std::find(names.begin(), names.end(), name) != names.end()) return name;
-  return "z";
-}
-
-// Every name that has no value is a parameter.
 EquationText text_of(const Settings& settings, const SpectrumArguments& a) {
   EquationText text;
   if (a.r) text.r = parse_expression(*a.r, "-r");
   if (a.ode) text.ode = parse_ode(*a.ode, "-e");
   text.variable = a.variable;
   text.set = settings.settings();
-  text.variable = name_of_the_variable(text);
-  const auto has_value = [&](const std::string& name) {
-    return std::any_of(text.set.begin(), text.set.end(),
-                       [&](const auto& value) { return value.first == name; });
-  };
-  for (const std::string& name : settable_names(text))
-    if (name != text.variable && !has_value(name)) text.parameters.push_back(name);
+  take_all_parameters(text);
   for (const std::string& sentence : a.assume)
     text.assume.push_back({sentence, origin_of_text("--assume", sentence), ""});
   return text;
@@ -59,12 +43,11 @@ EquationText text_of(const Settings& settings, const SpectrumArguments& a) {
 
 Asked read(const Settings& settings, const SpectrumArguments& a) {
   Asked asked{read_parametric_equation(text_of(settings, a)), a.ode.has_value(), 0};
-  const Ring& ring = asked.equation.question.r.ring();
-  const auto energy = ring->find(a.energy);
-  if (!energy || *energy == asked.equation.question.z)
-    throw InvalidArgument("the equation has no parameter '" + a.energy +
-                          "'; --for NAME says which one is asked for");
-  asked.energy = *energy;
+  try {
+    asked.energy = energy_of(asked.equation, a.energy);
+  } catch (const InvalidArgument& e) {
+    throw InvalidArgument(std::string(e.what()) + " by --for NAME");
+  }
   return asked;
 }
 

@@ -12,6 +12,7 @@ void bind_errors(py::module_& m);
 void bind_values(py::module_& m);
 void bind_equation(py::module_& m);
 void bind_strata(py::module_& m);
+void bind_spectrum(py::module_& m);
 void bind_system(py::module_& m);
 void bind_classification(py::module_& m);
 void bind_theorem(py::module_& m);

@@ -57,6 +57,7 @@ PYBIND11_MODULE(_core, m) {
   kov::python::bind_values(m);
   kov::python::bind_equation(m);
   kov::python::bind_strata(m);
+  kov::python::bind_spectrum(m);
   kov::python::bind_system(m);
   kov::python::bind_classification(m);
   kov::python::bind_theorem(m);

@@ -23,7 +23,8 @@ from ._core import (  # noqa: F401
     Classification, ClassificationStatus, ClassifiedStratum, Connected, Decision, Ended, ExclusionReason,
     FixedPoint, FixedPoints, FoundIntegral, GaloisGroup, GroupType, IntegralSearch, IntegralsOfSet, LameAnswer,
     LameConditions, LameFamily, LiouvillianSolution, ManifoldReport, Method, MFraction, Monodromy, NodeResult,
-    NodeStatus, OrbitReport, RationalFunction, Rejected, Settled, Solved, Stability, StrataAnswer, Stratum,
+    NodeStatus, OrbitReport, RationalFunction, Rejected, Settled, Solved, Spectrum, SpectrumFamily, SpectrumLevel,
+    SpectrumPiece, SpectrumSeries, SpectrumStatus, Stability, StrataAnswer, Stratum,
     StratumStatus, SymbolicFamily, TheoremHypothesis, TheoremResult, TheoremUsed, Trichotomy, Truth, Unable,
     VerdictKind, Why)
 from ._errors import (  # noqa: F401
@@ -100,6 +101,20 @@ def integrals(source, degree=2, *, coefficients=None, set=None, timeout=_QUESTIO
     """First integrals of a system file, of this degree in the momenta, at all values of its parameters."""
     return _core.integrals(_limits(timeout, max_work), _source(source), _convert.values(set),
                            _int(degree, "degree"), _int(coefficients, "coefficients"))
+
+
+def spectrum(equation=None, *, r=None, ode=None, energy="E", variable=None, assume=None, set=None, levels=4,
+             timeout=_QUESTION, max_work=None):
+    """For which values of `energy` has the equation a Liouvillian solution?  A Spectrum, in pieces.
+
+    Every name without a value is a parameter, as in the command `kovacic spectrum`; levels: how many N are written
+    out, with eigenfunctions.
+
+        >>> [piece.series[0].value for piece in kovacic.spectrum("x^2 - E").pieces if piece.series]
+        [MFraction('2*N + 1')]
+    """
+    texts = _equation(equation, r, ode, None, None, variable, None, assume, set, None)
+    return _core.spectrum(_limits(timeout, max_work), texts, _convert.name(energy, "energy"), _int(levels, "levels"))
 
 
 def classify(source, *, degree=4, search=True, set=None, timeout=_QUESTION, max_work=None):

@@ -117,6 +117,16 @@ class StratumStatus(enum.Enum):
     def __bool__(self) -> bool: ...
 
 
+class SpectrumStatus(enum.Enum):
+    no_equation = 0
+    none = 1
+    all = 2
+    conditions = 3
+    degrees = 4
+    open = 5
+    def __bool__(self) -> bool: ...
+
+
 class Trichotomy(enum.Enum):
     irregular_or_irrational = 0
     logarithmic = 1
@@ -317,6 +327,52 @@ class Classification:
     notes: list[str]
     stages: list[tuple[str, float]]
     seconds: float
+
+
+class SpectrumLevel:
+    __match_args__ = ('n', 'y')
+    n: int
+    fixed: tuple[str, MFraction] | None
+    equations: list[MFraction]
+    y: str | None
+
+
+class SpectrumSeries:
+    __match_args__ = ('value',)
+    equation: MFraction
+    value: MFraction | None
+    integer: str
+    every_energy: bool
+    levels: list[SpectrumLevel]
+
+
+class SpectrumFamily:
+    __match_args__ = ('degree',)
+    degree: MFraction
+    levels: list[SpectrumLevel]
+    open: str
+
+
+class SpectrumPiece:
+    __match_args__ = ('status',)
+    status: SpectrumStatus
+    conditions: str
+    where: list[str]
+    series: list[SpectrumSeries]
+    unsolved: list[str]
+    families: list[SpectrumFamily]
+    groups: list[GaloisGroup]
+    why: str
+
+
+class Spectrum:
+    __match_args__ = ('pieces',)
+    pieces: list[SpectrumPiece]
+    energy: str
+    decided: bool
+    assumptions: list[str]
+    trusted_steps: list[str]
+    not_studied: list[str]
 
 
 class ClassifiedStratum:
@@ -744,6 +800,12 @@ def integrals(source: Source, degree: int = 2, *, coefficients: int | None = Non
 
 def classify(source: Source, *, degree: int = 4, search: bool = True, set: Mapping[Name, Formula] | None = None,
              timeout: float | None = 60, max_work: float | None = None) -> Classification: ...
+
+
+def spectrum(equation: Formula | None = None, *, r: Formula | None = None, ode: Formula | None = None,
+             energy: Name = "E", variable: Name | None = None, assume: Sentences | None = None,
+             set: Mapping[Name, Formula] | None = None, levels: int = 4, timeout: float | None = 60,
+             max_work: float | None = None) -> Spectrum: ...
 
 
 def monodromy(equation: Formula | None = None, *, r: Formula | None = None, ode: Formula | None = None,
