@@ -80,7 +80,7 @@ private:
   }
 
   [[nodiscard]] std::string title() const {
-    std::string text = s_.file;
+    std::string text = s_.file.substr(s_.file.rfind('/') + 1); // the same on every machine
     for (const auto& [name, value] : s_.values)
       text += ", " + name + " = " + to_string(value);
     return text;

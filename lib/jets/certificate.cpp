@@ -21,7 +21,7 @@ public:
       : whole_(whole), inside_(inside), s_(inside.system), o_(o), plane_(o.plane) {}
 
   certify::JetsCertificate operator()() {
-    c_.title = s_.file;
+    c_.title = s_.file.substr(s_.file.rfind('/') + 1); // the same on every machine
     for (const auto& [name, value] : s_.values)
       c_.title += ", " + name + " = " + to_string(value);
     names();

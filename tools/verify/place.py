@@ -5,10 +5,12 @@ from itertools import combinations
 
 from certificate_format import Malformed, need, read
 from legendre import Lagrangian
-from multivariate import ONE, P, parse
+from multivariate import FIELD, ONE, P, parse
 from phase_space import Function, PhaseSpace, total
 from real_proof import conditions, refute, show
+from statement import polynomial
 from system_format import entries, right
+from system_statement import function
 from theorem_format import CHOSEN, SHOWN, read_adjoined
 from tower import Tower, compose
 
@@ -114,6 +116,19 @@ class Map:
         self.values = {y.at[x]: self.tower.read(v) for x, v in values.items()}
         for x in self.target.parameters:
             self.constant(self.values[y.at[x]])
+
+    def shown(self):
+        """What stands for the names of Y, as text (10); nothing if they are the same"""
+        y, t = self.target, self.tower
+        names = [""] * (max(t.names.values()) // FIELD + 1)
+        for x, v in t.names.items():
+            names[v // FIELD] = x
+        rows = [(x, self.values[y.space.at[x]]) for x in (*y.space.coordinates, *y.parameters)]
+        said = [f"{x} = {function(f, names)}" for x, f in rows if x not in t.names or f.n != 1 or f.p != {1 << t.names[x]: 1}]
+        adjoined = [(names[v // FIELD], square, h) for v, square, h in t.steps if v in self.constants]
+        where = [f"{x} = 1/({polynomial(h, names)})" if square is None else f"{x}^2 = {function(square, names)}"
+                 for x, square, h in adjoined]
+        return [f"its names: {', '.join(said)}"] * bool(said) + [f"where {', '.join(where)}"] * bool(where)
 
     def phi(self, f):
         return compose(f, self.values)

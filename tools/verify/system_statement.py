@@ -54,11 +54,15 @@ class Shown:
             yield f"{u} = 1/({self.function(space.denominators[space.at[u]])})"
         yield from (self.zero([f]) for f in space.relations)
 
+    def phase_curve(self, d):
+        """Where it lies"""
+        change, where = self.function(self.curve.change), self.zero(self.curve.equations)
+        line = f"the phase curve with {self.curve.variable} = {change} on {quoted(d['curve']['manifold'])}"
+        return line + f": {where}" * bool(where) + f"; levels {self.zero(self.curve.levels)}" * bool(self.curve.levels)
+
     def solution(self, d):
         """The phase curve: where it lies, the values of the functions, and its function field"""
-        change, where = self.function(self.curve.change), self.zero(self.curve.equations)
-        line = f"along the phase curve with {self.curve.variable} = {change} on {quoted(d['curve']['manifold'])}"
-        yield line + f": {where}" * bool(where) + f"; levels {self.zero(self.curve.levels)}" * bool(self.curve.levels)
+        yield f"along {self.phase_curve(d)}"
         values = [f"{s} = {self.element(d['curve']['values'][s])}" for s in self.space.functions if self.curve.has(s)]
         if values:
             yield f"  for functions with {', '.join(values)} there"

@@ -14,7 +14,9 @@ from phase_space import Function, total
 from place import Family, Map, Target
 from real_proof import Nodes, refute, show
 from splitting import Splitting
+from statement import quoted
 from system_format import read_system, right
+from system_statement import Shown
 from theorem_format import FORMAT, NODES, read_theorem
 from theorem_statement import LEAVES, LITERATURE, ON_ONE_LEAF, ORIGIN, REAL, RIGID, SYMMETRIC_TOP, statement
 
@@ -24,11 +26,11 @@ WORK = 4 * 10**7                            # for each step
 
 class Fact:
     """kind: N, I or S (1); target: the conditions, for a place; region: those of a fact about a family; classes: K, in the
-    order in which they came; integrals: lines; used: names of theorems"""
+    order in which they came; integrals: lines; used: names of theorems; way: texts, the phase curve and the maps from it"""
 
-    def __init__(self, kind, family, region=(), classes=(), integrals=(), used=(), target=None, map=None):
+    def __init__(self, kind, family, region=(), classes=(), integrals=(), used=(), target=None, map=None, way=()):
         self.kind, self.family, self.region, self.classes = kind, family, list(region), list(classes)
-        self.integrals, self.used, self.target, self.map = list(integrals), set(used), target, map
+        self.integrals, self.used, self.target, self.map, self.way = list(integrals), set(used), target, map, list(way)
 
 
 class Theorem:
@@ -68,7 +70,8 @@ class Theorem:
         need(curve.space.brackets is not None and " (in the" not in said and " and do not" not in said, "another class")
         self.certified += 1
         target = Target(curve.space, top["parameters"], list(self.asked(top, curve)))
-        return Fact("N", None, (), [said], (), ["Morales-Ramis"], target)
+        way = f"{Shown(curve).phase_curve(top)} of {quoted(top['title'])}"
+        return Fact("N", None, (), [said], (), ["Morales-Ramis"], target, way=[way])
 
     @staticmethod
     def asked(top, curve):
@@ -145,7 +148,7 @@ class Theorem:
             map.need_level(RIGID)
         need(ORIGIN not in of.classes or not map.affine, "the origin moves")
         equations = [(P({1 << v: at[name].n}) - at[name].p, "zero") for name, v in x.names.items() if name in at]
-        return Fact(of.kind, x, equations + region, of.classes, of.integrals, of.used)
+        return Fact(of.kind, x, equations + region, of.classes, of.integrals, of.used, way=[*of.way, *map.shown()])
 
     @staticmethod
     def function(v, names):

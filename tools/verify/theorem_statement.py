@@ -62,13 +62,17 @@ def system(family):
         yield "  " + conditions(family.assumptions, space)
 
 
+def place(fact):
+    return f"where {conditions(fact.region, fact.family.space)}" if fact.region else "everywhere"
+
+
 def exception(fact, symmetries):
-    where = f"where {conditions(fact.region, fact.family.space)}" if fact.region else "everywhere"
+    where = place(fact)
     text = f"  except possibly {where}" + ", or where a symmetry leads there" * bool(symmetries)
     for y, claims, level in fact.integrals:
         said = [f"first integral {quoted(name)}: {function(f, y.space.names)}" for name, f in claims]
         on = f"; on {', '.join(f'{function(g, y.space.names)} = 0' for g in level)}" if level else ""
-        text += f": {', '.join(said)} (of {quoted(y.name)}{on})"
+        text += f": {', '.join(said)} (of {'; '.join([quoted(y.name) + on, *fact.way])})"
     return text
 
 
@@ -77,6 +81,7 @@ def statement(last, theorem):
     at_once = "at once " * (len(last.classes) > 1)
     lines.append(f"is not integrable with first integrals that are {at_once}{enumerated(last.classes)}, "
                  "where the denominators are not 0 for all coordinates")
+    lines += [f"  {place(f)}: {'; '.join(f.way)}" for f in theorem.parts if any(ON_ONE_LEAF in c for c in f.classes)]
     lines += [exception(f, theorem.symmetries) for f in theorem.parts if f.kind == "I"]
     for f in theorem.symmetries:
         space, map = f.family.space, f.map

@@ -29,6 +29,8 @@ struct SystemAccepted {
 /// of r: z, parameters and algebraic constants of the system.
 [[nodiscard]] std::optional<Rejected> objection(const Way& w, const Fraction& r);
 
+/// "p", or "(p)/n".
+[[nodiscard]] std::string to_string(const PhaseFunction& f);
 /// The lines of section 8.  Requires a certificate that was accepted, with what was found.
 [[nodiscard]] std::vector<std::string> statement(const SystemCertificate& c,
                                                  const SystemAccepted& found);

@@ -9,6 +9,10 @@
 
 namespace kov::certify {
 
+std::string to_string(const PhaseFunction& f) {
+  return f.n == Integer(1) ? to_string(f.p) : "(" + to_string(f.p) + ")/" + to_string(f.n);
+}
+
 namespace {
 
 std::string joined(const std::vector<std::string>& parts, const char* between) {
@@ -16,10 +20,6 @@ std::string joined(const std::vector<std::string>& parts, const char* between) {
   for (const std::string& p : parts)
     s += (s.empty() ? "" : between) + p;
   return s;
-}
-
-std::string text(const PhaseFunction& f) {
-  return f.n == Integer(1) ? to_string(f.p) : "(" + to_string(f.p) + ")/" + to_string(f.n);
 }
 
 class SystemStatement {
@@ -33,7 +33,7 @@ public:
     symbols();
     for (const ClaimedFunction& f : c_.way.claims)
       lines_.push_back(std::string(f.casimir ? "  Casimir function " : "  first integral ") +
-                       quoted(f.name) + ": " + text(f.value));
+                       quoted(f.name) + ": " + to_string(f.value));
     curve();
     lines_.push_back(sentence());
     const auto inner = std::visit([](const auto& x) { return statement(x); }, c_.equation);
@@ -55,10 +55,10 @@ private:
   [[nodiscard]] std::string field() const {
     std::vector<std::string> all;
     for (const PhaseBracket& b : s_.brackets)
-      all.push_back("{" + name(b.first) + ", " + name(b.second) + "} = " + text(b.value));
-    if (s_.hamiltonian) all.push_back("H = " + text(*s_.hamiltonian));
+      all.push_back("{" + name(b.first) + ", " + name(b.second) + "} = " + to_string(b.value));
+    if (s_.hamiltonian) all.push_back("H = " + to_string(*s_.hamiltonian));
     for (std::size_t i = 0; i < s_.field.size(); ++i)
-      all.push_back(name(i) + "' = " + text(s_.field[i]));
+      all.push_back(name(i) + "' = " + to_string(s_.field[i]));
     return joined(all, ", ");
   }
 
@@ -67,7 +67,7 @@ private:
       std::vector<std::string> gradient;
       const std::string& s = name(s_.dimension + i);
       for (const auto& [j, g] : s_.functions[i].gradient)
-        if (!is_zero(g.p)) gradient.push_back("d" + s + "/d" + name(j) + " = " + text(g));
+        if (!is_zero(g.p)) gradient.push_back("d" + s + "/d" + name(j) + " = " + to_string(g));
       lines_.push_back("  " + s + " " + quoted(s_.functions[i].meaning) + ": " +
                        (gradient.empty() ? "constant" : joined(gradient, ", ")));
     }
@@ -81,7 +81,7 @@ private:
   static std::string zeros(const std::vector<PhaseFunction>& all) {
     std::vector<std::string> said;
     for (const PhaseFunction& f : all)
-      said.push_back(text(f) + " = 0");
+      said.push_back(to_string(f) + " = 0");
     return joined(said, ", ");
   }
 
@@ -109,7 +109,7 @@ private:
   void curve() {
     const PhaseCurve& c = c_.way.curve;
     const std::string& z = c.ring->name(c.z());
-    lines_.push_back("along the phase curve with " + z + " = " + text(c.change) + " on " +
+    lines_.push_back("along the phase curve with " + z + " = " + to_string(c.change) + " on " +
                      quoted(c.manifold) + (c.equations.empty() ? "" : ": " + zeros(c.equations)) +
                      (c.levels.empty() ? "" : "; levels " + zeros(c.levels)));
     functions(c);

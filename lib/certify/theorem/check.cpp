@@ -1,6 +1,7 @@
 #include "certify/theorem/check.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "certify/equation/statement.hpp"
 #include "certify/system/check.hpp"
 #include "certify/text/limits.hpp"
 #include "certify/theorem/fact.hpp"
@@ -164,15 +165,22 @@ private:
     need(c.way.system.hamiltonian && yes.integrals.symbols.empty() && yes.integrals.without.empty(),
          "another class");
     TheoremFact f;
-    f.classes = {class_of(c, yes)};
+    const auto lines = statement(c, yes);
+    f.classes = {class_of(lines)};
+    f.way = {curve_of(lines) + " of " + quoted(c.way.title)};
     f.used = {"Morales-Ramis"};
     f.system = std::make_shared<PhaseSystem>(c.way.system);
     f.target = Target{f.system.get(), asked(c, inner)};
     static_cast<void>(used_names(*f.system));
     return f;
   }
-  static std::string class_of(const SystemCertificate& c, const SystemAccepted& yes) {
-    const auto lines = statement(c, yes);
+  static std::string curve_of(const std::vector<std::string>& lines) {
+    const std::string before = "along ";
+    for (const std::string& line : lines)
+      if (line.starts_with(before)) return line.substr(before.size());
+    throw Refused{"no phase curve"};
+  }
+  static std::string class_of(const std::vector<std::string>& lines) {
     const std::string before = "is not integrable in Liouville's sense with first integrals that "
                                "are ",
                       after = " (Morales-Ramis), as";
@@ -343,6 +351,9 @@ private:
     f.classes = of.classes;
     f.integrals = of.integrals;
     f.used = of.used;
+    f.way = of.way;
+    for (std::string& text : map.shown())
+      f.way.push_back(std::move(text));
     for (const auto& [i, value] : at)
       f.region.push_back(
           {scaled(MPoly::variable(x.system.ring, i), value.n) - value.p, Sign::zero});

@@ -24,7 +24,8 @@ struct TheoremFact {
   Conditions region;
   std::vector<std::string> classes; ///< of first integrals that are excluded
   std::vector<ClaimedIntegrals> integrals;
-  std::set<std::string> used; ///< theorems of the literature
+  std::set<std::string> used;   ///< theorems of the literature
+  std::vector<std::string> way; ///< the phase curve, and the maps from it to the family
   std::optional<Target> target;
   std::shared_ptr<const PhaseSystem> system; ///< of the target
   std::shared_ptr<const Map> map;            ///< of a symmetry

@@ -1,6 +1,7 @@
 #include "certify/theorem/place.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "certify/system/check.hpp"
 #include "certify/text/limits.hpp"
 
 #include <algorithm>
@@ -137,6 +138,31 @@ void Map::start(const ParameterFunctions& at) {
 }
 
 PhaseFunction Map::moved(const PhaseFunction& f) const { return in().composed(f, put_); }
+
+std::vector<std::string> Map::shown() const {
+  const PhaseSystem& y = *y_.system;
+  std::string names, where;
+  const auto put = [](std::string& all, const char* first, const std::string& one) {
+    all += (all.empty() ? first : ", ") + one;
+  };
+  for (std::size_t i = 0; i < y.ring->size(); ++i) {
+    if (i >= y.dimension && i < y.first_parameter()) continue;
+    const std::string& name = y.ring->name(i);
+    const PhaseFunction& f = *values_[i];
+    const auto same = ring_->find(name);
+    if (!same || f.n != Integer(1) || !(f.p == MPoly::variable(ring_, *same)))
+      put(names, "its names: ", name + " = " + to_string(f));
+  }
+  for (const AdjoinedName& a : tower_->steps())
+    if (a.variable >= x_.system.ring->size())
+      put(where, "where ",
+          ring_->name(a.variable) + (a.square ? "^2 = " + to_string(*a.square)
+                                              : " = 1/(" + to_string(a.inverse_of) + ")"));
+  std::vector<std::string> all;
+  for (std::string* text : {&names, &where})
+    if (!text->empty()) all.push_back(std::move(*text));
+  return all;
+}
 
 MPoly Map::free_parameters(const Node& n) const {
   MPoly f = read_poly(ring_, n);

@@ -57,6 +57,9 @@ public:
   /// phi of a polynomial in the names of Y, in the ring of the map.
   [[nodiscard]] PhaseFunction phi(const MPoly& f) const;
   [[nodiscard]] const Ring& ring() const { return ring_; }
+  /// "its names: y = ..., A = ...", what stands for the names of Y, unless they are the same; "where
+  /// r^2 = ...", unless nothing is adjoined.
+  [[nodiscard]] std::vector<std::string> shown() const;
 
 private:
   using Row = std::vector<PhaseFunction>;

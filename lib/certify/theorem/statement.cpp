@@ -2,6 +2,7 @@
 // checker prints the same.
 
 #include "certify/equation/statement.hpp"
+#include "certify/system/check.hpp"
 #include "certify/theorem/fact.hpp"
 
 #include <algorithm>
@@ -13,10 +14,6 @@ namespace {
 const char* const checked = "checked";
 const char* const stated = "part of the statement";
 const char* const open_one = "NOT CHECKED";
-
-std::string text(const PhaseFunction& f) {
-  return f.n == Integer(1) ? to_string(f.p) : "(" + to_string(f.p) + ")/" + to_string(f.n);
-}
 
 std::string joined(const std::vector<std::string>& parts, const char* between = ", ") {
   std::string s;
@@ -51,8 +48,8 @@ void put_system(std::vector<std::string>& lines, const Family& f) {
                   (parameters.empty() ? "" : " with real parameters " + joined(parameters)));
   std::vector<std::string> field;
   for (const PhaseBracket& b : s.brackets)
-    field.push_back("{" + names[b.first] + ", " + names[b.second] + "} = " + text(b.value));
-  field.push_back("H = " + text(*s.hamiltonian));
+    field.push_back("{" + names[b.first] + ", " + names[b.second] + "} = " + to_string(b.value));
+  field.push_back("H = " + to_string(*s.hamiltonian));
   lines.push_back("  " + joined(field));
   for (std::size_t k = 0; k < s.inverses.size(); ++k)
     lines.push_back("  " + names[s.first_inverse() + k] + " = 1/(" + to_string(s.inverses[k]) +
@@ -61,18 +58,22 @@ void put_system(std::vector<std::string>& lines, const Family& f) {
   if (!f.assumptions.empty()) lines.push_back("  " + text(f.assumptions));
 }
 
+std::string place(const TheoremFact& f) {
+  return f.region.empty() ? "everywhere" : "where " + text(f.region);
+}
+
 std::string exception(const TheoremFact& f, bool has_symmetries) {
-  std::string line = "  except possibly " +
-                     (f.region.empty() ? std::string("everywhere") : "where " + text(f.region)) +
-                     (has_symmetries ? ", or where a symmetry leads there" : "");
+  std::string line =
+      "  except possibly " + place(f) + (has_symmetries ? ", or where a symmetry leads there" : "");
   for (const ClaimedIntegrals& c : f.integrals) {
     std::vector<std::string> said, level;
     for (const auto& [name, value] : c.claims)
-      said.push_back("first integral " + quoted(name) + ": " + text(value));
+      said.push_back("first integral " + quoted(name) + ": " + to_string(value));
     for (const PhaseFunction& g : c.level)
-      level.push_back(text(g) + " = 0");
+      level.push_back(to_string(g) + " = 0");
     line += ": " + joined(said) + " (of " + quoted(c.family->name) +
-            (level.empty() ? "" : "; on " + joined(level)) + ")";
+            (level.empty() ? "" : "; on " + joined(level)) +
+            (f.way.empty() ? "" : "; " + joined(f.way, "; ")) + ")";
   }
   return line;
 }
@@ -84,7 +85,7 @@ std::string shown_symmetry(const TheoremFact& f) {
   for (std::size_t i = s.first_parameter(); i < s.ring->size(); ++i) {
     const PhaseFunction value = f.map->parameter(i);
     if (!(value.p == MPoly::variable(f.map->ring(), i)))
-      moved.push_back(s.ring->name(i) + " -> " + text(value));
+      moved.push_back(s.ring->name(i) + " -> " + to_string(value));
   }
   return "  a symmetry: " + (moved.empty() ? "none of the parameters" : joined(moved));
 }
@@ -140,6 +141,10 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
                   std::string(last.classes.size() > 1 ? "at once " : "") +
                   enumerated(last.classes) +
                   ", where the denominators are not 0 for all coordinates");
+  for (const TheoremFact* f : parts)
+    if (std::any_of(f->classes.begin(), f->classes.end(),
+                    [](const std::string& c) { return c.find(on_one_leaf) != c.npos; }))
+      lines.push_back("  " + place(*f) + ": " + joined(f->way, "; "));
   for (const TheoremFact* f : parts)
     if (f->kind == FactKind::integrals) lines.push_back(exception(*f, !symmetries.empty()));
   for (const TheoremFact* f : symmetries)

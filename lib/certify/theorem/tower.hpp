@@ -46,6 +46,7 @@ public:
 
   void adjoin(AdjoinedName name) { steps_.push_back(std::move(name)); }
   [[nodiscard]] bool has_roots() const;
+  [[nodiscard]] const std::vector<AdjoinedName>& steps() const { return steps_; }
   /// Is f cleared to 0?
   [[nodiscard]] bool clears(const PhaseFunction& f) const { return clears(f.p, steps_.size()); }
 
