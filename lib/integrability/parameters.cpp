@@ -38,8 +38,9 @@ void add_special_relations(const System& s, const Ring& ring, strata::Question& 
   std::vector<MPoly> special;
   for (const MPoly& g : where_relations_fall_apart(s.field))
     special.push_back(transfer(MFraction(g), ring).num());
-  if (!special.empty())
-    q.generic.push_back({std::move(special), "the relations of the functions fall apart there"});
+  if (special.empty()) return;
+  q.generic.emplace_back();
+  q.generic.back() = {std::move(special), "the relations of the functions fall apart there"};
 }
 
 } // namespace

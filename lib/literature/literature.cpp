@@ -92,7 +92,9 @@ std::vector<LiteratureTheorem> all_theorems() {
        {{"the bracket and the lowest-order terms are weight-homogeneous", Settled::checked,
          "the step lowest-order"},
         {"the first integrals are meromorphic near the origin", Settled::stated,
-         "that is what is excluded"}}},
+         "that is what is excluded"}},
+       "",
+       ""},
       {"Ziglin 1983",
        "Ziglin on the symmetric heavy top (1983)",
        "The heavy top with A = B is integrable with complex meromorphic first integrals on F2 = 0 "

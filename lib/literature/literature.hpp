@@ -32,6 +32,8 @@ struct LiteratureTheorem {
   std::vector<TheoremHypothesis> hypotheses;
   /// A theorem about one system: that system as a system file, with what it assumes.
   std::string system = {};
+  std::string article = "the theorem of ";
+  [[nodiscard]] std::string in_words() const { return article + name; }
 };
 
 [[nodiscard]] const std::vector<LiteratureTheorem>& literature();

@@ -35,14 +35,32 @@ const std::map<std::string, std::pair<std::string, std::string>>& greek() {
   static const std::map<std::string, std::pair<std::string, std::string>> letters{
       {"alpha", {"\\alpha", "&alpha;"}},
       {"beta", {"\\beta", "&beta;"}},
+      {"gamma", {"\\gamma", "&gamma;"}},
       {"delta", {"\\delta", "&delta;"}},
-      {"nu", {"\\nu", "&nu;"}},
-      {"lambda", {"\\lambda", "&lambda;"}},
       {"epsilon", {"\\varepsilon", "&epsilon;"}},
+      {"zeta", {"\\zeta", "&zeta;"}},
+      {"eta", {"\\eta", "&eta;"}},
+      {"theta", {"\\theta", "&theta;"}},
+      {"kappa", {"\\kappa", "&kappa;"}},
+      {"lambda", {"\\lambda", "&lambda;"}},
       {"mu", {"\\mu", "&mu;"}},
+      {"nu", {"\\nu", "&nu;"}},
+      {"xi", {"\\xi", "&xi;"}},
       {"pi", {"\\pi", "&pi;"}},
+      {"rho", {"\\rho", "&rho;"}},
+      {"sigma", {"\\sigma", "&sigma;"}},
+      {"tau", {"\\tau", "&tau;"}},
+      {"phi", {"\\varphi", "&phi;"}},
+      {"chi", {"\\chi", "&chi;"}},
+      {"psi", {"\\psi", "&psi;"}},
+      {"omega", {"\\omega", "&omega;"}},
       {"Gamma", {"\\Gamma", "&Gamma;"}},
       {"Delta", {"\\Delta", "&Delta;"}},
+      {"Theta", {"\\Theta", "&Theta;"}},
+      {"Lambda", {"\\Lambda", "&Lambda;"}},
+      {"Sigma", {"\\Sigma", "&Sigma;"}},
+      {"Phi", {"\\Phi", "&Phi;"}},
+      {"Psi", {"\\Psi", "&Psi;"}},
       {"Omega", {"\\Omega", "&Omega;"}}};
   return letters;
 }
@@ -159,11 +177,12 @@ std::string Writer::write(const Expression& e) const {
   return "";
 }
 
-// "a = 0, b != 0" at ", "; empty pieces do not occur.
+// "a = 0, {x, y} = 1" at ", " outside of brackets; empty pieces do not occur.
 std::vector<std::string> pieces(const std::string& s) {
   std::vector<std::string> all(1);
+  long open = 0;
   for (std::size_t i = 0; i < s.size(); ++i)
-    if (s.compare(i, 2, ", ") == 0) {
+    if (open += s[i] == '{' ? 1 : s[i] == '}' ? -1 : 0; open == 0 && s.compare(i, 2, ", ") == 0) {
       all.emplace_back();
       ++i;
     } else {
@@ -172,17 +191,29 @@ std::vector<std::string> pieces(const std::string& s) {
   return all;
 }
 
-std::string one_formula(const std::string& source, Markup m) {
+constexpr std::size_t fits_in_fractions = 70;
+
+std::string one_formula(const std::string& source, Markup m,
+                        std::size_t longest = fits_in_fractions) {
   static const std::vector<std::pair<std::string, std::pair<std::string, std::string>>> relations{
       {" != ", {" \\neq ", "<mo>&ne;</mo>"}},
       {" <= ", {" \\leq ", "<mo>&le;</mo>"}},
       {" >= ", {" \\geq ", "<mo>&ge;</mo>"}},
       {" < ", {" < ", "<mo>&lt;</mo>"}},
       {" > ", {" > ", "<mo>&gt;</mo>"}}};
-  const Writer writer(m, source.size() > 70);
+  const Writer writer(m, source.size() > longest);
   const auto parsed = [&](const std::string& s) {
     return writer.write(parse_expression(s, "formula", true));
   };
+  if (const auto [comma, close] = std::pair{source.find(", "), source.find("} = ")};
+      source.starts_with('{') && comma < close && close != std::string::npos) {
+    const std::string first = parsed(source.substr(1, comma - 1));
+    const std::string second = parsed(source.substr(comma + 2, close - comma - 2));
+    const std::string value = parsed(source.substr(close + 4));
+    return m == Markup::tex ? "\\{" + first + ", " + second + "\\} = " + value
+                            : "<mrow><mo>{</mo>" + first + "<mo>,</mo>" + second +
+                                  "<mo>}</mo><mo>=</mo>" + value + "</mrow>";
+  }
   for (const auto& [sign, markup] : relations)
     if (const auto at = source.find(sign); at != std::string::npos)
       return parsed(source.substr(0, at)) + (m == Markup::tex ? markup.first : markup.second) +
@@ -266,6 +297,18 @@ std::optional<Root> first_root(const std::string& source, Markup m) {
 
 } // namespace
 
+namespace {
+
+// "alpha|beta|...", for a regular expression
+std::string greek_names() {
+  std::string all;
+  for (const auto& [name, letter] : greek())
+    all += (all.empty() ? "" : "|") + name;
+  return all;
+}
+
+} // namespace
+
 // Roots, Greek names, indices, powers and relations inside a sentence are set as such; Z3 is a
 // program.
 std::string prose(const std::string& source, Markup m) {
@@ -274,27 +317,34 @@ std::string prose(const std::string& source, Markup m) {
     return prose(source.substr(0, root->begin), m) + root->markup +
            prose(source.substr(root->end), m);
   static const std::regex piece(
-      R"(\b(Gamma|Delta|Omega|lambda|alpha|beta|delta|nu|epsilon|mu|pi)(\d?)(?![A-Za-z])|\b(?!Z3\b)([A-Z])(\d)\b|\^(\([^()]*\)|[A-Za-z0-9]+)|_(ijk|[a-z+-]|\d+)(?![A-Za-z])|(<=|>=|!=|\+-|-\+|->))");
+      R"(\b([A-Z]|[A-Z]\d|(?:)" + greek_names() + R"()\d?)'(?![A-Za-z])|\b()" + greek_names() +
+      R"()(\d?)(?![A-Za-z])|\b(?!Z3\b)([A-Z])(\d)\b|\^(\([^()]*\)|[A-Za-z0-9]+))"
+      R"(|_(ijk|[a-z+-]|\d+)(?![A-Za-z])|(<=|>=|!=|\+-|-\+|->)|\binfinity\b)");
+  enum : std::uint8_t { derived = 1, letter, index, capital, digit, power, below, sign };
   std::string out;
   std::size_t last = 0;
   for (std::sregex_iterator it(source.begin(), source.end(), piece), end; it != end; ++it) {
     const std::smatch& x = *it;
     out += escaped(source.substr(last, static_cast<std::size_t>(x.position()) - last), m);
     last = static_cast<std::size_t>(x.position() + x.length());
-    if (x[1].matched) {
-      const auto& letter = greek().at(x[1].str());
-      out += m == Markup::tex ? "$" + letter.first + "$" : letter.second;
-      if (x[2].length() > 0) out += script(x[2].str(), false, m);
-    } else if (x[3].matched) {
-      out += x[3].str() + script(x[4].str(), false, m);
-    } else if (x[5].matched) {
-      std::string power = x[5].str();
-      if (power.front() == '(') power = power.substr(1, power.size() - 2);
-      out += script(prose(power, m), true, m);
-    } else if (x[6].matched) {
-      out += script(escaped(x[6].str(), m), false, m);
+    if (x[derived].matched) {
+      out += prose(x[derived].str(), m) + (m == Markup::tex ? "$'$" : "&prime;");
+    } else if (x[letter].matched) {
+      const auto& written = greek().at(x[letter].str());
+      out += m == Markup::tex ? "$" + written.first + "$" : written.second;
+      if (x[index].length() > 0) out += script(x[index].str(), false, m);
+    } else if (x[capital].matched) {
+      out += x[capital].str() + script(x[digit].str(), false, m);
+    } else if (x[power].matched) {
+      std::string exponent = x[power].str();
+      if (exponent.front() == '(') exponent = exponent.substr(1, exponent.size() - 2);
+      out += script(prose(exponent, m), true, m);
+    } else if (x[below].matched) {
+      out += script(escaped(x[below].str(), m), false, m);
     } else {
-      out += relation(x[7].str(), m);
+      out += x[sign].matched    ? relation(x[sign].str(), m)
+             : m == Markup::tex ? "$\\infty$"
+                                : "&infin;";
     }
   }
   return out + escaped(source.substr(last), m);
@@ -317,7 +367,7 @@ std::string formula(const std::string& source, Markup m) {
   for (const std::string& piece : pieces(source)) {
     std::string one;
     if (is_word(piece)) {
-      out += (out.empty() ? "" : ", ") + piece;
+      out += (out.empty() ? "" : ", ") + prose(piece, m);
       continue;
     }
     try {
@@ -329,6 +379,24 @@ std::string formula(const std::string& source, Markup m) {
     out += (out.empty() ? "" : ", ") + one;
   }
   return out;
+}
+
+std::string label(const std::string& source, Markup m) {
+  if (m == Markup::tex) {
+    try {
+      return in_math(one_formula(source, m, 0), m);
+    } catch (const InputError&) { // words
+      return prose(source, m);
+    }
+  }
+  static const std::regex root("sqrt\\(");
+  const std::string plain = std::regex_replace(source, root, "\u221a(");
+  return m == Markup::html ? escaped(plain, m) : plain;
+}
+
+std::string heading(const std::string& source, Markup m) {
+  static const std::regex name("([A-Za-z]|" + greek_names() + ")\\d*'?");
+  return std::regex_match(source, name) ? formula(source, m) : prose(source, m);
 }
 
 std::string shortened(const std::string& source, std::size_t length) {

@@ -2,6 +2,7 @@
 // A proved theorem as text, JSON, LaTeX and one self-contained HTML page.
 
 #include "literature/literature.hpp"
+#include "literature/references.hpp"
 #include "report/formula.hpp"
 #include "theorem/theorem.hpp"
 
@@ -11,6 +12,15 @@ namespace kov::report {
 
 /// "checked by ...: ", "part of the statement: " or "NOT CHECKED: ".
 [[nodiscard]] std::string settled(const TheoremHypothesis& h);
+/// What was found, unless the statement of the step says it.
+[[nodiscard]] std::string finding(const NodeResult& n);
+/// The file of the system that the statement is about, and the works cited, in the order of the
+/// alphabet.
+[[nodiscard]] const InputFile* main_system(const TheoremResult& t);
+[[nodiscard]] std::vector<Reference> references(const TheoremResult& t);
+/// Which commands check the result again, and the sentence before them.
+[[nodiscard]] std::vector<std::string> commands_to_check(const TheoremResult& t);
+[[nodiscard]] std::string how_to_check(const TheoremResult& t);
 /// What stands before the words of the author.
 [[nodiscard]] std::string remark(const NodeResult& n);
 
@@ -32,6 +42,11 @@ struct PlacedPoint {
   long x = 0, y = 0; ///< in thousandths of the unit of the box, from its lower left corner
   std::string label;
   bool special = false;
+  long label_x = 0, label_y = 0; ///< where the label begins, on its baseline
+};
+/// The box, and the size of a letter, in thousandths.
+struct PictureSize {
+  long width = 0, height = 0, letter_width = 0, letter_height = 0;
 };
 struct PlacedPicture {
   long width = 0, height = 0;                ///< in thousandths
@@ -39,6 +54,7 @@ struct PlacedPicture {
   std::optional<std::pair<long, long>> band; ///< the strip, lower and upper edge
   std::vector<PlacedPoint> points;
 };
-[[nodiscard]] PlacedPicture place(const PolePicture& p, long width, long height);
+/// Labels stand beside their points, where they cover no other point or label if there is room.
+[[nodiscard]] PlacedPicture place(const PolePicture& p, const PictureSize& size);
 
 } // namespace kov::report

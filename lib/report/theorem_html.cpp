@@ -72,8 +72,7 @@ std::string tree(const TheoremResult& t) {
         inner += tag("li", tag("span", "not checked", "class=\"badge open\"") +
                                " hypothesis: " + prose(h.text, html));
     for (const TheoremUsed& u : n.theorems)
-      inner +=
-          tag("li", badge(NodeStatus::trusted) + " the theorem of " + prose(u.theorem->name, html));
+      inner += tag("li", badge(NodeStatus::trusted) + " " + prose(u.theorem->in_words(), html));
     for (const std::string& c : n.node.needs)
       inner += item(node_of(t, c));
     return tag("li", out + (inner.empty() ? "" : tag("ul", inner)));
@@ -108,7 +107,7 @@ std::string line(long x1, long y1, long x2, long y2) {
 }
 
 std::string picture(const PolePicture& p) {
-  const PlacedPicture q = place(p, 420000, 240000);
+  const PlacedPicture q = place(p, {420000, 240000, 6500, 12000});
   const auto down = [&](long y) { return q.height - y; };
   std::string out;
   if (p.strip && q.band)
@@ -118,12 +117,12 @@ std::string picture(const PolePicture& p) {
   if (q.axis_x) out += line(*q.axis_x, 0, *q.axis_x, q.height);
   const auto words = [](long x, long y, const std::string& s, const std::string& anchor) {
     return "<text x=\"" + units(x) + "\" y=\"" + units(y) + "\" font-size=\"12\" text-anchor=\"" +
-           anchor + "\" fill=\"#1d2430\">" + prose(s, html) + "</text>";
+           anchor + "\" fill=\"#1d2430\">" + label(s, html) + "</text>";
   };
   for (const PlacedPoint& x : q.points)
     out += "<circle cx=\"" + units(x.x) + "\" cy=\"" + units(down(x.y)) + "\" r=\"4.5\" fill=\"" +
            (x.special ? "#b3261e" : "#2458a6") + "\"/>" +
-           words(x.x + 8000, down(x.y) - 7000, x.label, "start");
+           words(x.label_x, down(x.label_y) - 2000, x.label, "start");
   if (q.axis_y) out += words(q.width - 3000, down(*q.axis_y) - 5000, p.horizontal, "end");
   if (q.axis_x) out += words(*q.axis_x - 6000, 14000, p.vertical, "end");
   return tag("figure", tag("svg", out,
@@ -153,8 +152,50 @@ std::string first_pictures(const TheoremResult& t) {
   return out;
 }
 
-std::string details_of(const TheoremResult& t, const NodeResult& n) {
+std::string system(const InputFile& f) {
+  std::string lines;
+  for (const Formula& line : f.setting)
+    lines += tag("dt", heading(line.label, html)) +
+             tag("dd", formula(shortened(line.text, longest_on_a_page), html));
+  return tag("p", tag("b", "The system of " + prose(f.name, html) + ".") + " " +
+                      prose(f.assumed, html)) +
+         tag("dl", lines);
+}
+
+// The systems that a step names.
+std::string systems(const TheoremResult& t, const NodeResult& n) {
   std::string out;
+  for (const InputFile& f : t.files)
+    if ((f.name == n.node.file || f.name == n.node.other) && !f.setting.empty()) out += system(f);
+  return out;
+}
+
+// With what this was computed, from what, and what checks it again.
+std::string appendix(const TheoremResult& t) {
+  if (t.files.empty()) return "";
+  std::string commands, files;
+  for (const std::string& command : commands_to_check(t))
+    commands += command + "\n";
+  for (const InputFile& f : t.files)
+    files += tag("tr", tag("td", prose(f.name, html)) +
+                           tag("td", tag("code", f.sha256), "class=\"soft\""));
+  return tag("h2", "How to check this") +
+         (t.program.empty() ? "" : tag("p", "Computed by " + prose(t.program, html) + ".")) +
+         tag("p", prose(how_to_check(t), html)) + tag("pre", commands) +
+         tag("p", "The files, with SHA-256 of their bytes:", "class=\"caption\"") +
+         tag("div", tag("table", tag("tbody", files)), "class=\"scroll\"");
+}
+
+std::string bibliography(const TheoremResult& t) {
+  std::string list;
+  for (const Reference& r : references(t))
+    list += tag("li", "[" + r.key + "] " + without_tex(r.authors) + ", " +
+                          tag("i", without_tex(r.title)) + ", " + without_tex(r.published) + ".");
+  return list.empty() ? "" : tag("h2", "References") + tag("ul", list);
+}
+
+std::string details_of(const TheoremResult& t, const NodeResult& n) {
+  std::string out = systems(t, n);
   if (!n.statement.empty()) out += tag("p", prose(n.statement, html) + ".");
   if (!n.node.statement.empty())
     out += tag("p", prose(remark(n) + n.node.statement, html), "class=\"soft\"");
@@ -163,7 +204,8 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
     on += (on.empty() ? "" : ", ") +
           tag("a", title_of(node_of(t, c)), "href=\"#" + prose(c, html) + "\"");
   if (!on.empty()) out += tag("p", "Rests on: " + on, "class=\"soft\"");
-  if (!n.summary.empty()) out += tag("p", tag("b", "Found: ") + prose(n.summary, html));
+  if (const std::string found = finding(n); !found.empty())
+    out += tag("p", tag("b", "Found: ") + prose(found, html));
   for (const Hypothesis& h : n.node.hypotheses)
     out += h.checked ? tag("p",
                            "Hypothesis, for which the author names step " + prose(h.by, html) +
@@ -176,7 +218,7 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
   if (!checks.empty()) out += tag("ul", checks, "class=\"checks\"");
   std::string list;
   for (const Formula& f : n.formulas)
-    list += tag("dt", prose(f.label, html)) +
+    list += tag("dt", heading(f.label, html)) +
             tag("dd", formula(shortened(f.text, longest_on_a_page), html));
   if (!list.empty()) out += tag("dl", list);
   for (const Grid& g : n.tables)
@@ -184,7 +226,7 @@ std::string details_of(const TheoremResult& t, const NodeResult& n) {
   for (const PolePicture& p : n.pictures)
     if (!p.points.empty()) out += picture(p);
   for (const TheoremUsed& u : n.theorems)
-    out += tag("p", "By the theorem of " + prose(u.theorem->name, html) + ".");
+    out += tag("p", "By " + prose(u.theorem->in_words(), html) + ".");
   if (!n.node.file.empty())
     out +=
         tag("p", "From the file " + tag("code", prose(n.node.file, html)) + ".", "class=\"soft\"");
@@ -239,10 +281,14 @@ std::string theorem_html(const TheoremResult& t) {
                                                 ? " no\""
                                             : t.unchecked_hypotheses().empty() ? "\""
                                                                                : " but\"")) +
+      (main_system(t) ? tag("details", tag("summary", "The system") +
+                                           tag("div", system(*main_system(t)), "class=\"body\""))
+                      : std::string()) +
       (t.statement().empty() ? std::string()
                              : tag("p", prose(t.statement(), html) + ".", "class=\"statement\"")) +
       counts(t) + first_pictures(t) + tag("h2", "What rests on what") + tree(t) +
-      tag("h2", "Trusted, not proved here") + tag("ul", trusted) + tag("h2", "The steps") + steps;
+      tag("h2", "Trusted, not proved here") + tag("ul", trusted) + tag("h2", "The steps") + steps +
+      appendix(t) + bibliography(t);
   return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" "
          "content=\"width=device-width\">"
          "<title>" +

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <set>
 
 namespace kov::report {
@@ -27,15 +28,28 @@ std::size_t number_of(const TheoremResult& t, const std::string& id) {
 
 // Long polynomials break at their signs when they are set in the line.
 std::string paragraph(const std::string& label, const std::string& text) {
-  return "\\par\\hangindent=1.5em " + prose(label, tex) + ": " + text + "\n";
+  return "\\par\\hangindent=1.5em " + heading(label, tex) + ": " + text + "\n";
+}
+
+// Of the columns, in percent: as the square root of the longest entry, so that a long text gets
+// more and a short one enough.
+std::vector<long> widths(const Grid& g, std::size_t columns) {
+  std::vector<long> weight(columns, 3);
+  for (const auto& row : g.rows)
+    for (std::size_t i = 0; i < std::min(columns, row.size()); ++i)
+      while (weight[i] * weight[i] < static_cast<long>(row[i].size()))
+        ++weight[i];
+  const long sum = std::accumulate(weight.begin(), weight.end(), 0L);
+  for (long& x : weight)
+    x = 94 * x / sum;
+  return weight;
 }
 
 std::string table(const Grid& g) {
   const std::size_t n = std::max<std::size_t>(1, g.header.size());
   std::string out = "\\par\\smallskip{\\small\\textit{" + prose(g.caption, tex) +
                     "}\\par\n\\begin{longtable}{@{}";
-  const long percent = 94 / static_cast<long>(n);
-  for (std::size_t i = 0; i < n; ++i)
+  for (const long percent : widths(g, n))
     out += ">{\\raggedright\\arraybackslash}p{0." + std::string(percent < 10 ? "0" : "") +
            std::to_string(percent) + "\\linewidth}";
   out += "@{}}\n\\hline\n";
@@ -56,22 +70,72 @@ std::string thousandths(long x) {
 }
 
 std::string picture(const PolePicture& p) {
-  const PlacedPicture q = place(p, 60000, 36000); // in millimetres
-  std::string out = "\\begin{center}\\setlength{\\unitlength}{1mm}\\begin{picture}(60,36)\n";
-  if (q.axis_y) out += "\\put(0," + thousandths(*q.axis_y) + "){\\line(1,0){60}}\n";
-  if (q.axis_x) out += "\\put(" + thousandths(*q.axis_x) + ",0){\\line(0,1){36}}\n";
+  const PlacedPicture q = place(p, {100000, 56000, 1700, 3000}); // in millimetres
+  std::string out = "\\begin{center}\\setlength{\\unitlength}{1mm}\\begin{picture}(100,56)\n";
+  if (q.axis_y) out += "\\put(0," + thousandths(*q.axis_y) + "){\\line(1,0){100}}\n";
+  if (q.axis_x) out += "\\put(" + thousandths(*q.axis_x) + ",0){\\line(0,1){56}}\n";
   for (const PlacedPoint& x : q.points) {
     const std::string at = "\\put(" + thousandths(x.x) + "," + thousandths(x.y) + ")";
     out += at + "{\\circle" + (x.special ? "*" : "") + "{1.4}}\n";
-    out += "\\put(" + thousandths(x.x + 1500) + "," + thousandths(x.y + 800) + "){\\tiny " +
-           formula(x.label, tex) + "}\n";
+    out += "\\put(" + thousandths(x.label_x) + "," + thousandths(x.label_y) + "){\\footnotesize " +
+           label(x.label, tex) + "}\n";
   }
   return out + "\\end{picture}\\par{\\small " + prose(p.caption, tex) + "}\\end{center}\n";
 }
 
-std::string step(const TheoremResult& t, const NodeResult& n) {
+// A system as a reader needs it: names, bracket, equations as its file writes them.
+std::string system(const InputFile& f) {
+  std::string out = "\\par\\textbf{The system of " + prose(f.name, tex) + ".} " +
+                    prose(f.assumed, tex) + "\n{\\small\n";
+  for (const Formula& line : f.setting)
+    out += paragraph(line.label, formula(shortened(line.text, longest_on_a_page), tex));
+  return out + "\\par}\n";
+}
+
+// "[3]", where the list at the end has the work; else the key.
+std::string cited(const std::string& key) {
+  return reference(key) ? "\\cite{" + key + "}" : "[" + prose(key, tex) + "]";
+}
+
+std::string bibliography(const TheoremResult& t) {
+  const auto works = references(t);
+  if (works.empty()) return "";
+  std::string out = "\\begin{thebibliography}{99}\n";
+  for (const Reference& r : works)
+    out += "\\bibitem{" + r.key + "} " + r.authors + ", \\emph{" + r.title + "}, " + r.published +
+           ".\n";
+  return out + "\\end{thebibliography}\n";
+}
+
+// With what this was computed, from what, and what checks it again.
+std::string appendix(const TheoremResult& t) {
+  if (t.files.empty()) return "";
+  std::string out = "\\section*{Appendix: how to check this}\n";
+  if (!t.program.empty()) out += "Computed by " + prose(t.program, tex) + ".\n";
+  out += "\\par " + prose(how_to_check(t), tex) + "\n\\begin{quote}\\small\n";
+  for (const std::string& command : commands_to_check(t))
+    out += "\\texttt{" + prose(command, tex) + "}\\\\\n";
+  out += "\\end{quote}\n\\par The files, with SHA-256 of their bytes:\n"
+         "\\begin{itemize}\\setlength{\\itemsep}{0pt}\n";
+  for (const InputFile& f : t.files)
+    out += "\\item " + prose(f.name, tex) + "\\\\{\\footnotesize\\texttt{" + f.sha256 + "}}\n";
+  return out + "\\end{itemize}\n";
+}
+
+// The systems of a step that no earlier one has shown.
+std::string new_systems(const TheoremResult& t, const NodeResult& n, std::set<std::string>& shown) {
+  std::string out;
+  for (const InputFile& f : t.files)
+    if ((f.name == n.node.file || f.name == n.node.other) && !f.setting.empty() &&
+        shown.insert(f.name).second)
+      out += system(f);
+  return out;
+}
+
+std::string step(const TheoremResult& t, const NodeResult& n, std::set<std::string>& shown) {
   std::string out = "\n\\subsection*{" + std::to_string(number_of(t, n.node.id)) + ". " +
                     title_of(n) + "\\quad\\status{" + to_string(n.status) + "}}\n" +
+                    new_systems(t, n, shown) + (n.statement.empty() ? "" : "\\par ") +
                     (n.statement.empty() ? "" : prose(n.statement, tex) + ".\n") +
                     (n.node.statement.empty()
                          ? ""
@@ -85,7 +149,8 @@ std::string step(const TheoremResult& t, const NodeResult& n) {
     }
     out += ".\n";
   }
-  if (!n.summary.empty()) out += "\\par\\textbf{Found:} " + prose(n.summary, tex) + ".\n";
+  if (const std::string found = finding(n); !found.empty())
+    out += "\\par\\textbf{Found:} " + prose(found, tex) + ".\n";
   for (const Hypothesis& h : n.node.hypotheses)
     out += paragraph(h.checked ? "Hypothesis, for which the author names step " + h.by
                                : "HYPOTHESIS NOT CHECKED",
@@ -104,7 +169,7 @@ std::string step(const TheoremResult& t, const NodeResult& n) {
   for (const PolePicture& p : n.pictures)
     if (!p.points.empty()) out += picture(p);
   for (const TheoremUsed& u : n.theorems)
-    out += "\\par By the theorem of " + prose(u.theorem->name, tex) + ".\n";
+    out += "\\par By " + prose(u.theorem->in_words(), tex) + ".\n";
   if (!n.node.note.empty()) out += paragraph("Note", prose(n.node.note, tex));
   return out;
 }
@@ -132,7 +197,7 @@ std::string tree(const TheoremResult& t) {
     }
     for (const TheoremUsed& u : n.theorems) {
       tabs(depth + 1);
-      out += "the theorem of " + prose(u.theorem->name, tex) + " \\status{trusted}\\\\\n";
+      out += prose(u.theorem->in_words(), tex) + " \\status{trusted}\\\\\n";
     }
     for (const std::string& c : n.node.needs)
       put(t.nodes[number_of(t, c) - 1], depth + 1);
@@ -147,13 +212,21 @@ std::string theorem_tex(const TheoremResult& t) {
   std::string out = preamble;
   out += "\\title{" + prose(t.theorem.title, tex) +
          "}\\author{}\\date{}\n\\begin{document}\n\\maketitle\n";
+  std::set<std::string> shown;
+  if (const InputFile* of = main_system(t)) {
+    out += system(*of) + "\\medskip\n\n";
+    shown.insert(of->name);
+  }
   if (!t.statement().empty())
     out += "\\textbf{Theorem.} \\emph{" + prose(t.statement(), tex) + ".}\n\n";
   if (!t.theorem.statement.empty())
     out += "\\textit{The author's words:} " + prose(t.theorem.statement, tex) + "\n\n";
   out += prose(t.conclusion(), tex) + ". " + std::to_string(t.identities()) +
          " exact identities were checked, " + std::to_string(t.certificates()) +
-         " certificates accepted, in " + t.time() + ".\n";
+         " certificates accepted, in " + t.time() + ".";
+  for (const std::string& key : t.theorem.cite)
+    out += " " + cited(key);
+  out += "\n";
   out += "\\section*{What rests on what}\n" + tree(t);
   out += "\\section*{Trusted}\n\\begin{itemize}\n";
   for (const std::string& s : t.trusted_steps())
@@ -162,8 +235,8 @@ std::string theorem_tex(const TheoremResult& t) {
     out += "\\item \\textbf{Hypothesis not checked.} " + prose(s, tex) + "\n";
   for (const TheoremUsed& use : t.uses()) {
     const LiteratureTheorem& theorem = *use.theorem;
-    out += "\\item " + prose(theorem.name, tex) + " [" + prose(theorem.cite, tex) +
-           "]: " + prose(theorem.statement, tex) + "\n";
+    out += "\\item " + prose(theorem.name, tex) + " " + cited(theorem.cite) + ": " +
+           prose(theorem.statement, tex) + "\n";
     if (use.hypotheses.empty()) continue;
     out += "\\begin{itemize}\n";
     for (const TheoremHypothesis& h : use.hypotheses)
@@ -173,8 +246,8 @@ std::string theorem_tex(const TheoremResult& t) {
   if (out.ends_with("\\begin{itemize}\n")) out += "\\item nothing\n";
   out += "\\end{itemize}\n\\section*{The steps}\n";
   for (const NodeResult& n : t.nodes)
-    out += step(t, n);
-  return out + "\\end{document}\n";
+    out += step(t, n, shown);
+  return out + appendix(t) + bibliography(t) + "\\end{document}\n";
 }
 
 } // namespace kov::report

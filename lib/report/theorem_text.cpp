@@ -82,7 +82,7 @@ struct Tree {
     const std::string inner(2 * depth + 3, ' ');
     if (whole)
       for (const TheoremUsed& u : n.theorems)
-        text += mark("trusted") + inner + "the theorem of " + u.theorem->name + "\n";
+        text += mark("trusted") + inner + u.theorem->in_words() + "\n";
     for (const std::string& child : n.node.needs)
       put(child, depth + 1);
   }
@@ -92,7 +92,7 @@ void put_step(std::string& out, const NodeResult& n) {
   out += "\n" + n.node.title + "  [" + to_string(n.status) + ", " + to_string(n.node.kind) + "]\n";
   if (!n.statement.empty()) out += filled(n.statement + ".", 2);
   if (!n.node.statement.empty()) out += filled(remark(n) + n.node.statement, 2);
-  if (!n.summary.empty()) out += filled("found: " + n.summary, 2);
+  if (const std::string found = finding(n); !found.empty()) out += filled("found: " + found, 2);
   for (const Hypothesis& h : n.node.hypotheses)
     out += filled((h.checked ? "hypothesis, for which the author names step '" + h.by + "': "
                              : std::string("HYPOTHESIS NOT CHECKED: ")) +
@@ -113,8 +113,16 @@ void put_step(std::string& out, const NodeResult& n) {
     }
   }
   for (const TheoremUsed& u : n.theorems)
-    out += filled("by the theorem of " + u.theorem->name, 4);
+    out += filled("by " + u.theorem->in_words(), 4);
   if (!n.node.note.empty()) out += filled("note: " + n.node.note, 2);
+}
+
+// A system with its equations, or a file with its hash alone.
+void put_file(std::string& out, const InputFile& f) {
+  out += "\n" + f.name + "  [SHA-256 " + f.sha256 + "]\n";
+  if (!f.assumed.empty()) out += filled(f.assumed, 4);
+  for (const Formula& line : f.setting)
+    out += filled(line.label + ": " + shortened(line.text, 400), 4);
 }
 
 void put_hypotheses(std::string& out, const TheoremResult& t) {
@@ -135,7 +143,7 @@ std::string trust(const TheoremResult& t, bool whole) {
     out += filled("HYPOTHESIS NOT CHECKED  " + s, 2);
   if (whole) put_hypotheses(out, t);
   for (const TheoremUsed& u : t.uses())
-    if (!whole) out += "  the theorem of " + u.theorem->name + "  [" + u.theorem->cite + "]\n";
+    if (!whole) out += "  " + u.theorem->in_words() + "  [" + u.theorem->cite + "]\n";
   return "trusted\n" + (out.empty() ? "  nothing\n" : out);
 }
 
@@ -167,6 +175,8 @@ std::string theorem_text(const TheoremResult& t, TheoremDetail detail) {
   tree.put(t.nodes.front().node.id, 0);
   out += tree.text + "\n" + trust(t, whole);
   if (!whole) return out + "Each step with what was checked: --verbose, or -o NAME.html\n";
+  for (const InputFile& f : t.files)
+    put_file(out, f);
   for (const NodeResult& n : t.nodes)
     put_step(out, n);
   return out;
@@ -210,6 +220,13 @@ std::string theorem_json(const TheoremResult& t) {
     j["seconds"] = n.seconds;
     nodes.push_back(std::move(j));
   }
+  Json files = Json::array();
+  for (const InputFile& f : t.files) {
+    files.push_back({{"name", f.name}, {"sha256", f.sha256}, {"assumed", f.assumed}});
+    files.back()["setting"] = Json::array();
+    for (const Formula& line : f.setting)
+      files.back()["setting"].push_back({{"label", line.label}, {"text", line.text}});
+  }
   const Json all{{"format", "kovacic-proof/1"},
                  {"title", t.theorem.title},
                  {"statement", t.statement()},
@@ -228,6 +245,7 @@ std::string theorem_json(const TheoremResult& t) {
                  {"identities", t.identities()},
                  {"certificates", t.certificates()},
                  {"nodes", nodes},
+                 {"files", files},
                  {"seconds", t.seconds}};
   return all.dump(2) + "\n";
 }

@@ -52,7 +52,7 @@ SurdField chart_field(const Ring& ring) {
 
 MFraction dot(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// {M_i, M_j} = -eps_ijk M_k, {M_i, Gamma_j} = -eps_ijk Gamma_k, {Gamma_i, Gamma_j} = 0.
+// {M_i, M_j} = -epsilon_ijk M_k, {M_i, Gamma_j} = -epsilon_ijk Gamma_k, {Gamma_i, Gamma_j} = 0.
 void check_brackets(const AndoyerChart& c, CheckedIdentities& out) {
   const auto bracket = [&](const MFraction& f, const MFraction& g) {
     return poisson_bracket(c.phase, f, g);
@@ -69,8 +69,8 @@ void check_brackets(const AndoyerChart& c, CheckedIdentities& out) {
       gammas = gammas && c.field.is_zero(bracket(c.gamma[i], c.gamma[j]));
     }
   out.push_back(
-      {"{M_i, M_j} = -eps_ijk M_k in the canonical bracket of (l, g, h; L, G, F)", momenta});
-  out.push_back({"{M_i, Gamma_j} = -eps_ijk Gamma_k", mixed});
+      {"{M_i, M_j} = -epsilon_ijk M_k in the canonical bracket of (l, g, h; L, G, F)", momenta});
+  out.push_back({"{M_i, Gamma_j} = -epsilon_ijk Gamma_k", mixed});
   out.push_back({"{Gamma_i, Gamma_j} = 0", gammas});
 }
 

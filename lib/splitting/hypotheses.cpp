@@ -57,7 +57,8 @@ CheckedIdentities check_ziglin_hypotheses(const SplittingData& d) {
       {"an orbit joins them (the identities of the chart and of the orbits)", joined},
       {"dH0/dG = a G + (b - a) G cos(l)^2 >= a G > 0", frequency_is_positive(o)},
       {"M, Gamma and the h_k are rational in z = e^(lambda t) up to z^(i k nu), entire in t, with "
-       "poles at z = i and z = -i only; H is a polynomial in M and Gamma at order eps^n, so that "
+       "poles at z = i and z = -i only; H is a polynomial in M and Gamma at order epsilon^n, so "
+       "that "
        "it is analytic away from them, and the h_k are single-valued in the strip",
        poles}};
 }

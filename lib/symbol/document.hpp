@@ -52,6 +52,9 @@ public:
   [[nodiscard]] const std::string& name() const noexcept { return name_; } ///< its key, or ""
   [[nodiscard]] long line() const noexcept { return line_; }
   [[nodiscard]] const std::string& file() const noexcept { return source_->file; }
+  [[nodiscard]] const std::string& file_text() const noexcept {
+    return source_->text;
+  } ///< all of it
   [[nodiscard]] InputError error(std::string message, std::string hint = {}) const;
   /// The same, pointing at the key instead of its value.
   [[nodiscard]] InputError key_error(std::string message, std::string hint = {}) const;

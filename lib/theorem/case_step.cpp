@@ -5,6 +5,7 @@
 #include "integrability/parameters.hpp"
 #include "linode/singularities.hpp"
 #include "theorem/prove.hpp"
+#include "theorem/setting.hpp"
 
 #include "decide/words.hpp"
 #include "exact/algebraic.hpp"
@@ -35,9 +36,13 @@ std::vector<std::string> row_of(const Singularity& s, const std::string& z) {
 }
 
 // The roots of the places, as numbers for the eye.
-PolePicture picture_of(const Singularities& all, const std::string& z) {
-  PolePicture picture{
-      "Singular points of r in the " + z + "-plane", "Re " + z, "Im " + z, {}, false};
+PolePicture picture_of(const Singularities& all, const std::string& z, const std::string& where) {
+  PolePicture picture{"Singular points of r in the " + z + "-plane" + where +
+                          "; at each the exponent difference, filled: a logarithm",
+                      "Re " + z,
+                      "Im " + z,
+                      {},
+                      false};
   for (const Singularity& s : all.finite) {
     if (!s.place.field()->is_rational() || s.degree() > 24) continue;
     std::vector<Integer> c;
@@ -58,15 +63,15 @@ PolePicture picture_of(const Singularities& all, const std::string& z) {
   return picture;
 }
 
-void show_decision(NodeResult& n, const Decision& d) {
+void show_decision(NodeResult& n, const Decision& d, const std::string& where = {}) {
   if (is_zero(d.r)) return;
   const Singularities s = singularities(d.r);
-  Grid exponents{"Exponent differences", {"place", "order", "difference", "logarithm"}, {}};
+  Grid exponents{"Exponent differences" + where, {"place", "order", "difference", "logarithm"}, {}};
   for (const Singularity& one : s.finite)
     exponents.rows.push_back(row_of(one, d.variable));
   exponents.rows.push_back(row_of(s.infinity, d.variable));
   n.tables.push_back(std::move(exponents));
-  n.pictures.push_back(picture_of(s, d.variable));
+  n.pictures.push_back(picture_of(s, d.variable, where));
   n.formulas.push_back({"group", d.group ? describe(*d.group) : "not determined"});
 }
 
@@ -137,12 +142,12 @@ void show_block(NodeResult& n, const System& s, const BlockReport& b) {
   for (const EnergyResult& e : b.energies) {
     if (e.strata) {
       n.formulas.push_back({"energy", e.condition});
-      show_strata(n, *e.strata, " at this energy");
+      show_strata(n, *e.strata, " where " + e.condition);
     }
     if (!e.decision || e.decision->abelian == Truth::unknown) continue;
     n.formulas.push_back({"energy", e.condition});
     if (e.r) n.formulas.push_back({"r there", to_string(*e.r)});
-    show_decision(n, *e.decision);
+    show_decision(n, *e.decision, " where " + e.condition);
   }
 }
 
@@ -230,11 +235,11 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
   if (m.verdict == VerdictKind::non_integrable) {
     n.says = Conclusion::not_integrable;
     n.excluded = {m.by->integrals};
+    n.curve = name_in_words(m.name) + " in " + n.node.file;
     if (!m.without.empty() && !n.node.place.as.empty()) // they name coordinates
       n.excluded.front() += " (in the coordinates of " + n.node.file + ")";
     n.headline = "NON-INTEGRABLE" + by;
     n.statement = subject + m.statement + by;
-    n.formulas.push_back({"so", m.statement});
     if (m.integrals != IntegralClass::meromorphic || !m.without.empty())
       n.summary += "; for first integrals that are " + m.by->integrals;
   } else if (m.verdict == VerdictKind::no_obstruction) {
@@ -252,6 +257,22 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
   }
 }
 
+std::string joined(const std::vector<Equation>& equations) {
+  std::string text;
+  for (const Equation& e : equations)
+    text += (text.empty() ? "" : ", ") + e.text;
+  return text;
+}
+
+// The equations of a manifold and the levels on it, as written.
+void show_manifold(NodeResult& n, const System& s, const std::string& name) {
+  for (const ManifoldSpec& m : s.manifolds) {
+    if (m.name != name) continue;
+    n.formulas.push_back({"manifold " + name, joined(m.equations)});
+    if (!m.levels.empty()) n.formulas.push_back({"levels on " + name, joined(m.levels)});
+  }
+}
+
 // The manifold that decides, with its material.
 const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
   const auto& all = report.manifolds;
@@ -264,6 +285,7 @@ const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
     n.summary = m.failure->message;
     return m;
   }
+  show_manifold(n, report.system, m.name);
   n.checks.push_back({"the manifold " + m.name + " is invariant", m.manifold.has_value()});
   for (const BlockReport& b : m.blocks)
     show_block(n, report.system, b);

@@ -7,6 +7,7 @@
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
 #include "theorem/prove.hpp"
+#include "theorem/setting.hpp"
 
 #include <algorithm>
 
@@ -241,7 +242,7 @@ namespace {
 // What the needs of a cover say, put together.
 struct Pieces {
   std::vector<std::vector<Condition>> regions;
-  std::vector<std::string> exceptions, idle;
+  std::vector<std::string> exceptions, idle, curves;
 };
 
 // A region that the statement says nothing about, and why; the step writes its integrals with the
@@ -253,6 +254,11 @@ std::string exception(const NodeResult& part) {
   return part.node.place.as.empty() ? text : text + " in the coordinates of " + part.node.file;
 }
 
+// ", by the phase curve of N in lemma3.toml"
+std::string on_a_curve(const NodeResult& part) {
+  return part.curve.empty() ? "" : ", along the phase curve of " + part.curve;
+}
+
 void add(Pieces& all, NodeResult& n, const NodeResult& part,
          const std::vector<ParameterMap>& maps) {
   for (const ParameterMap& map : maps)
@@ -260,11 +266,12 @@ void add(Pieces& all, NodeResult& n, const NodeResult& part,
   const bool excluded = part.says == Conclusion::not_integrable;
   n.tables.back().rows.push_back(
       {part.node.title, text_of(part.region),
-       excluded                 ? "not integrable"
+       excluded                 ? "not integrable" + on_a_curve(part)
        : part.integrals.empty() ? "no integral besides those that every system of its kind has"
                                 : part.integrals});
   for (const std::string& c : part.excluded)
     add_once(n.excluded, c);
+  if (excluded && !part.curve.empty()) add_once(all.curves, part.curve);
   if (!excluded)
     all.exceptions.push_back(exception(part));
   else if (!part.integrals.empty()) // of a cover
@@ -336,6 +343,7 @@ void state(NodeResult& n, const System& whole, const std::string& file, bool has
   if (!n.region.conditions.empty()) n.statement += ", where " + text_of(n.region) + ",";
   n.statement += " is not integrable with first integrals that are ";
   n.statement += (n.excluded.size() > 1 ? "at once " : "") + enumerated(n.excluded);
+  if (!n.curve.empty()) n.statement += " (phase curves: " + n.curve + ")";
   if (!n.integrals.empty())
     n.statement += ", except possibly in these cases" +
                    std::string(has_symmetries ? " and their images under the symmetries" : "") +
@@ -367,6 +375,7 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   n.trusted.push_back({"Z3: the regions of the steps cover the parameters", true});
   n.checks.push_back({"the regions of the steps cover the parameters", true});
   n.integrals = joined(found.exceptions, "; ");
+  n.curve = joined(found.curves, "; ");
   state(n, whole, result.theorem.system, maps.size() > 1);
   n.summary = "the regions of " + std::to_string(n.tables.back().rows.size()) +
               " steps cover the parameters";

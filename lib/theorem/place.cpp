@@ -12,6 +12,9 @@
 namespace kov {
 namespace {
 
+// Sentences name a file, and not where it lies on this machine.
+std::string file_name(const System& s) { return s.file.substr(s.file.rfind('/') + 1); }
+
 /// Parameters, coordinates and roots of the theorem's side; values of `at` are put in.
 class PlaceScope : public Scope {
 public:
@@ -182,7 +185,7 @@ private:
   std::string read_maps() {
     for (const auto& [name, text] : place_.as) {
       const auto i = single_.ring()->find(name);
-      if (!i) return "'" + name + "' is no name of " + single_.file;
+      if (!i) return "'" + name + "' is no name of " + file_name(single_);
       map_[*i] = scope_.read(text);
     }
     for (std::size_t i = 0; i < single_.ring()->size(); ++i) {
@@ -257,13 +260,14 @@ private:
       const MFraction right =
           is_zero(y) ? MFraction(ring(), Rational(0)) : time_ * composed(y, map_, ring());
       if (!roots_.vanishes(left - right)) {
-        checks_.push_back(
-            {single_.field.name(i) + "' of " + single_.file + " is that of " + base_.file, false});
+        checks_.push_back({single_.field.name(i) + "' of " + file_name(single_) + " is that of " +
+                               file_name(base_),
+                           false});
         return "its field is another one: " + single_.field.name(i) + "' differs";
       }
     }
     checks_.push_back(
-        {"the field of " + single_.file + " is that of " + base_.file + words(), true});
+        {"the field of " + file_name(single_) + " is that of " + file_name(base_) + words(), true});
     return "";
   }
 
@@ -271,7 +275,7 @@ private:
   // parameters only.
   std::string other_bracket() {
     if (!single_.field.poisson) return "";
-    if (!base_.field.poisson) return base_.file + " has no bracket";
+    if (!base_.field.poisson) return file_name(base_) + " has no bracket";
     const Matrix& theirs = *single_.field.poisson;
     std::optional<MFraction> factor;
     for (std::size_t i = 0; i < theirs.size(); ++i)
@@ -318,6 +322,7 @@ private:
   std::string too_much_assumed() {
     using Relation = Assumption::Relation;
     std::vector<std::size_t> chosen;
+    std::string implied;
     for (const Assumption& a : single_.assumptions) {
       for (const std::size_t v : used_variables(a.value))
         if (!map_.contains(v) && !is_level(v)) return "it assumes that " + a.text;
@@ -334,8 +339,10 @@ private:
       if (a.relation == Relation::rational || a.relation == Relation::integer ||
           !follows(value, a.relation))
         return "it assumes that " + a.text;
-      checks_.push_back({"it assumes that " + a.text + ", which follows", true});
+      implied += (implied.empty() ? "" : ", ") + a.text;
     }
+    if (!implied.empty())
+      checks_.push_back({"what " + file_name(single_) + " assumes follows: " + implied, true});
     return "";
   }
   [[nodiscard]] bool is_level(std::size_t v) const {
@@ -414,7 +421,8 @@ ParameterRegion region_of(const System& whole, const Place& place) {
   for (const auto& [name, text] : place.at) {
     const auto i = scope.ring()->find(name);
     if (!i)
-      throw InputError("theorem file", 0, 0, 1, "'" + name + "' is no parameter of " + whole.file);
+      throw InputError("theorem file", 0, 0, 1,
+                       "'" + name + "' is no parameter of " + file_name(whole));
     all.require(MFraction::variable(scope.ring(), *i) - scope.read(text), Sign::zero);
   }
   for (const auto& [value, sign] : read_conditions(place, scope))

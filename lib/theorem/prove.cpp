@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "theorem/bundle.hpp"
+#include "theorem/setting.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -179,6 +180,7 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
     const Openness known(so_far);
     options.progress(n, so_far);
   }
+  result.files = input_files(t);
   const Covers composed(result, directory);
   const Openness settled(result);
   settle_hypotheses(result, directory);

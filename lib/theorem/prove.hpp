@@ -47,10 +47,7 @@ void require_known(const std::string& name, const std::vector<std::string>& know
 /// The path of a file named in the theorem file.
 [[nodiscard]] std::string beside(const std::string& directory, const std::string& file);
 
-/// "Let g = 0, A > B. ": the same as the beginning of a statement, in parameters only; or nothing.
-[[nodiscard]] std::string assumptions_of(const System& s);
-
-/// What the system was told: the values in the file and in `where`, and what it assumes.
+/// The values of parameters, in the file and in `where`.
 void show_setting(NodeResult& n, const System& s);
 
 } // namespace kov

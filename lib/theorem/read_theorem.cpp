@@ -1,3 +1,4 @@
+#include "theorem/setting.hpp"
 #include "theorem/theorem.hpp"
 
 #include "literature/literature.hpp"
@@ -312,6 +313,7 @@ Theorem read_theorem(const Entry& document) {
     throw document.at("format").error("this program reads format theorem/1");
   Theorem t;
   t.file = document.file();
+  t.sha256 = sha256(document.file_text());
   t.title = one_line(document.at("title").string());
   t.statement = text_of(document, "statement");
   t.system = text_of(document, "system");

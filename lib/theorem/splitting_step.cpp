@@ -3,6 +3,7 @@
 #include "splitting/families.hpp"
 #include "splitting/hypotheses.hpp"
 #include "theorem/prove.hpp"
+#include "theorem/setting.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,7 @@
 // The steps about vector fields: claims, scaling, lowest order.
 
 #include "theorem/prove.hpp"
+#include "theorem/setting.hpp"
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
@@ -220,8 +221,9 @@ void put_further_integrals(NodeResult& n, const System& s) {
     if (2 * rank_at(s, fields, point) < needed) continue;
     n.says = Conclusion::has_integral;
     n.integrals = names;
-    n.checks.push_back({"H and these integrals commute, and are independent for generic values: at "
-                        "a rational point their Hamiltonian fields are",
+    n.checks.push_back({"H and these integrals commute, and for generic values enough of them are "
+                        "independent: at a rational point their Hamiltonian fields have rank " +
+                            std::to_string(rank_at(s, fields, point)),
                         true});
     n.statement += ". So it is integrable in Liouville's sense" +
                    std::string(needed < s.field.dimension() ? ", on symplectic leaves" : "") +
@@ -254,61 +256,11 @@ std::string beside(const std::string& directory, const std::string& file) {
   return file.starts_with('/') ? file : directory + file;
 }
 
-namespace {
-
-std::string symbol(Assumption::Relation r) {
-  switch (r) {
-  case Assumption::Relation::nonzero:
-    return " != 0";
-  case Assumption::Relation::positive:
-    return " > 0";
-  case Assumption::Relation::nonnegative:
-    return " >= 0";
-  case Assumption::Relation::zero:
-    return " = 0";
-  case Assumption::Relation::real:
-    return " real";
-  case Assumption::Relation::rational:
-    return " rational";
-  default:
-    return " an integer";
-  }
-}
-
-// A name that the file defines says nothing to a reader of the sentence.
-bool uses_defined_name(const System& s, const std::string& text) {
-  std::string name;
-  for (const char c : text + ' ') {
-    if (is_identifier(name + c)) {
-      name += c;
-      continue;
-    }
-    if (s.named.contains(name)) return true;
-    name.clear();
-  }
-  return false;
-}
-
-} // namespace
-
-std::string assumptions_of(const System& s) {
-  std::string text;
-  const auto add = [&](const std::string& one) { text += (text.empty() ? "Let " : ", ") + one; };
-  for (const auto& [name, value] : s.values)
-    add(name + " = " + to_string(value));
-  for (const Assumption& a : s.assumptions)
-    if (!is_constant(a.value)) // of fixed parameters: they hold, or the file was refused
-      add(uses_defined_name(s, a.text) ? to_string(a.value) + symbol(a.relation) : a.text);
-  return text.empty() ? text : text + ". ";
-}
-
 void show_setting(NodeResult& n, const System& s) {
   std::string fixed;
   for (const auto& [name, value] : s.values)
     fixed += (fixed.empty() ? "" : ", ") + name + " = " + to_string(value);
   if (!fixed.empty()) n.formulas.push_back({"with", fixed});
-  for (const Assumption& a : s.assumptions)
-    n.formulas.push_back({"assumed", a.text});
 }
 
 void prove_claims(NodeResult& n, const std::string& directory, const ProveOptions& options) {
@@ -393,7 +345,8 @@ void prove_lowest_order(NodeResult& n, const std::string& directory) {
     n.checks.push_back({"lowest order of " + x + "' = " + x + "' of " + n.node.other, same});
   }
   for (const WeightTerm& t : low.hamiltonian)
-    n.formulas.push_back({"H_" + std::to_string(t.degree), to_string(t.value)});
+    n.formulas.push_back(
+        {"the part of H of weight " + std::to_string(t.degree), to_string(t.value)});
   n.statement = assumptions_of(s) + "The lowest-order system of " + n.node.file + " is that of " +
                 n.node.other;
   conclude(n, "the lowest-order system is that of " + n.node.other);

@@ -100,6 +100,7 @@ struct Symmetry {
 
 struct Theorem {
   std::string file, title;
+  std::string sha256{};  ///< of the file, in hexadecimal
   std::string statement; ///< the author's words
   std::string system;    ///< the file of the system that the theorem is about; empty: none is named
   std::vector<Symmetry> symmetries;
@@ -154,6 +155,7 @@ struct NodeResult {
   Conclusion says = Conclusion::none;
   std::string integrals;             ///< says has_integral: which
   std::vector<std::string> excluded; ///< says not_integrable: classes of first integrals
+  std::string curve;                 ///< and on the leaf of which phase curve: "N in lemma3.toml"
   /// What the step needs of the parameters of its file besides what the file assumes.
   std::vector<Inequality> domain;
   ParameterRegion region;      ///< of the theorem's parameters, if the step is about its system
@@ -176,10 +178,20 @@ struct NodeResult {
   double seconds = 0;
 };
 
+/// A file that a proof was read from.
+struct InputFile {
+  std::string name;             ///< as the theorem's file writes it
+  std::string sha256;           ///< of its bytes, in hexadecimal
+  std::string assumed;          ///< of a system: a sentence, or nothing
+  std::vector<Formula> setting; ///< of a system: variables, bracket, equations; else empty
+};
+
 struct TheoremResult {
   Theorem theorem;
   std::vector<NodeResult> nodes; ///< in the order of the file
   double seconds = 0;
+  std::vector<InputFile> files{}; ///< what it was read from (setting.hpp)
+  std::string program{};   ///< the versions of the program and its libraries, where it is known
   std::string bundle{};    ///< all of it as one certificate, accepted by the judge; or empty
   std::string no_bundle{}; ///< why there is none
 

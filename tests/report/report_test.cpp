@@ -61,12 +61,54 @@ TEST(Prose, RootsAreSetAsRoots) {
 TEST(Picture, PointsLieInTheBox) {
   PolePicture p;
   p.points = {{Rational(-5), Rational(2), "", false}, {Rational(100), Rational(0), "", true}};
-  const PlacedPicture q = place(p, 1000, 600);
+  const PlacedPicture q = place(p, {1000, 600, 10, 20});
   for (const PlacedPoint& x : q.points) {
     EXPECT_GE(x.x, 0);
     EXPECT_LE(x.x, 1000);
     EXPECT_GE(x.y, 0);
     EXPECT_LE(x.y, 600);
+  }
+}
+
+// Points of one height, as near as the letters are wide, with labels that are longer.
+TEST(Picture, LabelsCoverNoOtherLabelOrPoint) {
+  PolePicture p;
+  for (const int x : {0, 1, 2, 3, 20})
+    p.points.push_back({Rational(x), Rational(0), "sqrt(5)/2", x % 2 == 0});
+  const PictureSize size{100000, 56000, 1700, 3000};
+  const auto points = place(p, size).points;
+  for (const PlacedPoint& a : points)
+    for (const PlacedPoint& b : points) {
+      const long length = size.letter_width * 7; // of "√5/2" and more
+      const bool beside = a.label_x + length <= b.label_x || b.label_x + length <= a.label_x;
+      const bool above = a.label_y + size.letter_height <= b.label_y ||
+                         b.label_y + size.letter_height <= a.label_y;
+      EXPECT_TRUE(&a == &b || beside || above);
+      EXPECT_FALSE(b.x > a.label_x && b.x < a.label_x + length && b.y > a.label_y &&
+                   b.y < a.label_y + size.letter_height);
+    }
+}
+
+TEST(Formula, BracketsPrimesAndInfinity) {
+  EXPECT_EQ(formula("{M1, Gamma2} = -Gamma3, a = 0", Markup::tex),
+            "$\\{M_{1}, \\Gamma _{2}\\} =  - \\Gamma _{3}$, $a = 0$");
+  EXPECT_THAT(formula("{q, p} = 1", Markup::html), HasSubstr("<mo>{</mo>"));
+  EXPECT_EQ(formula("infinity", Markup::tex), "$\\infty$");
+  EXPECT_EQ(prose("M1' and Ziglin's", Markup::tex), "M\\textsubscript{1}$'$ and Ziglin's");
+  EXPECT_EQ(heading("c12", Markup::tex), "$c_{12}$");
+  EXPECT_EQ(heading("a sample", Markup::tex), "a sample");
+}
+
+// What a referee asks for: the system before the theorem, works with titles, what checks it again.
+TEST(Report, IsCompleteByItself) {
+  const std::string tex = theorem_tex(heavy_top()), html = theorem_html(heavy_top());
+  EXPECT_LT(tex.find("The system of"), tex.find("\\textbf{Theorem.}"));
+  EXPECT_THAT(tex, AllOf(HasSubstr("\\bibitem{Ziglin1980}"), HasSubstr("\\cite{Ziglin1980}"),
+                         HasSubstr("Splitting of separatrices"), HasSubstr("kovacic verify")));
+  EXPECT_THAT(html, AllOf(HasSubstr("Splitting of separatrices"), HasSubstr("SHA-256")));
+  for (const InputFile& f : heavy_top().files) {
+    EXPECT_EQ(f.sha256.size(), 64U);
+    EXPECT_THAT(tex, HasSubstr(f.sha256));
   }
 }
 

@@ -21,6 +21,7 @@ find_dependency(Z3)
 find_dependency(nlohmann_json)
 find_dependency(PkgConfig)
 pkg_check_modules(ginac REQUIRED IMPORTED_TARGET ginac)
+pkg_check_modules(nettle REQUIRED IMPORTED_TARGET nettle)
 include(${CMAKE_CURRENT_LIST_DIR}/kovacicTargets.cmake)
 ]])
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/kovacicConfigVersion.cmake COMPATIBILITY SameMinorVersion)
@@ -36,7 +37,7 @@ file(WRITE ${CMAKE_BINARY_DIR}/kovacic.pc "prefix=\${pcfiledir}/../..
 Name: kovacic
 Description: ${PROJECT_DESCRIPTION}
 Version: ${PROJECT_VERSION}
-Requires: ginac
+Requires: ginac nettle
 Cflags: -std=c++20 -ffp-contract=off -I\${prefix}/include/kovacic
 Libs: -L\${prefix}/lib -Wl,--start-group ${libraries} -Wl,--end-group -lcalcium -lantic -lflint-arb -lflint -lmpfr -lgmp -lz3 -pthread
 ")

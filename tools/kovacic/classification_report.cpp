@@ -1,4 +1,6 @@
 #include "classification_report.hpp"
+#include "commands.hpp"
+#include "theorem/setting.hpp"
 
 #include <algorithm>
 
@@ -139,6 +141,9 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c) {
   t.theorem.file = s.file;
   t.theorem.title = s.title.empty() ? s.file : s.title;
   t.theorem.cite = s.cite;
+  t.theorem.system = s.file.substr(s.file.rfind('/') + 1);
+  t.files = input_files(t.theorem);
+  t.program = program_version() + " with " + libraries();
   t.seconds = c.seconds;
   t.nodes.push_back(root(s, c));
   for (const ClassifiedStratum& x : c.strata)

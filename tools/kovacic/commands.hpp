@@ -93,6 +93,9 @@ int prove(const Settings& settings, const std::string& file);
 /// The same for one system file.
 int report_system(const Settings& settings, const std::string& file);
 int version();
+/// "kovacic 0.1.0", and what it computes with.
+std::string program_version();
+std::string libraries();
 
 /// Of two exit codes the one that a script should hear of.
 [[nodiscard]] int worse(int a, int b);

@@ -76,7 +76,8 @@ int run_steps(const Settings& settings, const ReadTheorem& read, int screen, std
                       n.node.title.c_str());
     early(rendered(so_far, format, settings.verbose > 0));
   };
-  const TheoremResult result = kov::prove(read(), options);
+  TheoremResult result = kov::prove(read(), options);
+  result.program = program_version() + " with " + libraries();
   write_certificates(settings, result);
   out << rendered(result, format, settings.verbose > 0);
   if (settings.certificate.ends_with(".json") && !result.complete() && format == "text")

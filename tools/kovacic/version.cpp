@@ -6,19 +6,24 @@
 
 #include <cln/version.h>
 #include <cstdio>
+#include <fmt/format.h>
 #include <ginac/version.h>
 #include <mpfr.h>
 
 namespace kov::cli {
 
+std::string libraries() {
+  return fmt::format(
+      "GiNaC {}.{}.{}, CLN {}.{}.{}, FLINT {}, Arb {}, Antic {}, Calcium {}, GMP {}, MPFR {}",
+      GINACLIB_MAJOR_VERSION, GINACLIB_MINOR_VERSION, GINACLIB_MICRO_VERSION, CL_VERSION_MAJOR,
+      CL_VERSION_MINOR, CL_VERSION_PATCHLEVEL, FLINT_VERSION, arb_version, ANTIC_VERSION,
+      kov_calcium_version(), gmp_version, mpfr_get_version());
+}
+
+std::string program_version() { return std::string("kovacic ") + KOV_VERSION; }
+
 int version() {
-  std::printf(
-      "kovacic %s\n"
-      "GiNaC %d.%d.%d, CLN %d.%d.%d, FLINT %s, Arb %s, Antic %s, Calcium %s, GMP %s, MPFR %s\n"
-      "License GPL-3.0-or-later\n",
-      KOV_VERSION, GINACLIB_MAJOR_VERSION, GINACLIB_MINOR_VERSION, GINACLIB_MICRO_VERSION,
-      CL_VERSION_MAJOR, CL_VERSION_MINOR, CL_VERSION_PATCHLEVEL, FLINT_VERSION, arb_version,
-      ANTIC_VERSION, kov_calcium_version(), gmp_version, mpfr_get_version());
+  std::printf("%s\n%s\nLicense GPL-3.0-or-later\n", program_version().c_str(), libraries().c_str());
   return exit_decided;
 }
 

@@ -40,7 +40,7 @@ kov_package(development NAME libkovacic-dev SECTION libdevel
   SUMMARY "Headers and static libraries."
   DESCRIPTION "For proof scripts in C++: find_package(kovacic CONFIG), or pkg-config
 kovacic."
-  DEPENDS "libcalcium-dev, libantic-dev, libflint-arb-dev, libflint-dev, libmpfr-dev, libgmp-dev, libginac-dev, libz3-dev, nlohmann-json3-dev"
+  DEPENDS "libcalcium-dev, libantic-dev, libflint-arb-dev, libflint-dev, libmpfr-dev, libgmp-dev, libginac-dev, libz3-dev, nettle-dev, nlohmann-json3-dev"
   SUGGESTS "kovacic-doc, pkg-config")
 kov_package(python NAME python3-kovacic SECTION python SHLIBDEPS ON
   SUMMARY "The Python module."

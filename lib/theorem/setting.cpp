@@ -1,0 +1,167 @@
+#include "theorem/setting.hpp"
+
+#include "symbol/author_words.hpp"
+#include "theorem/prove.hpp"
+
+#include <nettle/sha2.h>
+
+#include <algorithm>
+#include <array>
+
+namespace kov {
+namespace {
+
+std::string listed(const System& s, const std::vector<std::size_t>& names) {
+  std::string text;
+  for (const std::size_t i : names)
+    text += (text.empty() ? "" : ", ") + s.ring()->name(i);
+  return text;
+}
+
+// {x, y} = f for every pair whose bracket is not 0, once.
+void show_bracket(InputFile& file, const System& s) {
+  std::string text;
+  const auto& bracket = *s.field.poisson;
+  for (std::size_t i = 0; i < bracket.size(); ++i)
+    for (std::size_t j = i + 1; j < bracket.size(); ++j)
+      if (!is_zero(bracket[i][j]))
+        text += (text.empty() ? "{" : ", {") + s.field.name(i) + ", " + s.field.name(j) +
+                "} = " + to_string(bracket[i][j]);
+  file.setting.push_back({"bracket", text});
+}
+
+// The entries of a table of formulas, as they are written.
+void show_written(InputFile& file, const Entry& table, const std::string& dash = {}) {
+  for (const auto& [name, entry] : table.members())
+    if (entry.kind() == Entry::Kind::string) file.setting.push_back({name + dash, entry.string()});
+}
+
+void show_equations(InputFile& file, const Entry& system, const System& s) {
+  if (const Entry* define = system.find("define")) show_written(file, *define);
+  if (const Entry* field = system.find("field")) show_written(file, *field, "'");
+  if (const Entry* relations = system.find("relations"))
+    for (const std::string& f : relations->strings())
+      file.setting.push_back({"relation", f});
+  if (const Entry* l = system.find("lagrangian")) {
+    file.setting.push_back({"Lagrangian", l->string()});
+    file.setting.push_back(
+        {"momenta", "the derivatives of the Lagrangian by " + listed(s, s.velocities)});
+  }
+  if (const Entry* h = system.find("hamiltonian"))
+    file.setting.push_back({"Hamiltonian", h->string()});
+  else if (s.field.hamiltonian)
+    file.setting.push_back({"H, the energy", to_factored_string(*s.field.hamiltonian)});
+}
+
+InputFile system_file(const std::string& name, const Entry& document) {
+  InputFile file{name, sha256(document.file_text()), {}, {}};
+  const System s = read_system(document);
+  file.setting.push_back({"variables", listed(s, s.field.coordinates)});
+  if (!s.field.parameters.empty())
+    file.setting.push_back({"parameters", listed(s, s.field.parameters)});
+  file.assumed = assumptions_of(s);
+  if (s.field.poisson) show_bracket(file, s);
+  show_equations(file, document.at("system"), s);
+  return file;
+}
+
+std::string symbol(Assumption::Relation r) {
+  switch (r) {
+  case Assumption::Relation::nonzero:
+    return " != 0";
+  case Assumption::Relation::positive:
+    return " > 0";
+  case Assumption::Relation::nonnegative:
+    return " >= 0";
+  case Assumption::Relation::zero:
+    return " = 0";
+  default:
+    return "";
+  }
+}
+
+// A name that the file defines says nothing to a reader of the sentence.
+bool uses_defined_name(const System& s, const std::string& text) {
+  std::string name;
+  for (const char c : text + ' ') {
+    if (is_identifier(name + c)) {
+      name += c;
+      continue;
+    }
+    if (s.named.contains(name)) return true;
+    name.clear();
+  }
+  return false;
+}
+
+// "m positive" as "m > 0"; a condition as it is written.
+std::string condition(const System& s, const Assumption& a) {
+  const bool is_written = a.text.find_first_of("<>=") != std::string::npos;
+  return is_written && !uses_defined_name(s, a.text) ? a.text
+                                                     : to_string(a.value) + symbol(a.relation);
+}
+
+// "g, L": all of one kind together.
+std::string all_of(const System& s, Assumption::Relation relation) {
+  std::string names;
+  for (const Assumption& a : s.assumptions)
+    if (a.relation == relation && !is_constant(a.value))
+      names += (names.empty() ? "" : ", ") + to_string(a.value);
+  return names;
+}
+
+} // namespace
+
+std::string sha256(const std::string& bytes) {
+  sha256_ctx state;
+  sha256_init(&state);
+  sha256_update(&state, bytes.size(), reinterpret_cast<const std::uint8_t*>(bytes.data()));
+  std::array<std::uint8_t, SHA256_DIGEST_SIZE> digest{};
+  sha256_digest(&state, digest.size(), digest.data());
+  constexpr const char* digits = "0123456789abcdef";
+  std::string out;
+  for (const std::uint8_t byte : digest)
+    out += {digits[byte >> 4U], digits[byte & 15U]};
+  return out;
+}
+
+std::string assumptions_of(const System& s) {
+  using Relation = Assumption::Relation;
+  std::string text;
+  const auto add = [&](const std::string& one) { text += (text.empty() ? "Let " : ", ") + one; };
+  for (const auto& [name, value] : s.values)
+    add(name + " = " + to_string(value));
+  for (const Assumption& a : s.assumptions)
+    if (!is_constant(a.value) && !symbol(a.relation).empty()) // of fixed parameters: they hold
+      add(condition(s, a));
+  for (const auto& [relation, word] :
+       {std::pair{Relation::integer, " integral"}, std::pair{Relation::rational, " rational"},
+        std::pair{Relation::real, " real"}})
+    if (const auto names = all_of(s, relation); !names.empty())
+      text += (text.empty() ? "Let " + names + " be" : ", and " + names) + word;
+  return text.empty() ? text : text + ". ";
+}
+
+std::vector<InputFile> input_files(const Theorem& t) {
+  const auto slash = t.file.rfind('/');
+  const std::string directory = slash == std::string::npos ? "" : t.file.substr(0, slash + 1);
+  std::vector<InputFile> all;
+  const auto add = [&](const std::string& name) {
+    const auto same = [&](const InputFile& f) { return f.name == name; };
+    if (name.empty() || name == "-" || std::any_of(all.begin(), all.end(), same)) return;
+    try {
+      all.push_back(system_file(name, read_document(beside(directory, name))));
+    } catch (const InputError&) { // a pipe, which cannot be read twice: the step has its error
+    }
+  };
+  add(t.system);
+  for (const TheoremNode& n : t.nodes)
+    for (const std::string* name : {&n.file, &n.other})
+      add(*name);
+  if (const std::string name = t.file.substr(directory.size()); !t.sha256.empty())
+    if (std::none_of(all.begin(), all.end(), [&](const InputFile& f) { return f.name == name; }))
+      all.push_back({name, t.sha256, {}, {}});
+  return all;
+}
+
+} // namespace kov

@@ -1,0 +1,22 @@
+#pragma once
+// What a reader needs before the first line of a proof: the systems that its steps are about, and
+// the files that it was read from.
+
+#include "theorem/theorem.hpp"
+
+namespace kov {
+
+/// The theorem's file and those that its steps name, each once, in the order of the steps; a system
+/// with its names, its bracket and its equations, as written.  What cannot be read again is left
+/// out.
+[[nodiscard]] std::vector<InputFile> input_files(const Theorem& t);
+
+/// SHA-256, in hexadecimal.
+/// Example sha256("abc").substr(0, 16)  // -> ba7816bf8f01cfea
+[[nodiscard]] std::string sha256(const std::string& bytes);
+
+/// "Let g = 0, A > 0, A + B >= C, and L real. ": values, then what the file assumes, in parameters
+/// only; or nothing.
+[[nodiscard]] std::string assumptions_of(const System& s);
+
+} // namespace kov
