@@ -18,7 +18,7 @@ def constant(f):
     return ratio(*f) if f[1] else None
 
 
-def plus(f, g, c=1):
+def plus(f, g, c):
     """f + c g, c a rational number; g may be one"""
     c = Fraction(c)
     a, b = g if isinstance(g, tuple) else (ONE, ONE)
@@ -82,7 +82,7 @@ class Classical:
         need(any(map(self.s.is_nonzero, W.coefficients(Z))), "the change of variable may be constant")
         U, Wq = W.diff(Z) * q - W * q.diff(Z) * 2, W * q
         schwarz = (U.diff(Z) * Wq - U * Wq.diff(Z)) * 2 - U * U
-        n = max(self.num.degree(Z), self.den.degree(Z), 0)
+        n = max(self.num.degree(Z), self.den.degree(Z))
         need(self.den, "the equation has no denominator")
         top, bottom = (f.substitute(Z, q, p * -1, n) if f else f for f in (self.num, self.den))
         r = W * W * W * W * top * 4 - q * q * bottom * schwarz, W * W * q * q * q * q * bottom * 4
@@ -171,13 +171,13 @@ class Classical:
         return None if p is None or q is None else (p >= 0) != (q >= 0)
 
     def of_lame(self):
-        """x = 2n + 1; a finite group has x in 2Z, (2/3)Z, (1/2)Z or (2/5)Z."""
+        """x = 2n + 1; a finite group has x in 2Z, (2/3)Z, (1/2)Z or (2/5)Z, and 2Z is in (1/2)Z."""
         x = self.numbers[-1]
         if self.multiple(x, HALF, -HALF):
             return True
         if self.multiple(x, 30) is False:
             return False
-        possible = x.value is None or any((x.value * c).denominator == 1 for c in (1, 3 * HALF, 2, 5 * HALF))
+        possible = x.value is None or any((x.value * c).denominator == 1 for c in (3 * HALF, 2, 5 * HALF))
         return None if possible else False
 
     def of_riemann(self):
@@ -189,7 +189,7 @@ class Classical:
         if any(odd) and sum(x.rational for x in three) >= 2:
             return True
         dihedral = sum(self.halves(x) is not False for x in three) >= 2
-        no_row = any(x.irrational or self.multiple(x, 1) or self.multiple(x, 60) is False for x in three)
+        no_row = any(self.multiple(x, 1) or self.multiple(x, 60) is False for x in three)
         return False if all(v is False for v in odd) and not dihedral and no_row else None
 
     def odd_sums(self, three):
