@@ -139,6 +139,7 @@ class Order:
     def __init__(self, all_traps, seconds):
         self.all, self.seconds = all_traps, seconds
         self.at, self.refused, self.killers = defaultdict(list), defaultdict(list), defaultdict(Counter)
+        self.through = {name: [t for t in all_traps if any(x // 10**4 == i for x in t.lines)] for i, name in enumerate(MODULES)}
         for trap in all_traps:
             for line in trap.lines:
                 self.at[line].append(trap)
@@ -148,7 +149,7 @@ class Order:
     def of(self, mutant):
         """As long as the time allows: those that are refused here, two that are right, the fast ones, a fixed choice of the others"""
         place = at(mutant.module, mutant.line)
-        here = self.at[place] or (self.all if mutant.function is None else [])
+        here = self.at[place] or (self.through[mutant.module] or self.all if mutant.function is None else [])
         killers = self.killers[mutant.module, mutant.function]
         first = sorted((t for t in here if killers[t.name]), key=lambda t: -killers[t.name])[:20]
         refused = [t for line in range(place, place - 3, -1) for t in self.refused[line][:20]]      # the start of a statement
