@@ -201,9 +201,40 @@ private:
     const ExponentialBound exponential = exponential_bound(s_);
     if (log_ && exponential.excludes())
       return not_abelian(Conclusion::irreducible_log, {*log_}, exponential);
+    if (auto needs = logarithm_first()) return *std::move(needs);
     if (auto answer = all_integral()) return *std::move(answer);
     if (auto answer = degree_four(std::numeric_limits<long>::max())) return *std::move(answer);
     return by_invariants(exponential);
+  }
+
+  // A logarithm that leaves no exponential solution is all that is needed.  So the set without it is
+  // told apart before an invariant with many unknowns is looked for, if its equations can be solved.
+  [[nodiscard]] std::optional<Needs> logarithm_first() const {
+    constexpr long many_unknowns = 8;
+    const auto form = invariant_bound(s_, 12).form;
+    if (!form || form->degree < many_unknowns) return std::nullopt;
+    for (PlaceIndex i = 0; i < number_of_places(s_); ++i) {
+      const auto& p = place_at(s_, i);
+      if (p.log == Truth::unknown && p.log_norm && can_be_solved(*p.log_norm) &&
+          exponential_bound(with_logarithm(i)).excludes())
+        return Needs{*p.log_norm, {Event::Kind::logarithm_vanishes, name_of(p, s_.z)}};
+    }
+    return std::nullopt;
+  }
+  [[nodiscard]] Scheme with_logarithm(PlaceIndex i) const {
+    Scheme with = s_;
+    (i < with.finite.size() ? with.finite[i] : with.infinity).log = Truth::yes;
+    return with;
+  }
+  // For a parameter, as a function of the others or as a number.
+  [[nodiscard]] static bool can_be_solved(const MPoly& f) {
+    const auto factors = factor(f).second;
+    return std::all_of(factors.begin(), factors.end(), [](const MFactor& one) {
+      const auto used = used_variables(one.base);
+      return used.size() == 1 || std::any_of(used.begin(), used.end(), [&](std::size_t x) {
+               return kov::degree(one.base, x) == 1;
+             });
+    });
   }
 
   std::optional<Answer> all_integral() const {
