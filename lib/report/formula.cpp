@@ -227,7 +227,7 @@ namespace {
 
 std::string escaped(const std::string& source, Markup m) {
   static const std::map<char, std::string> html{
-      {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}, {'*', "&thinsp;"}};
+      {'<', "&lt;"}, {'>', "&gt;"}, {'&', "&amp;"}, {'"', "&quot;"}, {'*', "&#8201;"}};
   static const std::map<char, std::string> tex{{'\\', "\\textbackslash{}"},
                                                {'{', "\\{"},
                                                {'}', "\\}"},

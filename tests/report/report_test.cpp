@@ -1,5 +1,6 @@
 // Reports: formulas in three markups, and whole documents.
 
+#include "report/loops_picture.hpp"
 #include "report/render_theorem.hpp"
 #include "support/own_folder.hpp"
 #include "support/source_dir.hpp"
@@ -14,6 +15,7 @@
 
 using namespace kov;
 using namespace kov::report;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -97,6 +99,20 @@ TEST(Formula, BracketsPrimesAndInfinity) {
   EXPECT_EQ(prose("M1' and Ziglin's", Markup::tex), "M\\textsubscript{1}$'$ and Ziglin's");
   EXPECT_EQ(heading("c12", Markup::tex), "$c_{12}$");
   EXPECT_EQ(heading("a sample", Markup::tex), "a sample");
+}
+
+// The legend names what is drawn; the file is XML, which knows no names of characters.
+TEST(Picture, LoopsOfMonodromy) {
+  const Poly z = Poly::z();
+  const auto m = monodromy::monodromy(RationalFunction(Rational(0)),
+                                      RationalFunction(Poly(3), z * z * (z - Poly(1))));
+  const std::string svg = loops_svg(m, "a < 2*b & c", {"0", "1"});
+  EXPECT_THAT(svg, AllOf(HasSubstr("1: around 0"), HasSubstr("2: around 1"), HasSubstr(">base<"),
+                         HasSubstr("a &lt; 2&#8201;b &amp; c"), Not(HasSubstr("&thinsp;"))));
+  std::size_t loops = 0;
+  for (auto at = svg.find("<polyline"); at != std::string::npos; at = svg.find("<polyline", at + 1))
+    ++loops;
+  EXPECT_EQ(loops, 4U); // to each place, and around it
 }
 
 // What a referee asks for: the system before the theorem, works with titles, what checks it again.

@@ -9,6 +9,7 @@
 #include "monodromy/decimal.hpp"
 #include "monodromy/words.hpp"
 #include "render.hpp"
+#include "report/loops_picture.hpp"
 #include "symbol/notations.hpp"
 #include "symbol/rational_form.hpp"
 
@@ -257,7 +258,13 @@ std::set<std::string> irregular_places(const GivenEquation& e) {
   return places;
 }
 
-Json equation_json(const Settings& settings, const MonodromyArguments& a) {
+/// What was computed, and its picture.
+struct Matrices {
+  Json json;
+  std::string svg;
+};
+
+Matrices of_equation(const Settings& settings, const MonodromyArguments& a) {
   const GivenEquation e = given(settings, a);
   const mo::Request request = request_of(settings, a);
   const mo::Monodromy m = mo::monodromy(e.p, e.q, request);
@@ -267,7 +274,11 @@ Json equation_json(const Settings& settings, const MonodromyArguments& a) {
   j["irregular"] = irregular_places(e);
   if (!e.constant.empty() && e.constant != "I")
     j["constant"] = e.constant + " = " + e.constant_meaning;
-  return j;
+  const std::string title = is_zero(e.p)
+                                ? "y'' = r y, r = " + to_string(e.normal_form.r, e.variable)
+                                : "y'' + p y' + q y = 0, p = " + to_string(e.p, e.variable) +
+                                      ", q = " + to_string(e.q, e.variable);
+  return {j, report::loops_svg(m, title, place_names(m, e.variable))};
 }
 
 LinearSystem linear_system(const System& s, const MonodromyArguments& a, const Settings& settings,
@@ -298,7 +309,7 @@ InvariantManifold manifold_of(const System& s, const Settings& settings) {
   return std::get<InvariantManifold>(std::move(proved));
 }
 
-Json system_json(const Settings& settings, const MonodromyArguments& a) {
+Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
   const System s = read_system(a.system, parameter_values(settings));
   const InvariantManifold manifold = manifold_of(s, settings);
   const mo::Request request = request_of(settings, a);
@@ -312,15 +323,18 @@ Json system_json(const Settings& settings, const MonodromyArguments& a) {
   j["unknowns"] = v.names;
   j["change"] = v.change;
   j["certificate"] = json_of(prove_non_abelian(v.system, m, request.budget), v.names);
-  return j;
+  return {j, report::loops_svg(m, s.title.empty() ? s.file : s.title,
+                               place_names(m, s.ring()->name(s.z)))};
 }
 
 Report matrices(const Settings& settings, const MonodromyArguments& a) {
   const auto start = std::chrono::steady_clock::now();
-  Json j = a.system.empty() ? equation_json(settings, a) : system_json(settings, a);
+  const Matrices found = a.system.empty() ? of_equation(settings, a) : of_system(settings, a);
+  Json j = found.json;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   j["seconds"] = seconds.count();
-  return {exit_decided, text_of(j), j};
+  const bool is_picture = settings.format == "text" && settings.output.ends_with(".svg");
+  return {exit_decided, is_picture ? found.svg : text_of(j), j};
 }
 
 } // namespace
