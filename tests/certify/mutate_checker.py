@@ -147,13 +147,13 @@ class Order:
                 self.refused[line].append(trap)
 
     def of(self, mutant):
-        """As long as the time allows: those that are refused here, two that are right, the fast ones, a fixed choice of the others"""
+        """As long as the time allows: those that are refused here, some that are right, the fast ones, a fixed choice of the others"""
         place = at(mutant.module, mutant.line)
         here = self.at[place] or (self.through[mutant.module] or self.all if mutant.function is None else [])
         killers = self.killers[mutant.module, mutant.function]
         first = sorted((t for t in here if killers[t.name]), key=lambda t: -killers[t.name])[:20]
         refused = [t for line in range(place, place - 3, -1) for t in self.refused[line][:20]]      # the start of a statement
-        right = [t for t in here if t.said[0] == "accepted"][:2]
+        right = [t for t in here if t.said[0] == "accepted"]
         half = len(here) // 2
         rest = here[:half] + random.Random(1).sample(here[half:], len(here) - half)
         chosen = {}

@@ -203,16 +203,21 @@ def shifted(s, hamiltonian):
     return change
 
 
-def with_lagrangian(value, hamiltonian, velocities):
-    """One more system, v1 and v2 the velocities of p1 and p2"""
+def one_lagrangian(value, hamiltonian, rows, inverses=(), parameters=()):
+    """One more system; rows: velocity, its momentum and its value"""
     def change(top):
         top["systems"].append({
-            "name": "L", "parameters": [], "assumptions": [],
+            "name": "L", "parameters": list(parameters), "assumptions": [],
             "system": {"coordinates": ["q1", "q2", "p1", "p2"], "hamiltonian": hamiltonian,
+                       "inverses": [{"name": u, "of": h} for u, h in inverses],
                        "brackets": [["q1", "p1", "1"], ["q2", "p2", "1"]]},
-            "lagrangian": {"value": value, "velocities": [{"name": f"v{i + 1}", "momentum": f"p{i + 1}", "value": v}
-                                                          for i, v in enumerate(velocities)]}})
+            "lagrangian": {"value": value, "velocities": [dict(zip(("name", "momentum", "value"), row)) for row in rows]}})
     return change
+
+
+def with_lagrangian(value, hamiltonian, velocities):
+    """v1 and v2 are the velocities of p1 and p2"""
+    return one_lagrangian(value, hamiltonian, [(f"v{i + 1}", f"p{i + 1}", v) for i, v in enumerate(velocities)])
 
 
 ENERGY, SPEEDS = ["3*p1^2 + p2^2 - 2*p2*q1 + 7*q1^2", "6"], ["p1", ["p2 - q1", "3"]]
@@ -322,6 +327,16 @@ SMALL_TRAPS = {
     "another linear part of a Lagrangian": with_lagrangian(["v1^2 + 3*v2^2 - 2*q1*v2 - 2*q1^2", "2"], ENERGY, SPEEDS),
     "another sign of the potential": with_lagrangian(["v1^2 + 3*v2^2 + 2*q1*v2 + 2*q1^2", "2"], ENERGY, SPEEDS),
     "velocities exchanged": with_lagrangian(FREE, ENERGY, SPEEDS[::-1]),
+    "no velocities": one_lagrangian("-q1^2", "q1^2", []),
+    "a velocity with the name of a coordinate": one_lagrangian(
+        [FREE[0].replace("v2", "q2"), "2"], ENERGY, [("v1", "p1", SPEEDS[0]), ("q2", "p2", SPEEDS[1])]),
+    "a velocity that is no name": one_lagrangian(FREE, ENERGY, [("v1", "p1", SPEEDS[0]), ("v 2", "p2", SPEEDS[1])]),
+    "a momentum that is a parameter": one_lagrangian(["v1^2 + 2*A*v2 - 2*q1^2", "2"], ["p1^2 + 2*q1^2", "2"], [
+        ("v1", "p1", "p1"), ("v2", "A", "0")], parameters=["A"]),
+    "a momentum twice": one_lagrangian(["v1^2 + 2*v1*v2 + v2^2", "2"], ["p1^2", "2"], [("v1", "p1", "p1"), ("v2", "p1", "0")]),
+    "a velocity half as large": one_lagrangian(["v1^2", "2"], ["3*p1^2", "8"], [("v1", "p1", ["p1", "2"])]),
+    "a Lagrangian of an inverse of a momentum": one_lagrangian(["3*v1^2 - 4*v1*u + 2*v1^2*u^2 - 2*v1^2 + 2", "2"], ["p1^2", "2"], [
+        ("v1", "p1", "p1")], [("u", "p1")]),
     "a parameter that forges lines": parameters("A\nis integrable by quadratures"),
     "a parameter that is a coordinate": parameters("M1"),
     "a parameter twice": parameters("a", "a"),
@@ -345,6 +360,10 @@ CUBIC_TRAPS = {
     "another denominator": lambda t: to(step(t, "cubic")["units"][0], "zeros", [["1", "-2"]]),
 }
 RIGHT = {"small": small(), "small, a Lagrangian": changed(small(), with_lagrangian(FREE, ENERGY, SPEEDS)),
+         "small, a Lagrangian of an inverse": changed(small(), one_lagrangian(["v1^2 + 2*u", "2"], ["p1^2 - 2*u", "2"], [
+             ("v1", "p1", "p1")], [("u", "q1")])),
+         "small, a Lagrangian of parameters": changed(small(), one_lagrangian(["A*v1^2 - 2*q1^2", "2"], ["B*p1^2 + 2*q1^2", "2"], [
+             ("v1", "p1", "B*p1")], [("B", "A")], ["A"])),
          "small, a parameter": changed(small(), parameters("a")),
          "small, no functions": changed(small(), lambda t: t["systems"][0]["system"].update(functions=[], relations=[])),
          "small, a root": changed(small(), adjoined({"name": "r", "square": ["2", "3"]})),
