@@ -203,14 +203,14 @@ def shifted(s, hamiltonian):
     return change
 
 
-def one_lagrangian(value, hamiltonian, rows, inverses=(), parameters=()):
-    """One more system; rows: velocity, its momentum and its value"""
+def one_lagrangian(value, hamiltonian, rows, inverses=(), parameters=(), bracket="1"):
+    """One more system; rows: velocity, its momentum and its value; bracket: of q1 and p1"""
     def change(top):
         top["systems"].append({
             "name": "L", "parameters": list(parameters), "assumptions": [],
             "system": {"coordinates": ["q1", "q2", "p1", "p2"], "hamiltonian": hamiltonian,
                        "inverses": [{"name": u, "of": h} for u, h in inverses],
-                       "brackets": [["q1", "p1", "1"], ["q2", "p2", "1"]]},
+                       "brackets": [["q1", "p1", bracket], ["q2", "p2", "1"]]},
             "lagrangian": {"value": value, "velocities": [dict(zip(("name", "momentum", "value"), row)) for row in rows]}})
     return change
 
@@ -331,11 +331,11 @@ SMALL_TRAPS = {
     "a velocity with the name of a coordinate": one_lagrangian(
         [FREE[0].replace("v2", "q2"), "2"], ENERGY, [("v1", "p1", SPEEDS[0]), ("q2", "p2", SPEEDS[1])]),
     "a velocity that is no name": one_lagrangian(FREE, ENERGY, [("v1", "p1", SPEEDS[0]), ("v 2", "p2", SPEEDS[1])]),
-    "a momentum that is a parameter": one_lagrangian(["v1^2 + 2*A*v2 - 2*q1^2", "2"], ["p1^2 + 2*q1^2", "2"], [
-        ("v1", "p1", "p1"), ("v2", "A", "0")], parameters=["A"]),
+    "a momentum that is a parameter": one_lagrangian(["v1^2 + v2^2", "2"], ["p1^2 + A^2", "2"], [
+        ("v1", "p1", "p1"), ("v2", "A", "A")], parameters=["A"]),
     "a momentum twice": one_lagrangian(["v1^2 + 2*v1*v2 + v2^2", "2"], ["p1^2", "2"], [("v1", "p1", "p1"), ("v2", "p1", "0")]),
     "a velocity half as large": one_lagrangian(["v1^2", "2"], ["3*p1^2", "8"], [("v1", "p1", ["p1", "2"])]),
-    "a Lagrangian of an inverse of a momentum": one_lagrangian(["3*v1^2 - 4*v1*u + 2*v1^2*u^2 - 2*v1^2 + 2", "2"], ["p1^2", "2"], [
+    "a Lagrangian of an inverse of a momentum": one_lagrangian(["v1^2 - 2*u", "2"], ["p1^2 + 2*u", "2"], [
         ("v1", "p1", "p1")], [("u", "p1")]),
     "a parameter that forges lines": parameters("A\nis integrable by quadratures"),
     "a parameter that is a coordinate": parameters("M1"),
@@ -362,6 +362,8 @@ CUBIC_TRAPS = {
 RIGHT = {"small": small(), "small, a Lagrangian": changed(small(), with_lagrangian(FREE, ENERGY, SPEEDS)),
          "small, a Lagrangian of an inverse": changed(small(), one_lagrangian(["v1^2 + 2*u", "2"], ["p1^2 - 2*u", "2"], [
              ("v1", "p1", "p1")], [("u", "q1")])),
+         "small, an inverse of a momentum in the bracket": changed(small(), one_lagrangian(["v1^2", "2"], ["p1^2", "2"], [
+             ("v1", "p1", "p1")], [("w", "p1")], bracket="p1*w")),
          "small, a Lagrangian of parameters": changed(small(), one_lagrangian(["A*v1^2 - 2*q1^2", "2"], ["B*p1^2 + 2*q1^2", "2"], [
              ("v1", "p1", "B*p1")], [("B", "A")], ["A"])),
          "small, a parameter": changed(small(), parameters("a")),

@@ -1,0 +1,140 @@
+"""Properties of splitting.py of the Python checker: functions of its modules (sys.modules) that are True.  A whole theorem
+takes longer than a mutant is given; here are the orbits, the sums over the poles, and one step alone."""
+import copy
+from fractions import Fraction
+
+import theorems
+
+FIRST = {                                   # the sums of a monomial M1, M2, M3, Gamma1, ...: of k = 1, sigma = 1, then -1
+    (0, 0, 0, 1, 0, 0): ["-_beta*_s*_Y - _beta*_s", "0", "_beta*_s*_Y + _beta*_s", "0"],
+    (0, 0, 0, 0, 1, 0): ["0", "-_delta*_s*_Y + _delta*_s"] * 2,
+    (0, 0, 0, 0, 0, 1): ["-_alpha*_s*_Y - _alpha*_s", "0"] * 2,
+    (1, 0, 0, 0, 1, 0): ["0", "a*c*_beta*_delta*_s*_Y + a*c*_beta*_delta*_s"] * 2 + ["0"] * 4,
+    (0, 0, 1, 0, 1, 1): [
+        "0", "-a^3*b*c^2*_delta*_s*_F*_Y + a^3*b*c^2*_delta*_s*_F + a^2*b^2*c^2*_delta*_s*_F*_Y - a^2*b^2*c^2*_delta*_s*_F"] * 2 + [
+        "-a^3*b*c^2*_delta*_F^2*_Y^2 - a^3*b*c^2*_delta*_F^2 + a^3*b*c^2*_delta*_Y^2 + a^3*b*c^2*_delta + "
+        "a^2*b^2*c^2*_delta*_F^2*_Y^2 + a^2*b^2*c^2*_delta*_F^2 - a^2*b^2*c^2*_delta*_Y^2 - a^2*b^2*c^2*_delta", "0",
+        "a^3*b*c^2*_delta*_F^2*_Y^2 + a^3*b*c^2*_delta*_F^2 - a^3*b*c^2*_delta*_Y^2 - a^3*b*c^2*_delta - "
+        "a^2*b^2*c^2*_delta*_F^2*_Y^2 - a^2*b^2*c^2*_delta*_F^2 + a^2*b^2*c^2*_delta*_Y^2 + a^2*b^2*c^2*_delta"] + ["0"] * 5}
+
+
+def orbits(m, n):
+    """With a, b, c in front"""
+    M, S = m["multivariate"], m["splitting"]
+    M.Work.left = 10**7
+    at = [M.FIELD * i for i in range(10)]
+    return S.Orbits(at[3:], [S.variable(x) for x in at[:3]], n), dict(zip(["a", "b", "c", *S.NAMES], at))
+
+
+def series(m):
+    """x/sinh x = 1 - x^2/6 + 7x^4/360 - 31x^6/15120, x/tanh x = 1 + x^2/3 - x^4/45 + 2x^6/945"""
+    S, M = m["splitting"], m["multivariate"]
+    M.Work.left = 10**6
+    q = M.P({0: 5})
+    for n in (6, 7):
+        wanted = [[1, Fraction(-1, 6), Fraction(7, 360), Fraction(-31, 15120)], [1, Fraction(1, 3), Fraction(-1, 45), Fraction(2, 945)]]
+        for row, numbers in zip(S.series_of_sinh(n, q), wanted):
+            found = [Fraction(f.p.constant(), f.n) for f in row]
+            if found != [numbers[k // 2] * 5**(k // 2) if k % 2 == 0 else 0 for k in range(n + 1)]:
+                return False
+    return True
+
+
+def quadratic(o, m, u, v, weights=(1, 1, 1)):
+    """sum w_j u_j v_j, as {(power of zeta, power of theta): polynomial over its number}, without zeros"""
+    total = {}
+    for x, y, w in zip(u, v, weights):
+        for k, row in o.times(x, y).items():
+            for i, f in enumerate(row):
+                old = total.get((k, i), m["splitting"].Function(m["multivariate"].P()))
+                total[k, i] = o.reduced(old + f * m["splitting"].Function(m["multivariate"].P({0: 1}) * w))
+    return {k: f for k, f in total.items() if f.p}
+
+
+def on_the_orbit(m):
+    """|M|^2 = |Gamma|^2, M Gamma = F |M|^2, and the energy, at both poles of both orbits"""
+    o, names = orbits(m, 4)
+    F, read = m["splitting"].Function, m["multivariate"].parse
+    square = F(read("4*a^3*b*c*b - 4*a^2*b^2*c*b - 4*a^3*b*c*c + 4*a^2*b^2*c*c - 4*a^2*b*c^2*b + 4*a*b^2*c^2*b + 4*a^2*b*c^3 - 4*a*b^2*c^3",
+                    names))               # 4 b (a - c) times a c (a - b) (b - c)
+    energy = F(square.p * read("a*c", names))
+    for sigma in (1, -1):
+        for sign in (1, -1):
+            x = o.coordinates(sigma, sign)
+            M, G = x[:3], x[3:]
+            of_m = quadratic(o, m, M, M)
+            both, of_g = quadratic(o, m, M, G), quadratic(o, m, G, G)
+            heat = quadratic(o, m, M, M, [read(w, names) for w in ("b*c", "a*c", "a*b")])
+            if any(list(f) != [(0, 2)] for f in (of_m, both, of_g, heat)):
+                return False
+            if (of_m[0, 2] - square).p or (of_g[0, 2] - square).p or (heat[0, 2] - energy).p \
+                    or (both[0, 2] - square * F(read("_F", names))).p:
+                return False
+    return True
+
+
+def sums(m):
+    for e, wanted in FIRST.items():
+        o, names = orbits(m, sum(e))
+        one = m["multivariate"].P({0: 1})
+        if [*o.sums([(e, one)])] != [m["multivariate"].parse(text, names) for text in wanted]:
+            return False
+    return True
+
+
+def step(m, change=lambda family, d: None):
+    """Is the step of the heavy top accepted with this change?"""
+    m["multivariate"].Work.left, m["real_proof"].Nodes.left = 4 * 10**7, 10**5
+    d = copy.deepcopy(theorems.step(theorems.HEAVY, "three-step"))
+    family = copy.deepcopy(theorems.system(theorems.HEAVY, "heavy_top.toml"))
+    change(family, d)
+    for key in ("functions", "relations", "field"):
+        family["system"].setdefault(key, None if key == "field" else [])
+    for key in ("order", "power"):
+        d[key] = int(d[key])
+    try:
+        m["splitting"].Splitting(m["place"].Family(family), d)
+    except (m["certificate_format"].Rejected, m["certificate_format"].Malformed):
+        return False
+    return True
+
+
+def put(key, value):
+    return lambda family, d: d.update({key: value})
+
+
+def power(k):
+    """H over a higher power of A B C, in an empty region"""
+    def change(_, d):
+        d["region"].append({"p": "0", "sign": "positive"})
+        d["proof"] = {"node": "empty", "terms": [["1", "1", ["7", "1"]]], "zeros": []}
+        d.update(power=k, first=" + ".join(f"2*Gamma{i}*A^{k}*B^{k}*C^{k}*L{i}" for i in (1, 2, 3)))
+    return change
+
+
+def hamiltonian(more):
+    def change(family, _):
+        h = family["system"]["hamiltonian"]
+        h[0] += more
+    return change
+
+
+def bracket(i, text):
+    return lambda family, d: family["system"]["brackets"][i].__setitem__(2, text)
+
+
+def steps(m):
+    wrong = [power(13), put("moments", ["B", "A", "C"]), put("moments", ["A", "B"]), put("moments", ["A", "B", "L1"]), put("small", ["L1", "L2", "A"]),
+             put("small", ["L1", "L2", "M1"]), put("small", ["L2", "L1"]), put("order", 0), put("order", 2), put("power", 0), put("power", 2),
+             put("power", 13), put("first", "2*Gamma1*A*B*C*L1 + 2*Gamma2*A*B*C*L2"), put("first", "0"),
+             put("first", "Gamma1*A*B*C*L1 + 2*Gamma2*A*B*C*L2 + 2*Gamma3*A*B*C*L3"),
+             hamiltonian(" + Gamma1*Gamma2*L1"), hamiltonian(" + M1*L1*Gamma1"), hamiltonian(" + M1^2*L1"), hamiltonian(" + Gamma1"),
+             lambda family, d: d["region"].pop(0), lambda family, d: d["region"].pop(1),
+             lambda family, d: d["region"].pop(2), lambda family, d: d["region"].pop(3)]
+    right = [hamiltonian(""), hamiltonian(" + 5*M1*Gamma1*Gamma3*L1*L3*A - Gamma2^2*L2^2"), power(2), power(12)]
+    return all(step(m, change) for change in right) and not any(step(m, change) for change in wrong)
+
+
+def properties():
+    """(name, function, True)"""
+    return [(f"split.{f.__name__}", f, True) for f in (series, on_the_orbit, sums, steps)]
