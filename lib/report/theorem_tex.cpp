@@ -41,7 +41,7 @@ std::vector<long> widths(const Grid& g, std::size_t columns) {
         ++weight[i];
   const long sum = std::accumulate(weight.begin(), weight.end(), 0L);
   for (long& x : weight)
-    x = 94 * x / sum;
+    x = (100 - 3 * static_cast<long>(columns - 1)) * x / sum; // 12pt between two columns
   return weight;
 }
 

@@ -39,6 +39,9 @@ void show_written(InputFile& file, const Entry& table, const std::string& dash =
 void show_equations(InputFile& file, const Entry& system, const System& s) {
   if (const Entry* define = system.find("define")) show_written(file, *define);
   if (const Entry* field = system.find("field")) show_written(file, *field, "'");
+  for (const FunctionSymbol& f : s.field.functions)
+    if (!f.meaning.empty())
+      file.setting.push_back({"function " + s.ring()->name(f.variable), f.meaning});
   if (const Entry* relations = system.find("relations"))
     for (const std::string& f : relations->strings())
       file.setting.push_back({"relation", f});
