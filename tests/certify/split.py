@@ -135,6 +135,72 @@ def steps(m):
     return all(step(m, change) for change in right) and not any(step(m, change) for change in wrong)
 
 
+def alone(m, change, proof=None, extra=(), **d):
+    """The step with a proof that needs the sums no more: a condition of the region is 0 > 0"""
+    def both(family, step_):
+        step_["region"] = [{"p": "0", "sign": "positive"}, *extra, *step_["region"]]
+        step_["proof"] = proof or {"node": "empty", "terms": [["1", "1", ["3", "1"]]], "zeros": []}
+        step_.update(d)
+        change(family, step_)
+    return step(m, both)
+
+
+def nothing(family, d):
+    pass
+
+
+def parameter(*names):
+    return lambda family, d: family["parameters"].extend(names)
+
+
+def without_l3(family, d):
+    h = family["system"]["hamiltonian"]
+    h[0] = h[0].replace(" + 2*Gamma3*u1*u2*u3*A*B*C*L3", "").replace(" + 2*Gamma2*u1*u2*u3*A*B*C*L2", "")
+    d["first"] = "2*Gamma1*A*B*C*L1"
+    family["parameters"].append("m")
+
+
+def brackets(scale, over):
+    def change(family, d):
+        for row in family["system"]["brackets"]:
+            row[2] = [row[2].replace("M", scale + "M").replace("Gamma", scale + "Gamma"), over]
+    return change
+
+
+def second_order(family, d):
+    without_l3(family, d)
+    family["system"]["hamiltonian"][0] = family["system"]["hamiltonian"][0].replace("2*Gamma1*u1*u2*u3*A*B*C*L1", "2*Gamma1^2*L1^2")
+    d["first"] = "2*A*B*C*Gamma1^2*L1^2"
+
+
+def denominator(of):
+    def change(family, d):
+        family["system"]["inverses"].append({"name": "w", "of": of})
+        family["system"]["hamiltonian"][0] += " + w*L1*L2*Gamma1*Gamma2"
+    return change
+
+
+def requirements(m):
+    """Each of them alone: a change that nothing else refuses"""
+    square = hamiltonian(" + 2*Gamma1^2*L1^2")
+    right = [alone(m, nothing), alone(m, without_l3, small=["L1", "L2", "L3"]), alone(m, second_order, order=2),
+             alone(m, parameter("m", "s")), alone(m, brackets("", "1")), alone(m, square),
+             alone(m, denominator("A + L1*Gamma1")), alone(m, denominator("A^2*B + M2*L1*Gamma3 - L2*Gamma3")), alone(m, denominator("5*C"))]
+    wrong = [alone(m, without_l3, small=["L1", "m", "m"]), alone(m, parameter("m"), small=["L1", "L2", "L3", "m"]),
+             alone(m, without_l3, small=["L1", "m"]), alone(m, parameter("_s")), alone(m, parameter("_i")),
+             alone(m, brackets("2*", "1")), alone(m, brackets("", "2")), alone(m, hamiltonian(" + 2*Gamma1*L1^2")),
+             alone(m, nothing, order=0, first="0"), alone(m, square, first=" + ".join(f"2*Gamma{i}*A*B*C*L{i}" for i in (1, 2, 3))
+                                                          + " + 2*A*B*C*Gamma1^2*L1^2"),
+             alone(m, denominator("A - C")), alone(m, denominator("M1")), alone(m, denominator("A*L1*Gamma1")),
+             alone(m, denominator("A + M1"))]
+    # what is known of the orbit: after 3 assumptions, 6 of the region, 6 positive numbers and 1 - Y
+    roots = [["A*C - B*C", 9, 16], ["A*B - A*C", 10, 17], ["A*B - B*C", 11, 18]]
+    known = [alone(m, nothing, {"node": "empty", "terms": [["1", "1", [str(x), "2"]]], "zeros": [[str(f), "1"], ["4", "-1"]]},
+                   [{"p": p, "sign": "zero"}]) for p, x, f in roots]
+    circle = {"node": "empty", "terms": [["1", "1", ["12", "2"]], ["1", "1", ["13", "2"]]], "zeros": [["19", "1"], ["4", "-1"]]}
+    return all(right) and not any(wrong) and all(known) and alone(m, nothing, circle, [{"p": "1", "sign": "zero"}])
+
+
 def properties():
     """(name, function, True)"""
-    return [(f"split.{f.__name__}", f, True) for f in (series, on_the_orbit, sums, steps)]
+    return [(f"split.{f.__name__}", f, True) for f in (series, on_the_orbit, sums, steps, requirements)]
