@@ -52,6 +52,10 @@ def right():
     yield "bessel", certificate(BESSEL, "whittaker", ORDER)
     yield "bessel yes", certificate(BESSEL, "whittaker", ORDER, **two("yes", HALF, True, HALF, True))
     yield "bessel no", certificate(BESSEL, "whittaker", ORDER, **two("no", HALF, False, fraction("2*A"), False, 2))
+    yield "bessel m", certificate(fraction("16*m^2 - 4*z^2 + 16*m + 3", "4*z^2"), "whittaker",
+                                  [square("0"), square("4*m^2 + 4*m + 1", "2*m + 1")], names="m")
+    yield "bessel often", certificate(BESSEL, "whittaker", ORDER, "yes", known=[shown(HALF, True)] * 1000,
+                                      given=[(HALF, True)])
     yield "square", certificate(fraction("16*A^2 - 16*z^4 - 1", "4*z^2"), "whittaker", ORDER, equation=BESSEL,
                                 change=fraction("z^2"))
     yield "turned", certificate(fraction("4*A^2*z^2 - z^2 - 4", "4*z^4"), "whittaker", ORDER, equation=BESSEL,
@@ -115,6 +119,8 @@ WRONG = [
     ("bessel no", ["tree", "abelian"], "yes"), ("bessel no", ["tree", "shown", 0, "times"], "1"),
     ("bessel no", ["memberships", 0, "integral"], True), ("bessel no", ["memberships", 0, "num"], "A"),
     ("bessel no", ["tree", "shown", 0, "integral"], True),
+    ("bessel often", ["tree", "shown"], [shown(HALF, True)] * 1001), ("bessel m", ["tree", "numbers", 1, "root", "num"], "m"),
+    ("bessel", ["tree", "equation", "num"], "z^9999"), ("bessel", ["tree", "equation", "den"], "z^9999 + 1"),
     ("square", ["r", "num"], "16*A^2 - 16*z^4 - 4"), ("square", ["tree", "change", "num"], "z^3"),
     ("turned", ["tree", "change", "den"], "z^2"), ("scaled", ["assumptions"], []),
     ("scaled", ["assumptions", 0, "sign"], "nonnegative"),

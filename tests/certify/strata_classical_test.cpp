@@ -5,6 +5,9 @@
 
 #include "certify/equation/statement.hpp"
 
+#include <ctime>
+#include <regex>
+
 namespace kov::certify {
 namespace {
 
@@ -51,7 +54,7 @@ TEST(StrataClassical, BesselByItsOrder) {
   EXPECT_ACCEPTED(text());
   EXPECT_EQ(accepted(text()).by_criterion, 1U);
   EXPECT_EQ(statement(read_strata_certificate(text())).back(),
-            "  always: abelian exactly where m is in 1/2 + Z, m^2 = (A^2)/(1) (whittaker)");
+            "  always: abelian exactly where sqrt((A^2)/(1)) + 1/2 is an integer (whittaker)");
   for (const char* claim : {"true", "false"})
     EXPECT_REFUSED(replaced(text(), R"("abelian":null)", R"("abelian":)" + std::string(claim)),
                    "not every stratum");
@@ -109,6 +112,65 @@ TEST(StrataClassical, MembershipsDecide) {
   EXPECT_REFUSED(bessel_text(bare() + membership(half, true))(), "limit");
 }
 
+// ---- the text: a parameter may be called k, m, n or Z
+
+std::string without_brackets(const std::string& text) {
+  return std::regex_replace(text, std::regex(R"(\([^()]*\))"), "");
+}
+// The criterion names nothing but the parameters, which stand in brackets.
+void expect_no_letters(const std::string& certificate) {
+  const std::string said = statement(read_strata_certificate(certificate)).back();
+  EXPECT_FALSE(std::regex_search(without_brackets(said), std::regex(R"(\b[b-zA-Z]\b)"))) << said;
+}
+
+TEST(StrataClassical, AParameterMayBeCalledLikeTheOrder) {
+  const std::string r = "16*m^2 - 4*z^2 + 16*m + 3"; // order 2m + 1
+  const Leaf leaf{.by = "whittaker",
+                  .equation = fraction(r, "4*z^2"),
+                  .numbers = number(fraction("0")) + "," +
+                             number(fraction("4*m^2 + 4*m + 1"), fraction("2*m + 1"))};
+  const StrataText text{.parameters = R"(["m"])", .num = r, .den = "4*z^2", .tree = leaf()};
+  EXPECT_ACCEPTED(text());
+  EXPECT_EQ(statement(read_strata_certificate(text())).back(),
+            "  always: abelian exactly where sqrt((4*m^2 + 4*m + 1)/(1)) + 1/2 is an integer "
+            "(whittaker)");
+  expect_no_letters(text());
+}
+
+// ---- hostile: refused before anything is expanded
+
+TEST(StrataClassical, OnlySmallEquations) {
+  const auto with = [](const std::string& num, const std::string& den, const std::string& change) {
+    Leaf leaf = bessel;
+    leaf.equation = fraction(num, den);
+    leaf.change = change;
+    const std::clock_t start = std::clock();
+    const std::string why = refusal(bessel_text(leaf())());
+    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC) << num;
+    return why;
+  };
+  EXPECT_NE(with("z^9999", "z^9999 + 1", fraction("z + 1")).find("family"), std::string::npos);
+  EXPECT_NE(with("z^9999", "1", fraction("z^2 + A*z", "z - 1")).find("family"), std::string::npos);
+  EXPECT_NE(with("z", "z^7", fraction("z + 1")).find("family"), std::string::npos);
+  EXPECT_NE(with("z^5", "z^2", fraction("z + 1")).find("family"), std::string::npos);
+  const std::string one = number(fraction("A^2"), fraction("A"));
+  std::string numbers = one;
+  for (int i = 0; i < 4; ++i)
+    numbers += "," + one;
+  EXPECT_REFUSED(
+      bessel_text(replaced(replaced(bessel(), "whittaker", "bessel"), bessel.numbers, numbers))(),
+      "numbers of the family");
+  const std::string half = fraction("2*A - 1", "2");
+  const std::string entry =
+      R"({"value":)" + half + R"(,"integral":true,"times":"1","membership":"0"})";
+  Leaf leaf = bessel;
+  leaf.more = R"(,"shown":[)" + entry;
+  for (int i = 0; i < 1000; ++i)
+    leaf.more += "," + entry;
+  leaf.more += "]";
+  EXPECT_REFUSED(bessel_text(leaf() + membership(half, true))(), "a limit");
+}
+
 // z -> z^2 and z -> 1/z
 TEST(StrataClassical, ChangesOfVariable) {
   Leaf leaf = bessel;
@@ -139,6 +201,7 @@ TEST(StrataClassical, WhittakersNumbers) {
                   .den = "4*z^2",
                   .tree = leaf()};
   EXPECT_ACCEPTED(text());
+  expect_no_letters(text());
   leaf.abelian = "no";
   const auto value = fraction("2*A + 2*B - 1", "2");
   leaf.more = shown(value, false);
@@ -180,6 +243,7 @@ TEST(StrataClassical, RamifiedBessel) {
                   .den = "4*z^2",
                   .tree = split("B", leaf(), open_zero)};
   EXPECT_ACCEPTED(text());
+  expect_no_letters(replaced(text(), split("B", leaf(), open_zero), leaf()));
   EXPECT_REFUSED(replaced(text(), R"({"num":"A^2","den":"1"})", R"({"num":"A^2","den":"4"})"),
                  "another square");
   text.tree = leaf(); // B may be 0: Euler's equation, always abelian
@@ -200,6 +264,7 @@ StrataText legendre_text(const std::string& tree) {
 
 TEST(StrataClassical, LegendresIndex) {
   EXPECT_ACCEPTED(legendre_text(legendre())());
+  expect_no_letters(legendre_text(legendre())());
   Leaf leaf = legendre;
   leaf.abelian = "yes";
   leaf.more = shown(fraction("A"), true);
@@ -257,6 +322,7 @@ TEST(StrataClassical, LamesIndex) {
             .factors = R"(["z^3 - z"])"};
   StrataText text{.num = num, .den = den, .tree = leaf()};
   EXPECT_ACCEPTED(text());
+  expect_no_letters(text());
   EXPECT_REFUSED(replaced(text(), R"("num":"1","den":"4")", R"("num":"1","den":"9")"), "another");
   EXPECT_REFUSED(replaced(text(), R"("by":"lame")", R"("by":"riemann")"), "another place");
   const auto with = [&](const std::string& abelian, const std::string& value, bool integral,

@@ -63,6 +63,10 @@ class Classical:
         self.factors = [s.poly(q, True) for q in d["factors"] or []]
         if not d["numbers"] or self.by == "whittaker" and len(d["numbers"]) != 2:
             raise Malformed("these are not the numbers of the family")
+        # no family has more; before anything is expanded
+        need(self.num.degree(Z) <= 4 and self.den.degree(Z) <= 6, "the equation is not that of the family")
+        need(len(d["numbers"]) <= 4, "these are not the numbers of the family")
+        need(len(d["shown"] or []) <= 1000, "a limit: the number of integers shown")
         self.numbers = [Number(s, x, self.pair) for x in d["numbers"]]
         self.change(*(s.poly(d["change"][k], True) for k in ("num", "den")))
         if self.by in ("whittaker", "bessel"):
@@ -200,23 +204,21 @@ class Classical:
         return [self.known(times(plus(plus(plus(l, m, a), n, b), None, -1), HALF)) for a, b in pairs((1, -1), repeat=2)]
 
     def criterion(self, names):
+        """As text.  It says the same for both roots, and has no names but those of the certificate."""
         def text(x):
             return "({})/({})".format(*(polynomial(f, names) for f in x.square))
-        last = text(self.numbers[-1])
-        if self.by == "bessel":
-            return f"n is in 1/2 + Z, n^2 = {last}"
+        first, last = (f"sqrt({text(self.numbers[i])})" for i in (0, -1))
         if self.by == "lame":
-            return f"n is an integer or the group is finite, (2*n + 1)^2 = {last}"
-        if self.by == "whittaker":
-            if not self.numbers[0].square[0]:
-                return f"m is in 1/2 + Z, m^2 = {last}"
-            return ("k + m - 1/2 and k - m - 1/2 are integers, one >= 0 and one < 0, "
-                    f"k^2 = {text(self.numbers[0])}, m^2 = {last}")
+            return f"{last} is an odd integer or the group is finite"
+        if self.by == "whittaker" and self.numbers[0].square[0]:
+            return f"{first} + {last} - 1/2 and {first} - {last} - 1/2 are integers, one >= 0 and one < 0"
+        if self.by != "riemann":
+            return f"{last} + 1/2 is an integer"
         degrees = [q.degree(Z) for q in self.factors] + [1] * (len(self.numbers) - len(self.factors))
         squares = ", ".join(text(x) for x, n in zip(self.numbers, degrees) for _ in range(n))
-        return ("two exponent differences are in 1/2 + Z, or they are in the table of Schwarz and Kimura, or a sum of "
-                "the three with signs is odd and all are rational or one is an integer and there is no logarithm; "
-                f"their squares: {squares}")
+        return ("two exponent differences are halves of odd integers, or they are in the table of Schwarz and Kimura, or "
+                "a sum of the three with signs is an odd integer and (all are rational, or one is an integer and there "
+                f"is no logarithm); their squares: {squares}")
 
 
 def exact_quotient(f, g):

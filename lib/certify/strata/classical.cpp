@@ -11,12 +11,15 @@ namespace kov::certify {
 
 namespace {
 
+constexpr std::size_t max_shown = 1000; // each number is compared with all of them
+
 class Classical {
 public:
   Classical(const Stratum& s, const ByClassical& leaf)
       : s_(s), leaf_(leaf), a_(s.arithmetic()), N_(leaf.equation.num), D_(leaf.equation.den) {}
 
   Truth operator()() {
+    need_small();
     need_functions();
     need_change();
     if (leaf_.family == "whittaker" || leaf_.family == "bessel")
@@ -31,6 +34,12 @@ public:
   }
 
 private:
+  // No family has more; before anything is expanded.
+  void need_small() const {
+    need(degree(N_, 0) <= 4 && degree(D_, 0) <= 6, "the equation is not that of the family");
+    need(leaf_.numbers.size() <= 4, "these are not the numbers of the family");
+    need_within(leaf_.shown.size() <= max_shown, "a limit: the number of integers shown");
+  }
   void need_functions() {
     for (const Fraction* f : {&leaf_.change, &leaf_.equation}) {
       s_.need_variables(f->num);

@@ -14,7 +14,8 @@ namespace kov::certify {
 /// The `by` of a leaf that rests on a criterion: whittaker, bessel, riemann or lame.
 [[nodiscard]] bool is_classical_rule(const std::string& name);
 
-/// The criterion as text: "m is in 1/2 + Z, m^2 = (nu^2)/(1)".
+/// The criterion as text: "sqrt((nu^2)/(1)) + 1/2 is an integer".  It says the same for both roots,
+/// and has no names but those of the certificate.
 [[nodiscard]] std::string criterion(const ByClassical& leaf);
 
 /// What is known of the parameters on a stratum.

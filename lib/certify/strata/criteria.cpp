@@ -14,6 +14,9 @@ std::string text(const Fraction& f) {
   return "(" + to_string(f.num) + ")/(" + to_string(f.den) + ")";
 }
 
+// No letter for the root, which might be the name of a parameter.
+std::string root_text(const SquaredNumber& x) { return "sqrt(" + text(x.square) + ")"; }
+
 } // namespace
 
 bool is_classical_rule(const std::string& name) {
@@ -22,24 +25,23 @@ bool is_classical_rule(const std::string& name) {
 
 std::string criterion(const ByClassical& leaf) {
   const auto& x = leaf.numbers;
-  if (leaf.family == "bessel") return "n is in 1/2 + Z, n^2 = " + text(x[0].square);
-  if (leaf.family == "lame")
-    return "n is an integer or the group is finite, (2*n + 1)^2 = " + text(x.back().square);
-  if (leaf.family == "whittaker") {
-    const std::string m = ", m^2 = " + text(x[1].square);
-    if (is_zero(x[0].square.num)) return "m is in 1/2 + Z" + m;
-    return "k + m - 1/2 and k - m - 1/2 are integers, one >= 0 and one < 0, k^2 = " +
-           text(x[0].square) + m;
+  const std::string last = root_text(x.back());
+  if (leaf.family == "lame") return last + " is an odd integer or the group is finite";
+  if (leaf.family == "whittaker" && !is_zero(x[0].square.num)) {
+    const std::string first = root_text(x[0]);
+    return first + " + " + last + " - 1/2 and " + first + " - " + last +
+           " - 1/2 are integers, one >= 0 and one < 0";
   }
+  if (leaf.family != "riemann") return last + " + 1/2 is an integer";
   std::string squares;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const long n = i < leaf.factors.size() ? degree(leaf.factors[i], 0) : 1;
     for (long k = 0; k < n; ++k)
       squares += (squares.empty() ? "" : ", ") + text(x[i].square);
   }
-  return "two exponent differences are in 1/2 + Z, or they are in the table of Schwarz and Kimura, "
-         "or a sum of the three with signs is odd and all are rational or one is an integer and "
-         "there is no logarithm; their squares: " +
+  return "two exponent differences are halves of odd integers, or they are in the table of Schwarz "
+         "and Kimura, or a sum of the three with signs is an odd integer and (all are rational, or "
+         "one is an integer and there is no logarithm); their squares: " +
          squares;
 }
 
