@@ -109,12 +109,50 @@ def divrem(f, g):
     return trimmed(quotient), trimmed(f)
 
 
+MERSENNE = tuple(2**e - 1 for e in (127, 521, 2203, 9689, 44497))
+
+
+def reconstructed(c, p):
+    """n/d = c modulo p with n, d < sqrt(p/2), or None."""
+    r0, r1, t0, t1 = p, c, 0, 1
+    while 2 * r1 * r1 > p:
+        q = r0 // r1
+        r0, r1, t0, t1 = r1, r0 - q * r1, t1, t0 - q * t1
+    return Fraction(r1, t1) if t1 and 2 * t1 * t1 <= p else None
+
+
+def modular_gcd(f, g, p):
+    """The monic gcd modulo p, or None at a bad prime."""
+    if any(c.denominator % p == 0 for c in f + g) or f[-1].numerator % p == 0 or g[-1].numerator % p == 0:
+        return None
+    f, g = ([c.numerator * pow(c.denominator, -1, p) % p for c in h] for h in (f, g))
+    while g:
+        lead = pow(g[-1], -1, p)
+        g = [c * lead % p for c in g]
+        while len(f) >= len(g):
+            c, shift = f[-1], len(f) - len(g)
+            for j, b in enumerate(g):
+                f[shift + j] = (f[shift + j] - c * b) % p
+            f = trimmed(f)
+        f, g = g, f
+    return f
+
+
 def gcd(f, g):
+    """Monic.  Over Q modulo a large prime: the degree there is no smaller, and what divides both is it."""
+    if f and g and all(isinstance(c, Fraction) for c in f + g):
+        for p in MERSENNE:
+            h = modular_gcd(f, g, p)
+            if h is not None and len(h) == 1:
+                return poly(1)
+            h = h and [reconstructed(c, p) for c in h]
+            if h and None not in h and not divrem(f, h)[1] and not divrem(g, h)[1]:
+                return h
     while g:
         f, g = g, divrem(f, g)[1]
         if g:
             g = scale(g, 1 / g[-1])
-    return f
+    return scale(f, 1 / f[-1]) if f else f
 
 
 def product(factors):
