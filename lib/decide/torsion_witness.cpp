@@ -84,6 +84,8 @@ certify::TorsionFunction torsion_function(const certify::Judge& judge, const Dih
                                           const DihedralAnswer& answer,
                                           const certify::InvariantFact& v,
                                           const certify::LocalFact& local, const Budget& budget) {
+  if (!answer.a)
+    throw OutOfBudget("degree limit: the torsion function is a power that is too large");
   // h = a + b W s with n W^2 b = g a' (W of dihedral.hpp is w of the rule, as v = g s)
   const NfElem n(Rational(answer.n));
   const RationalFunction& a = *answer.a;

@@ -24,7 +24,8 @@ struct WhittakerPullBack {
 };
 
 /// Nothing found proves nothing: only signs over K, at most six irregular places, zeros of f at
-/// places of r are tried, and a = 1 where no irregular place is over K.
+/// places of r are tried, and of a what one irregular place of least degree says (1 at an even one
+/// above 2).
 /// Throws   OutOfBudget
 /// Cost     for each choice of signs and of a zero a few products of the size of r
 [[nodiscard]] std::optional<WhittakerPullBack> whittaker_pull_back(const Singularities& s,

@@ -317,12 +317,13 @@ std::vector<long> degrees_at_infinity(const Poly& c2, const Poly& c1, const Poly
 }
 
 // a with h = a + b s, dh/h = M eta:  (g a')' + g a' F0'/(2 F0) = M^2 W^2 a/(g F0).
+// Requires  M rho integral at all poles
 std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
                                                       const std::vector<Pole>& poles,
-                                                      const Integer& m, const Budget& budget) {
+                                                      const Rational& m, const Budget& budget) {
   Poly denominator(1);
   for (const Pole& pole : poles) {
-    const Rational order = Rational(m) * pole.rho;
+    const Rational order = m * pole.rho;
     KOV_ENSURE(is_integer(order));
     const Integer needed = order.num() * Integer(std::max(degree(pole.q), 1L));
     if (!fits_long(needed))
@@ -337,7 +338,7 @@ std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
   const RationalFunction den(denominator);
   const RationalFunction p1 = derivative(c.g) / c.g + derivative(f0) / (RationalFunction(2) * f0);
   const RationalFunction p0 =
-      RationalFunction(Poly(c.w_squared / c.k * NfElem(Rational(m * m)))) / (c.g * c.g * f0);
+      RationalFunction(Poly(c.w_squared / c.k * NfElem(m * m))) / (c.g * c.g * f0);
   const RationalFunction l = -derivative(den) / den; // (1/den)'/(1/den)
   const RationalFunction c1 = RationalFunction(2) * l + p1;
   const RationalFunction c0 = derivative(l) + l * l + p1 * l - p0;
@@ -348,6 +349,25 @@ std::optional<RationalFunction> function_with_divisor(const DihedralCurve& c,
     if (const auto a = polynomial_solution(common, q1, q0, degree_a, budget))
       return RationalFunction(*a, denominator);
   return std::nullopt;
+}
+
+// The gcd of the integers L rho.
+Integer common_multiplicity(const std::vector<Pole>& poles, const Integer& l) {
+  Integer common(0);
+  for (const Pole& pole : poles)
+    common = gcd(common, (Rational(l) * pole.rho).num());
+  return common;
+}
+
+// h = h1^(kappa/g), dh1/h1 = (M g/kappa) eta: the divisor of eta without its content kappa has an
+// order that may be divisible by some g | kappa (docs/theory/dihedral_torsion.md, 9d).
+bool is_power(const DihedralCurve& c, const std::vector<Pole>& poles, const Integer& m,
+              const Integer& kappa, const Budget& budget) {
+  constexpr long largest = 100;
+  for (Integer g(1); g <= Integer(largest) && g < kappa; g += Integer(1))
+    if (gcd(g, kappa) == g && function_with_divisor(c, poles, Rational(m * g, kappa), budget))
+      return true;
+  return false;
 }
 
 constexpr int prime_tries = 400;
@@ -392,7 +412,7 @@ std::optional<RationalFunction> torsion_function(const DihedralCurve& c, const I
                                                  const Budget& budget) {
   const Poles poles = poles_of(c);
   if (poles.infinite) return std::nullopt;
-  return function_with_divisor(c, poles.list, n, budget);
+  return function_with_divisor(c, poles.list, Rational(n), budget);
 }
 
 DihedralAnswer decide_dihedral(const DihedralCurve& c, const Singularities& s,
@@ -419,10 +439,15 @@ DihedralAnswer decide_dihedral(const DihedralCurve& c, const Singularities& s,
   if (answer.by == Torsion::orders_differ) return answer;
   if (answer.orders.size() < 2) return by_curvatures(std::move(answer), c, s, budget);
   const Integer m = l * answer.orders.front().order;
-  answer.a = function_with_divisor(c, poles.list, m, budget);
-  answer.finite = truth(answer.a.has_value());
-  answer.by = answer.a ? Torsion::function : Torsion::no_function;
   answer.n = m;
+  try {
+    answer.a = function_with_divisor(c, poles.list, Rational(m), budget);
+    answer.finite = truth(answer.a.has_value());
+  } catch (const OutOfBudget&) { // h may be a power of a function of small degree
+    if (!is_power(c, poles.list, m, common_multiplicity(poles.list, l), budget)) throw;
+    answer.finite = Truth::yes;
+  }
+  answer.by = answer.finite == Truth::yes ? Torsion::function : Torsion::no_function;
   return answer;
 }
 

@@ -17,12 +17,15 @@ RationalFunction whittaker(const Rational& a, const Rational& b, const Rational&
 }
 
 std::vector<RationalFunction> changes() {
-  return {RationalFunction(z * z + Poly(1)),
-          RationalFunction(z * z - Poly(2), z),
+  return {RationalFunction(z * z + Poly(1)), RationalFunction(z * z - Poly(2), z),
           RationalFunction(z, (z - Poly(1)) * (z - Poly(3))),
           RationalFunction(pow(z, 3) - z + Poly(5)),
           RationalFunction(z * (z + Poly(4)), (z - Poly(2)) * (z + Poly(1))),
-          RationalFunction(z - Poly(2), pow(z, 3))};
+          RationalFunction(z - Poly(2), pow(z, 3)),
+          // no pole over Q: a is known up to squares from a norm, or a norm and a trace
+          RationalFunction(z * z + Poly(3), z * z - z + Poly(5)),
+          RationalFunction(z - Poly(7), z * z - Poly(2)),
+          RationalFunction(z * z + z - Poly(3), pow(z, 3) - z - Poly(1))};
 }
 
 TEST(WhittakerPullBack, ComesBack) {
@@ -43,6 +46,16 @@ TEST(WhittakerPullBack, ComesBack) {
                   r);
         EXPECT_EQ(found->c, NfElem(c)); // f is determined up to a factor
       }
+}
+
+// The constant a is no square at a place that is conjugate to others.
+TEST(WhittakerPullBack, ConstantsUpToSquares) {
+  for (const RationalFunction& f : changes())
+    for (const long a : {1L, 2L, -1L, -3L, 5L, 12L}) {
+      const RationalFunction r =
+          testing::pull_back(whittaker(Rational(a), Rational(0), Rational(3, 4)), f);
+      EXPECT_TRUE(whittaker_pull_back(singularities(r))) << to_string(f) << ", " << a;
+    }
 }
 
 // n(n+1)/x^2 - 1 with n of twenty digits: no polynomial of that degree is needed.

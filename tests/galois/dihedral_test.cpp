@@ -95,6 +95,20 @@ TEST(Dihedral, RiemannEquations) {
 }
 
 // A change of variable of degree one changes nothing; z^2 may make the group smaller.
+// u = h^(k/n), h of the degree of the change of variable: however large k and n are, no function of
+// degree k is needed.
+TEST(Dihedral, PowersOfASmallFunction) {
+  const NfElem quarter(Rational(1, 4));
+  for (const RationalFunction& f :
+       {RationalFunction(z * z - 3, z + 2), RationalFunction(z * z * z - z + 5),
+        RationalFunction(z * z + 7, z * z - z + 3)})
+    for (const Integer& n : {Integer(7), Integer(1000003), pow(Integer(10), 15) + Integer(37)})
+      for (const Integer& k : {Integer(1), Integer(2), n - Integer(1), n + Integer(2)}) {
+        const NfElem square(Rational(k * k, n * n));
+        expect_group(pull_back(riemann(quarter, quarter, square), f), {GroupType::D, n});
+      }
+}
+
 TEST(Dihedral, MoebiusInvariance) {
   const Poly F0 = pow(z, 3) + Poly(1);
   const RationalFunction r = with_ratio(F0, Poly(-1), Poly(1), 4);

@@ -125,5 +125,34 @@ TEST(PolynomialSolution, Limits) {
   EXPECT_THROW((void)polynomial_solution(Poly(1), Poly(0), Poly(0), -1), InternalError);
 }
 
+// Of large degree absence is told by one prime; what there is is found all the same.
+TEST(PolynomialSolution, OfLargeDegree) {
+  const Poly z = Poly::z();
+  for (const long n : {63L, 64L, 65L, 200L, 1000L}) {
+    const Poly last(n * (n + 1));
+    const auto legendre = polynomial_solution(Poly(1) - z * z, Poly(-2) * z, last, n);
+    ASSERT_TRUE(legendre) << n;
+    EXPECT_EQ(degree(*legendre), n);
+    EXPECT_FALSE(polynomial_solution(z - z * z * z, Poly(-2) * z * z, last * z + Poly(5), n)) << n;
+  }
+}
+
+// f'' (p q' - p' q) - f' (p q'' - p'' q) + f (p' q'' - p'' q') = 0 for f = p and f = q: the
+// coefficient of z^(deg q) is free.
+TEST(PolynomialSolution, WithAFreeCoefficientOfLargeDegree) {
+  const Poly z = Poly::z();
+  for (const unsigned long m : {2UL, 31UL, 69UL}) {
+    const Poly p = pow(z, 70) + z;
+    const Poly q = pow(z, m) + Poly(1);
+    const Poly dp = derivative(p), dq = derivative(q), ddp = derivative(dp), ddq = derivative(dq);
+    const Poly c2 = p * dq - dp * q, c1 = ddp * q - p * ddq, c0 = dp * ddq - ddp * dq;
+    const auto found = polynomial_solution(c2, c1, c0, 70);
+    ASSERT_TRUE(found) << m;
+    EXPECT_TRUE(
+        is_zero(c2 * derivative(derivative(*found)) + c1 * derivative(*found) + c0 * *found));
+    EXPECT_FALSE(polynomial_solution(c2, c1, c0 + Poly(1), 70)) << m;
+  }
+}
+
 } // namespace
 } // namespace kov

@@ -6,6 +6,7 @@
 #include "recognized.hpp"
 #include "second_opinion.hpp"
 #include "strata/certificate.hpp"
+#include "strata/formula_certificate.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -171,12 +172,30 @@ private:
     options.proved = [this](const Decision& d) {
       say(message(tag_of(d), closed(d, nullptr), d.certificate));
     };
-    const Decision decision = decide(equation.normal_form, options);
+    Decision decision = decide(equation.normal_form, options);
+    if (options.want_certificate) certify_formula(decision, options.budget);
     Json result = closed(decision, recognized_json(equation, decision, options.budget));
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     if (settings_.second_opinion)
       result["second_opinion"] = second_opinion(decision.r, decision, options.budget);
     return message(tag_of(decision), result, decision.certificate);
+  }
+
+  // What only a formula decides: the rule for classical equations proves the identity component.
+  static void certify_formula(Decision& d, const Budget& budget) {
+    if (!d.certificate.empty() || !d.places || !std::holds_alternative<ByFormula>(d.because))
+      return;
+    try {
+      auto opinion = strata::formula_certificate(d, budget);
+      if (!opinion) return;
+      const bool accepted = opinion->refusal.empty();
+      take(d, *std::move(opinion));
+      if (!accepted) return;
+      d.no_certificate.clear();
+      d.undecided =
+          Unable{Unable::Why::budget, "the certificate is about the identity component only"};
+    } catch (const OutOfBudget&) { // what is missing is said already
+    }
   }
 
   // The original equation is printed last.
