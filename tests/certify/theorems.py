@@ -320,6 +320,18 @@ SLIDING_TRAPS = {
 }
 
 
+def part_of_region(shown):
+    """The place is there for p >= 0, and the system is assumed to have p > 0"""
+    def change(top):
+        top["systems"][0].update(parameters=["p"], assumptions=[{"p": "p", "sign": "positive"}])
+        y = step(top, "y")
+        y["region"] = [{"p": "p", "sign": "nonnegative"}]
+        for s in y["shown"]:
+            s["by"]["zeros"][0][0] = "2"
+        tree(top)["shown"] = shown
+    return change
+
+
 SMALL_TRAPS = {
     "a Lagrangian of the momenta with the right derivatives": with_lagrangian(WITH_MOMENTA, ENERGY, SPEEDS),
     "a cubic Lagrangian with the right derivatives": with_lagrangian(
@@ -349,6 +361,7 @@ SMALL_TRAPS = {
     "an inverse over a number": adjoined(TWO | {"inverse": ["2", "7"]}),
     "a factor over a number": adjoined(TWO | {"times": ["2", "2"]}),
     "lowest order on one leaf": on_one_leaf,
+    "a region that the part does not show": part_of_region([]),
 }
 CUBIC_H = system(CUBIC, "X.toml")["system"]["hamiltonian"]
 SHIFTED = ["2*q1^4*u1*u2*a + 8*q1^3*u1*u2*a + 12*q1^2*u1*u2*a + 8*q1*u1*u2*a + 2*u1*u2*a + 2*q1^2*q2^2*u1*u2*a + "
@@ -367,6 +380,8 @@ RIGHT = {"small": small(), "small, a Lagrangian": changed(small(), with_lagrangi
          "small, a Lagrangian of parameters": changed(small(), one_lagrangian(["A*v1^2 - 2*q1^2", "2"], ["B*p1^2 + 2*q1^2", "2"], [
              ("v1", "p1", "B*p1")], [("B", "A")], ["A"])),
          "small, a parameter": changed(small(), parameters("a")),
+         "small, a part of a region": changed(small(), part_of_region(
+             [{"node": "empty", "terms": [["1", "1", ["0", "1"]], ["1", "1", ["1", "1"]]], "zeros": []}])),
          "small, no functions": changed(small(), lambda t: t["systems"][0]["system"].update(functions=[], relations=[])),
          "small, a root": changed(small(), adjoined({"name": "r", "square": ["2", "3"]})),
          "small, an inverse": changed(small(), adjoined(TWO)),
