@@ -176,6 +176,14 @@ class Checker(unittest.TestCase):
                         self.assertTrue(said.stdout.endswith(b"\n"))
                         self.assertTrue(said.stdout[:-1].decode().isprintable(), said.stdout[:500])
 
+    def test_a_reader_may_stop(self):
+        path = os.path.join(HERE, "data", "airy-naive.json")
+        script = os.path.join(HERE, "../../tools/verify/kovacic_verify.py")
+        with subprocess.Popen([sys.executable, script, *[path] * 3000], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
+            self.assertIn(b"accepted", run.stdout.readline())
+            run.stdout.close()
+            self.assertEqual(run.stderr.read(), b"")
+
     def test_hostile_texts(self):
         one = json.loads(text(os.path.join(HERE, "data", sorted(os.listdir(os.path.join(HERE, "data")))[0])))
         texts = ["", "{", "NaN", "1", "[" * 10**6, '{"a":' * 10**6, '"' + "x" * 10**7, '{"a":"b","a":"b"}', "\ud800", "null"]

@@ -132,7 +132,9 @@ def main(args):
     try:
         import resource
         resource.setrlimit(resource.RLIMIT_AS, (2**32, resource.getrlimit(resource.RLIMIT_AS)[1]))
-    except (ImportError, ValueError, OSError):
+        import signal
+        signal.signal(signal.SIGPIPE, signal.SIG_DFL)      # whoever reads has seen enough: `| head`
+    except (ImportError, AttributeError, ValueError, OSError):
         pass                                # no ceiling for the memory on this system
     sys.stdout.reconfigure(errors="backslashreplace")      # a locale of ASCII
     worst = 0
