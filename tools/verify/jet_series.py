@@ -1,8 +1,15 @@
 """Laurent series over the algebra of a certificate, with their ends, and such series by degree in c1, c2
 (docs/theory/jet_certificates.md 3)."""
 from certificate_format import need
+from multivariate import spend
 
 EXACT = 1 << 40
+ELEMENT, TERM = 600, 30                     # work of a product of two elements: long series of short ones are much, too
+
+
+def pair(x, y):
+    spend(ELEMENT + TERM * sum(map(len, [*x.rows.values(), *y.rows.values()])))
+    return x * y
 
 
 class Series:
@@ -44,7 +51,7 @@ class Series:
             for j, y in o.c.items():
                 if i + j < end:
                     c.setdefault(i + j, []).append((x, y))
-        return Series(self.algebra, {m: self.algebra.sum(x * y for x, y in pairs) for m, pairs in c.items()}, end)
+        return Series(self.algebra, {m: self.algebra.sum(pair(x, y) for x, y in pairs) for m, pairs in c.items()}, end)
 
     def end_of_product(self, o):
         return min(self.end + o.start() if self.end < EXACT else EXACT, o.end + self.start() if o.end < EXACT else EXACT)
@@ -54,7 +61,7 @@ class Series:
         if self.zero() or o.zero():
             return self.algebra.sum([])
         need(m < self.end_of_product(o), "a series is too short")
-        return self.algebra.sum(x * o.c[m - i] for i, x in self.c.items() if m - i in o.c)
+        return self.algebra.sum(pair(x, o.c[m - i]) for i, x in self.c.items() if m - i in o.c)
 
     def derivative(self, d):
         """By t, t = s^d"""

@@ -5,7 +5,7 @@ from strata_format import NAME
 from system_format import COORDINATES, DENOMINATORS, DIGITS, TOWER, right
 
 FORMAT = "kovacic-jets/1"
-PARAMETERS, TURNS, ORDER, TERMS, DEGREE, POWER = 6, 100, 12, 2000, 40, 20
+PARAMETERS, TURNS, ORDER, TERMS, DEGREE, POWER, COFACTOR = 6, 100, 12, 2000, 40, 20, 100
 GROUPS = {"first-family": {}, "homogeneous": {}, "equilibria": {"first": ["any"], "second": ["any"]},
           "group": {"e": "rational", "first": ["any"], "second": ["any"], "certificate": "any"}}
 LINE = dict.fromkeys(("start", "across", "along", "masses", "inertias"), ["any"])
@@ -35,7 +35,7 @@ def read_jets(top):
     right(len(jets["across"]) == len(jets["along"]) == jets["order"] - 2, "one for each lower order")
     right(all(0 <= x <= ORDER + 1 for x in d["obstruction"]["columns"]), "a column is out of range")
     right(1 <= d["obstruction"]["power"] <= POWER, "a power is out of range")
-    right(all(len(d["group"].get(x) or []) <= TERMS for x in ("first", "second")), "too many entries")
+    right(all(len(d["group"].get(x) or []) <= COFACTOR for x in ("first", "second")), "too many entries")
     place["solution"], place["normal"] = series(place["solution"]), [series(x) for x in place["normal"]]
     for key in ("across", "along"):
         jets[key] = [series(x) for x in jets[key]]

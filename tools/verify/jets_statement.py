@@ -52,7 +52,8 @@ def statement(d, jets, group):
     shown, (h, n, names), line = Shown(d, jets.R), hamiltonian(d), d["line"]
     text = polynomial(h, names)
     yield f"the system {quoted(d['title'])}" + f" with parameters {', '.join(d['parameters'])}" * bool(d["parameters"])
-    yield "  H = " + (f"({text})/{n}" if n != 1 else text)
+    pairs = zip(d["system"]["coordinates"], d["system"]["momenta"])
+    yield "  " + "".join(f"{{{q}, {p}}} = 1, " for q, p in pairs) + "H = " + (f"({text})/{n}" if n != 1 else text)
     yield from (f"  {x['name']}^{x['degree']} = {shown.element(x['value'])}" for x in d["constants"])
     yield f"along the line ({', '.join(names[:2])}) = {shown.pair(line['start'])} + y*{shown.pair(line['along'])}" \
         + "".join(f", {x} = 0" for x in d["system"]["coordinates"][2:])

@@ -11,7 +11,8 @@ Motion::Motion(const JetsCertificate& c, Arithmetic& a)
     : c_(c), arithmetic_(a), a_(c.field, a), s_(a_) {}
 
 // Without c1, c2, and without e unless it is allowed.
-void Motion::need_free(const CurveFunction& f, bool of_e) const {
+void Motion::need_free(const CurveFunction& given, bool of_e) const {
+  const CurveFunction f = a_.reduced(given);
   need(!uses(f.p, c_.c1()) && !uses(f.p, c_.c2()) && (of_e || !uses(f.p, c_.e())),
        "a constant has a variable in it");
 }
@@ -139,7 +140,7 @@ LocalSeries Motion::read(const JetSeries& x, long degree_in_c) const {
            "a series is not homogeneous in c1 and c2");
     }
   }
-  return series;
+  return s_.trimmed(std::move(series));
 }
 
 LocalSeries Motion::acceleration(const LocalSeries& x) const {
@@ -178,11 +179,13 @@ void Motion::need_place() {
 void Motion::need_normal() {
   rule_ = "J3";
   const LocalSeries w = polynomial_at(normal());
-  for (std::size_t i = 0; i < 2; ++i)
+  for (std::size_t i = 0; i < 2; ++i) {
     u_[i] = read(c_.normal[i], 0);
+    need(!u_[i].c.empty() && u_[i].low == c_.normal[i]->low, "a solution does not begin with 1");
+  }
   need(u_[0].low + u_[1].low == c_.turns && u_[0].low < u_[1].low, "the exponents are wrong");
   for (const LocalSeries& u : u_) {
-    need(!u.c.empty() && equal(u.c[0], a_.integer(1)), "a solution does not begin with 1");
+    need(equal(u.c[0], a_.integer(1)), "a solution does not begin with 1");
     need_solution(u, s_.times(w, u), u_[1].low);
   }
 }
@@ -262,7 +265,7 @@ void Motion::need_minor() {
           a_.plus(minor, a_.times(m[k][0], a_.minus(a_.times(b[1], c[2]), a_.times(b[2], c[1]))));
     }
   }
-  const CurveFunction value = a_.reduced(c_.obstruction.value);
+  const CurveFunction& value = c_.obstruction.value; // as it is shown: w^2 may be a parameter
   need_free(value, true);
   need(!is_zero(value.p), "the obstruction is 0");
   for (std::size_t i = 0; i < c_.field.tower.size(); ++i)

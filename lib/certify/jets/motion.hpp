@@ -33,7 +33,7 @@ public:
   [[nodiscard]] CurveFunction energy() const;
 
 private:
-  void need_free(const CurveFunction& f, bool of_e) const;
+  void need_free(const CurveFunction& given, bool of_e) const;
   [[nodiscard]] CurveFunction dot(const std::array<CurveFunction, 2>& a,
                                   const std::array<CurveFunction, 2>& b) const;
   /// The Hamiltonian on the invariant subspace.

@@ -120,9 +120,9 @@ private:
     else if (by.text() == "homogeneous")
       c_.group = ByHomogeneity{};
     else if (by.text() == "equilibria")
-      c_.group = ByEquilibria{row(k.at("first")), row(k.at("second"))};
+      c_.group = ByEquilibria{cofactor(k.at("first")), cofactor(k.at("second"))};
     else if (by.text() == "group")
-      c_.group = ByGroup{k.at("e").rational(), row(k.at("first")), row(k.at("second")),
+      c_.group = ByGroup{k.at("e").rational(), cofactor(k.at("first")), cofactor(k.at("second")),
                          read_certificate(k.at("certificate"))};
     else
       by.fail("unknown");
@@ -145,6 +145,11 @@ private:
     for (const Node& x : n.items())
       all.push_back(element(x));
     if (all.size() > static_cast<std::size_t>(max_jet_terms)) n.fail("too many entries");
+    return all;
+  }
+  [[nodiscard]] CurveRow cofactor(const Node& n) const {
+    CurveRow all = row(n);
+    if (all.size() > max_jet_cofactor) n.fail("too many entries");
     return all;
   }
   [[nodiscard]] std::array<CurveFunction, 2> pair(const Node& n) const {

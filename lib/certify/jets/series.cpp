@@ -1,6 +1,7 @@
 #include "certify/jets/series.hpp"
 
 #include "certify/equation/facts.hpp"
+#include "certify/text/limits.hpp"
 
 #include <algorithm>
 
@@ -58,6 +59,13 @@ LocalSeries SeriesAlgebra::derivative(LocalSeries f, long d) const {
   return trimmed(std::move(f));
 }
 
+// Long series of short elements are much work, too.
+CurveFunction SeriesAlgebra::product(const CurveFunction& f, const CurveFunction& g) const {
+  a_.charge(work_of_an_element +
+            work_of_its_term * static_cast<double>(f.p.length() + g.p.length()));
+  return a_.times(f, g);
+}
+
 CurveFunction SeriesAlgebra::coefficient(const LocalSeries& f, long m) const {
   need(m < f.end, "a series is too short");
   const long i = m - f.low;
@@ -73,7 +81,7 @@ CurveFunction SeriesAlgebra::coefficient(const LocalSeries& f, const LocalSeries
   for (std::size_t i = 0; i < f.c.size(); ++i) {
     const long j = m - f.low - static_cast<long>(i) - g.low;
     if (j >= 0 && j < static_cast<long>(g.c.size()))
-      sum = a_.plus(sum, a_.times(f.c[i], g.c[static_cast<std::size_t>(j)]));
+      sum = a_.plus(sum, product(f.c[i], g.c[static_cast<std::size_t>(j)]));
   }
   return sum;
 }

@@ -42,6 +42,9 @@ public:
   /// Of s^m in f g.
   [[nodiscard]] CurveFunction coefficient(const LocalSeries& f, const LocalSeries& g, long m) const;
 
+  /// Without coefficients that are 0 at its ends.
+  [[nodiscard]] LocalSeries trimmed(LocalSeries f) const;
+
   [[nodiscard]] GradedSeries times(const GradedSeries& f, const GradedSeries& g) const;
 
   [[nodiscard]] Table plus(Table f, const Table& g) const;
@@ -53,7 +56,7 @@ public:
                                    const GradedSeries& y) const;
 
 private:
-  [[nodiscard]] LocalSeries trimmed(LocalSeries f) const;
+  [[nodiscard]] CurveFunction product(const CurveFunction& f, const CurveFunction& g) const;
 
   const CurveAlgebra& a_;
 };

@@ -16,8 +16,9 @@ public:
   std::vector<std::string> operator()() {
     const PhaseFunction& h = c_.hamiltonian;
     lines_.push_back("the system " + quoted(c_.title) + parameters());
-    lines_.push_back("  H = " + (h.n == Integer(1) ? to_string(h.p)
-                                                   : "(" + to_string(h.p) + ")/" + to_string(h.n)));
+    lines_.push_back(
+        "  " + pairs() + "H = " +
+        (h.n == Integer(1) ? to_string(h.p) : "(" + to_string(h.p) + ")/" + to_string(h.n)));
     for (std::size_t i = 0; i < c_.field.tower.size(); ++i)
       lines_.push_back("  " + c_.field.ring->name(c_.field.variable(i)) + "^" +
                        std::to_string(c_.field.tower[i].degree) + " = " +
@@ -39,6 +40,15 @@ private:
     std::string all;
     for (std::size_t i = c_.e() + 1; i < c_.c1(); ++i)
       all += (all.empty() ? " with parameters " : ", ") + c_.field.ring->name(i);
+    return all;
+  }
+
+  // Which momentum is that of which coordinate: "{q1, p1} = 1, {q2, p2} = 1, ".
+  [[nodiscard]] std::string pairs() const {
+    const std::size_t n = 2 + c_.others;
+    std::string all;
+    for (std::size_t i = 0; i < n; ++i)
+      all += "{" + c_.phase->name(i) + ", " + c_.phase->name(i + n) + "} = 1, ";
     return all;
   }
 

@@ -76,26 +76,34 @@ CurveFunction CurveAlgebra::shortened(CurveFunction f) const {
 }
 
 CurveFunction CurveAlgebra::reduced(CurveFunction f) const {
-  for (std::size_t i = c_.tower.size(); i-- > 0;) {
-    const TowerStep& step = c_.tower[i];
-    const std::size_t w = c_.variable(i);
-    const auto d = static_cast<long>(step.degree);
-    while (degree(f.p, w) >= d) { // low + w^d high = low + value high
-      const Coefficients c = coefficients(f.p, w);
-      const MPoly x = MPoly::variable(c_.ring, w);
-      MPoly low(c_.ring);
-      MPoly high(c_.ring);
-      for (std::size_t k = c.size(); k-- > 0;) {
-        MPoly& part = static_cast<long>(k) >= d ? high : low;
-        part = a_.plus(a_.times(part, x), c[k]);
-      }
-      f.p = a_.plus(a_.times(a_.scaled(low, step.value.n), denominator(step.value.over)),
-                    a_.times(high, step.value.p));
-      f.n = a_.times(f.n, step.value.n);
-      f.over = sum(f.over, step.value.over);
-    }
-  }
+  for (std::size_t i = c_.tower.size(); i-- > 0;)
+    while (degree(f.p, c_.variable(i)) >= static_cast<long>(c_.tower[i].degree))
+      f = lowered(f, i);
   return shortened(std::move(f));
+}
+
+// f = sum of w^(qd) f_q, f_q of degree < d in w: Horner's scheme for v^q in the place of w^(qd).  Where
+// v has w in it the product is of degree < 2d, and one step makes the degree less.
+CurveFunction CurveAlgebra::lowered(const CurveFunction& f, std::size_t i) const {
+  const CurveFunction& v = c_.tower[i].value;
+  const std::size_t d = c_.tower[i].degree;
+  const MPoly w = MPoly::variable(c_.ring, c_.variable(i));
+  const Coefficients c = coefficients(f.p, c_.variable(i));
+  const auto part = [&](std::size_t q) {
+    MPoly all(c_.ring);
+    for (std::size_t k = std::min(c.size(), (q + 1) * d); k-- > q * d;)
+      all = a_.plus(a_.times(all, w), c[k]);
+    return all;
+  };
+  std::size_t q = (c.size() - 1) / d;
+  CurveFunction low{part(q), Integer(1), {}};
+  while (q-- > 0) {
+    low = {a_.times(low.p, v.p), a_.times(low.n, v.n), sum(low.over, v.over)};
+    while (degree(low.p, c_.variable(i)) >= static_cast<long>(d))
+      low = lowered(low, i);
+    low.p = a_.plus(low.p, a_.times(part(q), a_.scaled(denominator(low.over), low.n)));
+  }
+  return {low.p, a_.times(low.n, f.n), sum(low.over, f.over)};
 }
 
 CurveFunction CurveAlgebra::plus(const CurveFunction& f, const CurveFunction& g) const {

@@ -33,6 +33,8 @@ public:
   [[nodiscard]] bool equal(const CurveFunction& f, const CurveFunction& g) const {
     return is_zero(minus(f, g).p);
   }
+  /// Work that is not seen in polynomials: see Arithmetic.
+  void charge(double products) const { a_.charge(products); }
   /// A polynomial whose variable i has this value.
   [[nodiscard]] CurveFunction evaluate(const MPoly& f,
                                        const std::vector<std::optional<CurveFunction>>& at) const;
@@ -40,6 +42,7 @@ public:
 private:
   [[nodiscard]] MPoly denominator(const std::vector<unsigned long>& e) const;
   [[nodiscard]] CurveFunction shortened(CurveFunction f) const;
+  [[nodiscard]] CurveFunction lowered(const CurveFunction& f, std::size_t i) const;
   [[nodiscard]] bool depends_on_z_only(const MPoly& f) const;
 
   const PhaseCurve& c_;

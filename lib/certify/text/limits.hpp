@@ -51,6 +51,9 @@ inline constexpr std::size_t max_jet_parameters = 6;
 inline constexpr long max_turns = 100;
 inline constexpr long max_order = 12;
 inline constexpr long max_jet_terms = 2000;
+inline constexpr std::size_t max_jet_cofactor = 100; ///< coefficients of a polynomial in y
+inline constexpr double work_of_an_element = 1500;   ///< one product in a series, in products
+inline constexpr double work_of_its_term = 75;
 inline constexpr long max_jet_power = 20;           ///< of a minor
 inline constexpr unsigned long max_jet_degree = 40; ///< of a potential
 
