@@ -9,6 +9,7 @@
 #include "integrability/expect.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
+#include "integrals/stratum.hpp"
 #include "jets/words.hpp"
 #include "mechanics.hpp"
 #include "present_strata.hpp"
@@ -203,20 +204,68 @@ std::string text_of(const System& s, const ManifoldReport& m, Detail detail) {
   return out.str();
 }
 
+std::vector<MPoly> in_system(const System& s, const std::vector<MPoly>& list) {
+  std::vector<MPoly> all;
+  for (const MPoly& p : list)
+    all.push_back(transfer(MFraction(p), s.ring()).num());
+  return all;
+}
+
+// "p = 0 and q = 0"
+std::string vanishing(const std::vector<MPoly>& list) {
+  std::string all;
+  for (const MPoly& p : list)
+    all += (all.empty() ? "" : " and ") + to_string(p) + " = 0";
+  return all;
+}
+
 // "A - B = 0", or "a = b = 0": where nothing follows.
 std::string where_nothing_follows(const System& s, const jets::HigherOrders& orders) {
   std::string text;
-  for (const auto& list : orders.obstruction->not_all_zero) {
-    std::vector<MPoly> in_system;
-    for (const MPoly& p : list)
-      in_system.push_back(transfer(MFraction(p), s.ring()).num());
-    if (not_excluded(s, in_system).size() < in_system.size()) continue; // one of them is not 0
-    std::string all;
-    for (const MPoly& p : in_system)
-      all += (all.empty() ? "" : " and ") + to_string(p) + " = 0";
-    text += (text.empty() ? "except where " : "; or ") + all;
+  for (const auto& given : orders.obstruction->not_all_zero) {
+    const auto list = in_system(s, given);
+    if (not_excluded(s, list).size() < list.size()) continue; // one of them is not 0
+    text += (text.empty() ? "except where " : "; or ") + vanishing(list);
   }
   return text;
+}
+
+// The values that the file admits, as far as equations and inequations say.
+ParameterSet admitted(const System& s) {
+  std::vector<std::size_t> names = s.field.constants;
+  names.insert(names.end(), s.field.parameters.begin(), s.field.parameters.end());
+  ParameterSet all(s.ring(), names);
+  for (const MPoly& p : s.field.relations)
+    all = all.where_zero(p);
+  for (const Assumption& a : s.assumptions) {
+    using Relation = Assumption::Relation;
+    if (a.relation == Relation::zero) all = all.where_zero(a.value.num());
+    if (a.relation == Relation::nonzero || a.relation == Relation::positive)
+      all = all.where_nonzero(a.value.num());
+  }
+  return all;
+}
+
+// p = 0 at all values that the file admits: proved.
+bool vanishes_by_assumption(const System& s, const MPoly& p) {
+  if (s.assumptions.empty() || is_constant(p)) return false;
+  System other = s;
+  other.assumptions.push_back({Assumption::Relation::nonzero, MFraction(p), "", 0});
+  return contradicts_itself(other) || admitted(other).is_empty();
+}
+
+// An obstruction that excludes no value that the file admits is none.
+void withdraw_if_void(const System& s, jets::HigherOrders& orders) {
+  if (!orders.obstruction) return;
+  for (const auto& given : orders.obstruction->not_all_zero) {
+    const auto list = in_system(s, given);
+    if (!std::all_of(list.begin(), list.end(),
+                     [&](const MPoly& p) { return vanishes_by_assumption(s, p); }))
+      continue;
+    orders.open = "VE_" + std::to_string(orders.obstruction->logarithm.order) +
+                  " excludes nothing that the file admits, as " + vanishing(list) + " there";
+    return orders.obstruction.reset();
+  }
 }
 
 void put_higher_orders(std::ostringstream& out, const System& s, const jets::HigherOrders& h) {
@@ -451,7 +500,8 @@ private:
   // Where the first order leaves something open.
   void ask_higher_orders(const System& s, const ManifoldSpec& m, Report& answer,
                          std::vector<NamedCertificate>& proofs) const {
-    const auto orders = jets::higher_orders(s, m, {settings_.order, options_.decide});
+    auto orders = jets::higher_orders(s, m, {settings_.order, options_.decide});
+    withdraw_if_void(s, orders);
     std::ostringstream lines;
     if (answer.text.empty()) lines << title_of_manifold(s, m.name) << "\n";
     put_higher_orders(lines, s, orders);
