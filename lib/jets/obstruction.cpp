@@ -173,8 +173,24 @@ private:
     for (const MPoly& p : plane_.nonzero)
       found.not_all_zero.push_back({plane_.norm(p)});
     for (const MPoly& p : {place.time_scale.num(), place.time_scale.den()})
-      if (!is_constant(p)) found.not_all_zero.push_back({plane_.norm(p)});
+      found.not_all_zero.push_back({plane_.norm(p)});
+    found.not_all_zero = by_factors(found.not_all_zero);
     result_.obstruction = std::move(found);
+  }
+
+  // a b != 0 is a != 0 and b != 0; each is said once.
+  static std::vector<std::vector<MPoly>> by_factors(const std::vector<std::vector<MPoly>>& all) {
+    std::vector<std::vector<MPoly>> finer;
+    const auto add = [&](const std::vector<MPoly>& list) {
+      if (std::find(finer.begin(), finer.end(), list) == finer.end()) finer.push_back(list);
+    };
+    for (const auto& list : all)
+      if (list.size() > 1)
+        add(list);
+      else
+        for (const MFactor& f : factor(list.front()).second)
+          add({f.base});
+    return finer;
   }
 
   // (2.7)

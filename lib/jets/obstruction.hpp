@@ -14,7 +14,7 @@ namespace kov::jets {
 /// Why the group of the normal equation is infinite.
 enum class InfiniteGroup : std::uint8_t {
   first_family, ///< for all but countably many energies: the equation of the highest terms (2.6)
-  homogeneous,  ///< for all energies but 0: it is the equation of the highest terms (2.7)
+  homogeneous,  ///< for all energies but one: it is the equation of the highest terms (2.7)
   equilibria,   ///< for all but countably many energies: by its exponents at equilibria (2.9)
   decided       ///< at one energy: its identity component (2.8)
 };
