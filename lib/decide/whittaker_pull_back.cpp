@@ -112,7 +112,8 @@ NfElem norm(const Poly& g, const Poly& f) {
 }
 
 // What a may be up to squares, for u = a s^2 in the residue field of one place: its norm is
-// a^n N(s)^2; of degree 2 the trace of u plus or minus twice the root of the norm is a (s +- s')^2.
+// a^n N(s)^2; of degree 2 the trace of u plus or minus twice the root of the norm is a (s +- s')^2,
+// or s^2 is the discriminant times a square.
 std::vector<NfElem> constants_at(const Singularity& place) {
   if (place.degree() == 1) return {place.leading.coeff(0)};
   const NfElem product = norm(place.leading % place.place, place.place);
@@ -124,6 +125,10 @@ std::vector<NfElem> constants_at(const Singularity& place) {
   if (const auto root = exact_sqrt(product))
     for (const NfElem& twice : {*root + *root, -(*root + *root)})
       if (!is_zero(trace + twice)) found.push_back(trace + twice);
+  if (is_zero(place.leading.coeff(1))) { // s' = -s is possible
+    const NfElem b = place.place.coeff(1);
+    found.push_back(place.leading.coeff(0) * (b * b - NfElem(4) * place.place.coeff(0)));
+  }
   return found;
 }
 

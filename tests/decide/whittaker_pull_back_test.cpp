@@ -25,6 +25,8 @@ std::vector<RationalFunction> changes() {
           // no pole over Q: a is known up to squares from a norm, or a norm and a trace
           RationalFunction(z * z + Poly(3), z * z - z + Poly(5)),
           RationalFunction(z - Poly(7), z * z - Poly(2)),
+          RationalFunction(Poly(3), z * z - Poly(2)), // opposite principal parts
+          RationalFunction(z * z + Poly(1), z * z + z + Poly(1)),
           RationalFunction(z * z + z - Poly(3), pow(z, 3) - z - Poly(1))};
 }
 
