@@ -304,7 +304,8 @@ private:
     if (momenta > bounds_.degree || others > largest(momenta)) return;
     if (++steps_ > 2'000'000) throw OutOfBudget("an ansatz with too many monomials");
     if (i == p_.variables.size()) {
-      if (is_possible(momenta, others) && others <= bound(momenta) && is_standard(p_, e_)) {
+      if (is_possible(momenta, others) && others <= bound(momenta) &&
+          (is_highest(momenta) || is_standard(p_, e_))) {
         if (found_.size() >= 4000) throw OutOfBudget("an ansatz with more than 4000 unknowns");
         found_.push_back(e_);
       }
@@ -318,6 +319,10 @@ private:
       add(i + 1, m, o);
     }
     e_[i] = 0;
+  }
+  // Polynomials in the coordinates alone, even where relations express some of them by symbols.
+  bool is_highest(long momenta) const {
+    return bounds_.layered && layer(*natural_, bounds_.degree, momenta) == 0;
   }
   // Constants are left out, and function symbols in the highest part of a layered ansatz.
   bool is_possible(long momenta, long others) const {

@@ -12,6 +12,8 @@ namespace {
 // chosen.
 constexpr std::size_t most_with_parameters = 600;
 constexpr std::size_t most_without = 2000;
+// Integrals that depend on others, which quadratic polynomials may contain.
+constexpr std::size_t most_dependent = 8;
 
 std::vector<std::vector<MFraction>> bracket_fields(const VectorField& v) {
   std::vector<std::vector<MFraction>> all;
@@ -70,6 +72,8 @@ private:
     std::vector<FoundIntegral> found;
     IndependentRows gradients;
     std::vector<std::size_t> commuting = {}; ///< indices of integrals in involution
+    std::vector<MFraction> dependent = {};   ///< some that depend on those found
+    std::size_t combined = 0; ///< what `progress` was when functions of them were looked at last
   };
   using Candidates = std::vector<FoundIntegral>;
 
@@ -197,8 +201,10 @@ private:
     if (result_.sets.size() >= options_.max_sets)
       return conclude(std::move(s), "more than " + std::to_string(options_.max_sets) +
                                         " sets of parameter values");
-    if (stage == stages_.size() || (options_.until_integrable && is_integrable(s)))
-      return conclude(std::move(s));
+    if (options_.until_integrable && is_integrable(s)) return conclude(std::move(s));
+    const bool last = stage == stages_.size();
+    if ((last || options_.until_integrable) && may_combine(s)) return combine(std::move(s), stage);
+    if (last) return conclude(std::move(s));
     if (stages_[stage].kind != Stage::Kind::hamiltonian) return look(s, stage);
     const MFraction& value = *space_.field.hamiltonian;
     take(std::move(s), {{value, degree_in_momenta(value), false, true}}, stage + 1);
@@ -229,6 +235,78 @@ private:
     }
   }
 
+  [[nodiscard]] bool may_combine(const State& s) const {
+    return space_.field.poisson && s.commuting.size() < s.found.size() &&
+           s.combined < progress(s) && !is_integrable(s);
+  }
+  static std::size_t progress(const State& s) { return s.found.size() + s.commuting.size(); }
+
+  // Quadratic polynomials in the known integrals that commute with those that were chosen: they
+  // take the place of integrals that do not (Lemma 1 of docs/theory/integrals.md).
+  void combine(State s, std::size_t stage) {
+    s.combined = progress(s);
+    try {
+      const Ansatz ansatz = quadratic_in(s);
+      for_each_kernel(
+          s.where, equations_of(space_, ansatz, fields_of_chosen(s), options_.budget),
+          [&](const ParameterSet& where, const EchelonForm& done) {
+            State part = s;
+            part.where = where;
+            const Candidates more = candidates(where, done, ansatz, false);
+            if (more.empty()) return enter(std::move(part), stage);
+            const Candidates all = commuting_first(part, more);
+            part.found.clear();
+            part.commuting.clear();
+            part.gradients = IndependentRows(space_);
+            take(std::move(part), all, stage);
+          },
+          options_.budget);
+    } catch (const OutOfBudget& limit) {
+      conclude(std::move(s), limit.what());
+    }
+  }
+
+  // Of degree 1 and 2 in the known integrals, but for functions of those in involution.
+  Ansatz quadratic_in(const State& s) const {
+    std::vector<MFraction> known;
+    for (const FoundIntegral& f : s.found)
+      known.push_back(f.value);
+    known.insert(known.end(), s.dependent.begin(), s.dependent.end());
+    std::vector<MFraction> all;
+    const auto is_chosen = [&](std::size_t i) {
+      return std::find(s.commuting.begin(), s.commuting.end(), i) != s.commuting.end();
+    };
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      if (!is_chosen(i)) all.push_back(known[i]);
+      for (std::size_t j = i; j < known.size(); ++j)
+        if (!is_chosen(i) || !is_chosen(j)) all.push_back(known[i] * known[j]);
+    }
+    Ansatz ansatz{
+        .numerators = {}, .denominator = MPoly(space_.field.ring, Integer(1)), .column = {}};
+    for (const MFraction& f : all)
+      ansatz.denominator =
+          exact_div(ansatz.denominator * f.den(), gcd(ansatz.denominator, f.den()));
+    for (const MFraction& f : all)
+      ansatz.numerators.push_back((f * MFraction(ansatz.denominator)).num());
+    return ansatz;
+  }
+
+  // Of the candidates only some in involution: others of them, and sums, come when these are chosen.
+  Candidates commuting_first(const State& s, const Candidates& more) const {
+    Candidates all;
+    for (const std::size_t i : s.commuting)
+      all.push_back(s.found[i]);
+    for (const FoundIntegral& f : more)
+      if (std::all_of(all.begin(), all.end(), [&](const FoundIntegral& g) {
+            return space_.vanishes(s.where, poisson_bracket(space_.field, f.value, g.value));
+          }))
+        all.push_back(f);
+    for (std::size_t i = 0; i < s.found.size(); ++i)
+      if (std::find(s.commuting.begin(), s.commuting.end(), i) == s.commuting.end())
+        all.push_back(s.found[i]);
+    return all;
+  }
+
   // Without the columns that known integrals allow to be left out.
   EchelonForm equations(const State& s, const Ansatz& ansatz, const Stage& stage) {
     const auto fields = stage.kind == Stage::Kind::casimirs ? bracket_fields(space_.field)
@@ -244,9 +322,16 @@ private:
   std::vector<std::vector<MFraction>> fields_to_commute_with(const State& s) const {
     std::vector<std::vector<MFraction>> fields{space_.field.components};
     if (options_.until_integrable && space_.field.poisson)
-      for (const std::size_t i : s.commuting)
-        if (const FoundIntegral& f = s.found[i]; !f.casimir && !f.hamiltonian)
-          fields.push_back(hamiltonian_field(space_.field, *space_.field.poisson, f.value));
+      for (auto& field : fields_of_chosen(s))
+        fields.push_back(std::move(field));
+    return fields;
+  }
+  // Of those that are not integrals by themselves.
+  std::vector<std::vector<MFraction>> fields_of_chosen(const State& s) const {
+    std::vector<std::vector<MFraction>> fields;
+    for (const std::size_t i : s.commuting)
+      if (const FoundIntegral& f = s.found[i]; !f.casimir && !f.hamiltonian)
+        fields.push_back(hamiltonian_field(space_.field, *space_.field.poisson, f.value));
     return fields;
   }
 
@@ -317,6 +402,8 @@ private:
           const auto answer =
               s.gradients.add(s.where, gradient(space_.field, f.value), options_.budget);
           if (answer.taken) add(s, f);
+          if (!answer.taken && !answer.split && s.dependent.size() < most_dependent)
+            s.dependent.push_back(f.value);
           if (!answer.split) break;
           if (const auto zero = s.where.where_zero(*answer.split); !zero.is_empty()) start(zero);
           s.where = s.where.where_nonzero(*answer.split);

@@ -38,7 +38,7 @@ struct FoundIntegral {
 struct IntegralsOfSet {
   std::string searched; ///< the class of functions, in words
   std::vector<MPoly> equations, inequations;
-  /// Functionally independent at each parameter value of the set.
+  /// Functionally independent at each parameter value of the set (integrals.md, Lemma 1).
   std::vector<FoundIntegral> integrals;
   std::vector<std::size_t> commuting; ///< indices of integrals in involution, Casimirs among them
   bool liouville = false; ///< as many of them in involution as Liouville's theorem wants

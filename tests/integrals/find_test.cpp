@@ -310,6 +310,92 @@ TEST(Integrals, TheSearchForIntegrabilityAsksForInvolution) {
   EXPECT_FALSE(found.sets.front().complete); // there are others, not in involution
 }
 
+/// Integrable with as many integrals in involution, on every set.
+void expect_integrable(const System& s, std::size_t commuting, long degree) {
+  for (const bool until : {false, true}) {
+    IntegralOptions options;
+    options.degree = degree;
+    options.until_integrable = until;
+    const auto found = find_integrals(s, options);
+    std::vector<IntegralsOfSet> sets = found.sets;
+    if (found.elsewhere) sets.push_back(*found.elsewhere);
+    ASSERT_FALSE(sets.empty());
+    for (const IntegralsOfSet& set : sets) {
+      EXPECT_TRUE(set.liouville);
+      ASSERT_EQ(set.commuting.size(), commuting);
+      for (const std::size_t i : set.commuting)
+        for (const std::size_t j : set.commuting)
+          EXPECT_TRUE(
+              is_zero(poisson_bracket(s.field, set.integrals[i].value, set.integrals[j].value)));
+    }
+  }
+}
+
+// The angular momenta do not commute; the square of one does with all.
+TEST(Integrals, CentralPotentialsInSpace) {
+  const std::string space = "system = {kind = 'hamiltonian', coordinates = ['x', 'y', 'z'], "
+                            "momenta = ['u', 'v', 'w'], parameters = ['b'], hamiltonian = "
+                            "'(u^2 + v^2 + w^2)/2 + ";
+  for (const char* potential : {"(x^2 + y^2 + z^2)^3", "(x^2 + y^2 + z^2)^2 + b*(x^2 + y^2 + z^2)",
+                                "1/(x^2 + y^2 + z^2)^2 + b*(x^2 + y^2 + z^2)^2"})
+    expect_integrable(of(space + potential + "'}"), 3, 1);
+  expect_integrable(of("system = {kind = 'hamiltonian', coordinates = ['x', 'y', 'z', 't'], "
+                       "momenta = ['u', 'v', 'w', 's'], hamiltonian = "
+                       "'(u^2 + v^2 + w^2 + s^2)/2 + (x^2 + y^2 + z^2 + t^2)^2'}"),
+                    4, 1);
+}
+
+// Three spins with two bonds: the total spin, and the square of it.
+TEST(Integrals, SpinsWithTwoBonds) {
+  expect_integrable(of(R"t([system]
+kind = "poisson"
+coordinates = ["S1", "S2", "S3", "T1", "T2", "T3", "R1", "R2", "R3"]
+hamiltonian = "S1*T1 + S2*T2 + S3*T3 + 2*(T1*R1 + T2*R2 + T3*R3)"
+bracket = [
+  ["0", "S3", "-S2", "0", "0", "0", "0", "0", "0"],
+  ["-S3", "0", "S1", "0", "0", "0", "0", "0", "0"],
+  ["S2", "-S1", "0", "0", "0", "0", "0", "0", "0"],
+  ["0", "0", "0", "0", "T3", "-T2", "0", "0", "0"],
+  ["0", "0", "0", "-T3", "0", "T1", "0", "0", "0"],
+  ["0", "0", "0", "T2", "-T1", "0", "0", "0", "0"],
+  ["0", "0", "0", "0", "0", "0", "0", "R3", "-R2"],
+  ["0", "0", "0", "0", "0", "0", "-R3", "0", "R1"],
+  ["0", "0", "0", "0", "0", "0", "R2", "-R1", "0"]]
+)t"),
+                    6, 2);
+}
+
+// x^2 is r^2 - y^2 + ... modulo the relations: the highest part contains it all the same.
+TEST(Integrals, DistancesToTwoCentres) {
+  const std::string centres =
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+      "parameters = ['n']\nhamiltonian = '(u^2 + v^2)/2 - 1/r - n/s'\n"
+      "relations = ['r^2 = (x - 1)^2 + y^2', 's^2 = (x + 1)^2 + y^2']\n"
+      "[[system.function]]\nname = 'r'\nderivative = {x = '(x - 1)/r', y = 'y/r'}\n"
+      "[[system.function]]\nname = 's'\nderivative = {x = '(x + 1)/s', y = 'y/s'}\n";
+  const auto found = find_integrals(of(centres), {.degree = 2});
+  for (const IntegralsOfSet& set : found.sets)
+    EXPECT_TRUE(set.liouville);
+  EXPECT_FALSE(found.sets.empty());
+  EXPECT_FALSE(found.elsewhere);
+}
+
+// In a magnetic field {P, Q} is a constant: no function of P and Q commutes with P but those of P.
+TEST(Integrals, NoFunctionOfTwoConjugateOnesIsNew) {
+  IntegralOptions options;
+  options.degree = 1;
+  options.until_integrable = true;
+  const auto found =
+      find_integrals(of("system = {kind = 'hamiltonian', coordinates = ['x', 'y', 'z'], momenta = "
+                        "['u', 'v', 'w'], "
+                        "hamiltonian = '((u + y/2)^2 + (v - x/2)^2 + w^2)/2 + z^4'}"),
+                     options);
+  ASSERT_EQ(found.sets.size(), 1U);
+  EXPECT_EQ(found.sets.front().integrals.size(), 3U);
+  EXPECT_EQ(found.sets.front().commuting.size(), 2U);
+  EXPECT_FALSE(found.sets.front().liouville);
+}
+
 // Angles stay out of the ansatz; the sum of the momenta is found all the same.
 TEST(Integrals, Angles) {
   const System s = of(
