@@ -81,6 +81,94 @@ std::vector<FoundManifold> coordinate_subspaces(const VectorField& v, const Exte
   return found;
 }
 
+/// Sets {x_i = c_i, i in S} with some c_i != 0: values are added until every X_i, i in S, vanishes.
+/// Where one does not, a factor of degree 1 in one more coordinate, and otherwise in parameters,
+/// gives the next value.
+class ShiftedSubspaces {
+public:
+  ShiftedSubspaces(const VectorField& v, const Budget& budget) : v_(v), budget_(budget) {}
+
+  std::vector<FoundManifold> run() {
+    if (!v_.functions.empty()) return {}; // what they are at the values is not known
+    for (const std::size_t i : v_.coordinates)
+      extend({{i, MFraction(v_.ring)}});
+    for (const MFraction& c : v_.components)
+      for (const Substitution& value : roots(c))
+        extend(value);
+    return std::move(found_);
+  }
+
+private:
+  // Values of one coordinate at which f vanishes, whatever the others are.
+  [[nodiscard]] std::vector<Substitution> roots(const MFraction& f) const {
+    std::vector<Substitution> all;
+    if (is_zero(f)) return all;
+    for (const auto& [base, power] : factor(f.num()).second)
+      for (const std::size_t i : v_.coordinates) {
+        const auto c = coefficients(base, i);
+        const bool linear = c.size() == 2 && is_constant(c[0]) && used_variables(c[1]).empty();
+        if (linear) all.push_back({{i, MFraction(-c[0], c[1])}});
+      }
+    return all;
+  }
+  [[nodiscard]] bool is_constant(const MPoly& f) const {
+    return std::none_of(v_.coordinates.begin(), v_.coordinates.end(),
+                        [&](std::size_t i) { return uses(f, i); });
+  }
+
+  void extend(const Substitution& values) {
+    budget_.check();
+    if (values.size() >= v_.dimension() || seen_.size() >= most_tried ||
+        !seen_.insert(text(values)).second)
+      return;
+    const auto left = first_that_moves(values);
+    if (!left) return;
+    if (is_zero(*left)) return add(values);
+    for (const Substitution& more : roots(*left)) {
+      Substitution longer = values;
+      longer.insert(more.begin(), more.end());
+      extend(longer);
+    }
+  }
+
+  // X_i at the values, i in S, that is not 0 there; 0: all are.  Unset: a pole.
+  [[nodiscard]] std::optional<MFraction> first_that_moves(const Substitution& values) const {
+    try {
+      for (std::size_t j = 0; j < v_.dimension(); ++j)
+        if (values.count(v_.coordinates[j]))
+          if (MFraction f = substitute(v_.components[j], values); !is_zero(f)) return f;
+      return MFraction(v_.ring);
+    } catch (const DomainError&) {
+      return std::nullopt;
+    }
+  }
+
+  [[nodiscard]] std::string text(const Substitution& values) const {
+    std::string all;
+    for (const auto& [i, c] : values)
+      all += v_.ring->name(i) + " = " + to_string(c) + ";";
+    return all;
+  }
+
+  void add(const Substitution& values) {
+    FoundManifold m;
+    m.kind = "coordinates at constant values";
+    bool shifted = false;
+    for (const auto& [i, c] : values) {
+      shifted = shifted || !is_zero(c);
+      m.equations.push_back(
+          {MFraction::variable(v_.ring, i) - c, v_.ring->name(i) + " = " + to_string(c)});
+    }
+    if (shifted) found_.push_back(std::move(m));
+  }
+
+  static constexpr std::size_t most_tried = 500;
+  const VectorField& v_;
+  const Budget& budget_;
+  std::set<std::string> seen_;
+  std::vector<FoundManifold> found_;
+};
+
 // u = exp(a·q): the vector a, if its entries are constants of the field.
 std::optional<std::vector<MFraction>> exponent(const VectorField& v, const FunctionSymbol& u) {
   std::vector<MFraction> a;
@@ -410,7 +498,7 @@ bool is_constant_of(const VectorField& v, std::size_t i) {
 }
 
 Substitution solve(const VectorField& v, const FoundManifold& m) {
-  Substitution solved; // the equations are x = 0 or x = c y
+  Substitution solved; // the equations are x = c or x = c y
   for (const auto& e : m.equations) {
     const MFraction f = substitute(e.difference, solved);
     if (is_zero(f)) continue;
@@ -545,6 +633,7 @@ FoundManifolds find_manifolds(const VectorField& v, const std::vector<MFraction>
   prover.look([&] { return coordinate_subspaces(v, x, budget); });
   prover.look([&] { return fixed_sets(v, x, budget); });
   prover.look([&] { return lines(v); });
+  prover.look([&] { return ShiftedSubspaces(v, budget).run(); });
   prover.look([&] { return constant_ratios(v); });
   prover.intersect();
   FoundManifolds found = std::move(prover).result();

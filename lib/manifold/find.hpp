@@ -1,8 +1,10 @@
 #pragma once
-// Invariant linear subspaces that can be read off the vector field.
+// Invariant sets, most of them linear subspaces, that can be read off the vector field.
 //
 //   coordinate subspaces  {x_i = 0, i in S}: every term of X_i, i in S, contains a factor x_k, k in
-//   S fixed sets            Fix(sigma) of an involution sigma(x)_j = +-x_pi(j) with sigma_* X = X
+//   S
+//   shifted subspaces     {x_i = c_i, i in S}, the c_i roots of factors of the X_j of degree 1
+//   fixed sets            Fix(sigma) of an involution sigma(x)_j = +-x_pi(j) with sigma_* X = X
 //   lines                 {q2 = s q1, p2 = s p1} of systems with two degrees of freedom (Darboux
 //   points
 //                         of homogeneous potentials among them)

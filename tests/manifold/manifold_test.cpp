@@ -7,7 +7,10 @@
 namespace kov {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
 
 System henon_heiles(const std::string& manifold) {
   return read_system(parse_document(R"t([system]
@@ -94,6 +97,30 @@ TEST(FindManifolds, AxesAndLines) {
   const System separable = henon_heiles("[set]\nb = \"1\"");
   EXPECT_THAT(found(separable), testing::Contains("q2 = q1, p2 = p1"));
   EXPECT_THAT(found(separable), testing::Contains("q2 = -q1, p2 = -p1"));
+}
+
+// Where a component vanishes at a value of a coordinate, that need not be 0: a number, or one that
+// depends on parameters; and a coordinate may have to stay for that (Falkner-Skan).
+TEST(FindManifolds, CoordinatesAtConstantValues) {
+  const auto in = [](const std::string& x, const std::string& y, const std::string& z) {
+    const System s = read_system(parse_document(
+        "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y', 'z']\nparameters = ['a']\n"
+        "[system.field]\nx = '" +
+            x + "'\ny = '" + y + "'\nz = '" + z + "'\n",
+        "test.toml"));
+    std::vector<std::string> all;
+    for (const auto& m : find_manifolds(s.field, {}).proved) {
+      all.emplace_back();
+      for (const auto& e : m.equations)
+        all.back() += (all.back().empty() ? "" : ", ") + e.text;
+    }
+    return all;
+  };
+  EXPECT_THAT(in("y", "z", "-x*z - a*(1 - y^2)"),
+              UnorderedElementsAre("y = 1, z = 0", "y = -1, z = 0"));
+  EXPECT_THAT(in("y + x^2", "(y - a)*(z + x)", "y*x + 1"), ElementsAre("y = a"));
+  EXPECT_THAT(in("y + x^2", "(y^2 + 1)*(z + x)", "y*x + 1"), IsEmpty());   // no rational root
+  EXPECT_THAT(in("y + x^2 + 1", "(y - x)*(z + x)", "y*x + 1"), IsEmpty()); // no constant value
 }
 
 TEST(FindManifolds, FixedPointsOfAPermutation) {

@@ -1,4 +1,4 @@
-// kovacic find-manifolds FILE: invariant linear subspaces, as [[manifold]] blocks to paste.
+// kovacic find-manifolds FILE: invariant sets, as [[manifold]] blocks to paste.
 
 #include "manifold/find.hpp"
 
@@ -53,7 +53,8 @@ int find_manifolds(const Settings& settings, const std::string& file) {
     const Budget budget = settings.solver_options().budget;
     const auto found = kov::find_manifolds(s.field, proved_integrals(s, budget), budget);
     std::ostringstream out;
-    out << "# invariant linear subspaces, each proved; " << found.proved.size() << " found\n";
+    out << "# invariant sets, each proved; " << found.proved.size() << " found\n"
+        << "# looked for: x_i = c_i, x_i = x_j or -x_j, lines; there may be others\n";
     for (const std::string& limit : found.left_out)
       out << "# left out: " << limit << "\n";
     Json all = Json::array();
