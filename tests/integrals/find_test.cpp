@@ -388,7 +388,7 @@ TEST(Integrals, NoFunctionOfTwoConjugateOnesIsNew) {
   const auto found =
       find_integrals(of("system = {kind = 'hamiltonian', coordinates = ['x', 'y', 'z'], momenta = "
                         "['u', 'v', 'w'], "
-                        "hamiltonian = '((u + y/2)^2 + (v - x/2)^2 + w^2)/2 + z^4'}"),
+                        "hamiltonian = '((u + y/2)^4 + (v - x/2)^2 + w^2)/2 + z^4'}"),
                      options);
   ASSERT_EQ(found.sets.size(), 1U);
   EXPECT_EQ(found.sets.front().integrals.size(), 3U);
