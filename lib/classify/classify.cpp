@@ -3,6 +3,7 @@
 #include "classify/darboux_points.hpp"
 #include "classify/exclusion.hpp"
 #include "classify/parameter_split.hpp"
+#include "classify/pieces.hpp"
 #include "classify/solutions.hpp"
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"
@@ -19,9 +20,7 @@ namespace {
 
 using Clock = Budget::Clock;
 
-constexpr std::size_t most_pieces = 200;     // of one round of solutions
 constexpr std::size_t most_compared = 8;     // integrable strata with one exclusion
-constexpr double set_work = 1e6;             // in the ideals of sets of parameters
 constexpr int default_order = 3;             // of variational equations
 constexpr int order_at_numbers = 5;          // where no parameters are left
 constexpr long low_degree = 2;               // of the integrals that are looked for first
@@ -29,53 +28,6 @@ constexpr double part_with_parameters = 0.5; // of the time that is left: specia
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-void add_once(std::vector<std::string>& all, const std::string& one) {
-  if (!one.empty() && std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-}
-
-/// What was tried, and what came out.
-struct Attempt {
-  std::string what, outcome;
-};
-
-/// Parameters that are not decided yet.
-struct Piece {
-  ParameterSet where;
-  std::vector<DifferenceCondition> special;
-  std::vector<Attempt> tried;
-};
-
-// The last time counts.
-void note(Piece& piece, const std::string& what, const std::string& outcome) {
-  std::erase_if(piece.tried, [&](const Attempt& a) { return a.what == what; });
-  piece.tried.push_back({what, outcome});
-}
-
-// With one condition more; nothing if it holds nowhere.
-std::optional<Piece> with_condition(Piece piece, const DifferenceCondition& c) {
-  const auto here = on_set(c, piece.where);
-  if (const auto* known = std::get_if<bool>(&here)) {
-    if (!*known) return std::nullopt;
-    return piece;
-  }
-  const auto& left = std::get<DifferenceCondition>(here);
-  std::erase_if(piece.special, [&](const DifferenceCondition& x) { return implies(left, x); });
-  for (const DifferenceCondition& x : piece.special) {
-    if (implies(x, left)) return piece;
-    if (implies(x, negation(left))) return std::nullopt;
-  }
-  piece.special.push_back(left);
-  return piece;
-}
-
-// The same on a part of its set; nothing if a condition fails there.
-std::optional<Piece> on_part(const Piece& piece, ParameterSet part) {
-  std::optional<Piece> smaller = Piece{std::move(part), {}, piece.tried};
-  for (const DifferenceCondition& c : piece.special)
-    if (smaller) smaller = with_condition(*std::move(smaller), c);
-  return smaller;
 }
 
 /// One system with its solutions and integrals, on some pieces of the parameters.
@@ -86,6 +38,7 @@ struct Round {
   Piece whole;
   std::vector<Piece> pieces = {whole};
   std::vector<ManifoldSpec> at_energy_zero = {}, at_all_levels = {}; ///< solutions for what is left
+  std::vector<std::vector<MPoly>> special = {}; ///< where there may be more solutions
   std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
   std::vector<ManifoldSpec> solutions = {};
   bool integrals_known = false; ///< for all of these parameters, from a round before
@@ -103,12 +56,13 @@ public:
     system_ = without_levels_fixed(std::move(levelled.system));
     claims_ = std::move(levelled.claims);
     levels_ = std::move(levelled.levels);
+    const auto notes = std::move(result_.notes);
+    result_ = nothing_known(system_);
+    result_.notes = notes;
   }
 
   SystemClassification run() {
-    result_.liouville = system_.field.poisson.has_value();
-    result_.on_leaves = result_.liouville && system_.kind != SystemKind::hamiltonian;
-    waiting_.push_back({system_, claims_, levels_, {all_parameters(), {}, {}}});
+    waiting_.push_back({system_, claims_, levels_, {everywhere(), {}}});
     try {
       while (!waiting_.empty() || !later_.empty()) {
         auto& from = waiting_.empty() ? later_ : waiting_;
@@ -143,67 +97,9 @@ private:
     return s;
   }
 
-  ParameterSet all_parameters() {
-    const auto levels = level_parameters(system_);
-    std::vector<std::size_t> parameters = system_.field.constants;
-    for (const std::size_t i : system_.field.parameters)
-      if (std::find(levels.begin(), levels.end(), i) == levels.end()) parameters.push_back(i);
-    Budget budget;
-    budget.max_work = set_work;
-    budget.stop = options_.check.decide.budget.stop;
-    ParameterSet all(system_.ring(), parameters, budget);
-    const auto in_parameters = [&](const MPoly& p) {
-      const auto used = used_variables(p);
-      return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-        return std::find(parameters.begin(), parameters.end(), i) != parameters.end();
-      });
-    };
-    for (const MPoly& p : system_.field.relations)
-      if (in_parameters(p)) {
-        all = all.where_zero(p);
-        result_.relations.push_back(p);
-      }
-    for (const Assumption& a : system_.assumptions) {
-      using Relation = Assumption::Relation;
-      if (a.relation == Relation::zero) all = all.where_zero(a.value.num());
-      if (a.relation == Relation::nonzero || a.relation == Relation::positive)
-        keep_nonzero(a.value.num(), "", all);
-      keep_nonzero(a.value.den(), "", all);
-    }
-    for (const MPoly& den : denominators(system_.field))
-      for (const MFactor& f : factor(den).second)
-        if (in_parameters(f.base) && !all.is_nonzero(f.base))
-          keep_nonzero(f.base, to_string(f.base) + " != 0", all);
-    if (all.is_empty() || contradicts_itself(system_))
-      throw InvalidArgument("no parameter value satisfies the relations and assumptions");
-    return all;
-  }
-
-  // Not everywhere is there a system.
-  static std::vector<MPoly> denominators(const VectorField& v) {
-    std::vector<MPoly> all;
-    const auto add = [&](const MFraction& f) {
-      if (!is_zero(f)) all.push_back(f.den());
-    };
-    for (const MFraction& f : v.components)
-      add(f);
-    for (const FunctionSymbol& symbol : v.functions)
-      for (const MFraction& f : symbol.gradient)
-        add(f);
-    if (v.hamiltonian) add(*v.hamiltonian);
-    return all;
-  }
-
-  // told: as an assumption, if it is none of the file.
-  void keep_nonzero(const MPoly& p, const std::string& told, ParameterSet& all) {
-    for (const MFactor& f : factor(p).second)
-      result_.nonzero.push_back(f.base);
-    all = all.where_nonzero(p);
-    add_once(result_.assumptions, told);
-  }
-
-  static MayVanish may_vanish(const System& s) {
-    return [&s](const MPoly& p) { return !not_excluded(s, {p}).empty(); };
+  ParameterSet everywhere() {
+    return all_parameters(system_, level_parameters(system_), options_.check.decide.budget.stop,
+                          result_);
   }
 
   // Of the time of the round, as long as it has some.
@@ -240,11 +136,36 @@ private:
     if (begins(round, "exceptions"))
       for (const Exclusion& e : std::exchange(round.late, {}))
         exclude(round, e);
+    cut_where_there_is_more(round);
     tell(round, "");
     const std::size_t later = waiting_.size();
     for (Piece& piece : round.pieces)
       again(round, std::move(piece));
     std::reverse(waiting_.begin() + static_cast<long>(later), waiting_.end()); // the first is next
+  }
+
+  // Sets of parameters with solutions of their own are studied by themselves.
+  static void cut_where_there_is_more(Round& round) {
+    for (const std::vector<MPoly>& equations : round.special) {
+      std::vector<Piece> parts;
+      for (Piece& piece : round.pieces)
+        try {
+          auto cut = cut_along(piece, equations, may_vanish(round.system));
+          std::move(cut.begin(), cut.end(), std::back_inserter(parts));
+        } catch (const OutOfBudget&) { // left whole
+          parts.push_back(std::move(piece));
+        }
+      round.pieces = std::move(parts);
+    }
+  }
+  static std::vector<Piece> cut_along(const Piece& piece, const std::vector<MPoly>& equations,
+                                      const MayVanish& possible) {
+    const SetParts cut = split_set(piece.where, equations, {}, possible);
+    std::vector<Piece> parts;
+    for (const auto* sets : {&cut.inside, &cut.outside})
+      for (const ParameterSet& set : *sets)
+        if (auto part = on_part(piece, set)) parts.push_back(*std::move(part));
+    return parts;
   }
 
   // Tells what is known; false: the stage is to be left out.
@@ -280,6 +201,7 @@ private:
         particular_solutions(round.system, round.levels, options_.search_solutions, share(0.2));
     result_.stages.emplace_back("invariant manifolds", seconds_since(start));
     round.at_all_levels = solutions.at_all_levels;
+    round.special = solutions.special;
     round.at_energy_zero = solutions.at_energy_zero;
     round.solutions = solutions.manifolds;
     std::size_t left = solutions.manifolds.size();
@@ -425,29 +347,8 @@ private:
 
   void exclude(Round& round, const Exclusion& e) {
     contradict_no_integrals(round, e);
-    bool too_hard = false;
-    std::vector<Piece> left;
-    for (Piece& piece : round.pieces) {
-      if (left.size() > most_pieces) {
-        left.push_back(std::move(piece));
-        continue;
-      }
-      if (try_to_exclude(piece, e, may_vanish(round.system), left)) continue;
-      left.push_back(std::move(piece)); // nothing is concluded for now
-      too_hard = true;
-    }
-    round.pieces = std::move(left);
-    if (too_hard) round.late.push_back(with_simple_exceptions(e));
-  }
-
-  bool try_to_exclude(const Piece& piece, const Exclusion& e, const MayVanish& may_vanish,
-                      std::vector<Piece>& left) {
-    try {
-      exclude(piece, e, may_vanish, left);
-      return true;
-    } catch (const OutOfBudget&) {
-      return false;
-    }
+    if (!kov::exclude(round.pieces, e, round.system, result_))
+      round.late.push_back(with_simple_exceptions(e)); // nothing is concluded for now
   }
 
   // Less is excluded, for later: of "p and q both vanish" only p = 0 is kept, a larger set, which is
@@ -459,33 +360,6 @@ private:
           return a.length() < b.length();
         })};
     return e;
-  }
-
-  void exclude(const Piece& piece, const Exclusion& e, const MayVanish& may_vanish,
-               std::vector<Piece>& left) {
-    const SetParts parts = split_set(piece.where, e.zero, e.not_all_zero, may_vanish);
-    if (parts.inside.empty()) return left.push_back(piece);
-    std::vector<Piece> rest;
-    std::vector<ClassifiedStratum> excluded;
-    for (const ParameterSet& outside : parts.outside)
-      if (auto part = on_part(piece, outside)) rest.push_back(*std::move(part));
-    for (const ParameterSet& inside : parts.inside) {
-      auto part = on_part(piece, inside);
-      if (!part) continue;
-      if (!e.unless) {
-        excluded.push_back(stratum(*part, e));
-        continue;
-      }
-      if (const auto out = with_condition(*part, negation(*e.unless)))
-        excluded.push_back(stratum(*out, e));
-      if (auto in = with_condition(*std::move(part), *e.unless)) rest.push_back(*std::move(in));
-    }
-    std::move(rest.begin(), rest.end(), std::back_inserter(left));
-    std::move(excluded.begin(), excluded.end(), std::back_inserter(result_.strata));
-  }
-
-  static ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
-    return {piece.where, piece.special, StratumStatus::excluded, {}, {e.by}, {}};
   }
 
   // ---- first integrals
@@ -772,34 +646,12 @@ private:
     s.assumptions.push_back(std::move(a));
   }
 
-  void leave_open(Piece piece) {
-    ClassifiedStratum x{std::move(piece.where), std::move(piece.special), StratumStatus::open};
-    for (const Attempt& a : piece.tried)
-      x.open_after.push_back(a.what + (a.outcome.empty() ? "" : ": " + a.outcome));
-    result_.strata.push_back(std::move(x));
-  }
+  void leave_open(Piece piece) { kov::leave_open(std::move(piece), result_); }
 
   // ---- the theorem
 
   void finish() {
-    for (const Assumption& a : system_.assumptions)
-      add_once(result_.assumptions, a.text);
-    for (const ClassifiedStratum& x : result_.strata)
-      for (const ExclusionReason& o : x.by) {
-        result_.excluded = std::max(result_.excluded.value_or(o.integrals), o.integrals);
-        for (const std::string& theorem : o.theorems)
-          add_once(result_.theorems, theorem);
-        add_once(result_.assumptions, o.unchecked);
-        for (const std::string& step : o.trusted)
-          add_once(result_.trusted, step);
-        for (const std::string& name : o.without)
-          add_once(result_.without, name);
-      }
-    for (const FunctionSymbol& f : system_.field.functions)
-      result_.functions.push_back(system_.ring()->name(f.variable));
-    const auto rank = [](const ClassifiedStratum& x) { return static_cast<int>(x.status); };
-    std::stable_sort(result_.strata.begin(), result_.strata.end(),
-                     [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+    kov::finish(system_, result_);
     result_.seconds = seconds_since(start_);
   }
 

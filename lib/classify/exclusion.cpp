@@ -102,8 +102,13 @@ private:
   }
   [[nodiscard]] std::optional<std::size_t> solvable(const MPoly& p) const {
     for (const std::size_t h : levels_)
-      if (degree(p, h) == 1) return h;
+      if (degree(p, h) == 1 && !is_assumed(h)) return h;
     return std::nullopt;
+  }
+  // The value that is chosen may be none of those for which the conditions were proved.
+  [[nodiscard]] bool is_assumed(std::size_t h) const {
+    return std::any_of(s_.assumptions.begin(), s_.assumptions.end(),
+                       [h](const Assumption& a) { return uses(a.value, h); });
   }
   bool choose(std::size_t h, const MFraction& root, std::vector<MPoly>& equations) {
     const Substitution step{{h, root}};
@@ -350,23 +355,52 @@ std::vector<std::string> fixed_levels(const ManifoldReport& report,
   return all;
 }
 
+// Why the block is not abelian, and at which level; empty: at all but special ones.
+void explain(const BlockReport& block, ExclusionReason& by) {
+  by.reason = "not abelian";
+  for (const EnergyResult& level : block.energies) {
+    const bool decided = level.decision && level.decision->abelian == Truth::no;
+    if (!decided && !(level.strata && level.strata->abelian() == Truth::no)) continue;
+    by.level = level.condition;
+    by.reason =
+        decided ? reason(*level.decision) : strata::reason(level.strata->strata.front().leaf);
+    return;
+  }
+  if (block.decision && block.decision->abelian == Truth::no) by.reason = reason(*block.decision);
+  if (!block.strata) return;
+  for (const Stratum& x : block.strata->strata)
+    if (x.leaf.abelian == Truth::no) {
+      by.reason = strata::reason(x.leaf);
+      return;
+    }
+}
+
+// All parameters at once, as the verdict has it.
+Exclusion by_verdict(const ManifoldReport& report) {
+  if (report.matrices) return by_matrices(report);
+  Exclusion e;
+  const auto block = std::find_if(report.blocks.begin(), report.blocks.end(),
+                                  [](const BlockReport& b) { return b.abelian == Truth::no; });
+  KOV_ENSURE(block != report.blocks.end());
+  explain(*block, e.by);
+  e.by.reason = "variation of " + names(*block) + ": " + e.by.reason;
+  if (report.integrals != IntegralClass::meromorphic)
+    e.by.integrals = ExcludedClass::meromorphic_at_infinity;
+  return e;
+}
+
 const LiteratureTheorem& theorem(const System& s) {
   return s.field.poisson ? morales_ramis() : ayoul_zung();
 }
 
-} // namespace
-
-std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
-                                  const std::vector<std::size_t>& levels) {
-  std::vector<Exclusion> all;
+// What is the same for all of one report.
+std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& report,
+                                         const std::vector<std::size_t>& levels,
+                                         std::vector<Exclusion> all) {
   std::vector<std::string> without;
   if (report.manifold)
     for (const std::size_t i : moving_and_left_out(s, *report.manifold))
       without.push_back(s.ring()->name(i));
-  for (const BlockReport& block : report.blocks)
-    for (Exclusion& e : of_block(s, block, levels))
-      all.push_back(std::move(e));
-  if (report.matrices) all.push_back(by_matrices(report));
   for (Exclusion& e : all) {
     e.by.without = without;
     e.by.solution = report.name;
@@ -387,17 +421,28 @@ std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
   return all;
 }
 
-std::optional<Exclusion> exclusion_of_higher_order(const System& s, const ManifoldSpec& m,
-                                                   int order, const Options& options,
-                                                   std::string& why) {
-  const jets::HigherOrders orders = jets::higher_orders(s, m, {order, options});
-  if (!orders.obstruction) {
-    why = orders.open.empty() ? "no logarithm at infinity up to VE_" + std::to_string(order)
-                              : orders.open;
-    return std::nullopt;
-  }
+} // namespace
+
+std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
+                                  const std::vector<std::size_t>& levels) {
+  std::vector<Exclusion> all;
+  for (const BlockReport& block : report.blocks)
+    for (Exclusion& e : of_block(s, block, levels))
+      all.push_back(std::move(e));
+  if (report.matrices) all.push_back(by_matrices(report));
+  return with_its_solution(s, report, levels, std::move(all));
+}
+
+std::vector<Exclusion> exclusions_of_verdict(const System& s, const ManifoldReport& report,
+                                             const std::vector<std::size_t>& levels) {
+  if (report.verdict != VerdictKind::non_integrable) return exclusions(s, report, levels);
+  return with_its_solution(s, report, levels, {by_verdict(report)});
+}
+
+std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
+                                      const jets::HigherOrders& orders) {
+  if (!orders.obstruction) return std::nullopt;
   const jets::HigherObstruction& o = *orders.obstruction;
-  why = "VE_" + std::to_string(o.logarithm.order) + " excludes no more";
   Exclusion e;
   for (const auto& list : o.not_all_zero) {
     e.not_all_zero.emplace_back();
@@ -411,6 +456,18 @@ std::optional<Exclusion> exclusion_of_higher_order(const System& s, const Manifo
   e.by.theorems = {jets::theorem()};
   e.by.trusted = jets::trusted(o);
   return e;
+}
+
+std::optional<Exclusion> exclusion_of_higher_order(const System& s, const ManifoldSpec& m,
+                                                   int order, const Options& options,
+                                                   std::string& why) {
+  const jets::HigherOrders orders = jets::higher_orders(s, m, {order, options});
+  if (orders.obstruction)
+    why = "VE_" + std::to_string(orders.obstruction->logarithm.order) + " excludes no more";
+  else
+    why = orders.open.empty() ? "no logarithm at infinity up to VE_" + std::to_string(order)
+                              : orders.open;
+  return exclusion_of(s, m, orders);
 }
 
 } // namespace kov

@@ -10,6 +10,7 @@
 
 #include "classify/classification.hpp"
 #include "integrability/check.hpp"
+#include "jets/obstruction.hpp"
 
 namespace kov {
 
@@ -24,6 +25,15 @@ struct Exclusion {
 /// All that the report proves.  levels: the parameters of which one may choose the value.
 [[nodiscard]] std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
                                                 const std::vector<std::size_t>& levels);
+
+/// The same; where the verdict says that no parameters are left, just that.
+[[nodiscard]] std::vector<Exclusion> exclusions_of_verdict(const System& s,
+                                                           const ManifoldReport& report,
+                                                           const std::vector<std::size_t>& levels);
+
+/// Those of an obstruction of higher order along m; nothing if there is none.
+[[nodiscard]] std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
+                                                    const jets::HigherOrders& orders);
 
 /// The same of the variational equations up to this order, along an invariant plane of a natural
 /// system; nothing if there is no obstruction.  why: what was found.

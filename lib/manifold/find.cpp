@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "manifold/lines.hpp"
 
 #include <algorithm>
 #include <random>
@@ -376,53 +377,17 @@ std::vector<FoundManifold> fixed_sets(const VectorField& v, const Extended& x,
   return found;
 }
 
-std::vector<FoundManifold> lines(const VectorField& v) {
-  std::vector<FoundManifold> found;
-  if (v.dimension() != 4 || !v.functions.empty()) return found;
-  // the slope s needs a variable of its own
-  auto names = v.ring->names();
-  names.emplace_back("slope of the line");
-  const Ring ring = make_ring(names);
-  const std::size_t s = names.size() - 1;
-  const MFraction slope = MFraction::variable(ring, s);
-  const auto x = [&](std::size_t j) { return MFraction::variable(ring, v.coordinates[j]); };
-  const Substitution line{{v.coordinates[1], slope * x(0)}, {v.coordinates[3], slope * x(2)}};
-  MPoly common(ring);
-  for (const std::size_t j : {0U, 2U}) {
-    MFraction f;
-    try {
-      f = substitute(transfer(v.components[j + 1], ring) - slope * transfer(v.components[j], ring),
-                     line);
-    } catch (const DomainError&) {
-      return found;
-    }
-    std::map<std::vector<unsigned long>, MPoly> coefficients; // by the monomial in q1, p1
-    const MPoly num = f.num();
-    for (long t = 0; t < num.length(); ++t) {
-      auto e = num.exponents(t);
-      const std::vector<unsigned long> key{e[v.coordinates[0]], e[v.coordinates[2]]};
-      e[v.coordinates[0]] = e[v.coordinates[2]] = 0;
-      coefficients[key] += MPoly::term(ring, num.coefficient(t), e);
-    }
-    for (const auto& [key, c] : coefficients)
-      common = gcd(common, c);
-  }
-  if (is_zero(common) || !uses(common, s)) return found;
-  for (const auto& f : factor(common).second) {
-    const auto c = coefficients(f.base, s);
-    if (c.size() != 2) continue; // slopes that are not rational in the parameters are left out
-    const MFraction value = transfer(-MFraction(c[0], c[1]), v.ring);
-    if (is_zero(value)) continue;
-    FoundManifold m;
-    m.kind = "line of slope " + to_string(value);
-    for (const std::size_t j : {0U, 2U}) {
-      const MFraction a = MFraction::variable(v.ring, v.coordinates[j + 1]);
-      const MFraction b = value * MFraction::variable(v.ring, v.coordinates[j]);
-      m.equations.push_back({a - b, v.name(j + 1) + " = " + to_string(b)});
-    }
-    found.push_back(std::move(m));
-  }
-  return found;
+// "q2 = 2*q1 + a, p2 = 2*p1"
+FoundManifold on_line(const VectorField& v, const Line& line) {
+  const std::size_t i = line.dependent, free = 1 - i;
+  const auto x = [&](std::size_t j) { return MFraction::variable(v.ring, v.coordinates[j]); };
+  FoundManifold m;
+  m.kind = (i == 1 ? "line of slope " + to_string(line.slope) : "line of constant " + v.name(0)) +
+           (is_zero(line.offset) ? "" : " off the origin");
+  for (const auto& [j, value] : {std::pair(i, line.slope * x(free) + line.offset),
+                                 std::pair(i + 2, line.ratio * x(free + 2))})
+    m.equations.push_back({x(j) - value, v.name(j) + " = " + to_string(value)});
+  return m;
 }
 
 // exp(a·q) and exp(b·q) in a constant ratio: (a - b)·q' = 0, and the ratio is such that this stays.
@@ -632,11 +597,20 @@ FoundManifolds find_manifolds(const VectorField& v, const std::vector<MFraction>
   Prover prover(v, integrals, budget);
   prover.look([&] { return coordinate_subspaces(v, x, budget); });
   prover.look([&] { return fixed_sets(v, x, budget); });
-  prover.look([&] { return lines(v); });
+  Lines lines;
+  prover.look([&] {
+    lines = find_lines(v, budget);
+    std::vector<FoundManifold> all;
+    for (const Line& line : lines.lines) // axes are coordinate subspaces
+      if (!is_zero(line.slope) || !is_zero(line.offset) || !is_zero(line.ratio))
+        all.push_back(on_line(v, line));
+    return all;
+  });
   prover.look([&] { return ShiftedSubspaces(v, budget).run(); });
   prover.look([&] { return constant_ratios(v); });
   prover.intersect();
   FoundManifolds found = std::move(prover).result();
+  found.special = std::move(lines.special);
   auto& proved = found.proved;
   std::stable_sort(proved.begin(), proved.end(),
                    [](const FoundManifold& a, const FoundManifold& b) {

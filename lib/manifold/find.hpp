@@ -5,9 +5,8 @@
 //   S
 //   shifted subspaces     {x_i = c_i, i in S}, the c_i roots of factors of the X_j of degree 1
 //   fixed sets            Fix(sigma) of an involution sigma(x)_j = +-x_pi(j) with sigma_* X = X
-//   lines                 {q2 = s q1, p2 = s p1} of systems with two degrees of freedom (Darboux
-//   points
-//                         of homogeneous potentials among them)
+//   lines                 of systems with two degrees of freedom (lines.hpp; Darboux points of
+//                         homogeneous potentials among them)
 //   ratios                {exp(a.q) = s exp(b.q), (a - b).q' = 0}
 //   intersections         of two of these sets
 //
@@ -34,6 +33,8 @@ struct FoundManifolds {
   /// Those with leaf dimension 1 first, then by dimension; sets of equilibria last.
   std::vector<FoundManifold> proved;
   std::vector<std::string> left_out; ///< searches and sets that a limit left out, as sentences
+  /// Parameters for which there may be more lines: in each list all vanish.
+  std::vector<std::vector<MPoly>> special = {};
 };
 
 /// Cost   2^n subsets of n variables (n <= 16), involutions for n <= 8

@@ -1,7 +1,10 @@
-// kovacic check on a system file: claims, then one verdict per manifold and set of values.
+// kovacic check on a system file: claims, then one verdict per manifold and set of values, and of
+// several manifolds the one that they give together.
 
 #include "case_file.hpp"
 #include "certificate_file.hpp"
+#include "classification_report.hpp"
+#include "classify/together.hpp"
 #include "commands.hpp"
 #include "decide/words.hpp"
 #include "integrability/certificate.hpp"
@@ -20,6 +23,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -305,6 +309,67 @@ Json json_of_orders(const System& s, const jets::HigherOrders& h) {
   return j;
 }
 
+// What is known of one manifold for the verdict on all of them.
+struct Findings {
+  VerdictKind verdict = VerdictKind::undecided;
+  std::vector<Exclusion> exclusions;
+};
+
+// Where nothing is excluded: "depends" only if each manifold is decided for all parameters.
+VerdictKind verdict_of(const SystemClassification& c, const std::vector<Findings>& all,
+                       bool complete) {
+  if (c.status() == ClassificationStatus::non_integrable) return VerdictKind::non_integrable;
+  const auto is = [](VerdictKind kind) {
+    return [kind](const Findings& f) { return f.verdict == kind; };
+  };
+  if (!complete || std::any_of(all.begin(), all.end(), is(VerdictKind::undecided)))
+    return VerdictKind::undecided;
+  return std::all_of(all.begin(), all.end(), is(VerdictKind::no_obstruction)) && !c.excluded
+             ? VerdictKind::no_obstruction
+             : VerdictKind::depends;
+}
+
+std::string headline(VerdictKind verdict, bool excludes) {
+  switch (verdict) {
+  case VerdictKind::non_integrable:
+    return "NON-INTEGRABLE";
+  case VerdictKind::no_obstruction:
+    return "NO OBSTRUCTION  (the tests pass along all of them; this does not prove integrability)";
+  case VerdictKind::depends:
+    return "DEPENDS ON THE PARAMETERS";
+  default:
+    return excludes ? "UNDECIDED IN PART" : "UNDECIDED";
+  }
+}
+
+std::string text_of(const System& s, const SystemClassification& c, VerdictKind verdict,
+                    Detail detail) {
+  std::ostringstream out;
+  out << title_of_manifold(s, "all manifolds together") << "\n  "
+      << wrapped(headline(verdict, c.excluded.has_value()), 2) << "\n";
+  if (!c.excluded) return out.str();
+  put(out, "theorem", statement(c));
+  if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
+  if (detail == Detail::headline) return out.str();
+  for (const ExcludedTogether& e : excluded_together(c))
+    put(out, "excluded", joined(e.where, "; or ") + ": " + cut(reason_of(*e.by), detail));
+  put(out, "by", joined(c.theorems, ", "));
+  return out.str();
+}
+
+Json json_of_verdict(const SystemClassification& c, VerdictKind verdict) {
+  Json strata = Json::array();
+  for (const ClassifiedStratum& x : c.strata)
+    strata.push_back(json_of(c, x));
+  return {{"verdict", to_string(verdict)},
+          {"statement", c.excluded ? Json(statement(c)) : Json(nullptr)},
+          {"integrals_class", c.excluded ? Json(integrals_class(c)) : Json(nullptr)},
+          {"assumptions", c.assumptions},
+          {"theorems", c.theorems},
+          {"trusted", c.trusted},
+          {"strata", strata}};
+}
+
 Json json_of_round(const System& s) {
   Json set = Json::object();
   for (const auto& [name, value] : s.values)
@@ -322,7 +387,7 @@ Json json_of_round(const System& s) {
               {"seconds", 0}};
 }
 
-int exit_of(const Settings& settings, const Json& manifolds) {
+int exit_of(const Settings& settings, const Json& manifolds, const std::string& together) {
   // Of the first order; an obstruction of higher order is one where there was none.
   const auto verdict = [](const Json& m) -> std::string {
     if (m.contains("failure")) return "";
@@ -336,7 +401,8 @@ int exit_of(const Settings& settings, const Json& manifolds) {
   };
   for (const Json& m : manifolds)
     if (m.contains("failure")) return exit_input;
-  const bool obstruction = any(VerdictKind::non_integrable);
+  const bool obstruction =
+      any(VerdictKind::non_integrable) || together == to_string(VerdictKind::non_integrable);
   const bool open = any(VerdictKind::undecided);
   const bool none = !manifolds.empty() && !open && !any(VerdictKind::depends);
   return settings.exit_of(obstruction ? Truth::no
@@ -365,6 +431,7 @@ public:
     if (!document_) read();
     if (what == "plan") return plan();
     if (what == "claims") return claims(rounds_.at(round));
+    if (what == "together") return all_together(rounds_.at(round), words, manifold);
     return study(rounds_.at(round), manifold, what == "manifold");
   }
 
@@ -373,6 +440,7 @@ private:
     ParameterValues values;
     std::optional<System> system;
     std::optional<std::vector<ClaimReport>> claims;
+    std::map<std::size_t, Findings> findings = {}; ///< of the manifolds that were studied
   };
 
   void read() {
@@ -384,8 +452,8 @@ private:
                          [&](const Round& r) { return r.values == values; });
     };
     for (const auto& x : file.expectations)
-      if (base_.empty() && !known(x.where)) rounds_.push_back({x.where, {}, {}});
-    if (rounds_.empty()) rounds_.push_back({base_, {}, {}});
+      if (base_.empty() && !known(x.where)) rounds_.push_back({x.where, {}, {}, {}});
+    if (rounds_.empty()) rounds_.push_back({base_, {}, {}, {}});
   }
 
   const System& system_of(Round& round) {
@@ -450,18 +518,45 @@ private:
                                               with_claims ? claims_of(round) : none, options_));
     ManifoldReport& m = report.manifolds.front();
     if (m.failure && is_fine_without(round.values, m.name)) degenerate(m);
+    Findings& findings = round.findings[index] = findings_of(s, m);
     Report answer{exit_decided, text_of(s, m, detail_of(round)), {{"manifold", json_of(s, m)}}, {}};
     if (settings_.second_opinion) ask_monodromy(s, m, answer);
     std::vector<NamedCertificate> proofs;
     if (!settings_.certificate.empty()) proofs = certificates(s, m);
     if (settings_.order > 1 && m.manifold && m.verdict != VerdictKind::non_integrable)
-      ask_higher_orders(s, *manifolds_to_check(s, options_).at(index), answer, proofs);
+      ask_higher_orders(s, *manifolds_to_check(s, options_).at(index), answer, proofs, findings);
     if (!settings_.certificate.empty()) file_certificates(s, proofs, answer);
     answer.json["unmet"] = Json::array(); // null: the expectation is about another one
     for (const SystemExpectation* x : expectations_of(round))
       answer.json["unmet"].push_back(
           x->manifold.empty() || x->manifold == m.name ? Json(unmet(*x, report)) : Json(nullptr));
     return answer;
+  }
+
+  static Findings findings_of(const System& s, const ManifoldReport& m) {
+    if (m.failure) return {};
+    return {m.verdict, exclusions_of_verdict(s, m, free_levels(s))};
+  }
+
+  // "together ROUND 1 MANIFOLD...": of those manifolds on which the work came to its end.
+  Report all_together(Round& round, std::istream& others, std::size_t with_claims) {
+    const System& s = system_of(round);
+    std::vector<Findings> all;
+    std::vector<Exclusion> exclusions;
+    for (std::size_t k = 0; others >> k;) {
+      if (!round.findings.contains(k)) study(round, k, with_claims != 0); // by another child
+      all.push_back(round.findings.at(k));
+      std::copy(all.back().exclusions.begin(), all.back().exclusions.end(),
+                std::back_inserter(exclusions));
+    }
+    const SystemClassification c = together(s, exclusions, options_.decide.budget.stop);
+    const bool complete = all.size() == manifolds_to_check(s, options_).size();
+    const VerdictKind verdict = verdict_of(c, all, complete);
+    const Detail detail = detail_of(round);
+    return {exit_decided,
+            detail == Detail::nothing ? "" : text_of(s, c, verdict, detail),
+            {{"together", json_of_verdict(c, verdict)}},
+            {}};
   }
 
   // Rounds after the first are there for what the file expects of them.
@@ -499,9 +594,10 @@ private:
 
   // Where the first order leaves something open.
   void ask_higher_orders(const System& s, const ManifoldSpec& m, Report& answer,
-                         std::vector<NamedCertificate>& proofs) const {
+                         std::vector<NamedCertificate>& proofs, Findings& findings) const {
     auto orders = jets::higher_orders(s, m, {settings_.order, options_.decide});
     withdraw_if_void(s, orders);
+    if (auto e = exclusion_of(s, m, orders)) findings.exclusions.push_back(*std::move(e));
     std::ostringstream lines;
     if (answer.text.empty()) lines << title_of_manifold(s, m.name) << "\n";
     put_higher_orders(lines, s, orders);
@@ -574,19 +670,39 @@ private:
     std::vector<Expected> expected;
     for (const Json& name : plan.at("expected"))
       expected.push_back({name, false, "the file has no such manifold", false});
+    std::string studied;
     for (std::size_t k = 0; k < plan.at("manifolds").size() && !interrupted(); ++k) {
       const Report m =
           worker_.ask((with_claims ? "manifold " : "alone ") + number + " " + std::to_string(k));
       take(m, plan.at("manifolds").at(k), result, expected);
+      if (m.limit.empty()) studied += " " + std::to_string(k);
     }
+    if (plan.at("manifolds").size() > 1 && !interrupted())
+      together(number + (with_claims ? " 1" : " 0") + studied, result);
     result["seconds"] =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (settings_.verbose > 0)
       report_.text +=
           fmt::format("  time      {:.1f} ms\n", 1000 * result["seconds"].get<double>());
-    report_.exit = worse(report_.exit, exit_of(settings_, result.at("manifolds")));
+    report_.exit =
+        worse(report_.exit,
+              exit_of(settings_, result.at("manifolds"),
+                      result.contains("together") ? result["together"].at("verdict") : Json("")));
     report_.expected.insert(report_.expected.end(), expected.begin(), expected.end());
     report_.json.push_back(std::move(result));
+  }
+
+  // One verdict on the file.
+  void together(const std::string& what, Json& result) {
+    const Report r = worker_.ask("together " + what);
+    if (r.limit.empty()) {
+      report_.text += r.text;
+      result["together"] = r.json.at("together");
+      return;
+    }
+    report_.exit = worse(report_.exit, r.exit);
+    report_.text += path_ + "  [all manifolds together]\n  UNDECIDED\n" + limit_lines(r.limit);
+    result["together"] = {{"verdict", to_string(VerdictKind::undecided)}, {"reason", r.limit}};
   }
 
   // Were they decided?  They are expectations in the first round only.

@@ -5,14 +5,14 @@
 #include <algorithm>
 
 namespace kov::cli {
-namespace {
-
 std::string joined(const std::vector<std::string>& all, const std::string& between) {
   std::string text;
   for (const std::string& one : all)
     text += (text.empty() ? "" : between) + one;
   return text;
 }
+
+namespace {
 
 std::string integrals_text(const ClassifiedStratum& s) {
   std::vector<std::string> all;
@@ -119,6 +119,28 @@ std::string reason_of(const ExclusionReason& o) {
 std::string where_text(const SystemClassification& c, const ClassifiedStratum& s) {
   const std::string text = joined(conditions(c, s), ", ");
   return text.empty() ? "all parameters" : text;
+}
+
+Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
+  Json integrals = Json::array();
+  for (const FoundIntegral& f : s.integrals)
+    integrals.push_back({{"value", to_string(f.value)},
+                         {"kind", f.hamiltonian ? "hamiltonian"
+                                  : f.casimir   ? "casimir"
+                                                : "integral"}});
+  Json by = Json::array();
+  for (const ExclusionReason& o : s.by)
+    by.push_back({{"solution", o.solution},
+                  {"order", o.order},
+                  {"level", o.level.empty() ? Json(nullptr) : Json(o.level)},
+                  {"reason", o.reason},
+                  {"integrals_class", integrals_class(c, o)},
+                  {"not_checked", o.unchecked.empty() ? Json(nullptr) : Json(o.unchecked)}});
+  return {{"conditions", conditions(c, s)},
+          {"status", to_string(s.status)},
+          {"integrals", integrals},
+          {"by", by},
+          {"open_after", s.open_after}};
 }
 
 std::vector<ExcludedTogether> excluded_together(const SystemClassification& c) {

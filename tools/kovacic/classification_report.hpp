@@ -2,6 +2,7 @@
 // A classification in the form of a theorem with steps, which has LaTeX and HTML.
 
 #include "classify/classification.hpp"
+#include "mechanics.hpp"
 #include "theorem/theorem.hpp"
 
 namespace kov::cli {
@@ -10,6 +11,11 @@ namespace kov::cli {
 /// equation.
 [[nodiscard]] TheoremResult as_theorem(const System& s, const SystemClassification& c);
 
+/// Conditions, status, integrals, reasons, and what was tried.
+[[nodiscard]] Json json_of(const SystemClassification& c, const ClassifiedStratum& s);
+
+/// "a, b" with ", " between.
+[[nodiscard]] std::string joined(const std::vector<std::string>& all, const std::string& between);
 /// "along q1 = 0 (E = 1): the equation is ..."
 [[nodiscard]] std::string reason_of(const ExclusionReason& o);
 /// "a = 0, b != 1", or "all parameters"

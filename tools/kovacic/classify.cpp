@@ -23,13 +23,6 @@ constexpr double part_of_the_time = 0.85;
 constexpr double part_of_first_run = 0.7;
 constexpr const char* unfinished = "a limit ended the work; what was proved before is shown";
 
-std::string joined(const std::vector<std::string>& all, const std::string& between) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : between) + one;
-  return text;
-}
-
 std::string title_of(ClassificationStatus s) {
   switch (s) {
   case ClassificationStatus::integrable:
@@ -91,32 +84,10 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
   return out.str();
 }
 
-Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
-  Json integrals = Json::array();
-  for (const FoundIntegral& f : s.integrals)
-    integrals.push_back({{"value", to_string(f.value)},
-                         {"kind", f.hamiltonian ? "hamiltonian"
-                                  : f.casimir   ? "casimir"
-                                                : "integral"}});
-  Json by = Json::array();
-  for (const ExclusionReason& o : s.by)
-    by.push_back({{"solution", o.solution},
-                  {"order", o.order},
-                  {"level", o.level.empty() ? Json(nullptr) : Json(o.level)},
-                  {"reason", o.reason},
-                  {"integrals_class", integrals_class(c, o)},
-                  {"not_checked", o.unchecked.empty() ? Json(nullptr) : Json(o.unchecked)}});
-  return {{"conditions", conditions(c, s)},
-          {"status", to_string(s.status)},
-          {"integrals", integrals},
-          {"by", by},
-          {"open_after", s.open_after}};
-}
-
 Json json_of(const System& s, const SystemClassification& c) {
   Json strata = Json::array();
   for (const ClassifiedStratum& x : c.strata)
-    strata.push_back(json_of(c, x));
+    strata.push_back(cli::json_of(c, x));
   return {{"format", "kovacic-classification/1"},
           {"file", s.file},
           {"status", to_string(c.status())},

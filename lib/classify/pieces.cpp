@@ -1,0 +1,199 @@
+#include "classify/pieces.hpp"
+
+#include "exact/error.hpp"
+#include "integrability/parameters.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr std::size_t most_pieces = 200; // of one round of solutions
+constexpr double set_work = 1e6;         // in the ideals of sets of parameters
+
+// Not everywhere is there a system.
+std::vector<MPoly> denominators(const VectorField& v) {
+  std::vector<MPoly> all;
+  const auto add = [&](const MFraction& f) {
+    if (!is_zero(f)) all.push_back(f.den());
+  };
+  for (const MFraction& f : v.components)
+    add(f);
+  for (const FunctionSymbol& symbol : v.functions)
+    for (const MFraction& f : symbol.gradient)
+      add(f);
+  if (v.hamiltonian) add(*v.hamiltonian);
+  return all;
+}
+
+// told: as an assumption, if it is none of the file.
+void keep_nonzero(const MPoly& p, const std::string& told, ParameterSet& all,
+                  SystemClassification& c) {
+  for (const MFactor& f : factor(p).second)
+    c.nonzero.push_back(f.base);
+  all = all.where_nonzero(p);
+  add_once(c.assumptions, told);
+}
+
+ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
+  return {piece.where, piece.special, StratumStatus::excluded, {}, {e.by}, {}};
+}
+
+void exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,
+             std::vector<Piece>& left, SystemClassification& c) {
+  const SetParts parts = split_set(piece.where, e.zero, e.not_all_zero, possible);
+  if (parts.inside.empty()) return left.push_back(piece);
+  std::vector<Piece> rest;
+  std::vector<ClassifiedStratum> excluded;
+  for (const ParameterSet& outside : parts.outside)
+    if (auto part = on_part(piece, outside)) rest.push_back(*std::move(part));
+  for (const ParameterSet& inside : parts.inside) {
+    auto part = on_part(piece, inside);
+    if (!part) continue;
+    if (!e.unless) {
+      excluded.push_back(stratum(*part, e));
+      continue;
+    }
+    if (const auto out = with_condition(*part, negation(*e.unless)))
+      excluded.push_back(stratum(*out, e));
+    if (auto in = with_condition(*std::move(part), *e.unless)) rest.push_back(*std::move(in));
+  }
+  std::move(rest.begin(), rest.end(), std::back_inserter(left));
+  std::move(excluded.begin(), excluded.end(), std::back_inserter(c.strata));
+}
+
+bool try_to_exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,
+                    std::vector<Piece>& left, SystemClassification& c) {
+  try {
+    exclude(piece, e, possible, left, c);
+    return true;
+  } catch (const OutOfBudget&) {
+    return false;
+  }
+}
+
+} // namespace
+
+void add_once(std::vector<std::string>& all, const std::string& one) {
+  if (!one.empty() && std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+void note(Piece& piece, const std::string& what, const std::string& outcome) {
+  std::erase_if(piece.tried, [&](const Attempt& a) { return a.what == what; });
+  piece.tried.push_back({what, outcome});
+}
+
+std::optional<Piece> with_condition(Piece piece, const DifferenceCondition& c) {
+  const auto here = on_set(c, piece.where);
+  if (const auto* known = std::get_if<bool>(&here)) {
+    if (!*known) return std::nullopt;
+    return piece;
+  }
+  const auto& left = std::get<DifferenceCondition>(here);
+  std::erase_if(piece.special, [&](const DifferenceCondition& x) { return implies(left, x); });
+  for (const DifferenceCondition& x : piece.special) {
+    if (implies(x, left)) return piece;
+    if (implies(x, negation(left))) return std::nullopt;
+  }
+  piece.special.push_back(left);
+  return piece;
+}
+
+std::optional<Piece> on_part(const Piece& piece, ParameterSet part) {
+  std::optional<Piece> smaller = Piece{std::move(part), {}, piece.tried};
+  for (const DifferenceCondition& c : piece.special)
+    if (smaller) smaller = with_condition(*std::move(smaller), c);
+  return smaller;
+}
+
+SystemClassification nothing_known(const System& s) {
+  SystemClassification c;
+  c.liouville = s.field.poisson.has_value();
+  c.on_leaves = c.liouville && s.kind != SystemKind::hamiltonian;
+  return c;
+}
+
+ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& levels,
+                            const std::stop_token& stop, SystemClassification& told) {
+  std::vector<std::size_t> parameters = s.field.constants;
+  for (const std::size_t i : s.field.parameters)
+    if (std::find(levels.begin(), levels.end(), i) == levels.end()) parameters.push_back(i);
+  Budget budget;
+  budget.max_work = set_work;
+  budget.stop = stop;
+  ParameterSet all(s.ring(), parameters, budget);
+  const auto in_parameters = [&](const MPoly& p) {
+    const auto used = used_variables(p);
+    return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+      return std::find(parameters.begin(), parameters.end(), i) != parameters.end();
+    });
+  };
+  for (const MPoly& p : s.field.relations)
+    if (in_parameters(p)) {
+      all = all.where_zero(p);
+      told.relations.push_back(p);
+    }
+  for (const Assumption& a : s.assumptions) {
+    using Relation = Assumption::Relation;
+    if (!in_parameters(a.value.num()) || !in_parameters(a.value.den())) continue; // of a level
+    if (a.relation == Relation::zero) all = all.where_zero(a.value.num());
+    if (a.relation == Relation::nonzero || a.relation == Relation::positive)
+      keep_nonzero(a.value.num(), "", all, told);
+    keep_nonzero(a.value.den(), "", all, told);
+  }
+  for (const MPoly& den : denominators(s.field))
+    for (const MFactor& f : factor(den).second)
+      if (in_parameters(f.base) && !all.is_nonzero(f.base))
+        keep_nonzero(f.base, to_string(f.base) + " != 0", all, told);
+  if (all.is_empty() || contradicts_itself(s))
+    throw InvalidArgument("no parameter value satisfies the relations and assumptions");
+  return all;
+}
+
+MayVanish may_vanish(const System& s) {
+  return [&s](const MPoly& p) { return !not_excluded(s, {p}).empty(); };
+}
+
+bool exclude(std::vector<Piece>& pieces, const Exclusion& e, const System& s,
+             SystemClassification& c) {
+  bool done = true;
+  std::vector<Piece> left;
+  for (Piece& piece : pieces) {
+    const bool room = left.size() <= most_pieces;
+    if (room && try_to_exclude(piece, e, may_vanish(s), left, c)) continue;
+    left.push_back(std::move(piece));
+    done = done && !room;
+  }
+  pieces = std::move(left);
+  return done;
+}
+
+void leave_open(Piece piece, SystemClassification& c) {
+  ClassifiedStratum x{std::move(piece.where), std::move(piece.special), StratumStatus::open};
+  for (const Attempt& a : piece.tried)
+    x.open_after.push_back(a.what + (a.outcome.empty() ? "" : ": " + a.outcome));
+  c.strata.push_back(std::move(x));
+}
+
+void finish(const System& s, SystemClassification& c) {
+  for (const Assumption& a : s.assumptions)
+    add_once(c.assumptions, a.text);
+  for (const ClassifiedStratum& x : c.strata)
+    for (const ExclusionReason& o : x.by) {
+      c.excluded = std::max(c.excluded.value_or(o.integrals), o.integrals);
+      for (const std::string& theorem : o.theorems)
+        add_once(c.theorems, theorem);
+      add_once(c.assumptions, o.unchecked);
+      for (const std::string& step : o.trusted)
+        add_once(c.trusted, step);
+      for (const std::string& name : o.without)
+        add_once(c.without, name);
+    }
+  for (const FunctionSymbol& f : s.field.functions)
+    c.functions.push_back(s.ring()->name(f.variable));
+  const auto rank = [](const ClassifiedStratum& x) { return static_cast<int>(x.status); };
+  std::stable_sort(c.strata.begin(), c.strata.end(),
+                   [&](const auto& a, const auto& b) { return rank(a) < rank(b); });
+}
+
+} // namespace kov

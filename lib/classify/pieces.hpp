@@ -1,0 +1,54 @@
+#pragma once
+// Parameters that are not decided yet, and how exclusions cut them: shared by classify_system(), which
+// finds its solutions as it goes, and together(), which has them all.
+//
+// Source  docs/theory/classify.md (7)
+
+#include "classify/exclusion.hpp"
+#include "classify/parameter_split.hpp"
+
+#include <stop_token>
+
+namespace kov {
+
+/// What was tried, and what came out.
+struct Attempt {
+  std::string what, outcome;
+};
+
+struct Piece {
+  ParameterSet where;
+  std::vector<DifferenceCondition> special; ///< besides; all of them
+  std::vector<Attempt> tried = {};
+};
+
+/// The last outcome of each attempt counts.
+void note(Piece& piece, const std::string& what, const std::string& outcome);
+/// With one condition more; nothing if it holds nowhere.
+[[nodiscard]] std::optional<Piece> with_condition(Piece piece, const DifferenceCondition& c);
+/// The same on a part of its set; nothing if a condition fails there.
+[[nodiscard]] std::optional<Piece> on_part(const Piece& piece, ParameterSet part);
+
+/// No strata yet: what is said of integrability for such a system.
+[[nodiscard]] SystemClassification nothing_known(const System& s);
+/// All values of parameters and algebraic constants but the levels, under the assumptions; what they say
+/// is noted in `told`.
+/// Errors  InvalidArgument: there are none
+[[nodiscard]] ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& levels,
+                                          const std::stop_token& stop, SystemClassification& told);
+/// Those irreducible polynomials that may vanish under the assumptions.  s has to outlive it.
+[[nodiscard]] MayVanish may_vanish(const System& s);
+
+/// Cuts the pieces; what is excluded becomes strata of c.  False: of some piece it was too hard to
+/// tell, or there are too many; they stay.
+bool exclude(std::vector<Piece>& pieces, const Exclusion& e, const System& s,
+             SystemClassification& c);
+/// A stratum of c, with what was tried.
+void leave_open(Piece piece, SystemClassification& c);
+/// From the strata to what the theorem rests on, and their order.
+void finish(const System& s, SystemClassification& c);
+
+/// Not the empty text, and nothing twice.
+void add_once(std::vector<std::string>& all, const std::string& one);
+
+} // namespace kov
