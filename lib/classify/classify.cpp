@@ -9,6 +9,7 @@
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "integrability/study.hpp"
+#include "strata/words.hpp"
 #include "system/relations.hpp"
 
 #include <algorithm>
@@ -41,10 +42,11 @@ struct Round {
   std::vector<std::vector<MPoly>> special = {}; ///< where there may be more solutions
   std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
   std::vector<ManifoldSpec> solutions = {};
-  bool integrals_known = false; ///< for all of these parameters, from a round before
-  std::size_t decided = 0;      ///< strata that were there before
-  bool limited = false;         ///< some stage ended by its share of the time
-  bool last = false;            ///< after all others, with all the time that is left
+  bool integrals_known = false;      ///< for all of these parameters, from a round before
+  std::size_t decided = 0;           ///< strata that were there before
+  bool limited = false;              ///< some stage ended by its share of the time
+  std::vector<std::string> cut = {}; ///< the solutions whose share was too small
+  bool last = false;                 ///< after all others, with all the time that is left
 };
 
 class Composition {
@@ -204,10 +206,12 @@ private:
     round.special = solutions.special;
     round.at_energy_zero = solutions.at_energy_zero;
     round.solutions = solutions.manifolds;
-    std::size_t left = solutions.manifolds.size();
-    for (const ManifoldSpec& m : solutions.manifolds) {
+    const auto manifolds = worth_trying(round, solutions.manifolds);
+    std::size_t left = manifolds.size();
+    for (const ManifoldSpec& m : manifolds) {
       if (round.pieces.empty()) return;
-      if (begins(round, m.name)) try_solution(round, m, 0.4 / static_cast<double>(left));
+      const double part = round.last ? 0.8 : 0.4;
+      if (begins(round, m.name)) try_solution(round, m, part / static_cast<double>(left));
       --left;
     }
     for (Piece& p : round.pieces) {
@@ -219,10 +223,21 @@ private:
     }
   }
 
+  // In the last round only those whose time was too short: the others have said what they can.
+  static std::vector<ManifoldSpec> worth_trying(const Round& round, std::vector<ManifoldSpec> all) {
+    if (round.last)
+      std::erase_if(all, [&](const ManifoldSpec& m) {
+        return std::find(round.cut.begin(), round.cut.end(), m.name) == round.cut.end();
+      });
+    return all;
+  }
+
   void try_what_is_left(Round& round, const std::vector<ManifoldSpec>& solutions) {
-    for (const ManifoldSpec& m : solutions)
+    const auto manifolds = worth_trying(round, solutions);
+    const double part = round.last ? 0.8 : 0.2;
+    for (const ManifoldSpec& m : manifolds)
       if (!round.pieces.empty() && begins(round, m.name))
-        try_solution(round, m, 0.2 / static_cast<double>(solutions.size()));
+        try_solution(round, m, part / static_cast<double>(manifolds.size()));
   }
 
   // Where two conditions hold together at finitely many values of a difference only.
@@ -272,7 +287,10 @@ private:
     CheckOptions check = options_.check;
     check.decide.budget = share(part);
     const ManifoldReport report = check_manifold(round.system, m, round.claims, check);
-    round.limited = round.limited || is_over(check.decide.budget);
+    if (is_over(check.decide.budget)) {
+      round.limited = true;
+      if (!round.last) round.cut.push_back(m.name);
+    }
     result_.stages.emplace_back(m.name, seconds_since(start));
     if (report.failure && is_of_the_file(m.name) && is_the_first(round))
       add_once(result_.notes,
@@ -335,12 +353,31 @@ private:
                        [&](const ManifoldSpec& m) { return m.name == manifold; });
   }
 
+  // What ended the question on a stratum before there was an answer; empty: nothing did.
+  static std::string limit_of(const strata::StrataAnswer& answer) {
+    if (!answer.unvisited.empty()) {
+      const std::string& where = answer.unvisited.front(); // without conditions: " (limit)"
+      return "the first variational equation is undecided" +
+             (where.rfind(" (", 0) == 0 ? where : " where " + where);
+    }
+    for (const strata::Stratum& s : answer.strata)
+      if (s.leaf.open && (std::holds_alternative<strata::OpenNumber>(*s.leaf.open) ||
+                          std::holds_alternative<strata::TooManyUnknowns>(*s.leaf.open) ||
+                          std::holds_alternative<strata::LargeDenominator>(*s.leaf.open) ||
+                          std::holds_alternative<strata::RefusedByChecker>(*s.leaf.open)))
+        return strata::reason_in_brief(s.leaf);
+    return "";
+  }
+
   static std::string outcome(const ManifoldReport& report) {
     if (report.failure) return report.failure->message;
     if (report.verdict == VerdictKind::no_obstruction)
       return "the first variational equation has an abelian identity component";
     for (const BlockReport& b : report.blocks)
       if (b.abelian == Truth::unknown && !b.strata && !b.note.empty()) return b.note;
+    for (const BlockReport& b : report.blocks)
+      if (b.strata)
+        if (std::string limit = limit_of(*b.strata); !limit.empty()) return limit;
     if (report.blocks.empty() && !report.reasons.empty()) return report.reasons.front();
     return "the first variational equation excludes no more";
   }
@@ -608,6 +645,7 @@ private:
     Round next{round.system, round.claims, round.levels, std::move(piece)};
     next.integrals_known = round.integrals_known;
     next.last = true;
+    next.cut = round.cut;
     later_.push_back(std::move(next));
   }
 

@@ -6,6 +6,7 @@
 #include "integrability/study.hpp"
 
 #include <chrono>
+#include <cmath>
 
 namespace kov {
 
@@ -39,13 +40,20 @@ CheckOptions for_one_of(std::size_t manifolds, CheckOptions options) {
   return options;
 }
 
+// For the message: clocks are not more exact.
+double two_digits(double x) {
+  const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
+  return std::round(x / unit) * unit;
+}
+
 } // namespace
 
 Budget part_of_the_time(Budget budget, double part) {
   const auto now = Budget::Clock::now();
-  if (budget.deadline && *budget.deadline > now)
-    budget.deadline =
-        now + std::chrono::duration_cast<Budget::Clock::duration>(part * (*budget.deadline - now));
+  if (part >= 1 || !budget.deadline || *budget.deadline <= now) return budget;
+  const auto given = part * std::chrono::duration<double>(*budget.deadline - now);
+  budget.deadline = now + std::chrono::duration_cast<Budget::Clock::duration>(given);
+  budget.seconds = two_digits(given.count());
   return budget;
 }
 

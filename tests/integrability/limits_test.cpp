@@ -90,7 +90,7 @@ TEST(Limits, OfTimeAreShared) {
   options.decide.budget = Budget::of_seconds(20);
   options.decide.budget.max_work = 1e15;
   const CheckReport report = check_system(s, options);
-  EXPECT_THAT(all(report.manifolds.at(0).reasons), HasSubstr("time limit of 20 s"));
+  EXPECT_THAT(all(report.manifolds.at(0).reasons), HasSubstr("time limit of 10 s"));
   EXPECT_EQ(report.manifolds.at(1).verdict, VerdictKind::non_integrable);
 }
 
