@@ -42,6 +42,7 @@ CheckOptions for_one_of(std::size_t manifolds, CheckOptions options) {
 
 // For the message: clocks are not more exact.
 double two_digits(double x) {
+  if (!(x > 0)) return 0;
   const double unit = std::pow(10, std::floor(std::log10(x)) - 1);
   return std::round(x / unit) * unit;
 }
