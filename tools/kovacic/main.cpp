@@ -362,7 +362,8 @@ struct CommandLine {
     format_flag(*show, {"text", "json"}, "text or json");
     output_flags(*show);
 
-    CLI::App* find = app.add_subcommand("find-manifolds", "invariant sets of a system, most of them linear");
+    CLI::App* find =
+        app.add_subcommand("find-manifolds", "invariant sets of a system, most of them linear");
     find->add_option("FILE", word, "a system file")->required()->type_name("");
     set_flag(*find);
     process_flags(*find);
