@@ -15,6 +15,13 @@ namespace kov::strata {
 /// Unset where r is not over Q, or the format has no rule for the change.
 /// Requires  d.because is ByFormula, and d.places
 /// Throws    OutOfBudget
+///
+/// n(n+1)/z^2 - 1, Bessel's equation of an immense order:
+/// Given   const Integer n = pow(Integer(10), 20);
+/// Given   const RationalFunction r(Poly(Rational(n * (n + Integer(1)))) - Poly::z() * Poly::z(),
+///             Poly::z() * Poly::z());
+/// Given   Options options; options.want_certificate = true; options.budget.max_degree = 1000;
+/// Example formula_certificate(decide({r, 0}, options))->refusal.empty()  // -> yes
 [[nodiscard]] std::optional<Judged> formula_certificate(const Decision& d,
                                                         const Budget& budget = {});
 
