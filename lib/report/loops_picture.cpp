@@ -27,10 +27,15 @@ public:
   Plane(const monodromy::LoopTree& tree, std::vector<Point> points)
       : tree_(tree), points_(std::move(points)) {
     Real low_x = tree.base.x, high_x = low_x, low_y = tree.base.y, high_y = low_y;
-    for (const Point& p : points_) {
-      low_x = min(low_x, p.x), high_x = max(high_x, p.x);
-      low_y = min(low_y, p.y), high_y = max(high_y, p.y);
-    }
+    const auto hold = [&](const std::vector<Point>& all) {
+      for (const Point& p : all) {
+        low_x = min(low_x, p.x), high_x = max(high_x, p.x);
+        low_y = min(low_y, p.y), high_y = max(high_y, p.y);
+      }
+    };
+    hold(points_);
+    for (const auto& loop : tree.loops)
+      hold(loop.circle.vertices);
     const Real size = max(max(high_x - low_x, high_y - low_y), Real(1) / Real(1L << 40));
     scale_ = Real(10 * (side - 2 * margin)) / size; // tenths of a pixel
     centre_ = {(low_x + high_x) / Real(2), (low_y + high_y) / Real(2)};
@@ -45,7 +50,7 @@ public:
       out += polyline(loop.approach.vertices, "loop") + polyline(loop.circle.vertices, "loop");
     for (std::size_t i = 0; i < tree_.loops.size(); ++i) {
       const Point& s = points_[tree_.loops[i].singularity];
-      out += dot(s, "place") + words(s, std::to_string(tree_.loops[i].singularity + 1));
+      out += dot(s, "place") + words(s, std::to_string(tree_.loops[i].singularity + 1), shift(i));
     }
     return out + dot(tree_.base, "base") + words(tree_.base, "base");
   }
@@ -83,8 +88,18 @@ private:
     return std::string("<circle class=\"") + kind + "\" cx=\"" + x(p) + "\" cy=\"" + y(p) +
            "\" r=\"4\"/>\n";
   }
-  [[nodiscard]] std::string words(const Point& p, const std::string& text) const {
-    return "<text x=\"" + x(p) + "\" y=\"" + y(p) + "\" dx=\"8\" dy=\"-7\">" + text + "</text>\n";
+  [[nodiscard]] std::string words(const Point& p, const std::string& text, long right = 8) const {
+    return "<text x=\"" + x(p) + "\" y=\"" + y(p) + "\" dx=\"" + std::to_string(right) +
+           "\" dy=\"-7\">" + text + "</text>\n";
+  }
+  // Numbers of places that are too near to each other for the eye stand side by side.
+  [[nodiscard]] long shift(std::size_t i) const {
+    const Real near = Real(10 * line_height) / scale_;
+    long right = 8;
+    for (std::size_t j = 0; j < i; ++j)
+      if (abs(points_[tree_.loops[i].singularity] - points_[tree_.loops[j].singularity]) < near)
+        right += line_height;
+    return right;
   }
 
   const monodromy::LoopTree& tree_;
@@ -116,6 +131,7 @@ public:
     }
     put(kind, line);
   }
+  explicit Legend(long below) : y_(below) {}
   [[nodiscard]] const std::string& svg() const { return svg_; }
   [[nodiscard]] long height() const { return y_ + line_height; }
 
@@ -125,7 +141,7 @@ private:
     svg_ += "<text class=\"" + kind + "\" x=\"20\" y=\"" + std::to_string(y_) + "\">" +
             label(line, Markup::html) + "</text>\n";
   }
-  long y_ = side;
+  long y_;
   std::string svg_;
 };
 
@@ -140,19 +156,23 @@ std::string loops_svg(const monodromy::Monodromy& m, const std::string& title,
     points.push_back(monodromy::point(loop.place.at));
   }
   const auto tree = monodromy::loops_of(singular, m.base);
-  Legend legend;
+  const long drawn = points.empty() ? 0 : side;
+  Legend legend(drawn);
   legend.add("title", shortened(title, 240), 66);
   for (std::size_t i = 0; i < std::min(places.size(), most_in_legend); ++i)
     legend.add("", std::to_string(i + 1) + ": around " + places[i]);
   if (places.size() > most_in_legend)
     legend.add("", "and " + std::to_string(places.size() - most_in_legend) + " more");
-  legend.add("soft", "Loops from the base, counterclockwise, in this order; grey: where the "
-                     "expansions on the way converge.");
+  if (points.empty())
+    legend.add("soft", "There is no finite singularity: every loop gives the identity.");
+  else
+    legend.add("soft", "Loops from the base, counterclockwise, in this order; grey: where the "
+                       "expansions on the way converge.");
   const std::string height = std::to_string(legend.height());
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + std::to_string(side) + " " +
          height + "\" width=\"" + std::to_string(side) + "\" height=\"" + height + "\">\n" + style +
          "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n<svg width=\"" +
-         std::to_string(side) + "\" height=\"" + std::to_string(side) + "\">\n" +
+         std::to_string(side) + "\" height=\"" + std::to_string(drawn) + "\">\n" +
          (points.empty() ? "" : Plane(tree, points).draw()) + "</svg>\n" + legend.svg() +
          "</svg>\n";
 }

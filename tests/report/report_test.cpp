@@ -12,6 +12,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <sstream>
 
 using namespace kov;
 using namespace kov::report;
@@ -113,6 +114,28 @@ TEST(Picture, LoopsOfMonodromy) {
   for (auto at = svg.find("<polyline"); at != std::string::npos; at = svg.find("<polyline", at + 1))
     ++loops;
   EXPECT_EQ(loops, 4U); // to each place, and around it
+  const auto airy = monodromy::monodromy(RationalFunction(Rational(0)), RationalFunction(-z));
+  EXPECT_THAT(loops_svg(airy, "Airy", {}), HasSubstr("no finite singularity"));
+}
+
+// Each vertex of a loop lies in the picture, also around a place far from all others.
+TEST(Picture, LoopsAreNotCutOff) {
+  const Poly z = Poly::z();
+  const auto m = monodromy::monodromy(
+      RationalFunction(Rational(0)), RationalFunction(Poly(1), z * (z - Poly(1)) * (z - Poly(40))));
+  const std::string svg = loops_svg(m, "far", {"0", "1", "40"});
+  for (auto at = svg.find("points=\""); at != std::string::npos;
+       at = svg.find("points=\"", at + 1)) {
+    const auto begin = at + 8;
+    std::istringstream list(svg.substr(begin, svg.find('"', begin) - begin));
+    for (std::string point; list >> point;) {
+      const auto comma = point.find(',');
+      for (const double coordinate : {std::stod(point), std::stod(point.substr(comma + 1))}) {
+        EXPECT_GE(coordinate, 0) << point;
+        EXPECT_LE(coordinate, 640) << point;
+      }
+    }
+  }
 }
 
 // What a referee asks for: the system before the theorem, works with titles, what checks it again.
