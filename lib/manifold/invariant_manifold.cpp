@@ -100,8 +100,12 @@ std::optional<ManifoldFailure> invariance_failure(const VectorField& v,
               "the set but is not in the ideal of its equations, so that the set " +
               "is not proved invariant: write equations without multiplicities",
           e.text, value};
-    return ManifoldFailure{"the set is not invariant: on it the derivative of the left side minus "
-                           "the right side of '" +
+    const auto& p = v.parameters; // at special values, an assumed one too, it may be invariant
+    const bool in_general =
+        std::any_of(p.begin(), p.end(), [&](std::size_t i) { return uses(value, i); });
+    return ManifoldFailure{"the set is not invariant" +
+                               std::string(in_general ? " for all parameters" : "") +
+                               ": on it the derivative of the left side minus the right side of '" +
                                e.text + "' is " + brief(value) + ", not 0",
                            e.text, value};
   }

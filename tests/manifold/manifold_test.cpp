@@ -54,6 +54,16 @@ equations = ["q1 = 0", "p1 = 0", "q2 = 0", "p2 = 0"])t"),
               HasSubstr("points"));
 }
 
+// q1 = q2 is invariant at b = 1, which may be assumed: then "not invariant" would be false.
+TEST(Manifold, WhatFailsForSomeParametersIsSaidSo) {
+  EXPECT_THAT(failure(R"t([[manifold]]
+equations = ["q1 - q2 = 0", "p1 - p2 = 0"])t"),
+              HasSubstr("not invariant for all parameters: on it"));
+  EXPECT_THAT(failure(R"t([[manifold]]
+equations = ["q2 = 0", "p2 = 0"])t"),
+              HasSubstr("not invariant: on it"));
+}
+
 // Nothing depends on x, and x moves: the phase curve is a line, not a point.
 TEST(Manifold, ACyclicCoordinateMayBeTheTime) {
   const auto proved = [](const std::string& speed) {
