@@ -332,7 +332,32 @@ def part_of_region(shown):
     return change
 
 
+def twice(top):
+    """A second step y, of which nobody speaks"""
+    top["steps"].insert(2, copy.deepcopy(step(top, "y")))
+
+
+def unused(top):
+    top["steps"].insert(2, {**copy.deepcopy(step(top, "y")), "id": "another"})
+
+
+def cover_of_a_cover(top):
+    first = top["steps"].pop()
+    top["steps"] += [first, {**first, "id": "again", "parts": ["main"]}]
+
+
+def long_word(top):
+    """A part with 41 symmetries, each of which does nothing"""
+    idle = {key: step(top, "y")[key] for key in ("system", "adjoined", "values", "back", "bracket", "energy")}
+    top["steps"].insert(2, idle | {"id": "s", "rule": "symmetry", "shown": []})
+    top["steps"][-1]["symmetries"], tree(top)["word"] = ["s"], ["0"] * 41
+
+
 SMALL_TRAPS = {
+    "an id twice": twice,
+    "a step that is not used, before the cover": unused,
+    "a cover as a part of a cover": cover_of_a_cover,
+    "too long a word": long_word,
     "a Lagrangian of the momenta with the right derivatives": with_lagrangian(WITH_MOMENTA, ENERGY, SPEEDS),
     "a cubic Lagrangian with the right derivatives": with_lagrangian(
         ["3*v1*v2 + v2^3", "3"], ["3*p1*p2 - p1^3", "3"], ["p2 - p1^2", "p1"]),

@@ -1,0 +1,353 @@
+"""Properties of theorem.py of the Python checker: functions of its modules (sys.modules) that are True.  Each rule makes a Fact of
+facts that are put there, so that nothing else of a theorem has to be paid for."""
+import copy
+from types import SimpleNamespace
+
+from lowest import CANONICAL, SHOWN, family, refused
+from maps import diagonal
+
+NAMES = ("q1", "q2", "p1", "p2")
+ONE, SAME = diagonal(["1"] * 4), {x: x for x in NAMES}
+FREE = {"parameters": [], "assumed": []}
+SPACE = ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"]
+LEAVES, ORIGIN, LEAF = "meromorphic on the leaves with F2 = 0", "meromorphic near the origin", "meromorphic and independent on the symplectic leaf"
+
+
+def ready(m):
+    m["multivariate"].Work.left, m["real_proof"].Nodes.left = 10**7, 1000
+
+
+def theorem(m, families=(), **facts):
+    """A Theorem with these families and facts, and no steps"""
+    ready(m)
+    t = object.__new__(m["theorem"].Theorem)
+    t.families, t.facts, t.named, t.prove = dict(families), facts, set(), None
+    return t
+
+
+def fact(m, *given, **more):
+    return m["theorem"].Fact(*given, **more)
+
+
+def a_map(**more):
+    return {"adjoined": [], "values": SAME, "back": ONE, "bracket": ["1", "1"], "energy": ["1", "1"], "shown": []} | more
+
+
+def facts(m):
+    """What a step may name"""
+    ready(m)
+    y = family(m, "p1^2 + q1")
+    t = theorem(m, {"Y": y}, n=fact(m, "N", y), s=fact(m, "S", y))
+    return (t.fact("n", "N", "I").kind == "N" and t.named == {"n"} and t.fact("s", "S").kind == "S" and t.named == {"n", "s"}
+            and refused(m, lambda: t.fact("s", "N", "I")) and refused(m, lambda: t.fact("n", "S")) and t.family({"system": "Y"}) is y)
+
+
+def certificates(m):
+    """A certificate is one of a system, without trust, about all of it, and its class of integrals is one of (5)"""
+    ready(m)
+    module = m["theorem"]
+    real = module.system, module.read_system, module.integrals, module.Shown
+    space = family(m, "p1^2 + q1^3", **FREE).space
+    curve = SimpleNamespace(space=space, variable="z")
+    top = {"format": real[0].FORMAT, "parameters": [], "title": "a title", "claim": {"not_integrable": True},
+           "curve": {"denominators": ["z^2 - 3"]}, "equation": {"certificate": {"format": "kovacic-certificate/1"}}}
+
+    def accepts(top, said="meromorphic", trust=0, space=space):
+        curve.space = space
+        inner = SimpleNamespace(trust=trust, denials=[])
+        module.system = SimpleNamespace(FORMAT=real[0].FORMAT, accept=lambda top, prove: (curve, None, inner))
+        module.read_system, module.integrals = (lambda d: d), (lambda curve, denials: said)
+        module.Shown = lambda curve: SimpleNamespace(phase_curve=lambda top: "a curve")
+        t = theorem(m)
+        found = []
+        if refused(m, lambda: found.append(t.certificate({"certificate": top}))):
+            return None
+        f, = found
+        return (f.kind, f.family, f.region, f.classes, f.used, f.way) == (
+            "N", None, [], [said], {"Morales-Ramis"}, ['a curve of "a title"']) and f.target.conditions[0][0] == "group"
+    try:
+        without = SimpleNamespace(**vars(space) | {"brackets": None})
+        return (accepts(top) is True and accepts(top, trust=1) is None and accepts(top, trust=2) is None
+                and accepts(top | {"claim": {"not_integrable": False}}) is None and accepts(top | {"format": "kovacic-system/2"}) is None
+                and accepts(top, "meromorphic (in the coordinates q1)") is None and accepts(top, "meromorphic and do not depend on t") is None
+                and accepts(top, LEAF) is True and accepts(top, space=without) is None)
+    finally:
+        module.system, module.read_system, module.integrals, module.Shown = real
+
+
+def asked(m):
+    """The conditions of a point, in their order"""
+    ready(m)
+    field = m["multivariate"].FIELD
+    curve = SimpleNamespace(space=SimpleNamespace(at={"a": 0, "b": field, "q1": 2 * field}), variable="z")
+    inner = {"format": m["strata"].FORMAT, "parameters": ["a", "b"], "real": ["b"], "assumptions": [{"p": "a*b^2", "sign": "positive"}],
+             "generic": [["a", "b - 2"], ["a - b"]], "variable": "z", "r": {"num": "z", "den": "a*z^2 + 3*b"}}
+    denominators = ["b*z + 5"]
+
+    def said(inner=inner, denominators=denominators, **more):
+        top = {"parameters": ["a", "b"], "equation": {"certificate": inner | more}, "curve": {"denominators": denominators}}
+        found = []
+        if refused(m, lambda: found.extend(m["theorem"].Theorem.asked(top, curve))):
+            return None
+        return [(sign, [dict(f.p) for f in v] if isinstance(v, list) else dict(v.p)) for sign, v in found]
+    a, b = 1, 1 << field
+    right = [("real", {b: 1}), ("positive", {a + 2 * b: 1}), ("group", [{a: 1}, {b: 1, 0: -2}]), ("group", [{a: 1, b: -1}]),
+             ("group", [{b: 3}, {}, {a: 1}]), ("group", [{0: 5}, {b: 1}])]
+    return (said() == right and said(parameters=["a"]) == right and said(parameters=["a", "c"]) is None
+            and said(parameters=["a", "b", "q1"]) is None and said(memberships=[1]) is None and said(rational=["a"]) is None
+            and said(memberships=[], rational=[]) == right and said({"format": "kovacic-certificate/1"}) == right[-1:]
+            and said({"format": "kovacic-certificate/1"}, []) == [] and said({"format": "kovacic-certificate/1"}, ["0"]) == [("group", [{}])])
+
+
+def literature(m):
+    """Ziglin's theorem is about this system only"""
+    known = m["theorem_statement"].SYMMETRIC_TOP
+
+    def accepts(change=lambda d: None, name="Ziglin 1983"):
+        d, found = copy.deepcopy(known), []
+        change(d)
+        t = theorem(m, {"Y": m["place"].Family(d)})
+        if refused(m, lambda: found.append(t.literature({"system": "Y", "theorem": name}))):
+            return False
+        f, = found
+        return (f.kind, f.family, f.region, f.classes, f.used) == ("N", t.families["Y"], [], [LEAVES], {"Ziglin 1983"})
+
+    def put(key, value):
+        return lambda d: d["system"].__setitem__(key, value)
+
+    def renamed(x, y):
+        def change(d):
+            d["system"] = {key: eval(repr(v).replace(x, y)) for key, v in d["system"].items()}
+        return change
+    h = known["system"]["hamiltonian"]
+    # of M1, M2/2, M3/2 and Gamma: the same polynomials, over 1, 2 and 4
+    over = [[i, j, [f, str(2 ** ((i in ("M2", "M3")) + (j in ("M2", "M3") and i != "M1"))) if i != "M1" else "1"]]
+            for i, j, f in known["system"]["brackets"]]
+    return (accepts() and not accepts(name="Ziglin 1980") and not accepts(renamed("M1", "N1"))
+            and not accepts(put("hamiltonian", [h[0], "3"])) and not accepts(put("hamiltonian", [h[0] + " + Gamma3*u1*u2*A*C", "2"]))
+            and not accepts(lambda d: d["assumptions"].pop()) and not accepts(lambda d: d["assumptions"].append({"p": "L3", "sign": "zero"}))
+            and not accepts(put("inverses", [{"name": "u1", "of": "C^2"}, {"name": "u2", "of": "A"}]))
+            and not accepts(put("brackets", over))
+            and not accepts(put("brackets", [[i, j, "-" + f if f[0] != "-" else f[1:]] for i, j, f in known["system"]["brackets"]])))
+
+
+def integrals(m):
+    """A first integral, or one on a level, with a cofactor for each function of the level"""
+    t = theorem(m, {"Y": family(m, "p1*p2 + q1*q2", **FREE), "Z": family(m, "p1^2 + p2^2 + q1^2*q2", **FREE)})
+
+    def accepts(system, level, *claims):
+        found = []
+        d = {"system": system, "level": level, "claims": [dict(zip(("name", "value", "cofactors"), c)) for c in claims]}
+        if refused(m, lambda: found.append(t.integrals(d))):
+            return False
+        f, = found
+        (y, lines, on), = f.integrals
+        return (f.kind, f.family, f.region, f.classes, f.used, y) == ("I", y, [], [], set(), t.families[system]) and (
+            [x for x, _ in lines], len(on)) == ([c[0] for c in claims], len(level))
+    f = ("F", "p1^2 + q2^2", [])
+    return (accepts("Y", [], f) and accepts("Y", [], f, ("G", "p2^2 + q1^2", [])) and not accepts("Y", [])
+            and not accepts("Y", [], ("F", "p1^2 - q2^2", [])) and not accepts("Y", [], f, ("G", "p2^2", []))
+            and not accepts("Y", [], ("F", "p1^2 + q2^2", ["1"])) and not accepts("Y", ["p1^2 + q2^2"], f)
+            and accepts("Y", ["p1^2 + q2^2"], ("F", "p1^2 + q2^2", ["0"])) and not accepts("Z", ["q1"], ("F", "p1", ["-2*q2"]))
+            and not accepts("Z", ["p1"], ("F", "p1", ["0"])) and not accepts("Y", ["p1^2 + q2^2"], ("F", "p1", ["1"]))
+            and not accepts("Y", ["p1^2 + q2^2"], ("F", "p1^2 + q2^2", ["0", "0"])))
+
+
+def on_a_level(m):
+    """q1 is constant where p2 = 0"""
+    t = theorem(m, {"Y": family(m, "p1*p2", **FREE)})
+
+    def accepts(value, cofactors, level):
+        d = {"system": "Y", "level": level, "claims": [{"name": "F", "value": value, "cofactors": cofactors}]}
+        return not refused(m, lambda: t.integrals(d))
+    return (accepts("q1", ["1"], ["p2"]) and not accepts("q1", [], []) and not accepts("q1", ["-1"], ["p2"]) and not accepts("q1", ["1"], ["q2"])
+            and accepts("q1 + q2", ["1", "1"], ["p1", "p2"]) and not accepts("q1 + 2*q2", ["1", "2"], ["p1", "p2"])
+            and not accepts("q1", ["0"], ["q1"]) and not accepts("p1", ["0"], ["q1"]))
+
+
+def places(m):
+    """N and I of Y, at X"""
+    ready(m)
+    y = family(m, "p1^2 + p2^2 + q1^3*a")
+    h = "p1^2 + p2^2 + q1^3*a"
+    shown = {"over": "1", "value": "a", "by": {"node": "empty", "terms": [["1", "1", ["0", "1"]], ["1", "1", ["1", "1"]]], "zeros": []}}
+    real = {"over": "1", "value": "a", "by": SHOWN}
+    values = SAME | {"a": "a"}
+
+    def place(of, x=h, *, parameters=("a",), assumed=("a",), **more):
+        found, x = [], family(m, x, parameters=parameters, assumed=assumed)
+        t = theorem(m, {"X": x}, of=of)
+        d = {"system": "X", "of": "of", "at": [], "region": []} | a_map(values=values, shown=[real, shown]) | more
+        return None if refused(m, lambda: found.append(t.place(d))) else found[0]
+    n = fact(m, "N", y, [], ["meromorphic"], (), ["Morales-Ramis"], way=["the curve"])
+    near, leaves = fact(m, "N", y, [], ["meromorphic", ORIGIN]), fact(m, "N", y, [], [LEAVES])
+    f, moved = place(n), "p1^2 + p2^2 + q1^3*a + 3*q1^2*a + 3*q1*a + a"
+    there = {"values": values | {"q1": "q1 + 1"}}
+    g = place(n, moved, **there)
+    twice = {"parameters": ("a", "b"), "at": [["b", "2"], ["b", "3"]]}
+    once = place(n, h, parameters=("a", "b"), at=[["b", ["2", "3"]]], region=[{"p": "a - b", "sign": "nonzero"}], shown=[
+        {**real, "by": {**SHOWN, "zeros": [["2", "-1"]]}}, {**shown, "by": {"node": "empty", "terms": [["1", "1", ["0", "1"]], ["1", "1", ["2", "1"]]], "zeros": []}}])
+    if not (f and g and once):
+        return False
+    one = (f.kind, f.family.name, f.region, f.classes, f.used, f.way) == ("N", "X", [], ["meromorphic"], {"Morales-Ramis"}, ["the curve"])
+    b = once.family.names["b"]
+    return (one and g.way == ["the curve", "its names: q1 = q1 + 1"] and place(near) and place(near, moved, **there) is None
+            and once.region[0] == ({1 << b: 3, 0: -2}, "zero") and once.region[1][1] == "nonzero" and len(once.region) == 2
+            and place(n, h, **twice) is None and place(fact(m, "S", y)) is None and place(leaves) is None)
+
+
+def levels(m):
+    """On the leaves with F2 = 0 of a top; Gamma -> 2 Gamma changes F2"""
+    top = m["theorem_statement"].SYMMETRIC_TOP["system"]["brackets"]
+    one = diagonal(["1"] * 6)
+
+    def of(classes, factor, sign="", step="place"):
+        y = family(m, "M1^2 + 2*M2^2 + Gamma3^2", brackets=top, coordinates=SPACE, **FREE)
+        x = family(m, f"M1^2 + 2*M2^2 + {factor * factor}*Gamma3^2", brackets=top, coordinates=SPACE, **FREE)
+        t = theorem(m, {"X": x, "Y": y}, of=fact(m, "N", y, [], classes))
+        values = {v: v for v in SPACE} | {f"Gamma{i}": f"{sign}{factor}*Gamma{i}" for i in (1, 2, 3)}
+        back = diagonal(["1"] * 3 + [[f"{sign}1", str(factor)]] * 3)
+        d = {"system": "X", "of": "of", "at": [], "region": []} | a_map(values=values, back=back)
+        return not refused(m, lambda: t.place(d))
+    return (of(["meromorphic"], 2) and not of([LEAVES], 2) and not of(["meromorphic", LEAVES], 2) and of([LEAVES], 1) and of([LEAVES], 1, "-")
+            and len(one) == 6)
+
+
+def functions(m):
+    ready(m)
+    f, names = m["theorem"].Theorem.function, {"a": 0}
+
+    def fails(v):
+        try:
+            return refused(m, lambda: f(v, names))
+        except (TypeError, AttributeError, ValueError):
+            return False
+    g, h = f("2*a", names), f(["a + 1", "3"], names)
+    return (dict(g.p), g.n, dict(h.p), h.n) == ({1: 2}, 1, {1: 1, 0: 1}, 3) and f(["a", "1"], names).n == 1 and all(
+        map(fails, (["a", "0"], ["a", "-1"], ["a", 1], [["a"], "1"], [1, "2"], [1, 2], ["b", "1"])))
+
+
+def symmetries(m):
+    """q1 and q2 exchanged, with a and b"""
+    x = family(m, "p1^2 + p2^2 + a*q1^2 + b*q2^2", parameters=("a", "b"), assumed=())
+    t = theorem(m, {"X": x})
+    exchange = {"q1": "q2", "q2": "q1", "p1": "p2", "p2": "p1", "a": "b", "b": "a"}
+    rows = [[ONE[i ^ 1][j] for j in range(4)] for i in range(4)]
+
+    def accepts(t=t, **more):
+        found = []
+        d = {"system": "X"} | a_map(values=exchange, back=rows) | more
+        return not refused(m, lambda: found.append(t.symmetry(d))) and (found[0].kind, found[0].family) == ("S", t.families["X"])
+    one = {x: x for x in exchange}
+    root = [{"name": "r", "square": "2"}]
+    line = family(m, "p1^2 + p2", parameters=("a", "b"), assumed=())
+    half = family(m, "p1^2 + 4*a*p2^2 + b*q1*q2", parameters=("a", "b"), assumed=())
+    halves = {"q1": "q1", "q2": ["q2", "2"], "p1": "p1", "p2": "2*p2", "a": ["a", "4"], "b": "2*b"}
+    return (accepts() and accepts(values=one, back=ONE) and not accepts(values=one) and not accepts(values=exchange | {"a": "a", "b": "b"})
+            and not accepts(adjoined=root)
+            and not accepts(theorem(m, {"X": line}), values=one | {"q2": "q2 + 1"}, back=ONE)
+            and accepts(theorem(m, {"X": line}), values=one | {"a": "a + 1"}, back=ONE)
+            and not accepts(theorem(m, {"X": half}), values=halves, back=diagonal(["1", "2", "1", ["1", "2"]])))
+
+
+def lowest_orders(m):
+    """The region of Y in the names of X, which has an inverse more"""
+    ready(m)
+    low = "p1^2 + p2^2 + q1^3 + q2^3"
+    y = family(m, low, parameters=("a", "b"), assumed=())
+    x = family(m, low + " + u*q1^4", inverses=[("u", "q2 + 1")], parameters=("a", "b"), assumed=())
+    ready(m)
+    region = [(m["multivariate"].parse("7*a^65*b^3 - b^2 + a", y.names), "zero"), (m["multivariate"].parse("a", y.names), "positive")]
+    d = {"system": "X", "of": "of", "weights": [2, 2, 3, 3], "degree": 6, "units": [],
+         "orders": [{"inverse": "u", "order": 0, "part": "1", "by": {**SHOWN, "zeros": [["0", "-1"]]}}]}
+
+    def of(*classes, family=y, kind="N"):
+        found = []
+        t = theorem(m, {"X": x}, of=fact(m, kind, family, region, classes, ["line"], ["Morales-Ramis"]))
+        return None if refused(m, lambda: found.append(t.lowest_order(d))) else found[0]
+    f = of("meromorphic")
+    a, b = (1 << x.names[name] for name in ("a", "b"))
+    return (f is not None and f.family is x and f.classes == ["meromorphic", ORIGIN] and f.used == {"Morales-Ramis", "Ziglin 1982"}
+            and f.integrals == ["line"] and [(dict(g), s) for g, s in f.region] == [({65 * a + 3 * b: 7, 2 * b: -1, a: 1}, "zero"), ({a: 1}, "positive")]
+            and of("meromorphic", LEAF) is None and of(LEAF) is None and of("meromorphic", family=None) is None and of(kind="I") is None)
+
+
+def covers(m):
+    """All real a: a > 0 and a < 0 by the symmetry a -> -a, a = 0 by a part of its own"""
+    ready(m)
+    h = "p1^2 + p2^2 + a*q1"
+    x, other = (family(m, h, assumed=()) for _ in range(2))
+    a = m["multivariate"].parse("a", x.names)
+    region = [(a, "positive")]
+    flip = a_map(values={"q1": "-q1", "q2": "q2", "p1": "-p1", "p2": "p2", "a": "-a"}, back=diagonal(["-1", "1", "-1", "1"]))
+    idle = {"node": "empty", "terms": [["1", "1", ["1", "1"]], ["1", "1", ["0", "1"]]], "zeros": []}    # f > 0 and -f >= 0
+    zero = {"node": "empty", "terms": [["1", "1", ["1", "2"]]], "zeros": [["0", "-a"]]}                 # f = 0 and f is not 0
+
+    def part(k, *word, shown=(idle,)):
+        return {"node": "part", "part": str(k), "word": list(map(str, word)), "shown": list(shown)}
+
+    def tree(positive, nought, negative):
+        return {"node": "sign", "p": "a", "positive": positive, "zero": nought, "negative": negative}
+    whole = tree(part(0), part(1, shown=[zero]), part(0, 0))
+
+    def cover(tree=whole, parts=("n", "i"), symmetries=("s",), **more):
+        t = theorem(m, {"X": x})
+        t.facts = {"s": t.symmetry({"system": "X"} | flip), "n": fact(m, "N", x, region, ["meromorphic", ORIGIN], (), ["Morales-Ramis"]),
+                   "i": fact(m, "I", x, [(a, "zero")], (), ["line"], ["nothing"]), "all": fact(m, "N", x, [], ["meromorphic"]),
+                   "there": fact(m, "N", other, region, ["meromorphic"])} | more
+        found = []
+        d = {"system": "X", "symmetries": list(symmetries), "parts": list(parts), "tree": tree}
+        return None if refused(m, lambda: found.append(t.cover(d))) else found[0]
+    f = cover()
+    if f is None or (f.kind, f.family, f.region, list(f.classes), f.used) != ("N", x, [], ["meromorphic", ORIGIN], {"Morales-Ramis", "nothing"}):
+        return False
+    everywhere = part(0, shown=[])
+    leaves = fact(m, "N", x, region, [LEAVES])
+    from_there = theorem(m, {"X": other}).symmetry({"system": "X"} | flip)
+    return (cover(everywhere, ["all"]) is not None and cover(everywhere, ["i"], i=fact(m, "I", x)) is None and cover(parts=["n", "s"]) is None
+            and cover(parts=["there", "i"]) is None and cover(symmetries=["n"]) is None and cover(s=from_there) is None
+            and cover(tree(part(0), part(1, shown=[zero]), part(0))) is None and cover(tree(part(0), part(1, shown=[zero]), part(0, 0, 0))) is None
+            and cover(tree(part(0, 0, 0), part(1, shown=[zero]), part(0, 0, 0, 0))) is not None
+            and cover(tree(part(0, *[0] * 40), part(1, shown=[zero]), part(0, 0))) is not None
+            and cover(tree(part(0, *[0] * 42), part(1, shown=[zero]), part(0, 0))) is None
+            and cover(tree(part(-2), part(1, shown=[zero]), part(0, 0))) is None and cover(tree(part(2), part(1, shown=[zero]), part(0, 0))) is None
+            and cover(tree(part(0), part(1, shown=[zero]), part(0, -1))) is None and cover(tree(part(0), part(1, shown=[zero]), part(0, 1))) is None
+            and cover(tree(part(0), part(1, shown=[zero]) | {"node": "portion"}, part(0, 0))) is None
+            and cover(tree(part(0), part(1, shown=[]), part(0, 0))) is None and cover(tree(part(0), part(1, shown=[zero, zero]), part(0, 0))) is None
+            and cover(tree(part(0), part(0), part(0, 0))) is None and cover(n=leaves) is None)
+
+
+def leaves_of_a_cover(m):
+    """A symmetry of a top maps F2 to F2 or -F2"""
+    brackets = m["theorem_statement"].SYMMETRIC_TOP["system"]["brackets"]
+    h, scaled = "M1^2 + 2*M2^2 + a*Gamma3^2", {f"Gamma{i}": f"2*Gamma{i}" for i in (1, 2, 3)}
+    x = family(m, h, brackets=brackets, coordinates=SPACE, assumed=())
+    same = {v: v for v in [*SPACE, "a"]}
+    twice = a_map(values=same | scaled | {"a": ["a", "4"]}, back=diagonal(["1"] * 3 + [["1", "2"]] * 3))
+    turned = a_map(values=same | {f"Gamma{i}": f"-Gamma{i}" for i in (1, 2, 3)}, back=diagonal(["1"] * 3 + ["-1"] * 3))
+
+    def cover(classes, rows):
+        t = theorem(m, {"X": x})
+        d = {"system": "X"} | rows
+        map = m["place"].Map(x, {}, [], m["place"].Target.of(x, [], False), d)
+        t.facts = {"s": fact(m, "S", x, map=map), "n": fact(m, "N", x, [], classes), "k": fact(m, "N", x, [], ["meromorphic"])}
+        tree = {"node": "part", "part": "0", "word": [], "shown": []}
+        return not refused(m, lambda: t.cover({"system": "X", "symmetries": ["s"], "parts": ["n", "k"], "tree": tree}))
+    return (cover(["meromorphic"], twice) and not cover([LEAVES], twice) and not cover(["meromorphic", LEAVES], twice)
+            and cover([LEAVES], turned) and len(CANONICAL) == 2)
+
+
+def strict(m):
+    """An open hypothesis is refused if it is asked for"""
+    from theorems import HEAVY, RIGHT
+
+    def accepts(top, how):
+        ready(m)
+        return not refused(m, lambda: m["theorem"].verify(copy.deepcopy(top), m["kovacic_verify"].prove, how))
+    return accepts(HEAVY, False) and not accepts(HEAVY, True) and accepts(RIGHT["small"], True)
+
+
+def properties():
+    """(name, function, True)"""
+    return [(f"composed.{f.__name__}", f, True) for f in (facts, certificates, asked, literature, integrals, on_a_level, places, levels,
+                                                          functions, symmetries, lowest_orders, covers, leaves_of_a_cover, strict)]
