@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include <optional>
+#include <tuple>
 
 namespace {
 
@@ -102,6 +103,28 @@ TEST(IdentityComponent, EllipticPeriods) {
   const RationalFunction w = z() * (q(1) - z());
   const auto proof = proof_for({{q(0), q(1)}, {q(1, 4) / w, (q(2) * z() - q(1)) / w}});
   EXPECT_TRUE(proof.has_value());
+}
+
+// Words in matrices with a unitary structure: no word is hyperbolic.
+Monodromy of_hypergeometric(const Rational& a, const Rational& b, const Rational& c) {
+  const RationalFunction p =
+      (RationalFunction(c) - RationalFunction(a + b + 1) * z()) / (z() * (q(1) - z()));
+  return monodromy::monodromy(p, -RationalFunction(a * b) / (z() * (q(1) - z())), {20, {}, {}});
+}
+
+TEST(ProveSl2, UnitaryGroupsThatAreNotFinite) {
+  const Monodromy m = of_hypergeometric(Rational(-3, 70), Rational(17, 70), Rational(3, 5));
+  EXPECT_FALSE(prove_infinite(m));
+  ASSERT_TRUE(prove_sl2(m));
+  EXPECT_TRUE(std::holds_alternative<NoSmallGroup>(*prove_sl2(m)));
+}
+
+TEST(ProveSl2, NotOfFiniteGroups) { // Schwarz' list: tetrahedral, octahedral, icosahedral, dihedral
+  using R = Rational;
+  for (const auto& [a, b, c] :
+       {std::tuple(R(1, 4), R(-1, 12), R(2, 3)), std::tuple(R(-1, 24), R(7, 24), R(3, 4)),
+        std::tuple(R(-1, 60), R(11, 60), R(2, 3)), std::tuple(R(1, 5), R(-1, 5), R(1, 2))})
+    EXPECT_FALSE(prove_sl2(of_hypergeometric(a, b, c)));
 }
 
 } // namespace

@@ -100,9 +100,12 @@ void bind_monodromy(py::module_& m) {
           "is SL(2, C); None proves nothing")
       .def_property_readonly(
           "words",
-          [](const MonodromyAnswer& a) -> std::optional<std::pair<mo::Word, mo::Word>> {
+          [](const MonodromyAnswer& a) -> std::optional<std::vector<mo::Word>> {
             if (!a.sl2) return std::nullopt;
-            return std::pair(a.sl2->a, a.sl2->b);
+            if (const auto* p = std::get_if<mo::HyperbolicPair>(&*a.sl2))
+              return std::vector{p->a, p->b};
+            const auto& p = std::get<mo::NoSmallGroup>(*a.sl2);
+            return std::vector{p.a, p.b, p.c};
           },
           "the words in the loops that prove it")
       .def("__repr__", [](const MonodromyAnswer& a) {

@@ -563,7 +563,7 @@ class Monodromy:
     loops: list[Loop]
     self_tests: list[str]
     proves: GroupType | None
-    words: tuple[list[int], list[int]] | None
+    words: list[list[int]] | None
 
 
 class NoExponential:
