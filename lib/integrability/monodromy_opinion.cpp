@@ -1,5 +1,7 @@
 #include "integrability/monodromy_opinion.hpp"
 
+#include "monodromy/stokes.hpp"
+
 namespace kov {
 namespace {
 
@@ -27,9 +29,14 @@ std::string against_sl2(const Decision& d) {
 MonodromyOpinion monodromy_opinion(const RationalFunction& r, long digits, const Budget& budget) {
   MonodromyOpinion o;
   try {
-    const monodromy::Monodromy m =
-        monodromy::monodromy(RationalFunction(0), -r, {digits, {}, budget});
+    const RationalFunction none(0);
+    const monodromy::Request request{digits, {}, budget};
+    monodromy::Monodromy m = monodromy::monodromy(none, -r, request);
     o.loops = m.loops.size();
+    if (const auto stokes = monodromy::stokes_at_infinity(none, -r, m.base, request))
+      for (const monodromy::StokesMatrix& s : stokes->matrices)
+        m.loops.push_back({{}, s.matrix});
+    o.stokes = m.loops.size() - o.loops;
     o.sl2 = monodromy::prove_sl2(m, budget);
     if (o.sl2) return o;
     o.irreducible = monodromy::prove_irreducible(m);

@@ -1,5 +1,5 @@
 #pragma once
-// The monodromy matrices as a second opinion on y'' = r y: what strict inequalities between balls
+// The monodromy and Stokes matrices as a second opinion on y'' = r y: what strict inequalities between balls
 // prove of the group, beside the answer that was found by algebra.
 //
 // Equality is never concluded from balls, so the opinion is a lower bound of the group: it can
@@ -12,7 +12,8 @@
 namespace kov {
 
 struct MonodromyOpinion {
-  std::size_t loops = 0; ///< around the finite singularities
+  std::size_t loops = 0;  ///< around the finite singularities
+  std::size_t stokes = 0; ///< Stokes matrices at infinity (monodromy/stokes.hpp)
   std::optional<monodromy::Sl2Proof> sl2;
   std::optional<monodromy::NoCommonLine> irreducible; ///< looked for where sl2 is unset
   std::optional<monodromy::HyperbolicWord> infinite;  ///< likewise

@@ -38,6 +38,7 @@ struct MonodromyArguments {
   std::string system;              ///< a system file instead of one equation
   std::string stage = "ve";        ///< which of its linear systems
   std::optional<std::string> base; ///< x + y*I
+  std::optional<std::string> time; ///< F: y'' is by t, (dz/dt)^2 = F(z)
   long digits = 30;
 };
 

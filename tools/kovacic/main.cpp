@@ -236,6 +236,10 @@ struct CommandLine {
     command->add_option("--digits", a.digits, "every radius is at most 10^-N (default 30)")
         ->type_name("N");
     command->add_option("--base", a.base, "the base point x + y*I, dyadic")->type_name("POINT");
+    command
+        ->add_option("--elliptic-time", a.time,
+                     "with -r: y'' is by the time t with (dz/dt)^2 = F(z)")
+        ->type_name("F(z)");
     command->add_option("--system", a.system, "a system file: its variational equation")
         ->type_name("FILE");
     command->add_option("--stage", a.stage, "with --system: ve (the default), or nve")

@@ -7,6 +7,8 @@
 #include "integrability/variational_monodromy.hpp"
 #include "mechanics.hpp"
 #include "monodromy/decimal.hpp"
+#include "monodromy/elliptic_time.hpp"
+#include "monodromy/stokes.hpp"
 #include "monodromy/words.hpp"
 #include "render.hpp"
 #include "report/loops_picture.hpp"
@@ -110,13 +112,48 @@ std::string ball_text(const ComplexBall& z) {
   return text;
 }
 
-Json json_of(const mo::Sl2Proof& p) {
+std::string angle_text(const Ball& x) {
+  Ball turns;
+  arb_const_pi(turns.raw(), mo::plan_bits);
+  arb_div(turns.raw(), x.raw(), turns.raw(), mo::plan_bits);
+  char* text = arb_get_str(turns.raw(), 10, ARB_STR_NO_RADIUS);
+  const std::string direction = std::string(text) + "*pi";
+  flint_free(text);
+  return arb_is_zero(x.raw()) != 0 ? "0" : direction;
+}
+
+Json json_of(const mo::Stokes& s, long digits) {
+  Json all = Json::array();
+  for (const mo::StokesMatrix& x : s.matrices) {
+    const auto [re, im] = mo::decimals(x.multiplier.raw(), digits);
+    all.push_back({{"direction", angle_text(x.direction)},
+                   {"multiplier", {re, im}},
+                   {"matrix", json_of(x.matrix, digits)},
+                   {"radius", mo::decimal_radius(x.matrix, digits)}});
+  }
+  return {{"place", "infinity"}, {"family", s.family}, {"matrices", all}};
+}
+
+Json json_of(const mo::HyperbolicPair& p) {
   return {{"proves", "SL2"},
           {"A", p.a},
           {"B", p.b},
           {"trace_A", ball_text(p.trace_a)},
           {"trace_commutator", ball_text(p.trace_commutator)},
           {"trace_ABAB^-1", ball_text(p.trace_normalizer)}};
+}
+
+Json json_of(const mo::NoSmallGroup& p) {
+  return {{"proves", "SL2"},
+          {"A", p.a},
+          {"B", p.b},
+          {"C", p.c},
+          {"trace_commutator_of_squares", ball_text(p.trace_squares)},
+          {"trace_C_squared", ball_text(p.trace_c_square)}};
+}
+
+Json json_of(const mo::Sl2Proof& p) {
+  return std::visit([](const auto& x) { return json_of(x); }, p);
 }
 
 Json json_of(const mo::UnipotentElement& u) {
@@ -164,7 +201,13 @@ std::string element_text(const Json& u) {
 }
 
 std::string inequalities_text(const Json& proof) {
-  return "words A, B in the loops with tr A = " + proof.at("trace_A").get<std::string>() +
+  const std::string stokes = proof.contains("stokes") ? " and Stokes matrices" : "";
+  if (proof.contains("C"))
+    return "words A, B, C in the loops" + stokes + " with tr A^2 B^2 A^-2 B^-2 = " +
+           proof.at("trace_commutator_of_squares").get<std::string>() +
+           ", tr(C)^2/det C = " + proof.at("trace_C_squared").get<std::string>();
+  return "words A, B in the loops" + stokes +
+         " with tr A = " + proof.at("trace_A").get<std::string>() +
          ", tr A B A^-1 B^-1 = " + proof.at("trace_commutator").get<std::string>() +
          ", tr A B A B^-1 = " + proof.at("trace_ABAB^-1").get<std::string>();
 }
@@ -196,6 +239,26 @@ std::string entry_text(const Json& entry, long shown, const char* mark = "") {
   return cut(entry[0]) + (negative ? " - " + im.substr(1) : " + " + im) + "*I";
 }
 
+void write_matrix(std::ostream& out, const Json& matrix, long shown) {
+  for (const Json& row : matrix) {
+    out << "   ";
+    for (const Json& entry : row)
+      out << "  " << entry_text(entry, shown);
+    out << '\n';
+  }
+}
+
+std::string stokes_text(const Json& stokes, long shown) {
+  std::ostringstream out;
+  for (const Json& s : stokes.at("matrices")) {
+    out << "  Stokes matrix at infinity, arg = " << s.at("direction").get<std::string>()
+        << ", multiplier " << entry_text(s.at("multiplier"), shown) << "   (radius "
+        << s.at("radius").get<std::string>() << ")\n";
+    write_matrix(out, s.at("matrix"), shown);
+  }
+  return out.str();
+}
+
 std::string text_of(const Json& j) {
   std::ostringstream out;
   const long shown = std::min(20L, j.at("digits").get<long>());
@@ -205,14 +268,10 @@ std::string text_of(const Json& j) {
   for (const Json& l : j.at("loops")) {
     out << "  around " << l.at("place").get<std::string>() << ", counterclockwise   (radius "
         << l.at("radius").get<std::string>() << "; cut after " << shown << " decimals)\n";
-    for (const Json& row : l.at("matrix")) {
-      out << "   ";
-      for (const Json& entry : row)
-        out << "  " << entry_text(entry, shown);
-      out << '\n';
-    }
+    write_matrix(out, l.at("matrix"), shown);
   }
   if (j.at("loops").empty()) out << "  no finite singularity: every loop gives the identity\n";
+  if (j.contains("stokes")) out << stokes_text(j.at("stokes"), shown);
   for (const Json& t : j.at("self_tests"))
     out << "  tested    " << t.get<std::string>() << '\n';
   if (j.contains("irregular") && !j.at("irregular").empty()) {
@@ -220,9 +279,10 @@ std::string text_of(const Json& j) {
     for (const Json& p : j.at("irregular"))
       places += (places.empty() ? "" : ", ") + p.get<std::string>();
     out << "  note      "
-        << wrapped("irregular at " + places +
-                       ": there the Galois group is more than monodromy "
-                       "(exponential torus and Stokes matrices, which are not computed)",
+        << wrapped("irregular at " + places + ": there the Galois group is more than monodromy " +
+                       (j.contains("stokes")
+                            ? "(with the exponential torus the matrices are dense in it)"
+                            : "(exponential torus and Stokes matrices, which are not computed)"),
                    12)
         << '\n';
   }
@@ -269,8 +329,17 @@ Matrices of_equation(const Settings& settings, const MonodromyArguments& a) {
   const mo::Request request = request_of(settings, a);
   const mo::Monodromy m = mo::monodromy(e.p, e.q, request);
   Json j = json_of(m, a.digits, e.variable, "(y, y')");
-  const auto proof = mo::prove_sl2(m, request.budget);
+  mo::Monodromy known = m; // elements of the group
+  if (const auto s = mo::stokes_at_infinity(e.p, e.q, m.base, request)) {
+    j["stokes"] = json_of(*s, a.digits);
+    for (const mo::StokesMatrix& x : s->matrices)
+      known.loops.push_back({{}, x.matrix});
+    for (const std::string& passed : s->self_tests)
+      j["self_tests"].push_back(passed);
+  }
+  const auto proof = mo::prove_sl2(known, request.budget);
   j["certificate"] = proof ? json_of(*proof) : Json(nullptr);
+  if (proof && j.contains("stokes")) j["certificate"]["stokes"] = true;
   j["irregular"] = irregular_places(e);
   if (!e.constant.empty() && e.constant != "I")
     j["constant"] = e.constant + " = " + e.constant_meaning;
@@ -279,6 +348,74 @@ Matrices of_equation(const Settings& settings, const MonodromyArguments& a) {
                                 : "y'' + p y' + q y = 0, p = " + to_string(e.p, e.variable) +
                                       ", q = " + to_string(e.q, e.variable);
   return {j, report::loops_svg(m, title, place_names(m, e.variable))};
+}
+
+// F(z) of an elliptic time, over the field of the equation or Q.
+Poly read_time(const std::string& text, const GivenEquation& e) {
+  const Expression f = parse_expression(text, "--elliptic-time");
+  Constants constants;
+  constants.gather(std::span(&f, 1));
+  const RationalFunction value =
+      rational_function(f, Reading{.variable = e.variable, .constants = &constants, .budget = {}});
+  if (degree(value.den()) > 0)
+    throw f.error("a polynomial of degree 3 or 4 is expected",
+                  "write e.g. --elliptic-time '4*z^3 - 4*z'");
+  return scale(value.num(), NfElem(1) / value.den().coeff(0));
+}
+
+Json number(const ComplexBall& z, long digits) {
+  const auto [re, im] = mo::decimals(z.raw(), digits);
+  return {re, im};
+}
+
+std::string elliptic_text(const Json& j) {
+  std::ostringstream out;
+  const long shown = std::min(20L, j.at("digits").get<long>());
+  out << "base z = " << entry_text(j.at("base"), 20, "...")
+      << ", dz/dt = " << entry_text(j.at("speed"), shown) << "; "
+      << j.at("basis").get<std::string>() << '\n';
+  for (const Json& p : j.at("periods")) {
+    out << "  period " << entry_text(p.at("period"), shown) << " (loops "
+        << numbers_text(p.at("loops")) << ")   (radius " << p.at("radius").get<std::string>()
+        << ")\n";
+    write_matrix(out, p.at("matrix"), shown);
+  }
+  for (const Json& p : j.at("poles")) {
+    out << "  around the pole at z = " << p.at("place").get<std::string>()
+        << (p.at("other_sheet").get<bool>() ? ", other sheet" : "")
+        << ", counterclockwise   (radius " << p.at("radius").get<std::string>() << ")\n";
+    write_matrix(out, p.at("matrix"), shown);
+  }
+  for (const Json& t : j.at("self_tests"))
+    out << "  tested    " << t.get<std::string>() << '\n';
+  return out.str();
+}
+
+Matrices of_elliptic_time(const Settings& settings, const MonodromyArguments& a) {
+  if (!a.r) throw InvalidArgument("--elliptic-time needs an equation y'' = R(z) y: -r R");
+  const GivenEquation e = given(settings, a);
+  const mo::EllipticMonodromy m =
+      mo::elliptic_monodromy(e.normal_form.r, read_time(*a.time, e), request_of(settings, a));
+  Json periods = Json::array(), poles = Json::array();
+  for (const mo::PeriodMatrix& p : m.periods)
+    periods.push_back({{"period", number(p.period, a.digits)},
+                       {"loops", p.loops},
+                       {"matrix", json_of(p.matrix, a.digits)},
+                       {"radius", mo::decimal_radius(p.matrix, a.digits)}});
+  for (const mo::PoleMatrix& p : m.poles)
+    poles.push_back({{"place", p.place ? mo::to_string(*p.place, e.variable) : "infinity"},
+                     {"other_sheet", p.other_sheet},
+                     {"matrix", json_of(p.matrix, a.digits)},
+                     {"radius", mo::decimal_radius(p.matrix, a.digits)}});
+  return {{{"format", "kovacic-monodromy/1"},
+           {"base", mo::exact_decimals(m.base)},
+           {"speed", number(m.speed, a.digits)},
+           {"basis", "Y(base) = 1, rows (y, dy/dt); continued along a loop Y becomes Y M"},
+           {"periods", periods},
+           {"poles", poles},
+           {"digits", a.digits},
+           {"self_tests", m.self_tests}},
+          {}};
 }
 
 LinearSystem linear_system(const System& s, const MonodromyArguments& a, const Settings& settings,
@@ -329,12 +466,14 @@ Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
 
 Report matrices(const Settings& settings, const MonodromyArguments& a) {
   const auto start = std::chrono::steady_clock::now();
-  const Matrices found = a.system.empty() ? of_equation(settings, a) : of_system(settings, a);
+  const Matrices found = a.time             ? of_elliptic_time(settings, a)
+                         : a.system.empty() ? of_equation(settings, a)
+                                            : of_system(settings, a);
   Json j = found.json;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   j["seconds"] = seconds.count();
   const bool is_picture = settings.format == "text" && settings.output.ends_with(".svg");
-  return {exit_decided, is_picture ? found.svg : text_of(j), j};
+  return {exit_decided, a.time ? elliptic_text(j) : is_picture ? found.svg : text_of(j), j};
 }
 
 } // namespace

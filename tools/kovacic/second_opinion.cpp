@@ -11,23 +11,28 @@ constexpr long digits = 30;
 constexpr double half = 0.5; // of the time: the answer is there already, and must be told
 constexpr const char* nothing = "proves nothing: an equality is never concluded from enclosures";
 
-std::string matrices(std::size_t loops) {
-  return loops == 0   ? "no finite singularity, so no monodromy"
-         : loops == 1 ? "the monodromy matrix"
-                      : "the " + std::to_string(loops) + " monodromy matrices";
+std::string matrices(std::size_t count, const std::string& kind) {
+  return count == 0   ? ""
+         : count == 1 ? "the " + kind + " matrix"
+                      : "the " + std::to_string(count) + " " + kind + " matrices";
+}
+
+std::string matrices(const MonodromyOpinion& o) {
+  const std::string loops = matrices(o.loops, "monodromy"), stokes = matrices(o.stokes, "Stokes");
+  if (loops.empty() && stokes.empty()) return "no finite singularity, so no monodromy";
+  return loops + (loops.empty() || stokes.empty() ? "" : " and ") + stokes;
 }
 
 std::string proved(const MonodromyOpinion& o) {
   if (!o.limit.empty()) return "no monodromy matrices: " + o.limit;
-  const std::string subject = matrices(o.loops);
-  if (o.loops == 0) return subject;
-  const std::string verb = o.loops == 1 ? " proves" : " prove";
+  const std::string subject = matrices(o);
+  if (o.loops + o.stokes == 0) return subject;
+  const std::string verb = o.loops + o.stokes == 1 ? " proves" : " prove";
   if (o.sl2) return subject + verb + " that G = SL(2, C)";
   if (o.irreducible && o.infinite) return subject + verb + " that G is irreducible and infinite";
   if (o.irreducible) return subject + verb + " that G is irreducible";
   if (o.infinite) return subject + verb + " that G is infinite";
-  return subject + (o.loops == 1 ? " proves nothing" : " prove nothing") +
-         " (no equality is concluded from enclosures)";
+  return subject + verb + " nothing (no equality is concluded from enclosures)";
 }
 
 Json json_of(const MonodromyOpinion& o) {
