@@ -39,8 +39,11 @@ struct ClassifiedStratum {
   std::vector<DifferenceCondition> special; ///< besides; all of them
   StratumStatus status = StratumStatus::open;
   /// integrable: independent and in involution (or, without a bracket, independent), as many as
-  /// needed
+  /// needed together with the fields
   std::vector<FoundIntegral> integrals = {};
+  /// integrable, without a bracket: they commute with the field and with one another, and the
+  /// integrals are constant along them
+  std::vector<std::string> fields = {};
   std::vector<ExclusionReason> by = {};     ///< excluded: each of them is enough
   std::vector<std::string> open_after = {}; ///< open: what was tried
 };
@@ -81,6 +84,8 @@ struct SystemClassification {
 [[nodiscard]] std::string statement(const SystemClassification& c);
 /// "not integrable with first integrals that are ...": what one reason proves of its strata.
 [[nodiscard]] std::string statement(const SystemClassification& c, const ExclusionReason& by);
+/// "H, x*v - y*u", of an integrable stratum
+[[nodiscard]] std::string integrals_text(const ClassifiedStratum& s);
 /// The conditions of a stratum besides the assumptions, each as text; empty: all parameters.
 [[nodiscard]] std::vector<std::string> conditions(const SystemClassification& c,
                                                   const ClassifiedStratum& s);

@@ -401,12 +401,14 @@ private:
 
   // ---- first integrals
 
-  IntegralSearch search_integrals(const System& s, long degree, double part) {
+  // Darboux: logarithms come after the solutions, as they do not contradict what these exclude.
+  IntegralSearch search_integrals(const System& s, long degree, double part, bool with_darboux) {
     const auto start = Clock::now();
     IntegralOptions options;
     options.degree = degree;
     options.until_integrable = true;
     options.budget = share(part);
+    options.darboux = with_darboux;
     IntegralSearch search = find_integrals(s, options);
     result_.stages.emplace_back("first integrals of degree <= " + std::to_string(degree),
                                 seconds_since(start));
@@ -417,7 +419,7 @@ private:
   void try_integrals_of_low_degree(Round& round, std::size_t decided) {
     if (round.integrals_known) return;
     IntegralSearch search =
-        search_integrals(round.system, std::min(options_.degree, low_degree), 0.25);
+        search_integrals(round.system, std::min(options_.degree, low_degree), 0.25, false);
     for (const IntegralsOfSet& set : search.sets)
       if (is_enough(round.system, set)) {
         std::vector<Piece> none;
@@ -430,7 +432,7 @@ private:
 
   void try_integrals(Round& round, std::size_t decided) {
     if (round.integrals_known) return;
-    const IntegralSearch search = search_integrals(round.system, options_.degree, 0.5);
+    const IntegralSearch search = search_integrals(round.system, options_.degree, 0.5, true);
     round.integrals_known = search.finished();
     std::vector<Piece> met;
     for (const IntegralsOfSet& set : search.sets)
@@ -443,14 +445,18 @@ private:
   void look_for_a_contradiction(const Round& round, std::size_t decided) {
     if (round.integrals_known || result_.strata.size() == decided) return;
     for (const IntegralsOfSet& set :
-         search_integrals(round.system, std::min(options_.degree, low_degree), 0.1).sets)
+         search_integrals(round.system, std::min(options_.degree, low_degree), 0.1, false).sets)
       if (is_enough(round.system, set))
         contradict_nothing(conditions_of(round.system, set, {}), set, round.system, decided);
   }
 
-  // As many as Liouville's theorem wants; without a bracket all but one of them.
   static bool is_enough(const System& s, const IntegralsOfSet& set) {
-    return s.field.poisson ? set.liouville : set.integrals.size() + 1 >= s.field.dimension();
+    return set.integrable(s.field);
+  }
+  // They are no meromorphic functions, and contradict no theorem on these.
+  static bool has_logarithms(const IntegralsOfSet& set) {
+    return std::any_of(set.integrals.begin(), set.integrals.end(),
+                       [](const FoundIntegral& f) { return !f.logarithms.empty(); });
   }
 
   // At special values where the relations fall apart the integrals may depend on one another.
@@ -508,7 +514,8 @@ private:
                                        [&](const MPoly& p) { return piece.where.is_nonzero(p); });
       if (covered && is_enough(round.system, set)) {
         result_.strata.push_back({std::move(piece.where), std::move(piece.special),
-                                  StratumStatus::integrable, integrals_of(round.system, set)});
+                                  StratumStatus::integrable, integrals_of(round.system, set),
+                                  fields_of(round.system, set)});
         continue;
       }
       if (covered) note(piece, "first integrals", searched_text(set));
@@ -528,6 +535,13 @@ private:
     return integrals;
   }
 
+  static std::vector<std::string> fields_of(const System& s, const IntegralsOfSet& set) {
+    std::vector<std::string> all;
+    for (const auto& y : set.fields)
+      all.push_back(field_text(s.field, y));
+    return all;
+  }
+
   // The whole set, as it was found: no excluded stratum meets it.  Where a search before has found
   // integrals on some of it, only what is left.
   void integrable(const Round& round, const IntegralsOfSet& set, const Exclusion& where,
@@ -539,9 +553,11 @@ private:
       for (const ParameterSet& inside : parts.inside)
         if (auto part = on_part(piece, inside))
           result_.strata.push_back({std::move(part->where), std::move(part->special),
-                                    StratumStatus::integrable, integrals});
+                                    StratumStatus::integrable, integrals,
+                                    fields_of(round.system, set)});
     };
-    if (!meets_integrable(round.system, where, decided)) return add(round.whole);
+    if (!has_logarithms(set) && !meets_integrable(round.system, where, decided))
+      return add(round.whole);
     for (const Piece& piece : round.pieces)
       add(piece);
   }
@@ -559,8 +575,9 @@ private:
   static std::string searched_text(const IntegralsOfSet& set) {
     std::string known;
     for (const FoundIntegral& f : set.integrals)
-      known +=
-          (known.empty() ? "" : ", ") + (f.hamiltonian ? std::string("H") : brief(f.value, 60));
+      known += (known.empty() ? "" : ", ") + (f.hamiltonian          ? std::string("H")
+                                              : f.logarithms.empty() ? brief(f.value, 60)
+                                                                     : to_string(f));
     const std::string text = set.searched + ": ";
     const std::string others =
         known.empty() ? "none found" : "none found beside functions of " + known;
@@ -572,7 +589,7 @@ private:
   // Our own check: a theorem on integrals and one on variational equations cannot contradict.
   void contradict_nothing(const Exclusion& where, const IntegralsOfSet& set, const System& s,
                           std::size_t decided) const {
-    if (set.only_declared_relations) return;
+    if (set.only_declared_relations || has_logarithms(set)) return;
     for (std::size_t i = decided; i < result_.strata.size(); ++i) {
       const ClassifiedStratum& x = result_.strata[i];
       if (x.status != StratumStatus::excluded || !x.by.front().unchecked.empty() ||
@@ -628,7 +645,8 @@ private:
       auto claims = kov::at_values(round.claims, values);
       auto levels = at_values(round.levels, values, claims);
       Round next{std::move(special), std::move(claims), std::move(levels), std::move(piece)};
-      next.integrals_known = round.integrals_known && looks_at_the_same(round.system, next.system);
+      next.integrals_known = round.integrals_known && next.system.field.poisson &&
+                             looks_at_the_same(round.system, next.system);
       waiting_.push_back(std::move(next));
     } catch (const DomainError& e) {
       note(piece, "the equations of the parameters", e.what());

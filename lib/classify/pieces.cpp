@@ -36,7 +36,10 @@ void keep_nonzero(const MPoly& p, const std::string& told, ParameterSet& all,
 }
 
 ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
-  return {piece.where, piece.special, StratumStatus::excluded, {}, {e.by}, {}};
+  return {.where = piece.where,
+          .special = piece.special,
+          .status = StratumStatus::excluded,
+          .by = {e.by}};
 }
 
 void exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,

@@ -64,6 +64,7 @@ System with_found_integrals(System s, const Budget& budget) {
     IntegralOptions options;
     options.degree = 2;
     options.until_integrable = true;
+    options.darboux = false;
     options.budget = budget;
     const IntegralSearch search = find_integrals(s, options);
     const PhaseSpace space(s, budget);

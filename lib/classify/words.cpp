@@ -80,6 +80,18 @@ ClassificationStatus SystemClassification::status() const {
   return open ? ClassificationStatus::open : ClassificationStatus::depends;
 }
 
+std::string integrals_text(const ClassifiedStratum& s) {
+  std::string text;
+  for (const FoundIntegral& f : s.integrals)
+    text += (text.empty() ? "" : ", ") + (f.hamiltonian ? "H" : to_string(f));
+  std::string fields;
+  for (const std::string& y : s.fields)
+    fields += (fields.empty() ? "" : ", ") + y;
+  if (fields.empty()) return text;
+  return text + (text.empty() ? "" : ", and ") + "the commuting field" +
+         (s.fields.size() > 1 ? "s " : " ") + fields;
+}
+
 namespace {
 
 // "i^2 + 1 = 0" is told where i is declared; what follows from it and from other equations is not.
@@ -180,6 +192,13 @@ bool has(const SystemClassification& c, StratumStatus status) {
                      [&](const ClassifiedStratum& s) { return s.status == status; });
 }
 
+bool has_logarithms(const SystemClassification& c) {
+  return std::any_of(c.strata.begin(), c.strata.end(), [](const ClassifiedStratum& s) {
+    return std::any_of(s.integrals.begin(), s.integrals.end(),
+                       [](const FoundIntegral& f) { return !f.logarithms.empty(); });
+  });
+}
+
 } // namespace
 
 std::string statement(const SystemClassification& c, const ExclusionReason& by) {
@@ -187,14 +206,16 @@ std::string statement(const SystemClassification& c, const ExclusionReason& by) 
 }
 
 std::string statement(const SystemClassification& c) {
+  const std::string integrable =
+      std::string("The system is integrable") +
+      (has_logarithms(c) ? ", with logarithms in some of the first integrals," : "");
   switch (c.status()) {
   case ClassificationStatus::integrable:
-    return "The system is integrable for all parameters.";
+    return integrable + " for all parameters.";
   case ClassificationStatus::non_integrable:
     return "The system is not integrable with " + kind_of(c) + ".";
   case ClassificationStatus::depends:
-    return "The system is integrable exactly " +
-           alternatives(c, {StratumStatus::integrable}, "integrable") +
+    return integrable + " exactly " + alternatives(c, {StratumStatus::integrable}, "integrable") +
            "; elsewhere it is not integrable with " + kind_of(c) + ".";
   default:
     break;

@@ -6,6 +6,23 @@
 #include <numeric>
 
 namespace kov {
+
+std::map<std::vector<unsigned long>, MPoly>
+by_monomials(const MPoly& f, const std::vector<std::size_t>& variables) {
+  std::map<std::vector<unsigned long>, MPoly> all;
+  for (long t = 0; t < f.length(); ++t) {
+    auto rest = f.exponents(t);
+    std::vector<unsigned long> phase;
+    for (const std::size_t i : variables) {
+      phase.push_back(rest[i]);
+      rest[i] = 0;
+    }
+    all.try_emplace(std::move(phase), f.ring()).first->second +=
+        MPoly::term(f.ring(), f.coefficient(t), rest);
+  }
+  return all;
+}
+
 namespace {
 
 bool is_parametric(const PhaseSpace& p, const MPoly& f) {
@@ -17,27 +34,6 @@ MPoly common_multiple(const MPoly& a, const MPoly& b) { return exact_div(a * b, 
 
 void add_new(std::vector<MPoly>& all, const MPoly& f) {
   if (std::find(all.begin(), all.end(), f) == all.end()) all.push_back(f);
-}
-
-// The exponents of the phase variables, and the rest of the term.
-std::pair<std::vector<unsigned long>, MPoly> split_term(const PhaseSpace& p, const MPoly& f,
-                                                        long t) {
-  auto rest = f.exponents(t);
-  std::vector<unsigned long> phase;
-  for (const std::size_t i : p.variables) {
-    phase.push_back(rest[i]);
-    rest[i] = 0;
-  }
-  return {std::move(phase), MPoly::term(p.field.ring, f.coefficient(t), rest)};
-}
-
-std::map<std::vector<unsigned long>, MPoly> by_monomials(const PhaseSpace& p, const MPoly& f) {
-  std::map<std::vector<unsigned long>, MPoly> all;
-  for (long t = 0; t < f.length(); ++t) {
-    auto [phase, rest] = split_term(p, f, t);
-    all.try_emplace(std::move(phase), p.field.ring).first->second += rest;
-  }
-  return all;
 }
 
 // Where all coefficients of a denominator vanish modulo the relations the system has no meaning; a
@@ -159,10 +155,10 @@ PhaseSpace::PhaseSpace(const System& s, const Budget& budget)
 
 std::map<std::vector<unsigned long>, MPoly> PhaseSpace::coefficients(const MPoly& f,
                                                                      MPoly* scale) const {
-  if (!relations || is_zero(f)) return by_monomials(*this, f);
+  if (!relations || is_zero(f)) return by_monomials(f, variables);
   const MFraction reduced = relations->normal_form(MFraction(f));
   if (scale != nullptr && !is_zero(reduced)) *scale = reduced.den();
-  return by_monomials(*this, reduced.num());
+  return by_monomials(reduced.num(), variables);
 }
 
 bool PhaseSpace::vanishes(const ParameterSet& where, const MFraction& f) const {
@@ -185,7 +181,7 @@ long twice_step(const PhaseSpace& p, bool even) {
   const std::size_t n = p.variables.size() / 2;
   const long d = degree_of(p, p.denominator);
   std::array<long, 2> degree{}; // of N and A
-  for (const auto& [e, c] : by_monomials(p, over.num())) {
+  for (const auto& [e, c] : by_monomials(over.num(), p.variables)) {
     const auto middle = e.begin() + static_cast<long>(n);
     const auto k = std::accumulate(middle, e.end(), 0UL);
     if (k < 2)
@@ -501,7 +497,7 @@ namespace {
 std::optional<MPoly> without_layers(const PhaseSpace& p, const Ansatz& ansatz, const MPoly& f) {
   if (ansatz.layers.empty()) return f;
   std::vector<MPoly> parts(ansatz.layers.size(), MPoly(f.ring()));
-  for (const auto& [e, c] : by_monomials(p, f)) {
+  for (const auto& [e, c] : by_monomials(f, p.variables)) {
     std::vector<unsigned long> exponents(f.ring()->size(), 0);
     std::size_t k = 0;
     for (std::size_t i = 0; i < e.size(); ++i) {

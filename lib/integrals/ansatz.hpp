@@ -44,6 +44,13 @@ struct PhaseSpace {
   [[nodiscard]] bool vanishes(const ParameterSet& where, const MFraction& f) const;
 };
 
+/// f as a polynomial in some of its variables: coefficients by exponents.
+/// Given   const Ring ring = make_ring({"x", "a"});
+/// Given   const MPoly x = MPoly::variable(ring, "x"), a = MPoly::variable(ring, "a");
+/// Example by_monomials(a * x + x, {0}).at({1})  // -> a + 1
+[[nodiscard]] std::map<std::vector<unsigned long>, MPoly>
+by_monomials(const MPoly& f, const std::vector<std::size_t>& variables);
+
 /// H = p^T G p/2 + a(q)·p + V(q) with a constant matrix G, in canonical coordinates.
 struct NaturalHamiltonian {
   MPoly determinant;       ///< of G, up to a factor; the bounds below hold where it is not 0

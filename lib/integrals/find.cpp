@@ -1,6 +1,8 @@
 #include "integrals/find.hpp"
 
 #include "exact/error.hpp"
+#include "exact/share.hpp"
+#include "integrals/darboux.hpp"
 #include "integrals/independence.hpp"
 
 #include <algorithm>
@@ -14,6 +16,11 @@ constexpr std::size_t most_with_parameters = 600;
 constexpr std::size_t most_without = 2000;
 // Integrals that depend on others, which quadratic polynomials may contain.
 constexpr std::size_t most_dependent = 8;
+constexpr std::size_t most_splits = 16; // for Darboux polynomials of special parameters
+constexpr long logarithmic_degree = 3;  // of g in g + sum l_i log f_i
+constexpr long field_degree = 3;        // of the numerators of commuting fields
+constexpr std::size_t most_field_columns = 200;
+constexpr double darboux_part = 0.4; // of the time that is left, for each of these searches
 
 std::vector<std::vector<MFraction>> bracket_fields(const VectorField& v) {
   std::vector<std::vector<MFraction>> all;
@@ -29,7 +36,9 @@ class Search {
 public:
   Search(const System& s, const IntegralOptions& o)
       : options_(o), space_(s, o.budget), natural_(natural_hamiltonian(space_)),
-        mechanical_(s.kind == SystemKind::hamiltonian) {}
+        mechanical_(s.kind == SystemKind::hamiltonian) {
+    if (o.darboux && !space_.field.poisson) polynomial_ = polynomial_field(space_);
+  }
 
   IntegralSearch run() {
     ParameterSet all(space_.field.ring, space_.parameters, options_.budget);
@@ -62,7 +71,14 @@ public:
 
 private:
   struct Stage {
-    enum class Kind : std::uint8_t { casimirs, hamiltonian, integrals };
+    enum class Kind : std::uint8_t {
+      casimirs,
+      hamiltonian,
+      integrals,
+      darboux_polynomials,
+      logarithms,
+      fields
+    };
     Kind kind;
     long degree = 0;
     std::optional<long> coefficients = {};
@@ -73,6 +89,8 @@ private:
     IndependentRows gradients;
     std::vector<std::size_t> commuting = {}; ///< indices of integrals in involution
     std::vector<MFraction> dependent = {};   ///< some that depend on those found
+    std::vector<DarbouxPolynomial> darboux = {};
+    std::vector<std::vector<MFraction>> fields = {}; ///< beside that of the system
     std::size_t combined = 0; ///< what `progress` was when functions of them were looked at last
   };
   using Candidates = std::vector<FoundIntegral>;
@@ -88,6 +106,12 @@ private:
         stages_.push_back({Stage::Kind::integrals, k, k});
     for (long k = 1; k <= options_.degree; ++k)
       stages_.push_back({Stage::Kind::integrals, k, coefficients(k)});
+    if (!polynomial_) return;
+    stages_.push_back({Stage::Kind::darboux_polynomials});
+    stages_.push_back({Stage::Kind::logarithms, logarithmic_degree});
+    if (options_.until_integrable)
+      for (long k = 1; k <= field_degree; ++k)
+        stages_.push_back({Stage::Kind::fields, k});
   }
 
   // The part on which Theorem 2 bounds the coefficients, and the rest.
@@ -164,7 +188,7 @@ private:
 
   static bool same_answer(const IntegralsOfSet& a, const IntegralsOfSet& b) {
     const auto same = [](const FoundIntegral& f, const FoundIntegral& g) {
-      return f.value == g.value;
+      return f.value == g.value && f.logarithms.empty() && g.logarithms.empty();
     };
     return a.searched == b.searched && a.liouville == b.liouville && a.complete == b.complete &&
            a.complete_for_smooth == b.complete_for_smooth && a.open == b.open &&
@@ -178,7 +202,9 @@ private:
     if (std::any_of(result_.sets.begin(), result_.sets.end(),
                     [](const IntegralsOfSet& s) { return !s.open.empty(); }))
       return;
-    const auto is_plain = [](const IntegralsOfSet& s) { return s.found() == 0; };
+    const auto is_plain = [](const IntegralsOfSet& s) {
+      return s.found() == 0 && s.fields.empty();
+    };
     const auto last = std::find_if(result_.sets.rbegin(), result_.sets.rend(), is_plain);
     if (last == result_.sets.rend()) return;
     IntegralsOfSet rest = *last;
@@ -205,9 +231,20 @@ private:
     const bool last = stage == stages_.size();
     if ((last || options_.until_integrable) && may_combine(s)) return combine(std::move(s), stage);
     if (last) return conclude(std::move(s));
-    if (stages_[stage].kind != Stage::Kind::hamiltonian) return look(s, stage);
-    const MFraction& value = *space_.field.hamiltonian;
-    take(std::move(s), {{value, degree_in_momenta(value), false, true}}, stage + 1);
+    switch (stages_[stage].kind) {
+    case Stage::Kind::hamiltonian: {
+      const MFraction& value = *space_.field.hamiltonian;
+      return take(std::move(s), {{value, degree_in_momenta(value), false, true}}, stage + 1);
+    }
+    case Stage::Kind::darboux_polynomials:
+      return look_for_darboux_polynomials(std::move(s), stage);
+    case Stage::Kind::logarithms:
+      return look_for_logarithms(std::move(s), stage);
+    case Stage::Kind::fields:
+      return look_for_fields(std::move(s), stage, 0);
+    default:
+      return look(s, stage);
+    }
   }
 
   // The integrals of one degree, on each part of the set.
@@ -234,6 +271,212 @@ private:
       conclude(s, limit.what());
     }
   }
+
+  // ---- fields without a bracket
+
+  [[nodiscard]] bool has_all_integrals(const State& s) const {
+    return s.found.size() + 1 >= space_.field.dimension();
+  }
+  [[nodiscard]] Budget share() const { return part_of_the_time(options_.budget, darboux_part); }
+
+  // Those of all parameters of the set; it is divided where special ones have more.
+  void look_for_darboux_polynomials(State s, std::size_t stage) {
+    if (has_all_integrals(s)) return enter(std::move(s), stage + 1);
+    try {
+      s.darboux = darboux_polynomials(space_, *polynomial_, s.where, share());
+      for (const DarbouxPolynomial& f : s.darboux)
+        for (const MPoly& condition : special_conditions(s.where, f)) {
+          if (splits_ == most_splits) break;
+          ++splits_;
+          if (const auto zero = s.where.where_zero(condition); !zero.is_empty()) start(zero);
+          s.where = s.where.where_nonzero(condition);
+          if (s.where.is_empty()) return;
+        }
+    } catch (const OutOfBudget&) { // what was found is right
+    }
+    std::erase_if(s.darboux, [&](const DarbouxPolynomial& f) { return !is_darboux(s.where, f); });
+    enter(std::move(s), stage + 1);
+  }
+  // The first equation, by its factors, if it may hold somewhere on the set and not everywhere; then
+  // where the polynomial may be 0.
+  std::vector<MPoly> special_conditions(const ParameterSet& where,
+                                        const DarbouxPolynomial& f) const {
+    if (f.equations.empty())
+      return is_nowhere_zero(where, f.polynomial)
+                 ? std::vector<MPoly>{}
+                 : where.doubtful_factors(some_coefficient(where, f.polynomial));
+    const MPoly equation = where.restrict(f.equations.front()).num();
+    return is_zero(equation) ? std::vector<MPoly>{} : where.doubtful_factors(equation);
+  }
+  [[nodiscard]] bool is_darboux(const ParameterSet& where, const DarbouxPolynomial& f) const {
+    const MFraction value(f.polynomial);
+    return is_nowhere_zero(where, f.polynomial) &&
+           space_.vanishes(where, lie_derivative(space_.field, value) - f.cofactor * value);
+  }
+  // At no parameter value f is the zero polynomial.
+  [[nodiscard]] bool is_nowhere_zero(const ParameterSet& where, const MPoly& f) const {
+    const auto all = space_.coefficients(f, nullptr);
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& c) { return where.is_nonzero(c.second); });
+  }
+  [[nodiscard]] MPoly some_coefficient(const ParameterSet& where, const MPoly& f) const {
+    for (const auto& [m, c] : space_.coefficients(f, nullptr))
+      if (!is_zero(where.restrict(c))) return c;
+    return MPoly(f.ring(), Integer(1));
+  }
+
+  using KernelParts = std::vector<std::pair<ParameterSet, EchelonForm>>;
+  // All parts or none.
+  KernelParts kernel_parts(const ParameterSet& where, const EchelonForm& e) const {
+    KernelParts parts;
+    try {
+      const Budget budget = share();
+      for_each_kernel(
+          where, e,
+          [&](const ParameterSet& set, const EchelonForm& done) { parts.emplace_back(set, done); },
+          budget);
+    } catch (const OutOfBudget&) {
+      parts.clear();
+    }
+    return parts;
+  }
+
+  void look_for_logarithms(State s, std::size_t stage) {
+    if (has_all_integrals(s) || s.darboux.empty()) return enter(std::move(s), stage + 1);
+    LogarithmicAnsatz ansatz{s.darboux,
+                             monomials(space_.field.ring, space_.variables, stages_[stage].degree)};
+    ansatz.monomials.erase(ansatz.monomials.begin()); // 1
+    const auto parts = kernel_parts(s.where, equations_of(space_, *polynomial_, ansatz));
+    if (parts.empty()) return enter(std::move(s), stage + 1);
+    for (const auto& [where, done] : parts) {
+      State part = s;
+      part.where = where;
+      Candidates all;
+      for (const auto& vector : kernel_basis(where, done))
+        all.push_back(integral_of(ansatz, vector));
+      take(std::move(part), all, stage + 1);
+    }
+  }
+
+  // Without logarithms where a product of powers says the same.
+  FoundIntegral integral_of(const LogarithmicAnsatz& ansatz,
+                            const std::map<std::size_t, MFraction>& vector) const {
+    FoundIntegral f{.value = MFraction(space_.field.ring)};
+    const std::size_t first = ansatz.polynomials.size();
+    MPoly den(space_.field.ring, Integer(1));
+    for (const auto& [j, c] : vector)
+      den = exact_div(den * c.den(), gcd(den, c.den()));
+    for (const auto& [j, c] : vector)
+      if (const MFraction times = c * MFraction(den); j < first)
+        f.logarithms.push_back({times, ansatz.polynomials[j].polynomial});
+      else
+        f.value += times * MFraction(ansatz.monomials[j - first]);
+    if (const auto product = product_of_powers(f)) f = {.value = *product};
+    f.degree = degree_in_momenta(f.value);
+    return f;
+  }
+  static std::optional<MFraction> product_of_powers(const FoundIntegral& f) {
+    constexpr long highest = 12;
+    if (f.logarithms.empty() || !is_zero(f.value)) return std::nullopt;
+    Integer den(1);
+    for (const LogarithmicTerm& t : f.logarithms) {
+      if (!is_constant(t.times)) return std::nullopt;
+      den = lcm(den, to_rational(t.times).den());
+    }
+    MFraction product(f.value.ring(), Rational(1));
+    for (const LogarithmicTerm& t : f.logarithms) {
+      const Rational power = to_rational(t.times) * Rational(den);
+      if (abs(power) > Rational(highest)) return std::nullopt;
+      product *= pow(MFraction(t.of), to_long(power.num()));
+    }
+    return product;
+  }
+
+  // Numerators of one degree over a product of Darboux polynomials: none, one, all of them.
+  void look_for_fields(State s, std::size_t stage, std::size_t denominator) {
+    const auto done = [&] { return is_integrable(s) || denominator >= s.darboux.size() + 2; };
+    if (done()) return enter(std::move(s), stage + 1);
+    const auto numerators = monomials(space_.field.ring, space_.variables, stages_[stage].degree);
+    const MFraction below = product(s, denominator);
+    const std::size_t columns = numerators.size() * space_.variables.size();
+    KernelParts parts;
+    if (columns <= most_field_columns) {
+      std::vector<std::vector<MFraction>> gradients;
+      for (const FoundIntegral& f : s.found)
+        gradients.push_back(gradient(space_.field, f));
+      parts = kernel_parts(s.where, commuting_fields(space_, *polynomial_, numerators,
+                                                     cofactor(s, denominator), gradients, share()));
+    }
+    if (parts.empty()) return look_for_fields(std::move(s), stage, denominator + 1);
+    for (const auto& [where, kernel] : parts) {
+      State part = s;
+      part.where = where;
+      std::vector<std::vector<MFraction>> all;
+      for (const auto& vector : kernel_basis(where, kernel)) {
+        all.emplace_back(space_.variables.size(), MFraction(space_.field.ring));
+        for (const auto& [j, c] : vector)
+          all.back()[j / numerators.size()] +=
+              c * MFraction(numerators[j % numerators.size()]) / below;
+      }
+      if (take_fields(part, all)) look_for_fields(std::move(part), stage, denominator + 1);
+    }
+  }
+  MFraction product(const State& s, std::size_t denominator) const {
+    MFraction p(space_.field.ring, Rational(1));
+    for (std::size_t i = 0; i < s.darboux.size(); ++i)
+      if (denominator == i + 1 || denominator == s.darboux.size() + 1)
+        p *= MFraction(s.darboux[i].polynomial);
+    return p;
+  }
+  MFraction cofactor(const State& s, std::size_t denominator) const {
+    MFraction k(space_.field.ring);
+    for (std::size_t i = 0; i < s.darboux.size(); ++i)
+      if (denominator == i + 1 || denominator == s.darboux.size() + 1) k += s.darboux[i].cofactor;
+    return k;
+  }
+
+  // Those that are independent of the ones before and commute with them.  False: nothing is left of
+  // the set.
+  bool take_fields(State& s, const std::vector<std::vector<MFraction>>& all) {
+    for (const auto& y : all) {
+      if (is_integrable(s)) break;
+      verify(s, y);
+      if (!std::all_of(s.fields.begin(), s.fields.end(),
+                       [&](const auto& z) { return commute(s.where, y, z); }))
+        continue;
+      for (;;) {
+        IndependentRows frame(space_);
+        auto answer = frame.add(s.where, space_.field.components, options_.budget);
+        for (const auto& z : s.fields)
+          if (answer.taken) answer = frame.add(s.where, z, options_.budget);
+        if (answer.taken) answer = frame.add(s.where, y, options_.budget);
+        if (answer.taken) s.fields.push_back(y);
+        if (!answer.split) break;
+        if (const auto zero = s.where.where_zero(*answer.split); !zero.is_empty()) start(zero);
+        s.where = s.where.where_nonzero(*answer.split);
+        if (s.where.is_empty()) return false;
+      }
+    }
+    return true;
+  }
+  [[nodiscard]] bool commute(const ParameterSet& where, const std::vector<MFraction>& y,
+                             const std::vector<MFraction>& z) const {
+    const auto bracket = commutator(space_.field, y, z);
+    return std::all_of(bracket.begin(), bracket.end(),
+                       [&](const MFraction& f) { return space_.vanishes(where, f); });
+  }
+  void verify(const State& s, const std::vector<MFraction>& y) const {
+    KOV_ENSURE(commute(s.where, space_.field.components, y));
+    for (const FoundIntegral& f : s.found) {
+      const auto d = gradient(space_.field, f);
+      MFraction along(space_.field.ring);
+      for (std::size_t i = 0; i < d.size(); ++i)
+        along += d[i] * y[i];
+      KOV_ENSURE(space_.vanishes(s.where, along));
+    }
+  }
+
+  // ---- brackets
 
   [[nodiscard]] bool may_combine(const State& s) const {
     return space_.field.poisson && s.commuting.size() < s.found.size() &&
@@ -399,10 +642,10 @@ private:
       for (const FoundIntegral& f : all) {
         verify(s.where, f);
         for (;;) {
-          const auto answer =
-              s.gradients.add(s.where, gradient(space_.field, f.value), options_.budget);
+          const auto answer = s.gradients.add(s.where, gradient(space_.field, f), options_.budget);
           if (answer.taken) add(s, f);
-          if (!answer.taken && !answer.split && s.dependent.size() < most_dependent)
+          if (!answer.taken && !answer.split && s.dependent.size() < most_dependent &&
+              f.logarithms.empty())
             s.dependent.push_back(f.value);
           if (!answer.split) break;
           if (const auto zero = s.where.where_zero(*answer.split); !zero.is_empty()) start(zero);
@@ -430,7 +673,10 @@ private:
 
   // By the formulas of lib/system.
   void verify(const ParameterSet& where, const FoundIntegral& f) const {
-    KOV_ENSURE(space_.vanishes(where, lie_derivative(space_.field, f.value)));
+    MFraction derivative = lie_derivative(space_.field, f.value);
+    for (const LogarithmicTerm& t : f.logarithms)
+      derivative += t.times * lie_derivative(space_.field, MFraction(t.of)) / MFraction(t.of);
+    KOV_ENSURE(space_.vanishes(where, derivative));
     if (!f.casimir) return;
     for (const MFraction& x : hamiltonian_field(space_.field, *space_.field.poisson, f.value))
       KOV_ENSURE(space_.vanishes(where, x));
@@ -444,6 +690,7 @@ private:
     set.liouville = space_.field.poisson && is_liouville(s.where, s.found, s.commuting.size());
     set.integrals = std::move(s.found);
     set.commuting = std::move(s.commuting);
+    set.fields = std::move(s.fields);
     if (set.commuting.size() > casimirs_of(set.integrals) + 1 && options_.until_integrable)
       set.searched += ", in involution with those found";
     set.only_declared_relations = !space_.is_polynomial_ring();
@@ -483,7 +730,7 @@ private:
   // What the option wants.
   bool is_integrable(const State& s) const {
     return space_.field.poisson ? is_liouville(s.where, s.found, s.commuting.size())
-                                : s.found.size() + 1 >= space_.field.dimension();
+                                : s.found.size() + s.fields.size() + 1 >= space_.field.dimension();
   }
   bool has_all_casimirs(const State& s) const {
     return bracket_has_rank(s.where, space_.field.dimension() - casimirs_of(s.found));
@@ -517,6 +764,8 @@ private:
   bool layered_ = false;             ///< the ansatz, on that part
   bool bounded_ = false;             ///< by a theorem, where that leaves a small ansatz
   bool mechanical_;
+  std::optional<PolynomialField> polynomial_ = {}; ///< if Darboux polynomials are looked for
+  std::size_t splits_ = 0;                         ///< for these
   std::vector<Stage> stages_;
   IntegralSearch result_;
 };
@@ -527,6 +776,56 @@ std::size_t IntegralsOfSet::found() const {
   return static_cast<std::size_t>(
       std::count_if(integrals.begin(), integrals.end(),
                     [](const FoundIntegral& f) { return !f.casimir && !f.hamiltonian; }));
+}
+
+bool IntegralsOfSet::integrable(const VectorField& v) const {
+  return v.poisson ? liouville : integrals.size() + fields.size() + 1 >= v.dimension();
+}
+
+namespace {
+
+// "+ c*x" after other terms; c*1 is c.
+void add_term(std::string& text, const MFraction& c, const std::string& x) {
+  const bool minus = c.num().length() == 1 && to_string(c).front() == '-';
+  const MFraction size = minus ? -c : c;
+  std::string factor = is_one(size) ? "" : to_string(size);
+  if (factor.find_first_of("+-/ ") != std::string::npos) factor = "(" + factor + ")";
+  const std::string sign = minus ? (text.empty() ? "-" : " - ") : (text.empty() ? "" : " + ");
+  text += sign + factor + (factor.empty() ? "" : "*") + x;
+}
+
+// Products of powers as such.
+std::string short_text(const MFraction& f) {
+  const std::string plain = to_string(f);
+  const std::string factored = to_factored_string(f);
+  return 2 * factored.size() < plain.size() ? factored : plain;
+}
+
+} // namespace
+
+std::string to_string(const FoundIntegral& f) {
+  if (f.logarithms.empty()) return short_text(f.value);
+  std::string text = is_zero(f.value) ? "" : to_string(f.value);
+  for (const LogarithmicTerm& t : f.logarithms)
+    add_term(text, t.times, "log(" + to_string(t.of) + ")");
+  return text;
+}
+
+std::vector<MFraction> gradient(const VectorField& v, const FoundIntegral& f) {
+  auto all = gradient(v, f.value);
+  for (const LogarithmicTerm& t : f.logarithms) {
+    const auto more = gradient(v, MFraction(t.of));
+    for (std::size_t i = 0; i < all.size(); ++i)
+      all[i] += t.times * more[i] / MFraction(t.of);
+  }
+  return all;
+}
+
+std::string field_text(const VectorField& v, const std::vector<MFraction>& field) {
+  std::string text;
+  for (std::size_t i = 0; i < field.size(); ++i)
+    if (!is_zero(field[i])) add_term(text, field[i], "d/d" + v.name(i));
+  return text;
 }
 
 bool IntegralSearch::finished() const {

@@ -2,7 +2,8 @@
 // First integrals of a system, at all values of its parameters.
 //
 // Hamiltonian systems: polynomials in the momenta.  Poisson systems: polynomials in all variables,
-// modulo Casimirs, which are found first.  Vector fields: polynomials.
+// modulo Casimirs, which are found first.  Vector fields: polynomials, then powers and logarithms of
+// Darboux polynomials, and commuting fields.
 //
 // Every integral is expanded again by lie_derivative (lib/system), which shares nothing with the
 // linear algebra that found it.  Nothing that the file claims is used.
@@ -25,14 +26,34 @@ struct IntegralOptions {
   bool until_integrable = false;
   Budget budget = {};
   std::size_t max_sets = 200; ///< of parameter values
+  /// Of polynomial fields without a bracket also Darboux polynomials, the integrals that are made of
+  /// them, and, for the question "integrable?", commuting fields.
+  bool darboux = true;
+};
+
+/// c log f, c in the parameters.
+struct LogarithmicTerm {
+  MFraction times;
+  MPoly of;
 };
 
 struct FoundIntegral {
-  MFraction value;
+  MFraction value; ///< without the logarithms
   long degree = 0;
   bool casimir = false;
-  bool hamiltonian = false; ///< H itself, and not found
+  bool hamiltonian = false;                     ///< H itself, and not found
+  std::vector<LogarithmicTerm> logarithms = {}; ///< their sum is to be added to the value
 };
+/// Given   const Ring ring = make_ring({"x", "y"});
+/// Given   const MPoly x = MPoly::variable(ring, "x"), y = MPoly::variable(ring, "y");
+/// Given   const FoundIntegral sir{.value = x + y, .logarithms = {{-MFraction(y), x}}};
+/// Example to_string(sir)  // -> x + y - y*log(x)
+[[nodiscard]] std::string to_string(const FoundIntegral& f);
+/// A rational function for each coordinate.
+[[nodiscard]] std::vector<MFraction> gradient(const VectorField& v, const FoundIntegral& f);
+
+/// "y*d/dx - x*d/dy".
+[[nodiscard]] std::string field_text(const VectorField& v, const std::vector<MFraction>& field);
 
 /// What is known at the parameter values with these equations and inequations.
 struct IntegralsOfSet {
@@ -42,6 +63,9 @@ struct IntegralsOfSet {
   std::vector<FoundIntegral> integrals;
   std::vector<std::size_t> commuting; ///< indices of integrals in involution, Casimirs among them
   bool liouville = false; ///< as many of them in involution as Liouville's theorem wants
+  /// Without a bracket: fields that commute with that of the system and with one another, independent
+  /// together with it, all integrals being constant along them.
+  std::vector<std::vector<MFraction>> fields = {};
   /// There are function symbols: independence is proved for symbols that satisfy no relations but
   /// those declared, and nothing is complete.
   bool only_declared_relations = false;
@@ -53,6 +77,8 @@ struct IntegralsOfSet {
 
   /// Those beside the Hamiltonian and the Casimirs.
   [[nodiscard]] std::size_t found() const;
+  /// Liouville's theorem, or without a bracket Bogoyavlensky's, applies.
+  [[nodiscard]] bool integrable(const VectorField& v) const;
 };
 
 struct IntegralSearch {

@@ -14,13 +14,6 @@ std::string joined(const std::vector<std::string>& all, const std::string& betwe
 
 namespace {
 
-std::string integrals_text(const ClassifiedStratum& s) {
-  std::vector<std::string> all;
-  for (const FoundIntegral& f : s.integrals)
-    all.push_back(f.hamiltonian ? "H" : to_string(f.value));
-  return joined(all, ", ");
-}
-
 Grid integrable_sets(const SystemClassification& c) {
   Grid g{"Integrable", {"parameters", "first integrals"}, {}};
   for (const ClassifiedStratum& s : c.strata)
@@ -84,8 +77,15 @@ NodeResult integrable(const SystemClassification& c, const ClassifiedStratum& s,
   n.formulas.push_back({"parameters", where});
   for (const FoundIntegral& f : s.integrals) {
     if (f.hamiltonian) continue;
-    n.formulas.push_back({"first integral", to_string(f.value)});
-    n.checks.push_back({"its derivative along the field vanishes: " + brief(f.value, 60), true});
+    const std::string text = to_string(f);
+    n.formulas.push_back({"first integral", text});
+    n.checks.push_back({"its derivative along the field vanishes: " +
+                            (f.logarithms.empty() ? brief(f.value, 60) : text),
+                        true});
+  }
+  for (const std::string& y : s.fields) {
+    n.formulas.push_back({"commuting field", y});
+    n.checks.push_back({"its commutator with the field vanishes: " + y, true});
   }
   return n;
 }
@@ -124,7 +124,7 @@ std::string where_text(const SystemClassification& c, const ClassifiedStratum& s
 Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
   Json integrals = Json::array();
   for (const FoundIntegral& f : s.integrals)
-    integrals.push_back({{"value", to_string(f.value)},
+    integrals.push_back({{"value", to_string(f)},
                          {"kind", f.hamiltonian ? "hamiltonian"
                                   : f.casimir   ? "casimir"
                                                 : "integral"}});
@@ -139,6 +139,7 @@ Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
   return {{"conditions", conditions(c, s)},
           {"status", to_string(s.status)},
           {"integrals", integrals},
+          {"fields", s.fields},
           {"by", by},
           {"open_after", s.open_after}};
 }

@@ -45,10 +45,7 @@ void put_below(std::ostream& out, const std::string& text) {
 
 void print(const SystemClassification& c, const ClassifiedStratum& s, std::ostream& out) {
   put(out, to_string(s.status), where_text(c, s));
-  std::string with;
-  for (const FoundIntegral& f : s.integrals)
-    with += (with.empty() ? "with " : ", ") + (f.hamiltonian ? "H" : to_string(f.value));
-  if (!with.empty()) put_below(out, with);
+  if (const std::string with = integrals_text(s); !with.empty()) put_below(out, "with " + with);
   for (const std::string& tried : s.open_after)
     put_below(out, tried);
 }

@@ -74,7 +74,7 @@ void print(const std::string& where, const IntegralsOfSet& set, std::ostringstre
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
     const FoundIntegral& f = set.integrals[i];
     const std::string title = label[i] + (f.casimir ? " (Casimir) = " : " = ");
-    const std::string value = f.hamiltonian ? "the Hamiltonian of the file" : to_string(f.value);
+    const std::string value = f.hamiltonian ? "the Hamiltonian of the file" : to_string(f);
     out << "    " << wrapped(title + value, 6) << '\n';
   }
   if (set.found() == 0 && set.open.empty()) out << "    no other integral found\n";
@@ -102,7 +102,7 @@ Json json_of(const IntegralsOfSet& set) {
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
     const FoundIntegral& f = set.integrals[i];
     all.push_back({{"name", label[i]},
-                   {"value", to_string(f.value)},
+                   {"value", to_string(f)},
                    {"degree", f.degree},
                    {"kind", f.hamiltonian ? "hamiltonian"
                             : f.casimir   ? "casimir"

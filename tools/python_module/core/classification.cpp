@@ -52,7 +52,9 @@ std::string parameters_text(const std::vector<std::string>& all) {
 std::string stratum_text(const StratumOf& s) {
   std::string text = to_string(s.stratum.status) + "  " + parameters_text(s.conditions);
   for (const FoundIntegral& f : s.stratum.integrals)
-    text += "\n  integral " + (f.hamiltonian ? std::string("H") : to_string(f.value));
+    text += "\n  integral " + (f.hamiltonian ? std::string("H") : to_string(f));
+  for (const std::string& y : s.stratum.fields)
+    text += "\n  commuting field " + y;
   for (const auto& [by, statement, integrals] : s.by) {
     text += "\n  " + statement + "\n  along " + by.solution + ": " + by.reason;
     if (!by.unchecked.empty()) text += "\n  not checked: " + by.unchecked;
@@ -100,6 +102,9 @@ void bind_stratum(py::module_& m) {
       .def_readonly("conditions", &StratumOf::conditions, "empty: all parameters")
       .def_property_readonly("status", [](const StratumOf& s) { return s.stratum.status; })
       .def_property_readonly("integrals", [](const StratumOf& s) { return s.stratum.integrals; })
+      .def_property_readonly(
+          "fields", [](const StratumOf& s) { return s.stratum.fields; },
+          "commuting fields, where they are needed beside the integrals: texts")
       .def_readonly("by", &StratumOf::by)
       .def_property_readonly("open_after", [](const StratumOf& s) { return s.stratum.open_after; })
       .def("__str__", [](const StratumOf& s) { return stratum_text(s); })

@@ -307,12 +307,21 @@ std::vector<MFraction> values_of(const IntegralsOfSet& s) {
 void bind_integrals(py::module_& m) {
   read_only<FoundIntegral>(m, "FoundIntegral", "A first integral, checked by its Lie derivative.",
                            {"value"})
-      .def_readonly("value", &FoundIntegral::value)
+      .def_readonly("value", &FoundIntegral::value, "without the logarithms")
+      .def_property_readonly(
+          "logarithms",
+          [](const FoundIntegral& f) {
+            std::vector<std::pair<MFraction, MFraction>> all;
+            for (const LogarithmicTerm& t : f.logarithms)
+              all.emplace_back(t.times, MFraction(t.of));
+            return all;
+          },
+          "pairs (c, f): the sum of c*log(f) is to be added to the value")
       .def_readonly("degree", &FoundIntegral::degree)
       .def_readonly("casimir", &FoundIntegral::casimir)
       .def_readonly("hamiltonian", &FoundIntegral::hamiltonian)
       .def("__repr__",
-           [](const FoundIntegral& f) { return "<FoundIntegral " + to_string(f.value) + ">"; });
+           [](const FoundIntegral& f) { return "<FoundIntegral " + to_string(f) + ">"; });
   read_only<IntegralsOfSet>(m, "IntegralsOfSet", "What is known at these parameter values.",
                             {"integrals"})
       .def_readonly("searched", &IntegralsOfSet::searched)
