@@ -420,6 +420,7 @@ private:
     if (round.integrals_known) return;
     IntegralSearch search =
         search_integrals(round.system, std::min(options_.degree, low_degree), 0.25, false);
+    common_equations_first(round.system, search.sets);
     for (const IntegralsOfSet& set : search.sets)
       if (is_enough(round.system, set)) {
         std::vector<Piece> none;
@@ -432,13 +433,28 @@ private:
 
   void try_integrals(Round& round, std::size_t decided) {
     if (round.integrals_known) return;
-    const IntegralSearch search = search_integrals(round.system, options_.degree, 0.5, true);
+    IntegralSearch search = search_integrals(round.system, options_.degree, 0.5, true);
+    common_equations_first(round.system, search.sets);
     round.integrals_known = search.finished();
     std::vector<Piece> met;
     for (const IntegralsOfSet& set : search.sets)
-      take_integrals(round, set, search.not_covered, decided, met);
+      if (set.found() > 0 || is_enough(round.system, set))
+        take_integrals(round, set, search.not_covered, decided, met);
     if (search.elsewhere) take_elsewhere(round, *search.elsewhere, search.not_covered);
+    note_what_is_open(round, search);
     std::move(met.begin(), met.end(), std::back_inserter(round.pieces));
+  }
+
+  // Sets without integrals cut no pieces, also where a limit has kept them apart.
+  static void note_what_is_open(Round& round, const IntegralSearch& search) {
+    const auto nothing = [](const IntegralsOfSet& set) { return set.found() == 0; };
+    const auto empty = std::find_if(search.sets.rbegin(), search.sets.rend(), nothing);
+    if (search.elsewhere || empty == search.sets.rend()) return;
+    const auto limited = std::find_if(search.sets.rbegin(), search.sets.rend(),
+                                      [&](const auto& s) { return nothing(s) && !s.open.empty(); });
+    for (Piece& piece : round.pieces)
+      note(piece, "first integrals",
+           searched_text(limited == search.sets.rend() ? *empty : *limited));
   }
 
   // Everything is excluded: integrals of low degree would say that something is wrong.
@@ -452,6 +468,21 @@ private:
 
   static bool is_enough(const System& s, const IntegralsOfSet& set) {
     return set.integrable(s.field);
+  }
+  // Sets are cut along their equations in this order: what several have in common leaves few parts.
+  static void common_equations_first(const System& s, std::vector<IntegralsOfSet>& sets) {
+    const auto frequency = [&](const MPoly& p) {
+      return std::count_if(sets.begin(), sets.end(), [&](const IntegralsOfSet& set) {
+        const auto& all = set.equations;
+        return is_enough(s, set) && std::find(all.begin(), all.end(), p) != all.end();
+      });
+    };
+    for (IntegralsOfSet& set : sets) {
+      auto sorted = set.equations;
+      std::stable_sort(sorted.begin(), sorted.end(),
+                       [&](const MPoly& p, const MPoly& q) { return frequency(p) > frequency(q); });
+      set.equations = std::move(sorted);
+    }
   }
   // They are no meromorphic functions, and contradict no theorem on these.
   static bool has_logarithms(const IntegralsOfSet& set) {

@@ -1,6 +1,7 @@
 #include "classify/classification.hpp"
 
 #include "classify/parameter_split.hpp"
+#include "classify/places.hpp"
 #include "exact/error.hpp"
 #include "integrability/integral_class.hpp"
 #include "parameters/conditions.hpp"
@@ -129,39 +130,17 @@ std::vector<std::string> conditions(const SystemClassification& c, const Classif
   return all;
 }
 
-namespace {
-
-struct SameSpecial {
-  std::vector<DifferenceCondition> special;
-  std::vector<ParameterSet> sets;
-};
-
-// In few pieces, if that can be done within the limits of the sets.
-std::vector<ParameterSet> united_if_possible(const std::vector<ParameterSet>& sets) {
-  try {
-    return united(sets);
-  } catch (const OutOfBudget&) {
-    return sets;
-  }
-}
-
-} // namespace
-
 std::vector<std::string> places(const SystemClassification& c,
                                 const std::vector<StratumStatus>& wanted) {
-  std::vector<SameSpecial> groups{{}}; // first those without
-  for (const ClassifiedStratum& s : c.strata) {
-    if (std::find(wanted.begin(), wanted.end(), s.status) == wanted.end()) continue;
-    auto group = std::find_if(groups.begin(), groups.end(),
-                              [&](const SameSpecial& g) { return g.special == s.special; });
-    if (group == groups.end()) group = groups.insert(groups.end(), {s.special, {}});
-    group->sets.push_back(s.where);
-  }
-  std::vector<std::string> all;
-  for (const SameSpecial& group : groups)
-    for (const ParameterSet& where : united_if_possible(group.sets))
-      all.push_back(joined(conditions(c, {where, group.special})));
-  return all;
+  std::vector<Place> all;
+  for (const ClassifiedStratum& s : c.strata)
+    if (std::find(wanted.begin(), wanted.end(), s.status) != wanted.end())
+      all.push_back({s.where, s.special});
+  if (c.at_work.empty()) all = in_few_words(std::move(all)); // on the way that takes too long
+  std::vector<std::string> texts;
+  for (const Place& p : all)
+    texts.push_back(joined(conditions(c, {p.where, p.special})));
+  return texts;
 }
 
 namespace {

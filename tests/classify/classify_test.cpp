@@ -335,6 +335,34 @@ TEST(Classify, WhereNothingMovesEverythingIsConserved) {
   EXPECT_EQ(c.status(), ClassificationStatus::integrable);
 }
 
+// y'' = -x*y': the error function, beside a logarithm and a field.
+TEST(Classify, LogarithmsAndFieldsTogether) {
+  const auto c = classify_system(of("[system]\nkind = 'vector-field'\n"
+                                    "coordinates = ['x', 'y', 'z']\n[system.field]\n"
+                                    "x = '1'\ny = 'z'\nz = '-x*z'\n"),
+                                 within(30, 2));
+  EXPECT_EQ(c.status(), ClassificationStatus::integrable);
+  EXPECT_EQ(integrals_text(c.strata.front()), "x^2 + 2*log(z), and the commuting field d/dy");
+}
+
+TEST(Classify, CommutingFields) {
+  const auto c = classify_system(of("[system]\nkind = 'vector-field'\n"
+                                    "coordinates = ['x', 'y', 'z']\nparameters = ['a']\n"
+                                    "[system.field]\nx = 'y'\ny = '-x - y*z'\n"
+                                    "z = 'a*(y^2 - 1)'\n"),
+                                 within(30));
+  EXPECT_EQ(c.status(), ClassificationStatus::depends);
+  EXPECT_EQ(integrals_text(c.strata.front()), "z, and the commuting field x*d/dx + y*d/dy");
+}
+
+TEST(Classify, LogarithmsAreSaid) {
+  const auto c = classify_system(of("[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y']\n"
+                                    "[system.field]\nx = 'x - x*y'\ny = 'x*y - y'\n"),
+                                 within(30));
+  EXPECT_EQ(statement(c), "The system is integrable, with logarithms in some of the first "
+                          "integrals, for all parameters.");
+}
+
 // Of real parameters none are left: that is no theorem on all of them.
 TEST(Classify, NoRealParametersIsAnErrorOfTheInput) {
   const auto classify = [](const std::string& assumed) {

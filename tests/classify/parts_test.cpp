@@ -3,6 +3,7 @@
 #include "classify/components.hpp"
 #include "classify/difference.hpp"
 #include "classify/parameter_split.hpp"
+#include "classify/places.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -78,6 +79,51 @@ TEST_F(Parts, HalvesAreUnited) {
   EXPECT_EQ(united({line.where_zero(b_), line.where_nonzero(b_ - a_).where_nonzero(b_)}).size(),
             1U);
   EXPECT_EQ(united({all_.where_zero(a_), line.where_nonzero(a_)}).size(), 2U);
+}
+
+// a = 0 without (0, 1), and b = 1: inequations that the union does not need are not told.
+TEST_F(Parts, PlacesInFewWords) {
+  const auto few = in_few_words({{all_.where_zero(a_).where_nonzero(b_ - number(1)), {}},
+                                 {all_.where_zero(b_ - number(1)).where_nonzero(a_), {}},
+                                 {all_.where_zero(a_).where_zero(b_ - number(1)), {}}});
+  ASSERT_EQ(few.size(), 2U);
+  for (const Place& p : few)
+    EXPECT_TRUE(p.where.proper_inequations().empty());
+}
+
+// Where a hole is filled by no place it is told, and so is one filled under another condition.
+TEST_F(Parts, HolesAreTold) {
+  const DifferenceCondition odd{Kind::odd_half, {a_}};
+  const DifferenceCondition whole{Kind::integer, {a_}};
+  const ParameterSet outside = all_.where_nonzero(b_);
+  EXPECT_EQ(in_few_words({{outside, {odd}}}).front().where.inequations().size(), 1U);
+  EXPECT_EQ(in_few_words({{outside, {odd}}, {all_.where_zero(b_), {whole}}}).size(), 2U);
+  EXPECT_EQ(in_few_words({{outside, {odd}}, {all_.where_zero(b_), {odd}}}).size(), 1U);
+  EXPECT_EQ(in_few_words({{outside, {odd}}, {all_.where_zero(b_), {}}}).size(), 2U);
+}
+
+// The union stays the same at each point.
+TEST_F(Parts, FewWordsSayTheSame) {
+  const std::vector<MPoly> cuts{a_, b_, a_ - b_, a_ - number(1), a_ * b_ - number(2)};
+  for (unsigned choice = 1; choice < 64; ++choice) {
+    std::vector<ParameterSet> sets;
+    std::vector<ParameterSet> rest{all_};
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      const SetParts parts = split_set(rest.front(), {cuts[i]}, {}, any_);
+      if ((choice >> i) & 1U) sets.insert(sets.end(), parts.inside.begin(), parts.inside.end());
+      rest = parts.outside;
+    }
+    if (choice & 32U) sets.push_back(rest.front());
+    std::vector<Place> places;
+    for (const ParameterSet& s : sets)
+      places.push_back({s, {}});
+    std::vector<ParameterSet> after;
+    for (const Place& p : in_few_words(places))
+      after.push_back(p.where);
+    for (long a = -2; a <= 2; ++a)
+      for (long b = -2; b <= 2; ++b)
+        EXPECT_EQ(count(sets, a, b) > 0, count(after, a, b) > 0) << choice << ' ' << a << ' ' << b;
+  }
 }
 
 TEST_F(Parts, EquationsAreSolvedForParameters) {

@@ -1,0 +1,130 @@
+#include "classify/places.hpp"
+
+#include "classify/parameter_split.hpp"
+#include "classify/pieces.hpp"
+#include "exact/error.hpp"
+#include "system/vector_field.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr std::size_t most_places = 40; // each is compared with each other
+
+// The set without those that cover it.
+std::vector<ParameterSet> without(const ParameterSet& set,
+                                  const std::vector<ParameterSet>& covers) {
+  std::vector<ParameterSet> left{set};
+  for (const ParameterSet& cover : covers) {
+    std::vector<std::vector<MPoly>> nonzero;
+    for (const MPoly& p : cover.inequations())
+      nonzero.push_back({p});
+    std::vector<ParameterSet> next;
+    for (const ParameterSet& part : left) {
+      auto outside =
+          split_set(part, cover.equations(), nonzero, [](const MPoly&) { return true; }).outside;
+      std::move(outside.begin(), outside.end(), std::back_inserter(next));
+    }
+    left = std::move(next);
+  }
+  return left;
+}
+
+// Those that others imply stay: of b = 2*a, a != 0, b != 0 the last can be dropped if a != 0 is assumed.
+ParameterSet without_inequation(const ParameterSet& set, const MPoly& p) {
+  ParameterSet larger = set.plain();
+  for (const MPoly& f : set.equations())
+    larger = larger.where_zero(f);
+  for (const MPoly& f : set.inequations())
+    if (!(f == p)) larger = larger.where_nonzero(f);
+  return larger;
+}
+
+// Its irreducible factors, up to a constant.
+MPoly primitive(const MFraction& f) {
+  return is_zero(f) ? MPoly(f.ring()) : squarefree_part(f.num());
+}
+
+bool same_elements(const std::vector<DifferenceCondition>& a,
+                   const std::vector<DifferenceCondition>& b) {
+  return a.size() == b.size() && std::all_of(a.begin(), a.end(), [&](const auto& c) {
+           return std::find(b.begin(), b.end(), c) != b.end();
+         });
+}
+
+// On the small one the conditions of the large one are those of the small one.
+bool agree(const Place& large, const Place& small) {
+  if (large.special.empty() && small.special.empty()) return true;
+  const auto here = on_part({large.where, large.special, {}}, small.where);
+  return here && same_elements(here->special, small.special);
+}
+
+class Union {
+public:
+  explicit Union(std::vector<Place> all) : all_(std::move(all)) {}
+
+  std::vector<Place> simplified() {
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      while (drop_an_inequation(i)) {
+      }
+    for (std::size_t i = all_.size(); i-- > 0;)
+      if (is_covered(all_[i], i)) all_.erase(all_.begin() + static_cast<long>(i));
+    return std::move(all_);
+  }
+
+private:
+  bool drop_an_inequation(std::size_t i) {
+    const Place here = all_[i];
+    for (const MPoly& p : here.where.inequations()) {
+      if (!may_be_dropped(i, p)) continue;
+      Place larger{without_inequation(here.where, p), here.special};
+      const ParameterSet more = larger.where.where_zero(p);
+      if (!more.is_empty() && !without(more, agreeing_with(larger, i)).empty()) continue;
+      all_[i] = std::move(larger);
+      return true;
+    }
+    return false;
+  }
+  // Cheap: where p = 0 there is another place, or p is one of the other inequations on the set.
+  bool may_be_dropped(std::size_t i, const MPoly& p) const {
+    for (std::size_t j = 0; j < all_.size(); ++j)
+      if (j != i && is_zero(all_[j].where.restrict(p))) return true;
+    const ParameterSet& where = all_[i].where;
+    const auto& others = where.inequations();
+    const MPoly here = primitive(where.restrict(p));
+    return std::any_of(others.begin(), others.end(), [&](const MPoly& q) {
+      return !(q == p) && primitive(where.restrict(q)) == here;
+    });
+  }
+  // Where another set is met that does not agree nothing is said of it.
+  std::vector<ParameterSet> agreeing_with(const Place& place, std::size_t i) const {
+    std::vector<ParameterSet> sets;
+    for (std::size_t j = 0; j < all_.size(); ++j)
+      if (j != i && agree(place, all_[j])) sets.push_back(all_[j].where);
+    return sets;
+  }
+  bool is_covered(const Place& small, std::size_t i) const {
+    for (std::size_t j = 0; j < all_.size(); ++j)
+      if (j != i && agree(all_[j], small) && without(small.where, {all_[j].where}).empty())
+        return true;
+    return false;
+  }
+
+  std::vector<Place> all_;
+};
+
+} // namespace
+
+std::vector<Place> in_few_words(std::vector<Place> all) {
+  if (all.size() > most_places) return all;
+  try {
+    return Union(all).simplified();
+  } catch (const OutOfBudget&) {
+    return all;
+  } catch (const DomainError&) { // a condition has no meaning where it was looked at
+    return all;
+  }
+}
+
+} // namespace kov

@@ -1,0 +1,25 @@
+#pragma once
+// The parameters with one answer, as a reader wants them: few conditions, the sets may overlap.
+//
+// Source  docs/theory/classify.md (7)
+
+#include "classify/difference.hpp"
+
+namespace kov {
+
+/// Where all of the conditions hold.
+struct Place {
+  ParameterSet where;
+  std::vector<DifferenceCondition> special;
+};
+
+/// Fewer places with the same union: inequations that the union does not need are dropped, and what
+/// lies in another place.  Where that is too hard the places stay as they are.
+/// Given   const Ring ring = make_ring({"a", "b"});
+/// Given   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b");
+/// Given   const ParameterSet all(ring, {0, 1});
+/// Given   const Place axis{all.where_zero(a).where_nonzero(b), {}}, other{all.where_zero(b), {}};
+/// Example in_few_words({axis, other}).front().where.inequations().size()  // -> 0
+[[nodiscard]] std::vector<Place> in_few_words(std::vector<Place> all);
+
+} // namespace kov
