@@ -62,7 +62,8 @@ bool agree(const Place& large, const Place& small) {
 
 class Union {
 public:
-  explicit Union(std::vector<Place> all) : all_(std::move(all)) {}
+  Union(std::vector<Place> all, const std::vector<MPoly>& assumed)
+      : all_(std::move(all)), assumed_(assumed) {}
 
   std::vector<Place> simplified() {
     for (std::size_t i = 0; i < all_.size(); ++i)
@@ -77,7 +78,7 @@ private:
   bool drop_an_inequation(std::size_t i) {
     const Place here = all_[i];
     for (const MPoly& p : here.where.inequations()) {
-      if (!may_be_dropped(i, p)) continue;
+      if (is_assumed(p) || !may_be_dropped(i, p)) continue;
       Place larger{without_inequation(here.where, p), here.special};
       const ParameterSet more = larger.where.where_zero(p);
       if (!more.is_empty() && !without(more, agreeing_with(larger, i)).empty()) continue;
@@ -85,6 +86,9 @@ private:
       return true;
     }
     return false;
+  }
+  [[nodiscard]] bool is_assumed(const MPoly& p) const {
+    return std::find(assumed_.begin(), assumed_.end(), p) != assumed_.end();
   }
   // Cheap: where p = 0 there is another place, or p is one of the other inequations on the set.
   bool may_be_dropped(std::size_t i, const MPoly& p) const {
@@ -112,14 +116,15 @@ private:
   }
 
   std::vector<Place> all_;
+  const std::vector<MPoly>& assumed_;
 };
 
 } // namespace
 
-std::vector<Place> in_few_words(std::vector<Place> all) {
+std::vector<Place> in_few_words(std::vector<Place> all, const std::vector<MPoly>& assumed) {
   if (all.size() > most_places) return all;
   try {
-    return Union(all).simplified();
+    return Union(all, assumed).simplified();
   } catch (const OutOfBudget&) {
     return all;
   } catch (const DomainError&) { // a condition has no meaning where it was looked at

@@ -15,11 +15,13 @@ struct Place {
 
 /// Fewer places with the same union: inequations that the union does not need are dropped, and what
 /// lies in another place.  Where that is too hard the places stay as they are.
+/// assumed: vanish nowhere, and need not be dropped.
 /// Given   const Ring ring = make_ring({"a", "b"});
 /// Given   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b");
 /// Given   const ParameterSet all(ring, {0, 1});
 /// Given   const Place axis{all.where_zero(a).where_nonzero(b), {}}, other{all.where_zero(b), {}};
 /// Example in_few_words({axis, other}).front().where.inequations().size()  // -> 0
-[[nodiscard]] std::vector<Place> in_few_words(std::vector<Place> all);
+[[nodiscard]] std::vector<Place> in_few_words(std::vector<Place> all,
+                                              const std::vector<MPoly>& assumed = {});
 
 } // namespace kov

@@ -104,12 +104,23 @@ std::vector<MPoly> equations_told(const SystemClassification& c, const Parameter
   }
 }
 
+// What is assumed, as it reads on the set: on b = 2*a "a != 0" may be b != 0.
+std::vector<MPoly> assumed_on(const SystemClassification& c, const ParameterSet& where) {
+  std::vector<MPoly> all = c.nonzero;
+  for (const MPoly& p : c.nonzero)
+    if (const MFraction here = where.restrict(p); !is_zero(here))
+      for (const MFactor& f : factor(here.num()).second)
+        all.push_back(f.base);
+  return all;
+}
+
 void add_conditions(const SystemClassification& c, const ParameterSet& where,
                     std::vector<std::string>& all) {
   for (const MPoly& p : equations_told(c, where))
     all.push_back(to_string(Condition{p, Sign::zero}));
+  const auto assumed = assumed_on(c, where);
   for (const MPoly& p : inequations(where))
-    if (std::find(c.nonzero.begin(), c.nonzero.end(), p) == c.nonzero.end())
+    if (std::find(assumed.begin(), assumed.end(), p) == assumed.end())
       all.push_back(to_string(Condition{p, Sign::nonzero}));
 }
 
@@ -136,7 +147,8 @@ std::vector<std::string> places(const SystemClassification& c,
   for (const ClassifiedStratum& s : c.strata)
     if (std::find(wanted.begin(), wanted.end(), s.status) != wanted.end())
       all.push_back({s.where, s.special});
-  if (c.at_work.empty()) all = in_few_words(std::move(all)); // on the way that takes too long
+  if (c.at_work.empty())
+    all = in_few_words(std::move(all), c.nonzero); // on the way that takes too long
   std::vector<std::string> texts;
   for (const Place& p : all)
     texts.push_back(joined(conditions(c, {p.where, p.special})));
