@@ -61,22 +61,39 @@ Hermite hermite(const Rows& a) {
   return h;
 }
 
-// The functions as rows of integers, up to one common factor.
-Rows coordinates(const std::vector<MFraction>& functions) {
+// A polynomial and a number such that both times each of the functions is in Z[t].  A constant that
+// is a combination of the functions with integers is in Z/of_constants(), by Gauss' lemma.
+struct Denominator {
+  MPoly polynomial;
+  Integer number;
+
+  [[nodiscard]] Integer of_constants() const {
+    Integer content(0);
+    for (long i = 0; i < polynomial.length(); ++i)
+      content = gcd(content, polynomial.coefficient(i));
+    return number * content;
+  }
+};
+Denominator common_denominator(const std::vector<MFraction>& functions) {
   Ring ring;
   for (const MFraction& f : functions)
     if (f.ring()) ring = f.ring();
-  MPoly den(ring, Integer(1));
+  Denominator d{MPoly(ring, Integer(1)), Integer(1)};
   for (const MFraction& f : functions)
-    if (!is_zero(f)) den = den * exact_div(f.den(), gcd(den, f.den()));
-  Integer content(1); // gcd() may drop integers
-  for (const MFraction& f : functions)
-    if (!is_zero(f)) content = lcm(content, (f * MFraction(den)).den().coefficient(0));
+    if (!is_zero(f)) d.polynomial = d.polynomial * exact_div(f.den(), gcd(d.polynomial, f.den()));
+  for (const MFraction& f : functions) // gcd() may drop integers
+    if (!is_zero(f)) d.number = lcm(d.number, (f * MFraction(d.polynomial)).den().coefficient(0));
+  return d;
+}
+
+// The functions as rows of integers, up to one common factor.
+Rows coordinates(const std::vector<MFraction>& functions) {
+  const auto [den, number] = common_denominator(functions);
   std::map<std::vector<unsigned long>, std::size_t> columns;
   std::vector<MPoly> polynomials;
   for (const MFraction& f : functions) {
-    const MFraction g = MFraction(den) * MFraction(MPoly(ring, content));
-    polynomials.push_back(is_zero(f) ? MPoly(ring) : (f * g).num());
+    const MFraction g = MFraction(den) * MFraction(MPoly(den.ring(), number));
+    polynomials.push_back(is_zero(f) ? MPoly(den.ring()) : (f * g).num());
     for (long i = 0; i < polynomials.back().length(); ++i)
       columns.try_emplace(polynomials.back().exponents(i), columns.size());
   }
@@ -90,145 +107,107 @@ Rows coordinates(const std::vector<MFraction>& functions) {
   return rows;
 }
 
-// The integers n = n0 + sum of multiples of `steps` with M n = c; unset: none.
-struct Coset {
-  Row start;
-  Rows steps;
-};
-std::optional<Coset> solutions(const Rows& m, const Row& c, std::size_t n) {
-  Coset all{Row(n, Integer(0)), {}};
-  Rows transposed(n, Row(m.size(), Integer(0)));
-  for (std::size_t i = 0; i < m.size(); ++i)
-    for (std::size_t j = 0; j < n; ++j)
-      transposed[j][i] = m[i][j];
-  if (m.empty()) { // no column for FLINT
-    for (std::size_t j = 0; j < n; ++j) {
-      all.steps.emplace_back(n, Integer(0));
-      all.steps.back()[j] = Integer(1);
-    }
-    return all;
-  }
-  const Hermite h = hermite(transposed);
-  Row left = c; // a combination of the rows of the form
-  for (std::size_t i = 0; i < h.form.size(); ++i) {
+// Integers n with n A = c, for the rows of A; unset: there are none.
+std::optional<Row> integer_solution(const Rows& a, Row c) {
+  const Hermite h = hermite(a);
+  Row n(a.size(), Integer(0));
+  for (std::size_t i = 0; i < h.form.size(); ++i) { // c as a combination of the rows of the form
     const Row& row = h.form[i];
     const auto pivot = static_cast<std::size_t>(
         std::find_if(row.begin(), row.end(), [](const Integer& x) { return !is_zero(x); }) -
         row.begin());
-    const Rational y(left[pivot], row[pivot]);
+    const Rational y(c[pivot], row[pivot]);
     if (!is_integer(y)) return std::nullopt;
     for (std::size_t j = 0; j < row.size(); ++j)
-      left[j] = left[j] - y.num() * row[j];
-    for (std::size_t j = 0; j < n; ++j)
-      all.start[j] = all.start[j] + y.num() * h.transform[i][j];
+      c[j] = c[j] - y.num() * row[j];
+    for (std::size_t j = 0; j < n.size(); ++j)
+      n[j] = n[j] + y.num() * h.transform[i][j];
   }
-  if (!std::all_of(left.begin(), left.end(), [](const Integer& x) { return is_zero(x); }))
+  if (!std::all_of(c.begin(), c.end(), [](const Integer& x) { return is_zero(x); }))
     return std::nullopt;
-  all.steps = h.relations;
-  return all;
+  return n;
 }
 
-// v1, ..., vk and 1, with what their relations leave of the integers.
-class Lattice {
-public:
-  explicit Lattice(std::vector<MFraction> integral) : v_(std::move(integral)) {
-    Ring ring;
-    for (const MFraction& f : v_)
-      if (f.ring()) ring = f.ring();
-    one_ = MFraction(ring, Rational(1));
-    std::vector<MFraction> all = v_;
-    all.push_back(one_);
-    Rows m;
-    Row c;
-    for (Row& relation : hermite(coordinates(all)).relations) {
-      c.push_back(-relation.back());
+// Integers n with n1 f1 + n2 f2 + ... - g an integer.
+std::optional<Row> combination(std::vector<MFraction> f, const MFraction& g) {
+  const std::size_t n = f.size();
+  f.emplace_back(g.ring(), Rational(1));
+  f.push_back(g);
+  Rows rows = coordinates(f);
+  const Row last = std::move(rows.back());
+  rows.pop_back();
+  auto found = integer_solution(rows, last);
+  if (found) found->resize(n);
+  return found;
+}
+
+// Integers n with n1 f1 + n2 f2 + ... a constant that is no integer.
+std::optional<Row> fractional_constant(std::vector<MFraction> f, const Ring& ring) {
+  const Integer N = common_denominator(f).of_constants();
+  f.emplace_back(ring, Rational(Integer(1), N));
+  for (Row& relation : hermite(coordinates(f)).relations)
+    if (!is_integer(Rational(relation.back(), N))) {
       relation.pop_back();
-      m.push_back(std::move(relation));
+      return relation;
     }
-    coset_ = solutions(m, c, v_.size());
-  }
-  [[nodiscard]] bool empty() const { return !coset_; }
+  return std::nullopt;
+}
 
-  // Of a function in the span.
-  [[nodiscard]] Truth is_integral(const MFraction& v) const {
-    std::vector<MFraction> all{v};
-    all.insert(all.end(), v_.begin(), v_.end());
-    all.push_back(one_);
-    for (const Row& relation : hermite(coordinates(all)).relations)
-      if (!is_zero(relation[0])) return value(relation);
-    return Truth::unknown;
-  }
+// What is known of integers, by its places in the list of memberships.
+struct Known {
+  std::vector<std::size_t> in, out;
+  std::vector<MFraction> integers;
 
-private:
-  // v = -(mu1 v1 + ... + c)/mu0: a + gZ on the coset.
-  [[nodiscard]] Truth value(const Row& relation) const {
-    const Rational scale = Rational(-1) / Rational(relation[0]);
-    const auto combination = [&](const Row& n) {
-      Integer sum(0);
-      for (std::size_t i = 0; i < n.size(); ++i)
-        sum = sum + relation[i + 1] * n[i];
-      return scale * Rational(sum);
-    };
-    const Rational a = combination(coset_->start) + scale * Rational(relation.back());
-    bool integral = is_integer(a);
-    Integer den = a.den();
-    std::vector<Rational> steps;
-    for (const Row& s : coset_->steps) {
-      steps.push_back(combination(s));
-      integral = integral && is_integer(steps.back());
-      den = lcm(den, steps.back().den());
+  explicit Known(const std::vector<Membership>& all) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      (all[i].in_integers ? in : out).push_back(i);
+      if (all[i].in_integers) integers.push_back(all[i].value);
     }
-    if (integral) return Truth::yes;
-    Integer g = den; // a + sum of steps is an integer: modulo den
-    for (const Rational& s : steps)
-      g = gcd(g, (Rational(den) * s).num());
-    return is_integer(Rational(den) * a / Rational(g)) ? Truth::unknown : Truth::no;
   }
-
-  std::vector<MFraction> v_;
-  MFraction one_;
-  std::optional<Coset> coset_;
+  // Multiples of the integers, as multiples of all memberships
+  [[nodiscard]] Row spread(const Row& n, std::size_t size) const {
+    Row all(size, Integer(0));
+    for (std::size_t i = 0; i < in.size(); ++i)
+      all[in[i]] = n[i];
+    return all;
+  }
 };
 
-std::vector<MFraction> members(const std::vector<Membership>& known) {
-  std::vector<MFraction> all;
-  for (const Membership& m : known)
-    if (m.in_integers && !is_zero(m.value)) all.push_back(m.value);
-  return all;
-}
-
-bool breaks(const Lattice& lattice, const std::vector<Membership>& known) {
-  return lattice.empty() || std::any_of(known.begin(), known.end(), [&](const Membership& m) {
-           return !m.in_integers &&
-                  (is_zero(m.value) || lattice.is_integral(m.value) == Truth::yes);
-         });
-}
-
 } // namespace
+
+std::optional<IntegerProof> integer_proof(const std::vector<Membership>& all, const MFraction& v) {
+  if (all.empty() || is_zero(v)) return std::nullopt;
+  const Known known(all);
+  if (const auto n = combination(known.integers, v))
+    return IntegerProof{true, Integer(1), known.spread(*n, all.size()), {}};
+  std::vector<MFraction> with_v = known.integers;
+  with_v.push_back(v);
+  const auto refuted = [&](const Row& n, std::optional<std::size_t> none) {
+    return IntegerProof{false, n.back(), known.spread(n, all.size()), none};
+  };
+  if (const auto n = fractional_constant(with_v, v.ring()); n && !is_zero(n->back()))
+    return refuted(*n, std::nullopt);
+  for (const std::size_t i : known.out) // what would be an integer if v were one
+    if (!is_zero(all[i].value))
+      if (const auto n = combination(with_v, all[i].value); n && !is_zero(n->back()))
+        return refuted(*n, i);
+  return std::nullopt;
+}
 
 Truth is_integral(const std::vector<Membership>& known, const MFraction& v) {
   if (is_zero(v)) return Truth::yes;
   if (is_constant(v)) return truth(is_integer(to_rational(v)));
-  if (known.empty()) return Truth::unknown;
-  std::vector<MFraction> all = members(known);
-  if (!all.empty()) {
-    const Lattice lattice(all);
-    if (lattice.empty()) return Truth::unknown; // no point: whoever asks finds out elsewhere
-    if (const Truth t = lattice.is_integral(v); t != Truth::unknown) return t;
-  }
-  all.push_back(v); // what would follow?
-  return breaks(Lattice(all), known) ? Truth::no : Truth::unknown;
+  const auto proof = integer_proof(known, v);
+  return proof ? truth(proof->integral) : Truth::unknown;
 }
 
-bool contradict(const std::vector<Membership>& known) {
-  const auto all = members(known);
-  if (all.empty())
-    return std::any_of(known.begin(), known.end(), [](const Membership& m) {
-      const bool integral =
-          is_zero(m.value) || (is_constant(m.value) && is_integer(to_rational(m.value)));
-      return integral && !m.in_integers;
-    });
-  return breaks(Lattice(all), known);
+bool contradict(const std::vector<Membership>& all) {
+  const Known known(all);
+  if (!known.integers.empty() && fractional_constant(known.integers, all[0].value.ring()))
+    return true;
+  return std::any_of(known.out.begin(), known.out.end(), [&](std::size_t i) {
+    return is_zero(all[i].value) || combination(known.integers, all[i].value);
+  });
 }
 
 } // namespace kov

@@ -11,10 +11,29 @@
 #include "exact/truth.hpp"
 #include "parameters/conditions.hpp"
 
+#include <optional>
+
 namespace kov {
 
+/// Why v is an integer, or is none, wherever the memberships w1, w2, ... hold: an identity.
+///   integral:          sum1 w1 + sum2 w2 + ... - v is an integer
+///   not, with `none`:  times v + sum1 w1 + ... - w_none is an integer, and w_none is none
+///   not, without:      times v + sum1 w1 + ... is a constant, and no integer
+/// sum is 0 at memberships that say "not in Z".
+struct IntegerProof {
+  bool integral = false;
+  Integer times;
+  std::vector<Integer> sum;
+  std::optional<std::size_t> none;
+};
+/// Unset: v is 0, or none of these identities holds; then, for linear functions of free
+/// parameters, v is an integer at some points and none at others (strata.md 10.7).
+/// Cost    a Hermite normal form with as many rows as memberships, for each that says "not in Z"
+/// Example integer_proof({{Rational(2) * a, true}}, a + Rational(1, 4) * one)->integral  // -> no
+[[nodiscard]] std::optional<IntegerProof> integer_proof(const std::vector<Membership>& known,
+                                                        const MFraction& v);
+
 /// yes: v is an integer wherever the memberships hold; no: nowhere; unknown: neither follows.
-/// Cost    Hermite normal forms of matrices with as many rows as memberships
 /// Given   const Membership a_is_integer{a, true};
 /// Example is_integral({a_is_integer}, Rational(2) * a + one)  // -> Truth::yes
 /// Example is_integral({a_is_integer}, Rational(1, 2) * a + Rational(1, 4) * one)  // -> Truth::no

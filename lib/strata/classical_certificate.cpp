@@ -2,6 +2,7 @@
 
 #include "certify/strata/classical.hpp"
 #include "exact/error.hpp"
+#include "parameters/integers.hpp"
 #include "strata/leaf_certificate.hpp"
 
 #include <algorithm>
@@ -36,9 +37,10 @@ public:
       add_number(square);
     if (abelian == Truth::unknown) return {std::nullopt, std::move(leaf_)};
     certify::Arithmetic arithmetic;
-    const certify::ParameterFacts facts{[this](const Fraction& f) { return shown(f); },
-                                        [this](std::size_t i) { return region_.is_rational(i); },
-                                        form_.z};
+    const certify::ParameterFacts facts{
+        [this](const Fraction& f) { return shown(f); },
+        [this](std::size_t i) { return region_.is_rational(i); },
+        [this](const MPoly& p) { return facts_.ensure_positive(p, lemmas_); }, form_.z};
     if (certify::criterion_holds(leaf_, facts, arithmetic) != abelian)
       throw NoProof(Gap::rule,
                     "what is assumed of integers does not settle the criterion by itself");
@@ -98,41 +100,42 @@ private:
     need(leaf_.numbers.back().root->den);
   }
 
-  // An assumed membership that makes the value an integer, or none.
+  // Assumed memberships that make the value an integer, or none.
   Truth shown(const Fraction& f) {
     const MFraction value(f.num, f.den);
-    const auto& all = facts_.memberships();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      const MFraction& w = all[i].value;
-      const bool integral = all[i].in_integers;
-      const auto times = integral ? multiple(w, value) : multiple(value, w);
-      if (!times || !facts_.ensure_nonzero(value.den(), lemmas_)) continue;
-      add({{value.num(), value.den()}, integral, *times, i});
-      return truth(integral);
+    const auto proof = integer_proof(facts_.memberships(), value);
+    if (!proof || !facts_.ensure_nonzero(value.den(), lemmas_)) return Truth::unknown;
+    add(as_shown(*proof, {value.num(), value.den()}));
+    return truth(proof->integral);
+  }
+  // One membership w stands alone: the one that says "none", or one of the integers; n w is
+  // (n + 1) w - w.
+  [[nodiscard]] static certify::ShownMembership as_shown(const IntegerProof& proof,
+                                                         Fraction value) {
+    std::vector<Integer> left = proof.sum;
+    const auto alone = std::find_if(left.begin(), left.end(), [&](const Integer& n) {
+      return proof.integral ? !is_zero(n) : n == Integer(-1);
+    });
+    const auto some = alone != left.end() ? alone
+                                          : std::find_if(left.begin(), left.end(),
+                                                         [](auto& n) { return !is_zero(n); });
+    certify::ShownMembership x{std::move(value), proof.integral, proof.times, 0, {}};
+    if (proof.none) {
+      x.membership = *proof.none;
+    } else {
+      x.membership = static_cast<std::size_t>(some - left.begin());
+      if (proof.integral) x.times = *some;
+      *some = proof.integral ? Integer(0) : *some + Integer(1);
     }
-    return Truth::unknown;
+    for (std::size_t i = 0; i < left.size(); ++i)
+      if (!is_zero(left[i])) x.with.push_back({left[i], i});
+    return x;
   }
   void add(certify::ShownMembership x) {
     const bool old = std::any_of(leaf_.shown.begin(), leaf_.shown.end(), [&](const auto& y) {
       return y.value.num == x.value.num && y.value.den == x.value.den;
     });
     if (!old) leaf_.shown.push_back(std::move(x));
-  }
-  // m with m f - g an integer.
-  [[nodiscard]] static std::optional<Integer> multiple(const MFraction& f, const MFraction& g) {
-    if (!f.ring() || !g.ring()) return std::nullopt;
-    for (const std::size_t x : used_variables(f)) {
-      const MFraction slope = derivative(f, x);
-      if (is_zero(slope)) continue;
-      const MFraction ratio = derivative(g, x) / slope;
-      if (is_zero(ratio) || !is_constant(ratio) || !is_integer(to_rational(ratio)))
-        return std::nullopt;
-      const MFraction rest = to_rational(ratio) * f - g;
-      if (!is_zero(rest) && (!is_constant(rest) || !is_integer(to_rational(rest))))
-        return std::nullopt;
-      return to_rational(ratio).num();
-    }
-    return std::nullopt;
   }
 
   Classical family_;

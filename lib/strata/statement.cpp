@@ -62,6 +62,7 @@ public:
 
   [[nodiscard]] Truth operator()(const Separated& s) const {
     if (natural(s.squares[0]) == Truth::no || integral(s.squares[1]) == Truth::no) return Truth::no;
+    if (const Truth t = separated_by_signs(s); t != Truth::unknown) return t;
     const auto n = constant_root(s.squares[0]);
     if (!n || *n > Rational(20)) return Truth::unknown;
     for (Rational v = *n - Rational(1); sign(v) >= 0; v = v - Rational(2))
@@ -90,6 +91,28 @@ public:
   [[nodiscard]] Truth operator()(const LameIsFinite&) const { return Truth::unknown; }
 
 private:
+  // With N and x the roots of the squares: N + x and N - x, odd integers, have the same sign.
+  [[nodiscard]] Truth separated_by_signs(const Separated& s) const {
+    const auto n = square_root(s.squares[0]);
+    const auto x = square_root(s.squares[1]);
+    if (!n || !x) return Truth::unknown;
+    const int left = sign_of_odd(*n + *x);
+    const int right = left != 0 ? sign_of_odd(*n - *x) : 0;
+    return right != 0 ? truth(left == right) : Truth::unknown;
+  }
+  // 0: not known, or no odd integer.  It is positive if it is > -1, and negative if it is < 1.
+  [[nodiscard]] int sign_of_odd(const MFraction& f) const {
+    const MFraction one(region_.ring(), Rational(1));
+    if (is_zero(f) || region_.is_integral(Rational(1, 2) * (f - one)) != Truth::yes) return 0;
+    if (is_constant(f)) return sign(to_rational(f));
+    if (!is_constant(f.den())) return 0;
+    const int den = sign(f.den().coefficient(0));
+    for (const int positive : {1, -1}) {
+      const MFraction g = f + Rational(positive) * one;
+      if (!is_zero(g) && den * region_.exact_sign_of(g.num()) == positive) return positive;
+    }
+    return 0;
+  }
   [[nodiscard]] Truth in_class(const MFraction& square, const Residues& c) const {
     return (*this)(SumIn{{square}, {c}});
   }

@@ -180,6 +180,22 @@ TEST(Families, WeberIsNeverAbelian) {
 
 // A = C D > 0 says nothing about the sign of C/D: at C = I, D = -I it is -1, and the group is
 // abelian.
+// Hydrogen: n = l is the orbital number, k the principal one.  Abelian exactly where |k| <= l.
+TEST(ParametricEquation, IntegersAndTheirSigns) {
+  const std::string r = "n*(n + 1)/z^2 + 1/4 - k/z";
+  const auto one = [&](const std::string& more) {
+    const auto a = answer(r, "n integer, k integer, " + more);
+    EXPECT_EQ(a.strata.size(), 1U) << more;
+    return a.strata[0].leaf.group ? a.strata[0].leaf.group->type : GroupType::SL2;
+  };
+  EXPECT_EQ(one("k > n, n >= 0"), GroupType::Borel);
+  EXPECT_EQ(one("k < -n, n >= 0"), GroupType::Borel);
+  EXPECT_EQ(one("k <= n, k > 0"), GroupType::Gm);
+  EXPECT_EQ(one("k <= n, k >= -n, n > 0"), GroupType::Gm);
+  EXPECT_FALSE(answer(r, "n integer, k integer, k > n - 1, n >= 0").strata[0].leaf.group);
+  EXPECT_FALSE(answer(r, "n integer, k > n, n >= 0").strata[0].leaf.group); // k may be none
+}
+
 TEST(Families, ASignOfNumTimesDenIsNoneOfTheQuotientWhereDenIsComplex) {
   const auto answered =
       answer("(1/9-1)/(4*z^2)-3/(16*(z-1)^2)+(8/9-C/D)/(4*z*(z-1))", "A > 0, A = C*D");

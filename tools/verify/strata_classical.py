@@ -129,15 +129,26 @@ class Classical:
 
     # -- integers
 
-    def show(self, d):
-        """A value that a membership makes an integer, or none."""
-        v, i, m = self.pair(d["value"]), d["membership"], d["times"]
+    def membership(self, d):
+        """(num, den), whether it is an integer, and the multiple of it"""
+        i, m = d["membership"], d["times"]
         need(0 <= i < len(self.s.memberships) and abs(m) <= 10**6, "no such membership, or too large a multiple")
         num, den, is_in = self.s.memberships[i]
-        need(is_in == d["integral"], "the membership says something else")
-        left, right = ((num, den), v) if is_in else (v, (num, den))
-        need(integral(plus(times(left, m), right, -1)), "nothing follows from the membership")
-        return v, is_in
+        return (num, den), is_in, m
+
+    def show(self, d):
+        """v is an integer with w and those of the sum; or w would be one with v, or a constant that is none."""
+        v, (w, is_in, m), rest = self.pair(d["value"]), self.membership(d), d["with"] or []
+        need(is_in or not d["integral"], "the membership says something else")
+        need(len(rest) <= 100, "a limit: the number of memberships")
+        left, right = (w, v) if d["integral"] else (v, w)
+        left = times(left, m)
+        for f, integer, n in map(self.membership, rest):
+            need(integer, "a membership of the sum is none of integers")
+            left = plus(left, f, n)
+        c = constant(plus(left, right, -1))
+        need(c is not None and (c.denominator == 1) == (d["integral"] or not is_in), "nothing follows from the memberships")
+        return v, d["integral"]
 
     def known(self, f):
         """Is f an integer at every point (True), at none (False)?"""
@@ -171,8 +182,23 @@ class Classical:
         both = [plus(plus(k.root, m.root, sign), None, -HALF) for sign in (1, -1)]
         if any(self.known(f) is False for f in both):
             return False
-        p, q = map(constant, both)
-        return None if p is None or q is None else (p >= 0) != (q >= 0)
+        p, q = map(self.natural, both)
+        return None if p is None or q is None else p != q
+
+    def natural(self, f):
+        """Is the integer f >= 0, that is > -1, or < 0?  None: not known, or f may be none."""
+        if not self.known(f):
+            return None
+        c, n = constant(f), f[1].constant()
+        if c is not None or n is None:
+            return None if c is None else c >= 0
+        side = 1 if n > 0 else -1
+        if self.positive(f[0] * side + f[1] * side):
+            return True
+        return False if self.positive(f[0] * -side) else None
+
+    def positive(self, f):
+        return bool(f) and self.s.is_positive(f)
 
     def of_lame(self):
         """x = 2n + 1; a finite group has x in 2Z, (2/3)Z, (1/2)Z or (2/5)Z, and 2Z is in (1/2)Z."""

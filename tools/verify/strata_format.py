@@ -20,8 +20,9 @@ LEAVES = {"number": {"certificate": "any"},
           "invariant": {"content": "text", "places": [FACTOR], "m": "int", "p": "text"}}
 LEAVES |= dict.fromkeys(("torus-log", "torus", "irreducible-log", "rational", "one-open", "open"), PLACED)
 NUMBER = {"square": FRACTION, "root?": FRACTION}
+MULTIPLE = {"times": "int", "membership": "int"}
 CLASSICAL = {"change": FRACTION, "equation": FRACTION, "factors?": ["text"], "numbers": [NUMBER],
-             "shown?": [{"value": FRACTION, "integral": "truth", "times": "int", "membership": "int"}]}
+             "shown?": [{"value": FRACTION, "integral": "truth", "with?": [MULTIPLE]} | MULTIPLE]}
 CRITERIA = ("whittaker", "bessel", "riemann", "lame")
 LEAVES |= dict.fromkeys(CRITERIA, CLASSICAL)
 ENDS = {"empty": VIOLATED | {"terms?": ["any"]}, "outside": {"generic?": "int"}, "open": {"reason": "text"},

@@ -105,13 +105,21 @@ struct SquaredNumber {
   Fraction square;
   std::optional<Fraction> root{};
 };
-/// A membership w settles the value v: both sides of "times w - v" (integral: w and v are
-/// integers), or of "times v - w" (w is none, so v is none), differ by an integer constant.
+struct MultipleOfMembership {
+  Integer times;
+  std::size_t membership = 0;
+};
+/// Memberships settle the value v; w is that of `membership`, s the sum of the multiples `with`,
+/// which all are integers.
+///   integral:        w is an integer, and times w + s - v is an integer constant
+///   w is none:       times v + s - w is an integer constant, so v is none
+///   w is an integer: times v + s - w is a constant that is no integer, so v is none
 struct ShownMembership {
   Fraction value;
   bool integral = false;
   Integer times{1};
   std::size_t membership = 0;
+  std::vector<MultipleOfMembership> with{};
 };
 /// 7.8: z -> change turns the classical equation y'' = equation y into the one of the stratum.
 struct ByClassical {

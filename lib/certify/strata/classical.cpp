@@ -12,6 +12,7 @@ namespace kov::certify {
 namespace {
 
 constexpr std::size_t max_shown = 1000; // each number is compared with all of them
+constexpr std::size_t max_with = 100;
 
 class Classical {
 public:
@@ -29,7 +30,8 @@ public:
     for (const ShownMembership& x : leaf_.shown)
       need_shown(x);
     const ParameterFacts facts{[this](const Fraction& f) { return known(f); },
-                               [this](std::size_t i) { return s_.is_rational(i); }};
+                               [this](std::size_t i) { return s_.is_rational(i); },
+                               [this](const MPoly& p) { return s_.known_positive(p); }};
     return criterion_holds(leaf_, facts, a_);
   }
 
@@ -173,15 +175,27 @@ private:
 
   // ---- integers
 
+  void need_multiple(const Integer& times) const {
+    need_within(abs(Rational(times)) <= Rational(max_multiple), "a limit: times");
+  }
+  // v is an integer with w and those of the sum; or w would be one with v, or a constant that is
+  // none.
   void need_shown(const ShownMembership& x) const {
     need_value(x.value);
-    const auto& [w, integral] = s_.membership(x.membership);
-    need(integral == x.integral, "the membership says something else");
-    const Fraction& from = integral ? w : x.value;
-    need_within(abs(Rational(x.times)) <= Rational(max_multiple), "a limit: times");
-    const Fraction multiple{scaled(from.num, x.times), from.den};
-    const auto c = constant_value(combined(multiple, Rational(-1), integral ? x.value : w, a_));
-    need(c && is_integer(*c), "nothing follows from the membership");
+    need_within(x.with.size() <= max_with, "a limit: the number of memberships");
+    need_multiple(x.times);
+    const auto& [w, in] = s_.membership(x.membership);
+    need(in || !x.integral, "the membership says something else");
+    const Fraction& left = x.integral ? w : x.value;
+    Fraction sum{scaled(left.num, x.times), left.den};
+    for (const MultipleOfMembership& m : x.with) {
+      need_multiple(m.times);
+      const auto& [f, integer] = s_.membership(m.membership);
+      need(integer, "a membership of the sum is none of integers");
+      sum = combined(sum, Rational(m.times), f, a_);
+    }
+    const auto c = constant_value(combined(sum, Rational(-1), x.integral ? x.value : w, a_));
+    need(c && is_integer(*c) == (x.integral || !in), "nothing follows from the memberships");
   }
   // f, up to its sign and an integer, is one of the values shown.
   [[nodiscard]] Truth known(const Fraction& f) const {

@@ -23,6 +23,7 @@ struct ParameterFacts {
   /// Is it an integer at every point, or at none?  It is not asked for constants.
   std::function<Truth(const Fraction&)> integral;
   std::function<bool(std::size_t)> is_rational; ///< a parameter
+  std::function<bool(const MPoly&)> positive;   ///< at every point
   std::size_t z = 0;                            ///< the variable
 };
 /// Does the criterion hold at every point, or at none?  Unknown where neither follows.

@@ -128,11 +128,21 @@ private:
     const Fraction P = shifted(combined(*k.root, Rational(1), *m.root, a_), -half, a_);
     const Fraction Q = shifted(combined(*k.root, Rational(-1), *m.root, a_), -half, a_);
     if (integral(P) == Truth::no || integral(Q) == Truth::no) return Truth::no;
-    const auto p = constant_value(P);
-    const auto q = constant_value(Q);
-    if (p && q) return truth((sign(*p) >= 0) != (sign(*q) >= 0));
-    return Truth::unknown;
+    const Truth p = natural(P);
+    const Truth q = p != Truth::unknown ? natural(Q) : Truth::unknown;
+    return q != Truth::unknown ? truth(p != q) : Truth::unknown;
   }
+  // Is the integer f >= 0, that is > -1, or < 0?  Unknown: not known, or f may be none.
+  Truth natural(const Fraction& f) const {
+    if (integral(f) != Truth::yes) return Truth::unknown;
+    if (const auto c = constant_value(f)) return truth(sign(*c) >= 0);
+    if (!is_constant(f.den)) return Truth::unknown;
+    const Integer side(sign(f.den.coefficient(0)));
+    if (positive(shifted({scaled(f.num, side), scaled(f.den, side)}, Rational(1), a_).num))
+      return Truth::yes;
+    return positive(scaled(f.num, -side)) ? Truth::no : Truth::unknown;
+  }
+  bool positive(const MPoly& p) const { return !is_zero(p) && facts_.positive(p); }
 
   // x = 2n + 1; a finite group has x in 2Z, (2/3)Z, (1/2)Z or (2/5)Z.
   Truth lame(const Number& x) const {

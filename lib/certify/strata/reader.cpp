@@ -244,8 +244,17 @@ private:
   }
   [[nodiscard]] ShownMembership shown(const Node& n) const {
     Keys k(n);
-    ShownMembership x{fraction(k.at("value")), truth(k.at("integral")), k.at("times").integer(),
-                      index(k.at("membership"))};
+    ShownMembership x{fraction(k.at("value")),
+                      truth(k.at("integral")),
+                      k.at("times").integer(),
+                      index(k.at("membership")),
+                      {}};
+    if (const auto v = k.find("with"))
+      for (const Node& m : v->items()) {
+        Keys f(m);
+        x.with.push_back({f.at("times").integer(), index(f.at("membership"))});
+        f.done();
+      }
     k.done();
     return x;
   }

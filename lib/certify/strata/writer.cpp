@@ -131,11 +131,16 @@ Json number(const SquaredNumber& x) {
   if (x.root) o.emplace_back("root", fraction(*x.root));
   return {std::move(o)};
 }
+Json multiple(const MultipleOfMembership& x) {
+  return {Json::Object{{"times", text(to_string(x.times))}, {"membership", text(x.membership)}}};
+}
 Json shown(const ShownMembership& x) {
-  return {Json::Object{{"value", fraction(x.value)},
-                       {"integral", Json{x.integral}},
-                       {"times", text(to_string(x.times))},
-                       {"membership", text(x.membership)}}};
+  Json::Object o{{"value", fraction(x.value)},
+                 {"integral", Json{x.integral}},
+                 {"times", text(to_string(x.times))},
+                 {"membership", text(x.membership)}};
+  if (!x.with.empty()) o.emplace_back("with", listed(x.with, multiple));
+  return {std::move(o)};
 }
 void put(Json::Object& o, const ByClassical& x) {
   o.emplace_back("by", text(x.family));
