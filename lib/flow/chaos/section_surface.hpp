@@ -1,0 +1,104 @@
+#pragma once
+// The surface on which the section map of a system file lives: { section = 0, level_i = value_i } in the n
+// coordinates, n - 2 equations.  Its charts are two of the coordinates; the others are solved for.
+//
+// What is proved about the map needs: no function symbols (they are not enclosed), levels of proved first integrals,
+// as many that a surface is left, and one direction of crossing.
+
+#include "flow/number/dual.hpp"
+#include "flow/scene/system_scene.hpp"
+
+#include <array>
+#include <vector>
+
+namespace kov::flow {
+
+/// Why something is not proved; what is returned then says it.
+struct NotProved {
+  std::string why;
+};
+
+/// A point of phase space with derivatives with respect to two chart coordinates.
+template <class R> using Place = std::vector<Dual<R>>;
+
+/// The scene's formulas as programs.
+class SectionSurface {
+public:
+  /// Errors  InputError: the scene has no section map of the kind above
+  explicit SectionSurface(const SystemScene& scene);
+
+  [[nodiscard]] std::size_t dimension() const noexcept { return dimension_; }
+  [[nodiscard]] std::size_t equations() const noexcept { return dimension_ - 2; }
+  [[nodiscard]] bool rising() const noexcept { return rising_; }
+  [[nodiscard]] bool has_side() const noexcept { return has_side_; }
+  /// The two functions that are drawn follow the field among the outputs of `at_point`.
+  [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
+  /// The map keeps an area, where the bracket has rank four: canonical, or H and Casimirs.
+  [[nodiscard]] const std::vector<MFraction>& bracket() const noexcept { return bracket_; }
+
+private:
+  template <class R> friend class SurfaceCode;
+  std::size_t dimension_;
+  bool rising_, has_side_;
+  std::vector<std::string> names_;
+  std::vector<Quantity> targets_;  ///< values of the equations' functions: 0, levels
+  std::vector<Quantity> values_;   ///< of parameters without a rational value
+  std::vector<MFraction> bracket_; ///< upper triangle of J; empty: no area is known to be kept
+  std::size_t inputs_ = 0;         ///< coordinates and values
+  Program field_, at_point_;
+  std::uint32_t field_registers_ = 0, point_registers_ = 0;
+};
+
+/// The values of the formulas at a point.
+template <class R> struct SurfaceValues {
+  std::vector<Dual<R>> equations;          ///< section, then levels, minus their values
+  std::vector<std::vector<Dual<R>>> slope; ///< their gradients
+  std::vector<Dual<R>> field;              ///< X
+  std::array<Dual<R>, 2> drawn;
+  Dual<R> side;                 ///< of `where`; 1 without
+  std::vector<Dual<R>> bracket; ///< upper triangle by rows
+};
+
+/// The programs with numbers of type R, and storage for series up to an order.
+template <class R> class SurfaceCode {
+public:
+  using T = Dual<R>;
+  SurfaceCode(const SectionSurface& s, int order);
+
+  [[nodiscard]] SurfaceValues<R> at(const Place<R>& x);
+  /// Taylor coefficients 0 .. order of the orbit through x.
+  void expand(const Place<R>& x, int order);
+  [[nodiscard]] const T& coefficient(std::size_t variable, int k) const {
+    return series_[variable * stride_ + static_cast<std::size_t>(k)];
+  }
+  /// The Taylor polynomial at time t.
+  [[nodiscard]] Place<R> polynomial(const R& t, int order) const;
+
+private:
+  void run(const std::vector<Instruction>& code, const std::vector<T>& numbers,
+           const std::vector<SumTerm>& terms, std::vector<T>& registers, int k) const;
+  const SectionSurface& s_;
+  std::size_t stride_;
+  std::vector<Instruction> field_once_, field_each_;
+  std::vector<SumTerm> field_terms_;
+  std::vector<T> field_numbers_, point_numbers_, targets_, series_, point_;
+};
+
+extern template class SurfaceCode<double>;
+extern template class SurfaceCode<Enclosure>;
+
+/// a x = b by elimination with pivots; in balls x is enclosed (or not finite).
+template <class R> std::vector<R> solved(std::vector<std::vector<R>> a, std::vector<R> b);
+extern template std::vector<double> solved(std::vector<std::vector<double>>, std::vector<double>);
+extern template std::vector<Enclosure> solved(std::vector<std::vector<Enclosure>>,
+                                              std::vector<Enclosure>);
+
+/// Two coordinates of phase space that are coordinates on the surface near a point.
+struct Chart {
+  std::array<std::size_t, 2> free{};
+  std::vector<std::size_t> rest; ///< the others, n - 2
+};
+/// The rest is chosen by elimination with full pivots: as well determined as it can be.
+[[nodiscard]] Chart chart_at(SurfaceCode<double>& code, const std::vector<double>& x);
+
+} // namespace kov::flow
