@@ -138,6 +138,27 @@ const LiteratureTheorem& morales_ramis_simo() { return known("Morales-Ramis-Simo
 const LiteratureTheorem& ziglin_1980() { return known("Ziglin 1980"); }
 const LiteratureTheorem& ziglin_1982() { return known("Ziglin 1982"); }
 
+const LiteratureTheorem& smale_moser() {
+  static const LiteratureTheorem theorem{
+      "Smale-Moser",
+      "Smale (1965) and Moser (1973) on homoclinic points",
+      "Near a transverse homoclinic point of a diffeomorphism some power of it has an invariant "
+      "Cantor set on which it is the shift on two symbols.  If the diffeomorphism and its domain "
+      "are real-analytic, then every real-analytic first integral on a connected neighbourhood of "
+      "the closure of the orbit is constant.",
+      "Moser1973",
+      "real-analytic",
+      {{"the map is a real-analytic diffeomorphism near the closure of the orbit", Settled::checked,
+        "the enclosed crossings of the section are transverse"},
+       {"the fixed point is hyperbolic", Settled::checked,
+        "the cones of the map and of its inverse"},
+       {"its stable and unstable manifold cross transversally at the homoclinic point",
+        Settled::checked, "Krawczyk's test"},
+       {"the first integral is real-analytic on a connected neighbourhood of that closure",
+        Settled::stated, "that is what is excluded"}}};
+  return theorem;
+}
+
 TheoremUsed used(const LiteratureTheorem& theorem) {
   return {&theorem, theorem.hypotheses, theorem.integrals};
 }

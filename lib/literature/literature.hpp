@@ -47,6 +47,8 @@ struct LiteratureTheorem {
 [[nodiscard]] const LiteratureTheorem& morales_ramis_simo(); ///< higher orders
 [[nodiscard]] const LiteratureTheorem& ziglin_1980();        ///< splitting of separatrices
 [[nodiscard]] const LiteratureTheorem& ziglin_1982();        ///< lowest-order parts
+/// Homoclinic points.  Not one of literature(): no file can name it, a proof in numbers uses it.
+[[nodiscard]] const LiteratureTheorem& smale_moser();
 
 /// One use of a theorem.
 struct TheoremUsed {

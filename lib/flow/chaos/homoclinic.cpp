@@ -1,0 +1,499 @@
+#include "flow/chaos/homoclinic.hpp"
+
+#include "flow/chaos/krawczyk.hpp"
+#include "flow/chaos/manifold_arcs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace kov::flow {
+namespace {
+
+using Ball = Enclosure;
+using Matrix2 = std::array<std::array<Ball, 2>, 2>;
+
+Ball around_zero(double radius) { return Ball(0).widened(Ball(radius)); }
+
+Matrix2 product(const Matrix2& a, const Matrix2& b) {
+  Matrix2 c;
+  for (std::size_t i = 0; i < 2; ++i)
+    for (std::size_t j = 0; j < 2; ++j)
+      c[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j];
+  return c;
+}
+Matrix2 inverse(const Matrix2& a) {
+  const Ball det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+  return {{{a[1][1] / det, -a[0][1] / det}, {-a[1][0] / det, a[0][0] / det}}};
+}
+Matrix2 slope_in(const Place<Ball>& x, const Chart& c) {
+  return {{{x[c.free[0]].d[0], x[c.free[0]].d[1]}, {x[c.free[1]].d[0], x[c.free[1]].d[1]}}};
+}
+
+// ---- the cones ----
+
+struct Cone {
+  double slope = 0, stretch = 0;
+};
+
+// The least 2^-k for which every matrix in m maps the cone |v1| <= slope |v0| into its interior and stretches |v0|.
+// Which of the two components comes first says `first`.
+std::optional<Cone> cone(const Matrix2& m, std::size_t first) {
+  const std::size_t second = 1 - first;
+  const Ball& a = m[first][first];
+  const Ball along = a.is_positive() ? a : -a;
+  const Ball b(bound_of(m[first][second])), c(bound_of(m[second][first])),
+      d(bound_of(m[second][second]));
+  if (!along.is_positive()) return std::nullopt;
+  for (int k = 50; k >= 10; --k) {
+    const Ball slope(std::ldexp(1.0, -k)), stretch = along - b * slope;
+    if (!(c + d * slope < slope * stretch) || !(stretch > Ball(1))) continue;
+    const double low =
+        std::nextafter(static_cast<double>(stretch) - 2 * stretch.radius(), 0.0) * (1 - 1e-12);
+    return Cone{std::ldexp(1.0, -k), low};
+  }
+  return std::nullopt;
+}
+
+// p with its parallelogram, and the slopes of the graphs that the manifolds are in it.
+struct Local {
+  EnclosedOrbit orbit;
+  Patch region; ///< a box around the parallelogram
+  Matrix2 axes; ///< exact
+  std::array<Ball, 2> p;
+  LocalFrame frame; ///< for the search
+  double reach = 0; ///< r
+  Cone unstable, stable;
+  std::array<double, 2> multipliers{}; ///< of Q, approximately
+};
+
+// Eigenvectors in double: the cones do not need them to be exact.
+void set_axes(Local& l) {
+  Matrix2 d = l.orbit.slopes[0];
+  for (std::size_t k = 1; k < l.orbit.slopes.size(); ++k)
+    d = product(l.orbit.slopes[k], d);
+  const auto at = [&](std::size_t i, std::size_t j) { return static_cast<double>(d[i][j]); };
+  const double half = (at(0, 0) + at(1, 1)) / 2, det = at(0, 0) * at(1, 1) - at(0, 1) * at(1, 0);
+  const double large = half + std::copysign(std::sqrt(std::max(half * half - det, 0.0)), half);
+  const std::array<double, 2> multipliers{large, det / large};
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double m = multipliers[axis];
+    std::array<double, 2> v{at(0, 1), m - at(0, 0)}, w{m - at(1, 1), at(1, 0)};
+    if (std::hypot(w[0], w[1]) > std::hypot(v[0], v[1])) v = w;
+    const double length = std::max(std::abs(v[0]), std::abs(v[1]));
+    for (std::size_t i = 0; i < 2; ++i) {
+      l.frame.axes[i][axis] = v[i] / length;
+      l.axes[i][axis] = Ball(l.frame.axes[i][axis]);
+    }
+  }
+  l.frame.stretch_unstable = std::abs(multipliers[0]);
+  l.frame.stretch_stable = 1 / std::abs(multipliers[1]);
+  l.multipliers = multipliers;
+}
+
+bool find_cones(EnclosedMap& map, Local& l, double reach) {
+  std::array<Ball, 2> box;
+  for (std::size_t i = 0; i < 2; ++i)
+    box[i] = l.p[i] + l.axes[i][0] * around_zero(reach) + l.axes[i][1] * around_zero(reach);
+  l.region = map.patch(l.frame.chart, box, l.frame.near);
+  for (std::size_t i = 0; i < l.region.sheet.size(); ++i)
+    if (!l.orbit.patches[0].at[l.region.chart.rest[i]].v.inside(l.region.sheet[i])) return false;
+  const Matrix2 back = inverse(l.axes);
+  for (const bool stable : {false, true}) {
+    const Landing image = map(l.region, stable, l.frame.turns);
+    if (!EnclosedMap::same_sheet(image, l.region)) return false;
+    const auto found =
+        cone(product(back, product(slope_in(image.at, l.frame.chart), l.axes)), stable ? 1 : 0);
+    if (!found) return false;
+    (stable ? l.stable : l.unstable) = *found;
+  }
+  l.reach = reach;
+  return true;
+}
+
+Local local_manifolds(EnclosedMap& map, QuickMap& quick,
+                      const std::vector<std::vector<double>>& points) {
+  Local l;
+  l.orbit = enclose_orbit(map, quick, points);
+  if (l.orbit.stability != Stability::hyperbolic &&
+      l.orbit.stability != Stability::inverse_hyperbolic)
+    throw NotProved{"the orbit is not proved to be hyperbolic"};
+  const Patch& p = l.orbit.patches[0];
+  l.p = p.box;
+  l.frame.chart = p.chart;
+  l.frame.near = doubles(p.at);
+  l.frame.at = {static_cast<double>(p.box[0]), static_cast<double>(p.box[1])};
+  l.frame.turns = static_cast<int>(points.size());
+  set_axes(l);
+  double size = 0;
+  for (const double c : l.frame.near)
+    size = std::max(size, std::abs(c));
+  l.frame.reach = std::ldexp(size, -14);
+  for (int k = 12; k <= 44; k += 4) // the largest that works, for the shortest orbits
+    try {
+      if (find_cones(map, l, std::ldexp(size, -k))) return l;
+    } catch (const NotProved&) { // smaller
+    }
+  throw NotProved{"no parallelogram around the hyperbolic point keeps cones"};
+}
+
+// ---- directions ----
+
+// (1, slope), or (slope, 1) where `first` is 1.
+struct Direction {
+  std::size_t first = 0;
+  Ball slope;
+};
+
+std::array<Ball, 2> vector_of(const Direction& d) {
+  std::array<Ball, 2> v{Ball(1), Ball(1)};
+  v[1 - d.first] = d.slope;
+  return v;
+}
+
+Direction direction_of(const std::array<Ball, 2>& v) {
+  const std::size_t first =
+      std::abs(static_cast<double>(v[0])) >= std::abs(static_cast<double>(v[1])) ? 0 : 1;
+  return {first, v[1 - first] / v[first]};
+}
+
+// The image under every matrix in m.  By the mean value theorem, so that an attracted direction becomes sharper.
+Direction carried(const Matrix2& m, const Direction& d) {
+  const auto image = [&](const Ball& slope) {
+    const auto v = vector_of({d.first, slope});
+    return std::array<Ball, 2>{m[0][0] * v[0] + m[0][1] * v[1], m[1][0] * v[0] + m[1][1] * v[1]};
+  };
+  const Ball middle = d.slope.middle();
+  const Direction to = direction_of(image(middle));
+  const Ball det = m[0][0] * m[1][1] - m[0][1] * m[1][0], scale = image(d.slope)[to.first];
+  const Ball rate = det / (scale * scale);
+  return {to.first, to.slope + (to.first == d.first ? rate : -rate) * (d.slope - middle)};
+}
+
+// ---- the orbit from one graph to the other ----
+
+struct Node {
+  Chart chart;
+  std::array<Ball, 2> middle; ///< exact
+  std::vector<double> near;
+};
+
+class Connection {
+public:
+  Connection(EnclosedMap& map, QuickMap& quick, const Local& l, const HomoclinicGuess& g)
+      : map_(map), l_(l), xi_(g.xi), eta_(g.eta), nodes_(g.orbit.size() - 1) {
+    for (std::size_t k = 1; k < nodes_.size(); ++k) {
+      const std::vector<double>& x = g.orbit[k];
+      const Chart chart = chart_at(quick.code(), x);
+      nodes_[k] = {chart, {Ball(x[chart.free[0]]), Ball(x[chart.free[1]])}, x};
+    }
+    nodes_[0].chart = l.frame.chart;
+    nodes_[0].near = g.orbit.front();
+  }
+
+  // Krawczyk's test; throws NotProved.  Then `links_` enclose the map near the proved orbit.
+  void prove() {
+    for (int i = 0; i < 5; ++i) { // Newton's method in the middles
+      links_ = over(std::vector<double>(unknowns(), 0.0));
+      const auto c = approximate_inverse(slopes());
+      if (!c) throw NotProved{"the manifolds are tangent, or nearly"};
+      const BallVector step = applied(*c, value(links_));
+      double left = 0, noise = 0;
+      for (const Ball& b : step) {
+        left = std::max(left, std::abs(static_cast<double>(b)));
+        noise = std::max(noise, b.radius());
+      }
+      if (!(left < 1e-2))
+        throw NotProved{"Newton's method left the crossing that the search had found"};
+      move(step);
+      if (left <= noise) break;
+    }
+    krawczyk();
+  }
+
+  [[nodiscard]] const std::vector<double>& radius() const { return radius_; }
+  [[nodiscard]] double xi() const { return static_cast<double>(xi_); }
+  [[nodiscard]] double eta() const { return static_cast<double>(eta_); }
+
+  [[nodiscard]] std::vector<std::vector<double>> orbit() const {
+    std::vector<std::vector<double>> all;
+    for (const Link& l : links_)
+      all.push_back(doubles(l.patch.at));
+    all.push_back(doubles(links_.back().landing.at));
+    return all;
+  }
+
+  // A lower bound of |sin| of the angle between the manifolds at z_k, in its chart.
+  [[nodiscard]] double sine(std::size_t k) const {
+    Direction u = direction_of(along(0, l_.unstable.slope)),
+              s = direction_of(along(1, l_.stable.slope));
+    for (std::size_t i = 0; i < k; ++i)
+      u = carried(links_[i].slope, u);
+    for (std::size_t i = nodes_.size(); i-- > k;)
+      s = carried(inverse(links_[i].slope), s);
+    const auto a = vector_of(u), b = vector_of(s);
+    const Ball sine = (a[0] * b[1] - a[1] * b[0]) /
+                      sqrt((a[0] * a[0] + a[1] * a[1]) * (b[0] * b[0] + b[1] * b[1]));
+    if (sine.contains_zero()) return 0;
+    const double low = std::abs(static_cast<double>(sine)) - 2 * sine.radius();
+    return low > 0 ? low * (1 - 1e-12) : 0;
+  }
+
+private:
+  struct Link {
+    Patch patch;               ///< around z_k
+    Landing landing;           ///< of the patch
+    Matrix2 slope;             ///< of Q over the patch
+    std::array<Ball, 2> image; ///< of the middle
+  };
+  EnclosedMap& map_;
+  const Local& l_;
+  Ball xi_, eta_;           ///< exact
+  std::vector<Node> nodes_; ///< z_0 ... z_(n-1)
+  std::vector<Link> links_;
+  std::vector<double> radius_;
+
+  // Unknowns: xi; z_1 ... z_(n-1); eta.
+  [[nodiscard]] std::size_t unknowns() const { return 2 * nodes_.size(); }
+  [[nodiscard]] const Chart& chart_of(std::size_t k) const {
+    return k < nodes_.size() ? nodes_[k].chart : l_.frame.chart;
+  }
+
+  void move(const BallVector& step) {
+    xi_ = (xi_ - step.front()).middle();
+    eta_ = (eta_ - step.back()).middle();
+    for (std::size_t k = 1; k < nodes_.size(); ++k)
+      for (std::size_t d = 0; d < 2; ++d)
+        nodes_[k].middle[d] = (nodes_[k].middle[d] - step[2 * k - 1 + d]).middle();
+  }
+
+  // p + A (xi, w) for every w that the slope allows, |xi - middle| <= radius; or the same along the second axis.
+  [[nodiscard]] std::array<Ball, 2> on_graph(std::size_t axis, const Ball& along, double slope,
+                                             double radius) const {
+    const Ball there = along.widened(Ball(radius));
+    const Ball off = around_zero(slope) * there;
+    std::array<Ball, 2> z;
+    for (std::size_t i = 0; i < 2; ++i)
+      z[i] = l_.p[i] + l_.axes[i][axis] * there + l_.axes[i][1 - axis] * off;
+    return z;
+  }
+  // The tangents of all such graphs.
+  [[nodiscard]] std::array<Ball, 2> along(std::size_t axis, double slope) const {
+    std::array<Ball, 2> t;
+    for (std::size_t i = 0; i < 2; ++i)
+      t[i] = l_.axes[i][axis] + l_.axes[i][1 - axis] * around_zero(slope);
+    return t;
+  }
+
+  // The map at the middles, and over boxes around them.
+  std::vector<Link> over(const std::vector<double>& radius) {
+    std::vector<Link> all(nodes_.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      const Node& n = nodes_[k];
+      std::array<Ball, 2> box, middle;
+      if (k == 0) {
+        box = on_graph(0, xi_, l_.unstable.slope, radius[0]);
+        for (std::size_t i = 0; i < 2; ++i)
+          middle[i] = (l_.p[i].middle() + l_.axes[i][0] * xi_).middle();
+      } else {
+        for (std::size_t d = 0; d < 2; ++d) {
+          middle[d] = n.middle[d];
+          box[d] = n.middle[d].widened(Ball(radius[2 * k - 1 + d]));
+        }
+      }
+      Link& link = all[k];
+      link.patch = map_.patch(n.chart, box, n.near);
+      link.landing = map_(link.patch, false, l_.frame.turns);
+      link.slope = slope_in(link.landing.at, chart_of(k + 1));
+      const Landing thin = map_(map_.patch(n.chart, middle, n.near), false, l_.frame.turns);
+      for (std::size_t d = 0; d < 2; ++d)
+        link.image[d] = thin.at[chart_of(k + 1).free[d]].v;
+    }
+    return all;
+  }
+
+  // F at the middles of the unknowns, for every pair of graphs.
+  [[nodiscard]] BallVector value(const std::vector<Link>& links) const {
+    BallVector f;
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      std::array<Ball, 2> at = links[k].image;
+      if (k == 0) { // by the mean value theorem from the point with w = 0
+        const auto z = on_graph(0, xi_, l_.unstable.slope, 0);
+        std::array<Ball, 2> off;
+        for (std::size_t i = 0; i < 2; ++i)
+          off[i] = z[i] - (l_.p[i].middle() + l_.axes[i][0] * xi_).middle();
+        for (std::size_t i = 0; i < 2; ++i)
+          at[i] += links[0].slope[i][0] * off[0] + links[0].slope[i][1] * off[1];
+      }
+      const std::array<Ball, 2> to =
+          k + 1 < nodes_.size() ? nodes_[k + 1].middle : on_graph(1, eta_, l_.stable.slope, 0);
+      for (std::size_t i = 0; i < 2; ++i)
+        f.push_back(at[i] - to[i]);
+    }
+    return f;
+  }
+
+  [[nodiscard]] BallMatrix slopes() const {
+    const std::size_t n = nodes_.size();
+    BallMatrix a(unknowns(), BallVector(unknowns(), Ball(0)));
+    const auto u = along(0, l_.unstable.slope), s = along(1, l_.stable.slope);
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t i = 0; i < 2; ++i) {
+        BallVector& row = a[2 * k + i];
+        const auto& d = links_[k].slope[i];
+        if (k == 0) {
+          row[0] = d[0] * u[0] + d[1] * u[1];
+        } else {
+          row[2 * k - 1] = d[0];
+          row[2 * k] = d[1];
+        }
+        if (k + 1 < n)
+          row[2 * k + 1 + i] = Ball(-1);
+        else
+          row[unknowns() - 1] = -s[i];
+      }
+    return a;
+  }
+
+  void krawczyk() {
+    links_ = over(std::vector<double>(unknowns(), 0.0));
+    const auto c = approximate_inverse(slopes());
+    if (!c) throw NotProved{"the manifolds are tangent, or nearly"};
+    radius_.clear();
+    for (const Ball& b : applied(*c, value(links_)))
+      radius_.push_back(2 * bound_of(b) + 1e-36);
+    for (int attempt = 0; attempt < 6; ++attempt) {
+      links_ = over(radius_);
+      const BallVector shift = krawczyk_shift(*c, value(links_), slopes(), radius_);
+      if (shift_inside(shift, radius_)) return look_at_ends();
+      for (std::size_t i = 0; i < radius_.size(); ++i) {
+        radius_[i] = 3 * std::max(radius_[i], bound_of(shift[i]));
+        if (!(radius_[i] < 1e-3))
+          throw NotProved{"Krawczyk's test failed on every box that was tried"};
+      }
+    }
+    throw NotProved{"Krawczyk's test failed on every box that was tried"};
+  }
+
+  // The zero is an orbit from one graph to the other: on its sheets, within the parallelogram, and not p.
+  void look_at_ends() const {
+    const Ball r(l_.reach), xi = xi_.widened(Ball(radius_.front())),
+                            eta = eta_.widened(Ball(radius_.back()));
+    for (const Ball& x : {xi, eta})
+      if (x.contains_zero() || !(x < r) || !(-x < r))
+        throw NotProved{"the crossing may lie outside of the parallelogram, or be the fixed point"};
+    for (std::size_t i = 0; i < l_.region.sheet.size(); ++i)
+      if (!links_[0].patch.at[l_.region.chart.rest[i]].v.inside(l_.region.sheet[i]))
+        throw NotProved{"the manifold may leave its sheet"};
+    for (std::size_t k = 0; k < links_.size(); ++k)
+      if (!EnclosedMap::same_sheet(links_[k].landing,
+                                   k + 1 < links_.size() ? links_[k + 1].patch : l_.region))
+        throw NotProved{"the orbit may return on another sheet of the level"};
+  }
+};
+
+} // namespace
+
+namespace {
+
+HomoclinicProof proof_of(const Local& l, const PeriodicOrbit& fixed, const Connection& c,
+                         const HomoclinicGuess& g, QuickMap& quick) {
+  HomoclinicProof p;
+  p.fixed = fixed;
+  p.axes = l.frame.axes;
+  p.chart = l.frame.chart;
+  p.reach = l.reach;
+  p.slope_unstable = l.unstable.slope;
+  p.slope_stable = l.stable.slope;
+  p.stretch_unstable = l.unstable.stretch;
+  p.stretch_stable = l.stable.stretch;
+  p.xi = c.xi();
+  p.eta = c.eta();
+  for (const auto& x : c.orbit()) {
+    const auto v = quick.code().at(Place<double>(x.begin(), x.end()));
+    p.orbit.push_back({x, {v.drawn[0].v, v.drawn[1].v}});
+  }
+  for (const double r : c.radius())
+    p.error = std::max(p.error, r);
+  p.middle = g.middle;
+  p.sine = c.sine(g.middle);
+  return p;
+}
+
+// With more of the orbit at both ends, until these lie in the parallelogram.  Near p the map is linear.
+HomoclinicGuess drawn_out(HomoclinicGuess g, const Local& l, QuickMap& quick) {
+  const auto outside = [&](double x) { return std::abs(x) > 0.9 * l.reach; };
+  const auto state = [&](std::size_t axis, double x) {
+    const auto at = quick.lifted(
+        l.frame.chart,
+        {l.frame.at[0] + l.frame.axes[0][axis] * x, l.frame.at[1] + l.frame.axes[1][axis] * x},
+        l.frame.near);
+    if (!at) throw NotProved{"a piece of the section surface could not be enclosed"};
+    return doubles(*at);
+  };
+  for (; outside(g.xi); ++g.middle)
+    g.orbit.insert(g.orbit.begin(), state(0, g.xi /= l.multipliers[0]));
+  while (outside(g.eta))
+    g.orbit.push_back(state(1, g.eta *= l.multipliers[1]));
+  return g;
+}
+
+void try_orbit(EnclosedMap& map, QuickMap& quick, const PeriodicOrbit& orbit,
+               const HomoclinicOptions& o, Homoclinic& out) {
+  std::vector<std::vector<double>> points;
+  for (const PeriodicPoint& p : orbit.points)
+    points.push_back(p.x);
+  const Local l = local_manifolds(map, quick, points);
+  ManifoldArcs arcs(quick, l.frame, o.most_returns, o.stop);
+  const auto guesses = arcs.guesses(static_cast<std::size_t>(o.most_candidates));
+  out.unstable = arcs.curves(false);
+  out.stable = arcs.curves(true);
+  if (guesses.empty()) throw NotProved{"no crossing of the manifolds was found"};
+  std::string why;
+  for (const HomoclinicGuess& guess : guesses) {
+    try {
+      const HomoclinicGuess g = drawn_out(guess, l, quick);
+      Connection c(map, quick, l, g);
+      c.prove();
+      out.proof = proof_of(l, orbit, c, g, quick);
+      return;
+    } catch (const NotProved& n) {
+      if (why.empty()) why = n.why;
+    }
+  }
+  throw NotProved{why};
+}
+
+} // namespace
+
+Homoclinic homoclinic(const SystemScene& scene, const HomoclinicOptions& options) {
+  PeriodicOptions periodic;
+  periodic.period = options.period;
+  periodic.bits = options.bits;
+  periodic.stop = options.stop;
+  Homoclinic out;
+  for (const PeriodicOrbit& orbit : periodic_orbits(scene, periodic).orbits)
+    if (orbit.proved && (orbit.stability == Stability::hyperbolic ||
+                         orbit.stability == Stability::inverse_hyperbolic))
+      out.hyperbolic.push_back(orbit);
+  out.why = "no hyperbolic periodic orbit was found";
+  std::stable_sort(out.hyperbolic.begin(), out.hyperbolic.end(), [](const auto& a, const auto& b) {
+    return std::abs(a.trace) > std::abs(b.trace) + 1e-6;
+  });
+  const SectionSurface surface(scene);
+  QuickMap quick(surface);
+  const EnclosureScope scope(options.bits);
+  EnclosedMap map(surface, options.stop);
+  for (const PeriodicOrbit& orbit : out.hyperbolic) {
+    try {
+      try_orbit(map, quick, orbit, options, out);
+    } catch (const NotProved& n) {
+      out.why = n.why;
+    }
+    if (out.proof || (options.stop != nullptr && options.stop->load())) break;
+  }
+  if (out.proof) out.why.clear();
+  out.stopped = options.stop != nullptr && options.stop->load();
+  return out;
+}
+
+} // namespace kov::flow
