@@ -411,6 +411,11 @@ struct CommandLine {
     CLI::App* section =
         app.add_subcommand("section", "Poincare sections: data and pictures (-o DIR)");
     declare_section(*section, section_arguments);
+    format_flag(*section, {"text", "json"}, "text or json (of what is proved)");
+    section
+        ->add_option("--certificate", settings.certificate,
+                     "--homoclinic: write the proof, of one scene")
+        ->type_name("FILE");
     time_flag(*section, 0, "seconds in all; what is done is kept and marked PARTIAL");
     quiet_flag(*section);
     output_flags(*section);

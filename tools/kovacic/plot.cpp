@@ -53,6 +53,8 @@ std::vector<std::string> run_gnuplot(const std::string& base,
   return drawn;
 }
 
+namespace {
+
 // Unproved points have shapes and a colour of their own.
 std::string style_of(const FixedPointMark& m) {
   struct Shapes {
@@ -62,7 +64,8 @@ std::string style_of(const FixedPointMark& m) {
   static constexpr Shapes styles[] = {{"elliptic", "#007020", 6, 4},
                                       {"hyperbolic", "#c00000", 2, 8},
                                       {"inverse-hyperbolic", "#8000a0", 1, 10},
-                                      {"parabolic", "#0060c0", 12, 14}};
+                                      {"parabolic", "#0060c0", 12, 14},
+                                      {"undecided", "#0060c0", 12, 14}};
   const Shapes* style = std::begin(styles);
   while (m.kind != style->kind && style + 1 != std::end(styles))
     ++style;
@@ -71,6 +74,8 @@ std::string style_of(const FixedPointMark& m) {
                      m.proved ? style->colour : "#e08000", m.kind,
                      m.proved ? ", proved" : ", not proved");
 }
+
+} // namespace
 
 std::vector<std::string> draw_section(const std::string& base, const SectionPlot& plot,
                                       const std::vector<std::string>& formats) {
@@ -152,6 +157,32 @@ void print_axes(std::ofstream& out, const PlanePlot& plot) {
   }
 }
 
+// Layers over the orbits: what BASE.homoclinic.dat and BASE.fixed.dat have.
+void print_proved(std::ofstream& out, const std::string& name, const PlanePlot& plot) {
+  const auto layer = [&](const char* ending, const std::string& condition,
+                         const std::string& style) {
+    fmt::print(out, ", \\\n     {} using ({} ? column({}) : NaN):{} {}",
+               gnuplot_quoted(name + ending), condition, gnuplot_quoted(plot.columns[0]),
+               gnuplot_quoted(plot.columns[1]), style);
+  };
+  if (plot.manifolds) {
+    const auto is = [](const char* what) {
+      return fmt::format("strcol(\"what\") eq \"{}\"", what);
+    };
+    layer(".homoclinic.dat", is("unstable"),
+          "with points pt 7 ps 0.25 lc rgb \"#c00000\" title \"unstable manifold\"");
+    layer(".homoclinic.dat", is("stable"),
+          "with points pt 7 ps 0.25 lc rgb \"#0040c0\" title \"stable manifold\"");
+    layer(".homoclinic.dat", is("homoclinic"),
+          "with points pt 6 ps 1.2 lw 2 lc rgb \"#000000\" title \"homoclinic orbit, proved\"");
+  }
+  for (const FixedPointMark& m : plot.marks)
+    layer(".fixed.dat",
+          fmt::format("strcol(\"kind\") eq \"{}\" && strcol(\"error\") {} \"inf\"", m.kind,
+                      m.proved ? "ne" : "eq"),
+          style_of(m));
+}
+
 } // namespace
 
 std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& plot,
@@ -170,27 +201,35 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
                i + 1, gnuplot_quoted(caption[i]),
                0.02 + 0.024 * (lines - 1 - static_cast<double>(i)));
   print_axes(out, plot);
+  const bool proved = plot.manifolds || !plot.marks.empty();
+  const std::string key =
+      proved ? "set key outside above horizontal maxrows 2 font \",8\"\n" : "unset key\n";
   const double size = plot.points > 40'000 ? 0.08 : plot.points > 8'000 ? 0.14 : 0.25;
   const bool one_each = plot.colour.empty();
   if (one_each) // neighbours in the list of orbits have different colours
-    fmt::print(out, "unset key\nunset colorbox\nset palette defined (0 \"#102040\", 1 \"#0060c0\", "
-                    "2 \"#007020\", "
-                    "3 \"#b06000\", 4 \"#a00040\", 5 \"#6000a0\")\nset cbrange [0:5]\n");
+    fmt::print(out,
+               "{}unset colorbox\nset palette defined (0 \"#102040\", 1 \"#0060c0\", "
+               "2 \"#007020\", "
+               "3 \"#b06000\", 4 \"#a00040\", 5 \"#6000a0\")\nset cbrange [0:5]\n",
+               key);
   else
     fmt::print(out,
-               "unset key\nset palette defined (0 \"#0040a0\", 1 \"#00a0a0\", 2 \"#80b020\", 3 "
+               "{}set palette defined (0 \"#0040a0\", 1 \"#00a0a0\", 2 \"#80b020\", 3 "
                "\"#e08000\", "
                "4 \"#c00020\")\nset cblabel {} noenhanced\n{}",
-               gnuplot_quoted(plot.colour_label),
+               key, gnuplot_quoted(plot.colour_label),
                plot.logarithmic ? "set logscale cb\nset cbrange [1:40]\n" : "");
   fmt::print(out,
              "plot {} using {}:{}:({}) notitle with points pt 7 ps (format eq \"png\" ? {} : {}) "
-             "lc palette\n",
+             "lc {}",
              gnuplot_quoted(name + ".dat"), gnuplot_quoted(plot.columns[0]),
              gnuplot_quoted(plot.columns[1]),
              one_each ? "int(column(\"orbit\")) % 6"
                       : "column(" + gnuplot_quoted(plot.colour) + ")",
-             size + 0.05, size);
+             size + 0.05, size,
+             plot.manifolds ? "rgb \"#c0c0c0\"" : "palette"); // behind the manifolds
+  print_proved(out, name, plot);
+  fmt::print(out, "\n");
   close_file(out, base + ".gp");
   return run_gnuplot(base, formats);
 }

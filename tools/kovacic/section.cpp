@@ -352,7 +352,12 @@ void declare_section(CLI::App& command, SectionArguments& a) {
       ->check(CLI::Range(1, 256).description(""))
       ->type_name("N");
   command.add_flag("--fixed-points", a.fixed_points,
-                   "find and prove the fixed points of the section map of a rigid body");
+                   "find and prove fixed points of the section map, with their stability");
+  command.add_flag("--homoclinic", a.homoclinic,
+                   "prove chaos: a transverse homoclinic point (system files)");
+  command.add_option("--period", a.period, "of --fixed-points and --homoclinic (system files)")
+      ->check(CLI::Range(1, 64).description(""))
+      ->type_name("N");
   command.add_option("--scene", a.names, "only these scenes of a system file")
       ->delimiter(',')
       ->type_name("NAMES");
@@ -377,6 +382,11 @@ int section(const Settings& settings, const SectionArguments& arguments) {
                       arguments.formats.end();
     if (page && !flow::has_system_scenes(document))
       throw InputError(file, 0, 0, 1, "pages (html) are for scenes of a system file");
+    if (!flow::has_system_scenes(document))
+      for (const auto& [wanted, option] : {std::pair{arguments.homoclinic, "--homoclinic"},
+                                           std::pair{arguments.period > 1, "--period"}})
+        if (wanted)
+          throw InputError(file, 0, 0, 1, std::string(option) + " is for scenes of a system file");
     code = std::max(code, flow::has_system_scenes(document)
                               ? system_sections(settings, arguments, file, document, seconds)
                               : Job(file, document, settings, arguments, seconds).run());

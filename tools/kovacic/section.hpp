@@ -21,7 +21,8 @@ struct SectionArguments {
   std::vector<std::string> formats; ///< empty: png, svg and pdf if gnuplot is there
   int threads = 1;
   int lanes = 0; ///< 0: what is fastest here
-  bool fixed_points = false;
+  bool fixed_points = false, homoclinic = false;
+  int period = 1;                 ///< of the points that are looked for
   std::vector<std::string> names; ///< of the scenes of a system file; empty: all
 };
 

@@ -1,6 +1,7 @@
 // Sections of any system: the scenes of a system file.
 
 #include "flow/scene/system_section.hpp"
+#include "chaos_report.hpp"
 #include "plot.hpp"
 #include "section_files.hpp"
 #include "section_page.hpp"
@@ -165,13 +166,14 @@ public:
 
   int run() {
     simulate();
-    if (!settings_.quiet) summary();
+    if (!settings_.quiet && settings_.format != "json") summary();
     if (const std::string wrong = complaint(); !wrong.empty()) {
       complain(settings_, file_ + ": " + wrong);
       return result_.points.empty() && shortfall(result_).empty() ? exit_input : exit_undecided;
     }
+    const bool whole = proofs();
     const int code = pictures();
-    if (shortfall(result_).empty()) return code;
+    if (shortfall(result_).empty()) return whole ? code : std::max(code, int(exit_undecided));
     if (interrupt_.flag()->load() && !interrupt_.timed_out()) return exit_interrupted; // by hand
     complain(settings_, file_ + ": the result is partial, and its files say so");
     return exit_undecided;
@@ -275,12 +277,49 @@ private:
                                                                 : "mean MEGNO (2: regular)";
     plot.logarithmic = scene_.indicator == Indicator::megno;
     plot.points = result_.points.size();
+    plot.marks = marks_;
+    plot.manifolds = manifolds_;
     return draw(settings_, o_, interrupt_, base_, [&](std::vector<std::string> formats) {
       const bool with_page = std::erase(formats, "html") > 0;
       std::vector<std::string> drawn = draw_plane(base_, plot, formats);
       if (with_page) drawn.push_back(write_page(plot));
       return drawn;
     });
+  }
+
+  // Periodic orbits and homoclinic points; false: not all that was asked for is proved.
+  bool proofs() {
+    if (!o_.fixed_points && !o_.homoclinic) return true;
+    flow::PeriodicOrbits orbits;
+    flow::Homoclinic homoclinic;
+    std::string text;
+    if (o_.fixed_points) {
+      flow::PeriodicOptions options;
+      options.period = o_.period;
+      options.stop = interrupt_.flag();
+      orbits = flow::periodic_orbits(scene_, options);
+      write_periodic_orbits(base_ + ".fixed.dat", scene_, orbits);
+      for (const auto& o : orbits.orbits)
+        marks_.insert({kind_of(o), o.proved});
+      text += proof_text(scene_, orbits);
+    }
+    if (o_.homoclinic) {
+      flow::HomoclinicOptions options;
+      options.period = o_.period;
+      options.stop = interrupt_.flag();
+      homoclinic = flow::homoclinic(scene_, options);
+      write_homoclinic(base_ + ".homoclinic.dat", scene_, homoclinic);
+      manifolds_ = !homoclinic.unstable.empty();
+      text += proof_text(scene_, homoclinic);
+      if (homoclinic.proof && !settings_.certificate.empty())
+        write_file(settings_.certificate, certificate_of(scene_, homoclinic));
+    }
+    if (settings_.format == "json")
+      text = json_of(scene_, o_.fixed_points ? &orbits : nullptr,
+                     o_.homoclinic ? &homoclinic : nullptr) +
+             "\n";
+    if (settings_.format == "json" || !settings_.quiet) fmt::print("{}", text);
+    return !orbits.stopped && (!o_.homoclinic || homoclinic.proof);
   }
 
   // "orbit 3 from (0.1, 0.2): 300 crossings until t = 2000, drift 1e-14; ended by crossings"
@@ -317,6 +356,8 @@ private:
   Interrupt interrupt_;
   SystemSection result_;
   double seconds_ = 0;
+  std::set<FixedPointMark> marks_; ///< of the periodic points
+  bool manifolds_ = false;         ///< there are arcs to draw
 };
 
 std::vector<SystemScene> wanted(std::vector<SystemScene> scenes, const SectionArguments& o,
@@ -339,8 +380,6 @@ std::vector<SystemScene> wanted(std::vector<SystemScene> scenes, const SectionAr
 
 int system_sections(const Settings& settings, const SectionArguments& arguments,
                     const std::string& file, const Entry& document, double seconds) {
-  if (arguments.fixed_points)
-    throw InputError(file, 0, 0, 1, "--fixed-points is for scenes of a rigid body ([body])");
   const auto begun = Clock::now();
   int code = exit_decided;
   const std::vector<SystemScene> scenes = [&] {

@@ -1,0 +1,246 @@
+#include "chaos_report.hpp"
+
+#include "literature/literature.hpp"
+#include "section_files.hpp"
+#include "symbol/input_error.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ostream.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kov::cli {
+namespace {
+
+using flow::Homoclinic;
+using flow::HomoclinicProof;
+using flow::PeriodicOrbit;
+using flow::PeriodicOrbits;
+using flow::SystemScene;
+using Json = nlohmann::ordered_json;
+
+std::string named(const std::string& text) {
+  std::string column;
+  for (const char c : text)
+    if (c != ' ' && c != '"') column += c;
+  return column;
+}
+
+// Decimals that an error bound justifies.
+int decimals(double error) {
+  return error > 0 ? std::clamp(static_cast<int>(-std::log10(error)), 1, 15) : 15;
+}
+std::string number(double x, double error) {
+  return fmt::format("{:.{}f}", std::abs(x) <= 2 * error ? 0.0 : x, decimals(error));
+}
+
+std::string place(const SystemScene& s, const std::array<double, 2>& at, double error) {
+  return fmt::format("({}, {}) = ({}, {})", s.plot[0].text, s.plot[1].text, number(at[0], error),
+                     number(at[1], error));
+}
+
+// What is drawn is a function of the coordinates, whose error is proved: this shows no more digits than it has.
+double shown_error(const PeriodicOrbit& o) {
+  return o.proved ? std::max(10 * o.error, 1e-13) : 1e-10;
+}
+
+std::string levels_of(const SystemScene& s) {
+  std::string text;
+  for (const auto& level : s.levels)
+    text +=
+        fmt::format("{}{} = {}", text.empty() ? "" : ", ", level.function.text, level.value.text());
+  return text;
+}
+
+std::string multipliers(const PeriodicOrbit& o) {
+  const double error = o.proved ? std::max(o.trace_error, 1e-14) : 1e-8;
+  if (o.multiplier[1] != 0)
+    return fmt::format("{} +- {} i", number(o.multiplier[0], error),
+                       number(o.multiplier[1], error));
+  return fmt::format("{}, {}", number(o.multiplier[0], error),
+                     number(o.determinant / o.multiplier[0], error));
+}
+
+Json json_of(const PeriodicOrbit& o) {
+  Json j{{"proved", o.proved}, {"kind", kind_of(o)}, {"time", o.time}, {"trace", o.trace}};
+  if (o.proved)
+    j.update(Json{{"error", o.error}, {"trace_error", o.trace_error}});
+  else
+    j["why"] = o.why;
+  for (const auto& p : o.points)
+    j["points"].push_back({{"drawn", p.drawn}, {"coordinates", p.x}});
+  return j;
+}
+
+Json json_of(const HomoclinicProof& p) {
+  Json j{{"periodic_orbit", json_of(p.fixed)},
+         {"reach", p.reach},
+         {"slopes", {p.slope_unstable, p.slope_stable}},
+         {"stretches", {p.stretch_unstable, p.stretch_stable}},
+         {"returns", p.orbit.size() - 1},
+         {"point", p.orbit[p.middle].drawn},
+         {"error", p.error},
+         {"sine_at_least", p.sine}};
+  for (const auto& z : p.orbit)
+    j["orbit"].push_back(z.drawn);
+  return j;
+}
+
+} // namespace
+
+std::string kind_of(const PeriodicOrbit& o) {
+  if (!o.stability) return "undecided";
+  std::string kind = to_string(*o.stability);
+  std::replace(kind.begin(), kind.end(), ' ', '-');
+  return kind;
+}
+
+void write_periodic_orbits(const std::string& path, const SystemScene& s,
+                           const PeriodicOrbits& found) {
+  write_whole(path, [&](std::ofstream& out) {
+    if (found.stopped) fmt::print(out, "# PARTIAL: the search or the proofs were stopped\n");
+    fmt::print(out,
+               "# points of period {} of the section map; error: proved, of every coordinate (inf: "
+               "not proved)\n",
+               found.period);
+    fmt::print(out, "orbit {} {} error kind trace trace_error multiplier_re multiplier_im time\n",
+               named(s.plot[0].text), named(s.plot[1].text));
+    for (std::size_t i = 0; i < found.orbits.size(); ++i) {
+      const PeriodicOrbit& o = found.orbits[i];
+      for (const auto& p : o.points)
+        fmt::print(out, "{} {:.17g} {:.17g} {:.1e} {} {:.15g} {:.1e} {:.12g} {:.12g} {:.12g}\n", i,
+                   p.drawn[0], p.drawn[1], o.proved ? o.error : INFINITY, kind_of(o), o.trace,
+                   o.proved ? o.trace_error : INFINITY, o.multiplier[0], o.multiplier[1], o.time);
+    }
+  });
+}
+
+std::string proof_text(const SystemScene& s, const PeriodicOrbits& found) {
+  std::string text = found.period == 1
+                         ? "  fixed points of the section map:"
+                         : fmt::format("  orbits of period {} of the section map:", found.period);
+  bool any = false;
+  for (const char* kind : {"elliptic", "hyperbolic", "inverse-hyperbolic", "undecided"}) {
+    const auto n = std::count_if(found.orbits.begin(), found.orbits.end(),
+                                 [&](const auto& o) { return kind_of(o) == kind; });
+    if (n > 0) text += fmt::format("{} {} {}", any ? "," : "", n, kind);
+    any = any || n > 0;
+  }
+  text +=
+      any ? "; that there are no others is not proved\n" : " none found, which proves nothing\n";
+  if (found.stopped) text += "  PARTIAL: the search or the proofs were stopped\n";
+  for (const PeriodicOrbit& o : found.orbits) {
+    text += fmt::format("    {}", place(s, o.points[0].drawn, shown_error(o)));
+    text += o.proved
+                ? fmt::format(
+                      "  time {:.10g}  {:18}  multipliers {}  proved: +-{:.0e}, trace +-{:.0e}\n",
+                      o.time, kind_of(o), multipliers(o), o.error, o.trace_error)
+                : fmt::format("  not proved: {}\n", o.why);
+  }
+  return text;
+}
+
+void write_homoclinic(const std::string& path, const SystemScene& s, const Homoclinic& found) {
+  write_whole(path, [&](std::ofstream& out) {
+    fmt::print(out,
+               "# arcs of the manifolds: in double, not proved; homoclinic: the proved orbit\n");
+    fmt::print(out, "what {} {}\n", named(s.plot[0].text), named(s.plot[1].text));
+    const auto line = [&](const char* what, const std::array<double, 2>& at) {
+      fmt::print(out, "{} {:.10g} {:.10g}\n", what, at[0], at[1]);
+    };
+    for (const auto* arcs : {&found.unstable, &found.stable})
+      for (const auto& arc : *arcs)
+        for (const auto& at : arc)
+          line(arcs == &found.unstable ? "unstable" : "stable", at);
+    if (!found.proof) return;
+    for (const auto& z : found.proof->orbit)
+      line("homoclinic", z.drawn);
+    for (const auto& p : found.proof->fixed.points)
+      line("hyperbolic", p.drawn);
+  });
+}
+
+std::string proof_text(const SystemScene& s, const Homoclinic& found) {
+  if (!found.proof)
+    return fmt::format("  no homoclinic point is proved: {}{}\n", found.why,
+                       found.stopped ? " (stopped)" : "");
+  const HomoclinicProof& p = *found.proof;
+  const PeriodicOrbit& fixed = p.fixed;
+  const std::size_t n = fixed.points.size();
+  const std::string map =
+      n == 1 ? "the section map" : fmt::format("power {} of the section map", n);
+  return fmt::format(
+      "  proved: on the level {} {} has a transverse homoclinic point to the {} fixed point at\n"
+      "    {}, multipliers {}\n"
+      "    its orbit passes near {}: {} returns of it are enclosed (radius {:.0e}), and\n"
+      "    where the manifolds cross there |sin| of their angle is above {:.3g}\n"
+      "  hence ({}): a power of the map has a horseshoe, and every real-analytic\n"
+      "    first integral on a connected open part of the level around the closure of this orbit "
+      "is constant\n",
+      levels_of(s), map, kind_of(fixed), place(s, fixed.points[0].drawn, shown_error(fixed)),
+      multipliers(fixed), place(s, p.orbit[p.middle].drawn, 1e-6), p.orbit.size() - 1, p.error,
+      std::floor(p.sine * 1000) / 1000, smale_moser().name);
+}
+
+std::string json_of(const SystemScene& s, const PeriodicOrbits* orbits,
+                    const Homoclinic* homoclinic) {
+  Json j{{"file", s.file}, {"scene", s.name}, {"section", s.section.text}, {"level", levels_of(s)}};
+  if (orbits != nullptr) {
+    j["period"] = orbits->period;
+    j["complete"] = false; // that there are no others is never proved
+    j["orbits"] = Json::array();
+    for (const PeriodicOrbit& o : orbits->orbits)
+      j["orbits"].push_back(json_of(o));
+  }
+  if (homoclinic != nullptr) {
+    Json& h = j["homoclinic"];
+    h = Json{{"proved", homoclinic->proof.has_value()}};
+    if (homoclinic->proof) {
+      h.update(json_of(*homoclinic->proof));
+      h["theorem"] = {{"id", smale_moser().id}, {"statement", smale_moser().statement}};
+      for (const auto& hypothesis : smale_moser().hypotheses)
+        h["theorem"]["hypotheses"].push_back({{"text", hypothesis.text}, {"how", hypothesis.how}});
+    } else {
+      h["why"] = homoclinic->why;
+    }
+  }
+  return j.dump(2);
+}
+
+std::string certificate_of(const SystemScene& s, const Homoclinic& found) {
+  const VectorField& v = s.system.field;
+  const HomoclinicProof& p = *found.proof;
+  const auto polynomial = [&](const MFraction& f) {
+    return is_constant(MFraction(f.den())) && v.functions.empty() && v.constants.empty() &&
+           v.parameters.empty();
+  };
+  if (s.system.kind != SystemKind::hamiltonian || v.dimension() != 4 ||
+      !polynomial(*v.hamiltonian) || !polynomial(s.section.value) ||
+      (s.where && !polynomial(s.where->value)) || !(s.levels[0].function.value == *v.hamiltonian))
+    throw InputError(
+        s.file, 0, 0, 1,
+        "certificates of homoclinic points are for polynomial Hamiltonians with two degrees "
+        "of freedom, on a level of H");
+  Json j{{"format", "kovacic-homoclinic/1"},
+         {"variables", {v.name(0), v.name(1), v.name(2), v.name(3)}},
+         {"hamiltonian", to_string(*v.hamiltonian)},
+         {"level", s.levels[0].value.text()},
+         {"section", to_string(s.section.value)},
+         {"direction", s.rising ? "upward" : "downward"},
+         {"where", s.where ? Json(to_string(s.where->value)) : Json()},
+         {"period", p.fixed.points.size()},
+         {"point", p.fixed.points[0].x},
+         {"chart", p.chart.free},
+         {"axes", p.axes},
+         {"reach", p.reach},
+         {"slopes", {p.slope_unstable, p.slope_stable}},
+         {"xi", p.xi},
+         {"eta", p.eta}};
+  for (std::size_t k = 1; k + 1 < p.orbit.size(); ++k)
+    j["orbit"].push_back(p.orbit[k].x);
+  return j.dump(1) + "\n";
+}
+
+} // namespace kov::cli

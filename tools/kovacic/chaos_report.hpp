@@ -1,0 +1,30 @@
+#pragma once
+// What is proved about the section map of a system file, in words and as data: periodic orbits, homoclinic points.
+
+#include "flow/chaos/homoclinic.hpp"
+
+#include <string>
+
+namespace kov::cli {
+
+/// BASE.fixed.dat: one line for each point of each orbit.
+void write_periodic_orbits(const std::string& path, const flow::SystemScene& s,
+                           const flow::PeriodicOrbits& found);
+[[nodiscard]] std::string proof_text(const flow::SystemScene& s, const flow::PeriodicOrbits& found);
+
+/// BASE.homoclinic.dat: the orbit, and arcs of both manifolds (these in double, not proved).
+void write_homoclinic(const std::string& path, const flow::SystemScene& s,
+                      const flow::Homoclinic& found);
+/// Exactly what is proved, and by which theorem what follows; or what failed.
+[[nodiscard]] std::string proof_text(const flow::SystemScene& s, const flow::Homoclinic& found);
+/// One JSON object, without a line break at its end.
+[[nodiscard]] std::string json_of(const flow::SystemScene& s, const flow::PeriodicOrbits* orbits,
+                                  const flow::Homoclinic* homoclinic);
+/// docs/theory/chaos.md has the format.  Requires found.proof.
+/// Errors  InputError: the system is none of those that the format has
+[[nodiscard]] std::string certificate_of(const flow::SystemScene& s, const flow::Homoclinic& found);
+
+/// "elliptic", "inverse-hyperbolic", "undecided"
+[[nodiscard]] std::string kind_of(const flow::PeriodicOrbit& o);
+
+} // namespace kov::cli
