@@ -9,6 +9,7 @@
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/special_strata.hpp"
+#include "integrability/translations.hpp"
 #include "integrability/way.hpp"
 
 #include <algorithm>
@@ -64,8 +65,9 @@ void decide_exceptions(const Study& study, std::vector<BlockReport>& all) {
 
 } // namespace
 
-ManifoldReport check_manifold(const System& s, const ManifoldSpec& spec,
+ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
                               const std::vector<ClaimReport>& claims, const CheckOptions& options) {
+  const ManifoldSpec spec = adapted_to_translations(s, given, claims);
   const Study study{s, spec, claims, options};
   ManifoldReport report;
   report.name = spec.name;

@@ -345,6 +345,29 @@ TEST(Classify, LogarithmsAndFieldsTogether) {
   EXPECT_EQ(integrals_text(c.strata.front()), "x^2 + 2*log(z), and the commuting field d/dy");
 }
 
+System chain(const std::string& potential, const std::string& parameters) {
+  return of("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\n"
+            "momenta = ['u', 'v', 'w']\nparameters = [" +
+            parameters + "]\nhamiltonian = '(u^2 + v^2 + w^2)/2 + " + potential + "'\n");
+}
+
+// Three particles on a line: the motion of their centre is no obstacle.
+TEST(Classify, ForcesBetweenParticles) {
+  const auto c = classify_system(chain("((x - y)^2 + (y - z)^2 + (z - x)^2)/2"
+                                       " + a*((x - y)^3 + (y - z)^3 + (z - x)^3)",
+                                       "'a'"),
+                                 within(60));
+  EXPECT_EQ(c.status(), ClassificationStatus::depends);
+  EXPECT_EQ(places(c, {StratumStatus::integrable}), std::vector<std::string>{"a = 0"});
+  EXPECT_EQ(c.strata.back().by.front().solution, "x = 0, y = -z, u = 0, v = -w");
+}
+
+// Quartic forces on a ring of three are integrable, as the square of the quadratic ones.
+TEST(Classify, QuarticForcesBetweenParticles) {
+  const auto c = classify_system(chain("(x - y)^4 + (y - z)^4 + (z - x)^4", ""), within(60));
+  EXPECT_EQ(c.status(), ClassificationStatus::integrable);
+}
+
 TEST(Classify, CommutingFields) {
   const auto c = classify_system(of("[system]\nkind = 'vector-field'\n"
                                     "coordinates = ['x', 'y', 'z']\nparameters = ['a']\n"
