@@ -504,7 +504,7 @@ private:
     }
     if (s.manifolds.empty())
       report.text =
-          s.file + "  " + s.title +
+          heading(s.file, s.title) +
           "\n  note      no [[manifold]] in this file; kovacic find-manifolds proposes some\n";
     return report;
   }

@@ -60,8 +60,7 @@ void print_excluded(const SystemClassification& c, std::ostream& out) {
 
 std::string text_of(const System& s, const SystemClassification& c, bool quiet, bool verbose) {
   std::ostringstream out;
-  out << s.file << (s.title.empty() ? "" : "  " + s.title) << "\n  " << title_of(c.status())
-      << '\n';
+  out << heading(s.file, s.title) << "\n  " << title_of(c.status()) << '\n';
   put(out, "theorem", statement(c));
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
   for (const std::string& note : c.notes)

@@ -187,6 +187,12 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t wid
   return out;
 }
 
+std::string heading(const std::string& file, const std::string& title) {
+  if (title.empty()) return file;
+  if (file.size() + 2 + title.size() <= 100) return file + "  " + title;
+  return file + "\n  " + wrapped(title, 2);
+}
+
 std::string group_text(const Json& group) {
   return group.is_null() ? std::string() : describe(read_group(group));
 }
