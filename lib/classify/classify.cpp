@@ -485,8 +485,8 @@ private:
     }
   }
   // They are no meromorphic functions, and contradict no theorem on these.
-  static bool has_logarithms(const IntegralsOfSet& set) {
-    return std::any_of(set.integrals.begin(), set.integrals.end(),
+  static bool has_logarithms(const std::vector<FoundIntegral>& integrals) {
+    return std::any_of(integrals.begin(), integrals.end(),
                        [](const FoundIntegral& f) { return !f.logarithms.empty(); });
   }
 
@@ -587,7 +587,7 @@ private:
                                     StratumStatus::integrable, integrals,
                                     fields_of(round.system, set)});
     };
-    if (!has_logarithms(set) && !meets_integrable(round.system, where, decided))
+    if (!has_logarithms(set.integrals) && !meets_integrable(round.system, where, decided))
       return add(round.whole);
     for (const Piece& piece : round.pieces)
       add(piece);
@@ -620,7 +620,7 @@ private:
   // Our own check: a theorem on integrals and one on variational equations cannot contradict.
   void contradict_nothing(const Exclusion& where, const IntegralsOfSet& set, const System& s,
                           std::size_t decided) const {
-    if (set.only_declared_relations || has_logarithms(set)) return;
+    if (set.only_declared_relations || has_logarithms(set.integrals)) return;
     for (std::size_t i = decided; i < result_.strata.size(); ++i) {
       const ClassifiedStratum& x = result_.strata[i];
       if (x.status != StratumStatus::excluded || !x.by.front().unchecked.empty() ||
@@ -642,7 +642,7 @@ private:
     for (std::size_t i = round.decided; i < result_.strata.size() && looked_at < most_compared;
          ++i) {
       const ClassifiedStratum& x = result_.strata[i];
-      if (x.status != StratumStatus::integrable) continue;
+      if (x.status != StratumStatus::integrable || has_logarithms(x.integrals)) continue;
       ++looked_at;
       try {
         for (const ParameterSet& common :

@@ -11,7 +11,8 @@ namespace {
 // Beside the parameters: unknown coefficients of the cofactor of a polynomial that is looked for.
 constexpr std::size_t most_unknown = 6;
 constexpr std::size_t most_columns = 30;
-constexpr double most_work = 1e6; // in each of the ideals that come up
+constexpr double most_terms = 2e4; // where a plane is put into the field
+constexpr double most_work = 1e6;  // in each of the ideals that come up
 
 MPoly common_multiple(const MPoly& a, const MPoly& b) { return exact_div(a * b, gcd(a, b)); }
 
@@ -68,6 +69,14 @@ std::vector<MPoly> monomials(const Ring& ring, const std::vector<std::size_t>& v
 
 namespace {
 
+// Of a sum of n terms.
+double terms_of_power(std::size_t n, long degree) {
+  double terms = 1;
+  for (std::size_t k = 1; k < n; ++k)
+    terms *= static_cast<double>(degree + static_cast<long>(k)) / static_cast<double>(k);
+  return terms;
+}
+
 /// f with unknown coefficients, or with an unknown cofactor: these count as further parameters, and
 /// the equations are solved at all values of both.
 class DarbouxSearch {
@@ -79,7 +88,7 @@ public:
   /// Of degree 1, any cofactor: X(f) vanishes where f does.
   std::vector<DarbouxPolynomial> planes() {
     for (std::size_t i = 0; i < p_.variables.size(); ++i)
-      planes_through(i);
+      if (terms_of_power(p_.variables.size() - i, x_.degree) <= most_terms) planes_through(i);
     return std::move(found_);
   }
   /// Up to a degree, cofactors up to a degree: linear in f.

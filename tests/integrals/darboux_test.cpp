@@ -179,6 +179,18 @@ TEST(Darboux, RandomFieldsOfThePlane) {
   }
 }
 
+// Nothing is expanded that fills the memory.
+TEST(Darboux, ImmenseDegrees) {
+  const System s = field({{"x", "(x + y + z)^2 + x^60*y^3"},
+                          {"y", "z^55 - x*w"},
+                          {"z", "w^70 + y*v"},
+                          {"w", "x*v^40"},
+                          {"v", "x + y^66"}});
+  const PhaseSpace p(s);
+  const ParameterSet all(s.ring(), {});
+  EXPECT_TRUE(darboux_polynomials(p, *polynomial_field(p), all, Budget::of_seconds(20)).size() < 6);
+}
+
 // A field that is not polynomial, or has a bracket, is left alone.
 TEST(Darboux, OnlyPolynomialFields) {
   const System s = field({{"x", "1/y"}, {"y", "x"}});

@@ -109,7 +109,34 @@ class Theorems(unittest.TestCase):
         self.assertTrue(ran.stdout.splitlines()[-1].startswith("Lemma 3 is proved"), ran.stdout)
 
 
+class Together(unittest.TestCase):
+    FILE = ROOT / "tests" / "cli" / "files" / "two_lines.toml"
+
+    def test_nothing_is_left(self):
+        report = kovacic.check(self.FILE, set={"a": 2})
+        self.assertIs(report.together.status, kovacic.ClassificationStatus.non_integrable)
+        self.assertIs(report.verdict, VerdictKind.non_integrable)
+
+    def test_strata(self):
+        report = kovacic.check(self.FILE)
+        self.assertIn("only for", report.together.statement)
+        self.assertIsNot(report.verdict, VerdictKind.non_integrable)
+
+
 class Integrals(unittest.TestCase):
+    def test_logarithms(self):
+        search = kovacic.integrals("""
+[system]
+kind = "vector-field"
+coordinates = ["x", "y"]
+[system.field]
+x = "x - x*y"
+y = "x*y - y"
+""", 1)
+        found, = search.sets[0].integrals
+        self.assertEqual(repr(found), "<FoundIntegral x + y - log(x) - log(y)>")
+        self.assertEqual([(str(c), str(f)) for c, f in found.logarithms], [("-1", "x"), ("-1", "y")])
+
     def test_henon_heiles(self):
         found = kovacic.integrals(CASES / "classics" / "henon_heiles.toml", 2)
         self.assertTrue(found.finished)

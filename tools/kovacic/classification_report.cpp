@@ -83,10 +83,9 @@ NodeResult integrable(const SystemClassification& c, const ClassifiedStratum& s,
                             (f.logarithms.empty() ? brief(f.value, 60) : text),
                         true});
   }
-  for (const std::string& y : s.fields) {
-    n.formulas.push_back({"commuting field", y});
-    n.checks.push_back({"its commutator with the field vanishes: " + y, true});
-  }
+  for (const std::string& y : s.fields)
+    n.checks.push_back(
+        {"it commutes with the field, and the integrals are constant along it: " + y, true});
   return n;
 }
 

@@ -60,14 +60,19 @@ std::string completeness(const IntegralsOfSet& set) {
 }
 
 std::string integrable_text(const IntegralsOfSet& set, const std::vector<std::string>& label) {
-  const std::string claim = names(set, label) + " independent and in involution";
+  std::string all;
+  for (const std::string& name : label)
+    all += (all.empty() ? "" : ", ") + name;
+  const std::string claim = set.liouville ? names(set, label) + " independent and in involution"
+                                          : all + " independent, one for each variable but one";
   return set.only_declared_relations
              ? "integrable if the function symbols satisfy no relations but those declared: " +
                    claim
              : "INTEGRABLE: " + claim;
 }
 
-void print(const std::string& where, const IntegralsOfSet& set, std::ostringstream& out) {
+void print(const std::string& where, const IntegralsOfSet& set, const VectorField& v,
+           std::ostringstream& out) {
   const auto label = labels(set);
   out << "  where     " << wrapped(where, 12) << "\n    searched: " << wrapped(set.searched, 14)
       << '\n';
@@ -78,7 +83,7 @@ void print(const std::string& where, const IntegralsOfSet& set, std::ostringstre
     out << "    " << wrapped(title + value, 6) << '\n';
   }
   if (set.found() == 0 && set.open.empty()) out << "    no other integral found\n";
-  if (set.liouville) out << "    " << wrapped(integrable_text(set, label), 6) << '\n';
+  if (set.integrable(v)) out << "    " << wrapped(integrable_text(set, label), 6) << '\n';
   if (const std::string text = completeness(set); !text.empty())
     out << "    " << wrapped(text, 6) << '\n';
   if (!set.open.empty())
@@ -96,7 +101,7 @@ Json texts(const std::vector<MPoly>& polynomials) {
   return all;
 }
 
-Json json_of(const IntegralsOfSet& set) {
+Json json_of(const IntegralsOfSet& set, const VectorField& v) {
   const auto label = labels(set);
   Json all = Json::array();
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
@@ -116,7 +121,7 @@ Json json_of(const IntegralsOfSet& set) {
           {"inequations", texts(set.inequations)},
           {"integrals", all},
           {"in_involution", commuting},
-          {"integrable", !set.liouville                ? "not shown"
+          {"integrable", !set.integrable(v)            ? "not shown"
                          : set.only_declared_relations ? "if only the declared relations hold"
                                                        : "yes"},
           {"complete", set.complete_for_smooth ? "smooth coefficients"
@@ -125,7 +130,7 @@ Json json_of(const IntegralsOfSet& set) {
           {"open", set.open.empty() ? Json(nullptr) : Json(set.open)}};
 }
 
-std::string text_of(const std::string& file, const IntegralSearch& search) {
+std::string text_of(const std::string& file, const IntegralSearch& search, const VectorField& v) {
   std::ostringstream out;
   out << file << "\n";
   const auto list = [&](const char* title, const std::vector<MPoly>& all, const char* relation) {
@@ -140,16 +145,16 @@ std::string text_of(const std::string& file, const IntegralSearch& search) {
           ? "all parameter values"
           : "all these parameter values";
   for (const IntegralsOfSet& set : search.sets)
-    print(condition_text(set), set, out);
+    print(condition_text(set), set, v, out);
   if (search.elsewhere)
-    print(!search.sets.empty() ? "everywhere else" : all_values, *search.elsewhere, out);
+    print(!search.sets.empty() ? "everywhere else" : all_values, *search.elsewhere, v, out);
   return out.str();
 }
 
-Json json_of(const std::string& file, const IntegralSearch& search) {
+Json json_of(const std::string& file, const IntegralSearch& search, const VectorField& v) {
   Json sets = Json::array();
   for (const IntegralsOfSet& set : search.sets)
-    sets.push_back(json_of(set));
+    sets.push_back(json_of(set, v));
   return {{"format", "kovacic-integrals/1"},
           {"file", file},
           {"parameters", "complex"},
@@ -157,7 +162,7 @@ Json json_of(const std::string& file, const IntegralSearch& search) {
           {"assumed_nonzero", texts(search.assumed)},
           {"not_covered_unless_nonzero", texts(search.not_covered)},
           {"sets", sets},
-          {"elsewhere", search.elsewhere ? json_of(*search.elsewhere) : Json(nullptr)},
+          {"elsewhere", search.elsewhere ? json_of(*search.elsewhere, v) : Json(nullptr)},
           {"finished", search.finished()}};
 }
 
@@ -174,7 +179,8 @@ int integrals(const Settings& settings, const IntegralsArguments& arguments) {
     options.budget = search_settings.solver_options().budget;
     const IntegralSearch search = find_integrals(s, options);
     return Report{search.finished() ? exit_decided : exit_undecided,
-                  text_of(arguments.file, search), json_of(arguments.file, search)};
+                  text_of(arguments.file, search, s.field),
+                  json_of(arguments.file, search, s.field)};
   });
   write_output(settings,
                settings.format == "json" && !report.json.is_null()

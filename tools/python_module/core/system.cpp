@@ -5,6 +5,7 @@
 #include "source.hpp"
 #include "strata.hpp"
 
+#include "classify/together.hpp"
 #include "equation/equation_file.hpp"
 #include "integrability/certificate.hpp"
 #include "integrability/check.hpp"
@@ -116,6 +117,25 @@ std::string told(const ManifoldReport& m) {
   return text;
 }
 
+// What the manifolds exclude, one after the other.
+SystemClassification all_together(const CheckReport& report) {
+  std::vector<Exclusion> all;
+  for (const ManifoldReport& m : report.manifolds)
+    if (!m.failure)
+      for (Exclusion& e : exclusions_of_verdict(report.system, m, free_levels(report.system)))
+        all.push_back(std::move(e));
+  return together(report.system, all);
+}
+
+bool is_excluded_by_several(const CheckReport& report) {
+  try {
+    return report.manifolds.size() > 1 &&
+           all_together(report).status() == ClassificationStatus::non_integrable;
+  } catch (const InvalidArgument&) { // nothing satisfies what is assumed
+    return false;
+  }
+}
+
 // The strongest that the manifolds say together: one of them is enough to exclude integrals.
 VerdictKind verdict(const CheckReport& report) {
   const auto any = [&](VerdictKind kind) {
@@ -123,8 +143,9 @@ VerdictKind verdict(const CheckReport& report) {
       return (m.failure ? VerdictKind::undecided : m.verdict) == kind;
     });
   };
-  for (const VerdictKind kind :
-       {VerdictKind::non_integrable, VerdictKind::undecided, VerdictKind::depends})
+  if (any(VerdictKind::non_integrable) || is_excluded_by_several(report))
+    return VerdictKind::non_integrable;
+  for (const VerdictKind kind : {VerdictKind::undecided, VerdictKind::depends})
     if (any(kind)) return kind;
   return report.manifolds.empty() ? VerdictKind::undecided : VerdictKind::no_obstruction;
 }
@@ -282,6 +303,8 @@ void bind_reports(py::module_& m) {
                              [](const CheckReport& r) { return assumptions_of(r.system); })
       .def_readonly("claims", &CheckReport::claims)
       .def_readonly("manifolds", &CheckReport::manifolds)
+      .def_property_readonly("together", &all_together,
+                             "what the manifolds exclude together: a Classification")
       .def_property_readonly("certificates", &certificates_of,
                              "by name, if they were asked for: JSON for verify()")
       .def_readonly("seconds", &CheckReport::seconds)
