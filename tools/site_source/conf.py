@@ -15,7 +15,7 @@ html_show_copyright = html_show_sphinx = html_copy_source = html_show_sourcelink
 language = "en"
 smartquotes = False  # y'' is no quotation
 
-extensions = ["myst_parser", "breathe", "formulas", "repository"]
+extensions = ["myst_parser", "breathe", "dark", "formulas", "repository"]
 breathe_projects = {"kovacic": str(root / "build/doxygen/xml")}
 breathe_default_members = ("members", "undoc-members")
 cpp_index_common_prefix = ["kov::"]
