@@ -117,6 +117,11 @@ class Together(unittest.TestCase):
         self.assertIs(report.together.status, kovacic.ClassificationStatus.non_integrable)
         self.assertIs(report.verdict, VerdictKind.non_integrable)
 
+    def test_assumed_equations_are_values(self):
+        report = kovacic.check(ROOT / "tests" / "cli" / "files" / "diagonal.toml")
+        self.assertEqual([str(m.verdict) for m in report.manifolds], ["VerdictKind.non_integrable"] * 2)
+        self.assertEqual(report.values["b"], Fraction(5, 2))
+
     def test_strata(self):
         report = kovacic.check(self.FILE)
         self.assertIn("only for", report.together.statement)

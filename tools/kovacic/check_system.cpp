@@ -17,6 +17,7 @@
 #include "mechanics.hpp"
 #include "present_strata.hpp"
 #include "second_opinion.hpp"
+#include "system/assumed_values.hpp"
 
 #include <fmt/format.h>
 
@@ -457,7 +458,7 @@ private:
   }
 
   const System& system_of(Round& round) {
-    if (!round.system) round.system = read_system(*document_, round.values);
+    if (!round.system) round.system = read_system_as_assumed(*document_, round.values);
     return *round.system;
   }
 

@@ -11,6 +11,7 @@
 #include "integrability/check.hpp"
 #include "integrability/matrices.hpp"
 #include "integrals/find.hpp"
+#include "system/assumed_values.hpp"
 
 #include <pybind11/stl.h>
 
@@ -189,7 +190,7 @@ py::object checked(const Wishes& wishes, const Source& source, const ParameterVa
     options.decide = wishes.options(budget);
     options.decide.ask_the_judge = true;
     options.only_manifold = manifold;
-    return check_system(read_system(document, values), options);
+    return check_system(read_system_as_assumed(document, values), options);
   });
 }
 
