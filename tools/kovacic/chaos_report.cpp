@@ -223,23 +223,30 @@ std::string certificate_of(const SystemScene& s, const Homoclinic& found) {
         s.file, 0, 0, 1,
         "certificates of homoclinic points are for polynomial Hamiltonians with two degrees "
         "of freedom, on a level of H");
+  const auto exact = [](double x) { return fmt::format("{:.17g}", x); };
+  const auto all = [&](const auto& numbers) {
+    Json list = Json::array();
+    for (const double x : numbers)
+      list.push_back(exact(x));
+    return list;
+  };
+  const auto text = [](const MFraction& f) { return Json{to_string(f.num()), to_string(f.den())}; };
   Json j{{"format", "kovacic-homoclinic/1"},
          {"variables", {v.name(0), v.name(1), v.name(2), v.name(3)}},
-         {"hamiltonian", to_string(*v.hamiltonian)},
+         {"hamiltonian", text(*v.hamiltonian)},
          {"level", s.levels[0].value.text()},
-         {"section", to_string(s.section.value)},
+         {"section", text(s.section.value)},
          {"direction", s.rising ? "upward" : "downward"},
-         {"where", s.where ? Json(to_string(s.where->value)) : Json()},
-         {"period", p.fixed.points.size()},
-         {"point", p.fixed.points[0].x},
-         {"chart", p.chart.free},
-         {"axes", p.axes},
-         {"reach", p.reach},
-         {"slopes", {p.slope_unstable, p.slope_stable}},
-         {"xi", p.xi},
-         {"eta", p.eta}};
+         {"where", s.where ? text(s.where->value) : Json()},
+         {"period", std::to_string(p.fixed.points.size())},
+         {"point", all(p.fixed.points[0].x)},
+         {"chart", {std::to_string(p.chart.free[0]), std::to_string(p.chart.free[1])}},
+         {"axes", Json::array({all(p.axes[0]), all(p.axes[1])})},
+         {"reach", exact(p.reach)},
+         {"xi", exact(p.xi)},
+         {"eta", exact(p.eta)}};
   for (std::size_t k = 1; k + 1 < p.orbit.size(); ++k)
-    j["orbit"].push_back(p.orbit[k].x);
+    j["orbit"].push_back(all(p.orbit[k].x));
   return j.dump(1) + "\n";
 }
 

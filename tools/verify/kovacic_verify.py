@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Independent checker for kovacic-certificate/1, kovacic-strata/1, kovacic-system/1, kovacic-theorem/1, kovacic-jets/1 (Python 3
-standard library only).
+"""Independent checker for kovacic-certificate/1, kovacic-strata/1, kovacic-system/1, kovacic-theorem/1, kovacic-jets/1,
+kovacic-homoclinic/1 (Python 3 standard library only).
 
 A certificate proves a statement about the differential Galois group G of y'' = r(z) y, r = num/den in K(z), K = Q(a).
 docs/theory/certificates.md defines the format; the pages beside it prove the theorem behind each rule, and the numbers
@@ -12,12 +12,14 @@ parameters (docs/theory/strata_certificates.md); system.py, system_format.py, ph
 phase_curve.py, first_integrals.py and system_statement.py for mechanical systems (docs/theory/system_certificates.md);
 theorem.py, theorem_format.py, real_proof.py, tower.py, place.py, splitting.py, lowest_order.py and theorem_statement.py for
 theorems (docs/theory/theorem_certificates.md); jets.py, jets_format.py, jet_series.py, motion.py, normal_group.py and
-jets_statement.py for higher variational equations (docs/theory/jet_certificates.md).
+jets_statement.py for higher variational equations (docs/theory/jet_certificates.md); homoclinic.py and enclosures.py for
+homoclinic points (docs/theory/chaos.md).
 
 usage: kovacic_verify.py [--strict] FILE...   (- is standard input)     exit 0 accepted, 1 rejected, 2 malformed
 """
 import sys
 
+import homoclinic
 import jets
 import statement
 import strata
@@ -90,6 +92,8 @@ def check(text, strict=False):
         return theorem.verify(top, prove, strict)
     if form == system.FORMAT:
         return system.verify(top, prove)
+    if form == homoclinic.FORMAT:
+        return homoclinic.verify(top)
     if form == jets.FORMAT:
         return jets.verify(top, prove)
     if form == strata.FORMAT:
