@@ -25,7 +25,7 @@ Matrix2 inverse(const Matrix2& a) {
   const Ball det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
   return {{{a[1][1] / det, -a[0][1] / det}, {-a[1][0] / det, a[0][0] / det}}};
 }
-Matrix2 slope_in(const Place<Ball>& x, const Chart& c) {
+Matrix2 slope_in(const PhasePoint<Ball>& x, const Chart& c) {
   return {{{x[c.free[0]].d[0], x[c.free[0]].d[1]}, {x[c.free[1]].d[0], x[c.free[1]].d[1]}}};
 }
 
@@ -409,7 +409,7 @@ HomoclinicProof proof_of(const Local& l, const PeriodicOrbit& fixed, const Conne
   p.xi = c.xi();
   p.eta = c.eta();
   for (const auto& x : c.orbit()) {
-    const auto v = quick.code().at(Place<double>(x.begin(), x.end()));
+    const auto v = quick.code().at(PhasePoint<double>(x.begin(), x.end()));
     p.orbit.push_back({x, {v.drawn[0].v, v.drawn[1].v}});
   }
   for (const double r : c.radius())

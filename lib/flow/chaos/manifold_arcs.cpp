@@ -23,17 +23,17 @@ std::optional<Spot> crossing(const Spot& a, const Spot& b, const Spot& c, const 
 } // namespace
 
 // With derivatives by the chart's coordinates.
-Place<double> ManifoldArcs::start_of(bool stable, double along) const {
+PhasePoint<double> ManifoldArcs::start_of(bool stable, double along) const {
   const std::size_t axis = stable ? 1 : 0;
   const auto x = map_.lifted(
       frame_.chart,
       {frame_.at[0] + frame_.axes[0][axis] * along, frame_.at[1] + frame_.axes[1][axis] * along},
       frame_.near);
-  return x ? *x : Place<double>{};
+  return x ? *x : PhasePoint<double>{};
 }
 
-std::optional<Place<double>> ManifoldArcs::image(bool stable, double along, int level) const {
-  Place<double> x = start_of(stable, along);
+std::optional<PhasePoint<double>> ManifoldArcs::image(bool stable, double along, int level) const {
+  PhasePoint<double> x = start_of(stable, along);
   for (int k = 0; k < level && !x.empty(); ++k) {
     const auto next = map_(x, stable, frame_.turns);
     if (!next) return std::nullopt;
@@ -45,7 +45,7 @@ std::optional<Place<double>> ManifoldArcs::image(bool stable, double along, int 
 
 ManifoldArcs::Sample ManifoldArcs::sampled(bool stable, double along, int levels) {
   Sample s{along, {}, {}, false};
-  Place<double> x = start_of(stable, along);
+  PhasePoint<double> x = start_of(stable, along);
   for (int k = 0; !x.empty(); ++k) {
     const auto v = map_.code().at(x);
     s.at.push_back({v.drawn[0].v, v.drawn[1].v});
@@ -64,7 +64,7 @@ ManifoldArcs::Sample ManifoldArcs::sampled(bool stable, double along, int levels
 void ManifoldArcs::extend(Arc& arc, int level) {
   for (Sample& s : arc.samples) {
     if (s.lost || static_cast<int>(s.at.size()) > level) continue;
-    Place<double> x(s.end.begin(), s.end.end());
+    PhasePoint<double> x(s.end.begin(), s.end.end());
     left_ -= frame_.turns;
     const auto next = map_(x, arc.stable, frame_.turns);
     if (!next) {

@@ -53,8 +53,8 @@ private:
     int level;
     std::array<double, 2> a, b;
   };
-  [[nodiscard]] Place<double> start_of(bool stable, double along) const;
-  [[nodiscard]] std::optional<Place<double>> image(bool stable, double along, int level) const;
+  [[nodiscard]] PhasePoint<double> start_of(bool stable, double along) const;
+  [[nodiscard]] std::optional<PhasePoint<double>> image(bool stable, double along, int level) const;
   [[nodiscard]] Sample sampled(bool stable, double along, int levels);
   [[nodiscard]] bool stopped() const { return left_ <= 0 || (stop_ != nullptr && stop_->load()); }
   void extend(Arc& arc, int level);

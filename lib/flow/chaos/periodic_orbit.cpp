@@ -45,8 +45,8 @@ private:
   const std::atomic<bool>* stop_;
 
   // The orbit of one turn from x; its last point carries the derivatives by x's chart coordinates.
-  std::optional<std::vector<Place<double>>> turn(const Place<double>& x) {
-    std::vector<Place<double>> all{x};
+  std::optional<std::vector<PhasePoint<double>>> turn(const PhasePoint<double>& x) {
+    std::vector<PhasePoint<double>> all{x};
     for (int k = 0; k < period_; ++k) {
       const auto next = map_(all.back());
       if (!next) return std::nullopt;
@@ -79,8 +79,8 @@ private:
   }
 
   // It comes back to the same sheet, and not before N returns.
-  [[nodiscard]] std::optional<std::vector<State2>> closed(const std::vector<Place<double>>& orbit,
-                                                          double scale) const {
+  [[nodiscard]] std::optional<std::vector<State2>>
+  closed(const std::vector<PhasePoint<double>>& orbit, double scale) const {
     std::vector<State2> points;
     for (const auto& x : orbit)
       points.push_back(doubles(x));
@@ -117,7 +117,7 @@ look_for_orbits(const SystemScene& scene, QuickMap& map, const PeriodicOptions& 
   for (const FieldStart& start : starts_of(dense, field, nullptr, o.stop)) {
     State2 x = start.x;
     if (start.state) { // anywhere: its first crossing
-      const auto crossing = map(Place<double>(x.begin(), x.end()));
+      const auto crossing = map(PhasePoint<double>(x.begin(), x.end()));
       if (!crossing) continue;
       x = doubles(crossing->at);
     }
@@ -139,10 +139,10 @@ struct Node {
 using Slope = std::array<std::array<Ball, 2>, 2>;
 
 // Landing and derivative in a chart's coordinates.
-std::array<Ball, 2> in_chart(const Place<Ball>& x, const Chart& c) {
+std::array<Ball, 2> in_chart(const PhasePoint<Ball>& x, const Chart& c) {
   return {x[c.free[0]].v, x[c.free[1]].v};
 }
-Slope slope_in(const Place<Ball>& x, const Chart& c) {
+Slope slope_in(const PhasePoint<Ball>& x, const Chart& c) {
   return {{{x[c.free[0]].d[0], x[c.free[0]].d[1]}, {x[c.free[1]].d[0], x[c.free[1]].d[1]}}};
 }
 
@@ -308,7 +308,7 @@ private:
 };
 
 PeriodicPoint shown(QuickMap& quick, const State2& x) {
-  const auto v = quick.code().at(Place<double>(x.begin(), x.end()));
+  const auto v = quick.code().at(PhasePoint<double>(x.begin(), x.end()));
   return {x, {v.drawn[0].v, v.drawn[1].v}};
 }
 

@@ -15,7 +15,7 @@ double magnitude(const Ball& x) {
   return std::isfinite(m) ? m : INFINITY;
 }
 
-double magnitude(const Place<Ball>& x) {
+double magnitude(const PhasePoint<Ball>& x) {
   double most = 0;
   for (const DualBall& c : x)
     most = std::max({most, magnitude(c.v), magnitude(c.d[0]), magnitude(c.d[1])});
@@ -30,13 +30,13 @@ Ball power(const Ball& x, int n) {
 
 } // namespace
 
-std::vector<double> doubles(const Place<double>& x) {
+std::vector<double> doubles(const PhasePoint<double>& x) {
   std::vector<double> all;
   for (const auto& c : x)
     all.push_back(c.v);
   return all;
 }
-std::vector<double> doubles(const Place<Enclosure>& x) {
+std::vector<double> doubles(const PhasePoint<Enclosure>& x) {
   std::vector<double> all;
   for (const auto& c : x)
     all.push_back(static_cast<double>(c.v));
@@ -58,7 +58,7 @@ struct Local {
   std::vector<Ball> value;
   std::vector<std::vector<Ball>> by_rest, by_free;
 };
-Local local(SurfaceCode<Ball>& code, const Chart& chart, const Place<Ball>& x) {
+Local local(SurfaceCode<Ball>& code, const Chart& chart, const PhasePoint<Ball>& x) {
   const SurfaceValues<Ball> v = code.at(x);
   Local l;
   for (std::size_t i = 0; i < v.equations.size(); ++i) {
@@ -71,9 +71,9 @@ Local local(SurfaceCode<Ball>& code, const Chart& chart, const Place<Ball>& x) {
   return l;
 }
 
-Place<Ball> joined(const Chart& chart, const std::array<Ball, 2>& free,
-                   const std::vector<Ball>& rest) {
-  Place<Ball> x(rest.size() + 2);
+PhasePoint<Ball> joined(const Chart& chart, const std::array<Ball, 2>& free,
+                        const std::vector<Ball>& rest) {
+  PhasePoint<Ball> x(rest.size() + 2);
   for (std::size_t k = 0; k < 2; ++k)
     x[chart.free[k]] = DualBall(free[k]);
   for (std::size_t k = 0; k < rest.size(); ++k)
@@ -168,7 +168,7 @@ EnclosedMap::Front EnclosedMap::start(const Patch& from) {
   return f;
 }
 
-void EnclosedMap::tighten(Place<Ball>& x, const Place<Ball>& thin) const {
+void EnclosedMap::tighten(PhasePoint<Ball>& x, const PhasePoint<Ball>& thin) const {
   for (std::size_t j = 0; j < x.size(); ++j) {
     const Ball mean = thin[j].v + x[j].d[0] * off_[0] + x[j].d[1] * off_[1];
     if (!(mean.radius() < x[j].v.radius())) continue;
@@ -201,7 +201,7 @@ Landing EnclosedMap::returned(Front& f) {
     if (stop_ != nullptr && stop_->load()) throw NotProved{"there was no time left"};
     wide_.code.expand(f.x, order_ + 1);
     Verdict v = Verdict::retry;
-    Place<Ball> end;
+    PhasePoint<Ball> end;
     while (v == Verdict::retry) {
       end = advance(wide_, h);
       v = look(f.x, end, leaving);
@@ -211,7 +211,7 @@ Landing EnclosedMap::returned(Front& f) {
     }
     thin_.code.expand(f.thin, order_ + 1);
     double same = h;
-    Place<Ball> thin_end = advance(thin_, same);
+    PhasePoint<Ball> thin_end = advance(thin_, same);
     if (same != h) throw NotProved{"the orbit could not be contained in a box"};
     if (v == Verdict::lands) {
       Landing landing = land(wide_, h, time);
@@ -232,7 +232,7 @@ Landing EnclosedMap::returned(Front& f) {
 // coefficient order + 1 over B.  If h^(order + 1) |R| < epsilon then the orbit stays in B during the step: as long as
 // it does, it differs from the polynomial by at most h^(order + 1) |R|, so that it cannot reach the border of B
 // [CorlissRihm1996].  The same for its derivatives, which solve an equation too.
-Place<Ball> EnclosedMap::advance(Step& s, double& h) {
+PhasePoint<Ball> EnclosedMap::advance(Step& s, double& h) {
   const Ball epsilon(tolerance_);
   for (int attempt = 0; attempt < 60; ++attempt) {
     s.box = s.code.polynomial(onward(h), order_);
@@ -255,8 +255,8 @@ Place<Ball> EnclosedMap::advance(Step& s, double& h) {
 }
 
 // The orbit at t within the current step.
-Place<Ball> EnclosedMap::reached(const Step& s, const Ball& t) const {
-  Place<Ball> x = s.code.polynomial(t, order_);
+PhasePoint<Ball> EnclosedMap::reached(const Step& s, const Ball& t) const {
+  PhasePoint<Ball> x = s.code.polynomial(t, order_);
   const Ball reach = power(t, order_ + 1);
   for (std::size_t j = 0; j < x.size(); ++j) {
     x[j].v += reach * s.last[j].v;
@@ -267,7 +267,7 @@ Place<Ball> EnclosedMap::reached(const Step& s, const Ball& t) const {
 }
 
 // No wanted crossing in this step, or exactly one, or not decided.
-EnclosedMap::Verdict EnclosedMap::look(const Place<Ball>& from, const Place<Ball>& to,
+EnclosedMap::Verdict EnclosedMap::look(const PhasePoint<Ball>& from, const PhasePoint<Ball>& to,
                                        bool& leaving) {
   const SurfaceValues<Ball> over = point_.at(wide_.box);
   const Ball speed = rate(over);
@@ -276,8 +276,8 @@ EnclosedMap::Verdict EnclosedMap::look(const Place<Ball>& from, const Place<Ball
     return Verdict::goes_on;
   }
   if (!speed.is_positive()) return Verdict::retry;
-  if (leaving) return Verdict::goes_on;           // 0 at the start and monotone since
-  const auto height = [&](const Place<Ball>& x) { // grows while time runs
+  if (leaving) return Verdict::goes_on;                // 0 at the start and monotone since
+  const auto height = [&](const PhasePoint<Ball>& x) { // grows while time runs
     const Ball s = point_.at(x).equations[0].v;
     return s_.rising() == (way_ > 0) ? s : -s;
   };
@@ -292,7 +292,7 @@ EnclosedMap::Verdict EnclosedMap::look(const Place<Ball>& from, const Place<Ball
 // The only zero of the section's function in the step, by interval Newton on the time.
 Landing EnclosedMap::land(const Step& s, double h, const Ball& before) {
   Ball t = onward(h);
-  Place<Ball> x = s.box;
+  PhasePoint<Ball> x = s.box;
   for (int i = 0; i < 60; ++i) {
     const SurfaceValues<Ball> v = point_.at(x);
     const Ball m = t.middle(), speed = rate(v), height = point_.at(reached(s, m)).equations[0].v;
@@ -320,9 +320,9 @@ Landing EnclosedMap::land(const Step& s, double h, const Ball& before) {
 
 // ---- in double ----
 
-std::optional<Place<double>> QuickMap::lifted(const Chart& chart, std::array<double, 2> at,
-                                              const std::vector<double>& near) {
-  Place<double> x(near.begin(), near.end());
+std::optional<PhasePoint<double>> QuickMap::lifted(const Chart& chart, std::array<double, 2> at,
+                                                   const std::vector<double>& near) {
+  PhasePoint<double> x(near.begin(), near.end());
   for (std::size_t d = 0; d < 2; ++d) {
     x[chart.free[d]] = Dual<double>(at[d]);
     x[chart.free[d]].d[d] = 1;
@@ -353,7 +353,7 @@ std::optional<Place<double>> QuickMap::lifted(const Chart& chart, std::array<dou
   return std::nullopt;
 }
 
-std::optional<QuickMap::Image> QuickMap::operator()(const Place<double>& from, bool backward,
+std::optional<QuickMap::Image> QuickMap::operator()(const PhasePoint<double>& from, bool backward,
                                                     int turns) {
   Image all{from, 0};
   for (int i = 0; i < turns; ++i) {
@@ -364,9 +364,9 @@ std::optional<QuickMap::Image> QuickMap::operator()(const Place<double>& from, b
   return all;
 }
 
-std::optional<QuickMap::Image> QuickMap::returned(const Place<double>& from, bool backward) {
+std::optional<QuickMap::Image> QuickMap::returned(const PhasePoint<double>& from, bool backward) {
   const double way = backward ? -1 : 1, sign = s_.rising() ? 1 : -1;
-  Place<double> x = from;
+  PhasePoint<double> x = from;
   double time = 0, s0 = 0;
   for (int step = 0; step < 2000; ++step) {
     code_.expand(x, order);
@@ -378,7 +378,7 @@ std::optional<QuickMap::Image> QuickMap::returned(const Place<double>& from, boo
       h = std::min(h, std::pow(1e-17 / size, 1.0 / k));
     }
     if (!(h > 1e-9) || !std::isfinite(h)) return std::nullopt;
-    Place<double> end = code_.polynomial(way * h, order);
+    PhasePoint<double> end = code_.polynomial(way * h, order);
     const double s1 = sign * way * code_.at(end).equations[0].v;
     if (step > 0 && s0 < 0 && s1 >= 0) {
       double low = 0, high = h, t = h * s0 / (s0 - s1);
@@ -394,7 +394,7 @@ std::optional<QuickMap::Image> QuickMap::returned(const Place<double>& from, boo
         if (std::abs(next - t) < 1e-16 * h) break;
         t = next;
       }
-      Place<double> y = code_.polynomial(way * t, order);
+      PhasePoint<double> y = code_.polynomial(way * t, order);
       const auto v = code_.at(y);
       if (v.side.v > 0) {
         double speed = 0, slope[2] = {0, 0};

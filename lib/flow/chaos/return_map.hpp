@@ -19,13 +19,13 @@ namespace kov::flow {
 struct Patch {
   Chart chart;
   std::array<Enclosure, 2> box;
-  Place<Enclosure> at; ///< encloses those points, with derivatives by the chart's coordinates
+  PhasePoint<Enclosure> at; ///< encloses those points, with derivatives by the chart's coordinates
   std::vector<Enclosure> sheet; ///< of chart.rest
 };
 
 struct Landing {
-  Place<Enclosure> at; ///< with derivatives by the coordinates of the patch that it came from
-  Enclosure time;      ///< negative for the inverse
+  PhasePoint<Enclosure> at; ///< with derivatives by the coordinates of the patch that it came from
+  Enclosure time;           ///< negative for the inverse
 };
 
 class EnclosedMap {
@@ -40,26 +40,28 @@ public:
   [[nodiscard]] Landing operator()(const Patch& from, bool backward = false, int turns = 1);
   /// The landing's points that have the chart's coordinates in the patch's box are points of the patch.
   [[nodiscard]] static bool same_sheet(const Landing& l, const Patch& to);
-  [[nodiscard]] SurfaceValues<Enclosure> values(const Place<Enclosure>& x) { return point_.at(x); }
+  [[nodiscard]] SurfaceValues<Enclosure> values(const PhasePoint<Enclosure>& x) {
+    return point_.at(x);
+  }
   [[nodiscard]] const SectionSurface& surface() const noexcept { return s_; }
 
 private:
   enum class Verdict : unsigned char { goes_on, lands, retry };
   /// A box of orbits, and the orbit of its middle.
   struct Front {
-    Place<Enclosure> x, thin;
+    PhasePoint<Enclosure> x, thin;
   };
   /// The orbits during a step: where they are, their coefficients, and the first that is not computed at a point.
   struct Step {
     SurfaceCode<Enclosure> code;
-    Place<Enclosure> box = {}, last = {};
+    PhasePoint<Enclosure> box = {}, last = {};
   };
   [[nodiscard]] Front start(const Patch& from);
   [[nodiscard]] Landing returned(Front& front);
-  [[nodiscard]] Place<Enclosure> advance(Step& s, double& h);
-  [[nodiscard]] Place<Enclosure> reached(const Step& s, const Enclosure& t) const;
-  void tighten(Place<Enclosure>& x, const Place<Enclosure>& thin) const;
-  [[nodiscard]] Verdict look(const Place<Enclosure>& from, const Place<Enclosure>& to,
+  [[nodiscard]] PhasePoint<Enclosure> advance(Step& s, double& h);
+  [[nodiscard]] PhasePoint<Enclosure> reached(const Step& s, const Enclosure& t) const;
+  void tighten(PhasePoint<Enclosure>& x, const PhasePoint<Enclosure>& thin) const;
+  [[nodiscard]] Verdict look(const PhasePoint<Enclosure>& from, const PhasePoint<Enclosure>& to,
                              bool& leaving);
   [[nodiscard]] Landing land(const Step& s, double h, const Enclosure& before);
   [[nodiscard]] Enclosure rate(const SurfaceValues<Enclosure>& v) const;
@@ -80,25 +82,25 @@ class QuickMap {
 public:
   explicit QuickMap(const SectionSurface& s) : s_(s), code_(s, order) {}
   struct Image {
-    Place<double> at;
+    PhasePoint<double> at;
     double time = 0;
   };
   /// Nothing if the orbit does not come back.
-  [[nodiscard]] std::optional<Image> operator()(const Place<double>& from, bool backward = false,
-                                                int turns = 1);
+  [[nodiscard]] std::optional<Image> operator()(const PhasePoint<double>& from,
+                                                bool backward = false, int turns = 1);
   /// The point of the surface over two chart coordinates near x, with derivatives by them.
-  [[nodiscard]] std::optional<Place<double>> lifted(const Chart& chart, std::array<double, 2> at,
-                                                    const std::vector<double>& near);
+  [[nodiscard]] std::optional<PhasePoint<double>>
+  lifted(const Chart& chart, std::array<double, 2> at, const std::vector<double>& near);
   [[nodiscard]] SurfaceCode<double>& code() noexcept { return code_; }
 
 private:
   static constexpr int order = 18;
-  [[nodiscard]] std::optional<Image> returned(const Place<double>& from, bool backward);
+  [[nodiscard]] std::optional<Image> returned(const PhasePoint<double>& from, bool backward);
   const SectionSurface& s_;
   SurfaceCode<double> code_;
 };
 
-[[nodiscard]] std::vector<double> doubles(const Place<double>& x);
-[[nodiscard]] std::vector<double> doubles(const Place<Enclosure>& x);
+[[nodiscard]] std::vector<double> doubles(const PhasePoint<double>& x);
+[[nodiscard]] std::vector<double> doubles(const PhasePoint<Enclosure>& x);
 
 } // namespace kov::flow

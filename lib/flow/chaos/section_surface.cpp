@@ -148,7 +148,7 @@ void SurfaceCode<R>::run(const std::vector<Instruction>& code, const std::vector
     machine::execute(i, terms.data(), numbers.data(), registers.data(), k);
 }
 
-template <class R> SurfaceValues<R> SurfaceCode<R>::at(const Place<R>& x) {
+template <class R> SurfaceValues<R> SurfaceCode<R>::at(const PhasePoint<R>& x) {
   std::copy(x.begin(), x.end(), point_.begin());
   run(s_.at_point_.each, point_numbers_, s_.at_point_.terms, point_, 0);
   const std::size_t n = s_.dimension_, m = s_.equations();
@@ -171,7 +171,7 @@ template <class R> SurfaceValues<R> SurfaceCode<R>::at(const Place<R>& x) {
   return v;
 }
 
-template <class R> void SurfaceCode<R>::expand(const Place<R>& x, int order) {
+template <class R> void SurfaceCode<R>::expand(const PhasePoint<R>& x, int order) {
   const std::size_t n = s_.dimension_;
   for (std::size_t j = 0; j < n; ++j)
     series_[j * stride_] = x[j];
@@ -186,8 +186,8 @@ template <class R> void SurfaceCode<R>::expand(const Place<R>& x, int order) {
   }
 }
 
-template <class R> Place<R> SurfaceCode<R>::polynomial(const R& t, int order) const {
-  Place<R> x;
+template <class R> PhasePoint<R> SurfaceCode<R>::polynomial(const R& t, int order) const {
+  PhasePoint<R> x;
   for (std::size_t j = 0; j < s_.dimension_; ++j) {
     T sum = coefficient(j, order);
     for (int k = order - 1; k >= 0; --k) {
@@ -229,7 +229,7 @@ template std::vector<double> solved(std::vector<std::vector<double>>, std::vecto
 template std::vector<Enclosure> solved(std::vector<std::vector<Enclosure>>, std::vector<Enclosure>);
 
 Chart chart_at(SurfaceCode<double>& code, const std::vector<double>& x) {
-  const auto values = code.at(Place<double>(x.begin(), x.end()));
+  const auto values = code.at(PhasePoint<double>(x.begin(), x.end()));
   std::vector<std::vector<double>> a;
   for (const auto& row : values.slope) {
     a.emplace_back();

@@ -19,7 +19,7 @@ struct NotProved {
 };
 
 /// A point of phase space with derivatives with respect to two chart coordinates.
-template <class R> using Place = std::vector<Dual<R>>;
+template <class R> using PhasePoint = std::vector<Dual<R>>;
 
 /// The scene's formulas as programs.
 class SectionSurface {
@@ -65,14 +65,14 @@ public:
   using T = Dual<R>;
   SurfaceCode(const SectionSurface& s, int order);
 
-  [[nodiscard]] SurfaceValues<R> at(const Place<R>& x);
+  [[nodiscard]] SurfaceValues<R> at(const PhasePoint<R>& x);
   /// Taylor coefficients 0 .. order of the orbit through x.
-  void expand(const Place<R>& x, int order);
+  void expand(const PhasePoint<R>& x, int order);
   [[nodiscard]] const T& coefficient(std::size_t variable, int k) const {
     return series_[variable * stride_ + static_cast<std::size_t>(k)];
   }
   /// The Taylor polynomial at time t.
-  [[nodiscard]] Place<R> polynomial(const R& t, int order) const;
+  [[nodiscard]] PhasePoint<R> polynomial(const R& t, int order) const;
 
 private:
   void run(const std::vector<Instruction>& code, const std::vector<T>& numbers,
