@@ -1,5 +1,7 @@
 #include "parameters/conditions.hpp"
 
+#include "parameters/integers.hpp"
+
 #include <algorithm>
 #include <set>
 
@@ -24,6 +26,11 @@ void Assumptions::require(const MFraction& f, Sign sign) {
 void Assumptions::require_integral(const MFraction& f, bool in_integers) {
   if (f.ring() && !is_constant(f.den())) require(MFraction(f.den()), Sign::nonzero);
   memberships.push_back({f, in_integers});
+  for (Membership& m : memberships) { // half of an odd integer, if twice it is an integer
+    if (m.in_integers || is_zero(m.value) || is_constant(m.value)) continue;
+    const auto proof = integer_proof(memberships, Rational(2) * m.value);
+    if (proof && proof->integral) m = {m.value - MFraction(f.ring(), Rational(1, 2)), true};
+  }
 }
 
 namespace {

@@ -3,6 +3,8 @@
 #include "exact/error.hpp"
 #include "exact/flint.hpp"
 
+#include <flint/fmpz_lll.h>
+
 #include <algorithm>
 #include <map>
 
@@ -59,6 +61,46 @@ Hermite hermite(const Rows& a) {
     if (!zero) h.form.push_back(left);
   }
   return h;
+}
+
+Integer size(const Integer& x) { return sign(x) < 0 ? -x : x; }
+
+// A basis of short vectors of the lattice that the rows span; they are independent.
+Rows short_basis(const Rows& rows) {
+  if (rows.empty()) return rows;
+  Matrix matrix(rows);
+  fmpz_lll_t context;
+  fmpz_lll_context_init_default(context);
+  fmpz_lll(matrix.raw(), nullptr, context);
+  Rows short_ones;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    short_ones.push_back(matrix.row(i));
+  return short_ones;
+}
+
+// n modulo the lattice of the relations, and short: with a last coordinate that is large for n and
+// 0 for the relations, n is the vector of a short basis that has it.
+Row shortened(const Row& n, Rows relations) {
+  Integer large(1);
+  for (const Row& row : relations)
+    for (const Integer& x : row)
+      large = large + size(x);
+  for (const Integer& x : n)
+    large = large + size(x);
+  large = large * pow(Integer(2), n.size());
+  for (Row& row : relations)
+    row.push_back(Integer(0));
+  relations.push_back(n);
+  relations.back().push_back(large);
+  for (Row& row : short_basis(relations)) {
+    const Integer last = row.back();
+    if (!(size(last) == large)) continue;
+    row.pop_back();
+    for (Integer& x : row)
+      x = Integer(sign(last)) * x;
+    return row;
+  }
+  return n;
 }
 
 // A polynomial and a number such that both times each of the functions is in Z[t].  A constant that
@@ -137,15 +179,19 @@ std::optional<Row> combination(std::vector<MFraction> f, const MFraction& g) {
   const Row last = std::move(rows.back());
   rows.pop_back();
   auto found = integer_solution(rows, last);
-  if (found) found->resize(n);
-  return found;
+  if (!found) return found;
+  found->resize(n);
+  Rows relations = hermite(rows).relations;
+  for (Row& relation : relations)
+    relation.resize(n);
+  return shortened(*found, std::move(relations));
 }
 
 // Integers n with n1 f1 + n2 f2 + ... a constant that is no integer.
 std::optional<Row> fractional_constant(std::vector<MFraction> f, const Ring& ring) {
   const Integer N = common_denominator(f).of_constants();
   f.emplace_back(ring, Rational(Integer(1), N));
-  for (Row& relation : hermite(coordinates(f)).relations)
+  for (Row& relation : short_basis(hermite(coordinates(f)).relations))
     if (!is_integer(Rational(relation.back(), N))) {
       relation.pop_back();
       return relation;

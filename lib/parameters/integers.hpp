@@ -4,7 +4,8 @@
 // The functions of the parameters that occur are taken as vectors over Q.  Their linear relations
 // mu1 v1 + ... + muk vk = c restrict the integers (v1, ..., vk) to a coset of a lattice, or to
 // nothing; a combination of v1, ..., vk takes there the values of a class a + gZ.  For linear
-// functions of free parameters this is all that follows.
+// functions of free parameters this is all that follows from the vi; of the ui each is used alone,
+// and more may follow (3 n in Z and n, n + 1/3, n - 1/3 not in Z contradict each other).
 //
 // Source  docs/theory/strata.md, 10.7
 
@@ -26,8 +27,8 @@ struct IntegerProof {
   std::vector<Integer> sum;
   std::optional<std::size_t> none;
 };
-/// Unset: v is 0, or none of these identities holds; then, for linear functions of free
-/// parameters, v is an integer at some points and none at others (strata.md 10.7).
+/// Unset: v is 0, or none of these identities holds; then, if all memberships say "in Z" of linear
+/// functions of free parameters, v is an integer at some points and none at others (strata.md 10.7).
 /// Cost    a Hermite normal form with as many rows as memberships, for each that says "not in Z"
 /// Example integer_proof({{Rational(2) * a, true}}, a + Rational(1, 4) * one)->integral  // -> no
 [[nodiscard]] std::optional<IntegerProof> integer_proof(const std::vector<Membership>& known,

@@ -34,6 +34,7 @@ public:
       if (known == Truth::unknown) path_.pop_back();
     }
   }
+  [[nodiscard]] Truth known(const ArithmeticStatement& s) const { return holds_on(s, region_); }
   void add(GroupType type, std::optional<Integer> n = {}) {
     const GaloisGroup g{type, std::move(n)};
     parts_.push_back({path_, truth(is_abelian(identity_component(g))), g});
@@ -72,6 +73,11 @@ public:
 private:
   // l and m rational: so is n, and the order of y^k is that of (1+l)/2, (1+m)/2 (strata.md 10.2).
   void reducible() {
+    const auto rational = std::count_if(s_.begin(), s_.end(), [&](const MFraction& x) {
+      return parts_.known(AllRational{{x}}) == Truth::yes;
+    });
+    if (numbers_.size() < 2 && rational >= 2)
+      return diagonal_or_not(GroupType::cyclic, GroupType::T);
     if (numbers_.size() < 2)
       return parts_.split(
           AllRational{s_}, [&] { diagonal_or_not(GroupType::cyclic, GroupType::T); },

@@ -86,6 +86,10 @@ def certificates():
         yield name, json.dumps(top), True
     yield "a hundred", json.dumps(changed(good["sum"], ["tree", "shown", 0, "with"], [{"times": "0", "membership": "1"}] * 99 + [
         {"times": "-1", "membership": "1"}])), True
+    for n in (10, 11):
+        many = together(HALF, True, 2, 0, *[(0, 1)] * 99, (-1, 1))
+        top = changed(good["sum"], ["tree", "shown"], [many] * 10 + [together(HALF, True, 2, 0, (-1, 1))] * (n - 10))
+        yield f"many memberships, {n}", json.dumps(top), n == 10
     yield "twice the bound", json.dumps(changed(good["between"], ["assumptions", 0, "p"], "4*A + 4*B + 2")), True
     for name, path, value in WRONG:
         yield f"{name}: {'.'.join(map(str, path))} = {str(value)[:40]}", json.dumps(changed(good[name], path, value)), False

@@ -180,6 +180,28 @@ TEST(Families, WeberIsNeverAbelian) {
 
 // A = C D > 0 says nothing about the sign of C/D: at C = I, D = -I it is -1, and the group is
 // abelian.
+// What is no integer, and twice it is one, is half of an odd one.
+TEST(ParametricEquation, HalvesOfOddIntegers) {
+  const std::string bessel = "(n^2 - 1)/(4*z^2) - 1";
+  EXPECT_EQ(answer(bessel, "n integer, n/2 not an integer").strata[0].leaf.abelian, Truth::yes);
+  EXPECT_EQ(answer(bessel, "n/2 not an integer, n integer").strata[0].leaf.abelian, Truth::yes);
+  EXPECT_FALSE(answer(bessel, "n integer, n/3 not an integer").strata[0].leaf.group);
+  EXPECT_ANY_THROW((void)answer(bessel, "n integer, n/2 not an integer, (n + 1)/2 not an integer"));
+}
+
+// Two rational exponent differences of a reducible equation make the third one rational.
+TEST(ParametricEquation, RiemannWithRationalDifferences) {
+  const std::string r = "(l^2 - 1)/(4*z^2) + (m^2 - 1)/(4*(z - 1)^2) + "
+                        "(1 - l^2 - m^2 + n^2)/(4*z*(z - 1))";
+  const auto abelian = [&](const std::string& assumed) {
+    return answer(r, assumed).strata[0].leaf.abelian;
+  };
+  EXPECT_EQ(abelian("n complex, l - 1/2 integer, m - 3/2 integer"), Truth::yes);
+  EXPECT_EQ(abelian("(l + m + n - 1)/2 integer, 3*l integer, 5*m integer"), Truth::yes);
+  EXPECT_EQ(abelian("(l + m + n - 1)/2 integer, 3*l integer"), Truth::unknown);
+  EXPECT_EQ(abelian("n complex, l - 1/2 integer, 3*m - 1/2 integer"), Truth::unknown);
+}
+
 // Hydrogen: n = l is the orbital number, k the principal one.  Abelian exactly where |k| <= l.
 TEST(ParametricEquation, IntegersAndTheirSigns) {
   const std::string r = "n*(n + 1)/z^2 + 1/4 - k/z";

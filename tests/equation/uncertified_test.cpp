@@ -42,6 +42,8 @@ const std::vector<Equation> equations{
     {"(4*nu^2 - 1)/(4*z^2) - 1", {"2*nu odd integer"}},
     {"(4*nu^2 - 1)/(4*z^2) - 1", {"3*nu - 1/2 integer", "5*nu - 1/2 integer"}},
     {"(4*nu^2 - 1)/(4*z^2) - 1", {"6*nu integer", "10*nu + 1/2 not an integer"}},
+    {"(4*nu^2 - 1)/(4*z^2) - 1",
+     {"3*nu/2 integer", "5*nu/7 integer", "7*nu/9 integer", "8*nu/5 integer"}},
     {"(4*m^2 - 1)/(4*z^2) + 1/4 - k/z", {"2*k integer", "m - 1/4 integer"}},
     {"(4*m^2 - 1)/(4*z^2) + 1/4 - k/z", {"k + 3*m integer", "k - m - 1/4 integer"}},
     {"n*(n + 1)/z^2 + 1/4 - k/z", {"n integer", "k integer", "k > n", "n >= 0"}},

@@ -67,6 +67,7 @@ class Classical:
         need(self.num.degree(Z) <= 4 and self.den.degree(Z) <= 6, "the equation is not that of the family")
         need(len(d["numbers"]) <= 4, "these are not the numbers of the family")
         need(len(d["shown"] or []) <= 1000, "a limit: the number of integers shown")
+        need(sum(len(x["with"] or []) for x in d["shown"] or []) <= 1000, "a limit: the number of memberships")
         self.numbers = [Number(s, x, self.pair) for x in d["numbers"]]
         self.change(*(s.poly(d["change"][k], True) for k in ("num", "den")))
         if self.by in ("whittaker", "bessel"):

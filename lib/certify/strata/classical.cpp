@@ -12,7 +12,7 @@ namespace kov::certify {
 namespace {
 
 constexpr std::size_t max_shown = 1000; // each number is compared with all of them
-constexpr std::size_t max_with = 100;
+constexpr std::size_t max_with = 100, max_members = 1000;
 
 class Classical {
 public:
@@ -41,6 +41,10 @@ private:
     need(degree(N_, 0) <= 4 && degree(D_, 0) <= 6, "the equation is not that of the family");
     need(leaf_.numbers.size() <= 4, "these are not the numbers of the family");
     need_within(leaf_.shown.size() <= max_shown, "a limit: the number of integers shown");
+    std::size_t members = 0;
+    for (const ShownMembership& x : leaf_.shown)
+      members += x.with.size();
+    need_within(members <= max_members, "a limit: the number of memberships");
   }
   void need_functions() {
     for (const Fraction* f : {&leaf_.change, &leaf_.equation}) {
