@@ -373,6 +373,7 @@ struct CommandLine {
     process_flags(*find);
     work_flag(*find);
     format_flag(*find, {"text", "json"}, "text or json");
+    find->add_flag("-v,--verbose", settings.verbose, "every set as a block to paste");
     output_flags(*find);
 
     declare_integrals(app);
