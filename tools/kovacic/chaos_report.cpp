@@ -175,13 +175,13 @@ std::string proof_text(const SystemScene& s, const Homoclinic& found) {
       "  proved: on the level {} {} has a transverse homoclinic point to the {} fixed point at\n"
       "    {}, multipliers {}\n"
       "    its orbit passes near {}: {} returns of it are enclosed (radius {:.0e}), and\n"
-      "    where the manifolds cross there |sin| of their angle is above {:.3g}\n"
+      "    where the manifolds cross there |sin| of their angle is {}\n"
       "  hence ({}): a power of the map has a horseshoe, and every real-analytic\n"
       "    first integral on a connected open part of the level around the closure of this orbit "
       "is constant\n",
       levels_of(s), map, kind_of(fixed), place(s, fixed.points[0].drawn, shown_error(fixed)),
       multipliers(fixed), place(s, p.orbit[p.middle].drawn, 1e-6), p.orbit.size() - 1, p.error,
-      std::floor(p.sine * 1000) / 1000, smale_moser().name);
+      p.sine > 0 ? fmt::format("above {:.2g}", 0.99 * p.sine) : "not 0", smale_moser().name);
 }
 
 std::string json_of(const SystemScene& s, const PeriodicOrbits* orbits,
@@ -212,6 +212,8 @@ std::string json_of(const SystemScene& s, const PeriodicOrbits* orbits,
 std::string certificate_of(const SystemScene& s, const Homoclinic& found) {
   const VectorField& v = s.system.field;
   const HomoclinicProof& p = *found.proof;
+  if (p.fixed.points.size() > 1)
+    throw InputError(s.file, 0, 0, 1, "certificates of homoclinic points are for --period 1");
   const auto polynomial = [&](const MFraction& f) {
     return is_constant(MFraction(f.den())) && v.functions.empty() && v.constants.empty() &&
            v.parameters.empty();
