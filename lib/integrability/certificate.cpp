@@ -50,13 +50,19 @@ private:
   void study(const ManifoldReport& m, const std::string& role) {
     if (!m.manifold) return;
     m_ = &m;
-    if (m.matrices) refuse("there is no format for monodromy matrices", role + "-matrices");
+    if (m.matrices) matrices(*m.matrices, role + "-matrices");
     for (const BlockReport& b : m.blocks) {
       block(b, role);
       for (const auto& special : b.special_studies)
         study(*special, role + "-special");
       m_ = &m;
     }
+  }
+  void matrices(const MatrixEvidence& by, const std::string& role) {
+    if (by.certificate.empty())
+      refuse(by.no_certificate, role);
+    else
+      add(by.certificate + "\n", role);
   }
   void block(const BlockReport& b, const std::string& role) {
     if (b.decision) take(*b.decision, b, b.way, "", role);

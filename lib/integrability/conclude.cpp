@@ -305,7 +305,10 @@ std::vector<std::string> trusted_steps(const ManifoldReport& m) {
   const Add add = [&](const std::string& step) {
     if (std::find(all.begin(), all.end(), step) == all.end()) all.push_back(step);
   };
-  if (m.matrices)
+  if (m.matrices && !m.matrices->certificate.empty())
+    add("the way from the system to the whole variational equation over K(z), along the manifold " +
+        m.name);
+  if (m.matrices && m.matrices->certificate.empty())
     add("the enclosures of the monodromy matrices of the whole variational equation, along the "
         "manifold " +
         m.name);

@@ -1,6 +1,7 @@
 #include "integrability/matrices.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/loops_certificate.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 
@@ -56,10 +57,14 @@ std::optional<MatrixEvidence> matrices_at(const Study& study, const Substitution
   if (manifold == nullptr) return std::nullopt;
   const auto v =
       numerical_variation(s, *manifold, variational_equations(s.field, *manifold), budget);
-  auto proof =
-      prove_non_abelian(v.system, monodromy::monodromy(v.system, {digits, {}, budget}), budget);
+  const auto m = monodromy::monodromy(v.system, {digits, {}, budget});
+  auto proof = prove_non_abelian(v.system, m, budget);
   if (!proof) return std::nullopt;
-  MatrixEvidence found{*std::move(proof), v.system.size(), v.names, v.change, {}};
+  MatrixEvidence found{*std::move(proof), v.system.size(), v.names, v.change, {}, {}, {}};
+  const LoopsProof written = not_abelian_certificate(
+      "the variational equation of " + s.file + " along " + manifold->name, v.system, m, budget);
+  found.certificate = written.certificate;
+  found.no_certificate = written.none;
   for (const auto& [i, value] : level)
     found.level += (found.level.empty() ? "" : ", ") + s.ring()->name(i) + " = " + to_string(value);
   return found;

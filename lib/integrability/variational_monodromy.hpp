@@ -45,7 +45,9 @@ struct MatrixEvidence {
   long size = 0; ///< of the system
   std::vector<std::string> unknowns;
   std::string change;
-  std::string level; ///< "h = 1"; empty: the level was not free
+  std::string level;       ///< "h = 1"; empty: the level was not free
+  std::string certificate; ///< kovacic-loops/1, accepted by the judge; empty: none
+  std::string no_certificate;
 };
 
 /// Unset when nothing is seen, which proves nothing.

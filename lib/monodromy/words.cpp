@@ -113,6 +113,15 @@ ComplexBall small_orders(const ComplexBall& x, long bits) {
   return product;
 }
 
+} // namespace
+
+BallMatrix matrix_of(const Monodromy& m, const Word& w) {
+  BallMatrix product = BallMatrix::identity(m.size());
+  for (const std::size_t i : w)
+    product = multiply(m.loops.at(i).matrix, product, m.bits);
+  return product;
+}
+
 std::optional<NoSmallGroup> prove_no_small_group(const Monodromy& m, const Budget& budget) {
   NoSmallGroup p;
   each_word(m, longest_word, budget, [&](const Word& w, const BallMatrix& c) {
@@ -138,15 +147,6 @@ std::optional<NoSmallGroup> prove_no_small_group(const Monodromy& m, const Budge
     return false;
   });
   return found ? std::optional(std::move(p)) : std::nullopt;
-}
-
-} // namespace
-
-BallMatrix matrix_of(const Monodromy& m, const Word& w) {
-  BallMatrix product = BallMatrix::identity(m.size());
-  for (const std::size_t i : w)
-    product = multiply(m.loops.at(i).matrix, product, m.bits);
-  return product;
 }
 
 std::optional<Sl2Proof> prove_sl2(const Monodromy& m, const Budget& budget) {

@@ -41,6 +41,10 @@ inline constexpr std::size_t longest_word = 6;
 /// Cost  at most some ten thousand products of 2 x 2 matrices
 [[nodiscard]] std::optional<Sl2Proof> prove_sl2(const Monodromy& m, const Budget& budget = {});
 
+/// The same by a triple, also where there are hyperbolic words: certificates have one rule.
+[[nodiscard]] std::optional<NoSmallGroup> prove_no_small_group(const Monodromy& m,
+                                                               const Budget& budget = {});
+
 /// Two loops whose matrices have no common eigenvector: the group is irreducible.
 struct NoCommonLine {
   std::size_t a = 0, b = 0;

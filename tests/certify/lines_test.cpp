@@ -4,6 +4,7 @@
 
 #include "certify/equation/check.hpp"
 #include "certify/jets/check.hpp"
+#include "certify/loops/check.hpp"
 #include "certify/system/check.hpp"
 #include "certify/text/json.hpp"
 #include "certify/theorem/check.hpp"
@@ -32,6 +33,10 @@ char verdict(const std::string& text) {
     if (format_of(text) == "kovacic-jets/1") {
       const auto verdict = check_jets(read_jets_certificate(text));
       return std::holds_alternative<JetsAccepted>(verdict) ? 'a' : 'r';
+    }
+    if (format_of(text) == "kovacic-loops/1") {
+      const auto verdict = check_loops(read_loops_certificate(text));
+      return std::holds_alternative<Accepted>(verdict) ? 'a' : 'r';
     }
     if (format_of(text) == "kovacic-theorem/1")
       return std::holds_alternative<TheoremAccepted>(check_theorem(text)) ? 'a' : 'r';

@@ -245,6 +245,8 @@ struct CommandLine {
     command->add_option("--stage", a.stage, "with --system: ve (the default), or nve")
         ->check(silent(CLI::IsMember({"ve", "nve"})))
         ->type_name("STAGE");
+    command->add_option("--certificate", settings.certificate, "write what is proved to a file")
+        ->type_name("FILE");
     manifold_flag(*command);
     set_flag(*command);
     process_flags(*command);

@@ -1,9 +1,11 @@
 // kovacic monodromy: matrices with proven radii, and what they prove.
 
 #include "monodromy/monodromy.hpp"
+#include "certificate_file.hpp"
 #include "commands.hpp"
 #include "equation/read_equation.hpp"
 #include "exact/factor.hpp"
+#include "integrability/loops_certificate.hpp"
 #include "integrability/variational_monodromy.hpp"
 #include "mechanics.hpp"
 #include "monodromy/decimal.hpp"
@@ -288,6 +290,11 @@ std::string text_of(const Json& j) {
   }
   if (const Json& proof = j.at("certificate"); !proof.is_null())
     out << "  proved    " << wrapped(proof_text(proof), 12) << '\n';
+  if (j.contains("certificate_file"))
+    out << "  written   " << j.at("certificate_file").get<std::string>() << '\n';
+  if (j.contains("no_certificate"))
+    out << "  note      "
+        << wrapped("no certificate: " + j.at("no_certificate").get<std::string>(), 12) << '\n';
   return out.str();
 }
 
@@ -324,6 +331,16 @@ struct Matrices {
   std::string svg;
 };
 
+// To the file of --certificate, or why there is none.
+void write_proof(const Settings& settings, const LoopsProof& proof, Json& j) {
+  if (proof.certificate.empty()) {
+    j["no_certificate"] = proof.none;
+    return;
+  }
+  write_file(settings.certificate, laid_out(proof.certificate));
+  j["certificate_file"] = settings.certificate;
+}
+
 Matrices of_equation(const Settings& settings, const MonodromyArguments& a) {
   const GivenEquation e = given(settings, a);
   const mo::Request request = request_of(settings, a);
@@ -339,14 +356,16 @@ Matrices of_equation(const Settings& settings, const MonodromyArguments& a) {
   }
   const auto proof = mo::prove_sl2(known, request.budget);
   j["certificate"] = proof ? json_of(*proof) : Json(nullptr);
-  if (proof && j.contains("stokes")) j["certificate"]["stokes"] = true;
-  j["irregular"] = irregular_places(e);
-  if (!e.constant.empty() && e.constant != "I")
-    j["constant"] = e.constant + " = " + e.constant_meaning;
   const std::string title = is_zero(e.p)
                                 ? "y'' = r y, r = " + to_string(e.normal_form.r, e.variable)
                                 : "y'' + p y' + q y = 0, p = " + to_string(e.p, e.variable) +
                                       ", q = " + to_string(e.q, e.variable);
+  if (!settings.certificate.empty())
+    write_proof(settings, sl2_certificate(title, mo::companion(e.p, e.q), m, request.budget), j);
+  if (proof && j.contains("stokes")) j["certificate"]["stokes"] = true;
+  j["irregular"] = irregular_places(e);
+  if (!e.constant.empty() && e.constant != "I")
+    j["constant"] = e.constant + " = " + e.constant_meaning;
   return {j, report::loops_svg(m, title, place_names(m, e.variable))};
 }
 
@@ -460,6 +479,11 @@ Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
   j["unknowns"] = v.names;
   j["change"] = v.change;
   j["certificate"] = json_of(prove_non_abelian(v.system, m, request.budget), v.names);
+  if (!settings.certificate.empty())
+    write_proof(
+        settings,
+        not_abelian_certificate(s.title.empty() ? s.file : s.title, v.system, m, request.budget),
+        j);
   return {j, report::loops_svg(m, s.title.empty() ? s.file : s.title,
                                place_names(m, s.ring()->name(s.z)))};
 }

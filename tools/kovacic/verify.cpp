@@ -6,6 +6,7 @@
 
 #include "certify/equation/statement.hpp"
 #include "certify/jets/check.hpp"
+#include "certify/loops/check.hpp"
 #include "certify/strata/check.hpp"
 #include "certify/system/check.hpp"
 #include "certify/theorem/check.hpp"
@@ -116,6 +117,14 @@ Report judge_theorem(Report r, const std::string& certificate, bool strict) {
   return r;
 }
 
+Report judge_loops(Report r, const std::string& certificate, bool strict) {
+  const certify::LoopsCertificate c = certify::read_loops_certificate(certificate);
+  const auto verdict = certify::check_loops(c);
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
+  r["statement"] = certify::statement(c);
+  return accepted(r, std::get<certify::Accepted>(verdict).trusted_steps, strict);
+}
+
 // The outcome of one text: "accepted", "rejected" or "malformed", with its reason.
 Report judge(const std::string& path, const std::string& certificate, bool strict) {
   Report r{{"file", path}};
@@ -124,6 +133,7 @@ Report judge(const std::string& path, const std::string& certificate, bool stric
     if (format == "kovacic-strata/1") return judge_strata(r, certificate, strict);
     if (format == "kovacic-system/1") return judge_system(r, certificate, strict);
     if (format == "kovacic-jets/1") return judge_jets(r, certificate, strict);
+    if (format == "kovacic-loops/1") return judge_loops(r, certificate, strict);
     if (format == "kovacic-theorem/1") return judge_theorem(r, certificate, strict);
     return judge_group(r, certificate, strict);
   } catch (const Error& e) {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Independent checker for kovacic-certificate/1, kovacic-strata/1, kovacic-system/1, kovacic-theorem/1, kovacic-jets/1,
-kovacic-homoclinic/1 (Python 3 standard library only).
+kovacic-homoclinic/1, kovacic-loops/1 (Python 3 standard library only).
 
 A certificate proves a statement about the differential Galois group G of y'' = r(z) y, r = num/den in K(z), K = Q(a).
 docs/theory/certificates.md defines the format; the pages beside it prove the theorem behind each rule, and the numbers
@@ -13,7 +13,7 @@ phase_curve.py, first_integrals.py and system_statement.py for mechanical system
 theorem.py, theorem_format.py, real_proof.py, tower.py, place.py, splitting.py, lowest_order.py and theorem_statement.py for
 theorems (docs/theory/theorem_certificates.md); jets.py, jets_format.py, jet_series.py, motion.py, normal_group.py and
 jets_statement.py for higher variational equations (docs/theory/jet_certificates.md); homoclinic.py and enclosures.py for
-homoclinic points (docs/theory/chaos.md).
+homoclinic points (docs/theory/chaos.md); loops.py and continuation.py for monodromy matrices (docs/theory/loop_certificates.md).
 
 usage: kovacic_verify.py [--strict] FILE...   (- is standard input)     exit 0 accepted, 1 rejected, 2 malformed
 """
@@ -21,6 +21,7 @@ import sys
 
 import homoclinic
 import jets
+import loops
 import statement
 import strata
 import system
@@ -96,6 +97,8 @@ def check(text, strict=False):
         return homoclinic.verify(top)
     if form == jets.FORMAT:
         return jets.verify(top, prove)
+    if form == loops.FORMAT:
+        return loops.verify(top, prove)
     if form == strata.FORMAT:
         tree, *said = strata.verify(top, prove)
         return tree.trust, *said

@@ -148,6 +148,8 @@ Claim read_claim(const Node& n) {
   return c;
 }
 
+} // namespace
+
 Field read_field(const Node& n) {
   Keys k(n);
   const std::string name = k.at("name").text();
@@ -165,8 +167,6 @@ Field read_field(const Node& n) {
     minpoly.fail("a monic polynomial of degree 1 (z itself) to 24 is expected");
   return m.size() == 2 ? rationals() : make_field(m, name);
 }
-
-} // namespace
 
 Certificate read_certificate(const Node& n) {
   Certificate c;

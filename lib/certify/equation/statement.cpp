@@ -198,6 +198,8 @@ private:
 
 } // namespace
 
+std::string over_field(const Poly& f) { return text(f); }
+
 std::string quoted(const std::string& text) {
   std::string s = "\"";
   for (const char c : text) {

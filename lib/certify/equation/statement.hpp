@@ -9,6 +9,9 @@ namespace kov::certify {
 [[nodiscard]] std::vector<std::string> statement(const Certificate& c);
 [[nodiscard]] std::vector<std::string> statement(const StrataCertificate& c);
 
+/// f in K[z]; the generator is called a.
+[[nodiscard]] std::string over_field(const Poly& f);
+
 /// A text of others in quotes; what is not printable ASCII becomes one '?' for each character.
 [[nodiscard]] std::string quoted(const std::string& text);
 

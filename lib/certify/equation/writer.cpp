@@ -147,13 +147,6 @@ Json data(const ApplyTheorem& x) {
   return {Json::Object{{"theorem", text(x.theorem)}, {"statement", text(x.statement)}}};
 }
 
-Json field(const NumberField& k) {
-  Json::Array m;
-  for (const Integer& c : k.minpoly_coefficients())
-    m.push_back(text(to_string(c)));
-  return {Json::Object{{"name", text(k.name())}, {"minpoly", {m}}}};
-}
-
 Json claim(const Claim& c) {
   const auto optional = [](const auto& v, auto f) { return v ? f(*v) : Json{}; };
   return {Json::Object{{"group", optional(c.group, text)},
@@ -163,6 +156,15 @@ Json claim(const Claim& c) {
 }
 
 } // namespace
+
+Json to_json(const NumberField& k) {
+  Json::Array m;
+  for (const Integer& c : k.minpoly_coefficients())
+    m.push_back(text(to_string(c)));
+  return {Json::Object{{"name", text(k.name())}, {"minpoly", {m}}}};
+}
+
+Json to_json(const Poly& f) { return poly(f); }
 
 std::string rule_name(const Rule& rule) {
   return std::visit(Overloaded{[](const Local&) { return "local"; },
@@ -191,7 +193,7 @@ Json to_json(const Certificate& c) {
                       {"data", std::visit([](const auto& x) { return data(x); }, s.rule)}}});
   }
   return {Json::Object{{"format", text("kovacic-certificate/1")},
-                       {"field", field(*c.field)},
+                       {"field", to_json(*c.field)},
                        {"r", {Json::Object{{"num", poly(c.num)}, {"den", poly(c.den)}}}},
                        {"claim", claim(c.claim)},
                        {"steps", {steps}}}};

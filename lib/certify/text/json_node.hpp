@@ -62,5 +62,9 @@ private:
 /// A certificate of the format kovacic-certificate/1 inside other data.
 [[nodiscard]] Certificate read_certificate(const Node& n);
 [[nodiscard]] Json to_json(const Certificate& c);
+/// The field of coefficients, by its minimal polynomial.
+[[nodiscard]] Field read_field(const Node& n);
+[[nodiscard]] Json to_json(const NumberField& k);
+[[nodiscard]] Json to_json(const Poly& f);
 
 } // namespace kov::certify

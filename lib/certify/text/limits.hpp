@@ -46,6 +46,18 @@ inline constexpr unsigned long max_power = 1000;      ///< of a denominator
 inline constexpr std::size_t max_denominators = 200;
 inline constexpr std::size_t max_annihilators = 40;
 
+// Certificates of matrices of loops (loop_certificates.md 2).
+inline constexpr std::size_t max_loop_size = 8;
+inline constexpr long max_loop_degree = 100;
+inline constexpr long max_loop_bits = 8192;
+inline constexpr std::size_t max_loops = 16;
+inline constexpr std::size_t max_loop_points = 2000;
+inline constexpr std::size_t max_loop_letters = 12;
+inline constexpr long max_loop_power = 1000;
+inline constexpr std::size_t max_loop_factors = 40;
+inline constexpr ulong max_coordinate_bits = 400;
+inline constexpr double max_loop_work = 1e12; ///< bits that are multiplied
+
 // Certificates of higher variational equations (jet_certificates.md 2).
 inline constexpr std::size_t max_jet_parameters = 6;
 inline constexpr long max_turns = 100;
