@@ -54,7 +54,7 @@ bool same_elements(const std::vector<DifferenceCondition>& a,
 }
 
 // On the small one the conditions of the large one are those of the small one.
-bool agree(const Place& large, const Place& small) {
+bool agree(const ParameterPlace& large, const ParameterPlace& small) {
   if (large.special.empty() && small.special.empty()) return true;
   const auto here = on_part({large.where, large.special, {}}, small.where);
   return here && same_elements(here->special, small.special);
@@ -62,10 +62,10 @@ bool agree(const Place& large, const Place& small) {
 
 class Union {
 public:
-  Union(std::vector<Place> all, const std::vector<MPoly>& assumed)
+  Union(std::vector<ParameterPlace> all, const std::vector<MPoly>& assumed)
       : all_(std::move(all)), assumed_(assumed) {}
 
-  std::vector<Place> simplified() {
+  std::vector<ParameterPlace> simplified() {
     for (std::size_t i = 0; i < all_.size(); ++i)
       while (drop_an_inequation(i)) {
       }
@@ -76,10 +76,10 @@ public:
 
 private:
   bool drop_an_inequation(std::size_t i) {
-    const Place here = all_[i];
+    const ParameterPlace here = all_[i];
     for (const MPoly& p : here.where.inequations()) {
       if (is_assumed(p) || !may_be_dropped(i, p)) continue;
-      Place larger{without_inequation(here.where, p), here.special};
+      ParameterPlace larger{without_inequation(here.where, p), here.special};
       const ParameterSet more = larger.where.where_zero(p);
       if (!more.is_empty() && !without(more, agreeing_with(larger, i)).empty()) continue;
       all_[i] = std::move(larger);
@@ -102,26 +102,27 @@ private:
     });
   }
   // Where another set is met that does not agree nothing is said of it.
-  std::vector<ParameterSet> agreeing_with(const Place& place, std::size_t i) const {
+  std::vector<ParameterSet> agreeing_with(const ParameterPlace& place, std::size_t i) const {
     std::vector<ParameterSet> sets;
     for (std::size_t j = 0; j < all_.size(); ++j)
       if (j != i && agree(place, all_[j])) sets.push_back(all_[j].where);
     return sets;
   }
-  bool is_covered(const Place& small, std::size_t i) const {
+  bool is_covered(const ParameterPlace& small, std::size_t i) const {
     for (std::size_t j = 0; j < all_.size(); ++j)
       if (j != i && agree(all_[j], small) && without(small.where, {all_[j].where}).empty())
         return true;
     return false;
   }
 
-  std::vector<Place> all_;
+  std::vector<ParameterPlace> all_;
   const std::vector<MPoly>& assumed_;
 };
 
 } // namespace
 
-std::vector<Place> in_few_words(std::vector<Place> all, const std::vector<MPoly>& assumed) {
+std::vector<ParameterPlace> in_few_words(std::vector<ParameterPlace> all,
+                                         const std::vector<MPoly>& assumed) {
   if (all.size() > most_places) return all;
   try {
     return Union(all, assumed).simplified();

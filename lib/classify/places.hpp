@@ -8,7 +8,7 @@
 namespace kov {
 
 /// Where all of the conditions hold.
-struct Place {
+struct ParameterPlace {
   ParameterSet where;
   std::vector<DifferenceCondition> special;
 };
@@ -19,9 +19,9 @@ struct Place {
 /// Given   const Ring ring = make_ring({"a", "b"});
 /// Given   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b");
 /// Given   const ParameterSet all(ring, {0, 1});
-/// Given   const Place axis{all.where_zero(a).where_nonzero(b), {}}, other{all.where_zero(b), {}};
+/// Given   const ParameterPlace axis{all.where_zero(a).where_nonzero(b), {}}, other{all.where_zero(b), {}};
 /// Example in_few_words({axis, other}).front().where.inequations().size()  // -> 0
-[[nodiscard]] std::vector<Place> in_few_words(std::vector<Place> all,
-                                              const std::vector<MPoly>& assumed = {});
+[[nodiscard]] std::vector<ParameterPlace> in_few_words(std::vector<ParameterPlace> all,
+                                                       const std::vector<MPoly>& assumed = {});
 
 } // namespace kov

@@ -143,14 +143,14 @@ std::vector<std::string> conditions(const SystemClassification& c, const Classif
 
 std::vector<std::string> places(const SystemClassification& c,
                                 const std::vector<StratumStatus>& wanted) {
-  std::vector<Place> all;
+  std::vector<ParameterPlace> all;
   for (const ClassifiedStratum& s : c.strata)
     if (std::find(wanted.begin(), wanted.end(), s.status) != wanted.end())
       all.push_back({s.where, s.special});
   if (c.at_work.empty())
     all = in_few_words(std::move(all), c.nonzero); // on the way that takes too long
   std::vector<std::string> texts;
-  for (const Place& p : all)
+  for (const ParameterPlace& p : all)
     texts.push_back(joined(conditions(c, {p.where, p.special})));
   return texts;
 }

@@ -87,7 +87,7 @@ TEST_F(Parts, PlacesInFewWords) {
                                  {all_.where_zero(b_ - number(1)).where_nonzero(a_), {}},
                                  {all_.where_zero(a_).where_zero(b_ - number(1)), {}}});
   ASSERT_EQ(few.size(), 2U);
-  for (const Place& p : few)
+  for (const ParameterPlace& p : few)
     EXPECT_TRUE(p.where.proper_inequations().empty());
 }
 
@@ -114,11 +114,11 @@ TEST_F(Parts, FewWordsSayTheSame) {
       rest = parts.outside;
     }
     if (choice & 32U) sets.push_back(rest.front());
-    std::vector<Place> places;
+    std::vector<ParameterPlace> places;
     for (const ParameterSet& s : sets)
       places.push_back({s, {}});
     std::vector<ParameterSet> after;
-    for (const Place& p : in_few_words(places))
+    for (const ParameterPlace& p : in_few_words(places))
       after.push_back(p.where);
     for (long a = -2; a <= 2; ++a)
       for (long b = -2; b <= 2; ++b)
