@@ -293,6 +293,7 @@ class CheckReport:
     claims: list[ClaimReport]
     manifolds: list[ManifoldReport]
     certificates: dict[str, Any]
+    together: Classification
     seconds: float
 
 
