@@ -33,6 +33,7 @@ excused = {
     "integrability/matrices.hpp": "a stage of check.hpp",
     "integrability/special_strata.hpp": "a stage of check.hpp",
     "integrability/study.hpp": "what the stages of check.hpp are handed",
+    "integrability/loops_certificate.hpp": "a stage of monodromy_opinion.hpp",
     "integrability/monodromy_opinion.hpp": "an example needs a system file",
     "integrability/variational_monodromy.hpp": "an example needs a system file",
     "kovacic/family_log.hpp": "two steps of the trace, used by the cases",

@@ -214,6 +214,8 @@ std::string text(const Report& r) {
   else if (r.contains("claim"))
     s += " (" + claim_text(r["claim"]) + "; " + std::to_string(r["steps"].get<std::size_t>()) +
          " steps, " + trust(r["trusted_steps"].get<std::size_t>()) + ")";
+  else if (r.contains("trusted_steps"))
+    s += " (" + trust(r["trusted_steps"].get<std::size_t>()) + ")";
   if (r.contains("step") && !r["step"].get<std::string>().empty())
     s += ": step '" + printable(r["step"].get<std::string>()) + "'";
   for (const char* where : {"node", "rule"})

@@ -381,6 +381,7 @@ class ClassifiedStratum:
     conditions: list[str]
     status: StratumStatus
     integrals: list[FoundIntegral]
+    fields: list[str]
     by: list[ExclusionReason]
     open_after: list[str]
 
@@ -440,6 +441,7 @@ class FoundIntegral:
     degree: int
     casimir: bool
     hamiltonian: bool
+    logarithms: list[tuple[MFraction, MFraction]]
 
 
 class GaloisGroup:
