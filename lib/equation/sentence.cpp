@@ -7,8 +7,9 @@
 namespace kov {
 namespace {
 
-constexpr const char* examples = "e.g. \"A > 0\", \"d != 0\", \"n not an integer\", "
-                                 "\"2*nu odd integer\", \"nu not in 1/2+Z\", \"c complex\"";
+constexpr const char* examples =
+    "e.g. \"A > 0\", \"d != 0\", \"n not an integer\", "
+    "\"2*nu odd integer\", \"nu not in 1/2+Z\", \"n in N\", \"c complex\"";
 
 std::string_view trimmed(std::string_view s) {
   const auto from = s.find_first_not_of(" \t\n");
@@ -64,20 +65,27 @@ public:
   SentenceReader(const Placed& place, std::string_view text)
       : place_(place), whole_(text), rest_(text) {}
 
-  Sentence read() {
+  // One, or two of a natural number: it is an integer, and has a sign.
+  std::vector<Sentence> read() {
+    std::vector<Sentence> all = natural();
+    if (all.empty()) all.push_back(read_one());
+    for (Sentence& s : all) {
+      s.text = whole_;
+      s.origin = place_.origin();
+      s.span = place_.span(whole_);
+    }
+    return all;
+  }
+
+private:
+  Sentence read_one() {
     for (const auto form : {&SentenceReader::comparison, &SentenceReader::in_integers,
                             &SentenceReader::integer_word, &SentenceReader::word})
-      if (auto s = (this->*form)()) {
-        s->text = whole_;
-        s->origin = place_.origin();
-        s->span = place_.span(whole_);
-        return *std::move(s);
-      }
+      if (auto s = (this->*form)()) return *std::move(s);
     throw InputError(*place_.origin(), place_.span(whole_), "this assumption is not understood",
                      examples);
   }
 
-private:
   [[nodiscard]] Expression formula(std::string_view text) const { return place_.formula(text); }
 
   std::optional<Sentence> comparison() {
@@ -96,6 +104,32 @@ private:
       return Sentence{Sentence::Kind::sign, left, right, meaning};
     }
     return std::nullopt;
+  }
+
+  // "n in N", "n natural", "n a positive integer": 0 is in N.
+  std::vector<Sentence> natural() {
+    std::string_view rest = whole_;
+    Sign sign = Sign::nonnegative;
+    if (drop_tail(rest, "N")) {
+      if (!drop_tail(rest, "in")) return {};
+    } else if (drop_tail(rest, "integer")) {
+      if (drop_tail(rest, "positive"))
+        sign = Sign::positive;
+      else if (!drop_tail(rest, "nonnegative"))
+        return {};
+    } else {
+      drop_tail(rest, "number");
+      if (!drop_tail(rest, "natural")) return {};
+    }
+    drop_tail(rest, "a");
+    if (drop_tail(rest, "not"))
+      throw InputError(*place_.origin(), place_.span(whole_),
+                       "what is no natural number is no integer, or negative",
+                       "these are two questions: ask them one by one");
+    drop_tail(rest, "is");
+    const Expression left = formula(rest);
+    return {Sentence{Sentence::Kind::membership, left, number("0")},
+            Sentence{Sentence::Kind::sign, left, number("0"), sign}};
   }
 
   std::optional<Sentence> in_integers() {
@@ -226,7 +260,8 @@ std::vector<Sentence> sentences(const AssumedText& text) {
         for (Sentence& s : sentences(with_sign(text, place, part, sign)))
           all.push_back(std::move(s));
     else if (!part.empty())
-      all.push_back(SentenceReader(place, part).read());
+      for (Sentence& s : SentenceReader(place, part).read())
+        all.push_back(std::move(s));
     rest.remove_prefix(std::min(rest.size(), word < mark ? word + 5 : mark + 1));
   }
   if (all.empty())

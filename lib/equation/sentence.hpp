@@ -33,6 +33,7 @@ struct Sentence {
 /// Example sentences({"A > 0, B >= C, n not an integer", nullptr, ""}).size()  // -> 3
 /// Example sentences({"k +- m not in 1/2+Z", nullptr, ""}).size()  // -> 2
 /// Example sentences({"2*nu odd integer", nullptr, ""}).at(0).modulus  // -> 2
+/// Example sentences({"n in N", nullptr, ""}).size()  // -> 2
 /// Example sentences({"c is blue", nullptr, ""}).size()  // -> throws InputError
 [[nodiscard]] std::vector<Sentence> sentences(const AssumedText& text);
 

@@ -180,6 +180,20 @@ TEST(Families, WeberIsNeverAbelian) {
 
 // A = C D > 0 says nothing about the sign of C/D: at C = I, D = -I it is -1, and the group is
 // abelian.
+TEST(ParametricEquation, NaturalNumbers) {
+  const std::string r = "n*(n + 1)/z^2 + 1/4 - k/z";
+  const auto group = [&](const std::string& assumed) {
+    const auto a = answer(r, assumed);
+    return a.strata[0].leaf.group ? a.strata[0].leaf.group->type : GroupType::cyclic;
+  };
+  for (const char* n : {"n in N", "n natural", "n is a natural number", "n nonnegative integer",
+                        "n a positive integer"})
+    EXPECT_EQ(group(std::string(n) + ", k integer, k > n"), GroupType::Borel) << n;
+  EXPECT_EQ(group("n - 1 in N, k positive integer, k <= n"), GroupType::Gm);
+  EXPECT_ANY_THROW((void)answer(r, "n not in N, k complex"));
+  EXPECT_ANY_THROW((void)answer(r, "n in M, k complex"));
+}
+
 // What is no integer, and twice it is one, is half of an odd one.
 TEST(ParametricEquation, HalvesOfOddIntegers) {
   const std::string bessel = "(n^2 - 1)/(4*z^2) - 1";
