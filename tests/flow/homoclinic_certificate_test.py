@@ -80,6 +80,7 @@ class Certificates(unittest.TestCase):
 
     def test_what_is_no_certificate_is_malformed(self):
         for changes in ({"chart": ["1", "7"]}, {"level": "sqrt(2)"}, {"orbit": []}, {"period": "0"}, {"reach": "1e9999"},
+                        {"level": "1E999999999"}, {"hamiltonian": ["x^2", "\u00b2"]}, {"hamiltonian": ["x^2", "9" * 5000]},
                         {"variables": ["x", "x", "u", "v"]}, {"hamiltonian": ["x^2", "0"]}, {"more": "1"},
                         {"point": ["0", "0", "1"]}, {"axes": [["1"], ["2"]]}, {"reach": "2"}):
             self.rejected(Malformed, **changes)

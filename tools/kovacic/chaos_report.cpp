@@ -54,8 +54,21 @@ std::string levels_of(const SystemScene& s) {
   return text;
 }
 
+// Two digits, never above x > 0.
+std::string rounded_down(double x) {
+  const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
+  return fmt::format("{:.2g}", std::floor(0.999 * x / unit) * unit);
+}
+
+// The roots of t^2 - T t + D: where they are near, an error of T is one of them, enlarged.
 std::string multipliers(const PeriodicOrbit& o) {
-  const double error = o.proved ? std::max(o.trace_error, 1e-14) : 1e-8;
+  double error = 1e-8;
+  if (o.proved) {
+    const double large = std::abs(o.multiplier[0]), small = std::abs(o.determinant / large);
+    const double spread = o.multiplier[1] != 0 ? 2 * std::abs(o.multiplier[1]) : large - small;
+    const double growth = std::max(1.0, large / std::max(spread, 1e-300));
+    error = std::max(2 * growth * (o.trace_error + 1e-15 * (1 + large)), 1e-14);
+  }
   if (o.multiplier[1] != 0)
     return fmt::format("{} +- {} i", number(o.multiplier[0], error),
                        number(o.multiplier[1], error));
@@ -181,7 +194,7 @@ std::string proof_text(const SystemScene& s, const Homoclinic& found) {
       "is constant\n",
       levels_of(s), map, kind_of(fixed), place(s, fixed.points[0].drawn, shown_error(fixed)),
       multipliers(fixed), place(s, p.orbit[p.middle].drawn, 1e-6), p.orbit.size() - 1, p.error,
-      p.sine > 0 ? fmt::format("above {:.2g}", 0.99 * p.sine) : "not 0", smale_moser().name);
+      p.sine > 0 ? "above " + rounded_down(p.sine) : "not 0", smale_moser().name);
 }
 
 std::string json_of(const SystemScene& s, const PeriodicOrbits* orbits,

@@ -2,6 +2,7 @@
 its sections).  The numbers of the certificate are guesses; everything is enclosed again, in integers (enclosures.py).
 
 usage: kovacic_verify.py FILE..."""
+import re
 from fractions import Fraction
 from itertools import combinations
 
@@ -23,7 +24,9 @@ def right(condition, what):
 def number(v):
     right(isinstance(v, str) and len(v) < 60, "a number is a short string")
     try:
-        return Fraction(v) if "e" not in v or abs(int(v.split("e")[1])) < 400 else right(False, "a number is too small or large")
+        _, _, power = v.lower().partition("e")
+        right(abs(int(power or 0)) < 400, "a number is too small or large")
+        return Fraction(v)
     except (ValueError, ZeroDivisionError):
         raise Malformed("a number is expected") from None
 
@@ -42,7 +45,7 @@ def read(top):
 
     def polynomial(v):
         right(isinstance(v, list) and len(v) == 2 and all(isinstance(x, str) for x in v), "a polynomial over an integer is expected")
-        f, n = parse(v[0], at), int(v[1]) if v[1].isdigit() else 0
+        f, n = parse(v[0], at), int(v[1]) if re.fullmatch("[0-9]{1,1000}", v[1]) else 0
         right(n > 0 and len(f) < 200 and all(f.degree(x) <= 16 for x in at.values()), "a polynomial is not of this format")
         return f, n
     d["hamiltonian"], d["section"] = polynomial(top["hamiltonian"]), polynomial(top["section"])
@@ -51,7 +54,7 @@ def read(top):
     right(top["period"] in map(str, range(1, 65)), "a period is 1 to 64")
     right(top["chart"] in ([str(i), str(j)] for i, j in combinations(range(4), 2)), "a chart is two places")
     d["period"], d["chart"] = int(top["period"]), [int(i) for i in top["chart"]]
-    right(isinstance(top["orbit"], list) and 1 <= len(top["orbit"]) <= 400, "an orbit has up to 400 points")
+    right(isinstance(top["orbit"], list) and 1 <= len(top["orbit"]) * d["period"] <= 400, "an orbit has up to 400 points")
     right(isinstance(top["axes"], list) and len(top["axes"]) == 2, "axes are a matrix")
     d["axes"] = [[Ball.of(x).middle() for x in numbers(row, 2)] for row in top["axes"]]
     d["point"], d["orbit"] = numbers(top["point"], 4), [numbers(x, 4) for x in top["orbit"]]

@@ -304,7 +304,14 @@ private:
       link.patch = map_.patch(n.chart, box, n.near);
       link.landing = map_(link.patch, false, l_.frame.turns);
       link.slope = slope_in(link.landing.at, chart_of(k + 1));
-      const Landing thin = map_(map_.patch(n.chart, middle, n.near), false, l_.frame.turns);
+      const Patch point = map_.patch(n.chart, middle, n.near);
+      if (!EnclosedMap::same_sheet(point.at, link.patch))
+        throw NotProved{"the middle of a box may lie on another sheet of the level"};
+      for (std::size_t d = 0; d < 2;
+           ++d) // the mean value theorem joins it to the points of the box
+        if (radius[0] > 0 && !middle[d].inside(box[d]))
+          throw NotProved{"the middle of a box may lie outside"};
+      const Landing thin = map_(point, false, l_.frame.turns);
       for (std::size_t d = 0; d < 2; ++d)
         link.image[d] = thin.at[chart_of(k + 1).free[d]].v;
     }

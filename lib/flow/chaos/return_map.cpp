@@ -130,11 +130,13 @@ Patch EnclosedMap::patch(const Chart& chart, const std::array<Ball, 2>& box,
   throw NotProved{"a piece of the section surface could not be enclosed"};
 }
 
-bool EnclosedMap::same_sheet(const Landing& l, const Patch& to) {
+bool EnclosedMap::same_sheet(const PhasePoint<Enclosure>& x, const Patch& to) {
   for (std::size_t k = 0; k < to.sheet.size(); ++k)
-    if (!l.at[to.chart.rest[k]].v.inside(to.sheet[k])) return false;
+    if (!x[to.chart.rest[k]].v.inside(to.sheet[k])) return false;
   return true;
 }
+
+bool EnclosedMap::same_sheet(const Landing& l, const Patch& to) { return same_sheet(l.at, to); }
 
 // ---- integration ----
 

@@ -40,6 +40,7 @@ public:
   [[nodiscard]] Landing operator()(const Patch& from, bool backward = false, int turns = 1);
   /// The landing's points that have the chart's coordinates in the patch's box are points of the patch.
   [[nodiscard]] static bool same_sheet(const Landing& l, const Patch& to);
+  [[nodiscard]] static bool same_sheet(const PhasePoint<Enclosure>& x, const Patch& to);
   [[nodiscard]] SurfaceValues<Enclosure> values(const PhasePoint<Enclosure>& x) {
     return point_.at(x);
   }
