@@ -82,6 +82,8 @@ public:
   [[nodiscard]] Truth operator()(const InRow& s) const {
     const bool never = std::any_of(s.squares.begin(), s.squares.end(), [&](const MFraction& x) {
       if (integral(x) == Truth::yes || rational(x) == Truth::no) return true;
+      if (const auto f = square_root(x); f && !is_number(*f))
+        return region_.is_integral(Rational(60) * *f) == Truth::no;
       const auto root = constant_root(x);
       return root && root->den() > Integer(5);
     });

@@ -214,6 +214,12 @@ TEST(ParametricEquation, RiemannWithRationalDifferences) {
   EXPECT_EQ(abelian("(l + m + n - 1)/2 integer, 3*l integer, 5*m integer"), Truth::yes);
   EXPECT_EQ(abelian("(l + m + n - 1)/2 integer, 3*l integer"), Truth::unknown);
   EXPECT_EQ(abelian("n complex, l - 1/2 integer, 3*m - 1/2 integer"), Truth::unknown);
+  const std::string irreducible =
+      "(l + m + n - 1)/2 not an integer, (l + m - n - 1)/2 not an integer, "
+      "(l - m + n - 1)/2 not an integer, (l - m - n - 1)/2 not an integer, "
+      "l - 1/2 not an integer, m - 1/2 not an integer, ";
+  EXPECT_EQ(abelian(irreducible + "60*n not an integer"), Truth::no); // in no row of Schwarz' table
+  EXPECT_EQ(abelian(irreducible + "12*n not an integer"), Truth::unknown);
 }
 
 // Hydrogen: n = l is the orbital number, k the principal one.  Abelian exactly where |k| <= l.
