@@ -87,10 +87,10 @@ TEST(Limits, OfTimeAreShared) {
       "level = [\"H = 1\"]\n",
       "test.toml"));
   CheckOptions options;
-  options.decide.budget = Budget::of_seconds(20);
+  options.decide.budget = Budget::of_seconds(6);
   options.decide.budget.max_work = 1e15;
   const CheckReport report = check_system(s, options);
-  EXPECT_THAT(all(report.manifolds.at(0).reasons), HasSubstr("time limit of 10 s"));
+  EXPECT_THAT(all(report.manifolds.at(0).reasons), HasSubstr("time limit of 3 s"));
   EXPECT_EQ(report.manifolds.at(1).verdict, VerdictKind::non_integrable);
 }
 
