@@ -31,7 +31,8 @@ def terms(m):
     a, less, no_more, more = ("a", "positive"), ("-a", "nonnegative"), ("-a", "positive"), ("a", "nonnegative")
     both = empty(term(1, 0), term(1, 1))
     return (accepts(both, a, less) and accepts(both, a, no_more) and accepts(both, more, no_more) and not accepts(both, more, less)
-            and not accepts(both, ("a", "nonzero"), less) and not accepts(both, ("a", "zero"), less) and not accepts(both, a, ("-2*a", "nonnegative"))
+            and not accepts(both, ("a", "nonzero"), less) and not accepts(both, ("a", "zero"), less)
+            and not accepts(both, a, ("-2*a", "nonnegative"))
             and accepts(empty(term("2/3", 0), term("1/3", 1)), a, ("-2*a", "nonnegative"))
             and accepts(empty(term("1/2", 0), term("1/3", 1), term("1/6", 1)), a, less)
             and accepts(empty(term(5, 0), term(5, 1)), a, less) and not accepts(empty(term(-1, 0), term(-1, 1)), a, less)
@@ -44,9 +45,11 @@ def terms(m):
             and not accepts(empty(term(1, 0, 102), term(1, 1)), ("a", "nonzero"), ("-a^102", "nonnegative"))
             and not accepts(empty(term(1, 0, 3), term(1, 1)), ("a", "nonzero"), ("-a^3", "nonnegative"))
             and accepts(empty(term(1, 0, 3), term(1, 1)), a, ("-a^3", "nonnegative"))
-            and not accepts(empty(term(1, 0, 0)), a) and not accepts(empty(term(1, 2)), a, less) and not accepts(empty(term(1, -1)), a, less)
+            and not accepts(empty(term(1, 0, 0)), a) and not accepts(empty(term(1, 2)), a, less)
+            and not accepts(empty(term(1, -1)), a, less)
             and not accepts(empty(["1"]), a) and not accepts(empty(["1", "1", ["0"]]), a) and not accepts(empty("1", "1"), a)
-            and accepts(empty(["1", "1"], zeros=[["0", "-1"]]), ("1", "zero")) and not accepts(empty(["1/2", "1"], zeros=[["0", "-1"]]), ("2", "zero"), a)
+            and accepts(empty(["1", "1"], zeros=[["0", "-1"]]), ("1", "zero"))
+            and not accepts(empty(["1/2", "1"], zeros=[["0", "-1"]]), ("2", "zero"), a)
             and not accepts(empty(["1", "1"], zeros=[["0", "-1"]]), ("1", "nonnegative"))
             and accepts(empty(["1/2", "1"], ["1/2", "1"], zeros=[["1", "-1"]]), a, ("1", "zero"))
             and accepts(empty(["3", "b"], ["1", "1", ["1", "1"]], zeros=[["0", "-3*b^2 - a"]]), ("1", "zero"), a)
@@ -89,6 +92,51 @@ def shown(m):
             and not accepts("b", "zero", empty(term(1, 1, 2), zeros=[["0", "-a"]]), ("a", "zero")))
 
 
+def limits(m):
+    """The numbers of nodes, their depth, and an exponent"""
+    R, M = m["real_proof"], m["multivariate"]
+    names = {"a": 0, "b": M.FIELD}
+    M.Work.left = 10**6
+    given = [(M.parse("-a^2", names), "positive")]
+    yes = empty(term(1, 0), ["1", "a"])
+    tree = {"node": "zero", "p": "a", "nonzero": yes, "zero": {"node": "zero", "p": "b", "nonzero": yes, "zero": yes}}
+
+    def accepts(left, depth):
+        R.Nodes.left = left
+        return not rejected(m, lambda: R.refute(tree, given, names, None, depth))
+    return (accepts(5, 3) and not accepts(4, 3) and not accepts(5, 2) and accepts(5, 64)
+            and proved(m, [("a", "positive"), ("-a^99", "nonnegative")], empty(term(1, 0, 99), term(1, 1)))
+            and not proved(m, [("a", "positive"), ("-a^101", "nonnegative")], empty(term(1, 0, 101), term(1, 1))))
+
+
+def rejected(m, f):
+    try:
+        f()
+    except (m["certificate_format"].Rejected, m["certificate_format"].Malformed):
+        return True
+    return False
+
+
+def malformed(m):
+    """Terms, zeros, nodes and signs of another shape"""
+    R, M = m["real_proof"], m["multivariate"]
+    names, a = {"a": 0}, ("a", "positive")
+    M.Work.left = 10**6
+    pairs, zero = ["1", "1", ["0", "1"]], ("1", "zero")
+    leaves = []
+    return (proved(m, [a, ("-a", "nonnegative")], empty(pairs, ["1", "1", ["1", "1"]])) and not proved(m, [a, ("-a", "nonnegative")], empty(
+                ["1", "1", "01"], ["1", "1", ["1", "1"]]))
+            and proved(m, [("-1", "positive")], empty(["1", "1"], ["1", "1", ["0", "1"]])) and not proved(m, [("-1", "positive")], empty(
+                "11", ["1", "1", ["0", "1"]])) and not proved(m, [("-1", "positive")], empty({"0": "1", "1": "1"}, ["1", "1", ["0", "1"]]))
+            and not any(proved(m, [zero], empty(["1", "1"], zeros=[v])) for v in (["0", "-1", "0"], ["0"], "0", {"0": "0", "1": "-1"}, {},
+                None))
+            and rejected(m, lambda: R.conditions([{"p": "a", "sign": "negative"}], names))
+            and [sign for _, sign in R.conditions([{"p": "a", "sign": x} for x in R.NEGATED], names)] == list(R.NEGATED)
+            and all(rejected(m, lambda v=v: R.refute({"node": v}, [], names, lambda v, given: leaves.append(v))) for v in (None, True))
+            and rejected(m, lambda: R.refute("empty", [], names, lambda v, given: leaves.append(v))) and not leaves
+            and not rejected(m, lambda: R.refute({"node": "part"}, [], names, lambda v, given: leaves.append(v))) and len(leaves) == 1)
+
+
 def properties():
     """(name, function, True)"""
-    return [(f"signs.{f.__name__}", f, True) for f in (terms, cases, shown)]
+    return [(f"signs.{f.__name__}", f, True) for f in (terms, cases, shown, limits, malformed)]
