@@ -82,6 +82,35 @@ def sums(m):
     return True
 
 
+def lower(m):
+    """A monomial of lower degree is multiplied by 2 alpha beta delta once for each that is missing"""
+    one = m["multivariate"].P({0: 1})
+    for e in ((0, 0, 0, 1, 0, 0), (1, 0, 0, 0, 1, 0), (0, 0, 0, 0, 0, 2)):
+        found = []
+        for more in (0, 1, 2):
+            o, names = orbits(m, sum(e) + more)
+            unit = m["splitting"].Function(m["multivariate"].parse("2*_alpha*_beta*_delta", names)**(2 - more) if more < 2 else one)
+            row = o.residues([(e, one)], o.coordinates(1, -1))
+            found.append({k: o.reduced(f * unit) for k, f in row.items()})
+        if not found[0] or any(row.keys() != found[0].keys() or any((row[k] - f).p for k, f in found[0].items()) for row in found):
+            return False
+    return True
+
+
+def euler(m):
+    """The bracket of e(3): each pair over 1"""
+    names, rows = ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"], theorems.system(theorems.HEAVY, "heavy_top.toml")["system"]["brackets"]
+
+    def accepts(rows):
+        m["multivariate"].Work.left = 10**7
+        system = {"coordinates": names, "functions": [], "inverses": [], "relations": [], "field": None, "hamiltonian": "M1",
+                  "brackets": rows}
+        return m["splitting"].euler_bracket(m["phase_space"].PhaseSpace(system, []))
+    # M1, M3, Gamma1 and Gamma3 doubled: another basis, in which some brackets are over 4
+    other = [[i, j, [f, "4"] if {i[-1], j[-1]} == {"1", "3"} else f] for i, j, f in rows]
+    return accepts(rows) and not accepts(other) and not accepts([[i, j, [f, "2"]] for i, j, f in rows])
+
+
 def step(m, change=lambda family, d: None):
     """Is the step of the heavy top accepted with this change?"""
     m["multivariate"].Work.left, m["real_proof"].Nodes.left = 4 * 10**7, 10**5
@@ -124,8 +153,10 @@ def bracket(i, text):
 
 
 def steps(m):
-    wrong = [power(13), put("moments", ["B", "A", "C"]), put("moments", ["A", "B"]), put("moments", ["A", "B", "L1"]), put("small", ["L1", "L2", "A"]),
-             put("small", ["L1", "L2", "M1"]), put("small", ["L2", "L1"]), put("order", 0), put("order", 2), put("power", 0), put("power", 2),
+    wrong = [power(13), put("moments", ["B", "A", "C"]), put("moments", ["A", "B"]), put("moments", ["A", "B", "L1"]),
+             put("small", ["L1", "L2", "A"]),
+             put("small", ["L1", "L2", "M1"]), put("small", ["L2", "L1"]), put("order", 0), put("order", 2), put("power", 0), put("power",
+                 2),
              put("power", 13), put("first", "2*Gamma1*A*B*C*L1 + 2*Gamma2*A*B*C*L2"), put("first", "0"),
              put("first", "Gamma1*A*B*C*L1 + 2*Gamma2*A*B*C*L2 + 2*Gamma3*A*B*C*L3"),
              hamiltonian(" + Gamma1*Gamma2*L1"), hamiltonian(" + M1*L1*Gamma1"), hamiltonian(" + M1^2*L1"), hamiltonian(" + Gamma1"),
@@ -180,13 +211,38 @@ def denominator(of):
     return change
 
 
+def seventh(family, d):
+    """A coordinate more"""
+    family["system"]["coordinates"].append("N")
+
+
+def unordered(p):
+    def change(_, d):
+        d["region"] = [row for row in d["region"] if row["p"] != p]
+    return change
+
+
+def one_inverse(family, d):
+    """1/(A B C) in the place of 1/A, 1/B and 1/C"""
+    system = family["system"]
+    h, n = system["hamiltonian"]
+    for other in ("u1*u2*u3*A*B*C*", "u1*u2*u3*B*C", "u1*u2*u3*A*C", "u1*u2*u3*A*B"):
+        h = h.replace(other, other.replace("u1*u2*u3", "w"))
+    system["hamiltonian"], system["inverses"] = [h.replace("w*A*B*C*", ""), n], [{"name": "w", "of": "A*B*C"}]
+
+
 def requirements(m):
     """Each of them alone: a change that nothing else refuses"""
     square = hamiltonian(" + 2*Gamma1^2*L1^2")
     right = [alone(m, nothing), alone(m, without_l3, small=["L1", "L2", "L3"]), alone(m, second_order, order=2),
              alone(m, parameter("m", "s")), alone(m, brackets("", "1")), alone(m, square),
-             alone(m, denominator("A + L1*Gamma1")), alone(m, denominator("A^2*B + M2*L1*Gamma3 - L2*Gamma3")), alone(m, denominator("5*C"))]
-    wrong = [alone(m, without_l3, small=["L1", "m", "m"]), alone(m, parameter("m"), small=["L1", "L2", "L3", "m"]),
+             alone(m, denominator("A + L1*Gamma1")), alone(m, denominator("A^2*B + M2*L1*Gamma3 - L2*Gamma3")), alone(m,
+                 denominator("5*C"))]
+    mixed = [f"2*Gamma{i}*A*B*C*L{i}" for i in (1, 2, 3)] + ["2*M1*Gamma1*A*B*C*L1"]
+    right += [alone(m, hamiltonian(" + 2*M1*Gamma1*L1"), first=" + ".join(mixed)), alone(m, one_inverse)]
+    wrong = [alone(m, without_l3, moments=["A", "B", "C", "m"], small=["L1", "L2"]), alone(m, seventh), alone(m, unordered("A - B")),
+             alone(m, unordered("B - C")), alone(m, unordered("C")), alone(m, without_l3, small=["L1", "m", "m"]), alone(m, parameter("m"),
+                 small=["L1", "L2", "L3", "m"]),
              alone(m, without_l3, small=["L1", "m"]), alone(m, parameter("_s")), alone(m, parameter("_i")),
              alone(m, brackets("2*", "1")), alone(m, brackets("", "2")), alone(m, hamiltonian(" + 2*Gamma1*L1^2")),
              alone(m, nothing, order=0, first="0"), alone(m, square, first=" + ".join(f"2*Gamma{i}*A*B*C*L{i}" for i in (1, 2, 3))
@@ -203,4 +259,4 @@ def requirements(m):
 
 def properties():
     """(name, function, True)"""
-    return [(f"split.{f.__name__}", f, True) for f in (series, on_the_orbit, sums, steps, requirements)]
+    return [(f"split.{f.__name__}", f, True) for f in (series, on_the_orbit, sums, lower, euler, steps, requirements)]
