@@ -234,6 +234,18 @@ mo::NonAbelianProof two_words(const mo::DifferentialSystem& s, const mo::Monodro
   throw NoCertificate{"no two short words are seen not to commute"};
 }
 
+// A diagonal block by itself.
+mo::DifferentialSystem part(const mo::DifferentialSystem& s,
+                            const std::vector<std::size_t>& unknowns) {
+  std::vector<std::vector<RationalFunction>> a;
+  for (const std::size_t i : unknowns) {
+    a.emplace_back();
+    for (const std::size_t j : unknowns)
+      a.back().push_back(entry(s, i, j));
+  }
+  return mo::make_system(a);
+}
+
 } // namespace
 
 LoopsProof sl2_certificate(const std::string& title, const mo::DifferentialSystem& s,
@@ -253,8 +265,12 @@ LoopsProof sl2_certificate(const std::string& title, const mo::DifferentialSyste
   });
 }
 
-LoopsProof not_abelian_certificate(const std::string& title, const mo::DifferentialSystem& s,
-                                   const mo::Monodromy& m, const Budget& budget) {
+LoopsProof not_abelian_certificate(const NonAbelianVariation& known, const std::string& title,
+                                   const mo::DifferentialSystem& s, const mo::Monodromy& m,
+                                   const Budget& budget) {
+  if (known.block_proof)
+    return sl2_certificate("a diagonal block of " + title, part(s, known.block),
+                           mo::diagonal_block(m, known.block), budget);
   return made([&] {
     ce::LoopsCertificate c = begun(title, s);
     const mo::NonAbelianProof proof = two_words(s, m, budget);

@@ -62,7 +62,8 @@ std::optional<MatrixEvidence> matrices_at(const Study& study, const Substitution
   if (!proof) return std::nullopt;
   MatrixEvidence found{*std::move(proof), v.system.size(), v.names, v.change, {}, {}, {}};
   const LoopsProof written = not_abelian_certificate(
-      "the variational equation of " + s.file + " along " + manifold->name, v.system, m, budget);
+      found.proof, "the variational equation of " + s.file + " along " + manifold->name, v.system,
+      m, budget);
   found.certificate = written.certificate;
   found.no_certificate = written.none;
   for (const auto& [i, value] : level)

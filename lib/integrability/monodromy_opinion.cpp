@@ -26,19 +26,26 @@ std::string against_sl2(const Decision& d) {
 
 } // namespace
 
-MonodromyOpinion monodromy_opinion(const RationalFunction& r, long digits, const Budget& budget) {
+MonodromyOpinion monodromy_opinion(const RationalFunction& r, long digits, const Budget& budget,
+                                   bool with_certificate) {
   MonodromyOpinion o;
   try {
     const RationalFunction none(0);
     const monodromy::Request request{digits, {}, budget};
-    monodromy::Monodromy m = monodromy::monodromy(none, -r, request);
+    const monodromy::Monodromy loops = monodromy::monodromy(none, -r, request);
+    monodromy::Monodromy m = loops; // elements of the group
     o.loops = m.loops.size();
     if (const auto stokes = monodromy::stokes_at_infinity(none, -r, m.base, request))
       for (const monodromy::StokesMatrix& s : stokes->matrices)
         m.loops.push_back({{}, s.matrix});
     o.stokes = m.loops.size() - o.loops;
     o.sl2 = monodromy::prove_sl2(m, budget);
-    if (o.sl2) return o;
+    if (o.sl2) {
+      if (with_certificate)
+        o.proof = sl2_certificate("y'' = r y, r = " + to_string(r), monodromy::companion(none, -r),
+                                  loops, budget);
+      return o;
+    }
     o.irreducible = monodromy::prove_irreducible(m);
     o.infinite = monodromy::prove_infinite(m, budget);
   } catch (const OutOfBudget& limit) {

@@ -7,6 +7,7 @@
 // small.
 
 #include "decide/decide.hpp"
+#include "integrability/loops_certificate.hpp"
 #include "monodromy/words.hpp"
 
 namespace kov {
@@ -17,12 +18,15 @@ struct MonodromyOpinion {
   std::optional<monodromy::Sl2Proof> sl2;
   std::optional<monodromy::NoCommonLine> irreducible; ///< looked for where sl2 is unset
   std::optional<monodromy::HyperbolicWord> infinite;  ///< likewise
-  std::string limit; ///< why there are no matrices; empty: there are
+  std::string limit;               ///< why there are no matrices; empty: there are
+  std::optional<LoopsProof> proof; ///< of SL(2, C), where it was asked for and is proved
 };
 
-/// Matrices of y'' = r y with radii below 10^-digits, and what they prove.
+/// Matrices of y'' = r y with radii below 10^-digits, and what they prove.  A certificate is one of
+/// loops only: Stokes matrices are not replayed.
 [[nodiscard]] MonodromyOpinion monodromy_opinion(const RationalFunction& r, long digits,
-                                                 const Budget& budget = {});
+                                                 const Budget& budget = {},
+                                                 bool with_certificate = false);
 
 /// What of the answer cannot be, as a clause; empty: nothing.
 [[nodiscard]] std::string contradiction(const MonodromyOpinion& opinion, const Decision& answer);

@@ -24,23 +24,33 @@ double seconds_since(Clock::time_point start) {
 }
 
 // A message of the child, early or final: one letter, then JSON in one line; a certificate may
-// follow as it is, in further lines.
+// follow as it is, in further lines, and behind a separator, which no JSON contains, the one of the
+// second opinion.
+constexpr char separator = '\x1e';
 constexpr char tag_decided = 'd';
 constexpr char tag_undecided = 'u';
 constexpr char tag_disagreement = 'm'; // of two methods, or of our checker: a mistake of ours
 constexpr char tag_input = 'i';
 constexpr char tag_internal = 'x';
 
-std::string message(char tag, const Json& body, std::string_view certificate = {}) {
+std::string message(char tag, const Json& body, std::string_view certificate = {},
+                    std::string_view loops = {}) {
   std::string text = tag + dump(body);
-  if (!certificate.empty()) text.append(1, '\n').append(certificate);
+  if (!certificate.empty() || !loops.empty()) text.append(1, '\n').append(certificate);
+  if (!loops.empty()) text.append(1, separator).append(loops);
   return text;
 }
 
-// JSON and certificate.
-std::pair<std::string_view, std::string_view> parts(std::string_view message) {
+struct Parts {
+  std::string_view json, certificate, loops;
+};
+
+Parts parts(std::string_view message) {
   const auto end = std::min(message.find('\n'), message.size());
-  return {message.substr(1, end - 1), message.substr(std::min(end + 1, message.size()))};
+  const std::string_view proofs = message.substr(std::min(end + 1, message.size()));
+  const auto first = std::min(proofs.find(separator), proofs.size());
+  return {message.substr(1, end - 1), proofs.substr(0, first),
+          proofs.substr(std::min(first + 1, proofs.size()))};
 }
 
 std::string memory_limit(const Settings& settings) {
@@ -62,7 +72,7 @@ bool proves_something(const Json& result) {
 std::string stopped(std::string_view early, const std::string& why, const std::string& detail,
                     double seconds, const Settings& settings) {
   if (early.empty()) early = "u";
-  const auto [json, certificate] = parts(early);
+  const auto [json, certificate, loops] = parts(early);
   Json result = completed(json);
   result["seconds"] = seconds;
   if (!proves_something(result)) {
@@ -176,9 +186,11 @@ private:
     if (options.want_certificate) certify_formula(decision, options.budget);
     Json result = closed(decision, recognized_json(equation, decision, options.budget));
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
-    if (settings_.second_opinion)
-      result["second_opinion"] = second_opinion(decision.r, decision, options.budget);
-    return message(tag_of(decision), result, decision.certificate);
+    if (!settings_.second_opinion) return message(tag_of(decision), result, decision.certificate);
+    const SecondOpinion second =
+        second_opinion(decision.r, decision, options.budget, options.want_certificate);
+    result["second_opinion"] = second.json;
+    return message(tag_of(decision), result, decision.certificate, second.proof.json);
   }
 
   // What only a formula decides: the rule for classical equations proves the identity component.
@@ -278,7 +290,7 @@ private:
 
   // What was proved before stays.
   std::string undecided(const std::string& why, const std::string& detail) {
-    if (!said_.empty() && proves_something(completed(parts(said_).first)))
+    if (!said_.empty() && proves_something(completed(parts(said_).json)))
       return stopped(said_, why, detail, seconds_since(start_), settings_);
     Json result = open_.is_null() ? unread_result(id_) : open_;
     set_undecided(result, why, detail);
@@ -326,7 +338,7 @@ std::string final_message(const Reply& reply, const Settings& settings, double s
 }
 
 bool early_proof(const Reply& reply) {
-  return !reply.early.empty() && proves_something(completed(parts(reply.early).first));
+  return !reply.early.empty() && proves_something(completed(parts(reply.early).json));
 }
 
 } // namespace
@@ -380,7 +392,7 @@ Solver::Solver(Read read, const Settings& settings)
 namespace {
 
 Answer read_answer(const std::string& text) {
-  const auto [json, proof] = parts(text);
+  const auto [json, proof, loops] = parts(text);
   const Json body = Json::parse(json);
   Answer a;
   switch (text.front()) {
@@ -396,28 +408,29 @@ Answer read_answer(const std::string& text) {
     a.exit = exit_of(text.front());
     a.result = body;
     a.certificate = proof;
+    a.loops_certificate = loops;
     if (a.exit == exit_internal) a.internal = body.at("reason").get<std::string>();
   }
   return a;
 }
 
 Solver::Line read_line(const std::string& text) {
-  const auto [json, proof] = parts(text);
+  const auto [json, proof, loops] = parts(text);
   const char tag = text.front();
   if (tag != tag_internal && tag != tag_input)
-    return {std::string(json), exit_of(tag), std::string(proof)};
+    return {std::string(json), exit_of(tag), std::string(proof), std::string(loops)};
   const Json body = Json::parse(json);
   if (tag == tag_internal)
     return {dump({{"id", body.at("id")},
                   {"error", "internal error: " + body.at("message").get<std::string>()}}),
-            exit_internal, ""};
+            exit_internal, "", ""};
   const InputError e = unpacked(body);
   std::string text_of_error = e.message();
   if (e.column() > 0)
     text_of_error += " (column " + std::to_string(e.column()) + " of " + e.file() + ")";
   Json j = {{"id", body.at("id")}, {"error", text_of_error}};
   if (!e.hint().empty()) j["hint"] = e.hint();
-  return {dump(j), exit_input, ""};
+  return {dump(j), exit_input, "", ""};
 }
 
 } // namespace
@@ -438,11 +451,11 @@ Answer Solver::answer(std::string_view job) {
 namespace {
 
 Solver::Line line_of(const Reply& reply, const Settings& settings, double seconds) {
-  if (reply.end == Reply::End::interrupted) return {"", exit_interrupted, ""};
+  if (reply.end == Reply::End::interrupted) return {"", exit_interrupted, "", ""};
   if (reply.end != Reply::End::crashed) return read_line(final_message(reply, settings, seconds));
-  const Json early = completed(reply.early.empty() ? "" : parts(reply.early).first);
+  const Json early = completed(reply.early.empty() ? "" : parts(reply.early).json);
   return {dump({{"id", early.at("id")}, {"error", "internal error: " + crash_text(reply)}}),
-          exit_internal, ""};
+          exit_internal, "", ""};
 }
 
 } // namespace

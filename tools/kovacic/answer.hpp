@@ -24,6 +24,7 @@ struct Answer {
   int exit = exit_decided;         ///< of Exit
   Json result;                     ///< format kovacic-result/1; null after an input error
   std::string certificate;         ///< its text, as the judge accepted it; may be empty
+  std::string loops_certificate;   ///< of the second opinion, likewise
   std::optional<InputError> error; ///< exit_input
   std::string internal;            ///< exit_internal: what went wrong
 };
@@ -44,6 +45,7 @@ public:
     std::string text;
     int exit = exit_decided;
     std::string certificate;
+    std::string loops_certificate;
   };
   void begin(std::string_view job);
   /// If it is there: for several solvers at once (see Worker).

@@ -244,7 +244,7 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   return q;
 }
 
-// Puts the certificate of one answer into a file: named by the id, if that can be a name, else by
+// Puts the certificates of one answer into files: named by the id, if that can be a name, else by
 // the number of the line, which is added to a name that another answer has.
 void keep_certificate(const Settings& settings, std::string_view job, Solver::Line& answer,
                       long number, std::set<std::string>& used) {
@@ -254,11 +254,20 @@ void keep_certificate(const Settings& settings, std::string_view job, Solver::Li
                            : id.is_number()                                 ? id.dump()
                                             : "line-" + std::to_string(number);
   std::string plain = file_name(name).substr(0, 180); // room for the number
-  while (!used.insert(plain).second)
+  while (used.contains(plain) || used.contains(plain + ".loops"))
     plain += "-line-" + std::to_string(number);
-  const Json path = {{"certificate_file", file_certificate(settings, plain, answer.certificate)}};
-  answer.text.back() = ','; // one more key at the end of the object
-  answer.text += dump(path).substr(1);
+  Json paths;
+  if (!answer.certificate.empty()) {
+    used.insert(plain);
+    paths["certificate_file"] = file_certificate(settings, plain, answer.certificate);
+  }
+  if (!answer.loops_certificate.empty()) {
+    used.insert(plain + ".loops");
+    paths["loops_certificate_file"] =
+        file_certificate(settings, plain + ".loops", answer.loops_certificate);
+  }
+  answer.text.back() = ','; // more keys at the end of the object
+  answer.text += dump(paths).substr(1);
 }
 
 // Answers that wait for an earlier one, together with their questions: beyond this no further
@@ -365,7 +374,7 @@ private:
       endless_ = entry.line.length >= max_skipped;
       if (entry.line.length > max_line) {
         entry.answer = {dump({{"id", nullptr}, {"error", too_long(entry.line.length)}}), exit_input,
-                        ""};
+                        "", ""};
         bytes_ += size_of(*entry.answer);
         continue;
       }
@@ -400,14 +409,14 @@ private:
     return true;
   }
   static std::size_t size_of(const Solver::Line& answer) {
-    return answer.text.size() + answer.certificate.size();
+    return answer.text.size() + answer.certificate.size() + answer.loops_certificate.size();
   }
 
   void print(const InputLine& line, Solver::Line& answer) {
     exit_ = worse(exit_, answer.exit);
     progress_.answered(line.length + 1, answer.exit == exit_decided);
     if (answer.exit == exit_internal) leave_reproducer(answer.text, line.text);
-    if (!answer.certificate.empty())
+    if (!answer.certificate.empty() || !answer.loops_certificate.empty())
       keep_certificate(settings_, line.text, answer, line.number, used_);
     std::string& text = answer.text;
     if (arguments_.no_times) remove_time(text);

@@ -115,10 +115,12 @@ void take(const Settings& settings, CaseReport& report, const Answer& answer,
   if (answer.result.is_null()) return;
   if (!report.text.empty() && settings.format == "text") report.text += "\n";
   Answer shown = answer;
-  if (!settings.certificate.empty() && !shown.certificate.empty()) {
-    shown.result["certificate_file"] = file_certificate(
-        settings, title.substr(title.rfind('/', title.find("  [")) + 1), shown.certificate);
-  }
+  const std::string name = title.substr(title.rfind('/', title.find("  [")) + 1);
+  if (!settings.certificate.empty() && !shown.certificate.empty())
+    shown.result["certificate_file"] = file_certificate(settings, name, shown.certificate);
+  if (!settings.certificate.empty() && !shown.loops_certificate.empty())
+    shown.result["loops_certificate_file"] =
+        file_certificate(settings, name + ".loops", shown.loops_certificate);
   report.text += presented(settings, shown, title);
   report.json.push_back(shown.result);
 }

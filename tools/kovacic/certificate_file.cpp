@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 namespace kov::cli {
 
@@ -68,6 +69,11 @@ std::string file_name(const std::string& name) {
       '-');
   if (plain.empty() || plain.front() == '.') plain.insert(0, "-");
   return plain;
+}
+
+std::string loops_file(const std::string& certificate) {
+  const std::filesystem::path path(certificate);
+  return (path.parent_path() / path.stem()).string() + ".loops" + path.extension().string();
 }
 
 std::string file_certificate(const Settings& settings, const std::string& name,

@@ -15,6 +15,10 @@ namespace kov::cli {
 /// What cannot stand in the name of a file becomes '-'; 200 characters at most.
 [[nodiscard]] std::string file_name(const std::string& name);
 
+/// The file of the second opinion's certificate, beside the one of the answer: "airy.json" becomes
+/// "airy.loops.json".
+[[nodiscard]] std::string loops_file(const std::string& certificate);
+
 /// Writes DIR/name.json, DIR = --certificate, and returns the path.  Throws InputError if the file cannot be written.
 std::string file_certificate(const Settings& settings, const std::string& name,
                              const std::string& json);

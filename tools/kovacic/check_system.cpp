@@ -521,9 +521,9 @@ private:
     if (m.failure && is_fine_without(round.values, m.name)) degenerate(m);
     Findings& findings = round.findings[index] = findings_of(s, m);
     Report answer{exit_decided, text_of(s, m, detail_of(round)), {{"manifold", json_of(s, m)}}, {}};
-    if (settings_.second_opinion) ask_monodromy(s, m, answer);
     std::vector<NamedCertificate> proofs;
     if (!settings_.certificate.empty()) proofs = certificates(s, m);
+    if (settings_.second_opinion) ask_monodromy(s, m, answer, proofs);
     if (settings_.order > 1 && m.manifold && m.verdict != VerdictKind::non_integrable)
       ask_higher_orders(s, *manifolds_to_check(s, options_).at(index), answer, proofs, findings);
     if (!settings_.certificate.empty()) file_certificates(s, proofs, answer);
@@ -584,13 +584,17 @@ private:
     m.failure.reset();
   }
 
-  void ask_monodromy(const System& s, const ManifoldReport& m, Report& answer) const {
-    const Json opinions = second_opinion(s, m, options_.decide.budget);
+  void ask_monodromy(const System& s, const ManifoldReport& m, Report& answer,
+                     std::vector<NamedCertificate>& proofs) const {
+    Json& all = answer.json.at("manifold")["second_opinion"] = Json::array();
     std::ostringstream lines;
-    for (const Json& o : opinions)
-      put(lines, "monodromy", o.at("text").get<std::string>());
+    for (const SecondOpinion& o :
+         second_opinion(s, m, options_.decide.budget, !settings_.certificate.empty())) {
+      put(lines, "monodromy", o.json.at("text").get<std::string>());
+      all.push_back(o.json);
+      if (!o.proof.json.empty() || !o.proof.none.empty()) proofs.push_back(o.proof);
+    }
     answer.text += lines.str();
-    answer.json.at("manifold")["second_opinion"] = opinions;
   }
 
   // Where the first order leaves something open.

@@ -40,9 +40,9 @@ KeptAnswers kept_answers(const std::string& path) {
     const Json answer = read_answer(line, path, ++number);
     kept.ids.push_back(answer.at("id"));
     kept.exit = worse(kept.exit, exit_of_answer(answer));
-    if (answer.contains("certificate_file"))
-      kept.certificates.insert(
-          std::filesystem::path(answer.at("certificate_file").get<std::string>()).stem());
+    for (const char* key : {"certificate_file", "loops_certificate_file"})
+      if (answer.contains(key))
+        kept.certificates.insert(std::filesystem::path(answer.at(key).get<std::string>()).stem());
     kept.bytes += line.size() + 1;
   }
   return kept;

@@ -478,14 +478,15 @@ Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
   Json j = json_of(m, a.digits, s.ring()->name(s.z), rows + ")");
   j["unknowns"] = v.names;
   j["change"] = v.change;
-  j["certificate"] = json_of(prove_non_abelian(v.system, m, request.budget), v.names);
+  const auto proof = prove_non_abelian(v.system, m, request.budget);
+  j["certificate"] = json_of(proof, v.names);
+  const std::string title = s.title.empty() ? s.file : s.title;
   if (!settings.certificate.empty())
-    write_proof(
-        settings,
-        not_abelian_certificate(s.title.empty() ? s.file : s.title, v.system, m, request.budget),
-        j);
-  return {j, report::loops_svg(m, s.title.empty() ? s.file : s.title,
-                               place_names(m, s.ring()->name(s.z)))};
+    write_proof(settings,
+                proof ? not_abelian_certificate(*proof, title, v.system, m, request.budget)
+                      : LoopsProof{{}, "the matrices do not prove it"},
+                j);
+  return {j, report::loops_svg(m, title, place_names(m, s.ring()->name(s.z)))};
 }
 
 Report matrices(const Settings& settings, const MonodromyArguments& a) {

@@ -41,6 +41,11 @@ int present(const Settings& settings, Answer answer, const std::string& title) {
       write_file(settings.certificate, laid_out(answer.certificate) + "\n");
       answer.result["certificate_file"] = settings.certificate;
     }
+    if (!settings.certificate.empty() && !answer.loops_certificate.empty()) {
+      const std::string path = loops_file(settings.certificate);
+      write_file(path, laid_out(answer.loops_certificate) + "\n");
+      answer.result["loops_certificate_file"] = path;
+    }
     if (answer.result.contains("no_certificate"))
       complain(settings,
                "no certificate: " + answer.result.at("no_certificate").get<std::string>());

@@ -234,6 +234,9 @@ std::string tex_of_result(const Json& result, const std::string& title) {
   if (!result.at("case").is_null())
     s += "Case " + result.at("case").dump() + " of Kovacic's algorithm.\n";
   s += escaped(result.at("reason").get<std::string>()) + "\n";
+  if (result.contains("second_opinion"))
+    s += "A second opinion: " + escaped(result.at("second_opinion").at("text").get<std::string>()) +
+         ".\n";
   if (!result.at("solutions").is_array()) return s;
   return s + solutions_tex(result);
 }

@@ -239,8 +239,12 @@ std::string text_of_result(const Json& result, const std::string& title, const S
       !result.at("recognized").contains("summary")) // that one is in the reason
     if (const std::string known = recognized_text(result.at("recognized")); !known.empty())
       put(out, "this is", known);
-  if (result.contains("second_opinion"))
-    put(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
+  if (result.contains("second_opinion")) {
+    const Json& o = result.at("second_opinion");
+    put(out, "monodromy", o.at("text").get<std::string>());
+    if (o.contains("no_certificate"))
+      put(out, "no proof", "of that: " + o.at("no_certificate").get<std::string>());
+  }
   if (result.contains("original")) put_original(out, result.at("original"));
   put_solutions(out, result);
   if (style.solutions && result.contains("no_solutions"))
@@ -253,10 +257,11 @@ std::string text_of_result(const Json& result, const std::string& title, const S
                      6 + step.at("step").get<std::string>().size())
           << '\n';
   }
-  if (result.contains("certificate_file"))
-    put(out, "proof",
-        result.at("certificate_file").get<std::string>() + "   verify: kovacic verify " +
-            result.at("certificate_file").get<std::string>());
+  for (const char* key : {"certificate_file", "loops_certificate_file"})
+    if (result.contains(key)) {
+      const std::string path = result.at(key).get<std::string>();
+      put(out, "proof", path + "   verify: kovacic verify " + path);
+    }
   return out.str();
 }
 

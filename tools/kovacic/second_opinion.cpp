@@ -1,6 +1,7 @@
 #include "second_opinion.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/loops_certificate.hpp"
 #include "integrability/study.hpp"
 #include "integrability/variational_monodromy.hpp"
 
@@ -9,7 +10,7 @@ namespace {
 
 constexpr long digits = 30;
 constexpr double half = 0.5; // of the time: the answer is there already, and must be told
-constexpr const char* nothing = "proves nothing: an equality is never concluded from enclosures";
+constexpr const char* nothing = "prove nothing: an equality is never concluded from enclosures";
 
 std::string matrices(std::size_t count, const std::string& kind) {
   return count == 0   ? ""
@@ -43,57 +44,108 @@ Json json_of(const MonodromyOpinion& o) {
   return {{"by", "monodromy"}, {"digits", digits}, {"proves", proves}, {"text", proved(o)}};
 }
 
-void add_blocks(Json& all, const ManifoldReport& m, const Budget& budget) {
-  for (const BlockReport& b : m.blocks) {
-    if (b.equation && b.decision) all.push_back(second_opinion(b.equation->r, *b.decision, budget));
-    for (const EnergyResult& e : b.energies)
-      if (e.r && e.decision) all.push_back(second_opinion(*e.r, *e.decision, budget));
-  }
+// The format has no rule for less than SL(2, C).
+NamedCertificate proof_of(const MonodromyOpinion& o) {
+  if (o.proof && o.proof->certificate.empty() && o.stokes > 0)
+    return {{}, {}, "certificates replay loops, and no Stokes matrices"};
+  if (o.proof) return {{}, o.proof->certificate, o.proof->none};
+  if (!o.irreducible && !o.infinite) return {};
+  return {{}, {}, "certificates of matrices have no rule for less than SL(2, C)"};
 }
 
-Json whole_variation_opinion(const System& s, const ManifoldReport& m, const Budget& budget) {
-  Json j{{"by", "monodromy"},
-         {"of", "the whole variational equation"},
-         {"digits", digits},
-         {"proves", Json::array()}};
-  try {
-    const NumericalVariation v = numerical_variation(s, *m.manifold, m.variational, budget);
-    const auto matrices = monodromy::monodromy(v.system, {digits, {}, budget});
-    const bool found = prove_non_abelian(v.system, matrices, budget).has_value();
-    if (found && m.verdict == VerdictKind::no_obstruction)
-      throw InternalError(
-          "the monodromy matrices prove that the identity component of the "
-          "variational equation is not abelian, and the verdict is 'no obstruction'");
-    if (found) j["proves"].push_back("not abelian");
-    j["text"] = "the monodromy matrices of the whole variational equation (size " +
-                std::to_string(v.system.size()) + ") " +
-                (found ? "prove that its identity component is not abelian" : nothing);
-  } catch (const InvalidArgument& e) {
-    j["text"] = std::string("no monodromy matrices of the whole variational equation: ") + e.what();
-  } catch (const OutOfBudget& e) {
-    j["text"] = std::string("no monodromy matrices of the whole variational equation: ") + e.what();
-  }
-  return j;
+SecondOpinion told(Json json, NamedCertificate proof) {
+  if (!proof.none.empty()) json["no_certificate"] = proof.none;
+  return {std::move(json), std::move(proof)};
 }
+
+class OfManifold {
+public:
+  OfManifold(const System& s, const ManifoldReport& m, const Budget& budget, bool with_proof)
+      : s_(s), m_(m), budget_(budget), with_proof_(with_proof) {}
+
+  std::vector<SecondOpinion> operator()() {
+    for (const BlockReport& b : m_.blocks) {
+      if (b.equation && b.decision) add_block(b.equation->r, *b.decision);
+      for (const EnergyResult& e : b.energies)
+        if (e.r && e.decision) add_block(*e.r, *e.decision);
+    }
+    if (!m_.matrices) // they are the first opinion already
+      add(whole(part_of_the_time(budget_, half)), "-loops-whole");
+    return std::move(all_);
+  }
+
+private:
+  void add_block(const RationalFunction& r, const Decision& answer) {
+    add(second_opinion(r, answer, budget_, with_proof_), "-loops-" + std::to_string(++blocks_));
+  }
+  void add(SecondOpinion o, const std::string& role) {
+    o.proof.name = m_.name + role;
+    all_.push_back(std::move(o));
+  }
+
+  [[nodiscard]] SecondOpinion whole(const Budget& budget) const {
+    Json j{{"by", "monodromy"},
+           {"of", "the whole variational equation"},
+           {"digits", digits},
+           {"proves", Json::array()}};
+    try {
+      const NumericalVariation v = numerical_variation(s_, *m_.manifold, m_.variational, budget);
+      const auto matrices = monodromy::monodromy(v.system, {digits, {}, budget});
+      const auto found = prove_non_abelian(v.system, matrices, budget);
+      if (found && m_.verdict == VerdictKind::no_obstruction)
+        throw InternalError(
+            "the monodromy matrices prove that the identity component of the "
+            "variational equation is not abelian, and the verdict is 'no obstruction'");
+      if (found) j["proves"].push_back("not abelian");
+      j["text"] = "the monodromy matrices of the whole variational equation (size " +
+                  std::to_string(v.system.size()) + ") " +
+                  (found ? "prove that its identity component is not abelian" : nothing);
+      if (found && with_proof_) return told(j, proof_of(*found, v, matrices, budget));
+    } catch (const InvalidArgument& e) {
+      j["text"] = none_of_whole + e.what();
+    } catch (const OutOfBudget& e) {
+      j["text"] = none_of_whole + e.what();
+    }
+    return told(j, {});
+  }
+
+  [[nodiscard]] NamedCertificate proof_of(const NonAbelianVariation& found,
+                                          const NumericalVariation& v,
+                                          const monodromy::Monodromy& matrices,
+                                          const Budget& budget) const {
+    const LoopsProof p = not_abelian_certificate(
+        found, "the variational equation of " + s_.file + " along " + m_.name, v.system, matrices,
+        budget);
+    return {{}, p.certificate, p.none};
+  }
+
+  static inline const std::string none_of_whole =
+      "no monodromy matrices of the whole variational equation: ";
+  const System& s_;
+  const ManifoldReport& m_;
+  const Budget& budget_;
+  bool with_proof_;
+  std::size_t blocks_ = 0;
+  std::vector<SecondOpinion> all_;
+};
 
 } // namespace
 
-Json second_opinion(const RationalFunction& r, const Decision& answer, const Budget& budget) {
-  const MonodromyOpinion o = monodromy_opinion(r, digits, part_of_the_time(budget, half));
+SecondOpinion second_opinion(const RationalFunction& r, const Decision& answer,
+                             const Budget& budget, bool with_proof) {
+  const MonodromyOpinion o =
+      monodromy_opinion(r, digits, part_of_the_time(budget, half), with_proof);
   const std::string against = contradiction(o, answer);
   if (!against.empty())
     throw InternalError("two answers contradict each other: " + proved(o) + ", and by algebra " +
                         against);
-  return json_of(o);
+  return told(json_of(o), with_proof ? proof_of(o) : NamedCertificate{});
 }
 
-Json second_opinion(const System& s, const ManifoldReport& m, const Budget& budget) {
-  Json all = Json::array();
-  if (!m.manifold) return all;
-  add_blocks(all, m, budget);
-  if (!m.matrices) // they are the first opinion already
-    all.push_back(whole_variation_opinion(s, m, part_of_the_time(budget, half)));
-  return all;
+std::vector<SecondOpinion> second_opinion(const System& s, const ManifoldReport& m,
+                                          const Budget& budget, bool with_proof) {
+  if (!m.manifold) return {};
+  return OfManifold(s, m, budget, with_proof)();
 }
 
 } // namespace kov::cli

@@ -1,6 +1,7 @@
 #pragma once
 // What --second-opinion prints: what the monodromy matrices prove, beside the answer.
 
+#include "integrability/certificate.hpp"
 #include "integrability/check.hpp"
 #include "integrability/monodromy_opinion.hpp"
 
@@ -10,12 +11,21 @@ namespace kov::cli {
 
 using Json = nlohmann::ordered_json;
 
+/// What the matrices say.
+struct SecondOpinion {
+  Json json;
+  /// kovacic-loops/1; `none` says why there is no certificate of what is proved.  Both are empty
+  /// where none was asked for, and where nothing is proved.
+  NamedCertificate proof;
+};
+
 /// Of one equation y'' = r y.
 /// Errors  InternalError: the matrices contradict the answer
-[[nodiscard]] Json second_opinion(const RationalFunction& r, const Decision& answer,
-                                  const Budget& budget);
+[[nodiscard]] SecondOpinion second_opinion(const RationalFunction& r, const Decision& answer,
+                                           const Budget& budget, bool with_proof);
 /// Of a manifold: the equations of its blocks and its whole variational equation.
 /// Errors  InternalError: the matrices contradict the verdict
-[[nodiscard]] Json second_opinion(const System& s, const ManifoldReport& m, const Budget& budget);
+[[nodiscard]] std::vector<SecondOpinion> second_opinion(const System& s, const ManifoldReport& m,
+                                                        const Budget& budget, bool with_proof);
 
 } // namespace kov::cli
