@@ -11,21 +11,6 @@ namespace {
 constexpr std::size_t most_pieces = 200; // of one round of solutions
 constexpr double set_work = 1e6;         // in the ideals of sets of parameters
 
-// Not everywhere is there a system.
-std::vector<MPoly> denominators(const VectorField& v) {
-  std::vector<MPoly> all;
-  const auto add = [&](const MFraction& f) {
-    if (!is_zero(f)) all.push_back(f.den());
-  };
-  for (const MFraction& f : v.components)
-    add(f);
-  for (const FunctionSymbol& symbol : v.functions)
-    for (const MFraction& f : symbol.gradient)
-      add(f);
-  if (v.hamiltonian) add(*v.hamiltonian);
-  return all;
-}
-
 // told: as an assumption, if it is none of the file.
 void keep_nonzero(const MPoly& p, const std::string& told, ParameterSet& all,
                   SystemClassification& c) {

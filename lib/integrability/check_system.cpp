@@ -3,6 +3,7 @@
 #include "integrability/check.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/parameters.hpp"
 #include "integrability/study.hpp"
 
 #include <chrono>
@@ -43,6 +44,7 @@ CheckOptions for_one_of(std::size_t manifolds, CheckOptions options) {
 
 CheckReport check_system(const System& s, const CheckOptions& options) {
   const auto start = std::chrono::steady_clock::now();
+  require_consistent(s);
   CheckReport report;
   report.system = s;
   report.claims = decide_claims(s, options);

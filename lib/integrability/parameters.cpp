@@ -140,7 +140,15 @@ Region assumed_region(const System& s) {
 
 } // namespace
 
-bool contradicts_itself(const System& s) { return assumed_region(s).refutes({}); }
+bool contradicts_itself(const System& s) {
+  if (s.assumptions.empty()) return false;
+  const Region all = assumed_region(s);
+  return all.is_empty() || all.refutes({});
+}
+
+void require_consistent(const System& s) {
+  if (contradicts_itself(s)) throw InvalidArgument("the assumptions contradict each other");
+}
 
 std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {
   const Region all = assumed_region(s);

@@ -23,14 +23,15 @@ namespace kov {
 /// which vanishes for all levels, and assumptions on the levels that leave an open set.
 [[nodiscard]] bool some_level_is_not_abelian(const System& s, const strata::StrataAnswer& answer);
 
-/// No parameter values satisfy what the file assumes of real ones: proved.  Not all contradictions
-/// are seen.
+/// No parameter values satisfy what the file assumes: proved.  Not all contradictions are seen.
 /// Given   const System empty = read_system(parse_document("system = {kind = 'hamiltonian', "
 ///             "coordinates = ['q'], momenta = ['p'], parameters = ['a'], "
 ///             "hamiltonian = 'p^2/2 + a*q^2'}\n"
 ///             "assume = {a = 'real', conditions = ['a^2 = -1']}", "empty.toml"));
 /// Example contradicts_itself(empty)  // -> yes
 [[nodiscard]] bool contradicts_itself(const System& s);
+/// Errors  InvalidArgument: contradicts_itself
+void require_consistent(const System& s);
 /// Those polynomials in the parameters that may vanish under the assumptions of the file.
 [[nodiscard]] std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic);
 /// For some parameters that the file admits all coefficients of d may be 0.

@@ -12,7 +12,8 @@ void Assumptions::require(const MFraction& f, Sign sign) {
   const MPoly den = f.ring() ? f.den() : MPoly();
   const bool fraction = f.ring() && !is_constant(den);
   const auto add = [this](Condition c) {
-    if (std::find(conditions.begin(), conditions.end(), c) == conditions.end())
+    const bool holds = c.sign == Sign::nonzero && !is_zero(c.p) && is_constant(c.p);
+    if (!holds && std::find(conditions.begin(), conditions.end(), c) == conditions.end())
       conditions.push_back(std::move(c));
   };
   if (fraction) add({den, Sign::nonzero});

@@ -320,7 +320,12 @@ bool Region::equations_contradict() const {
     equations.push_back(relation.p);
   for (const auto& c : assumptions_.conditions)
     if (c.sign == Sign::zero && !is_zero(c.p)) equations.push_back(c.p);
-  if (equations.size() < 2) return false;
+  if (equations.empty()) return false;
+  if (equations.size() == 1) { // by the Nullstellensatz
+    const auto parts = irreducible_parts(equations[0]);
+    return std::all_of(parts.begin(), parts.end(),
+                       [&](const MPoly& p) { return contains(nonzero_, p); });
+  }
   std::vector<std::size_t> variables;
   for (const auto& p : equations)
     for (const std::size_t x : used_variables(p))

@@ -121,6 +121,29 @@ void require_parameters(const MFraction& f, const Entry& entry, const System& s)
                         "assumptions are about parameters");
 }
 
+} // namespace
+
+void assume_nonzero(const MPoly& p, long line, System& s) {
+  const MFraction value(p);
+  const auto is_known = [&](const Assumption& a) {
+    return a.relation == Relation::nonzero && a.value == value;
+  };
+  if (!is_zero(p) && is_constant(p)) return;
+  if (std::any_of(s.assumptions.begin(), s.assumptions.end(), is_known)) return;
+  s.assumptions.push_back({Relation::nonzero, value, to_string(p) + " != 0", line});
+}
+
+namespace {
+
+// A condition on a quotient says that it has a value.
+void add_assumption(Assumption a, const Entry& entry, System& s) {
+  require_parameters(a.value, entry, s);
+  check_assumption(a, entry);
+  const MFraction value = a.value;
+  s.assumptions.push_back(std::move(a));
+  if (!is_zero(value)) assume_nonzero(value.den(), entry.line(), s);
+}
+
 void read_assumptions(const Entry& document, const SystemScope& scope, System& s) {
   const Entry* assume = document.find("assume");
   if (!assume) return;
@@ -130,16 +153,12 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
       {"rational", Relation::rational}, {"integer", Relation::integer}};
   for (const auto& [name, entry] : assume->members()) {
     if (name == "conditions") {
-      for (const Entry* one : entry.list()) {
-        s.assumptions.push_back(read_condition(*one, scope));
-        require_parameters(s.assumptions.back().value, *one, s);
-        check_assumption(s.assumptions.back(), *one);
-      }
+      for (const Entry* one : entry.list())
+        add_assumption(read_condition(*one, scope), *one, s);
       continue;
     }
     const auto v = scope.value(name);
     if (!v) throw entry.key_error("'" + name + "' is not a name of this system");
-    require_parameters(*v, entry, s);
     const auto word = std::find_if(words.begin(), words.end(),
                                    [&](const auto& w) { return w.first == entry.string(); });
     if (word == words.end()) {
@@ -149,8 +168,7 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
       throw entry.error("unknown assumption '" + entry.string() + "'",
                         "use one of " + enumerate(known) + ", or conditions = [\"...\"]");
     }
-    s.assumptions.push_back({word->second, *v, name + " " + word->first, entry.line()});
-    check_assumption(s.assumptions.back(), entry);
+    add_assumption({word->second, *v, name + " " + word->first, entry.line()}, entry, s);
   }
 }
 

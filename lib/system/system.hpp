@@ -115,6 +115,9 @@ struct System {
   [[nodiscard]] const Ring& ring() const noexcept { return field.ring; }
 };
 
+/// p != 0 from now on, if that is not assumed already and says something.
+void assume_nonzero(const MPoly& p, long line, System& s);
+
 /// Parameter values from the command line or from an [[expect]] block: name, text of the value.
 using ParameterValues = std::vector<std::pair<std::string, std::string>>;
 

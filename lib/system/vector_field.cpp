@@ -50,6 +50,20 @@ std::vector<MFraction> hamiltonian_field(const VectorField& v, const Matrix& j,
   return x;
 }
 
+std::vector<MPoly> denominators(const VectorField& v) {
+  std::vector<MPoly> all;
+  const auto add = [&](const MFraction& f) {
+    if (!is_zero(f) && !is_constant(f.den())) all.push_back(f.den());
+  };
+  for (const MFraction& f : v.components)
+    add(f);
+  for (const FunctionSymbol& symbol : v.functions)
+    for (const MFraction& f : symbol.gradient)
+      add(f);
+  if (v.hamiltonian) add(*v.hamiltonian);
+  return all;
+}
+
 MFraction poisson_bracket(const VectorField& v, const MFraction& f, const MFraction& g) {
   if (!v.poisson) throw InvalidArgument("this system has no Poisson structure");
   const auto x = hamiltonian_field(v, *v.poisson, g);

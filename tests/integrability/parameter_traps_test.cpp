@@ -1,10 +1,12 @@
 // Systems with parameters whose generic verdict is not the verdict for all parameters: each of
 // these was once answered wrongly.
 
+#include "exact/error.hpp"
 #include "integrability/check.hpp"
 #include "integrability/conclude.hpp"
 #include "strata/words.hpp"
 #include "symbol/input_error.hpp"
+#include "system/assumed_values.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -51,6 +53,50 @@ TEST(ParameterTraps, TheReductionDividesByAParameterThatRDoesNotContain) {
   EXPECT_EQ(verdict(hamiltonian("a*(p1^2 + p2^2)/2 + q2^2/2 + q1^2*q2",
                                 "[assume]\na = \"positive\"\n" + axis)),
             VerdictKind::non_integrable);
+}
+
+// The diagonal is invariant where a = b.
+VerdictKind of_diagonal(const std::string& conditions) {
+  const std::string text = R"t([system]
+kind = "hamiltonian"
+coordinates = ["x", "y"]
+momenta = ["u", "v"]
+parameters = ["a", "b", "h"]
+hamiltonian = "(u^2 + v^2)/2 + a*x^4 + b*y^4 + x^2*y^2"
+[[manifold]]
+name = "diagonal"
+equations = ["y = x", "v = u"]
+level = ["H = h"]
+[assume]
+conditions = [)t" + conditions +
+                           "]\n";
+  const System s = read_system_as_assumed(parse_document(text, "diagonal.toml"));
+  return check_system(s).manifolds.at(0).verdict;
+}
+
+TEST(ParameterTraps, AQuotientThatIsAssumedToBeSomethingHasAValue) {
+  for (const char* none :
+       {R"("a/b = 1", "b = 0")", R"("(a - b)/(a + b) = 0", "b = 0")", R"("b = 0", "a/b = 1")",
+        R"("a = b", "a/b != 3", "a = 0")", R"("a = b", "a/b > 0", "b = 0")",
+        R"("a = b", "1/(a - b) != 5")"})
+    EXPECT_THROW(static_cast<void>(of_diagonal(none)), Error) << none;
+  EXPECT_NE(of_diagonal(R"("a/b = 1")"), VerdictKind::no_obstruction);
+  EXPECT_EQ(of_diagonal(R"("a/b = 1", "b = 3/2")"), VerdictKind::non_integrable);
+}
+
+TEST(ParameterTraps, AssumptionsThatContradictEachOtherAreTold) {
+  for (const char* none :
+       {R"("b = 1", "b = 2")", R"("a = b", "a != b")", R"("a = b", "a*b = 0", "a + b = 1")",
+        R"("a*b = 1", "a = b", "a = 2")", R"("a = b", "a^2 = -1", "a > 0")",
+        R"("a*b*(a - b) = 0", "a != 0", "b != 0", "a != b")"}) {
+    SCOPED_TRACE(none);
+    try {
+      static_cast<void>(of_diagonal(none));
+      FAIL();
+    } catch (const InvalidArgument& e) {
+      EXPECT_STREQ(e.what(), "the assumptions contradict each other");
+    }
+  }
 }
 
 TEST(ParameterTraps, WhereThereIsNoLevelOnTheLocus) {

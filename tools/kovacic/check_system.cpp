@@ -473,6 +473,7 @@ private:
     Json all = Json::array();
     for (Round& round : rounds_) {
       const System& s = system_of(round);
+      require_consistent(s);
       Json one{
           {"result", json_of_round(s)}, {"manifolds", Json::array()}, {"expected", Json::array()}};
       for (const ManifoldSpec* m : manifolds_to_check(s, options_))
