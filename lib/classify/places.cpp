@@ -78,9 +78,10 @@ private:
   bool drop_an_inequation(std::size_t i) {
     const ParameterPlace here = all_[i];
     for (const MPoly& p : here.where.inequations()) {
-      if (is_assumed(p) || !may_be_dropped(i, p)) continue;
+      if (is_assumed(p)) continue;
       ParameterPlace larger{without_inequation(here.where, p), here.special};
       const ParameterSet more = larger.where.where_zero(p);
+      if (!may_be_dropped(i, p) && !is_on_another(more, i)) continue;
       if (!more.is_empty() && !without(more, agreeing_with(larger, i)).empty()) continue;
       all_[i] = std::move(larger);
       return true;
@@ -100,6 +101,16 @@ private:
     return std::any_of(others.begin(), others.end(), [&](const MPoly& q) {
       return !(q == p) && primitive(where.restrict(q)) == here;
     });
+  }
+  // Cheap: as far as equations say.
+  bool is_on_another(const ParameterSet& more, std::size_t i) const {
+    for (std::size_t j = 0; j < all_.size(); ++j) {
+      const auto equations = all_[j].where.equations();
+      if (j != i && std::all_of(equations.begin(), equations.end(),
+                                [&](const MPoly& f) { return is_zero(more.restrict(f)); }))
+        return true;
+    }
+    return false;
   }
   // Where another set is met that does not agree nothing is said of it.
   std::vector<ParameterSet> agreeing_with(const ParameterPlace& place, std::size_t i) const {

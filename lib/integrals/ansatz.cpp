@@ -165,7 +165,7 @@ bool PhaseSpace::vanishes(const ParameterSet& where, const MFraction& f) const {
   if (is_zero(f)) return true;
   const auto all = coefficients(f.num(), nullptr);
   return std::all_of(all.begin(), all.end(),
-                     [&](const auto& c) { return is_zero(where.restrict(c.second)); });
+                     [&](const auto& c) { return where.vanishes(c.second); });
 }
 
 namespace {

@@ -298,9 +298,11 @@ private:
     enter(std::move(s), stage + 1);
   }
   // The first equation, by its factors, if it may hold somewhere on the set and not everywhere; then
-  // where the polynomial may be 0.
+  // where the cofactor may have no value, or the polynomial be 0.
   std::vector<MPoly> special_conditions(const ParameterSet& where,
                                         const DarbouxPolynomial& f) const {
+    if (!is_zero(f.cofactor) && !where.vanishes(f.cofactor.den()))
+      if (auto poles = where.doubtful_factors(f.cofactor.den()); !poles.empty()) return poles;
     if (f.equations.empty())
       return is_nowhere_zero(where, f.polynomial)
                  ? std::vector<MPoly>{}
@@ -311,6 +313,7 @@ private:
   [[nodiscard]] bool is_darboux(const ParameterSet& where, const DarbouxPolynomial& f) const {
     const MFraction value(f.polynomial);
     return is_nowhere_zero(where, f.polynomial) &&
+           (is_zero(f.cofactor) || where.is_nonzero(f.cofactor.den())) &&
            space_.vanishes(where, lie_derivative(space_.field, value) - f.cofactor * value);
   }
   // At no parameter value f is the zero polynomial.

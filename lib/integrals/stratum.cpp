@@ -1,5 +1,7 @@
 #include "integrals/stratum.hpp"
 
+#include "system/vector_field.hpp"
+
 #include <algorithm>
 
 namespace kov {
@@ -14,7 +16,8 @@ void ParameterSet::renew() {
 
 ParameterSet ParameterSet::where_zero(const MPoly& p) const {
   ParameterSet s = *this;
-  s.zero_.push_back(p);
+  const MFraction here = restrict(p);
+  s.zero_.push_back(is_zero(here) ? p : squarefree_part(here.num()));
   s.renew();
   return s;
 }
@@ -44,6 +47,10 @@ bool ParameterSet::irreducible_is_nonzero(const MPoly& f) const {
     place->second = Ideal(ring_, parameters_, equations, nonzero_, budget_).is_unit();
   }
   return place->second;
+}
+
+bool ParameterSet::vanishes(const MPoly& f) const {
+  return is_zero(restrict(f)) || where_nonzero(f).is_empty(); // the ideal need not be radical
 }
 
 bool ParameterSet::is_nonzero(const MPoly& f) const {

@@ -20,6 +20,7 @@ namespace kov {
 /// Example all.where_nonzero(a).is_nonzero(a*a)  // -> yes
 /// Example all.where_zero(a*b).where_nonzero(a).restrict(b)  // -> 0
 /// Example all.where_zero(a).where_nonzero(a).is_empty()  // -> yes
+/// Example all.where_zero(a*a + b).where_zero(b).vanishes(a)  // -> yes
 class ParameterSet {
 public:
   ParameterSet(Ring ring, std::vector<std::size_t> parameters, Budget budget = {});
@@ -33,6 +34,8 @@ public:
   [[nodiscard]] bool is_empty() const;
   /// f as a function on the set; its denominator is an integer.  f in the parameters.
   [[nodiscard]] MFraction restrict(const MPoly& f) const;
+  /// f vanishes at all points of the set.  f in the parameters.
+  [[nodiscard]] bool vanishes(const MPoly& f) const;
   /// f vanishes at no point of the set.  f in the parameters.
   [[nodiscard]] bool is_nonzero(const MPoly& f) const;
   /// The irreducible factors of f that may vanish somewhere on the set.  Requires f != 0.

@@ -91,6 +91,15 @@ TEST_F(Parts, PlacesInFewWords) {
     EXPECT_TRUE(p.where.proper_inequations().empty());
 }
 
+// The hole of the second lies on the first, which its inequation does not mention.
+TEST_F(Parts, AHoleOnAnotherPlace) {
+  const auto few = in_few_words(
+      {{all_.where_zero(a_), {}}, {all_.where_zero(b_ - number(2) * a_).where_nonzero(b_), {}}});
+  ASSERT_EQ(few.size(), 2U);
+  for (const ParameterPlace& p : few)
+    EXPECT_TRUE(p.where.proper_inequations().empty());
+}
+
 // Where a hole is filled by no place it is told, and so is one filled under another condition.
 TEST_F(Parts, HolesAreTold) {
   const DifferenceCondition odd{Kind::odd_half, {a_}};

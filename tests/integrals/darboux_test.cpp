@@ -160,6 +160,18 @@ TEST(Darboux, PolynomialsThatVanish) {
   }
 }
 
+// A cofactor that is a quotient has no value where its denominator is 0: a line through the origin
+// that is invariant for other parameters is taken for none there.
+TEST(Darboux, LinearFieldsOfThePlane) {
+  const Components all[] = {{{"x", "y - x"}, {"y", "b*x + a*y"}},
+                            {{"x", "a*x + b*y"}, {"y", "c*x + d*y"}},
+                            {{"x", "a*x + y"}, {"y", "a*b*x - y"}}};
+  for (const Components& components : all) {
+    const System s = field(components, "'a', 'b', 'c', 'd'");
+    EXPECT_FALSE(answers(s, integrable(s)).empty());
+  }
+}
+
 // f1 f2 rot(g + l1 log f1 + l2 log f2), with random lines, numbers and g.
 TEST(Darboux, RandomFieldsOfThePlane) {
   std::mt19937 random(7);

@@ -63,8 +63,10 @@ std::string integrable_text(const IntegralsOfSet& set, const std::vector<std::st
   std::string all;
   for (const std::string& name : label)
     all += (all.empty() ? "" : ", ") + name;
-  const std::string claim = set.liouville ? names(set, label) + " independent and in involution"
-                                          : all + " independent, one for each variable but one";
+  const std::string claim = set.liouville
+                                ? names(set, label) + " independent and in involution"
+                                : all + (label.size() == 1 ? ", one" : " independent, one") +
+                                      " for each variable but one";
   return set.only_declared_relations
              ? "integrable if the function symbols satisfy no relations but those declared: " +
                    claim
