@@ -6,7 +6,7 @@ from math import isqrt
 
 from certificate_format import need
 
-PIECES, NOISE, MARGIN, ROUNDS = 9, 8, 128, 8
+PIECES, NOISE, MARGIN, ROUNDS, GUARD = 9, 8, 128, 8, 16
 
 
 def times(a, b):
@@ -110,8 +110,9 @@ class Segment:
         self.dens, self.nums = [], []
         for den, num in rows:
             degree = max(len(den), *map(len, num)) - 1
-            self.dens.append([(a * scale, b * scale) for a, b in shifted(den, degree, point, step, scale)])
-            self.nums.append([[times(c, step) for c in shifted(f, degree, point, step, scale)] if f else [] for f in num])
+            by, along = (scale << GUARD, 0), times(step, (1 << GUARD, 0))         # so that lower bounds are no small integers
+            self.dens.append([times(c, by) for c in shifted(den, degree, point, step, scale)])
+            self.nums.append([[times(c, along) for c in shifted(f, degree, point, step, scale)] if f else [] for f in num])
         self.degree = max(len(f) for f in self.dens + [f for row in self.nums for f in row]) - 1
         self.growth, self.least, self.weights = self.gronwall()
 
