@@ -63,6 +63,16 @@ def command_line(modules):
                 and v.verify(json.dumps(trusted)) == 1 and v.check(json.dumps(trusted)) == (1, "", once))
 
 
+def strict(modules):
+    """Hypotheses may be unchecked unless it is said"""
+    v, theorem, text = modules["kovacic_verify"], modules["theorem"], '{"format": "kovacic-theorem/1"}'
+    verify, theorem.verify = theorem.verify, lambda top, prove, strict: strict
+    try:
+        return v.check(text) is False and v.check(text, False) is False and v.check(text, True) is True
+    finally:
+        theorem.verify = verify
+
+
 def properties():
     """(name, function, True)"""
-    return [("command_line", command_line, True)]
+    return [("command_line", command_line, True), ("command_line.strict", strict, True)]

@@ -19,7 +19,8 @@ def kinds(m):
             and read("place", "infinity", "") == "infinity" and read("place", "7", "") == 7 and refused(m, "place", "zero", "", ["1"])
             and refused(m, "int", "infinity", "1/2", None, True) and refused(m, "residue", "infinity", "-1", str(2**62))
             and read("residue", "0", "") == 0 and read("residue", str(2**62 - 1), "") == 2**62 - 1
-            and read({"by": {"a": {"n": "int"}, "b": {}}}, {"by": "a", "n": "5"}, "") == {"by": "a", "n": 5})
+            and read({"by": {"a": {"n": "int"}, "b": {}}}, {"by": "a", "n": "5"}, "") == {"by": "a", "n": 5}
+            and refused(m, {"by": {"a": {}}}, {"by": "c"}, {"by": ["a"]}, {"by": None}, {}))
 
 
 def polynomials(m):

@@ -241,6 +241,25 @@ def whole(m):
         S.Tree.node = true
 
 
+def integers(m):
+    """Integers that a closed criterion asks of: a, a^2/b and a b + 7/2 are some, b is none; a + 1 and a + 2 are positive"""
+    C = m["strata_classical"]
+    x = object.__new__(C.Classical)
+    x.s = s = state(m, positive=["a + 1", "a + 2"], nonzero=["b"])
+
+    def of(num, den="1"):
+        return s.poly(num), s.poly(den)
+    x.shown = [(of("a"), True), (of("a^2", "b"), True), (of("b"), False), (of("2*a*b + 7", "2"), True)]
+    known = [x.known(of(*f)) for f in (("a",), ("a + 3",), ("-a",), ("2*a + 1", "2"), ("a^2", "b"), ("b",), ("a*b",), ("2*a*b + 1", "2"),
+                                       ("5",), ("5", "2"))]
+    return (known == [True, True, True, None, True, False, None, True, True, False]
+            and [x.natural(of(*f)) for f in (("a",), ("-a", "-1"), ("a + 1",), ("a + 2",), ("-a - 2",), ("a + 2", "-1"), ("a^2", "b"), ("2*a",),
+                                             ("b",))] == [True, True, True, None, False, False, None, None, None]
+            and [x.natural(of(*f)) for f in (("3",), ("0",), ("-1",), ("-4", "2"), ("-4", "-2"), ("1", "2"))] == [
+                True, True, False, False, True, None]
+            and C.integral(of("6", "3")) and not C.integral(of("6", "4")) and not C.integral(of("a")))
+
+
 def properties():
     """(name, function, True)"""
-    return [(f"strata_rules.{f.__name__}", f, True) for f in (signs, lemmas, strata, divisions, leaves, roots, whole)]
+    return [(f"strata_rules.{f.__name__}", f, True) for f in (signs, lemmas, strata, divisions, leaves, roots, whole, integers)]
