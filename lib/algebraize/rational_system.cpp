@@ -170,4 +170,63 @@ rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,
   return result;
 }
 
+namespace {
+
+// K(z, w), w = dz/dt, in the basis 1, w.
+class Sheets {
+public:
+  Sheets(const FunctionField& f, const Basis& basis)
+      : f_(f), basis_(basis), w_(basis.coordinates(f.z_dot())) {}
+
+  [[nodiscard]] bool is_generated() const { return !is_zero(w_[1]); }
+  /// w^2, if it is a function of z.
+  [[nodiscard]] std::optional<MFraction> square() const {
+    const auto c = basis_.coordinates(f_.algebra().multiply(f_.z_dot(), f_.z_dot()));
+    return is_zero(c[1]) ? std::optional(c[0]) : std::nullopt;
+  }
+  /// The coefficients of 1 and w.
+  [[nodiscard]] std::pair<MFraction, MFraction> parts(const Element& e) const {
+    const auto c = basis_.coordinates(e);
+    const MFraction odd = c[1] / w_[1];
+    return {c[0] - odd * w_[0], odd};
+  }
+
+private:
+  const FunctionField& f_;
+  const Basis& basis_;
+  std::vector<MFraction> w_;
+};
+
+} // namespace
+
+std::variant<SystemOnTwoSheets, ChangeFailure>
+system_on_two_sheets(const VectorField& v, const InvariantManifold& m, std::size_t z,
+                     const MFraction& phi, const LinearSystem& s, const Budget& budget) {
+  auto field = FunctionField::make(v, m, z, phi, {}, budget);
+  if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
+  const auto& f = std::get<FunctionField>(field);
+  const Basis basis(f, v);
+  if (!basis.is_product())
+    return ChangeFailure{"the algebraic constants are not independent of the curve"};
+  SystemOnTwoSheets result{s.names, {}, {}, {}, v.ring->name(z) + " = " + to_string(phi), z};
+  if (basis.size() != 2) return ChangeFailure{result.change + " is not of degree 2 on the curve"};
+  const Sheets sheets(f, basis);
+  const auto square = sheets.square();
+  if (!sheets.is_generated() || !square)
+    return ChangeFailure{"the curve is not (dz/dt)^2 = F(z) for " + result.change};
+  result.z_dot_squared = *square;
+  for (const auto& row : s.a) {
+    result.even.emplace_back();
+    result.odd.emplace_back();
+    for (const MFraction& entry : row) {
+      const auto e = f.evaluate(entry);
+      if (!e) return ChangeFailure{"an entry of the system has a pole along the whole curve"};
+      auto [even, odd] = sheets.parts(*e);
+      result.even.back().push_back(std::move(even));
+      result.odd.back().push_back(std::move(odd));
+    }
+  }
+  return result;
+}
+
 } // namespace kov

@@ -31,4 +31,20 @@ struct RationalSystem {
 rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,
                 const MFraction& phi, const LinearSystem& s, const Budget& budget = {});
 
+/// The same system by the time t, where the curve is w^2 = F(z), w = dz/dt:
+/// xi' = (even + w odd) xi, the entries functions of z.
+struct SystemOnTwoSheets {
+  std::vector<std::string> names;
+  Matrix even, odd;
+  MFraction z_dot_squared; ///< F
+  std::string change;
+  std::size_t z = 0;
+};
+
+/// Errors   ChangeFailure: as above, and where the function field of the curve is not K(z, dz/dt)
+///          with (dz/dt)^2 in K(z)
+[[nodiscard]] std::variant<SystemOnTwoSheets, ChangeFailure>
+system_on_two_sheets(const VectorField& v, const InvariantManifold& m, std::size_t z,
+                     const MFraction& phi, const LinearSystem& s, const Budget& budget = {});
+
 } // namespace kov

@@ -18,10 +18,10 @@ const ReduceSpec* reduction_for(const System& s, const std::string& manifold) {
   return it == s.reductions.end() ? nullptr : &*it;
 }
 
-void refuse_parameters(const System& s, const RationalSystem& r) {
+void refuse_parameters(const System& s, const Matrix& a) {
   std::string names;
   for (const std::size_t i : s.field.parameters)
-    if (std::any_of(r.a.begin(), r.a.end(), [&](const auto& row) {
+    if (std::any_of(a.begin(), a.end(), [&](const auto& row) {
           return std::any_of(row.begin(), row.end(), [&](const MFraction& f) {
             const auto used = used_variables(f);
             return std::find(used.begin(), used.end(), i) != used.end();
@@ -32,16 +32,21 @@ void refuse_parameters(const System& s, const RationalSystem& r) {
     throw InvalidArgument("matrices of numbers need values for " + names + ": --set NAME=VALUE");
 }
 
-NumericalVariation with_numbers(const System& s, const RationalSystem& r) {
-  refuse_parameters(s, r);
+std::vector<std::vector<RationalFunction>> with_numbers(const System& s, const Matrix& matrix,
+                                                        std::size_t z) {
+  refuse_parameters(s, matrix);
   const ConstantField constants = ConstantField::make(s.field);
   std::vector<std::vector<RationalFunction>> a;
-  for (const auto& row : r.a) {
+  for (const auto& row : matrix) {
     a.emplace_back();
     for (const MFraction& entry : row)
-      a.back().push_back(constants.convert(entry, r.z));
+      a.back().push_back(constants.convert(entry, z));
   }
-  return {r.names, r.change, monodromy::make_system(a)};
+  return a;
+}
+
+NumericalVariation with_numbers(const System& s, const RationalSystem& r) {
+  return {r.names, r.change, monodromy::make_system(with_numbers(s, r.a, r.z))};
 }
 
 // Smaller first, then fewer singularities.
@@ -100,6 +105,70 @@ NumericalVariation numerical_variation(const System& s, const InvariantManifold&
 namespace {
 
 namespace mo = monodromy;
+
+// The coefficients of F, if it is a squarefree polynomial of degree 3 or 4.
+std::optional<Poly> elliptic(const RationalFunction& f) {
+  if (degree(f.den()) > 0 || degree(f.num()) < 3 || degree(f.num()) > 4) return std::nullopt;
+  if (degree(gcd(f.num(), derivative(f.num()))) > 0) return std::nullopt;
+  return scale(f.num(), NfElem(1) / f.den().coeff(0));
+}
+
+// Changes of variable one after the other: that of the file, then the proposed ones.
+std::vector<MFraction> changes_for(const System& s, const InvariantManifold& m) {
+  std::vector<MFraction> all;
+  const ReduceSpec* reduce = reduction_for(s, m.name);
+  if (reduce != nullptr && reduce->change) all.push_back(*reduce->change);
+  for (MFraction& phi : propose_changes(s.field, m))
+    all.push_back(std::move(phi));
+  return all;
+}
+
+} // namespace
+
+EllipticVariation elliptic_variation(const System& s, const InvariantManifold& m,
+                                     const LinearSystem& linear, const Budget& budget) {
+  std::string failures;
+  const auto note = [&](const std::string& why) {
+    failures += (failures.empty() ? "" : "; ") + why;
+  };
+  for (const MFraction& phi : changes_for(s, m)) {
+    budget.check();
+    const auto result = system_on_two_sheets(s.field, m, s.z, phi, linear, budget);
+    if (const auto* failure = std::get_if<ChangeFailure>(&result)) {
+      note(failure->message);
+      continue;
+    }
+    const auto& on_curve = std::get<SystemOnTwoSheets>(result);
+    const auto f = elliptic(with_numbers(s, {{on_curve.z_dot_squared}}, s.z)[0][0]);
+    if (!f) {
+      note("for " + on_curve.change +
+           " the curve (dz/dt)^2 = F(z) is not of genus one with the time as its integral");
+      continue;
+    }
+    return {on_curve.names,
+            on_curve.change,
+            {with_numbers(s, on_curve.even, s.z), with_numbers(s, on_curve.odd, s.z), *f}};
+  }
+  throw InvalidArgument("the phase curve is not (dz/dt)^2 = F(z), F of degree 3 or 4" +
+                        (failures.empty() ? "" : ": " + failures));
+}
+
+std::optional<EllipticBlockProof> prove_non_abelian(const mo::EllipticSystem& s,
+                                                    const mo::EllipticMonodromy& m,
+                                                    const Budget& budget) {
+  auto pattern = s.even;
+  for (std::size_t i = 0; i < s.size(); ++i)
+    for (std::size_t j = 0; j < s.size(); ++j)
+      pattern[i][j] = RationalFunction(is_zero(s.even[i][j]) && is_zero(s.odd[i][j]) ? 0 : 1);
+  const mo::Monodromy known = mo::elements(m);
+  for (const auto& block : diagonal_blocks(mo::make_system(pattern)))
+    if (block.size() == 2)
+      if (auto words = prove_sl2(diagonal_block(known, block), budget))
+        return EllipticBlockProof{block, *std::move(words)};
+  return std::nullopt;
+}
+
+namespace {
 
 constexpr long largest_order = 1000;
 

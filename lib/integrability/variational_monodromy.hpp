@@ -3,6 +3,7 @@
 
 #include "algebraize/algebraize.hpp"
 #include "algebraize/rational_system.hpp"
+#include "monodromy/elliptic_time.hpp"
 #include "monodromy/identity_component.hpp"
 #include "system/system.hpp"
 
@@ -22,6 +23,31 @@ struct NumericalVariation {
 [[nodiscard]] NumericalVariation numerical_variation(const System& s, const InvariantManifold& m,
                                                      const LinearSystem& linear,
                                                      const Budget& budget = {});
+
+/// The same by the time, where the phase curve is w^2 = F(z), w = dz/dt, F of degree 3 or 4.
+struct EllipticVariation {
+  std::vector<std::string> names;
+  std::string change;
+  monodromy::EllipticSystem system;
+};
+
+/// Errors  InvalidArgument: parameters without values; no change of variable leads to such a
+///         curve; OutOfBudget
+[[nodiscard]] EllipticVariation elliptic_variation(const System& s, const InvariantManifold& m,
+                                                   const LinearSystem& linear,
+                                                   const Budget& budget = {});
+
+/// Two unknowns that are a diagonal block of the system, and words in the periods and poles
+/// (monodromy/elliptic_time.hpp: elements) that make the group of this block SL(2, C) up to scalars.
+struct EllipticBlockProof {
+  std::vector<std::size_t> block;
+  monodromy::Sl2Proof words;
+};
+/// Unset when nothing is seen, which proves nothing.
+/// Source  docs/theory/monodromy.md 7.6, 11.4
+[[nodiscard]] std::optional<EllipticBlockProof>
+prove_non_abelian(const monodromy::EllipticSystem& s, const monodromy::EllipticMonodromy& m,
+                  const Budget& budget = {});
 
 /// N such that all eigenvalues of every element of the group are N-th roots of unity: from
 /// the diagonal blocks of the system, each of order 1 or 2, whose groups are found by algebra.

@@ -29,11 +29,12 @@ Row make_row(const std::vector<RationalFunction>& a, const Field& k) {
 
 } // namespace
 
-DifferentialSystem make_system(const std::vector<std::vector<RationalFunction>>& a) {
+DifferentialSystem make_system(const std::vector<std::vector<RationalFunction>>& a,
+                               std::size_t largest) {
   if (a.empty()) throw InvalidArgument("a system of size 0 has no monodromy");
-  if (a.size() > largest_size)
+  if (a.size() > largest)
     throw InvalidArgument("a system of size " + std::to_string(a.size()) + ": the largest is " +
-                          std::to_string(largest_size));
+                          std::to_string(largest));
   Field k = rationals();
   for (const auto& row : a) {
     if (row.size() != a.size()) throw InvalidArgument("the matrix of a system is square");

@@ -26,8 +26,9 @@ struct DifferentialSystem {
 
 inline constexpr long largest_size = 8;
 
-/// Errors  InvalidArgument: not square, empty, larger than 8
-[[nodiscard]] DifferentialSystem make_system(const std::vector<std::vector<RationalFunction>>& a);
+/// Errors  InvalidArgument: not square, empty, larger than `largest`
+[[nodiscard]] DifferentialSystem make_system(const std::vector<std::vector<RationalFunction>>& a,
+                                             std::size_t largest = largest_size);
 /// y'' + p y' + q y = 0 for the vector (y, y').
 [[nodiscard]] DifferentialSystem companion(const RationalFunction& p, const RationalFunction& q);
 /// An entry of A.

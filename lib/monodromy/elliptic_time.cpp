@@ -12,67 +12,71 @@ namespace {
 constexpr long spare_digits = 12; // at first, for what products of matrices lose
 constexpr long most_digits = 1L << 17;
 
-RationalFunction rational(long n, long d = 1) { return {Rational(Integer(n), Integer(d))}; }
-
-// (y, dy/dz; u, u') with u'' = -F'/(2F) u': u' = w(base)/w, u = w(base) t.
-DifferentialSystem with_time(const RationalFunction& r, const RationalFunction& f) {
-  const RationalFunction half_log = derivative(f) / (rational(2) * f), zero = rational(0);
-  return make_system({{zero, rational(1), zero, zero},
-                      {r / f, -half_log, zero, zero},
-                      {zero, zero, zero, rational(1)},
-                      {zero, zero, zero, -half_log}});
-}
-
 class OnTheCurve {
 public:
-  OnTheCurve(const RationalFunction& r, const Poly& f, const Request& request)
-      : r_(r), f_(f), m_(monodromy(with_time(r, RationalFunction(f)), request)), bits_(m_.bits) {
-    speed_ = evaluate(f, exact(m_.base), bits_);
+  OnTheCurve(const EllipticSystem& s, const TwoSheets& sheets, const Request& request)
+      : s_(s), sheets_(sheets), m_(monodromy(sheets.system(), request)), bits_(m_.bits) {
+    speed_ = evaluate(s.f, exact(m_.base), bits_);
     acb_sqrt(speed_.raw(), speed_.raw(), bits_);
     for (std::size_t i = 0; i < m_.loops.size(); ++i)
       if (is_branch(m_.loops[i].place.factor)) branch_.push_back(i);
-    if (branch_.size() != static_cast<std::size_t>(degree(f)))
+    if (branch_.size() != static_cast<std::size_t>(degree(s.f)))
       throw InternalError("a branch point of the curve has no loop");
   }
 
   [[nodiscard]] EllipticMonodromy all() {
-    EllipticMonodromy e{m_.base, speed_, {}, {}, m_.self_tests};
+    EllipticMonodromy e{m_.base, speed_, {}, {}, m_.self_tests, bits_};
     for (const std::size_t k : {0, 1})
       e.periods.push_back(period({branch_[k], branch_[k + 1]}));
     ensure_lattice(e);
+    test_sheets(e);
     for (std::size_t i = 0; i < m_.loops.size(); ++i)
       add_pole(e, m_.loops[i], i);
-    if (degree(r_.den()) < degree(r_.num())) add_infinity(e);
+    if (has_pole_at_infinity()) add_infinity(e);
     return e;
   }
 
 private:
   [[nodiscard]] bool is_branch(const Poly& factor) const {
-    return is_zero(coerce(f_, factor.field()) % factor);
+    return is_zero(coerce(s_.f, factor.field()) % factor);
   }
 
-  // The rows (y, dy/dt) of a matrix for (y, dy/dz): conjugated by diag(1, w).
+  // On the sheet w again.
   [[nodiscard]] BallMatrix by_time(const BallMatrix& whole) const {
-    BallMatrix b(2);
-    for (long i = 0; i < 2; ++i)
-      for (long j = 0; j < 2; ++j)
-        acb_set(b.entry(i, j), whole.entry(i, j));
-    acb_div(b.entry(0, 1), b.entry(0, 1), speed_.raw(), bits_);
-    acb_mul(b.entry(1, 0), b.entry(1, 0), speed_.raw(), bits_);
-    return b;
+    return sheets_.on_sheet(whole, speed_, 1, bits_);
   }
 
-  // u becomes u + tau u' along the word.
+  // t = w T; T becomes T + (tau/w) c along the word.
   [[nodiscard]] PeriodMatrix period(const Word& loops) const {
     const BallMatrix whole = matrix_of(m_, loops);
     ComplexBall tau;
-    acb_div(tau.raw(), whole.entry(2, 3), speed_.raw(), bits_);
+    acb_mul(tau.raw(), whole.entry(sheets_.time(), sheets_.time() + 1), speed_.raw(), bits_);
     return {tau, loops, by_time(whole)};
   }
 
+  template <class Condition> [[nodiscard]] bool any_entry(Condition holds) const {
+    for (const auto* b : {&s_.even, &s_.odd})
+      for (const auto& row : *b)
+        for (const RationalFunction& x : row)
+          if (!is_zero(x) && holds(x, b == &s_.odd)) return true;
+    return false;
+  }
+
+  [[nodiscard]] bool is_pole(const Poly& place) const {
+    return any_entry([&](const RationalFunction& x, bool) {
+      return is_zero(coerce(x.den(), place.field()) % place);
+    });
+  }
+
+  // z ~ t^-2, w ~ t^-3 or z ~ t^-1, w ~ t^-2.
+  [[nodiscard]] bool has_pole_at_infinity() const {
+    return any_entry([](const RationalFunction& x, bool odd) {
+      return degree(x.den()) - degree(x.num()) < (odd ? 2 : 0);
+    });
+  }
+
   void add_pole(EllipticMonodromy& e, const LoopMatrix& loop, std::size_t i) const {
-    const Poly& place = loop.place.factor;
-    if (!is_zero(coerce(r_.den(), place.field()) % place)) return;
+    if (!is_pole(loop.place.factor)) return;
     if (is_branch(loop.place.factor)) {
       e.poles.push_back({loop.place, false, by_time(matrix_of(m_, {i, i}))});
       return;
@@ -86,7 +90,7 @@ private:
     if (!m_.large_circle)
       throw InvalidArgument("infinity is a pole in the t-plane: leave --base to the program");
     const BallMatrix back = inverse(*m_.large_circle, bits_);
-    if (degree(f_) == 3) {
+    if (degree(s_.f) == 3) {
       e.poles.push_back({std::nullopt, false, by_time(multiply(back, back, bits_))});
       return;
     }
@@ -109,8 +113,24 @@ private:
     e.self_tests.emplace_back("the quotient of the periods is not real");
   }
 
-  const RationalFunction& r_;
-  const Poly& f_;
+  // Where both sheets are continued together: what starts on one ends on it.
+  void test_sheets(EllipticMonodromy& e) const {
+    bool any = false;
+    for (const PeriodMatrix& p : e.periods) {
+      const BallMatrix other = sheets_.on_sheet(matrix_of(m_, p.loops), speed_, -1, bits_);
+      for (std::size_t i = 0; i < s_.size(); ++i)
+        for (std::size_t j = 0; j < s_.size(); ++j) {
+          if (!sheets_.is_double(i) || !sheets_.is_double(j)) continue;
+          any = true;
+          if (acb_contains_zero(other.entry(static_cast<long>(i), static_cast<long>(j))) == 0)
+            throw InternalError("a period leads from one sheet of the curve to the other");
+        }
+    }
+    if (any) e.self_tests.emplace_back("the periods stay on their sheet");
+  }
+
+  const EllipticSystem& s_;
+  const TwoSheets& sheets_;
   Monodromy m_;
   long bits_;
   ComplexBall speed_;
@@ -139,19 +159,35 @@ bool is_accurate(const EllipticMonodromy& e, long digits) {
 
 } // namespace
 
-EllipticMonodromy elliptic_monodromy(const RationalFunction& r, const Poly& f,
-                                     const Request& request) {
-  if (degree(f) < 3 || degree(f) > 4 || degree(gcd(f, derivative(f))) > 0)
+EllipticMonodromy elliptic_monodromy(const EllipticSystem& s, const Request& request) {
+  if (degree(s.f) < 3 || degree(s.f) > 4 || degree(gcd(s.f, derivative(s.f))) > 0)
     throw InvalidArgument("an elliptic time needs a squarefree polynomial of degree 3 or 4");
+  const TwoSheets sheets(s);
   for (long digits = request.digits + spare_digits; digits < most_digits; digits *= 2) {
     try {
-      EllipticMonodromy e = OnTheCurve(r, f, {digits, request.base, request.budget}).all();
+      EllipticMonodromy e = OnTheCurve(s, sheets, {digits, request.base, request.budget}).all();
       if (is_accurate(e, request.digits)) return e;
     } catch (const Imprecise&) { // more digits
     }
   }
   throw OutOfBudget("the matrices could not be computed to " + std::to_string(request.digits) +
                     " digits");
+}
+
+EllipticMonodromy elliptic_monodromy(const RationalFunction& r, const Poly& f,
+                                     const Request& request) {
+  const RationalFunction zero(0);
+  return elliptic_monodromy(
+      {{{zero, RationalFunction(1)}, {r, zero}}, {{zero, zero}, {zero, zero}}, f}, request);
+}
+
+Monodromy elements(const EllipticMonodromy& e) {
+  Monodromy m{e.base, {}, {}, {}, e.bits};
+  for (const PeriodMatrix& p : e.periods)
+    m.loops.push_back({{}, p.matrix});
+  for (const PoleMatrix& p : e.poles)
+    m.loops.push_back({{}, p.matrix});
+  return m;
 }
 
 } // namespace kov::monodromy

@@ -238,7 +238,8 @@ struct CommandLine {
     command->add_option("--base", a.base, "the base point x + y*I, dyadic")->type_name("POINT");
     command
         ->add_option("--elliptic-time", a.time,
-                     "with -r: y'' is by the time t with (dz/dt)^2 = F(z)")
+                     "with -r: y'' is by the time t with (dz/dt)^2 = F(z); --system needs no F")
+        ->expected(0, 1)
         ->type_name("F(z)");
     command->add_option("--system", a.system, "a system file: its variational equation")
         ->type_name("FILE");

@@ -393,6 +393,9 @@ std::string elliptic_text(const Json& j) {
   out << "base z = " << entry_text(j.at("base"), 20, "...")
       << ", dz/dt = " << entry_text(j.at("speed"), shown) << "; "
       << j.at("basis").get<std::string>() << '\n';
+  if (j.contains("curve"))
+    out << "  on the curve " << j.at("curve").get<std::string>() << ", "
+        << j.at("change").get<std::string>() << '\n';
   for (const Json& p : j.at("periods")) {
     out << "  period " << entry_text(p.at("period"), shown) << " (loops "
         << numbers_text(p.at("loops")) << ")   (radius " << p.at("radius").get<std::string>()
@@ -407,34 +410,43 @@ std::string elliptic_text(const Json& j) {
   }
   for (const Json& t : j.at("self_tests"))
     out << "  tested    " << t.get<std::string>() << '\n';
+  if (!j.value("certificate", Json()).is_null())
+    out << "  proved    "
+        << wrapped(proof_text(j.at("certificate")) + " (periods count before poles)", 12) << "\n";
   return out.str();
 }
 
+Json json_of(const mo::EllipticMonodromy& m, long digits, const std::string& variable,
+             const std::string& rows) {
+  Json periods = Json::array(), poles = Json::array();
+  for (const mo::PeriodMatrix& p : m.periods)
+    periods.push_back({{"period", number(p.period, digits)},
+                       {"loops", p.loops},
+                       {"matrix", json_of(p.matrix, digits)},
+                       {"radius", mo::decimal_radius(p.matrix, digits)}});
+  for (const mo::PoleMatrix& p : m.poles)
+    poles.push_back({{"place", p.place ? mo::to_string(*p.place, variable) : "infinity"},
+                     {"other_sheet", p.other_sheet},
+                     {"matrix", json_of(p.matrix, digits)},
+                     {"radius", mo::decimal_radius(p.matrix, digits)}});
+  return {{"format", "kovacic-monodromy/1"},
+          {"base", mo::exact_decimals(m.base)},
+          {"speed", number(m.speed, digits)},
+          {"basis", "Y(base) = 1, rows " + rows + "; continued along a loop Y becomes Y M"},
+          {"periods", periods},
+          {"poles", poles},
+          {"digits", digits},
+          {"self_tests", m.self_tests}};
+}
+
 Matrices of_elliptic_time(const Settings& settings, const MonodromyArguments& a) {
-  if (!a.r) throw InvalidArgument("--elliptic-time needs an equation y'' = R(z) y: -r R");
+  if (!a.r || a.time->empty())
+    throw InvalidArgument("--elliptic-time needs an equation y'' = R(z) y, or a system: "
+                          "-r R --elliptic-time F, or --system FILE --elliptic-time");
   const GivenEquation e = given(settings, a);
   const mo::EllipticMonodromy m =
       mo::elliptic_monodromy(e.normal_form.r, read_time(*a.time, e), request_of(settings, a));
-  Json periods = Json::array(), poles = Json::array();
-  for (const mo::PeriodMatrix& p : m.periods)
-    periods.push_back({{"period", number(p.period, a.digits)},
-                       {"loops", p.loops},
-                       {"matrix", json_of(p.matrix, a.digits)},
-                       {"radius", mo::decimal_radius(p.matrix, a.digits)}});
-  for (const mo::PoleMatrix& p : m.poles)
-    poles.push_back({{"place", p.place ? mo::to_string(*p.place, e.variable) : "infinity"},
-                     {"other_sheet", p.other_sheet},
-                     {"matrix", json_of(p.matrix, a.digits)},
-                     {"radius", mo::decimal_radius(p.matrix, a.digits)}});
-  return {{{"format", "kovacic-monodromy/1"},
-           {"base", mo::exact_decimals(m.base)},
-           {"speed", number(m.speed, a.digits)},
-           {"basis", "Y(base) = 1, rows (y, dy/dt); continued along a loop Y becomes Y M"},
-           {"periods", periods},
-           {"poles", poles},
-           {"digits", a.digits},
-           {"self_tests", m.self_tests}},
-          {}};
+  return {json_of(m, a.digits, e.variable, "(y, dy/dt)"), {}};
 }
 
 LinearSystem linear_system(const System& s, const MonodromyArguments& a, const Settings& settings,
@@ -465,6 +477,14 @@ InvariantManifold manifold_of(const System& s, const Settings& settings) {
   return std::get<InvariantManifold>(std::move(proved));
 }
 
+// "(dq1, dq2)"
+std::string rows_of(const std::vector<std::string>& names) {
+  std::string rows;
+  for (const std::string& name : names)
+    rows += (rows.empty() ? "(d" : ", d") + name;
+  return rows + ")";
+}
+
 Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
   const System s = read_system(a.system, parameter_values(settings));
   const InvariantManifold manifold = manifold_of(s, settings);
@@ -472,10 +492,7 @@ Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
   const NumericalVariation v =
       numerical_variation(s, manifold, linear_system(s, a, settings, manifold), request.budget);
   const mo::Monodromy m = mo::monodromy(v.system, request);
-  std::string rows;
-  for (const std::string& name : v.names)
-    rows += (rows.empty() ? "(d" : ", d") + name;
-  Json j = json_of(m, a.digits, s.ring()->name(s.z), rows + ")");
+  Json j = json_of(m, a.digits, s.ring()->name(s.z), rows_of(v.names));
   j["unknowns"] = v.names;
   j["change"] = v.change;
   const auto proof = prove_non_abelian(v.system, m, request.budget);
@@ -489,11 +506,43 @@ Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
   return {j, report::loops_svg(m, title, place_names(m, s.ring()->name(s.z)))};
 }
 
+Json json_of(const std::optional<EllipticBlockProof>& p, const std::vector<std::string>& names) {
+  if (!p) return nullptr;
+  Json j = json_of(p->words);
+  j["proves"] = not_abelian;
+  j["block"] = rows_of({names.at(p->block.at(0)), names.at(p->block.at(1))});
+  return j;
+}
+
+Matrices of_system_on_a_curve(const Settings& settings, const MonodromyArguments& a) {
+  if (!a.time->empty())
+    throw InvalidArgument("the curve of a system follows from its file: write --elliptic-time "
+                          "without F(z)");
+  if (!settings.certificate.empty())
+    throw InvalidArgument("certificates of matrices are about loops in the z-plane: leave "
+                          "--elliptic-time away");
+  const System s = read_system(a.system, parameter_values(settings));
+  const InvariantManifold manifold = manifold_of(s, settings);
+  const mo::Request request = request_of(settings, a);
+  const EllipticVariation v =
+      elliptic_variation(s, manifold, linear_system(s, a, settings, manifold), request.budget);
+  const mo::EllipticMonodromy m = mo::elliptic_monodromy(v.system, request);
+  const std::string& z = s.ring()->name(s.z);
+  Json j = json_of(m, a.digits, z, rows_of(v.names));
+  j["unknowns"] = v.names;
+  j["change"] = v.change;
+  j["curve"] = "(d" + z + "/dt)^2 = " + to_string(v.system.f, z);
+  j["certificate"] = json_of(prove_non_abelian(v.system, m, request.budget), v.names);
+  return {j, {}};
+}
+
 Report matrices(const Settings& settings, const MonodromyArguments& a) {
   const auto start = std::chrono::steady_clock::now();
-  const Matrices found = a.time             ? of_elliptic_time(settings, a)
-                         : a.system.empty() ? of_equation(settings, a)
-                                            : of_system(settings, a);
+  const bool is_equation = a.system.empty();
+  const Matrices found =
+      a.time ? is_equation ? of_elliptic_time(settings, a) : of_system_on_a_curve(settings, a)
+      : is_equation ? of_equation(settings, a)
+                    : of_system(settings, a);
   Json j = found.json;
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   j["seconds"] = seconds.count();
