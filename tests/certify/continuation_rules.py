@@ -247,9 +247,25 @@ def series(m):
         s, n, seen = segment(m, rows, start, end, bits), len(rows), []
         right, s.right = s.right, None
         for k in range(n):
-            s.right = lambda i, k, y, last: (seen.append(y), right(i, k, y, last))[1]
+            def checked(i, k, y, last):
+                seen.append(y)
+                found, f, rest = right(i, k, y, last), s.dens[i], (0, 0)
+                for l in range(1, len(f)):
+                    if 0 <= k + 1 - l <= last and k + 1 - l < len(y[i]):
+                        v = product(f[l], y[i][k + 1 - l])
+                        rest = rest[0] - (k + 1 - l) * v[0], rest[1] - (k + 1 - l) * v[1]
+                for j, f in enumerate(s.nums[i]):
+                    for l, c in enumerate(f):
+                        if 0 <= k - l <= last:
+                            v = product(c, y[j][k - l])
+                            rest = rest[0] + v[0], rest[1] + v[1]
+                same.append(found == rest)
+                return found
+            s.right, same = checked, []
             sums, residual = s.column(k)
             y = seen[-1]
+            if not all(same):
+                return False
             if [row[0] for row in y] != [(1 << bits, 0) if i == k else (0, 0) for i in range(n)]:
                 return False
             if list(sums) != [(sum(u for u, _ in row), sum(v for _, v in row)) for row in y] or not all(

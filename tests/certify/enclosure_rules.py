@@ -52,7 +52,7 @@ def arithmetic(m):
     if not all((x * y).low() * one <= min((x.m + i * x.r) * (y.m + j * y.r) for i in CORNERS for j in CORNERS) and max(
             (x.m + i * x.r) * (y.m + j * y.r) for i in CORNERS for j in CORNERS) <= (x * y).high() * one for x in tiny for y in tiny):
         return False
-    return ((exact * e.Ball(one * -5)).m == one * -15 and (exact * e.Ball(0)).r == 0 == (e.Ball(0) * e.Ball(0)).r
+    return ((exact * e.Ball(one * -5)).m == one * -15 and (exact * e.Ball(0)).r == (e.Ball(0) * exact).r == (e.Ball(0) * e.Ball(0)).r == 0
             and refused(m, lambda: exact / e.Ball(5, 5)) and refused(m, lambda: exact / e.Ball(-5, 5)) and not refused(
                 m, lambda: exact / e.Ball(-6, 5)) and (e.ZERO.m, e.ZERO.r, e.UNIT.m, e.UNIT.r, e.Ball(4).r) == (0, 0, one, 0, 0)
             and e.BITS == 112 and one == 2**112 and all((e.Ball(one) / e.Ball(k * one)).r <= 3 for k in (2, 3, -7))
