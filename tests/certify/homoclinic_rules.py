@@ -12,13 +12,17 @@ AXES = [[1.0, 1.0], [LAMBDA - 4, 1 / LAMBDA - 4]]
 XI, ETA, COUNT = 3.745633921721858e-05, 3.745542074112325e-05 / LAMBDA, 15
 
 
-def mapped(x, y, a=3):
-    y = y + a * x * (1 - x)
-    return x + y, y
+def mapped(x, y, at=(0, 0)):
+    x, y = x - at[0], y - at[1]
+    y = y + 3 * x * (1 - x)
+    return x + y + at[0], y + at[1]
+
+
+HERE = (F(1, 3), F(-1, 7))                          # where the fixed point of the toy is
 
 
 class Toy:
-    """Four coordinates x, y, x + 2 y, -x, and this map; other(way, n): what the n-th carried patch is changed by"""
+    """Four coordinates x, y, x + 2 y, -x, and this map, moved; other: what a carried patch is changed by"""
     other = None
 
     def __init__(self, m, d):
@@ -33,7 +37,7 @@ class Toy:
         return [x[2] - x[0] - times(2, x[1]), times(3, x[3] + x[0])], [[row[i] for i in places] for row in by]
 
     def chart(self, x):
-        return (0, 1) if x[0].about() > 0.3 else (1, 2)
+        return (0, 1) if x[0].about() > 0.6 else (1, 2)
 
     def carried(self, patch, way=1):
         e, h = self.m["enclosures"], self.m["homoclinic"]
@@ -46,7 +50,7 @@ class Toy:
 
     def of(self, rows, way):
         e = self.m["enclosures"]
-        x, y = rows[0], rows[1]
+        x, y = ([row[0] - e.Ball.of(q), *row[1:]] for row, q in zip(rows, HERE))
 
         def plus(a, b, c=1):
             return [p + q.times(F(c)) for p, q in zip(a, b)]
@@ -59,6 +63,7 @@ class Toy:
         else:
             x = plus(x, y, -1)
             y = plus(y, bent(x), -1)
+        x, y = ([row[0] + e.Ball.of(q), *row[1:]] for row, q in zip((x, y), HERE))
         return [x, y, plus(x, y, 2), [-b for b in x]]
 
 
@@ -66,14 +71,18 @@ def orbit(n=COUNT, xi=XI):
     p, out = (xi * AXES[0][0], xi * AXES[1][0]), []
     for _ in range(n - 1):
         p = mapped(*p)
-        out.append([p[0], p[1], p[0] + 2 * p[1], -p[0]])
+        out.append(point(F(p[0]) + HERE[0], F(p[1]) + HERE[1]))
     return out
+
+
+def point(x, y):
+    return [x, y, x + 2 * y, -x]
 
 
 def proved(m, other=None, **more):
     """The proof for the map, or None"""
     h, e = m["homoclinic"], m["enclosures"]
-    d = {"chart": [0, 1], "point": [0, 0, 0, 0], "axes": AXES, "reach": F(1, 20000), "xi": F(XI), "eta": F(ETA), "orbit": orbit()} | more
+    d = {"chart": [0, 1], "point": point(*HERE), "axes": AXES, "reach": F(1, 20000), "xi": F(XI), "eta": F(ETA), "orbit": orbit()} | more
     d["axes"] = [[e.Ball.of(x).middle() for x in row] for row in d["axes"]]
     surface, h.Surface, found, Toy.other = h.Surface, lambda d: Toy(m, d), [], other
     try:
@@ -82,20 +91,27 @@ def proved(m, other=None, **more):
         h.Surface, Toy.other = surface, None
 
 
+def near(x, y=0):
+    return point(HERE[0] + F(x), HERE[1] + F(y))
+
+
 def proofs(m):
-    true = proved(m)
-    if not true or not all(holds(m, b, 0, m["enclosures"].ONE >> 60) for b in true.p) or len(true.kappa) != 2:
-        return False
-    other = proved(m, chart=[0, 2], axes=[AXES[0], [1 + 2 * x for x in AXES[1]]])
+    one = m["enclosures"].ONE
+    # what is given is a guess
+    for guess in ((0, 0), (F(1, 2**50), 0), (0, F(1, 2**27)), (F(-1, 2**48), F(1, 2**25))):
+        true = proved(m, point=near(*guess))
+        if not true or not all(holds(m, b, q, one >> 30) for b, q in zip(true.p, HERE)) or len(true.kappa) != 2:
+            return False
     moved = [[*z] for z in orbit()]
-    moved[5][0] += 1e-4
-    shifted = [0, 2.0**-40, 2.0**-39, 0]
-    return (bool(other) and proved(m, point=shifted) is not None and not proved(m, point=[F(1, 2000)] * 2 + [F(3, 2000), F(-1, 2000)])
-            and not proved(m, xi=F(0), eta=F(0), orbit=[[0, 0, 0, 0]] * 5) and not proved(m, orbit=moved) and not proved(m, orbit=orbit()[1:])
+    moved[5][0] += F(1, 10**4)
+    other = proved(m, chart=[0, 2], axes=[AXES[0], [1 + 2 * x for x in AXES[1]]])
+    return (bool(other) and not proved(m, point=near(F(11, 10) / 2**20)) and not proved(m, point=near(0, F(11, 10) / 2**20))
+            and not proved(m, point=near(F(1, 2000), F(1, 2000))) and not proved(m, xi=F(0), eta=F(0), orbit=[near(0)] * 5)
+            and not proved(m, orbit=moved) and not proved(m, orbit=orbit()[1:])
             and not proved(m, axes=[row[::-1] for row in AXES]) and not proved(m, axes=[[1, 0], [0, 1]])
             and not proved(m, reach=F(1, 30000)) and not proved(m, reach=F(1, 4)) and not proved(m, xi=F(XI) * 2)
             and not proved(m, eta=-F(ETA)) and not proved(m, xi=-F(XI)) and proved(m, reach=F(XI) * F(1001, 1000)) is not None
-            and not proved(m, reach=F(XI) * F(999, 1000)) and not proved(m, point=[F(1), 0, F(1), F(-1)])
+            and not proved(m, reach=F(XI) * F(999, 1000)) and not proved(m, point=near(1))
             and not proved(m, xi=F(XI) + F(1, 2**16)) and not proved(m, reach=F(XI) * F(1001, 1000), xi=-F(XI)))
 
 
@@ -124,6 +140,113 @@ def sheets(m):
     return back >= 2 and (last - back - 1) % COUNT == 0 and all(map(refused_at, [back - 2, back - 1, back, *range(last, len(calls))]))
 
 
+class Held:
+    """In the place of a patch: it holds some things only"""
+
+    def __init__(self, x, *held):
+        self.x, self.held = x, held
+
+    def holds(self, x):
+        return x in self.held
+
+
+def blank(m, **more):
+    proof = object.__new__(m["homoclinic"].Proof)
+    vars(proof).update(more)
+    return proof
+
+
+def searches(m):
+    """(2), (4): boxes grow until the test contracts, four times; what is far from its guess, or no contraction, is refused"""
+    h, e = m["homoclinic"], m["enclosures"]
+    kept = {x: vars(h)[x] for x in ("contraction", "approximate_inverse", "Patch")}
+    far, first = h.FAR, e.ONE >> 90
+
+    def connected(*shifts, ends=None):
+        seen, left = [], [[e.Ball(0, s) if s >= 0 else e.Ball(s) for s in row] for row in shifts]
+        h.contraction = lambda c, value, slope, radius: left.pop(0)
+        h.approximate_inverse = lambda slope: seen.append("inverse")
+        surface = type("S", (), {"chart": lambda self, x: (0, x[0].about())})()
+        proof = blank(m, d={"xi": F(1, 3), "eta": F(-1, 5), "orbit": [[F(7), F(1), F(2), F(1, 3)]]}, chart=[1, 2], surface=surface)
+        proof.links, proof.equations = (lambda radius: seen.append([*radius])), (lambda: (None, None))
+        proof.ends = lambda radius: seen.append(("ends", radius))
+        if refused(m, proof.connection) or proof.n != 2 or proof.charts != [[1, 2], (0, 7), [1, 2]] or proof.points[0][3].r or proof.xi.r:
+            return None
+        return seen
+
+    def fixed(*shifts, holds=True):
+        seen, left = [], [[e.Ball(*s) for s in row] for row in shifts]
+        h.contraction = lambda c, value, slope, radius: (seen.append((c, [v.m for v in value], radius)), left.pop(0))[1]
+        h.approximate_inverse = lambda slope: [[b.m for b in row] for row in slope]
+        h.Patch = lambda surface, chart, box, near: (seen.append([(b.m, b.r) for b in box]), Held("patch", *["x"] * holds))[1]
+        image, thin = [[e.Ball(10 * i + k) for k in range(3)] for i in range(4)], [[e.Ball(100 * i)] for i in range(4)]
+
+        class Images(list):
+            def __eq__(self, other):
+                return other == "x"
+        surface = type("S", (), {"carried": lambda self, patch: (Images(image), thin)})()
+        proof = blank(m, chart=[1, 3], near=[e.Ball(k) for k in (4, 5, 6, 7)], surface=surface)
+        return None if refused(m, proof.fixed_point) else ([(b.m, b.r) for b in proof.p], seen)
+    try:
+        good = connected([5, 6, 7, 8], [10, 12, 14, 16])
+        later = connected([5, 6, 7, 8], [11, 1, 1, 1], [22, 2, 2, 2])
+        right = good == [[0] * 4, "inverse", [11, 13, 15, 17], ("ends", [11, 13, 15, 17])] and later[-1] == ("ends", [23, 27, 31, 35])
+        right = right and connected(*[[1] * 4] * 4) is not None and connected([1] * 4, *[[3, 7, 15, 31][k:k + 1] * 4 for k in range(3)]) is None
+        right = right and connected([0] * 4, [1, 0, 0, 0], [2, 0, 0, 0])[-1] == ("ends", [3, 3, 3, 3])
+        right = right and connected([far - 1, 1, 1, 1], [0] * 4) is not None and connected([far, 1, 1, 1], [0] * 4) is None
+        right = right and connected([0] * 4, [0, 0, -far, 0], [0] * 4) is None and connected([0] * 4, [1, 1, 1, 0], [2] * 4) is not None
+        one = fixed([(3, 2), (-4, 0)])
+        slope = [[11 - e.ONE, 12], [31, 32 - e.ONE]]
+        right = right and one == ([(8, 2), (3, 0)], [[(5, first), (7, first)], (slope, [100 - 5, 300 - 7], [first] * 2)])
+        two = fixed([(3 * first, 0), (0, 1)], [(0, 6 * first - 1), (0, 2 * first - 1)])
+        right = right and two and two[1][2] == [(5, 6 * first), (7, 2 * first)] and fixed([(0, first), (0, 0)], [(0, 1), (0, 1)])[1][2][0][1] == 2 * first
+        right = right and fixed([(0, 0), (0, 0)], holds=False) is None and fixed([(far, 0), (0, 0)], [(0, 0)] * 2) is None
+        right = right and fixed([(0, 0), (0, far)], [(0, 0)] * 2) is None and fixed([(far - 1, 0), (0, 0)], [(0, 0)] * 2) is not None
+        return right and fixed(*[[(0, first << k), (0, 0)] for k in range(4)]) is None
+    finally:
+        vars(h).update(kept)
+
+
+def closings(m):
+    """Both ends are in the region and not p; each image lies on the next patch; the region and its two images"""
+    h, e = m["homoclinic"], m["enclosures"]
+    near, far = (1000, 999), (-1000, 499)
+
+    def ends(x=near, y=far, reach=2000, patches=("a", "b", "c"), images=("A", "B", "C"), radius=(999, 0, 0, 499)):
+        held = [Held("a"), Held("b", "A"), Held("c", "B")]
+        for patch, name in zip(held, patches):
+            patch.x = name
+        proof = blank(m, xi=e.Ball(x[0]), eta=e.Ball(y[0]), reach=reach, region=Held("r", "a", "C"), patches=held, n=3,
+                      images=[(i, None) for i in images])
+        return not refused(m, lambda: proof.ends([x[1], 5, 7, y[1]]))
+
+    def region(holds=("at", "+", "-"), cone=lambda a: ([[b.m for b in row] for row in a])):
+        kept, seen = {x: vars(h)[x] for x in ("Patch", "cone", "by_chart")}, []
+        sheet = {"at": [1], "+": [2], "-": [3]}
+        h.Patch = lambda surface, chart, box, near: (seen.append([(b.m, b.r) for b in box]), Held("r", *(sheet[x] for x in holds)))[1]
+        units_of = [[e.Ball.of(x) for x in row] for row in ((1, 2), (3, 4))]
+        h.by_chart, h.cone = lambda x, chart: units_of, lambda a: [[round(b.about(), 6) for b in row] for row in a]
+        ways = []
+        surface = type("S", (), {"carried": lambda self, patch, way: (ways.append(way), ([2] if way > 0 else [3], None))[1]})()
+        axes = [[e.Ball.of(x) for x in row] for row in ((2, -1), (1, 3))]
+        proof = blank(m, d={"axes": axes, "reach": F(1, 4)}, p=[e.Ball.of(5), e.Ball.of(7)], surface=surface, chart=[0, 1], near=None,
+                      at_p=Held([1]))
+        try:
+            return None if refused(m, proof.manifolds) else (seen, ways, proof.kappa, proof.reach)
+        finally:
+            vars(h).update(kept)
+    # A^-1 (1 2; 3 4) A for A = (2 -1; 1 3): (1/7) (22 20; 16 13)
+    m1 = [[round((3 * a + c) / 7, 6) for a, c in zip((4, 5), (10, 9))], [round((2 * c - a) / 7, 6) for a, c in zip((4, 5), (10, 9))]]
+    found = region()
+    right = found and found[1] == [1, -1] and found[2] == [m1, [row[::-1] for row in m1[::-1]]] and found[3] == e.ONE // 4
+    boxes = found[0][0]
+    right = right and [b[0] for b in boxes] == [5 * e.ONE, 7 * e.ONE] and [abs(b[1] - units(m, q)) < 9 for b, q in zip(boxes, (F(3, 4), F(1)))] == [
+        True, True] and not any(map(region, (("+", "-"), ("at", "-"), ("at", "+"))))
+    return (right and ends() and not ends((1000, 1000)) and not ends(y=(-1000, 1000)) and not ends(reach=1999) and not ends(y=(1500, 500), reach=2000)
+            and ends(y=(1500, 499), reach=2000) and not ends(x=(0, 0)) and not ends(x=(-1000, 1000)) and not ends(patches=("b", "b", "c"))
+            and not ends(images=("B", "B", "C")) and not ends(images=("A", "C", "C")) and not ends(images=("A", "B", "B")))
+
+
 def coincident(m):
     """A linear map and one of no hyperbolic point"""
     def linear(toy, way, x, e):
@@ -141,7 +264,7 @@ def jacobians(m):
     """Of the equations for xi, z_1, z_2, eta: their values in the middle, and derivatives by all of them"""
     h, e = m["homoclinic"], m["enclosures"]
     axes = [[F(1), F(1, 2)], [F(-3, 4), F(5, 4)]]
-    near = [F(1, 8), F(1, 4), F(5, 8), F(-1, 8)]
+    near = point(F(1, 8), F(1, 4))
     z = [(F(1, 2), F(1, 4)), (F(1, 4), F(3, 8)), (F(3, 8), F(-1, 4))]
     xi, eta, kappa = F(1, 16), F(-1, 32), F(1, 128)
     for use in (F(0), kappa):
@@ -158,22 +281,25 @@ def jacobians(m):
         value, slope = proof.equations()
         for one, two in ((0, 0), (1, 1), (-1, 1)):
             want = exact_equations(axes, near, z, (xi, eta), (one * use, two * use / 2), proof.charts)
-            width = units(m, 4 * use) + 2**12
+            width = units(m, 16 * use) + 2**12
             for i in range(8):
                 if not holds(m, value[i], want[0][i], width) or len(slope[i]) != 8:
                     return False
                 if not all(holds(m, b, q, width) for b, q in zip(slope[i], want[1][i])):
                     return False
+        proof.links([2**k for k in range(60, 68)])
+        first = proof.on_graph(0, proof.xi.wider(2**60))
+        boxes = [[b.r for b in patch.box] for patch in proof.patches]
+        if boxes != [[b.r for b in first], [2**61, 2**62], [2**63, 2**64], [2**65, 2**66]] or [proof.tangent(k)[i].m for k in (0, 1) for i in (
+                0, 1)] != [units(m, axes[i][k]) for k in (0, 1) for i in (0, 1)]:
+            return False
     return True
 
 
 def exact_equations(axes, near, z, ends, slopes, charts):
     """w(xi) = slope * xi"""
-    def point(x, y):
-        return [x, y, x + 2 * y, -x]
-
-    def matrix(x, a=3):
-        k = a * (1 - 2 * x)
+    def matrix(x):
+        k = 3 * (1 - 2 * (x - HERE[0]))
         return [[1 + k, F(1)], [k, F(1)]]
 
     def apply(a, v):
@@ -186,7 +312,7 @@ def exact_equations(axes, near, z, ends, slopes, charts):
     last = [p + eta * c for p, c in zip(near, s)]
     points, values, rows = [tuple(start), *z], [], [[F(0)] * 8 for _ in range(8)]
     for k, p in enumerate(points):
-        image, chart = point(*mapped(*p)), charts[k + 1]
+        image, chart = point(*mapped(*p, HERE)), charts[k + 1]
         to = point(*z[k]) if k < 3 else point(*last)
         values += [image[i] - to[i] for i in chart]
         d = matrix(p[0])
@@ -230,7 +356,8 @@ def krawczyk(m):
             for k in range(n):
                 if abs(sum(a[i][l] * F(b[l][k].m, e.ONE) for l in range(n)) - (i == k)) > F(1, 10**10) or b[i][k].r:
                     return False
-    return wide[0].most() in (1, 2, 3, 4) and refused(m, lambda: h.approximate_inverse([[e.UNIT, e.UNIT], [e.UNIT, e.UNIT]]))
+    rest = h.contraction([[e.UNIT]], [e.ZERO], [[e.Ball(0, e.ONE)]], [e.ONE])       # 1 - (-1 ... 1), times that
+    return wide[0].most() in (1, 2, 3, 4) and holds(m, rest[0], 2) and refused(m, lambda: h.approximate_inverse([[e.UNIT, e.UNIT], [e.UNIT, e.UNIT]]))
 
 
 def cones(m):
@@ -254,6 +381,7 @@ def cones(m):
               [[(F(-3), F(0)), (F(2), F(0))], [(F(0), F(0)), (F(1, 2), F(0))]], [[(F(1, 2), F(0)), (F(0), F(0))], [(F(0), F(0)), (F(1, 4), F(0))]],
               [[(F(2), F(0)), (F(0), F(0))], [(F(0), F(0)), (F(3), F(0))]], [[(F(1), F(0)), (F(0), F(0))], [(F(0), F(0)), (F(0), F(0))]],
               [[(F(1), F(3)), (F(0), F(0))], [(F(0), F(0)), (F(0), F(0))]]]
+    given += [[[(F(17, 16), F(0)), (F(10), F(0))], [(F(1, 20), F(0)), (F(0), F(0))]], [[(F(2), F(0)), (F(0), F(0))], [(F(1, 8), F(0)), (F(0), F(0))]]]
     for a in given:
         want, found = least(a), []
         matrix = [[e.Ball(int(units(m, x)), int(units(m, r))) for x, r in row] for row in a]
@@ -290,6 +418,18 @@ def energy(m, **more):
     return h.Surface(d)
 
 
+class SlowSurface:
+    """u = q, whose slope is known badly: Newton's steps are too short"""
+
+    def __init__(self, m, q):
+        self.m, self.q = m, q
+
+    def at(self, x, places):
+        e = self.m["enclosures"]
+        by = [[e.UNIT, e.ZERO, e.ZERO, e.ZERO], [e.ZERO, e.ZERO, e.Ball.between(e.ONE, 4 * e.ONE), e.ZERO]]
+        return [x[0], x[2] - e.Ball.of(self.q)], [[row[i] for i in places] for row in by]
+
+
 def patches(m):
     """u = sqrt(2 h - v^2 - y^2/16) over (y, v), and y over (x, v)"""
     h, e = m["homoclinic"], m["enclosures"]
@@ -311,6 +451,10 @@ def patches(m):
     thin = h.Patch(s, [1, 3], [b.middle() for b in box], near)
     other = h.Patch(s, [1, 3], [b.middle() for b in box], [near[0], near[1], -near[2], near[3]])
     rough = h.Patch(s, [1, 3], box, [near[0], near[1], e.Ball.of(F(9, 5)), near[3]])
+    third = F(1, 3)
+    slow = h.Patch(SlowSurface(m, third), [1, 3], [near[1], near[3]], [e.ZERO, e.ZERO, e.Ball.of(F(5, 16)), e.ZERO])
+    if not holds(m, slow.x[2][0], third) or slow.x[2][0].r > e.ONE >> 8:
+        return False
     joined = p.joined([e.UNIT, -e.UNIT], [near[1], near[3]])
     return (holds(m, thin.x[2][0], root, 2**12) and holds(m, other.x[2][0], -root, 2**12) and holds(m, rough.x[2][0], root)
             and p.holds(thin.x) and p.holds(p.x) and not p.holds(other.x) and not other.holds(thin.x) and p.rest == [0, 2]
@@ -386,12 +530,12 @@ def reading(m):
     right = right and [[b.m for b in row] for row in d["axes"]] == [[e.ONE, 2 * e.ONE], [3 * e.ONE, 4 * e.ONE]] and [
         b.r for row in h.read(TOP | {"axes": [["1/3"] * 2] * 2})["axes"] for b in row] == [0] * 4
     yes = [{"level": "1e399"}, {"level": "1" * 59}, {"level": "1E-399"}, {"level": "-3"}, {"direction": "downward"}, {"period": "64", "orbit": [point]},
-           {"chart": ["0", "1"]}, {"chart": ["2", "3"]}, {"orbit": [point] * 400}, {"orbit": [point] * 200, "period": "2"}, {"reach": "999/1000"},
+           {"chart": ["0", "1"]}, {"chart": ["2", "3"]}, {"orbit": [point]}, {"orbit": [point] * 400}, {"orbit": [point] * 200, "period": "2"}, {"reach": "999/1000"},
            {"hamiltonian": ["x^16", "1"]}, {"hamiltonian": ["x", "9" * 1000]}, {"variables": ["x", "y", "u", "v" * 59], "hamiltonian": ["x", "1"]},
            {"section": [" + ".join(f"{k + 2}*x^{k % 16}*y^{k // 16}" for k in range(199)), "1"]}]
     no = [{"more": "1"}, {"level": "missing"}, {"variables": ["x", "y", "u"]}, {"variables": ["x", "y", "u", "x"]}, {"variables": ["x", "y", "u", 3]},
           {"variables": ["x", "y", "u", "v w"]}, {"variables": ["x", "y", "u", "v" * 60], "hamiltonian": ["x", "1"]}, {"variables": "xyuv"},
-          {"variables": ["x", "y", "u", "v", "w"]}, {"hamiltonian": ["x"]}, {"hamiltonian": "x"}, {"hamiltonian": ["x", "1", "1"]},
+          {"variables": ["x", "y", "u", "v", "w"]}, {"hamiltonian": ["x"]}, {"hamiltonian": "x"}, {"hamiltonian": "x1"}, {"orbit": 5}, {"axes": 5}, {"hamiltonian": ["x", "1", "1"]},
           {"hamiltonian": ["x", 1]}, {"hamiltonian": [["x"], "1"]}, {"hamiltonian": ["x", "0"]}, {"hamiltonian": ["x", "-1"]},
           {"hamiltonian": ["x", "9" * 1001]}, {"hamiltonian": ["x", ""]}, {"hamiltonian": ["x^17", "1"]}, {"hamiltonian": ["x*v^17", "1"]},
           {"hamiltonian": ["x", "1a"]},
@@ -423,11 +567,12 @@ def statements(m):
     try:
         h.Proof = Proved
         found = [h.verify(TOP), h.verify(TOP | {"where": ["x + 2*y", "5"], "period": "3", "direction": "downward"})]
+        found.append(h.verify(TOP | {"period": "2"}))
         errors = all(map(failing, (ZeroDivisionError, OverflowError, ValueError)))
     finally:
         h.Proof = proof
-    one, two = found
-    return (errors and one[:2] == (1, "") == two[:2] and one[2][:3] == [
+    one, two, three = found
+    return (errors and one[:2] == (1, "") == two[:2] and three[2][1].endswith("upward, to the power 2") and one[2][:3] == [
         "H = (x*y^3 + u)/2 with x' = dH/du, ..., on the level H = 1/8;", "the map of the section (x - y)/3 = 0, upward",
         "has a hyperbolic fixed point at y = 0.75, v = -0.5 and a transverse homoclinic point to it."] and "constant" in one[2][-1]
         and two[2][1] == "the map of the section (x - y)/3 = 0, downward, where (x + 2*y)/5 > 0, to the power 3" and len(one[2]) == 5)
@@ -435,5 +580,6 @@ def statements(m):
 
 def properties():
     """(name, function, True)"""
-    every = (matrices, cones, krawczyk, jacobians, patches, surfaces, two_oscillators, reading, statements, proofs, sheets, coincident)
+    every = (matrices, cones, krawczyk, jacobians, patches, surfaces, two_oscillators, reading, statements, proofs, sheets, searches, closings,
+             coincident)
     return [(f"homoclinic_rules.{f.__name__}", f, True) for f in every]
