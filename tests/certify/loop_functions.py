@@ -92,10 +92,11 @@ def entries(m):
     l = m["loops"]
     loops = [exact(m, rows, 40) for rows in ([[1, 1, 0], [0, 1, 0], [0, 0, 1]], [[1, 0, 0], [0, 1, 2], [0, 0, 1]])]
 
-    def shows(n=1, a=1, b=1, u=(0,), v=(1,), row=0, column=2):
+    def shows(n=1, a=1, b=1, u=(0,), v=(1,), row=0, column=2, loops=loops):
         given = {"A": {"word": list(u), "power": a}, "B": {"word": list(v), "power": b}, "row": row, "column": column}
         return not refused(m, lambda: l.need_not_abelian(given, loops, n))
-    return (shows() and shows(3, 6, 9) and not shows(3, 6, 8) and not shows(3, 5, 9) and not shows(a=0) and not shows(b=0) and not shows(a=-1)
+    other = [exact(m, [[int(x[0]) for x in column] for column in zip(*value(e))], 40) for e in loops]
+    return (shows() and shows(row=2, column=0, loops=other) and not shows(loops=other) and shows(3, 6, 9) and not shows(3, 6, 8) and not shows(3, 5, 9) and not shows(a=0) and not shows(b=0) and not shows(a=-1)
             and shows(1000, 1000, 1000) and not shows(1, 1001) and not shows(1, 1, 1001) and not shows(row=1) and not shows(column=1)
             and not shows(row=3) and not shows(column=3) and not shows(row=-3) and not shows(column=-1) and not shows(u=()) and not shows(v=())
             and shows(u=(0,) * 12) and not shows(u=(0,) * 13) and not shows(u=(2,)) and not shows(u=(-2,)) and not shows(u=(0, -2))
@@ -204,7 +205,8 @@ def groups(m):
             and n("T", 1, unknowns=(1, 0)) is None and n("T", 2, unknowns=(1, 0), flip=True) == 12 and n("T", 1, flip=True) is None
             and n("T", 1, r=[[0, 1, 8], [0, 0, 1]]) is None and n("T", 1, r=[[], []]) is None and n("T", 1, r=[[0, 1, 7], []]) is None
             and n("T", 1, r=[[0, 2, 14], [0, 0, 2]]) == 12 and order({"group": "T", "n": 1}, field=2, inner=1) == (12, 3, True)
-            and order({"group": "T", "n": 1}, field=2, inner=2) == (12, 3, True) and n("T", 1, field=1, inner=2) is None)
+            and order({"group": "T", "n": 1}, field=2, inner=2) == (12, 3, True) and n("T", 1, field=1, inner=2) is None
+            and n("T", 1, r=[[I, 7], [0, 1]], field=1, inner=2) is None)            # its integers in a row are those of r
 
 
 def partitions(m):
