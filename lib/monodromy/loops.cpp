@@ -355,6 +355,12 @@ private:
 
 } // namespace
 
+Path reversed(Path path) {
+  std::reverse(path.vertices.begin(), path.vertices.end());
+  std::reverse(path.joints.begin(), path.joints.end());
+  return path;
+}
+
 LoopTree loop_tree(const std::vector<ComplexBall>& singularities,
                    const std::optional<Point>& base) {
   if (singularities.empty()) return {base ? *base : Point{}, {}, {}};

@@ -24,6 +24,8 @@ struct Path {
   std::vector<Point> joints; ///< one fewer
 };
 
+[[nodiscard]] Path reversed(Path path);
+
 struct Loop {
   std::size_t singularity = 0; ///< index into the list that was given
   Path approach;               ///< from the base to the circle

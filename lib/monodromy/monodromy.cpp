@@ -17,10 +17,11 @@ constexpr int most_attempts = 24;
 // 10^-digits <= 2^-bits
 long bits_for(long digits) { return digits * 3322 / 1000 + 2; }
 
-// The matrix of one loop: to the circle, around, and back.
-BallMatrix around(const Loop& loop, const Transitions& t, long bits) {
+// The matrix of one loop: to the circle, around, and back, step by step.  (The inverse of the
+// enclosure of a large matrix would lose twice its size.)
+BallMatrix around(const Loop& loop, const Transitions& t) {
   const BallMatrix there = t.along(loop.approach);
-  return multiply(inverse(there, bits), multiply(t.along(loop.circle), there, bits), bits);
+  return t.along(reversed(loop.approach), t.along(loop.circle, there));
 }
 
 Monodromy attempt(const DifferentialSystem& s, const std::vector<SingularPoint>& places,
@@ -35,7 +36,7 @@ Monodromy attempt(const DifferentialSystem& s, const std::vector<SingularPoint>&
   t.compute();
   Monodromy m{tree.base, {}, {}, {}, bits};
   for (const Loop& loop : tree.loops)
-    m.loops.push_back({places[loop.singularity], around(loop, t, bits)});
+    m.loops.push_back({places[loop.singularity], around(loop, t)});
   if (tree.large_circle) m.large_circle = t.along(*tree.large_circle);
   return m;
 }

@@ -25,8 +25,8 @@ void Transitions::compute() {
   }
 }
 
-BallMatrix Transitions::along(const Path& path) const {
-  BallMatrix product = BallMatrix::identity(system_.size());
+BallMatrix Transitions::along(const Path& path, BallMatrix start) const {
+  BallMatrix product = std::move(start);
   for (std::size_t k = 0; k < path.joints.size(); ++k) {
     const Point& joint = path.joints[k];
     const BallMatrix& from = values_.at(path.vertices[k]).at(joint);

@@ -18,7 +18,11 @@ public:
   /// Expands at every vertex announced.
   void compute();
   /// The value at the end of the path of the solution that is 1 at its start.
-  [[nodiscard]] BallMatrix along(const Path& path) const;
+  [[nodiscard]] BallMatrix along(const Path& path) const {
+    return along(path, BallMatrix::identity(system_.size()));
+  }
+  /// Of the one that is `start` there.
+  [[nodiscard]] BallMatrix along(const Path& path, BallMatrix start) const;
 
 private:
   struct Before {
