@@ -2,6 +2,7 @@
 
 #include "exact/budget.hpp"
 #include "symbol/suggest.hpp"
+#include "system/written_functions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -73,9 +74,27 @@ MFraction evaluate_name(const Expression& e, const Scope& scope) {
   throw e.error("unknown name '" + e.name() + "'", hint);
 }
 
+// base^(p/q) where a root of base has a symbol.
+std::optional<MFraction> power_of_root(const MFraction& base, const MFraction& exponent,
+                                       const Scope& scope) {
+  if (is_zero(exponent) || !is_constant(exponent)) return std::nullopt;
+  const Rational k = to_rational(exponent);
+  if (is_integer(k)) return std::nullopt;
+  for (const auto& f : scope.functions()) {
+    const long order = order_of_root(f.name);
+    if (order == 0 || !(f.argument == base)) continue;
+    const Rational times = k * Rational(order);
+    if (!is_integer(times) || abs(times) > Rational(max_exponent)) continue;
+    return pow(f.value ? *f.value : MFraction::variable(scope.ring(), f.variable),
+               to_long(times.num()));
+  }
+  return std::nullopt;
+}
+
 MFraction evaluate_power(const Expression& e, const Scope& scope) {
   const MFraction base = evaluate(e.operand(0), scope);
   const MFraction exponent = evaluate(e.operand(1), scope);
+  if (auto root = power_of_root(base, exponent, scope)) return *std::move(root);
   if (!is_constant(exponent) || !is_integer(to_rational(exponent)))
     throw e.operand(1).error("an exponent must be an integer here",
                              "for a root, declare a function symbol with its relation: "

@@ -31,8 +31,9 @@ std::vector<std::size_t> indices(const Ring& ring, const std::vector<std::string
 
 void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
   const Entry* functions = system.find("function");
-  if (!functions) return;
-  for (const Entry* f : functions->list()) {
+  static const std::vector<const Entry*> none;
+  const auto list = functions ? functions->list() : none;
+  for (const Entry* f : list) {
     f->check_keys({"name", "means", "derivative"});
     FunctionSymbol symbol;
     symbol.variable = v.ring->index(f->at("name").string());
@@ -51,8 +52,12 @@ void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
     }
     v.functions.push_back(std::move(symbol));
   }
+  auto moving = v.coordinates;
+  for (const FunctionSymbol& f : v.functions)
+    moving.push_back(f.variable);
+  const WrittenFunctions written = scope.written.declare(scope, moving);
   std::size_t k = 0; // derivatives may use all symbols, so that they come second
-  for (const Entry* f : functions->list()) {
+  for (const Entry* f : list) {
     for (const auto& [name, entry] : f->at("derivative").members()) {
       const auto place = std::find(scope.coordinates.begin(), scope.coordinates.end(), name);
       if (place == scope.coordinates.end())
@@ -62,6 +67,14 @@ void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
           evaluate(entry.expression(), scope);
     }
     ++k;
+  }
+  v.constants.insert(v.constants.end(), written.constants.begin(), written.constants.end());
+  v.relations = written.relations;
+  for (const WrittenFunction& f : written.symbols) {
+    FunctionSymbol symbol{f.variable, f.meaning, {}};
+    for (std::size_t j = 0; j < v.dimension(); ++j)
+      symbol.gradient.push_back(f.slope * partial(v, f.argument, j));
+    v.functions.push_back(std::move(symbol));
   }
 }
 
@@ -78,18 +91,21 @@ void read_relations(const Entry& system, const SystemScope& scope, VectorField& 
                        "write it below [assume]: conditions = [...]");
       v.relations.push_back(f.num());
     }
+  const Entry& place = relations ? *relations : system;
+  for (const MPoly& f : implied_relations(scope.meanings, v.ring))
+    if (!is_zero_modulo(MFraction(f), relation_ideal(v))) v.relations.push_back(f);
   const Ideal ideal = relation_ideal(v);
-  if (ideal.is_unit()) throw relations->error("the relations contradict each other");
+  if (ideal.is_unit()) throw place.error("the relations contradict each other");
   for (const auto& f : v.relations)
     for (std::size_t j = 0; j < v.dimension(); ++j)
       if (const MFraction d = partial(v, MFraction(f), j); !is_zero_modulo(d, ideal))
-        throw relations->error("the relation " + to_string(f) + " = 0 does not agree with the " +
-                               "derivatives of its functions: its derivative by " + v.name(j) +
-                               " is " + to_string(d));
+        throw place.error("the relation " + to_string(f) + " = 0 does not agree with the " +
+                          "derivatives of its functions: its derivative by " + v.name(j) + " is " +
+                          to_string(d));
   if (const auto why = reducible_relations(v))
-    throw relations->error(*why, "write the relation of the one that is meant; a constant can also "
-                                 "be given a value, like a parameter");
-  const Entry* functions = system.find("function");
+    throw place.error(*why, "write the relation of the one that is meant; a constant can also "
+                            "be given a value, like a parameter");
+  const Entry* functions = system.find("function") ? system.find("function") : &system;
   for (const auto& f : v.functions) // a gradient is closed
     for (std::size_t i = 0; i < v.dimension(); ++i)
       for (std::size_t j = 0; j < i; ++j)

@@ -2,6 +2,7 @@
 // The parts of the reader of system files; used by read_*.cpp, and by who reads more of the same file (lib/flow).
 
 #include "system/system.hpp"
+#include "system/written_functions.hpp"
 
 #include <set>
 
@@ -9,7 +10,7 @@ namespace kov {
 
 /// The names of one file: variables of the ring, fixed values, definitions, named functions.
 /// Definitions are evaluated when they are first used, so that their order does not matter.
-class SystemScope : public Scope {
+class SystemScope : public FunctionsInFormulas::GrowingScope {
 public:
   SystemScope(const Entry& document, const ParameterValues& settings);
 
@@ -19,12 +20,14 @@ public:
   [[nodiscard]] std::vector<std::string> known_names() const override;
   [[nodiscard]] Equation equation(const Entry& entry) const;
   [[nodiscard]] std::vector<Equation> equations(const Entry& entry) const;
+  void add(const FunctionMeaning& meaning) override { meanings.push_back(meaning); }
   /// A name for a formula that is evaluated at its first use.
   void define(const std::string& name, const Entry& entry);
 
   std::vector<std::string> coordinates, velocities, function_names, constants, parameters;
   std::string independent;
   std::vector<FunctionMeaning> meanings;
+  FunctionsInFormulas written;                     ///< in [system]
   MFraction lagrangian;                            ///< kind lagrangian only
   mutable std::map<std::string, MFraction> values; ///< fixed parameters
   mutable std::map<std::string, MFraction> named;

@@ -34,7 +34,7 @@ std::string independent_name(const Entry& document, const std::vector<std::strin
 } // namespace
 
 SystemScope::SystemScope(const Entry& document, const ParameterValues& settings)
-    : document_(&document) {
+    : written(document.at("system")), document_(&document) {
   const Entry& system = document.at("system");
   system.check_keys({"kind", "coordinates", "momenta", "parameters", "constants", "hamiltonian",
                      "lagrangian", "angular_velocity", "gyrostat", "bracket", "field", "relations",
@@ -59,6 +59,12 @@ SystemScope::SystemScope(const Entry& document, const ParameterValues& settings)
       throw system.error("the name '" + all[i] + "' is declared twice",
                          all[i] == independent ? "give the new variable of [reduce] another name"
                                                : "");
+  std::set<std::string> taken(all.begin(), all.end());
+  if (const Entry* d = system.find("define"))
+    for (const auto& [name, entry] : d->members())
+      taken.insert(name);
+  const auto names = written.names(std::move(taken));
+  all.insert(all.begin() + static_cast<long>(1 + coordinates.size()), names.begin(), names.end());
   ring_ = make_ring(all);
   if (const Entry* d = system.find("define"))
     for (const auto& [name, entry] : d->members())

@@ -75,10 +75,9 @@ conditions = [)t" + conditions +
 }
 
 TEST(ParameterTraps, AQuotientThatIsAssumedToBeSomethingHasAValue) {
-  for (const char* none :
-       {R"("a/b = 1", "b = 0")", R"("(a - b)/(a + b) = 0", "b = 0")", R"("b = 0", "a/b = 1")",
-        R"("a = b", "a/b != 3", "a = 0")", R"("a = b", "a/b > 0", "b = 0")",
-        R"("a = b", "1/(a - b) != 5")"})
+  for (const char* none : {R"("a/b = 1", "b = 0")", R"("(a - b)/(a + b) = 0", "b = 0")",
+                           R"("b = 0", "a/b = 1")", R"("a = b", "a/b != 3", "a = 0")",
+                           R"("a = b", "a/b > 0", "b = 0")", R"("a = b", "1/(a - b) != 5")"})
     EXPECT_THROW(static_cast<void>(of_diagonal(none)), Error) << none;
   EXPECT_NE(of_diagonal(R"("a/b = 1")"), VerdictKind::no_obstruction);
   EXPECT_EQ(of_diagonal(R"("a/b = 1", "b = 3/2")"), VerdictKind::non_integrable);

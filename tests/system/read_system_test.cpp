@@ -64,8 +64,8 @@ hamiltonian = "p^2/2 + Q^2")t"),
 kind = "hamiltonian"
 coordinates = ["q"]
 momenta = ["p"]
-hamiltonian = "p^2/2 - cos(q)")t"),
-              HasSubstr("the relation of cos(q) is missing"));
+hamiltonian = "p^2/2 - wp(q)")t"),
+              HasSubstr("the relation of wp(q) is missing"));
   EXPECT_THAT(complaint(R"t([system]
 kind = "hamiltonian"
 coordinates = ["q"]

@@ -44,7 +44,7 @@ coordinates = ["q1", "q2"]
 momenta     = ["p1", "p2"]       # in the same order
 parameters  = ["b", "h"]         # free constants; h will be the energy
 hamiltonian = "(p1^2 + p2^2)/2 + (q1^2 + q2^2)/2 + q1^2*q2 + b/3*q2^3"
-# sin, cos, exp, sqrt: as symbols with a gradient and relations, see docs/guide/system-files.md
+# sin, cos, exp, log, sqrt and x^(1/2) may be written as they are; other functions: docs/guide/system-files.md
 
 [assume]                         # quoted in the answer; values that violate one are refused
 b = "nonzero"

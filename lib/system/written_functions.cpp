@@ -1,0 +1,499 @@
+#include "system/written_functions.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace kov {
+namespace {
+
+using Family = FunctionsInFormulas::Family;
+using Use = FunctionsInFormulas::Use;
+
+constexpr std::size_t nothing = static_cast<std::size_t>(-1); // a function that has no own symbol
+constexpr long longest_angle = 30;                            // sum of the multiples of the basis
+constexpr long highest_root = 24;
+
+std::optional<Family> family_of(const std::string& function) {
+  static const std::map<std::string, Family> known{
+      {"sin", Family::angle},     {"cos", Family::angle},     {"tan", Family::angle},
+      {"exp", Family::exponent},  {"sinh", Family::exponent}, {"cosh", Family::exponent},
+      {"tanh", Family::exponent}, {"sqrt", Family::root},     {"log", Family::logarithm},
+      {"ln", Family::logarithm}};
+  const auto place = known.find(function);
+  return place == known.end() ? std::nullopt : std::optional(place->second);
+}
+
+std::vector<std::string> prefixes(Family family) {
+  switch (family) {
+  case Family::angle:
+    return {"sin", "cos"};
+  case Family::exponent:
+    return {"exp"};
+  case Family::root:
+    return {"root"};
+  default:
+    return {"log"};
+  }
+}
+
+} // namespace
+
+std::optional<Rational> written_number(const Expression& e) {
+  using Kind = Expression::Kind;
+  if (e.kind() == Kind::number) return Rational(e.number());
+  if (e.kind() == Kind::negate) {
+    const auto x = written_number(e.operand(0));
+    return x ? std::optional(-*x) : std::nullopt;
+  }
+  if (e.kind() != Kind::quotient) return std::nullopt;
+  const auto x = written_number(e.operand(0));
+  const auto y = written_number(e.operand(1));
+  return x && y && !is_zero(*y) ? std::optional(*x / *y) : std::nullopt;
+}
+
+long order_of_root(const std::string& function) {
+  if (function == "sqrt") return 2;
+  if (function.starts_with("root") && function.size() > 4 && function.size() < 8)
+    return std::stol(function.substr(4));
+  return 0;
+}
+
+FunctionsInFormulas::FunctionsInFormulas(const Entry& system) {
+  for (const char* key :
+       {"hamiltonian", "lagrangian", "gyrostat", "bracket", "field", "define", "relations"})
+    if (const Entry* e = system.find(key)) collect(*e);
+  if (const Entry* functions = system.find("function"))
+    for (const Entry* f : functions->list())
+      if (const Entry* derivative = f->find("derivative")) collect(*derivative);
+}
+
+void FunctionsInFormulas::collect(const Entry& entry) {
+  if (entry.is_table())
+    for (const auto& [name, one] : entry.members())
+      collect(one);
+  if (entry.is_array())
+    for (const Entry& one : entry.array())
+      collect(one);
+  if (entry.kind() != Entry::Kind::string) return;
+  if (entry.string().find('(') == std::string::npos) return;
+  try {
+    collect(entry.expression(true));
+  } catch (const InputError&) { // told when the formula is evaluated
+  }
+}
+
+void FunctionsInFormulas::collect(const Expression& e) {
+  using Kind = Expression::Kind;
+  for (const Expression& x : e.operands())
+    collect(x);
+  if (e.kind() == Kind::call && e.operands().size() == 1) {
+    if (const auto family = family_of(e.name()))
+      note(*family, e.operand(0), *family == Family::root ? 2 : 1);
+  } else if (e.kind() == Kind::power) {
+    const auto exponent = written_number(e.operand(1));
+    if (exponent && !is_integer(*exponent) && exponent->den() <= Integer(highest_root))
+      note(Family::root, e.operand(0), to_long(exponent->den()));
+  }
+}
+
+void FunctionsInFormulas::note(Family family, const Expression& argument, long root) {
+  for (Use& u : uses_)
+    if (u.family == family && u.argument.text() == argument.text()) {
+      u.root = std::lcm(u.root, root);
+      return;
+    }
+  uses_.push_back({family, argument, root});
+}
+
+std::vector<std::string> FunctionsInFormulas::names(std::set<std::string> taken) {
+  std::vector<std::string> all;
+  std::map<Family, int> count;
+  for (Use& u : uses_) {
+    const bool plain = u.argument.kind() == Expression::Kind::name;
+    const std::string end = plain ? "_" + u.argument.name() : std::to_string(++count[u.family]);
+    for (std::string name : prefixes(u.family)) {
+      name += end;
+      while (!taken.insert(name).second)
+        name += '_';
+      u.symbols.push_back(name);
+      all.push_back(name);
+    }
+  }
+  return all;
+}
+
+namespace {
+
+// ---- Q-linear combinations
+
+using Terms = std::map<std::vector<unsigned long>, Rational>;
+
+Terms terms_of(const MPoly& f) {
+  Terms all;
+  for (long i = 0; i < f.length(); ++i)
+    all.emplace(f.exponents(i), Rational(f.coefficient(i)));
+  return all;
+}
+
+void subtract(Terms& from, const Rational& c, const Terms& what) {
+  for (const auto& [m, x] : what) {
+    Rational& here = from[m];
+    here = here - c * x;
+    if (is_zero(here)) from.erase(m);
+  }
+}
+
+/// A basis of the Q-linear combinations of some functions, all of which are integral ones of it.
+struct Basis {
+  std::vector<std::size_t> of;                    ///< which of the functions, each divided by
+  std::vector<Integer> divisors;                  ///< one of these
+  std::vector<std::vector<Rational>> coordinates; ///< of each function, integers
+};
+
+class Elimination {
+public:
+  /// f is a combination of the basis, or its next element.
+  void add(Terms f) {
+    std::vector<Rational> known(of_.size());
+    for (const Row& row : rows_) {
+      const auto lead = f.find(row.value.begin()->first);
+      if (lead == f.end()) continue;
+      const Rational c = lead->second / row.value.begin()->second;
+      subtract(f, c, row.value);
+      for (std::size_t j = 0; j < row.in_basis.size(); ++j)
+        known[j] = known[j] + c * row.in_basis[j];
+    }
+    if (f.empty()) return coordinates_.push_back(std::move(known));
+    std::vector<Rational> unit(of_.size());
+    unit.emplace_back(Integer(1));
+    for (Rational& x : known)
+      x = -x;
+    known.emplace_back(Integer(1));
+    of_.push_back(coordinates_.size());
+    rows_.push_back({std::move(f), std::move(known)});
+    coordinates_.push_back(std::move(unit));
+  }
+  [[nodiscard]] std::size_t rank() const { return of_.size(); }
+  [[nodiscard]] Basis basis() {
+    Basis b{of_, std::vector<Integer>(of_.size(), Integer(1)), std::move(coordinates_)};
+    for (auto& row : b.coordinates) {
+      row.resize(of_.size());
+      for (std::size_t j = 0; j < row.size(); ++j)
+        b.divisors[j] = lcm(b.divisors[j], row[j].den());
+    }
+    for (auto& row : b.coordinates)
+      for (std::size_t j = 0; j < row.size(); ++j)
+        row[j] = row[j] * Rational(b.divisors[j]);
+    return b;
+  }
+
+private:
+  struct Row {
+    Terms value;
+    std::vector<Rational> in_basis;
+  };
+  std::vector<Row> rows_;
+  std::vector<std::size_t> of_;
+  std::vector<std::vector<Rational>> coordinates_;
+};
+
+// ---- the symbols
+
+class Declaration {
+  using Known = std::vector<std::pair<Use, MFraction>>;
+
+public:
+  Declaration(FunctionsInFormulas::GrowingScope& scope, std::vector<std::size_t> moving)
+      : scope_(scope), moving_(std::move(moving)), declared_(scope.functions()) {}
+
+  /// Roots, and roots in these.
+  void add_roots(std::vector<Use>& uses) {
+    for (Known known = taken(uses, Family::root); !known.empty(); known = taken(uses, Family::root))
+      roots(known);
+  }
+  /// The others all at once, as they may be combinations of each other.
+  void add_transcendental(std::vector<Use>& uses) {
+    with_basis(taken(uses, Family::angle),
+               [this](const auto& all, const Basis& b) { angles(all, b); });
+    with_basis(taken(uses, Family::exponent),
+               [this](const auto& all, const Basis& b) { exponentials(all, b); });
+    logarithms(taken(uses, Family::logarithm));
+  }
+  WrittenFunctions result() { return std::move(all_); }
+
+private:
+  // Those whose arguments are known by now.
+  Known taken(std::vector<Use>& uses, Family family) const {
+    Known known;
+    std::erase_if(uses, [&](const Use& u) {
+      if (u.family != family) return false;
+      auto argument = argument_of(u);
+      if (!argument) return false;
+      if (!is_declared(u, *argument)) known.emplace_back(u, *std::move(argument));
+      return true;
+    });
+    return known;
+  }
+  std::optional<MFraction> argument_of(const Use& u) const {
+    try {
+      return evaluate(u.argument, scope_);
+    } catch (const Error&) { // unknown as yet, or told when the formula is evaluated
+      return std::nullopt;
+    }
+  }
+  [[nodiscard]] bool is_declared(const Use& u, const MFraction& argument) const {
+    return std::any_of(declared_.begin(), declared_.end(), [&](const FunctionMeaning& f) {
+      return family_of(f.name) == u.family && f.argument == argument;
+    });
+  }
+  [[nodiscard]] bool moves(const MPoly& f) const {
+    return std::any_of(moving_.begin(), moving_.end(), [&](std::size_t i) { return uses(f, i); });
+  }
+  [[nodiscard]] bool moves(const MFraction& f) const {
+    return !is_zero(f) && (moves(f.num()) || moves(f.den()));
+  }
+  [[nodiscard]] bool is_transcendental(const MFraction& f) const {
+    return std::any_of(transcendental_.begin(), transcendental_.end(),
+                       [&](std::size_t i) { return uses(f, i); });
+  }
+
+  MFraction symbol(const std::string& name) const {
+    return MFraction::variable(scope_.ring(), name);
+  }
+  MFraction number(const Rational& c) const { return {scope_.ring(), c}; }
+  void mean(const std::string& function, const MFraction& argument, const MFraction& value,
+            std::size_t variable = nothing) {
+    FunctionMeaning m{variable, function, argument, {}};
+    if (variable == nothing) m.value = value;
+    all_.meanings.push_back(m);
+    scope_.add(m);
+  }
+  void declare(const std::string& function, const MFraction& argument, const MFraction& name,
+               const MFraction& slope) {
+    const std::size_t i = used_variables(name).front();
+    all_.symbols.push_back({i, function + "(" + to_string(argument) + ")", argument, slope});
+    moving_.push_back(i);
+  }
+
+  // ---- angles and exponentials
+
+  // Only where no combination is a constant, whose sine or exponential nobody knows.
+  template <class F> void with_basis(const Known& all, F declare_on) {
+    if (all.empty()) return;
+    MPoly den(scope_.ring(), Integer(1));
+    for (const auto& [u, argument] : all) {
+      if (!moves(argument) || is_transcendental(argument)) return;
+      den = exact_div(den * argument.den(), gcd(den, argument.den()));
+    }
+    if (all.size() > 1 && moves(den)) return;
+    Elimination whole, moving;
+    for (const auto& [u, argument] : all) {
+      Terms terms = terms_of((argument * MFraction(den)).num());
+      whole.add(terms);
+      std::erase_if(terms, [&](const auto& t) {
+        return !moves(MPoly::term(scope_.ring(), Integer(1), t.first)) && !moves(den);
+      });
+      moving.add(std::move(terms));
+    }
+    if (whole.rank() == moving.rank()) declare_on(all, whole.basis());
+  }
+
+  static MFraction element(const Known& all, const Basis& b, std::size_t j) {
+    return Rational(Integer(1), b.divisors[j]) * all[b.of[j]].second;
+  }
+
+  void angles(const Known& all, const Basis& b) {
+    std::vector<std::pair<MFraction, MFraction>> of_basis; // cosine, sine
+    for (std::size_t j = 0; j < b.of.size(); ++j) {
+      const auto& names = all[b.of[j]].first.symbols;
+      const MFraction s = symbol(names[0]), c = symbol(names[1]), u = element(all, b, j);
+      declare("sin", u, s, c);
+      declare("cos", u, c, -s);
+      transcendental_.push_back(scope_.ring()->index(names[0]));
+      transcendental_.push_back(scope_.ring()->index(names[1]));
+      all_.relations.push_back((s * s + c * c - number(1)).num());
+      mean("sin", u, s, scope_.ring()->index(names[0]));
+      mean("cos", u, c, scope_.ring()->index(names[1]));
+      of_basis.emplace_back(c, s);
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto sum = angle_sum(of_basis, b.coordinates[i]);
+      if (!sum) continue;
+      const auto& [c, s] = *sum;
+      const MFraction& u = all[i].second;
+      mean("sin", u, s);
+      mean("cos", u, c);
+      mean("tan", u, s / c);
+    }
+  }
+  std::optional<std::pair<MFraction, MFraction>>
+  angle_sum(const std::vector<std::pair<MFraction, MFraction>>& of_basis,
+            const std::vector<Rational>& multiples) const {
+    MFraction c = number(1), s = number(0);
+    Rational length;
+    for (const Rational& k : multiples)
+      length = length + abs(k);
+    if (length > Rational(longest_angle)) return std::nullopt;
+    for (std::size_t j = 0; j < multiples.size(); ++j) {
+      const auto& [cj, sj] = of_basis[j];
+      const long n = to_long(multiples[j].num());
+      for (long k = 0; k < std::abs(n); ++k) {
+        const MFraction turned = n > 0 ? sj : -sj;
+        const MFraction next = c * cj - s * turned;
+        s = s * cj + c * turned;
+        c = next;
+      }
+    }
+    return std::pair(c, s);
+  }
+
+  void exponentials(const Known& all, const Basis& b) {
+    std::vector<MFraction> of_basis;
+    for (std::size_t j = 0; j < b.of.size(); ++j) {
+      const std::string& name = all[b.of[j]].first.symbols[0];
+      const MFraction e = symbol(name), u = element(all, b, j);
+      declare("exp", u, e, e);
+      transcendental_.push_back(scope_.ring()->index(name));
+      mean("exp", u, e, scope_.ring()->index(name));
+      of_basis.push_back(e);
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      MFraction e = number(1);
+      Rational length;
+      for (const Rational& k : b.coordinates[i])
+        length = length + abs(k);
+      if (length > Rational(1000)) continue;
+      for (std::size_t j = 0; j < of_basis.size(); ++j)
+        e *= pow(of_basis[j], to_long(b.coordinates[i][j].num()));
+      const MFraction& u = all[i].second;
+      const MFraction inverse = number(1) / e;
+      mean("exp", u, e);
+      mean("sinh", u, Rational(1, 2) * (e - inverse));
+      mean("cosh", u, Rational(1, 2) * (e + inverse));
+      mean("tanh", u, (e - inverse) / (e + inverse));
+    }
+  }
+
+  void logarithms(const Known& all) {
+    MPoly seen(scope_.ring(), Integer(1));
+    for (const auto& [u, argument] : all) {
+      if (!moves(argument) || is_transcendental(argument)) continue;
+      const MPoly parts = argument.num() * argument.den();
+      if (!is_constant(gcd(seen, parts))) continue; // logarithms of products are sums
+      seen *= parts;
+      const MFraction l = symbol(u.symbols[0]);
+      declare("log", argument, l, number(1) / argument);
+      transcendental_.push_back(scope_.ring()->index(u.symbols[0]));
+      mean("log", argument, l, scope_.ring()->index(u.symbols[0]));
+      mean("ln", argument, l);
+    }
+  }
+
+  // ---- roots
+
+  struct Root {
+    MFraction of, value;
+    long order;
+  };
+
+  void roots(const Known& all) {
+    for (const auto& [u, argument] : all) {
+      if (u.root > highest_root) continue;
+      if (auto known = known_root(argument, u.root)) {
+        mean_roots(argument, *known, u.root, nothing);
+        continue;
+      }
+      const MFraction r = symbol(u.symbols[0]);
+      const std::size_t i = scope_.ring()->index(u.symbols[0]);
+      const auto power = pow(r, u.root);
+      all_.relations.push_back((power * MFraction(argument.den()) - argument.num()).num());
+      if (moves(argument))
+        declare(u.root == 2 ? "sqrt" : "root" + std::to_string(u.root), argument, r,
+                r / (Rational(u.root) * argument));
+      else
+        all_.constants.push_back(i);
+      mean_roots(argument, r, u.root, i);
+      roots_.push_back({argument, r, u.root});
+    }
+  }
+  void mean_roots(const MFraction& of, const MFraction& root, long order, std::size_t variable) {
+    if (order == 2) return mean("sqrt", of, root, variable);
+    mean("root" + std::to_string(order), of, root, variable);
+    if (order % 2 == 0) mean("sqrt", of, pow(root, order / 2));
+  }
+  // Of c^n f or of c^n/f, where the root of f has a symbol, or of a power of a number.
+  std::optional<MFraction> known_root(const MFraction& of, long order) const {
+    if (is_zero(of)) return number(0);
+    if (is_constant(of)) {
+      const auto c = exact_root(to_rational(of), order);
+      if (c) return number(*c);
+    }
+    for (const Root& r : roots_) {
+      if (r.order % order != 0) continue;
+      const MFraction root = pow(r.value, r.order / order);
+      for (const bool inverse : {false, true}) {
+        const MFraction ratio = inverse ? of * r.of : of / r.of;
+        if (!is_constant(ratio)) continue;
+        if (const auto c = exact_root(to_rational(ratio), order))
+          return number(*c) * (inverse ? number(1) / root : root);
+      }
+    }
+    return std::nullopt;
+  }
+  static std::optional<Rational> exact_root(const Rational& q, long order) {
+    if (sign(q) <= 0) return std::nullopt;
+    Integer num, den;
+    const auto n = static_cast<unsigned long>(order);
+    if (fmpz_root(num.raw(), q.num().raw(), static_cast<slong>(n)) == 0) return std::nullopt;
+    if (fmpz_root(den.raw(), q.den().raw(), static_cast<slong>(n)) == 0) return std::nullopt;
+    return Rational(num, den);
+  }
+
+  FunctionsInFormulas::GrowingScope& scope_;
+  std::vector<std::size_t> moving_, transcendental_;
+  std::vector<FunctionMeaning> declared_;
+  std::vector<Root> roots_;
+  WrittenFunctions all_;
+};
+
+} // namespace
+
+std::vector<MPoly> implied_relations(const std::vector<FunctionMeaning>& meanings,
+                                     const Ring& ring) {
+  std::vector<MPoly> all;
+  const MFraction one(ring, Rational(1));
+  const auto value = [&](const FunctionMeaning& m) {
+    return m.value ? *m.value : MFraction::variable(ring, m.variable);
+  };
+  const auto add = [&](const MFraction& f) {
+    if (!is_zero(f)) all.push_back(f.num());
+  };
+  for (const FunctionMeaning& f : meanings) {
+    if (const long n = order_of_root(f.name)) add(pow(value(f), n) - f.argument);
+    for (const FunctionMeaning& g : meanings) {
+      const bool same = f.argument == g.argument;
+      if (f.name == "sin" && g.name == "cos" && same)
+        add(value(f) * value(f) + value(g) * value(g) - one);
+      if (f.name == "sinh" && g.name == "cosh" && same)
+        add(value(g) * value(g) - value(f) * value(f) - one);
+      if (f.name == "exp" && g.name == "exp" && &f < &g && is_zero(f.argument + g.argument))
+        add(value(f) * value(g) - one);
+    }
+  }
+  return all;
+}
+
+WrittenFunctions FunctionsInFormulas::declare(GrowingScope& scope,
+                                              const std::vector<std::size_t>& moving) const {
+  Declaration declaration(scope, moving);
+  std::vector<Use> left = uses_;
+  declaration.add_roots(left);
+  declaration.add_transcendental(left);
+  declaration.add_roots(left);
+  return declaration.result();
+}
+
+} // namespace kov

@@ -1,0 +1,80 @@
+#pragma once
+// Functions as formulas write them: sin(q1 - q2), exp(-x/2), sqrt(x^2 + y^2), (x^2 + y^2)^(-3/2),
+// sqrt(a).  A symbol is declared for each that is needed, with its derivative and the relations
+// between them, so that the author need not do it.
+//
+// Exponentials of u_1, ..., u_n are powers of those of a basis of the Q-linear combinations of the
+// u_i; sines and cosines are polynomials in those of a basis of the angles.
+//
+// Source  docs/theory/mechanics.md (1), "Functions in formulas"
+
+#include "symbol/document.hpp"
+#include "system/formula.hpp"
+
+#include <set>
+
+namespace kov {
+
+/// A symbol f(u), with u and df/du.
+struct WrittenFunction {
+  std::size_t variable = 0;
+  std::string meaning; ///< "sin(q1)"
+  MFraction argument;
+  MFraction slope;
+};
+
+/// What the formulas write, as symbols.
+struct WrittenFunctions {
+  std::vector<WrittenFunction> symbols;
+  std::vector<std::size_t> constants; ///< roots of what depends on nothing that moves
+  std::vector<MPoly> relations;
+  std::vector<FunctionMeaning> meanings; ///< of all functions that occur
+};
+
+/// The functions in the formulas of [system], by their texts.
+class FunctionsInFormulas {
+public:
+  explicit FunctionsInFormulas(const Entry& system);
+
+  /// Names for all symbols that may be needed; none of them is in `taken`.
+  [[nodiscard]] std::vector<std::string> names(std::set<std::string> taken);
+
+  /// What the names of the formulas mean while functions are added to it.
+  class GrowingScope : public Scope {
+  public:
+    virtual void add(const FunctionMeaning& meaning) = 0;
+  };
+  /// Those that no declared function means; what cannot be treated is left out, and whoever
+  /// evaluates a formula with it complains.  `moving`: the coordinates and the declared functions.
+  /// Requires names(), in the ring of the scope
+  [[nodiscard]] WrittenFunctions declare(GrowingScope& scope,
+                                         const std::vector<std::size_t>& moving) const;
+
+  enum class Family : std::uint8_t { angle, exponent, root, logarithm };
+  /// All functions of one argument that belong together.
+  struct Use {
+    Family family;
+    Expression argument;
+    long root = 1; ///< roots: the least common multiple of the orders
+    std::vector<std::string> symbols = {};
+  };
+
+private:
+  void collect(const Entry& entry);
+  void collect(const Expression& e);
+  void note(Family family, const Expression& argument, long root = 1);
+
+  std::vector<Use> uses_; ///< inner ones first
+};
+
+/// What holds between functions because of what they mean: sin(u)^2 + cos(u)^2 - 1, exp(u) exp(-u) - 1,
+/// sqrt(u)^2 - u.  Not all that holds.
+[[nodiscard]] std::vector<MPoly> implied_relations(const std::vector<FunctionMeaning>& meanings,
+                                                   const Ring& ring);
+
+/// A number that a formula writes: 3, -1/2.
+[[nodiscard]] std::optional<Rational> written_number(const Expression& e);
+/// The order of the root that a function takes: 2 of "sqrt", n of "root<n>"; else 0.
+[[nodiscard]] long order_of_root(const std::string& function);
+
+} // namespace kov

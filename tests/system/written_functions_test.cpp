@@ -1,0 +1,180 @@
+// Functions that formulas write and nobody declares.
+
+#include "system/system.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+namespace kov {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+System with(const std::string& potential, const std::string& more = "",
+            const ParameterValues& values = {}) {
+  return read_system(parse_document("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\n"
+                                    "momenta = ['u', 'v']\nparameters = ['a', 'k']\n"
+                                    "hamiltonian = '(u^2 + v^2)/2 + " +
+                                        potential + "'\n" + more,
+                                    "test.toml"),
+                     values);
+}
+
+std::vector<std::string> meanings(const System& s) {
+  std::vector<std::string> all;
+  for (const FunctionSymbol& f : s.field.functions)
+    all.push_back(s.ring()->name(f.variable) + " = " + f.meaning);
+  return all;
+}
+
+std::vector<std::string> relations(const System& s) {
+  std::vector<std::string> all;
+  for (const MPoly& f : s.field.relations)
+    all.push_back(to_string(f));
+  return all;
+}
+
+std::string complaint(const std::string& potential, const std::string& more = "") {
+  try {
+    static_cast<void>(with(potential, more));
+    return "no complaint";
+  } catch (const Error& e) {
+    return e.what();
+  }
+}
+
+TEST(WrittenFunctions, SinesAndCosines) {
+  const System s = with("cos(x) + y^2*tan(x)");
+  EXPECT_THAT(meanings(s), ElementsAre("sin_x = sin(x)", "cos_x = cos(x)"));
+  EXPECT_THAT(relations(s), ElementsAre("sin_x^2 + cos_x^2 - 1"));
+  EXPECT_EQ(s.field.components[2], formula(s, "sin_x - y^2*(sin_x^2 + cos_x^2)/cos_x^2")); // -dH/dx
+}
+
+TEST(WrittenFunctions, AsIfTheyWereDeclared) {
+  const System declared = with("c + y*s*c", R"t(relations = ["s^2 + c^2 = 1"]
+[[system.function]]
+name = "s"
+means = "sin(x)"
+derivative = { x = "c" }
+[[system.function]]
+name = "c"
+means = "cos(x)"
+derivative = { x = "-s" }
+)t");
+  const System written = with("cos(x) + y*sin(2*x)/2");
+  ASSERT_EQ(written.field.functions.size(), 2U);
+  EXPECT_EQ(meanings(written)[0], "sin_x = sin(x)");
+  for (std::size_t j = 0; j < 4; ++j) {
+    const std::string text = std::regex_replace(
+        std::regex_replace(to_string(declared.field.components[j]), std::regex("\\bs\\b"), "sin_x"),
+        std::regex("\\bc\\b"), "cos_x");
+    EXPECT_EQ(formula(written, text), written.field.components[j]) << text;
+  }
+}
+
+TEST(WrittenFunctions, AnglesAreCombinationsOfABasis) {
+  const System s = with("cos(x - y) + sin(y - x) + cos(3*x - 3*y)");
+  ASSERT_EQ(s.field.functions.size(), 2U);
+  EXPECT_EQ(*s.field.hamiltonian,
+            formula(s, "(u^2 + v^2)/2 + cos1 - sin1 + cos1^3 - 3*cos1*sin1^2"));
+  EXPECT_EQ(with("cos(x) + cos(x/2)").field.functions.size(), 2U);
+  EXPECT_EQ(with("cos(x) + cos(y) + cos(x + y)").field.functions.size(), 4U);
+  EXPECT_EQ(with("cos(a*x) + cos(x)").field.functions.size(), 4U);
+}
+
+TEST(WrittenFunctions, ExponentialsArePowersOfABasis) {
+  const System s = with("exp(x) + exp(-x/2) + cosh(x)*exp(y - x) + exp(x - y)");
+  ASSERT_EQ(s.field.functions.size(), 2U);
+  EXPECT_THAT(relations(s), IsEmpty());
+  EXPECT_EQ(meanings(s)[0], "exp_x = exp(x/2)");
+  EXPECT_EQ(
+      *s.field.hamiltonian,
+      formula(s, "(u^2 + v^2)/2 + exp_x^2 + 1/exp_x + (exp_x^2 + 1/exp_x^2)/2*exp2 + 1/exp2"));
+  EXPECT_EQ(s.field.functions[0].gradient[0], formula(s, "exp_x/2"));
+  EXPECT_EQ(with("exp(x) + exp(a*x) + exp((a + 1)*x)").field.functions.size(), 2U);
+}
+
+TEST(WrittenFunctions, Roots) {
+  const System s = with("a/sqrt(x^2 + y^2) + (x^2 + y^2)^(-3/2) + sqrt(4*x^2 + 4*y^2)");
+  ASSERT_EQ(meanings(s), std::vector<std::string>{"root1 = sqrt(x^2 + y^2)"});
+  EXPECT_EQ(*s.field.hamiltonian, formula(s, "(u^2 + v^2)/2 + a/root1 + 1/root1^3 + 2*root1"));
+  EXPECT_EQ(s.field.functions[0].gradient[0], formula(s, "x*root1/(x^2 + y^2)"));
+  const System third = with("x^(1/3) + x^(-1/2)");
+  EXPECT_THAT(meanings(third), ElementsAre("root_x = root6(x)"));
+  EXPECT_EQ(*third.field.hamiltonian, formula(third, "(u^2 + v^2)/2 + root_x^2 + 1/root_x^3"));
+  const System inner = with("sqrt(1 + sqrt(x)) + sqrt(1 - k*sin(y)^2)");
+  EXPECT_EQ(inner.field.functions.size(), 5U);
+}
+
+TEST(WrittenFunctions, RootsOfParametersAreConstants) {
+  const System s = with("sqrt(a)*x^2 + sqrt(2)*y");
+  EXPECT_THAT(meanings(s), IsEmpty());
+  EXPECT_EQ(s.field.constants.size(), 2U);
+  EXPECT_THAT(relations(s), ElementsAre("root_a^2 - a", "root1^2 - 2"));
+  const System set = with("sqrt(a)*x^2", "", {{"a", "9/4"}});
+  EXPECT_THAT(set.field.constants, IsEmpty());
+  EXPECT_EQ(*set.field.hamiltonian, formula(set, "(u^2 + v^2)/2 + 3/2*x^2"));
+}
+
+TEST(WrittenFunctions, Logarithms) {
+  const System s = with("log(x) + ln(y)");
+  EXPECT_THAT(meanings(s), ElementsAre("log_x = log(x)", "log_y = log(y)"));
+  EXPECT_EQ(s.field.components[2], formula(s, "-1/x"));
+}
+
+// No relation is missing: what could hide one is left to the author.
+TEST(WrittenFunctions, WhatIsNotTreatedIsTold) {
+  EXPECT_THAT(complaint("cos(x) + cos(x + a)"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("exp(x) + exp(x + 1)"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("log(x) + log(x*y)"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("exp(a)*x"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("exp(log(x))"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("cos(x) + cos(1000*x)"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("exp(1/x) + exp(2/x)"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("wp(x)"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("sqrt(x^2)"), HasSubstr("several solutions"));
+  EXPECT_THAT(complaint("sqrt(1 - sin(x)^2)"), HasSubstr("several solutions"));
+  EXPECT_THAT(complaint("sqrt(x)*sqrt(y)*sqrt(x*y)"), HasSubstr("several solutions"));
+}
+
+TEST(WrittenFunctions, NamesThatAreTaken) {
+  const System s = read_system(parse_document(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['sin_cos_x', 'x']\nmomenta = ['cos_x', "
+      "'sin_x']\nhamiltonian = '(sin_x^2 + cos_x^2)/2 + cos(x)*sin_cos_x'",
+      "test.toml"));
+  EXPECT_THAT(meanings(s), ElementsAre("sin_x_ = sin(x)", "cos_x_ = cos(x)"));
+}
+
+// sin and cos are not 0 at the same place, though nobody said so.
+TEST(WrittenFunctions, RelationsThatWereNotDeclared) {
+  const std::string two = R"t([[system.function]]
+name = "s"
+means = "sin(x)"
+derivative = { x = "c" }
+[[system.function]]
+name = "c"
+means = "cos(x)"
+derivative = { x = "-s" }
+)t";
+  EXPECT_THAT(relations(with("c + s*y", two)), ElementsAre("s^2 + c^2 - 1"));
+  EXPECT_THAT(
+      relations(with("s + y", "relations = ['(s^2 + c^2)^2 = s^2 + c^2', 's^2+c^2 = 1']\n" + two)),
+      testing::SizeIs(2));
+  EXPECT_THAT(relations(with("s + y*c", R"t([[system.function]]
+name = "s"
+means = "exp(x)"
+derivative = { x = "s" }
+[[system.function]]
+name = "c"
+means = "exp(-x)"
+derivative = { x = "-c" }
+)t")),
+              ElementsAre("s*c - 1"));
+}
+
+} // namespace
+} // namespace kov
