@@ -258,6 +258,8 @@ Json json_of_field(const System& s) {
          {"relations", relations},
          {"field", field}};
   if (s.field.hamiltonian) j["hamiltonian"] = to_string(*s.field.hamiltonian);
+  for (const FunctionSymbol& f : s.field.functions)
+    if (!f.meaning.empty()) j["functions"][s.ring()->name(f.variable)] = f.meaning;
   return j;
 }
 

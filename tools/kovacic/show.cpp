@@ -67,6 +67,8 @@ Report show_system(const System& s) {
   if (s.field.hamiltonian) out << "H = " << to_string(*s.field.hamiltonian) << "\n";
   for (std::size_t j = 0; j < s.field.dimension(); ++j)
     out << s.field.name(j) << "' = " << to_string(s.field.components[j]) << "\n";
+  for (const FunctionSymbol& f : s.field.functions)
+    if (!f.meaning.empty()) out << s.ring()->name(f.variable) << " = " << f.meaning << "\n";
   for (const auto& f : s.field.relations)
     out << to_string(f) << " = 0\n";
   return {exit_decided, out.str(), json_of_field(s)};
