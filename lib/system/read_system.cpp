@@ -56,6 +56,10 @@ void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
   for (const FunctionSymbol& f : v.functions)
     moving.push_back(f.variable);
   const WrittenFunctions written = scope.written.declare(scope, moving);
+  for (const WrittenFunction& f : written.symbols)
+    scope.unused.erase(v.ring->name(f.variable));
+  for (const std::size_t i : written.constants)
+    scope.unused.erase(v.ring->name(i));
   std::size_t k = 0; // derivatives may use all symbols, so that they come second
   for (const Entry* f : list) {
     for (const auto& [name, entry] : f->at("derivative").members()) {
@@ -190,10 +194,61 @@ void require_e3(const Entry& system, const SystemScope& scope) {
         .error("six coordinates are needed", "M1, M2, M3, Gamma1, Gamma2, Gamma3, in this order");
 }
 
+// M = dL/dOmega or p = dL/dq' solved for the velocities, and the Hamiltonian.
+Legendre read_lagrangian(const Entry& system, SystemScope& scope,
+                         const std::vector<std::size_t>& momenta) {
+  const Entry& lagrangian = system.at("lagrangian");
+  scope.lagrangian = evaluate(lagrangian.expression(), scope);
+  try {
+    const auto w = indices(scope.ring(), scope.velocities);
+    Legendre l = legendre(scope.lagrangian, w, momenta);
+    Substitution velocities;
+    for (std::size_t i = 0; i < w.size(); ++i)
+      velocities[w[i]] = l.velocities[i];
+    for (auto& [name, value] : scope.named) // definitions that the Lagrangian has used already
+      value = substitute(value, velocities);
+    for (std::size_t i = 0; i < w.size(); ++i)
+      scope.named[scope.velocities[i]] = l.velocities[i];
+    return l;
+  } catch (const DomainError& e) {
+    throw lagrangian.error(e.what());
+  }
+}
+
+// A Lagrangian L(q, q'): from here on a Hamiltonian system.
+void read_mechanical(const Entry& system, SystemScope& scope, System& s) {
+  VectorField& v = s.field;
+  const std::size_t n = v.dimension() / 2;
+  if (scope.velocities.size() != n)
+    throw system.at("velocities").error("as many velocities as coordinates are needed");
+  v.poisson = canonical_structure(v.ring, n);
+  v.hamiltonian =
+      read_lagrangian(system, scope,
+                      {v.coordinates.begin() + static_cast<long>(n), v.coordinates.end()})
+          .hamiltonian;
+  s.kind = SystemKind::hamiltonian;
+}
+
+void read_rigid_body(const Entry& system, SystemScope& scope, System& s) {
+  VectorField& v = s.field;
+  if (scope.velocities.size() != 3)
+    throw system.at("angular_velocity").error("three angular velocities are needed");
+  const Legendre l =
+      read_lagrangian(system, scope, {v.coordinates[0], v.coordinates[1], v.coordinates[2]});
+  v.hamiltonian = l.hamiltonian;
+  s.lagrangian = scope.lagrangian;
+  s.velocities = indices(v.ring, scope.velocities);
+  s.velocity_values = l.velocities;
+}
+
 // The Hamiltonian and the structure matrix, or the field itself.
 void read_dynamics(const Entry& system, SystemScope& scope, System& s) {
   VectorField& v = s.field;
   const std::size_t n = v.dimension();
+  const Entry* velocities = system.find("velocities");
+  const bool mechanical = s.kind == SystemKind::lagrangian && velocities != nullptr;
+  if (velocities != nullptr && !mechanical)
+    throw velocities->key_error("velocities belong to a system of kind lagrangian");
   switch (s.kind) {
   case SystemKind::vector_field:
     read_field(system, scope, v);
@@ -208,36 +263,17 @@ void read_dynamics(const Entry& system, SystemScope& scope, System& s) {
     break;
   case SystemKind::euler_poisson:
   case SystemKind::lagrangian:
+    if (mechanical) break;
     require_e3(system, scope);
     s.gyrostat = read_gyrostat(system, scope);
     v.poisson = e3_structure(v.ring, v.coordinates, s.gyrostat);
   }
-  if (s.kind == SystemKind::lagrangian) {
-    const Entry& lagrangian = system.at("lagrangian");
-    if (scope.velocities.size() != 3)
-      throw system.at("angular_velocity").error("three angular velocities are needed");
-    const auto w = indices(v.ring, scope.velocities);
-    scope.lagrangian = evaluate(lagrangian.expression(), scope);
-    try {
-      const Legendre l =
-          legendre(scope.lagrangian, w, {v.coordinates[0], v.coordinates[1], v.coordinates[2]});
-      v.hamiltonian = l.hamiltonian;
-      s.lagrangian = scope.lagrangian;
-      s.velocities = w;
-      s.velocity_values = l.velocities;
-      Substitution velocities;
-      for (std::size_t i = 0; i < 3; ++i)
-        velocities[w[i]] = l.velocities[i];
-      for (auto& [name, value] : scope.named) // definitions that the Lagrangian has used already
-        value = substitute(value, velocities);
-      for (std::size_t i = 0; i < 3; ++i)
-        scope.named[scope.velocities[i]] = l.velocities[i];
-    } catch (const DomainError& e) {
-      throw lagrangian.error(e.what());
-    }
-  } else {
+  if (mechanical)
+    read_mechanical(system, scope, s);
+  else if (s.kind == SystemKind::lagrangian)
+    read_rigid_body(system, scope, s);
+  else
     v.hamiltonian = evaluate(system.at("hamiltonian").expression(), scope);
-  }
   v.components = hamiltonian_field(v, *v.poisson, *v.hamiltonian);
 }
 

@@ -27,8 +27,9 @@ public:
   std::vector<std::string> coordinates, velocities, function_names, constants, parameters;
   std::string independent;
   std::vector<FunctionMeaning> meanings;
-  FunctionsInFormulas written;                     ///< in [system]
-  MFraction lagrangian;                            ///< kind lagrangian only
+  FunctionsInFormulas written;  ///< in [system]
+  std::set<std::string> unused; ///< names of symbols that no formula needs: unknown names
+  MFraction lagrangian;         ///< kind lagrangian only
   mutable std::map<std::string, MFraction> values; ///< fixed parameters
   mutable std::map<std::string, MFraction> named;
 

@@ -37,12 +37,16 @@ SystemScope::SystemScope(const Entry& document, const ParameterValues& settings)
     : written(document.at("system")), document_(&document) {
   const Entry& system = document.at("system");
   system.check_keys({"kind", "coordinates", "momenta", "parameters", "constants", "hamiltonian",
-                     "lagrangian", "angular_velocity", "gyrostat", "bracket", "field", "relations",
-                     "define", "function"});
+                     "lagrangian", "velocities", "angular_velocity", "gyrostat", "bracket", "field",
+                     "relations", "define", "function"});
   coordinates = names_of(system, "coordinates");
-  const auto momenta = names_of(system, "momenta");
+  auto momenta = names_of(system, "momenta");
+  velocities = names_of(system, "velocities");
+  if (!velocities.empty() && momenta.empty())
+    for (const std::string& q : coordinates)
+      momenta.push_back("p_" + q);
   coordinates.insert(coordinates.end(), momenta.begin(), momenta.end());
-  velocities = names_of(system, "angular_velocity");
+  if (velocities.empty()) velocities = names_of(system, "angular_velocity");
   parameters = names_of(system, "parameters");
   constants = names_of(system, "constants");
   if (const Entry* f = system.find("function"))
@@ -64,6 +68,7 @@ SystemScope::SystemScope(const Entry& document, const ParameterValues& settings)
     for (const auto& [name, entry] : d->members())
       taken.insert(name);
   const auto names = written.names(std::move(taken));
+  unused.insert(names.begin(), names.end());
   all.insert(all.begin() + static_cast<long>(1 + coordinates.size()), names.begin(), names.end());
   ring_ = make_ring(all);
   if (const Entry* d = system.find("define"))
@@ -124,7 +129,7 @@ std::optional<MFraction> SystemScope::fixed_value(const std::string& name) const
 std::optional<MFraction> SystemScope::value(const std::string& name) const {
   if (auto v = fixed_value(name)) return v;
   if (const auto v = named.find(name); v != named.end()) return v->second;
-  if (name == independent) return std::nullopt; // ours, and in no formula of the file
+  if (name == independent || unused.contains(name)) return std::nullopt; // ours, in no formula
   if (const auto i = ring_->find(name)) return MFraction::variable(ring_, *i);
   const auto waiting = definitions_.find(name);
   if (waiting == definitions_.end()) return std::nullopt;
@@ -139,6 +144,7 @@ std::optional<MFraction> SystemScope::value(const std::string& name) const {
 std::vector<std::string> SystemScope::known_names() const {
   std::vector<std::string> names(ring_->names());
   std::erase(names, independent);
+  std::erase_if(names, [this](const std::string& name) { return unused.contains(name); });
   for (const auto& [name, entry] : definitions_)
     names.push_back(name);
   for (const auto& [name, entry] : named)

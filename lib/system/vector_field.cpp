@@ -141,13 +141,14 @@ Legendre legendre(const MFraction& lagrangian, const std::vector<std::size_t>& v
       mass[i].push_back(derivative(momentum, velocities[k]));
       for (const std::size_t w : velocities)
         if (uses(mass[i][k], w))
-          throw DomainError("the Lagrangian is not quadratic in the angular velocity: dL/d" +
+          throw DomainError("the Lagrangian is not quadratic in the velocities: dL/d" +
                             ring->name(velocities[i]) + " = " + to_string(momentum));
     }
     rest.push_back(MFraction::variable(ring, momenta[i]) - substitute(momentum, at_rest));
   }
   if (!null_space(mass, n, ring).empty())
-    throw DomainError("the kinetic energy is degenerate: dL/dOmega = M cannot be solved");
+    throw DomainError(
+        "the kinetic energy is degenerate: the velocities do not follow from the momenta");
   Legendre result;
   result.velocities = *solve_linear(mass, rest);
   // L = v.Mv/2 + b.v + c and p = Mv + b: then p.v - L = (p - b).v/2 - c, of one denominator.

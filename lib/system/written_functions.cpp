@@ -216,6 +216,9 @@ public:
   }
   /// The others all at once, as they may be combinations of each other.
   void add_transcendental(std::vector<Use>& uses) {
+    std::stable_partition(uses.begin(), uses.end(), [](const Use& u) { // these names come first
+      return u.argument.kind() == Expression::Kind::name;
+    });
     with_basis(taken(uses, Family::angle),
                [this](const auto& all, const Basis& b) { angles(all, b); });
     with_basis(taken(uses, Family::exponent),

@@ -192,6 +192,52 @@ value = "y"
   EXPECT_EQ(r.witness, formula(s, "x - a"));
 }
 
+const std::string double_pendulum = R"t([system]
+kind = "lagrangian"
+coordinates = ["a", "b"]
+velocities = ["da", "db"]
+parameters = ["m", "g"]
+lagrangian = "(1 + m)*da^2/2 + m*db^2/2 + m*da*db*cos(a - b) + g*(1 + m)*cos(a) + g*m*cos(b)"
+)t";
+
+TEST(Lagrangian, OfAnyCoordinates) {
+  const System s = read(double_pendulum);
+  EXPECT_EQ(s.kind, SystemKind::hamiltonian);
+  EXPECT_EQ(s.field.name(2), "p_a");
+  // the published Hamiltonian
+  EXPECT_EQ(*s.field.hamiltonian,
+            formula(s, "(m*p_a^2 + (1 + m)*p_b^2 - 2*m*p_a*p_b*(cos_a*cos_b + sin_a*sin_b))/"
+                       "(2*m*(1 + m - m*(cos_a*cos_b + sin_a*sin_b)^2)) - "
+                       "g*(1 + m)*cos_a - g*m*cos_b"));
+  EXPECT_EQ(s.field.components[0], formula(s, "da"));
+}
+
+// Terms linear in the velocities, and names of the momenta; a field of force that is magnetic.
+TEST(Lagrangian, LinearTerms) {
+  const System s = read(R"t([system]
+kind = "lagrangian"
+coordinates = ["x", "y"]
+velocities = ["dx", "dy"]
+momenta = ["u", "v"]
+parameters = ["w"]
+lagrangian = "(dx^2 + dy^2)/2 + w*(x*dy - y*dx) - x^2*y"
+)t");
+  EXPECT_EQ(*s.field.hamiltonian, formula(s, "((u + w*y)^2 + (v - w*x)^2)/2 + x^2*y"));
+}
+
+TEST(Lagrangian, MistakesAreTold) {
+  const std::string begin = "[system]\nkind = \"lagrangian\"\ncoordinates = [\"x\", \"y\"]\n";
+  EXPECT_THAT(complaint(begin + "velocities = [\"dx\"]\nlagrangian = \"dx^2\""),
+              HasSubstr("as many velocities as coordinates"));
+  EXPECT_THAT(complaint(begin + "velocities = [\"dx\", \"dy\"]\nlagrangian = \"dx^3 + dy^2\""),
+              HasSubstr("not quadratic in the velocities"));
+  EXPECT_THAT(complaint(begin + "velocities = [\"dx\", \"dy\"]\nlagrangian = \"(dx + dy)^2\""),
+              HasSubstr("the kinetic energy is degenerate"));
+  EXPECT_THAT(complaint("[system]\nkind = \"hamiltonian\"\ncoordinates = [\"x\"]\nmomenta = "
+                        "[\"p\"]\nvelocities = [\"dx\"]\nhamiltonian = \"p^2\""),
+              HasSubstr("velocities belong to a system of kind lagrangian"));
+}
+
 TEST(Weights, SeriesOfARationalFunction) {
   const System s = read(oscillator);
   const Weights w{{s.ring()->index("q1"), 1}, {s.ring()->index("q2"), 2}};

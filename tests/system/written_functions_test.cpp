@@ -141,6 +141,13 @@ TEST(WrittenFunctions, WhatIsNotTreatedIsTold) {
   EXPECT_THAT(complaint("sqrt(x)*sqrt(y)*sqrt(x*y)"), HasSubstr("several solutions"));
 }
 
+// cos(x - y) is written with the symbols of x and y, and has none itself.
+TEST(WrittenFunctions, NamesThatAreNotNeededAreUnknown) {
+  const std::string level = "[[manifold]]\nname = 'm'\nequations = ['cos1 = 0']\n";
+  EXPECT_THAT(complaint("cos(x - y) + cos(x) + cos(y)", level), HasSubstr("unknown name 'cos1'"));
+  EXPECT_EQ(complaint("cos(x - y)", level), "no complaint");
+}
+
 TEST(WrittenFunctions, NamesThatAreTaken) {
   const System s = read_system(parse_document(
       "[system]\nkind = 'hamiltonian'\ncoordinates = ['sin_cos_x', 'x']\nmomenta = ['cos_x', "
