@@ -69,12 +69,17 @@ private:
 
 /// What holds between functions because of what they mean: sin(u)^2 + cos(u)^2 - 1, exp(u) exp(-u) - 1,
 /// sqrt(u)^2 - u.  Not all that holds.
+/// Given   const Ring ring = make_ring({"q", "s", "c"});
+/// Given   const MFraction q = MFraction::variable(ring, "q");
+/// Example implied_relations({{1, "sin", q, {}}, {2, "cos", q, {}}}, ring)  // -> {s^2 + c^2 - 1}
 [[nodiscard]] std::vector<MPoly> implied_relations(const std::vector<FunctionMeaning>& meanings,
                                                    const Ring& ring);
 
 /// A number that a formula writes: 3, -1/2.
+/// Example *written_number(parse_expression("-1/2", "f"))  // -> -1/2
 [[nodiscard]] std::optional<Rational> written_number(const Expression& e);
 /// The order of the root that a function takes: 2 of "sqrt", n of "root<n>"; else 0.
+/// Example order_of_root("root3")  // -> 3
 [[nodiscard]] long order_of_root(const std::string& function);
 
 } // namespace kov
