@@ -52,10 +52,10 @@ void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
     }
     v.functions.push_back(std::move(symbol));
   }
-  auto moving = v.coordinates;
+  auto symbols = v.constants;
   for (const FunctionSymbol& f : v.functions)
-    moving.push_back(f.variable);
-  const WrittenFunctions written = scope.written.declare(scope, moving);
+    symbols.push_back(f.variable);
+  const WrittenFunctions written = scope.written.declare(scope, v.coordinates, symbols);
   for (const WrittenFunction& f : written.symbols)
     scope.unused.erase(v.ring->name(f.variable));
   for (const std::size_t i : written.constants)

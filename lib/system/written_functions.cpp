@@ -206,8 +206,12 @@ class Declaration {
   using Known = std::vector<std::pair<Use, MFraction>>;
 
 public:
-  Declaration(FunctionsInFormulas::GrowingScope& scope, std::vector<std::size_t> moving)
-      : scope_(scope), moving_(std::move(moving)), declared_(scope.functions()) {}
+  Declaration(FunctionsInFormulas::GrowingScope& scope, const std::vector<std::size_t>& coordinates,
+              std::vector<std::size_t> symbols)
+      : scope_(scope), moving_(coordinates), given_(std::move(symbols)),
+        declared_(scope.functions()) {
+    moving_.insert(moving_.end(), given_.begin(), given_.end());
+  }
 
   /// Roots, and roots in these.
   void add_roots(std::vector<Use>& uses) {
@@ -284,8 +288,15 @@ private:
   // ---- angles and exponentials
 
   // Only where no combination is a constant, whose sine or exponential nobody knows.
-  template <class F> void with_basis(const Known& all, F declare_on) {
+  template <class F> void with_basis(Known all, F declare_on) {
+    std::erase_if(all, [this](const auto& one) {
+      if (is_zero(one.second)) mean_at_zero(one.second);
+      return is_zero(one.second);
+    });
     if (all.empty()) return;
+    if (all.size() > 1 &&
+        !std::all_of(all.begin(), all.end(), [this](const auto& x) { return is_normal(x.second); }))
+      return;
     MPoly den(scope_.ring(), Integer(1));
     for (const auto& [u, argument] : all) {
       if (!moves(argument) || is_transcendental(argument)) return;
@@ -302,6 +313,30 @@ private:
       moving.add(std::move(terms));
     }
     if (whole.rank() == moving.rank()) declare_on(all, whole.basis());
+  }
+
+  void mean_at_zero(const MFraction& zero) {
+    for (const char* function : {"sin", "tan", "sinh", "tanh"})
+      mean(function, zero, number(0));
+    for (const char* function : {"cos", "exp", "cosh"})
+      mean(function, zero, number(1));
+  }
+  // Written in one way only: no symbols of the file, and roots in the numerator with exponents below
+  // their orders, which are linearly independent over the rational functions.
+  [[nodiscard]] bool is_normal(const MFraction& f) const {
+    for (const std::size_t i : given_)
+      if (uses(f, i)) return false;
+    return std::all_of(roots_.begin(), roots_.end(), [&](const Root& r) {
+      const std::size_t i = used_variables(r.value).front();
+      return !uses(f.den(), i) && degree(f.num(), i) < r.order;
+    });
+  }
+
+  [[nodiscard]] bool is_rational(const MFraction& f) const {
+    const auto in_f = [&](std::size_t i) { return uses(f, i); };
+    return std::none_of(given_.begin(), given_.end(), in_f) &&
+           std::none_of(roots_.begin(), roots_.end(),
+                        [&](const Root& r) { return in_f(used_variables(r.value).front()); });
   }
 
   static MFraction element(const Known& all, const Basis& b, std::size_t j) {
@@ -384,6 +419,7 @@ private:
     MPoly seen(scope_.ring(), Integer(1));
     for (const auto& [u, argument] : all) {
       if (!moves(argument) || is_transcendental(argument)) continue;
+      if (all.size() > 1 && !is_rational(argument)) continue;
       const MPoly parts = argument.num() * argument.den();
       if (!is_constant(gcd(seen, parts))) continue; // logarithms of products are sums
       seen *= parts;
@@ -456,7 +492,7 @@ private:
   }
 
   FunctionsInFormulas::GrowingScope& scope_;
-  std::vector<std::size_t> moving_, transcendental_;
+  std::vector<std::size_t> moving_, given_, transcendental_;
   std::vector<FunctionMeaning> declared_;
   std::vector<Root> roots_;
   WrittenFunctions all_;
@@ -490,8 +526,9 @@ std::vector<MPoly> implied_relations(const std::vector<FunctionMeaning>& meaning
 }
 
 WrittenFunctions FunctionsInFormulas::declare(GrowingScope& scope,
-                                              const std::vector<std::size_t>& moving) const {
-  Declaration declaration(scope, moving);
+                                              const std::vector<std::size_t>& coordinates,
+                                              const std::vector<std::size_t>& symbols) const {
+  Declaration declaration(scope, coordinates, symbols);
   std::vector<Use> left = uses_;
   declaration.add_roots(left);
   declaration.add_transcendental(left);

@@ -45,10 +45,11 @@ public:
     virtual void add(const FunctionMeaning& meaning) = 0;
   };
   /// Those that no declared function means; what cannot be treated is left out, and whoever
-  /// evaluates a formula with it complains.  `moving`: the coordinates and the declared functions.
+  /// evaluates a formula with it complains.  `symbols`: the functions and constants of the file.
   /// Requires names(), in the ring of the scope
   [[nodiscard]] WrittenFunctions declare(GrowingScope& scope,
-                                         const std::vector<std::size_t>& moving) const;
+                                         const std::vector<std::size_t>& coordinates,
+                                         const std::vector<std::size_t>& symbols) const;
 
   enum class Family : std::uint8_t { angle, exponent, root, logarithm };
   /// All functions of one argument that belong together.

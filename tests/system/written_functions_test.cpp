@@ -120,6 +120,20 @@ TEST(WrittenFunctions, RootsOfParametersAreConstants) {
   EXPECT_EQ(*set.field.hamiltonian, formula(set, "(u^2 + v^2)/2 + 3/2*x^2"));
 }
 
+// Two ways to write one argument are not two functions.
+TEST(WrittenFunctions, ArgumentsWithRoots) {
+  EXPECT_THAT(complaint("exp(sqrt(x)^2) + exp(x)"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("exp(x/sqrt(x)) + exp(sqrt(x))"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("exp(a*x) + exp(sqrt(a)^2*x)"), HasSubstr("is missing"));
+  EXPECT_EQ(complaint("exp(sqrt(x)) + exp(x)"), "no complaint");
+  EXPECT_EQ(complaint("exp(sqrt(x)^2)"), "no complaint");
+}
+
+TEST(WrittenFunctions, OfZero) {
+  const System s = with("exp(a*x)*x + cos(a*y) + sin(a*y)", "", {{"a", "0"}});
+  EXPECT_EQ(*s.field.hamiltonian, formula(s, "(u^2 + v^2)/2 + x + 1"));
+}
+
 TEST(WrittenFunctions, Logarithms) {
   const System s = with("log(x) + ln(y)");
   EXPECT_THAT(meanings(s), ElementsAre("log_x = log(x)", "log_y = log(y)"));
@@ -131,6 +145,7 @@ TEST(WrittenFunctions, WhatIsNotTreatedIsTold) {
   EXPECT_THAT(complaint("cos(x) + cos(x + a)"), HasSubstr("is missing"));
   EXPECT_THAT(complaint("exp(x) + exp(x + 1)"), HasSubstr("is missing"));
   EXPECT_THAT(complaint("log(x) + log(x*y)"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("log(x) + log(sqrt(x))"), HasSubstr("is missing"));
   EXPECT_THAT(complaint("exp(a)*x"), HasSubstr("is missing"));
   EXPECT_THAT(complaint("exp(log(x))"), HasSubstr("is missing"));
   EXPECT_THAT(complaint("cos(x) + cos(1000*x)"), HasSubstr("is missing"));
