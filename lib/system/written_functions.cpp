@@ -223,10 +223,14 @@ public:
     std::stable_partition(uses.begin(), uses.end(), [](const Use& u) { // these names come first
       return u.argument.kind() == Expression::Kind::name;
     });
-    with_basis(taken(uses, Family::angle),
-               [this](const auto& all, const Basis& b) { angles(all, b); });
-    with_basis(taken(uses, Family::exponent),
-               [this](const auto& all, const Basis& b) { exponentials(all, b); });
+    const Known angular = taken(uses, Family::angle);
+    const Known exponents = taken(uses, Family::exponent);
+    const auto plain = [this](const auto& one) { return is_rational(one.second); };
+    with_basis(angular, [this](const auto& all, const Basis& b) { angles(all, b); });
+    if (angular.empty() || // exp(I*x) is cos(x) + I*sin(x)
+        (std::all_of(angular.begin(), angular.end(), plain) &&
+         std::all_of(exponents.begin(), exponents.end(), plain)))
+      with_basis(exponents, [this](const auto& all, const Basis& b) { exponentials(all, b); });
     logarithms(taken(uses, Family::logarithm));
   }
   WrittenFunctions result() { return std::move(all_); }

@@ -125,6 +125,8 @@ TEST(WrittenFunctions, ArgumentsWithRoots) {
   EXPECT_THAT(complaint("exp(sqrt(x)^2) + exp(x)"), HasSubstr("is missing"));
   EXPECT_THAT(complaint("exp(x/sqrt(x)) + exp(sqrt(x))"), HasSubstr("is missing"));
   EXPECT_THAT(complaint("exp(a*x) + exp(sqrt(a)^2*x)"), HasSubstr("is missing"));
+  EXPECT_THAT(complaint("exp(sqrt(-1)*x) + cos(x)"), HasSubstr("is missing"));
+  EXPECT_EQ(complaint("exp(a*x) + cos(x)"), "no complaint");
   EXPECT_EQ(complaint("exp(sqrt(x)) + exp(x)"), "no complaint");
   EXPECT_EQ(complaint("exp(sqrt(x)^2)"), "no complaint");
 }
