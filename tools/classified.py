@@ -19,7 +19,7 @@ PAGE = ROOT / "docs" / "classified.md"
 HEAD = """# Systems with parameters, classified
 
 Written by `tools/classified.py`: one run of `kovacic classify FILE` for each file in `cases/classify`, with no hint but the system, beside what is published.
-"Open" means that neither integrals nor an obstruction of order 1 to 3 (at numbers 1 to 5) were found; the command lists what was tried.
+"Open" means that neither integrals nor an obstruction of order 1 to 5 were found; the command lists what was tried.
 How the theorems come about: [theory/classify.md](theory/classify.md).
 """
 

@@ -22,8 +22,6 @@ namespace {
 using Clock = Budget::Clock;
 
 constexpr std::size_t most_compared = 8;     // integrable strata with one exclusion
-constexpr int default_order = 3;             // of variational equations
-constexpr int order_at_numbers = 5;          // where no parameters are left
 constexpr long low_degree = 2;               // of the integrals that are looked for first
 constexpr double part_with_parameters = 0.5; // of the time that is left: special values need some
 
@@ -304,12 +302,6 @@ private:
       note(p, "along " + report.name, outcome(report));
   }
 
-  // At numbers an order costs little.
-  [[nodiscard]] int highest_order(const Round& round) const {
-    return is_at_numbers(round) && options_.order >= default_order
-               ? std::max(options_.order, order_at_numbers)
-               : options_.order;
-  }
   [[nodiscard]] static bool is_at_numbers(const Round& round) {
     return round.system.field.parameters.size() <= round.levels.size();
   }
@@ -322,11 +314,10 @@ private:
       Options decide = options_.check.decide;
       decide.budget = share(0.3 / static_cast<double>(left--));
       std::string why;
-      const int order = highest_order(round);
-      if (const auto e = exclusion_of_higher_order(round.system, m, order, decide, why))
+      if (const auto e = exclusion_of_higher_order(round.system, m, options_.order, decide, why))
         exclude(round, *e);
       for (Piece& p : round.pieces)
-        note(p, "orders 2.." + std::to_string(order) + " along " + m.name, why);
+        note(p, "orders 2.." + std::to_string(options_.order) + " along " + m.name, why);
     }
     result_.stages.emplace_back("higher orders", seconds_since(start));
   }
@@ -661,6 +652,11 @@ private:
   // Where equations hold the system is a special one, and all is done again.
   void again(const Round& round, Piece piece) {
     try {
+      if (auto parts = by_factors(round, piece); parts.size() > 1) {
+        for (Piece& part : parts)
+          again(round, std::move(part));
+        return;
+      }
       const SolvedSet solved = solve(piece.where);
       Substitution values;
       for (const auto& [i, value] : solved.values)
@@ -686,6 +682,13 @@ private:
       note(piece, "the equations of the parameters", e.what());
       leave_open(std::move(piece));
     }
+  }
+
+  static std::vector<Piece> by_factors(const Round& round, const Piece& piece) {
+    std::vector<Piece> parts;
+    for (const ParameterSet& set : kov::by_factors(piece.where, may_vanish(round.system)))
+      if (auto part = on_part(piece, set)) parts.push_back(*std::move(part));
+    return parts;
   }
 
   // With the time that is left when all special values have had theirs.

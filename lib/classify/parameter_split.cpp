@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace kov {
 namespace {
@@ -205,6 +206,22 @@ SolvedSet solve(const ParameterSet& where) {
     std::erase_if(s.left, [](const MPoly& p) { return is_zero(p); });
   }
   return s;
+}
+
+std::vector<ParameterSet> by_factors(const ParameterSet& where, const MayVanish& may_vanish) {
+  for (const MPoly& p : solve(where).left) {
+    const auto factors = factor(p).second;
+    if (factors.size() < 2) continue;
+    Sets parts, rest{where};
+    for (const MFactor& f : factors)
+      for (const ParameterSet& left : std::exchange(rest, {})) {
+        SetParts cut = split_set(left, {f.base}, {}, may_vanish);
+        append(parts, std::move(cut.inside));
+        append(rest, std::move(cut.outside));
+      }
+    return parts; // p vanishes on all of the set: nothing is left outside
+  }
+  return {where};
 }
 
 } // namespace kov

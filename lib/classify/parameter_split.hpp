@@ -49,4 +49,11 @@ struct SolvedSet {
 /// Example to_string(solve(all.where_zero(a - b*b)).values.at(0))  // -> b^2
 [[nodiscard]] SolvedSet solve(const ParameterSet& where);
 
+/// Disjoint parts, one for each factor that an equation has when others are solved: on c = a^2 - 1,
+/// c = 3 these are a = 2 and a = -2.  The set itself if there are none.
+/// Example by_factors(all.where_zero(b - a*a).where_zero(b - MPoly(ring, Integer(4))), any).size()  // -> 2
+/// Example by_factors(all.where_zero(b - a*a), any).size()  // -> 1
+[[nodiscard]] std::vector<ParameterSet> by_factors(const ParameterSet& where,
+                                                   const MayVanish& may_vanish);
+
 } // namespace kov

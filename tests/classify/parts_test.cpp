@@ -30,6 +30,22 @@ protected:
   }
 };
 
+// Two equations of one set may have factors together that neither has.
+TEST_F(Parts, FactorsAfterSolving) {
+  const auto on = [&](const MPoly& p, const MPoly& q) {
+    return by_factors(all_.where_zero(p).where_zero(q), any_);
+  };
+  const auto points = on(b_ - a_ * a_, b_ - number(4));
+  EXPECT_EQ(points.size(), 2U);
+  EXPECT_EQ(count(points, 2, 4), 1);
+  EXPECT_EQ(count(points, -2, 4), 1);
+  EXPECT_EQ(on(b_ - a_ * a_, b_ - number(2)).size(), 1U); // a^2 = 2
+  EXPECT_EQ(on(b_ - a_ * a_, b_ - number(0)).size(), 1U); // twice the same point
+  EXPECT_EQ(on(b_ - a_ * a_ * a_, b_ - a_).size(), 3U);   // a = 0, 1, -1
+  EXPECT_EQ(on(b_ - a_ * a_, b_ * b_ - b_).size(), 3U);   // a^4 = a^2
+  EXPECT_EQ(by_factors(all_.where_zero(a_ - b_), any_).size(), 1U);
+}
+
 TEST_F(Parts, EachPointIsInOnePart) {
   const SetParts parts = split_set(all_, {a_ * b_}, {{a_ - b_, a_ * a_ - number(4)}, {b_}}, any_);
   for (long a = -3; a <= 3; ++a)

@@ -286,7 +286,7 @@ struct CommandLine {
         ->check(silent(CLI::Range(1, 20)))
         ->type_name("D");
     command->add_flag("--only-file", a.only_file, "no solutions but the manifolds of the file");
-    order_flag(*command, "3");
+    order_flag(*command, "5");
     set_flag(*command);
     process_flags(*command, 60, "seconds for the whole file");
     work_flag(*command);
