@@ -448,19 +448,25 @@ std::string which_part(const PlanarPotential& p) {
          " degree, " + std::to_string(p.k) + ", of the potential";
 }
 
-ExclusionReason why(const PlanarPotential& p, std::size_t points,
-                    const std::vector<std::vector<Rational>>& choices) {
+// What all statements about Darboux points have in common.
+ExclusionReason reason(const PlanarPotential& p) {
   ExclusionReason by;
-  by.solution = "the Darboux points of " + which_part(p);
   by.level = "energy not 0";
-  by.reason = "their eigenvalues are not in the table of Morales-Ruiz and Ramis; with " +
-              std::to_string(points) + " simple points it leaves " + text_of(choices);
   by.integrals = p.part == Part::all ? ExcludedClass::meromorphic : ExcludedClass::rational;
-  by.theorems = {morales_ramis().name};
   by.trusted = {"the polynomial of the eigenvalues at Darboux points"};
   if (p.part != Part::all)
     by.theorems.push_back("Ziglin's lemma, for parts of " +
                           std::string(p.part == Part::highest ? "highest" : "lowest") + " weight");
+  return by;
+}
+
+ExclusionReason why(const PlanarPotential& p, std::size_t points,
+                    const std::vector<std::vector<Rational>>& choices) {
+  ExclusionReason by = reason(p);
+  by.solution = "the Darboux points of " + which_part(p);
+  by.reason = "their eigenvalues are not in the table of Morales-Ruiz and Ramis; with " +
+              std::to_string(points) + " simple points it leaves " + text_of(choices);
+  by.theorems.insert(by.theorems.begin(), morales_ramis().name);
   return by;
 }
 
@@ -494,15 +500,122 @@ std::optional<Exclusion> exclusion(const System& s, const PlanarPotential& p, co
   return e;
 }
 
+// ---- parameters at which a zero of g becomes isotropic: there V vanishes
+
+MPoly content(const std::vector<MPoly>& polynomial) {
+  MPoly all = polynomial.front();
+  for (const MPoly& f : polynomial)
+    all = gcd(all, f);
+  return all;
+}
+
+// The coefficients of the remainder of g modulo the circle: 0 where it divides g.
+std::vector<MPoly> remainder(const Chart& c) {
+  const auto circle = coefficients(c.circle, c.w);
+  auto g = coefficients(c.g, c.w);
+  while (g.size() > 2) {
+    const MPoly top = g.back();
+    const std::size_t shift = g.size() - 3;
+    for (MPoly& f : g)
+      f = f * circle[2];
+    for (std::size_t i = 0; i < 3; ++i)
+      g[shift + i] = g[shift + i] - top * circle[i];
+    g.pop_back();
+  }
+  return g;
+}
+
+bool is_generic_polynomial(const PlanarPotential& p, const Chart& c) {
+  return degree(c.den, c.w) == 0 && c.points == p.directions &&
+         std::all_of(c.isotropic.begin(), c.isotropic.end(), [](long m) { return m == 0; });
+}
+
+// Where one or both of the isotropic directions are zeros of g: chi, without the factors that vanish
+// there, keeps a zero k - 2 for each, and the others belong to Darboux points.
+std::optional<Exclusion> exclusion_at_isotropic(const System& s, const PlanarPotential& p,
+                                                const Chart& c, std::vector<MPoly> chi, long merged,
+                                                const Budget& budget) {
+  const long points = c.points - merged;
+  const Rational hidden(p.k - 2);
+  if (points < 1) return std::nullopt;
+  const MPoly common = content(chi);
+  for (MPoly& f : chi)
+    f = exact_div(f, common);
+  const std::vector<MPoly> divided = remainder(c);
+  const std::vector<MPoly> where =
+      merged == 1 ? std::vector<MPoly>{resultant(c.g, c.circle, c.w)} : divided;
+  std::vector<MPoly> conditions{c.determinant, coefficients(c.circle, c.w).back(), c.leading, c.den,
+                                chi.back()};
+  if (c.points > 1) conditions.push_back(discriminant(c.g, c.w));
+  if (std::any_of(conditions.begin(), conditions.end(), [](const MPoly& f) { return is_zero(f); }))
+    return std::nullopt;
+  const Rational sum = Rational(-p.k, 2) * (Rational(merged, p.k - 2) + Rational(2 - merged, p.k));
+  const auto choices = eigenvalue_choices(p.k, points, sum, budget);
+  Exclusion e;
+  e.not_all_zero = p.not_all_zero;
+  const auto here = [&](const std::vector<MPoly>& list) {
+    std::vector<MPoly> all;
+    for (const MPoly& f : list)
+      if (!is_zero(f)) all.push_back(back(f, s.ring()));
+    return all;
+  };
+  e.zero = here(where);
+  if (merged == 1) e.not_all_zero.push_back(here(divided));
+  for (const MPoly& f : conditions)
+    e.not_all_zero.push_back({back(f, s.ring())});
+  for (auto choice : choices) {
+    choice.insert(choice.end(), static_cast<std::size_t>(merged), hidden);
+    std::sort(choice.begin(), choice.end());
+    auto zero = equations(chi, choice);
+    zero.insert(zero.end(), where.begin(), where.end());
+    for (const auto& component : components(zero, conditions, budget))
+      e.not_all_zero.push_back(here(component));
+  }
+  e.by = why(p, static_cast<std::size_t>(points), choices);
+  return e;
+}
+
+// ---- multiple zeros of g, all of them directions of Darboux points
+
+std::optional<Exclusion> exclusion_at_multiple(const System& s, const PlanarPotential& p,
+                                               const Chart& c) {
+  if (p.k < 3 || c.points < 2) return std::nullopt;
+  std::vector<MPoly> conditions{c.determinant, coefficients(c.circle, c.w).back(), c.leading};
+  for (const MPoly& other : {c.circle, c.num, c.den})
+    if (degree(other, c.w) > 0)
+      conditions.push_back(resultant(c.g, other, c.w));
+    else
+      conditions.push_back(other);
+  if (std::any_of(conditions.begin(), conditions.end(), [](const MPoly& f) { return is_zero(f); }))
+    return std::nullopt;
+  Exclusion e;
+  e.zero = {back(discriminant(c.g, c.w), s.ring())};
+  e.not_all_zero = p.not_all_zero;
+  for (const MPoly& f : conditions)
+    e.not_all_zero.push_back({back(f, s.ring())});
+  e.by = reason(p);
+  e.by.solution = "a multiple Darboux point of " + which_part(p);
+  e.by.reason = "no potential of degree " + std::to_string(p.k) +
+                " with such a point is integrable but r^" + std::to_string(p.k) +
+                ": the first other term gives a logarithm";
+  e.by.theorems.insert(e.by.theorems.begin(), morales_ramis_simo().name);
+  return e;
+}
+
 void add_exclusions(const System& s, const PlanarPotential& p, const Chart& c, const Budget& budget,
                     std::vector<Exclusion>& all) {
   if (c.points == 0) return;
+  if (auto e = exclusion_at_multiple(s, p, c)) all.push_back(*std::move(e));
   const auto sum = sum_of_inverses(c, p.k);
   if (!sum) return;
   const auto chi = eigenvalue_polynomial(c, p.k);
   if (chi.size() != static_cast<std::size_t>(c.points) + 1) return;
   for (long lost = 0; lost < c.points && lost <= most_lost; ++lost)
     if (auto e = exclusion(s, p, c, *sum, chi, lost, budget)) all.push_back(*std::move(e));
+  if (is_generic_polynomial(p, c))
+    for (const long merged : {1L, 2L})
+      if (auto e = exclusion_at_isotropic(s, p, c, chi, merged, budget))
+        all.push_back(*std::move(e));
 }
 
 void add_exclusions(const System& s, const PlanarPotential& p, const Budget& budget,

@@ -471,6 +471,50 @@ TEST(Classify, EvenQuartics) {
 }
 
 // Where H is no quotient any more, the degrees of the coefficients are other ones.
+// V vanishes along an isotropic direction, x = 0, where c = 0: of all parameters, or of these alone.
+TEST(Classify, IsotropicDirectionsOnWhichThePotentialVanishes) {
+  const auto merged =
+      classify_system(planar("u*v + x^3 + 3*x^2*y + b*x*y^2 + c*y^3", "'b', 'c'"), within(20, 2));
+  const auto always =
+      classify_system(planar("u*v + x^3 + 3*x^2*y + b*x*y^2", "'b'"), within(20, 2));
+  for (long b = -5; b <= 5; ++b)
+    EXPECT_EQ(status_at(merged, {{"b", b}, {"c", 0}}), status_at(always, {{"b", b}})) << b;
+  EXPECT_EQ(status_at(merged, {{"b", 2}, {"c", 0}}), "excluded");
+  EXPECT_EQ(status_at(merged, {{"b", 0}, {"c", 0}}), "integrable");
+}
+// Of one direction of two, x^2 + y^2 = 0, which the rational numbers do not tell apart.
+TEST(Classify, OneIsotropicDirectionOfTwo) {
+  const auto c = classify_system(planar("(u^2 + v^2)/2 + x^2*y/2 + a/3*x^3 + c/3*y^3", "'a', 'c'"),
+                                 within(60, 2));
+  for (const ClassifiedStratum& s : c.strata)
+    for (const MPoly& p : s.where.equations())
+      EXPECT_FALSE(s.status == StratumStatus::open && to_string(p) == "4*a^2 + 4*c^2 - 12*c + 9");
+}
+// All but the radial potential, whatever the first other term.
+TEST(Classify, MultipleDarbouxPoints) {
+  const auto excluded = [](const std::string& v, const std::string& mass = "u^2 + v^2") {
+    for (const Exclusion& e : exclusions_by_darboux_points(planar("(" + mass + ")/2 + " + v), {})) {
+      const bool here = e.zero.empty() || std::all_of(e.zero.begin(), e.zero.end(),
+                                                      [](const MPoly& p) { return is_zero(p); });
+      const bool proved =
+          here && std::all_of(e.not_all_zero.begin(), e.not_all_zero.end(), [](const auto& list) {
+            return std::any_of(list.begin(), list.end(),
+                               [](const MPoly& p) { return !is_zero(p); });
+          });
+      if (proved && e.by.solution.rfind("a multiple", 0) == 0) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(excluded("y^3/3 + x^2*y/2"));
+  EXPECT_TRUE(excluded("y^3/3 + x^2*y/2 + 5*x^3"));
+  EXPECT_TRUE(excluded("y^4/4 + x^2*y^2/2 + x^4"));
+  EXPECT_TRUE(excluded("y^6/6 + x^2*y^4/2 + x^4*y^2/2 + x^6/7"));
+  EXPECT_TRUE(excluded("y^3/3 + x^2*y", "u^2/2 + v^2")); // x = q/sqrt(2)
+  EXPECT_FALSE(excluded("y^6/6 + x^2*y^4/2 + x^4*y^2/2 + x^6/6"));
+  EXPECT_FALSE(excluded("y^4/4 + x^2*y^2/2 + x^4/4"));
+  EXPECT_FALSE(excluded("y^3/3 + x^2*y")); // simple
+  EXPECT_FALSE(excluded("y^3/3"));         // an isotropic multiple zero
+}
 TEST(Classify, IntegralsOfASpecialFormAreLookedForAgain) {
   const auto c = classify_system(
       planar("(u^2 + v^2)/(2 + 2*b*x^2) + 6*x^4*y + 32*x^2*y^3 + 32*y^5", "'b'"), within(60, 2));
