@@ -186,6 +186,9 @@ private:
     if (options.want_certificate) certify_formula(decision, options.budget);
     Json result = closed(decision, recognized_json(equation, decision, options.budget));
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
+    if (settings_.polynomial_of_y)
+      result["polynomial_of_y"] =
+          polynomial_json(decision, settings_.max_print << 20, options.budget);
     if (!settings_.second_opinion) return message(tag_of(decision), result, decision.certificate);
     const SecondOpinion second =
         second_opinion(decision.r, decision, options.budget, options.want_certificate);
@@ -249,6 +252,8 @@ private:
     }
     result["recognized"] = known;
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
+    if (settings_.polynomial_of_y)
+      result["polynomial_of_y"] = {{"missing", "parameters have no values"}};
     if (settings_.second_opinion)
       result["second_opinion"] = {{"text", "no monodromy matrices: parameters have no values"}};
     if (result.contains("refused_by_checker")) return message(tag_disagreement, result);

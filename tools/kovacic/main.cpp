@@ -344,6 +344,8 @@ struct CommandLine {
                     "--batch: go on behind the answers that -o has from a run that ended early");
     solve->add_flag("--no-times", solve_arguments.no_times,
                     "--batch: leave out the times, so that each run writes the same bytes");
+    solve->add_flag("--polynomial-of-y", settings.polynomial_of_y,
+                    "A4, S4, A5: also the polynomial of y itself, not only that of y'/y");
     solver_flags(*solve, {"text", "json", "tex", "sympy", "maxima", "sage"},
                  "text, json, tex, sympy, maxima or sage");
 

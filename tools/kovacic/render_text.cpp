@@ -91,12 +91,12 @@ std::string listed(const Json& texts) {
   return all;
 }
 
-std::string minimal_polynomial(const Json& coefficients) {
+std::string minimal_polynomial(const Json& coefficients, const std::string& unknown = "w") {
   std::string s;
   for (std::size_t i = coefficients.size(); i-- > 0;) {
     const std::string c = coefficients[i].get<std::string>();
     if (c == "0") continue;
-    const std::string power = i == 0 ? "" : i == 1 ? "w" : "w^" + std::to_string(i);
+    const std::string power = i == 0 ? "" : i == 1 ? unknown : unknown + "^" + std::to_string(i);
     if (!s.empty()) s += " + ";
     s += c == "1" && i > 0 ? power : "(" + c + ")" + (power.empty() ? "" : "*" + power);
   }
@@ -128,6 +128,18 @@ std::vector<std::string> solution_lines(const Json& result) {
     lines.push_back((given ? "y" : u) + (formulas.size() > 1 ? std::to_string(i + 1) : "") + " = " +
                     formulas[i] + (formulas.size() == known.size() ? note(known[i]) : ""));
   return lines;
+}
+
+void put_polynomial_of_y(std::ostringstream& out, const Json& result) {
+  if (!result.contains("polynomial_of_y")) return;
+  const Json& y = result.at("polynomial_of_y");
+  const std::string u = is_transformed(result) ? "u" : "y";
+  if (y.contains("missing"))
+    return put(out, u, "no polynomial: " + y.at("missing").get<std::string>());
+  const std::string factor = y.at("factor").get<std::string>();
+  put(out, u,
+      u + "^" + y.at("power").dump() + " = " + (factor == "1" ? "" : "(" + factor + ")*") +
+          "X with " + minimal_polynomial(y.at("polynomial"), "X"));
 }
 
 void put_solutions(std::ostringstream& out, const Json& result) {
@@ -220,6 +232,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   }
   if (result.contains("strata")) {
     print_strata(out, result, style.whole || style.trace);
+    put_polynomial_of_y(out, result);
     if (result.contains("second_opinion"))
       put(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
     if (const Json& known = result.at("recognized"); !known.is_null())
@@ -247,6 +260,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   }
   if (result.contains("original")) put_original(out, result.at("original"));
   put_solutions(out, result);
+  put_polynomial_of_y(out, result);
   if (style.solutions && result.contains("no_solutions"))
     put(out, "solutions", "not printed: " + result.at("no_solutions").get<std::string>());
   if (style.trace && result.contains("trace")) {

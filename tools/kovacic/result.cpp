@@ -1,6 +1,7 @@
 #include "result.hpp"
 
 #include "decide/words.hpp"
+#include "galois/algebraic_solution.hpp"
 #include "galois/basis.hpp"
 #include "galois/exponential_form.hpp"
 #include "recognized.hpp"
@@ -23,6 +24,30 @@ Json basis_json(const Decision& d, const RationalFunction& gauge, std::size_t mo
     return {both->first, both->second};
   } catch (const OutOfBudget&) {
     return nullptr;
+  }
+}
+
+Json polynomial_json(const Decision& d, std::size_t most_bytes, const Budget& budget) {
+  const auto missing = [](const std::string& why) { return Json{{"missing", why}}; };
+  if (d.no_solutions) return missing(to_string(*d.no_solutions));
+  if (!d.group || d.proof() == nullptr) return missing("the group is not known");
+  try {
+    const auto y = algebraic_solution(*d.proof(), d.r, budget);
+    if (!y) return missing("the group is none of A4, S4, A5");
+    Json j = {{"power", y->power},
+              {"factor", to_string(y->factor, d.variable)},
+              {"polynomial", Json::array()}};
+    std::size_t bytes = 0;
+    for (const Poly& c : y->polynomial) {
+      j["polynomial"].push_back(to_string(c, d.variable));
+      bytes += j["polynomial"].back().get_ref<const std::string&>().size();
+      if (most_bytes > 0 && bytes > most_bytes)
+        return missing("size limit: it takes more than " + std::to_string(most_bytes >> 20) +
+                       " MiB");
+    }
+    return j;
+  } catch (const OutOfBudget& limit) {
+    return missing(limit.what());
   }
 }
 
