@@ -275,4 +275,20 @@ algebraic_solution(const Classification& c, const RationalFunction& r, const Bud
   return y;
 }
 
+std::optional<AlgebraicSolution>
+times_exponential(AlgebraicSolution y, const RationalFunction& gauge, const Budget& budget) {
+  const RationalFunction theta = RationalFunction(y.power) * gauge;
+  const LogarithmicParts parts = logarithmic_parts(theta, budget);
+  RationalFunction f(1);
+  for (const auto& [q, rho] : parts.residues) {
+    if (degree(rho) > 0 || !is_rational(rho.coeff(0))) return std::nullopt;
+    const Rational e = to_rational(rho.coeff(0));
+    if (!is_integer(e) || abs(e) > Rational(budget.max_degree)) return std::nullopt;
+    f *= pow(RationalFunction(q), to_long(e.num()));
+  }
+  if (derivative(f) != theta * f) return std::nullopt; // the exponential of a rational function
+  y.factor *= f;
+  return y;
+}
+
 } // namespace kov

@@ -29,10 +29,18 @@ struct AlgebraicSolution {
 /// With y^power in it the polynomial is irreducible over C(z), of degree 24, 48, 120.  Verified by
 /// solves() before it is returned; unset for all other groups.
 /// Throws  OutOfBudget; InternalError if the verification fails
-/// Given   const RationalFunction r(-32*z*z + 27*z - 27, 144*z*z*(z - 1)*(z - 1));
-/// Example algebraic_solution(classify(r), r)->polynomial.size()  // -> 7
+/// Given   const RationalFunction tetrahedral(-32*z*z + 27*z - 27, 144*z*z*(z - 1)*(z - 1));
+/// Example algebraic_solution(classify(tetrahedral), tetrahedral)->polynomial.size()  // -> 7
 /// Example algebraic_solution(classify(z), z).has_value()  // -> no
 [[nodiscard]] std::optional<AlgebraicSolution>
 algebraic_solution(const Classification& c, const RationalFunction& r, const Budget& budget = {});
+
+/// That of y exp(int gauge): the same polynomial, and another factor.  Unset where exp(power int gauge)
+/// is not in K(z).
+/// Given   const AlgebraicSolution y{4, z, {-1, 1}};
+/// Example times_exponential(y, RationalFunction(-1, 2*z))->factor  // -> 1/z
+/// Example times_exponential(y, 1).has_value()  // -> no
+[[nodiscard]] std::optional<AlgebraicSolution>
+times_exponential(AlgebraicSolution y, const RationalFunction& gauge, const Budget& budget = {});
 
 } // namespace kov

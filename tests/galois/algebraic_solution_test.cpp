@@ -80,6 +80,21 @@ TEST(AlgebraicSolution, OverANumberField) {
                       schwarz[i].name);
 }
 
+// y exp(int gauge): a rational power is a factor, and nothing else is.
+TEST(AlgebraicSolution, WithAFactor) {
+  const RationalFunction r = riemann(schwarz[0]), f(z, z - Poly(3));
+  const AlgebraicSolution y = *algebraic_solution(classify(r), r);
+  const auto by = [&](const RationalFunction& gauge) { return times_exponential(y, gauge); };
+  const RationalFunction theta = derivative(f) / f;
+  EXPECT_EQ(by(theta)->factor, y.factor * pow(f, 4));
+  EXPECT_EQ(by(theta * RationalFunction(Rational(-3, 4)))->factor, y.factor * pow(f, -3));
+  EXPECT_EQ(by(theta)->polynomial, y.polynomial);
+  EXPECT_FALSE(by(theta * RationalFunction(Rational(1, 3))));
+  EXPECT_FALSE(by(theta + RationalFunction(z)));
+  EXPECT_FALSE(by(RationalFunction(z, z * z - Poly(2)) * RationalFunction(Rational(1, 3))));
+  EXPECT_FALSE(by(RationalFunction(Poly(1), z * z - Poly(2))));
+}
+
 TEST(AlgebraicSolution, OnlyForPrimitiveFiniteGroups) {
   for (const RationalFunction& r :
        {RationalFunction(z), RationalFunction(0), RationalFunction(Rational(-3, 16)) / (z * z),

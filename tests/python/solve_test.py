@@ -50,6 +50,15 @@ class Solve(unittest.TestCase):
         self.assertEqual(kovacic.solve("z*y'' + y' = 0").basis, ("1", "log(z)"))
         self.assertIsNone(kovacic.solve("z").basis)
 
+    def test_polynomial_of_y(self):
+        r = "-3/(16*z^2) - 2/(9*(z-1)^2) + 3/(16*z*(z-1))"
+        power, factor, coefficients = kovacic.solve(r).polynomial_of_y
+        self.assertEqual((power, str(factor), len(coefficients), str(coefficients[4])), (4, "z^2 - z", 7, "(5*z - 5)/2"))
+        given = kovacic.solve(f"y'' + y'/z - (1/(4*z^2) + {r})*y = 0").polynomial_of_y
+        self.assertEqual((str(given[1]), given[2]), ("(z - 1)/z", coefficients))
+        self.assertIsNone(kovacic.solve(f"y'' + y' - (-1/4 + {r})*y = 0").polynomial_of_y)
+        self.assertIsNone(kovacic.solve("z").polynomial_of_y)
+
     def test_evidence_by_pattern_matching(self):
         match kovacic.solve("z^2 + 3").because:
             case ByEngines(kovacic.Argument.torus_one_line, exponential=omega):

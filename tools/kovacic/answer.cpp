@@ -188,7 +188,7 @@ private:
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     if (settings_.polynomial_of_y)
       result["polynomial_of_y"] =
-          polynomial_json(decision, settings_.max_print << 20, options.budget);
+          polynomial_json(decision, gauge_, settings_.max_print << 20, options.budget);
     if (!settings_.second_opinion) return message(tag_of(decision), result, decision.certificate);
     const SecondOpinion second =
         second_opinion(decision.r, decision, options.budget, options.want_certificate);

@@ -137,6 +137,7 @@ public:
     if (result_.contains("strata")) strata();
     if (result_.at("solutions").is_array()) solutions();
     if (result_.contains("basis")) basis();
+    if (result_.contains("polynomial_of_y")) polynomial_of_y(result_.at("polynomial_of_y"));
     return std::move(text_);
   }
 
@@ -259,23 +260,62 @@ private:
     const std::string name = "P" + std::to_string(number);
     const std::string w = z_ == "w" ? "v" : "w";
     comment("y = exp(integral of " + w + "), where " + name + " = 0");
-    if (number == 1 && program_ == Program::sympy) define(w, "Symbol('" + w + "')");
-    if (number == 1 && program_ == Program::sage) define(w, "var('" + w + "')");
-    std::string sum;
+    if (number == 1) unknown(w);
     const std::string power = program_ == Program::sympy ? "**" : "^";
-    for (std::size_t i = 0; i < coefficients.size(); ++i)
-      sum += (i == 0 ? "(" : " + (") + formula(coefficients[i].get<std::string>()) + ")*" + w +
-             power + std::to_string(i);
-    define(name, sum);
+    define(name, polynomial(coefficients, w));
     const std::string flow =
         fmt::format("diff({0}, {1}) + diff({0}, {2})*(r - {2}{3}2)", name, z_, w, power);
+    divide(flow, name, w);
+  }
+
+  void unknown(const std::string& name) {
+    if (program_ == Program::sympy) define(name, "Symbol('" + name + "')");
+    if (program_ == Program::sage) define(name, "var('" + name + "')");
+  }
+  [[nodiscard]] std::string polynomial(const Json& coefficients, const std::string& x) const {
+    std::string sum;
+    for (std::size_t i = 0; i < coefficients.size(); ++i)
+      sum += (i == 0 ? "(" : " + (") + formula(coefficients[i].get<std::string>()) + ")*" + x +
+             (program_ == Program::sympy ? "**" : "^") + std::to_string(i);
+    return sum;
+  }
+
+  // y^k = factor X, Q(z, X) = 0, is a solution: docs/theory/algebraic_solution.md, 5.
+  void polynomial_of_y(const Json& y) {
+    if (y.contains("missing"))
+      return comment("no polynomial of y: " + y.at("missing").get<std::string>());
+    const std::string k = y.at("power").dump(), x = z_ == "X" ? "T" : "X";
+    const std::string power = program_ == Program::sympy ? "**" : "^";
+    comment("y" + power + k + " = y_factor*" + x + " for the solutions of y'' = r y, where Q = 0");
+    unknown(x);
+    define("y_factor", formula(y.at("factor").get<std::string>()));
+    if (y.contains("given_factor")) {
+      comment("for those of the given equation this is the factor");
+      define("given_factor", formula(y.at("given_factor").get<std::string>()));
+    }
+    define("Q", polynomial(y.at("polynomial"), x));
+    define("y_beta", fmt::format("-diff(y_factor, {})/({}*y_factor)", z_, k));
+    define("Q_z", fmt::format("diff(Q, {})", z_));
+    define("Q_X", fmt::format("diff(Q, {})", x));
+    define("Q_2", fmt::format("2*diff(Q_z, {0})*Q_z*Q_X - diff(Q_X, {0})*Q_z{2}2 - "
+                              "diff(Q_z, {1})*Q_X{2}2",
+                              x, z_, power));
+    define("y_check",
+           fmt::format("{0}*{1}*Q_2 - ({0} - 1)*Q_z{2}2*Q_X + 2*{0}*y_beta*{1}*Q_z*Q_X{2}2 - "
+                       "{0}{2}2*(r + diff(y_beta, {3}) - y_beta{2}2)*{1}{2}2*Q_X{2}3",
+                       k, x, power, z_));
+    divide("y_check", "Q", x);
+  }
+
+  // Prints the remainder, which is 0.
+  void divide(const std::string& f, const std::string& by, const std::string& x) {
     if (program_ == Program::sympy)
-      line(fmt::format("print(simplify(rem({}, {}, {})))  # 0", flow, name, w));
+      line(fmt::format("print(simplify(rem({}, {}, {})))  # 0", f, by, x));
     else if (program_ == Program::maxima)
-      line(fmt::format("ratsimp(second(divide(ratsimp({}), {}, {})));", flow, name, w));
+      line(fmt::format("ratsimp(second(divide(ratsimp({}), {}, {})));", f, by, x));
     else
-      line(fmt::format("print((({}).polynomial(SR, '{}') % {}.polynomial(SR, '{}')))  # 0", flow, w,
-                       name, w));
+      line(fmt::format("print((({}).polynomial(SR, '{}') % {}.polynomial(SR, '{}')))  # 0", f, x,
+                       by, x));
   }
 
   const Json& result_;

@@ -43,7 +43,7 @@ std::string tex_call(const Expression& e) {
     return "\\" + e.name() + "\\left(" + inside + "\\right)";
   if (e.name() == "int")
     return "\\int " + tex(e.operand(0), of_product) + "\\,d" +
-           (e.operands().size() > 1 ? tex(e.operand(1)) : "z");
+           (e.operands().size() > 1 ? tex(e.operand(1), of_product) : "z");
   if (e.name() == "root")
     return "\\operatorname{root}\\left(" + inside + "\\right)"; // the approximation is left out
   std::string list;
@@ -184,18 +184,33 @@ std::string tex_of_formula(const std::string& formula) {
 
 namespace {
 
-// The polynomial that w satisfies; coefficients ascending.
-std::string polynomial_tex(const Json& c) {
+// The polynomial that w satisfies, or X; coefficients ascending.
+std::string polynomial_tex(const Json& c, const std::string& unknown = "w") {
   std::string polynomial;
   for (std::size_t i = c.size(); i-- > 0;) {
     const std::string text = c[i].get<std::string>();
     if (text == "0") continue;
-    const std::string power = i == 0 ? "" : i == 1 ? "w" : "w^{" + std::to_string(i) + "}";
+    const std::string power = i == 0   ? ""
+                              : i == 1 ? unknown
+                                       : unknown + "^{" + std::to_string(i) + "}";
     if (!polynomial.empty()) polynomial += " + ";
     polynomial +=
         text == "1" && i > 0 ? power : "\\left(" + tex_of_formula(text) + "\\right)" + power;
   }
   return polynomial;
+}
+
+std::string polynomial_of_y_tex(const Json& result) {
+  if (!result.contains("polynomial_of_y")) return {};
+  const Json& y = result.at("polynomial_of_y");
+  if (y.contains("missing"))
+    return "No polynomial of $y$: " + escaped(y.at("missing").get<std::string>()) + ".\n";
+  const bool given = y.contains("given_factor");
+  const std::string factor = y.at(given ? "given_factor" : "factor").get<std::string>();
+  return std::string(is_transformed(result) && !given ? "\\[ u" : "\\[ y") + "^{" +
+         y.at("power").dump() +
+         "} = " + (factor == "1" ? "" : "\\left(" + tex_of_formula(factor) + "\\right)") +
+         "X,\\quad " + polynomial_tex(y.at("polynomial"), "X") + " = 0 \\]\n";
 }
 
 std::string solutions_tex(const Json& result) {
@@ -223,7 +238,7 @@ std::string tex_of_result(const Json& result, const std::string& title) {
     const bool sum = r.find(' ') != std::string::npos && body.find("\\frac") != 0;
     s += "\\[ y'' = " + (sum ? "\\left(" + body + "\\right)" : body) + "\\,y \\]\n";
   }
-  if (result.contains("strata")) return s + strata_tex(result);
+  if (result.contains("strata")) return s + strata_tex(result) + polynomial_of_y_tex(result);
   s += "$G = " + group_tex(result.at("group")) +
        "$, $G^0 = " + component_tex(result.at("identity_component")) + "$";
   const std::string abelian = result.at("abelian").get<std::string>();
@@ -237,8 +252,8 @@ std::string tex_of_result(const Json& result, const std::string& title) {
   if (result.contains("second_opinion"))
     s += "A second opinion: " + escaped(result.at("second_opinion").at("text").get<std::string>()) +
          ".\n";
-  if (!result.at("solutions").is_array()) return s;
-  return s + solutions_tex(result);
+  if (result.at("solutions").is_array()) s += solutions_tex(result);
+  return s + polynomial_of_y_tex(result);
 }
 
 } // namespace kov::cli

@@ -133,10 +133,12 @@ std::vector<std::string> solution_lines(const Json& result) {
 void put_polynomial_of_y(std::ostringstream& out, const Json& result) {
   if (!result.contains("polynomial_of_y")) return;
   const Json& y = result.at("polynomial_of_y");
-  const std::string u = is_transformed(result) ? "u" : "y";
+  const bool of_u = is_transformed(result) && !y.contains("given_factor");
+  const std::string u = of_u ? "u" : "y";
   if (y.contains("missing"))
     return put(out, u, "no polynomial: " + y.at("missing").get<std::string>());
-  const std::string factor = y.at("factor").get<std::string>();
+  const std::string factor =
+      y.at(y.contains("given_factor") ? "given_factor" : "factor").get<std::string>();
   put(out, u,
       u + "^" + y.at("power").dump() + " = " + (factor == "1" ? "" : "(" + factor + ")*") +
           "X with " + minimal_polynomial(y.at("polynomial"), "X"));

@@ -27,7 +27,8 @@ Json basis_json(const Decision& d, const RationalFunction& gauge, std::size_t mo
   }
 }
 
-Json polynomial_json(const Decision& d, std::size_t most_bytes, const Budget& budget) {
+Json polynomial_json(const Decision& d, const RationalFunction& gauge, std::size_t most_bytes,
+                     const Budget& budget) {
   const auto missing = [](const std::string& why) { return Json{{"missing", why}}; };
   if (d.no_solutions) return missing(to_string(*d.no_solutions));
   if (!d.group || d.proof() == nullptr) return missing("the group is not known");
@@ -37,6 +38,9 @@ Json polynomial_json(const Decision& d, std::size_t most_bytes, const Budget& bu
     Json j = {{"power", y->power},
               {"factor", to_string(y->factor, d.variable)},
               {"polynomial", Json::array()}};
+    if (!is_zero(gauge))
+      if (const auto given = times_exponential(*y, gauge, budget))
+        j["given_factor"] = to_string(given->factor, d.variable);
     std::size_t bytes = 0;
     for (const Poly& c : y->polynomial) {
       j["polynomial"].push_back(to_string(c, d.variable));

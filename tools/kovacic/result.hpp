@@ -32,10 +32,11 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
 /// none are known, and where a limit leaves them out.
 [[nodiscard]] Json basis_json(const Decision& decision, const RationalFunction& gauge,
                               std::size_t most_bytes, const Budget& budget);
-/// {power, factor, polynomial}: y^power = factor*X, and the coefficients of the polynomial of X
-/// (ascending).  {missing}: why there is none.
-[[nodiscard]] Json polynomial_json(const Decision& decision, std::size_t most_bytes,
-                                   const Budget& budget);
+/// {power, factor, polynomial}: y^power = factor*X for the solutions of y'' = r y, and the
+/// coefficients of the polynomial of X (ascending).  given_factor: the factor for those of
+/// the given equation, if gauge is not 0 and there is one.  {missing}: why there is none.
+[[nodiscard]] Json polynomial_json(const Decision& decision, const RationalFunction& gauge,
+                                   std::size_t most_bytes, const Budget& budget);
 /// Is y'' = r y another equation than the given one?
 [[nodiscard]] bool is_transformed(const Json& result);
 

@@ -85,11 +85,6 @@ int solve(const Settings& settings, const SolveArguments& a) {
              "solve FILE");
     return exit_input;
   }
-  if (settings.polynomial_of_y && settings.format != "text" && settings.format != "json") {
-    complain(settings, "--polynomial-of-y says nothing to --format " + settings.format,
-             "it is printed as text and as JSON");
-    return exit_input;
-  }
   if (!a.batch.empty()) {
     if (a.resume && (settings.output.empty() || settings.output == "-")) {
       complain(settings, "--resume needs the file of the answers", "write: -o FILE");

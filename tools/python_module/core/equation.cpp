@@ -7,6 +7,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/equation_file.hpp"
 #include "equation/parametric_equation.hpp"
+#include "galois/algebraic_solution.hpp"
 #include "galois/basis.hpp"
 #include "galois/exponential_form.hpp"
 #include "recognize/symbolic_family.hpp"
@@ -76,6 +77,22 @@ std::optional<std::pair<std::string, std::string>> basis_of(const Decision& d,
   const auto both = basis(*d.proof(), d.r, d.solutions, d.variable, gauge, Budget::of_seconds(60));
   if (!both) return std::nullopt;
   return std::pair{both->first, both->second};
+}
+
+/// y^power = factor*X, and the coefficients of the polynomial of X, ascending.
+using PolynomialOfY = std::tuple<long, Function, std::vector<Function>>;
+
+// Of y exp(int gauge).
+std::optional<PolynomialOfY> polynomial_of_y(const Decision& d, const RationalFunction& gauge) {
+  if (d.proof() == nullptr) return std::nullopt;
+  const Budget budget = Budget::of_seconds(60);
+  auto y = algebraic_solution(*d.proof(), d.r, budget);
+  if (y && !is_zero(gauge)) y = times_exponential(*std::move(y), gauge, budget);
+  if (!y) return std::nullopt;
+  std::vector<Function> coefficients;
+  for (const Poly& c : y->polynomial)
+    coefficients.push_back({RationalFunction(c), d.variable});
+  return PolynomialOfY{y->power, Function{y->factor, d.variable}, coefficients};
 }
 
 std::string headline(const Decision& d) {
@@ -318,6 +335,10 @@ void bind_decision(py::module_& m) {
           "two formulas, checked in exact arithmetic, where the group is reducible or dihedral; or "
           "None")
       .def_property_readonly(
+          "polynomial_of_y", [](const Decision& d) { return polynomial_of_y(d, {}); },
+          "(k, factor, coefficients) for A4, S4, A5, else None: y^k = factor*X, and the polynomial "
+          "of X, ascending")
+      .def_property_readonly(
           "no_solutions",
           [](const Decision& d) -> std::optional<std::string> {
             if (!d.no_solutions) return std::nullopt;
@@ -368,6 +389,12 @@ void bind_decision(py::module_& m) {
             return basis_of(s, s.given.p * RationalFunction(Rational(-1, 2)));
           },
           "both solutions of the given equation as formulas, or None")
+      .def_property_readonly(
+          "polynomial_of_y",
+          [](const Solved& s) {
+            return polynomial_of_y(s, s.given.p * RationalFunction(Rational(-1, 2)));
+          },
+          "the same for the given equation; None also where no such power is algebraic over K(z)")
       .def_property_readonly(
           "constants",
           [](const Solved& s) {

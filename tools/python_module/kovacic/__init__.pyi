@@ -209,6 +209,7 @@ class Decision:
     second_opinion: int | None
     solutions: list[LiouvillianSolution]
     basis: tuple[str, str] | None
+    polynomial_of_y: tuple[int, RationalFunction, list[RationalFunction]] | None
     no_solutions: str | None
     only_case: int | None
     trace: list[tuple[str, str]]
@@ -680,6 +681,7 @@ class Solved(Decision):
     q: RationalFunction
     factor: str
     basis: tuple[str, str] | None
+    polynomial_of_y: tuple[int, RationalFunction, list[RationalFunction]] | None
     constants: dict[str, str]
 
 
