@@ -2,6 +2,7 @@
 
 #include "decide/words.hpp"
 #include "equation/assumptions.hpp"
+#include "linode/centre.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
 #include "second_opinion.hpp"
@@ -178,13 +179,14 @@ private:
     if (equation.form != GivenEquation::Form::r)
       open_["original"] = original_form(equation, options.budget);
     gauge_ = equation.p * RationalFunction(Rational(-1, 2));
+    const NormalForm here = moved(equation.normal_form, options);
     say(message(tag_undecided, open_));
     options.proved = [this](const Decision& d) {
       say(message(tag_of(d), closed(d, nullptr), d.certificate));
     };
-    Decision decision = decide(equation.normal_form, options);
+    Decision decision = decide(here, options);
     if (options.want_certificate) certify_formula(decision, options.budget);
-    Json result = closed(decision, recognized_json(equation, decision, options.budget));
+    Json result = closed(decision, recognized_json(decision, equation.constant, options.budget));
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     if (settings_.polynomial_of_y)
       result["polynomial_of_y"] =
@@ -194,6 +196,19 @@ private:
         second_opinion(decision.r, decision, options.budget, options.want_certificate);
     result["second_opinion"] = second.json;
     return message(tag_of(decision), result, decision.certificate, second.proof.json);
+  }
+
+  // Where the equation is over a smaller field, or its numbers are small: the answer is written in
+  // the variable z - c.  Certificates, steps and matrices are those of the given equation.
+  NormalForm moved(const NormalForm& given, Options& options) {
+    if (options.want_certificate || options.want_trace || options.only_case ||
+        options.method != Method::automatic || settings_.second_opinion)
+      return given;
+    const auto there = centred(given);
+    if (!there) return given;
+    options.variable = centred_variable(options.variable, there->centre);
+    gauge_ = there->equation.p * RationalFunction(Rational(-1, 2));
+    return there->equation;
   }
 
   // What only a formula decides: the rule for classical equations proves the identity component.

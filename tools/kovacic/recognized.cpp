@@ -4,6 +4,7 @@
 #include "decide/whittaker_pull_back.hpp"
 #include "equation/linear_form.hpp"
 #include "equation/parameter_scope.hpp"
+#include "equation/read_equation.hpp"
 #include "exact/error.hpp"
 #include "recognize/canonical_names.hpp"
 #include "recognize/symbolic_family.hpp"
@@ -52,18 +53,16 @@ void ensure_agreement(const ClosedAnswer& closed, const Decision& d) {
   if (closed.component && d.component) KOV_ENSURE(*closed.component == *d.component);
 }
 
-Json recognized_json(const GivenEquation& equation, const Decision& decision,
-                     const Budget& budget) {
+Json recognized_json(const Decision& decision, const std::string& constant, const Budget& budget) {
   std::optional<Recognized> found;
   try {
-    found =
-        recognize(equation.normal_form.r, budget, decision.places ? &*decision.places : nullptr);
+    found = recognize(decision.r, budget, decision.places ? &*decision.places : nullptr);
     if (!found && decision.places)
-      found = recognize_pull_back(*decision.places, equation.variable, budget);
+      found = recognize_pull_back(*decision.places, decision.variable, budget);
   } catch (const OutOfBudget&) { // the answer itself is there
   }
   if (!found) return nullptr;
-  const auto names = fresh_names(found->parameters, letters_of(equation.constant));
+  const auto names = fresh_names(found->parameters, letters_of(constant));
   Json j;
   j["family"] = to_string(found->family);
   j["equation"] = renamed(found->equation, names);
@@ -71,10 +70,11 @@ Json recognized_json(const GivenEquation& equation, const Decision& decision,
   for (const auto& [name, value] : found->parameters)
     j["parameters"][renamed(name, names)] = value;
   j["change"] = nullptr;
-  std::string left = equation.variable;
+  std::string left = decision.variable;
   if (found->centre)
-    left = "(" + to_string(Poly::z() - Poly(*found->centre), equation.variable) + ")^2";
+    left = "(" + to_string(Poly::z() - Poly(*found->centre), decision.variable) + ")^2";
   if (found->z_of_x) j["change"] = left + " = " + to_string(*found->z_of_x, "x");
+  if (!found->z_of_x && !is_name(left)) j["change"] = left + " = x";
   j["closed_answer"] = nullptr;
   if (found->answer) {
     ensure_agreement(*found->answer, decision);
@@ -185,7 +185,9 @@ std::string recognized_text(const Json& j) {
   }
   if (!j.at("change").is_null()) {
     const std::string change = j.at("change").get<std::string>();
-    if (!change.ends_with(" = x")) text += "; " + change;
+    const bool only_a_name =
+        change.ends_with(" = x") && is_name(change.substr(0, change.size() - 4));
+    if (!only_a_name) text += "; " + change;
   }
   return text;
 }

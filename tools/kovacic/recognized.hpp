@@ -11,9 +11,9 @@ namespace kov::cli {
 /// {"abelian", "group", "reason"}
 [[nodiscard]] Json closed_json(const ClosedAnswer& answer);
 
-/// The object under "recognized"; null if nothing is.
+/// The object under "recognized"; null if nothing is.  constant: the generator of the field in texts.
 /// Throws InternalError when the closed answer of the family contradicts the decision.
-[[nodiscard]] Json recognized_json(const GivenEquation& equation, const Decision& decision,
+[[nodiscard]] Json recognized_json(const Decision& decision, const std::string& constant,
                                    const Budget& budget);
 /// For an equation with free parameters: the family, and its answer as conditions; null if nothing
 /// is recognised.
