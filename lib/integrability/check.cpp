@@ -4,6 +4,7 @@
 #include "integrability/block.hpp"
 #include "integrability/components.hpp"
 #include "integrability/conclude.hpp"
+#include "integrability/decoupling.hpp"
 #include "integrability/levels.hpp"
 #include "integrability/linearise.hpp"
 #include "integrability/matrices.hpp"
@@ -63,11 +64,32 @@ void decide_exceptions(const Study& study, std::vector<BlockReport>& all) {
   }
 }
 
+bool has_large_block(const ManifoldReport& report) {
+  const auto parts = blocks(report.reduced.system, *report.manifold);
+  return std::any_of(parts.begin(), parts.end(), [](const auto& b) { return b.size() > 2; });
+}
+
+// The same set by equations whose variations fall apart, as long as a block is too large.
+void fall_apart(const Study& study, ManifoldSpec& spec, ManifoldReport& report) {
+  const ReduceSpec* asked = reduction_for(study.system, spec.name);
+  if (asked != nullptr && (asked->unknown || !asked->normal.empty())) return;
+  const Budget& budget = study.options.decide.budget;
+  for (std::size_t k = 0; k < spec.equations.size() && has_large_block(report); ++k) {
+    auto better = decoupled(spec, report, budget);
+    if (!better) return;
+    auto proved = prove_invariant(study.system.field, *better, budget);
+    if (!std::holds_alternative<InvariantManifold>(proved)) return;
+    spec = *std::move(better);
+    report.manifold = std::get<InvariantManifold>(std::move(proved));
+    linearise(study, report);
+  }
+}
+
 } // namespace
 
 ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
                               const std::vector<ClaimReport>& claims, const CheckOptions& options) {
-  const ManifoldSpec spec = adapted_to_translations(s, given, claims);
+  ManifoldSpec spec = adapted_to_translations(s, given, claims);
   const Study study{s, spec, claims, options};
   ManifoldReport report;
   report.name = spec.name;
@@ -80,6 +102,7 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     }
     report.manifold = std::get<InvariantManifold>(std::move(proved));
     linearise(study, report);
+    fall_apart(study, spec, report);
     decide_blocks(study, report);
     decide_exceptions(study, report.blocks);
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::no_obstruction) {
