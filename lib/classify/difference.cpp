@@ -1,9 +1,12 @@
 #include "classify/difference.hpp"
 
 #include "exact/error.hpp"
+#include "exact/factor.hpp"
+#include "exact/finite_algebra.hpp"
 #include "special/arithmetic.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace kov {
 namespace {
@@ -52,6 +55,39 @@ std::optional<MFraction> restricted(const MFraction& f, const ParameterSet& wher
   return where.restrict(f.num()) / den;
 }
 
+// The rational numbers among the values of f, and perhaps some more, where the equations of the set
+// leave finitely many values to all that f uses; unset: they do not, or no limit suffices.
+std::optional<std::vector<Rational>> rational_values(const MFraction& f,
+                                                     const ParameterSet& where) {
+  constexpr long most_points = 24;
+  const auto equations = where.equations();
+  std::set<std::size_t> used;
+  for (const MPoly& p : equations)
+    for (const std::size_t i : used_variables(p))
+      used.insert(i);
+  for (const MPoly& part : {f.num(), f.den()})
+    for (const std::size_t i : used_variables(part))
+      if (!used.contains(i)) return std::nullopt;
+  try {
+    const Ideal points(f.ring(), {used.begin(), used.end()}, equations);
+    if (points.dimension() != 0) return std::nullopt;
+    const FiniteAlgebra algebra(points, most_points);
+    const auto element = algebra.evaluate(f);
+    if (!element) return std::nullopt;
+    std::vector<NfElem> coefficients;
+    for (const MFraction& c : algebra.minimal_polynomial(*element))
+      coefficients.emplace_back(to_rational(c));
+    std::vector<Rational> values;
+    for (const Factor& factor : irreducible_factors(Poly::from_coefficients(coefficients)))
+      if (degree(factor.base) == 1) values.push_back(to_rational(-factor.base.coeff(0)));
+    return values;
+  } catch (const InvalidArgument&) { // more points than that
+    return std::nullopt;
+  } catch (const OutOfBudget&) {
+    return std::nullopt;
+  }
+}
+
 std::variant<bool, DifferenceCondition> with_sign(bool satisfied, bool holds) {
   return satisfied == holds;
 }
@@ -66,7 +102,14 @@ std::variant<bool, DifferenceCondition> on_set(const DifferenceCondition& c,
     const auto here = restricted(square, where);
     if (!here) return c;
     if (!is_zero(*here) && !is_constant(*here)) {
-      left.squares.push_back(*here);
+      const auto values = rational_values(*here, where);
+      const auto special = [&](const Rational& value) { return is_special(c, value); };
+      const auto root = [](const Rational& value) { return exact_sqrt(value).has_value(); };
+      if (!values || std::any_of(values->begin(), values->end(), special) ||
+          (c.or_all_rational && std::any_of(values->begin(), values->end(), root)))
+        left.squares.push_back(*here);
+      else
+        left.or_all_rational = false;
       continue;
     }
     const Rational value = is_zero(*here) ? Rational(0) : to_rational(*here);
@@ -404,9 +447,16 @@ std::vector<Rational> plus_multiple(std::vector<Rational> a, const Rational& c,
   return a;
 }
 
-// F(x) is no square of (1/N) Z for x at or beyond this; unset: F has no finite limit.
-std::optional<Rational> bound(const Univariate& f, const Integer& n) {
-  if (f.num.size() > f.den.size()) return std::nullopt;
+// F(x) is no square of one of the classes for x at or beyond this; unset: F grows, or its limit is
+// finite and the classes are all of Q.
+std::optional<Rational> bound(const Univariate& f,
+                              const std::optional<std::vector<Residues>>& classes) {
+  if (f.num.size() > f.den.size()) {
+    if (sign(f.num.back()) == sign(f.den.back())) return std::nullopt;
+    return std::max(bound_of_zeros(f.num), bound_of_zeros(f.den)); // negative from there on
+  }
+  if (!classes) return std::nullopt;
+  const Integer n = denominator(*classes);
   const Rational limit = f.num.size() < f.den.size() ? Rational(0) : f.num.back() / f.den.back();
   const auto gap = distance(limit, n);
   if (!gap) return std::nullopt;
@@ -420,10 +470,10 @@ std::optional<Rational> bound(const Univariate& f, const Integer& n) {
 
 std::optional<CommonValues> values_by(const DifferenceCondition& a, const DifferenceCondition& b) {
   const auto first = residues(a);
-  const auto second = residues(b);
+  if (!first) return std::nullopt;
   const auto f = in_terms_of(a.squares.front(), b.squares.front());
   if (!f) return std::nullopt;
-  const auto from = bound(*f, denominator(*second));
+  const auto from = bound(*f, residues(b));
   if (!from) return std::nullopt;
   CommonValues all{a.squares.front(), {}};
   const Integer n = denominator(*first);
@@ -442,8 +492,7 @@ std::optional<CommonValues> values_by(const DifferenceCondition& a, const Differ
 std::optional<CommonValues> common_values(const DifferenceCondition& a,
                                           const DifferenceCondition& b) {
   for (const DifferenceCondition* c : {&a, &b})
-    if (!c->holds || c->or_all_rational || c->squares.size() != 1 || c->kind == Kind::rational)
-      return std::nullopt;
+    if (!c->holds || c->or_all_rational || c->squares.size() != 1) return std::nullopt;
   if (auto values = values_by(a, b)) return values;
   return values_by(b, a);
 }

@@ -65,7 +65,8 @@ struct CommonValues {
 };
 /// Where both conditions may hold; unset: not known to be at finitely many values.
 /// Two differences D1, D2 in (1/N) Z with D2^2 = F(D1^2), F a rational function with a finite limit at
-/// infinity: near the limit D2^2 takes no special value.
+/// infinity: near the limit D2^2 takes no special value.  If F falls to minus infinity D2 may be any
+/// rational number: a square is not negative.
 /// Cost   the numbers of (1/N) Z below a bound on the zeros of F
 /// Given   const MFraction other = MFraction(ring, Rational(16)) / MFraction(a);
 /// Given   const DifferenceCondition inverse{DifferenceCondition::Kind::integer, {other}};

@@ -5,6 +5,7 @@
 #include "manifold/lines.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <random>
 #include <set>
 
@@ -45,6 +46,7 @@ std::vector<std::uint32_t> masks(const MPoly& f, const std::vector<std::size_t>&
 constexpr std::size_t most_for_subspaces = 16;  // 2^n subsets
 constexpr std::size_t most_for_involutions = 8; // about n! / (n/2)! pairings with signs
 constexpr std::size_t most_for_all_involutions = 6;
+constexpr std::size_t most_candidates = 50000;
 constexpr std::size_t most_intersections = 24;
 
 void require_few(const char* what, std::size_t n, std::size_t most) {
@@ -189,10 +191,15 @@ struct Involution {
   std::vector<int> sign;
 };
 
-void involutions(std::size_t j, Involution& s, std::vector<Involution>& all) {
+using MayMap = std::function<bool(std::size_t, std::size_t)>; ///< x_j to +-x_k
+
+void involutions(std::size_t j, Involution& s, const MayMap& may_map,
+                 std::vector<Involution>& all) {
   const std::size_t n = s.image.size();
   while (j < n && s.sign[j] != 0)
     ++j;
+  if (all.size() == most_candidates)
+    throw OutOfBudget("too many involutions would have to be tried");
   if (j == n) {
     all.push_back(s);
     return;
@@ -200,13 +207,13 @@ void involutions(std::size_t j, Involution& s, std::vector<Involution>& all) {
   for (const int e : {1, -1}) {
     s.image[j] = j;
     s.sign[j] = e;
-    involutions(j + 1, s, all);
+    if (may_map(j, j)) involutions(j + 1, s, may_map, all);
     for (std::size_t k = j + 1; k < n; ++k) {
-      if (s.sign[k] != 0) continue;
+      if (s.sign[k] != 0 || !may_map(j, k) || !may_map(k, j)) continue;
       s.image[j] = k;
       s.image[k] = j;
       s.sign[j] = s.sign[k] = e;
-      involutions(j + 1, s, all);
+      involutions(j + 1, s, may_map, all);
       s.sign[k] = 0;
     }
     s.sign[j] = 0;
@@ -224,40 +231,68 @@ std::vector<bool> exponentials(const VectorField& v, const Extended& x) {
 std::vector<Involution> involutions(std::size_t n) {
   Involution s{std::vector<std::size_t>(n), std::vector<int>(n, 0)};
   std::vector<Involution> all;
-  involutions(0, s, all);
+  involutions(
+      0, s, [](std::size_t, std::size_t) { return true; }, all);
   return all;
 }
 
-// a on the first variables, a again, b on those that follow.
-Involution joined(const Involution& a, const Involution& b) {
+// The same on coordinates and momenta.
+Involution twice(const Involution& a) {
   Involution s = a;
-  for (const Involution* next : {&a, &b}) {
-    const std::size_t shift = s.image.size();
-    for (const std::size_t j : next->image)
-      s.image.push_back(j + shift);
-    s.sign.insert(s.sign.end(), next->sign.begin(), next->sign.end());
-  }
+  for (const std::size_t j : a.image)
+    s.image.push_back(j + a.image.size());
+  s.sign.insert(s.sign.end(), a.sign.begin(), a.sign.end());
   return s;
 }
 
-// Of few variables all; of many those that do the same to coordinates and momenta.
-std::vector<Involution> candidates(const VectorField& v, const Extended& x) {
+std::vector<Involution> of_coordinates(const VectorField& v) {
   const std::size_t n = v.coordinates.size();
-  if (x.variables.size() <= most_for_all_involutions || n % 2 != 0)
-    return involutions(x.variables.size());
+  if (n <= most_for_all_involutions || n % 2 != 0) return involutions(n);
   std::vector<Involution> all;
-  const auto of_functions = involutions(v.functions.size());
   for (const Involution& a : involutions(n / 2))
-    for (const Involution& b : of_functions)
-      all.push_back(joined(a, b));
+    all.push_back(twice(a));
   return all;
 }
 
-// What is listed then is short enough.
-bool are_few(const VectorField& v, const Extended& x) {
+// [i][j]: function i depends on coordinate j.
+std::vector<std::vector<bool>> dependence(const VectorField& v) {
+  std::vector<std::vector<bool>> all;
+  for (const FunctionSymbol& f : v.functions) {
+    all.emplace_back();
+    for (const MFraction& slope : f.gradient)
+      all.back().push_back(!is_zero(slope));
+  }
+  return all;
+}
+
+// On the coordinates it is a; a function of some of them goes to one of their images.
+void add_continuations(const Involution& a, const std::vector<std::vector<bool>>& dependence,
+                       std::vector<Involution>& all) {
+  const std::size_t n = a.image.size();
+  Involution s = a;
+  s.image.resize(n + dependence.size());
+  s.sign.resize(n + dependence.size(), 0);
+  const MayMap may_map = [&](std::size_t j, std::size_t k) {
+    if (j < n || k < n) return j < n && k < n;
+    for (std::size_t i = 0; i < n; ++i)
+      if (dependence[j - n][i] != dependence[k - n][a.image[i]]) return false;
+    return true;
+  };
+  involutions(n, s, may_map, all);
+}
+
+// Of few variables all; of many those that map coordinates to coordinates, and of more than six
+// coordinates with momenta those that do the same to both.
+std::vector<Involution> candidates(const VectorField& v, const Extended& x) {
+  if (x.variables.size() <= most_for_all_involutions) return involutions(x.variables.size());
   const std::size_t n = v.coordinates.size();
-  return x.variables.size() <= most_for_involutions ||
-         (n % 2 == 0 && n / 2 <= 4 && v.functions.size() <= 4);
+  if (n > most_for_involutions && (n % 2 != 0 || n / 2 > most_for_involutions))
+    require_few("fixed sets of involutions", n, most_for_involutions);
+  const auto depends = dependence(v);
+  std::vector<Involution> all;
+  for (const Involution& a : of_coordinates(v))
+    add_continuations(a, depends, all);
+  return all;
 }
 
 /// The values of the components at a point modulo a prime; unset when a denominator vanishes.
@@ -361,7 +396,6 @@ std::vector<FoundManifold> fixed_sets(const VectorField& v, const Extended& x,
                                       const Budget& budget) {
   std::vector<FoundManifold> found;
   const std::size_t n = x.variables.size();
-  if (!are_few(v, x)) require_few("fixed sets of involutions", n, most_for_involutions);
   const std::vector<Involution> all = candidates(v, x);
   const ModularField field(v, x);
   Involution identity{std::vector<std::size_t>(n), std::vector<int>(n, 1)};

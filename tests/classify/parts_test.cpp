@@ -46,6 +46,34 @@ TEST_F(Parts, FactorsAfterSolving) {
   EXPECT_EQ(by_factors(all_.where_zero(a_ - b_), any_).size(), 1U);
 }
 
+// An algebraic number that is not rational is the square of no rational number.
+TEST_F(Parts, ConditionsAtAlgebraicNumbers) {
+  const auto at = [&](const MPoly& p, const MFraction& square, Kind kind = Kind::rational,
+                      bool or_all_rational = false) {
+    return on_set({kind, {square}, or_all_rational}, all_.where_zero(p));
+  };
+  const MFraction a(a_), b(b_), one(ring_, Rational(1)), two(ring_, Rational(2));
+  const auto is = [](const std::variant<bool, DifferenceCondition>& answer, bool value) {
+    const bool* known = std::get_if<bool>(&answer);
+    return known != nullptr && *known == value;
+  };
+  EXPECT_TRUE(is(at(a_ * a_ - number(2), a), false));
+  EXPECT_TRUE(is(at(a_ * a_ - number(2), one / (a + one)), false));
+  EXPECT_TRUE(is(at(a_ * a_ - number(2), a * a + two), true));
+  EXPECT_TRUE(is(at(a_ * a_ - number(2), a * a + two, Kind::odd_half), false));
+  EXPECT_TRUE(is(at(a_ * a_ - number(2), a, Kind::integer, true), false));
+  EXPECT_TRUE(std::holds_alternative<DifferenceCondition>(at(a_ * a_ - number(2), b)));
+  EXPECT_TRUE(std::holds_alternative<DifferenceCondition>(at(a_ * a_ - b_, a)));
+  // a = 4 is special, a = 2 is not: not the same at all points
+  const MPoly both = (a_ - number(4)) * (a_ - number(2));
+  EXPECT_TRUE(std::holds_alternative<DifferenceCondition>(at(both, a)));
+  EXPECT_TRUE(is(at((a_ - number(3)) * (a_ - number(2)), a), false));
+  // of 4 and 3 the first is a square, if that is enough
+  const MPoly squares = (a_ - number(4)) * (a_ - number(3));
+  EXPECT_TRUE(is(at(squares, a, Kind::odd_half), false));
+  EXPECT_TRUE(std::holds_alternative<DifferenceCondition>(at(squares, a, Kind::odd_half, true)));
+}
+
 TEST_F(Parts, EachPointIsInOnePart) {
   const SetParts parts = split_set(all_, {a_ * b_}, {{a_ - b_, a_ * a_ - number(4)}, {b_}}, any_);
   for (long a = -3; a <= 3; ++a)
@@ -376,6 +404,24 @@ TEST_F(Parts, CommonValuesNeedALimitAndOneRelation) {
   EXPECT_FALSE(finite(of_a, {Kind::rational, {one / a}}));              // Q is dense
   EXPECT_FALSE(finite(of_a, negation({Kind::integer, {one / a}})));
   EXPECT_TRUE(finite({Kind::integer, {a / b}}, {Kind::integer, {b / a}})); // one relation
+}
+// D1^2 + 4 D2^2 = 5/4 and the like: an ellipse, whose points may be rational in D2.
+TEST_F(Parts, CommonValuesWhereOneSquareFalls) {
+  const MFraction a(a_), one(ring_, Rational(1)), five(ring_, Rational(5));
+  const auto values = [](const DifferenceCondition& x, const DifferenceCondition& y) {
+    const auto found = common_values(x, y);
+    return found ? found->values.size() : 99;
+  };
+  // D2^2 = 5 - D1^2: (0, not a square), 1 and 4
+  EXPECT_EQ(values({Kind::integer, {a}}, {Kind::integer, {five - a}}), 2U);
+  EXPECT_EQ(values({Kind::integer, {a}}, {Kind::rational, {five - a}}), 2U);
+  EXPECT_EQ(values({Kind::odd_half, {a}}, {Kind::odd_half, {MFraction(ring_, Rational(1, 2)) - a}}),
+            1U);
+  // half integers: 1/4 + 19/4 and 9/4 + 11/4 are not, 25/4 > 5; with D1 in Z and D2 in Z/2 as above
+  EXPECT_EQ(values({Kind::odd_half, {a}}, {Kind::rational, {five - a}}), 0U);
+  EXPECT_EQ(values({Kind::integer, {a}}, {Kind::integer, {five * a - a * a}}), 3U); // 0, 1, 4
+  EXPECT_EQ(values({Kind::rational, {a}}, {Kind::rational, {five - a}}), 99U);
+  EXPECT_EQ(values({Kind::integer, {a}}, {Kind::integer, {a - five}}), 99U); // Pell again
 }
 
 } // namespace
