@@ -103,6 +103,10 @@ ChangeFailure what_is_left(const FunctionField& f, const FunctionField::Element&
   const auto& minimal = *quadratic;
   // (2 r + c1)^2 = c1^2 - 4 c0
   const MFraction discriminant = minimal[1] * minimal[1] - Rational(4) * minimal[0];
+  if (is_zero(discriminant)) {
+    failure.message += "; the equations of the curve have multiplicities there";
+    return failure;
+  }
   const auto [square, core] = split_squares(discriminant);
   failure.message +=
       "; it lies in the quadratic extension by w with w^2 = " + brief(MFraction(core));

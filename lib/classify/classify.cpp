@@ -693,7 +693,7 @@ private:
 
   // With the time that is left when all special values have had theirs.
   void once_more(const Round& round, Piece piece) {
-    if (!round.limited || round.last) return leave_open(std::move(piece));
+    if (!round.limited || round.last) return leave_open_at_last(round, std::move(piece));
     Round next{round.system, round.claims, round.levels, std::move(piece)};
     next.integrals_known = round.integrals_known;
     next.last = true;
@@ -736,6 +736,17 @@ private:
     s.assumptions.push_back(std::move(a));
   }
 
+  // What excludes rational first integrals only comes after all others.
+  void leave_open_at_last(const Round& round, Piece piece) {
+    std::vector<Piece> pieces{std::move(piece)};
+    if (options_.search_solutions)
+      for (const Exclusion& e : exclusions_by_multiple_points_of_parts(round.system)) {
+        contradict_no_integrals(round, e);
+        kov::exclude(pieces, e, round.system, result_);
+      }
+    for (Piece& left : pieces)
+      leave_open(std::move(left));
+  }
   void leave_open(Piece piece) { kov::leave_open(std::move(piece), result_); }
 
   // ---- the theorem

@@ -605,7 +605,8 @@ std::optional<Exclusion> exclusion_at_multiple(const System& s, const PlanarPote
 void add_exclusions(const System& s, const PlanarPotential& p, const Chart& c, const Budget& budget,
                     std::vector<Exclusion>& all) {
   if (c.points == 0) return;
-  if (auto e = exclusion_at_multiple(s, p, c)) all.push_back(*std::move(e));
+  if (p.part == Part::all)
+    if (auto e = exclusion_at_multiple(s, p, c)) all.push_back(*std::move(e));
   const auto sum = sum_of_inverses(c, p.k);
   if (!sum) return;
   const auto chi = eigenvalue_polynomial(c, p.k);
@@ -618,13 +619,13 @@ void add_exclusions(const System& s, const PlanarPotential& p, const Chart& c, c
         all.push_back(*std::move(e));
 }
 
-void add_exclusions(const System& s, const PlanarPotential& p, const Budget& budget,
-                    std::vector<Exclusion>& all) {
+// In some charts: one is enough if no point is ever at infinity there.
+template <class F> void in_charts(const PlanarPotential& p, F look) {
   if (p.directions > most_directions) return;
   for (const auto& [cosine, sine] : {std::pair(1L, 0L), std::pair(3L, 4L), std::pair(5L, 12L)}) {
     const Chart c = chart(p, cosine, sine);
-    add_exclusions(s, p, c, budget, all);
-    if (c.points > 0 && is_constant(c.leading)) break; // no point is ever at infinity
+    look(c);
+    if (c.points > 0 && is_constant(c.leading)) break;
   }
 }
 
@@ -639,7 +640,17 @@ std::vector<std::vector<Rational>> eigenvalue_choices(long k, long points, const
 std::vector<Exclusion> exclusions_by_darboux_points(const System& s, const Budget& budget) {
   std::vector<Exclusion> all;
   for (const PlanarPotential& p : planar_potentials(s))
-    add_exclusions(s, p, budget, all);
+    in_charts(p, [&](const Chart& c) { add_exclusions(s, p, c, budget, all); });
+  return all;
+}
+
+std::vector<Exclusion> exclusions_by_multiple_points_of_parts(const System& s) {
+  std::vector<Exclusion> all;
+  for (const PlanarPotential& p : planar_potentials(s))
+    if (p.part != Part::all)
+      in_charts(p, [&](const Chart& c) {
+        if (auto e = exclusion_at_multiple(s, p, c)) all.push_back(*std::move(e));
+      });
   return all;
 }
 

@@ -31,6 +31,8 @@ std::vector<SystemClaim> usable_integrals(const System& s, const std::vector<Cla
 void linearise(const Study& study, ManifoldReport& report) {
   const System& s = study.system;
   const InvariantManifold& m = *report.manifold;
+  if (const std::string wrong = contradicted_function(s.field, m); !wrong.empty())
+    throw DomainError("the phase curve has no points: " + wrong);
   if (const std::string functions = unchecked_functions(s.field, m); !functions.empty())
     report.not_checked = "that the phase curve has points for the functions meant by " + functions +
                          ": only their derivatives and relations are known";

@@ -1,5 +1,8 @@
 #include "manifold/existence.hpp"
 
+#include "exact/error.hpp"
+#include "system/formula.hpp"
+
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -50,21 +53,52 @@ std::vector<MPoly> relations_in(const VectorField& v, const Indices& variables) 
   return all;
 }
 
-// The coordinate is 0 on the curve, and each function has the value that its meaning has there.
-bool has_values_at_zero(const VectorField& v, const InvariantManifold& m, std::size_t j,
-                        const Group& g) {
+/// The names of the ring, and no others.
+class RingScope : public Scope {
+public:
+  explicit RingScope(Ring ring) : ring_(std::move(ring)) {}
+  [[nodiscard]] const Ring& ring() const override { return ring_; }
+  [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override {
+    if (const auto i = ring_->find(name)) return MFraction::variable(ring_, *i);
+    return std::nullopt;
+  }
+  [[nodiscard]] const std::vector<FunctionMeaning>& functions() const override { return none_; }
+  [[nodiscard]] std::vector<std::string> known_names() const override { return ring_->names(); }
+
+private:
+  Ring ring_;
+  std::vector<FunctionMeaning> none_;
+};
+
+// f(u) at u = 0 where u = 0 on the curve; unset: it is not, or f is not known.
+std::optional<Rational> value_at_zero(const VectorField& v, const InvariantManifold& m,
+                                      const FunctionSymbol& f) {
   static const std::map<std::string, int> at_zero{{"sin", 0},  {"cos", 1},  {"tan", 0}, {"exp", 1},
                                                   {"sinh", 0}, {"cosh", 1}, {"tanh", 0}};
-  const auto value = [&](std::size_t i, int at) {
-    return m.vanishes_on_curve(MFraction::variable(v.ring, i) - MFraction(v.ring, Rational(at)));
-  };
-  return value(v.coordinates[j], 0) &&
-         std::all_of(g.functions.begin(), g.functions.end(), [&](const FunctionSymbol* f) {
-           return std::any_of(at_zero.begin(), at_zero.end(), [&](const auto& known) {
-             return f->meaning == known.first + "(" + v.name(j) + ")" &&
-                    value(f->variable, known.second);
-           });
-         });
+  try {
+    const Expression e = parse_expression(f.meaning, "means");
+    if (e.kind() != Expression::Kind::call || e.operands().size() != 1) return std::nullopt;
+    const auto known = at_zero.find(e.name());
+    if (known == at_zero.end()) return std::nullopt;
+    const MFraction argument = evaluate(e.operand(0), RingScope(v.ring));
+    if (!m.vanishes_on_curve(argument)) return std::nullopt;
+    return Rational(known->second);
+  } catch (const Error&) { // no meaning, or one with other names
+    return std::nullopt;
+  }
+}
+
+bool has_value(const VectorField& v, const InvariantManifold& m, const FunctionSymbol& f,
+               const Rational& value) {
+  return m.vanishes_on_curve(MFraction::variable(v.ring, f.variable) - MFraction(v.ring, value));
+}
+
+// Each function of the group has the value that its meaning has on the curve, at 0.
+bool has_values_at_zero(const VectorField& v, const InvariantManifold& m, const Group& g) {
+  return std::all_of(g.functions.begin(), g.functions.end(), [&](const FunctionSymbol* f) {
+    const auto value = value_at_zero(v, m, *f);
+    return value && has_value(v, m, *f, *value);
+  });
 }
 
 // The values of the functions run through an irreducible curve, all of it but the zeros of g, and
@@ -90,10 +124,26 @@ bool takes_every_value(const VectorField& v, const InvariantManifold& m, std::si
 
 } // namespace
 
+std::string contradicted_function(const VectorField& v, const InvariantManifold& m) {
+  std::vector<MPoly> curve;
+  for (const KPoly& g : m.curve->basis())
+    curve.push_back(m.curve->from_kpoly(g).num());
+  for (const FunctionSymbol& f : v.functions) {
+    const auto value = value_at_zero(v, m, f);
+    if (!value || !among(m.curve->main(), f.variable)) continue;
+    auto there = curve;
+    there.push_back((MFraction::variable(v.ring, f.variable) - MFraction(v.ring, *value)).num());
+    if (Ideal(v.ring, m.curve->main(), there, {}, m.curve->budget()).is_unit())
+      return f.meaning + " is " + to_string(*value) + " there, and " + v.ring->name(f.variable) +
+             " is not";
+  }
+  return {};
+}
+
 std::string unchecked_functions(const VectorField& v, const InvariantManifold& m) {
   Indices free;
   for (const auto& [j, group] : groups_of(v))
-    if (takes_every_value(v, m, j, group) || has_values_at_zero(v, m, j, group))
+    if (takes_every_value(v, m, j, group) || has_values_at_zero(v, m, group))
       free.insert(free.end(), group.variables.begin(), group.variables.end());
   Indices others;
   for (const FunctionSymbol& f : v.functions)

@@ -14,4 +14,8 @@ namespace kov {
 /// curve has points whatever functions with these gradients and relations are meant.
 [[nodiscard]] std::string unchecked_functions(const VectorField& v, const InvariantManifold& m);
 
+/// A sine, cosine, exponential, ... whose argument is 0 all along the curve, and which does not have
+/// its value there: "cos(a*q) is 1 there, and c is not".  The curve has no points then.  Empty: none.
+[[nodiscard]] std::string contradicted_function(const VectorField& v, const InvariantManifold& m);
+
 } // namespace kov

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 
 #include <algorithm>
+#include <random>
 
 namespace kov {
 namespace {
@@ -182,9 +183,57 @@ ClaimResult check_claim(const System& s, const SystemClaim& claim, const Budget&
   return check_same_field(s.field, read_system(folder + claim.other).field);
 }
 
+namespace {
+
+// Values of the parameters at which all that is assumed holds, and strictly.  Equations are not
+// solved: none is found where one is left.
+std::optional<Substitution> admitted_point(const System& s, std::mt19937& generator) {
+  std::uniform_int_distribution<int> number(-9, 30);
+  Substitution point;
+  for (const std::size_t i : s.field.parameters)
+    point[i] = MFraction(s.ring(), Rational(number(generator)));
+  for (const Assumption& a : s.assumptions) {
+    MFraction value(s.ring());
+    try {
+      value = substitute(a.value, point);
+    } catch (const DomainError&) {
+      return std::nullopt;
+    }
+    if (!is_zero(value) && !is_constant(value)) return std::nullopt; // algebraic constants
+    const Rational x = is_zero(value) ? Rational(0) : to_rational(value);
+    using Relation = Assumption::Relation;
+    const bool holds = a.relation == Relation::zero      ? is_zero(x)
+                       : a.relation == Relation::nonzero ? !is_zero(x)
+                       : a.relation == Relation::positive || a.relation == Relation::nonnegative
+                           ? sign(x) > 0
+                       : a.relation == Relation::integer ? is_integer(x)
+                                                         : true;
+    if (!holds) return std::nullopt;
+  }
+  return point;
+}
+
+// A function that is not 0 for general parameters may be 0 at all that are assumed.
+bool is_not_zero_as_assumed(const System& s, const MFraction& f) {
+  if (s.assumptions.empty()) return true;
+  std::mt19937 generator(7);
+  for (int k = 0; k < 1000; ++k)
+    if (const auto point = admitted_point(s, generator)) try {
+        if (!is_zero(substitute(f, *point))) return true;
+      } catch (const DomainError&) { // not defined there
+      }
+  return false;
+}
+
+} // namespace
+
 ClaimResult decide_claim(const System& s, const SystemClaim& claim, const Budget& budget) {
   try {
-    return check_claim(s, claim, budget);
+    ClaimResult result = check_claim(s, claim, budget);
+    if (!result.proved && claim.other.empty() && !is_not_zero_as_assumed(s, result.witness))
+      result.open = result.detail =
+          "false for general parameters; of those that are assumed nothing is said";
+    return result;
   } catch (const OutOfBudget& limit) {
     ClaimResult result;
     result.witness = MFraction(s.ring());

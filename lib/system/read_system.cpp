@@ -29,7 +29,8 @@ std::vector<std::size_t> indices(const Ring& ring, const std::vector<std::string
   return all;
 }
 
-void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
+void read_functions(const Entry& system, SystemScope& scope, System& s) {
+  VectorField& v = s.field;
   const Entry* functions = system.find("function");
   static const std::vector<const Entry*> none;
   const auto list = functions ? functions->list() : none;
@@ -52,10 +53,13 @@ void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
     }
     v.functions.push_back(std::move(symbol));
   }
-  auto symbols = v.constants;
+  FunctionsInFormulas::Declared declared{
+      v.coordinates, indices(v.ring, scope.velocities), v.constants, {}};
   for (const FunctionSymbol& f : v.functions)
-    symbols.push_back(f.variable);
-  const WrittenFunctions written = scope.written.declare(scope, v.coordinates, symbols);
+    declared.functions.push_back(f.variable);
+  const WrittenFunctions written = scope.written.declare(scope, declared);
+  for (const MPoly& p : written.nonzero)
+    assume_nonzero(p, 0, s);
   for (const WrittenFunction& f : written.symbols)
     scope.unused.erase(v.ring->name(f.variable));
   for (const std::size_t i : written.constants)
@@ -79,6 +83,45 @@ void read_functions(const Entry& system, SystemScope& scope, VectorField& v) {
     for (std::size_t j = 0; j < v.dimension(); ++j)
       symbol.gradient.push_back(f.slope * partial(v, f.argument, j));
     v.functions.push_back(std::move(symbol));
+  }
+}
+
+// df/du of what a symbol s = f(u) is said to mean: a rational function of s and u; or its square.
+struct Slope {
+  MFraction value;
+  bool squared = false;
+};
+std::optional<Slope> slope_of(const FunctionMeaning& m) {
+  const MFraction s = MFraction::variable(m.argument.ring(), m.variable);
+  const MFraction one(m.argument.ring(), Rational(1));
+  if (m.name == "exp") return Slope{s};
+  if (m.name == "log" || m.name == "ln") return Slope{one / m.argument};
+  if (m.name == "tan") return Slope{one + s * s};
+  if (m.name == "tanh") return Slope{one - s * s};
+  if (m.name == "sin" || m.name == "cos") return Slope{one - s * s, true};
+  if (m.name == "sinh") return Slope{one + s * s, true};
+  if (m.name == "cosh") return Slope{s * s - one, true};
+  if (const long n = order_of_root(m.name)) return Slope{s / (Rational(n) * m.argument)};
+  return std::nullopt;
+}
+
+// A derivative that what the symbol means does not have.
+void require_derivatives(const Entry& system, const SystemScope& scope, const VectorField& v) {
+  const Ideal relations = relation_ideal(v);
+  for (const FunctionMeaning& m : scope.meanings) {
+    if (m.value) continue;
+    const auto f = std::find_if(v.functions.begin(), v.functions.end(),
+                                [&](const FunctionSymbol& s) { return s.variable == m.variable; });
+    const auto slope = slope_of(m);
+    if (f == v.functions.end() || !slope || is_zero(m.argument)) continue;
+    for (std::size_t j = 0; j < v.dimension(); ++j) {
+      const MFraction inner = partial(v, m.argument, j), given = f->gradient[j];
+      const MFraction difference = slope->squared ? given * given - slope->value * inner * inner
+                                                  : given - slope->value * inner;
+      if (!is_zero_modulo(difference, relations))
+        throw system.error("the derivative of '" + v.ring->name(m.variable) + "' by " + v.name(j) +
+                           ", " + to_string(given) + ", is not that of " + f->meaning);
+    }
   }
 }
 
@@ -191,14 +234,48 @@ void read_field(const Entry& system, const SystemScope& scope, VectorField& v) {
 void require_e3(const Entry& system, const SystemScope& scope) {
   if (scope.coordinates.size() != 6)
     throw system.at("coordinates")
-        .error("six coordinates are needed", "M1, M2, M3, Gamma1, Gamma2, Gamma3, in this order");
+        .error("six coordinates are needed", "M1, M2, M3, Gamma1, Gamma2, Gamma3, in this order; a "
+                                             "Lagrangian of other coordinates needs velocities");
+}
+
+// The velocities occur in L alone, the momenta do not, and L has a value: what it is divided by may
+// be a factor of its Hamiltonian.
+void require_lagrangian(const Entry& lagrangian, const SystemScope& scope,
+                        const std::vector<std::size_t>& momenta, System& s) {
+  const VectorField& v = s.field;
+  for (const std::string& name : scope.velocities) {
+    const std::size_t i = v.ring->index(name);
+    const auto has = [i](const auto& f) { return uses(f, i); };
+    const bool elsewhere =
+        std::any_of(v.relations.begin(), v.relations.end(), has) ||
+        std::any_of(v.functions.begin(), v.functions.end(), [&](const FunctionSymbol& f) {
+          return std::any_of(f.gradient.begin(), f.gradient.end(), has);
+        });
+    if (elsewhere)
+      throw lagrangian.error("the velocity '" + name + "' is in a relation, or in a derivative",
+                             "the Lagrangian has to be quadratic in the velocities");
+  }
+  const bool rigid = scope.velocities.size() == 3 && scope.coordinates.size() == 6 &&
+                     momenta.size() == 3 && v.coordinates.front() == momenta.front();
+  for (const std::size_t i : momenta)
+    if (uses(scope.lagrangian, i))
+      throw lagrangian.error("the " + std::string(rigid ? "angular momentum" : "momentum") + " '" +
+                             v.ring->name(i) + "' is in the Lagrangian");
+  for (const MFactor& f : factor(scope.lagrangian.den()).second) {
+    const auto used = used_variables(f.base);
+    if (std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+          return std::find(v.parameters.begin(), v.parameters.end(), i) != v.parameters.end();
+        }))
+      assume_nonzero(f.base, lagrangian.line(), s);
+  }
 }
 
 // M = dL/dOmega or p = dL/dq' solved for the velocities, and the Hamiltonian.
 Legendre read_lagrangian(const Entry& system, SystemScope& scope,
-                         const std::vector<std::size_t>& momenta) {
+                         const std::vector<std::size_t>& momenta, System& s) {
   const Entry& lagrangian = system.at("lagrangian");
   scope.lagrangian = evaluate(lagrangian.expression(), scope);
+  require_lagrangian(lagrangian, scope, momenta, s);
   try {
     const auto w = indices(scope.ring(), scope.velocities);
     Legendre l = legendre(scope.lagrangian, w, momenta);
@@ -224,7 +301,7 @@ void read_mechanical(const Entry& system, SystemScope& scope, System& s) {
   v.poisson = canonical_structure(v.ring, n);
   v.hamiltonian =
       read_lagrangian(system, scope,
-                      {v.coordinates.begin() + static_cast<long>(n), v.coordinates.end()})
+                      {v.coordinates.begin() + static_cast<long>(n), v.coordinates.end()}, s)
           .hamiltonian;
   s.kind = SystemKind::hamiltonian;
 }
@@ -234,7 +311,7 @@ void read_rigid_body(const Entry& system, SystemScope& scope, System& s) {
   if (scope.velocities.size() != 3)
     throw system.at("angular_velocity").error("three angular velocities are needed");
   const Legendre l =
-      read_lagrangian(system, scope, {v.coordinates[0], v.coordinates[1], v.coordinates[2]});
+      read_lagrangian(system, scope, {v.coordinates[0], v.coordinates[1], v.coordinates[2]}, s);
   v.hamiltonian = l.hamiltonian;
   s.lagrangian = scope.lagrangian;
   s.velocities = indices(v.ring, scope.velocities);
@@ -277,6 +354,14 @@ void read_dynamics(const Entry& system, SystemScope& scope, System& s) {
   v.components = hamiltonian_field(v, *v.poisson, *v.hamiltonian);
 }
 
+// Of s^2 + c^2 = 1: nothing is divided by 1 - s^2 - c^2.
+void require_denominators(const Entry& system, const VectorField& v) {
+  const Ideal relations = relation_ideal(v);
+  for (const MPoly& d : denominators(v))
+    if (is_zero_modulo(MFraction(d), relations))
+      throw system.error("division by zero: " + to_string(d) + " is 0 by the relations");
+}
+
 } // namespace
 
 void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
@@ -291,9 +376,11 @@ void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
     if (!scope.values.count(name)) v.parameters.push_back(v.ring->index(name));
   s.z = v.ring->index(scope.independent);
   if (v.coordinates.empty()) throw system.error("a system needs coordinates");
-  read_functions(system, scope, v);
+  read_functions(system, scope, s);
   read_relations(system, scope, v);
+  require_derivatives(system, scope, v);
   read_dynamics(system, scope, s);
+  require_denominators(system, v);
   if (v.poisson && s.kind == SystemKind::poisson)
     if (const auto failure = structure_failure(v, *v.poisson, relation_ideal(v)))
       throw system.at("bracket").error("this bracket is not a Poisson bracket: " + *failure);

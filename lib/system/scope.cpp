@@ -135,10 +135,15 @@ std::optional<MFraction> SystemScope::value(const std::string& name) const {
   if (waiting == definitions_.end()) return std::nullopt;
   if (!open_.insert(name).second)
     throw waiting->second->error("'" + name + "' is defined by itself");
-  MFraction v = evaluate(waiting->second->expression(), *this);
-  open_.erase(name);
-  named[name] = v;
-  return v;
+  try {
+    MFraction v = evaluate(waiting->second->expression(), *this);
+    open_.erase(name);
+    named[name] = v;
+    return v;
+  } catch (const Error&) { // a function that is not known yet, perhaps
+    open_.erase(name);
+    throw;
+  }
 }
 
 std::vector<std::string> SystemScope::known_names() const {

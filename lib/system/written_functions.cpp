@@ -1,10 +1,13 @@
 #include "system/written_functions.hpp"
 
 #include "exact/error.hpp"
+#include "exact/finite_algebra.hpp"
+#include "system/vector_field.hpp"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <utility>
 
 namespace kov {
 namespace {
@@ -56,8 +59,11 @@ std::optional<Rational> written_number(const Expression& e) {
 
 long order_of_root(const std::string& function) {
   if (function == "sqrt") return 2;
-  if (function.starts_with("root") && function.size() > 4 && function.size() < 8)
-    return std::stol(function.substr(4));
+  const bool is_numbered = function.starts_with("root") && function.size() > 4 &&
+                           function.size() < 8 &&
+                           std::all_of(function.begin() + 4, function.end(),
+                                       [](char c) { return c >= '0' && c <= '9'; });
+  if (is_numbered) return std::stol(function.substr(4));
   return 0;
 }
 
@@ -206,11 +212,14 @@ class Declaration {
   using Known = std::vector<std::pair<Use, MFraction>>;
 
 public:
-  Declaration(FunctionsInFormulas::GrowingScope& scope, const std::vector<std::size_t>& coordinates,
-              std::vector<std::size_t> symbols)
-      : scope_(scope), moving_(coordinates), given_(std::move(symbols)),
+  Declaration(FunctionsInFormulas::GrowingScope& scope, const FunctionsInFormulas::Declared& file)
+      : scope_(scope), file_(file), moving_(file.coordinates), given_(file.constants),
         declared_(scope.functions()) {
+    given_.insert(given_.end(), file.functions.begin(), file.functions.end());
     moving_.insert(moving_.end(), given_.begin(), given_.end());
+    for (const FunctionMeaning& f : declared_)
+      if (const auto family = family_of(f.name); family && *family != Family::root)
+        note_argument(file_arguments_, f.argument);
   }
 
   /// Roots, and roots in these.
@@ -243,6 +252,7 @@ private:
       if (u.family != family) return false;
       auto argument = argument_of(u);
       if (!argument) return false;
+      require_no_velocity(u, *argument);
       if (!is_declared(u, *argument)) known.emplace_back(u, *std::move(argument));
       return true;
     });
@@ -260,6 +270,132 @@ private:
       return family_of(f.name) == u.family && f.argument == argument;
     });
   }
+  void require_no_velocity(const Use& u, const MFraction& argument) const {
+    for (const std::size_t i : file_.velocities)
+      if (uses(argument, i))
+        throw u.argument.error("the velocity '" + scope_.ring()->name(i) + "' is under a function",
+                               "the Lagrangian has to be quadratic in the velocities");
+  }
+
+  // ---- beside functions that the file declares
+
+  static bool is_root(const FunctionMeaning& f) { return order_of_root(f.name) != 0; }
+  static void note_argument(std::vector<MFraction>& all, const MFraction& argument) {
+    if (std::find(all.begin(), all.end(), argument) == all.end()) all.push_back(argument);
+  }
+  [[nodiscard]] bool uses_function_of_file(const MFraction& f) const {
+    return std::any_of(file_.functions.begin(), file_.functions.end(),
+                       [&](std::size_t i) { return uses(f, i); });
+  }
+  // Of functions without a meaning, or with one that is not known here, nobody knows what holds
+  // between them and a sine, an exponential or a logarithm.
+  void require_known_functions(const Use& u) const {
+    for (const std::size_t i : file_.functions) {
+      const auto meaning = std::find_if(declared_.begin(), declared_.end(),
+                                        [&](const FunctionMeaning& f) { return f.variable == i; });
+      const bool known = meaning != declared_.end() &&
+                         (is_root(*meaning) || family_of(meaning->name)) &&
+                         !uses_function_of_file(meaning->argument);
+      if (!known)
+        throw u.argument.error("a function is written here, and '" + scope_.ring()->name(i) +
+                                   "' is declared: what holds between them is not known",
+                               "write all functions of [system] in its formulas, or declare all");
+    }
+  }
+
+  // ---- independence over the complex numbers
+
+  // d f/d x_j, through the roots.
+  MFraction slope(const MFraction& f, std::size_t j) const {
+    MFraction sum = derivative(f, file_.coordinates[j]);
+    for (const WrittenFunction& r : all_.symbols)
+      if (uses(f, r.variable)) sum += derivative(f, r.variable) * r.slope * slope(r.argument, j);
+    return sum;
+  }
+  [[nodiscard]] std::vector<MFraction> gradient_of(const MFraction& f) const {
+    std::vector<MFraction> all;
+    for (std::size_t j = 0; j < file_.coordinates.size(); ++j)
+      all.push_back(slope(f, j));
+    return all;
+  }
+  static MFraction determinant(const Matrix& m, const std::vector<std::size_t>& columns,
+                               std::size_t row) {
+    const Ring& ring = m[0][0].ring();
+    if (columns.empty()) return {ring, Rational(1)};
+    MFraction sum(ring);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (is_zero(m[row][columns[k]])) continue;
+      auto others = columns;
+      others.erase(others.begin() + static_cast<long>(k));
+      const MFraction term = m[row][columns[k]] * determinant(m, others, row + 1);
+      sum += k % 2 == 0 ? term : -term;
+    }
+    return sum;
+  }
+  // As a polynomial in what moves: its coefficients, without those of the relations of roots.
+  [[nodiscard]] std::vector<MPoly> coefficients_of(const MFraction& f) const {
+    std::vector<std::size_t> roots;
+    for (const Root& r : roots_)
+      roots.push_back(used_variables(r.value).front());
+    const Ideal relations(f.ring(), roots, all_.relations);
+    const MFraction here =
+        roots.empty() ? MFraction(f.num()) : relations.normal_form(MFraction(f.num()));
+    std::map<std::vector<unsigned long>, MFraction> parts;
+    const MPoly num = here.num();
+    for (long t = 0; t < num.length(); ++t) {
+      auto moving = num.exponents(t), still = moving;
+      for (std::size_t i = 0; i < moving.size(); ++i)
+        (std::find(moving_.begin(), moving_.end(), i) == moving_.end() ? moving : still)[i] = 0;
+      const auto part = parts.try_emplace(moving, MFraction(f.ring())).first;
+      part->second += MFraction(MPoly::term(f.ring(), num.coefficient(t), still));
+    }
+    std::vector<MPoly> all;
+    for (const auto& [monomial, part] : parts)
+      if (!is_zero(part)) all.push_back(part.num());
+    return all;
+  }
+  void require_independent(const std::vector<MFraction>& more, const Use& u) {
+    if (!are_independent(more))
+      throw u.argument.error(
+          "the arguments of the functions that are written depend on one another, "
+          "so that the functions do not take all values at once",
+          "declare symbols for them: [[system.function]] with means and derivative");
+  }
+  // The arguments take all values near a point, whatever the parameters: a minor of their gradients
+  // has a coefficient that is a number, or is noted.  False: they depend on one another.
+  bool are_independent(const std::vector<MFraction>& more) {
+    Matrix rows;
+    for (const MFraction& f : file_arguments_) { // these may depend on one another
+      rows.push_back(gradient_of(f));
+      if (rank(rows) < rows.size()) rows.pop_back();
+    }
+    for (const std::vector<MFraction>* functions : {&std::as_const(written_), &more})
+      for (const MFraction& f : *functions)
+        rows.push_back(gradient_of(f));
+    return rows.size() <= file_.coordinates.size() && note_minor(rows);
+  }
+  static std::size_t rank(const Matrix& rows) {
+    return rows[0].size() - null_space(rows, rows[0].size(), rows[0][0].ring()).size();
+  }
+  bool note_minor(const Matrix& rows) {
+    std::optional<MPoly> best;
+    std::vector<bool> taken(file_.coordinates.size(), false);
+    std::fill(taken.begin(), taken.begin() + static_cast<long>(rows.size()), true);
+    do {
+      std::vector<std::size_t> columns;
+      for (std::size_t j = 0; j < taken.size(); ++j)
+        if (taken[j]) columns.push_back(j);
+      for (const MPoly& c : coefficients_of(determinant(rows, columns, 0)))
+        if (!best || is_constant(c) || c.length() < best->length()) {
+          best = c;
+          if (is_constant(c)) return true;
+        }
+    } while (std::prev_permutation(taken.begin(), taken.end()));
+    if (!best) return false;
+    all_.nonzero.push_back(*best);
+    return true;
+  }
+
   [[nodiscard]] bool moves(const MPoly& f) const {
     return std::any_of(moving_.begin(), moving_.end(), [&](std::size_t i) { return uses(f, i); });
   }
@@ -298,12 +434,14 @@ private:
       return is_zero(one.second);
     });
     if (all.empty()) return;
+    require_known_functions(all.front().first);
     if (all.size() > 1 &&
         !std::all_of(all.begin(), all.end(), [this](const auto& x) { return is_normal(x.second); }))
       return;
     MPoly den(scope_.ring(), Integer(1));
     for (const auto& [u, argument] : all) {
-      if (!moves(argument) || is_transcendental(argument)) return;
+      if (!moves(argument) || is_transcendental(argument) || uses_function_of_file(argument))
+        return;
       den = exact_div(den * argument.den(), gcd(den, argument.den()));
     }
     if (all.size() > 1 && moves(den)) return;
@@ -316,7 +454,14 @@ private:
       });
       moving.add(std::move(terms));
     }
-    if (whole.rank() == moving.rank()) declare_on(all, whole.basis());
+    if (whole.rank() != moving.rank()) return;
+    const Basis basis = whole.basis();
+    std::vector<MFraction> elements;
+    for (std::size_t j = 0; j < basis.of.size(); ++j)
+      elements.push_back(element(all, basis, j));
+    require_independent(elements, all.front().first);
+    written_.insert(written_.end(), elements.begin(), elements.end());
+    declare_on(all, basis);
   }
 
   void mean_at_zero(const MFraction& zero) {
@@ -422,8 +567,12 @@ private:
   void logarithms(const Known& all) {
     MPoly seen(scope_.ring(), Integer(1));
     for (const auto& [u, argument] : all) {
-      if (!moves(argument) || is_transcendental(argument)) continue;
+      require_known_functions(u);
+      if (!moves(argument) || is_transcendental(argument) || uses_function_of_file(argument))
+        continue;
       if (all.size() > 1 && !is_rational(argument)) continue;
+      require_independent({argument}, u);
+      written_.push_back(argument);
       const MPoly parts = argument.num() * argument.den();
       if (!is_constant(gcd(seen, parts))) continue; // logarithms of products are sums
       seen *= parts;
@@ -496,7 +645,9 @@ private:
   }
 
   FunctionsInFormulas::GrowingScope& scope_;
+  const FunctionsInFormulas::Declared& file_;
   std::vector<std::size_t> moving_, given_, transcendental_;
+  std::vector<MFraction> file_arguments_, written_; ///< of sines, exponentials, logarithms
   std::vector<FunctionMeaning> declared_;
   std::vector<Root> roots_;
   WrittenFunctions all_;
@@ -529,10 +680,8 @@ std::vector<MPoly> implied_relations(const std::vector<FunctionMeaning>& meaning
   return all;
 }
 
-WrittenFunctions FunctionsInFormulas::declare(GrowingScope& scope,
-                                              const std::vector<std::size_t>& coordinates,
-                                              const std::vector<std::size_t>& symbols) const {
-  Declaration declaration(scope, coordinates, symbols);
+WrittenFunctions FunctionsInFormulas::declare(GrowingScope& scope, const Declared& declared) const {
+  Declaration declaration(scope, declared);
   std::vector<Use> left = uses_;
   declaration.add_roots(left);
   declaration.add_transcendental(left);

@@ -29,6 +29,7 @@ struct WrittenFunctions {
   std::vector<std::size_t> constants; ///< roots of what depends on nothing that moves
   std::vector<MPoly> relations;
   std::vector<FunctionMeaning> meanings; ///< of all functions that occur
+  std::vector<MPoly> nonzero; ///< in the parameters: else the arguments depend on one another
 };
 
 /// The functions in the formulas of [system], by their texts.
@@ -44,12 +45,17 @@ public:
   public:
     virtual void add(const FunctionMeaning& meaning) = 0;
   };
+  /// What the file itself declares.
+  struct Declared {
+    std::vector<std::size_t> coordinates, velocities, constants;
+    std::vector<std::size_t> functions; ///< their meanings, where they are told, are in the scope
+  };
   /// Those that no declared function means; what cannot be treated is left out, and whoever
-  /// evaluates a formula with it complains.  `symbols`: the functions and constants of the file.
+  /// evaluates a formula with it complains.
+  /// Errors   InputError: a velocity under a function, or a declared function of which it is not known
+  ///          what holds between it and a written one
   /// Requires names(), in the ring of the scope
-  [[nodiscard]] WrittenFunctions declare(GrowingScope& scope,
-                                         const std::vector<std::size_t>& coordinates,
-                                         const std::vector<std::size_t>& symbols) const;
+  [[nodiscard]] WrittenFunctions declare(GrowingScope& scope, const Declared& declared) const;
 
   enum class Family : std::uint8_t { angle, exponent, root, logarithm };
   /// All functions of one argument that belong together.

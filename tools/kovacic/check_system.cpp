@@ -150,7 +150,7 @@ void put_block(std::ostringstream& out, const System& s, const BlockReport& b, D
 // On what the verdict rests.
 void put_trust(std::ostringstream& out, const ManifoldReport& m) {
   const auto steps = trusted_steps(m);
-  if (m.verdict == VerdictKind::undecided || steps.empty()) return;
+  if ((m.verdict == VerdictKind::undecided && !m.by) || steps.empty()) return;
   std::string text;
   for (const std::string& step : steps)
     text += (text.empty() ? "" : "; ") + step;
@@ -185,7 +185,7 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
   if (m.manifold)
     for (const auto& line : m.manifold->rewritten)
       put(out, "note", line);
-  if (!m.not_checked.empty() && m.verdict != VerdictKind::undecided)
+  if (!m.not_checked.empty() && (m.verdict != VerdictKind::undecided || m.by))
     put(out, "NOT CHECKED", m.not_checked);
   if (detail == Detail::headline && !undecided) return;
   for (const auto& e : m.reduced.eliminations)

@@ -1,6 +1,7 @@
 // kovacic integrals FILE: first integrals that are polynomial in the momenta, at all parameter
 // values.
 
+#include "integrability/parameters.hpp"
 #include "integrals/find.hpp"
 
 #include "commands.hpp"
@@ -179,6 +180,7 @@ int integrals(const Settings& settings, const IntegralsArguments& arguments) {
     Settings search_settings = settings;
     search_settings.timeout *= part_of_the_time;
     options.budget = search_settings.solver_options().budget;
+    require_consistent(s);
     const IntegralSearch search = find_integrals(s, options);
     return Report{search.finished() ? exit_decided : exit_undecided,
                   text_of(arguments.file, search, s.field),

@@ -103,7 +103,7 @@ std::string told(const BlockReport& b) {
 std::string told(const ManifoldReport& m) {
   std::string text = "[" + m.name + "] " + headline(m);
   if (m.failure) return text;
-  if (!m.not_checked.empty() && m.verdict != VerdictKind::undecided)
+  if (!m.not_checked.empty() && (m.verdict != VerdictKind::undecided || m.by))
     text += "\n  NOT CHECKED: " + m.not_checked;
   for (const std::string& note : notes(m))
     text += "\n  note: " + note;
