@@ -496,22 +496,28 @@ bool is_constant_of(const VectorField& v, std::size_t i) {
   return in(v.parameters) || in(v.constants);
 }
 
+// The equations are x = c, x = c y or x y = 1; one that divides by 0 with the others is left out, the
+// set being empty.
 Substitution solve(const VectorField& v, const FoundManifold& m) {
-  Substitution solved; // the equations are x = c or x = c y
-  for (const auto& e : m.equations) {
-    const MFraction f = substitute(e.difference, solved);
-    if (is_zero(f)) continue;
-    const auto used = used_variables(f);
-    const auto first = std::find_if(used.begin(), used.end(),
-                                    [&](std::size_t i) { return !is_constant_of(v, i); });
-    if (first == used.end()) continue;
-    const std::size_t i = *first;
-    const MFraction x = MFraction::variable(f.ring(), i);
-    const Substitution step{{i, x - f / derivative(f, i)}};
-    for (auto& [j, value] : solved)
-      value = substitute(value, step);
-    solved.insert(*step.begin());
-  }
+  Substitution solved;
+  for (const auto& e : m.equations)
+    try {
+      const MFraction f = substitute(e.difference, solved);
+      if (is_zero(f)) continue;
+      const auto used = used_variables(f);
+      const auto first = std::find_if(used.begin(), used.end(),
+                                      [&](std::size_t i) { return !is_constant_of(v, i); });
+      if (first == used.end()) continue;
+      const std::size_t i = *first;
+      const MFraction x = MFraction::variable(f.ring(), i);
+      const Substitution step{{i, x - f / derivative(f, i)}};
+      Substitution all = step;
+      for (const auto& [j, value] : solved)
+        all[j] = substitute(value, step);
+      solved = std::move(all);
+    } catch (const DomainError&) {
+      continue;
+    }
   return solved;
 }
 

@@ -177,6 +177,32 @@ derivative = {y = "a*t"}
 }
 
 // A reflection takes exp(x) to 1/exp(x), and the angles themselves say nothing.
+// exp(q) exp(-q) = 1 beside exp(q) = 0: an empty set among those that are tried.
+TEST(FindManifolds, SetsWithoutPointsAreNoErrors) {
+  const System s = read_system(parse_document(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['q', 'x']\nmomenta = ['p', 'v']\n"
+      "hamiltonian = '(p^2 + v^2)/2 + exp(q)*x^2 + exp(q - x)'\n",
+      "test.toml"));
+  EXPECT_NO_THROW(static_cast<void>(find_manifolds(s.field, {*s.field.hamiltonian})));
+}
+// Twelve variables: functions follow their coordinates, so that few maps are tried.
+TEST(FindManifolds, ThreePendulaAreExchanged) {
+  const System s = read_system(parse_document(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\n"
+      "momenta = ['u', 'v', 'w']\nhamiltonian = '(u^2 + v^2 + w^2)/2 - cos(x) - cos(y) - cos(z) - "
+      "cos(x - y) - cos(y - z) - cos(z - x)'\n",
+      "test.toml"));
+  const FoundManifolds found = find_manifolds(s.field, {*s.field.hamiltonian});
+  EXPECT_TRUE(found.left_out.empty());
+  const auto has = [&](const std::string& equation) {
+    for (const FoundManifold& m : found.proved)
+      for (const Equation& e : m.equations)
+        if (e.text == equation) return true;
+    return false;
+  };
+  EXPECT_TRUE(has("cos_x = cos_y"));
+  EXPECT_TRUE(has("sin_x = -sin_y"));
+}
 TEST(FindManifolds, FunctionsAreReflectedWithTheCoordinates) {
   const auto has = [](const std::string& text, const std::string& set) {
     const System s = read_system(parse_document(text, "test.toml"));
