@@ -12,6 +12,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <sstream>
 
 namespace kov::cli {
@@ -102,6 +104,30 @@ Json json_of(const System& s, const SystemClassification& c) {
 
 namespace {
 
+/// What is told while the work goes on.  Words for many strata cost much: they may take a tenth of the
+/// time, and else the last ones are told again, with the stage that begins.
+class SoFarReports {
+public:
+  template <class Write> const Report& next(const SystemClassification& c, Write write) {
+    const auto begin = Clock::now();
+    const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
+    if (!last_ || writing_ < part_ * seconds(begin - start_)) {
+      last_ = write();
+      writing_ += seconds(Clock::now() - begin);
+    } else if (last_->json.is_object()) {
+      last_->json["at_work"] = c.at_work.empty() ? Json(nullptr) : Json(c.at_work);
+    }
+    return *last_;
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr double part_ = 0.1;
+  Clock::time_point start_ = Clock::now();
+  double writing_ = 0;
+  std::optional<Report> last_;
+};
+
 /// One run, and perhaps a second one without a stage that did not end.
 class Classification {
 public:
@@ -134,9 +160,10 @@ private:
       if (settings_.order > 0) options.order = settings_.order;
       options.search_solutions = !arguments_.only_file;
       options.skip = skip;
+      SoFarReports reports;
       options.so_far = [&](SystemClassification c) {
         if (format_ == "tex" || format_ == "html") c.notes.emplace_back(unfinished);
-        so_far(report_of(s, c));
+        so_far(reports.next(c, [&] { return report_of(s, c); }));
       };
       return report_of(s, classify_system(s, options));
     });
