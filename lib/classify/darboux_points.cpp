@@ -595,9 +595,10 @@ std::optional<Exclusion> exclusion_at_multiple(const System& s, const PlanarPote
     e.not_all_zero.push_back({back(f, s.ring())});
   e.by = reason(p);
   e.by.solution = "a multiple Darboux point of " + which_part(p);
-  e.by.reason = "no potential of degree " + std::to_string(p.k) +
-                " with such a point is integrable but r^" + std::to_string(p.k) +
-                ": the first other term gives a logarithm";
+  e.by.reason = "of the potentials of degree " + std::to_string(p.k) +
+                " with such a point only the radial one is integrable: the first term that it does "
+                "not have gives a logarithm";
+  e.by.trusted = {"the logarithm at multiple Darboux points"};
   e.by.theorems.insert(e.by.theorems.begin(), morales_ramis_simo().name);
   return e;
 }

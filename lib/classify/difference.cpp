@@ -568,10 +568,13 @@ std::string in_classes(const DifferenceCondition& c) {
 
 std::string to_string(const DifferenceCondition& c) {
   if (c.kind == Kind::classes) return in_classes(c);
-  std::vector<std::string> subjects, roots;
+  std::vector<std::string> subjects, roots; // each once
+  const auto add = [](std::vector<std::string>& all, std::string text) {
+    if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(std::move(text));
+  };
   for (const MFraction& square : c.squares) {
-    subjects.push_back(subject(c.kind, square));
-    roots.push_back(rational_root(square));
+    add(subjects, subject(c.kind, square));
+    add(roots, rational_root(square));
   }
   const std::string what = c.kind == Kind::rational ? "rational" : "an integer";
   if (c.holds)

@@ -52,10 +52,25 @@ void print(const SystemClassification& c, const ClassifiedStratum& s, std::ostre
     put_below(out, tried);
 }
 
+// Many sets with long conditions fill pages, and the theorem says "elsewhere".
+std::string some_of(const std::vector<std::string>& sets, bool all) {
+  constexpr std::size_t five_lines = 430;
+  std::string text;
+  for (std::size_t i = 0; i < sets.size(); ++i) {
+    const std::string next = (i == 0 ? "" : "; or ") + sets[i];
+    if (!all && text.size() + next.size() > five_lines) {
+      if (i == 0) return next.substr(0, five_lines) + " ... (--verbose shows the rest)";
+      return text + "; or " + std::to_string(sets.size() - i) + " more (--verbose names them)";
+    }
+    text += next;
+  }
+  return text;
+}
+
 // The strata that one equation excludes, together.
-void print_excluded(const SystemClassification& c, std::ostream& out) {
+void print_excluded(const SystemClassification& c, bool verbose, std::ostream& out) {
   for (const ExcludedTogether& e : excluded_together(c)) {
-    put(out, "excluded", joined(e.where, "; or "));
+    put(out, "excluded", some_of(e.where, verbose));
     put_below(out, reason_of(*e.by));
   }
 }
@@ -70,7 +85,7 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
   if (!quiet)
     for (const ClassifiedStratum& x : c.strata)
       if (x.status != StratumStatus::excluded) print(c, x, out);
-  if (!quiet) print_excluded(c, out);
+  if (!quiet) print_excluded(c, verbose, out);
   if (!c.theorems.empty()) put(out, "by", joined(c.theorems, ", "));
   if (!c.trusted.empty())
     put(out, "trusted",
