@@ -124,15 +124,6 @@ private:
     return found;
   }
 
-  // v'^2 - 2 v v'' + 4 r v^2
-  [[nodiscard]] NfElem wronskian_squared(const RationalFunction& v) const {
-    const RationalFunction dv = derivative(v);
-    const RationalFunction w =
-        dv * dv - RationalFunction(2) * v * derivative(dv) + RationalFunction(4) * r_ * v * v;
-    KOV_ENSURE(degree(w.num()) <= 0 && degree(w.den()) == 0);
-    return w.num().coeff(0);
-  }
-
   void found_pair(const RationalFunction& v, const NfElem& w_squared) {
     KOV_ENSURE(!is_zero(w_squared));
     answer_.pair = ExponentialPair{v, w_squared};
@@ -207,6 +198,18 @@ private:
     }
   }
 
+  // Their product has half the degree of its square, and solves an equation of order 3, not 5.
+  bool two_long_lines_say_it() {
+    if (!quartic_is_above(large_degree)) return false;
+    const InvariantSearch product = invariants(local(), 2, budget_);
+    if (product.none) return false;
+    KOV_ENSURE(product.basis.size() == 1); // as the group contains a torus
+    const RationalFunction v = value(product.basis.front(), local());
+    found_pair(v, wronskian_squared(v, r_));
+    settle({GroupType::Gm, {}}, Argument::torus_two_lines);
+    return true;
+  }
+
   void two_lines(const RationalFunction& v) {
     if (answer_.kind != Trichotomy::irregular_or_irrational) return diagonal(v, NfElem(1));
     found_pair(v, NfElem(1));
@@ -231,7 +234,7 @@ private:
 
   void irregular_or_irrational() {
     if (quartic_is_above(-1) && one_prime_says_sl2()) return;
-    if (one_small_line_says_it()) return;
+    if (one_small_line_says_it() || two_long_lines_say_it()) return;
     const InvariantSearch quartic = search(4);
     if (!quartic.none) {
       answer_.abelian = Truth::yes;
@@ -331,7 +334,7 @@ private:
       const InvariantSearch square = search(2);
       KOV_ENSURE(square.basis.size() == 1);
       const RationalFunction v = value(square.basis.front(), local());
-      diagonal(v, wronskian_squared(v));
+      diagonal(v, wronskian_squared(v, r_));
       return;
     }
     const QuarticRoot root = quartic_root(quartic.basis.front(), local());

@@ -55,6 +55,19 @@ LogarithmicParts logarithmic_parts(const RationalFunction& omega, const Budget& 
   return parts;
 }
 
+// v = N/D, v' = a/D^2, v'' = b/D^3, r = A/B.
+NfElem wronskian_squared(const RationalFunction& v, const RationalFunction& r) {
+  const Poly &N = v.num(), &D = v.den(), &A = r.num(), &B = r.den();
+  const Poly a = derivative(N) * D - N * derivative(D);
+  const Poly b = derivative(a) * D - scale(a * derivative(D), NfElem(2));
+  const Poly w = B * (a * a - scale(N * b, NfElem(2))) + scale(A * N * N * D * D, NfElem(4));
+  const Poly unit = B * pow(D, 4);
+  if (is_zero(w)) return NfElem(0);
+  const NfElem constant = lead(w) / lead(unit);
+  KOV_ENSURE(w == scale(unit, constant));
+  return constant;
+}
+
 std::optional<Integer> radical_order(const LogarithmicParts& parts) {
   if (degree(parts.rational_part.num()) > 0 || degree(parts.rational_part.den()) > 0)
     return std::nullopt;

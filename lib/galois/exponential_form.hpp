@@ -46,6 +46,10 @@ struct ExponentialPair {
   RationalFunction v;
   NfElem w_squared;
 };
+/// w^2 = v'^2 - 2vv'' + 4rv^2 (docs/theory/normal_form.md, 2.4), without a gcd.  InternalError unless it
+/// is a constant.
+/// Example wronskian_squared(z, RationalFunction(-3, 16*z*z))  // -> 1/4
+[[nodiscard]] NfElem wronskian_squared(const RationalFunction& v, const RationalFunction& r);
 /// The least m with y1^m in Kbar(z), without adjoining w; unset when there is none.
 [[nodiscard]] std::optional<Integer> radical_order(const ExponentialPair& pair,
                                                    const Budget& budget = {});

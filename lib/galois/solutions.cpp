@@ -5,6 +5,7 @@
 #include "linode/polynomial_solution.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace kov {
 
@@ -69,6 +70,35 @@ std::vector<RationalFunction> riccati_polynomial(long m, const RationalFunction&
 
 namespace {
 
+// The factor of v without zeros at the poles of r: there y1 or y2 has a simple zero.
+Poly ordinary_zeros(const RationalFunction& v, const RationalFunction& r) {
+  Poly zeros = v.num();
+  const Poly poles = coerce(r.den(), v.field());
+  for (Poly common = gcd(zeros, poles); degree(common) > 0; common = gcd(zeros, common))
+    zeros = exact_div(zeros, common);
+  return zeros;
+}
+
+RationalFunction omega_of(const RationalFunction& v, const NfElem& w) {
+  return (derivative(v) + RationalFunction(Poly(w))) / (RationalFunction(2) * v);
+}
+
+// From this degree on the zeros of y are told from the other ones of v by a gcd, and not factored.
+constexpr long many_zeros = 60;
+
+// omega = P'/P + theta, P the zeros of v where v' = w, Q the other ones.  For v = P Q M/D, (M/D)' = L M/D:
+// theta = L/2 + S/(2M), S = ((Q'P - P'Q) M + w D)/(P Q).
+std::array<ExponentialSolution, 2> lines(const RationalFunction& v, const Poly& zeros,
+                                         const NfElem& w) {
+  const Poly &D = v.den(), M = exact_div(v.num(), zeros);
+  const Poly P = gcd(zeros, derivative(zeros) * M - scale(D, w)), Q = exact_div(zeros, P);
+  const Poly S = exact_div((derivative(Q) * P - derivative(P) * Q) * M + scale(D, w), zeros);
+  const RationalFunction half(Rational(1, 2)), rest(M, D);
+  const RationalFunction L = derivative(rest) / rest;
+  return {ExponentialSolution{half * (L + RationalFunction(S, M)), P},
+          ExponentialSolution{half * (L - RationalFunction(S, M)), Q}};
+}
+
 // omega = (v' +- w)/(2v): over K if w is in K, over K(w) if K = Q, otherwise by its quadratic
 // equation.
 std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
@@ -97,17 +127,14 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
     return found;
   }
   // omega' + omega^2 = (2 v v'' - v'^2 + w^2)/(4 v^2)
-  const RationalFunction slope = derivative(pair.v);
-  KOV_ENSURE(*w * *w == pair.w_squared);
-  KOV_ENSURE(slope * slope +
-                 (RationalFunction(4) * r * pair.v - RationalFunction(2) * derivative(slope)) *
-                     pair.v ==
-             RationalFunction(Poly(pair.w_squared)));
-  for (const NfElem& sign : {*w, -*w}) {
-    const RationalFunction omega =
-        (coerce(slope, v.field()) + RationalFunction(Poly(sign))) / (RationalFunction(2) * v);
-    found.push_back({.exponential = ExponentialSolution{omega, Poly(1)}, .adjoined = adjoin});
-  }
+  KOV_ENSURE(*w * *w == pair.w_squared && wronskian_squared(pair.v, r) == pair.w_squared);
+  const Poly zeros = ordinary_zeros(v, r);
+  const auto both = degree(zeros) > many_zeros
+                        ? lines(v, zeros, *w)
+                        : std::array{ExponentialSolution{omega_of(v, *w), Poly(1)},
+                                     ExponentialSolution{omega_of(v, -*w), Poly(1)}};
+  for (const ExponentialSolution& y : both)
+    found.push_back({.exponential = y, .adjoined = adjoin});
   return found;
 }
 

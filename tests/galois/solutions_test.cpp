@@ -124,6 +124,34 @@ TEST(Solutions, ConjugateExponentials) {
 }
 
 // Groups {1} and {+-1}: every solution is the square root of a rational function, two are shown.
+// Spherical Bessel functions of order n behind a map, a square or not a square: n zeros (2n behind it)
+// are P, and theta has the places only.
+TEST(Solutions, ManyZeros) {
+  const Poly x = Poly::z();
+  for (const long n : {20L, 40L, 80L})
+    for (const long a : {-1L, 4L, 3L})
+      for (const RationalFunction& f :
+           {RationalFunction(x), RationalFunction(x * x - Poly(2), x + Poly(1))}) {
+        const RationalFunction bessel(Poly(n * (n + 1)) + scale(x * x, NfElem(a)), x * x);
+        const RationalFunction r = pull_back(bessel, f);
+        const Classification c = classify(r);
+        ASSERT_TRUE(c.group && c.group->type == GroupType::Gm) << n;
+        const auto found = solutions(c, r);
+        ASSERT_EQ(found.size(), 2U);
+        RationalFunction omegas;
+        for (const LiouvillianSolution& y : found) {
+          const auto& [theta, P] = *y.exponential;
+          const RationalFunction omega = y.exponential->omega();
+          EXPECT_EQ(derivative(omega) + omega * omega, r);
+          omegas += omega;
+          if (n * degree(f.num()) < 60) continue;
+          EXPECT_EQ(degree(P), n * degree(f.num()));
+          EXPECT_LE(degree(theta.den()), 6);
+        }
+        EXPECT_EQ(omegas, derivative(c.pair->v) / c.pair->v);
+      }
+}
+
 TEST(Solutions, SquareRootsOfRationalFunctions) {
   const Poly z = Poly::z();
   const RationalFunction free(0);
