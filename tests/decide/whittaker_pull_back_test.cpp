@@ -75,6 +75,20 @@ TEST(WhittakerPullBack, ImmenseExponentsAreDecided) {
   }
 }
 
+// Not only beyond every limit: where the search is a matter of minutes, too.
+TEST(WhittakerPullBack, LargeExponentsNeedNoSearch) {
+  const Poly x = Poly::z();
+  const RationalFunction f(x * x * x - Poly(2), x * x + Poly(3));
+  for (const long n : {2500L, 25000L}) {
+    const RationalFunction bessel(Poly(n * (n + 1)) - scale(x * x, NfElem(3)), x * x);
+    const Decision d =
+        decide({testing::pull_back(bessel, f), {}}, {.budget = Budget::of_seconds(20)});
+    ASSERT_TRUE(d.group) << n;
+    EXPECT_EQ(d.group->type, GroupType::Gm) << n;
+    EXPECT_LT(d.seconds, 10) << n;
+  }
+}
+
 TEST(WhittakerPullBack, OtherEquationsAreNone) {
   for (const RationalFunction& r :
        {RationalFunction(z), RationalFunction(pow(z, 4) + z), RationalFunction(Poly(1), z * z),
