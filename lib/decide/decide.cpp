@@ -194,7 +194,7 @@ namespace {
 
 // Above this degree a formula, where there is one, is better than a search: the polynomial takes
 // minutes and gigabytes.
-constexpr long comfortable_degree = 3000;
+constexpr long comfortable_degree = 1500;
 
 using Proof = std::shared_ptr<const Classification>;
 
