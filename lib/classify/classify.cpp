@@ -736,16 +736,31 @@ private:
     s.assumptions.push_back(std::move(a));
   }
 
-  // What excludes rational first integrals only comes after all others.
+  // What excludes rational first integrals only, or those near curves at which Darboux's have
+  // logarithms, comes after all others.
   void leave_open_at_last(const Round& round, Piece piece) {
     std::vector<Piece> pieces{std::move(piece)};
-    if (options_.search_solutions)
-      for (const Exclusion& e : exclusions_by_multiple_points_of_parts(round.system)) {
+    const auto exclude_all = [&](const std::vector<Exclusion>& all) {
+      for (const Exclusion& e : all) {
         contradict_no_integrals(round, e);
         kov::exclude(pieces, e, round.system, result_);
       }
+    };
+    if (options_.search_solutions)
+      exclude_all(exclusions_by_multiple_points_of_parts(round.system));
+    if (!round.system.field.poisson)
+      for (const ManifoldSpec& m : round.solutions)
+        if (!pieces.empty()) exclude_all(along_the_curve(round, m));
     for (Piece& left : pieces)
       leave_open(std::move(left));
+  }
+  [[nodiscard]] std::vector<Exclusion> along_the_curve(const Round& round,
+                                                       const ManifoldSpec& m) const {
+    CheckOptions check = options_.check;
+    check.decide.budget = share(0.1);
+    check.along_the_curve = true;
+    return exclusions(round.system, check_manifold(round.system, m, round.claims, check),
+                      level_parameters(round.system));
   }
   void leave_open(Piece piece) { kov::leave_open(std::move(piece), result_); }
 

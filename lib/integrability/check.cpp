@@ -1,6 +1,7 @@
 #include "integrability/check.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/along_the_curve.hpp"
 #include "integrability/block.hpp"
 #include "integrability/components.hpp"
 #include "integrability/conclude.hpp"
@@ -47,6 +48,20 @@ void decide_blocks(const Study& study, ManifoldReport& report) {
         if (may_vanish_identically(s, d))
           report.not_studied =
               "the parameters for which " + to_string(d) + " is zero were not studied";
+}
+
+// What the normal part does not see: blocks of order one that are coupled to the curve.
+void decide_along_the_curve(const Study& study, ManifoldReport& report) {
+  const auto extended = extended_system(study.system, report);
+  if (!extended) return;
+  for (const auto& members : pairs_with_the_curve(*extended, *report.manifold)) {
+    BlockReport block;
+    within_limits(block, [&] {
+      study_block(study.system, *report.manifold, extended->system, extended->divisors, members,
+                  study.options, block);
+    });
+    if (block.ode) report.blocks.push_back(std::move(block));
+  }
 }
 
 // Where the generic answer is not the whole one: single levels, and strata without the reduction.
@@ -104,6 +119,7 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     linearise(study, report);
     fall_apart(study, spec, report);
     decide_blocks(study, report);
+    if (options.along_the_curve) decide_along_the_curve(study, report);
     decide_exceptions(study, report.blocks);
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::no_obstruction) {
       report.not_studied = component_left_out(study, report);

@@ -104,6 +104,9 @@ struct CheckOptions {
   Options decide;
   std::string only_manifold; ///< empty: all
   bool stop_at_r = false;    ///< stages only, no group
+  /// Also what couples normal unknowns to the curve, where it lies in the boundary of what a
+  /// system is meant for: first integrals with logarithms may be lost there.
+  bool along_the_curve = false;
 };
 
 /// Errors  OutOfBudget is turned into "undecided"; InputError and InternalError pass
