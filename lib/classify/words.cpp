@@ -158,18 +158,19 @@ std::vector<std::string> places(const SystemClassification& c,
 namespace {
 
 constexpr std::size_t most_told = 6;
+constexpr std::size_t longest_told = 600; // some lines
 
 // "(a), or (b)"; where they are many, what they are is told below the theorem.
 std::string alternatives(const SystemClassification& c, const std::vector<StratumStatus>& wanted,
                          const std::string& named) {
   const auto all = places(c, wanted);
-  if (all.size() > most_told)
-    return "in one of the " + std::to_string(all.size()) + " sets of parameters below that are " +
-           named;
   std::string text;
   for (const std::string& one : all)
     text += (text.empty() ? "" : ", or ") + (all.size() > 1 ? "(" + one + ")" : one);
-  return "for " + text;
+  if (all.size() <= most_told && text.size() <= longest_told) return "for " + text;
+  return all.size() == 1 ? "in the set of parameters below that is " + named
+                         : "in one of the " + std::to_string(all.size()) +
+                               " sets of parameters below that are " + named;
 }
 
 std::string kind_of(const SystemClassification& c, const std::string& integrals) {
