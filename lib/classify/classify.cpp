@@ -241,13 +241,10 @@ private:
   // Where two conditions hold together at finitely many values of a difference only.
   void meet_conditions(Round& round) {
     std::vector<Piece> left;
-    for (Piece& piece : round.pieces)
-      try {
-        auto parts = at_common_values(round, piece);
-        std::move(parts.begin(), parts.end(), std::back_inserter(left));
-      } catch (const OutOfBudget&) {
-        left.push_back(std::move(piece));
-      }
+    for (const Piece& piece : round.pieces) {
+      auto parts = met(round, piece);
+      std::move(parts.begin(), parts.end(), std::back_inserter(left));
+    }
     round.pieces = std::move(left);
   }
 
@@ -752,7 +749,17 @@ private:
       for (const ManifoldSpec& m : round.solutions)
         if (!pieces.empty()) exclude_all(along_the_curve(round, m));
     for (Piece& left : pieces)
-      leave_open(std::move(left));
+      for (Piece& part : met(round, left)) {
+        const bool is_smaller = part.where.equations().size() > left.where.equations().size();
+        is_smaller ? again(round, std::move(part)) : leave_open(std::move(part));
+      }
+  }
+  [[nodiscard]] std::vector<Piece> met(const Round& round, const Piece& piece) {
+    try {
+      return at_common_values(round, piece);
+    } catch (const OutOfBudget&) {
+      return {piece};
+    }
   }
   [[nodiscard]] std::vector<Exclusion> along_the_curve(const Round& round,
                                                        const ManifoldSpec& m) const {

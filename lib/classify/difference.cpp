@@ -379,6 +379,11 @@ std::vector<Rational> univariate(const MPoly& f, std::size_t x) {
 
 // g as a function of f, if it is one: f is solved for a parameter that it contains to degree 1.
 std::optional<Univariate> in_terms_of(const MFraction& f, const MFraction& g) {
+  const Rational zero_number(0), one(1);
+  if (const MFraction product = f * g; is_constant(product)) // (a/c)^2 and (c/a)^2
+    return Univariate{{to_rational(product)}, {zero_number, one}};
+  if (const MFraction sum = f + g; !is_zero(sum) && is_constant(sum))
+    return Univariate{{to_rational(sum), -one}, {one}};
   auto names = f.ring()->names();
   names.emplace_back("value of the square");
   const Ring ring = make_ring(names);

@@ -156,10 +156,33 @@ bool exclude(std::vector<Piece>& pieces, const Exclusion& e, const System& s,
   return done;
 }
 
+namespace {
+
+// Those with the same outcome together, in the order in which the first of them were made.
+std::vector<std::string> in_words(const std::vector<Attempt>& tried) {
+  constexpr std::size_t most_named = 4;
+  std::vector<std::string> all;
+  std::vector<bool> done(tried.size());
+  for (std::size_t i = 0; i < tried.size(); ++i) {
+    if (done[i]) continue;
+    std::string text = tried[i].what;
+    std::size_t same = 1;
+    for (std::size_t k = i + 1; k < tried.size() && !tried[i].outcome.empty(); ++k) {
+      if (tried[k].outcome != tried[i].outcome) continue;
+      done[k] = true;
+      if (++same <= most_named) text += "; " + tried[k].what;
+    }
+    if (same > most_named) text += "; and " + std::to_string(same - most_named) + " more";
+    all.push_back(text + (tried[i].outcome.empty() ? "" : ": " + tried[i].outcome));
+  }
+  return all;
+}
+
+} // namespace
+
 void leave_open(Piece piece, SystemClassification& c) {
   ClassifiedStratum x{std::move(piece.where), std::move(piece.special), StratumStatus::open};
-  for (const Attempt& a : piece.tried)
-    x.open_after.push_back(a.what + (a.outcome.empty() ? "" : ": " + a.outcome));
+  x.open_after = in_words(piece.tried);
   c.strata.push_back(std::move(x));
 }
 

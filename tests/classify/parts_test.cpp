@@ -404,6 +404,10 @@ TEST_F(Parts, CommonValuesNeedALimitAndOneRelation) {
   EXPECT_FALSE(finite(of_a, {Kind::rational, {one / a}}));              // Q is dense
   EXPECT_FALSE(finite(of_a, negation({Kind::integer, {one / a}})));
   EXPECT_TRUE(finite({Kind::integer, {a / b}}, {Kind::integer, {b / a}})); // one relation
+  const MFraction ratio = a * a / (b * b);
+  EXPECT_EQ(common_values({Kind::integer, {ratio}}, {Kind::integer, {one / ratio}})->values.size(),
+            1U);
+  EXPECT_TRUE(finite({Kind::integer, {a * a + b * b}}, {Kind::integer, {one - a * a - b * b}}));
 }
 // D1^2 + 4 D2^2 = 5/4 and the like: an ellipse, whose points may be rational in D2.
 TEST_F(Parts, CommonValuesWhereOneSquareFalls) {
