@@ -18,6 +18,7 @@ namespace kov {
 /// Given   ManifoldSpec axis; axis.name = "axis";
 /// Given   for (const char* name : {"x", "y", "u", "v"}) axis.equations.push_back(
 ///             {MFraction::variable(three.ring(), name), std::string(name) + " = 0"});
+/// Given   axis.levels = {{formula(three, "H - 1"), "H = 1"}};
 /// Given   ManifoldReport on_it; on_it.manifold = std::get<InvariantManifold>(
 ///             prove_invariant(three.field, axis));
 /// Given   on_it.normal = normal_system(three.field, *on_it.manifold, {});
