@@ -1,5 +1,5 @@
-"""Properties of homoclinic.py of the Python checker, functions of its modules (sys.modules) that are True (chaos.md 1 to 4).  The C++
-checker has no such format, and a whole certificate takes long: in the place of a flow there is an explicit map of the plane."""
+"""Properties of homoclinic.py of the Python checker, functions of its modules (sys.modules) that are True (chaos.md 1 to 4).  A whole
+certificate takes long: in the place of a flow there is an explicit map of the plane."""
 import math
 import random
 from fractions import Fraction as F

@@ -55,6 +55,14 @@ class Certificates(unittest.TestCase):
         self.assertIn("1/8", lines[0])
         self.assertIn("homoclinic", lines[2])
 
+    def test_the_other_judge_says_the_same(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "proof.json")
+            with open(path, "w", encoding="utf-8") as f:
+                json.dump(self.true, f)
+            out = subprocess.run([kovacic, "verify", path, "--format", "json"], check=True, capture_output=True, text=True).stdout
+        self.assertEqual(json.loads(out)["statement"], kovacic_verify.check(json.dumps(self.true))[2])
+
     def test_another_system_level_or_section_is_rejected(self):
         self.rejected(level="1/7")
         self.rejected(hamiltonian=["6*x^2*y + 3*x^2 + 2*y^3 + 3*y^2 + 3*u^2 + 3*v^2", "6"])  # integrable

@@ -5,6 +5,7 @@
 #include "commands.hpp"
 
 #include "certify/equation/statement.hpp"
+#include "certify/homoclinic/check.hpp"
 #include "certify/jets/check.hpp"
 #include "certify/loops/check.hpp"
 #include "certify/strata/check.hpp"
@@ -125,6 +126,17 @@ Report judge_loops(Report r, const std::string& certificate, bool strict) {
   return accepted(r, std::get<certify::Accepted>(verdict).trusted_steps, strict);
 }
 
+Report judge_homoclinic(Report r, const std::string& certificate, bool strict) {
+  const certify::HomoclinicCertificate c = certify::read_homoclinic_certificate(certificate);
+  const auto verdict = certify::check_homoclinic(c);
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
+  const auto& yes = std::get<certify::HomoclinicAccepted>(verdict);
+  r = accepted(r, yes.trusted, strict);
+  r["statement"] = certify::statement(c, yes);
+  r["system"] = "transverse homoclinic point";
+  return r;
+}
+
 // The outcome of one text: "accepted", "rejected" or "malformed", with its reason.
 Report judge(const std::string& path, const std::string& certificate, bool strict) {
   Report r{{"file", path}};
@@ -134,6 +146,7 @@ Report judge(const std::string& path, const std::string& certificate, bool stric
     if (format == "kovacic-system/1") return judge_system(r, certificate, strict);
     if (format == "kovacic-jets/1") return judge_jets(r, certificate, strict);
     if (format == "kovacic-loops/1") return judge_loops(r, certificate, strict);
+    if (format == "kovacic-homoclinic/1") return judge_homoclinic(r, certificate, strict);
     if (format == "kovacic-theorem/1") return judge_theorem(r, certificate, strict);
     return judge_group(r, certificate, strict);
   } catch (const Error& e) {

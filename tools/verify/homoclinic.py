@@ -317,7 +317,9 @@ def verify(top):
         proof = Proof(d)
     except (ZeroDivisionError, OverflowError, ValueError) as why:
         raise Rejected(f"the enclosures fail: {why}") from None
-    names, at = d["variables"], ", ".join(f"{x} = {b.about():.12g}" for x, b in zip([d["variables"][i] for i in d["chart"]], proof.p))
+    names = d["variables"]
+    near = [0.0 if abs(b.about()) < 1e-12 else b.about() for b in proof.p]
+    at = ", ".join(f"{names[i]} = {x:.12g}" for i, x in zip(d["chart"], near))
     where = "" if top["where"] is None else f", where ({top['where'][0]})/{top['where'][1]} > 0"
     return 1, "", [
         f"H = ({top['hamiltonian'][0]})/{top['hamiltonian'][1]} with {names[0]}' = dH/d{names[2]}, ..., on the level H = {d['level']};",

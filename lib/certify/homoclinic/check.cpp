@@ -1,0 +1,339 @@
+#include "certify/homoclinic/check.hpp"
+
+#include "certify/homoclinic/surface.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace kov::certify {
+namespace {
+
+using Matrix = std::vector<std::vector<Interval>>;
+using Approximate = std::vector<std::vector<double>>;
+using Vector = std::vector<Interval>;
+
+constexpr long nearness = -20;     // binary logarithm: a guess is better than that
+constexpr long first_radius = -90; // the same, of the box around the fixed point
+constexpr int attempts = 4;        // boxes that are tried
+constexpr long smallest_cone = -40, largest_cone = -4; // binary logarithms of kappa
+
+Approximate approximate_inverse(const Matrix& m) {
+  const std::size_t n = m.size();
+  Approximate a(n, std::vector<double>(2 * n));
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j)
+      a[i][j] = m[i][j].about();
+    a[i][n + i] = 1;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    std::size_t pivot = i;
+    for (std::size_t k = i; k < n; ++k)
+      if (std::abs(a[k][i]) > std::abs(a[pivot][i])) pivot = k;
+    std::swap(a[i], a[pivot]);
+    const double p = a[i][i];
+    need(p != 0 && std::isfinite(p), "a matrix is singular, or nearly");
+    for (double& x : a[i])
+      x /= p;
+    for (std::size_t k = 0; k < n; ++k)
+      if (const double f = a[k][i]; k != i && f != 0)
+        for (std::size_t j = 0; j < 2 * n; ++j)
+          a[k][j] -= f * a[i][j];
+  }
+  for (auto& row : a)
+    row.erase(row.begin(), row.begin() + static_cast<long>(n));
+  return a;
+}
+
+// (2) K - m of Krawczyk's test for each unknown: -C F(m) + (1 - C J) [-r, r]
+Vector contraction(const Approximate& c, const Vector& value, const Matrix& slope,
+                   const Vector& radius) {
+  const std::size_t n = value.size();
+  Vector shift(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    Vector row(n);
+    row[i] = Interval(1);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Interval factor = Interval::exactly(c[i][k]);
+      shift[i] = shift[i] - factor * value[k];
+      for (std::size_t j = 0; j < n; ++j)
+        if (arb_is_zero(slope[k][j].raw()) == 0) row[j] = row[j] - factor * slope[k][j];
+    }
+    for (std::size_t j = 0; j < n; ++j)
+      shift[i] = shift[i] + row[j] * Interval::around_zero(radius[j]);
+  }
+  return shift;
+}
+
+bool all_below(const Vector& shift, const Vector& radius) {
+  for (std::size_t i = 0; i < shift.size(); ++i)
+    if (!(shift[i].most() < radius[i])) return false;
+  return true;
+}
+
+// (3.1) The least kappa = 2^-k for which all matrices keep the cone around the first axis and stretch it.
+Interval cone(const TwoRows& m) {
+  const Interval a = m[0][0].sign() < 0 ? -m[0][0] : m[0][0];
+  for (long k = smallest_cone; k <= largest_cone; ++k) {
+    const Interval kappa = power_of_two(k), stretch = a - m[0][1].most() * kappa;
+    if (Interval() < a && Interval(1) < stretch &&
+        m[1][0].most() + m[1][1].most() * kappa < kappa * stretch)
+      return kappa;
+  }
+  throw Refused{"no cone is kept"};
+}
+
+class HomoclinicProof {
+public:
+  explicit HomoclinicProof(const HomoclinicCertificate& c)
+      : c_(c), surface_(c), near_(point(c.point)) {
+    for (std::size_t i = 0; i < 2; ++i)
+      for (std::size_t j = 0; j < 2; ++j)
+        axes_[i][j] = Interval(c.axes[i][j]).middle(); // any matrix will do
+  }
+
+  HomoclinicAccepted operator()() {
+    rule_ = "2";
+    find_fixed_point();
+    rule_ = "3";
+    find_manifolds();
+    rule_ = "4";
+    connect();
+    return {1, {p_[0].about(), p_[1].about()}};
+  }
+  [[nodiscard]] const char* rule() const { return rule_; }
+
+private:
+  static Point point(const FourNumbers& x) {
+    Point p;
+    for (std::size_t i = 0; i < 4; ++i)
+      p[i] = Interval(x[i]).middle();
+    return p;
+  }
+
+  // ---- p
+
+  void find_fixed_point() {
+    const Chart& chart = c_.chart;
+    const TwoNumbers middle{near_[chart[0]], near_[chart[1]]};
+    Vector radius(2, power_of_two(first_radius));
+    for (int i = 0; i < attempts; ++i) {
+      at_p_ =
+          surface_.patch(chart, {middle[0].wider(radius[0]), middle[1].wider(radius[1])}, near_);
+      const Carried image = surface_.carried(at_p_);
+      const TwoRows d = image.by_chart(chart);
+      const Matrix slope{{d[0][0] - Interval(1), d[0][1]}, {d[1][0], d[1][1] - Interval(1)}};
+      const Vector value{image.middle[chart[0]] - middle[0], image.middle[chart[1]] - middle[1]};
+      const Vector shift = contraction(approximate_inverse(slope), value, slope, radius);
+      need_near(shift, "the fixed point is not near its guess");
+      if (all_below(shift, radius)) {
+        need(at_p_.holds(image.at), "the orbit may close on another sheet");
+        p_ = {middle[0] + shift[0], middle[1] + shift[1]};
+        return;
+      }
+      widen(radius, shift);
+    }
+    throw Refused{"the fixed point is not proved"};
+  }
+
+  static void need_near(const Vector& shift, const char* why) {
+    need(all_below(shift, Vector(shift.size(), power_of_two(nearness))), why);
+  }
+  static void widen(Vector& radius, const Vector& shift) {
+    for (std::size_t i = 0; i < radius.size(); ++i) {
+      const Interval s = shift[i].most();
+      radius[i] =
+          (Interval(2) * (radius[i] < s ? s : radius[i]) + power_of_two(-Interval::bits)).most();
+    }
+  }
+
+  // ---- the graphs
+
+  void find_manifolds() {
+    const Interval reach(c_.reach);
+    reach_ = reach - Interval::around_zero(power_of_two(-Interval::bits) * reach).most();
+    const Interval r = Interval::around_zero(reach.most());
+    TwoNumbers box;
+    for (std::size_t i = 0; i < 2; ++i)
+      box[i] = p_[i] + axes_[i][0] * r + axes_[i][1] * r;
+    region_ = surface_.patch(c_.chart, box, near_);
+    need(region_.holds(at_p_.at[0]), "the fixed point may lie on another sheet");
+    for (const int way : {1, -1}) {
+      const Carried image = surface_.carried(region_, way);
+      need(region_.holds(image.at), "the region may come back on another sheet");
+      const TwoRows m = product(inverse(axes_), product(image.by_chart(c_.chart), axes_));
+      kappa_[way > 0 ? 0 : 1] =
+          cone(way > 0 ? m : TwoRows{{{m[1][1], m[1][0]}, {m[0][1], m[0][0]}}});
+    }
+  }
+
+  // Of all graphs that are possible: the points over an interval of the axis, and the tangents.
+  [[nodiscard]] TwoNumbers on_graph(std::size_t axis, const Interval& along) const {
+    const Interval off = Interval::around_zero(kappa_[axis]) * along;
+    TwoNumbers z;
+    for (std::size_t i = 0; i < 2; ++i)
+      z[i] = p_[i] + axes_[i][axis] * along + axes_[i][1 - axis] * off;
+    return z;
+  }
+  [[nodiscard]] TwoNumbers tangent(std::size_t axis) const {
+    TwoNumbers t;
+    for (std::size_t i = 0; i < 2; ++i)
+      t[i] = axes_[i][axis] + axes_[i][1 - axis] * Interval::around_zero(kappa_[axis]);
+    return t;
+  }
+
+  // ---- the orbit from one to the other
+
+  void connect() {
+    xi_ = Interval(c_.xi).middle();
+    eta_ = Interval(c_.eta).middle();
+    charts_ = {c_.chart};
+    for (const FourNumbers& z : c_.orbit) {
+      points_.push_back(point(z));
+      charts_.push_back(surface_.chart_at(points_.back()));
+    }
+    charts_.push_back(c_.chart);
+    Vector radius(2 * (points_.size() + 1));
+    Approximate c;
+    for (int i = 0; i < attempts; ++i) {
+      carry(radius);
+      const Vector value = values();
+      const Matrix slope = slopes();
+      if (c.empty()) c = approximate_inverse(slope);
+      const Vector shift = contraction(c, value, slope, radius);
+      need_near(shift, "the homoclinic orbit is not near its guess");
+      if (all_below(shift, radius)) return look_at_ends(radius);
+      widen(radius, shift);
+    }
+    throw Refused{"the homoclinic orbit is not proved"};
+  }
+
+  // The map over boxes around the z_k.
+  void carry(const Vector& radius) {
+    patches_ = {surface_.patch(c_.chart, on_graph(0, xi_.wider(radius[0])), near_)};
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const Chart& c = charts_[k + 1];
+      const TwoNumbers box{points_[k][c[0]].wider(radius[2 * k + 1]),
+                           points_[k][c[1]].wider(radius[2 * k + 2])};
+      patches_.push_back(surface_.patch(c, box, points_[k]));
+    }
+    images_.clear();
+    for (const SurfacePatch& p : patches_)
+      images_.push_back(surface_.carried(p));
+  }
+
+  // The equations at the middles of the unknowns, for all pairs of graphs.
+  [[nodiscard]] Vector values() const {
+    Vector all;
+    const TwoNumbers first = on_graph(0, xi_), last = on_graph(1, eta_);
+    for (std::size_t k = 0; k < images_.size(); ++k) {
+      const Chart& c = charts_[k + 1];
+      const TwoRows by = images_[k].by_chart(c);
+      for (std::size_t i = 0; i < 2; ++i) {
+        Interval at = images_[k].middle[c[i]];
+        if (k == 0)
+          for (std::size_t j = 0; j < 2; ++j)
+            at = at + by[i][j] * (first[j] - patches_[0].box[j].middle());
+        all.push_back(at - (k < points_.size() ? points_[k][c[i]] : last[i]));
+      }
+    }
+    return all;
+  }
+
+  [[nodiscard]] Matrix slopes() const {
+    const std::size_t n = images_.size();
+    const TwoNumbers u = tangent(0), s = tangent(1);
+    Matrix all(2 * n, Vector(2 * n));
+    for (std::size_t k = 0; k < n; ++k) {
+      const TwoRows by = images_[k].by_chart(charts_[k + 1]);
+      for (std::size_t i = 0; i < 2; ++i) {
+        Vector& row = all[2 * k + i];
+        if (k == 0) {
+          row[0] = by[i][0] * u[0] + by[i][1] * u[1];
+        } else {
+          row[2 * k - 1] = by[i][0];
+          row[2 * k] = by[i][1];
+        }
+        if (k + 1 < n)
+          row[2 * k + 1 + i] = Interval(-1);
+        else
+          row[2 * n - 1] = -s[i];
+      }
+    }
+    return all;
+  }
+
+  // The solution is an orbit on its sheets, from one graph to the other, and not p.
+  void look_at_ends(const Vector& radius) const {
+    for (const auto& [x, r] : {std::pair(xi_, radius.front()), std::pair(eta_, radius.back())}) {
+      const Interval end = x.wider(r);
+      need(end.sign() != 0 && end.most() < reach_,
+           "an end is the fixed point, or outside of the region");
+    }
+    need(region_.holds(patches_[0].at[0]), "the orbit may begin on another sheet");
+    for (std::size_t k = 0; k < images_.size(); ++k)
+      need((k + 1 < patches_.size() ? patches_[k + 1] : region_).holds(images_[k].at),
+           "the orbit may come back on another sheet");
+  }
+
+  const HomoclinicCertificate& c_;
+  LevelSurface surface_;
+  const char* rule_ = "";
+  Point near_; ///< p, guessed
+  TwoRows axes_;
+  TwoNumbers p_; ///< in the chart
+  SurfacePatch at_p_, region_;
+  Interval reach_;
+  TwoNumbers kappa_;
+  Interval xi_, eta_;
+  std::vector<Point> points_; ///< z_1 ... z_(n-1), guessed
+  std::vector<Chart> charts_; ///< of z_0 ... z_n
+  std::vector<SurfacePatch> patches_;
+  std::vector<Carried> images_;
+};
+
+std::string rounded(double x) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%.12g", std::abs(x) < 1e-12 ? 0.0 : x);
+  return text.data();
+}
+
+std::string over(const PhaseFunction& f) { return "(" + to_string(f.p) + ")/" + to_string(f.n); }
+
+} // namespace
+
+std::variant<HomoclinicAccepted, Rejected> check_homoclinic(const HomoclinicCertificate& c) {
+  std::string rule = "1";
+  try {
+    HomoclinicProof proof(c);
+    try {
+      return proof();
+    } catch (...) {
+      rule = proof.rule();
+      throw;
+    }
+  } catch (const Refused& no) {
+    return Rejected{rule, no.why, no.limit};
+  } catch (const std::exception& e) {
+    return Rejected{rule, e.what()};
+  }
+}
+
+std::vector<std::string> statement(const HomoclinicCertificate& c,
+                                   const HomoclinicAccepted& found) {
+  const auto name = [&](std::size_t i) { return c.ring->name(i); };
+  std::string at;
+  for (std::size_t k = 0; k < 2; ++k)
+    at += (k == 0 ? "" : ", ") + name(c.chart[k]) + " = " + rounded(found.fixed_point[k]);
+  return {
+      "H = " + over(c.hamiltonian) + " with " + name(0) + "' = dH/d" + name(2) +
+          ", ..., on the level H = " + to_string(c.level) + ";",
+      "the map of the section " + over(c.section) + " = 0, " + (c.rising ? "upward" : "downward") +
+          (c.where ? ", where " + over(*c.where) + " > 0" : "") +
+          (c.period > 1 ? ", to the power " + std::to_string(c.period) : ""),
+      "has a hyperbolic fixed point at " + at + " and a transverse homoclinic point to it.",
+      "So (trusted: Smale, Moser) it has a horseshoe, and every real-analytic first integral on "
+      "a connected open part of the level around",
+      "the closure of the homoclinic orbit is constant."};
+}
+
+} // namespace kov::certify
