@@ -1,7 +1,9 @@
 #include "classify/classify.hpp"
 
+#include "classify/bounded.hpp"
 #include "classify/darboux_points.hpp"
 #include "classify/exclusion.hpp"
+#include "classify/faces.hpp"
 #include "classify/parameter_split.hpp"
 #include "classify/pieces.hpp"
 #include "classify/solutions.hpp"
@@ -123,16 +125,20 @@ private:
     if (first && begins(round, "Darboux points")) try_darboux_points(round);
     if (begins(round, "solutions")) try_solutions(round);
     if (!first && begins(round, "Darboux points")) try_darboux_points(round);
+    if (begins(round, "faces")) try_faces(round);
     if (round.pieces.empty())
       look_for_a_contradiction(round, decided);
     else if (begins(round, "integrals"))
-      try_integrals(round, decided);
+      try_integrals(round, decided, options_.degree);
     meet_conditions(round);
     try_what_is_left(round, round.at_energy_zero);
     meet_conditions(round);
     try_what_is_left(round, round.at_all_levels);
     if (options_.order > 1 && !round.pieces.empty() && begins(round, "higher orders"))
       try_higher_orders(round);
+    if (options_.degree < options_.degree_at_points && is_small(round) && is_at_a_point(round) &&
+        begins(round, "integrals of high degree"))
+      try_integrals(round, decided, options_.degree_at_points);
     if (begins(round, "exceptions"))
       for (const Exclusion& e : std::exchange(round.late, {}))
         exclude(round, e);
@@ -257,6 +263,14 @@ private:
                                  piece.special[i].squares.front().den() *
                                      piece.special[j].squares.front().den());
         }
+    if (const auto bounded = bounded_values(round.system, piece.where, piece.special)) {
+      add_once(result_.trusted, bounded->trusted);
+      MPoly denominators = bounded->values.square.den();
+      for (const DifferenceCondition& c : piece.special)
+        for (const MFraction& square : c.squares)
+          denominators = denominators * square.den();
+      return at_those_values(round, piece, bounded->values, squarefree_part(denominators));
+    }
     return {piece};
   }
 
@@ -303,6 +317,23 @@ private:
     return round.system.field.parameters.size() <= round.levels.size();
   }
 
+  // Two degrees of freedom: of more variables there are very many monomials.
+  [[nodiscard]] static bool is_small(const Round& round) {
+    return round.system.field.dimension() <= 4;
+  }
+
+  // Each parameter has finitely many values.
+  [[nodiscard]] static bool is_at_a_point(const Round& round) {
+    const auto levels = level_parameters(round.system);
+    const auto equations = round.whole.where.equations();
+    const auto& all = round.system.field.parameters;
+    return !round.pieces.empty() && std::all_of(all.begin(), all.end(), [&](std::size_t t) {
+      return std::find(levels.begin(), levels.end(), t) != levels.end() ||
+             std::any_of(equations.begin(), equations.end(),
+                         [&](const MPoly& f) { return used_variables(f) == std::vector{t}; });
+    });
+  }
+
   void try_higher_orders(Round& round) {
     const auto start = Clock::now();
     std::size_t left = round.solutions.size();
@@ -330,6 +361,21 @@ private:
         note(p, "Darboux points", limit.what());
     }
     result_.stages.emplace_back("Darboux points", seconds_since(start));
+  }
+
+  void try_faces(Round& round) {
+    if (round.pieces.empty() || !options_.search_solutions) return;
+    const auto start = Clock::now();
+    CheckOptions check = options_.check;
+    check.decide.budget = share(0.3);
+    try {
+      for (const Exclusion& e : exclusions_at_faces(round.system, check))
+        exclude(round, e);
+    } catch (const OutOfBudget& limit) {
+      for (Piece& p : round.pieces)
+        note(p, "where exponentials are 0", limit.what());
+    }
+    result_.stages.emplace_back("where exponentials are 0", seconds_since(start));
   }
 
   // Later rounds have fewer parameters.
@@ -419,9 +465,9 @@ private:
       take_elsewhere(round, *search.elsewhere, search.not_covered);
   }
 
-  void try_integrals(Round& round, std::size_t decided) {
-    if (round.integrals_known) return;
-    IntegralSearch search = search_integrals(round.system, options_.degree, 0.5, true);
+  void try_integrals(Round& round, std::size_t decided, long degree) {
+    if (round.pieces.empty() || (round.integrals_known && degree == options_.degree)) return;
+    IntegralSearch search = search_integrals(round.system, degree, 0.5, true);
     common_equations_first(round.system, search.sets);
     round.integrals_known = search.finished();
     std::vector<Piece> met;

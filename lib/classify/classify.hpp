@@ -16,6 +16,7 @@ namespace kov {
 struct ClassifyOptions {
   CheckOptions check;           ///< its deadline is that of the whole
   long degree = 4;              ///< of the first integrals that are looked for
+  long degree_at_points = 6;    ///< the same at single points of the parameters, at last
   int order = 5;                ///< of the variational equations (docs/theory/jets.md), 1 to 7
   bool search_solutions = true; ///< also manifolds that the file does not name
   /// Stages that are left out, by the names that `at_work` gives them: of a run before that they

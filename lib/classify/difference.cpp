@@ -288,6 +288,9 @@ struct WhatItSays {
     if (const auto one = said_by(s)) return {*one};
     return all(s.squares, std::vector{entries(s.group)});
   }
+  std::vector<Special> operator()(const Separated& s) const {
+    return all(s.squares, std::vector{Residues{Rational(0), Rational(1)}});
+  }
   std::vector<Special> operator()(const InHalves& s) const {
     if (s.count < s.squares.size()) return {}; // which of them is not known
     return all(s.squares, std::vector{Residues{Rational(1, 2), Rational(1)}});
@@ -473,7 +476,50 @@ std::optional<Rational> bound(const Univariate& f,
                    bound_of_zeros(plus_multiple(scaled, Rational(-1), rest))});
 }
 
+// From here on |F(x)| is in (1/n) Z for no x, |x| at least this; unset: F has no finite limit.
+std::optional<Rational> bound_of_numbers(const Univariate& f, const Integer& n) {
+  if (f.num.size() > f.den.size()) return std::nullopt;
+  const Rational limit = f.num.size() < f.den.size() ? Rational(0) : f.num.back() / f.den.back();
+  const Rational scaled = Rational(n) * limit;
+  const Rational one(1);
+  const Rational part = scaled - Rational(floor(scaled)); // of the limit that is in none
+  const Rational gap = (is_zero(part) ? one : std::min(part, one - part)) / Rational(n);
+  const auto rest = plus_multiple(f.num, -limit, f.den);
+  if (std::all_of(rest.begin(), rest.end(), [](const Rational& c) { return is_zero(c); }))
+    return std::nullopt; // F is constant
+  const auto wide = plus_multiple({}, gap, f.den);
+  return std::max({bound_of_zeros(rest), bound_of_zeros(f.den),
+                   bound_of_zeros(plus_multiple(wide, one, rest)),
+                   bound_of_zeros(plus_multiple(wide, -one, rest))});
+}
+
+// The same for Delta2 = F(Delta1) where both are functions of the parameters.
+std::optional<CommonValues> values_by_roots(const DifferenceCondition& a,
+                                            const DifferenceCondition& b) {
+  const auto first = residues(a), second = residues(b);
+  const auto x = square_root(a.squares.front()), y = square_root(b.squares.front());
+  if (!first || !second || !x || !y) return std::nullopt;
+  const auto f = in_terms_of(*x, *y);
+  if (!f) return std::nullopt;
+  const auto from = bound_of_numbers(*f, denominator(*second));
+  if (!from) return std::nullopt;
+  CommonValues all{a.squares.front(), {}};
+  const Integer n = denominator(*first);
+  for (long j = 0;; ++j) {
+    if (j > most_values) return std::nullopt;
+    const Rational root = Rational(Integer(j)) / Rational(n);
+    if (*from < root) return all;
+    if (!contains(*first, root)) continue;
+    const auto is_common = [&](const Rational& value) {
+      const Rational den = at(f->den, value);
+      return !is_zero(den) && contains(*second, at(f->num, value) / den);
+    };
+    if (is_common(root) || is_common(-root)) all.values.push_back(root * root);
+  }
+}
+
 std::optional<CommonValues> values_by(const DifferenceCondition& a, const DifferenceCondition& b) {
+  if (auto values = values_by_roots(a, b)) return values;
   const auto first = residues(a);
   if (!first) return std::nullopt;
   const auto f = in_terms_of(a.squares.front(), b.squares.front());
@@ -500,6 +546,25 @@ std::optional<CommonValues> common_values(const DifferenceCondition& a,
     if (!c->holds || c->or_all_rational || c->squares.size() != 1) return std::nullopt;
   if (auto values = values_by(a, b)) return values;
   return values_by(b, a);
+}
+
+Integer denominator(const DifferenceCondition& c) {
+  const auto classes = residues(c);
+  KOV_ENSURE(classes);
+  return denominator(*classes);
+}
+
+std::vector<Rational> special_squares(const DifferenceCondition& c, long bound) {
+  const auto classes = residues(c);
+  KOV_ENSURE(classes);
+  const Integer n = denominator(*classes);
+  std::vector<Rational> all;
+  for (long j = 0; j <= most_values; ++j) {
+    const Rational root = Rational(Integer(j)) / Rational(n);
+    if (Rational(bound) < root) return all;
+    if (contains(*classes, root)) all.push_back(root * root);
+  }
+  throw OutOfBudget("too many special values of an exponent difference");
 }
 
 DifferenceCondition negation(DifferenceCondition c) {

@@ -74,6 +74,13 @@ struct CommonValues {
 [[nodiscard]] std::optional<CommonValues> common_values(const DifferenceCondition& a,
                                                         const DifferenceCondition& b);
 
+/// N with all special Delta in (1/N) Z.  Requires that not all rational numbers are special.
+/// Example denominator(integer)  // -> 1
+[[nodiscard]] Integer denominator(const DifferenceCondition& c);
+/// The squares of the special values up to `bound` in absolute value, ascending.
+/// Example special_squares(integer, 2)  // -> {0, 1, 4}
+[[nodiscard]] std::vector<Rational> special_squares(const DifferenceCondition& c, long bound);
+
 [[nodiscard]] DifferenceCondition negation(DifferenceCondition c);
 [[nodiscard]] std::string to_string(const DifferenceCondition& c);
 

@@ -1,5 +1,6 @@
 #include "classify/exclusion.hpp"
 
+#include "classify/general_level.hpp"
 #include "decide/words.hpp"
 #include "exact/error.hpp"
 #include "integrability/conclude.hpp"
@@ -175,25 +176,49 @@ std::optional<DifferenceCondition> some(const strata::Leaf& leaf,
   return c;
 }
 
-// Where the parts of a closed answer say it: outside `condition` the group is `otherwise`.
+// Where the parts of a closed answer say it: outside `condition` the group is `otherwise` for some
+// level, if all that is said to change does so.
 struct ClosedAnswer {
-  DifferenceCondition condition;
+  std::optional<DifferenceCondition> condition; ///< unset: everywhere
   strata::Leaf otherwise;
+  std::vector<MFraction> changing;
 };
 
+// The same numbers in the ring of the system; unset: one has no value there.
+std::optional<ArithmeticCondition> in_system(ArithmeticCondition c, const Projection& p) {
+  const bool known = std::visit(
+      [&](auto& s) {
+        return std::all_of(s.squares.begin(), s.squares.end(), [&](MFraction& x) {
+          auto here = p.value(x);
+          if (here) x = *std::move(here);
+          return here.has_value();
+        });
+      },
+      c.statement);
+  if (!known) return std::nullopt;
+  return c;
+}
+
 // Some part is not abelian, and on all others one and the same difference is special.
-std::optional<ClosedAnswer> closed_answer(const Stratum& x) {
+std::optional<ClosedAnswer> closed_answer(const Stratum& x, const Projection& p) {
   std::vector<std::vector<ArithmeticCondition>> others;
   std::optional<strata::Leaf> otherwise;
-  for (const Stratum& part : strata::told_apart(x))
-    if (part.leaf.abelian == Truth::no)
+  for (const Stratum& part : strata::told_apart(x)) {
+    if (part.leaf.abelian == Truth::no) {
       otherwise = part.leaf;
-    else
-      others.push_back(part.arithmetic);
-  if (!otherwise) return std::nullopt;
-  auto condition = necessary_condition(others);
-  if (!condition) return std::nullopt;
-  return ClosedAnswer{*std::move(condition), *std::move(otherwise)};
+      continue;
+    }
+    others.emplace_back();
+    for (const ArithmeticCondition& c : part.arithmetic)
+      if (auto here = in_system(c, p)) others.back().push_back(*std::move(here));
+  }
+  if (!otherwise || others.empty()) return std::nullopt;
+  AtGeneralLevel general = at_general_level(std::move(others), p.levels());
+  ClosedAnswer answer{std::nullopt, *std::move(otherwise), std::move(general.changing)};
+  if (general.parts.empty()) return answer;
+  answer.condition = necessary_condition(general.parts);
+  if (!answer.condition) return std::nullopt;
+  return answer;
 }
 
 // What an undecided leaf says all the same; unset: nothing.
@@ -239,6 +264,17 @@ bool require_some(Exclusion& e, const Projection& p, const std::vector<MPoly>& v
   return true;
 }
 
+// f has a value for some level, and is not the same for all.
+void require_change(Exclusion& e, const Projection& p, const MFraction& f) {
+  std::vector<MPoly> changes;
+  for (const std::size_t h : p.levels())
+    if (const MFraction slope = derivative(f, h); !is_zero(slope))
+      for (MPoly& k : p.by_levels(slope.num()))
+        changes.push_back(std::move(k));
+  e.not_all_zero.push_back(std::move(changes));
+  e.not_all_zero.push_back(p.by_levels(f.den()));
+}
+
 // Differences that depend on the level are not special for some level.
 bool require_no_difference(Exclusion& e, const Projection& p, const DifferenceCondition& c) {
   DifferenceCondition left = c;
@@ -251,12 +287,7 @@ bool require_no_difference(Exclusion& e, const Projection& p, const DifferenceCo
       continue;
     }
     left.or_all_rational = false;
-    std::vector<MPoly> changes;
-    for (const std::size_t h : p.levels())
-      if (const MFraction slope = derivative(*here, h); !is_zero(slope))
-        for (MPoly& k : p.by_levels(slope.num()))
-          changes.push_back(std::move(k));
-    e.not_all_zero.push_back(std::move(changes));
+    require_change(e, p, *here);
   }
   for (const MFraction& square : left.squares) // it says something where they have values
     e.not_all_zero.push_back({square.den()});
@@ -276,18 +307,21 @@ std::optional<Exclusion> exclusion(const System& s, const Stratum& x,
   const strata::Leaf& leaf = x.leaf;
   std::optional<OnlyIf> open;
   if (leaf.abelian == Truth::yes) return std::nullopt;
+  Projection p(s, levels);
+  if (!p.take(x.conditions)) return std::nullopt;
   std::optional<ClosedAnswer> closed;
   if (leaf.abelian == Truth::unknown) {
-    closed = closed_answer(x);
+    closed = closed_answer(x, p);
     if (closed)
       open = OnlyIf{{}, closed->condition};
     else if (leaf.open)
       open = only_if(leaf);
     if (!open) return std::nullopt;
   }
-  Projection p(s, levels);
-  if (!p.take(x.conditions)) return std::nullopt;
   Exclusion e = p.result();
+  if (closed)
+    for (const MFraction& f : closed->changing)
+      require_change(e, p, f);
   if (open) {
     if (!require_some(e, p, open->vanish)) return std::nullopt;
     if (open->difference && !require_no_difference(e, p, *open->difference)) return std::nullopt;

@@ -150,6 +150,16 @@ void require_consistent(const System& s) {
   if (contradicts_itself(s)) throw InvalidArgument("the assumptions contradict each other");
 }
 
+std::optional<std::string> refuted_over_the_reals(const System& s,
+                                                  const std::vector<Condition>& conditions) {
+  const Region all = assumed_region(s);
+  if (!std::all_of(conditions.begin(), conditions.end(),
+                   [&](const Condition& c) { return all.is_real(c.p); }))
+    return std::nullopt;
+  if (!all.refutes(conditions)) return std::nullopt;
+  return all.trusted().back().claim;
+}
+
 std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {
   const Region all = assumed_region(s);
   std::vector<MPoly> left;

@@ -32,6 +32,12 @@ namespace kov {
 [[nodiscard]] bool contradicts_itself(const System& s);
 /// Errors  InvalidArgument: contradicts_itself
 void require_consistent(const System& s);
+/// No parameters satisfy the assumptions and these conditions, all of whose variables are real: the
+/// step that proves it, in words.  Unset: not proved.
+/// Given   const Condition below_zero{MPoly(empty.ring(), Integer(-1)), Sign::positive};
+/// Example refuted_over_the_reals(empty, {below_zero}).has_value()  // -> yes
+[[nodiscard]] std::optional<std::string>
+refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions);
 /// Those polynomials in the parameters that may vanish under the assumptions of the file.
 [[nodiscard]] std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic);
 /// For some parameters that the file admits all coefficients of d may be 0.

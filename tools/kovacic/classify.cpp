@@ -171,7 +171,7 @@ private:
       ClassifyOptions options;
       options.check.decide = inner.solver_options();
       options.check.decide.ask_the_judge = true;
-      options.degree = arguments_.degree;
+      if (arguments_.degree > 0) options.degree = options.degree_at_points = arguments_.degree;
       if (settings_.order > 0) options.order = settings_.order;
       options.search_solutions = !arguments_.only_file;
       options.skip = skip;

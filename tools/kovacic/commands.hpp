@@ -58,7 +58,7 @@ struct IntegralsArguments {
 
 struct ClassifyArguments {
   std::string file;
-  long degree = 4;        ///< of the first integrals
+  long degree = 0;        ///< of the first integrals; 0: as ClassifyOptions has it
   bool only_file = false; ///< no solutions but those of the file
 };
 

@@ -282,7 +282,8 @@ struct CommandLine {
     CLI::App* command =
         app.add_subcommand("classify", "for which parameters is a system integrable?");
     command->add_option("FILE", a.file, "a system file")->required()->type_name("");
-    command->add_option("--degree", a.degree, "of first integrals that are looked for; default 4")
+    command
+        ->add_option("--degree", a.degree, "of first integrals; default 4, and 6 at single points")
         ->check(silent(CLI::Range(1, 20)))
         ->type_name("D");
     command->add_flag("--only-file", a.only_file, "no solutions but the manifolds of the file");

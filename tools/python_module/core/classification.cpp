@@ -152,13 +152,13 @@ void bind_classification(py::module_& m) {
         return "<Classification: " + to_string(c.status()) + ">";
       });
   m.def("classify", [](const Limits& limits, const Source& source, const ParameterValues& values,
-                       long degree, bool search) {
-    if (degree < 1) throw InvalidArgument("the degree of first integrals is at least 1");
+                       std::optional<long> degree, bool search) {
+    if (degree && *degree < 1) throw InvalidArgument("the degree of first integrals is at least 1");
     return computed(limits, [&](const Budget& budget, const Interrupt&) {
       ClassifyOptions options;
       options.check.decide.budget = budget;
       options.check.decide.ask_the_judge = true;
-      options.degree = degree;
+      if (degree) options.degree = options.degree_at_points = *degree;
       options.search_solutions = search;
       return classify_system(read_system(source.document(), values), options);
     });

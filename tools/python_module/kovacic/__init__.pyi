@@ -803,7 +803,7 @@ def integrals(source: Source, degree: int = 2, *, coefficients: int | None = Non
               max_work: float | None = None) -> IntegralSearch: ...
 
 
-def classify(source: Source, *, degree: int = 4, search: bool = True, set: Mapping[Name, Formula] | None = None,
+def classify(source: Source, *, degree: int | None = None, search: bool = True, set: Mapping[Name, Formula] | None = None,
              timeout: float | None = 60, max_work: float | None = None) -> Classification: ...
 
 

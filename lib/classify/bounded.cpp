@@ -1,0 +1,103 @@
+#include "classify/bounded.hpp"
+
+#include "exact/error.hpp"
+#include "integrability/parameters.hpp"
+#include "special/arithmetic.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr long most_bounds = 16;        // Delta^2 up to 256
+constexpr std::size_t most_values = 48; // each is studied by itself
+
+/// The conditions on the real parameters of a set at which all differences are special.
+class RealSet {
+public:
+  RealSet(const System& s, const ParameterSet& where,
+          const std::vector<DifferenceCondition>& conditions)
+      : s_(s), where_(where), conditions_(conditions) {
+    for (const MPoly& p : where.equations())
+      known_.push_back({p, Sign::zero});
+    for (const MPoly& p : where.proper_inequations())
+      known_.push_back({p, Sign::nonzero});
+  }
+
+  [[nodiscard]] std::optional<BoundedValues> values(std::size_t i) const {
+    const DifferenceCondition& c = conditions_[i];
+    if (!is_discrete(c)) return std::nullopt;
+    std::vector<Condition> others = known_;
+    for (std::size_t j = 0; j < conditions_.size(); ++j)
+      if (j != i && is_discrete(conditions_[j])) add_distance(conditions_[j], others);
+    BoundedValues all{i, {c.squares.front(), {}}, ""};
+    const auto bound = least_bound(c.squares.front(), others, all.trusted);
+    if (!bound) return std::nullopt;
+    all.values.values = special_squares(c, *bound);
+    if (all.values.values.size() > most_values) return std::nullopt;
+    return all;
+  }
+
+private:
+  static bool is_discrete(const DifferenceCondition& c) {
+    return c.holds && !c.or_all_rational && c.squares.size() == 1 &&
+           c.kind != DifferenceCondition::Kind::rational;
+  }
+
+  // f is larger than k^2.
+  static Condition larger(const MFraction& f, long k) {
+    const MFraction over = f - MFraction(f.ring(), Rational(k * k));
+    return {over.num() * over.den(), Sign::positive};
+  }
+
+  // The smallest k, of those that are tried, such that Delta^2 > k^2 is refuted.
+  std::optional<long> least_bound(const MFraction& square, const std::vector<Condition>& others,
+                                  std::string& step) const {
+    const auto refuted = [&](long k) {
+      auto all = others;
+      all.push_back(larger(square, k));
+      const auto proof = refuted_over_the_reals(s_, all);
+      if (proof) step = *proof;
+      return proof.has_value();
+    };
+    long high = 1;
+    while (high <= most_bounds && !refuted(high))
+      high *= 2;
+    if (high > most_bounds) return std::nullopt;
+    for (long low = high / 2; high - low > 1;) {
+      const long middle = (low + high) / 2;
+      (refuted(middle) ? high : low) = middle;
+    }
+    return high;
+  }
+
+  // |Delta - v| >= 1/N for a value v that Delta never takes.
+  void add_distance(const DifferenceCondition& c, std::vector<Condition>& all) const {
+    const auto delta = square_root(c.squares.front());
+    if (!delta) return;
+    const Integer n = denominator(c);
+    for (long v = -2; v <= 2; ++v) {
+      const MFraction away = *delta - MFraction(delta->ring(), Rational(v));
+      if (is_zero(away) || !where_.is_nonzero(away.num())) continue;
+      const MPoly scaled = MPoly(where_.ring(), n) * away.num();
+      all.push_back({scaled * scaled - away.den() * away.den(), Sign::nonnegative});
+    }
+  }
+
+  const System& s_;
+  const ParameterSet& where_;
+  const std::vector<DifferenceCondition>& conditions_;
+  std::vector<Condition> known_;
+};
+
+} // namespace
+
+std::optional<BoundedValues> bounded_values(const System& s, const ParameterSet& where,
+                                            const std::vector<DifferenceCondition>& conditions) {
+  const RealSet set(s, where, conditions);
+  for (std::size_t i = 0; i < conditions.size(); ++i)
+    if (auto values = set.values(i)) return values;
+  return std::nullopt;
+}
+
+} // namespace kov

@@ -1,0 +1,398 @@
+#include "classify/faces.hpp"
+
+#include "exact/finite_algebra.hpp"
+#include "integrability/parameters.hpp"
+#include "system/in_ring.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+bool contains(const std::vector<std::size_t>& all, std::size_t i) {
+  return std::find(all.begin(), all.end(), i) != all.end();
+}
+
+bool is_constant_of(const VectorField& v, const MFraction& f) {
+  const auto used = used_variables(f);
+  return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+    return contains(v.parameters, i) || contains(v.constants, i);
+  });
+}
+
+// Coordinates that nothing contains but through functions.
+std::vector<std::size_t> hidden_coordinates(const VectorField& v) {
+  std::vector<std::size_t> hidden;
+  for (std::size_t j = 0; j < v.dimension(); ++j) {
+    const std::size_t x = v.coordinates[j];
+    const auto contain = [x](const std::vector<MFraction>& all) {
+      return std::any_of(all.begin(), all.end(), [x](const MFraction& f) { return uses(f, x); });
+    };
+    const bool seen = contain(v.components) || uses(*v.hamiltonian, x) ||
+                      std::any_of(v.functions.begin(), v.functions.end(),
+                                  [&](const FunctionSymbol& f) { return contain(f.gradient); });
+    const bool has_functions =
+        std::any_of(v.functions.begin(), v.functions.end(),
+                    [j](const FunctionSymbol& f) { return !is_zero(f.gradient[j]); });
+    if (!seen && has_functions) hidden.push_back(j);
+  }
+  return hidden;
+}
+
+// The exponents of exponentials in the hidden coordinates; unset: some function of them is none.
+std::optional<Matrix> exponents(const VectorField& v, const std::vector<std::size_t>& hidden,
+                                std::vector<std::size_t>& exponentials) {
+  Matrix a;
+  for (const FunctionSymbol& f : v.functions) {
+    const MFraction u = MFraction::variable(v.ring, f.variable);
+    std::vector<MFraction> row;
+    bool only_hidden = true;
+    for (std::size_t j = 0; j < v.dimension(); ++j)
+      if (contains(hidden, j))
+        row.push_back(f.gradient[j] / u);
+      else
+        only_hidden = only_hidden && is_zero(f.gradient[j]);
+    if (std::all_of(row.begin(), row.end(), [](const MFraction& x) { return is_zero(x); }))
+      continue;
+    if (!only_hidden || !std::all_of(row.begin(), row.end(),
+                                     [&](const MFraction& x) { return is_constant_of(v, x); }))
+      return std::nullopt;
+    a.push_back(std::move(row));
+    exponentials.push_back(f.variable);
+  }
+  return a;
+}
+
+MFraction determinant(const Matrix& a, const Ring& ring) {
+  if (a.empty()) return {ring, Rational(1)};
+  MFraction sum(ring);
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    if (is_zero(a[0][j])) continue;
+    Matrix minor;
+    for (std::size_t i = 1; i < a.size(); ++i) {
+      minor.push_back(a[i]);
+      minor.back().erase(minor.back().begin() + static_cast<long>(j));
+    }
+    const MFraction term = a[0][j] * determinant(minor, ring);
+    sum += j % 2 == 0 ? term : -term;
+  }
+  return sum;
+}
+
+// The maximal minors that are not 0.
+std::vector<MPoly> minors(const Matrix& a, std::size_t columns, const Ring& ring) {
+  std::vector<MPoly> all;
+  std::vector<bool> chosen(columns, false);
+  std::fill(chosen.begin(), chosen.begin() + static_cast<long>(a.size()), true);
+  do {
+    Matrix part;
+    for (const auto& row : a) {
+      part.emplace_back();
+      for (std::size_t j = 0; j < columns; ++j)
+        if (chosen[j]) part.back().push_back(row[j]);
+    }
+    if (const MFraction det = determinant(part, ring); !is_zero(det)) all.push_back(det.num());
+  } while (std::prev_permutation(chosen.begin(), chosen.end()));
+  return all;
+}
+
+constexpr std::size_t most_hidden = 8;
+
+// Nothing of the Hamiltonian system but its field.
+System without_bracket(System s) {
+  s.kind = SystemKind::vector_field;
+  s.field.hamiltonian.reset();
+  s.field.poisson.reset();
+  s.claims.clear();
+  s.manifolds.clear();
+  s.reductions.clear();
+  s.lagrangian.reset();
+  return s;
+}
+
+} // namespace
+
+std::optional<ExponentialCoordinates> exponential_coordinates(const System& s) {
+  const VectorField& v = s.field;
+  if (!v.hamiltonian || !v.poisson) return std::nullopt;
+  const auto hidden = hidden_coordinates(v);
+  std::vector<std::size_t> exponentials;
+  const auto a = exponents(v, hidden, exponentials);
+  if (!a || a->empty() || a->size() > hidden.size() || hidden.size() > most_hidden)
+    return std::nullopt;
+  const bool related = std::any_of(v.relations.begin(), v.relations.end(), [&](const MPoly& f) {
+    return std::any_of(exponentials.begin(), exponentials.end(),
+                       [&](std::size_t u) { return uses(f, u); });
+  });
+  auto independent = minors(*a, hidden.size(), v.ring);
+  if (related || independent.empty()) return std::nullopt;
+  ExponentialCoordinates x{
+      without_bracket(s), *v.hamiltonian, exponentials, {}, std::move(independent)};
+  VectorField& field = x.system.field;
+  field.coordinates.clear();
+  field.components.clear();
+  std::erase_if(field.functions,
+                [&](const FunctionSymbol& f) { return contains(exponentials, f.variable); });
+  for (FunctionSymbol& f : field.functions) {
+    std::vector<MFraction> gradient;
+    for (std::size_t j = 0; j < v.dimension(); ++j)
+      if (!contains(hidden, j)) gradient.push_back(f.gradient[j]);
+    gradient.resize(gradient.size() + exponentials.size(), MFraction(v.ring));
+    f.gradient = std::move(gradient);
+  }
+  for (std::size_t j = 0; j < v.dimension(); ++j) {
+    if (contains(hidden, j)) {
+      x.instead_of.push_back(v.coordinates[j]);
+      continue;
+    }
+    field.coordinates.push_back(v.coordinates[j]);
+    field.components.push_back(v.components[j]);
+  }
+  for (const std::size_t u : exponentials) {
+    field.coordinates.push_back(u);
+    field.components.push_back(lie_derivative(v, MFraction::variable(v.ring, u)));
+  }
+  const auto is_defined = [&](const MFraction& f) {
+    return std::none_of(exponentials.begin(), exponentials.end(),
+                        [&](std::size_t u) { return uses(f.den(), u); });
+  };
+  if (!is_defined(x.hamiltonian) ||
+      !std::all_of(field.components.begin(), field.components.end(), is_defined))
+    return std::nullopt;
+  return x;
+}
+
+namespace {
+
+/// Two exponentials, the others being 0: one of the two vanishes on the solutions as well.
+class Face {
+public:
+  Face(const ExponentialCoordinates& x, std::size_t moving, std::size_t vanishing)
+      : x_(x), moving_(moving), vanishing_(vanishing) {}
+
+  /// In the ring of the Hamiltonian system.
+  [[nodiscard]] std::vector<Exclusion> exclusions(const System& s, const CheckOptions& options) {
+    restrict_to_two();
+    find_linear_integrals(options.decide.budget);
+    if (free_.empty()) return {};
+    name_levels();
+    const auto spec = manifold();
+    if (!spec) return {};
+    const ManifoldReport report = check_manifold(system_, *spec, {}, options);
+    std::vector<Exclusion> all;
+    for (Exclusion& e : kov::exclusions(system_, report, level_parameters(system_)))
+      if (auto here = in_ring_of(s, e)) all.push_back(*std::move(here));
+    return all;
+  }
+
+private:
+  // The field on {e_i = 0, i neither of the two}.
+  void restrict_to_two() {
+    system_ = x_.system;
+    hamiltonian_ = x_.hamiltonian;
+    Substitution zero;
+    for (const std::size_t u : x_.exponentials)
+      if (u != moving_ && u != vanishing_) zero[u] = MFraction(system_.ring());
+    VectorField& v = system_.field;
+    for (std::size_t j = v.dimension(); j-- > 0;)
+      if (zero.count(v.coordinates[j])) {
+        v.coordinates.erase(v.coordinates.begin() + static_cast<long>(j));
+        v.components.erase(v.components.begin() + static_cast<long>(j));
+        for (FunctionSymbol& f : v.functions)
+          f.gradient.erase(f.gradient.begin() + static_cast<long>(j));
+      }
+    for (MFraction& c : v.components)
+      c = substitute(c, zero);
+    hamiltonian_ = substitute(hamiltonian_, zero);
+  }
+
+  // sum c_i x_i, c constant, over the coordinates that are no exponentials: a basis of those that
+  // are constant, and one of those that are so where the second exponential is 0.
+  void find_linear_integrals(const Budget& budget) {
+    for (const std::size_t i : system_.field.coordinates)
+      if (i != moving_ && i != vanishing_) others_.push_back(i);
+    fixed_ = constant_combinations({}, budget);
+    const auto on_the_face =
+        constant_combinations({{vanishing_, MFraction(system_.ring())}}, budget);
+    auto known = fixed_;
+    for (const auto& c : on_the_face) {
+      known.push_back(c);
+      if (rank(known, budget) == known.size())
+        free_.push_back(c);
+      else
+        known.pop_back();
+    }
+  }
+  [[nodiscard]] std::size_t rank(const std::vector<std::vector<MFraction>>& rows,
+                                 const Budget& budget) const {
+    return others_.size() - null_space(rows, others_.size(), system_.ring(), budget).size();
+  }
+  [[nodiscard]] std::vector<std::vector<MFraction>>
+  constant_combinations(const Substitution& at, const Budget& budget) const {
+    const VectorField& v = system_.field;
+    std::map<std::vector<ulong>, std::vector<MFraction>> rows; // by the monomial
+    for (std::size_t k = 0; k < others_.size(); ++k) {
+      const auto j = static_cast<std::size_t>(
+          std::find(v.coordinates.begin(), v.coordinates.end(), others_[k]) -
+          v.coordinates.begin());
+      const MFraction f = substitute(v.components[j], at);
+      if (!is_constant_of(v, MFraction(f.den()))) return {};
+      for (const auto& [monomial, coefficient] : monomials(f)) {
+        auto& row = rows[monomial];
+        row.resize(others_.size(), MFraction(v.ring));
+        row[k] = coefficient;
+      }
+    }
+    Matrix m;
+    for (auto& [monomial, row] : rows)
+      m.push_back(std::move(row));
+    return null_space(std::move(m), others_.size(), v.ring, budget);
+  }
+  // By monomials in all that moves.
+  [[nodiscard]] std::map<std::vector<ulong>, MFraction> monomials(const MFraction& f) const {
+    const VectorField& v = system_.field;
+    std::map<std::vector<ulong>, MFraction> all;
+    if (is_zero(f)) return all;
+    std::vector<std::size_t> main = v.coordinates;
+    for (const FunctionSymbol& u : v.functions)
+      main.push_back(u.variable);
+    const MPoly& p = f.num();
+    std::vector<std::pair<std::vector<ulong>, MFraction>> parts{{{}, MFraction(p)}};
+    for (const std::size_t i : main) {
+      std::vector<std::pair<std::vector<ulong>, MFraction>> finer;
+      for (const auto& [monomial, part] : parts) {
+        ulong power = 0;
+        for (const MPoly& c : coefficients(part.num(), i)) {
+          auto longer = monomial;
+          longer.push_back(power++);
+          if (!is_zero(c)) finer.emplace_back(std::move(longer), MFraction(c));
+        }
+      }
+      parts = std::move(finer);
+    }
+    for (auto& [monomial, part] : parts)
+      all.emplace(monomial, part / MFraction(f.den()));
+    return all;
+  }
+
+  // A level of each linear integral that the solutions of this face have beside those of both.
+  void name_levels() {
+    auto names = system_.ring()->names();
+    const std::size_t first = names.size();
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      std::string name = "c" + std::to_string(k + 1);
+      while (std::find(names.begin(), names.end(), name) != names.end())
+        name += "_";
+      names.push_back(name);
+    }
+    const Ring ring = make_ring(names);
+    system_ = in_ring(system_, ring);
+    hamiltonian_ = transfer(hamiltonian_, ring);
+    for (auto* list : {&fixed_, &free_})
+      for (auto& row : *list)
+        for (MFraction& c : row)
+          c = transfer(c, ring);
+    for (std::size_t k = 0; k < free_.size(); ++k) {
+      system_.field.parameters.push_back(first + k);
+      levels_.push_back(first + k);
+    }
+  }
+
+  // Through the point of the curve where the other exponential is 0 and the last coordinate is 1.
+  [[nodiscard]] std::optional<ManifoldSpec> manifold() const {
+    const Ring& ring = system_.ring();
+    if (others_.size() != fixed_.size() + free_.size() + 1) return std::nullopt;
+    ManifoldSpec spec;
+    const auto add = [&](const MFraction& difference, const std::string& text) {
+      spec.equations.push_back({difference, text});
+      spec.name += (spec.name.empty() ? "" : ", ") + text;
+    };
+    for (const std::size_t u : x_.exponentials)
+      if (u == vanishing_)
+        add(MFraction::variable(ring, u), ring->name(u) + " = 0");
+      else if (u != moving_)
+        spec.name += (spec.name.empty() ? "" : ", ") + ring->name(u) + " = 0";
+    Substitution solved;
+    const auto add_integral = [&](const std::vector<MFraction>& row, const MFraction& value) {
+      MFraction f = -value;
+      for (std::size_t k = 0; k < others_.size(); ++k)
+        f += row[k] * MFraction::variable(ring, others_[k]);
+      add(f, to_string(f + value) + " = " + to_string(value));
+      const MFraction left = substitute(f, solved);
+      for (const std::size_t i : others_) {
+        if (solved.count(i) || is_zero(derivative(left, i))) continue;
+        const Substitution step{{i, MFraction::variable(ring, i) - left / derivative(left, i)}};
+        for (auto& [j, known] : solved)
+          known = substitute(known, step);
+        solved.insert(step.begin(), step.end());
+        return;
+      }
+    };
+    for (const auto& row : fixed_)
+      add_integral(row, MFraction(ring));
+    for (std::size_t k = 0; k < free_.size(); ++k)
+      add_integral(free_[k], MFraction::variable(ring, levels_[k]));
+    solved[vanishing_] = MFraction(ring);
+    const MFraction energy = substitute(hamiltonian_, solved);
+    const auto last = std::find_if(others_.begin(), others_.end(),
+                                   [&](std::size_t i) { return !solved.count(i); });
+    if (last == others_.end()) return std::nullopt;
+    const MFraction value =
+        substitute(energy, {{moving_, MFraction(ring)}, {*last, MFraction(ring, Rational(1))}});
+    if (!is_constant_of(system_.field, value)) return std::nullopt;
+    spec.levels.push_back({hamiltonian_ - value, "H = " + to_string(value)});
+    return spec;
+  }
+
+  // Unset: it speaks of a variable of this face.
+  [[nodiscard]] std::optional<Exclusion> in_ring_of(const System& s, Exclusion e) const {
+    const auto move = [&](MFraction& f) {
+      for (const std::size_t i : used_variables(f))
+        if (contains(levels_, i)) return false;
+      f = transfer(f, s.ring());
+      return true;
+    };
+    const auto move_all = [&](std::vector<MPoly>& all) {
+      return std::all_of(all.begin(), all.end(), [&](MPoly& p) {
+        MFraction f(p);
+        const bool done = move(f);
+        if (done) p = f.num();
+        return done;
+      });
+    };
+    if (!move_all(e.zero)) return std::nullopt;
+    for (auto& list : e.not_all_zero)
+      if (!move_all(list)) return std::nullopt;
+    if (e.unless && !std::all_of(e.unless->squares.begin(), e.unless->squares.end(), move))
+      return std::nullopt;
+    e.not_all_zero.push_back(x_.independent);
+    for (const std::size_t i : x_.instead_of)
+      e.by.without.push_back(s.ring()->name(i));
+    e.by.integrals = ExcludedClass::rational;
+    e.by.trusted.emplace_back("exponentials as coordinates, also where they are 0");
+    return e;
+  }
+
+  const ExponentialCoordinates& x_;
+  std::size_t moving_, vanishing_;
+  System system_;
+  MFraction hamiltonian_;
+  std::vector<std::size_t> others_, levels_;
+  std::vector<std::vector<MFraction>> fixed_, free_;
+};
+
+} // namespace
+
+std::vector<Exclusion> exclusions_at_faces(const System& s, const CheckOptions& options) {
+  std::vector<Exclusion> all;
+  const auto x = exponential_coordinates(s);
+  if (!x) return all;
+  for (const std::size_t moving : x->exponentials)
+    for (const std::size_t vanishing : x->exponentials)
+      if (moving != vanishing)
+        for (Exclusion& e : Face(*x, moving, vanishing).exclusions(s, options))
+          all.push_back(std::move(e));
+  return all;
+}
+
+} // namespace kov

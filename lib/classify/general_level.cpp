@@ -1,0 +1,132 @@
+#include "classify/general_level.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+/// Of one statement: does it hold for no general level, and what does it say else?
+class Statement {
+public:
+  explicit Statement(const std::vector<std::size_t>& levels) : levels_(levels) {}
+
+  [[nodiscard]] bool never() const { return never_; }
+  [[nodiscard]] const std::vector<MFraction>& changing() const { return changing_; }
+
+  ArithmeticStatement operator()(const AllRational& s) { return all_in_a_countable_set(s); }
+  ArithmeticStatement operator()(const InRow& s) { return all_in_a_countable_set(s); }
+  ArithmeticStatement operator()(const Separated& s) { return all_in_a_countable_set(s); }
+  ArithmeticStatement operator()(const LameIsFinite& s) { return s; }
+
+  ArithmeticStatement operator()(const InHalves& s) {
+    InHalves left{{}, s.count};
+    for (const MFraction& x : s.squares)
+      if (!changes(x)) left.squares.push_back(x);
+    if (left.squares.size() == s.squares.size() || left.squares.size() >= s.count) return left;
+    never_ = true;
+    for (const MFraction& x : s.squares)
+      if (changes(x)) changing_.push_back(x);
+    return s;
+  }
+
+  // The sums that do not change are left, if it is one.
+  ArithmeticStatement operator()(const SumIn& s) {
+    if (std::none_of(s.squares.begin(), s.squares.end(),
+                     [&](const MFraction& x) { return changes(x); }))
+      return s;
+    const auto all = sums(s.squares);
+    if (!all) return s;
+    Squares left;
+    for (const MFraction& x : *all)
+      if (!changes(x)) left.push_back(x * x);
+    if (left.size() > 1) return s;
+    for (const MFraction& x : *all)
+      if (changes(x)) changing_.push_back(x);
+    never_ = left.empty();
+    return left.empty() ? s : SumIn{left, s.classes};
+  }
+
+  // An integer does not change, and the other two change by the same or by opposite numbers.
+  ArithmeticStatement operator()(const WithoutLogarithm& s) {
+    Squares moving, fixed;
+    for (const MFraction& x : s.squares)
+      (changes(x) ? moving : fixed).push_back(x);
+    if (moving.empty()) return s;
+    if (moving.size() != 2) { // a sum with a number that does not change changes
+      never_ = true;
+      changing_ = moving;
+      return s;
+    }
+    const auto both = sums(moving);
+    if (!both) return s;
+    changing_ = moving;
+    for (const MFraction& x : *both)
+      if (!changes(x)) return Separated{{fixed.front(), x * x}};
+    never_ = true;
+    changing_.insert(changing_.end(), both->begin(), both->end());
+    return s;
+  }
+
+private:
+  [[nodiscard]] bool changes(const MFraction& x) const {
+    return std::any_of(levels_.begin(), levels_.end(), [&](std::size_t h) { return uses(x, h); });
+  }
+  template <class S> ArithmeticStatement all_in_a_countable_set(const S& s) {
+    const auto moving = std::find_if(s.squares.begin(), s.squares.end(),
+                                     [&](const MFraction& x) { return changes(x); });
+    if (moving != s.squares.end()) {
+      never_ = true;
+      changing_.push_back(*moving);
+    }
+    return s;
+  }
+  // x1 +- x2 +- ..., each up to sign; unset: a number is no function of parameters and levels.
+  static std::optional<std::vector<MFraction>> sums(const Squares& squares) {
+    std::vector<MFraction> all;
+    for (const MFraction& square : squares) {
+      const auto root = square_root(square);
+      if (!root) return std::nullopt;
+      if (all.empty()) {
+        all.push_back(*root);
+        continue;
+      }
+      std::vector<MFraction> more;
+      for (const MFraction& x : all)
+        for (const MFraction& y : {x + *root, x - *root})
+          more.push_back(y);
+      all = std::move(more);
+    }
+    return all;
+  }
+
+  const std::vector<std::size_t>& levels_;
+  bool never_ = false;
+  std::vector<MFraction> changing_;
+};
+
+} // namespace
+
+AtGeneralLevel at_general_level(std::vector<std::vector<ArithmeticCondition>> parts,
+                                const std::vector<std::size_t>& levels) {
+  AtGeneralLevel all;
+  const auto need = [&](const std::vector<MFraction>& changing) {
+    for (const MFraction& x : changing)
+      if (std::find(all.changing.begin(), all.changing.end(), x) == all.changing.end())
+        all.changing.push_back(x);
+  };
+  for (auto& part : parts) {
+    std::vector<ArithmeticCondition> left;
+    bool never = false;
+    for (const ArithmeticCondition& c : part) {
+      if (!c.holds) continue; // that more may hold is no mistake
+      Statement s(levels);
+      left.push_back({std::visit(s, c.statement), true});
+      need(s.changing());
+      if ((never = s.never())) break;
+    }
+    if (!never) all.parts.push_back(std::move(left));
+  }
+  return all;
+}
+
+} // namespace kov

@@ -1,0 +1,29 @@
+#pragma once
+// What statements on numbers that depend on a level say for some level.
+//
+// Where x changes with the level it is in no given countable set for all levels but countably many:
+// neither an integer nor rational.
+//
+// Source  docs/theory/classify.md (1, 2)
+
+#include "special/arithmetic.hpp"
+
+namespace kov {
+
+/// Lists of conditions, of which one holds, at levels outside of a countable set.
+struct AtGeneralLevel {
+  std::vector<std::vector<ArithmeticCondition>> parts; ///< more may hold; none: nothing holds
+  /// That is so where each of these changes with the level.
+  std::vector<MFraction> changing;
+};
+
+/// levels: the variables of which one may choose the value.
+/// Given   const Ring ring = make_ring({"s", "h"});
+/// Given   const MFraction s = MFraction::variable(ring, "s"), h = MFraction::variable(ring, "h");
+/// Given   const ArithmeticCondition rational{AllRational{{s * s, h * h}}}, integer{SumIn{{s * s}, {{0, 1}}}};
+/// Example at_general_level({{rational}, {integer}}, {1}).parts.size()  // -> 1
+/// Example at_general_level({{rational}, {integer}}, {1}).changing.at(0)  // -> h^2
+[[nodiscard]] AtGeneralLevel at_general_level(std::vector<std::vector<ArithmeticCondition>> parts,
+                                              const std::vector<std::size_t>& levels);
+
+} // namespace kov

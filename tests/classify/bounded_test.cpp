@@ -1,0 +1,70 @@
+#include "classify/bounded.hpp"
+
+#include "exact/error.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using Kind = DifferenceCondition::Kind;
+using testing::ElementsAre;
+
+System with(const std::string& assumed) {
+  return read_system(parse_document(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['q']\nmomenta = ['p']\nparameters = ['s', "
+      "'t']\nhamiltonian = 'p^2/2 + s*q + t*q^2'\n[assume]\n" +
+          assumed,
+      "test.toml"));
+}
+
+struct Plane {
+  System system;
+  MFraction s = MFraction::variable(system.ring(), "s"),
+            t = MFraction::variable(system.ring(), "t");
+  ParameterSet all{system.ring(), system.field.parameters};
+  [[nodiscard]] MFraction number(long n) const { return {system.ring(), Rational(n)}; }
+};
+DifferenceCondition integer(const MFraction& x) { return {Kind::integer, {x * x}}; }
+
+TEST(Bounded, OneDifferenceBetweenBounds) {
+  const Plane p{with("s = 'real'\nconditions = ['s > 0', 's < 3']")};
+  const auto b = bounded_values(p.system, p.all, {integer(p.s)});
+  ASSERT_TRUE(b);
+  EXPECT_THAT(b->values.values,
+              ElementsAre(0, 1, 4, 9)); // 0 and 3 are no points: that is seen later
+  EXPECT_FALSE(b->trusted.empty());
+}
+
+TEST(Bounded, NotOfComplexParametersOrWithoutBounds) {
+  const Plane p{with("t = 'real'\n")};
+  EXPECT_FALSE(bounded_values(p.system, p.all, {integer(p.s)}));
+  EXPECT_FALSE(bounded_values(p.system, p.all, {integer(p.t)}));
+  EXPECT_FALSE(bounded_values(p.system, p.all, {}));
+  const Plane q{with("s = 'real'\nconditions = ['s > 0', 's < 3']")};
+  DifferenceCondition rational = integer(q.s), negated = integer(q.s);
+  rational.kind = Kind::rational;
+  negated.holds = false;
+  EXPECT_FALSE(bounded_values(q.system, q.all, {rational}));
+  EXPECT_FALSE(bounded_values(q.system, q.all, {negated}));
+}
+
+// 2s and 2s/(s^2 + t^2): the second is no integer for large s, unless it may be 0.
+TEST(Bounded, ByTheDistanceOfAnother) {
+  const Plane p{with("s = 'real'\nt = 'positive'\n")};
+  const MFraction m = Rational(2) * p.s, n = m / (p.s * p.s + p.t * p.t);
+  EXPECT_FALSE(bounded_values(p.system, p.all, {integer(m), integer(n)}));
+  const auto b = bounded_values(p.system, p.all.where_nonzero(p.s.num()), {integer(m), integer(n)});
+  ASSERT_TRUE(b);
+  EXPECT_EQ(b->condition, 0U);
+  EXPECT_THAT(b->values.values, ElementsAre(0, 1, 4, 9, 16));
+  DifferenceCondition halves = integer(n); // |n| >= 1/2 only
+  halves.kind = Kind::half_integer;
+  const auto wider = bounded_values(p.system, p.all.where_nonzero(p.s.num()), {integer(m), halves});
+  ASSERT_TRUE(wider);
+  EXPECT_EQ(wider->values.values.back(), Rational(64));
+}
+
+} // namespace
+} // namespace kov
