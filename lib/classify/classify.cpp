@@ -474,8 +474,11 @@ private:
     for (const IntegralsOfSet& set : search.sets)
       if (set.found() > 0 || is_enough(round.system, set))
         take_integrals(round, set, search.not_covered, decided, met);
-    if (search.elsewhere) take_elsewhere(round, *search.elsewhere, search.not_covered);
-    note_what_is_open(round, search);
+    const bool finds = search.elsewhere && is_enough(round.system, *search.elsewhere);
+    const bool is_the_last_word = degree == options_.degree || search.finished();
+    if (search.elsewhere && (is_the_last_word || finds))
+      take_elsewhere(round, *search.elsewhere, search.not_covered);
+    if (is_the_last_word) note_what_is_open(round, search);
     std::move(met.begin(), met.end(), std::back_inserter(round.pieces));
   }
 

@@ -492,6 +492,19 @@ std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
   return e;
 }
 
+// Of all parameters: they have values.
+Exclusion exclusion_of(const ManifoldSpec& m, const QuadratureObstruction& o) {
+  Exclusion e;
+  e.by.solution = m.name;
+  e.by.level = o.level;
+  e.by.order = o.order;
+  e.by.reason = reason(o);
+  e.by.integrals = ExcludedClass::meromorphic_at_infinity;
+  e.by.theorems = {jets::theorem()};
+  e.by.trusted = {"higher variational equations by quadratures, along " + m.name};
+  return e;
+}
+
 std::optional<Exclusion> exclusion_of_higher_order(const System& s, const ManifoldSpec& m,
                                                    int order, const Options& options,
                                                    std::string& why) {
@@ -501,7 +514,11 @@ std::optional<Exclusion> exclusion_of_higher_order(const System& s, const Manifo
   else
     why = orders.open.empty() ? "no logarithm at infinity up to VE_" + std::to_string(order)
                               : orders.open;
-  return exclusion_of(s, m, orders);
+  if (orders.obstruction || orders.open.empty()) return exclusion_of(s, m, orders);
+  const QuadratureOrders quadratures = orders_by_quadratures(s, m, order, options.budget);
+  if (quadratures.obstruction) return exclusion_of(m, *quadratures.obstruction);
+  why += "; " + quadratures.open;
+  return std::nullopt;
 }
 
 } // namespace kov

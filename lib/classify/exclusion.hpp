@@ -11,6 +11,7 @@
 #include "classify/classification.hpp"
 #include "integrability/check.hpp"
 #include "jets/obstruction.hpp"
+#include "quadratures/obstruction.hpp"
 
 namespace kov {
 
@@ -35,8 +36,11 @@ struct Exclusion {
 [[nodiscard]] std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
                                                     const jets::HigherOrders& orders);
 
+/// The same by quadratures, of a system without parameters.
+[[nodiscard]] Exclusion exclusion_of(const ManifoldSpec& m, const QuadratureObstruction& o);
+
 /// The same of the variational equations up to this order, along an invariant plane of a natural
-/// system; nothing if there is no obstruction.  why: what was found.
+/// system or by quadratures; nothing if there is no obstruction.  why: what was found.
 [[nodiscard]] std::optional<Exclusion> exclusion_of_higher_order(const System& s,
                                                                  const ManifoldSpec& m, int order,
                                                                  const Options& options,

@@ -310,6 +310,26 @@ Json json_of_orders(const System& s, const jets::HigherOrders& h) {
   return j;
 }
 
+void put_by_quadratures(std::ostringstream& out, const Exclusion& e) {
+  put(out, "order " + std::to_string(e.by.order),
+      "NON-INTEGRABLE at order " + std::to_string(e.by.order) + "  (" + e.by.theorems.front() +
+          ": not integrable with first integrals that are " + to_string(e.by.integrals) + ", " +
+          e.by.level + ")");
+  put(out, "because", e.by.reason);
+  put(out, "trusted", e.by.trusted.front() + ", without a certificate");
+}
+
+Json json_by_quadratures(const Exclusion& e, int up_to) {
+  return {{"up_to", up_to},
+          {"verdict", "non-integrable"},
+          {"order", e.by.order},
+          {"level", e.by.level},
+          {"exceptions", ""},
+          {"reason", e.by.reason},
+          {"theorem", e.by.theorems.front()},
+          {"trusted", e.by.trusted}};
+}
+
 // What is known of one manifold for the verdict on all of them.
 struct Findings {
   VerdictKind verdict = VerdictKind::undecided;
@@ -606,6 +626,18 @@ private:
     if (auto e = exclusion_of(s, m, orders)) findings.exclusions.push_back(*std::move(e));
     std::ostringstream lines;
     if (answer.text.empty()) lines << title_of_manifold(s, m.name) << "\n";
+    if (!orders.obstruction && !orders.open.empty()) {
+      const auto q = orders_by_quadratures(s, m, settings_.order, options_.decide.budget);
+      if (q.obstruction) {
+        const Exclusion e = exclusion_of(m, *q.obstruction);
+        put_by_quadratures(lines, e);
+        answer.text += lines.str();
+        answer.json.at("manifold")["higher_orders"] = json_by_quadratures(e, settings_.order);
+        findings.exclusions.push_back(e);
+        return;
+      }
+      orders.open += "; " + q.open;
+    }
     put_higher_orders(lines, s, orders);
     answer.text += lines.str();
     answer.json.at("manifold")["higher_orders"] = json_of_orders(s, orders);

@@ -45,21 +45,45 @@ void put_below(std::ostream& out, const std::string& text) {
   out << "              " << wrapped(text, 16) << '\n';
 }
 
-void print(const SystemClassification& c, const ClassifiedStratum& s, std::ostream& out) {
-  put(out, to_string(s.status), where_text(c, s));
+constexpr std::size_t five_lines = 430;
+constexpr std::size_t most_shown = 12; // of the strata with one status, of the reasons to exclude
+
+// The beginning of what would fill a page.
+std::string beginning(const std::string& text, bool all) {
+  if (all || text.size() <= five_lines) return text;
+  return text.substr(0, five_lines) + " ... (--verbose shows the rest)";
+}
+
+void print(const SystemClassification& c, const ClassifiedStratum& s, bool verbose,
+           std::ostream& out) {
+  put(out, to_string(s.status), beginning(where_text(c, s), verbose));
   if (const std::string with = integrals_text(s); !with.empty()) put_below(out, "with " + with);
   for (const std::string& tried : s.open_after)
-    put_below(out, tried);
+    put_below(out, beginning(tried, verbose));
+}
+
+void print_all(const SystemClassification& c, StratumStatus status, bool verbose,
+               std::ostream& out) {
+  std::size_t shown = 0, more = 0;
+  for (const ClassifiedStratum& x : c.strata) {
+    if (x.status != status) continue;
+    if (verbose || shown < most_shown) {
+      print(c, x, verbose, out);
+      ++shown;
+    } else {
+      ++more;
+    }
+  }
+  if (more > 0) put(out, to_string(status), std::to_string(more) + " more (--verbose names them)");
 }
 
 // Many sets with long conditions fill pages, and the theorem says "elsewhere".
 std::string some_of(const std::vector<std::string>& sets, bool all) {
-  constexpr std::size_t five_lines = 430;
   std::string text;
   for (std::size_t i = 0; i < sets.size(); ++i) {
     const std::string next = (i == 0 ? "" : "; or ") + sets[i];
     if (!all && text.size() + next.size() > five_lines) {
-      if (i == 0) return next.substr(0, five_lines) + " ... (--verbose shows the rest)";
+      if (i == 0) return beginning(next, all);
       return text + "; or " + std::to_string(sets.size() - i) + " more (--verbose names them)";
     }
     text += next;
@@ -69,10 +93,16 @@ std::string some_of(const std::vector<std::string>& sets, bool all) {
 
 // The strata that one equation excludes, together.
 void print_excluded(const SystemClassification& c, bool verbose, std::ostream& out) {
-  for (const ExcludedTogether& e : excluded_together(c)) {
-    put(out, "excluded", some_of(e.where, verbose));
-    put_below(out, reason_of(*e.by));
+  const auto all = excluded_together(c);
+  const std::size_t shown = verbose ? all.size() : std::min(all.size(), most_shown);
+  for (std::size_t i = 0; i < shown; ++i) {
+    put(out, "excluded", some_of(all[i].where, verbose));
+    put_below(out, reason_of(*all[i].by));
   }
+  if (shown < all.size())
+    put(out, "excluded",
+        "more sets, for " + std::to_string(all.size() - shown) +
+            " further reasons (--verbose names them)");
 }
 
 std::string text_of(const System& s, const SystemClassification& c, bool quiet, bool verbose) {
@@ -82,15 +112,16 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
   for (const std::string& note : c.notes)
     put(out, "note", note);
-  if (!quiet)
-    for (const ClassifiedStratum& x : c.strata)
-      if (x.status != StratumStatus::excluded) print(c, x, out);
-  if (!quiet) print_excluded(c, verbose, out);
+  if (!quiet) {
+    print_all(c, StratumStatus::integrable, verbose, out);
+    print_all(c, StratumStatus::open, verbose, out);
+    print_excluded(c, verbose, out);
+  }
   if (!c.theorems.empty()) put(out, "by", joined(c.theorems, ", "));
   if (!c.trusted.empty())
     put(out, "trusted",
         std::to_string(c.trusted.size()) + (c.trusted.size() == 1 ? " step: " : " steps: ") +
-            joined(c.trusted, "; "));
+            beginning(joined(c.trusted, "; "), verbose));
   if (verbose)
     for (const auto& [stage, seconds] : c.stages)
       put(out, "time", fmt::format("{:.1f} ms  {}", 1000 * seconds, stage));

@@ -1,0 +1,35 @@
+#pragma once
+// Higher variational equations by quadratures, along a rational curve whose normal equation has the
+// group C: all solutions up to some order lie in L = K(I), and then an integral int f, f in L, is
+// needed.  If df/dI is no derivative of an element of L, the identity component is not abelian.
+//
+// Source  docs/theory/quadratures.md; [MoralesRamisSimo2007] for the theorem on higher orders
+
+#include "integrability/check.hpp"
+#include "quadratures/primitive_extension.hpp"
+
+namespace kov {
+
+struct QuadratureObstruction {
+  int order = 0;        ///< of the variational equation
+  std::string level;    ///< of the curve: "E = 1"
+  std::string variable; ///< z as a function on the phase space
+  RationalFunction u;   ///< I' by z
+  PrimitiveExtension::Element f;
+  std::string of;        ///< whose integral it is: "c1*c2^2 in the variation of L"
+  std::size_t power = 0; ///< of I, where df/dI has simple poles that do not go away
+};
+
+struct QuadratureOrders {
+  std::optional<QuadratureObstruction> obstruction;
+  std::string open; ///< why there is none
+};
+
+/// Of a system without parameters but levels, whose first variational equation falls into one part
+/// along the curve and a normal one of order two.
+/// order: the largest one.   Errors  OutOfBudget
+[[nodiscard]] QuadratureOrders orders_by_quadratures(const System& s, const ManifoldSpec& m,
+                                                     int order, const Budget& budget);
+[[nodiscard]] std::string reason(const QuadratureObstruction& o);
+
+} // namespace kov
