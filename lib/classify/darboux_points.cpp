@@ -451,11 +451,11 @@ std::string which_part(const PlanarPotential& p) {
 // What all statements about Darboux points have in common.
 ExclusionReason reason(const PlanarPotential& p) {
   ExclusionReason by;
-  by.level = "energy not 0";
+  by.level = p.part == Part::all ? "energy not 0" : "energy of this part not 0";
   by.integrals = p.part == Part::all ? ExcludedClass::meromorphic : ExcludedClass::rational;
   by.trusted = {"the polynomial of the eigenvalues at Darboux points"};
   if (p.part != Part::all)
-    by.theorems.push_back("Ziglin's lemma, for parts of " +
+    by.theorems.push_back("Ziglin's lemma for rational integrals in involution, parts of " +
                           std::string(p.part == Part::highest ? "highest" : "lowest") + " weight");
   return by;
 }
@@ -595,9 +595,10 @@ std::optional<Exclusion> exclusion_at_multiple(const System& s, const PlanarPote
     e.not_all_zero.push_back({back(f, s.ring())});
   e.by = reason(p);
   e.by.solution = "a multiple Darboux point of " + which_part(p);
-  e.by.reason = "of the potentials of degree " + std::to_string(p.k) +
-                " with such a point only the radial one is integrable: the first term that it does "
-                "not have gives a logarithm";
+  e.by.reason = "of the rational potentials of degree " + std::to_string(p.k) +
+                " with such a point, not isotropic and no zero, " +
+                (p.k % 2 == 0 ? "only the radial one" : "none") +
+                " is integrable: the first term that is not radial gives a logarithm";
   e.by.trusted = {"the logarithm at multiple Darboux points"};
   e.by.theorems.insert(e.by.theorems.begin(), morales_ramis_simo().name);
   return e;

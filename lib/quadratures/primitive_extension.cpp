@@ -11,10 +11,11 @@ namespace kov {
 using Element = PrimitiveExtension::Element;
 
 HermiteParts hermite_parts(const RationalFunction& f, const Budget& budget) {
-  std::vector<Poly> places;
-  for (const Factor& q : squarefree_factors(f.den()))
+  std::vector<Poly> places; // irreducible: a part of a place could lose its multiplicity first
+  for (const Factor& q : irreducible_factors(f.den(), budget))
     if (degree(q.base) > 0) places.push_back(q.base);
   const auto integral = reduced_integral(f, RationalFunction(0), places, budget);
+  KOV_ENSURE(degree(integral.b.num()) < degree(integral.b.den()) && is_squarefree(integral.b.den()));
   return {integral.w, integral.b};
 }
 
