@@ -517,7 +517,7 @@ std::optional<Exclusion> exclusion_of_higher_order(const System& s, const Manifo
   if (orders.obstruction || orders.open.empty()) return exclusion_of(s, m, orders);
   const QuadratureOrders quadratures = orders_by_quadratures(s, m, order, options.budget);
   if (quadratures.obstruction) return exclusion_of(m, *quadratures.obstruction);
-  why += "; " + quadratures.open;
+  if (!quadratures.open.empty()) why += "; " + quadratures.open;
   return std::nullopt;
 }
 

@@ -22,7 +22,7 @@ struct QuadratureObstruction {
 
 struct QuadratureOrders {
   std::optional<QuadratureObstruction> obstruction;
-  std::string open; ///< why there is none
+  std::string open; ///< why there is none; empty: the system has parameters, and nothing was asked
 };
 
 /// Of a system without parameters but levels, whose first variational equation falls into one part

@@ -15,7 +15,8 @@ HermiteParts hermite_parts(const RationalFunction& f, const Budget& budget) {
   for (const Factor& q : irreducible_factors(f.den(), budget))
     if (degree(q.base) > 0) places.push_back(q.base);
   const auto integral = reduced_integral(f, RationalFunction(0), places, budget);
-  KOV_ENSURE(degree(integral.b.num()) < degree(integral.b.den()) && is_squarefree(integral.b.den()));
+  KOV_ENSURE(degree(integral.b.num()) < degree(integral.b.den()) &&
+             is_squarefree(integral.b.den()));
   return {integral.w, integral.b};
 }
 

@@ -636,7 +636,7 @@ private:
         findings.exclusions.push_back(e);
         return;
       }
-      orders.open += "; " + q.open;
+      if (!q.open.empty()) orders.open += "; " + q.open;
     }
     put_higher_orders(lines, s, orders);
     answer.text += lines.str();
