@@ -6,6 +6,7 @@
 #include "classify/faces.hpp"
 #include "classify/parameter_split.hpp"
 #include "classify/pieces.hpp"
+#include "classify/scale.hpp"
 #include "classify/solutions.hpp"
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"
@@ -31,11 +32,15 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// One system with its solutions and integrals, on some pieces of the parameters.
-struct Round {
+/// With what is known of it.
+struct KnownSystem {
   System system;
   std::vector<ClaimReport> claims;
   std::vector<KnownLevel> levels;
+};
+
+/// One system with its solutions and integrals, on some pieces of the parameters.
+struct Round : KnownSystem {
   Piece whole;
   std::vector<Piece> pieces = {whole};
   std::vector<ManifoldSpec> at_energy_zero = {}, at_all_levels = {}; ///< solutions for what is left
@@ -47,6 +52,14 @@ struct Round {
   bool limited = false;              ///< some stage ended by its share of the time
   std::vector<std::string> cut = {}; ///< the solutions whose share was too small
   bool last = false;                 ///< after all others, with all the time that is left
+  /// Where some parameters are not 0 the solutions are those of a system where they are 1.
+  std::optional<ScaledSystem> scale = {};
+  std::optional<KnownSystem> at_scale = {};
+
+  [[nodiscard]] const KnownSystem& studied() const { return at_scale ? *at_scale : *this; }
+  [[nodiscard]] Exclusion before(Exclusion e) const {
+    return scale ? scale->before(std::move(e)) : e;
+  }
 };
 
 class Composition {
@@ -64,7 +77,7 @@ public:
   }
 
   SystemClassification run() {
-    waiting_.push_back({system_, claims_, levels_, {everywhere(), {}}});
+    waiting_.push_back({{system_, claims_, levels_}, {everywhere(), {}}});
     try {
       while (!waiting_.empty() || !later_.empty()) {
         auto& from = waiting_.empty() ? later_ : waiting_;
@@ -123,7 +136,7 @@ private:
     // beside many parameters solutions cost much, and Darboux points leave few of their values
     const bool first = has_many_parameters(round.system, round.levels);
     if (first && begins(round, "Darboux points")) try_darboux_points(round);
-    if (begins(round, "solutions")) try_solutions(round);
+    if (begins(round, "solutions")) try_solutions_at_some_scale(round);
     if (!first && begins(round, "Darboux points")) try_darboux_points(round);
     if (begins(round, "faces")) try_faces(round);
     if (round.pieces.empty())
@@ -148,6 +161,20 @@ private:
     for (Piece& piece : round.pieces)
       again(round, std::move(piece));
     std::reverse(waiting_.begin() + static_cast<long>(later), waiting_.end()); // the first is next
+  }
+
+  // As many parameters as possible are made 1.
+  void change_scale(Round& round) const {
+    if (!options_.search_solutions) return;
+    try {
+      round.scale = scaled(round.system);
+      if (!round.scale) return;
+      auto claims = kov::at_values(round.claims, round.scale->values);
+      auto levels = at_values(round.levels, round.scale->values, claims);
+      round.at_scale = {round.scale->system, std::move(claims), std::move(levels)};
+    } catch (const DomainError&) { // something has no value there
+      round.scale.reset();
+    }
   }
 
   // Sets of parameters with solutions of their own are studied by themselves.
@@ -201,13 +228,41 @@ private:
     if (options_.so_far) options_.so_far(so_far_);
   }
 
+  // Where little time is enough for all parameters the answer is one for all of them.  Else what is
+  // excluded would cut the parameters along many sets, which fewer parameters do not have.
+  void try_solutions_at_some_scale(Round& round) {
+    Round scaled_round = round;
+    change_scale(scaled_round);
+    if (!scaled_round.scale) return try_solutions(round);
+    const SystemClassification before = result_;
+    const auto whole = round_budget_;
+    round_budget_ = share(0.1);
+    Round trial = round;
+    try_solutions(trial);
+    round_budget_ = whole;
+    const std::size_t equations = round.whole.where.equations().size();
+    const bool done = std::all_of(trial.pieces.begin(), trial.pieces.end(), [&](const Piece& p) {
+      return p.special.empty() && p.where.equations().size() > equations;
+    });
+    if (done) {
+      round = std::move(trial);
+      return;
+    }
+    result_ = before;
+    round = std::move(scaled_round);
+    try_solutions(round);
+  }
+
   void try_solutions(Round& round) {
     const auto start = Clock::now();
-    const auto solutions =
-        particular_solutions(round.system, round.levels, options_.search_solutions, share(0.2));
+    const auto solutions = particular_solutions(round.studied().system, round.studied().levels,
+                                                options_.search_solutions, share(0.2));
     result_.stages.emplace_back("invariant manifolds", seconds_since(start));
     round.at_all_levels = solutions.at_all_levels;
     round.special = solutions.special;
+    if (round.scale)
+      for (auto& equations : round.special)
+        equations = round.scale->before(std::move(equations));
     round.at_energy_zero = solutions.at_energy_zero;
     round.solutions = solutions.manifolds;
     const auto manifolds = worth_trying(round, solutions.manifolds);
@@ -295,7 +350,8 @@ private:
     const auto start = Clock::now();
     CheckOptions check = options_.check;
     check.decide.budget = share(part);
-    const ManifoldReport report = check_manifold(round.system, m, round.claims, check);
+    const KnownSystem& known = round.studied();
+    const ManifoldReport report = check_manifold(known.system, m, known.claims, check);
     if (is_over(check.decide.budget)) {
       round.limited = true;
       if (!round.last) round.cut.push_back(m.name);
@@ -304,11 +360,13 @@ private:
     if (report.failure && is_of_the_file(m.name) && is_the_first(round))
       add_once(result_.notes,
                "the file's manifold " + m.name + " was not used: " + report.failure->message);
-    for (Exclusion& e : exclusions(round.system, report, level_parameters(round.system)))
+    for (Exclusion& x : exclusions(known.system, report, level_parameters(known.system))) {
+      Exclusion e = round.before(std::move(x));
       if (e.unless && e.unless->squares.size() > 1)
         round.late.push_back(std::move(e));
       else
         exclude(round, e);
+    }
     for (Piece& p : round.pieces)
       note(p, "along " + report.name, outcome(report));
   }
@@ -342,8 +400,9 @@ private:
       Options decide = options_.check.decide;
       decide.budget = share(0.3 / static_cast<double>(left--));
       std::string why;
-      if (const auto e = exclusion_of_higher_order(round.system, m, options_.order, decide, why))
-        exclude(round, *e);
+      if (auto e =
+              exclusion_of_higher_order(round.studied().system, m, options_.order, decide, why))
+        exclude(round, round.before(*std::move(e)));
       for (Piece& p : round.pieces)
         note(p, "orders 2.." + std::to_string(options_.order) + " along " + m.name, why);
     }
@@ -369,8 +428,8 @@ private:
     CheckOptions check = options_.check;
     check.decide.budget = share(0.3);
     try {
-      for (const Exclusion& e : exclusions_at_faces(round.system, check))
-        exclude(round, e);
+      for (Exclusion& e : exclusions_at_faces(round.studied().system, check))
+        exclude(round, round.before(std::move(e)));
     } catch (const OutOfBudget& limit) {
       for (Piece& p : round.pieces)
         note(p, "where exponentials are 0", limit.what());
@@ -717,7 +776,7 @@ private:
         assume_nonzero(special, substitute(p, values));
       auto claims = kov::at_values(round.claims, values);
       auto levels = at_values(round.levels, values, claims);
-      Round next{std::move(special), std::move(claims), std::move(levels), std::move(piece)};
+      Round next{{std::move(special), std::move(claims), std::move(levels)}, std::move(piece)};
       next.integrals_known = round.integrals_known && next.system.field.poisson &&
                              looks_at_the_same(round.system, next.system);
       waiting_.push_back(std::move(next));
@@ -740,7 +799,7 @@ private:
   // With the time that is left when all special values have had theirs.
   void once_more(const Round& round, Piece piece) {
     if (!round.limited || round.last) return leave_open_at_last(round, std::move(piece));
-    Round next{round.system, round.claims, round.levels, std::move(piece)};
+    Round next{{round.system, round.claims, round.levels}, std::move(piece)};
     next.integrals_known = round.integrals_known;
     next.last = true;
     next.cut = round.cut;
@@ -815,8 +874,12 @@ private:
     CheckOptions check = options_.check;
     check.decide.budget = share(0.1);
     check.along_the_curve = true;
-    return exclusions(round.system, check_manifold(round.system, m, round.claims, check),
-                      level_parameters(round.system));
+    const KnownSystem& known = round.studied();
+    auto all = exclusions(known.system, check_manifold(known.system, m, known.claims, check),
+                          level_parameters(known.system));
+    for (Exclusion& e : all)
+      e = round.before(std::move(e));
+    return all;
   }
   void leave_open(Piece piece) { kov::leave_open(std::move(piece), result_); }
 

@@ -1,0 +1,226 @@
+#include "classify/scale.hpp"
+
+#include "exact/finite_algebra.hpp"
+#include "integrability/parameters.hpp"
+#include "integrability/specialise.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+bool contains(const std::vector<std::size_t>& all, std::size_t i) {
+  return std::find(all.begin(), all.end(), i) != all.end();
+}
+
+constexpr std::size_t most_parameters = 8; // subsets of them are tried
+
+/// Linear equations for the weights: of the variables of the ring, then of the time and the bracket.
+class Weights {
+public:
+  explicit Weights(const System& s) : ring_(s.ring()), levels_(level_parameters(s)), v_(s.field) {
+    for (const MPoly& f : v_.relations)
+      add_homogeneous(f);
+    for (std::size_t j = 0; j < v_.dimension(); ++j)
+      add(v_.components[j], {{v_.coordinates[j], 1}, {time(), 1}});
+    for (const FunctionSymbol& u : v_.functions)
+      for (std::size_t j = 0; j < v_.dimension(); ++j)
+        add(u.gradient[j], {{u.variable, 1}, {v_.coordinates[j], -1}});
+    if (v_.poisson)
+      for (std::size_t i = 0; i < v_.dimension(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          add((*v_.poisson)[i][j],
+              {{v_.coordinates[i], 1}, {v_.coordinates[j], 1}, {bracket(), 1}});
+    for (const std::size_t c : v_.constants)
+      add_row({{c, 1}});
+  }
+
+  /// A basis, each with weights for these parameters in this order.
+  [[nodiscard]] Matrix of(const std::vector<std::size_t>& parameters) const {
+    Matrix all;
+    for (const auto& solution : null_space(rows_, ring_->size() + 2, ring_)) {
+      all.emplace_back();
+      for (const std::size_t p : parameters)
+        all.back().push_back(solution[p]);
+    }
+    return all;
+  }
+
+private:
+  using Row = std::map<std::size_t, long>;
+
+  [[nodiscard]] std::size_t time() const { return ring_->size(); }
+  [[nodiscard]] std::size_t bracket() const { return ring_->size() + 1; }
+
+  void add_row(const Row& row) {
+    std::vector<MFraction> all(ring_->size() + 2, MFraction(ring_));
+    for (const auto& [i, c] : row)
+      all[i] = MFraction(ring_, Rational(c));
+    rows_.push_back(std::move(all));
+  }
+  static Row exponents(const MPoly& f, long term) {
+    Row row;
+    const auto e = f.exponents(term);
+    for (std::size_t i = 0; i < e.size(); ++i)
+      if (e[i] > 0) row[i] = static_cast<long>(e[i]);
+    return row;
+  }
+  static Row minus(Row a, const Row& b) {
+    for (const auto& [i, c] : b)
+      a[i] -= c;
+    return a;
+  }
+  void add_homogeneous(const MPoly& f) {
+    for (long t = 1; t < f.length(); ++t)
+      add_row(minus(exponents(f, t), exponents(f, 0)));
+  }
+  // f is homogeneous with this weight.
+  void add(const MFraction& f, const Row& weight) {
+    if (is_zero(f)) return;
+    add_homogeneous(f.num());
+    add_homogeneous(f.den());
+    add_row(minus(minus(exponents(f.num(), 0), exponents(f.den(), 0)), weight));
+  }
+
+  Ring ring_;
+  std::vector<std::size_t> levels_;
+  const VectorField& v_;
+  Matrix rows_;
+};
+
+// Reduced rows with 1 at the chosen columns; unset: they are not independent there.
+std::optional<Matrix> solved_for(Matrix rows, const std::vector<std::size_t>& columns) {
+  if (columns.size() > rows.size()) return std::nullopt;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    const std::size_t c = columns[k];
+    const auto pivot = std::find_if(rows.begin() + static_cast<long>(k), rows.end(),
+                                    [c](const auto& row) { return !is_zero(row[c]); });
+    if (pivot == rows.end()) return std::nullopt;
+    std::swap(rows[k], *pivot);
+    const MFraction scale = rows[k][c];
+    for (MFraction& x : rows[k])
+      x = x / scale;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (i == k) continue;
+      const MFraction factor = rows[i][c];
+      for (std::size_t j = 0; j < rows[i].size(); ++j)
+        rows[i][j] = rows[i][j] - factor * rows[k][j];
+    }
+  }
+  rows.resize(columns.size());
+  return rows;
+}
+
+bool are_integers(const Matrix& rows) {
+  return std::all_of(rows.begin(), rows.end(), [](const auto& row) {
+    return std::all_of(row.begin(), row.end(),
+                       [](const MFraction& x) { return is_zero(x) || is_integer(to_rational(x)); });
+  });
+}
+
+MFraction power(const MFraction& x, long e) {
+  MFraction all(x.ring(), Rational(1));
+  for (long i = 0; i < (e < 0 ? -e : e); ++i)
+    all = e < 0 ? all / x : all * x;
+  return all;
+}
+
+// Those that say something of the other parameters whatever the scale: "real" if all are.
+void keep_assumptions(const System& before, const std::vector<std::size_t>& ones, System& s) {
+  using Relation = Assumption::Relation;
+  const auto is_assumed = [&](std::size_t i, const std::vector<Relation>& wanted) {
+    const MFraction x = MFraction::variable(before.ring(), i);
+    return std::any_of(before.assumptions.begin(), before.assumptions.end(), [&](const auto& a) {
+      return a.value == x && std::find(wanted.begin(), wanted.end(), a.relation) != wanted.end();
+    });
+  };
+  const auto all = [&](const std::vector<Relation>& wanted) {
+    return std::all_of(ones.begin(), ones.end(),
+                       [&](std::size_t i) { return is_assumed(i, wanted); });
+  };
+  const bool positive = all({Relation::positive});
+  const bool real = all({Relation::real, Relation::positive, Relation::nonnegative});
+  std::vector<Assumption> kept;
+  for (Assumption a : s.assumptions) {
+    const auto used = used_variables(a.value);
+    const bool is_variable =
+        used.size() == 1 && a.value == MFraction::variable(s.ring(), used.front());
+    if (!is_variable) continue;
+    const bool signed_one = a.relation == Relation::positive || a.relation == Relation::nonnegative;
+    if (a.relation == Relation::nonzero || (a.relation == Relation::real && real) ||
+        (signed_one && positive))
+      kept.push_back(a);
+    else if (signed_one && real) {
+      a.relation = Relation::real;
+      kept.push_back(std::move(a));
+    }
+  }
+  s.assumptions = std::move(kept);
+}
+
+ScaledSystem at_one(const System& s, const std::vector<std::size_t>& parameters,
+                    const std::vector<std::size_t>& columns, const Matrix& weights) {
+  ScaledSystem x;
+  for (const std::size_t c : columns) {
+    x.ones.push_back(parameters[c]);
+    x.values[parameters[c]] = MFraction(s.ring(), Rational(1));
+  }
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    if (contains(columns, j)) continue;
+    MFraction p = MFraction::variable(s.ring(), parameters[j]);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const MFraction& w = weights[k][j];
+      const long e = is_zero(w) ? 0 : to_long(to_rational(w).num());
+      p = p * power(MFraction::variable(s.ring(), x.ones[k]), -e);
+    }
+    x.back[parameters[j]] = p;
+  }
+  x.system = at_values(s, x.values);
+  keep_assumptions(s, x.ones, x.system);
+  return x;
+}
+
+} // namespace
+
+std::vector<MPoly> ScaledSystem::before(std::vector<MPoly> all) const {
+  for (MPoly& f : all)
+    f = substitute(MFraction(f), back).num();
+  return all;
+}
+
+Exclusion ScaledSystem::before(Exclusion e) const {
+  e.zero = before(std::move(e.zero));
+  for (auto& list : e.not_all_zero)
+    list = before(std::move(list));
+  if (e.unless)
+    for (MFraction& square : e.unless->squares)
+      square = substitute(square, back);
+  std::string text;
+  for (const std::size_t i : ones) {
+    e.not_all_zero.push_back({MPoly::variable(system.ring(), i)});
+    text += (text.empty() ? "" : ", ") + system.ring()->name(i) + " = 1";
+  }
+  e.by.level += (e.by.level.empty() ? "" : ", ") + text + " by a change of scale";
+  return e;
+}
+
+std::optional<ScaledSystem> scaled(const System& s) {
+  const auto levels = level_parameters(s);
+  std::vector<std::size_t> parameters;
+  for (const std::size_t p : s.field.parameters)
+    if (!contains(levels, p)) parameters.push_back(p);
+  if (parameters.empty() || parameters.size() > most_parameters) return std::nullopt;
+  const Matrix basis = Weights(s).of(parameters);
+  std::optional<ScaledSystem> best;
+  for (std::size_t set = 1; set < (std::size_t{1} << parameters.size()); ++set) {
+    std::vector<std::size_t> columns;
+    for (std::size_t j = 0; j < parameters.size(); ++j)
+      if ((set >> j & 1U) != 0) columns.push_back(j);
+    if (columns.size() > basis.size() || (best && columns.size() <= best->ones.size())) continue;
+    const auto weights = solved_for(basis, columns);
+    if (weights && are_integers(*weights)) best = at_one(s, parameters, columns, *weights);
+  }
+  return best;
+}
+
+} // namespace kov
