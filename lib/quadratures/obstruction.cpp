@@ -467,6 +467,8 @@ QuadratureOrders orders_by_quadratures(const System& s, const ManifoldSpec& m, i
     return {{}, no.why};
   } catch (const InvalidArgument& no) { // constants that generate no field
     return {{}, no.what()};
+  } catch (const OutOfBudget& limit) {
+    return {{}, limit.what()};
   }
 }
 

@@ -27,7 +27,7 @@ struct QuadratureOrders {
 
 /// Of a system without parameters but levels, whose first variational equation falls into one part
 /// along the curve and a normal one of order two.
-/// order: the largest one.   Errors  OutOfBudget
+/// order: the largest one.   Errors  none of limits: they are told in `open`
 [[nodiscard]] QuadratureOrders orders_by_quadratures(const System& s, const ManifoldSpec& m,
                                                      int order, const Budget& budget);
 [[nodiscard]] std::string reason(const QuadratureObstruction& o);

@@ -123,6 +123,13 @@ TEST(Quadratures, CentralForcesDisturbed) {
   }
 }
 
+TEST(Quadratures, ALimitIsToldAndDoesNoMore) {
+  const System s = atwood("3/2");
+  const auto found = orders_by_quadratures(s, s.manifolds.front(), 3, Budget::of_seconds(0));
+  EXPECT_FALSE(found.obstruction);
+  EXPECT_THAT(found.open, testing::HasSubstr("limit"));
+}
+
 TEST(Quadratures, WhatItIsNotForIsSaid) {
   const System parameters =
       of("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
