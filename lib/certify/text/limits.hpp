@@ -70,8 +70,8 @@ inline constexpr long max_jet_power = 20;           ///< of a minor
 inline constexpr unsigned long max_jet_degree = 40; ///< of a potential
 
 // Certificates of homoclinic points (chaos.md 6).
-inline constexpr long max_homoclinic_terms = 200;  ///< of a polynomial, exclusive
-inline constexpr long max_homoclinic_degree = 16;  ///< in each variable
+inline constexpr long max_homoclinic_terms = 200; ///< of a polynomial, exclusive
+inline constexpr long max_homoclinic_degree = 16; ///< in each variable
 inline constexpr long max_homoclinic_period = 64;
 inline constexpr long max_homoclinic_points = 400; ///< of the orbit, times the period
 inline constexpr double max_homoclinic_work = 4e9; ///< products of intervals
