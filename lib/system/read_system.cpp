@@ -318,14 +318,36 @@ void read_rigid_body(const Entry& system, SystemScope& scope, System& s) {
   s.velocity_values = l.velocities;
 }
 
+// What a kind of system does not read would be passed over in silence.
+void require_keys_of(SystemKind kind, const Entry& system) {
+  using enum SystemKind;
+  const std::vector<std::pair<std::string, std::vector<SystemKind>>> readers{
+      {"momenta", {hamiltonian, SystemKind::lagrangian}},
+      {"hamiltonian", {hamiltonian, euler_poisson, poisson}},
+      {"lagrangian", {SystemKind::lagrangian}},
+      {"velocities", {SystemKind::lagrangian}},
+      {"angular_velocity", {SystemKind::lagrangian}},
+      {"gyrostat", {euler_poisson, SystemKind::lagrangian}},
+      {"bracket", {poisson}},
+      {"field", {vector_field}}};
+  for (const auto& [key, kinds] : readers)
+    if (const Entry* entry = system.find(key);
+        entry && std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+      throw entry->key_error("'" + key + "' is not for a system of kind " +
+                             system.at("kind").string());
+  if (!system.find("velocities")) return;
+  for (const std::string key : {"angular_velocity", "gyrostat"})
+    if (const Entry* entry = system.find(key))
+      throw entry->key_error("'" + key +
+                             "' is for a rigid body, which has no velocities beside it");
+}
+
 // The Hamiltonian and the structure matrix, or the field itself.
 void read_dynamics(const Entry& system, SystemScope& scope, System& s) {
   VectorField& v = s.field;
   const std::size_t n = v.dimension();
-  const Entry* velocities = system.find("velocities");
-  const bool mechanical = s.kind == SystemKind::lagrangian && velocities != nullptr;
-  if (velocities != nullptr && !mechanical)
-    throw velocities->key_error("velocities belong to a system of kind lagrangian");
+  require_keys_of(s.kind, system);
+  const bool mechanical = system.find("velocities") != nullptr;
   switch (s.kind) {
   case SystemKind::vector_field:
     read_field(system, scope, v);

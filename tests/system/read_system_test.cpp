@@ -235,7 +235,7 @@ TEST(Lagrangian, MistakesAreTold) {
               HasSubstr("the kinetic energy is degenerate"));
   EXPECT_THAT(complaint("[system]\nkind = \"hamiltonian\"\ncoordinates = [\"x\"]\nmomenta = "
                         "[\"p\"]\nvelocities = [\"dx\"]\nhamiltonian = \"p^2\""),
-              HasSubstr("velocities belong to a system of kind lagrangian"));
+              HasSubstr("'velocities' is not for a system of kind"));
 }
 
 TEST(Weights, SeriesOfARationalFunction) {
@@ -246,6 +246,30 @@ TEST(Weights, SeriesOfARationalFunction) {
   EXPECT_EQ(terms[1].degree, 3);
   EXPECT_EQ(terms[2].value, formula(s, "q1*q2^2"));
   EXPECT_EQ(weight_expansion(formula(s, "q1 + q2"), w, 5).size(), 2U);
+}
+
+// A key that a kind does not read would be passed over in silence.
+TEST(ReadSystem, KeysOfOtherKindsAreTold) {
+  const auto error_of = [](const std::string& text) -> std::string {
+    try {
+      static_cast<void>(read_system(parse_document(text, "test.toml")));
+      return "";
+    } catch (const InputError& e) {
+      return e.what();
+    }
+  };
+  const std::string small = "[system]\nkind = 'hamiltonian'\ncoordinates = ['q']\n"
+                            "momenta = ['p']\nhamiltonian = 'p^2 + q^2'\n";
+  EXPECT_EQ(error_of(small), "");
+  for (const std::string more : {"lagrangian = 'q'\n", "gyrostat = [0, 0, 1]\n",
+                                 "bracket = [[0, 1], [-1, 0]]\n", "[system.field]\nq = 'p'\n"})
+    EXPECT_THAT(error_of(small + more), HasSubstr("is not for a system of kind")) << more;
+  EXPECT_THAT(error_of("[system]\nkind = 'vector-field'\ncoordinates = ['q']\nhamiltonian = 'q'\n"
+                       "[system.field]\nq = 'q^2'\n"),
+              HasSubstr("'hamiltonian' is not for a system of kind vector-field"));
+  EXPECT_THAT(error_of("[system]\nkind = 'lagrangian'\ncoordinates = ['q']\nvelocities = ['v']\n"
+                       "lagrangian = 'v^2'\nangular_velocity = ['v']\n"),
+              HasSubstr("rigid body"));
 }
 
 } // namespace
