@@ -5,6 +5,7 @@
 #include "flow/chaos/krawczyk.hpp"
 #include "flow/scene/system_section.hpp"
 #include "support.hpp"
+#include "support/source_dir.hpp"
 
 #include "symbol/document.hpp"
 #include "symbol/input_error.hpp"
@@ -179,6 +180,24 @@ TEST(PeriodicOrbits, OfPeriodThreeAreProvedWithTheirLeastPeriod) {
   EXPECT_GE(proved, 1);
 }
 
+// Six coordinates and a quotient: boxes of naive enclosures would be as large as the numbers.  The values are those of
+// the program for rigid bodies (fixed_points_test.cpp).
+TEST(PeriodicOrbits, OfTheSlidingTop) {
+  const std::string file = kov::test::in_source("/cases/sections/sliding_top.toml");
+  SystemScene s = read_system_scenes(read_document(file)).front();
+  s.columns = s.rows = 0; // one place instead of a grid
+  s.range.reset();
+  s.seeds = {{Quantity("-15218/10000"), Quantity("0")}};
+  const PeriodicOrbits found = periodic_orbits(s);
+  ASSERT_GE(found.orbits.size(), 1U);
+  const PeriodicOrbit& o = found.orbits.front();
+  ASSERT_TRUE(o.proved) << o.why;
+  EXPECT_EQ(o.stability, Stability::hyperbolic);
+  EXPECT_NEAR(o.time, 3.623605246, 1e-8);
+  EXPECT_NEAR(o.multiplier[0], 1.704237933123, 1e-11);
+  EXPECT_LT(o.error, 1e-15);
+}
+
 // tr = 2 at resonance: nothing isolated, and no kind without a proof.
 TEST(PeriodicOrbits, NoKindWhereTheMultipliersAreOne) {
   const PeriodicOrbits found =
@@ -215,6 +234,15 @@ TEST(Homoclinic, OfHenonAndHeilesAtOneEighth) {
   for (const PeriodicPoint& z : p.orbit)
     farthest = std::max(farthest, std::hypot(z.drawn[0] - fixed[0], z.drawn[1] - fixed[1]));
   EXPECT_GT(farthest, 0.1);
+}
+
+TEST(Homoclinic, OfAPointOfPeriodTwo) {
+  HomoclinicOptions o;
+  o.period = 2;
+  const Homoclinic found = homoclinic(henon_heiles_at("1/6"), o);
+  ASSERT_TRUE(found.proof) << found.why;
+  EXPECT_EQ(found.proof->fixed.points.size(), 2U);
+  EXPECT_GT(found.proof->sine, 0.1);
 }
 
 // Integrable: hyperbolic orbits whose manifolds coincide, cut obliquely; separable; with a second integral of degree 4.

@@ -306,6 +306,10 @@ private:
     if (o_.homoclinic) {
       flow::HomoclinicOptions options;
       options.period = o_.period;
+      if (!settings_.certificate.empty()) {
+        options.bits = 128;
+        options.smaller = 8;
+      }
       options.stop = interrupt_.flag();
       homoclinic = flow::homoclinic(scene_, options);
       write_homoclinic(base_ + ".homoclinic.dat", scene_, homoclinic);

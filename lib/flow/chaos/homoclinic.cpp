@@ -111,7 +111,7 @@ bool find_cones(EnclosedMap& map, Local& l, double reach) {
 }
 
 Local local_manifolds(EnclosedMap& map, QuickMap& quick,
-                      const std::vector<std::vector<double>>& points) {
+                      const std::vector<std::vector<double>>& points, int smaller) {
   Local l;
   l.orbit = enclose_orbit(map, quick, points);
   if (l.orbit.stability != Stability::hyperbolic &&
@@ -130,7 +130,9 @@ Local local_manifolds(EnclosedMap& map, QuickMap& quick,
   l.frame.reach = std::ldexp(size, -14);
   for (int k = 12; k <= 44; k += 4) // the largest that works, for the shortest orbits
     try {
-      if (find_cones(map, l, std::ldexp(size, -k))) return l;
+      if (find_cones(map, l, std::ldexp(size, -k)) &&
+          (smaller == 0 || find_cones(map, l, std::ldexp(size, -k - smaller))))
+        return l;
     } catch (const NotProved&) { // smaller
     }
   throw NotProved{"no parallelogram around the hyperbolic point keeps cones"};
@@ -180,7 +182,7 @@ struct Node {
 class Connection {
 public:
   Connection(EnclosedMap& map, QuickMap& quick, const Local& l, const HomoclinicGuess& g)
-      : map_(map), l_(l), xi_(g.xi), eta_(g.eta), nodes_(g.orbit.size() - 1) {
+      : map_(map), quick_(quick), l_(l), xi_(g.xi), eta_(g.eta), nodes_(g.orbit.size() - 1) {
     for (std::size_t k = 1; k < nodes_.size(); ++k) {
       const std::vector<double>& x = g.orbit[k];
       const Chart chart = chart_at(quick.code(), x);
@@ -192,20 +194,18 @@ public:
 
   // Krawczyk's test; throws NotProved.  Then `links_` enclose the map near the proved orbit.
   void prove() {
-    for (int i = 0; i < 5; ++i) { // Newton's method in the middles
-      links_ = over(std::vector<double>(unknowns(), 0.0));
+    for (int i = 0; i < 6; ++i) { // Newton's method, in double
+      links_ = approximately();
       const auto c = approximate_inverse(slopes());
       if (!c) throw NotProved{"the manifolds are tangent, or nearly"};
       const BallVector step = applied(*c, value(links_));
-      double left = 0, noise = 0;
-      for (const Ball& b : step) {
+      double left = 0;
+      for (const Ball& b : step)
         left = std::max(left, std::abs(static_cast<double>(b)));
-        noise = std::max(noise, b.radius());
-      }
       if (!(left < 1e-2))
         throw NotProved{"Newton's method left the crossing that the search had found"};
       move(step);
-      if (left <= noise) break;
+      if (left < 1e-13) break;
     }
     krawczyk();
   }
@@ -246,6 +246,7 @@ private:
     std::array<Ball, 2> image; ///< of the middle
   };
   EnclosedMap& map_;
+  QuickMap& quick_;
   const Local& l_;
   Ball xi_, eta_;           ///< exact
   std::vector<Node> nodes_; ///< z_0 ... z_(n-1)
@@ -284,36 +285,48 @@ private:
     return t;
   }
 
-  // The map at the middles, and over boxes around them.
+  // Around z_k, in its chart.
+  [[nodiscard]] std::array<Ball, 2> box_of(std::size_t k, const std::vector<double>& radius) const {
+    if (k == 0) return on_graph(0, xi_, l_.unstable.slope, radius[0]);
+    std::array<Ball, 2> box = nodes_[k].middle;
+    for (std::size_t d = 0; d < 2; ++d)
+      box[d] = box[d].widened(Ball(radius[2 * k - 1 + d]));
+    return box;
+  }
+
+  // The map over boxes, and at their middles.
   std::vector<Link> over(const std::vector<double>& radius) {
     std::vector<Link> all(nodes_.size());
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
-      const Node& n = nodes_[k];
-      std::array<Ball, 2> box, middle;
-      if (k == 0) {
-        box = on_graph(0, xi_, l_.unstable.slope, radius[0]);
-        for (std::size_t i = 0; i < 2; ++i)
-          middle[i] = (l_.p[i].middle() + l_.axes[i][0] * xi_).middle();
-      } else {
-        for (std::size_t d = 0; d < 2; ++d) {
-          middle[d] = n.middle[d];
-          box[d] = n.middle[d].widened(Ball(radius[2 * k - 1 + d]));
-        }
-      }
       Link& link = all[k];
-      link.patch = map_.patch(n.chart, box, n.near);
+      link.patch = map_.patch(nodes_[k].chart, box_of(k, radius), nodes_[k].near);
       link.landing = map_(link.patch, false, l_.frame.turns);
       link.slope = slope_in(link.landing.at, chart_of(k + 1));
-      const Patch point = map_.patch(n.chart, middle, n.near);
-      if (!EnclosedMap::same_sheet(point.at, link.patch))
-        throw NotProved{"the middle of a box may lie on another sheet of the level"};
-      for (std::size_t d = 0; d < 2;
-           ++d) // the mean value theorem joins it to the points of the box
-        if (radius[0] > 0 && !middle[d].inside(box[d]))
-          throw NotProved{"the middle of a box may lie outside"};
-      const Landing thin = map_(point, false, l_.frame.turns);
       for (std::size_t d = 0; d < 2; ++d)
-        link.image[d] = thin.at[chart_of(k + 1).free[d]].v;
+        link.image[d] = link.landing.middle[chart_of(k + 1).free[d]];
+    }
+    return all;
+  }
+
+  // The same in double, without proof.
+  std::vector<Link> approximately() {
+    std::vector<Link> all(nodes_.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      Link& link = all[k];
+      const std::vector<double> none(unknowns(), 0.0);
+      link.patch.box = box_of(k, none);
+      const auto& box = link.patch.box;
+      const auto x =
+          quick_.lifted(nodes_[k].chart, {static_cast<double>(box[0]), static_cast<double>(box[1])},
+                        nodes_[k].near);
+      const auto image = x ? quick_(*x, false, l_.frame.turns) : std::nullopt;
+      if (!image) throw NotProved{"Newton's method left the crossing that the search had found"};
+      for (std::size_t i = 0; i < 2; ++i) {
+        const auto& at = image->at[chart_of(k + 1).free[i]];
+        link.image[i] = Ball(at.v);
+        for (std::size_t d = 0; d < 2; ++d)
+          link.slope[i][d] = Ball(at.d[d]);
+      }
     }
     return all;
   }
@@ -323,11 +336,11 @@ private:
     BallVector f;
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       std::array<Ball, 2> at = links[k].image;
-      if (k == 0) { // by the mean value theorem from the point with w = 0
+      if (k == 0) { // by the mean value theorem from the middle
         const auto z = on_graph(0, xi_, l_.unstable.slope, 0);
         std::array<Ball, 2> off;
         for (std::size_t i = 0; i < 2; ++i)
-          off[i] = z[i] - (l_.p[i].middle() + l_.axes[i][0] * xi_).middle();
+          off[i] = z[i] - links[0].patch.box[i].middle();
         for (std::size_t i = 0; i < 2; ++i)
           at[i] += links[0].slope[i][0] * off[0] + links[0].slope[i][1] * off[1];
       }
@@ -362,7 +375,10 @@ private:
   }
 
   void krawczyk() {
-    links_ = over(std::vector<double>(unknowns(), 0.0));
+    links_ = approximately();
+    for (Link& l : links_) // by what enclosures may add
+      for (Ball& x : l.image)
+        x = x.widened(Ball(std::max(1e-15, std::exp2(-0.625 * static_cast<double>(Ball::bits())))));
     const auto c = approximate_inverse(slopes());
     if (!c) throw NotProved{"the manifolds are tangent, or nearly"};
     radius_.clear();
@@ -449,7 +465,7 @@ void try_orbit(EnclosedMap& map, QuickMap& quick, const PeriodicOrbit& orbit,
   std::vector<std::vector<double>> points;
   for (const PeriodicPoint& p : orbit.points)
     points.push_back(p.x);
-  const Local l = local_manifolds(map, quick, points);
+  const Local l = local_manifolds(map, quick, points, o.smaller);
   ManifoldArcs arcs(quick, l.frame, o.most_returns, o.stop);
   const auto guesses = arcs.guesses(static_cast<std::size_t>(o.most_candidates));
   out.unstable = arcs.curves(false);
@@ -470,33 +486,51 @@ void try_orbit(EnclosedMap& map, QuickMap& quick, const PeriodicOrbit& orbit,
   throw NotProved{why};
 }
 
+// In double; those with the largest multipliers first, whose manifolds wind least.
+std::vector<std::vector<std::vector<double>>>
+hyperbolic_orbits(const SystemScene& scene, QuickMap& quick, const HomoclinicOptions& o) {
+  PeriodicOptions periodic;
+  periodic.period = o.period;
+  periodic.stop = o.stop;
+  std::vector<std::pair<double, std::vector<std::vector<double>>>> all;
+  for (auto& points : look_for_orbits(scene, quick, periodic)) {
+    const Chart chart = chart_at(quick.code(), points[0]);
+    const auto x =
+        quick.lifted(chart, {points[0][chart.free[0]], points[0][chart.free[1]]}, points[0]);
+    const auto image = x ? quick(*x, false, o.period) : std::nullopt;
+    if (!image) continue;
+    const double trace = std::abs(image->at[chart.free[0]].d[0] + image->at[chart.free[1]].d[1]);
+    if (trace > 2) all.emplace_back(trace, std::move(points));
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first + 1e-6; });
+  std::vector<std::vector<std::vector<double>>> orbits;
+  for (auto& [trace, points] : all)
+    orbits.push_back(std::move(points));
+  return orbits;
+}
+
 } // namespace
 
 Homoclinic homoclinic(const SystemScene& scene, const HomoclinicOptions& options) {
-  PeriodicOptions periodic;
-  periodic.period = options.period;
-  periodic.bits = options.bits;
-  periodic.stop = options.stop;
   Homoclinic out;
-  for (const PeriodicOrbit& orbit : periodic_orbits(scene, periodic).orbits)
-    if (orbit.proved && (orbit.stability == Stability::hyperbolic ||
-                         orbit.stability == Stability::inverse_hyperbolic))
-      out.hyperbolic.push_back(orbit);
   out.why = "no hyperbolic periodic orbit was found";
-  std::stable_sort(out.hyperbolic.begin(), out.hyperbolic.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.trace) > std::abs(b.trace) + 1e-6;
-  });
   const SectionSurface surface(scene);
   QuickMap quick(surface);
   const EnclosureScope scope(options.bits);
   EnclosedMap map(surface, options.stop);
-  for (const PeriodicOrbit& orbit : out.hyperbolic) {
+  for (const auto& points : hyperbolic_orbits(scene, quick, options)) {
+    if (out.proof || (options.stop != nullptr && options.stop->load())) break;
+    const PeriodicOrbit orbit = prove_orbit(map, quick, points);
+    if (!orbit.proved || (orbit.stability != Stability::hyperbolic &&
+                          orbit.stability != Stability::inverse_hyperbolic))
+      continue;
+    out.hyperbolic.push_back(orbit);
     try {
       try_orbit(map, quick, orbit, options, out);
     } catch (const NotProved& n) {
       out.why = n.why;
     }
-    if (out.proof || (options.stop != nullptr && options.stop->load())) break;
   }
   if (out.proof) out.why.clear();
   out.stopped = options.stop != nullptr && options.stop->load();

@@ -40,9 +40,11 @@ struct Homoclinic {
 
 struct HomoclinicOptions {
   int period = 1; ///< N
-  long bits = 128;
+  long bits = 64;
   long most_returns = 60000; ///< of the search for crossings, for each periodic orbit
   int most_candidates = 12;  ///< crossings of the arcs that are tried, of each orbit
+  /// The parallelogram is 2^smaller times smaller than it could be: for the checkers, whose enclosures are cruder.
+  int smaller = 0;
   const std::atomic<bool>* stop = nullptr;
 };
 

@@ -168,7 +168,7 @@ public:
       }
       if (!(left < 1e-3 * size_of(nodes_[0].near)))
         throw NotProved{"Newton's method left the orbit that the search had found"};
-      if (left <= 16 * noise) break;
+      if (left <= 16 * noise) return krawczyk();
       for (std::size_t k = 0; k < nodes_.size(); ++k)
         for (std::size_t d = 0; d < 2; ++d)
           nodes_[k].middle[d] = (nodes_[k].middle[d] - step[2 * k + d]).middle();
@@ -318,7 +318,9 @@ void set_multiplier(PeriodicOrbit& o) {
                         : std::array{half, std::sqrt(-q)};
 }
 
-PeriodicOrbit proved(EnclosedMap& map, QuickMap& quick, const std::vector<State2>& points) {
+} // namespace
+
+PeriodicOrbit prove_orbit(EnclosedMap& map, QuickMap& quick, const std::vector<State2>& points) {
   PeriodicOrbit o;
   for (const State2& x : points)
     o.points.push_back(shown(quick, x));
@@ -344,8 +346,6 @@ PeriodicOrbit proved(EnclosedMap& map, QuickMap& quick, const std::vector<State2
   return o;
 }
 
-} // namespace
-
 EnclosedOrbit enclose_orbit(EnclosedMap& map, QuickMap& quick,
                             const std::vector<std::vector<double>>& points) {
   return OrbitProof(map, quick, points).run();
@@ -360,7 +360,7 @@ PeriodicOrbits periodic_orbits(const SystemScene& scene, const PeriodicOptions& 
   const EnclosureScope scope(options.bits);
   EnclosedMap map(surface, options.stop);
   for (const auto& points : found)
-    all.orbits.push_back(proved(map, quick, points));
+    all.orbits.push_back(prove_orbit(map, quick, points));
   std::sort(all.orbits.begin(), all.orbits.end(),
             [](const auto& a, const auto& b) { return a.points[0].drawn < b.points[0].drawn; });
   all.stopped = options.stop != nullptr && options.stop->load();

@@ -58,6 +58,9 @@ struct EnclosedOrbit {
 /// Throws NotProved.
 [[nodiscard]] EnclosedOrbit enclose_orbit(EnclosedMap& map, QuickMap& quick,
                                           const std::vector<std::vector<double>>& points);
+/// The same as numbers to show; not proved: `why`.
+[[nodiscard]] PeriodicOrbit prove_orbit(EnclosedMap& map, QuickMap& quick,
+                                        const std::vector<std::vector<double>>& points);
 /// Approximate orbits of least period N; one point of each orbit first.
 [[nodiscard]] std::vector<std::vector<std::vector<double>>>
 look_for_orbits(const SystemScene& scene, QuickMap& map, const PeriodicOptions& options);

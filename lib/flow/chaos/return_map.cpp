@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace kov::flow {
 namespace {
@@ -20,6 +21,96 @@ double magnitude(const PhasePoint<Ball>& x) {
   for (const DualBall& c : x)
     most = std::max({most, magnitude(c.v), magnitude(c.d[0]), magnitude(c.d[1])});
   return most;
+}
+
+// What two enclosures of one number have in common.
+Ball common(const Ball& a, const Ball& b) {
+  if (arb_is_finite(a.raw()) == 0 || arb_is_finite(b.raw()) == 0)
+    throw NotProved{"the enclosure of an orbit is lost"};
+  Ball both;
+  if (arb_intersection(both.raw(), a.raw(), b.raw(), Ball::bits()) == 0)
+    throw NotProved{"two enclosures of one orbit are apart"}; // cannot be
+  return both;
+}
+
+// ---- matrices ----
+
+BallMatrix unit_matrix(std::size_t n) {
+  BallMatrix a(n, BallVector(n));
+  for (std::size_t j = 0; j < n; ++j)
+    a[j][j] = Ball(1);
+  return a;
+}
+
+BallMatrix product(const BallMatrix& a, const BallMatrix& b) {
+  BallMatrix c(a.size(), BallVector(b[0].size()));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b[0].size(); ++j)
+      for (std::size_t k = 0; k < b.size(); ++k)
+        add_product(c[i][j], a[i][k], b[k][j]);
+  return c;
+}
+
+BallVector sum(BallVector a, const BallVector& b) {
+  for (std::size_t j = 0; j < a.size(); ++j)
+    a[j] += b[j];
+  return a;
+}
+
+BallMatrix inverse(const BallMatrix& a) {
+  const std::size_t n = a.size();
+  BallMatrix b(n, BallVector(n));
+  for (std::size_t k = 0; k < n; ++k) {
+    BallVector e(n);
+    e[k] = Ball(1);
+    const BallVector column = solved(a, e);
+    for (std::size_t j = 0; j < n; ++j)
+      b[j][k] = column[j];
+  }
+  return b;
+}
+
+// Nearly orthonormal columns, exact, along the images of the axes, the largest uncertainty first: Gram and Schmidt in
+// double.  Any regular matrix is correct.
+BallMatrix axes_along(const BallMatrix& moved, const BallVector& size) {
+  const std::size_t n = size.size();
+  std::vector<std::pair<double, std::vector<double>>> columns;
+  for (std::size_t k = 0; k < n; ++k) {
+    std::vector<double> c(n);
+    double length = 0;
+    for (std::size_t j = 0; j < n; ++j)
+      length = std::max(length, std::abs(c[j] = static_cast<double>(moved[j][k])));
+    columns.emplace_back(length * bound_of(size[k]), c);
+  }
+  std::stable_sort(columns.begin(), columns.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t k = 0; k < n; ++k) { // where an axis is lost
+    columns.emplace_back(0, std::vector<double>(n));
+    columns.back().second[k] = 1;
+  }
+  std::vector<std::vector<double>> kept;
+  for (auto& [weight, c] : columns) {
+    double before = 0;
+    for (const double x : c)
+      before += x * x;
+    for (int twice = 0; twice < 2; ++twice)
+      for (const auto& q : kept) {
+        const double along = std::inner_product(c.begin(), c.end(), q.begin(), 0.0);
+        for (std::size_t j = 0; j < n; ++j)
+          c[j] -= along * q[j];
+      }
+    const double after = std::inner_product(c.begin(), c.end(), c.begin(), 0.0);
+    if (kept.size() == n || !(after > 1e-12 * before) || !std::isfinite(after)) continue;
+    for (double& x : c)
+      x /= std::sqrt(after);
+    kept.push_back(c);
+  }
+  if (kept.size() < n) throw NotProved{"the enclosure of an orbit is lost"};
+  BallMatrix axes(n, BallVector(n));
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t k = 0; k < n; ++k)
+      axes[j][k] = Ball(kept[k][j]);
+  return axes;
 }
 
 Ball power(const Ball& x, int n) {
@@ -45,9 +136,11 @@ std::vector<double> doubles(const PhasePoint<Enclosure>& x) {
 
 EnclosedMap::EnclosedMap(const SectionSurface& s, const std::atomic<bool>* stop)
     : s_(s), stop_(stop), tolerance_(std::exp2(-0.625 * static_cast<double>(Ball::bits()))),
-      order_(static_cast<int>(Ball::bits()) / 5 + 4), wide_{{s, order_ + 1}}, thin_{{s,
-                                                                                     order_ + 1}},
-      over_box_(s, order_ + 1), point_(s, 0) {}
+      order_(static_cast<int>(Ball::bits()) / 5 + 4), over_box_(s, order_ + 1), point_(s, 0) {
+  for (std::size_t j = 0; j < s.dimension(); j += 2)
+    wide_.code.emplace_back(s, order_ + 1);
+  thin_.code.emplace_back(s, order_ + 1);
+}
 
 // ---- charts ----
 
@@ -152,33 +245,49 @@ Enclosure EnclosedMap::rate(const SurfaceValues<Ball>& v) const {
   return s_.rising() ? sum : -sum;
 }
 
-// The box of the start with the derivatives that the chart gives, and its middle on the same sheet.
+// (a - middle of the box) goes to the derivatives that the chart gives; the axes are those of phase space.
 EnclosedMap::Front EnclosedMap::start(const Patch& from) {
   std::array<Ball, 2> middle;
   for (std::size_t d = 0; d < 2; ++d) {
     middle[d] = from.box[d].middle();
     off_[d] = from.box[d] - middle[d];
   }
-  Front f{from.at, {}};
   const Patch thin = patch(from.chart, middle, doubles(from.at));
-  for (std::size_t k = 0; k < from.sheet.size(); ++k)
-    if (!thin.at[from.chart.rest[k]].v.inside(from.sheet[k]))
-      throw NotProved{"a piece of the section surface could not be enclosed"};
-  for (const DualBall& c : thin.at)
-    f.thin.push_back(DualBall(c.v)); // its derivatives are not needed
-  tighten(f.x, f.thin);
+  if (!same_sheet(thin.at, from))
+    throw NotProved{"a piece of the section surface could not be enclosed"};
+  const std::size_t n = from.at.size();
+  Front f{{}, {}, unit_matrix(n), {}, from.at};
+  for (std::size_t j = 0; j < n; ++j) {
+    f.middle.push_back(thin.at[j].v.middle());
+    f.hull[j].v = Ball::hull(f.hull[j].v, f.middle[j]);
+    f.error.push_back(thin.at[j].v - f.middle[j]);
+    f.slope.push_back({from.at[j].d[0], from.at[j].d[1]});
+  }
   return f;
 }
 
-void EnclosedMap::tighten(PhasePoint<Ball>& x, const PhasePoint<Ball>& thin) const {
-  for (std::size_t j = 0; j < x.size(); ++j) {
-    const Ball mean = thin[j].v + x[j].d[0] * off_[0] + x[j].d[1] * off_[1];
-    if (!(mean.radius() < x[j].v.radius())) continue;
-    Ball both;
-    if (arb_intersection(both.raw(), mean.raw(), x[j].v.raw(), Ball::bits()) == 0)
-      throw NotProved{"two enclosures of one orbit are apart"}; // cannot be
-    x[j].v = both;
+// (chaos.md 1.3)
+void EnclosedMap::transport(Front& f, const Move& m) const {
+  const std::size_t n = f.middle.size();
+  const BallMatrix moved = product(m.slope, f.axes);
+  BallVector size(n), rest(n);
+  for (std::size_t j = 0; j < n; ++j)
+    size[j] = f.error[j] + f.slope[j][0] * off_[0] + f.slope[j][1] * off_[1];
+  f.axes = axes_along(moved, size);
+  const BallMatrix back = inverse(f.axes), turned = product(back, moved);
+  for (std::size_t j = 0; j < n; ++j) {
+    f.middle[j] = m.middle[j].middle();
+    rest[j] = m.middle[j] - f.middle[j];
   }
+  f.error = sum(applied(back, rest), applied(turned, f.error));
+  f.slope = product(turned, f.slope);
+  f.hull = m.hull;
+  for (std::size_t j = 0; j < n; ++j)
+    size[j] = f.error[j] + f.slope[j][0] * off_[0] + f.slope[j][1] * off_[1];
+  const BallVector away = applied(f.axes, size);
+  for (std::size_t j = 0; j < n; ++j)
+    f.hull[j] = // with the middle, for the mean value theorem
+        DualBall(Ball::hull(common(f.middle[j] + away[j], m.hull[j].v), f.middle[j]));
 }
 
 Landing EnclosedMap::operator()(const Patch& from, bool backward, int turns) {
@@ -187,7 +296,7 @@ Landing EnclosedMap::operator()(const Patch& from, bool backward, int turns) {
   Landing all{{}, Ball(0)};
   for (int i = 0; i < turns; ++i) {
     Landing one = returned(front);
-    all = {std::move(one.at), all.time + one.time};
+    all = {std::move(one.at), all.time + one.time, std::move(one.middle)};
   }
   return all;
 }
@@ -201,77 +310,118 @@ Landing EnclosedMap::returned(Front& f) {
   double h = 0.1;
   for (int step = 0; step < most_steps; ++step) {
     if (stop_ != nullptr && stop_->load()) throw NotProved{"there was no time left"};
-    wide_.code.expand(f.x, order_ + 1);
+    expand(f);
+    Front next;
     Verdict v = Verdict::retry;
-    PhasePoint<Ball> end;
-    while (v == Verdict::retry) {
-      end = advance(wide_, h);
-      v = look(f.x, end, leaving);
+    for (;; h *= 0.61803) {
+      advance(h);
+      next = f;
+      transport(next, moved(Ball(way_ * h)));
+      v = look(f.hull, next.hull, leaving);
       if (v != Verdict::retry) break;
       if (h < 1e-6) throw NotProved{"a crossing could not be separated from the end of a step"};
-      h *= 0.61803;
     }
-    thin_.code.expand(f.thin, order_ + 1);
-    double same = h;
-    PhasePoint<Ball> thin_end = advance(thin_, same);
-    if (same != h) throw NotProved{"the orbit could not be contained in a box"};
     if (v == Verdict::lands) {
-      Landing landing = land(wide_, h, time);
-      f.thin = land(thin_, h, time).at;
-      tighten(landing.at, f.thin);
-      f.x = landing.at;
+      const Ball t = crossing_time(wide_, h);
+      transport(f, landed(t, crossing_time(thin_, h)));
+      Landing landing{f.hull, time + t, sum(f.middle, applied(f.axes, f.error))};
+      const BallMatrix slope = product(f.axes, f.slope);
+      for (std::size_t j = 0; j < slope.size(); ++j)
+        for (std::size_t d = 0; d < 2; ++d)
+          landing.at[j].d[d] = slope[j][d];
       return landing;
     }
-    tighten(end, thin_end);
-    f = {std::move(end), std::move(thin_end)};
+    f = std::move(next);
     time += Ball(way_ * h);
     h *= room_;
   }
   throw NotProved{"the orbit did not return within " + std::to_string(most_steps) + " steps"};
 }
 
-// One step; may shorten h.  Let B be the Taylor polynomial over [0, h], widened by epsilon, and R an enclosure of the
-// coefficient order + 1 over B.  If h^(order + 1) |R| < epsilon then the orbit stays in B during the step: as long as
-// it does, it differs from the polynomial by at most h^(order + 1) |R|, so that it cannot reach the border of B
-// [CorlissRihm1996].  The same for its derivatives, which solve an equation too.
-PhasePoint<Ball> EnclosedMap::advance(Step& s, double& h) {
-  const Ball epsilon(tolerance_);
-  for (int attempt = 0; attempt < 60; ++attempt) {
-    s.box = s.code.polynomial(onward(h), order_);
-    for (DualBall& c : s.box)
-      c = DualBall(c.v.widened(epsilon), c.d[0].widened(epsilon), c.d[1].widened(epsilon));
-    over_box_.expand(s.box, order_ + 1);
-    s.last.clear();
-    for (std::size_t j = 0; j < s.box.size(); ++j)
-      s.last.push_back(over_box_.coefficient(j, order_ + 1));
-    const double rest = magnitude(s.last) * magnitude(power(Ball(h), order_ + 1)) * (1 + 1e-15);
-    const double scale =
-        std::isfinite(rest) ? std::pow(tolerance_ / (rest + 1e-290), 1.0 / (order_ + 1)) : 0.5;
-    if (rest < tolerance_) {
-      if (&s == &wide_) room_ = std::clamp(0.95 * scale, 0.5, 1.5);
-      return reached(s, Ball(way_ * h));
-    }
-    h *= std::clamp(0.9 * scale, 0.3, 0.9);
+// The orbits of the hull with their derivatives by all coordinates, and that of the middle.
+void EnclosedMap::expand(const Front& f) {
+  PhasePoint<Ball> x = f.hull;
+  for (std::size_t part = 0; part < wide_.code.size(); ++part) {
+    for (std::size_t j = 0; j < x.size(); ++j)
+      for (std::size_t d = 0; d < 2; ++d)
+        x[j].d[d] = Ball(j == 2 * part + d ? 1 : 0);
+    wide_.code[part].expand(x, order_ + 1);
   }
+  thin_.code[0].expand(PhasePoint<Ball>(f.middle.begin(), f.middle.end()), order_ + 1);
+}
+
+// One step; may shorten h.
+void EnclosedMap::advance(double& h) {
+  for (int attempt = 0; attempt < 60; ++attempt)
+    if (contained(wide_, h)) {
+      const double room = room_;
+      const bool same = contained(thin_, h);
+      room_ = room;
+      if (same) return;
+    }
   throw NotProved{"the orbit could not be contained in a box"};
 }
 
-// The orbit at t within the current step.
-PhasePoint<Ball> EnclosedMap::reached(const Step& s, const Ball& t) const {
-  PhasePoint<Ball> x = s.code.polynomial(t, order_);
+// Let B be the Taylor polynomial over [0, h], widened by epsilon, and R an enclosure of the coefficient order + 1 over
+// B.  If h^(order + 1) |R| < epsilon then the orbit stays in B during the step: as long as it does, it differs from the
+// polynomial by at most h^(order + 1) |R|, so that it cannot reach the border of B [CorlissRihm1996].  The same for its
+// derivatives, which solve an equation too.  Otherwise h becomes shorter.
+bool EnclosedMap::contained(Step& s, double& h) {
+  const Ball epsilon(tolerance_);
+  const double reach = magnitude(power(Ball(h), order_ + 1)) * (1 + 1e-15);
+  double rest = 0;
+  s.box.clear();
+  s.last.clear();
+  for (const auto& code : s.code) {
+    if (!(rest < tolerance_)) break;
+    s.box.push_back(code.polynomial(onward(h), order_));
+    for (DualBall& c : s.box.back())
+      c = DualBall(c.v.widened(epsilon), c.d[0].widened(epsilon), c.d[1].widened(epsilon));
+    over_box_.expand(s.box.back(), order_ + 1);
+    s.last.emplace_back();
+    for (std::size_t j = 0; j < s.box.back().size(); ++j)
+      s.last.back().push_back(over_box_.coefficient(j, order_ + 1));
+    rest = std::max(rest, magnitude(s.last.back()) * reach);
+  }
+  const double scale =
+      std::isfinite(rest) ? std::pow(tolerance_ / (rest + 1e-290), 1.0 / (order_ + 1)) : 0.5;
+  room_ = std::clamp(0.95 * scale, 0.5, 1.5);
+  if (rest < tolerance_) return true;
+  h *= std::clamp(0.9 * scale, 0.3, 0.9);
+  return false;
+}
+
+// The orbits at t within the current step.
+PhasePoint<Ball> EnclosedMap::reached(const Step& s, std::size_t part, const Ball& t) const {
+  PhasePoint<Ball> x = s.code[part].polynomial(t, order_);
   const Ball reach = power(t, order_ + 1);
   for (std::size_t j = 0; j < x.size(); ++j) {
-    x[j].v += reach * s.last[j].v;
+    x[j].v += reach * s.last[part][j].v;
     for (std::size_t d = 0; d < 2; ++d)
-      x[j].d[d] += reach * s.last[j].d[d];
+      x[j].d[d] += reach * s.last[part][j].d[d];
   }
   return x;
+}
+
+EnclosedMap::Move EnclosedMap::moved(const Ball& t) const {
+  const std::size_t n = s_.dimension();
+  Move m{{}, BallMatrix(n, BallVector(n)), {}};
+  for (const DualBall& c : reached(thin_, 0, t))
+    m.middle.push_back(c.v);
+  for (std::size_t part = 0; part < wide_.code.size(); ++part) {
+    const PhasePoint<Ball> x = reached(wide_, part, t);
+    if (part == 0) m.hull = x;
+    for (std::size_t j = 0; j < n; ++j)
+      for (std::size_t d = 0; d < 2 && 2 * part + d < n; ++d)
+        m.slope[j][2 * part + d] = x[j].d[d];
+  }
+  return m;
 }
 
 // No wanted crossing in this step, or exactly one, or not decided.
 EnclosedMap::Verdict EnclosedMap::look(const PhasePoint<Ball>& from, const PhasePoint<Ball>& to,
                                        bool& leaving) {
-  const SurfaceValues<Ball> over = point_.at(wide_.box);
+  const SurfaceValues<Ball> over = point_.at(wide_.box[0]);
   const Ball speed = rate(over);
   if (!over.equations[0].v.contains_zero() || over.side.v.is_negative() || speed.is_negative()) {
     leaving = false;
@@ -292,32 +442,37 @@ EnclosedMap::Verdict EnclosedMap::look(const PhasePoint<Ball>& from, const Phase
 }
 
 // The only zero of the section's function in the step, by interval Newton on the time.
-Landing EnclosedMap::land(const Step& s, double h, const Ball& before) {
+Enclosure EnclosedMap::crossing_time(const Step& s, double h) {
   Ball t = onward(h);
-  PhasePoint<Ball> x = s.box;
+  PhasePoint<Ball> x = s.box[0];
   for (int i = 0; i < 60; ++i) {
     const SurfaceValues<Ball> v = point_.at(x);
-    const Ball m = t.middle(), speed = rate(v), height = point_.at(reached(s, m)).equations[0].v;
-    const Ball next = m - (s_.rising() ? height : -height) / speed;
-    Ball both;
-    if (arb_intersection(both.raw(), next.raw(), t.raw(), Ball::bits()) == 0)
-      throw NotProved{"the crossing was lost"};
+    const Ball m = t.middle(), speed = rate(v), height = point_.at(reached(s, 0, m)).equations[0].v;
     const double old = t.radius();
-    t = both;
-    x = reached(s, t);
+    t = common(m - (s_.rising() ? height : -height) / speed, t);
+    x = reached(s, 0, t);
     if (t.radius() > 0.7 * old && i > 4) break;
   }
-  const SurfaceValues<Ball> v = point_.at(x);
+  return t;
+}
+
+// At the crossing: the derivatives are projected along the field into the section.
+EnclosedMap::Move EnclosedMap::landed(const Ball& t, const Ball& of_middle) {
+  Move m = moved(t);
+  const PhasePoint<Ball> middle = reached(thin_, 0, of_middle);
+  const SurfaceValues<Ball> v = point_.at(m.hull);
   const Ball speed = s_.rising() ? rate(v) : -rate(v);
-  std::array<Ball, 2> slope{Ball(0),
-                            Ball(0)}; // of the section's function, by the start's coordinates
-  for (std::size_t d = 0; d < 2; ++d)
-    for (std::size_t j = 0; j < x.size(); ++j)
-      add_product(slope[d], v.slope[0][j].v, x[j].d[d]);
-  for (std::size_t j = 0; j < x.size(); ++j)
-    for (std::size_t d = 0; d < 2; ++d)
-      x[j].d[d] -= v.field[j].v * slope[d] / speed;
-  return {x, before + t};
+  const std::size_t n = middle.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    Ball later(0);
+    for (std::size_t j = 0; j < n; ++j)
+      add_product(later, v.slope[0][j].v, m.slope[j][k]);
+    later /= speed;
+    for (std::size_t j = 0; j < n; ++j)
+      sub_product(m.slope[j][k], v.field[j].v, later);
+    m.middle[k] = middle[k].v;
+  }
+  return m;
 }
 
 // ---- in double ----

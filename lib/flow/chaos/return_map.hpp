@@ -5,9 +5,10 @@
 // over a box that provably contains the orbit during the step; every step proves that it makes no wanted crossing, or
 // exactly one, at which the orbit has landed.  The inverse is the same with time running backward: the crossing before.
 //
-// Against the widening of boxes the orbit of the box's middle m is enclosed beside them: x(t; a) lies in
-// x(t; m) + D x(t; box) (a - m), by the mean value theorem, and so in the intersection of that with the box.
+// Against the widening of boxes (Lohner's method, docs/theory/chaos.md 1.3): the orbits that start in the box lie in
+// m + B (r + R (a - middle)), m a point, B a matrix of nearly orthogonal axes that turn with the flow.
 
+#include "flow/chaos/krawczyk.hpp"
 #include "flow/chaos/section_surface.hpp"
 
 #include <atomic>
@@ -26,6 +27,7 @@ struct Patch {
 struct Landing {
   PhasePoint<Enclosure> at; ///< with derivatives by the coordinates of the patch that it came from
   Enclosure time;           ///< negative for the inverse
+  std::vector<Enclosure> middle = {}; ///< where the middle of the box lands
 };
 
 class EnclosedMap {
@@ -48,23 +50,36 @@ public:
 
 private:
   enum class Verdict : unsigned char { goes_on, lands, retry };
-  /// A box of orbits, and the orbit of its middle.
+  /// Orbits from the starts a of a box: x in middle + axes (error + slope (a - its middle)), and in `hull`.
   struct Front {
-    PhasePoint<Enclosure> x, thin;
+    BallVector middle, error;
+    BallMatrix axes, slope; ///< exact; n x 2
+    PhasePoint<Enclosure> hull;
   };
-  /// The orbits during a step: where they are, their coefficients, and the first that is not computed at a point.
+  /// The orbits during a step: where they are, and their coefficients; one code for each two derivatives.
   struct Step {
-    SurfaceCode<Enclosure> code;
-    PhasePoint<Enclosure> box = {}, last = {};
+    std::vector<SurfaceCode<Enclosure>> code;
+    std::vector<PhasePoint<Enclosure>> box = {}, last = {};
+  };
+  /// Where the middle goes, how its neighbours go along, and where all of them are.
+  struct Move {
+    BallVector middle;
+    BallMatrix slope;
+    PhasePoint<Enclosure> hull;
   };
   [[nodiscard]] Front start(const Patch& from);
+  void transport(Front& f, const Move& m) const;
   [[nodiscard]] Landing returned(Front& front);
-  [[nodiscard]] PhasePoint<Enclosure> advance(Step& s, double& h);
-  [[nodiscard]] PhasePoint<Enclosure> reached(const Step& s, const Enclosure& t) const;
-  void tighten(PhasePoint<Enclosure>& x, const PhasePoint<Enclosure>& thin) const;
+  void expand(const Front& f);
+  [[nodiscard]] bool contained(Step& s, double& h);
+  void advance(double& h);
+  [[nodiscard]] Move moved(const Enclosure& t) const;
+  [[nodiscard]] PhasePoint<Enclosure> reached(const Step& s, std::size_t part,
+                                              const Enclosure& t) const;
   [[nodiscard]] Verdict look(const PhasePoint<Enclosure>& from, const PhasePoint<Enclosure>& to,
                              bool& leaving);
-  [[nodiscard]] Landing land(const Step& s, double h, const Enclosure& before);
+  [[nodiscard]] Enclosure crossing_time(const Step& s, double h);
+  [[nodiscard]] Move landed(const Enclosure& t, const Enclosure& of_middle);
   [[nodiscard]] Enclosure rate(const SurfaceValues<Enclosure>& v) const;
   [[nodiscard]] Enclosure onward(double h) const; ///< [0, h] in the direction of time
   const SectionSurface& s_;
@@ -73,7 +88,7 @@ private:
   int order_;
   Step wide_, thin_;
   SurfaceCode<Enclosure> over_box_, point_;
-  std::array<Enclosure, 2> off_; ///< the box minus its middle
+  std::array<Enclosure, 2> off_; ///< the box of starts minus its middle
   int way_ = 1;                  ///< of time
   double room_ = 1;
 };

@@ -6,6 +6,7 @@
 // as many that a surface is left, and one direction of crossing.
 
 #include "flow/number/dual.hpp"
+#include "flow/number/enclosure.hpp"
 #include "flow/scene/system_scene.hpp"
 
 #include <array>
@@ -17,6 +18,9 @@ namespace kov::flow {
 struct NotProved {
   std::string why;
 };
+
+/// Sum of a[j] b[-j], j < n, rounded once.
+[[nodiscard]] Dual<Enclosure> dot(const Dual<Enclosure>* a, const Dual<Enclosure>* b, int n);
 
 /// A point of phase space with derivatives with respect to two chart coordinates.
 template <class R> using PhasePoint = std::vector<Dual<R>>;

@@ -22,6 +22,12 @@ template <class R> struct Tape {
 inline namespace KOV_ISA {
 namespace machine {
 
+/// Numbers whose sums of products are one operation: dot(a, b, n) = sum of a[j] b[-j], j < n.
+template <class T>
+concept HasDot = requires(const T* a) {
+  dot(a, a, 1);
+};
+
 template <int n, class T> inline void products(const Instruction& i, T* s, int k) {
   const T *a[n], *b[n];
   T sum[n]{};
@@ -83,6 +89,10 @@ template <class T> inline void quotient(const Instruction& i, T* s, int k) {
     s[i.out[1]] = Lanes<T>::all(typename Lanes<T>::Real(1)) / b[0];
     return;
   }
+  if constexpr (HasDot<T>) {
+    q[k] = (rest - dot(q, b + k, k)) * s[i.out[1]];
+    return;
+  }
   T even{}, odd{};
   for (int j = 0; j + 1 < k; j += 2) {
     add_product(even, q[j], b[k - j]);
@@ -92,10 +102,19 @@ template <class T> inline void quotient(const Instruction& i, T* s, int k) {
   q[k] = (rest - (even + odd)) * s[i.out[1]];
 }
 
+template <class T> inline void dots(const Instruction& i, T* s, int k) {
+  for (std::size_t m = 0; m < i.count; ++m) {
+    const T* b = i.op == Instruction::Op::squares ? s + i.a[m] : s + i.b[m];
+    s[i.out[m] + k] = dot(s + i.a[m], b + k, k + 1);
+  }
+}
+
 template <class T>
 inline void execute(const Instruction& i, const SumTerm* terms,
                     const typename Lanes<T>::Real* numbers, T* s, int k) {
   using Op = Instruction::Op;
+  if constexpr (HasDot<T>)
+    if (i.op == Op::products || i.op == Op::squares) return dots(i, s, k);
   switch (i.op) {
   case Op::products:
     return i.count == 1   ? product(i, s, k)
