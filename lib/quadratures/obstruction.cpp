@@ -3,8 +3,8 @@
 #include "algebraize/function_field.hpp"
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
-#include "galois/classify.hpp"
 #include "galois/exponential_form.hpp"
+#include "galois/solutions.hpp"
 #include "integrability/constants.hpp"
 #include "integrability/parameters.hpp"
 #include "linode/normal_form.hpp"
@@ -90,7 +90,7 @@ public:
   PairSolver(const RationalMatrix& b, std::size_t i, std::size_t j, const Budget& budget)
       : b_(b), i_(i), j_(j), budget_(budget) {}
 
-  /// The rational solution that the normal equation has if its group is C, and u = g b12/y.
+  /// A rational solution of the normal equation, and h' = b12 g/y.
   [[nodiscard]] std::pair<Pair, RationalFunction> with_one_line() const {
     const RationalFunction& b = b_[i_][j_];
     if (is_zero(b)) throw NotApplicable{"the normal unknowns are not coupled"};
@@ -101,27 +101,29 @@ public:
     const RationalFunction half(Rational(1, 2));
     const RationalFunction r = half * half * p * p + half * derivative(p) - q;
     const Classification group = classify(r, budget_);
-    if (group.component != Connected::additive || !group.exponential)
-      throw NotApplicable{"the normal equation has no group with the identity component C"};
-    const auto y = with_logarithmic_derivative(group.exponential->omega() - half * p, budget_);
+    if (group.component != Connected::additive && group.component != Connected::trivial)
+      throw NotApplicable{"the identity component of the normal equation is neither C nor trivial"};
+    const auto lines = solutions(group, r, budget_);
+    if (lines.empty() || !lines.front().exponential)
+      throw NotApplicable{"the solution of the normal equation is not rational"};
+    const auto y =
+        with_logarithmic_derivative(lines.front().exponential->omega() - half * p, budget_);
     const auto wronskian = with_logarithmic_derivative(-p, budget_);
     if (!y || !wronskian)
       throw NotApplicable{"the solution of the normal equation is not rational"};
     const RationalFunction u = *wronskian / (*y * *y);
-    Pair pair{i_, j_, *y, second(*y), u * *y / b, {RationalFunction(0), RationalFunction(1)}};
+    Pair pair{i_, j_, *y, second(*y), u * *y / b, {}};
     return {std::move(pair), u};
   }
 
-  /// The unknowns along the curve, where one solution is the velocity.
-  [[nodiscard]] Pair along(const RationalFunction& y, const PrimitiveExtension& l) const {
+  /// The unknowns along the curve, where one solution is the velocity, and h'.
+  [[nodiscard]] std::pair<Pair, RationalFunction> along(const RationalFunction& y) const {
     if (is_zero(y)) throw NotApplicable{"a coordinate of the curve is constant"};
     const auto g = with_logarithmic_derivative(b_[i_][i_] + b_[j_][j_], budget_);
     if (!g) throw NotApplicable{"the determinant of the tangential part is not rational"};
     Pair pair{i_, j_, y, second(y), *g / y, {}};
-    const auto h = l.primitive({b_[i_][j_] * pair.g / y}, budget_);
-    if (!h) throw NotApplicable{"the tangential part needs an integral that is not in K(I)"};
-    pair.h = *h;
-    return pair;
+    const RationalFunction slope = b_[i_][j_] * pair.g / y;
+    return {std::move(pair), slope};
   }
 
 private:
@@ -203,7 +205,6 @@ public:
       if (auto found = next_order(k)) return found;
     return std::nullopt;
   }
-  [[nodiscard]] const PrimitiveExtension& l() const { return *l_; }
 
 private:
   // Unknowns that are coupled, directly or by others.
@@ -229,12 +230,7 @@ private:
     if (normal.size() != 2 || along.empty() || along.size() > 2)
       throw NotApplicable{"there are other numbers of unknowns than two and at most two"};
     const bool turned = is_zero(b_[normal[0]][normal[1]]);
-    const auto [pair, u] =
-        PairSolver(b_, normal[turned ? 1 : 0], normal[turned ? 0 : 1], budget_).with_one_line();
-    l_ = PrimitiveExtension::make(u, budget_);
-    if (!l_) throw NotApplicable{"the normal solutions are rational"};
-    pairs_.push_back(pair);
-    require_solution(b_, pair, *l_);
+    add(PairSolver(b_, normal[turned ? 1 : 0], normal[turned ? 0 : 1], budget_).with_one_line());
     const auto velocity = [&](std::size_t j) { return curve_.value(curve_.v().components[j]); };
     if (along.size() == 1) {
       single_ = along[0];
@@ -244,8 +240,25 @@ private:
     }
     const bool other = is_zero(b_[along[0]][along[1]]) || is_zero(velocity(along[0]));
     const std::size_t i = along[other ? 1 : 0], j = along[other ? 0 : 1];
-    pairs_.push_back(PairSolver(b_, i, j, budget_).along(velocity(i), *l_));
-    require_solution(b_, pairs_.back(), *l_);
+    add(PairSolver(b_, i, j, budget_).along(velocity(i)));
+  }
+
+  // With h, for which I is adjoined if it is the first integral that is not rational.
+  void add(std::pair<Pair, RationalFunction> solution) {
+    auto& [pair, slope] = solution;
+    auto h = in_l({slope});
+    if (!h) throw NotApplicable{"the first order needs two integrals"};
+    pair.h = *std::move(h);
+    require_solution(b_, pair, l_);
+    pairs_.push_back(std::move(pair));
+  }
+
+  // A primitive in L; the first one that is not rational generates L.
+  [[nodiscard]] std::optional<Element> in_l(const Element& f, std::size_t* level = nullptr) {
+    auto g = l_.primitive(f, budget_, level);
+    if (g || !l_.is_none()) return g;
+    l_ = *PrimitiveExtension::make(f.front(), budget_);
+    return l_.primitive(f, budget_, level);
   }
 
   void first_order() {
@@ -287,19 +300,19 @@ private:
 
   // All coefficients, or an obstruction at one.
   std::optional<QuadratureObstruction> integrate(const Jet& f, std::size_t unknown, int k,
-                                                 Jet& integral) const {
+                                                 Jet& integral) {
     bool all = true;
     for (const auto& [monomial, element] : f) {
-      if (const auto g = l_->primitive(element, budget_)) {
+      if (const auto g = in_l(element)) {
         if (!g->empty()) integral[monomial] = *g;
         continue;
       }
       all = false;
       std::size_t level = 0;
-      if (l_->primitive(by_the_primitive(element), budget_, &level)) continue;
+      if (l_.primitive(by_the_primitive(element), budget_, &level)) continue;
       QuadratureObstruction o;
       o.order = k;
-      o.u = l_->u();
+      o.u = l_.u();
       o.f = element;
       o.power = level;
       o.of = "c1^" + std::to_string(monomial[0]) + "*c2^" + std::to_string(monomial[1]) +
@@ -379,7 +392,7 @@ private:
   std::vector<Pair> pairs_;
   std::optional<std::size_t> single_;
   RationalFunction single_solution_;
-  std::optional<PrimitiveExtension> l_;
+  PrimitiveExtension l_ = PrimitiveExtension::none();
   std::vector<std::vector<Jet>> xi_; ///< by order, by coordinate
 };
 
@@ -450,6 +463,15 @@ std::optional<QuadratureOrders> study(const System& s, const ManifoldSpec& m, in
   return result;
 }
 
+std::optional<QuadratureOrders> at_one_level(const System& s, const ManifoldSpec& m, int order,
+                                             const Rational& level, const Budget& budget) {
+  try {
+    return study(s, m, order, level, budget);
+  } catch (const NotApplicable& no) {
+    return QuadratureOrders{{}, no.why};
+  }
+}
+
 bool has_parameters(const System& s) {
   return s.field.parameters.size() > level_parameters(s).size();
 }
@@ -460,11 +482,12 @@ QuadratureOrders orders_by_quadratures(const System& s, const ManifoldSpec& m, i
                                        const Budget& budget) {
   try {
     if (has_parameters(s)) return {};
-    for (const Rational& level : {Rational(1), Rational(0), Rational(-1), Rational(1, 2)})
-      if (auto result = study(s, m, order, level, budget)) return *std::move(result);
-    throw NotApplicable{"no coordinate parametrises the curve rationally"};
-  } catch (const NotApplicable& no) {
-    return {{}, no.why};
+    QuadratureOrders all{{}, "no coordinate parametrises the curve rationally"};
+    for (const Rational& level : {Rational(1), Rational(0), Rational(-1), Rational(1, 2)}) {
+      if (auto result = at_one_level(s, m, order, level, budget)) all = *std::move(result);
+      if (all.obstruction || level_parameters(s).empty()) break;
+    }
+    return all;
   } catch (const InvalidArgument& no) { // constants that generate no field
     return {{}, no.what()};
   } catch (const OutOfBudget& limit) {

@@ -1,7 +1,7 @@
 #pragma once
-// Higher variational equations by quadratures, along a rational curve whose normal equation has the
-// group C: all solutions up to some order lie in L = K(I), and then an integral int f, f in L, is
-// needed.  If df/dI is no derivative of an element of L, the identity component is not abelian.
+// Higher variational equations by quadratures, along a rational curve whose normal equation has a
+// rational solution: all solutions up to some order lie in L = K(I), and then an integral int f, f in
+// L, is needed.  If df/dI is no derivative of an element of L, the identity component is not abelian.
 //
 // Source  docs/theory/quadratures.md; [MoralesRamisSimo2007] for the theorem on higher orders
 

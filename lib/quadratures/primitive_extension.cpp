@@ -32,6 +32,7 @@ Element trimmed(Element f) {
 std::optional<RationalFunction> constant_ratio(const RationalFunction& a,
                                                const RationalFunction& b) {
   if (is_zero(a)) return RationalFunction(0);
+  if (is_zero(b)) return std::nullopt;
   const RationalFunction c = a / b;
   if (degree(c.num()) > 0 || degree(c.den()) > 0) return std::nullopt;
   return c;

@@ -30,6 +30,10 @@ public:
   /// Example PrimitiveExtension::make(z).has_value()  // -> no
   [[nodiscard]] static std::optional<PrimitiveExtension> make(const RationalFunction& u,
                                                               const Budget& budget = {});
+  /// K itself: there is no I yet.
+  /// Example PrimitiveExtension::none().primitive({RationalFunction(1, z)}).has_value()  // -> no
+  [[nodiscard]] static PrimitiveExtension none() { return {RationalFunction(0), {}}; }
+  [[nodiscard]] bool is_none() const noexcept { return is_zero(u_); }
   [[nodiscard]] const RationalFunction& u() const noexcept { return u_; }
 
   /// Example log.derivative({0, 1})  // -> {1/z}
