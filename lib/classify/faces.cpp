@@ -110,6 +110,35 @@ System without_bracket(System s) {
   return s;
 }
 
+// The field in the other coordinates and the exponentials.
+void use_as_coordinates(const VectorField& v, const std::vector<std::size_t>& hidden,
+                        ExponentialCoordinates& x) {
+  VectorField& field = x.system.field;
+  field.coordinates.clear();
+  field.components.clear();
+  std::erase_if(field.functions,
+                [&](const FunctionSymbol& f) { return contains(x.exponentials, f.variable); });
+  for (FunctionSymbol& f : field.functions) {
+    std::vector<MFraction> gradient;
+    for (std::size_t j = 0; j < v.dimension(); ++j)
+      if (!contains(hidden, j)) gradient.push_back(f.gradient[j]);
+    gradient.resize(gradient.size() + x.exponentials.size(), MFraction(v.ring));
+    f.gradient = std::move(gradient);
+  }
+  for (std::size_t j = 0; j < v.dimension(); ++j) {
+    if (contains(hidden, j)) {
+      x.instead_of.push_back(v.coordinates[j]);
+      continue;
+    }
+    field.coordinates.push_back(v.coordinates[j]);
+    field.components.push_back(v.components[j]);
+  }
+  for (const std::size_t u : x.exponentials) {
+    field.coordinates.push_back(u);
+    field.components.push_back(lie_derivative(v, MFraction::variable(v.ring, u)));
+  }
+}
+
 } // namespace
 
 std::optional<ExponentialCoordinates> exponential_coordinates(const System& s) {
@@ -128,36 +157,13 @@ std::optional<ExponentialCoordinates> exponential_coordinates(const System& s) {
   if (related || independent.empty()) return std::nullopt;
   ExponentialCoordinates x{
       without_bracket(s), *v.hamiltonian, exponentials, {}, std::move(independent)};
-  VectorField& field = x.system.field;
-  field.coordinates.clear();
-  field.components.clear();
-  std::erase_if(field.functions,
-                [&](const FunctionSymbol& f) { return contains(exponentials, f.variable); });
-  for (FunctionSymbol& f : field.functions) {
-    std::vector<MFraction> gradient;
-    for (std::size_t j = 0; j < v.dimension(); ++j)
-      if (!contains(hidden, j)) gradient.push_back(f.gradient[j]);
-    gradient.resize(gradient.size() + exponentials.size(), MFraction(v.ring));
-    f.gradient = std::move(gradient);
-  }
-  for (std::size_t j = 0; j < v.dimension(); ++j) {
-    if (contains(hidden, j)) {
-      x.instead_of.push_back(v.coordinates[j]);
-      continue;
-    }
-    field.coordinates.push_back(v.coordinates[j]);
-    field.components.push_back(v.components[j]);
-  }
-  for (const std::size_t u : exponentials) {
-    field.coordinates.push_back(u);
-    field.components.push_back(lie_derivative(v, MFraction::variable(v.ring, u)));
-  }
+  use_as_coordinates(v, hidden, x);
   const auto is_defined = [&](const MFraction& f) {
     return std::none_of(exponentials.begin(), exponentials.end(),
                         [&](std::size_t u) { return uses(f.den(), u); });
   };
-  if (!is_defined(x.hamiltonian) ||
-      !std::all_of(field.components.begin(), field.components.end(), is_defined))
+  const auto& components = x.system.field.components;
+  if (!is_defined(x.hamiltonian) || !std::all_of(components.begin(), components.end(), is_defined))
     return std::nullopt;
   return x;
 }
@@ -211,17 +217,26 @@ private:
   void find_linear_integrals(const Budget& budget) {
     for (const std::size_t i : system_.field.coordinates)
       if (i != moving_ && i != vanishing_) others_.push_back(i);
-    fixed_ = constant_combinations({}, budget);
+    for (auto& row : constant_combinations({}, budget))
+      fixed_.push_back(without_denominators(std::move(row)));
     const auto on_the_face =
         constant_combinations({{vanishing_, MFraction(system_.ring())}}, budget);
     auto known = fixed_;
-    for (const auto& c : on_the_face) {
+    for (const auto& row : on_the_face) {
+      const auto c = without_denominators(row);
       known.push_back(c);
       if (rank(known, budget) == known.size())
         free_.push_back(c);
       else
         known.pop_back();
     }
+  }
+  static std::vector<MFraction> without_denominators(std::vector<MFraction> row) {
+    for (const MFraction& x : std::vector<MFraction>(row))
+      if (const MFraction den(x.den()); !is_constant(den))
+        for (MFraction& y : row)
+          y = y * den;
+    return row;
   }
   [[nodiscard]] std::size_t rank(const std::vector<std::vector<MFraction>>& rows,
                                  const Budget& budget) const {
@@ -298,48 +313,52 @@ private:
     }
   }
 
+  // One more equation of the manifold; the coordinate for which it is solved is put in elsewhere.
+  void add_equation(const std::vector<MFraction>& row, const MFraction& value, ManifoldSpec& spec) {
+    MFraction f(system_.ring());
+    for (std::size_t k = 0; k < others_.size(); ++k)
+      f += row[k] * MFraction::variable(system_.ring(), others_[k]);
+    add(f - value, to_string(f) + " = " + to_string(value), spec);
+    const MFraction left = substitute(f - value, solved_);
+    for (const std::size_t i : others_) {
+      const MFraction slope = derivative(left, i);
+      if (solved_.count(i) || is_zero(slope)) continue;
+      nonzero_.push_back(slope.num());
+      nonzero_.push_back(slope.den());
+      const Substitution step{{i, MFraction::variable(system_.ring(), i) - left / slope}};
+      for (auto& [j, known] : solved_)
+        known = substitute(known, step);
+      solved_.insert(step.begin(), step.end());
+      return;
+    }
+  }
+  static void add(const MFraction& difference, const std::string& text, ManifoldSpec& spec) {
+    spec.equations.push_back({difference, text});
+    spec.name += (spec.name.empty() ? "" : ", ") + text;
+  }
+
   // Through the point of the curve where the other exponential is 0 and the last coordinate is 1.
-  [[nodiscard]] std::optional<ManifoldSpec> manifold() const {
+  [[nodiscard]] std::optional<ManifoldSpec> manifold() {
     const Ring& ring = system_.ring();
     if (others_.size() != fixed_.size() + free_.size() + 1) return std::nullopt;
     ManifoldSpec spec;
-    const auto add = [&](const MFraction& difference, const std::string& text) {
-      spec.equations.push_back({difference, text});
-      spec.name += (spec.name.empty() ? "" : ", ") + text;
-    };
     for (const std::size_t u : x_.exponentials)
-      if (u == vanishing_)
-        add(MFraction::variable(ring, u), ring->name(u) + " = 0");
-      else if (u != moving_)
+      if (u != moving_ && u != vanishing_)
         spec.name += (spec.name.empty() ? "" : ", ") + ring->name(u) + " = 0";
-    Substitution solved;
-    const auto add_integral = [&](const std::vector<MFraction>& row, const MFraction& value) {
-      MFraction f = -value;
-      for (std::size_t k = 0; k < others_.size(); ++k)
-        f += row[k] * MFraction::variable(ring, others_[k]);
-      add(f, to_string(f + value) + " = " + to_string(value));
-      const MFraction left = substitute(f, solved);
-      for (const std::size_t i : others_) {
-        if (solved.count(i) || is_zero(derivative(left, i))) continue;
-        const Substitution step{{i, MFraction::variable(ring, i) - left / derivative(left, i)}};
-        for (auto& [j, known] : solved)
-          known = substitute(known, step);
-        solved.insert(step.begin(), step.end());
-        return;
-      }
-    };
+    add(MFraction::variable(ring, vanishing_), ring->name(vanishing_) + " = 0", spec);
     for (const auto& row : fixed_)
-      add_integral(row, MFraction(ring));
+      add_equation(row, MFraction(ring), spec);
     for (std::size_t k = 0; k < free_.size(); ++k)
-      add_integral(free_[k], MFraction::variable(ring, levels_[k]));
-    solved[vanishing_] = MFraction(ring);
-    const MFraction energy = substitute(hamiltonian_, solved);
+      add_equation(free_[k], MFraction::variable(ring, levels_[k]), spec);
+    solved_[vanishing_] = MFraction(ring);
     const auto last = std::find_if(others_.begin(), others_.end(),
-                                   [&](std::size_t i) { return !solved.count(i); });
+                                   [&](std::size_t i) { return !solved_.count(i); });
     if (last == others_.end()) return std::nullopt;
     const MFraction value =
-        substitute(energy, {{moving_, MFraction(ring)}, {*last, MFraction(ring, Rational(1))}});
+        substitute(substitute(hamiltonian_, solved_),
+                   {{moving_, MFraction(ring)}, {*last, MFraction(ring, Rational(1))}});
     if (!is_constant_of(system_.field, value)) return std::nullopt;
+    nonzero_.push_back(value.den());
     spec.levels.push_back({hamiltonian_ - value, "H = " + to_string(value)});
     return spec;
   }
@@ -360,6 +379,8 @@ private:
         return done;
       });
     };
+    for (const MPoly& p : nonzero_)
+      e.not_all_zero.push_back({p});
     if (!move_all(e.zero)) return std::nullopt;
     for (auto& list : e.not_all_zero)
       if (!move_all(list)) return std::nullopt;
@@ -379,6 +400,8 @@ private:
   MFraction hamiltonian_;
   std::vector<std::size_t> others_, levels_;
   std::vector<std::vector<MFraction>> fixed_, free_;
+  Substitution solved_;        ///< by the linear equations
+  std::vector<MPoly> nonzero_; ///< for which they are solved, and the level has a value
 };
 
 } // namespace
