@@ -21,12 +21,9 @@ public:
   ArithmeticStatement operator()(const InHalves& s) {
     InHalves left{{}, s.count};
     for (const MFraction& x : s.squares)
-      if (!changes(x)) left.squares.push_back(x);
-    if (left.squares.size() == s.squares.size() || left.squares.size() >= s.count) return left;
-    never_ = true;
-    for (const MFraction& x : s.squares)
-      if (changes(x)) changing_.push_back(x);
-    return s;
+      (changes(x) ? changing_ : left.squares).push_back(x);
+    never_ = left.squares.size() < s.count;
+    return left;
   }
 
   // The sums that do not change are left, if it is one.

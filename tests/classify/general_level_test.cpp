@@ -39,6 +39,7 @@ TEST(GeneralLevel, HalvesOfThoseThatStay) {
   const auto one_of_two = at(InHalves{{square(s), square(h)}, 1});
   ASSERT_EQ(one_of_two.parts.size(), 1U);
   EXPECT_EQ(std::get<InHalves>(one_of_two.parts[0][0].statement).squares, Squares{square(s)});
+  EXPECT_EQ(one_of_two.changing, std::vector{square(h)}); // else it could be one of them
 }
 
 // Riemann's equation without a logarithm.
