@@ -396,6 +396,17 @@ private:
   std::vector<std::vector<Jet>> xi_; ///< by order, by coordinate
 };
 
+// Those that the manifold has.
+std::vector<std::size_t> levels_of(const System& s, const ManifoldSpec& m) {
+  std::vector<std::size_t> all = level_parameters(s);
+  std::erase_if(all, [&](std::size_t h) {
+    const auto has = [h](const Equation& e) { return uses(e.difference, h); };
+    return std::none_of(m.equations.begin(), m.equations.end(), has) &&
+           std::none_of(m.levels.begin(), m.levels.end(), has);
+  });
+  return all;
+}
+
 // All levels at one value.
 ManifoldSpec at_level(const System& s, const ManifoldSpec& m, const Rational& value) {
   ManifoldSpec there = m;
@@ -457,7 +468,9 @@ std::optional<QuadratureOrders> study(const System& s, const ManifoldSpec& m, in
     return result;
   }
   result.obstruction->variable = curve->change();
-  for (const std::size_t h : level_parameters(s))
+  for (const std::size_t i : moving_and_left_out(s, *manifold))
+    result.obstruction->without.push_back(s.ring()->name(i));
+  for (const std::size_t h : levels_of(s, m))
     result.obstruction->level += (result.obstruction->level.empty() ? "" : ", ") +
                                  s.ring()->name(h) + " = " + to_string(level);
   return result;
@@ -485,7 +498,7 @@ QuadratureOrders orders_by_quadratures(const System& s, const ManifoldSpec& m, i
     QuadratureOrders all{{}, "no coordinate parametrises the curve rationally"};
     for (const Rational& level : {Rational(1), Rational(0), Rational(-1), Rational(1, 2)}) {
       if (auto result = at_one_level(s, m, order, level, budget)) all = *std::move(result);
-      if (all.obstruction || level_parameters(s).empty()) break;
+      if (all.obstruction || levels_of(s, m).empty()) break;
     }
     return all;
   } catch (const InvalidArgument& no) { // constants that generate no field

@@ -18,6 +18,9 @@ struct QuadratureObstruction {
   PrimitiveExtension::Element f;
   std::string of;        ///< whose integral it is: "c1*c2^2 in the variation of L"
   std::size_t power = 0; ///< of I, where df/dI has simple poles that do not go away
+  /// Coordinates that move along the curve and are no functions of z: first integrals and fields
+  /// that contain them otherwise than through the function symbols are not excluded.
+  std::vector<std::string> without = {};
 };
 
 struct QuadratureOrders {

@@ -17,7 +17,7 @@ namespace kov::certify {
 namespace {
 
 std::string contents(const std::string& name) {
-  std::ifstream in(test::in_source("/tests/certify/data/homoclinic/" + name + ".json"));
+  std::ifstream in(test::in_source("/tests/certify/homoclinic_data/" + name + ".json"));
   std::ostringstream s;
   s << in.rdbuf();
   return s.str();

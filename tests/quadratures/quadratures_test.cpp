@@ -123,6 +123,19 @@ TEST(Quadratures, CentralForcesDisturbed) {
   }
 }
 
+// Integrable with the commuting fields d/da, d/dv + x*y*d/da, which contain x = log(z).
+TEST(Quadratures, WhatIsNoFunctionOnTheCurveIsNamed) {
+  const System s = of("[system]\nkind = 'vector-field'\ncoordinates = ['x', 'a', 'v', 'y']\n"
+                      "[system.field]\nx = '1'\na = 'u + y*v'\nv = 'y*u/(u - 1)'\ny = '0'\n"
+                      "[[system.function]]\nname = 'u'\nmeans = 'exp(x)'\nderivative = {x = 'u'}\n"
+                      "[[manifold]]\nname = 'line'\nequations = ['y = 0', 'v = 0', 'a = u']\n");
+  const auto found = orders(s, 4);
+  ASSERT_TRUE(found.obstruction) << found.open;
+  EXPECT_THAT(found.obstruction->without, testing::ElementsAre("x"));
+  EXPECT_EQ(found.obstruction->level, "");
+  EXPECT_THAT(orders(atwood("3/2"), 3).obstruction->without, testing::IsEmpty());
+}
+
 TEST(Quadratures, ALimitIsToldAndDoesNoMore) {
   const System s = atwood("3/2");
   const auto found = orders_by_quadratures(s, s.manifolds.front(), 3, Budget::of_seconds(0));

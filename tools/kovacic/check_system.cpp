@@ -310,23 +310,32 @@ Json json_of_orders(const System& s, const jets::HigherOrders& h) {
   return j;
 }
 
+// "first integrals that are meromorphic ... and do not contain x"
+std::string excluded_by_quadratures(const Exclusion& e) {
+  const std::string text =
+      "first integrals and commuting fields that are " + to_string(e.by.integrals);
+  std::string left_out;
+  for (const std::string& x : e.by.without)
+    left_out += (left_out.empty() ? "" : ", ") + x;
+  return left_out.empty()
+             ? text
+             : text + " and do not contain " + left_out + " otherwise than through functions";
+}
+
 void put_by_quadratures(std::ostringstream& out, const Exclusion& e) {
   put(out, "order " + std::to_string(e.by.order),
       "NON-INTEGRABLE at order " + std::to_string(e.by.order) + "  (" + e.by.theorems.front() +
-          ": not integrable with first integrals that are " + to_string(e.by.integrals) + ", " +
-          e.by.level + ")");
+          ": not integrable with " + excluded_by_quadratures(e) +
+          (e.by.level.empty() ? "" : ", " + e.by.level) + ")");
   put(out, "because", e.by.reason);
   put(out, "trusted", e.by.trusted.front() + ", without a certificate");
 }
 
 Json json_by_quadratures(const Exclusion& e, int up_to) {
-  return {{"up_to", up_to},
-          {"verdict", "non-integrable"},
-          {"order", e.by.order},
-          {"level", e.by.level},
-          {"exceptions", ""},
-          {"reason", e.by.reason},
-          {"theorem", e.by.theorems.front()},
+  return {{"up_to", up_to},         {"verdict", "non-integrable"},
+          {"order", e.by.order},    {"level", e.by.level},
+          {"exceptions", ""},       {"without", e.by.without},
+          {"reason", e.by.reason},  {"theorem", e.by.theorems.front()},
           {"trusted", e.by.trusted}};
 }
 
