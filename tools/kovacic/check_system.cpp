@@ -311,9 +311,10 @@ Json json_of_orders(const System& s, const jets::HigherOrders& h) {
 }
 
 // "first integrals that are meromorphic ... and do not contain x"
-std::string excluded_by_quadratures(const Exclusion& e) {
-  const std::string text =
-      "first integrals and commuting fields that are " + to_string(e.by.integrals);
+std::string excluded_by_quadratures(const System& s, const Exclusion& e) {
+  const std::string text = std::string("first integrals ") +
+                           (s.field.poisson ? "" : "and commuting vector fields ") + "that are " +
+                           to_string(e.by.integrals);
   std::string left_out;
   for (const std::string& x : e.by.without)
     left_out += (left_out.empty() ? "" : ", ") + x;
@@ -322,10 +323,10 @@ std::string excluded_by_quadratures(const Exclusion& e) {
              : text + " and do not contain " + left_out + " otherwise than through functions";
 }
 
-void put_by_quadratures(std::ostringstream& out, const Exclusion& e) {
+void put_by_quadratures(std::ostringstream& out, const System& s, const Exclusion& e) {
   put(out, "order " + std::to_string(e.by.order),
       "NON-INTEGRABLE at order " + std::to_string(e.by.order) + "  (" + e.by.theorems.front() +
-          ": not integrable with " + excluded_by_quadratures(e) +
+          ": not integrable with " + excluded_by_quadratures(s, e) +
           (e.by.level.empty() ? "" : ", " + e.by.level) + ")");
   put(out, "because", e.by.reason);
   put(out, "trusted", e.by.trusted.front() + ", without a certificate");
@@ -639,7 +640,7 @@ private:
       const auto q = orders_by_quadratures(s, m, settings_.order, options_.decide.budget);
       if (q.obstruction) {
         const Exclusion e = exclusion_of(m, *q.obstruction);
-        put_by_quadratures(lines, e);
+        put_by_quadratures(lines, s, e);
         answer.text += lines.str();
         answer.json.at("manifold")["higher_orders"] = json_by_quadratures(e, settings_.order);
         findings.exclusions.push_back(e);
