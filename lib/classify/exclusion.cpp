@@ -501,6 +501,7 @@ Exclusion exclusion_of(const ManifoldSpec& m, const QuadratureObstruction& o) {
   e.by.reason = reason(o);
   e.by.integrals = ExcludedClass::meromorphic_at_infinity;
   e.by.without = o.without;
+  e.by.unchecked = o.unchecked;
   e.by.theorems = {jets::theorem()};
   e.by.trusted = {"higher variational equations by quadratures, along " + m.name};
   return e;

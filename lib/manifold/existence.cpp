@@ -157,4 +157,11 @@ std::string unchecked_functions(const VectorField& v, const InvariantManifold& m
   return names;
 }
 
+std::string existence_not_checked(const VectorField& v, const InvariantManifold& m) {
+  const std::string functions = unchecked_functions(v, m);
+  if (functions.empty()) return "";
+  return "that the phase curve has points for the functions meant by " + functions +
+         ": only their derivatives and relations are known";
+}
+
 } // namespace kov

@@ -14,6 +14,10 @@ namespace kov {
 /// curve has points whatever functions with these gradients and relations are meant.
 [[nodiscard]] std::string unchecked_functions(const VectorField& v, const InvariantManifold& m);
 
+/// The hypothesis that is open then, "that the phase curve has points for the functions meant by u";
+/// empty: none is.
+[[nodiscard]] std::string existence_not_checked(const VectorField& v, const InvariantManifold& m);
+
 /// A sine, cosine, exponential, ... whose argument is 0 all along the curve, and which does not have
 /// its value there: "cos(a*q) is 1 there, and c is not".  The curve has no points then.  Empty: none.
 [[nodiscard]] std::string contradicted_function(const VectorField& v, const InvariantManifold& m);

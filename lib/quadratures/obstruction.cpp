@@ -8,6 +8,7 @@
 #include "integrability/constants.hpp"
 #include "integrability/parameters.hpp"
 #include "linode/normal_form.hpp"
+#include "manifold/existence.hpp"
 
 #include <algorithm>
 #include <array>
@@ -458,6 +459,8 @@ std::optional<QuadratureOrders> study(const System& s, const ManifoldSpec& m, in
   const auto proved = prove_invariant(s.field, at_level(s, m, level), budget);
   const auto* manifold = std::get_if<InvariantManifold>(&proved);
   if (manifold == nullptr) throw NotApplicable{std::get<ManifoldFailure>(proved).message};
+  if (const std::string wrong = contradicted_function(s.field, *manifold); !wrong.empty())
+    throw NotApplicable{"the phase curve has no points: " + wrong};
   const auto curve = rational_curve(s, *manifold, budget);
   if (!curve) return std::nullopt;
   Orders orders(*curve, budget);
@@ -468,6 +471,7 @@ std::optional<QuadratureOrders> study(const System& s, const ManifoldSpec& m, in
     return result;
   }
   result.obstruction->variable = curve->change();
+  result.obstruction->unchecked = existence_not_checked(s.field, *manifold);
   for (const std::size_t i : moving_and_left_out(s, *manifold))
     result.obstruction->without.push_back(s.ring()->name(i));
   for (const std::size_t h : levels_of(s, m))
@@ -495,6 +499,8 @@ QuadratureOrders orders_by_quadratures(const System& s, const ManifoldSpec& m, i
                                        const Budget& budget) {
   try {
     if (has_parameters(s)) return {};
+    if (s.field.poisson && s.kind != SystemKind::hamiltonian)
+      return {{}, "quadratures are not for brackets that may be degenerate"};
     QuadratureOrders all{{}, "no coordinate parametrises the curve rationally"};
     for (const Rational& level : {Rational(1), Rational(0), Rational(-1), Rational(1, 2)}) {
       if (auto result = at_one_level(s, m, order, level, budget)) all = *std::move(result);

@@ -21,6 +21,7 @@ struct QuadratureObstruction {
   /// Coordinates that move along the curve and are no functions of z: first integrals and fields
   /// that contain them otherwise than through the function symbols are not excluded.
   std::vector<std::string> without = {};
+  std::string unchecked = {}; ///< a hypothesis that is open, as a clause; or empty
 };
 
 struct QuadratureOrders {

@@ -136,6 +136,29 @@ TEST(Quadratures, WhatIsNoFunctionOnTheCurveIsNamed) {
   EXPECT_THAT(orders(atwood("3/2"), 3).obstruction->without, testing::IsEmpty());
 }
 
+// t = 0 and cos(t) = -1: nothing is there.  Functions whose relations are not known: a hypothesis.
+TEST(Quadratures, TheCurveMustHavePoints) {
+  const std::string begin =
+      "[system]\nkind = 'lagrangian'\ncoordinates = ['r', 't']\n"
+      "velocities = ['dr', 'dt']\nparameters = ['E']\n"
+      "lagrangian = '(5*dr^2/2 + r^2*dt^2)/2 - r*(3/2 + cos(t))'\n"
+      "[[manifold]]\nname = 'line'\nlevel = 'H = E'\nequations = ['p_t = 0', ";
+  EXPECT_TRUE(orders(of(begin + "'sin_t = 0', 'cos_t = -1']\n"), 3).obstruction);
+  const auto nowhere = orders(of(begin + "'t = 0', 'sin_t = 0', 'cos_t = -1']\n"), 3);
+  EXPECT_FALSE(nowhere.obstruction);
+  EXPECT_THAT(nowhere.open, testing::HasSubstr("no points"));
+  const auto unknown = orders(
+      of("[system]\nkind = 'hamiltonian'\ncoordinates = ['r', 't']\nmomenta = ['p', 'L']\n"
+         "parameters = ['E']\nhamiltonian = '(p^2*2/5 + L^2/r^2)/2 + r*(3/2 - c)'\n"
+         "[[system.function]]\nname = 'c'\nderivative = {t = '-s'}\n"
+         "[[system.function]]\nname = 's'\nderivative = {t = 'c'}\n"
+         "[[manifold]]\nname = 'any'\nequations = ['L = 0', 's = 0', 'c = 1']\nlevel = 'H = E'\n"),
+      3);
+  ASSERT_TRUE(unknown.obstruction) << unknown.open;
+  EXPECT_THAT(unknown.obstruction->unchecked, testing::HasSubstr("meant by c, s"));
+  EXPECT_EQ(orders(atwood("3/2"), 3).obstruction->unchecked, "");
+}
+
 TEST(Quadratures, ALimitIsToldAndDoesNoMore) {
   const System s = atwood("3/2");
   const auto found = orders_by_quadratures(s, s.manifolds.front(), 3, Budget::of_seconds(0));

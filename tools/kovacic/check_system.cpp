@@ -328,15 +328,21 @@ void put_by_quadratures(std::ostringstream& out, const System& s, const Exclusio
       "NON-INTEGRABLE at order " + std::to_string(e.by.order) + "  (" + e.by.theorems.front() +
           ": not integrable with " + excluded_by_quadratures(s, e) +
           (e.by.level.empty() ? "" : ", " + e.by.level) + ")");
+  if (!e.by.unchecked.empty()) put(out, "NOT CHECKED", e.by.unchecked);
   put(out, "because", e.by.reason);
   put(out, "trusted", e.by.trusted.front() + ", without a certificate");
 }
 
 Json json_by_quadratures(const Exclusion& e, int up_to) {
-  return {{"up_to", up_to},         {"verdict", "non-integrable"},
-          {"order", e.by.order},    {"level", e.by.level},
-          {"exceptions", ""},       {"without", e.by.without},
-          {"reason", e.by.reason},  {"theorem", e.by.theorems.front()},
+  return {{"up_to", up_to},
+          {"verdict", "non-integrable"},
+          {"order", e.by.order},
+          {"level", e.by.level},
+          {"exceptions", ""},
+          {"without", e.by.without},
+          {"not_checked", e.by.unchecked.empty() ? Json(nullptr) : Json(e.by.unchecked)},
+          {"reason", e.by.reason},
+          {"theorem", e.by.theorems.front()},
           {"trusted", e.by.trusted}};
 }
 
