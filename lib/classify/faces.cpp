@@ -63,36 +63,13 @@ std::optional<Matrix> exponents(const VectorField& v, const std::vector<std::siz
   return a;
 }
 
-MFraction determinant(const Matrix& a, const Ring& ring) {
-  if (a.empty()) return {ring, Rational(1)};
-  MFraction sum(ring);
-  for (std::size_t j = 0; j < a.size(); ++j) {
-    if (is_zero(a[0][j])) continue;
-    Matrix minor;
-    for (std::size_t i = 1; i < a.size(); ++i) {
-      minor.push_back(a[i]);
-      minor.back().erase(minor.back().begin() + static_cast<long>(j));
-    }
-    const MFraction term = a[0][j] * determinant(minor, ring);
-    sum += j % 2 == 0 ? term : -term;
-  }
-  return sum;
-}
-
 // The maximal minors that are not 0.
 std::vector<MPoly> minors(const Matrix& a, std::size_t columns, const Ring& ring) {
   std::vector<MPoly> all;
-  std::vector<bool> chosen(columns, false);
-  std::fill(chosen.begin(), chosen.begin() + static_cast<long>(a.size()), true);
-  do {
-    Matrix part;
-    for (const auto& row : a) {
-      part.emplace_back();
-      for (std::size_t j = 0; j < columns; ++j)
-        if (chosen[j]) part.back().push_back(row[j]);
-    }
-    if (const MFraction det = determinant(part, ring); !is_zero(det)) all.push_back(det.num());
-  } while (std::prev_permutation(chosen.begin(), chosen.end()));
+  static_cast<void>(some_minor(a, columns, ring, [&](const MFraction& d) {
+    if (!is_zero(d)) all.push_back(d.num());
+    return false; // all of them
+  }));
   return all;
 }
 

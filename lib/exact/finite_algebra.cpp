@@ -269,4 +269,35 @@ std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction
   return basis;
 }
 
+MFraction determinant(const std::vector<std::vector<MFraction>>& m, const Ring& ring) {
+  if (m.empty()) return {ring, Rational(1)};
+  MFraction sum(ring);
+  for (std::size_t j = 0; j < m.size(); ++j) {
+    if (is_zero(m[0][j])) continue;
+    std::vector<std::vector<MFraction>> minor(m.begin() + 1, m.end());
+    for (auto& row : minor)
+      row.erase(row.begin() + static_cast<long>(j));
+    const MFraction term = m[0][j] * determinant(minor, ring);
+    sum += j % 2 == 0 ? term : -term;
+  }
+  return sum;
+}
+
+bool some_minor(const std::vector<std::vector<MFraction>>& rows, std::size_t columns,
+                const Ring& ring, const std::function<bool(const MFraction&)>& is_like_this) {
+  if (rows.size() > columns) return false;
+  std::vector<bool> chosen(columns, false);
+  std::fill_n(chosen.begin(), rows.size(), true);
+  do {
+    std::vector<std::vector<MFraction>> part;
+    for (const auto& row : rows) {
+      part.emplace_back();
+      for (std::size_t j = 0; j < columns; ++j)
+        if (chosen[j]) part.back().push_back(row[j]);
+    }
+    if (is_like_this(determinant(part, ring))) return true;
+  } while (std::prev_permutation(chosen.begin(), chosen.end()));
+  return false;
+}
+
 } // namespace kov

@@ -10,6 +10,7 @@
 
 #include "exact/ideal.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace kov {
@@ -84,5 +85,17 @@ solve_linear(std::vector<std::vector<MFraction>> m, std::vector<MFraction> b,
 [[nodiscard]] std::vector<std::vector<MFraction>> null_space(std::vector<std::vector<MFraction>> m,
                                                              std::size_t columns, const Ring& ring,
                                                              const Budget& budget = {});
+
+/// By the first row, without divisions: for small ones.   Shape: square
+/// Given   const Ring ring = make_ring({"a"});
+/// Given   const MFraction a = MFraction::variable(ring, 0), one(ring, 1);
+/// Example determinant({{a, one}, {one, a}}, ring)  // -> a^2 - 1
+/// Example determinant({}, ring)  // -> 1
+[[nodiscard]] MFraction determinant(const std::vector<std::vector<MFraction>>& m, const Ring& ring);
+/// Is one of the minors with all rows like this?  They are made one after the other.
+/// Example some_minor({{a, one}}, 2, ring, [](const MFraction& d) { return is_constant(d); })  // -> yes
+[[nodiscard]] bool some_minor(const std::vector<std::vector<MFraction>>& rows, std::size_t columns,
+                              const Ring& ring,
+                              const std::function<bool(const MFraction&)>& is_like_this);
 
 } // namespace kov

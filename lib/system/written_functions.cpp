@@ -318,20 +318,6 @@ private:
       all.push_back(slope(f, j));
     return all;
   }
-  static MFraction determinant(const Matrix& m, const std::vector<std::size_t>& columns,
-                               std::size_t row) {
-    const Ring& ring = m[0][0].ring();
-    if (columns.empty()) return {ring, Rational(1)};
-    MFraction sum(ring);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      if (is_zero(m[row][columns[k]])) continue;
-      auto others = columns;
-      others.erase(others.begin() + static_cast<long>(k));
-      const MFraction term = m[row][columns[k]] * determinant(m, others, row + 1);
-      sum += k % 2 == 0 ? term : -term;
-    }
-    return sum;
-  }
   // As a polynomial in what moves: its coefficients, without those of the relations of roots.
   [[nodiscard]] std::vector<MPoly> coefficients_of(const MFraction& f) const {
     std::vector<std::size_t> roots;
@@ -379,18 +365,15 @@ private:
   }
   bool note_minor(const Matrix& rows) {
     std::optional<MPoly> best;
-    std::vector<bool> taken(file_.coordinates.size(), false);
-    std::fill(taken.begin(), taken.begin() + static_cast<long>(rows.size()), true);
-    do {
-      std::vector<std::size_t> columns;
-      for (std::size_t j = 0; j < taken.size(); ++j)
-        if (taken[j]) columns.push_back(j);
-      for (const MPoly& c : coefficients_of(determinant(rows, columns, 0)))
-        if (!best || is_constant(c) || c.length() < best->length()) {
-          best = c;
-          if (is_constant(c)) return true;
-        }
-    } while (std::prev_permutation(taken.begin(), taken.end()));
+    const bool never_zero =
+        some_minor(rows, file_.coordinates.size(), rows[0][0].ring(), [&](const MFraction& d) {
+          for (const MPoly& c : coefficients_of(d)) {
+            if (is_constant(c)) return true;
+            if (!best || c.length() < best->length()) best = c;
+          }
+          return false;
+        });
+    if (never_zero) return true;
     if (!best) return false;
     all_.nonzero.push_back(*best);
     return true;

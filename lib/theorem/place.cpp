@@ -223,28 +223,10 @@ private:
           return single_.ring()->name(i) + " is no linear function of the variables";
       }
     }
-    const MFraction d = determinant(jacobian);
+    const MFraction d = determinant(jacobian, ring());
     if (is_zero(d) || !is_nonzero(d.num())) return "the change of variables may be singular";
     jacobian_ = std::move(jacobian);
     return "";
-  }
-
-  // Division-free enough for six variables: expansion along the first row.
-  [[nodiscard]] MFraction determinant(const std::vector<std::vector<MFraction>>& m) const {
-    if (m.empty()) return MFraction(ring(), Rational(1));
-    MFraction sum = MFraction(ring(), Rational(0));
-    for (std::size_t j = 0; j < m.size(); ++j) {
-      if (is_zero(m[0][j])) continue;
-      std::vector<std::vector<MFraction>> minor;
-      for (std::size_t i = 1; i < m.size(); ++i) {
-        minor.emplace_back();
-        for (std::size_t k = 0; k < m.size(); ++k)
-          if (k != j) minor.back().push_back(m[i][k]);
-      }
-      const MFraction part = m[0][j] * determinant(minor);
-      sum = j % 2 == 0 ? sum + part : sum - part;
-    }
-    return sum;
   }
 
   std::string other_field() {

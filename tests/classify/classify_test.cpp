@@ -4,6 +4,7 @@
 
 #include "classify/darboux_points.hpp"
 #include "exact/error.hpp"
+#include "support/points.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +14,9 @@
 namespace kov {
 namespace {
 
+using test::contains;
+using test::Point;
+using test::status_at;
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
@@ -30,29 +34,6 @@ ClassifyOptions within(double seconds, long degree = 4) {
   options.check.decide.budget = Budget::of_seconds(seconds);
   options.degree = degree;
   return options;
-}
-
-using Point = std::map<std::string, Rational>;
-
-// Is the point in the stratum?
-bool contains(const ClassifiedStratum& s, const Point& point) {
-  ParameterSet there = s.where;
-  for (const auto& [name, value] : point) {
-    const MPoly x = MPoly::variable(there.ring(), name);
-    there = there.where_zero((MFraction(x) - MFraction(there.ring(), value)).num());
-  }
-  return !there.is_empty() && std::all_of(s.special.begin(), s.special.end(), [&](const auto& c) {
-    const auto here = on_set(c, there);
-    return std::holds_alternative<bool>(here) && std::get<bool>(here);
-  });
-}
-
-// What the theorem says there: each point is in exactly one stratum.
-std::string status_at(const SystemClassification& c, const Point& point) {
-  std::string status;
-  for (const ClassifiedStratum& s : c.strata)
-    if (contains(s, point)) status += (status.empty() ? "" : " and ") + to_string(s.status);
-  return status;
 }
 
 std::vector<std::vector<std::string>> strata_with(const SystemClassification& c,

@@ -4,12 +4,15 @@
 
 #include "classify/classify.hpp"
 #include "exact/error.hpp"
+#include "support/points.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace kov {
 namespace {
+
+using test::status_at;
 
 System of(const std::string& coordinates, const std::string& momenta, const std::string& parameters,
           const std::string& hamiltonian, const std::string& more = "") {
@@ -27,26 +30,6 @@ SystemClassification classified(const System& s) {
   ClassifyOptions options;
   options.check.decide.budget = Budget::of_seconds(120);
   return classify_system(s, options);
-}
-
-using Point = std::map<std::string, Rational>;
-
-bool contains(const ClassifiedStratum& s, const Point& point) {
-  ParameterSet there = s.where;
-  for (const auto& [name, value] : point) {
-    const MPoly x = MPoly::variable(there.ring(), name);
-    there = there.where_zero((MFraction(x) - MFraction(there.ring(), value)).num());
-  }
-  return !there.is_empty() && std::all_of(s.special.begin(), s.special.end(), [&](const auto& c) {
-    const auto here = on_set(c, there);
-    return std::holds_alternative<bool>(here) && std::get<bool>(here);
-  });
-}
-std::string status_at(const SystemClassification& c, const Point& point) {
-  std::string status;
-  for (const ClassifiedStratum& s : c.strata)
-    if (contains(s, point)) status += (status.empty() ? "" : " and ") + to_string(s.status);
-  return status;
 }
 
 // A1 x A1, A2, B2 twice and G2 twice, for real exponents; nothing stays open.
@@ -86,6 +69,23 @@ TEST(Faces, FewerExponentialsThanCoordinates) {
   for (const Rational& m :
        {Rational(2), Rational(-1, 2), Rational(-1), Rational(1, 2), Rational(-2)})
     EXPECT_EQ(status_at(c, {{"m", m}}), "excluded") << to_string(m);
+}
+
+// Nothing is said where the exponents depend on one another, or the equations cannot be solved.
+TEST(Faces, TheirConditionsAreNamed) {
+  const System s = plane("'s', 't'", "(u^2 + v^2)/2 + exp(x) + exp(t*y - s*x)");
+  const MPoly t = MPoly::variable(s.ring(), "t");
+  const auto all = exclusions_at_faces(s, {});
+  ASSERT_FALSE(all.empty());
+  for (const Exclusion& e : all) {
+    const auto needs = [&](const MPoly& p) {
+      return std::find(e.not_all_zero.begin(), e.not_all_zero.end(), std::vector{p}) !=
+             e.not_all_zero.end();
+    };
+    EXPECT_TRUE(needs(t));
+    EXPECT_EQ(e.by.without, (std::vector<std::string>{"x", "y"}));
+    EXPECT_EQ(e.by.integrals, ExcludedClass::rational);
+  }
 }
 
 // Open Toda lattices with all kinds of coefficients, masses and further degrees of freedom.
