@@ -88,6 +88,20 @@ TEST(Faces, TheirConditionsAreNamed) {
   }
 }
 
+// u is solved for by -t u + s v = c.
+TEST(Faces, TheEquationsAreSolvedWhereTheyCanBe) {
+  const System s = plane("'s', 't'", "(u^2 + v^2)/2 + exp(y) + exp(s*x + t*y)");
+  const std::vector<MPoly> slope{-MPoly::variable(s.ring(), "t")};
+  int solved = 0;
+  for (const Exclusion& e : exclusions_at_faces(s, {}))
+    if (e.by.solution.rfind("exp_y = 0", 0) == 0) {
+      ++solved;
+      EXPECT_EQ(std::count(e.not_all_zero.begin(), e.not_all_zero.end(), slope), 1)
+          << e.by.solution;
+    }
+  EXPECT_GT(solved, 0);
+}
+
 // Open Toda lattices with all kinds of coefficients, masses and further degrees of freedom.
 TEST(Faces, NoFalseAlarm) {
   for (const System& s : {plane("'m', 'k'", "(u^2 + v^2)/2 + k*exp(x - y) + m*exp(y)"),

@@ -136,6 +136,22 @@ TEST(Quadratures, WhatIsNoFunctionOnTheCurveIsNamed) {
   EXPECT_THAT(orders(atwood("3/2"), 3).obstruction->without, testing::IsEmpty());
 }
 
+// y is an integral and d/dz commutes: a second logarithm is no obstruction.
+TEST(Quadratures, AnotherIntegralIsNoObstruction) {
+  for (const std::string slope :
+       {"y*x/(x - 1) + y^2*x/(x - 2)", "y*x/(x - 1) + y^3*x/(x - 2)^2 + y^2"}) {
+    const auto found =
+        orders(of("[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y', 'z']\n[system.field]\n"
+                  "x = 'x'\ny = '0'\nz = '" +
+                  slope +
+                  "'\n[[manifold]]\nname = 'line'\n"
+                  "equations = ['y = 0', 'z = 0']\n"),
+               4);
+    EXPECT_FALSE(found.obstruction) << slope;
+    EXPECT_THAT(found.open, testing::HasSubstr("which is no obstruction")) << slope;
+  }
+}
+
 // t = 0 and cos(t) = -1: nothing is there.  Functions whose relations are not known: a hypothesis.
 TEST(Quadratures, TheCurveMustHavePoints) {
   const std::string begin =

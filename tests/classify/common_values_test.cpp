@@ -1,0 +1,47 @@
+// Two differences that are special at finitely many values together.
+
+#include "classify/difference.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using Kind = DifferenceCondition::Kind;
+using testing::ElementsAre;
+
+const Ring ring = make_ring({"a", "b"});
+const MFraction a = MFraction::variable(ring, "a"), b = MFraction::variable(ring, "b");
+MFraction number(long n) { return {ring, Rational(n)}; }
+DifferenceCondition integer(const MFraction& x) { return {Kind::integer, {x * x}}; }
+
+// Delta itself counts, not only its square: a and 3/(a + 5) are integers for a = -2, -4, -6, -8.
+TEST(CommonValues, BothSignsOfADifference) {
+  const auto common = common_values(integer(a), integer(number(3) / (a + number(5))));
+  ASSERT_TRUE(common);
+  EXPECT_EQ(common->square, a * a);
+  EXPECT_THAT(common->values, ElementsAre(4, 16, 36, 64));
+}
+
+// The limit 1/2 of the second is no integer, or is one of the halves and never reached.
+TEST(CommonValues, NearTheLimit) {
+  const MFraction f = a / (number(2) * a + number(1));
+  const auto integers = common_values(integer(a), integer(f));
+  ASSERT_TRUE(integers);
+  EXPECT_THAT(integers->values, ElementsAre(0, 1)); // 0 and, for a = -1, 1
+  DifferenceCondition halves = integer(f);
+  halves.kind = Kind::half_integer;
+  const auto common = common_values(integer(a), halves);
+  ASSERT_TRUE(common);
+  EXPECT_THAT(common->values, ElementsAre(0, 1));
+}
+
+TEST(CommonValues, NothingIsSaidWithoutALimit) {
+  EXPECT_FALSE(common_values(integer(a), integer(a * a)));
+  EXPECT_FALSE(common_values(integer(a), integer(b)));
+  EXPECT_FALSE(common_values(integer(a), integer(a + number(1))));
+}
+
+} // namespace
+} // namespace kov
