@@ -102,36 +102,6 @@ private:
   RationalFunction slope_, quotient_;
 };
 
-// The product of the values of g at the roots of f, f monic.
-NfElem norm(const Poly& g, const Poly& f) {
-  if (is_zero(g)) return NfElem(0);
-  const NfElem units = pow(lead(g), static_cast<unsigned long>(degree(f)));
-  if (degree(g) == 0) return units;
-  const NfElem swapped = norm(f % g, monic(g));
-  return degree(f) % 2 == 1 && degree(g) % 2 == 1 ? -(units * swapped) : units * swapped;
-}
-
-// What a may be up to squares, for u = a s^2 in the residue field of one place: its norm is
-// a^n N(s)^2; of degree 2 the trace of u plus or minus twice the root of the norm is a (s +- s')^2,
-// or s^2 is the discriminant times a square.
-std::vector<NfElem> constants_at(const Singularity& place) {
-  if (place.degree() == 1) return {place.leading.coeff(0)};
-  const NfElem product = norm(place.leading % place.place, place.place);
-  if (place.degree() % 2 == 1) return {product};
-  std::vector<NfElem> found{NfElem(1)};
-  if (place.degree() > 2) return found;
-  const NfElem trace =
-      NfElem(2) * place.leading.coeff(0) - place.leading.coeff(1) * place.place.coeff(1);
-  if (const auto root = exact_sqrt(product))
-    for (const NfElem& twice : {*root + *root, -(*root + *root)})
-      if (!is_zero(trace + twice)) found.push_back(trace + twice);
-  if (is_zero(place.leading.coeff(1))) { // s' = -s is possible
-    const NfElem b = place.place.coeff(1);
-    found.push_back(place.leading.coeff(0) * (b * b - NfElem(4) * place.place.coeff(0)));
-  }
-  return found;
-}
-
 std::optional<WhittakerPullBack> of_slope(const Singularities& s, const NfElem& a,
                                           const RationalFunction& slope, const Budget& budget) {
   const LogarithmicParts parts = logarithmic_parts(slope, budget);
@@ -172,7 +142,7 @@ std::optional<WhittakerPullBack> whittaker_pull_back(const Singularities& s, con
   const auto smallest =
       std::min_element(places.begin(), places.end(),
                        [](const auto* p, const auto* q) { return p->degree() < q->degree(); });
-  for (const NfElem& a : constants_at(**smallest))
+  for (const NfElem& a : kovacic::square_classes((*smallest)->leading, (*smallest)->place))
     if (auto found = with_constant(s, places, a, budget)) return found;
   return std::nullopt;
 }

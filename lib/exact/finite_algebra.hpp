@@ -87,13 +87,12 @@ solve_linear(std::vector<std::vector<MFraction>> m, std::vector<MFraction> b,
                                                              const Budget& budget = {});
 
 /// By the first row, without divisions: for small ones.   Shape: square
-/// Given   const Ring ring = make_ring({"a"});
-/// Given   const MFraction a = MFraction::variable(ring, 0), one(ring, 1);
-/// Example determinant({{a, one}, {one, a}}, ring)  // -> a^2 - 1
+/// Example determinant({{x, one}, {one, x}}, ring)  // -> x^2 - 1
 /// Example determinant({}, ring)  // -> 1
 [[nodiscard]] MFraction determinant(const std::vector<std::vector<MFraction>>& m, const Ring& ring);
 /// Is one of the minors with all rows like this?  They are made one after the other.
-/// Example some_minor({{a, one}}, 2, ring, [](const MFraction& d) { return is_constant(d); })  // -> yes
+/// Given   const auto is_one = [&](const MFraction& d) { return d == one; };
+/// Example some_minor({{x, one}}, 2, ring, is_one)  // -> yes
 [[nodiscard]] bool some_minor(const std::vector<std::vector<MFraction>>& rows, std::size_t columns,
                               const Ring& ring,
                               const std::function<bool(const MFraction&)>& is_like_this);

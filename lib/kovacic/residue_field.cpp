@@ -11,6 +11,16 @@ NfElem trace(const Poly& b, const Poly& q) {
   return (b * derivative(q) % q).coeff(degree(q) - 1);
 }
 
+// The roles of b and q are exchanged, as in Euclid's algorithm.
+NfElem norm(const Poly& b, const Poly& q) {
+  const Poly g = b % q;
+  if (is_zero(g)) return NfElem(0);
+  const NfElem units = pow(lead(g), static_cast<unsigned long>(degree(q)));
+  if (degree(g) == 0) return units;
+  const NfElem swapped = norm(q, monic(g));
+  return degree(q) % 2 == 1 && degree(g) % 2 == 1 ? -(units * swapped) : units * swapped;
+}
+
 RationalFunction sum_over_roots(const Poly& b, const Poly& q, long j) {
   RationalFunction f(b * derivative(q) % q, q);
   for (long i = 1; i < j; ++i)
@@ -97,6 +107,25 @@ std::optional<Poly> square_root(const Poly& u, const Poly& q, const Budget& budg
     KOV_ENSURE(is_zero((answer * answer - u) % q));
     return answer;
   }
+}
+
+// The norm of u = a s^2 is a^n N(s)^2; of degree 2 the trace of u plus or minus twice the root of the
+// norm is a (s +- s')^2, or s^2 is the discriminant times a square.
+std::vector<NfElem> square_classes(const Poly& u, const Poly& q) {
+  if (degree(q) <= 1) return {u.coeff(0)};
+  const NfElem product = norm(u, q);
+  if (degree(q) % 2 == 1) return {product};
+  std::vector<NfElem> found{NfElem(1)};
+  if (degree(q) > 2) return found;
+  const NfElem sum = trace(u, q);
+  if (const auto root = exact_sqrt(product))
+    for (const NfElem& twice : {*root + *root, -(*root + *root)})
+      if (!is_zero(sum + twice)) found.push_back(sum + twice);
+  if (is_zero(u.coeff(1))) { // s' = -s is possible
+    const NfElem b = q.coeff(1);
+    found.push_back(u.coeff(0) * (b * b - NfElem(4) * q.coeff(0)));
+  }
+  return found;
 }
 
 } // namespace kov::kovacic

@@ -12,12 +12,17 @@
 #include "exact/rational_function.hpp"
 
 #include <optional>
+#include <vector>
 
 namespace kov::kovacic {
 
 /// sum over the roots c of q of b(c), an element of K.  Requires q monic, squarefree.
 /// Example trace(z, z*z - z - 1)  // -> 1
 [[nodiscard]] NfElem trace(const Poly& b, const Poly& q);
+
+/// The product over the roots c of q of b(c), an element of K.  Requires q monic, squarefree.
+/// Example norm(z, z*z - z - 1)  // -> -1
+[[nodiscard]] NfElem norm(const Poly& b, const Poly& q);
 
 /// sum over the roots c of q of b(c)/(z-c)^j.  Requires q monic, squarefree; j >= 1.
 /// Example sum_over_roots(1, z*z - 2, 1)  // -> 2*z/(z^2 - 2)
@@ -31,5 +36,11 @@ namespace kov::kovacic {
 /// Throws  OutOfBudget
 /// Example square_root(3, z*z - 2, {})  // -> none
 [[nodiscard]] std::optional<Poly> square_root(const Poly& u, const Poly& q, const Budget& budget);
+
+/// What a in K may be, up to squares of K, where u = a s^2 with s in K[c]/q; 1 where the degree of
+/// q is even and above 2.  For q = 1 (infinity) as for a rational place.
+/// Source  docs/theory/whittaker_pull_back.md, 2
+/// Example square_classes(12, z)  // -> {12}
+[[nodiscard]] std::vector<NfElem> square_classes(const Poly& u, const Poly& q);
 
 } // namespace kov::kovacic

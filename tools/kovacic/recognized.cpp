@@ -6,6 +6,7 @@
 #include "equation/parameter_scope.hpp"
 #include "equation/read_equation.hpp"
 #include "exact/error.hpp"
+#include "pullback/special_solution.hpp"
 #include "recognize/canonical_names.hpp"
 #include "recognize/symbolic_family.hpp"
 #include "system/linear_formula.hpp"
@@ -81,6 +82,41 @@ Json recognized_json(const Decision& decision, const std::string& constant, cons
     j["closed_answer"] = closed_json(*found->answer);
   }
   return j;
+}
+
+namespace {
+
+// What a search that nobody asked for may take.
+Budget courtesy(Budget budget) {
+  const auto latest = Budget::Clock::now() + std::chrono::seconds(5);
+  if (!budget.deadline || *budget.deadline > latest) budget.deadline = latest;
+  return budget;
+}
+
+} // namespace
+
+Json special_json(const Decision& decision, const Budget& budget) {
+  if (!decision.group || decision.group->type != GroupType::SL2 || !decision.places) return nullptr;
+  try {
+    const auto found = special_solution(*decision.places, courtesy(budget));
+    if (!found) return nullptr;
+    const SpecialSolutionText text = printed(*found, decision.variable);
+    return {{"family", to_string(found->family)},
+            {"y", text.y},
+            {"x", text.x},
+            {"equation", text.equation},
+            {"functions", text.functions}};
+  } catch (const OutOfBudget&) {
+    return nullptr;
+  }
+}
+
+std::string special_text(const Json& j, const std::string& unknown) {
+  const auto text = [&](const char* key) { return j.at(key).get<std::string>(); };
+  std::string all = unknown + " = " + text("y") + " with ";
+  if (!is_name(text("x"))) all += "x = " + text("x") + ", ";
+  if (!text("functions").empty()) all += "F = " + text("functions") + ", ";
+  return all + text("equation");
 }
 
 namespace {

@@ -254,6 +254,9 @@ std::string text_of_result(const Json& result, const std::string& title, const S
       !result.at("recognized").contains("summary")) // that one is in the reason
     if (const std::string known = recognized_text(result.at("recognized")); !known.empty())
       put(out, "this is", known);
+  if (result.contains("special_solution"))
+    put(out, "but",
+        special_text(result.at("special_solution"), is_transformed(result) ? "u" : "y"));
   if (result.contains("second_opinion")) {
     const Json& o = result.at("second_opinion");
     put(out, "monodromy", o.at("text").get<std::string>());

@@ -1,0 +1,171 @@
+#include "pullback/special_solution.hpp"
+
+#include "exact/error.hpp"
+#include "exact/factor.hpp"
+#include "pullback/gauge.hpp"
+#include "pullback/local.hpp"
+#include "pullback/standard.hpp"
+
+namespace kov {
+namespace {
+
+using namespace pullback;
+
+constexpr long largest_degree = 200; ///< of num(r) and den(r)
+
+// p = k^2 h up to a constant, h squarefree.
+std::pair<Poly, Poly> square_and_rest(const Poly& p) {
+  Poly k(1), h(1);
+  for (const Factor& factor : squarefree_factors(p)) {
+    k *= pow(factor.base, static_cast<unsigned long>(factor.exponent / 2));
+    if (factor.exponent % 2 == 1) h *= factor.base;
+  }
+  return {k, h};
+}
+
+// U = u(f)/sqrt(f'), U' = (f' u'(f) - f''/(2 f') u(f))/sqrt(f'); 1/f' = num den/num^2 of f'.
+SpecialSolution written(const Candidate& c, const Gauge& gauge) {
+  const RationalFunction slope = derivative(c.f);
+  const auto [k, h] = square_and_rest(gauge.g * slope.num() * slope.den());
+  const RationalFunction outer(k, slope.num());
+  const RationalFunction half(Rational(1, 2));
+  SpecialSolution y{c.family, c.standard, c.f, h, {}, {}};
+  y.a = outer * (gauge.a - gauge.b * derivative(slope) * half / slope);
+  y.b = outer * gauge.b * slope;
+  // one constant is free
+  const Poly& scale_of = is_zero(y.b) ? y.a.num() : y.b.num();
+  const RationalFunction unit(Poly(inverse(lead(scale_of))));
+  y.a = y.a * unit;
+  y.b = y.b * unit;
+  return y;
+}
+
+// x may be scaled: c x with c a root in K makes the standard equation simpler.
+void normalise(SpecialSolution& y) {
+  if (y.family != Classical::airy) return;
+  const NfElem a = y.standard.num().coeff(1);
+  const auto roots = roots_of(Poly(a), 3, Poly::z());
+  if (roots.empty()) return;
+  y.f = y.f * RationalFunction(roots.front());
+  y.b = y.b * RationalFunction(roots.front());
+  y.standard = RationalFunction(Poly::z());
+}
+
+} // namespace
+
+bool satisfies(const SpecialSolution& y, const RationalFunction& r) {
+  const RationalFunction half(Rational(1, 2));
+  const RationalFunction root = derivative(RationalFunction(y.h)) / RationalFunction(y.h) * half;
+  const RationalFunction slope = derivative(y.f);
+  const RationalFunction behind = compose(y.standard, y.f) * slope;
+  RationalFunction a = y.a, b = y.b;
+  for (int i = 0; i < 2; ++i) {
+    const RationalFunction next = derivative(a) + root * a + behind * b;
+    b = derivative(b) + root * b + slope * a;
+    a = next;
+  }
+  return (!is_zero(y.a) || !is_zero(y.b)) && a == r * y.a && b == r * y.b;
+}
+
+std::optional<SpecialSolution> special_solution(const Singularities& s, const Budget& budget) {
+  if (degree(s.r.num()) > largest_degree || degree(s.r.den()) > largest_degree) return std::nullopt;
+  std::optional<SpecialSolution> found;
+  const Try tell = [&](const Candidate& c) {
+    budget.check();
+    const auto gauge = find_gauge(s, singularities(pulled_back(c.standard, c.f), budget), budget);
+    if (!gauge) return false;
+    found = written(c, *gauge);
+    normalise(*found);
+    KOV_ENSURE(satisfies(*found, s.r));
+    return true;
+  };
+  if (try_airy(s, tell, budget) || try_whittaker(s, tell, budget) ||
+      try_bessel_of_root(s, tell, budget))
+    return found;
+  return std::nullopt;
+}
+
+namespace {
+
+std::string in_parentheses(const std::string& text) { return "(" + text + ")"; }
+
+std::string root_text(const NfElem& square) {
+  if (const auto root = exact_sqrt(square)) return to_string(*root);
+  return "sqrt(" + to_string(square) + ")";
+}
+
+// a/sqrt(b)
+std::string quotient_text(const NfElem& a, const NfElem& b) {
+  if (const auto root = exact_sqrt(b)) return to_string(a / *root);
+  return in_parentheses(to_string(a)) + "/sqrt(" + to_string(b) + ")";
+}
+
+// c x in brackets, c given by its square.
+std::string argument_text(const NfElem& square, const std::string& x) {
+  const std::string c = root_text(square);
+  return "(" + (c == "1" ? "" : c + "*") + x + ")";
+}
+
+std::string y_text(const SpecialSolution& y, const std::string& variable, const std::string& x) {
+  std::string sum;
+  const auto add = [&](const RationalFunction& f, const std::string& function) {
+    if (is_zero(f)) return;
+    if (!sum.empty()) sum += " + ";
+    if (!(f == RationalFunction(1))) sum += in_parentheses(to_string(f, variable)) + "*";
+    sum += function + in_parentheses(x);
+  };
+  add(y.a, "F");
+  add(y.b, "F'");
+  if (is_one(y.h)) return sum;
+  return "sqrt(" + to_string(y.h, variable) + ")*" + in_parentheses(sum);
+}
+
+std::string airy_text(const NfElem& a, const std::string& x) {
+  if (is_one(a)) return "Ai(" + x + "), Bi(" + x + ")";
+  return "Ai(c*" + x + "), Bi(c*" + x + ") with c^3 = " + to_string(a);
+}
+
+// p = x^2 R: a x^2 + c, or b x + c
+std::string bessel_text(const Poly& p, const std::string& x) {
+  if (degree(p) == 1) {
+    const std::string argument = "(2*sqrt(" + x + "))";
+    return "sqrt(" + x + ")*I_n" + argument + ", sqrt(" + x + ")*K_n" + argument +
+           " with n = " + root_text(NfElem(1) + NfElem(4) * p.coeff(0));
+  }
+  const std::string argument = argument_text(-p.coeff(2), x);
+  return "sqrt(" + x + ")*J_n" + argument + ", sqrt(" + x + ")*Y_n" + argument +
+         " with n = " + root_text(p.coeff(0) + NfElem(Rational(1, 4)));
+}
+
+std::string whittaker_text(const Poly& p, const std::string& x) {
+  const NfElem square = NfElem(4) * p.coeff(2);
+  const std::string argument = argument_text(square, x);
+  return "M_(k,m)" + argument + ", W_(k,m)" + argument +
+         " with k = " + quotient_text(-p.coeff(1), square) +
+         ", m = " + root_text(p.coeff(0) + NfElem(Rational(1, 4)));
+}
+
+std::string functions_text(const SpecialSolution& y, const std::string& x) {
+  const Poly p = (y.standard * RationalFunction(Poly::z() * Poly::z())).num();
+  switch (y.family) {
+  case Classical::airy:
+    return airy_text(y.standard.num().coeff(1), x);
+  case Classical::bessel:
+    return bessel_text(p, x);
+  case Classical::whittaker:
+    return whittaker_text(p, x);
+  default:
+    return "";
+  }
+}
+
+} // namespace
+
+SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable) {
+  const bool same = y.f == RationalFunction(Poly::z());
+  const std::string x = same ? variable : variable == "x" ? "t" : "x";
+  return {y_text(y, variable, x), to_string(y.f, variable),
+          "F'' = " + in_parentheses(to_string(y.standard, x)) + " F", functions_text(y, x)};
+}
+
+} // namespace kov

@@ -1,0 +1,49 @@
+#pragma once
+// y'' = r y with SL(2) is not solved by quadratures, but perhaps by functions with a name:
+//
+//   y = sqrt(h) (A u(f) + B u'(f)),   u'' = R(x) u,   A, B, f, h in K(z),
+//
+// for R of Airy, Bessel, Weber, Whittaker or Riemann.
+//
+// Source  docs/theory/pullback.md, with proofs
+
+#include "linode/singularities.hpp"
+#include "special/classical.hpp"
+
+#include <optional>
+#include <string>
+
+namespace kov {
+
+struct SpecialSolution {
+  Classical family = Classical::airy;
+  RationalFunction standard; ///< R, in its variable x
+  RationalFunction f;        ///< x = f(z)
+  Poly h = Poly(1);          ///< squarefree
+  RationalFunction a, b;     ///< A and B
+};
+
+/// Nothing found proves nothing: f has poles at the irregular places of r, at most 6 of them, and
+/// degree at most 6 (12 in the equations of which the standard one is a pull-back).
+/// What is found has passed `satisfies`.
+/// Throws  OutOfBudget
+/// Example special_solution(singularities(z))->family  // -> Airy
+[[nodiscard]] std::optional<SpecialSolution> special_solution(const Singularities& s,
+                                                              const Budget& budget = {});
+
+/// y'' = r y, by differentiating y twice with u'' = R u: an identity in K(z) for each of u, u'.
+[[nodiscard]] bool satisfies(const SpecialSolution& y, const RationalFunction& r);
+
+/// How it is written: y in terms of F(x) and F'(x), F'' = R F; `functions` names two such F where
+/// they have short names, else "".
+struct SpecialSolutionText {
+  std::string y;         ///< "sqrt(z)*((z + 1)*F(x) + (z^2)*F'(x))"
+  std::string x;         ///< f
+  std::string equation;  ///< "F'' = (x) F"
+  std::string functions; ///< "Ai(x), Bi(x)"
+};
+/// The letter x is another one where the variable has that name; where f is the variable itself, F
+/// is written in it.
+[[nodiscard]] SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable);
+
+} // namespace kov
