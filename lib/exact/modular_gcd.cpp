@@ -64,7 +64,50 @@ std::optional<Poly> common_divisor(const ChineseLift& lift, const Poly& a, const
   return g;
 }
 
+// The quotient modulo each ideal above one prime.
+struct QuotientImages {
+  bool good = true;  ///< the leading coefficient of b survives
+  bool exact = true; ///< no remainder
+  Images images;
+};
+
+QuotientImages quotient_modulo(const std::vector<PrimeIdeal>& ideals, const Poly& a,
+                               const Poly& b) {
+  QuotientImages out;
+  for (const PrimeIdeal& ideal : ideals) {
+    const auto x = ideal.reduce(a);
+    const auto y = ideal.reduce(b);
+    out.good = x && y && degree(*y) == degree(b);
+    if (!out.good) return out;
+    NmodPoly q(ideal.p), rest(ideal.p);
+    nmod_poly_divrem(q.raw(), rest.raw(), x->raw(), y->raw());
+    out.exact = is_zero(rest);
+    if (!out.exact) return out;
+    out.images.push_back(std::move(q));
+  }
+  return out;
+}
+
 } // namespace
+
+ModularQuotient modular_quotient(const Poly& a, const Poly& b) {
+  const Field& k = common_field(a.field(), b.field());
+  const long n = degree(a) - degree(b) + 1;
+  if (k->degree() > largest_degree || n < 1) return {};
+  PrimeIdeals primes = PrimeIdeals::large(k);
+  ChineseLift lift(k, static_cast<std::size_t>(n));
+  for (int tries = 0; tries < prime_limit; ++tries) {
+    const auto ideals = primes.next_split();
+    const QuotientImages q = quotient_modulo(ideals, a, b);
+    if (!q.good) continue;
+    if (!q.exact) return {Truth::no, Poly(k)};
+    lift.add(ideals, residues(q.images, n));
+    if (!worth_a_try(lift.primes())) continue;
+    if (auto found = lifted(lift); found && *found * b == a)
+      return {Truth::yes, coerce(*std::move(found), k)};
+  }
+  return {};
+}
 
 std::optional<Poly> modular_gcd(const Poly& a, const Poly& b) {
   const Field& k = common_field(a.field(), b.field());

@@ -3,6 +3,7 @@
 // of the coefficients at each division.
 
 #include "exact/poly.hpp"
+#include "exact/truth.hpp"
 
 #include <optional>
 
@@ -24,5 +25,16 @@ namespace kov {
 /// is checked by s a = 1 (mod q).
 /// Example modular_inverse(s, (z - s) * (z + 1))  // -> 1/2*s
 [[nodiscard]] std::optional<Poly> modular_inverse(const Poly& a, const Poly& q);
+
+/// Is a = q b, and what is q?
+struct ModularQuotient {
+  Truth divides = Truth::unknown; ///< no: one prime shows it
+  Poly quotient = Poly(0);        ///< yes: a = quotient * b has been compared
+};
+/// Nothing is known for large fields.  Requires b != 0.
+/// Cost    that of writing q down, times its logarithm; a division in K[z] goes through coefficients
+///         that are far larger
+/// Example modular_quotient(z*z - 1, z - 1).quotient  // -> z + 1
+[[nodiscard]] ModularQuotient modular_quotient(const Poly& a, const Poly& b);
 
 } // namespace kov

@@ -268,13 +268,32 @@ std::pair<Poly, Poly> divrem(const Poly& a0, const Poly& b0) {
 Poly operator%(const Poly& a, const Poly& b) { return divrem(a, b).second; }
 Poly quotient(const Poly& a, const Poly& b) { return divrem(a, b).first; }
 
+namespace {
+
+// Over Q(a) a long division goes through coefficients that are far larger than those of an exact
+// quotient.
+ModularQuotient long_quotient(const Poly& a, const Poly& b) {
+  constexpr long long_division = 16;
+  const bool rational = common_field(a.field(), b.field())->is_rational();
+  if (rational || std::min(degree(b), degree(a) - degree(b)) < long_division) return {};
+  return modular_quotient(a, b);
+}
+
+} // namespace
+
 Poly exact_div(const Poly& a, const Poly& b) {
+  ModularQuotient known = long_quotient(a, b);
+  KOV_ENSURE(known.divides != Truth::no);
+  if (known.divides == Truth::yes) return std::move(known.quotient);
   auto [q, r] = divrem(a, b);
   KOV_ENSURE(is_zero(r));
   return q;
 }
 
-bool divides(const Poly& b, const Poly& a) { return is_zero(a % b); }
+bool divides(const Poly& b, const Poly& a) {
+  const Truth known = long_quotient(a, b).divides;
+  return known == Truth::unknown ? is_zero(a % b) : known == Truth::yes;
+}
 
 std::pair<long, Poly> remove_factor(const Poly& f, const Poly& q) {
   KOV_ENSURE(!is_zero(f) && degree(q) > 0);

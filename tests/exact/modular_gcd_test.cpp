@@ -68,6 +68,23 @@ TEST_P(ModularGcdLaws, OneArgumentOverTheRationals) {
   EXPECT_TRUE(is_one((*t * (Poly::z() - Poly(3))) % (unit * unit)));
 }
 
+TEST_P(ModularGcdLaws, TheQuotientIsWhatWasPlanted) {
+  if (k->is_rational()) return;
+  for (int i = 0; i < 4; ++i) {
+    const Poly b = scale(monic_poly(3), nonzero());
+    const Poly q = monic_poly(number(0, 4));
+    const ModularQuotient found = modular_quotient(q * b, b);
+    EXPECT_EQ(found.divides, Truth::yes);
+    EXPECT_EQ(found.quotient, q);
+    EXPECT_EQ(modular_quotient(q * b + Poly(nonzero()), b).divides, Truth::no);
+  }
+  // long ones, as exact_div and divides ask for them
+  const Poly b = pow(monic_poly(2), 12), q = pow(monic_poly(2), 11);
+  EXPECT_EQ(exact_div(q * b, b), q);
+  EXPECT_TRUE(divides(b, q * b));
+  EXPECT_FALSE(divides(b, q * b + z()));
+}
+
 KOV_OVER_ALL_FIELDS(ModularGcdLaws);
 
 TEST(ModularGcd, RefusesFieldsWithoutSplitPrimesInReach) {
