@@ -58,12 +58,6 @@ std::optional<Images> inverse_modulo(const std::vector<PrimeIdeal>& ideals, cons
   return images;
 }
 
-std::optional<Poly> common_divisor(const ChineseLift& lift, const Poly& a, const Poly& b) {
-  const auto g = lifted(lift);
-  if (!g || !divides(*g, a) || !divides(*g, b)) return std::nullopt;
-  return g;
-}
-
 // The quotient modulo each ideal above one prime.
 struct QuotientImages {
   bool good = true;  ///< the leading coefficient of b survives
@@ -110,6 +104,11 @@ ModularQuotient modular_quotient(const Poly& a, const Poly& b) {
 }
 
 std::optional<Poly> modular_gcd(const Poly& a, const Poly& b) {
+  return modular_gcd(a, b, [&](const Poly& g) { return divides(g, a) && divides(g, b); });
+}
+
+std::optional<Poly> modular_gcd(const Poly& a, const Poly& b,
+                                const std::function<bool(const Poly&)>& proved) {
   const Field& k = common_field(a.field(), b.field());
   if (k->degree() > largest_degree) return std::nullopt;
   PrimeIdeals primes = PrimeIdeals::large(k);
@@ -128,7 +127,7 @@ std::optional<Poly> modular_gcd(const Poly& a, const Poly& b) {
     if (d == 0) return coerce(Poly(1), k);
     lift->add(ideals, residues(*images, d + 1));
     if (!worth_a_try(lift->primes())) continue;
-    if (auto g = common_divisor(*lift, a, b)) return g;
+    if (auto g = lifted(*lift); g && proved(*g)) return g;
   }
   return std::nullopt;
 }

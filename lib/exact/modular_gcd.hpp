@@ -5,6 +5,7 @@
 #include "exact/poly.hpp"
 #include "exact/truth.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace kov {
@@ -19,6 +20,9 @@ namespace kov {
 /// Given   const Poly s(NfElem::generator(k));
 /// Example modular_gcd(coerce(z*z - 2, k), (z - s) * (z + 1))  // -> z - s
 [[nodiscard]] std::optional<Poly> modular_gcd(const Poly& a, const Poly& b);
+/// The same with another proof than two divisions: `proved` is asked about each proposal.
+[[nodiscard]] std::optional<Poly> modular_gcd(const Poly& a, const Poly& b,
+                                              const std::function<bool(const Poly&)>& proved);
 
 /// a^-1 modulo q over their common number field K != Q, deg a < deg q; nothing if K has no
 /// completely split primes within reach, or if a common factor of a and q is likely.  The result s

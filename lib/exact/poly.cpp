@@ -246,6 +246,39 @@ Poly inverse_series(const Poly& f, long n) {
   return coerce(g, f.field());
 }
 
+namespace {
+
+bool has_rational_coefficients(const Poly& f) {
+  for (long i = 0; i < fmpq_poly_length(f.raw()); ++i)
+    if (i % f.stride() != 0 && fmpz_is_zero(fmpq_poly_numref(f.raw()) + i) == 0) return false;
+  return true;
+}
+
+// The polynomial over Q that stands before a^j.
+Poly coordinate(const Poly& f, long j) {
+  std::vector<NfElem> c;
+  for (long i = 0; i <= degree(f); ++i)
+    c.emplace_back(f.coeff(i).coeff(j));
+  return Poly::from_coefficients(c);
+}
+
+// A divisor over Q divides each coordinate.
+std::pair<Poly, Poly> divrem_by_rational(const Poly& a, const Poly& b) {
+  const Field& k = a.field();
+  const Poly divisor = coordinate(b, 0);
+  std::pair<Poly, Poly> qr{Poly(k), Poly(k)};
+  NfElem power(1);
+  for (long j = 0; j < k->degree(); ++j) {
+    const auto [q, r] = divrem(coordinate(a, j), divisor);
+    qr.first += scale(coerce(q, k), power);
+    qr.second += scale(coerce(r, k), power);
+    power *= NfElem::generator(k);
+  }
+  return qr;
+}
+
+} // namespace
+
 std::pair<Poly, Poly> divrem(const Poly& a0, const Poly& b0) {
   if (is_zero(b0)) throw DomainError("division by the zero polynomial");
   const Field& k = common_field(a0.field(), b0.field());
@@ -259,6 +292,7 @@ std::pair<Poly, Poly> divrem(const Poly& a0, const Poly& b0) {
   const Poly b = coerce(b0, k);
   const long n = degree(a) - degree(b) + 1; // number of coefficients of the quotient
   if (degree(b) == 0) return {scale(a, inverse(lead(b))), Poly(k)};
+  if (has_rational_coefficients(b)) return divrem_by_rational(a, b);
   const Poly top = truncate(reverse(a, degree(a) + 1), n);
   const Poly bottom = truncate(reverse(b, degree(b) + 1), n);
   const Poly q = reverse(truncate(top * inverse_series(bottom, n), n), n);
@@ -275,7 +309,9 @@ namespace {
 ModularQuotient long_quotient(const Poly& a, const Poly& b) {
   constexpr long long_division = 16;
   const bool rational = common_field(a.field(), b.field())->is_rational();
-  if (rational || std::min(degree(b), degree(a) - degree(b)) < long_division) return {};
+  if (rational || has_rational_coefficients(b) ||
+      std::min(degree(b), degree(a) - degree(b)) < long_division)
+    return {};
   return modular_quotient(a, b);
 }
 

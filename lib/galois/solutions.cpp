@@ -1,6 +1,7 @@
 #include "galois/solutions.hpp"
 
 #include "exact/error.hpp"
+#include "exact/modular_gcd.hpp"
 #include "kovacic/solve.hpp"
 #include "linode/polynomial_solution.hpp"
 
@@ -86,17 +87,51 @@ RationalFunction omega_of(const RationalFunction& v, const NfElem& w) {
 // From this degree on the zeros of y are told from the other ones of v by a gcd, and not factored.
 constexpr long many_zeros = 60;
 
-// omega = P'/P + theta, P the zeros of v where v' = w, Q the other ones.  For v = P Q M/D, (M/D)' = L M/D:
-// theta = L/2 + S/(2M), S = ((Q'P - P'Q) M + w D)/(P Q).
+// The other root of x^2 = n for the generator.
+Poly conjugate(const Poly& f) {
+  std::vector<NfElem> c;
+  for (long i = 0; i <= degree(f); ++i) {
+    const NfElem a = f.coeff(i);
+    c.push_back(NfElem(Rational(2) * a.coeff(0)) - a);
+  }
+  return Poly::from_coefficients(c);
+}
+
+// v = P Q M/D, P the zeros of v where v' = w, Q the other ones away from the poles of r; (M/D)' = L M/D.
+struct Split {
+  Poly P, Q, M, D;
+  NfElem w;
+
+  // (Q'P - P'Q) M + w D, which P Q divides.
+  [[nodiscard]] Poly numerator() const {
+    return (derivative(Q) * P - derivative(P) * Q) * M + scale(D, w);
+  }
+};
+
+// Over K(w), w not in K, the two factors are conjugates: products prove what a gcd needs quotients for.
+Split split(const RationalFunction& v, const Poly& zeros, const NfElem& w, bool conjugates) {
+  Split s{Poly(1), zeros, exact_div(v.num(), zeros), v.den(), w};
+  const Poly where = derivative(zeros) * s.M - scale(s.D, w);
+  const auto set = [&](const Poly& P) {
+    s.P = P;
+    s.Q = scale(conjugate(P), lead(zeros));
+    return s.P * s.Q == zeros && divides(zeros, s.numerator());
+  };
+  if (conjugates && modular_gcd(zeros, where, set)) return s;
+  s.P = gcd(zeros, where);
+  s.Q = exact_div(zeros, s.P);
+  return s;
+}
+
+// omega = P'/P + theta, theta = L/2 + S/(2M), S = ((Q'P - P'Q) M + w D)/(P Q).
 std::array<ExponentialSolution, 2> lines(const RationalFunction& v, const Poly& zeros,
-                                         const NfElem& w) {
-  const Poly &D = v.den(), M = exact_div(v.num(), zeros);
-  const Poly P = gcd(zeros, derivative(zeros) * M - scale(D, w)), Q = exact_div(zeros, P);
-  const Poly S = exact_div((derivative(Q) * P - derivative(P) * Q) * M + scale(D, w), zeros);
-  const RationalFunction half(Rational(1, 2)), rest(M, D);
+                                         const NfElem& w, bool conjugates) {
+  const Split s = split(v, zeros, w, conjugates);
+  const Poly S = exact_div(s.numerator(), zeros);
+  const RationalFunction half(Rational(1, 2)), rest(s.M, s.D);
   const RationalFunction L = derivative(rest) / rest;
-  return {ExponentialSolution{half * (L + RationalFunction(S, M)), P},
-          ExponentialSolution{half * (L - RationalFunction(S, M)), Q}};
+  return {ExponentialSolution{half * (L + RationalFunction(S, s.M)), s.P},
+          ExponentialSolution{half * (L - RationalFunction(S, s.M)), s.Q}};
 }
 
 // omega = (v' +- w)/(2v): over K if w is in K, over K(w) if K = Q, otherwise by its quadratic
@@ -130,7 +165,7 @@ std::vector<LiouvillianSolution> exponentials(const ExponentialPair& pair,
   KOV_ENSURE(*w * *w == pair.w_squared && wronskian_squared(pair.v, r) == pair.w_squared);
   const Poly zeros = ordinary_zeros(v, r);
   const auto both = degree(zeros) > many_zeros
-                        ? lines(v, zeros, *w)
+                        ? lines(v, zeros, *w, adjoin)
                         : std::array{ExponentialSolution{omega_of(v, *w), Poly(1)},
                                      ExponentialSolution{omega_of(v, -*w), Poly(1)}};
   for (const ExponentialSolution& y : both)
