@@ -6,6 +6,8 @@
 #include "pullback/local.hpp"
 #include "pullback/standard.hpp"
 
+#include <vector>
+
 namespace kov {
 namespace {
 
@@ -80,7 +82,7 @@ std::optional<SpecialSolution> special_solution(const Singularities& s, const Bu
     return true;
   };
   if (try_airy(s, tell, budget) || try_whittaker(s, tell, budget) ||
-      try_bessel_of_root(s, tell, budget))
+      try_bessel_of_root(s, tell, budget) || try_riemann(s, tell, budget))
     return found;
   return std::nullopt;
 }
@@ -106,18 +108,25 @@ std::string argument_text(const NfElem& square, const std::string& x) {
   return "(" + (c == "1" ? "" : c + "*") + x + ")";
 }
 
+// A name or a number needs no parentheses.
+std::string factor_text(const RationalFunction& f, const std::string& variable) {
+  const std::string text = to_string(f, variable);
+  return text.find_first_of("+-*/^ ") == std::string::npos ? text : in_parentheses(text);
+}
+
 std::string y_text(const SpecialSolution& y, const std::string& variable, const std::string& x) {
-  std::string sum;
+  std::vector<std::string> terms;
   const auto add = [&](const RationalFunction& f, const std::string& function) {
     if (is_zero(f)) return;
-    if (!sum.empty()) sum += " + ";
-    if (!(f == RationalFunction(1))) sum += in_parentheses(to_string(f, variable)) + "*";
-    sum += function + in_parentheses(x);
+    const bool one = f == RationalFunction(1);
+    terms.push_back((one ? "" : factor_text(f, variable) + "*") + function + in_parentheses(x));
   };
   add(y.a, "F");
   add(y.b, "F'");
+  std::string sum = terms.front();
+  if (terms.size() > 1) sum += " + " + terms.back();
   if (is_one(y.h)) return sum;
-  return "sqrt(" + to_string(y.h, variable) + ")*" + in_parentheses(sum);
+  return "sqrt(" + to_string(y.h, variable) + ")*" + (terms.size() > 1 ? in_parentheses(sum) : sum);
 }
 
 std::string airy_text(const NfElem& a, const std::string& x) {
@@ -145,6 +154,38 @@ std::string whittaker_text(const Poly& p, const std::string& x) {
          ", m = " + root_text(p.coeff(0) + NfElem(Rational(1, 4)));
 }
 
+std::string power_text(const std::string& base, const NfElem& exponent) {
+  if (is_zero(exponent)) return "";
+  return is_one(exponent) ? base + "*" : base + "^(" + to_string(exponent) + ")*";
+}
+
+// x^((1-l)/2) (1-x)^((1-m)/2) 2F1((1-l-m-n)/2, (1-l-m+n)/2; 1-l; x), and -l for l where that is
+// another function.
+std::string hypergeometric_text(const RationalFunction& standard, const std::string& x) {
+  const RationalFunction y(Poly::z() - Poly(1)), z(Poly::z());
+  const auto root_at = [&](const RationalFunction& f, const NfElem& point) {
+    const NfElem value = evaluate(f.num(), point) / evaluate(f.den(), point);
+    return exact_sqrt(NfElem(1) + NfElem(4) * value);
+  };
+  const RationalFunction at_infinity = standard * z * z;
+  const bool vanishes = degree(at_infinity.num()) < degree(at_infinity.den());
+  const auto l = root_at(at_infinity, NfElem(0)), m = root_at(standard * y * y, NfElem(1)),
+             n = exact_sqrt(NfElem(1) + (vanishes ? NfElem(0)
+                                                  : NfElem(4) * lead(at_infinity.num()) /
+                                                        lead(at_infinity.den())));
+  if (!l || !m || !n) return "";
+  const NfElem one(1), half(Rational(1, 2));
+  const auto with = [&](const NfElem& l0) {
+    const NfElem sum = one - l0 - *m;
+    return power_text(x, (one - l0) * half) + power_text("(1 - " + x + ")", (one - *m) * half) +
+           "2F1(" + to_string((sum - *n) * half) + ", " + to_string((sum + *n) * half) + "; " +
+           to_string(one - l0) + "; " + x + ")";
+  };
+  const bool integer = is_rational(*l) && is_integer(to_rational(*l));
+  if (!integer) return with(*l) + ", " + with(-*l);
+  return with(sign(to_rational(*l)) > 0 ? -*l : *l); // 1 - l is no denominator then
+}
+
 std::string functions_text(const SpecialSolution& y, const std::string& x) {
   const Poly p = (y.standard * RationalFunction(Poly::z() * Poly::z())).num();
   switch (y.family) {
@@ -154,6 +195,8 @@ std::string functions_text(const SpecialSolution& y, const std::string& x) {
     return bessel_text(p, x);
   case Classical::whittaker:
     return whittaker_text(p, x);
+  case Classical::riemann:
+    return hypergeometric_text(y.standard, x);
   default:
     return "";
   }
@@ -164,7 +207,7 @@ std::string functions_text(const SpecialSolution& y, const std::string& x) {
 SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable) {
   const bool same = y.f == RationalFunction(Poly::z());
   const std::string x = same ? variable : variable == "x" ? "t" : "x";
-  return {y_text(y, variable, x), to_string(y.f, variable),
+  return {y_text(y, variable, x), x, to_string(y.f, variable),
           "F'' = " + in_parentheses(to_string(y.standard, x)) + " F", functions_text(y, x)};
 }
 

@@ -23,8 +23,8 @@ struct SpecialSolution {
   RationalFunction a, b;     ///< A and B
 };
 
-/// Nothing found proves nothing: f has poles at the irregular places of r, at most 6 of them, and
-/// degree at most 6 (12 in the equations of which the standard one is a pull-back).
+/// Nothing found proves nothing.  f has degree at most 6 in Riemann's equation and two of the
+/// fibres above 0, 1, infinity consist of places where D is no integer or there is a logarithm.
 /// What is found has passed `satisfies`.
 /// Throws  OutOfBudget
 /// Example special_solution(singularities(z))->family  // -> Airy
@@ -38,6 +38,7 @@ struct SpecialSolution {
 /// they have short names, else "".
 struct SpecialSolutionText {
   std::string y;         ///< "sqrt(z)*((z + 1)*F(x) + (z^2)*F'(x))"
+  std::string letter;    ///< "x"
   std::string x;         ///< f
   std::string equation;  ///< "F'' = (x) F"
   std::string functions; ///< "Ai(x), Bi(x)"

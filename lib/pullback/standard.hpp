@@ -30,4 +30,8 @@ bool try_bessel_of_root(const Singularities& s, const Try& tell, const Budget& b
 /// y'' = (a + b/x + c/x^2) y, and Weber's equation where f is a square.
 bool try_whittaker(const Singularities& s, const Try& tell, const Budget& budget);
 
+/// Riemann's equation: the fibres above 0, 1 and infinity consist of places of r, in two of them
+/// without exception.
+bool try_riemann(const Singularities& s, const Try& tell, const Budget& budget);
+
 } // namespace kov::pullback

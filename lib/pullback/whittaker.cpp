@@ -33,12 +33,6 @@ std::optional<std::vector<Pole>> poles_of(const Singularities& s) {
   return all;
 }
 
-std::optional<NfElem> value_at(const RationalFunction& f, const Poly& q) {
-  if (degree(gcd(f.den(), q)) > 0) return std::nullopt;
-  const Poly value = f.num() * inverse_mod(f.den() % q, q) % q;
-  return degree(value) > 0 ? std::nullopt : std::optional(value.coeff(0));
-}
-
 // What a zero of f may subtract.
 std::vector<NfElem> constants(const RationalFunction& f, const Singularities& s,
                               const Budget& budget) {
@@ -49,8 +43,7 @@ std::vector<NfElem> constants(const RationalFunction& f, const Singularities& s,
   };
   for (const Singularity& place : s.finite)
     if (is_lasting(place)) add(value_at(f, place.place));
-  if (degree(f.num()) == degree(f.den())) add(lead(f.num()) / lead(f.den()));
-  if (degree(f.num()) < degree(f.den())) add(NfElem(0));
+  add(value_at_infinity(f));
   for (const Factor& critical : irreducible_factors(derivative(f).num(), budget))
     add(value_at(f, critical.base));
   return found;

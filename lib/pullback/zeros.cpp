@@ -36,7 +36,9 @@ std::vector<Zero> zeros_of(const RationalFunction& f, const Singularities& s,
   return found;
 }
 
-std::vector<NfElem> squares_at_zero(const std::vector<Zero>& zeros) {
+namespace {
+
+std::vector<NfElem> squares(const std::vector<Zero>& zeros, long shifts) {
   const auto least = std::min_element(zeros.begin(), zeros.end(), [](const Zero& a, const Zero& b) {
     return a.multiplicity < b.multiplicity;
   });
@@ -47,11 +49,31 @@ std::vector<NfElem> squares_at_zero(const std::vector<Zero>& zeros) {
   if (!root) return {square / (e * e)};
   std::vector<NfElem> found;
   if (least->multiplicity == 1) found.push_back(square); // perhaps no gauge is needed
-  for (long j = 0; j < least->multiplicity; ++j) {
+  for (long j = 0; j < shifts * least->multiplicity; ++j) {
     const NfElem d = reduced((*root + NfElem(j)) / e);
     if (std::find(found.begin(), found.end(), d * d) == found.end()) found.push_back(d * d);
   }
   return found;
+}
+
+} // namespace
+
+std::vector<NfElem> squares_at_zero(const std::vector<Zero>& zeros) { return squares(zeros, 1); }
+
+std::vector<NfElem> squares_and_odd_shifts(const std::vector<Zero>& zeros) {
+  return squares(zeros, 2);
+}
+
+std::optional<NfElem> value_at(const RationalFunction& f, const Poly& q) {
+  if (degree(gcd(f.den(), q)) > 0) return std::nullopt;
+  const Poly value = f.num() * inverse_mod(f.den() % q, q) % q;
+  return degree(value) > 0 ? std::nullopt : std::optional(value.coeff(0));
+}
+
+std::optional<NfElem> value_at_infinity(const RationalFunction& f) {
+  const long grows = degree(f.num()) - degree(f.den());
+  if (grows > 0) return std::nullopt;
+  return grows < 0 ? NfElem(0) : lead(f.num()) / lead(f.den());
 }
 
 } // namespace kov::pullback

@@ -3,6 +3,7 @@
 
 #include "linode/singularities.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace kov::pullback {
@@ -21,5 +22,12 @@ struct Zero {
 /// What D^2 at x = 0 may be for `multiplicity` D = D(place) + j, 0 <= j < multiplicity, at the zero
 /// of least multiplicity.
 [[nodiscard]] std::vector<NfElem> squares_at_zero(const std::vector<Zero>& zeros);
+
+/// The same for D + j, 0 <= j < 2 multiplicity.
+[[nodiscard]] std::vector<NfElem> squares_and_odd_shifts(const std::vector<Zero>& zeros);
+
+/// The value of f at the roots of q, or at infinity, where it is one number.
+[[nodiscard]] std::optional<NfElem> value_at(const RationalFunction& f, const Poly& q);
+[[nodiscard]] std::optional<NfElem> value_at_infinity(const RationalFunction& f);
 
 } // namespace kov::pullback

@@ -84,12 +84,11 @@ constexpr Topic topics[] = {
      "transforming back, and the closed answer of the family is compared with the answer that was\n"
      "computed.  See kovacic lame and kovacic potential."},
     {"special-solution",
-     "No solution is Liouvillian, but y = sqrt(h) (A F(x) + B F'(x)) solves the equation, F'' = "
-     "R(x) F "
-     "being\nAiry's, Bessel's, Weber's or Whittaker's equation and x, A, B, h rational in the "
-     "variable: the\nline 'but' of an answer, proved by differentiating twice.  Nothing is said "
-     "where "
-     "the search, of a\nfew seconds, finds none; it is not made for the lines of a batch."},
+     "No solution is Liouvillian, but y = sqrt(h) (A F(x) + B F'(x)) solves the equation, where\n"
+     "F'' = R(x) F is Airy's, Bessel's, Weber's, Whittaker's or Riemann's equation and x, A, B, h\n"
+     "are rational functions of the variable: the line 'but' of an answer, proved by\n"
+     "differentiating twice.  Where a search of two seconds finds none nothing is said; it is not\n"
+     "made for the lines of a batch."},
     {"parameter",
      "A name without a value.  Declared with --parameter n (or [ode] parameters, [system]\n"
      "parameters) the question is decided for all its values at once, on strata; --assume 'n > 0'\n"

@@ -88,7 +88,7 @@ namespace {
 
 // What a search that nobody asked for may take.
 Budget courtesy(Budget budget) {
-  const auto latest = Budget::Clock::now() + std::chrono::seconds(5);
+  const auto latest = Budget::Clock::now() + std::chrono::seconds(2);
   if (!budget.deadline || *budget.deadline > latest) budget.deadline = latest;
   return budget;
 }
@@ -103,6 +103,7 @@ Json special_json(const Decision& decision, const Budget& budget) {
     const SpecialSolutionText text = printed(*found, decision.variable);
     return {{"family", to_string(found->family)},
             {"y", text.y},
+            {"letter", text.letter},
             {"x", text.x},
             {"equation", text.equation},
             {"functions", text.functions}};
@@ -114,7 +115,7 @@ Json special_json(const Decision& decision, const Budget& budget) {
 std::string special_text(const Json& j, const std::string& unknown) {
   const auto text = [&](const char* key) { return j.at(key).get<std::string>(); };
   std::string all = unknown + " = " + text("y") + " with ";
-  if (!is_name(text("x"))) all += "x = " + text("x") + ", ";
+  if (text("x") != text("letter")) all += text("letter") + " = " + text("x") + ", ";
   if (!text("functions").empty()) all += "F = " + text("functions") + ", ";
   return all + text("equation");
 }
