@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace kov::pullback {
 namespace {
@@ -27,17 +28,26 @@ RationalFunction riemann(const NfElem& at_0, const NfElem& at_1, const NfElem& a
   return {scale(above, NfElem(Rational(1, 4))), x * x * y * y};
 }
 
-// The distance of D to the next integer, where D is rational.
-std::optional<Rational> class_of(const Singularity& s) {
-  if (!s.delta) return std::nullopt;
-  const Rational rest = *s.delta - Rational(floor(*s.delta));
-  return std::min(rest, Rational(1) - rest);
-}
+struct Member {
+  const Singularity* place;
+  long multiplicity;
+};
 
-// Can both places lie in one fibre with one multiplicity?
-bool alike(const Singularity& p, const Singularity& q) {
-  const auto a = class_of(p), b = class_of(q);
-  return a.has_value() == b.has_value() && (!a || *a == *b);
+// Is there d with D = +-e d modulo Z at both?  Rational numbers: e' D +- e D' is divisible by
+// gcd(e, e').  Square roots of rational numbers: D/e = D'/e'.  What else there is may be.
+bool alike(const Member& p, const Member& q) {
+  const Singularity &a = *p.place, &b = *q.place;
+  const Rational e(p.multiplicity), f(q.multiplicity);
+  if (a.delta && b.delta) {
+    const Rational g(std::gcd(p.multiplicity, q.multiplicity));
+    return is_integer((f * *a.delta + e * *b.delta) / g) ||
+           is_integer((f * *a.delta - e * *b.delta) / g);
+  }
+  const auto square = [](const Singularity& s) {
+    return degree(s.delta_squared) <= 0 && is_rational(s.delta_squared.coeff(0));
+  };
+  if (!square(a) || !square(b)) return true;
+  return scale(a.delta_squared, NfElem(f * f)) == scale(b.delta_squared, NfElem(e * e));
 }
 
 // The six maps with the same fibres: a polynomial is easier to read, and z most of all.
@@ -53,7 +63,7 @@ RationalFunction simplest(const RationalFunction& f) {
 struct Fibre {
   Poly product = Poly(1); ///< of its finite lasting places
   long left = 0;          ///< degree - what is in the product
-  std::vector<std::pair<const Singularity*, long>> places;
+  std::vector<Member> places;
 };
 
 class Search {
@@ -87,23 +97,22 @@ private:
     for (std::size_t j = 0; j < 3; ++j) {
       const long most = fibres_[j].left / place.degree();
       for (long e = 1; e <= most; ++e)
-        if (fits(fibres_[j], place, e) && with(i, j, e)) return true;
+        if (fits(fibres_[j], {&place, e}) && with(i, j, e)) return true;
       if (fibres_[j].places.empty()) break;
     }
     return false;
   }
 
-  static bool fits(const Fibre& fibre, const Singularity& place, long e) {
-    return std::all_of(fibre.places.begin(), fibre.places.end(), [&](const auto& other) {
-      return other.second != e || alike(*other.first, place);
-    });
+  static bool fits(const Fibre& fibre, const Member& point) {
+    return std::all_of(fibre.places.begin(), fibre.places.end(),
+                       [&](const Member& other) { return alike(other, point); });
   }
 
   bool with(std::size_t i, std::size_t j, long e) {
     const Singularity& place = *places_[i];
     const Fibre before = fibres_[j];
     fibres_[j].left -= e * place.degree();
-    fibres_[j].places.emplace_back(&place, e);
+    fibres_[j].places.push_back({&place, e});
     if (!place.at_infinity) fibres_[j].product *= pow(place.place, static_cast<unsigned long>(e));
     const bool done = divide(i + 1);
     fibres_[j] = before;
@@ -146,7 +155,7 @@ private:
         values.push_back(*value);
     };
     if (!third.places.empty()) {
-      const Singularity& place = *third.places.front().first;
+      const Singularity& place = *third.places.front().place;
       add(place.at_infinity ? value_at_infinity(f) : value_at(f, place.place));
     } else {
       add(value_at_infinity(f));
