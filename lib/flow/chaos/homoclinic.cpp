@@ -44,7 +44,7 @@ std::optional<Cone> cone(const Matrix2& m, std::size_t first) {
   const Ball b(bound_of(m[first][second])), c(bound_of(m[second][first])),
       d(bound_of(m[second][second]));
   if (!along.is_positive()) return std::nullopt;
-  for (int k = 50; k >= 10; --k) {
+  for (int k = 50; k >= 1; --k) {
     const Ball slope(std::ldexp(1.0, -k)), stretch = along - b * slope;
     if (!(c + d * slope < slope * stretch) || !(stretch > Ball(1))) continue;
     const double low =
@@ -376,9 +376,10 @@ private:
 
   void krawczyk() {
     links_ = approximately();
-    for (Link& l : links_) // by what enclosures may add
+    const Ball added(std::max(1e-15, 8 * map_.tolerance())); // by the enclosure of a return
+    for (Link& l : links_)
       for (Ball& x : l.image)
-        x = x.widened(Ball(std::max(1e-15, std::exp2(-0.625 * static_cast<double>(Ball::bits())))));
+        x = x.widened(added);
     const auto c = approximate_inverse(slopes());
     if (!c) throw NotProved{"the manifolds are tangent, or nearly"};
     radius_.clear();

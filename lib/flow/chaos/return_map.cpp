@@ -350,14 +350,13 @@ void EnclosedMap::expand(const Front& f) {
   thin_.code[0].expand(PhasePoint<Ball>(f.middle.begin(), f.middle.end()), order_ + 1);
 }
 
-// One step; may shorten h.
+// One step; may shorten h.  The orbit of the middle is one of those of the hull: what is shown of them, holds of it.
 void EnclosedMap::advance(double& h) {
   for (int attempt = 0; attempt < 60; ++attempt)
     if (contained(wide_, h)) {
-      const double room = room_;
-      const bool same = contained(thin_, h);
-      room_ = room;
-      if (same) return;
+      thin_.box.assign(1, wide_.box[0]);
+      thin_.last.assign(1, wide_.last[0]);
+      return;
     }
   throw NotProved{"the orbit could not be contained in a box"};
 }
@@ -385,7 +384,7 @@ bool EnclosedMap::contained(Step& s, double& h) {
   }
   const double scale =
       std::isfinite(rest) ? std::pow(tolerance_ / (rest + 1e-290), 1.0 / (order_ + 1)) : 0.5;
-  room_ = std::clamp(0.95 * scale, 0.5, 1.5);
+  room_ = std::clamp(0.88 * scale, 0.5, 1.2);
   if (rest < tolerance_) return true;
   h *= std::clamp(0.9 * scale, 0.3, 0.9);
   return false;

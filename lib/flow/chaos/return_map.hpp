@@ -47,6 +47,8 @@ public:
     return point_.at(x);
   }
   [[nodiscard]] const SectionSurface& surface() const noexcept { return s_; }
+  /// What the remainder of one step may add to each coordinate.
+  [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
 
 private:
   enum class Verdict : unsigned char { goes_on, lands, retry };
@@ -56,7 +58,8 @@ private:
     BallMatrix axes, slope; ///< exact; n x 2
     PhasePoint<Enclosure> hull;
   };
-  /// The orbits during a step: where they are, and their coefficients; one code for each two derivatives.
+  /// The orbits during a step: where they are, and their coefficients; one code for each two derivatives.  The boxes and
+  /// the last coefficients are common to all orbits of the hull, the middle's too.
   struct Step {
     std::vector<SurfaceCode<Enclosure>> code;
     std::vector<PhasePoint<Enclosure>> box = {}, last = {};
