@@ -86,6 +86,10 @@ certify::TorsionFunction torsion_function(const certify::Judge& judge, const Dih
                                           const certify::LocalFact& local, const Budget& budget) {
   if (!answer.a)
     throw OutOfBudget("degree limit: the torsion function is a power that is too large");
+  if (answer.n > Integer(certify::largest_torsion_order))
+    throw OutOfBudget("the order of the torsion function is above " +
+                      std::to_string(certify::largest_torsion_order) +
+                      ", which the checkers do not accept");
   // h = a + b W s with n W^2 b = g a' (W of dihedral.hpp is w of the rule, as v = g s)
   const NfElem n(Rational(answer.n));
   const RationalFunction& a = *answer.a;

@@ -341,6 +341,21 @@ TEST(Dihedral, ImmenseResidues) {
   }
 }
 
+// Orders on both sides of what the checkers accept: beyond it there is an answer and no certificate.
+TEST(Dihedral, OrdersBeyondCertificates) {
+  const Poly x = Poly::z();
+  const RationalFunction f(pow(x, 3) + Poly(2), x * x + x + Poly(3));
+  for (const long n : {999983L, 1000003L}) {
+    Options options;
+    options.want_certificate = true;
+    const Decision d = decide({pull_back(schwarz(half, half, Rational(1, n)), f), {}}, options);
+    ASSERT_TRUE(d.group);
+    EXPECT_EQ(d.group->n, Integer(n));
+    EXPECT_FALSE(d.withdrawn);
+    EXPECT_EQ(d.certificate.empty(), n > 1000000);
+  }
+}
+
 // ----- exponents far beyond every degree that could be computed --------------------------------
 
 // omega = a/(z-p) + b/(z-q), a + b = 1/3: the exponents allow a polynomial of about that degree.

@@ -108,6 +108,9 @@ struct NotAPower {
   mp_limb_t w = 0, x1 = 0, s1 = 0, x2 = 0, s2 = 0;
 };
 
+/// What the rule "torsion-function" accepts.
+inline constexpr long largest_torsion_order = 1000000;
+
 struct TorsionFunction { ///< h = (a + b w s)/den, h' = n w/(V s) h
   long n = 0;
   Poly a, b, den = Poly(1);

@@ -91,7 +91,7 @@ void need_minimal(const TorsionFunction& t, const Integer& L) {
 
 TorsionFact check_torsion_function(const Judge& j, const TorsionFunction& data,
                                    const InvariantFact& v, const LocalFact* local) {
-  need(data.n >= 1 && data.n <= 1000000 && !is_zero(data.den) &&
+  need(data.n >= 1 && data.n <= largest_torsion_order && !is_zero(data.den) &&
            !(is_zero(data.a) && is_zero(data.b)),
        "not a torsion function");
   need_logarithmic_derivative(data, v);
