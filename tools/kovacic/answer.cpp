@@ -187,7 +187,7 @@ private:
     Decision decision = decide(here, options);
     if (options.want_certificate) certify_formula(decision, options.budget);
     Json result = closed(decision, recognized_json(decision, equation.constant, options.budget));
-    if (!settings_.in_a_batch)
+    if (!settings_.in_a_batch || settings_.special_functions)
       if (Json special = special_json(decision, options.budget); !special.is_null())
         result["special_solution"] = std::move(special);
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;

@@ -87,8 +87,8 @@ constexpr Topic topics[] = {
      "No solution is Liouvillian, but y = sqrt(h) (A F(x) + B F'(x)) solves the equation, where\n"
      "F'' = R(x) F is Airy's, Bessel's, Weber's, Whittaker's or Riemann's equation and x, A, B, h\n"
      "are rational functions of the variable: the line 'but' of an answer, proved by\n"
-     "differentiating twice.  Where a search of two seconds finds none nothing is said; it is not\n"
-     "made for the lines of a batch."},
+     "differentiating twice.  Where a search of two seconds finds none nothing is said; for the\n"
+     "lines of a batch it is made with --special-functions only."},
     {"parameter",
      "A name without a value.  Declared with --parameter n (or [ode] parameters, [system]\n"
      "parameters) the question is decided for all its values at once, on strata; --assume 'n > 0'\n"

@@ -347,6 +347,8 @@ struct CommandLine {
                     "--batch: leave out the times, so that each run writes the same bytes");
     solve->add_flag("--polynomial-of-y", settings.polynomial_of_y,
                     "A4, S4, A5: also the polynomial of y itself, not only that of y'/y");
+    solve->add_flag("--special-functions", settings.special_functions,
+                    "--batch: also solutions in Airy's, Bessel's, Whittaker's functions and 2F1");
     solver_flags(*solve, {"text", "json", "tex", "sympy", "maxima", "sage"},
                  "text, json, tex, sympy, maxima or sage");
 

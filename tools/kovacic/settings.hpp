@@ -46,10 +46,11 @@ struct Settings {
   int verbose = 0;
   bool exit_verdict = false;
   long jobs = 0; ///< --batch: so many lines at the same time; 0 = as many as there are cores
-  bool in_a_batch = false;      ///< one line of many
-  bool second_opinion = false;  ///< also ask the monodromy matrices
-  bool polynomial_of_y = false; ///< solve: for A4, S4, A5
-  bool strict = false;          ///< verify: refuse trusted steps
+  bool in_a_batch = false;        ///< one line of many
+  bool second_opinion = false;    ///< also ask the monodromy matrices
+  bool polynomial_of_y = false;   ///< solve: for A4, S4, A5
+  bool special_functions = false; ///< solve: also for the lines of a batch
+  bool strict = false;            ///< verify: refuse trusted steps
 
   [[nodiscard]] Options solver_options() const;
   [[nodiscard]] bool wants_solutions() const { return !quiet && !exit_verdict; }
