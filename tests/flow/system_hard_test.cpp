@@ -3,6 +3,7 @@
 
 #include "flow/scene/system_section.hpp"
 #include "support.hpp"
+#include "support/source_dir.hpp"
 
 #include "symbol/document.hpp"
 #include "symbol/input_error.hpp"
@@ -180,6 +181,42 @@ TEST(HardSections, ThePythagoreanProblemAndACollisionInIt) {
   EXPECT_EQ(fall.orbits[0].ended, Ended::singular); // on a line two of them must meet
   EXPECT_LE(fall.orbits[0].time, 1);
   EXPECT_LE(fall.drift, 1e-9);
+}
+
+// The same masses at rest in the corners of an equilateral triangle fall on their middle: the sides s
+// solve s'' = -12/s^2, so that all three meet at t = pi/(2 sqrt(24)).
+TEST(HardSections, ATripleCollisionEndsTheOrbitAtItsTime) {
+  const SystemSection s = section_of(
+      three_bodies("states = [[0, 0, 1, 0, '1/2', 'sqrt(3)/2', 0, 0, 0, 0, 0, 0]]\ntime = 70\n"));
+  EXPECT_EQ(s.orbits[0].ended, Ended::singular);
+  EXPECT_NEAR(s.orbits[0].time, M_PI / (2 * std::sqrt(24.0)), 1e-8);
+  EXPECT_LE(s.drift, 1e-9);
+}
+
+// Stoermer's problem: a charge in the field of a dipole, here thrown at it in the plane of the equator.  It is turned
+// back where (1/x - 1/x^2)^2 = u^2, however fast it comes: no collision.
+TEST(HardSections, TheDipoleTurnsChargesBack) {
+  const std::string file = kov::test::in_source("/cases/sections/stoermer.toml");
+  SystemScene scene = read_system_scenes(read_document(file)).front();
+  scene.section = {MFraction::variable(scene.system.ring(), "u"), "u"};
+  scene.levels.clear();
+  scene.range.reset();
+  scene.columns = scene.rows = 0;
+  scene.indicator = Indicator::none;
+  scene.crossings = 1;
+  for (const char* speed :
+       {"10", "10000", "10^8"}) { // at 10^8 the unit of time is not that of the first step
+    scene.states = {{Quantity("1"), Quantity("0"), Quantity(("-" + std::string(speed)).c_str()),
+                     Quantity("0")}};
+    const SystemSection s = simulate(scene);
+    EXPECT_EQ(s.orbits[0].ended, Ended::crossings) << speed;
+    ASSERT_EQ(s.points.size(), 1U) << speed;
+    const double nearest = 2 / (1 + std::sqrt(1 + 4 * Quantity(speed).as<double>()));
+    EXPECT_NEAR(s.points[0].at[0] / nearest, 1, 1e-7) << speed;
+    EXPECT_LE(s.drift, 1e-12) << speed;
+  }
+  scene.states = {{Quantity("0"), Quantity("0"), Quantity("1"), Quantity("1")}};
+  EXPECT_EQ(simulate(scene).orbits[0].ended, Ended::broken); // on the dipole
 }
 
 // ---- time scales, many turns ----

@@ -134,6 +134,7 @@ private:
     L::set(t_low_, lane, Real(0));
     L::set(longest_, lane, Real(0));
     Lanes<Step>::set(log2_tau_, lane, 0.0);
+    fresh_ = true;
     watch_.forget(lane);
     tally_[lane] = FieldFinish<Real>{};
     if (tapes_.tangent > 0) {
@@ -143,8 +144,9 @@ private:
   }
 
   void step() {
+    if (fresh_) set_first_units();
     tau_ = T(exp2_estimate(log2_tau_));
-    jets();
+    jets(run_.order);
     if (run_.section) section_series();
     const T left = (L::all(run_.t_end) - t_) - t_low_;
     const Step log2_wanted = log2_step();
@@ -163,13 +165,25 @@ private:
     account(h, left);
   }
 
-  void jets() {
+  // Before the first step of an orbit that begins fast no step says what the unit of time is: its first derivatives do.
+  void set_first_units() {
+    fresh_ = false;
+    tau_ = L::all(Real(1));
+    jets(2);
+    const Step first = log2_size(1), second = log2_size(2) * 0.5;
+    const Step rate = within(first > second ? first : second);
+    for (int lane = 0; lane < n; ++lane)
+      if (tally_[lane].steps == 0 && Lanes<Step>::get(rate, lane) > 8)
+        Lanes<Step>::set(log2_tau_, lane, -std::round(Lanes<Step>::get(rate, lane)));
+  }
+
+  void jets(int order) {
     for (int i = 0; i < total_; ++i)
       *series(i) = x_[i];
     for (int i = 0; i < variables_;
          ++i) // far from where the scales were seen, the orbit has its own
       per_scale_[i] = L::all(Real(1)) / larger(scale_[i], absolute(x_[i]));
-    for (int k = 0; k < run_.order; ++k) {
+    for (int k = 0; k < order; ++k) {
       run_order(tapes_.field, s_, k);
       const T rate = tau_ * L::all(Real(1) / Real(k + 1));
       for (int i = 0; i < total_; ++i)
@@ -352,6 +366,7 @@ private:
       per_scale_[most_variables]{};
   T t_{}, t_low_{}, before_{}, longest_{}, tau_{};
   Step log2_tau_{};
+  bool fresh_ = true; ///< an orbit has just begun
   SectionWatch<T> watch_{run_.falling, run_.rising};
   std::size_t orbit_[n]{};
   bool busy_[n]{};
