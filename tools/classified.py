@@ -50,6 +50,8 @@ def sets(answer, status, limit=8):
 def entry(path, answer):
     lines = [f"## {title(path)}", "", f"`cases/classify/{path.name}`. Published: {comment(path, 'published')}.", "",
              f"**{answer['statement']}**", ""]
+    for constant in answer["constants"]:
+        lines.append("* where " + constant)
     if answer["assumptions"]:
         lines.append("* assumed: " + "; ".join(answer["assumptions"]))
     lines += sets(answer, "integrable") + sets(answer, "open")

@@ -55,6 +55,8 @@ enum class ClassificationStatus : std::uint8_t { integrable, non_integrable, ope
 struct SystemClassification {
   std::vector<ClassifiedStratum> strata; ///< disjoint; they cover all parameters
   std::vector<std::string> assumptions;  ///< under which all of this is proved
+  /// Algebraic constants that the file does not have: what is said holds for each of the roots.
+  std::vector<std::string> constants;
   std::vector<MPoly> nonzero;            ///< those of them that say what does not vanish
   std::vector<MPoly> relations;          ///< of the algebraic constants: each set satisfies them
   std::vector<std::string> theorems;     ///< of the literature that are used

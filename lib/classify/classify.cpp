@@ -9,6 +9,7 @@
 #include "classify/scale.hpp"
 #include "classify/solutions.hpp"
 #include "exact/error.hpp"
+#include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "integrability/study.hpp"
@@ -24,6 +25,8 @@ namespace {
 
 using Clock = Budget::Clock;
 
+constexpr std::size_t least_dimension = 5; // where a normal part may have order four
+constexpr long largest_degree_of_a_constant = 4;
 constexpr std::size_t most_compared = 8;     // integrable strata with one exclusion
 constexpr long low_degree = 2;               // of the integrals that are looked for first
 constexpr double part_with_parameters = 0.5; // of the time that is left: special values need some
@@ -68,6 +71,7 @@ public:
     start_ = Clock::now();
     const System known = options.search_solutions ? with_found_integrals(s, share(0.1)) : s;
     LevelledSystem levelled = with_levels(known, decide_claims(known, options.check));
+    adjoin_eigenvalues(levelled);
     system_ = without_levels_fixed(std::move(levelled.system));
     claims_ = std::move(levelled.claims);
     levels_ = std::move(levelled.levels);
@@ -77,7 +81,9 @@ public:
   }
 
   SystemClassification run() {
-    waiting_.push_back({{system_, claims_, levels_}, {everywhere(), {}}});
+    Round first{{system_, claims_, levels_}, {everywhere(), {}}};
+    if (!system_.adjoined.empty()) first = in_solved_parameters(std::move(first));
+    waiting_.push_back(std::move(first));
     try {
       while (!waiting_.empty() || !later_.empty()) {
         auto& from = waiting_.empty() ? later_ : waiting_;
@@ -95,6 +101,37 @@ public:
   }
 
 private:
+  // Of all solutions, for all parameters: later there are the parameters, but no new constants.
+  void adjoin_eigenvalues(LevelledSystem& known) const {
+    if (known.system.field.dimension() < least_dimension) return;
+    const auto solutions =
+        particular_solutions(known.system, known.levels, options_.search_solutions, share(0.1));
+    System with_solutions = known.system;
+    with_solutions.manifolds = solutions.manifolds;
+    CheckOptions check = options_.check;
+    check.decide.budget = share(0.1);
+    System found = with_eigenvalues(std::move(with_solutions), check);
+    if (found.adjoined.empty()) return;
+    keep_new_or_stated(found.manifolds, solutions.manifolds, known.system.manifolds.size());
+    known.claims = claims_of(found, std::move(known.claims));
+    for (KnownLevel& l : known.levels)
+      l.integral = transfer(l.integral, found.ring());
+    known.system = std::move(found);
+  }
+
+  // The others are found again.
+  static void keep_new_or_stated(std::vector<ManifoldSpec>& all,
+                                 const std::vector<ManifoldSpec>& before, std::size_t stated) {
+    const auto text = [](const ManifoldSpec& m) {
+      std::string t;
+      for (const Equation& e : m.equations)
+        t += e.text + "; ";
+      return t;
+    };
+    for (std::size_t k = all.size(); k-- > stated;)
+      if (text(all[k]) == text(before[k])) all.erase(all.begin() + static_cast<long>(k));
+  }
+
   // ---- the whole set
 
   // What the file assumes of a level says nothing of the system: any level will do.
@@ -762,21 +799,14 @@ private:
           again(round, std::move(part));
         return;
       }
-      const SolvedSet solved = solve(piece.where);
-      Substitution values;
-      for (const auto& [i, value] : solved.values)
-        if (is_parameter(round.system, i)) values[i] = value;
       if (time_is_over()) {
         note(piece, "the time limit was reached", "");
         return leave_open(std::move(piece));
       }
-      if (values.empty()) return once_more(round, std::move(piece));
-      System special = kov::at_values(round.system, values);
-      for (const MPoly& p : piece.where.inequations())
-        assume_nonzero(special, substitute(p, values));
-      auto claims = kov::at_values(round.claims, values);
-      auto levels = at_values(round.levels, values, claims);
-      Round next{{std::move(special), std::move(claims), std::move(levels)}, std::move(piece)};
+      const SolvedParameters solved = solved_parameters(round.system, piece.where);
+      if (solved.values.empty() && solved.algebraic.empty())
+        return once_more(round, std::move(piece));
+      Round next = in_parameters(round, piece, solved);
       next.integrals_known = round.integrals_known && next.system.field.poisson &&
                              looks_at_the_same(round.system, next.system);
       waiting_.push_back(std::move(next));
@@ -787,6 +817,62 @@ private:
       note(piece, "the equations of the parameters", e.what());
       leave_open(std::move(piece));
     }
+  }
+
+  // Parameters that the equations of a set give as functions of the others, or of which they leave
+  // finitely many values.
+  struct SolvedParameters {
+    Substitution values;
+    std::vector<std::pair<std::size_t, MPoly>> algebraic; ///< each a root of its polynomial
+  };
+  static SolvedParameters solved_parameters(const System& s, const ParameterSet& where) {
+    SolvedParameters all;
+    const SolvedSet solved = solve(where);
+    for (const auto& [i, value] : solved.values)
+      if (is_parameter(s, i) || is_in(s.field.constants, i)) all.values[i] = value;
+    const auto levels = level_parameters(s);
+    for (const MPoly& p : solved.left) {
+      const MPoly left = substitute(p, all.values).num();
+      if (is_in(s.field.relations, left) || is_in(s.field.relations, -left)) continue;
+      std::optional<std::size_t> root; // of lowest degree
+      for (const std::size_t i : used_variables(left)) {
+        const bool is_free = is_parameter(s, i) && !all.values.contains(i) && !is_in(levels, i) &&
+                             std::none_of(all.algebraic.begin(), all.algebraic.end(),
+                                          [&](const auto& a) { return a.first == i; });
+        if (is_free && (!root || degree(left, i) < degree(left, *root))) root = i;
+      }
+      if (root && degree(left, *root) <= largest_degree_of_a_constant)
+        all.algebraic.emplace_back(*root, left);
+    }
+    return all;
+  }
+
+  static Round in_parameters(const Round& round, const Piece& piece,
+                             const SolvedParameters& solved) {
+    System special = kov::at_values(round.system, solved.values);
+    for (const auto& [i, p] : solved.algebraic) {
+      std::erase(special.field.parameters, i);
+      special.field.constants.push_back(i);
+      special.field.relations.push_back(p);
+    }
+    if (!solved.algebraic.empty())
+      if (const auto why = reducible_relations(special.field)) throw DomainError(*why);
+    for (const MPoly& p : piece.where.inequations())
+      assume_nonzero(special, substitute(p, solved.values));
+    auto claims = kov::at_values(round.claims, solved.values);
+    auto levels = at_values(round.levels, solved.values, claims);
+    return {{std::move(special), std::move(claims), std::move(levels)}, piece};
+  }
+
+  // Where an eigenvalue gives a parameter: rational functions are in the place of an algebraic one.
+  static Round in_solved_parameters(Round all) {
+    try {
+      const SolvedParameters solved = solved_parameters(all.system, all.whole.where);
+      if (!solved.values.empty()) return in_parameters(all, all.whole, {solved.values, {}});
+    } catch (const DomainError&) {
+    } catch (const OutOfBudget&) {
+    }
+    return all;
   }
 
   static std::vector<Piece> by_factors(const Round& round, const Piece& piece) {
@@ -828,10 +914,10 @@ private:
     return levels;
   }
 
-  static bool is_parameter(const System& s, std::size_t i) {
-    const auto& all = s.field.parameters;
-    return std::find(all.begin(), all.end(), i) != all.end();
+  template <class T> static bool is_in(const std::vector<T>& all, const T& one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
   }
+  static bool is_parameter(const System& s, std::size_t i) { return is_in(s.field.parameters, i); }
 
   static void assume_nonzero(System& s, const MFraction& value) {
     if (is_constant(value)) return;

@@ -189,6 +189,8 @@ void leave_open(Piece piece, SystemClassification& c) {
 void finish(const System& s, SystemClassification& c) {
   for (const Assumption& a : s.assumptions)
     add_once(c.assumptions, a.text);
+  for (const std::string& constant : s.adjoined)
+    add_once(c.constants, constant);
   for (const ClassifiedStratum& x : c.strata)
     for (const ExclusionReason& o : x.by) {
       c.excluded = std::max(c.excluded.value_or(o.integrals), o.integrals);

@@ -1,6 +1,7 @@
 #include "classify/solutions.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/eigenvalue.hpp"
 #include "integrals/find.hpp"
 #include "integrals/independence.hpp"
 #include "manifold/find.hpp"
@@ -96,13 +97,8 @@ LevelledSystem with_levels(const System& s, std::vector<ClaimReport> claims) {
   const std::size_t first = names.size();
   for (const NamedIntegral& i : integrals)
     names.push_back(free_name(names, i.name == "H" ? "E" : "c"));
-  LevelledSystem all{in_ring(s, make_ring(names)), std::move(claims), {}};
-  KOV_ENSURE(all.claims.size() == s.claims.size());
-  for (std::size_t k = 0; k < all.claims.size(); ++k) {
-    all.claims[k].claim = all.system.claims[k];
-    for (MPoly& g : all.claims[k].result.generic)
-      g = transfer(MFraction(g), all.system.ring()).num();
-  }
+  LevelledSystem all{in_ring(s, make_ring(names)), {}, {}};
+  all.claims = claims_of(all.system, std::move(claims));
   for (std::size_t k = 0; k < integrals.size(); ++k) {
     all.system.field.parameters.push_back(first + k);
     all.levels.push_back({transfer(integrals[k].value, all.system.ring()), first + k,

@@ -6,6 +6,7 @@
 #include "integrability/components.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/decoupling.hpp"
+#include "integrability/eigenvalue.hpp"
 #include "integrability/levels.hpp"
 #include "integrability/linearise.hpp"
 #include "integrability/matrices.hpp"
@@ -101,6 +102,27 @@ void fall_apart(const Study& study, ManifoldSpec& spec, ManifoldReport& report) 
 }
 
 } // namespace
+
+std::optional<WithEigenvalue> over_an_eigenvalue(const System& s, const ManifoldSpec& given,
+                                                 const std::vector<ClaimReport>& claims,
+                                                 const CheckOptions& options) {
+  ManifoldSpec spec = adapted_to_translations(s, given, claims);
+  const Study study{s, spec, claims, options};
+  ManifoldReport report;
+  try {
+    auto proved = prove_invariant(s.field, spec, options.decide.budget);
+    if (!std::holds_alternative<InvariantManifold>(proved)) return std::nullopt;
+    report.manifold = std::get<InvariantManifold>(std::move(proved));
+    linearise(study, report);
+    fall_apart(study, spec, report);
+    if (!has_large_block(report)) return std::nullopt;
+    return with_eigenvalue(s, spec, report, options.decide.budget);
+  } catch (const OutOfBudget&) { // what was not found is not used
+  } catch (const DomainError&) {
+  } catch (const InvalidArgument&) {
+  }
+  return std::nullopt;
+}
 
 ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
                               const std::vector<ClaimReport>& claims, const CheckOptions& options) {

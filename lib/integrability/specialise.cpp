@@ -25,11 +25,24 @@ void put(std::vector<Equation>& all, const Substitution& values) {
     put(e.difference, values);
 }
 
+// A constant of which no relation says anything any more is free, as parameters are.
+void free_constants(VectorField& v) {
+  std::erase_if(v.relations, [](const MPoly& p) { return is_zero(p); });
+  const auto is_free = [&](std::size_t c) {
+    return std::none_of(v.relations.begin(), v.relations.end(),
+                        [&](const MPoly& p) { return uses(p, c); });
+  };
+  std::copy_if(v.constants.begin(), v.constants.end(), std::back_inserter(v.parameters), is_free);
+  std::erase_if(v.constants, is_free);
+}
+
 void put(VectorField& v, const Substitution& values) {
-  std::erase_if(v.parameters, [&](std::size_t i) { return values.contains(i); });
+  for (auto* names : {&v.parameters, &v.constants})
+    std::erase_if(*names, [&](std::size_t i) { return values.contains(i); });
   for (auto& f : v.functions)
     put(f.gradient, values);
   put(v.relations, values);
+  free_constants(v);
   put(v.components, values);
   put(v.hamiltonian, values);
   if (v.poisson)

@@ -110,6 +110,7 @@ struct System {
   std::vector<std::size_t> velocities;    ///< Omega as variables of the ring
   std::vector<MFraction> velocity_values; ///< Omega(M, Gamma)
   std::vector<MFraction> gyrostat;        ///< B, for the systems on e(3)
+  std::vector<std::string> adjoined;      ///< constants that the file does not have, in words
   std::size_t z = 0;                      ///< the variable that stands for the new independent one
 
   [[nodiscard]] const Ring& ring() const noexcept { return field.ring; }

@@ -9,6 +9,7 @@
 #include "decide/words.hpp"
 #include "integrability/certificate.hpp"
 #include "integrability/conclude.hpp"
+#include "integrability/eigenvalue.hpp"
 #include "integrability/expect.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
@@ -31,6 +32,8 @@
 
 namespace kov::cli {
 namespace {
+
+constexpr double part_for_eigenvalues = 0.1; // of the time
 
 void put(std::ostringstream& out, const std::string& label, const std::string& text,
          std::size_t indent = 2) {
@@ -188,6 +191,8 @@ void put_manifold(std::ostringstream& out, const System& s, const ManifoldReport
   if (!m.not_checked.empty() && (m.verdict != VerdictKind::undecided || m.by))
     put(out, "NOT CHECKED", m.not_checked);
   if (detail == Detail::headline && !undecided) return;
+  for (const std::string& constant : s.adjoined)
+    if (!m.blocks.empty()) put(out, "where", constant);
   for (const auto& e : m.reduced.eliminations)
     put(out, "reduced",
         "the variation of " + e.unknown + " by the linear integral d" + e.integral + " = 0");
@@ -475,7 +480,7 @@ public:
 private:
   struct Round {
     ParameterValues values;
-    std::optional<System> system;
+    std::optional<System> system, studied = {};
     std::optional<std::vector<ClaimReport>> claims;
     std::map<std::size_t, Findings> findings = {}; ///< of the manifolds that were studied
   };
@@ -489,13 +494,21 @@ private:
                          [&](const Round& r) { return r.values == values; });
     };
     for (const auto& x : file.expectations)
-      if (base_.empty() && !known(x.where)) rounds_.push_back({x.where, {}, {}, {}});
-    if (rounds_.empty()) rounds_.push_back({base_, {}, {}, {}});
+      if (base_.empty() && !known(x.where)) rounds_.push_back({x.where, {}, {}, {}, {}});
+    if (rounds_.empty()) rounds_.push_back({base_, {}, {}, {}, {}});
   }
 
   const System& system_of(Round& round) {
     if (!round.system) round.system = read_system_as_assumed(*document_, round.values);
     return *round.system;
+  }
+  // With the eigenvalues over which the variations along its manifolds fall apart.
+  const System& studied(Round& round) {
+    if (round.studied) return *round.studied;
+    CheckOptions search = options_;
+    search.decide.budget = part_of_the_time(options_.decide.budget, part_for_eigenvalues);
+    round.studied = with_eigenvalues(system_of(round), search);
+    return *round.studied;
   }
 
   std::vector<const SystemExpectation*> expectations_of(Round& round) {
@@ -549,11 +562,12 @@ private:
 
   // with_claims: not after a limit ended their job.
   Report study(Round& round, std::size_t index, bool with_claims) {
-    const System& s = system_of(round);
+    const System& s = studied(round);
     static const std::vector<ClaimReport> none;
     CheckReport report;
-    report.manifolds.push_back(check_manifold(s, *manifolds_to_check(s, options_).at(index),
-                                              with_claims ? claims_of(round) : none, options_));
+    report.manifolds.push_back(
+        check_manifold(s, *manifolds_to_check(s, options_).at(index),
+                       with_claims ? kov::claims_of(s, claims_of(round)) : none, options_));
     ManifoldReport& m = report.manifolds.front();
     if (m.failure && is_fine_without(round.values, m.name)) degenerate(m);
     Findings& findings = round.findings[index] = findings_of(s, m);
@@ -578,7 +592,7 @@ private:
 
   // "together ROUND 1 MANIFOLD...": of those manifolds on which the work came to its end.
   Report all_together(Round& round, std::istream& others, std::size_t with_claims) {
-    const System& s = system_of(round);
+    const System& s = studied(round);
     std::vector<Findings> all;
     std::vector<Exclusion> exclusions;
     for (std::size_t k = 0; others >> k;) {

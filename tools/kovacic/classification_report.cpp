@@ -39,6 +39,8 @@ NodeResult root(const System& s, const SystemClassification& c) {
   n.status = NodeStatus::proved;
   if (s.field.hamiltonian) n.formulas.push_back({"H", to_string(*s.field.hamiltonian)});
   if (!c.assumptions.empty()) n.formulas.push_back({"assumed", joined(c.assumptions, ", ")});
+  for (const std::string& constant : c.constants)
+    n.formulas.push_back({"where", constant});
   for (const std::string& note : c.notes)
     n.formulas.push_back({"note", note});
   for (Grid g : {integrable_sets(c), open_sets(c)})

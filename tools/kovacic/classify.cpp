@@ -110,6 +110,8 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
   out << heading(s.file, s.title) << "\n  " << title_of(c.status()) << '\n';
   put(out, "theorem", statement(c));
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
+  for (const std::string& constant : c.constants)
+    put(out, "where", constant);
   for (const std::string& note : c.notes)
     put(out, "note", note);
   if (!quiet) {
@@ -138,6 +140,7 @@ Json json_of(const System& s, const SystemClassification& c) {
           {"statement", statement(c)},
           {"integrals_class", c.excluded ? Json(integrals_class(c)) : Json(nullptr)},
           {"assumptions", c.assumptions},
+          {"constants", c.constants},
           {"theorems", c.theorems},
           {"trusted", c.trusted},
           {"notes", c.notes},

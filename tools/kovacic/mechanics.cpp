@@ -194,6 +194,8 @@ Json json_of(const System& s, const ManifoldReport& m) {
                         {"value", to_string(m.failure->value)}};
     return j;
   }
+  for (const std::string& constant : s.adjoined)
+    j["constants"].push_back(constant);
   j["theorem"] = m.by ? m.by->id() : "";
   j["function_class"] = m.by ? m.by->integrals : "";
   for (const std::size_t i : m.without)

@@ -1,0 +1,43 @@
+// Classifications over an eigenvalue of the variations.
+
+#include "classify/classify.hpp"
+#include "support/points.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using test::status_at;
+
+SystemClassification classified(const std::string& form) {
+  ClassifyOptions options;
+  options.degree = 2;
+  options.order = 1;
+  return classify_system(
+      read_system(parse_document("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\n"
+                                 "momenta = ['u', 'v', 'w']\nparameters = ['a']\n"
+                                 "hamiltonian = '(u^2 + v^2 + w^2)/2 + " +
+                                     form + "'\n",
+                                 "test.toml")),
+      options);
+}
+
+// 2 lambda^2 - 2 a lambda - 1 has no two roots that are both of the kind that is needed.
+TEST(ClassifiedEigenvalue, OfAForm) {
+  const auto c = classified("z^4/4 + z^2*(a*x^2 + x*y) + x^3*y");
+  EXPECT_EQ(c.constants.size(), 1U);
+  for (const Rational& a : {Rational(0), Rational(1), Rational(-3, 2), Rational(7)})
+    for (const ClassifiedStratum& s : c.strata)
+      if (test::contains(s, {{"a", a}})) EXPECT_EQ(s.status, StratumStatus::excluded);
+}
+
+// Garnier's system is integrable with every quadratic form.
+TEST(ClassifiedEigenvalue, NoFalseAlarm) {
+  const auto c = classified("(x^2 + y^2 + z^2)^2/4 + a*x^2 + x*y");
+  for (const ClassifiedStratum& s : c.strata)
+    EXPECT_NE(s.status, StratumStatus::excluded);
+}
+
+} // namespace
+} // namespace kov
