@@ -71,7 +71,7 @@ public:
     start_ = Clock::now();
     const System known = options.search_solutions ? with_found_integrals(s, share(0.1)) : s;
     LevelledSystem levelled = with_levels(known, decide_claims(known, options.check));
-    adjoin_eigenvalues(levelled);
+    adjoin_constants(levelled);
     system_ = without_levels_fixed(std::move(levelled.system));
     claims_ = std::move(levelled.claims);
     levels_ = std::move(levelled.levels);
@@ -102,10 +102,12 @@ public:
 
 private:
   // Of all solutions, for all parameters: later there are the parameters, but no new constants.
-  void adjoin_eigenvalues(LevelledSystem& known) const {
+  void adjoin_constants(LevelledSystem& known) const {
     if (known.system.field.dimension() < least_dimension) return;
-    const auto solutions =
+    auto solutions =
         particular_solutions(known.system, known.levels, options_.search_solutions, share(0.1));
+    for (const MPoly& d : solutions.wanted)
+      if (adjoin_square_root(known, d, solutions)) break;
     System with_solutions = known.system;
     with_solutions.manifolds = solutions.manifolds;
     CheckOptions check = options_.check;
@@ -113,10 +115,31 @@ private:
     System found = with_eigenvalues(std::move(with_solutions), check);
     if (found.adjoined.empty()) return;
     keep_new_or_stated(found.manifolds, solutions.manifolds, known.system.manifolds.size());
-    known.claims = claims_of(found, std::move(known.claims));
+    move_to(std::move(found), known);
+  }
+
+  static void move_to(System system, LevelledSystem& known) {
+    known.claims = claims_of(system, std::move(known.claims));
     for (KnownLevel& l : known.levels)
-      l.integral = transfer(l.integral, found.ring());
-    known.system = std::move(found);
+      l.integral = transfer(l.integral, system.ring());
+    known.system = std::move(system);
+  }
+
+  // Where it leads to more solutions.
+  bool adjoin_square_root(LevelledSystem& known, const MPoly& d,
+                          ParticularSolutions& solutions) const {
+    LevelledSystem larger = known;
+    move_to(with_square_root(known.system, d, ""), larger);
+    auto more = particular_solutions(larger.system, larger.levels, true, share(0.1));
+    const std::size_t constant = larger.system.field.constants.back();
+    const auto needs_it = [&](const ManifoldSpec& m) {
+      return std::any_of(m.equations.begin(), m.equations.end(),
+                         [&](const Equation& e) { return uses(e.difference, constant); });
+    };
+    if (std::none_of(more.manifolds.begin(), more.manifolds.end(), needs_it)) return false;
+    known = std::move(larger);
+    solutions = std::move(more);
+    return true;
   }
 
   // The others are found again.
@@ -830,21 +853,25 @@ private:
     const SolvedSet solved = solve(where);
     for (const auto& [i, value] : solved.values)
       if (is_parameter(s, i) || is_in(s.field.constants, i)) all.values[i] = value;
-    const auto levels = level_parameters(s);
     for (const MPoly& p : solved.left) {
       const MPoly left = substitute(p, all.values).num();
       if (is_in(s.field.relations, left) || is_in(s.field.relations, -left)) continue;
-      std::optional<std::size_t> root; // of lowest degree
-      for (const std::size_t i : used_variables(left)) {
-        const bool is_free = is_parameter(s, i) && !all.values.contains(i) && !is_in(levels, i) &&
-                             std::none_of(all.algebraic.begin(), all.algebraic.end(),
-                                          [&](const auto& a) { return a.first == i; });
-        if (is_free && (!root || degree(left, i) < degree(left, *root))) root = i;
-      }
-      if (root && degree(left, *root) <= largest_degree_of_a_constant)
-        all.algebraic.emplace_back(*root, left);
+      std::vector<std::size_t> unknowns = used_variables(left);
+      std::erase_if(unknowns, [&](std::size_t i) { return !is_parameter(s, i); });
+      const bool is_new = unknowns.size() == 1 &&
+                          std::none_of(all.algebraic.begin(), all.algebraic.end(),
+                                       [&](const auto& a) { return a.first == unknowns[0]; });
+      if (is_new && degree(left, unknowns[0]) <= largest_degree_of_a_constant &&
+          is_irreducible(left))
+        all.algebraic.emplace_back(unknowns[0], left);
     }
     return all;
+  }
+
+  // Else the next round is cut along its factors.
+  static bool is_irreducible(const MPoly& p) {
+    const auto factors = factor(p).second;
+    return factors.size() == 1 && factors.front().exponent == 1;
   }
 
   static Round in_parameters(const Round& round, const Piece& piece,

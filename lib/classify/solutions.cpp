@@ -264,6 +264,7 @@ ParticularSolutions particular_solutions(const System& s, const std::vector<Know
     FoundManifolds found = find_manifolds(s.field, integrals, budget);
     all.left_out = std::move(found.left_out);
     all.special = std::move(found.special);
+    all.wanted = std::move(found.wanted);
     std::vector<FoundManifold> used;
     for (FoundManifold& m : found.proved) {
       if (m.equilibria || m.leaf_dimension() != 1 || !has_points(s, m.equations)) continue;

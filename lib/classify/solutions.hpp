@@ -38,6 +38,7 @@ struct ParticularSolutions {
   /// Again, for what is left: where H = 0, and with more free levels.
   std::vector<ManifoldSpec> at_energy_zero = {}, at_all_levels = {};
   std::vector<std::vector<MPoly>> special = {}; ///< where all of a list vanish there may be more
+  std::vector<MPoly> wanted = {}; ///< with a square root of one of these there may be more
 };
 /// search: also those that the file does not name.
 [[nodiscard]] ParticularSolutions particular_solutions(const System& s,

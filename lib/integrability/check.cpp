@@ -91,7 +91,7 @@ void fall_apart(const Study& study, ManifoldSpec& spec, ManifoldReport& report) 
   if (asked != nullptr && (asked->unknown || !asked->normal.empty())) return;
   const Budget& budget = study.options.decide.budget;
   for (std::size_t k = 0; k < spec.equations.size() && has_large_block(report); ++k) {
-    auto better = decoupled(spec, report, budget);
+    auto better = decoupled(study.system, spec, report, budget);
     if (!better) return;
     auto proved = prove_invariant(study.system.field, *better, budget);
     if (!std::holds_alternative<InvariantManifold>(proved)) return;

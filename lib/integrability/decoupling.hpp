@@ -22,8 +22,9 @@ namespace kov {
 /// Given   ManifoldReport on_it; on_it.manifold = std::get<InvariantManifold>(
 ///             prove_invariant(three.field, axis));
 /// Given   on_it.normal = normal_system(three.field, *on_it.manifold, {});
-/// Example decoupled(axis, on_it, {})->equations.at(0).text  // -> x + y = 0
-[[nodiscard]] std::optional<ManifoldSpec>
-decoupled(const ManifoldSpec& m, const ManifoldReport& report, const Budget& budget);
+/// Example decoupled(three, axis, on_it, {})->equations.at(0).text  // -> x + y = 0
+[[nodiscard]] std::optional<ManifoldSpec> decoupled(const System& s, const ManifoldSpec& m,
+                                                    const ManifoldReport& report,
+                                                    const Budget& budget);
 
 } // namespace kov

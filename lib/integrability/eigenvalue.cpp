@@ -1,7 +1,6 @@
 #include "integrability/eigenvalue.hpp"
 
 #include "exact/error.hpp"
-#include "exact/finite_algebra.hpp"
 #include "integrability/constant_matrices.hpp"
 #include "special/arithmetic.hpp"
 #include "system/in_ring.hpp"
@@ -18,8 +17,9 @@ using Polynomial = std::vector<MFraction>; // coefficients, ascending
 
 struct Splitting {
   std::vector<std::size_t> block;
+  ConstantRows rows;
   Matrix t;     // without denominators
-  Polynomial p; // with the leading coefficient 1; a power of it is det(x - t)
+  Polynomial p; // with the leading coefficient 1; of which a power maps t to 0
 };
 
 Matrix without_denominators(Matrix t) {
@@ -49,20 +49,20 @@ std::size_t length_of(const Polynomial& p) {
 }
 
 // The shortest polynomial of the lowest degree.
-std::optional<Splitting> splitting(const ManifoldReport& report, const Budget& budget) {
+std::optional<Splitting> splitting(const System& s, const ManifoldReport& report,
+                                   const Budget& budget) {
   std::optional<Splitting> best;
   for (const auto& block : blocks(report.normal.system, *report.manifold)) {
     if (block.size() < 3 || block.size() > largest_decoupled) continue;
-    const auto all = by_monomials(report.normal.system, *report.manifold, block);
-    if (all.empty()) continue;
-    for (const Matrix& commuting : with_combinations(commutant(all, block.size(), budget))) {
+    const ConstantRows rows(s, report.normal.system, *report.manifold, block);
+    for (const Matrix& commuting : with_combinations(rows.commutant(budget))) {
       const Matrix t = without_denominators(commuting);
-      auto factors = factors_of(characteristic_polynomial(t));
+      auto factors = factors_of(minimal_polynomial(t, budget));
       if (factors.size() != 1) continue;
       Polynomial p = monic(std::move(factors.front().first));
       if (p.size() < 3 || p.size() > largest_degree + 1) continue;
       const auto size = [](const Polynomial& f) { return std::pair(f.size(), length_of(f)); };
-      if (!best || size(p) < size(best->p)) best = {block, t, std::move(p)};
+      if (!best || size(p) < size(best->p)) best = {block, rows, t, std::move(p)};
     }
   }
   return best;
@@ -78,28 +78,21 @@ MFraction discriminant(const Polynomial& p) {
 std::optional<MFraction> known_root(const System& s, const Polynomial& p) {
   if (p.size() != 3) return std::nullopt;
   const MFraction two(s.ring(), Rational(2));
-  for (const std::size_t c : s.field.constants)
-    for (const MPoly& relation : s.field.relations) {
-      const auto used = used_variables(relation);
-      const bool of_parameters = std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-        const auto& all = s.field.parameters;
-        return i == c || std::find(all.begin(), all.end(), i) != all.end();
-      });
-      if (!of_parameters || degree(relation, c) != 2) continue;
-      Polynomial q;
-      for (const MPoly& x : coefficients(relation, c))
-        q.emplace_back(x);
-      if (const auto k = square_root(discriminant(p) / discriminant(q)))
-        return (*k * (two * q[2] * MFraction::variable(s.ring(), c) + q[1]) - p[1]) / two;
-    }
+  for (const auto& [c, relation] : quadratic_constants(s.field)) {
+    Polynomial q;
+    for (const MPoly& x : coefficients(relation, c))
+      q.emplace_back(x);
+    if (const auto k = square_root(discriminant(p) / discriminant(q)))
+      return (*k * (two * q[2] * MFraction::variable(s.ring(), c) + q[1]) - p[1]) / two;
+  }
   return std::nullopt;
 }
 
-std::string free_name(const Ring& ring) {
-  std::string name = "lambda";
-  for (int k = 1; ring->find(name); ++k)
-    name = "lambda" + std::to_string(k);
-  return name;
+std::string free_name(const Ring& ring, const std::string& name) {
+  std::string candidate = name;
+  for (int k = 1; ring->find(candidate); ++k)
+    candidate = name + std::to_string(k);
+  return candidate;
 }
 
 // The constant is the last variable of the ring.
@@ -110,34 +103,35 @@ MPoly relation_of(const Polynomial& p, const Ring& ring) {
   return value.num();
 }
 
-// ---- eigenrows
-
-std::vector<MFraction> times(const std::vector<MFraction>& row, const Matrix& t) {
-  std::vector<MFraction> result(row.size(), MFraction(row.front().ring()));
-  for (std::size_t i = 0; i < row.size(); ++i)
-    if (!is_zero(row[i]))
-      for (std::size_t j = 0; j < row.size(); ++j)
-        result[j] += row[i] * t[i][j];
-  return result;
+// With the root of p as the last variable of the ring.
+System with_root(const System& s, const Polynomial& p, const std::string& name,
+                 const std::string& remark) {
+  auto names = s.ring()->names();
+  names.push_back(free_name(s.ring(), name));
+  System larger = kov::in_ring(s, make_ring(names));
+  larger.field.constants.push_back(names.size() - 1);
+  larger.field.relations.push_back(relation_of(p, larger.ring()));
+  larger.adjoined.push_back(names.back() + " is a root of " +
+                            to_string(larger.field.relations.back()) + remark);
+  return larger;
 }
 
+// ---- eigenrows
+
 // v, v t, ..., v t^(d - 1) for rows v that generate all of them.
-std::vector<Matrix> cyclic_rows(const Matrix& t, std::size_t d, const Budget& budget) {
-  const Ring ring = t[0][0].ring();
-  const std::size_t n = t.size();
+std::vector<Matrix> cyclic_rows(const Splitting& x, const Budget& budget) {
+  const std::size_t d = x.p.size() - 1;
   std::vector<Matrix> all;
-  Matrix columns(n);
-  for (std::size_t i = 0; i < n && all.size() * d < n; ++i) {
-    Matrix rows{std::vector<MFraction>(n, MFraction(ring))};
-    rows[0][i] = MFraction(ring, Rational(1));
+  Matrix chosen;
+  for (const auto& unit : identity(x.rows.ring(), x.t.size())) {
+    if (chosen.size() >= x.rows.size()) break;
+    Matrix rows{unit};
     while (rows.size() < d)
-      rows.push_back(times(rows.back(), t));
-    Matrix with = columns;
-    for (const auto& row : rows)
-      for (std::size_t j = 0; j < n; ++j)
-        with[j].push_back(row[j]);
-    if (!null_space(with, with[0].size(), ring, budget).empty()) continue;
-    columns = std::move(with);
+      rows.push_back(times(rows.back(), x.t));
+    Matrix with = chosen;
+    with.insert(with.end(), rows.begin(), rows.end());
+    if (!x.rows.independent(with, budget)) continue;
+    chosen = std::move(with);
     all.push_back(std::move(rows));
   }
   return all;
@@ -156,9 +150,8 @@ std::vector<MFraction> eigenrow(const Matrix& powers, const Polynomial& p, const
 }
 
 // Those of one root after the other; of more than two roots, one and what is needed for a basis.
-Matrix eigenrows(const Splitting& x, const MFraction& root, const Budget& budget) {
+Matrix eigenrows(const Splitting& x, const std::vector<Matrix>& generators, const MFraction& root) {
   const std::size_t d = x.p.size() - 1;
-  const auto generators = cyclic_rows(x.t, d, budget);
   Matrix rows;
   for (const Matrix& powers : generators)
     rows.push_back(eigenrow(powers, x.p, root));
@@ -167,47 +160,50 @@ Matrix eigenrows(const Splitting& x, const MFraction& root, const Budget& budget
       rows.push_back(eigenrow(powers, x.p, -x.p[1] - root));
     else
       rows.insert(rows.end(), powers.begin(), powers.end() - 1);
+  for (auto& row : rows)
+    row = x.rows.row(row);
   return rows;
 }
 
-Splitting in_ring(Splitting x, const Ring& ring) {
-  for (auto& row : x.t)
-    for (MFraction& f : row)
-      f = transfer(f, ring);
-  for (MFraction& c : x.p)
-    c = transfer(c, ring);
-  return x;
+void move(const Ring& ring, std::vector<MFraction>& all) {
+  for (MFraction& f : all)
+    f = transfer(f, ring);
 }
 
 } // namespace
 
 std::optional<WithEigenvalue> with_eigenvalue(const System& s, const ManifoldSpec& m,
                                               const ManifoldReport& report, const Budget& budget) {
-  auto x = splitting(report, budget);
+  auto x = splitting(s, report, budget);
   if (!x) return std::nullopt;
-  WithEigenvalue result{s, m, {}};
+  auto generators = cyclic_rows(*x, budget);
+  WithEigenvalue result{s, m};
   auto root = known_root(s, x->p);
   if (!root) {
-    auto names = s.ring()->names();
-    names.push_back(free_name(s.ring()));
     System with_manifold = s;
     with_manifold.manifolds.push_back(m);
-    result.system = kov::in_ring(with_manifold, make_ring(names));
+    result.system = with_root(with_manifold, x->p, "lambda",
+                              " (an eigenvalue of the variations along " + m.name + ")");
+    if (reducible_relations(result.system.field, budget)) return std::nullopt;
     result.manifold = std::move(result.system.manifolds.back());
     result.system.manifolds.pop_back();
     const Ring& ring = result.system.ring();
-    VectorField& field = result.system.field;
-    field.constants.push_back(ring->size() - 1);
-    field.relations.push_back(relation_of(x->p, ring));
-    x = in_ring(*std::move(x), ring);
+    move(ring, x->p);
+    for (Matrix& powers : generators)
+      for (auto& row : powers)
+        move(ring, row);
     root = MFraction::variable(ring, ring->size() - 1);
-    result.constant = names.back() + " is a root of " + to_string(field.relations.back()) +
-                      " (an eigenvalue of the variations along " + m.name + ")";
   }
-  const Matrix rows = eigenrows(*x, *root, budget);
+  const Matrix rows = eigenrows(*x, generators, *root);
   if (rows.size() != x->block.size()) return std::nullopt;
   replace_equations(result.manifold, report.normal, x->block, rows);
   return result;
+}
+
+System with_square_root(const System& s, const MPoly& d, const std::string& remark) {
+  const Ring& ring = s.ring();
+  return with_root(s, {-MFraction(d), MFraction(ring), MFraction(ring, Rational(1))}, "kappa",
+                   remark);
 }
 
 System with_eigenvalues(System s, const CheckOptions& options) {
@@ -218,10 +214,9 @@ System with_eigenvalues(System s, const CheckOptions& options) {
     if (!over_an_eigenvalue(s, s.manifolds[k], {}, options)) continue;
     if (!claims) claims = decide_claims(s, options);
     auto x = over_an_eigenvalue(s, s.manifolds[k], claims_of(s, *claims), options);
-    if (!x || (!x->constant.empty() && s.adjoined.size() == most)) continue;
+    if (!x || x->system.adjoined.size() > most) continue;
     s = std::move(x->system);
     s.manifolds[k] = std::move(x->manifold);
-    if (!x->constant.empty()) s.adjoined.push_back(x->constant);
   }
   return s;
 }

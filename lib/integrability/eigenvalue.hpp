@@ -8,15 +8,14 @@
 
 namespace kov {
 
-/// A system with one more algebraic constant, or with one that it had.
+/// A system with one more algebraic constant, which System::adjoined names, or with one that it had.
 struct WithEigenvalue {
   System system;         ///< the names of the ring before, and one more
   ManifoldSpec manifold; ///< the same set, by equations with the eigenvalue in them
-  std::string constant;  ///< "lambda: a root of lambda^2 - 2*a; ..."; empty: it was there before
 };
 
 /// Where a block of order > 2 of the normal part, y' = C y, commutes with a constant matrix T whose
-/// characteristic polynomial is a power of p, irreducible of degree 2, 3 or 4 over the parameters:
+/// minimal polynomial p is irreducible of degree 2, 3 or 4 over the parameters:
 /// eigenrows of T for a root of p (and for the other one, if there are two) stand for the equations
 /// of the block. Unset if there is none.
 /// Requires  `decoupled` finds nothing
@@ -39,6 +38,12 @@ over_an_eigenvalue(const System& s, const ManifoldSpec& m, const std::vector<Cla
 ///             "chain.toml"));
 /// Example with_eigenvalues(chain, {}).adjoined.size()  // -> 1
 [[nodiscard]] System with_eigenvalues(System s, const CheckOptions& options);
+
+/// The system with an algebraic constant whose square is d, a polynomial in the parameters that is no
+/// square; System::adjoined names it.
+/// Example with_square_root(chain, MPoly(chain.ring(), Integer(3)), "").adjoined
+///         // -> {"kappa is a root of kappa^2 - 3"}
+[[nodiscard]] System with_square_root(const System& s, const MPoly& d, const std::string& remark);
 
 /// The claims in the ring of the system, of which they are.
 [[nodiscard]] std::vector<ClaimReport> claims_of(const System& s, std::vector<ClaimReport> claims);

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "manifold/directions.hpp"
 #include "manifold/lines.hpp"
 
 #include <algorithm>
@@ -646,11 +647,22 @@ FoundManifolds find_manifolds(const VectorField& v, const std::vector<MFraction>
         all.push_back(on_line(v, line));
     return all;
   });
+  std::vector<MPoly> wanted;
+  if (v.dimension() > 4 || !v.functions.empty())
+    prover.look([&] {
+      const Directions directions = find_directions(v, integrals, budget);
+      wanted = directions.wanted;
+      std::vector<FoundManifold> all;
+      for (const auto& equations : directions.lines)
+        all.push_back({equations, "line through the origin", 0, 0, {}, false});
+      return all;
+    });
   prover.look([&] { return ShiftedSubspaces(v, budget).run(); });
   prover.look([&] { return constant_ratios(v); });
   prover.intersect();
   FoundManifolds found = std::move(prover).result();
   found.special = std::move(lines.special);
+  found.wanted = std::move(wanted);
   auto& proved = found.proved;
   std::stable_sort(proved.begin(), proved.end(),
                    [](const FoundManifold& a, const FoundManifold& b) {

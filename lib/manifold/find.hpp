@@ -6,7 +6,7 @@
 //   shifted subspaces     {x_i = c_i, i in S}, the c_i roots of factors of the X_j of degree 1
 //   fixed sets            Fix(sigma) of an involution sigma(x)_j = +-x_pi(j) with sigma_* X = X
 //   lines                 of systems with two degrees of freedom (lines.hpp; Darboux points of
-//                         homogeneous potentials among them)
+//                         homogeneous potentials among them), or with more (directions.hpp)
 //   ratios                {exp(a.q) = s exp(b.q), (a - b).q' = 0}
 //   intersections         of two of these sets
 //
@@ -35,6 +35,8 @@ struct FoundManifolds {
   std::vector<std::string> left_out; ///< searches and sets that a limit left out, as sentences
   /// Parameters for which there may be more lines: in each list all vanish.
   std::vector<std::vector<MPoly>> special = {};
+  /// With a square root of one of these as an algebraic constant there may be more lines.
+  std::vector<MPoly> wanted = {};
 };
 
 /// Cost   2^n subsets of n variables (n <= 16), involutions for n <= 8

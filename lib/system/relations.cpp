@@ -316,4 +316,20 @@ std::vector<MPoly> where_relations_fall_apart(const VectorField& v, const Budget
   return common_zeros(v, found, budget);
 }
 
+std::vector<QuadraticConstant> quadratic_constants(const VectorField& v) {
+  std::vector<QuadraticConstant> all;
+  const auto is_parameter = [&](std::size_t i) {
+    return std::find(v.parameters.begin(), v.parameters.end(), i) != v.parameters.end();
+  };
+  for (const std::size_t c : v.constants)
+    for (const MPoly& relation : v.relations) {
+      const auto used = used_variables(relation);
+      if (degree(relation, c) == 2 &&
+          std::all_of(used.begin(), used.end(),
+                      [&](std::size_t i) { return i == c || is_parameter(i); }))
+        all.push_back({c, relation});
+    }
+  return all;
+}
+
 } // namespace kov

@@ -11,6 +11,14 @@
 
 namespace kov {
 
+/// A variable of the ring that stands for a root of a polynomial of degree 2 in it.
+struct QuadraticConstant {
+  std::size_t variable = 0;
+  MPoly relation;
+};
+/// The algebraic constants with a relation of degree 2 in them and the parameters alone.
+[[nodiscard]] std::vector<QuadraticConstant> quadratic_constants(const VectorField& v);
+
 /// Why the ideal I of the relations in Q(parameters)[coordinates, functions, constants] is not
 /// proved to be prime, as a sentence; nothing where it is proved.
 /// Cost    a Groebner basis, and a factorisation in degree dim over the field of a largest set of
