@@ -876,12 +876,13 @@ private:
 
   static Round in_parameters(const Round& round, const Piece& piece,
                              const SolvedParameters& solved) {
-    System special = kov::at_values(round.system, solved.values);
+    System larger = round.system; // the constants first: values can leave relations of them alone
     for (const auto& [i, p] : solved.algebraic) {
-      std::erase(special.field.parameters, i);
-      special.field.constants.push_back(i);
-      special.field.relations.push_back(p);
+      std::erase(larger.field.parameters, i);
+      larger.field.constants.push_back(i);
+      larger.field.relations.push_back(p);
     }
+    System special = kov::at_values(larger, solved.values);
     if (!solved.algebraic.empty())
       if (const auto why = reducible_relations(special.field)) throw DomainError(*why);
     for (const MPoly& p : piece.where.inequations())

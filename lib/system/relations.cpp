@@ -281,6 +281,7 @@ constexpr long lines = 3, most_lines = 12;
 std::optional<std::string> reducible_relations(const VectorField& v, const Budget& budget) {
   const Ideal whole = relation_ideal(v, {}, {}, budget);
   if (whole.is_zero_ideal()) return std::nullopt;
+  if (whole.is_unit()) return "the relations have no solution for general values of the parameters";
   const Branches branches(whole, v.relations);
   if (!branches.one_above_a_point(whole))
     if (auto several = branches.several()) return several;

@@ -21,6 +21,14 @@ void note(std::vector<MPoly>& divisors, const MFraction& pivot) {
       divisors.push_back(f);
 }
 
+// Where a coefficient of an equation has a pole there is no such equation.
+void note_poles(std::vector<MPoly>& divisors, const VectorField& v, const MFraction& f) {
+  const auto main = v.main_variables();
+  for (const MFactor& d : factor(f.den()).second)
+    if (std::none_of(main.begin(), main.end(), [&](std::size_t i) { return uses(d.base, i); }))
+      note(divisors, MFraction(d.base));
+}
+
 } // namespace
 
 std::optional<std::vector<MFraction>> combination(const InvariantManifold& m, const Matrix& rows,
@@ -166,6 +174,7 @@ NormalSystem normal_system(const VectorField& v, const InvariantManifold& m,
   for (std::size_t i = 0; i < m.equations.size(); ++i) { // a largest independent set of the df_i
     auto row = restricted_gradient(v, m, m.equations[i].difference);
     if (combination(m, rows, row, scratch)) continue;
+    note_poles(n.divisors, v, m.equations[i].difference);
     rows.push_back(std::move(row));
     n.equations.push_back(i);
     n.system.names.push_back(normal_name(v, m.equations[i]));

@@ -32,6 +32,13 @@ TEST(ClassifiedEigenvalue, OfAForm) {
       if (test::contains(s, {{"a", a}})) EXPECT_EQ(s.status, StratumStatus::excluded);
 }
 
+// The relation of lambda gives it as a function of a, of which finitely many values are left.
+TEST(ClassifiedEigenvalue, AValueOfTheParameterThatIsNotRational) {
+  for (const char* form :
+       {"z^4/4 + z^2*((a^2 + 1)*x^2 + x*y)", "z^4/4 + z^2*((a^5 + a + 1)*x^2 + x*y)"})
+    EXPECT_NO_THROW(static_cast<void>(classified(form))) << form;
+}
+
 // Garnier's system is integrable with every quadratic form.
 TEST(ClassifiedEigenvalue, NoFalseAlarm) {
   const auto c = classified("(x^2 + y^2 + z^2)^2/4 + a*x^2 + x*y");

@@ -93,5 +93,22 @@ TEST(Decoupling, ParametersInTheEigenvectors) {
     EXPECT_TRUE(b.ode) << b.note;
 }
 
+// What a search writes: there is no such equation at a = 0.
+TEST(Decoupling, PolesOfTheEquationsAreDividedBy) {
+  const System s = read_system(parse_document(
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\nmomenta = ['u', 'v', 'w']\n"
+      "parameters = ['a']\nhamiltonian = '(u^2 + v^2 + w^2)/2 + x^4/4 + x^2*(y^2 + z^2)/2'\n",
+      "test.toml"));
+  const MFraction a = formula(s, "a");
+  ManifoldSpec m;
+  m.name = "axis";
+  for (const auto& f : {formula(s, "y") + formula(s, "z") / a, formula(s, "z"),
+                        formula(s, "v") + formula(s, "w") / a, formula(s, "w")})
+    m.equations.push_back({f, to_string(f) + " = 0"});
+  m.levels = {{formula(s, "H - 1"), "H = 1"}};
+  const auto proved = std::get<InvariantManifold>(prove_invariant(s.field, m));
+  EXPECT_THAT(normal_system(s.field, proved, {}).divisors, testing::Contains(a.num()));
+}
+
 } // namespace
 } // namespace kov
