@@ -57,11 +57,11 @@ struct SystemClassification {
   std::vector<std::string> assumptions;  ///< under which all of this is proved
   /// Algebraic constants that the file does not have: what is said holds for each of the roots.
   std::vector<std::string> constants;
-  std::vector<MPoly> nonzero;            ///< those of them that say what does not vanish
-  std::vector<MPoly> relations;          ///< of the algebraic constants: each set satisfies them
-  std::vector<std::string> theorems;     ///< of the literature that are used
-  std::vector<std::string> trusted;      ///< steps that no certificate repeats
-  std::vector<std::string> notes;        ///< what of the file was not used, and why
+  std::vector<MPoly> nonzero;        ///< those of them that say what does not vanish
+  std::vector<MPoly> relations;      ///< of the algebraic constants: each set satisfies them
+  std::vector<std::string> theorems; ///< of the literature that are used
+  std::vector<std::string> trusted;  ///< steps that no certificate repeats
+  std::vector<std::string> notes;    ///< what of the file was not used, and why
   /// The smallest class that is used; unset where nothing is excluded.
   std::optional<ExcludedClass> excluded;
   std::vector<std::string> functions; ///< the class is one in the coordinates and these symbols

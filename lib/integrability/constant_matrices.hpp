@@ -15,6 +15,10 @@ namespace kov {
 [[nodiscard]] std::vector<MFraction> times(const std::vector<MFraction>& row, const Matrix& t);
 
 /// Coefficients of the minimal polynomial, ascending, the last one 1.
+/// Given   const Ring ring = make_ring({"a"});
+/// Given   const MFraction a = MFraction::variable(ring, "a"), one(ring, Rational(1)), none(ring);
+/// Example minimal_polynomial({{none, one}, {a, none}}, {})  // -> {-a, 0, 1}
+/// Example minimal_polynomial({{a, none}, {none, a}}, {})  // -> {-a, 1}
 [[nodiscard]] std::vector<MFraction> minimal_polynomial(const Matrix& t, const Budget& budget);
 [[nodiscard]] Matrix value(const std::vector<MFraction>& polynomial, const Matrix& t);
 /// The irreducible factors over the parameters, each with its multiplicity; coefficients ascending.

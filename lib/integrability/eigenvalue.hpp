@@ -42,7 +42,7 @@ over_an_eigenvalue(const System& s, const ManifoldSpec& m, const std::vector<Cla
 /// The system with an algebraic constant whose square is d, a polynomial in the parameters that is no
 /// square; System::adjoined names it.
 /// Example with_square_root(chain, MPoly(chain.ring(), Integer(3)), "").adjoined
-///         // -> {"kappa is a root of kappa^2 - 3"}
+///         // -> {kappa is a root of kappa^2 - 3}
 [[nodiscard]] System with_square_root(const System& s, const MPoly& d, const std::string& remark);
 
 /// The claims in the ring of the system, of which they are.

@@ -325,9 +325,9 @@ std::vector<QuadraticConstant> quadratic_constants(const VectorField& v) {
   for (const std::size_t c : v.constants)
     for (const MPoly& relation : v.relations) {
       const auto used = used_variables(relation);
-      if (degree(relation, c) == 2 &&
-          std::all_of(used.begin(), used.end(),
-                      [&](std::size_t i) { return i == c || is_parameter(i); }))
+      if (degree(relation, c) == 2 && std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+            return i == c || is_parameter(i);
+          }))
         all.push_back({c, relation});
     }
   return all;

@@ -8,8 +8,6 @@
 namespace kov {
 namespace {
 
-using test::status_at;
-
 SystemClassification classified(const std::string& form) {
   ClassifyOptions options;
   options.degree = 2;
@@ -29,7 +27,9 @@ TEST(ClassifiedEigenvalue, OfAForm) {
   EXPECT_EQ(c.constants.size(), 1U);
   for (const Rational& a : {Rational(0), Rational(1), Rational(-3, 2), Rational(7)})
     for (const ClassifiedStratum& s : c.strata)
-      if (test::contains(s, {{"a", a}})) EXPECT_EQ(s.status, StratumStatus::excluded);
+      if (test::contains(s, {{"a", a}})) {
+        EXPECT_EQ(s.status, StratumStatus::excluded);
+      }
 }
 
 // The relation of lambda gives it as a function of a, of which finitely many values are left.
