@@ -25,8 +25,7 @@ namespace {
 
 using Clock = Budget::Clock;
 
-constexpr std::size_t least_dimension = 5; // where a normal part may have order four
-constexpr long largest_degree_of_a_constant = 4;
+constexpr std::size_t least_dimension = 5;   // where a normal part may have order four
 constexpr std::size_t most_compared = 8;     // integrable strata with one exclusion
 constexpr long low_degree = 2;               // of the integrals that are looked for first
 constexpr double part_with_parameters = 0.5; // of the time that is left: special values need some
@@ -826,10 +825,9 @@ private:
         note(piece, "the time limit was reached", "");
         return leave_open(std::move(piece));
       }
-      const SolvedParameters solved = solved_parameters(round.system, piece.where);
-      if (solved.values.empty() && solved.algebraic.empty())
-        return once_more(round, std::move(piece));
-      Round next = in_parameters(round, piece, solved);
+      const Substitution values = solved_parameters(round.system, piece.where);
+      if (values.empty()) return once_more(round, std::move(piece));
+      Round next = in_parameters(round, piece, values);
       next.integrals_known = round.integrals_known && next.system.field.poisson &&
                              looks_at_the_same(round.system, next.system);
       waiting_.push_back(std::move(next));
@@ -842,61 +840,27 @@ private:
     }
   }
 
-  // Parameters that the equations of a set give as functions of the others, or of which they leave
-  // finitely many values.
-  struct SolvedParameters {
+  static Substitution solved_parameters(const System& s, const ParameterSet& where) {
     Substitution values;
-    std::vector<std::pair<std::size_t, MPoly>> algebraic; ///< each a root of its polynomial
-  };
-  static SolvedParameters solved_parameters(const System& s, const ParameterSet& where) {
-    SolvedParameters all;
-    const SolvedSet solved = solve(where);
-    for (const auto& [i, value] : solved.values)
-      if (is_parameter(s, i) || is_in(s.field.constants, i)) all.values[i] = value;
-    for (const MPoly& p : solved.left) {
-      const MPoly left = substitute(p, all.values).num();
-      if (is_in(s.field.relations, left) || is_in(s.field.relations, -left)) continue;
-      std::vector<std::size_t> unknowns = used_variables(left);
-      std::erase_if(unknowns, [&](std::size_t i) { return !is_parameter(s, i); });
-      const bool is_new = unknowns.size() == 1 &&
-                          std::none_of(all.algebraic.begin(), all.algebraic.end(),
-                                       [&](const auto& a) { return a.first == unknowns[0]; });
-      if (is_new && degree(left, unknowns[0]) <= largest_degree_of_a_constant &&
-          is_irreducible(left))
-        all.algebraic.emplace_back(unknowns[0], left);
-    }
-    return all;
+    for (const auto& [i, value] : solve(where).values)
+      if (is_parameter(s, i)) values[i] = value;
+    return values;
   }
 
-  // Else the next round is cut along its factors.
-  static bool is_irreducible(const MPoly& p) {
-    const auto factors = factor(p).second;
-    return factors.size() == 1 && factors.front().exponent == 1;
-  }
-
-  static Round in_parameters(const Round& round, const Piece& piece,
-                             const SolvedParameters& solved) {
-    System larger = round.system; // the constants first: values can leave relations of them alone
-    for (const auto& [i, p] : solved.algebraic) {
-      std::erase(larger.field.parameters, i);
-      larger.field.constants.push_back(i);
-      larger.field.relations.push_back(p);
-    }
-    System special = kov::at_values(larger, solved.values);
-    if (!solved.algebraic.empty())
-      if (const auto why = reducible_relations(special.field)) throw DomainError(*why);
+  static Round in_parameters(const Round& round, const Piece& piece, const Substitution& values) {
+    System special = kov::at_values(round.system, values);
     for (const MPoly& p : piece.where.inequations())
-      assume_nonzero(special, substitute(p, solved.values));
-    auto claims = kov::at_values(round.claims, solved.values);
-    auto levels = at_values(round.levels, solved.values, claims);
+      assume_nonzero(special, substitute(p, values));
+    auto claims = kov::at_values(round.claims, values);
+    auto levels = at_values(round.levels, values, claims);
     return {{std::move(special), std::move(claims), std::move(levels)}, piece};
   }
 
   // Where an eigenvalue gives a parameter: rational functions are in the place of an algebraic one.
   static Round in_solved_parameters(Round all) {
     try {
-      const SolvedParameters solved = solved_parameters(all.system, all.whole.where);
-      if (!solved.values.empty()) return in_parameters(all, all.whole, {solved.values, {}});
+      const Substitution values = solved_parameters(all.system, all.whole.where);
+      if (!values.empty()) return in_parameters(all, all.whole, values);
     } catch (const DomainError&) {
     } catch (const OutOfBudget&) {
     }
@@ -942,10 +906,10 @@ private:
     return levels;
   }
 
-  template <class T> static bool is_in(const std::vector<T>& all, const T& one) {
-    return std::find(all.begin(), all.end(), one) != all.end();
+  static bool is_parameter(const System& s, std::size_t i) {
+    const auto& all = s.field.parameters;
+    return std::find(all.begin(), all.end(), i) != all.end();
   }
-  static bool is_parameter(const System& s, std::size_t i) { return is_in(s.field.parameters, i); }
 
   static void assume_nonzero(System& s, const MFraction& value) {
     if (is_constant(value)) return;

@@ -204,7 +204,8 @@ Directions find_directions(const VectorField& v, const std::vector<MFraction>& i
   for (std::size_t c = 0; c < s->q.size(); ++c)
     Chart(v, *s, c).find(integrals, budget, all);
   std::stable_sort(all.wanted.begin(), all.wanted.end(), [](const MPoly& a, const MPoly& b) {
-    return is_positive(a) > is_positive(b); // real solutions first
+    if (!is_positive(a) || !is_positive(b)) return is_positive(a) > is_positive(b); // real first
+    return to_rational(MFraction(a)) < to_rational(MFraction(b));
   });
   all.wanted.erase(std::unique(all.wanted.begin(), all.wanted.end()), all.wanted.end());
   return all;

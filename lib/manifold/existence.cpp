@@ -122,6 +122,17 @@ bool takes_every_value(const VectorField& v, const InvariantManifold& m, std::si
   return moves;
 }
 
+// Over the coordinates and the other functions: every point is one of a branch.
+bool are_algebraic(const VectorField& v, const Indices& functions, const Budget& budget) {
+  Indices all = functions; // with the constants, which are algebraic over the parameters
+  all.insert(all.end(), v.constants.begin(), v.constants.end());
+  std::vector<MPoly> relations;
+  for (const MPoly& p : v.relations)
+    if (std::any_of(all.begin(), all.end(), [&](std::size_t i) { return uses(p, i); }))
+      relations.push_back(p);
+  return Ideal(v.ring, all, relations, {}, budget).dimension() == 0;
+}
+
 } // namespace
 
 std::string contradicted_function(const VectorField& v, const InvariantManifold& m) {
@@ -148,9 +159,7 @@ std::string unchecked_functions(const VectorField& v, const InvariantManifold& m
   Indices others;
   for (const FunctionSymbol& f : v.functions)
     if (!among(free, f.variable)) others.push_back(f.variable);
-  // algebraic over the coordinates and the free ones: every point is one of a branch
-  if (others.empty() || Ideal(v.ring, others, v.relations, {}, m.curve->budget()).dimension() == 0)
-    return {};
+  if (others.empty() || are_algebraic(v, others, m.curve->budget())) return {};
   std::string names;
   for (const std::size_t i : others)
     if (among(m.curve->main(), i)) names += (names.empty() ? "" : ", ") + v.ring->name(i);

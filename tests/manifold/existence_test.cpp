@@ -100,5 +100,26 @@ TEST(FindManifolds, WhereTheFieldHasPolesThereIsNone) {
   }
 }
 
+// Roots are algebraic, beside algebraic constants, too.
+TEST(Existence, RootsOverAConstant) {
+  const auto with = [](const std::string& more, const std::string& slope) {
+    return read_system(parse_document(
+        "[system]\nkind = \"hamiltonian\"\ncoordinates = [\"x\", \"y\"]\nmomenta = [\"p\", "
+        "\"r\"]\n" +
+            more +
+            "hamiltonian = \"(p^2 + r^2)/2 - 1/sqrt(x^2 + y^2)\"\n[[manifold]]\n"
+            "equations = [\"y = " +
+            slope + "*x\", \"r = " + slope +
+            "*p\", \"root1 = 2*x\"]\n"
+            "level = \"H = 1\"\n",
+        "test.toml"));
+  };
+  EXPECT_EQ(unchecked(with("constants = [\"s\"]\nrelations = [\"s^2 = 3\"]\n", "s")), "");
+  EXPECT_EQ(unchecked(with("parameters = [\"a\"]\nconstants = [\"s\"]\n"
+                           "relations = [\"s^2 + a*s = 3 + a*s\"]\n",
+                           "s")),
+            "");
+}
+
 } // namespace
 } // namespace kov
