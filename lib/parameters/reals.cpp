@@ -1,5 +1,9 @@
 #include "parameters/reals.hpp"
 
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
 #include <z3++.h>
 
 namespace kov {
@@ -35,12 +39,32 @@ z3::expr formula(z3::context& z3, const Condition& c) {
   }
 }
 
-z3::solver limited_solver(z3::context& z3, unsigned milliseconds) {
+unsigned milliseconds_left(const Budget& budget) {
+  using std::chrono::milliseconds;
+  if (!budget.deadline) return 1000;
+  const auto left =
+      std::chrono::duration_cast<milliseconds>(*budget.deadline - Budget::Clock::now());
+  return static_cast<unsigned>(std::clamp<milliseconds::rep>(left.count(), 1, 3600 * 1000));
+}
+
+z3::solver limited_solver(z3::context& z3, const Budget& budget) {
   z3::solver solver = z3::tactic(z3, "qfnra-nlsat").mk_solver();
   z3::params limits(z3);
-  limits.set("timeout", milliseconds);
+  limits.set("timeout", milliseconds_left(budget));
+  limits.set("ctrl_c", false); // or Z3 takes an interrupt of ours for its own, and nobody sees it
   solver.set(limits);
   return solver;
+}
+
+// The answer; unknown when the caller asks to stop.
+z3::check_result answer_of(z3::context& z3, z3::solver& solver, const Budget& budget) {
+  if (!budget.stop.stop_possible()) return solver.check();
+  if (budget.stop.stop_requested()) return z3::unknown;
+  const std::jthread watcher([&](const std::stop_token& done) {
+    for (; !done.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+      if (budget.stop.stop_requested()) z3.interrupt();
+  });
+  return solver.check();
 }
 
 // "A = 1, B = 1/2", for people.
@@ -58,10 +82,10 @@ std::string point_of(const z3::model& model) {
 } // namespace
 
 Covered is_covered(const std::vector<Condition>& known,
-                   const std::vector<std::vector<Condition>>& regions, unsigned milliseconds) {
+                   const std::vector<std::vector<Condition>>& regions, const Budget& budget) {
   try {
     z3::context z3;
-    z3::solver solver = limited_solver(z3, milliseconds);
+    z3::solver solver = limited_solver(z3, budget);
     for (const Condition& c : known)
       solver.add(formula(z3, c));
     for (const auto& region : regions) {
@@ -70,7 +94,7 @@ Covered is_covered(const std::vector<Condition>& known,
         all.push_back(formula(z3, c));
       solver.add(!z3::mk_and(all));
     }
-    const z3::check_result answer = solver.check();
+    const z3::check_result answer = answer_of(z3, solver, budget);
     if (answer == z3::unsat) return {Truth::yes, ""};
     if (answer == z3::sat) return {Truth::no, point_of(solver.get_model())};
   } catch (const z3::exception&) { // a limit
@@ -78,13 +102,13 @@ Covered is_covered(const std::vector<Condition>& known,
   return {};
 }
 
-Truth has_real_point(const std::vector<Condition>& conditions, unsigned milliseconds) {
+Truth has_real_point(const std::vector<Condition>& conditions, const Budget& budget) {
   try {
     z3::context z3;
-    z3::solver solver = limited_solver(z3, milliseconds);
+    z3::solver solver = limited_solver(z3, budget);
     for (const Condition& c : conditions)
       solver.add(formula(z3, c));
-    switch (solver.check()) {
+    switch (answer_of(z3, solver, budget)) {
     case z3::sat:
       return Truth::yes;
     case z3::unsat:

@@ -2,6 +2,7 @@
 // Has a conjunction of polynomial conditions a real point?  Z3's decision procedure for nonlinear
 // real arithmetic (nlsat), as an oracle: what it refutes is a trusted step.
 
+#include "exact/budget.hpp"
 #include "exact/truth.hpp"
 #include "parameters/conditions.hpp"
 
@@ -12,21 +13,22 @@ namespace kov {
 
 /// no       Z3 has refuted the conjunction over the reals
 /// yes      it has found a point
-/// unknown  its limit was reached
-/// Cost     at most `milliseconds`
+/// unknown  its limit was reached, or the caller asked to stop
+/// Cost     at most until the deadline of the budget; a second if it has none
 /// Given    const Condition positive{a.num(), Sign::positive};
 /// Given    const Condition negative{(-a).num(), Sign::positive};
-/// Example  has_real_point({positive, negative}, 1000)  // -> Truth::no
-[[nodiscard]] Truth has_real_point(const std::vector<Condition>& conditions, unsigned milliseconds);
+/// Example  has_real_point({positive, negative})  // -> Truth::no
+[[nodiscard]] Truth has_real_point(const std::vector<Condition>& conditions,
+                                   const Budget& budget = {});
 
 /// Does every real point with all conditions of `known` satisfy all conditions of one of `regions`?
 struct Covered {
   Truth holds = Truth::unknown;
   std::string gap; ///< no: a point outside, "A = 1, B = 2"
 };
-/// Example is_covered({}, {{positive}, {negative}}, 1000).holds  // -> Truth::no
+/// Example is_covered({}, {{positive}, {negative}}).holds  // -> Truth::no
 [[nodiscard]] Covered is_covered(const std::vector<Condition>& known,
                                  const std::vector<std::vector<Condition>>& regions,
-                                 unsigned milliseconds);
+                                 const Budget& budget = {});
 
 } // namespace kov

@@ -528,6 +528,7 @@ struct Search {
 std::size_t close(const Search& search, std::vector<Branch>& all) {
   std::size_t open = 0;
   for (Branch& b : all) {
+    search.budget.check();
     b.node = search.facts(b.given).contradiction();
     open += b.node ? 0 : 1;
   }

@@ -14,7 +14,7 @@
 namespace kov {
 namespace {
 
-constexpr unsigned cover_milliseconds = 20000;
+constexpr double cover_seconds = 20;
 constexpr std::size_t most_symmetries = 48;
 
 const NodeResult* find(const TheoremResult& result, const std::string& id) {
@@ -297,7 +297,7 @@ Pieces pieces(NodeResult& n, const TheoremResult& result, const std::vector<Para
 }
 
 // The real parameters that the node speaks about.
-std::vector<Condition> range_of(const NodeResult& n, const System& whole) {
+std::vector<Condition> range_of(const NodeResult& n, const System& whole, const Budget& budget) {
   Assumptions known;
   require(known, whole.assumptions, whole.ring());
   for (const Condition& c : n.region.conditions)
@@ -306,7 +306,7 @@ std::vector<Condition> range_of(const NodeResult& n, const System& whole) {
     if (std::find(known.real.begin(), known.real.end(), i) == known.real.end())
       throw DomainError("the parameter " + whole.ring()->name(i) +
                         " is not assumed to be real: a cover is decided for real parameters");
-  if (has_real_point(known.conditions, cover_milliseconds) == Truth::no)
+  if (has_real_point(known.conditions, budget) == Truth::no)
     throw DomainError("no parameters satisfy what the system assumes");
   return known.conditions;
 }
@@ -352,7 +352,8 @@ void state(NodeResult& n, const System& whole, const std::string& file, bool has
 
 } // namespace
 
-void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory) {
+void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory,
+                 const std::stop_token& stop) {
   if (result.theorem.system.empty()) throw DomainError("the theorem file names no system");
   const std::string path = beside(directory, result.theorem.system);
   const System whole = read_system(path);
@@ -360,7 +361,9 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   const Pieces found = pieces(n, result, maps);
   need_origin(n, whole);
   n.region = region_of(whole, n.node.place);
-  const Covered covered = is_covered(range_of(n, whole), found.regions, cover_milliseconds);
+  Budget z3 = Budget::of_seconds(cover_seconds);
+  z3.stop = stop;
+  const Covered covered = is_covered(range_of(n, whole, z3), found.regions, z3);
   if (covered.holds != Truth::yes || n.excluded.empty()) {
     n.status = NodeStatus::open;
     n.summary = covered.holds == Truth::no

@@ -113,8 +113,8 @@ void settle_hypotheses(TheoremResult& result, const std::string& directory) {
 // Covers after their needs; the file has no circles.
 class Covers {
 public:
-  Covers(TheoremResult& result, std::string directory)
-      : result_(result), directory_(std::move(directory)) {
+  Covers(TheoremResult& result, std::string directory, std::stop_token stop)
+      : result_(result), directory_(std::move(directory)), stop_(std::move(stop)) {
     for (NodeResult& n : result_.nodes)
       settle(n);
   }
@@ -127,7 +127,7 @@ private:
         settle(need);
     n.summary.clear();
     try {
-      prove_cover(n, result_, directory_);
+      prove_cover(n, result_, directory_, stop_);
     } catch (const DomainError& why) {
       n.status = NodeStatus::open;
       n.summary = why.what();
@@ -136,6 +136,7 @@ private:
 
   TheoremResult& result_;
   std::string directory_;
+  std::stop_token stop_;
   std::set<std::string> done_;
 };
 
@@ -181,7 +182,7 @@ TheoremResult prove(const Theorem& t, const ProveOptions& options) {
     options.progress(n, so_far);
   }
   result.files = input_files(t);
-  const Covers composed(result, directory);
+  const Covers composed(result, directory, options.decide.budget.stop);
   const Openness settled(result);
   settle_hypotheses(result, directory);
   if (options.with_bundle) certify_whole(result, directory, options.decide.budget);

@@ -31,7 +31,8 @@ void prove_theorem(NodeResult& n);
 /// The step's system is the theorem's, or one that a step `of` leads to: its region, or unbound.
 void settle_place(NodeResult& n, const TheoremResult& result, const std::string& directory);
 /// The regions of the needs cover that of the node, up to the symmetries of the system.
-void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory);
+void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory,
+                 const std::stop_token& stop = {});
 
 /// "The family is not integrable": checked if `by` is a case that proves it, and that is about it.
 [[nodiscard]] Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f,

@@ -1,0 +1,62 @@
+// Z3 as an oracle: what it may do to the process.
+
+#include "parameters/reals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+#include <unistd.h>
+
+namespace kov {
+namespace {
+
+volatile std::sig_atomic_t interrupts = 0;
+
+// Equations of degree six in six unknowns: longer than any limit of this test.
+std::vector<Condition> long_question() {
+  const Ring ring = make_ring({"a", "b", "c", "d", "e", "f"});
+  std::vector<Condition> all;
+  for (std::size_t i = 0; i < ring->size(); ++i) {
+    MFraction sum(ring, Rational(static_cast<long>(i) - 7));
+    for (std::size_t k = 0; k < ring->size(); ++k) {
+      const MFraction x = MFraction::variable(ring, ring->name(k));
+      const MFraction y = MFraction::variable(ring, ring->name((k + i + 1) % ring->size()));
+      sum = sum +
+            MFraction(ring, Rational(static_cast<long>(2 * k + i + 3))) * x * x * x * y * y * y -
+            x * y;
+    }
+    all.push_back({sum.num(), Sign::zero});
+  }
+  return all;
+}
+
+// Z3 has a handler of its own for the interrupt, which keeps the first one to itself.
+TEST(Reals, AnInterruptReachesTheHandlerOfTheProgram) {
+  const auto before = std::signal(SIGINT, [](int) { interrupts = interrupts + 1; });
+  std::jthread sender([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    static_cast<void>(::kill(::getpid(), SIGINT)); // to the process, as a terminal does
+  });
+  static_cast<void>(has_real_point(long_question()));
+  sender.join();
+  static_cast<void>(std::signal(SIGINT, before));
+  EXPECT_EQ(interrupts, 1);
+}
+
+TEST(Reals, WhoeverAsksToStopDoesNotWait) {
+  std::stop_source source;
+  Budget budget = Budget::of_seconds(60);
+  budget.stop = source.get_token();
+  const auto begun = Budget::Clock::now();
+  const std::jthread sender([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    source.request_stop();
+  });
+  EXPECT_EQ(has_real_point(long_question(), budget), Truth::unknown);
+  EXPECT_LT(Budget::Clock::now() - begun, std::chrono::seconds(30));
+}
+
+} // namespace
+} // namespace kov
