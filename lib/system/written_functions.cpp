@@ -74,6 +74,29 @@ FunctionsInFormulas::FunctionsInFormulas(const Entry& system) {
   if (const Entry* functions = system.find("function"))
     for (const Entry* f : functions->list())
       if (const Entry* derivative = f->find("derivative")) collect(*derivative);
+  add_names_in_angles();
+}
+
+namespace {
+
+void add_names(const Expression& e, std::vector<Expression>& all) {
+  if (e.kind() == Expression::Kind::name) all.push_back(e);
+  for (const Expression& x : e.operands())
+    add_names(x, all);
+}
+
+} // namespace
+
+// x and y of cos(x + y): they may be a better basis than the sums.
+void FunctionsInFormulas::add_names_in_angles() {
+  std::vector<Expression> all;
+  for (const Use& u : uses_)
+    if (u.family == Family::angle) add_names(u.argument, all);
+  const std::size_t written = uses_.size();
+  for (const Expression& name : all)
+    note(Family::angle, name);
+  for (std::size_t i = written; i < uses_.size(); ++i)
+    uses_[i].is_written = false;
 }
 
 void FunctionsInFormulas::collect(const Entry& entry) {
@@ -232,7 +255,7 @@ public:
     std::stable_partition(uses.begin(), uses.end(), [](const Use& u) { // these names come first
       return u.argument.kind() == Expression::Kind::name;
     });
-    const Known angular = taken(uses, Family::angle);
+    const Known angular = with_best_angles(taken(uses, Family::angle));
     const Known exponents = taken(uses, Family::exponent);
     const auto plain = [this](const auto& one) { return is_rational(one.second); };
     with_basis(angular, [this](const auto& all, const Basis& b) { angles(all, b); });
@@ -409,6 +432,26 @@ private:
   }
 
   // ---- angles and exponentials
+
+  // More angles than there are independent ones: in sums of the coordinates the symmetries of the
+  // formulas are hard to see.
+  [[nodiscard]] Known with_best_angles(Known all) const {
+    std::erase_if(all,
+                  [this](const auto& one) { return !one.first.is_written && !moves(one.second); });
+    Known written = all;
+    std::erase_if(written, [](const auto& one) { return !one.first.is_written; });
+    const auto rank = rank_of(written);
+    return rank && *rank < written.size() && rank == rank_of(all) ? all : written;
+  }
+  // Of polynomials.
+  static std::optional<std::size_t> rank_of(const Known& all) {
+    Elimination whole;
+    for (const auto& [u, argument] : all) {
+      if (!is_constant(argument.den())) return std::nullopt;
+      whole.add(terms_of(argument.num()));
+    }
+    return whole.rank();
+  }
 
   // Only where no combination is a constant, whose sine or exponential nobody knows.
   template <class F> void with_basis(Known all, F declare_on) {

@@ -64,11 +64,13 @@ public:
     Expression argument;
     long root = 1; ///< roots: the least common multiple of the orders
     std::vector<std::string> symbols = {};
+    bool is_written = true; ///< else an angle that angles are sums of
   };
 
 private:
   void collect(const Entry& entry);
   void collect(const Expression& e);
+  void add_names_in_angles();
   void note(Family family, const Expression& argument, long root = 1);
 
   std::vector<Use> uses_; ///< inner ones first

@@ -86,6 +86,19 @@ TEST(WrittenFunctions, AnglesAreCombinationsOfABasis) {
   EXPECT_EQ(with("cos(a*x) + cos(y)").field.functions.size(), 4U);
 }
 
+// The symmetry x -> -x is one of sin_x and cos_x.
+TEST(WrittenFunctions, AnglesThatDependOnOneAnotherAreOfTheCoordinates) {
+  const System s = with("cos(x + y) + cos(x - y) + cos(2*x)");
+  EXPECT_THAT(meanings(s),
+              ElementsAre("sin_x = sin(x)", "cos_x = cos(x)", "sin_y = sin(y)", "cos_y = cos(y)"));
+  EXPECT_EQ(*s.field.hamiltonian, formula(s, "(u^2 + v^2)/2 + 2*cos_x*cos_y + cos_x^2 - sin_x^2"));
+  const auto first = [](const std::string& potential) { return meanings(with(potential)).at(0); };
+  EXPECT_EQ(first("cos(x + y) + cos(x - y)"), "sin1 = sin(x + y)");     // independent
+  EXPECT_EQ(first("cos(x - y) + cos(2*x - 2*y)"), "sin1 = sin(x - y)"); // of one angle only
+  EXPECT_EQ(first("cos(a*x + y) + cos(a*x - y) + cos(2*y)"), "sin1 = sin(x*a + y)");
+  EXPECT_EQ(first("cos(x/2 + y) + cos(x/2 - y) + cos(x)"), "sin_x = sin(x/2)");
+}
+
 TEST(WrittenFunctions, ExponentialsArePowersOfABasis) {
   const System s = with("exp(x) + exp(-x/2) + cosh(x)*exp(y - x) + exp(x - y)");
   ASSERT_EQ(s.field.functions.size(), 2U);
