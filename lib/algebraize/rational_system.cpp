@@ -148,8 +148,9 @@ Matrix selected(const Matrix& a, const std::vector<std::size_t>& indices) {
 
 std::variant<RationalSystem, ChangeFailure>
 rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,
-                const MFraction& phi, const LinearSystem& s, const Budget& budget) {
-  auto field = FunctionField::make(v, m, z, phi, {}, budget);
+                const MFraction& phi, const LinearSystem& s, const std::vector<MPoly>& divisors,
+                const Budget& budget) {
+  auto field = FunctionField::make(v, m, z, phi, divisors, budget);
   if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
   const auto& f = std::get<FunctionField>(field);
   const Basis basis(f, v);

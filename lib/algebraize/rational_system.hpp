@@ -25,11 +25,14 @@ struct RationalSystem {
   std::vector<MPoly> inverted; ///< polynomials in the parameters and z that were divided by
 };
 
+/// `divisors`: what the derivation of the system divided by, units on the curve.
 /// Errors   ChangeFailure: phi is no change of variable on this curve, or an entry of J has a pole
-/// along all of it Source   docs/theory/monodromy.md 8
+///          along all of it
+/// Source   docs/theory/monodromy.md 8
 [[nodiscard]] std::variant<RationalSystem, ChangeFailure>
 rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,
-                const MFraction& phi, const LinearSystem& s, const Budget& budget = {});
+                const MFraction& phi, const LinearSystem& s, const std::vector<MPoly>& divisors,
+                const Budget& budget = {});
 
 /// The same system by the time t, where the curve is w^2 = F(z), w = dz/dt:
 /// xi' = (even + w odd) xi, the entries functions of z.

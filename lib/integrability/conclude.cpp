@@ -306,12 +306,11 @@ std::vector<std::string> trusted_steps(const ManifoldReport& m) {
     if (std::find(all.begin(), all.end(), step) == all.end()) all.push_back(step);
   };
   if (m.matrices && !m.matrices->certificate.empty())
-    add("the way from the system to the whole variational equation over K(z), along the manifold " +
-        m.name);
+    add("the way from the system to " + equation_of(*m.matrices) +
+        " over K(z), along the manifold " + m.name);
   if (m.matrices && m.matrices->certificate.empty())
-    add("the enclosures of the monodromy matrices of the whole variational equation, along the "
-        "manifold " +
-        m.name);
+    add("the enclosures of the monodromy matrices of " + equation_of(*m.matrices) +
+        ", along the manifold " + m.name);
   for (const std::string& step : uncertified_way(m))
     add(step);
   if (rests_on_a_part(m)) add(closed_answer_step);

@@ -16,7 +16,10 @@ bool is_usable(const ClaimReport& c) {
 std::vector<SystemClaim> usable_integrals(const System& s, const std::vector<ClaimReport>& claims) {
   std::vector<SystemClaim> all;
   for (const auto& c : claims)
-    if (is_usable(c)) all.push_back(c.claim);
+    if (is_usable(c)) {
+      all.push_back(c.claim);
+      if (c.claim.name.empty()) all.back().name = "(" + c.claim.text + ")";
+    }
   if (s.field.hamiltonian) {
     SystemClaim h;
     h.name = "H";

@@ -1,9 +1,11 @@
 #include "integrability/matrices.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/linearise.hpp"
 #include "integrability/loops_certificate.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
+#include "variation/leaf.hpp"
 
 #include <algorithm>
 
@@ -49,34 +51,103 @@ bool is_admitted(const System& s, const Substitution& level) {
   });
 }
 
-std::optional<MatrixEvidence> matrices_at(const Study& study, const Substitution& level,
-                                          const Budget& budget) {
-  const System s = at_values(study.system, level);
-  auto proved = prove_invariant(s.field, at_values(study.manifold, level), budget);
-  const auto* manifold = std::get_if<InvariantManifold>(&proved);
-  if (manifold == nullptr) return std::nullopt;
-  const auto v =
-      numerical_variation(s, *manifold, variational_equations(s.field, *manifold), budget);
+// The whole variational equation, or a diagonal block of its normal part.
+struct Part {
+  LinearSystem system;
+  std::vector<std::string> block; ///< empty: the whole
+  std::vector<MPoly> divisors;    ///< of the derivation
+};
+
+std::optional<MatrixEvidence> matrices_of(const System& s, const InvariantManifold& manifold,
+                                          const Part& part, const Budget& budget) {
+  const auto v = numerical_variation(s, manifold, part.system, part.divisors, budget);
   const auto m = monodromy::monodromy(v.system, {digits, {}, budget});
   auto proof = prove_non_abelian(v.system, m, budget);
   if (!proof) return std::nullopt;
-  MatrixEvidence found{*std::move(proof), v.system.size(), v.names, v.change, {}, {}, {}};
+  MatrixEvidence found{
+      *std::move(proof), part.block, v.system.size(), v.names, v.change, {}, {}, {}};
   const LoopsProof written = not_abelian_certificate(
-      found.proof, "the variational equation of " + s.file + " along " + manifold->name, v.system,
-      m, budget);
+      found.proof, "the variational equation of " + s.file + " along " + manifold.name, v.system, m,
+      budget);
   found.certificate = written.certificate;
   found.no_certificate = written.none;
+  return found;
+}
+
+LinearSystem diagonal_block(const LinearSystem& s, const std::vector<std::size_t>& members) {
+  LinearSystem block;
+  for (const std::size_t i : members) {
+    block.names.push_back(s.names[i]);
+    block.a.emplace_back();
+    for (const std::size_t j : members)
+      block.a.back().push_back(s.a[i][j]);
+  }
+  return block;
+}
+
+// The blocks of order three and more that the symplectic leaf sees; those of order two are decided
+// by algebra.
+std::vector<Part> large_blocks(const Study& study, const ManifoldReport& report) {
+  const LinearSystem& reduced = report.reduced.system;
+  std::vector<Part> all;
+  for (const auto& members : blocks(reduced, *report.manifold)) {
+    if (members.size() <= 2) continue;
+    Part part{diagonal_block(reduced, members), {}, divisors_of(study, report)};
+    part.block = part.system.names;
+    const auto& normal = report.normal.divisors;
+    part.divisors.insert(part.divisors.end(), normal.begin(), normal.end());
+    std::vector<std::string> used;
+    for (const std::size_t i : used_by(reduced, *report.manifold, members))
+      used.push_back(reduced.names[i]);
+    const bool is_seen =
+        study.system.kind == SystemKind::hamiltonian ||
+        seen_on_the_leaf(study.system.field, *report.manifold, report.normal,
+                         {used, report.reduced.eliminations}, part.block, part.divisors);
+    if (is_seen) all.push_back(std::move(part));
+  }
+  return all;
+}
+
+// Of a Poisson system the variation on the leaf is needed.
+bool is_on_one_leaf(const System& s) {
+  return s.kind == SystemKind::hamiltonian || !s.field.poisson;
+}
+
+std::optional<MatrixEvidence> matrices_at(const Study& general, const Substitution& level,
+                                          const Budget& budget) {
+  const System s = at_values(general.system, level);
+  const ManifoldSpec spec = at_values(general.manifold, level);
+  const auto claims = at_values(general.claims, level);
+  const Study study{s, spec, claims, general.options};
+  ManifoldReport report;
+  auto proved = prove_invariant(s.field, spec, budget);
+  if (!std::holds_alternative<InvariantManifold>(proved)) return std::nullopt;
+  report.manifold = std::get<InvariantManifold>(std::move(proved));
+  std::optional<MatrixEvidence> found;
+  const auto look = [&](const Part& part) {
+    try {
+      if (!found) found = matrices_of(s, *report.manifold, part, budget);
+    } catch (const InvalidArgument&) { // too large, or no change of variable
+    } catch (const DomainError&) {
+    }
+  };
+  if (is_on_one_leaf(s)) look({variational_equations(s.field, *report.manifold), {}, {}});
+  if (!found) {
+    linearise(study, report);
+    for (const Part& part : large_blocks(study, report))
+      look(part);
+  }
+  if (!found) return std::nullopt;
   for (const auto& [i, value] : level)
-    found.level += (found.level.empty() ? "" : ", ") + s.ring()->name(i) + " = " + to_string(value);
+    found->level +=
+        (found->level.empty() ? "" : ", ") + s.ring()->name(i) + " = " + to_string(value);
   return found;
 }
 
 } // namespace
 
 void ask_the_matrices(const Study& study, ManifoldReport& report) {
-  // Of a Poisson system the variation on the leaf would be needed.
-  const bool whole = study.system.kind == SystemKind::hamiltonian || !study.system.field.poisson;
-  if (!report.manifold || !whole || !has_only_levels(study.system)) return;
+  if (!report.manifold || !has_only_levels(study.system)) return;
   Budget budget = part_of_the_time(study.options.decide.budget, 0.5); // what is known must be told
   const auto end = Budget::Clock::now() + longest;
   budget.deadline = budget.deadline ? std::min(*budget.deadline, end) : end;
@@ -96,11 +167,18 @@ void ask_the_matrices(const Study& study, ManifoldReport& report) {
   }
 }
 
+std::string equation_of(const MatrixEvidence& by) {
+  if (by.part.empty()) return "the whole variational equation";
+  std::string names;
+  for (const std::string& x : by.part)
+    names += (names.empty() ? "" : ", ") + x;
+  return "the variation of " + names;
+}
+
 std::string reason(const MatrixEvidence& by) {
-  return "the monodromy matrices of the whole variational equation (size " +
-         std::to_string(by.size) + ", " + by.change +
-         (by.level.empty() ? "" : ", at the level " + by.level) + ") prove that its identity " +
-         "component is not abelian: " +
+  return "the monodromy matrices of " + equation_of(by) + " (size " + std::to_string(by.size) +
+         ", " + by.change + (by.level.empty() ? "" : ", at the level " + by.level) +
+         ") prove that its identity " + "component is not abelian: " +
          (by.proof.unipotent ? std::string("two unipotent elements of the group do not commute")
                              : "a diagonal block is dense in SL(2, C), up to scalars") +
          " (enclosures with " + std::to_string(digits) + " digits)";

@@ -1,5 +1,6 @@
 #pragma once
-// Where the blocks leave the whole variational equation open: its certified monodromy matrices.
+// Where the blocks leave the variational equation open: certified monodromy matrices of the whole, or
+// of a block of order three and more.
 
 #include "integrability/study.hpp"
 
@@ -10,6 +11,9 @@ namespace kov {
 /// Nothing else can follow from them, and a limit leaves the report as it is.
 /// Source  docs/theory/monodromy.md 7, 8, 9
 void ask_the_matrices(const Study& study, ManifoldReport& report);
+
+/// "the whole variational equation", or "the variation of M1, M2, S1, S2"
+[[nodiscard]] std::string equation_of(const MatrixEvidence& by);
 
 /// "the monodromy matrices of the whole variational equation (size 6, z = p1) prove that ..."
 [[nodiscard]] std::string reason(const MatrixEvidence& by);

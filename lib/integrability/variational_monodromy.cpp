@@ -57,12 +57,12 @@ std::pair<long, long> size_of(const NumericalVariation& v) {
 class Search {
 public:
   Search(const System& s, const InvariantManifold& m, const LinearSystem& linear,
-         const Budget& budget)
-      : s_(s), m_(m), linear_(linear), budget_(budget) {}
+         const std::vector<MPoly>& divisors, const Budget& budget)
+      : s_(s), m_(m), linear_(linear), divisors_(divisors), budget_(budget) {}
 
   void attempt(const MFraction& phi) {
     budget_.check();
-    const auto result = rational_system(s_.field, m_, s_.z, phi, linear_, budget_);
+    const auto result = rational_system(s_.field, m_, s_.z, phi, linear_, divisors_, budget_);
     if (const auto* failure = std::get_if<ChangeFailure>(&result)) return note(failure->message);
     const auto& r = std::get<RationalSystem>(result);
     if (static_cast<long>(r.a.size()) > monodromy::largest_size)
@@ -73,24 +73,34 @@ public:
   }
 
   [[nodiscard]] const std::optional<NumericalVariation>& best() const { return best_; }
-  [[nodiscard]] const std::string& failures() const { return failures_; }
+  [[nodiscard]] std::string failures() const {
+    std::string all;
+    for (const std::string& failure : failures_)
+      all += (all.empty() ? "" : "; ") + failure;
+    return all;
+  }
 
 private:
-  void note(const std::string& failure) { failures_ += (failures_.empty() ? "" : "; ") + failure; }
+  void note(const std::string& failure) {
+    if (std::find(failures_.begin(), failures_.end(), failure) == failures_.end())
+      failures_.push_back(failure);
+  }
 
   const System& s_;
   const InvariantManifold& m_;
   const LinearSystem& linear_;
+  const std::vector<MPoly>& divisors_;
   const Budget& budget_;
   std::optional<NumericalVariation> best_;
-  std::string failures_;
+  std::vector<std::string> failures_;
 };
 
 } // namespace
 
 NumericalVariation numerical_variation(const System& s, const InvariantManifold& m,
-                                       const LinearSystem& linear, const Budget& budget) {
-  Search search(s, m, linear, budget);
+                                       const LinearSystem& linear,
+                                       const std::vector<MPoly>& divisors, const Budget& budget) {
+  Search search(s, m, linear, divisors, budget);
   const ReduceSpec* reduce = reduction_for(s, m.name);
   if (reduce != nullptr && reduce->change) search.attempt(*reduce->change);
   if (!search.best())

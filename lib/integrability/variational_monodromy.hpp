@@ -9,7 +9,7 @@
 
 namespace kov {
 
-/// The variational equation as a system over K(z) with numbers only.
+/// The variational equation, or a part of it, as a system over K(z) with numbers only.
 struct NumericalVariation {
   std::vector<std::string> names; ///< of the unknowns (algebraize/rational_system.hpp)
   std::string change;
@@ -17,11 +17,12 @@ struct NumericalVariation {
 };
 
 /// With the change of variable of the file or, without one, the proposed one that gives the
-/// smallest system. Errors  InvalidArgument: parameters without values; no change of variable leads
-/// to a system of
+/// smallest system.  `divisors`: what the derivation of the part divided by.
+/// Errors  InvalidArgument: parameters without values; no change of variable leads to a system of
 ///         size <= 8; OutOfBudget
 [[nodiscard]] NumericalVariation numerical_variation(const System& s, const InvariantManifold& m,
                                                      const LinearSystem& linear,
+                                                     const std::vector<MPoly>& divisors,
                                                      const Budget& budget = {});
 
 /// The same by the time, where the phase curve is w^2 = F(z), w = dz/dt, F of degree 3 or 4.
@@ -68,7 +69,8 @@ struct NonAbelianVariation {
 /// The same as the reason of a verdict.
 struct MatrixEvidence {
   NonAbelianVariation proof;
-  long size = 0; ///< of the system
+  std::vector<std::string> part; ///< a diagonal block of the normal part; empty: all of it
+  long size = 0;                 ///< of the system
   std::vector<std::string> unknowns;
   std::string change;
   std::string level;       ///< "h = 1"; empty: the level was not free

@@ -490,7 +490,7 @@ Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
   const InvariantManifold manifold = manifold_of(s, settings);
   const mo::Request request = request_of(settings, a);
   const NumericalVariation v =
-      numerical_variation(s, manifold, linear_system(s, a, settings, manifold), request.budget);
+      numerical_variation(s, manifold, linear_system(s, a, settings, manifold), {}, request.budget);
   const mo::Monodromy m = mo::monodromy(v.system, request);
   Json j = json_of(m, a.digits, s.ring()->name(s.z), rows_of(v.names));
   j["unknowns"] = v.names;

@@ -89,7 +89,8 @@ private:
            {"digits", digits},
            {"proves", Json::array()}};
     try {
-      const NumericalVariation v = numerical_variation(s_, *m_.manifold, m_.variational, budget);
+      const NumericalVariation v =
+          numerical_variation(s_, *m_.manifold, m_.variational, {}, budget);
       const auto matrices = monodromy::monodromy(v.system, {digits, {}, budget});
       const auto found = prove_non_abelian(v.system, matrices, budget);
       if (found && m_.verdict == VerdictKind::no_obstruction)

@@ -1,0 +1,98 @@
+// Certified matrices of a block of order three and more: on the symplectic leaf.
+
+#include "integrability/check.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using testing::ElementsAre;
+
+ManifoldReport run(const std::string& text) {
+  return check_system(read_system(parse_document(text, "test.toml"))).manifolds.at(0);
+}
+
+/// A rigid body on a circular orbit: M the angular momentum, G the direction to the centre, S that
+/// of the normal of the orbit, all in the axes of the body.
+std::string satellite(const std::string& a, const std::string& b, const std::string& c,
+                      const std::string& more) {
+  return R"t([system]
+kind = "poisson"
+coordinates = ["M1", "M2", "M3", "G1", "G2", "G3", "S1", "S2", "S3"]
+hamiltonian = "(M1^2/)t" +
+         a + " + M2^2/" + b + " + M3^2/" + c + ")/2 - M1*S1 - M2*S2 - M3*S3 + 3*(" + a +
+         "*G1^2 + " + b + "*G2^2 + " + c + R"t(*G3^2)/2"
+bracket = [["0", "-M3", "M2", "0", "-G3", "G2", "0", "-S3", "S2"],
+  ["M3", "0", "-M1", "G3", "0", "-G1", "S3", "0", "-S1"],
+  ["-M2", "M1", "0", "-G2", "G1", "0", "-S2", "S1", "0"],
+  ["0", "-G3", "G2", "0", "0", "0", "0", "0", "0"],
+  ["G3", "0", "-G1", "0", "0", "0", "0", "0", "0"],
+  ["-G2", "G1", "0", "0", "0", "0", "0", "0", "0"],
+  ["0", "-S3", "S2", "0", "0", "0", "0", "0", "0"],
+  ["S3", "0", "-S1", "0", "0", "0", "0", "0", "0"],
+  ["-S2", "S1", "0", "0", "0", "0", "0", "0", "0"]]
+[[manifold]]
+name = "in the orbital plane"
+equations = ["M1 = 0", "M2 = 0", "G3 = 0", "S1 = 0", "S2 = 0", "S3 = 1"]
+level = ["G1^2 + G2^2 = 1", "H = 1"]
+)t" + more;
+}
+
+const char* const casimirs = R"t([[casimir]]
+value = "S1^2 + S2^2 + S3^2"
+[[casimir]]
+value = "G1*S1 + G2*S2 + G3*S3"
+[[casimir]]
+value = "G1^2 + G2^2 + G3^2"
+)t";
+
+TEST(Matrices, OfANormalBlockOfOrderFour) {
+  const ManifoldReport m = run(satellite("2", "3", "4", casimirs));
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
+  ASSERT_TRUE(m.matrices);
+  EXPECT_THAT(m.matrices->part, ElementsAre("M1", "M2", "G3", "S1"));
+  EXPECT_EQ(m.integrals, IntegralClass::meromorphic);
+}
+
+TEST(Matrices, NothingOfABlockThatTheLeafDoesNotSee) {
+  const ManifoldReport m = run(satellite("2", "3", "4", ""));
+  EXPECT_EQ(m.verdict, VerdictKind::undecided);
+  EXPECT_FALSE(m.matrices);
+}
+
+TEST(Matrices, TheRoundSatelliteIsIntegrable) {
+  EXPECT_NE(run(satellite("2", "2", "2", casimirs)).verdict, VerdictKind::non_integrable);
+}
+
+/// Integrable on the leaf c = 1 and, by its variations beside this leaf, not near it.
+std::string on_a_leaf(const std::string& kind) {
+  return "[system]\nkind = \"" + kind + R"t("
+coordinates = ["q1", "p1", "q2", "p2", "c"]
+)t" +
+         (kind == "poisson" ? R"t(hamiltonian = "(p1^2 + p2^2)/2 + q1^4/4 + (c - 1)*q1^2*q2"
+bracket = [["0", "1", "0", "0", "0"], ["-1", "0", "0", "0", "0"],
+  ["0", "0", "0", "1", "0"], ["0", "0", "-1", "0", "0"], ["0", "0", "0", "0", "0"]]
+)t"
+                            : R"t([system.field]
+q1 = "p1"
+p1 = "-q1^3 - 2*(c - 1)*q1*q2"
+q2 = "p2"
+p2 = "-(c - 1)*q1^2"
+c = "0"
+)t") + R"t([[manifold]]
+name = "m"
+equations = ["q2 = 0", "p2 + c = 1", "c + q2 = 1"]
+level = "p1^2/2 + q1^4/4 = 1"
+)t";
+}
+
+TEST(Matrices, ABlockMayMixTheLeafWithItsNeighbours) {
+  EXPECT_NE(run(on_a_leaf("poisson")).verdict, VerdictKind::non_integrable);
+  const ManifoldReport m = run(on_a_leaf("vector-field"));
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
+}
+
+} // namespace
+} // namespace kov
