@@ -8,43 +8,39 @@ namespace {
 
 using Element = FunctionField::Element;
 
-// A basis of the function field over K(z), K with the algebraic constants: the standard monomials
-// are those in the constants times those in the rest.
+// A basis of the function field over K(z), K with the algebraic constants: of standard monomials
+// without constants.
 class Basis {
 public:
-  Basis(const FunctionField& f, const VectorField& v) : f_(f) {
-    const FiniteAlgebra& algebra = f.algebra();
-    const auto& main = algebra.ideal().main();
-    for (const std::size_t i : main)
+  Basis(const FunctionField& f, const VectorField& v, const Budget& budget)
+      : f_(f), budget_(budget), columns_(f.algebra().dimension()) {
+    for (const std::size_t i : f.algebra().ideal().main())
       constant_.push_back(std::find(v.constants.begin(), v.constants.end(), i) !=
                           v.constants.end());
-    for (const Monomial& monomial : algebra.basis()) {
-      const Monomial rest = part(monomial, false);
-      if (std::find(rests_.begin(), rests_.end(), rest) == rests_.end()) rests_.push_back(rest);
-    }
+    for (const Monomial& monomial : f.algebra().basis())
+      if (part(monomial, true) == monomial) constants_.push_back(monomial);
+    for (const Monomial& monomial : f.algebra().basis())
+      if (part(monomial, false) == monomial && rests_.size() < f.degree()) try_rest(monomial);
   }
 
   [[nodiscard]] std::size_t size() const noexcept { return rests_.size(); }
   /// No relation between a constant and the rest.
-  [[nodiscard]] bool is_product() const { return size() == f_.degree(); }
-
-  [[nodiscard]] Element element(std::size_t k) const {
-    Element e = f_.algebra().zero();
-    const auto& all = f_.algebra().basis();
-    const auto at = std::find(all.begin(), all.end(), rests_[k]) - all.begin();
-    e[static_cast<std::size_t>(at)] = MFraction(f_.algebra().ring(), Rational(1));
-    return e;
+  [[nodiscard]] bool is_product() const {
+    const std::size_t n = f_.algebra().dimension();
+    return size() * constants_.size() == n &&
+           null_space(columns_, n, f_.algebra().ring(), budget_).empty();
   }
+
+  [[nodiscard]] Element element(std::size_t k) const { return monomial(rests_[k]); }
 
   /// The coefficients of an element, functions of z, the parameters and the constants.
   [[nodiscard]] std::vector<MFraction> coordinates(const Element& e) const {
+    const auto x = solve_linear(columns_, e, budget_);
+    KOV_ENSURE(x.has_value());
     std::vector<MFraction> c(size(), MFraction(f_.algebra().ring()));
-    const auto& all = f_.algebra().basis();
-    for (std::size_t i = 0; i < e.size(); ++i) {
-      if (is_zero(e[i])) continue;
-      const auto k = std::find(rests_.begin(), rests_.end(), part(all[i], false)) - rests_.begin();
-      c[static_cast<std::size_t>(k)] += e[i] * value(part(all[i], true));
-    }
+    for (std::size_t i = 0; i < x->size(); ++i)
+      if (!is_zero((*x)[i]))
+        c[i / constants_.size()] += (*x)[i] * value(constants_[i % constants_.size()]);
     return c;
   }
 
@@ -53,6 +49,24 @@ public:
   }
 
 private:
+  // Where it is no combination of those before, over the constants.
+  void try_rest(const Monomial& rest) {
+    const Element b = monomial(rest);
+    if (!rests_.empty() && solve_linear(columns_, b, budget_)) return;
+    rests_.push_back(rest);
+    for (const Monomial& c : constants_) {
+      const Element product = f_.algebra().multiply(monomial(c), b);
+      for (std::size_t i = 0; i < columns_.size(); ++i)
+        columns_[i].push_back(product[i]);
+    }
+  }
+  [[nodiscard]] Element monomial(const Monomial& m) const {
+    Element e = f_.algebra().zero();
+    const auto& all = f_.algebra().basis();
+    const auto at = std::find(all.begin(), all.end(), m) - all.begin();
+    e[static_cast<std::size_t>(at)] = MFraction(f_.algebra().ring(), Rational(1));
+    return e;
+  }
   [[nodiscard]] Monomial part(Monomial m, bool constant) const {
     for (std::size_t i = 0; i < m.size(); ++i)
       if (constant_[i] != constant) m[i] = 0;
@@ -65,8 +79,10 @@ private:
   }
 
   const FunctionField& f_;
+  const Budget& budget_;
   std::vector<bool> constant_; // by main variable
-  std::vector<Monomial> rests_;
+  std::vector<Monomial> constants_, rests_;
+  Matrix columns_; // the products of the rests with the constants
 };
 
 using ElementMatrix = std::vector<std::vector<Element>>;
@@ -153,7 +169,7 @@ rational_system(const VectorField& v, const InvariantManifold& m, std::size_t z,
   auto field = FunctionField::make(v, m, z, phi, divisors, budget);
   if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
   const auto& f = std::get<FunctionField>(field);
-  const Basis basis(f, v);
+  const Basis basis(f, v, budget);
   if (!basis.is_product())
     return ChangeFailure{"the algebraic constants are not independent of the curve"};
   const auto a = divided_by_z_dot(f, s.a);
@@ -206,7 +222,7 @@ system_on_two_sheets(const VectorField& v, const InvariantManifold& m, std::size
   auto field = FunctionField::make(v, m, z, phi, {}, budget);
   if (auto* failure = std::get_if<ChangeFailure>(&field)) return *std::move(failure);
   const auto& f = std::get<FunctionField>(field);
-  const Basis basis(f, v);
+  const Basis basis(f, v, budget);
   if (!basis.is_product())
     return ChangeFailure{"the algebraic constants are not independent of the curve"};
   SystemOnTwoSheets result{s.names, {}, {}, {}, v.ring->name(z) + " = " + to_string(phi), z};

@@ -140,6 +140,12 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     report.manifold = std::get<InvariantManifold>(std::move(proved));
     linearise(study, report);
     fall_apart(study, spec, report);
+    // no algebra decides a large block, and beside it the small ones may take long
+    if (!options.stop_at_r && has_large_block(report)) ask_the_matrices(study, report);
+    if (report.matrices) {
+      conclude(s, options, report);
+      return report;
+    }
     decide_blocks(study, report);
     if (options.along_the_curve) decide_along_the_curve(study, report);
     decide_exceptions(study, report.blocks);
@@ -148,7 +154,8 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
       const std::string open = components_not_checked(study, report);
       report.not_checked += (report.not_checked.empty() || open.empty() ? "" : "; ") + open;
     }
-    if (!options.stop_at_r && verdict_of(report) == VerdictKind::undecided)
+    if (!options.stop_at_r && verdict_of(report) == VerdictKind::undecided &&
+        !has_large_block(report))
       ask_the_matrices(study, report);
     conclude(s, options, report);
   } catch (const OutOfBudget& e) {

@@ -4,6 +4,7 @@
 #include "exact/finite_algebra.hpp"
 #include "manifold/directions.hpp"
 #include "manifold/lines.hpp"
+#include "manifold/subspace.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -578,6 +579,15 @@ public:
   }
   FoundManifolds result() && { return std::move(result_); }
 
+  // Lines in subspaces of two degrees of freedom.
+  void look_inside(std::vector<MPoly>& wanted) {
+    const auto subspaces = result_.proved;
+    for (const FoundManifold& m : subspaces)
+      if (m.dimension == 4 && !m.equilibria && v_.dimension() > 4)
+        for (const FieldOnSubspace& there : fields_on_subspace(v_, solve(v_, m)))
+          look([&] { return lines_inside(m, there, wanted); });
+  }
+
   // Sets whose levels are no curves yet, two at a time, and again what comes out.
   void intersect() {
     for (std::size_t i = 1; i < result_.proved.size() && i < most_intersections; ++i)
@@ -591,6 +601,20 @@ public:
   }
 
 private:
+  [[nodiscard]] std::vector<FoundManifold> lines_inside(const FoundManifold& m,
+                                                        const FieldOnSubspace& there,
+                                                        std::vector<MPoly>& wanted) const {
+    const Lines lines = find_lines(there.field, budget_);
+    wanted.insert(wanted.end(), lines.wanted.begin(), lines.wanted.end());
+    std::vector<FoundManifold> all;
+    for (const Line& line : lines.lines) {
+      FoundManifold inside = on_line(there.field, line);
+      for (const auto* more : {&m.equations, &there.roots})
+        inside.equations.insert(inside.equations.end(), more->begin(), more->end());
+      all.push_back(std::move(inside));
+    }
+    return all;
+  }
   [[nodiscard]] FoundManifold both(const FoundManifold& a, const FoundManifold& b) const {
     FoundManifold m;
     m.kind = "intersection of two invariant sets";
@@ -657,6 +681,7 @@ FoundManifolds find_manifolds(const VectorField& v, const std::vector<MFraction>
         all.push_back({equations, "line through the origin", 0, 0, {}, false});
       return all;
     });
+  prover.look_inside(wanted);
   prover.look([&] { return ShiftedSubspaces(v, budget).run(); });
   prover.look([&] { return constant_ratios(v); });
   prover.intersect();

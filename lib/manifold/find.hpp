@@ -6,7 +6,8 @@
 //   shifted subspaces     {x_i = c_i, i in S}, the c_i roots of factors of the X_j of degree 1
 //   fixed sets            Fix(sigma) of an involution sigma(x)_j = +-x_pi(j) with sigma_* X = X
 //   lines                 of systems with two degrees of freedom (lines.hpp; Darboux points of
-//                         homogeneous potentials among them), or with more (directions.hpp)
+//                         homogeneous potentials among them), or with more (directions.hpp), or in
+//                         subspaces with two (subspace.hpp)
 //   ratios                {exp(a.q) = s exp(b.q), (a - b).q' = 0}
 //   intersections         of two of these sets
 //
@@ -35,7 +36,8 @@ struct FoundManifolds {
   std::vector<std::string> left_out; ///< searches and sets that a limit left out, as sentences
   /// Parameters for which there may be more lines: in each list all vanish.
   std::vector<std::vector<MPoly>> special = {};
-  /// With a square root of one of these as an algebraic constant there may be more lines.
+  /// With a square root of one of these as an algebraic constant there may be more lines, where
+  /// there are more than two degrees of freedom or function symbols.
   std::vector<MPoly> wanted = {};
 };
 

@@ -27,7 +27,10 @@ public:
   void find(Lines& all, const Budget& budget) const {
     const auto equations = invariance();
     if (!equations) return;
-    ZeroSearch search(ring_, unknowns_, {}, budget);
+    auto constants = quadratic_constants(v_);
+    for (QuadraticConstant& c : constants)
+      c.relation = transfer(MFraction(c.relation), ring_).num();
+    ZeroSearch search(ring_, unknowns_, std::move(constants), budget);
     search.run(*equations);
     for (const Substitution& x : search.zeros)
       all.lines.push_back({dependent_, dependent_ == 1 ? back(x.at(v_.ring->size())) : zero(),
@@ -38,6 +41,8 @@ public:
         here.push_back(back(MFraction(p)).num());
       all.special.push_back(std::move(here));
     }
+    for (const MPoly& d : search.wanted)
+      all.wanted.push_back(back(MFraction(d)).num());
   }
 
 private:

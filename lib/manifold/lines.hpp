@@ -18,14 +18,14 @@ struct Line {
   MFraction slope, offset, ratio;
 };
 
-/// Lines with m, n and k rational in the parameters, as they are for generic parameters, and
-/// equations between parameters where there are others.
-/// Lines whose coefficients are no rational functions of the parameters are left out.
+/// Lines with m, n and k rational in the parameters and the algebraic constants of degree 2, as they
+/// are for generic parameters, and equations between parameters where there are others.
 /// Where a coefficient is free (a potential that depends on one coordinate, or on the distance), the
 /// values 0 and 1 are taken.
 struct Lines {
   std::vector<Line> lines;
   std::vector<std::vector<MPoly>> special; ///< in each list all have to vanish
+  std::vector<MPoly> wanted;               ///< with a square root of one of them there may be more
 };
 /// Nothing for fields that are not of dimension 4 or contain function symbols.
 /// Errors  OutOfBudget

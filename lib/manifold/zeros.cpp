@@ -36,6 +36,33 @@ MPoly reduced_by(const QuadraticConstant& root, MPoly f) {
   return f;
 }
 
+// f = a + b x for the root x of the relation.
+std::pair<MFraction, MFraction> linear_in_root(const QuadraticConstant& root, const MPoly& f) {
+  const auto r = coefficients(root.relation, root.variable);
+  const MFraction trace = -MFraction(r[1], r[2]), norm(r[0], r[2]); // x^2 = trace x - norm
+  const auto c = coefficients(f, root.variable);
+  MFraction a(f.ring()), b(f.ring());
+  for (std::size_t k = c.size(); k-- > 0;) {
+    const MFraction next = a + b * trace;
+    a = MFraction(c[k]) - b * norm;
+    b = next;
+  }
+  return {a, b};
+}
+
+// With the root in the numerator only, and linear.
+MFraction in_lowest_terms(const QuadraticConstant& root, const MFraction& f) {
+  if (!uses(f, root.variable)) return f;
+  const auto r = coefficients(root.relation, root.variable);
+  const MFraction trace = -MFraction(r[1], r[2]), norm(r[0], r[2]);
+  const auto [a, b] = linear_in_root(root, f.num());
+  const auto [c, d] = linear_in_root(root, f.den());
+  const MFraction size = c * c + c * d * trace + d * d * norm; // (c + d x)(c + d x~)
+  const MFraction x = MFraction::variable(f.num().ring(), root.variable);
+  // (a + b x)(c + d trace - d x)
+  return (a * (c + d * trace) + b * d * norm + (b * c - a * d) * x) / size;
+}
+
 // Up to a square; squares of large primes stay.
 MPoly without_squares(const MPoly& f) {
   const auto [content, factors] = factor(f);
@@ -223,7 +250,13 @@ void ZeroSearch::finish(const Substitution& known, std::vector<MPoly> conditions
   }
   const auto free = std::find_if(unknowns_.begin(), unknowns_.end(),
                                  [&](std::size_t u) { return !known.contains(u); });
-  if (free == unknowns_.end()) return zeros.push_back(known);
+  if (free == unknowns_.end()) {
+    Substitution zero = known;
+    for (auto& [i, value] : zero)
+      for (const QuadraticConstant& c : constants_)
+        value = in_lowest_terms(c, value);
+    return zeros.push_back(std::move(zero));
+  }
   for (const long value : {0, 1}) {
     const Substitution step{{*free, MFraction(ring_, Rational(value))}};
     if (const auto values = with(step, known)) finish(*values, {});

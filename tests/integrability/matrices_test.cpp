@@ -66,6 +66,27 @@ TEST(Matrices, TheRoundSatelliteIsIntegrable) {
   EXPECT_NE(run(satellite("2", "2", "2", casimirs)).verdict, VerdictKind::non_integrable);
 }
 
+// y2 is of degree two in y1 and the constant: the standard monomials are no products.
+TEST(Matrices, OverAQuadraticField) {
+  const ManifoldReport m = run(R"t([system]
+kind = "hamiltonian"
+coordinates = ["x1", "y1", "x2", "y2"]
+momenta = ["u1", "v1", "u2", "v2"]
+constants = ["k"]
+relations = ["k^2 = 5"]
+hamiltonian = """(u1^2 + v1^2 + u2^2 + v2^2)/2 - y1 - y2
+  + (sqrt(x1^2 + y1^2) - 1)^2/2 + (sqrt((x2 - x1)^2 + (y2 - y1)^2) - 1)^2/2"""
+[[manifold]]
+name = "mode"
+equations = ["y2 - 5 = (k + 1)/2*(y1 - 3)", "v2 = (k + 1)/2*v1", "x1 = 0", "x2 = 0", "u1 = 0",
+             "u2 = 0", "root1 = y1", "root2 = y2 - y1"]
+level = ["H = 1"]
+)t");
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
+  ASSERT_TRUE(m.matrices);
+  EXPECT_EQ(m.matrices->size, 8);
+}
+
 /// Integrable on the leaf c = 1 and, by its variations beside this leaf, not near it.
 std::string on_a_leaf(const std::string& kind) {
   return "[system]\nkind = \"" + kind + R"t("
