@@ -17,6 +17,7 @@
 #include "system/relations.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <utility>
 
@@ -29,6 +30,7 @@ constexpr std::size_t least_dimension = 5;   // where a normal part may have ord
 constexpr std::size_t most_compared = 8;     // integrable strata with one exclusion
 constexpr long low_degree = 2;               // of the integrals that are looked for first
 constexpr double part_with_parameters = 0.5; // of the time that is left: special values need some
+constexpr double part_without_constants = 0.25; // of the time, before algebraic constants are used
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -70,7 +72,7 @@ public:
     start_ = Clock::now();
     const System known = options.search_solutions ? with_found_integrals(s, share(0.1)) : s;
     LevelledSystem levelled = with_levels(known, decide_claims(known, options.check));
-    adjoin_constants(levelled);
+    if (options.adjoin_constants) adjoin_constants(levelled);
     system_ = without_levels_fixed(std::move(levelled.system));
     claims_ = std::move(levelled.claims);
     levels_ = std::move(levelled.levels);
@@ -78,6 +80,8 @@ public:
     result_ = nothing_known(system_);
     result_.notes = notes;
   }
+
+  [[nodiscard]] bool has_new_constants() const { return !system_.adjoined.empty(); }
 
   SystemClassification run() {
     Round first{{system_, claims_, levels_}, {everywhere(), {}}};
@@ -982,8 +986,48 @@ private:
 
 } // namespace
 
+namespace {
+
+bool is_word_of(const std::string& text, const std::string& word) {
+  const auto is_part = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+    const bool begins = at == 0 || !is_part(text[at - 1]);
+    const std::size_t end = at + word.size();
+    if (begins && (end == text.size() || !is_part(text[end]))) return true;
+  }
+  return false;
+}
+
+bool speaks_of(const SystemClassification& c, const std::string& constant) {
+  const auto any = [&](const std::vector<std::string>& texts) {
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return is_word_of(text, constant); });
+  };
+  return std::any_of(c.strata.begin(), c.strata.end(), [&](const ClassifiedStratum& s) {
+    return any(conditions(c, s)) || any({integrals_text(s)}) || any(s.fields) ||
+           any(s.open_after) ||
+           std::any_of(s.by.begin(), s.by.end(), [&](const ExclusionReason& why) {
+             return any({why.solution, why.level, why.reason, why.unchecked}) || any(why.trusted);
+           });
+  });
+}
+
+} // namespace
+
 SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
-  return Composition(s, options).run();
+  Composition composition(s, options);
+  if (!composition.has_new_constants()) return composition.run();
+  ClassifyOptions plain = options;
+  plain.adjoin_constants = false;
+  plain.check.decide.budget = part_of_the_time(options.check.decide.budget, part_without_constants);
+  auto without = Composition(s, plain).run();
+  if (without.status() != ClassificationStatus::open) return without;
+  auto result = composition.run();
+  std::erase_if(result.constants,
+                [&](const std::string& c) { return !speaks_of(result, c.substr(0, c.find(' '))); });
+  return result;
 }
 
 } // namespace kov

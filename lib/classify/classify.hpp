@@ -19,6 +19,9 @@ struct ClassifyOptions {
   long degree_at_points = 6;    ///< the same at single points of the parameters, at last
   int order = 5;                ///< of the variational equations (docs/theory/jets.md), 1 to 7
   bool search_solutions = true; ///< also manifolds that the file does not name
+  /// Square roots and eigenvalues that are no functions of the parameters, where open strata are
+  /// left without them.
+  bool adjoin_constants = true;
   /// Stages that are left out, by the names that `at_work` gives them: of a run before that they
   /// kept from ending.
   std::vector<std::string> skip = {};
