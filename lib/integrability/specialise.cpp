@@ -25,12 +25,17 @@ void put(std::vector<Equation>& all, const Substitution& values) {
     put(e.difference, values);
 }
 
-// A constant of which no relation says anything any more is free, as parameters are.
+// A constant of which no relation says anything any more is free, as parameters are.  The relation of
+// a function says something of the function: that of sqrt(x^2 + c y^2).
 void free_constants(VectorField& v) {
   std::erase_if(v.relations, [](const MPoly& p) { return is_zero(p); });
+  const auto is_of_a_function = [&](const MPoly& p) {
+    return std::any_of(v.functions.begin(), v.functions.end(),
+                       [&](const FunctionSymbol& f) { return uses(p, f.variable); });
+  };
   const auto is_free = [&](std::size_t c) {
     return std::none_of(v.relations.begin(), v.relations.end(),
-                        [&](const MPoly& p) { return uses(p, c); });
+                        [&](const MPoly& p) { return uses(p, c) && !is_of_a_function(p); });
   };
   std::copy_if(v.constants.begin(), v.constants.end(), std::back_inserter(v.parameters), is_free);
   std::erase_if(v.constants, is_free);

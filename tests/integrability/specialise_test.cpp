@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace kov {
 namespace {
 
@@ -23,6 +25,22 @@ TEST(SpecialValues, WhereRelationsFallApart) {
   };
   EXPECT_TRUE(at(4).field.parameters.empty());
   EXPECT_THROW(static_cast<void>(at(0)), DomainError);
+}
+
+// s^2 = a, with s in the place of a: nothing says what s is, though there is sqrt(x^2 + s^2 y^2).
+TEST(SpecialValues, AConstantThatARootContainsIsFree) {
+  for (const char* potential : {"-1/sqrt(x^2 + a*y^2)", "a*x^2*y^2"}) {
+    const System s = read_system(parse_document(
+        "system = {kind = 'hamiltonian', coordinates = ['x', 'y'], momenta = ['u', 'v'], "
+        "parameters = ['a'], constants = ['s'], relations = ['s^2 = a'], hamiltonian = "
+        "'(u^2 + v^2)/2 + " +
+            std::string(potential) + "'}",
+        "file.toml"));
+    const MFraction root = MFraction::variable(s.ring(), "s");
+    const System there = at_values(s, {{s.ring()->index("a"), root * root}});
+    EXPECT_TRUE(there.field.constants.empty()) << potential;
+    EXPECT_EQ(there.field.parameters, std::vector{s.ring()->index("s")}) << potential;
+  }
 }
 
 } // namespace
