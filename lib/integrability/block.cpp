@@ -95,7 +95,8 @@ void decide_block(const System& s, const CheckOptions& options, bool one_level,
                   BlockReport& block) {
   const AlgebraicOde& ode = *block.ode;
   const std::string names = parameter_names(ode.r, s);
-  if (!names.empty()) {
+  // a constant that depends on the parameters is one to strata
+  if (!names.empty() || (!options.stop_at_r && !constants_are_numbers(s.field))) {
     if (options.stop_at_r)
       block.note = "r depends on the parameter(s) " + names +
                    "; give values with --set to decide single equations";

@@ -30,7 +30,7 @@ std::pair<Field, NfElem> field_of_root(const Poly& f, const std::string& name) {
 
 namespace {
 
-Ideal constant_relations(const VectorField& v) {
+Ideal relations_among_constants(const VectorField& v) {
   const auto is_constant_variable = [&](std::size_t i) {
     return std::find(v.constants.begin(), v.constants.end(), i) != v.constants.end();
   };
@@ -40,7 +40,11 @@ Ideal constant_relations(const VectorField& v) {
     if (!used.empty() && std::all_of(used.begin(), used.end(), is_constant_variable))
       generators.push_back(f);
   }
-  Ideal ideal(v.ring, v.constants, generators);
+  return {v.ring, v.constants, generators};
+}
+
+Ideal constant_relations(const VectorField& v) {
+  Ideal ideal = relations_among_constants(v);
   if (ideal.dimension() != 0)
     throw InvalidArgument(
         "the algebraic constants are not determined by numbers; values are needed "
@@ -60,6 +64,10 @@ MFraction primitive_candidate(const VectorField& v, long k) {
 }
 
 } // namespace
+
+bool constants_are_numbers(const VectorField& v) {
+  return v.constants.empty() || relations_among_constants(v).dimension() == 0;
+}
 
 ConstantField ConstantField::make(const VectorField& v) {
   if (v.constants.empty()) return {};

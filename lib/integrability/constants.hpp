@@ -8,6 +8,9 @@
 
 namespace kov {
 
+/// The relations without parameters determine the constants: they are algebraic numbers.
+[[nodiscard]] bool constants_are_numbers(const VectorField& v);
+
 /// The algebraic constants of a system in one field; Q if there are none.
 class ConstantField {
 public:

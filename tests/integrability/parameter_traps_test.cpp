@@ -386,5 +386,28 @@ TEST(ParameterTraps, AnOpenValueDoesNotHideTheGeneralAnswer) {
               testing::AllOf(testing::HasSubstr("h = 0"), testing::HasSubstr("sqrt((a + 12)/a)")));
 }
 
+// k^2 = a^2 + 1 or a^2 + b^2 is no number: r = z^2 + 1 holds where the coupling c(k) of y and v, which is
+// divided by, is not 0.  The same with a pole in the equation of the manifold.
+TEST(ParameterTraps, AConstantThatDependsOnAParameterThatRDoesNotContain) {
+  const auto exceptions_with = [](const std::string& relation, const std::string& coupling,
+                                  const std::string& equation) {
+    const CheckReport report = check_system(read_system(parse_document(
+        "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+        "parameters = ['a', 'b']\nconstants = ['k']\nrelations = ['" +
+            relation + "']\nhamiltonian = 'u^2/2 + x^4/4 + x*u*y*v + (" + coupling +
+            ")*u*v^2/2'\n[[manifold]]\nname = 'm'\nequations = ['" + equation +
+            " = 0', 'v = 0']\nlevel = ['H = 1']\n",
+        "test.toml")));
+    const ManifoldReport& m = report.manifolds.at(0);
+    EXPECT_EQ(m.verdict, VerdictKind::undecided) << coupling; // y v is an integral where it is 0
+    EXPECT_THAT(m.statement, testing::HasSubstr("not integrable")) << coupling;
+    return exceptions(m);
+  };
+  EXPECT_EQ(exceptions_with("k^2 = a^2 + 1", "k - 1", "y"), "except where a = 0");
+  EXPECT_EQ(exceptions_with("k^2 = a^2 + 1", "k - 1", "y/(k - 1)"), "except where a = 0");
+  EXPECT_EQ(exceptions_with("k^2 = a^2 + b^2", "k - a", "y"), "except where b = 0");
+  EXPECT_EQ(exceptions_with("k^2 = a^2 + 1", "a", "y"), "except where a = 0");
+}
+
 } // namespace
 } // namespace kov
