@@ -96,5 +96,29 @@ TEST(Eigenvalue, IsIntegralOverTheParameters) {
   }
 }
 
+std::string with_two_roots(std::string text) {
+  text.insert(text.find("hamiltonian ="),
+              "constants = ['s', 't']\nrelations = ['s^2 = 2', 't^2 = 5']\n");
+  return text;
+}
+
+// The eigenvalues are in Q(sqrt(10)), which the constants of the file contain: a root of their polynomial
+// is no new constant, and no quadratic constant gives it by itself.
+TEST(Eigenvalue, NotAdjoinedWhereTheConstantsContainIt) {
+  EXPECT_THAT(with_roots(with_two_roots(axis("x^2 + 3*x*y"))).adjoined, SizeIs(0));
+  EXPECT_THAT(with_roots(axis("x^2 + 3*x*y")).adjoined, SizeIs(1));
+}
+
+// They are (1 +- sqrt(5))/2, (3 +- 2 sqrt(2))/2.
+TEST(Eigenvalue, ByOneOfTwoConstants) {
+  for (const char* form : {"x^2 + 2*x*y", "5/2*x^2 + 2*x*y + 1/2*y^2"}) {
+    const std::string text = with_two_roots(axis(form));
+    EXPECT_THAT(with_roots(text).adjoined, SizeIs(0)) << form;
+    const ManifoldReport m = run(text).at(0);
+    EXPECT_THAT(m.blocks, SizeIs(2)) << form;
+    EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << form;
+  }
+}
+
 } // namespace
 } // namespace kov
