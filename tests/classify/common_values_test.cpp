@@ -43,5 +43,22 @@ TEST(CommonValues, NothingIsSaidWithoutALimit) {
   EXPECT_FALSE(common_values(integer(a), integer(a + number(1))));
 }
 
+// The squares of numbers that are no functions of a: the limit 4 is as near to 1 as a = 25 needs.
+TEST(CommonValues, TheSquareThatIsNearestToTheLimit) {
+  const DifferenceCondition root{Kind::integer, {a}};
+  const auto common = common_values(root, {Kind::integer, {number(4) - number(75) / a}});
+  ASSERT_TRUE(common);
+  EXPECT_THAT(common->values, testing::Contains(Rational(25)));
+}
+
+// x^2 and 2 x^2 + 1 are squares for infinitely many x (Pell); -x^2 + 25 for finitely many.
+TEST(CommonValues, SquaresThatGrow) {
+  const DifferenceCondition root{Kind::integer, {a}};
+  EXPECT_FALSE(common_values(root, {Kind::integer, {number(2) * a + number(1)}}));
+  const auto common = common_values(root, {Kind::integer, {number(25) - a}});
+  ASSERT_TRUE(common);
+  EXPECT_THAT(common->values, ElementsAre(0, 9, 16, 25));
+}
+
 } // namespace
 } // namespace kov
