@@ -48,6 +48,13 @@ struct ClassifiedStratum {
   std::vector<std::string> open_after = {}; ///< open: what was tried
 };
 
+/// Where a set of parameters stays open: not integrable for almost all parameters, all but a set of
+/// measure zero that is not determined (docs/theory/classify.md, 10).
+struct AlmostAll {
+  std::string at; ///< "a = 2, b = 3": where the matrices were computed
+  ExclusionReason by;
+};
+
 enum class ClassificationStatus : std::uint8_t { integrable, non_integrable, open, depends };
 /// "integrable", "non-integrable", "open", "depends"
 [[nodiscard]] std::string to_string(ClassificationStatus s);
@@ -57,8 +64,9 @@ struct SystemClassification {
   std::vector<std::string> assumptions;  ///< under which all of this is proved
   /// Algebraic constants that the file does not have: what is said holds for each of the roots.
   std::vector<std::string> constants;
-  std::vector<MPoly> nonzero;        ///< those of them that say what does not vanish
-  std::vector<MPoly> relations;      ///< of the algebraic constants: each set satisfies them
+  std::vector<MPoly> nonzero;   ///< those of them that say what does not vanish
+  std::vector<MPoly> relations; ///< of the algebraic constants: each set satisfies them
+  std::optional<AlmostAll> almost_all;
   std::vector<std::string> theorems; ///< of the literature that are used
   std::vector<std::string> trusted;  ///< steps that no certificate repeats
   std::vector<std::string> notes;    ///< what of the file was not used, and why

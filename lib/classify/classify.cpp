@@ -1,5 +1,6 @@
 #include "classify/classify.hpp"
 
+#include "classify/almost_all.hpp"
 #include "classify/bounded.hpp"
 #include "classify/darboux_points.hpp"
 #include "classify/exclusion.hpp"
@@ -30,6 +31,7 @@ constexpr std::size_t least_dimension = 5;   // where a normal part may have ord
 constexpr std::size_t most_compared = 8;     // integrable strata with one exclusion
 constexpr long low_degree = 2;               // of the integrals that are looked for first
 constexpr double part_with_parameters = 0.5; // of the time that is left: special values need some
+constexpr double part_for_almost_all = 0.2;
 constexpr double part_without_constants = 0.25; // of the time, before algebraic constants are used
 
 double seconds_since(Clock::time_point start) {
@@ -103,7 +105,39 @@ public:
     return std::move(result_);
   }
 
+  /// With what can be said of almost all parameters, where nothing else can.
+  SystemClassification completed() {
+    const bool may_have_large_blocks = system_.field.dimension() >= least_dimension &&
+                                       system_.field.parameters.size() > levels_.size();
+    const Budget whole = options_.check.decide.budget;
+    if (may_have_large_blocks)
+      options_.check.decide.budget = part_of_the_time(whole, 1 - part_for_almost_all);
+    SystemClassification all = run();
+    options_.check.decide.budget = whole;
+    if (!may_have_large_blocks || !is_open_in_general(all) || time_is_over()) return all;
+    const auto solutions = particular_solutions(system_, levels_, options_.search_solutions,
+                                                part_of_the_time(whole, 0.1));
+    CheckOptions check = options_.check;
+    all.almost_all =
+        almost_all(system_, solutions.manifolds, claims_, level_parameters(system_), check);
+    if (!all.almost_all) return all;
+    const ExclusionReason& by = all.almost_all->by;
+    for (const auto& [to, from] :
+         {std::pair(&all.theorems, &by.theorems), std::pair(&all.trusted, &by.trusted)})
+      for (const std::string& text : *from)
+        add_once(*to, text);
+    add_once(all.assumptions, by.unchecked);
+    return all;
+  }
+
 private:
+  static bool is_open_in_general(const SystemClassification& c) {
+    return std::any_of(c.strata.begin(), c.strata.end(), [&](const ClassifiedStratum& s) {
+      return s.status == StratumStatus::open && s.special.empty() &&
+             s.where.equations().size() <= c.relations.size();
+    });
+  }
+
   // Of all solutions, for all parameters: later there are the parameters, but no new constants.
   void adjoin_constants(LevelledSystem& known) const {
     if (known.system.field.dimension() < least_dimension) return;
@@ -1018,13 +1052,13 @@ bool speaks_of(const SystemClassification& c, const std::string& constant) {
 
 SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
   Composition composition(s, options);
-  if (!composition.has_new_constants()) return composition.run();
+  if (!composition.has_new_constants()) return composition.completed();
   ClassifyOptions plain = options;
   plain.adjoin_constants = false;
   plain.check.decide.budget = part_of_the_time(options.check.decide.budget, part_without_constants);
   auto without = Composition(s, plain).run();
   if (without.status() != ClassificationStatus::open) return without;
-  auto result = composition.run();
+  auto result = composition.completed();
   std::erase_if(result.constants,
                 [&](const std::string& c) { return !speaks_of(result, c.substr(0, c.find(' '))); });
   return result;

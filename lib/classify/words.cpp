@@ -212,10 +212,16 @@ std::string statement(const SystemClassification& c) {
   default:
     break;
   }
-  if (!has(c, StratumStatus::excluded)) return "No parameters are excluded.";
+  const std::string almost =
+      c.almost_all ? "For almost all parameters (all but a set of measure zero, which is not "
+                     "determined) the system is " +
+                         statement(c, c.almost_all->by) + "."
+                   : "";
+  if (!has(c, StratumStatus::excluded))
+    return almost.empty() ? "No parameters are excluded." : almost;
   return "The system can be integrable with " + kind_of(c) + " only " +
          alternatives(c, {StratumStatus::integrable, StratumStatus::open}, "integrable or open") +
-         ".";
+         "." + (almost.empty() ? "" : " " + almost);
 }
 
 } // namespace kov

@@ -188,6 +188,14 @@ hamiltonian = "(u^2 + v^2)/2 + (x^2 + y^2)/2 + (x^2 + y^2)^2/4 + b*x^2*y^2/2"
         self.assertIn("<table>", found._repr_html_())
         self.assertIn(found.statement, str(found))
 
+    def test_almost_all(self):
+        path = pathlib.Path(os.environ["KOV_SOURCE"]) / "cases/classify/satellite.toml"
+        found = kovacic.classify(path)
+        self.assertIs(found.status, kovacic.ClassificationStatus.open)
+        self.assertIn("almost all parameters", found.statement)
+        self.assertTrue(found.almost_all.reason.startswith("the monodromy matrices"))
+        self.assertIsNone(kovacic.classify(self.GALAXY).almost_all)
+
     def test_one_value(self):
         self.assertIs(kovacic.classify(self.GALAXY, set={"b": 1}).status, kovacic.ClassificationStatus.non_integrable)
         self.assertIs(kovacic.classify(self.GALAXY, set={"b": 2}).status, kovacic.ClassificationStatus.integrable)

@@ -115,6 +115,10 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
   for (const std::string& note : c.notes)
     put(out, "note", note);
   if (!quiet) {
+    if (c.almost_all) {
+      put(out, "almost all", "proved at " + c.almost_all->at);
+      put_below(out, reason_of(c.almost_all->by));
+    }
     print_all(c, StratumStatus::integrable, verbose, out);
     print_all(c, StratumStatus::open, verbose, out);
     print_excluded(c, verbose, out);
@@ -130,6 +134,17 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
   return out.str();
 }
 
+Json almost_all(const SystemClassification& c) {
+  if (!c.almost_all) return nullptr;
+  const ExclusionReason& by = c.almost_all->by;
+  return {{"at", c.almost_all->at},
+          {"solution", by.solution},
+          {"level", by.level.empty() ? Json(nullptr) : Json(by.level)},
+          {"reason", by.reason},
+          {"integrals_class", integrals_class(c, by)},
+          {"trusted", by.trusted}};
+}
+
 Json json_of(const System& s, const SystemClassification& c) {
   Json strata = Json::array();
   for (const ClassifiedStratum& x : c.strata)
@@ -138,6 +153,7 @@ Json json_of(const System& s, const SystemClassification& c) {
           {"file", s.file},
           {"status", to_string(c.status())},
           {"statement", statement(c)},
+          {"almost_all", almost_all(c)},
           {"integrals_class", c.excluded ? Json(integrals_class(c)) : Json(nullptr)},
           {"assumptions", c.assumptions},
           {"constants", c.constants},

@@ -141,6 +141,15 @@ void bind_classification(py::module_& m) {
             return integrals_class(c);
           },
           "the first integrals that are excluded, or None")
+      .def_property_readonly(
+          "almost_all",
+          [](const SystemClassification& c) -> std::optional<ReasonOf> {
+            if (!c.almost_all) return std::nullopt;
+            const ExclusionReason& by = c.almost_all->by;
+            return ReasonOf{by, statement(c, by), integrals_class(c, by)};
+          },
+          "why it is not integrable for almost all parameters where a set of them stays open, or "
+          "None")
       .def_readonly("assumptions", &SystemClassification::assumptions)
       .def_readonly("theorems", &SystemClassification::theorems)
       .def_readonly("trusted_steps", &SystemClassification::trusted)

@@ -1,0 +1,104 @@
+#include "classify/almost_all.hpp"
+
+#include "classify/exclusion.hpp"
+#include "exact/error.hpp"
+#include "exact/share.hpp"
+#include "integrability/parameters.hpp"
+#include "integrability/specialise.hpp"
+#include "variation/normal.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr int most_points = 2;
+constexpr std::size_t most_solutions = 4; // they are ranked
+
+// Different numbers, the same each time.
+Substitution point(const System& s, const std::vector<std::size_t>& levels, int attempt) {
+  constexpr long numbers[] = {2, 3, 5, 7, 11, 13, 17, 19};
+  Substitution values;
+  std::size_t k = static_cast<std::size_t>(attempt);
+  for (const std::size_t i : s.field.parameters)
+    if (std::find(levels.begin(), levels.end(), i) == levels.end())
+      values[i] = MFraction(s.ring(), Rational(numbers[k++ % std::size(numbers)]));
+  return values;
+}
+
+// The point and its neighbours satisfy the assumptions: they are inequalities that hold there.
+bool is_inside(const System& s, const Substitution& values) {
+  using Relation = Assumption::Relation;
+  return std::all_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+    if (!a.value.ring() || a.relation == Relation::real) return true;
+    const MFraction there = substitute(a.value, values);
+    if (!is_constant(there) || is_zero(there)) return false;
+    const bool is_positive = sign(to_rational(there)) > 0;
+    return a.relation == Relation::nonzero ||
+           (is_positive &&
+            (a.relation == Relation::positive || a.relation == Relation::nonnegative));
+  });
+}
+
+// The differentials of the equations and the levels are independent on the curve but for points:
+// with the parameters it moves, by the implicit function theorem.
+bool is_transverse(const System& s, const InvariantManifold& m) {
+  const auto& main = m.curve->main();
+  for (const std::size_t i :
+       s.field.coordinates) // time is left out as it is no function on the curve
+    if (std::find(main.begin(), main.end(), i) == main.end()) return false;
+  Matrix rows;
+  std::vector<MPoly> divisors;
+  for (const auto* equations : {&m.equations, &m.levels})
+    for (const Equation& e : *equations) {
+      const auto row = restricted_gradient(s.field, m, e.difference);
+      if (!combination(m, rows, row, divisors)) rows.push_back(row);
+    }
+  return rows.size() + 1 == s.field.dimension();
+}
+
+std::string text_of(const System& s, const Substitution& values) {
+  std::string text;
+  for (const auto& [i, value] : values)
+    text += (text.empty() ? "" : ", ") + s.ring()->name(i) + " = " + to_string(value);
+  return text;
+}
+
+std::optional<AlmostAll> at_point(const System& s, const ManifoldSpec& solution,
+                                  const std::vector<ClaimReport>& claims,
+                                  const Substitution& values, const CheckOptions& options) {
+  const System there = at_values(s, values);
+  const ManifoldReport report =
+      check_manifold(there, at_values(solution, values), at_values(claims, values), options);
+  if (!report.matrices || !report.manifold || !is_transverse(there, *report.manifold))
+    return std::nullopt;
+  auto found = exclusions_of_verdict(there, report, level_parameters(there));
+  if (found.empty()) return std::nullopt;
+  return AlmostAll{text_of(s, values), std::move(found.front().by)};
+}
+
+} // namespace
+
+std::optional<AlmostAll> almost_all(const System& s, const std::vector<ManifoldSpec>& solutions,
+                                    const std::vector<ClaimReport>& claims,
+                                    const std::vector<std::size_t>& levels,
+                                    const CheckOptions& options) {
+  for (int attempt = 0; attempt < most_points; ++attempt) {
+    const Substitution values = point(s, levels, attempt);
+    if (values.empty()) return std::nullopt;
+    for (std::size_t k = 0; k < std::min(solutions.size(), most_solutions); ++k)
+      try {
+        if (!is_inside(s, values)) break;
+        CheckOptions share = options;
+        share.decide.budget = part_of_the_time(options.decide.budget, 0.4);
+        if (auto found = at_point(s, solutions[k], claims, values, share)) return found;
+      } catch (const OutOfBudget&) { // what was not computed says nothing
+        return std::nullopt;
+      } catch (const DomainError&) { // something has no value there
+      } catch (const InvalidArgument&) {
+      }
+  }
+  return std::nullopt;
+}
+
+} // namespace kov
