@@ -1,115 +1,19 @@
 #include "monodromy/stokes.hpp"
 
 #include "exact/error.hpp"
+#include "monodromy/bessel_crossings.hpp"
 #include "monodromy/imprecise.hpp"
 
 #include <acb_hypgeom.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace kov::monodromy {
 namespace {
 
 constexpr long spare_bits = 64;
 constexpr long most_bits = 1L << 18;
-
-// ---- complex numbers to one precision
-
-struct Numbers {
-  long bits;
-
-  [[nodiscard]] ComplexBall integer(long n) const {
-    ComplexBall z;
-    acb_set_si(z.raw(), n);
-    return z;
-  }
-  [[nodiscard]] ComplexBall of(const NfElem& a) const { return embed(a, bits); }
-  [[nodiscard]] ComplexBall plus(const ComplexBall& a, const ComplexBall& b) const {
-    return made(acb_add, a, b);
-  }
-  [[nodiscard]] ComplexBall minus(const ComplexBall& a, const ComplexBall& b) const {
-    return made(acb_sub, a, b);
-  }
-  [[nodiscard]] ComplexBall times(const ComplexBall& a, const ComplexBall& b) const {
-    return made(acb_mul, a, b);
-  }
-  [[nodiscard]] ComplexBall over(const ComplexBall& a, const ComplexBall& b) const {
-    return made(acb_div, a, b);
-  }
-  [[nodiscard]] ComplexBall half(const ComplexBall& a) const {
-    ComplexBall z = a;
-    acb_mul_2exp_si(z.raw(), z.raw(), -1);
-    return z;
-  }
-  [[nodiscard]] ComplexBall root(const ComplexBall& a, ulong k) const {
-    ComplexBall z;
-    acb_root_ui(z.raw(), a.raw(), k, bits);
-    return z;
-  }
-  [[nodiscard]] ComplexBall power(const ComplexBall& a, const ComplexBall& e) const {
-    return made(acb_pow, a, e);
-  }
-  [[nodiscard]] ComplexBall exp(const ComplexBall& a) const { return made(acb_exp, a); }
-  // exp(pi i a)
-  [[nodiscard]] ComplexBall turn(const ComplexBall& a) const { return made(acb_exp_pi_i, a); }
-  // exp(2 pi i k/n)
-  [[nodiscard]] ComplexBall root_of_unity(long k, long n) const {
-    return turn(over(integer(2 * k), integer(n)));
-  }
-  [[nodiscard]] ComplexBall reciprocal_gamma(const ComplexBall& a) const {
-    return made(acb_rgamma, a);
-  }
-  [[nodiscard]] ComplexBall pi() const {
-    ComplexBall z;
-    acb_const_pi(z.raw(), bits);
-    return z;
-  }
-  [[nodiscard]] ComplexBall i() const {
-    ComplexBall z;
-    acb_onei(z.raw());
-    return z;
-  }
-  [[nodiscard]] ComplexBall twice_cos_pi(const ComplexBall& a) const {
-    const ComplexBall cosine = made(acb_cos_pi, a);
-    return plus(cosine, cosine);
-  }
-
-private:
-  template <class F>
-  [[nodiscard]] ComplexBall made(F f, const ComplexBall& a, const ComplexBall& b) const {
-    ComplexBall c;
-    f(c.raw(), a.raw(), b.raw(), bits);
-    return c;
-  }
-  template <class F> [[nodiscard]] ComplexBall made(F f, const ComplexBall& a) const {
-    ComplexBall c;
-    f(c.raw(), a.raw(), bits);
-    return c;
-  }
-};
-
-// A solution at the base, and its derivative by the variable of the canonical equation.
-struct Value {
-  ComplexBall y, slope;
-};
-
-// One Stokes direction: the recessive solution R, and a dominant one D; above the direction D is
-// D + multiplier R.
-struct Crossing {
-  Ball angle; // arg x
-  Value recessive;
-  ComplexBall slope_factor; // d(canonical variable)/dz
-  ComplexBall wronskian;    // R D' - R' D in the canonical variable
-  ComplexBall multiplier;
-  /// D below is this times the recessive solution of the direction before, D above the one of the
-  /// next direction divided by it.
-  std::optional<ComplexBall> phase = std::nullopt;
-};
-
-struct Crossings {
-  std::vector<Crossing> all;
-  ComplexBall formal_trace; // of the formal monodromy
-};
 
 // ---- the families
 
@@ -285,6 +189,24 @@ private:
   ComplexBall x_, scale_;
 };
 
+// A family, and what its closed formulas say at a base to a precision.
+struct Solved {
+  std::string family;
+  std::function<Crossings(const Point&, long)> at;
+};
+
+std::optional<Solved> solved(const RationalFunction& r) {
+  if (const auto c = canonical(r))
+    return Solved{c->family(), [c = *c](const Point& base, long bits) {
+                    return Connection(c, base, bits).crossings();
+                  }};
+  if (const auto e = bessel_equation(r))
+    return Solved{"Bessel", [e = *e](const Point& base, long bits) {
+                    return bessel_crossings(e, base, bits);
+                  }};
+  return std::nullopt;
+}
+
 // 1 + multiplier/(R D' - R' D) (R, R') (-R', R)
 BallMatrix matrix_of(const Crossing& c, const Numbers& n) {
   const ComplexBall& y = c.recessive.y;
@@ -359,8 +281,8 @@ bool accurate(const Stokes& s, long digits) {
 std::optional<Stokes> stokes_at_infinity(const RationalFunction& p, const RationalFunction& q,
                                          const Point& base, const Request& request) {
   const RationalFunction r = normal_form(p, q).r;
-  const auto c = canonical(r);
-  if (!c) return std::nullopt;
+  const auto equation = solved(r);
+  if (!equation) return std::nullopt;
   std::optional<BallMatrix> around; // of y'' = r y
   if (degree(r.den()) > 0) {
     const Monodromy m = monodromy(RationalFunction(0), -r, {request.digits, base, request.budget});
@@ -370,8 +292,8 @@ std::optional<Stokes> stokes_at_infinity(const RationalFunction& p, const Ration
     request.budget.check();
     try {
       const Numbers n{bits};
-      const Crossings crossings = Connection(*c, base, bits).crossings();
-      Stokes s{c->family(), {}, {}};
+      const Crossings crossings = equation->at(base, bits);
+      Stokes s{equation->family, {}, {}};
       for (const Crossing& x : crossings.all)
         s.matrices.push_back({x.angle, x.multiplier, matrix_of(x, n)});
       ensure_crossings(crossings.all, n);

@@ -2,9 +2,10 @@
 // Stokes matrices at infinity of the equations whose connection problem is solved by closed
 // formulas:
 //
-//   r = a x                 Airy        three directions, slope 3/2 (ramified)
-//   r = u x^2 + w           Weber       four directions, slope 2
-//   r = a + b/x + c/x^2     Whittaker and Bessel, a != 0: two directions, slope 1
+//   r = a x                     Airy: three directions, slope 3/2 (ramified)
+//   r = u x^2 + w               Weber: four directions, slope 2
+//   r = a + b/x + c/x^2         Whittaker and Bessel, a != 0: two directions, slope 1
+//   r = a x^(n-2) + c/x^2       Bessel, other n >= 1: n directions, slope n/2 (ramified for odd n)
 //
 // x = z - centre.  With the monodromy matrices and the exponential torus they generate a dense
 // subgroup of the differential Galois group (Ramis).  docs/theory/monodromy.md 10
@@ -21,7 +22,7 @@ struct StokesMatrix {
 };
 
 struct Stokes {
-  std::string family;                 ///< "Airy", "Weber", "Whittaker"
+  std::string family;                 ///< "Airy", "Weber", "Whittaker", "Bessel"
   std::vector<StokesMatrix> matrices; ///< counterclockwise, from the first one behind the base
   std::vector<std::string> self_tests;
 };
