@@ -5,6 +5,7 @@
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
+#include "manifold/invariant_manifold.hpp"
 #include "variation/normal.hpp"
 
 #include <algorithm>
@@ -67,6 +68,8 @@ std::string text_of(const System& s, const Substitution& values) {
 std::optional<AlmostAll> at_point(const System& s, const ManifoldSpec& solution,
                                   const std::vector<ClaimReport>& claims,
                                   const Substitution& values, const CheckOptions& options) {
+  const auto in_general = prove_invariant(s.field, solution, options.decide.budget);
+  if (!std::holds_alternative<InvariantManifold>(in_general)) return std::nullopt;
   const System there = at_values(s, values);
   const ManifoldReport report =
       check_manifold(there, at_values(solution, values), at_values(claims, values), options);

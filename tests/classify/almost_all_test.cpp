@@ -1,5 +1,6 @@
 // Matrices at one point of the parameters, and what they say of the others.
 
+#include "classify/almost_all.hpp"
 #include "classify/classify.hpp"
 
 #include <gmock/gmock.h>
@@ -58,6 +59,28 @@ TEST(AlmostAll, NotWhereTheParametersAreFew) {
     EXPECT_FALSE(c.almost_all) << conditions;
     EXPECT_THAT(statement(c), Not(HasSubstr("almost all"))) << conditions;
   }
+}
+
+// The set is invariant for a = 2 only, the first number that is tried: not a family of solutions.
+TEST(AlmostAll, AlongSolutionsThatExistForAllParameters) {
+  const System s = read_system(parse_document(R"t([system]
+kind = "hamiltonian"
+coordinates = ["q1", "q2", "q3"]
+momenta = ["p1", "p2", "p3"]
+parameters = ["a"]
+hamiltonian = "p1^2/2 + p2*p3 + q1^4/4 + q1^2*q2*q3 + q1^2*q2^2 + (a - 2)*q2*q1^3"
+[[manifold]]
+name = "plane"
+equations = ["q2 = 0", "q3 = 0", "p2 = 0", "p3 = 0"]
+level = "H = 1"
+)t",
+                                              "test.toml"));
+  EXPECT_FALSE(almost_all(s, s.manifolds, {}, {}, {}));
+  System through = s;
+  const MFraction a = MFraction::variable(s.ring(), "a");
+  through.field.components[4] +=
+      (a - MFraction(s.ring(), Rational(2))) * pow(MFraction::variable(s.ring(), "q1"), 3);
+  EXPECT_TRUE(almost_all(through, s.manifolds, {}, {}, {}));
 }
 
 } // namespace
