@@ -14,6 +14,8 @@
 namespace kov::cli {
 namespace {
 
+using flow::DrawnBox;
+using flow::FixedPointsInRectangle;
 using flow::Homoclinic;
 using flow::HomoclinicProof;
 using flow::PeriodicOrbit;
@@ -101,6 +103,45 @@ Json json_of(const HomoclinicProof& p) {
   return j;
 }
 
+std::string power_of_map(int n) {
+  return n == 1 ? "the section map" : fmt::format("power {} of the section map", n);
+}
+
+// "(x, y, u, v) = (0, 0.1, 0.5, 0)"
+std::string state_text(const SystemScene& s, const std::vector<double>& x) {
+  std::string names, values;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    names += (j > 0 ? ", " : "") + s.system.field.name(j);
+    values += fmt::format("{}{:.8g}", j > 0 ? ", " : "", x[j] + 0.0);
+  }
+  return fmt::format("({}) = ({})", names, values);
+}
+
+// The smallest rectangle that holds them.
+std::string undecided_text(const std::vector<DrawnBox>& boxes) {
+  DrawnBox all = boxes.front();
+  for (const DrawnBox& b : boxes)
+    for (std::size_t d = 0; d < 2; ++d)
+      all[d] = {std::min(all[d][0], b[d][0]), std::max(all[d][1], b[d][1])};
+  return fmt::format("      these boxes lie in [{:.8g}, {:.8g}] x [{:.8g}, {:.8g}]\n", all[0][0],
+                     all[0][1], all[1][0], all[1][1]);
+}
+
+Json json_of(const FixedPointsInRectangle& all) {
+  Json j{{"period", all.period}, {"complete", complete(all)}, {"sheets", Json::array()}};
+  for (const auto& sheet : all.sheets) {
+    Json one{{"through", sheet.through},
+             {"complete", sheet.complete()},
+             {"boxes", sheet.boxes},
+             {"points", Json::array()},
+             {"undecided", sheet.undecided}};
+    for (const auto& p : sheet.points)
+      one["points"].push_back({{"x", p.x}, {"error", p.error}, {"index", p.index}});
+    j["sheets"].push_back(one);
+  }
+  return j;
+}
+
 } // namespace
 
 std::string kind_of(const PeriodicOrbit& o) {
@@ -141,8 +182,8 @@ std::string proof_text(const SystemScene& s, const PeriodicOrbits& found) {
     if (n > 0) text += fmt::format("{} {} {}", any ? "," : "", n, kind);
     any = any || n > 0;
   }
-  text +=
-      any ? "; that there are no others is not proved\n" : " none found, which proves nothing\n";
+  text += any ? "; that there are no others is not proved (--in)\n"
+              : " none found, which proves nothing\n";
   if (found.stopped) text += "  PARTIAL: the search or the proofs were stopped\n";
   for (const PeriodicOrbit& o : found.orbits) {
     text += fmt::format("    {}", place(s, o.points[0].drawn, shown_error(o)));
@@ -182,8 +223,7 @@ std::string proof_text(const SystemScene& s, const Homoclinic& found) {
   const HomoclinicProof& p = *found.proof;
   const PeriodicOrbit& fixed = p.fixed;
   const std::size_t n = fixed.points.size();
-  const std::string map =
-      n == 1 ? "the section map" : fmt::format("power {} of the section map", n);
+  const std::string map = power_of_map(static_cast<int>(n));
   return fmt::format(
       "  proved: on the level {} {} has a transverse homoclinic point to the {} fixed point at\n"
       "    {}, multipliers {}\n"
@@ -197,16 +237,43 @@ std::string proof_text(const SystemScene& s, const Homoclinic& found) {
       p.sine > 0 ? "above " + rounded_down(p.sine) : "not 0", smale_moser().name);
 }
 
+bool complete(const FixedPointsInRectangle& all) {
+  return !all.sheets.empty() && std::all_of(all.sheets.begin(), all.sheets.end(),
+                                            [](const auto& sheet) { return sheet.complete(); });
+}
+
+std::string proof_text(const SystemScene& s, const FixedPointsInRectangle& all,
+                       const std::vector<std::string>& r) {
+  std::string text =
+      fmt::format("  fixed points of {} in {} <= {} <= {}, {} <= {} <= {}:\n",
+                  power_of_map(all.period), r[0], s.plot[0].text, r[1], r[2], s.plot[1].text, r[3]);
+  for (const auto& sheet : all.sheets) {
+    text += fmt::format(
+        "    on the sheet through {}: {}\n", state_text(s, sheet.through),
+        sheet.complete()
+            ? fmt::format("proved: exactly {} ({} boxes)", sheet.points.size(), sheet.boxes)
+            : fmt::format("undecided: {} proved, there may be more in {} of {} boxes",
+                          sheet.points.size(), sheet.undecided.size(), sheet.boxes));
+    for (const auto& p : sheet.points)
+      text +=
+          fmt::format("      {}  index {:+d}  +-{:.0e}\n", state_text(s, p.x), p.index, p.error);
+    if (!sheet.complete()) text += undecided_text(sheet.undecided);
+  }
+  if (all.stopped) text += "  PARTIAL: the proof was stopped\n";
+  return text;
+}
+
 std::string json_of(const SystemScene& s, const PeriodicOrbits* orbits,
-                    const Homoclinic* homoclinic) {
+                    const Homoclinic* homoclinic, const FixedPointsInRectangle* all) {
   Json j{{"file", s.file}, {"scene", s.name}, {"section", s.section.text}, {"level", levels_of(s)}};
   if (orbits != nullptr) {
     j["period"] = orbits->period;
-    j["complete"] = false; // that there are no others is never proved
+    j["complete"] = false; // that there are no others anywhere is never proved
     j["orbits"] = Json::array();
     for (const PeriodicOrbit& o : orbits->orbits)
       j["orbits"].push_back(json_of(o));
   }
+  if (all != nullptr) j["all_fixed_points"] = json_of(*all);
   if (homoclinic != nullptr) {
     Json& h = j["homoclinic"];
     h = Json{{"proved", homoclinic->proof.has_value()}};

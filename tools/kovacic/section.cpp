@@ -355,9 +355,17 @@ void declare_section(CLI::App& command, SectionArguments& a) {
                    "find and prove fixed points of the section map, with their stability");
   command.add_flag("--homoclinic", a.homoclinic,
                    "prove chaos: a transverse homoclinic point (system files)");
-  command.add_option("--period", a.period, "of --fixed-points and --homoclinic (system files)")
+  command
+      .add_option("--period", a.period, "of --fixed-points, --in and --homoclinic (system files)")
       ->check(CLI::Range(1, 64).description(""))
       ->type_name("N");
+  command
+      .add_option("--in", a.rectangle,
+                  "prove which are all fixed points of the N-th return in this rectangle of the "
+                  "picture (system files)")
+      ->delimiter(',')
+      ->expected(4)
+      ->type_name("A,B,C,D");
   command.add_option("--scene", a.names, "only these scenes of a system file")
       ->delimiter(',')
       ->type_name("NAMES");
@@ -384,6 +392,7 @@ int section(const Settings& settings, const SectionArguments& arguments) {
       throw InputError(file, 0, 0, 1, "pages (html) are for scenes of a system file");
     if (!flow::has_system_scenes(document))
       for (const auto& [wanted, option] : {std::pair{arguments.homoclinic, "--homoclinic"},
+                                           std::pair{!arguments.rectangle.empty(), "--in"},
                                            std::pair{arguments.period > 1, "--period"}})
         if (wanted)
           throw InputError(file, 0, 0, 1, std::string(option) + " is for scenes of a system file");

@@ -289,7 +289,7 @@ private:
 
   // Periodic orbits and homoclinic points; false: not all that was asked for is proved.
   bool proofs() {
-    if (!o_.fixed_points && !o_.homoclinic) return true;
+    if (!o_.fixed_points && !o_.homoclinic && o_.rectangle.empty()) return true;
     flow::PeriodicOrbits orbits;
     flow::Homoclinic homoclinic;
     std::string text;
@@ -302,6 +302,11 @@ private:
       for (const auto& o : orbits.orbits)
         marks_.insert({kind_of(o), o.proved});
       text += proof_text(scene_, orbits);
+    }
+    std::optional<flow::FixedPointsInRectangle> all;
+    if (!o_.rectangle.empty()) {
+      all = all_fixed_points();
+      text += proof_text(scene_, *all, o_.rectangle);
     }
     if (o_.homoclinic) {
       flow::HomoclinicOptions options;
@@ -320,10 +325,19 @@ private:
     }
     if (settings_.format == "json")
       text = json_of(scene_, o_.fixed_points ? &orbits : nullptr,
-                     o_.homoclinic ? &homoclinic : nullptr) +
+                     o_.homoclinic ? &homoclinic : nullptr, all ? &*all : nullptr) +
              "\n";
     if (settings_.format == "json" || !settings_.quiet) fmt::print("{}", text);
-    return !orbits.stopped && (!o_.homoclinic || homoclinic.proof);
+    return !orbits.stopped && (!o_.homoclinic || homoclinic.proof) && (!all || complete(*all));
+  }
+
+  [[nodiscard]] flow::FixedPointsInRectangle all_fixed_points() const {
+    const auto& r = o_.rectangle;
+    flow::RectangleOptions options;
+    options.period = o_.period;
+    options.stop = interrupt_.flag();
+    return flow::fixed_points_in(
+        scene_, {{{r[0].c_str(), r[1].c_str()}, {r[2].c_str(), r[3].c_str()}}}, options);
   }
 
   // "orbit 3 from (0.1, 0.2): 300 crossings until t = 2000, drift 1e-14; ended by crossings"

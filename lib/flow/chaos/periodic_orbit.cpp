@@ -105,6 +105,19 @@ Field field_of(const SystemScene& s) {
 
 } // namespace
 
+std::vector<State2> starts_over(const SystemScene& scene, const std::array<Quantity, 2>& place,
+                                const std::atomic<bool>* stop) {
+  SystemScene one = scene;
+  one.columns = one.rows = 0;
+  one.random = 0;
+  one.states.clear();
+  one.seeds = {place};
+  std::vector<State2> found;
+  for (const FieldStart& start : starts_of(one, field_of(one), nullptr, stop))
+    found.push_back(start.x);
+  return found;
+}
+
 std::vector<std::vector<std::vector<double>>>
 look_for_orbits(const SystemScene& scene, QuickMap& map, const PeriodicOptions& o) {
   SystemScene dense = scene;

@@ -48,6 +48,11 @@ struct PeriodicOptions {
 [[nodiscard]] PeriodicOrbits periodic_orbits(const SystemScene& scene,
                                              const PeriodicOptions& options = {});
 
+/// The starts of a scene over one place of the picture: one on each sheet that is found there.
+[[nodiscard]] std::vector<std::vector<double>> starts_over(const SystemScene& scene,
+                                                           const std::array<Quantity, 2>& place,
+                                                           const std::atomic<bool>* stop);
+
 /// An orbit as the proof encloses it.
 struct EnclosedOrbit {
   std::vector<Patch> patches; ///< around the points; box: where the point is

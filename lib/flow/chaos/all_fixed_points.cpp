@@ -1,0 +1,332 @@
+#include "flow/chaos/all_fixed_points.hpp"
+
+#include "flow/chaos/periodic_orbit.hpp"
+#include "symbol/input_error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+namespace kov::flow {
+namespace {
+
+using Ball = Enclosure;
+using Box2 = std::array<Ball, 2>;
+
+Box2 balls(const DrawnBox& b) {
+  return {Ball::between(b[0][0], b[0][1]), Ball::between(b[1][0], b[1][1])};
+}
+double half_width(const DrawnBox& b, std::size_t d) { return (b[d][1] - b[d][0]) / 2; }
+double middle_of(const DrawnBox& b, std::size_t d) { return b[d][0] + half_width(b, d); }
+
+bool inside(const DrawnBox& a, const DrawnBox& b) {
+  return b[0][0] <= a[0][0] && a[0][1] <= b[0][1] && b[1][0] <= a[1][0] && a[1][1] <= b[1][1];
+}
+/// What two closed boxes have in common.
+std::optional<DrawnBox> common(const DrawnBox& a, const DrawnBox& b) {
+  DrawnBox c;
+  for (std::size_t d = 0; d < 2; ++d) {
+    c[d] = {std::max(a[d][0], b[d][0]), std::min(a[d][1], b[d][1])};
+    if (!(c[d][0] <= c[d][1])) return std::nullopt;
+  }
+  return c;
+}
+
+/// Krawczyk's test for P^n(z) - z over a box.
+struct Test {
+  Patch patch;
+  bool excluded = false, unique = false; ///< no fixed point in the box; exactly one
+  std::array<double, 2> shift{};         ///< K - its middle: the middle of that
+  std::array<double, 2> spread{};        ///< and its radius
+  int index = 0;                         ///< where unique
+};
+
+class SheetSearch {
+public:
+  SheetSearch(EnclosedMap& map, const Chart& chart, const RectangleOptions& options,
+              const std::array<Box2, 2>& border, const DrawnBox& rectangle,
+              std::vector<double> through)
+      : map_(map), chart_(chart), o_(options), border_(border), rectangle_(rectangle) {
+    result_.through = std::move(through);
+  }
+
+  FixedPointsOverSheet run() {
+    open_.push_back({rectangle_, result_.through});
+    while (!open_.empty()) {
+      const Open next = open_.front();
+      open_.pop_front();
+      if (++result_.boxes > o_.boxes || (o_.stop != nullptr && o_.stop->load()))
+        result_.undecided.push_back(next.box);
+      else
+        look(next);
+    }
+    join();
+    count();
+    return std::move(result_);
+  }
+
+private:
+  struct Open {
+    DrawnBox box;
+    std::vector<double> near; ///< a point of the sheet near it
+  };
+  /// A box in which every fixed point is known.
+  struct Leaf {
+    DrawnBox box;   ///< what it decides of the rectangle
+    DrawnBox wider; ///< that of its patch
+    Patch patch;
+    std::optional<CountedPoint> point;
+    Box2 at; ///< encloses it
+  };
+  EnclosedMap& map_;
+  const Chart chart_;
+  const RectangleOptions& o_;
+  const std::array<Box2, 2>& border_;
+  const DrawnBox rectangle_;
+  std::deque<Open> open_;
+  std::vector<Leaf> leaves_;
+  FixedPointsOverSheet result_;
+
+  [[nodiscard]] Test test(const DrawnBox& box, const std::vector<double>& near) const {
+    Test t{map_.patch(chart_, balls(box), near)};
+    const Landing l = map_(t.patch, false, o_.period);
+    BallVector value;
+    BallMatrix slope(2, BallVector(2));
+    std::vector<double> radius;
+    for (std::size_t d = 0; d < 2; ++d) {
+      const std::size_t j = chart_.free[d];
+      t.excluded = t.excluded || !(l.at[j].v - t.patch.box[d]).contains_zero();
+      value.push_back(l.middle[j] - t.patch.box[d].middle());
+      radius.push_back(t.patch.box[d].radius());
+      for (std::size_t k = 0; k < 2; ++k)
+        slope[d][k] = l.at[j].d[k] - Ball(d == k ? 1 : 0);
+    }
+    if (t.excluded) return t;
+    const auto c = approximate_inverse(slope);
+    if (!c) throw NotProved{"a multiplier is 1, or nearly"};
+    const BallVector shift = krawczyk_shift(*c, value, slope, radius);
+    t.unique = shift_inside(shift, radius) && EnclosedMap::same_sheet(l, t.patch);
+    for (std::size_t d = 0; d < 2; ++d) {
+      const Ball reach = Ball(0).widened(Ball(radius[d]));
+      t.excluded = t.excluded || !(shift[d] - reach).contains_zero();
+      t.shift[d] = static_cast<double>(shift[d]);
+      t.spread[d] = shift[d].radius();
+    }
+    const Ball det = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
+    t.index = det.is_positive() ? 1 : det.is_negative() ? -1 : 0;
+    return t;
+  }
+
+  void look(const Open& next) {
+    for (const Leaf& l : leaves_)
+      if (l.point && inside(next.box, l.wider)) {
+        Leaf same = l;
+        same.box = next.box;
+        same.point.reset();
+        leaves_.push_back(std::move(same));
+        return;
+      }
+    std::vector<double> near = next.near;
+    try {
+      const Test t = test(next.box, near);
+      near = doubles(t.patch.at);
+      if (t.excluded) {
+        leaves_.push_back({next.box, next.box, t.patch, {}, {}});
+        return;
+      }
+      if (isolated(next.box, t, near)) return;
+    } catch (const NotProved&) { // smaller boxes may do
+    }
+    split(next.box, near);
+  }
+
+  // The box with a margin, around the place where Newton's method goes from its middle.
+  bool isolated(const DrawnBox& box, const Test& t, const std::vector<double>& near) {
+    DrawnBox wider;
+    for (std::size_t d = 0; d < 2; ++d) {
+      const double r = half_width(box, d);
+      if (!(t.spread[d] < 0.6 * r && std::abs(t.shift[d]) < 4 * r)) return false;
+      const double m = middle_of(box, d) + t.shift[d], reach = 1.1 * (std::abs(t.shift[d]) + r);
+      wider[d] = {m - reach, m + reach};
+    }
+    Test whole = test(wider, near);
+    if (!whole.unique || !inside(box, wider)) return false;
+    Leaf leaf{box, wider, whole.patch, CountedPoint{}, {}};
+    refine(leaf, whole);
+    leaves_.push_back(std::move(leaf));
+    return true;
+  }
+
+  // The fixed point lies in the image of Krawczyk's operator; again and again, while that helps.
+  void refine(Leaf& leaf, const Test& first) const {
+    DrawnBox at = image_of(leaf.wider, first);
+    Patch patch = map_.patch(chart_, balls(at), doubles(first.patch.at));
+    leaf.point->index = first.index;
+    for (int i = 0; i < 8; ++i) {
+      const Test t = test(at, doubles(patch.at));
+      if (!t.unique) break;
+      leaf.point->index = t.index;
+      patch = t.patch;
+      const DrawnBox next = image_of(at, t);
+      const bool better = half_width(next, 0) < half_width(at, 0) / 2;
+      at = next;
+      if (!better) break;
+    }
+    patch = map_.patch(chart_, balls(at), doubles(patch.at));
+    leaf.at = patch.box;
+    leaf.point->x = doubles(patch.at);
+    for (std::size_t j = 0; j < patch.at.size(); ++j)
+      leaf.point->error =
+          std::max(leaf.point->error, bound_of(patch.at[j].v - Ball(leaf.point->x[j])));
+  }
+
+  static DrawnBox image_of(const DrawnBox& box, const Test& t) {
+    DrawnBox b;
+    for (std::size_t d = 0; d < 2; ++d) { // rounded outward
+      const double m = middle_of(box, d) + t.shift[d];
+      const double r =
+          t.spread[d] * (1 + 1e-6) + 1e-15 * (std::abs(box[d][0]) + std::abs(box[d][1]));
+      b[d] = {std::max(box[d][0], m - r), std::min(box[d][1], m + r)};
+    }
+    return b;
+  }
+
+  void split(const DrawnBox& box, const std::vector<double>& near) {
+    const auto part = [&](std::size_t d) { return half_width(box, d) / half_width(rectangle_, d); };
+    const std::size_t d = part(0) >= part(1) ? 0 : 1;
+    const double cut = middle_of(box, d);
+    if (!(part(d) > 1e-7 && box[d][0] < cut && cut < box[d][1])) {
+      result_.undecided.push_back(box);
+      return;
+    }
+    DrawnBox low = box, high = box;
+    low[d][1] = high[d][0] = cut;
+    open_.push_back({low, near});
+    open_.push_back({high, near});
+  }
+
+  // One sheet: the graphs over two boxes that meet agree at a point of what they have in common, so on all of it.
+  void join() {
+    std::vector<Leaf> joined, left = std::move(leaves_);
+    const BallVector exact(result_.through.begin(), result_.through.end());
+    const PhasePoint<Ball> through(exact.begin(), exact.end());
+    const double x = middle_of(rectangle_, 0), y = middle_of(rectangle_, 1);
+    const DrawnBox middle{{{x, x}, {y, y}}};
+    const auto first = std::find_if(left.begin(), left.end(), [&](const Leaf& l) {
+      return inside(middle, l.wider) && EnclosedMap::same_sheet(through, l.patch);
+    });
+    if (first != left.end()) {
+      joined.push_back(std::move(*first));
+      left.erase(first);
+    }
+    for (std::size_t k = 0; k < joined.size(); ++k) // grows
+      for (std::size_t i = 0; i < left.size();)
+        if (common(joined[k].wider, left[i].wider) && agrees(left[i], joined)) {
+          joined.push_back(std::move(left[i]));
+          left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
+        } else {
+          ++i;
+        }
+    for (const Leaf& l : left)
+      result_.undecided.push_back(l.box);
+    leaves_ = std::move(joined);
+  }
+
+  [[nodiscard]] bool agrees(const Leaf& leaf, const std::vector<Leaf>& joined) const {
+    return std::all_of(joined.begin(), joined.end(), [&](const Leaf& other) {
+      const auto both = common(leaf.wider, other.wider);
+      if (!both) return true;
+      try {
+        const Patch p = map_.patch(chart_, {Ball(middle_of(*both, 0)), Ball(middle_of(*both, 1))},
+                                   doubles(leaf.patch.at));
+        return EnclosedMap::same_sheet(p.at, leaf.patch) &&
+               EnclosedMap::same_sheet(p.at, other.patch);
+      } catch (const NotProved&) {
+        return false;
+      }
+    });
+  }
+
+  // Inside, outside, or nobody knows.
+  [[nodiscard]] std::optional<bool> in_rectangle(const Box2& at) const {
+    bool surely = true;
+    for (std::size_t d = 0; d < 2; ++d) {
+      if (at[d] < border_[d][0] || at[d] > border_[d][1]) return false;
+      surely = surely && at[d] > border_[d][0] && at[d] < border_[d][1];
+    }
+    return surely ? std::optional(true) : std::nullopt;
+  }
+
+  void count() {
+    std::vector<const Leaf*> counted;
+    for (const Leaf& l : leaves_) {
+      if (!l.point) continue;
+      const auto in = in_rectangle(l.at);
+      if (in && !*in) continue;
+      const auto known = [&](const Leaf* k) { // unique in a box that contains both
+        return l.at[0].inside(k->patch.box[0]) && l.at[1].inside(k->patch.box[1]);
+      };
+      const auto apart = [&](const Leaf* k) {
+        return !(l.at[0] - k->at[0]).contains_zero() || !(l.at[1] - k->at[1]).contains_zero();
+      };
+      if (std::any_of(counted.begin(), counted.end(), known)) continue;
+      if (!in || l.point->index == 0 || !std::all_of(counted.begin(), counted.end(), apart)) {
+        result_.undecided.push_back(l.box);
+        continue;
+      }
+      counted.push_back(&l);
+      result_.points.push_back(*l.point);
+    }
+  }
+};
+
+/// The two coordinates that are drawn.
+Chart drawn_chart(const SystemScene& s) {
+  const VectorField& v = s.system.field;
+  Chart chart;
+  for (std::size_t d = 0; d < 2; ++d) {
+    std::size_t j = 0;
+    while (j < v.dimension() && !(s.plot[d].value == MFraction::variable(v.ring, v.coordinates[j])))
+      ++j;
+    if (j == v.dimension() || (d == 1 && j == chart.free[0]))
+      throw InputError(s.file, 0, 0, 1,
+                       "all fixed points in a rectangle need a plot of two coordinates",
+                       "plot = [\"y\", \"v\"]");
+    chart.free[d] = j;
+  }
+  for (std::size_t j = 0; j < v.dimension(); ++j)
+    if (j != chart.free[0] && j != chart.free[1]) chart.rest.push_back(j);
+  return chart;
+}
+
+} // namespace
+
+FixedPointsInRectangle fixed_points_in(const SystemScene& scene,
+                                       const std::array<std::array<Quantity, 2>, 2>& rectangle,
+                                       const RectangleOptions& options) {
+  const SectionSurface surface(scene);
+  const Chart chart = drawn_chart(scene);
+  const EnclosureScope scope(options.bits);
+  std::array<Box2, 2> border;
+  DrawnBox outer;
+  std::array<Quantity, 2> middle;
+  for (std::size_t d = 0; d < 2; ++d) {
+    const auto& [from, to] = rectangle[d];
+    if ((to - from).sign() <= 0)
+      throw InputError(scene.file, 0, 0, 1,
+                       "the rectangle is empty from " + from.text() + " to " + to.text());
+    border[d] = {from.as<Ball>(), to.as<Ball>()};
+    outer[d] = {std::nextafter(from.as<double>(), -INFINITY),
+                std::nextafter(to.as<double>(), INFINITY)};
+    middle[d] = (from + to).shifted(-1);
+  }
+  FixedPointsInRectangle all;
+  all.period = options.period;
+  EnclosedMap map(surface, options.stop);
+  for (const auto& x : starts_over(scene, middle, options.stop))
+    all.sheets.push_back(SheetSearch(map, chart, options, border, outer, x).run());
+  all.stopped = options.stop != nullptr && options.stop->load();
+  return all;
+}
+
+} // namespace kov::flow
