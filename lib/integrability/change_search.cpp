@@ -7,6 +7,46 @@
 namespace kov {
 namespace {
 
+/// What was tried without success, with one sentence for all that failed in the same way.
+class FailedChanges {
+public:
+  void add(const MFraction& phi, const std::string& message) {
+    const std::string begin = "z = " + to_string(phi) + " ";
+    if (!message.starts_with(begin)) return add({}, message, message);
+    add(to_string(phi), message, "z " + message.substr(begin.size()));
+  }
+  [[nodiscard]] std::string text() const {
+    std::string all;
+    for (const Way& way : ways_)
+      all += (all.empty() ? "" : "; ") +
+             (way.changes.size() <= 1 ? way.message : together(way.changes) + way.how);
+    return all;
+  }
+
+private:
+  struct Way {
+    std::vector<std::string> changes;
+    std::string message, how;
+  };
+  void add(const std::string& change, const std::string& message, const std::string& how) {
+    auto same =
+        std::find_if(ways_.begin(), ways_.end(), [&](const Way& w) { return w.how == how; });
+    if (same == ways_.end()) same = ways_.insert(ways_.end(), {{}, message, how});
+    if (!change.empty()) same->changes.push_back(change);
+  }
+  // "for z = x, y, x^2 and 5 more: "
+  static std::string together(const std::vector<std::string>& changes) {
+    constexpr std::size_t shown = 3;
+    std::string text = "for z = ";
+    for (std::size_t k = 0; k < std::min(shown, changes.size()); ++k)
+      text += (k == 0 ? "" : ", ") + changes[k];
+    if (changes.size() > shown) text += " and " + std::to_string(changes.size() - shown) + " more";
+    return text + ": ";
+  }
+
+  std::vector<Way> ways_;
+};
+
 class ChangeSearch {
 public:
   ChangeSearch(const System& s, const InvariantManifold& m, const Budget& budget,
@@ -19,7 +59,7 @@ public:
   void given(const MFraction& phi) {
     attempt(phi);
     if (!block_.ode && better_)
-      failures_ += "; the change z = " + to_string(*better_) + " would do";
+      failures_.add(phi, "the change z = " + to_string(*better_) + " would do");
     finish();
   }
   void proposed(const std::vector<MFraction>& changes) {
@@ -38,19 +78,19 @@ private:
     try {
       find_equations(phi);
     } catch (const OutOfBudget& limit) {
-      note({"z = " + to_string(phi) + ": " + limit.what()});
+      note(phi, {"z = " + to_string(phi) + ": " + limit.what()});
     }
   }
   void find_equations(const MFraction& phi) {
     // a map of much higher degree than one that works brings more singular places
     auto made = FunctionField::make(s_.field, m_, s_.z, phi, divisors_, budget_, 2 * smallest_);
-    if (const auto* failure = std::get_if<ChangeFailure>(&made)) return note(*failure);
+    if (const auto* failure = std::get_if<ChangeFailure>(&made)) return note(phi, *failure);
     const auto field =
         std::make_shared<const FunctionField>(std::get<FunctionField>(std::move(made)));
     for (const auto& e : block_.scalar) {
       auto result = algebraize(field, s_.z, phi, e);
       if (const auto* failure = std::get_if<ChangeFailure>(&result)) {
-        note(*failure);
+        note(phi, *failure);
         continue;
       }
       auto& ode = std::get<AlgebraicOde>(result);
@@ -59,13 +99,14 @@ private:
         block_.ode = std::move(ode);
     }
   }
-  void note(const ChangeFailure& failure) {
-    failures_ += (failures_.empty() ? "" : "; ") + failure.message;
+  void note(const MFraction& phi, const ChangeFailure& failure) {
+    failures_.add(phi, failure.message);
     if (failure.better) better_ = failure.better;
   }
   void finish() {
     if (block_.ode) return;
-    block_.note = failures_.empty() ? "no change of variable was found" : failures_;
+    block_.note = failures_.text();
+    if (block_.note.empty()) block_.note = "no change of variable was found";
     const auto factors = factors_on_components(m_);
     if (factors.empty()) return;
     std::string product;
@@ -82,7 +123,7 @@ private:
   const Budget& budget_;
   BlockReport& block_;
   std::vector<MPoly> divisors_;
-  std::string failures_;
+  FailedChanges failures_;
   std::optional<MFraction> better_;
   std::size_t smallest_ = 100;
 };
