@@ -55,6 +55,10 @@ class Certificates(unittest.TestCase):
         self.assertIn("1/8", lines[0])
         self.assertIn("homoclinic", lines[2])
 
+    def test_at_other_energies(self):  # the region on which a cone is kept is another one
+        for name, level in (("henon_heiles_6", "1/6"), ("henon_heiles_12", "1/12")):
+            self.assertIn(level, kovacic_verify.check(json.dumps(written(name)))[2][0])
+
     def test_the_other_judge_says_the_same(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "proof.json")

@@ -1,6 +1,7 @@
 // Sections of any system: the scenes of a system file.
 
 #include "flow/scene/system_section.hpp"
+#include "certify/homoclinic/check.hpp"
 #include "chaos_report.hpp"
 #include "plot.hpp"
 #include "section_files.hpp"
@@ -309,19 +310,10 @@ private:
       text += proof_text(scene_, *all, o_.rectangle);
     }
     if (o_.homoclinic) {
-      flow::HomoclinicOptions options;
-      options.period = o_.period;
-      if (!settings_.certificate.empty()) {
-        options.bits = 128;
-        options.smaller = 8;
-      }
-      options.stop = interrupt_.flag();
-      homoclinic = flow::homoclinic(scene_, options);
+      homoclinic = homoclinic_point();
       write_homoclinic(base_ + ".homoclinic.dat", scene_, homoclinic);
       manifolds_ = !homoclinic.unstable.empty();
       text += proof_text(scene_, homoclinic);
-      if (homoclinic.proof && !settings_.certificate.empty())
-        write_file(settings_.certificate, certificate_of(scene_, homoclinic));
     }
     if (settings_.format == "json")
       text = json_of(scene_, o_.fixed_points ? &orbits : nullptr,
@@ -329,6 +321,38 @@ private:
              "\n";
     if (settings_.format == "json" || !settings_.quiet) fmt::print("{}", text);
     return !orbits.stopped && (!o_.homoclinic || homoclinic.proof) && (!all || complete(*all));
+  }
+
+  // With a certificate that is written, if our own judge accepts it: he keeps a cone on a region that the
+  // finder need not look at, and so the region is made smaller.
+  [[nodiscard]] flow::Homoclinic homoclinic_point() const {
+    flow::HomoclinicOptions options;
+    options.period = o_.period;
+    options.stop = interrupt_.flag();
+    if (settings_.certificate.empty()) return flow::homoclinic(scene_, options);
+    options.bits = 128;
+    std::string refused;
+    for (const int smaller : {16, 32, 8}) {
+      options.smaller = smaller;
+      flow::Homoclinic found = flow::homoclinic(scene_, options);
+      if (found.stopped) return found;
+      if (!found.proof) {
+        if (refused.empty()) refused = found.why;
+        continue;
+      }
+      const std::string certificate = certificate_of(scene_, found);
+      const auto verdict =
+          certify::check_homoclinic(certify::read_homoclinic_certificate(certificate));
+      if (const auto* no = std::get_if<certify::Rejected>(&verdict)) {
+        refused = "our own checker refuses the certificate: " + no->step + ": " + no->why;
+        continue;
+      }
+      write_file(settings_.certificate, certificate);
+      return found;
+    }
+    flow::Homoclinic none;
+    none.why = refused;
+    return none;
   }
 
   [[nodiscard]] flow::FixedPointsInRectangle all_fixed_points() const {

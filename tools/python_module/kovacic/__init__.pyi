@@ -323,6 +323,7 @@ class Classification:
     statement: str
     strata: list[ClassifiedStratum]
     integrals_class: str | None
+    almost_all: ExclusionReason | None
     assumptions: list[str]
     theorems: list[str]
     trusted_steps: list[str]
