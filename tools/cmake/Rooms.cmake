@@ -1,9 +1,8 @@
 # A room of lib/ is one CMake target that links only what it may use, so that a forbidden include does
 # not compile.  kov_room(exact LINKS flint::flint) makes the library kov::exact from lib/exact/*.cpp.
 
-# What nearly every file reads before its own first line is read once: half of the build was that.  The room
-# `exact` owns the precompiled header and the others reuse it.  The preset `dev` does without, so that a missing
-# include is seen.
+# What nearly every file reads before its own first line is read once: half of the build was that.  The preset
+# `dev` does without, so that a missing include is seen.
 option(KOV_PRECOMPILE "Precompiled headers" ON)
 set(kov_standard_headers <algorithm> <array> <chrono> <cstdint> <functional> <map> <memory> <numeric> <optional>
     <set> <sstream> <stdexcept> <string> <string_view> <utility> <variant> <vector>)
@@ -53,6 +52,31 @@ function(kov_sources out folder)
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
 
+# Where the time of a run goes is compiled with -O2, the rest with -O1, which compiles twice as fast: the long
+# loops of those rooms are FLINT's, Arb's and Z3's, and those of lib/exact.
+set(kov_hot_rooms exact linode kovacic riccati invariant pcurvature galois monodromy flow)
+function(kov_optimize target name)
+  if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT name IN_LIST kov_hot_rooms)
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+endfunction()
+
+# The first room of each kind owns a precompiled header; the others of its kind reuse it.
+function(kov_precompile_room name)
+  if(name IN_LIST kov_hot_rooms)
+    set(kind hot)
+  else()
+    set(kind other)
+  endif()
+  get_property(owner GLOBAL PROPERTY KOV_PRECOMPILED_${kind})
+  if(owner)
+    kov_precompile(kov_${name} REUSE ${owner})
+  else()
+    kov_precompile(kov_${name} ${kov_standard_headers} <arb.h> <flint/fmpq_poly.h> <antic/nf_elem.h>)
+    set_property(GLOBAL PROPERTY KOV_PRECOMPILED_${kind} kov_${name})
+  endif()
+endfunction()
+
 function(kov_room name)
   cmake_parse_arguments(ROOM "" "" "LINKS;PRIVATE_LINKS" ${ARGN})
   kov_sources(sources ${CMAKE_CURRENT_SOURCE_DIR}/${name})
@@ -65,12 +89,11 @@ function(kov_room name)
   target_include_directories(kov_${name} PUBLIC $<BUILD_INTERFACE:${view}> $<INSTALL_INTERFACE:include/kovacic>)
   target_link_libraries(kov_${name} PUBLIC ${ROOM_LINKS} PRIVATE ${ROOM_PRIVATE_LINKS} kov_warnings)
   set_target_properties(kov_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
-  if(name STREQUAL exact)
-    kov_precompile(kov_exact ${kov_standard_headers} <arb.h> <flint/fmpq_poly.h> <antic/nf_elem.h>)
-  elseif(name STREQUAL flow) # compiled with other options
+  kov_optimize(kov_${name} ${name})
+  if(name STREQUAL flow) # compiled with other options
     kov_precompile(kov_flow ${kov_standard_headers})
   else()
-    kov_precompile(kov_${name} REUSE kov_exact)
+    kov_precompile_room(${name})
   endif()
   set_property(GLOBAL APPEND PROPERTY KOV_ROOMS ${name})
   install(TARGETS kov_${name} EXPORT kovacic COMPONENT development)
