@@ -9,6 +9,7 @@
 #include "classify/pieces.hpp"
 #include "classify/scale.hpp"
 #include "classify/solutions.hpp"
+#include "classify/stated.hpp"
 #include "exact/error.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
@@ -70,11 +71,14 @@ struct Round : KnownSystem {
 
 class Composition {
 public:
-  Composition(const System& s, const ClassifyOptions& options) : options_(options) {
+  Composition(const System& s, const ClassifyOptions& options, const StatedSolutions& stated)
+      : options_(options), stated_(stated) {
     start_ = Clock::now();
-    const System known = options.search_solutions ? with_found_integrals(s, share(0.1)) : s;
-    LevelledSystem levelled = with_levels(known, decide_claims(known, options.check));
-    if (options.adjoin_constants) adjoin_constants(levelled);
+    const bool search = options.search_solutions && !stated.decided;
+    const System known = search ? with_found_integrals(s, share(0.1)) : s;
+    LevelledSystem levelled = with_levels(known, claims_of_all(known));
+    if (options.adjoin_constants && !stated.decided) adjoin_constants(levelled);
+    is_as_stated_ = levelled.claims.size() == s.claims.size() && levelled.system.adjoined.empty();
     system_ = without_levels_fixed(std::move(levelled.system));
     claims_ = std::move(levelled.claims);
     levels_ = std::move(levelled.levels);
@@ -131,6 +135,15 @@ public:
   }
 
 private:
+  // Those of the file are decided.
+  [[nodiscard]] std::vector<ClaimReport> claims_of_all(const System& known) const {
+    std::vector<ClaimReport> all = stated_.claims;
+    for (std::size_t k = all.size(); k < known.claims.size(); ++k)
+      all.push_back(
+          {known.claims[k], decide_claim(known, known.claims[k], options_.check.decide.budget)});
+    return all;
+  }
+
   static bool is_open_in_general(const SystemClassification& c) {
     return std::any_of(c.strata.begin(), c.strata.end(), [&](const ClassifiedStratum& s) {
       return s.status == StratumStatus::open && s.special.empty() &&
@@ -200,8 +213,12 @@ private:
     std::erase_if(s.assumptions, [&](const Assumption& a) {
       const bool of_a_level = std::any_of(levels.begin(), levels.end(),
                                           [&](std::size_t i) { return uses(a.value, i); });
-      if (of_a_level)
-        result_.notes.push_back("not used, as the statement is about all levels: " + a.text);
+      if (of_a_level) {
+        is_as_stated_ = false;
+        result_.notes.push_back(
+            (stated_.all.empty() ? "not used" : "used along the file's manifolds only") +
+            std::string(", as the statement is about all levels: ") + a.text);
+      }
       return of_a_level;
     });
     for (ReduceSpec& r : s.reductions)
@@ -226,14 +243,16 @@ private:
 
   void study(Round round) {
     const std::size_t decided = round.decided = result_.strata.size();
+    const bool is_first = std::exchange(begun_, true) == false;
     round_budget_ = part_of_the_time(options_.check.decide.budget,
                                      round.last || is_at_numbers(round) ? 1 : part_with_parameters);
-    if (!round.integrals_known && begins(round, "integrals of low degree"))
+    if (is_first) take_stated(round);
+    if (!round.pieces.empty() && !round.integrals_known && begins(round, "integrals of low degree"))
       try_integrals_of_low_degree(round, decided);
     // beside many parameters solutions cost much, and Darboux points leave few of their values
     const bool first = has_many_parameters(round.system, round.levels);
     if (first && begins(round, "Darboux points")) try_darboux_points(round);
-    if (begins(round, "solutions")) try_solutions_at_some_scale(round);
+    if (!round.pieces.empty() && begins(round, "solutions")) try_solutions_at_some_scale(round);
     if (!first && begins(round, "Darboux points")) try_darboux_points(round);
     if (begins(round, "faces")) try_faces(round);
     if (round.pieces.empty())
@@ -362,7 +381,8 @@ private:
         equations = round.scale->before(std::move(equations));
     round.at_energy_zero = solutions.at_energy_zero;
     round.solutions = solutions.manifolds;
-    const auto manifolds = worth_trying(round, solutions.manifolds);
+    auto manifolds = worth_trying(round, solutions.manifolds);
+    std::erase_if(manifolds, [&](const ManifoldSpec& m) { return is_done(round, m); });
     std::size_t left = manifolds.size();
     for (const ManifoldSpec& m : manifolds) {
       if (round.pieces.empty()) return;
@@ -377,6 +397,29 @@ private:
         note(p, "invariant manifolds",
              options_.search_solutions ? "none was found" : "the file has none");
     }
+  }
+
+  // What `check` proves of the file's manifolds.
+  void take_stated(Round& round) {
+    for (const StatedSolution& one : stated_.all) {
+      result_.stages.emplace_back(one.name, one.seconds);
+      for (const Exclusion& x : one.exclusions) {
+        Exclusion e = in_ring(x, round.system.ring());
+        if (e.unless && e.unless->squares.size() > 1)
+          round.late.push_back(std::move(e));
+        else
+          exclude(round, e);
+      }
+      for (Piece& p : round.pieces)
+        note(p, "along " + one.name, one.outcome);
+    }
+  }
+
+  // Not where it would be the same study again.
+  [[nodiscard]] bool is_done(const Round& round, const ManifoldSpec& m) const {
+    return is_as_stated_ && !round.at_scale && !round.last && is_the_first(round) &&
+           std::any_of(stated_.all.begin(), stated_.all.end(),
+                       [&](const StatedSolution& x) { return x.finished && x.name == m.name; });
   }
 
   // In the last round only those whose time was too short: the others have said what they can.
@@ -541,35 +584,6 @@ private:
   [[nodiscard]] bool is_of_the_file(const std::string& manifold) const {
     return std::any_of(system_.manifolds.begin(), system_.manifolds.end(),
                        [&](const ManifoldSpec& m) { return m.name == manifold; });
-  }
-
-  // What ended the question on a stratum before there was an answer; empty: nothing did.
-  static std::string limit_of(const strata::StrataAnswer& answer) {
-    if (!answer.unvisited.empty()) {
-      const std::string& where = answer.unvisited.front(); // without conditions: " (limit)"
-      return "the first variational equation is undecided" +
-             (where.rfind(" (", 0) == 0 ? where : " where " + where);
-    }
-    for (const strata::Stratum& s : answer.strata)
-      if (s.leaf.open && (std::holds_alternative<strata::OpenNumber>(*s.leaf.open) ||
-                          std::holds_alternative<strata::TooManyUnknowns>(*s.leaf.open) ||
-                          std::holds_alternative<strata::LargeDenominator>(*s.leaf.open) ||
-                          std::holds_alternative<strata::RefusedByChecker>(*s.leaf.open)))
-        return strata::reason_in_brief(s.leaf);
-    return "";
-  }
-
-  static std::string outcome(const ManifoldReport& report) {
-    if (report.failure) return report.failure->message;
-    if (report.verdict == VerdictKind::no_obstruction)
-      return "the first variational equation has an abelian identity component";
-    for (const BlockReport& b : report.blocks)
-      if (b.abelian == Truth::unknown && !b.strata && !b.note.empty()) return b.note;
-    for (const BlockReport& b : report.blocks)
-      if (b.strata)
-        if (std::string limit = limit_of(*b.strata); !limit.empty()) return limit;
-    if (report.blocks.empty() && !report.reasons.empty()) return report.reasons.front();
-    return "the first variational equation excludes no more";
   }
 
   void exclude(Round& round, const Exclusion& e) {
@@ -1007,6 +1021,9 @@ private:
   }
 
   ClassifyOptions options_;
+  const StatedSolutions& stated_;
+  bool is_as_stated_ = false;          ///< the system is that of the file, but for names of levels
+  bool begun_ = false;                 ///< some round is done, or at work
   std::optional<Budget> round_budget_; ///< for the round at work
   System system_;                      ///< with names for levels
   std::vector<ClaimReport> claims_;
@@ -1051,12 +1068,13 @@ bool speaks_of(const SystemClassification& c, const std::string& constant) {
 } // namespace
 
 SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
-  Composition composition(s, options);
+  const StatedSolutions stated = stated_solutions(s, options);
+  Composition composition(s, options, stated);
   if (!composition.has_new_constants()) return composition.completed();
   ClassifyOptions plain = options;
   plain.adjoin_constants = false;
   plain.check.decide.budget = part_of_the_time(options.check.decide.budget, part_without_constants);
-  auto without = Composition(s, plain).run();
+  auto without = Composition(s, plain, stated).run();
   if (without.status() != ClassificationStatus::open) return without;
   auto result = composition.completed();
   std::erase_if(result.constants,

@@ -624,6 +624,19 @@ private:
     return m;
   }
 
+  // Coordinates that the field does not contain, but an integral does: the energy of a system whose
+  // time is a coordinate.
+  [[nodiscard]] int coordinates_beside(const Ideal& ideal,
+                                       const std::vector<std::size_t>& independent) const {
+    const auto& main = ideal.main();
+    return static_cast<int>(
+        std::count_if(v_.coordinates.begin(), v_.coordinates.end(), [&](std::size_t x) {
+          return std::find(main.begin(), main.end(), x) == main.end() &&
+                 std::any_of(independent.begin(), independent.end(),
+                             [&](std::size_t k) { return uses(integrals_[k], x); });
+        }));
+  }
+
   void prove(FoundManifold& m) {
     budget_.check();
     std::erase_if(m.equations, [&](const Equation& e) { return says_nothing(v_, integrals_, e); });
@@ -644,6 +657,7 @@ private:
                                [&](const MFraction& c) { return is_zero_modulo(c, ideal); });
     m.independent = independent_integrals(v_, integrals_, solve(v_, m));
     m.integrals = static_cast<int>(m.independent.size());
+    m.dimension += coordinates_beside(ideal, m.independent);
     result_.proved.push_back(std::move(m));
   }
 

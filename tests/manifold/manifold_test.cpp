@@ -133,6 +133,34 @@ TEST(FindManifolds, CoordinatesAtConstantValues) {
   EXPECT_THAT(in("y + x^2 + 1", "(y - x)*(z + x)", "y*x + 1"), IsEmpty()); // no constant value
 }
 
+// The energy of an extended phase space is contained in H, and in nothing that moves.
+TEST(FindManifolds, LevelsOfAnExtendedPhaseSpaceCutOutCurves) {
+  const auto curves = [](const std::string& coordinates, const std::string& momenta,
+                         const std::string& hamiltonian) {
+    const System s = read_system(parse_document("[system]\nkind = 'hamiltonian'\ncoordinates = [" +
+                                                    coordinates + "]\nmomenta = [" + momenta +
+                                                    "]\nhamiltonian = '" + hamiltonian + "'\n",
+                                                "forced.toml"));
+    std::size_t count = 0;
+    for (const auto& m : find_manifolds(s.field, {*s.field.hamiltonian}).proved)
+      if (m.leaf_dimension() == 1 && !m.equilibria) {
+        ++count;
+        ManifoldSpec spec;
+        spec.equations = m.equations;
+        spec.levels = {{*s.field.hamiltonian, "H = 0"}};
+        EXPECT_TRUE(std::holds_alternative<InvariantManifold>(prove_invariant(s.field, spec)))
+            << hamiltonian;
+      }
+    return count;
+  };
+  for (const std::string force :
+       {"cos(q)*(1 + cos(t)/2)", "cos(q)*(3 + sin(2*t))", "sin(q)^2*exp(t)", "q^2*cos(t) + q^4"})
+    EXPECT_GE(curves("'q', 't'", "'p', 'E'", "p^2/2 + E + " + force), 1U) << force;
+  EXPECT_GE(curves("'x', 'y', 't'", "'u', 'v', 'E'",
+                   "(u^2 + v^2)/2 + E + (1 - cos(y))*(2 + sin(x) + sin(t))"),
+            1U);
+}
+
 TEST(FindManifolds, FixedPointsOfAPermutation) {
   const System s = read_system(parse_document(R"t([system]
 kind = "vector-field"

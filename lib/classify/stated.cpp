@@ -1,0 +1,186 @@
+#include "classify/stated.hpp"
+
+#include "classify/pieces.hpp"
+#include "classify/together.hpp"
+#include "exact/share.hpp"
+#include "integrability/parameters.hpp"
+#include "strata/words.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+namespace kov {
+namespace {
+
+constexpr double part_of_the_time_for_them = 0.3;
+
+using Relation = Assumption::Relation;
+using Lists = std::vector<std::vector<MPoly>>;
+
+bool uses_any(const MFraction& f, const std::vector<std::size_t>& variables) {
+  return std::any_of(variables.begin(), variables.end(), [&](std::size_t i) { return uses(f, i); });
+}
+
+// Not all of these vanish: then p != 0 for some level.
+std::vector<MPoly> by_levels(const MPoly& p, const std::vector<std::size_t>& levels) {
+  std::vector<MPoly> parts{p};
+  for (const std::size_t h : levels) {
+    std::vector<MPoly> finer;
+    for (const MPoly& part : parts)
+      for (MPoly& c : coefficients(part, h))
+        if (!is_zero(c)) finer.push_back(std::move(c));
+    parts = std::move(finer);
+  }
+  return parts;
+}
+
+// "h real", or "c h + d > 0" with numbers: satisfied whatever the parameters are, and it says nothing
+// of them.
+bool is_of_the_level_alone(const Assumption& a) {
+  return used_variables(a.value).size() == 1 && is_constant(MFraction(a.value.den()));
+}
+
+// For which parameters there is a level as the file assumes it; unset: that is not known.
+std::optional<Lists> some_level_is_admitted(const System& s) {
+  const auto levels = level_parameters(s);
+  Lists some;
+  for (const Assumption& a : s.assumptions) {
+    if (!uses_any(a.value, levels)) continue;
+    if (a.relation == Relation::nonzero && is_constant(MFraction(a.value.den())))
+      some.push_back(by_levels(a.value.num(), levels));
+    else if (!is_of_the_level_alone(a))
+      return std::nullopt;
+  }
+  if (free_levels(s).size() != levels.size()) return std::nullopt;
+  return some;
+}
+
+// "h > 0", of the levels; "h != 0" holds for all but special ones.
+std::string assumed_of_levels(const System& s) {
+  std::string text;
+  for (const Assumption& a : s.assumptions)
+    if (a.relation != Relation::nonzero && uses_any(a.value, level_parameters(s)))
+      text += (text.empty() ? "" : ", ") + a.text;
+  return text;
+}
+
+System without_assumptions_on_levels(System s) {
+  const auto levels = level_parameters(s);
+  std::erase_if(s.assumptions, [&](const Assumption& a) { return uses_any(a.value, levels); });
+  return s;
+}
+
+// What ended the question on a stratum before there was an answer; empty: nothing did.
+std::string limit_of(const strata::StrataAnswer& answer) {
+  if (!answer.unvisited.empty()) {
+    const std::string& where = answer.unvisited.front(); // without conditions: " (limit)"
+    return "the first variational equation is undecided" +
+           (where.rfind(" (", 0) == 0 ? where : " where " + where);
+  }
+  for (const strata::Stratum& s : answer.strata)
+    if (s.leaf.open && (std::holds_alternative<strata::OpenNumber>(*s.leaf.open) ||
+                        std::holds_alternative<strata::TooManyUnknowns>(*s.leaf.open) ||
+                        std::holds_alternative<strata::LargeDenominator>(*s.leaf.open) ||
+                        std::holds_alternative<strata::RefusedByChecker>(*s.leaf.open)))
+      return strata::reason_in_brief(s.leaf);
+  return "";
+}
+
+class StatedStudy {
+public:
+  StatedStudy(const System& s, const ClassifyOptions& options)
+      : s_(s), told_(without_assumptions_on_levels(s)), options_(options),
+        admitted_(some_level_is_admitted(s)), assumed_(assumed_of_levels(s)) {
+    options_.check.decide.budget =
+        part_of_the_time(options.check.decide.budget, part_of_the_time_for_them);
+  }
+
+  StatedSolutions run(std::vector<ClaimReport> claims) {
+    StatedSolutions result{std::move(claims), {}};
+    if (!admitted_) return result;
+    std::size_t left = s_.manifolds.size();
+    for (const ManifoldSpec& m : s_.manifolds) {
+      const std::string stage = m.name + ", as the file states it";
+      if (options_.so_far) tell(stage);
+      const auto& skip = options_.skip;
+      if (std::find(skip.begin(), skip.end(), stage) == skip.end())
+        result.all.push_back(study(m, result.claims, left));
+      --left;
+    }
+    result.decided = known().status() == ClassificationStatus::non_integrable;
+    return result;
+  }
+
+private:
+  [[nodiscard]] SystemClassification known() const {
+    return together(told_, exclusions_, options_.check.decide.budget.stop);
+  }
+
+  void tell(const std::string& stage) const {
+    SystemClassification so_far = known();
+    so_far.at_work = stage;
+    options_.so_far(so_far);
+  }
+
+  StatedSolution study(const ManifoldSpec& m, const std::vector<ClaimReport>& claims,
+                       std::size_t left) {
+    const auto start = std::chrono::steady_clock::now();
+    CheckOptions check = options_.check;
+    check.decide.budget = part_of_the_time(check.decide.budget, 1 / static_cast<double>(left));
+    const ManifoldReport report = check_manifold(s_, m, claims, check);
+    StatedSolution one{m.name, {}, outcome(report)};
+    const auto now = std::chrono::steady_clock::now();
+    one.seconds = std::chrono::duration<double>(now - start).count();
+    const auto& deadline = check.decide.budget.deadline;
+    one.finished = !report.failure && !(deadline && now >= *deadline);
+    if (report.failure) return one;
+    one.exclusions = exclusions_of_verdict(s_, report, free_levels(s_));
+    for (Exclusion& e : one.exclusions) {
+      e.not_all_zero.insert(e.not_all_zero.end(), admitted_->begin(), admitted_->end());
+      if (!assumed_.empty()) e.by.level += (e.by.level.empty() ? "" : ", ") + assumed_;
+    }
+    exclusions_.insert(exclusions_.end(), one.exclusions.begin(), one.exclusions.end());
+    return one;
+  }
+
+  const System& s_;
+  System told_; ///< of which the theorem speaks: nothing is assumed of levels
+  ClassifyOptions options_;
+  std::optional<Lists> admitted_;
+  std::string assumed_;
+  std::vector<Exclusion> exclusions_;
+};
+
+} // namespace
+
+StatedSolutions stated_solutions(const System& s, const ClassifyOptions& options) {
+  return StatedStudy(s, options).run(decide_claims(s, options.check));
+}
+
+Exclusion in_ring(Exclusion e, const Ring& ring) {
+  const auto moved = [&](const MPoly& p) { return transfer(MFraction(p), ring).num(); };
+  for (MPoly& p : e.zero)
+    p = moved(p);
+  for (auto& list : e.not_all_zero)
+    for (MPoly& p : list)
+      p = moved(p);
+  if (e.unless)
+    for (MFraction& square : e.unless->squares)
+      square = transfer(square, ring);
+  return e;
+}
+
+std::string outcome(const ManifoldReport& report) {
+  if (report.failure) return report.failure->message;
+  if (report.verdict == VerdictKind::no_obstruction)
+    return "the first variational equation has an abelian identity component";
+  for (const BlockReport& b : report.blocks)
+    if (b.abelian == Truth::unknown && !b.strata && !b.note.empty()) return b.note;
+  for (const BlockReport& b : report.blocks)
+    if (b.strata)
+      if (std::string limit = limit_of(*b.strata); !limit.empty()) return limit;
+  if (report.blocks.empty() && !report.reasons.empty()) return report.reasons.front();
+  return "the first variational equation excludes no more";
+}
+
+} // namespace kov
