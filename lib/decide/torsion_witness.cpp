@@ -35,16 +35,18 @@ struct ReducedFunction {
   }
 };
 
-std::optional<ReducedFunction> reduced(const certify::TorsionFunction& h,
+std::optional<ReducedFunction> reduced(const certify::Judge& judge,
+                                       const certify::TorsionFunction& h,
                                        const certify::InvariantFact& v, const PrimeIdeal& prime) {
   try {
-    const mp_limb_t w = n_sqrtmod(v.square_of_w(prime), prime.p);
+    certify::ReducedCurve curve = certify::reduced_curve(judge, v, prime);
+    const mp_limb_t w = n_sqrtmod(curve.w_squared, prime.p);
     ReducedFunction f{prime,
                       w,
                       certify::reduce(h.a, prime),
                       certify::reduce(h.b, prime),
                       certify::reduce(h.den, prime),
-                      certify::reduce(v.branch, prime)};
+                      std::move(curve.branch)};
     if (w == 0 || certify::is_square(f.branch)) return std::nullopt;
     return f;
   } catch (const certify::Refused&) {
@@ -71,7 +73,7 @@ certify::NotAPower not_a_power(const certify::Judge& judge, const certify::Torsi
     budget.check();
     const PrimeIdeal prime = primes.next();
     if (prime.p % static_cast<mp_limb_t>(l) != 1) continue;
-    const auto f = reduced(h, v, prime);
+    const auto f = reduced(judge, h, v, prime);
     const auto found = f ? two_points(*f, l) : std::nullopt;
     if (found) return *found;
   }

@@ -1,5 +1,6 @@
 #include "galois/infinite_torsion.hpp"
 
+#include "certify/equation/modular_equation.hpp"
 #include "galois/dihedral.hpp"
 #include "pcurvature/p_curvature.hpp"
 
@@ -10,21 +11,25 @@ constexpr int good_tries = 400;
 constexpr int patience = 25; ///< primes whose p-curvature vanishes, before any that does not
 constexpr mp_limb_t largest_prime = 2000;
 
-bool is_good(const DihedralCurve& c, const PrimeIdeal& q) {
-  const auto branch = q.reduce(c.branch);
-  const auto square = q.reduce(c.w_squared / c.k);
-  return branch && square && *square != 0 && degree(*branch) == degree(c.branch) &&
-         degree(gcd(*branch, derivative(*branch))) == 0;
+// What the rule "good-reduction" asks, by the function that the checker asks.
+bool is_good(const DihedralCurve& c, const certify::Equation& r, const PrimeIdeal& q) {
+  try {
+    certify::need_smooth(certify::reduce_curve(r, c.field, c.branch, c.w_squared / c.k, q));
+    return true;
+  } catch (const certify::Refused&) {
+    return false;
+  }
 }
 
-// The first odd prime at which r is integral and the curve S^2 = w^2 F0 stays smooth.
+// The first prime at which the curve S^2 = (w^2/k) F0 has good reduction.
 std::optional<PrimeIdeal> good_prime(const DihedralCurve& c, const RationalFunction& r,
                                      const Budget& budget) {
+  const certify::Equation equation{coerce(r.num(), c.field), coerce(r.den(), c.field)};
   PrimeIdeals primes(c.field, 2);
   for (int tries = 0; tries < good_tries; ++tries) {
     budget.check();
     const PrimeIdeal q = primes.next();
-    if (q.p > 2 && q.reduce(r.num()) && q.reduce(r.den()) && is_good(c, q)) return q;
+    if (is_good(c, equation, q)) return q;
   }
   return std::nullopt;
 }

@@ -32,6 +32,10 @@ def quotient(a, b):
     return q
 
 
+def derivative(a):
+    return [i * x for i, x in enumerate(a)][1:]
+
+
 def at(a, x):
     return sum(F(c) * F(x)**i for i, c in enumerate(a))
 
@@ -246,7 +250,7 @@ class Invariant(Equation):
         for c in self.es:
             S = times(S, [-c, 1])
         A = plus(*(scaled(quotient(S, [-c, 1]), e) for c, e in self.es.items()))
-        slope = plus(times([i * x for i, x in enumerate(A)][1:], S), scaled(times(A, [i * x for i, x in enumerate(S)][1:]), -1))
+        slope = plus(times(derivative(A), S), scaled(times(A, derivative(S)), -1))
         common = {c: max(2, 2 * e) for c, e in self.es.items()}
         over, below = [F(1)], [F(w) * F(w) / 4]
         for c, k in common.items():
@@ -316,7 +320,37 @@ def torsion():
                 yield f"{name}, reduction at {q}: {chosen}", json.dumps(top | {"steps": steps}), prod(chosen) > limit and q != 37
 
 
+def lame(roots, a):
+    """Lame's equation with n = 1 and the product v = (z - a) sqrt(F0) of two solutions, w^2 = F0(a): v, num and den of r."""
+    branch = [F(1)]
+    for x in roots:
+        branch = times(branch, [-x, 1])
+    d = derivative(branch)
+    num = plus(scaled(times(d, d), -3), scaled(times(branch, derivative(d)), 4), scaled(times(branch, [a - sum(roots), 2]), 4))
+    return branch, scaled(num, F(1, 16)), times(branch, branch)
+
+
+def good_primes():
+    """A prime is good where w^2 is a unit and F0 squarefree, whatever the values of v and r at some point are."""
+    for roots, a, k in (((2, 3, 5), 11, 1), ((0, 1, 3), 5, 1), ((-1, 2, 7), 13, 1), ((2, 3, 5), 11, 5), ((0, 1, 3), 5, 7), ((5, 10, -15), 1, 1)):
+        roots, a = [F(x, k) for x in roots], F(a, k)
+        branch, num, den = lame(roots, a)
+        places = local(*({"q": texts([-x, 1]), "order": "2", "delta2": ["1/4"]} for x in roots))
+        v = invariant(2, texts([-a, 1]), *((texts([-x, 1]), "1/2") for x in roots))
+        top = load(json.loads(certificate((texts(num), texts(den)), {"group": "Dinf"}, places)))
+        curvature = Checker(*top[:2]).p_curvature
+        primes = [p for p in range(3, 48) if is_prime(p) and seen(curvature, {"p": p, "a": 0, "shows": "nonzero"}, None)]
+        for q in (3, 5, 7, 11, 13):
+            square = at(branch, a)
+            good = k % q and square.numerator % q and len({int(x * k) % q for x in roots}) == 3
+            chosen = [p for p in primes if p != q][:4]
+            steps = [places, v, ("good-reduction", ["s1"], {"p": str(q), "a": "0"})]
+            steps += [("p-curvature", [], {"p": str(p), "a": "0", "shows": "nonzero"}) for p in chosen]
+            steps.append(conclude("dihedral-torsion", *range(len(steps))))
+            yield f"roots {roots}, zero {a}: reduction at {q}", certificate((texts(num), texts(den)), {"group": "Dinf"}, *steps), bool(good)
+
+
 def certificates():
-    for family in (no_exponential, no_invariant, many_terms, invariants, p_curvatures, torsion):
+    for family in (no_exponential, no_invariant, many_terms, invariants, p_curvatures, torsion, good_primes):
         for why, text, right in family():
             yield f"{family.__name__}: {why}", text, right

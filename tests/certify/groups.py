@@ -45,7 +45,7 @@ class Facts:
         exact, fs = self.m["exact"], [(self.poly(c), Fraction(e)) for c, e in factors]
         branch = exact.product(q for q, e in fs if e.denominator == 2)
         return self.m["equation"].Invariant("invariant", m=m, p=self.poly(*p), factors=fs, branch=branch,
-                                            top=exact.Poly([w] if m == 2 and w else []))
+                                            w_squared=exact.Poly([w] if m == 2 and w else []))
 
     def absent(self, *degrees):
         return [self.fact("no-invariant", m=m) for m in degrees]

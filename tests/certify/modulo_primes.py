@@ -43,11 +43,10 @@ def series(m):
             and accepts(-9, place="infinity", stub=True, infinity=1, delta=1, lines=lines(one)))
 
 
-def root_of(m, branch, p=(1,), factors=((1, "1/2"), (-1, "1/2")), top=(1,), bottom=(1,), powers=()):
-    """v = sqrt(z^2 - 1), w = 1, or as is said"""
+def root_of(m, branch, p=(1,), factors=((1, "1/2"), (-1, "1/2")), square=1):
+    """v = sqrt(z^2 - 1), w^2 = 1, or as is said"""
     return m["equation"].Invariant("invariant", m=2, p=poly(m, *p), factors=[(poly(m, -c, 1), F(e)) for c, e in factors],
-                                   branch=poly(m, *branch),
-                                   top=poly(m, *top), bottom=poly(m, *bottom), powers=[(poly(m, c), k) for c, k in powers])
+                                   branch=poly(m, *branch), w_squared=poly(m, square))
 
 
 CIRCLE = (-1, 0, 1)
@@ -64,12 +63,12 @@ def torsion(m):
         d = {"n": n, "a": poly(m, *a), "b": poly(m, *b), "den": poly(m, *c), "minimal": [dict(zip(("l", "right"), t)) for t in minimal]}
         f = accepted(m, lambda: x.torsion_function(d, local, v))
         return f is not None and (f.n, f.of) == (n, v)
-    one, square, twice = ((0, 1), (1,)), ((-1, 0, 2), (0, 2)), root_of(m, CIRCLE, powers=[(4, 1), (2, -2)])
+    one, square = ((0, 1), (1,)), ((-1, 0, 2), (0, 2))
     cube = (0, -3, 0, 4), (-1, 0, 4)
-    half = root_of(m, CIRCLE, top=(1,), bottom=(4,))
+    half = root_of(m, CIRCLE, square="1/4")
     return (accepts(1, *one) and accepts(1, (0, 2), (2,), (2,)) and not accepts(1, (0, 1), (-1,)) and not accepts(2, *one)
             and not accepts(-1, *one)
-            and accepts(1, *one, v=twice) and not accepts(1, *one, v=root_of(m, CIRCLE, powers=[(4, 1)]))
+            and not accepts(1, *one, v=root_of(m, CIRCLE, square=4))
             and not accepts(1, *one, v=half) and accepts(2, (0, 1), (2,), v=half, minimal=[(2, True)])
             and not accepts(0, (1,), ()) and not accepts(0, (5,), (), (2,)) and not accepts(1, (), ()) and not accepts(1, *one, c=())
             and not accepts(-1, (0, 1), (-1,)) and not accepts(2, *square) and accepts(2, *square, minimal=[(2, True)])
@@ -116,6 +115,9 @@ def powers(m):
             and not changed(c=(-x2, 1))
             and not changed(a=(-s1,), b=(1,)) and not changed(a=(-s2,), b=(1,)) and changed(field=[-1, 1], root=1)
             and not changed(field=[-p, 0, 1], root=0)
+            and changed(w=2, v=root_of(m, CIRCLE, square=4), b=("1/2",)) and not changed(w=2, v=root_of(m, CIRCLE, square=17 * 13), b=("1/2",))
+            and changed(w=8, v=root_of(m, CIRCLE, square=f"{64 + 13}"), b=(5,))
+            and not changed(w=0, v=root_of(m, CIRCLE, square=13)) and not changed(w=0, v=root_of(m, CIRCLE, square="1/13"))
             and squares_are_seen(m, shows))
 
 
@@ -138,8 +140,8 @@ def reduction(m):
         return f and (f.p, f.bound, f.of is v)
     return (bound(7) == (7, (7 + 2 + 5)**2, True) and bound(11, (-1, 0, 1)) == (11, 1, True)
             and bound(13, (0, -1, 0, 1)) == (13, 13 + 2 + 7, True)
-            and bound(5) is None and bound(7, top=(7,)) is None and bound(7, bottom=(14,)) is None and bound(7, powers=[(7, 1)]) is None
-            and bound(7, powers=[(2, 1), (21, -1)]) is None and bound(7, top=(3,), bottom=(2,), powers=[(5, 2)]) is not None
+            and bound(5) is None and bound(7, square=7) is None and bound(7, square="1/14") is None and bound(7, square=49) is None
+            and bound(7, square="75/2") is not None
             and bound(7, field=[-7, 0, 1]) is None and bound(7, field=[-2, 0, 1], a=3) == (7, 196, True)
             and bound(7, field=[-2, 0, 1], a=2) is None)
 

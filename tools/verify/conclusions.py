@@ -16,7 +16,7 @@ def conclude(theorem, facts):
     absent, shows = {x.m for x in facts if x.kind == "no-invariant"}, curvature and curvature.shows
     irreducible_group = "irreducible" in first or shows in ("irreducible", "sl2")
     log, infinite = bool(local) and local.log, bool(local) and local.infinite_order
-    quadratic = bool(v) and v.m == 2 and bool(v.top.c)
+    quadratic = bool(v) and v.m == 2 and bool(v.w_squared.c)
     split, dihedral = quadratic and v.branch.degree() == 0, quadratic and v.branch.degree() > 0
     triangular = "exponential" in first and (log or 2 in absent or 4 in absent)     # and not diagonal
 

@@ -1,6 +1,6 @@
 """What the rules of kovacic-certificate/1 work with (docs/theory/certificates.md 1, 2): an equation y'' = r y, its
 reductions modulo primes and its expansions at a point; and what checked steps establish."""
-from math import floor, prod
+from math import floor
 from operator import mul
 
 from certificate_format import LENGTH, need
@@ -17,8 +17,8 @@ class Fact:
 
 
 class Invariant(Fact):
-    """v = p prod q^e solves Sym^m.  branch = F0, the product of the q with half-integer e.  For m = 2
-    w^2 = top/bottom prod c^k over (c, k) in powers, all c not 0."""
+    """v = p prod q^e solves Sym^m.  branch = F0, the product of the q with half-integer e.  m = 2: w_squared is the
+    constant v'^2 - 2 v v'' + 4 r v^2."""
 
     def fraction(self):
         """v/sqrt(F0) = A/B"""
@@ -32,13 +32,6 @@ class Invariant(Fact):
         """Is w dz/v holomorphic?  (dihedral_torsion.md 8)"""
         growth = sum(e * q.degree() for q, e in self.factors)
         return self.p.degree() <= 0 and all(2 * e <= 1 for _, e in self.factors) and 2 * growth >= 3
-
-    def need_root(self, w, p, reduce):
-        """w^2 = `w`^2 modulo p, a unit?"""
-        top, bottom, *cs = (sum(reduce(c)) for c in (self.top, self.bottom, *(c for c, _ in self.powers)))
-        need(top and bottom and all(cs) and w < p, "w^2 is not a unit modulo p")
-        square = top * pow(bottom, -1, p) * prod(pow(c, k, p) for c, (_, k) in zip(cs, self.powers))
-        need((w * w - square) % p == 0, "w is not a square root of w^2 modulo p")
 
 
 class Equation:
@@ -65,6 +58,15 @@ class Equation:
             u, c = pow(f.q, -1, p), [meval(f.c[i:i + K.d], a, p) for i in range(0, len(f.c), K.s)]
             return madd([], c, p, u)
         return p, reduce, reduce(self.num), reduce(self.den)
+
+    def reduced_curve(self, d, v):
+        """The curve S^2 = w^2 F0 modulo a good prime that does not ramify, w^2 a unit there (dihedral_torsion.md 6): p,
+        reduction, F0, w^2."""
+        p, reduce = self.good(d)[:2]
+        square = sum(reduce(v.w_squared))
+        need(meval(mdiff(K.m, p), d["a"], p), "the prime ramifies")
+        need(square, "w^2 is not a unit modulo p")
+        return p, reduce, reduce(v.branch), square
 
     def need_squarefree(self, f, d, other=ZERO):
         p, reduce = self.good(d)[:2]

@@ -44,7 +44,7 @@ def run(checker, rule, data, given):
     need(local or rule in ("p-curvature", "torsion-function", "good-reduction"), "a local premise is missing")
     if rule in ("no-exponential", "p-curvature", "no-invariant"):
         return check(data, local)
-    need(v and v.m == 2 and v.branch.degree() > 0 and v.top.c, "an invariant premise is missing")
+    need(v and v.m == 2 and v.branch.degree() > 0 and v.w_squared.c, "an invariant premise is missing")
     return check(data, local, v)
 
 

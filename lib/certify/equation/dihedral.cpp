@@ -10,20 +10,6 @@ namespace kov::certify {
 
 namespace {
 
-// w^2 as an element of K.
-NfElem square_of_w(const InvariantFact& v) {
-  double size = 0;
-  for (const auto& [c, k] : v.powers)
-    size += static_cast<double>(std::abs(k)) * (1 + bits(Poly(c)));
-  need_within(size <= 1e8, "an exponent is too large");
-  NfElem w2 = v.top / v.bottom;
-  for (const auto& [c, k] : v.powers) {
-    const NfElem u = pow(c, static_cast<unsigned long>(std::abs(k)));
-    w2 = k > 0 ? w2 * u : w2 / u;
-  }
-  return w2;
-}
-
 // h = (a + b w s)/den with h' = n (w/(V s)) h, as two identities over K.
 void need_logarithmic_derivative(const TorsionFunction& t, const InvariantFact& v) {
   const auto [A, B] = v.fraction();
@@ -31,32 +17,26 @@ void need_logarithmic_derivative(const TorsionFunction& t, const InvariantFact& 
   const Poly& c = t.den;
   const Poly dc = derivative(c);
   const NfElem n(t.n);
-  const NfElem w2 = square_of_w(v);
+  const NfElem& w2 = v.w_squared;
   need((derivative(t.a) * c - t.a * dc) * A == scale(t.b * B * c, n * w2), "h' = n (w/v) h fails");
   need((scale((derivative(t.b) * c - t.b * dc) * F, NfElem(2)) + t.b * c * derivative(F)) * A ==
            scale(t.a * B * c, NfElem(2) * n),
        "h' = n (w/v) h fails");
 }
 
-void need_unramified(const Judge& j, const PrimeIdeal& prime) {
-  NmodPoly m(prime.p);
-  fmpz_poly_get_nmod_poly(m.raw(), j.field->minpoly());
-  need(evaluate(derivative(m), prime.generator) != 0, "the prime ramifies");
-}
-
 // Two points at which h takes values whose quotient is not an l-th power: so h is not a constant
 // times an l-th power of a function.
 void need_not_a_power(const Judge& j, const NotAPower& t, const TorsionFunction& f,
                       const InvariantFact& v) {
-  const Reduced r = j.reduced(t.prime);
-  j.spend(20 * static_cast<double>(degree(f.a) + degree(f.b) + degree(f.den) + degree(v.branch)));
+  const ReducedCurve curve = reduced_curve(j, v, t.prime);
+  j.spend(20 * static_cast<double>(degree(f.a) + degree(f.b) + degree(f.den)));
   const mp_limb_t p = t.prime.p;
-  const nmod_t mod = r.num.mod();
+  const NmodPoly& F = curve.branch;
+  const nmod_t mod = F.mod();
   need(t.l >= 2 && p % static_cast<mp_limb_t>(t.l) == 1 && f.n % t.l == 0,
        "l must divide n and p - 1");
-  need_unramified(j, t.prime);
-  v.need_root(t.w, t.prime);
-  const NmodPoly F = reduce(v.branch, t.prime);
+  need(t.w < p && nmod_mul(t.w, t.w, mod) == curve.w_squared,
+       "w is not a square root of w^2 modulo p");
   need(!is_square(F), "F0 is a square modulo p");
   const NmodPoly a = reduce(f.a, t.prime);
   const NmodPoly b = reduce(f.b, t.prime);
@@ -103,11 +83,7 @@ TorsionFact check_torsion_function(const Judge& j, const TorsionFunction& data,
 
 ReductionFact check_good_reduction(const Judge& j, const GoodReduction& data,
                                    const InvariantFact& v) {
-  const Reduced r = j.reduced(data.prime);
-  const NmodPoly F = reduce(v.branch, data.prime);
-  need(degree(gcd(F, derivative(F))) == 0, "F0 is not squarefree modulo p");
-  need_unramified(j, data.prime);
-  static_cast<void>(v.square_of_w(data.prime));
+  need_smooth(reduced_curve(j, v, data.prime));
   // (1 + sqrt p)^2 <= p + 2 + floor(2 sqrt p)
   Integer root(data.prime.p);
   root *= Integer(4);

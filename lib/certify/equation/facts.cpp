@@ -167,27 +167,4 @@ std::pair<Poly, Poly> InvariantFact::fraction() const {
   return {std::move(A), std::move(B)};
 }
 
-mp_limb_t InvariantFact::square_of_w(const PrimeIdeal& prime) const {
-  nmod_t mod;
-  nmod_init(&mod, prime.p);
-  const auto image = [&](const NfElem& c) {
-    const auto r = prime.reduce(c);
-    need(r && *r != 0, "w^2 is not a unit modulo p");
-    return *r;
-  };
-  mp_limb_t value = nmod_div(image(top), image(bottom), mod);
-  for (const auto& [c, k] : powers) {
-    const mp_limb_t u = k > 0 ? image(c) : nmod_inv(image(c), mod);
-    value = nmod_mul(value, nmod_pow_ui(u, static_cast<mp_limb_t>(std::abs(k)), mod), mod);
-  }
-  return value;
-}
-
-void InvariantFact::need_root(mp_limb_t w, const PrimeIdeal& prime) const {
-  nmod_t mod;
-  nmod_init(&mod, prime.p);
-  need(w < prime.p && nmod_mul(w, w, mod) == square_of_w(prime),
-       "w is not a square root of w^2 modulo p");
-}
-
 } // namespace kov::certify

@@ -78,19 +78,13 @@ struct IrreducibleFact {};
 /// v = p prod q^e, a solution of Sym^m.
 struct InvariantFact {
   Invariant data;
-  Poly branch; ///< F0 = the product of the q with half-integer e
-  /// m = 2: w^2 = top/bottom * prod c^k over (c, k) in powers, all c not 0.
-  NfElem top, bottom;
-  std::vector<std::pair<NfElem, long>> powers;
+  Poly branch;      ///< F0 = the product of the q with half-integer e
+  NfElem w_squared; ///< m = 2: v'^2 - 2 v v'' + 4 r v^2, a constant
 
   /// v/sqrt(F0) = A/B.
   [[nodiscard]] std::pair<Poly, Poly> fraction() const;
   /// Is w dz/v a holomorphic differential?  true is a proof (dihedral_torsion.md 8).
   [[nodiscard]] bool holomorphic_quotient() const;
-  /// w^2 modulo p, which must be a unit.
-  [[nodiscard]] mp_limb_t square_of_w(const PrimeIdeal& prime) const;
-  /// Refuses unless w^2 = `w`^2 modulo p.
-  void need_root(mp_limb_t w, const PrimeIdeal& prime) const;
 };
 
 struct AbsentFact { ///< Sym^m has no rational solution

@@ -32,19 +32,13 @@ void need_well_formed(const Invariant& data) {
   }
 }
 
-// w^2 = V^2 (T_1^2 - 2 T_0 T_2)/S^2 at the first natural number that is not a root of S.
-void evaluate_square(InvariantFact& x, const Poly& S, const std::vector<Poly>& T) {
-  NfElem z(0);
-  for (int tries = 1; is_zero(evaluate(S, z)); ++tries) {
-    need(tries < 2000, "no point to evaluate w^2");
-    z += NfElem(1);
-  }
-  const NfElem t1 = evaluate(T[1], z);
-  const NfElem s = evaluate(S, z);
-  x.top = t1 * t1 - NfElem(2) * evaluate(T[0], z) * evaluate(T[2], z);
-  x.bottom = s * s;
-  for (const InvariantFactor& f : x.data.factors)
-    if (sign(f.e) != 0) x.powers.emplace_back(evaluate(f.q, z), to_long((f.e * Rational(2)).num()));
+// w^2 = V^2 (T_1^2 - 2 T_0 T_2)/S^2.  V^2 and S^2 are quotients of monic polynomials and w^2 is a
+// constant: it is the leading coefficient (normal_form.md 2.5).
+NfElem square_of_w(const std::vector<Poly>& T) {
+  need_within(4 * static_cast<double>(degree(T[1]) + 1) * bits(T[1]) <= max_bulk,
+              "the invariant is too large");
+  const Poly square = T[1] * T[1] - scale(T[0] * T[2], NfElem(2));
+  return is_zero(square) ? NfElem(0) : lead(square);
 }
 
 } // namespace
@@ -77,7 +71,7 @@ InvariantFact check_invariant(const Judge& j, const Invariant& data) {
   x.branch = Poly(1);
   for (const InvariantFactor& f : data.factors)
     if (!is_integer(f.e)) x.branch *= f.q;
-  if (data.m == 2) evaluate_square(x, S, T);
+  if (data.m == 2) x.w_squared = square_of_w(T);
   return x;
 }
 

@@ -39,6 +39,21 @@ void need_squarefree(const Poly& f, const Reduced& r, const Poly* other) {
     need(degree(gcd(g, reduce(*other, r.prime))) == 0, "a common factor modulo p");
 }
 
+ReducedCurve reduce_curve(const Equation& e, const Field& k, const Poly& branch,
+                          const NfElem& w_squared, const PrimeIdeal& prime) {
+  static_cast<void>(reduce(e, k, prime));
+  NmodPoly m(prime.p);
+  fmpz_poly_get_nmod_poly(m.raw(), k->minpoly());
+  need(evaluate(derivative(m), prime.generator) != 0, "the prime ramifies");
+  const auto unit = prime.reduce(w_squared);
+  need(unit && *unit != 0, "w^2 is not a unit modulo p");
+  return {reduce(branch, prime), *unit};
+}
+
+void need_smooth(const ReducedCurve& c) {
+  need(degree(gcd(c.branch, derivative(c.branch))) == 0, "F0 is not squarefree modulo p");
+}
+
 bool is_square(const NmodPoly& f) {
   if (degree(f) % 2 != 0) return false;
   NmodPoly monic(f.modulus());

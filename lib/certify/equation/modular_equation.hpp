@@ -22,6 +22,19 @@ struct Reduced {
 [[nodiscard]] NmodPoly reduce(const Poly& f, const PrimeIdeal& prime);
 /// Refuses unless f (monic) stays squarefree, and coprime to other, modulo the prime.
 void need_squarefree(const Poly& f, const Reduced& r, const Poly* other = nullptr);
+
+/// The curve S^2 = w^2 F0 modulo a prime.
+struct ReducedCurve {
+  NmodPoly branch; ///< F0
+  mp_limb_t w_squared;
+};
+/// All that is asked of a prime before the curve is looked at modulo it, by both rules about it and
+/// by the search for such primes (dihedral_torsion.md 6): refuses unless r is p-integral, a is a
+/// simple root of the minimal polynomial, and w^2 is a unit modulo p.
+[[nodiscard]] ReducedCurve reduce_curve(const Equation& e, const Field& k, const Poly& branch,
+                                        const NfElem& w_squared, const PrimeIdeal& prime);
+/// Refuses unless F0 is squarefree modulo p: the curve has good reduction (dihedral_torsion.md 7).
+void need_smooth(const ReducedCurve& c);
 /// Is f, not 0, a constant times a square over the algebraic closure of F_p?  p odd.
 [[nodiscard]] bool is_square(const NmodPoly& f);
 /// Inverse of f modulo q; refuses if there is none.

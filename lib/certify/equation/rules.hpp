@@ -54,12 +54,18 @@ struct Judge {
                                                  const InvariantFact& v, const LocalFact* local);
 [[nodiscard]] ReductionFact check_good_reduction(const Judge& j, const GoodReduction& data,
                                                  const InvariantFact& v);
+/// The curve of v modulo the prime of a step (reduce_curve of modular_equation.hpp).
+[[nodiscard]] inline ReducedCurve reduced_curve(const Judge& j, const InvariantFact& v,
+                                                const PrimeIdeal& prime) {
+  j.spend(20 * (j.length() + static_cast<double>(degree(v.branch))));
+  return reduce_curve(j.equation, j.field, v.branch, v.w_squared, prime);
+}
 /// From a theorem of the fixed table and the facts that it needs.
 [[nodiscard]] Conclusion conclude(const std::string& theorem, const Premises& premises);
 
 /// m = 2 and w^2 != 0: two exponential solutions exp(int (v' +- w)/(2v)).
 [[nodiscard]] inline bool is_quadratic(const InvariantFact& v) {
-  return v.data.m == 2 && !is_zero(v.top);
+  return v.data.m == 2 && !is_zero(v.w_squared);
 }
 
 } // namespace kov::certify
