@@ -186,13 +186,16 @@ std::vector<TermSize::Term> TermSize::terms_of(const Field& f, const MPoly& p) {
 TermSize::TermSize(const Field& f, const MFraction& function)
     : num_(terms_of(f, function.num())), denominator_(f, {MFraction(function.den())}) {}
 
-double TermSize::operator()(const double* x) {
+double TermSize::operator()(const double* x, const double* least) {
+  const auto size = [&](std::size_t i) {
+    return least == nullptr ? std::abs(x[i]) : std::max(std::abs(x[i]), least[i]);
+  };
   double sum = 0;
   for (const Term& t : num_) {
     double product = t.coefficient;
     for (const auto& [place, exponent] : t.powers)
       for (long k = 0; k < exponent; ++k)
-        product *= std::abs(x[place]);
+        product *= size(place);
     sum += product;
   }
   return sum / std::abs(denominator_(x)[0]);

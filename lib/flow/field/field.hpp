@@ -90,8 +90,8 @@ private:
 class TermSize {
 public:
   TermSize(const Field& f, const MFraction& function);
-  /// x: the values of f.variables(), in their order.
-  [[nodiscard]] double operator()(const double* x);
+  /// x: the values of f.variables(), in their order.  least: |x_i| counts as least_i at least, in the numerator.
+  [[nodiscard]] double operator()(const double* x, const double* least = nullptr);
 
 private:
   struct Term {

@@ -101,7 +101,10 @@ public:
     double log_h = std::min(reach - log2_size(1, scale), reach - (log2_size(2, scale) + 1) / 2);
     for (const int k : {p - 1, p})
       log_h = std::min(log_h, (log2_tolerance - log2_size(k, scale)) / k);
-    return log_h;
+    double rate = -2000; // as in FieldStepper::log2_careful_step
+    for (int k = p / 2; k <= p; ++k)
+      rate = std::max(rate, log2_size(k, scale) / k);
+    return std::min(log_h, log2_tolerance / p - rate + 0.5);
   }
 
   [[nodiscard]] double moved(std::size_t i, double h) const {

@@ -10,6 +10,7 @@
 #include "flow/field/machine.hpp"
 #include "flow/orbit/steps.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 
@@ -51,11 +52,11 @@ template <class R> struct FieldRun {
   long max_crossings = -1, max_steps = -1; ///< -1: no limit
   int check_every = 16;
   bool section = true, falling = false, rising = true;
-  R section_scale{1};           ///< the size of S
-  R noise{};                    ///< S below it is 0
   const R* per_scale = nullptr; ///< 1/scale of every variable
-  const R* values = nullptr;    ///< of the numbers
-  const R* starts = nullptr;    ///< variables + tangent for each orbit
+  /// For each orbit: the size of the section; what is smaller by rounding is 0.
+  const R* section_sizes = nullptr;
+  const R* values = nullptr; ///< of the numbers
+  const R* starts = nullptr; ///< variables + tangent for each orbit
   std::size_t orbits = 0;
   const std::atomic<bool>* stop = nullptr;
   FieldSink<R>* sink = nullptr;
@@ -64,6 +65,19 @@ template <class R> struct FieldRun {
 inline namespace KOV_ISA {
 
 inline constexpr std::size_t most_variables = 64; ///< with the tangent vector
+
+/// How much smaller than the scales an orbit begins: the power of 2 at or above the largest |x_i|/scale_i, at most 1.
+/// 1 at x = 0, which says nothing of the motion.
+template <class R> double own_unit(const R* x, const R* per_scale, std::size_t variables) {
+  double most = 0;
+  for (std::size_t i = 0; i < variables; ++i) {
+    const auto size = std::abs(static_cast<double>(R(x[i] * per_scale[i])));
+    most = most < size ? size : most;
+  }
+  constexpr int smallest = -200;
+  return most > 0 && most < 1 ? std::exp2(std::max(std::ceil(std::log2(most)), double{smallest}))
+                              : 1;
+}
 
 template <class T> class FieldStepper {
 public:
@@ -90,8 +104,6 @@ public:
     run_once(tapes_.field, s_);
     run_once(tapes_.section, s_);
     run_once(tapes_.section_at, points_);
-    for (int i = 0; i < variables_; ++i)
-      scale_[i] = L::all(Real(1) / run_.per_scale[i]);
   }
 
   void integrate() {
@@ -130,6 +142,10 @@ private:
       L::set(x_[i], lane, start[i]);
       L::set(low_[i], lane, Real(0));
     }
+    const Real unit(own_unit(start, run_.per_scale, tapes_.variables));
+    for (int i = 0; i < variables_; ++i)
+      L::set(scale_[i], lane, Real(unit / run_.per_scale[i]));
+    if (run_.section) L::set(section_size_, lane, run_.section_sizes[orbit]);
     L::set(t_, lane, Real(0));
     L::set(t_low_, lane, Real(0));
     L::set(longest_, lane, Real(0));
@@ -209,7 +225,7 @@ private:
       run_order(tapes_.section_at, points_, 0);
       const T value = points_[tapes_.section_at_place];
       const T apart = absolute(T(s[0] + increment(s, run_.order, part) - value));
-      const T bound = larger(absolute(value), L::all(run_.section_scale)) * section_error_;
+      const T bound = larger(absolute(value), section_size_) * section_error_;
       const T zero{}, too_far = choose(apart > bound, L::all(Real(1)), zero);
       bool again = false;
       for (int lane = 0; lane < n; ++lane)
@@ -245,12 +261,41 @@ private:
     if (run_.section && tapes_.curved)
       for (int k = run_.order - 1; k <= run_.order; ++k)
         at_most((run_.log2_tolerance - log2_section_size(k)) * (1.0 / k));
+    for (int lane = 0; lane < n; ++lane)
+      if (is_bold(lane, best)) {
+        be_careful(best);
+        break;
+      }
     return best;
+  }
+
+  // Nothing is known yet, or the step is twice as long as the one before.
+  bool is_bold(int lane, const Step& log_h) const {
+    return tally_[lane].steps == 0 || Lanes<Step>::get(log_h, lane) > 1;
+  }
+
+  void be_careful(Step& log_h) const {
+    const Step careful = log2_careful_step();
+    for (int lane = 0; lane < n; ++lane)
+      if (const double most = Lanes<Step>::get(careful, lane);
+          is_bold(lane, log_h) && Lanes<Step>::get(log_h, lane) > most)
+        Lanes<Step>::set(log_h, lane, most);
+  }
+
+  // The last two coefficients may be 0 by a symmetry (x'' = -x^3 at x = 0 has every fourth one): what the second half
+  // of them says, where ||x_k|| <= rate^k.
+  Step log2_careful_step() const {
+    Step rate = Step{} - 2000.0;
+    for (int k = run_.order / 2; k <= run_.order; ++k) {
+      const Step one = log2_size(k) * (1.0 / k);
+      rate = one > rate ? one : rate;
+    }
+    return Step{} + run_.log2_tolerance / run_.order - rate;
   }
 
   Step log2_section_size(int k) const {
     const T* s = s_ + tapes_.section_place;
-    const T scale = larger(absolute(s[0]), L::all(run_.section_scale));
+    const T scale = larger(absolute(s[0]), section_size_);
     return log2_estimate(larger(T(absolute(s[k]) / scale), L::all(Real(1e-300))));
   }
 
@@ -263,9 +308,10 @@ private:
 
   void look_closer(int lane, const Real& h, const Real& sign_before) {
     Root<Real> roots[max_degree]; // a polynomial has no more
+    const Real noise = L::get(section_size_, lane) * (unit_roundoff<Real>() * Real(16));
     const int found =
-        watch_.sign_changes_in(lane, s_ + tapes_.section_place, run_.order, h, sign_before,
-                               run_.noise, roots, max_degree, tally_[lane].tangencies);
+        watch_.sign_changes_in(lane, s_ + tapes_.section_place, run_.order, h, sign_before, noise,
+                               roots, max_degree, tally_[lane].tangencies);
     for (int i = 0; i < found; ++i)
       land(lane, Real(roots[i].x * h), !roots[i].falling);
   }
@@ -363,7 +409,7 @@ private:
                      L::all(unit_roundoff<Real>() * Real(64));
   Real shrunk_ = unit_roundoff<Real>() * Real(8);
   T x_[most_variables]{}, low_[most_variables]{}, scale_[most_variables]{},
-      per_scale_[most_variables]{};
+      per_scale_[most_variables]{}, section_size_{};
   T t_{}, t_low_{}, before_{}, longest_{}, tau_{};
   Step log2_tau_{};
   bool fresh_ = true; ///< an orbit has just begun

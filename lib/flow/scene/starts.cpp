@@ -585,13 +585,9 @@ MeaningCheck::MeaningCheck(const SystemScene& scene, const Field& field) {
   }
 }
 
-double MeaningCheck::deviation(const double* x, const std::vector<double>& scales) {
-  double most = 0;
-  for (One& one : all_) {
-    const double value = one.function(one.argument(x)[0]), s = x[one.place];
-    most = std::max(most, std::abs(s - value) / std::max(scales[one.place], std::abs(s)));
-  }
-  return most;
+double MeaningCheck::deviation(std::size_t i, const double* x) {
+  One& one = all_[i];
+  return std::abs(x[one.place] - one.function(one.argument(x)[0]));
 }
 
 } // namespace kov::flow

@@ -38,11 +38,14 @@ private:
   std::unique_ptr<Parts> parts_;
 };
 
-/// Of the function symbols: the largest |s - f(argument)|, e.g. |s - sin(q)|, in units of the scale of s, or of s.
+/// Of each function symbol s: |s - f(argument)|, e.g. |s - sin(q)|.
 class MeaningCheck {
 public:
   MeaningCheck(const SystemScene& scene, const Field& field);
-  [[nodiscard]] double deviation(const double* x, const std::vector<double>& scales);
+  [[nodiscard]] std::size_t size() const noexcept { return all_.size(); }
+  /// The place of the i-th symbol among the variables.
+  [[nodiscard]] std::size_t place(std::size_t i) const { return all_[i].place; }
+  [[nodiscard]] double deviation(std::size_t i, const double* x);
 
 private:
   struct One {

@@ -65,8 +65,9 @@ struct Stage {
   std::size_t skipped = 0;
   std::vector<FieldStart> starts;
   Scales scales;
+  std::vector<double> per_scale;      ///< 1/scale of every variable: powers of 2
   std::vector<TermSize> term_sizes;   ///< of the integrals, then of the section
-  std::vector<double> sizes;          ///< the largest that were seen
+  double section_size = 1;            ///< the largest that was seen
   std::array<double, 2> part_sizes{}; ///< of the section's numerator and denominator
   int order = 20;
 
@@ -87,6 +88,13 @@ struct Stage {
     measure();
     check_relations(all);
     order = flow::choose_order(field, scales, log2_tolerance());
+    for (const double scale : scales.of)
+      per_scale.push_back(1 / scale);
+  }
+
+  // How much smaller than the others the orbit from x is.
+  [[nodiscard]] double own_unit(const double* x) const {
+    return flow::own_unit(x, per_scale.data(), per_scale.size());
   }
 
   [[nodiscard]] double log2_tolerance() const {
@@ -100,10 +108,8 @@ private:
     functions.push_back(sign_changes_of(scene.section.value));
     for (const MFraction& f : functions)
       term_sizes.emplace_back(field, f);
-    sizes.resize(functions.size());
+    section_size = largest(term_sizes.back());
     const MFraction& f = scene.section.value;
-    for (std::size_t i = 0; i < functions.size(); ++i)
-      sizes[i] = largest(term_sizes[i]);
     for (std::size_t i = 0; i < 2; ++i) {
       TermSize part(field, MFraction(i == 0 ? f.num() : f.den()));
       part_sizes[i] = largest(part);
@@ -147,6 +153,31 @@ BigReal turned(BigReal angle) {
   return angle - turn * whole;
 }
 
+// How much the constants of one orbit have changed, in units of the size of their terms on this orbit.  Terms and
+// changes are the largest up to now; nothing is told of the start alone, where terms may vanish that do not later.
+class OrbitDrift {
+public:
+  void note(std::size_t i, double change, double size) {
+    if (i >= change_.size()) {
+      change_.resize(i + 1, 0);
+      size_.resize(i + 1, 1e-300);
+      looks_.resize(i + 1, 0);
+    }
+    if (std::isfinite(size)) size_[i] = std::max(size_[i], size);
+    change_[i] = std::max(change_[i], change);
+    ++looks_[i];
+  }
+  [[nodiscard]] double of(std::size_t i) const { return looks_[i] > 1 ? change_[i] / size_[i] : 0; }
+
+private:
+  std::vector<double> change_, size_;
+  std::vector<long> looks_;
+};
+
+// What a variable is at least in the size of a term, in units of its scale on this orbit: a variable that is only
+// what rounding has left of 0 makes no size.
+constexpr double least_of_scale = 0x1p-40;
+
 template <class R> struct DrawnSink : FieldSink<R> {
   const Stage& stage;
   std::size_t first;
@@ -156,7 +187,10 @@ template <class R> struct DrawnSink : FieldSink<R> {
   std::vector<double> before;        ///< of each orbit: what was drawn last, for a return map
   std::vector<long> seen;            ///< crossings of each orbit, with those that are skipped
   std::vector<std::vector<R>> begun; ///< of each orbit: its integrals
-  std::vector<double> worst;         ///< of each orbit: its drift
+  std::vector<std::vector<double>>
+      least; ///< of each orbit: what its variables are at least in the size of a term
+  std::vector<OrbitDrift> changes;
+  std::vector<double> worst; ///< of each orbit: its drift
   std::vector<DrawnPoint> points;
   std::vector<std::pair<std::size_t, DrawnOrbit>> orbits;
   std::vector<double> drifts;
@@ -167,7 +201,7 @@ template <class R> struct DrawnSink : FieldSink<R> {
               s.scene.where ? std::vector{s.scene.where->value} : std::vector<MFraction>{}),
         integrals(s.field, values_of(s.integrals)), fraction(s.field, parts_of(s)),
         sizes(s.term_sizes), meanings(s.scene, s.field), before(count), seen(count), begun(count),
-        worst(count), drifts(s.integrals.size() + 1) {}
+        least(count), changes(count), worst(count), drifts(s.integrals.size() + 1) {}
 
   bool crossing(std::size_t orbit, const R& t, const R* x, bool) override {
     if (!is_constant(stage.scene.section.value.den()) && !crosses_a_zero(x)) return false;
@@ -191,12 +225,21 @@ template <class R> struct DrawnSink : FieldSink<R> {
   void look(std::size_t orbit, const R* x) override {
     const std::vector<R>& now = integrals(x);
     const std::vector<double> at = doubles(x);
-    if (begun[orbit].empty()) begun[orbit] = now;
-    for (std::size_t i = 0; i < now.size(); ++i) {
-      const double change = std::abs(to_double(R(now[i] - begun[orbit][i])));
-      note(orbit, i, change / std::max(stage.sizes[i], sizes[i](at.data())));
+    if (begun[orbit].empty()) {
+      begun[orbit] = now;
+      const double unit = stage.own_unit(at.data());
+      for (const double scale : stage.scales.of)
+        least[orbit].push_back(least_of_scale * unit * scale);
     }
-    note(orbit, now.size(), meanings.deviation(at.data(), stage.scales.of));
+    const double* smallest = least[orbit].data();
+    for (std::size_t i = 0; i < now.size(); ++i)
+      note(orbit, i, i, std::abs(to_double(R(now[i] - begun[orbit][i]))),
+           sizes[i](at.data(), smallest));
+    for (std::size_t i = 0; i < meanings.size(); ++i) {
+      const std::size_t place = meanings.place(i);
+      note(orbit, now.size() + i, now.size(), meanings.deviation(i, at.data()),
+           std::max(std::abs(at[place]), smallest[place] / least_of_scale));
+    }
   }
 
   void finished(std::size_t orbit, const FieldFinish<R>& f) override {
@@ -212,9 +255,12 @@ template <class R> struct DrawnSink : FieldSink<R> {
   }
 
 private:
-  void note(std::size_t orbit, std::size_t i, double drift) {
+  // of: the function among all; shown: the drift that tells of it
+  void note(std::size_t orbit, std::size_t of, std::size_t shown, double change, double size) {
+    changes[orbit].note(of, change, size);
+    const double drift = changes[orbit].of(of);
     worst[orbit] = std::max(worst[orbit], drift);
-    drifts[i] = std::max(drifts[i], drift);
+    drifts[shown] = std::max(drifts[shown], drift);
   }
 
   [[nodiscard]] std::vector<double> doubles(const R* x) const {
@@ -245,6 +291,23 @@ private:
   }
 };
 
+// The size of the section on an orbit that is smaller than the others by the factor `unit`.
+class SectionSize {
+public:
+  explicit SectionSize(const Stage& s) : stage_(s), size_(s.term_sizes.back()) {}
+  double operator()(double unit) {
+    if (unit == 1) return stage_.section_size;
+    std::vector<double> x;
+    for (const double scale : stage_.scales.of)
+      x.push_back(unit * scale);
+    return std::max(1e-300, std::min(stage_.section_size, size_(x.data())));
+  }
+
+private:
+  const Stage& stage_;
+  TermSize size_;
+};
+
 // One worker: takes the next few orbits until none are left.
 template <class R> struct SectionWork {
   const Stage& stage;
@@ -261,8 +324,9 @@ template <class R> struct SectionWork {
     StartRefiner<R> refine(s, stage.field);
     FieldRun<R> run = plan(tapes);
     std::vector<R> per_scale;
-    for (const double size : stage.scales.of)
-      per_scale.push_back(R(1 / size));
+    for (const double x : stage.per_scale)
+      per_scale.emplace_back(x);
+    SectionSize section_size(stage);
     run.per_scale = per_scale.data();
     const std::size_t chunk = std::is_same_v<R, double> ? 64 : std::is_same_v<R, Twin1> ? 8 : 1;
     for (std::size_t first = next.fetch_add(chunk); first < stage.starts.size();
@@ -270,12 +334,15 @@ template <class R> struct SectionWork {
       if (options.stop != nullptr && options.stop->load()) return;
       const std::size_t last = std::min(stage.starts.size(), first + chunk);
       DrawnSink<R> sink(stage, first, last - first);
-      std::vector<R> numbers;
+      std::vector<R> numbers, section_sizes;
       for (std::size_t i = first; i < last; ++i) {
         const std::vector<R> x = refine(stage.starts[i]);
         numbers.insert(numbers.end(), x.begin(), x.end());
+        section_sizes.emplace_back(
+            section_size(own_unit(x.data(), per_scale.data(), per_scale.size())));
       }
       run.starts = numbers.data();
+      run.section_sizes = section_sizes.data();
       run.orbits = last - first;
       run.sink = &sink;
       if constexpr (std::is_same_v<R, double>)
@@ -297,8 +364,6 @@ template <class R> struct SectionWork {
     run.max_steps = s.time ? -1 : least_steps + steps_for_crossing * (s.crossings + s.skip);
     run.falling = s.falling;
     run.rising = s.rising;
-    run.section_scale = R(stage.sizes.back());
-    run.noise = R(stage.sizes.back()) * (unit_roundoff<R>() * R(16));
     run.values = tapes.values();
     run.stop = options.stop;
     return run;
