@@ -6,11 +6,13 @@ usage: python_test.py KOVACIC TEST_CERTIFY     (the two programs; run by ctest)
 import json
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+from fractions import Fraction
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "../../tools/verify"), HERE]
@@ -21,6 +23,27 @@ import traps  # noqa: E402
 
 KOVACIC, TEST_CERTIFY = sys.argv[1:3]
 GROUPS = {"B": ("Borel", None), "Ga": ("T", "1"), "D": ("Gm", None), "trivial": ("cyclic", "1")}
+
+
+# As for the random rounds of C++ (tests/support/random.hpp).
+SEED, ROUNDS = int(os.environ.get("KOV_RANDOM_SEED") or 1), int(os.environ.get("KOV_RANDOM_ROUNDS") or 1)
+
+
+def moved(entry, choose):
+    """The equation of u(z) = y(c z + d)"""
+    c, d = (Fraction(choose.choice([-1, 1]) * choose.randint(1, 30), choose.randint(1, 12)) for _ in range(2))
+    c *= choose.choice([1, 1, 1, Fraction(1, 30030), 30030, 10**18 + 3])
+    there = f"(({c})*z+({d}))"
+    same = {k: entry[k] for k in ("id", "minpoly") if k in entry}
+    return same | {k: f"({c})^{n}*({re.sub('[a-z]+', lambda m: there if m[0] == 'z' else m[0], entry[k])})"
+                   for k, n in (("r", 2), ("p", 1), ("q", 2)) if k in entry}
+
+
+def lame_one(choose, i):
+    """An infinite dihedral group, or an additive one"""
+    f = "*".join(f"(z-({x}))" for x in choose.sample(range(-12, 13), 3))
+    p = "+".join(f"1/(2*(z-({x})))" for x in re.findall(r"z-\((-?\d+)\)", f))
+    return {"id": f"lame-{i}", "p": p, "q": f"-(2*z+({choose.randint(-20, 20)}))/(4*{f})"}
 
 
 def files(folder):
@@ -106,6 +129,26 @@ class Checker(unittest.TestCase):
                         claim, expected = json.loads(certificate)["claim"], e["expected"]
                         self.assertEqual((claim["group"], claim["n"]), group(expected["group"]))
                         self.assertEqual(claim["abelian"], expected["identity_component_abelian"])
+
+    def test_accepts_what_is_moved(self):
+        """z -> c z + d: the same group, and a certificate that is accepted; both corpora, and Lame's equation with n = 1"""
+        for seed in range(SEED, SEED + ROUNDS):
+            choose, entries = random.Random(seed), []
+            for corpus in ("public", "pitfalls"):
+                entries += [e for e in map(json.loads, text(os.path.join(HERE, f"../corpus/{corpus}.jsonl")).splitlines())
+                            if not e.get("parameters")]
+            entries = choose.sample(entries, 60) + [lame_one(choose, i) for i in range(20)]
+            with tempfile.TemporaryDirectory() as out:
+                lines = "\n".join(json.dumps(moved(e, choose)) for e in entries)
+                subprocess.run([KOVACIC, "solve", "--batch", "-", "--certificate", out], input=lines, text=True, stdout=subprocess.DEVNULL,
+                               check=True)
+                for e in entries:
+                    with self.subTest(f"KOV_RANDOM_SEED={seed}: {e['id']}"):
+                        certificate = text(os.path.join(out, e["id"] + ".json"))
+                        self.assertEqual(V.verify(certificate), 0)
+                        claim, expected = json.loads(certificate)["claim"], e.get("expected")
+                        if expected:
+                            self.assertEqual((claim["group"], claim["n"]), group(expected["group"]))
 
     def test_mechanics_adds_trusted_steps(self):
         with tempfile.TemporaryDirectory() as out:
