@@ -7,16 +7,12 @@
 
 #include "classify/difference.hpp"
 #include "integrals/find.hpp"
+#include "literature/integral_class.hpp"
 
 namespace kov {
 
 enum class StratumStatus : std::uint8_t { integrable, excluded, open };
 [[nodiscard]] std::string to_string(StratumStatus s); ///< "integrable", "excluded", "open"
-
-/// First integrals that are excluded, from the largest class to the smallest: meromorphic near the
-/// particular solutions, also near the points that close them, rational.
-enum class ExcludedClass : std::uint8_t { meromorphic, meromorphic_at_infinity, rational };
-[[nodiscard]] std::string to_string(ExcludedClass c); ///< "meromorphic", ...
 
 /// Why the system is not integrable somewhere.
 struct ExclusionReason {
@@ -24,10 +20,8 @@ struct ExclusionReason {
   std::string level;    ///< for which of them, in words
   int order = 1;        ///< of the variational equations
   std::string reason;
-  ExcludedClass integrals = ExcludedClass::meromorphic;
+  IntegralClass integrals = {};           ///< the class of first integrals that is excluded
   std::vector<std::string> theorems = {}; ///< of the literature
-  /// Integrals that contain these coordinates or symbols are not excluded.
-  std::vector<std::string> without = {};
   std::string unchecked; ///< a hypothesis that is not proved, as a sentence; or empty
   /// What it rests on besides theorems, exact computation and accepted certificates.
   std::vector<std::string> trusted = {};
@@ -70,12 +64,9 @@ struct SystemClassification {
   std::vector<std::string> theorems; ///< of the literature that are used
   std::vector<std::string> trusted;  ///< steps that no certificate repeats
   std::vector<std::string> notes;    ///< what of the file was not used, and why
-  /// The smallest class that is used; unset where nothing is excluded.
-  std::optional<ExcludedClass> excluded;
-  std::vector<std::string> functions; ///< the class is one in the coordinates and these symbols
-  std::vector<std::string> without;   ///< but not in these
-  bool on_leaves = false; ///< the bracket is degenerate: independent means on a symplectic leaf
-  bool liouville = true;  ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
+  /// Of these classes at once are the first integrals that are excluded; empty where nothing is.
+  std::vector<IntegralClass> excluded;
+  bool liouville = true; ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
   std::vector<std::pair<std::string, double>> stages; ///< what took how many seconds
   double seconds = 0;
   std::string at_work; ///< on the way: the stage that begins
@@ -85,15 +76,13 @@ struct SystemClassification {
 
 /// "meromorphic (in the coordinates and s, c)"; empty where nothing is excluded.
 [[nodiscard]] std::string integrals_class(const SystemClassification& c);
-/// The same for one reason by itself.
-[[nodiscard]] std::string integrals_class(const SystemClassification& c, const ExclusionReason& by);
 /// "b = 6", "b = 1, A = B": the strata with one of these, in few pieces.
 [[nodiscard]] std::vector<std::string> places(const SystemClassification& c,
                                               const std::vector<StratumStatus>& wanted);
 /// The theorem as one sentence.
 [[nodiscard]] std::string statement(const SystemClassification& c);
 /// "not integrable with first integrals that are ...": what one reason proves of its strata.
-[[nodiscard]] std::string statement(const SystemClassification& c, const ExclusionReason& by);
+[[nodiscard]] std::string statement(const ExclusionReason& by);
 /// "H, x*v - y*u", of an integrable stratum
 [[nodiscard]] std::string integrals_text(const ClassifiedStratum& s);
 /// The conditions of a stratum besides the assumptions, each as text; empty: all parameters.

@@ -831,7 +831,8 @@ private:
     for (std::size_t i = decided; i < result_.strata.size(); ++i) {
       const ClassifiedStratum& x = result_.strata[i];
       if (x.status != StratumStatus::excluded || !x.by.front().unchecked.empty() ||
-          !x.by.front().without.empty()) // the integrals may be others than those excluded
+          !x.by.front()
+               .integrals.without.empty()) // the integrals may be others than those excluded
         continue;
       const auto both = split_set(x.where, where.zero, where.not_all_zero, may_vanish(s)).inside;
       for (const ParameterSet& common : both) {
@@ -844,7 +845,8 @@ private:
   // The same where the integrals came first.
   void contradict_no_integrals(const Round& round, const Exclusion& e) const {
     const System& s = round.system;
-    if (!e.by.unchecked.empty() || !e.by.without.empty() || !s.field.functions.empty()) return;
+    if (!e.by.unchecked.empty() || !e.by.integrals.without.empty() || !s.field.functions.empty())
+      return;
     std::size_t looked_at = 0;
     for (std::size_t i = round.decided; i < result_.strata.size() && looked_at < most_compared;
          ++i) {

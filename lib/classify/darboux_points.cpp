@@ -452,7 +452,11 @@ std::string which_part(const PlanarPotential& p) {
 ExclusionReason reason(const PlanarPotential& p) {
   ExclusionReason by;
   by.level = p.part == Part::all ? "energy not 0" : "energy of this part not 0";
-  by.integrals = p.part == Part::all ? ExcludedClass::meromorphic : ExcludedClass::rational;
+  if (p.part == Part::all)
+    by.integrals.curves = {"the Darboux points"};
+  else
+    by.integrals = {.kind = IntegralClass::Kind::rational,
+                    .near = IntegralClass::Near::phase_space};
   by.trusted = {"the polynomial of the eigenvalues at Darboux points"};
   if (p.part != Part::all)
     by.theorems.push_back("Ziglin's lemma for rational integrals in involution, parts of " +

@@ -295,14 +295,21 @@ bool require_no_difference(Exclusion& e, const Projection& p, const DifferenceCo
   return true;
 }
 
-// The smaller class where the places are not known.
-ExcludedClass class_of(const strata::Leaf& leaf) {
-  const bool known = leaf.scheme || strata::evidence<strata::Number>(leaf) != nullptr;
-  return known && !strata::has_irregular_place(leaf) ? ExcludedClass::meromorphic
-                                                     : ExcludedClass::meromorphic_at_infinity;
+const InvariantManifold* manifold_of(const ManifoldReport& report) {
+  return report.manifold ? &*report.manifold : nullptr;
 }
 
-std::optional<Exclusion> exclusion(const System& s, const Stratum& x,
+// The smaller class where the places or the group are not known.
+IntegralClass class_of(const System& s, const ManifoldReport& report, const strata::Leaf& leaf) {
+  const bool known = leaf.scheme || strata::evidence<strata::Number>(leaf) != nullptr;
+  const bool regular = known && !strata::has_irregular_place(leaf);
+  const bool is_sl2 = leaf.abelian == Truth::no && leaf.group && leaf.group->type == GroupType::SL2;
+  return excluded_integrals(
+      s, report.name, manifold_of(report),
+      regular ? IntegralClass::Near::curve : IntegralClass::Near::closed_curve, is_sl2);
+}
+
+std::optional<Exclusion> exclusion(const System& s, const ManifoldReport& report, const Stratum& x,
                                    const std::vector<std::size_t>& levels) {
   const strata::Leaf& leaf = x.leaf;
   std::optional<OnlyIf> open;
@@ -331,7 +338,7 @@ std::optional<Exclusion> exclusion(const System& s, const Stratum& x,
   e.by.reason =
       necessary ? strata::open_condition(leaf) : strata::reason(closed ? closed->otherwise : leaf);
   if (necessary) e.by.trusted.emplace_back("necessary conditions of undecided strata");
-  e.by.integrals = class_of(leaf);
+  e.by.integrals = class_of(s, report, leaf);
   return e;
 }
 
@@ -342,17 +349,19 @@ std::string names(const BlockReport& block) {
   return text;
 }
 
-std::vector<Exclusion> of_block(const System& s, const BlockReport& block,
-                                const std::vector<std::size_t>& levels) {
+std::vector<Exclusion> of_block(const System& s, const ManifoldReport& report,
+                                const BlockReport& block, const std::vector<std::size_t>& levels) {
   std::vector<Exclusion> all;
   if (block.strata) {
     for (const Stratum& x : block.strata->strata)
-      if (auto e = exclusion(s, x, levels)) all.push_back(*std::move(e));
+      if (auto e = exclusion(s, report, x, levels)) all.push_back(*std::move(e));
   } else if (block.decision && block.abelian == Truth::no) {
     Exclusion e;
     e.by.reason = reason(*block.decision);
-    if (!block.equation || integral_class(block.equation->r) != IntegralClass::meromorphic)
-      e.by.integrals = ExcludedClass::meromorphic_at_infinity;
+    e.by.integrals = excluded_integrals(s, report.name, manifold_of(report),
+                                        block.equation ? integrals_near(block.equation->r)
+                                                       : IntegralClass::Near::closed_curve,
+                                        block.decision->component == Connected::sl2);
     all.push_back(std::move(e));
   }
   for (Exclusion& e : all)
@@ -365,8 +374,7 @@ Exclusion by_matrices(const ManifoldReport& report) {
   Exclusion e;
   e.by.reason = reason(*report.matrices);
   e.by.level = report.matrices->level;
-  if (report.integrals != IntegralClass::meromorphic)
-    e.by.integrals = ExcludedClass::meromorphic_at_infinity;
+  e.by.integrals = report.by->integrals;
   return e;
 }
 
@@ -418,8 +426,7 @@ Exclusion by_verdict(const ManifoldReport& report) {
   KOV_ENSURE(block != report.blocks.end());
   explain(*block, e.by);
   e.by.reason = "variation of " + names(*block) + ": " + e.by.reason;
-  if (report.integrals != IntegralClass::meromorphic)
-    e.by.integrals = ExcludedClass::meromorphic_at_infinity;
+  e.by.integrals = report.by->integrals;
   return e;
 }
 
@@ -431,12 +438,7 @@ const LiteratureTheorem& theorem(const System& s) {
 std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& report,
                                          const std::vector<std::size_t>& levels,
                                          std::vector<Exclusion> all) {
-  std::vector<std::string> without;
-  if (report.manifold)
-    for (const std::size_t i : moving_and_left_out(s, *report.manifold))
-      without.push_back(s.ring()->name(i));
   for (Exclusion& e : all) {
-    e.by.without = without;
     e.by.solution = report.name;
     e.by.unchecked = report.not_checked;
     e.by.theorems = {theorem(s).name};
@@ -461,7 +463,7 @@ std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
                                   const std::vector<std::size_t>& levels) {
   std::vector<Exclusion> all;
   for (const BlockReport& block : report.blocks)
-    for (Exclusion& e : of_block(s, block, levels))
+    for (Exclusion& e : of_block(s, report, block, levels))
       all.push_back(std::move(e));
   if (report.matrices) all.push_back(by_matrices(report));
   return with_its_solution(s, report, levels, std::move(all));
@@ -486,6 +488,7 @@ std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
   e.by.solution = m.name;
   e.by.level = jets::level(o);
   e.by.order = o.logarithm.order;
+  e.by.integrals.curves = {m.name};
   e.by.reason = jets::reason(orders);
   e.by.theorems = {jets::theorem()};
   e.by.trusted = jets::trusted(o);
@@ -499,8 +502,7 @@ Exclusion exclusion_of(const ManifoldSpec& m, const QuadratureObstruction& o) {
   e.by.level = o.level;
   e.by.order = o.order;
   e.by.reason = reason(o);
-  e.by.integrals = ExcludedClass::meromorphic_at_infinity;
-  e.by.without = o.without;
+  e.by.integrals = o.integrals;
   e.by.unchecked = o.unchecked;
   e.by.theorems = {jets::theorem()};
   e.by.trusted = {"higher variational equations by quadratures, along " + m.name};

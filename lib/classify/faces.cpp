@@ -364,11 +364,21 @@ private:
     if (e.unless && !std::all_of(e.unless->squares.begin(), e.unless->squares.end(), move))
       return std::nullopt;
     e.not_all_zero.push_back(x_.independent);
-    for (const std::size_t i : x_.instead_of)
-      e.by.without.push_back(s.ring()->name(i));
-    e.by.integrals = ExcludedClass::rational;
+    e.by.integrals = integrals(s);
     e.by.trusted.emplace_back("exponentials as coordinates, also where they are 0");
     return e;
+  }
+
+  // Rational in the exponentials, and in the coordinates that are not behind them.
+  [[nodiscard]] IntegralClass integrals(const System& s) const {
+    IntegralClass c{.kind = IntegralClass::Kind::rational,
+                    .near = IntegralClass::Near::phase_space};
+    for (const FunctionSymbol& f : s.field.functions)
+      c.functions.push_back(s.ring()->name(f.variable));
+    for (const std::size_t i : x_.instead_of)
+      c.without.push_back(s.ring()->name(i));
+    c.through = c.functions;
+    return c;
   }
 
   const ExponentialCoordinates& x_;

@@ -97,7 +97,6 @@ std::optional<Piece> on_part(const Piece& piece, ParameterSet part) {
 SystemClassification nothing_known(const System& s) {
   SystemClassification c;
   c.liouville = s.field.poisson.has_value();
-  c.on_leaves = c.liouville && s.kind != SystemKind::hamiltonian;
   return c;
 }
 
@@ -193,17 +192,14 @@ void finish(const System& s, SystemClassification& c) {
     add_once(c.constants, constant);
   for (const ClassifiedStratum& x : c.strata)
     for (const ExclusionReason& o : x.by) {
-      c.excluded = std::max(c.excluded.value_or(o.integrals), o.integrals);
+      c.excluded.push_back(o.integrals);
       for (const std::string& theorem : o.theorems)
         add_once(c.theorems, theorem);
       add_once(c.assumptions, o.unchecked);
       for (const std::string& step : o.trusted)
         add_once(c.trusted, step);
-      for (const std::string& name : o.without)
-        add_once(c.without, name);
     }
-  for (const FunctionSymbol& f : s.field.functions)
-    c.functions.push_back(s.ring()->name(f.variable));
+  c.excluded = at_once(c.excluded);
   const auto rank = [](const ClassifiedStratum& x) { return static_cast<int>(x.status); };
   std::stable_sort(c.strata.begin(), c.strata.end(),
                    [&](const auto& a, const auto& b) { return rank(a) < rank(b); });

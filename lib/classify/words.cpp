@@ -3,7 +3,6 @@
 #include "classify/parameter_split.hpp"
 #include "classify/places.hpp"
 #include "exact/error.hpp"
-#include "integrability/integral_class.hpp"
 #include "parameters/conditions.hpp"
 
 #include <algorithm>
@@ -16,43 +15,7 @@ std::string to_string(StratumStatus s) {
                                         : "open";
 }
 
-std::string to_string(ExcludedClass c) {
-  switch (c) {
-  case ExcludedClass::meromorphic:
-    return "meromorphic";
-  case ExcludedClass::meromorphic_at_infinity:
-    return to_string(IntegralClass::meromorphic_at_infinity);
-  default:
-    return "rational";
-  }
-}
-
-namespace {
-
-std::string listed(const std::vector<std::string>& all, const std::string& first) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? first : ", ") + one;
-  return text;
-}
-
-std::string class_text(const SystemClassification& c, ExcludedClass excluded,
-                       const std::vector<std::string>& without) {
-  const std::string in = listed(c.functions, " (in the coordinates and ");
-  return to_string(excluded) + in + (in.empty() ? "" : ")") +
-         (c.on_leaves ? " and independent on the symplectic leaves of the solutions" : "") +
-         listed(without, " and do not contain ");
-}
-
-} // namespace
-
-std::string integrals_class(const SystemClassification& c) {
-  return c.excluded ? class_text(c, *c.excluded, c.without) : "";
-}
-
-std::string integrals_class(const SystemClassification& c, const ExclusionReason& by) {
-  return class_text(c, by.integrals, by.without);
-}
+std::string integrals_class(const SystemClassification& c) { return sentence(c.excluded); }
 
 std::string to_string(ClassificationStatus s) {
   switch (s) {
@@ -173,12 +136,6 @@ std::string alternatives(const SystemClassification& c, const std::vector<Stratu
                                " sets of parameters below that are " + named;
 }
 
-std::string kind_of(const SystemClassification& c, const std::string& integrals) {
-  return "first integrals " + std::string(c.liouville ? "" : "and commuting vector fields ") +
-         "that are " + integrals;
-}
-std::string kind_of(const SystemClassification& c) { return kind_of(c, integrals_class(c)); }
-
 bool has(const SystemClassification& c, StratumStatus status) {
   return std::any_of(c.strata.begin(), c.strata.end(),
                      [&](const ClassifiedStratum& s) { return s.status == status; });
@@ -193,8 +150,8 @@ bool has_logarithms(const SystemClassification& c) {
 
 } // namespace
 
-std::string statement(const SystemClassification& c, const ExclusionReason& by) {
-  return "not integrable with " + kind_of(c, integrals_class(c, by));
+std::string statement(const ExclusionReason& by) {
+  return "not integrable with " + first_integrals({by.integrals});
 }
 
 std::string statement(const SystemClassification& c) {
@@ -205,21 +162,21 @@ std::string statement(const SystemClassification& c) {
   case ClassificationStatus::integrable:
     return integrable + " for all parameters.";
   case ClassificationStatus::non_integrable:
-    return "The system is not integrable with " + kind_of(c) + ".";
+    return "The system is not integrable with " + first_integrals(c.excluded) + ".";
   case ClassificationStatus::depends:
     return integrable + " exactly " + alternatives(c, {StratumStatus::integrable}, "integrable") +
-           "; elsewhere it is not integrable with " + kind_of(c) + ".";
+           "; elsewhere it is not integrable with " + first_integrals(c.excluded) + ".";
   default:
     break;
   }
   const std::string almost =
       c.almost_all ? "For almost all parameters (all but a set of measure zero, which is not "
                      "determined) the system is " +
-                         statement(c, c.almost_all->by) + "."
+                         statement(c.almost_all->by) + "."
                    : "";
   if (!has(c, StratumStatus::excluded))
     return almost.empty() ? "No parameters are excluded." : almost;
-  return "The system can be integrable with " + kind_of(c) + " only " +
+  return "The system can be integrable with " + first_integrals(c.excluded) + " only " +
          alternatives(c, {StratumStatus::integrable, StratumStatus::open}, "integrable or open") +
          "." + (almost.empty() ? "" : " " + almost);
 }

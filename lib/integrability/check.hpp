@@ -81,10 +81,8 @@ struct ManifoldReport {
   std::shared_ptr<const MatrixEvidence> matrices;
   VerdictKind verdict = VerdictKind::undecided;
   std::optional<TheoremUsed> by; ///< the theorem behind the verdict; unset: it was not reached
-  IntegralClass integrals = IntegralClass::meromorphic;
-  std::vector<std::size_t> without; ///< coordinates that the excluded integrals do not contain
-  std::string statement;            ///< what the theorem says, where it says something
-  std::string not_checked; ///< a hypothesis of the verdict that is not proved, as a sentence
+  std::string statement;         ///< what the theorem says, where it says something
+  std::string not_checked;       ///< a hypothesis of the verdict that is not proved, as a sentence
   std::vector<std::string> reasons;
 };
 

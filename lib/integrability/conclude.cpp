@@ -194,45 +194,10 @@ bool excludes_integrals(const ManifoldReport& report) {
          (report.verdict == VerdictKind::undecided && excluding_strata(report));
 }
 
-std::vector<std::string> functions_on_the_curve(const System& s, const ManifoldReport& report) {
-  std::vector<std::string> names;
-  const auto& left_out = report.without;
-  for (const auto& f : s.field.functions)
-    if (std::find(left_out.begin(), left_out.end(), f.variable) == left_out.end())
-      names.push_back(s.ring()->name(f.variable));
-  return names;
-}
-
-// " otherwise than through u": functions of a coordinate that is left out.
-std::string through(const System& s, const ManifoldReport& report) {
-  std::vector<std::string> names;
-  const auto& left_out = report.without;
-  for (const auto& f : s.field.functions)
-    if (std::find(left_out.begin(), left_out.end(), f.variable) == left_out.end())
-      for (std::size_t j = 0; j < s.field.coordinates.size(); ++j)
-        if (!is_zero(f.gradient[j]) &&
-            std::find(left_out.begin(), left_out.end(), s.field.coordinates[j]) != left_out.end()) {
-          names.push_back(s.ring()->name(f.variable));
-          break;
-        }
-  return names.empty() ? "" : " otherwise than through " + list(names);
-}
-
 TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
   TheoremUsed by = used(s.field.poisson ? morales_ramis() : ayoul_zung());
-  by.integrals = to_string(report.integrals);
+  by.integrals = excluded_integrals(s, report);
   if (!report.not_checked.empty()) by.hypotheses.push_back({report.not_checked, Settled::open, ""});
-  if (excludes_integrals(report))
-    if (const auto used = functions_on_the_curve(s, report); !used.empty())
-      by.integrals += " (in the coordinates and " + list(used) + ")";
-  if (s.field.poisson && s.kind != SystemKind::hamiltonian)
-    by.integrals += " and independent on the symplectic leaf of the phase curve";
-  if (!report.without.empty()) {
-    std::vector<std::string> names;
-    for (const std::size_t i : report.without)
-      names.push_back(s.ring()->name(i));
-    by.integrals += " and do not depend on " + list(names) + through(s, report);
-  }
   return by;
 }
 
@@ -245,19 +210,14 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
       report.reasons.push_back(std::move(why));
   if (options.stop_at_r) return;
   report.verdict = verdict_of(report);
-  const ExcludedIntegrals excluded = excluded_integrals(s, report);
-  report.integrals = excluded.integrals;
-  report.without = excluded.without;
   report.by = theorem_of(s, report);
   if (report.verdict == VerdictKind::undecided && !report.not_studied.empty())
     report.reasons.push_back("an abelian identity component of every block decides nothing here: " +
                              report.not_studied);
   if (excludes_integrals(report))
-    report.statement =
-        (s.field.poisson ? "not integrable in Liouville's sense with first integrals that are "
-                         : "not integrable with first integrals and commuting vector fields "
-                           "that are ") +
-        report.by->integrals;
+    report.statement = "not integrable " +
+                       std::string(s.field.poisson ? "in Liouville's sense " : "") + "with " +
+                       first_integrals({report.by->integrals});
   if (report.verdict == VerdictKind::depends) report.statement += decided_where(report);
 }
 

@@ -8,41 +8,36 @@
 
 namespace kov {
 
-std::string to_string(IntegralClass c) {
-  return c == IntegralClass::meromorphic ? "meromorphic"
-                                         : "meromorphic also at the ends of the phase curve "
-                                           "(points at infinity, equilibria, poles of the system)";
-}
-
-IntegralClass integral_class(const RationalFunction& r) {
+IntegralClass::Near integrals_near(const RationalFunction& r) {
   bool irregular = !is_zero(r) && order_at_infinity(r) < 2;
   if (!is_zero(r) && degree(r.den()) > 0)
     for (const auto& f : squarefree_factors(r.den()))
       if (f.exponent > 2) irregular = true;
-  return irregular ? IntegralClass::meromorphic_at_infinity : IntegralClass::meromorphic;
+  return irregular ? IntegralClass::Near::closed_curve : IntegralClass::Near::curve;
 }
 
 namespace {
 
+using Near = IntegralClass::Near;
+
 // One or more equations with a non-abelian identity component.
 struct NonAbelian {
-  IntegralClass integrals = IntegralClass::meromorphic;
+  Near near = Near::curve;
   bool sl2 = true; ///< each is known to have the group SL(2, C)
   bool any = false;
 
-  void add(IntegralClass c, bool is_sl2) {
-    integrals = std::max(integrals, c);
+  void add(Near where, bool is_sl2) {
+    near = std::max(near, where);
     sl2 = sl2 && is_sl2;
     any = true;
   }
   void add(const RationalFunction& r, const Decision& d) {
-    if (d.abelian == Truth::no) add(integral_class(r), d.component == Connected::sl2);
+    if (d.abelian == Truth::no) add(integrals_near(r), d.component == Connected::sl2);
   }
   void add(const strata::StrataAnswer& answer) {
     for (const strata::Stratum& x : answer.told_apart())
       if (x.leaf.abelian == Truth::no)
-        add(strata::has_irregular_place(x.leaf) ? IntegralClass::meromorphic_at_infinity
-                                                : IntegralClass::meromorphic,
+        add(strata::has_irregular_place(x.leaf) ? Near::closed_curve : Near::curve,
             x.leaf.group && x.leaf.group->type == GroupType::SL2);
   }
   void add(const BlockReport& block) {
@@ -54,9 +49,7 @@ struct NonAbelian {
     }
   }
   /// By the theory page: an infinite Abelian cover of the curve keeps SL(2, C).
-  [[nodiscard]] bool survives_covers() const {
-    return sl2 && integrals == IntegralClass::meromorphic;
-  }
+  [[nodiscard]] bool survives_covers() const { return sl2 && near == Near::curve; }
 };
 
 // One block that is not abelian for all parameters is enough, and the best one counts.
@@ -70,11 +63,10 @@ NonAbelian what_decides(const ManifoldReport& report) {
     if (block.abelian == Truth::no && one.any) enough.push_back(one);
   }
   if (enough.empty()) return all;
-  return *std::min_element(enough.begin(), enough.end(),
-                           [](const NonAbelian& a, const NonAbelian& b) {
-                             return std::pair(!a.survives_covers(), a.integrals) <
-                                    std::pair(!b.survives_covers(), b.integrals);
-                           });
+  return *std::min_element(
+      enough.begin(), enough.end(), [](const NonAbelian& a, const NonAbelian& b) {
+        return std::pair(!a.survives_covers(), a.near) < std::pair(!b.survives_covers(), b.near);
+      });
 }
 
 bool moves(const System& s, const InvariantManifold& m, std::size_t variable) {
@@ -101,13 +93,53 @@ std::vector<std::size_t> moving_and_left_out(const System& s, const InvariantMan
   return all;
 }
 
-ExcludedIntegrals excluded_integrals(const System& s, const ManifoldReport& report) {
-  // Loops on the curve itself, but for coordinates that are left out.
-  if (report.matrices)
-    return {IntegralClass::meromorphic, moving_and_left_out(s, *report.manifold)};
+namespace {
+
+// Symbols that are functions of a coordinate that is left out.
+std::vector<std::string> functions_of(const System& s, const std::vector<std::size_t>& left_out) {
+  std::vector<std::string> names;
+  const auto is_left_out = [&](std::size_t i) {
+    return std::find(left_out.begin(), left_out.end(), i) != left_out.end();
+  };
+  for (const FunctionSymbol& f : s.field.functions) {
+    if (is_left_out(f.variable)) continue;
+    bool depends = false;
+    for (std::size_t j = 0; j < s.field.coordinates.size(); ++j)
+      depends = depends || (!is_zero(f.gradient[j]) && is_left_out(s.field.coordinates[j]));
+    if (depends) names.push_back(s.ring()->name(f.variable));
+  }
+  return names;
+}
+
+IntegralClass along(const System& s, const std::string& name, Near near,
+                    const std::vector<std::size_t>& left_out) {
+  IntegralClass c{.near = near, .curves = {name}};
+  c.liouville = s.field.poisson.has_value();
+  c.on_leaf = c.liouville && s.kind != SystemKind::hamiltonian;
+  for (const FunctionSymbol& f : s.field.functions)
+    if (std::find(left_out.begin(), left_out.end(), f.variable) == left_out.end())
+      c.functions.push_back(s.ring()->name(f.variable));
+  for (const std::size_t i : left_out)
+    c.without.push_back(s.ring()->name(i));
+  c.through = functions_of(s, left_out);
+  return c;
+}
+
+} // namespace
+
+IntegralClass excluded_integrals(const System& s, const std::string& name,
+                                 const InvariantManifold* m, Near near, bool is_sl2) {
+  const bool all_stay = m == nullptr || (is_sl2 && near == Near::curve);
+  return along(s, name, near, all_stay ? std::vector<std::size_t>{} : moving_and_left_out(s, *m));
+}
+
+IntegralClass excluded_integrals(const System& s, const ManifoldReport& report) {
+  const auto* m = report.manifold ? &*report.manifold : nullptr;
+  // Matrices: loops on the curve itself, but for coordinates that are left out.
+  if (report.matrices) return excluded_integrals(s, report.name, m, Near::curve, false);
   const NonAbelian by = what_decides(report);
-  if (!by.any || !report.manifold || by.survives_covers()) return {by.integrals, {}};
-  return {by.integrals, moving_and_left_out(s, *report.manifold)};
+  return by.any ? excluded_integrals(s, report.name, m, by.near, by.sl2)
+                : along(s, report.name, by.near, {});
 }
 
 } // namespace kov

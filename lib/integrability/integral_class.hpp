@@ -4,9 +4,9 @@
 // Source  docs/theory/mechanics.md (6), "Class of first integrals"
 
 #include "exact/rational_function.hpp"
+#include "literature/integral_class.hpp"
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,27 +16,23 @@ struct System;
 struct ManifoldReport;
 struct InvariantManifold;
 
-/// Meromorphic near the phase curve, and where a place of r is irregular also at the points that its
-/// closure adds: at infinity, at equilibria, and at poles of the system.
-enum class IntegralClass : std::uint8_t { meromorphic, meromorphic_at_infinity };
-[[nodiscard]] std::string to_string(IntegralClass c); ///< "meromorphic", ...
+/// Where integrals have to be meromorphic if y'' = r y has a non-abelian identity component: near the
+/// phase curve, and if a place of r is irregular also at the points that its closure adds.
+/// Example integrals_near(RationalFunction(2, z*z)) == IntegralClass::Near::curve  // -> yes
+/// Example integrals_near(z) == IntegralClass::Near::closed_curve  // -> yes
+[[nodiscard]] IntegralClass::Near integrals_near(const RationalFunction& r);
 
-/// The class that is left where y'' = r y has a non-abelian identity component.
-/// Example integral_class(RationalFunction(2, z*z))  // -> meromorphic
-/// Example integral_class(z)
-///         // -> meromorphic also at the ends of the phase curve (points at infinity, equilibria, poles of the system)
-[[nodiscard]] IntegralClass integral_class(const RationalFunction& r);
-
-/// What is excluded, after the decision of all blocks.
-struct ExcludedIntegrals {
-  IntegralClass integrals = IntegralClass::meromorphic;
-  /// Coordinates and function symbols that change along the phase curve and on which nothing
-  /// depends: integrals that contain them are not excluded.
-  std::vector<std::size_t> without;
-};
-/// Those coordinates and symbols, whatever is excluded.
+/// Coordinates and function symbols that change along the phase curve and on which nothing depends.
 [[nodiscard]] std::vector<std::size_t> moving_and_left_out(const System& s,
                                                            const InvariantManifold& m);
-[[nodiscard]] ExcludedIntegrals excluded_integrals(const System& s, const ManifoldReport& report);
+
+/// What one equation with a non-abelian identity component excludes along the curve of this name.  is_sl2:
+/// its group is SL(2, C), which infinite Abelian covers of the curve keep; with regular places nothing is
+/// left out then.  m: null where it is not known.
+[[nodiscard]] IntegralClass excluded_integrals(const System& s, const std::string& name,
+                                               const InvariantManifold* m, IntegralClass::Near near,
+                                               bool is_sl2);
+/// What the verdict excludes, after the decision of all blocks.
+[[nodiscard]] IntegralClass excluded_integrals(const System& s, const ManifoldReport& report);
 
 } // namespace kov

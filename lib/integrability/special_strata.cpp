@@ -68,7 +68,7 @@ Stratum whole(const Stratum& x, Truth abelian, const ManifoldReport& here, const
   Stratum same{x.conditions, {}, x.solved};
   same.leaf.abelian = abelian;
   same.leaf.by = strata::Conclusion::other_blocks;
-  const bool regular = here.by && here.integrals == IntegralClass::meromorphic;
+  const bool regular = here.by && here.by->integrals.near == IntegralClass::Near::curve;
   same.leaf.because.emplace_back(strata::OtherBlocks{why, !regular});
   return same;
 }

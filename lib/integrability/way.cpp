@@ -317,7 +317,7 @@ bool is_certified(const std::shared_ptr<const WayToR>& way) {
 
 // With the class of integrals that is said: strata are not known to have the group SL(2).
 bool strata_are_certified(const ManifoldReport& m, const BlockReport& b) {
-  return is_certified(b.way) && (!b.way->leaves_out || !m.without.empty());
+  return is_certified(b.way) && (!b.way->leaves_out || (m.by && !m.by->integrals.without.empty()));
 }
 
 bool is_certified(const ManifoldReport& m, const BlockReport& b) {

@@ -37,7 +37,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "phase curve, the identity component of the differential Galois group of the variational "
        "equations along it is abelian.",
        "MoralesRamis2001",
-       "meromorphic",
+       {},
        {{"the system is Hamiltonian on the leaves of a Poisson structure", Settled::checked,
          "Jacobi's identity, when the system is read"},
         {"the curve is a phase curve and no equilibrium", Settled::checked,
@@ -51,7 +51,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "If a vector field is meromorphically integrable near a phase curve, the identity component "
        "of the differential Galois group of the variational equations along it is abelian.",
        "AyoulZung2010",
-       "meromorphic",
+       {.liouville = false},
        {{"the curve is a phase curve and no equilibrium", Settled::checked,
          "the manifold of the step is proved to be invariant"},
         {"the first integrals and symmetry fields are meromorphic near the curve", Settled::stated,
@@ -62,7 +62,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "phase curve, the identity component of the differential Galois group of the variational "
        "equations of each order along it is abelian.",
        "MoralesRamisSimo2007",
-       "meromorphic",
+       {},
        {{"the system is Hamiltonian", Settled::checked, "its form: kinetic energy and potential"},
         {"the curve is a phase curve and no equilibrium", Settled::checked,
          "the plane of the step is proved to be invariant, and the energy is no critical value"},
@@ -77,7 +77,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "of H1 on the orbit, over the strip 0 <= Im t <= 2 pi/lambda, is not 0, then for small "
        "mu != 0 there is no first integral independent of H.",
        "Ziglin1980",
-       "real-analytic on the whole real phase space",
+       {.kind = IntegralClass::Kind::real_analytic, .near = IntegralClass::Near::phase_space},
        {{"hypotheses 1 to 6", Settled::checked, "the identities of the step"},
         {"the first integral is real-analytic near the closure of the orbit", Settled::stated,
          "that is what is excluded"}}},
@@ -88,7 +88,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "whose lowest-order parts are functionally independent; lowest-order parts of first "
        "integrals are first integrals of the lowest-order system.",
        "Ziglin1983",
-       "meromorphic near the origin",
+       {.near = IntegralClass::Near::origin},
        {{"the bracket and the lowest-order terms are weight-homogeneous", Settled::checked,
          "the step lowest-order"},
         {"the first integrals are meromorphic near the origin", Settled::stated,
@@ -100,7 +100,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "The heavy top with A = B is integrable with complex meromorphic first integrals on F2 = 0 "
        "only in the four classical cases.",
        "Ziglin1983",
-       "meromorphic on the leaves with F2 = 0",
+       {.near = IntegralClass::Near::level, .level = "F2 = 0"},
        {{"the first integrals are meromorphic on the leaves with F2 = 0", Settled::stated,
          "that is what is excluded"},
         {"first integrals that are independent are so on the leaves with F2 = 0", Settled::open,
@@ -147,7 +147,7 @@ const LiteratureTheorem& smale_moser() {
       "are real-analytic, then every real-analytic first integral on a connected neighbourhood of "
       "the closure of the orbit is constant.",
       "Moser1973",
-      "real-analytic",
+      {.kind = IntegralClass::Kind::real_analytic},
       {{"the map is a real-analytic diffeomorphism near the closure of the orbit", Settled::checked,
         "the enclosed crossings of the section are transverse"},
        {"the fixed point is hyperbolic", Settled::checked,

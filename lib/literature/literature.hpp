@@ -5,6 +5,8 @@
 // remove one.  A use of it says of each hypothesis whether it was checked (by what), is part of
 // what is stated, or is not checked, and which class of first integrals it excludes.
 
+#include "literature/integral_class.hpp"
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -27,8 +29,8 @@ struct LiteratureTheorem {
   std::string id;   ///< as files name it: "Morales-Ramis"
   std::string name; ///< "Morales-Ruiz and Ramis (2001)"
   std::string statement;
-  std::string cite;      ///< key in docs/references.bib
-  std::string integrals; ///< the first integrals that it excludes are ...
+  std::string cite;        ///< key in docs/references.bib
+  IntegralClass integrals; ///< the class of first integrals that it excludes
   std::vector<TheoremHypothesis> hypotheses;
   /// A theorem about one system: that system as a system file, with what it assumes.
   std::string system = {};
@@ -54,12 +56,12 @@ struct LiteratureTheorem {
 struct TheoremUsed {
   const LiteratureTheorem* theorem = nullptr; ///< one of literature(), never null in a result
   std::vector<TheoremHypothesis> hypotheses;  ///< as this use settles them
-  std::string integrals;                      ///< the first integrals that it excludes are ...
+  IntegralClass integrals;                    ///< the class of first integrals that it excludes
 
   [[nodiscard]] const std::string& id() const { return theorem->id; }
 };
 /// With the hypotheses as the theorem says that its uses settle them.
-/// Example used(morales_ramis()).integrals  // -> meromorphic
+/// Example sentence(used(morales_ramis()).integrals)  // -> meromorphic
 [[nodiscard]] TheoremUsed used(const LiteratureTheorem& theorem);
 
 } // namespace kov

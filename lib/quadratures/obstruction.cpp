@@ -472,8 +472,8 @@ std::optional<QuadratureOrders> study(const System& s, const ManifoldSpec& m, in
   }
   result.obstruction->variable = curve->change();
   result.obstruction->unchecked = existence_not_checked(s.field, *manifold);
-  for (const std::size_t i : moving_and_left_out(s, *manifold))
-    result.obstruction->without.push_back(s.ring()->name(i));
+  result.obstruction->integrals =
+      excluded_integrals(s, m.name, manifold, IntegralClass::Near::closed_curve, false);
   for (const std::size_t h : levels_of(s, m))
     result.obstruction->level += (result.obstruction->level.empty() ? "" : ", ") +
                                  s.ring()->name(h) + " = " + to_string(level);

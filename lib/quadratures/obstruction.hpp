@@ -16,12 +16,10 @@ struct QuadratureObstruction {
   std::string variable; ///< z as a function on the phase space
   RationalFunction u;   ///< I' by z
   PrimitiveExtension::Element f;
-  std::string of;        ///< whose integral it is: "c1*c2^2 in the variation of L"
-  std::size_t power = 0; ///< of I, where df/dI has simple poles that do not go away
-  /// Coordinates that move along the curve and are no functions of z: first integrals and fields
-  /// that contain them otherwise than through the function symbols are not excluded.
-  std::vector<std::string> without = {};
-  std::string unchecked = {}; ///< a hypothesis that is open, as a clause; or empty
+  std::string of;               ///< whose integral it is: "c1*c2^2 in the variation of L"
+  std::size_t power = 0;        ///< of I, where df/dI has simple poles that do not go away
+  IntegralClass integrals = {}; ///< the class of first integrals that is excluded
+  std::string unchecked = {};   ///< a hypothesis that is open, as a clause; or empty
 };
 
 struct QuadratureOrders {

@@ -236,12 +236,12 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
     n.says = Conclusion::not_integrable;
     n.excluded = {m.by->integrals};
     n.curve = name_in_words(m.name) + " in " + n.node.file;
-    if (!m.without.empty() && !n.node.place.as.empty()) // they name coordinates
-      n.excluded.front() += " (in the coordinates of " + n.node.file + ")";
+    if (!m.by->integrals.without.empty() && !n.node.place.as.empty()) // they name coordinates
+      n.excluded.front().frame = n.node.file;
     n.headline = "NON-INTEGRABLE" + by;
     n.statement = subject + m.statement + by;
-    if (m.integrals != IntegralClass::meromorphic || !m.without.empty())
-      n.summary += "; for first integrals that are " + m.by->integrals;
+    if (m.by->integrals.near != IntegralClass::Near::curve || !m.by->integrals.without.empty())
+      n.summary += "; for first integrals that are " + sentence(m.by->integrals);
   } else if (m.verdict == VerdictKind::no_obstruction) {
     n.headline = "NO OBSTRUCTION" + by + ": nothing follows about integrability";
     n.statement = subject + "not obstructed by the first variational equation" + by +
@@ -252,8 +252,9 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
     if (except.empty())
       throw DomainError("the parameters where the system is not integrable could not be named");
     n.headline = "NON-INTEGRABLE " + except + by;
-    n.statement = subject + "not integrable with first integrals that are " + m.by->integrals +
-                  ", " + except + by + ". In the exceptions nothing follows about integrability";
+    n.statement = subject + "not integrable with first integrals that are " +
+                  sentence(m.by->integrals) + ", " + except + by +
+                  ". In the exceptions nothing follows about integrability";
   }
 }
 

@@ -153,14 +153,6 @@ void add_once(std::vector<std::string>& all, const std::string& one) {
   if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
-// "a", "a and b", "a, b and c"
-std::string enumerated(const std::vector<std::string>& all) {
-  std::string text;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == all.size() ? " and " : ", ") + all[i];
-  return text;
-}
-
 std::string joined(const std::vector<std::string>& all, const std::string& between) {
   std::string text;
   for (const std::string& s : all)
@@ -204,9 +196,8 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
 
 // Lowest-order parts of integrals that are independent on a leaf need not be so on that leaf.
 bool excludes_on_one_leaf(const NodeResult& n) {
-  return std::any_of(n.excluded.begin(), n.excluded.end(), [](const std::string& c) {
-    return c.find(certify::on_one_leaf) != std::string::npos;
-  });
+  return std::any_of(n.excluded.begin(), n.excluded.end(),
+                     [](const IntegralClass& c) { return c.on_leaf; });
 }
 
 // An integral that is analytic at the origin has a polynomial as lowest-order part, a meromorphic
@@ -269,8 +260,7 @@ void add(Pieces& all, NodeResult& n, const NodeResult& part,
        excluded                 ? "not integrable" + on_a_curve(part)
        : part.integrals.empty() ? "no integral besides those that every system of its kind has"
                                 : part.integrals});
-  for (const std::string& c : part.excluded)
-    add_once(n.excluded, c);
+  n.excluded.insert(n.excluded.end(), part.excluded.begin(), part.excluded.end());
   if (excluded && !part.curve.empty()) add_once(all.curves, part.curve);
   if (!excluded)
     all.exceptions.push_back(exception(part));
@@ -335,14 +325,15 @@ void need_origin(const NodeResult& n, const System& whole) {
   for (const PlaceMap& map : n.symmetries)
     if (moves_origin(map, whole.field))
       throw DomainError(
-          "a symmetry moves the origin, and a step excludes first integrals that are " + near);
+          "a symmetry moves the origin, and a step excludes first integrals that are " +
+          sentence(near));
 }
 
 void state(NodeResult& n, const System& whole, const std::string& file, bool has_symmetries) {
   n.statement = assumptions_of(whole) + "The system of " + file;
   if (!n.region.conditions.empty()) n.statement += ", where " + text_of(n.region) + ",";
-  n.statement += " is not integrable with first integrals that are ";
-  n.statement += (n.excluded.size() > 1 ? "at once " : "") + enumerated(n.excluded);
+  n.excluded = at_once(n.excluded);
+  n.statement += " is not integrable with " + first_integrals(n.excluded);
   if (!n.curve.empty()) n.statement += " (phase curves: " + n.curve + ")";
   if (!n.integrals.empty())
     n.statement += ", except possibly in these cases" +

@@ -202,7 +202,7 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
       left.empty()
           ? "a sum of residues is not zero for " + range(s, n.node, found.triangle) +
                 found.admitted + "; by Ziglin's theorem there is no further integral that is " +
-                ziglin_1980().integrals + ", when these parameters are small"
+                sentence(ziglin_1980().integrals) + ", when these parameters are small"
           : "the criterion says nothing for: " + left;
   n.summary = fixed(s) + found_here;
   n.statement = assumptions_of(s) + "For the system of " + n.node.file + ": " + found_here;

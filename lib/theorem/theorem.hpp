@@ -153,9 +153,9 @@ struct NodeResult {
   TheoremNode node;
   std::string statement; ///< what was computed, in words; empty for an argument
   Conclusion says = Conclusion::none;
-  std::string integrals;             ///< says has_integral: which
-  std::vector<std::string> excluded; ///< says not_integrable: classes of first integrals
-  std::string curve;                 ///< and on the leaf of which phase curve: "N in lemma3.toml"
+  std::string integrals;               ///< says has_integral: which
+  std::vector<IntegralClass> excluded; ///< says not_integrable: classes of first integrals
+  std::string curve;                   ///< and on the leaf of which phase curve: "N in lemma3.toml"
   /// What the step needs of the parameters of its file besides what the file assumes.
   std::vector<Inequality> domain;
   ParameterRegion region;      ///< of the theorem's parameters, if the step is about its system

@@ -46,7 +46,7 @@ TEST(AlmostAll, ASatelliteOnACircularOrbit) {
   ASSERT_TRUE(c.almost_all);
   EXPECT_EQ(c.almost_all->at, "a = 2, b = 3, c = 5");
   EXPECT_THAT(statement(c), HasSubstr("For almost all parameters (all but a set of measure zero"));
-  EXPECT_THAT(statement(c), HasSubstr("on the symplectic leaves"));
+  EXPECT_THAT(statement(c), HasSubstr("on the symplectic leaf"));
 }
 
 // Equations between parameters and rational values are sets of measure zero themselves.

@@ -83,8 +83,8 @@ TEST(Faces, TheirConditionsAreNamed) {
              e.not_all_zero.end();
     };
     EXPECT_TRUE(needs(t));
-    EXPECT_EQ(e.by.without, (std::vector<std::string>{"x", "y"}));
-    EXPECT_EQ(e.by.integrals, ExcludedClass::rational);
+    EXPECT_EQ(e.by.integrals.without, (std::vector<std::string>{"x", "y"}));
+    EXPECT_EQ(e.by.integrals.kind, IntegralClass::Kind::rational);
   }
 }
 

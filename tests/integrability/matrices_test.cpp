@@ -53,7 +53,7 @@ TEST(Matrices, OfANormalBlockOfOrderFour) {
   EXPECT_EQ(m.verdict, VerdictKind::non_integrable);
   ASSERT_TRUE(m.matrices);
   EXPECT_THAT(m.matrices->part, ElementsAre("M1", "M2", "G3", "S1"));
-  EXPECT_EQ(m.integrals, IntegralClass::meromorphic);
+  EXPECT_EQ(m.by->integrals.near, IntegralClass::Near::curve);
 }
 
 TEST(Matrices, NothingOfABlockThatTheLeafDoesNotSee) {

@@ -322,7 +322,7 @@ derivative = { x = "1/x" }
 name = "N"
 equations = ["q = 0","p = 0"]
 level = "H = h")t");
-  EXPECT_EQ(m.without.size(), 1U);
+  EXPECT_EQ(m.by->integrals.without.size(), 1U);
 }
 
 // A component of the curve on which the new variable is constant, or a divisor vanishes.
@@ -369,7 +369,7 @@ value = "c*y3"
 [[manifold]]
 name = "N"
 equations = ["y1 = 0","y2 = 0","y3 = 0","y4 = 0"])t");
-  EXPECT_EQ(m.integrals, IntegralClass::meromorphic_at_infinity);
+  EXPECT_EQ(m.by->integrals.near, IntegralClass::Near::closed_curve);
 }
 
 // Riemann's equation with a difference that depends on a, and one value of a left open: the general

@@ -131,9 +131,9 @@ TEST(Quadratures, WhatIsNoFunctionOnTheCurveIsNamed) {
                       "[[manifold]]\nname = 'line'\nequations = ['y = 0', 'v = 0', 'a = u']\n");
   const auto found = orders(s, 4);
   ASSERT_TRUE(found.obstruction) << found.open;
-  EXPECT_THAT(found.obstruction->without, testing::ElementsAre("x"));
+  EXPECT_THAT(found.obstruction->integrals.without, testing::ElementsAre("x"));
   EXPECT_EQ(found.obstruction->level, "");
-  EXPECT_THAT(orders(atwood("3/2"), 3).obstruction->without, testing::IsEmpty());
+  EXPECT_THAT(orders(atwood("3/2"), 3).obstruction->integrals.without, testing::IsEmpty());
 }
 
 // y is an integral and d/dz commutes: a second logarithm is no obstruction.

@@ -315,23 +315,10 @@ Json json_of_orders(const System& s, const jets::HigherOrders& h) {
   return j;
 }
 
-// "first integrals that are meromorphic ... and do not contain x"
-std::string excluded_by_quadratures(const System& s, const Exclusion& e) {
-  const std::string text = std::string("first integrals ") +
-                           (s.field.poisson ? "" : "and commuting vector fields ") + "that are " +
-                           to_string(e.by.integrals);
-  std::string left_out;
-  for (const std::string& x : e.by.without)
-    left_out += (left_out.empty() ? "" : ", ") + x;
-  return left_out.empty()
-             ? text
-             : text + " and do not contain " + left_out + " otherwise than through functions";
-}
-
-void put_by_quadratures(std::ostringstream& out, const System& s, const Exclusion& e) {
+void put_by_quadratures(std::ostringstream& out, const Exclusion& e) {
   put(out, "order " + std::to_string(e.by.order),
       "NON-INTEGRABLE at order " + std::to_string(e.by.order) + "  (" + e.by.theorems.front() +
-          ": not integrable with " + excluded_by_quadratures(s, e) +
+          ": not integrable with " + first_integrals({e.by.integrals}) +
           (e.by.level.empty() ? "" : ", " + e.by.level) + ")");
   if (!e.by.unchecked.empty()) put(out, "NOT CHECKED", e.by.unchecked);
   put(out, "because", e.by.reason);
@@ -344,7 +331,7 @@ Json json_by_quadratures(const Exclusion& e, int up_to) {
           {"order", e.by.order},
           {"level", e.by.level},
           {"exceptions", ""},
-          {"without", e.by.without},
+          {"without", e.by.integrals.without},
           {"not_checked", e.by.unchecked.empty() ? Json(nullptr) : Json(e.by.unchecked)},
           {"reason", e.by.reason},
           {"theorem", e.by.theorems.front()},
@@ -366,7 +353,7 @@ VerdictKind verdict_of(const SystemClassification& c, const std::vector<Findings
   };
   if (!complete || std::any_of(all.begin(), all.end(), is(VerdictKind::undecided)))
     return VerdictKind::undecided;
-  return std::all_of(all.begin(), all.end(), is(VerdictKind::no_obstruction)) && !c.excluded
+  return std::all_of(all.begin(), all.end(), is(VerdictKind::no_obstruction)) && c.excluded.empty()
              ? VerdictKind::no_obstruction
              : VerdictKind::depends;
 }
@@ -388,8 +375,8 @@ std::string text_of(const System& s, const SystemClassification& c, VerdictKind 
                     Detail detail) {
   std::ostringstream out;
   out << title_of_manifold(s, "all manifolds together") << "\n  "
-      << wrapped(headline(verdict, c.excluded.has_value()), 2) << "\n";
-  if (!c.excluded) return out.str();
+      << wrapped(headline(verdict, !c.excluded.empty()), 2) << "\n";
+  if (c.excluded.empty()) return out.str();
   put(out, "theorem", statement(c));
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
   if (detail == Detail::headline) return out.str();
@@ -404,8 +391,8 @@ Json json_of_verdict(const SystemClassification& c, VerdictKind verdict) {
   for (const ClassifiedStratum& x : c.strata)
     strata.push_back(json_of(c, x));
   return {{"verdict", to_string(verdict)},
-          {"statement", c.excluded ? Json(statement(c)) : Json(nullptr)},
-          {"integrals_class", c.excluded ? Json(integrals_class(c)) : Json(nullptr)},
+          {"statement", c.excluded.empty() ? Json(nullptr) : Json(statement(c))},
+          {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
           {"assumptions", c.assumptions},
           {"theorems", c.theorems},
           {"trusted", c.trusted},
@@ -660,7 +647,7 @@ private:
       const auto q = orders_by_quadratures(s, m, settings_.order, options_.decide.budget);
       if (q.obstruction) {
         const Exclusion e = exclusion_of(m, *q.obstruction);
-        put_by_quadratures(lines, s, e);
+        put_by_quadratures(lines, e);
         answer.text += lines.str();
         answer.json.at("manifold")["higher_orders"] = json_by_quadratures(e, settings_.order);
         findings.exclusions.push_back(e);

@@ -91,11 +91,11 @@ NodeResult integrable(const SystemClassification& c, const ClassifiedStratum& s,
   return n;
 }
 
-NodeResult exclusion(const SystemClassification& c, const ExcludedTogether& e, std::size_t number) {
+NodeResult exclusion(const ExcludedTogether& e, std::size_t number) {
   NodeResult n;
   n.node.id = "excluded-" + std::to_string(number);
   n.node.title = "Not integrable" + briefly(e.where) + ", along " + e.by->solution;
-  n.statement = statement(c, *e.by);
+  n.statement = statement(*e.by);
   n.summary = e.by->reason;
   n.status = NodeStatus::proved;
   for (const std::string& step : e.by->trusted)
@@ -135,7 +135,7 @@ Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
                   {"order", o.order},
                   {"level", o.level.empty() ? Json(nullptr) : Json(o.level)},
                   {"reason", o.reason},
-                  {"integrals_class", integrals_class(c, o)},
+                  {"integrals_class", sentence(o.integrals)},
                   {"not_checked", o.unchecked.empty() ? Json(nullptr) : Json(o.unchecked)}});
   return {{"conditions", conditions(c, s)},
           {"status", to_string(s.status)},
@@ -152,7 +152,7 @@ std::vector<ExcludedTogether> excluded_together(const SystemClassification& c) {
     const ExclusionReason& by = s.by.front();
     auto same = std::find_if(all.begin(), all.end(), [&](const ExcludedTogether& e) {
       return reason_of(*e.by) == reason_of(by) && e.by->integrals == by.integrals &&
-             e.by->without == by.without && e.by->unchecked == by.unchecked;
+             e.by->unchecked == by.unchecked;
     });
     if (same == all.end()) same = all.insert(all.end(), {&by, {}});
     same->where.push_back(where_text(c, s));
@@ -173,7 +173,7 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c) {
   for (const ClassifiedStratum& x : c.strata)
     if (x.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, x, t.nodes.size()));
   for (const ExcludedTogether& e : excluded_together(c))
-    t.nodes.push_back(exclusion(c, e, t.nodes.size()));
+    t.nodes.push_back(exclusion(e, t.nodes.size()));
   for (std::size_t i = 1; i < t.nodes.size(); ++i)
     t.nodes.front().node.needs.push_back(t.nodes[i].node.id);
   return t;

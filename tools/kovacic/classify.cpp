@@ -141,7 +141,7 @@ Json almost_all(const SystemClassification& c) {
           {"solution", by.solution},
           {"level", by.level.empty() ? Json(nullptr) : Json(by.level)},
           {"reason", by.reason},
-          {"integrals_class", integrals_class(c, by)},
+          {"integrals_class", sentence(by.integrals)},
           {"trusted", by.trusted}};
 }
 
@@ -154,7 +154,7 @@ Json json_of(const System& s, const SystemClassification& c) {
           {"status", to_string(c.status())},
           {"statement", statement(c)},
           {"almost_all", almost_all(c)},
-          {"integrals_class", c.excluded ? Json(integrals_class(c)) : Json(nullptr)},
+          {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
           {"assumptions", c.assumptions},
           {"constants", c.constants},
           {"theorems", c.theorems},

@@ -197,9 +197,10 @@ Json json_of(const System& s, const ManifoldReport& m) {
   for (const std::string& constant : s.adjoined)
     j["constants"].push_back(constant);
   j["theorem"] = m.by ? m.by->id() : "";
-  j["function_class"] = m.by ? m.by->integrals : "";
-  for (const std::size_t i : m.without)
-    j["integrals_without"].push_back(s.ring()->name(i));
+  j["function_class"] = m.by ? sentence(m.by->integrals) : "";
+  if (m.by)
+    for (const std::string& name : m.by->integrals.without)
+      j["integrals_without"].push_back(name);
   if (!m.statement.empty()) j["statement"] = m.statement;
   if (!m.not_checked.empty()) j["not_checked"] = m.not_checked;
   if (m.matrices)

@@ -1,4 +1,6 @@
 """The class of first integrals that a verdict speaks of (docs/theory/system_certificates.md 7)."""
+from typing import NamedTuple
+
 from exact import K
 from modular import is_prime, mdiff, meval, mgcd, trim
 from multivariate import spend
@@ -31,16 +33,31 @@ def triple_root(f):
     return True
 
 
+class IntegralClass(NamedTuple):
+    """A class of first integrals.  place: "curve", "closed curve" (also at its ends), "level" (the leaves with F2 = 0), "origin",
+    "phase space"; functions: symbols that they may contain beside the coordinates; without: what they do not contain"""
+    kind: str = "meromorphic"
+    place: str = "curve"
+    on_leaf: bool = False
+    functions: tuple = ()
+    without: tuple = ()
+
+    def sentence(self):
+        text = self.kind + {
+            "curve": "", "level": " on the leaves with F2 = 0", "origin": " near the origin",
+            "phase space": " on the whole real phase space",
+            "closed curve": " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"}[self.place]
+        if self.functions:
+            text += f" (in the coordinates and {', '.join(self.functions)})"
+        text += " and independent on the symplectic leaf of the phase curve" * self.on_leaf
+        return text + f" and do not depend on {', '.join(self.without)}" * bool(self.without)
+
+
 def integrals(curve, denials):
-    """The class, as text; denials: those of the leaves that say "not abelian" """
+    """The class; denials: those of the leaves that say "not abelian" """
     space = curve.space
     symbols = [s for s in space.functions if curve.has(s) and space.gradients[space.at[s]]]
-    text = "meromorphic"
-    if not all(regular for regular, _ in denials):
-        text += " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"
-    if symbols:
-        text += f" (in the coordinates and {', '.join(symbols)})"
-    if space.brackets is not None and not space.one_leaf():
-        text += " and independent on the symplectic leaf of the phase curve"
+    place = "curve" if all(regular for regular, _ in denials) else "closed curve"
+    on_leaf = space.brackets is not None and not space.one_leaf()
     moving = [] if all(regular and sl2 for regular, sl2 in denials) else curve.moving()
-    return text + f" and do not depend on {', '.join(moving)}" * bool(moving)
+    return IntegralClass("meromorphic", place, on_leaf, tuple(symbols), tuple(moving))

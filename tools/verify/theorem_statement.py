@@ -1,11 +1,11 @@
 """What a certificate of a theorem states, as text (docs/theory/theorem_certificates.md 9, 10)."""
+from first_integrals import IntegralClass
 from statement import RELATION, polynomial, quoted
 from system_statement import function
 
-REAL = "real-analytic on the whole real phase space"
-ORIGIN = "meromorphic near the origin"
-LEAVES = "meromorphic on the leaves with F2 = 0"
-ON_ONE_LEAF = "independent on the symplectic leaf"     # in the name of a class (system_certificates.md 7)
+REAL = IntegralClass("real-analytic", "phase space")
+ORIGIN = IntegralClass(place="origin")
+LEAVES = IntegralClass(place="level")
 RIGID = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3"
 CHECKED, STATED, OPEN = "checked", "part of the statement", "NOT CHECKED"
 LITERATURE = {
@@ -79,9 +79,9 @@ def exception(fact, symmetries):
 def statement(last, theorem):
     lines = list(system(last.family))
     at_once = "at once " * (len(last.classes) > 1)
-    lines.append(f"is not integrable with first integrals that are {at_once}{enumerated(last.classes)}, "
+    lines.append(f"is not integrable with first integrals that are {at_once}{enumerated(c.sentence() for c in last.classes)}, "
                  "where the denominators are not 0 for all coordinates")
-    lines += [f"  {place(f)}: {'; '.join(f.way)}" for f in theorem.parts if any(ON_ONE_LEAF in c for c in f.classes)]
+    lines += [f"  {place(f)}: {'; '.join(f.way)}" for f in theorem.parts if any(c.on_leaf for c in f.classes)]
     lines += [exception(f, theorem.symmetries) for f in theorem.parts if f.kind == "I"]
     for f in theorem.symmetries:
         space, map = f.family.space, f.map

@@ -117,13 +117,29 @@ void need_inner(OnCurve& way, const SystemCertificate& c) {
   way.need_equation(strata.r, strata.generic);
 }
 
-ExcludedClass excluded(const Way& w, const Leaves& leaves, std::vector<std::string> moving) {
-  ExcludedClass integrals{leaves.any && !leaves.regular, {}, {}};
+// Unless the bracket is seen to be regular: constant, in pairs.
+bool has_leaves(const PhaseSystem& s) {
+  std::vector<int> pairs(s.dimension, 0);
+  bool constant = true;
+  for (const PhaseBracket& b : s.brackets) {
+    ++pairs[b.first];
+    ++pairs[b.second];
+    constant = constant && is_constant(b.value.p) && !is_zero(b.value.p);
+  }
+  return s.hamiltonian &&
+         !(constant && std::all_of(pairs.begin(), pairs.end(), [](int n) { return n == 1; }));
+}
+
+IntegralClass excluded(const Way& w, const Leaves& leaves, std::vector<std::string> moving) {
+  IntegralClass integrals;
+  if (leaves.any && !leaves.regular) integrals.near = IntegralClass::Near::closed_curve;
+  integrals.on_leaf = has_leaves(w.system);
+  integrals.liouville = w.system.hamiltonian.has_value();
   for (std::size_t i = w.system.dimension; i < w.system.first_inverse(); ++i)
     if (!w.system.functions[i - w.system.dimension].gradient.empty() &&
         std::any_of(w.curve.values.begin(), w.curve.values.end(),
                     [i](const auto& v) { return v.first == i; }))
-      integrals.symbols.push_back(w.system.ring->name(i));
+      integrals.functions.push_back(w.system.ring->name(i));
   if (!leaves.any || !leaves.regular || !leaves.has_sl2) integrals.without = std::move(moving);
   return integrals;
 }

@@ -4,21 +4,15 @@
 
 #include "certify/strata/check.hpp"
 #include "certify/system/certificate.hpp"
+#include "literature/integral_class.hpp"
 
 namespace kov::certify {
-
-/// Section 7: which first integrals are excluded.
-struct ExcludedClass {
-  bool ends = false;                ///< meromorphic also at the ends of the phase curve
-  std::vector<std::string> symbols; ///< functions on the curve
-  std::vector<std::string> without; ///< what the integrals do not contain
-};
 
 struct SystemAccepted {
   std::size_t trusted = 0;     ///< steps of the inner certificate that are taken on faith
   bool not_integrable = false; ///< at all admitted points
   bool somewhere = false;      ///< at some admitted points, as far as the leaves say
-  ExcludedClass integrals;
+  IntegralClass integrals;     ///< section 7: which first integrals are excluded
 };
 
 /// Never throws.  Rejected::step is the rule.
@@ -31,6 +25,8 @@ struct SystemAccepted {
 
 /// "p", or "(p)/n".
 [[nodiscard]] std::string to_string(const PhaseFunction& f);
+/// "the phase curve with z = q1 on 'N': q2 = 0, p2 = 0; levels H - h = 0"
+[[nodiscard]] std::string phase_curve(const SystemCertificate& c);
 /// The lines of section 8.  Requires a certificate that was accepted, with what was found.
 [[nodiscard]] std::vector<std::string> statement(const SystemCertificate& c,
                                                  const SystemAccepted& found);

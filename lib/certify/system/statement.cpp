@@ -22,6 +22,13 @@ std::string joined(const std::vector<std::string>& parts, const char* between) {
   return s;
 }
 
+std::string zeros(const std::vector<PhaseFunction>& all) {
+  std::vector<std::string> said;
+  for (const PhaseFunction& f : all)
+    said.push_back(to_string(f) + " = 0");
+  return joined(said, ", ");
+}
+
 class SystemStatement {
 public:
   SystemStatement(const SystemCertificate& c, const SystemAccepted& found)
@@ -78,13 +85,6 @@ private:
       lines_.push_back("  " + to_string(r) + " = 0");
   }
 
-  static std::string zeros(const std::vector<PhaseFunction>& all) {
-    std::vector<std::string> said;
-    for (const PhaseFunction& f : all)
-      said.push_back(to_string(f) + " = 0");
-    return joined(said, ", ");
-  }
-
   // As it was given: (p)/(n*(d_1)^2*(d_2)).
   [[nodiscard]] std::string element(const CurveFunction& f) const {
     std::vector<std::string> below;
@@ -109,9 +109,7 @@ private:
   void curve() {
     const PhaseCurve& c = c_.way.curve;
     const std::string& z = c.ring->name(c.z());
-    lines_.push_back("along the phase curve with " + z + " = " + to_string(c.change) + " on " +
-                     quoted(c.manifold) + (c.equations.empty() ? "" : ": " + zeros(c.equations)) +
-                     (c.levels.empty() ? "" : "; levels " + zeros(c.levels)));
+    lines_.push_back("along " + phase_curve(c_));
     functions(c);
     for (std::size_t i = 0; i < c.tower.size(); ++i)
       lines_.push_back("  " + c.ring->name(c.variable(i)) + "^" +
@@ -125,36 +123,11 @@ private:
     }
   }
 
-  // Unless the bracket is seen to be regular: constant, in pairs.
-  [[nodiscard]] bool has_leaves() const {
-    std::vector<int> pairs(s_.dimension, 0);
-    bool constant = true;
-    for (const PhaseBracket& b : s_.brackets) {
-      ++pairs[b.first];
-      ++pairs[b.second];
-      constant = constant && is_constant(b.value.p) && !is_zero(b.value.p);
-    }
-    return s_.hamiltonian &&
-           !(constant && std::all_of(pairs.begin(), pairs.end(), [](int n) { return n == 1; }));
-  }
-
-  [[nodiscard]] std::string integrals() const {
-    const ExcludedClass& x = found_.integrals;
-    return std::string("meromorphic") +
-           (x.ends ? " also at the ends of the phase curve (points at infinity, equilibria, poles "
-                     "of the system)"
-                   : "") +
-           (x.symbols.empty() ? "" : " (in the coordinates and " + joined(x.symbols, ", ") + ")") +
-           (has_leaves() ? " and independent on the symplectic leaf of the phase curve" : "") +
-           (x.without.empty() ? "" : " and do not depend on " + joined(x.without, ", "));
-  }
-
   [[nodiscard]] std::string sentence() const {
     if (!found_.somewhere) return "nothing follows from";
-    return (s_.hamiltonian ? "is not integrable in Liouville's sense with first integrals that are "
-                           : "is not integrable with first integrals and commuting vector fields "
-                             "that are ") +
-           integrals() + (s_.hamiltonian ? " (Morales-Ramis)" : " (Ayoul-Zung)") +
+    return "is not integrable " + std::string(s_.hamiltonian ? "in Liouville's sense " : "") +
+           "with " + first_integrals({found_.integrals}) +
+           (s_.hamiltonian ? " (Morales-Ramis)" : " (Ayoul-Zung)") +
            (c_.not_integrable ? ", as" : " where the identity component is not abelian:");
   }
 
@@ -165,6 +138,13 @@ private:
 };
 
 } // namespace
+
+std::string phase_curve(const SystemCertificate& c) {
+  const PhaseCurve& x = c.way.curve;
+  return "the phase curve with " + x.ring->name(x.z()) + " = " + to_string(x.change) + " on " +
+         quoted(x.manifold) + (x.equations.empty() ? "" : ": " + zeros(x.equations)) +
+         (x.levels.empty() ? "" : "; levels " + zeros(x.levels));
+}
 
 std::vector<std::string> statement(const SystemCertificate& c, const SystemAccepted& found) {
   return SystemStatement(c, found)();

@@ -162,32 +162,17 @@ private:
     const auto& yes = std::get<SystemAccepted>(verdict);
     need(yes.trusted == 0 && yes.not_integrable,
          "not proved for all parameters, or not without trust");
-    need(c.way.system.hamiltonian && yes.integrals.symbols.empty() && yes.integrals.without.empty(),
+    need(c.way.system.hamiltonian && yes.integrals.functions.empty() &&
+             yes.integrals.without.empty(),
          "another class");
     TheoremFact f;
-    const auto lines = statement(c, yes);
-    f.classes = {class_of(lines)};
-    f.way = {curve_of(lines) + " of " + quoted(c.way.title)};
+    f.classes = {yes.integrals};
+    f.way = {phase_curve(c) + " of " + quoted(c.way.title)};
     f.used = {"Morales-Ramis"};
     f.system = std::make_shared<PhaseSystem>(c.way.system);
     f.target = Target{f.system.get(), asked(c, inner)};
     static_cast<void>(used_names(*f.system));
     return f;
-  }
-  static std::string curve_of(const std::vector<std::string>& lines) {
-    const std::string before = "along ";
-    for (const std::string& line : lines)
-      if (line.starts_with(before)) return line.substr(before.size());
-    throw Refused{"no phase curve"};
-  }
-  static std::string class_of(const std::vector<std::string>& lines) {
-    const std::string before = "is not integrable in Liouville's sense with first integrals that "
-                               "are ",
-                      after = " (Morales-Ramis), as";
-    for (const std::string& line : lines)
-      if (line.starts_with(before) && line.ends_with(after))
-        return line.substr(before.size(), line.size() - before.size() - after.size());
-    throw Refused{"another class"};
   }
   static std::vector<AskedCondition> asked(const SystemCertificate& c, const Node& at) {
     std::vector<AskedCondition> all;
@@ -252,7 +237,7 @@ private:
     need(equal, "not the system of the theorem");
     TheoremFact f;
     f.family = &y;
-    f.classes = {on_leaves};
+    f.classes = {on_leaves()};
     f.used = {"Ziglin 1983"};
     return f;
   }
@@ -308,7 +293,7 @@ private:
     TheoremFact f;
     f.family = &family(k);
     f.region = need_splitting(*f.family, k, arithmetic_, nodes_);
-    f.classes = {real_analytic};
+    f.classes = {real_analytic()};
     f.used = {"Ziglin 1980"};
     return f;
   }
@@ -342,9 +327,9 @@ private:
                          ? *of.target
                          : target_of(*of.family, of.region, of.kind == FactKind::not_integrable);
     const Map map(x, at, region, y, k, arithmetic_, nodes_);
-    need(!has(of, real_analytic) || !map.has_roots(), "a real system, and a root");
-    if (has(of, on_leaves)) map.need_level(rigid_level);
-    need(!has(of, near_origin) || !map.moves_origin(), "the origin moves");
+    need(!has(of, real_analytic()) || !map.has_roots(), "a real system, and a root");
+    if (has(of, on_leaves())) map.need_level(rigid_level);
+    need(!has(of, near_origin()) || !map.moves_origin(), "the origin moves");
     TheoremFact f;
     f.kind = of.kind;
     f.family = &x;
@@ -360,7 +345,7 @@ private:
     f.region.insert(f.region.end(), region.begin(), region.end());
     return f;
   }
-  static bool has(const TheoremFact& f, const char* integrals) {
+  static bool has(const TheoremFact& f, const IntegralClass& integrals) {
     return std::find(f.classes.begin(), f.classes.end(), integrals) != f.classes.end();
   }
 
@@ -384,15 +369,13 @@ private:
     const TheoremFact& of = fact(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable);
     need(of.family != nullptr, "the step is about a system of a certificate");
-    need(std::none_of(of.classes.begin(), of.classes.end(),
-                      [](const std::string& c) { return c.find(on_one_leaf) != c.npos; }),
-         "what is independent on one leaf, of parts of lowest order");
+    need(!on_one_leaf(of.classes), "what is independent on one leaf, of parts of lowest order");
     need_lowest_order(x, *of.family, k, arithmetic_, nodes_);
     TheoremFact f;
     f.family = &x;
     f.region = renamed(of.region, x);
     f.classes = of.classes;
-    f.classes.emplace_back(near_origin);
+    f.classes.push_back(near_origin());
     f.used = of.used;
     f.used.insert("Ziglin 1982");
     return f;
@@ -409,12 +392,12 @@ private:
     for (const Node& n : k.at("parts").items())
       parts_.push_back(&of_kind(n, x, FactKind::not_integrable, FactKind::integrals));
     for (const TheoremFact* f : parts_) {
-      for (const std::string& c : f->classes)
-        if (!has(all, c.c_str())) all.classes.push_back(c);
+      for (const IntegralClass& c : f->classes)
+        if (!has(all, c)) all.classes.push_back(c);
       all.used.insert(f->used.begin(), f->used.end());
     }
     need(!all.classes.empty(), "nothing says that it is not integrable");
-    if (has(all, on_leaves))
+    if (has(all, on_leaves()))
       for (const TheoremFact* f : symmetries_)
         f->map->need_level(rigid_level);
     Conditions given = x.assumptions;

@@ -4,6 +4,7 @@
 
 #include "certify/system/certificate.hpp"
 #include "certify/theorem/place.hpp"
+#include "literature/integral_class.hpp"
 
 #include <set>
 
@@ -22,7 +23,7 @@ struct TheoremFact {
   FactKind kind = FactKind::not_integrable;
   const Family* family = nullptr; ///< null: the system of a certificate, known by `target` alone
   Conditions region;
-  std::vector<std::string> classes; ///< of first integrals that are excluded
+  std::vector<IntegralClass> classes; ///< of first integrals that are excluded
   std::vector<ClaimedIntegrals> integrals;
   std::set<std::string> used;   ///< theorems of the literature
   std::vector<std::string> way; ///< the phase curve, and the maps from it to the family
@@ -31,11 +32,15 @@ struct TheoremFact {
   std::shared_ptr<const Map> map;            ///< of a symmetry
 };
 
-inline constexpr const char* real_analytic = "real-analytic on the whole real phase space";
-inline constexpr const char* near_origin = "meromorphic near the origin";
-inline constexpr const char* on_leaves = "meromorphic on the leaves with F2 = 0";
-/// In the name of a class about one leaf (system_certificates.md 7).
-inline constexpr const char* on_one_leaf = "independent on the symplectic leaf";
+[[nodiscard]] inline IntegralClass real_analytic() {
+  return {.kind = IntegralClass::Kind::real_analytic, .near = IntegralClass::Near::phase_space};
+}
+[[nodiscard]] inline IntegralClass near_origin() { return {.near = IntegralClass::Near::origin}; }
+[[nodiscard]] inline IntegralClass on_leaves() {
+  return {.near = IntegralClass::Near::level, .level = "F2 = 0"};
+}
+/// Is one of them about integrals that are independent on one leaf (system_certificates.md 7)?
+[[nodiscard]] bool on_one_leaf(const std::vector<IntegralClass>& classes);
 inline constexpr const char* rigid_level = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3";
 
 struct NamedTheorem {

@@ -22,13 +22,6 @@ std::string joined(const std::vector<std::string>& parts, const char* between = 
   return s;
 }
 
-std::string enumerated(std::vector<std::string> all) {
-  if (all.empty()) return "";
-  const std::string last = all.back();
-  all.pop_back();
-  return all.empty() ? last : joined(all) + " and " + last;
-}
-
 std::string text(const Conditions& all) {
   std::vector<std::string> said;
   for (const Condition& c : all)
@@ -132,19 +125,20 @@ const std::string& symmetric_heavy_top() {
   return json;
 }
 
+bool on_one_leaf(const std::vector<IntegralClass>& classes) {
+  return std::any_of(classes.begin(), classes.end(),
+                     [](const IntegralClass& c) { return c.on_leaf; });
+}
+
 std::vector<std::string> theorem_statement(const TheoremFact& last,
                                            const std::vector<const TheoremFact*>& parts,
                                            const std::vector<const TheoremFact*>& symmetries) {
   std::vector<std::string> lines;
   put_system(lines, *last.family);
-  lines.push_back("is not integrable with first integrals that are " +
-                  std::string(last.classes.size() > 1 ? "at once " : "") +
-                  enumerated(last.classes) +
+  lines.push_back("is not integrable with " + first_integrals(last.classes) +
                   ", where the denominators are not 0 for all coordinates");
   for (const TheoremFact* f : parts)
-    if (std::any_of(f->classes.begin(), f->classes.end(),
-                    [](const std::string& c) { return c.find(on_one_leaf) != c.npos; }))
-      lines.push_back("  " + place(*f) + ": " + joined(f->way, "; "));
+    if (on_one_leaf(f->classes)) lines.push_back("  " + place(*f) + ": " + joined(f->way, "; "));
   for (const TheoremFact* f : parts)
     if (f->kind == FactKind::integrals) lines.push_back(exception(*f, !symmetries.empty()));
   for (const TheoremFact* f : symmetries)

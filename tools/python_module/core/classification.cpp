@@ -15,7 +15,7 @@ KOV_PYTHON_ENUM(kov::ClassificationStatus, "ClassificationStatus");
 namespace kov::python {
 namespace {
 
-/// A reason that knows what it proves: the class depends on the symbols of the system.
+/// A reason that knows what it proves.
 struct ReasonOf {
   ExclusionReason reason;
   std::string statement, integrals_class;
@@ -31,7 +31,7 @@ struct StratumOf {
 StratumOf stratum_of(const SystemClassification& c, const ClassifiedStratum& s) {
   StratumOf of{s, conditions(c, s), {}};
   for (const ExclusionReason& by : s.by)
-    of.by.push_back({by, statement(c, by), integrals_class(c, by)});
+    of.by.push_back({by, statement(by), sentence(by.integrals)});
   return of;
 }
 
@@ -137,7 +137,7 @@ void bind_classification(py::module_& m) {
       .def_property_readonly(
           "integrals_class",
           [](const SystemClassification& c) -> std::optional<std::string> {
-            if (!c.excluded) return std::nullopt;
+            if (c.excluded.empty()) return std::nullopt;
             return integrals_class(c);
           },
           "the first integrals that are excluded, or None")
@@ -146,7 +146,7 @@ void bind_classification(py::module_& m) {
           [](const SystemClassification& c) -> std::optional<ReasonOf> {
             if (!c.almost_all) return std::nullopt;
             const ExclusionReason& by = c.almost_all->by;
-            return ReasonOf{by, statement(c, by), integrals_class(c, by)};
+            return ReasonOf{by, statement(by), sentence(by.integrals)};
           },
           "why it is not integrable for almost all parameters where a set of them stays open, or "
           "None")

@@ -209,8 +209,9 @@ void bind_theorem_used(py::module_& m) {
       .def_property_readonly("statement", [](const TheoremUsed& t) { return t.theorem->statement; })
       .def_property_readonly("cite", [](const TheoremUsed& t) { return t.theorem->cite; })
       .def_readonly("hypotheses", &TheoremUsed::hypotheses)
-      .def_readonly("integrals", &TheoremUsed::integrals,
-                    "the first integrals that it excludes are ...")
+      .def_property_readonly(
+          "integrals", [](const TheoremUsed& t) { return sentence(t.integrals); },
+          "the first integrals that it excludes are ...")
       .def("__repr__", [](const TheoremUsed& t) { return "<TheoremUsed " + t.id() + ">"; });
 }
 
@@ -252,7 +253,8 @@ void bind_reports(py::module_& m) {
           "why it is no invariant manifold, or None")
       .def_readonly("by", &ManifoldReport::by, "the theorem used, or None")
       .def_property_readonly(
-          "integrals", [](const ManifoldReport& r) { return to_string(r.integrals); },
+          "integrals",
+          [](const ManifoldReport& r) { return r.by ? sentence(r.by->integrals) : "meromorphic"; },
           "the class of first integrals that is excluded")
       .def_readonly("statement", &ManifoldReport::statement)
       .def_property_readonly(

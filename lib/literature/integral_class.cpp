@@ -1,0 +1,156 @@
+#include "literature/integral_class.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace kov {
+namespace {
+
+using Kind = IntegralClass::Kind;
+using Near = IntegralClass::Near;
+using Names = std::vector<std::string>;
+
+bool has(const Names& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+bool is_part(const Names& part, const Names& of) {
+  return std::all_of(part.begin(), part.end(), [&](const std::string& x) { return has(of, x); });
+}
+Names both(const Names& a, const Names& b) {
+  Names all;
+  std::copy_if(a.begin(), a.end(), std::back_inserter(all),
+               [&](const std::string& x) { return has(b, x); });
+  return all;
+}
+Names either(Names a, const Names& b) {
+  std::copy_if(b.begin(), b.end(), std::back_inserter(a),
+               [&](const std::string& x) { return !has(a, x); });
+  return a;
+}
+
+bool is_near_curves(const IntegralClass& c) {
+  return c.kind == Kind::meromorphic && (c.near == Near::curve || c.near == Near::closed_curve);
+}
+
+// Are functions of the kind of `inner` where it says of the kind of `outer` where that says?
+bool is_kind_of(const IntegralClass& inner, const IntegralClass& outer) {
+  if (is_near_curves(inner) &&
+      is_near_curves(outer)) // what holds near a larger set holds near a part
+    return is_part(outer.curves, inner.curves) &&
+           (outer.near == Near::curve || inner.near == Near::closed_curve);
+  if (inner.kind == Kind::rational) // of the coordinates: meromorphic on the closure of each curve
+    return outer.kind == Kind::rational || (outer.kind == Kind::meromorphic &&
+                                            outer.near != Near::level && inner.functions.empty());
+  return inner.kind == outer.kind && inner.near == outer.near && inner.level == outer.level;
+}
+
+// Does it forbid all that `outer` forbids?
+bool forbids_as(const IntegralClass& inner, const IntegralClass& outer) {
+  return is_part(outer.without, inner.without) &&
+         (outer.without.empty() || is_part(inner.through, outer.through));
+}
+
+// Symbols through which both let a coordinate enter that one of them forbids.
+Names let_through(const IntegralClass& a, const IntegralClass& b) {
+  if (a.without.empty()) return b.through;
+  return b.without.empty() ? a.through : both(a.through, b.through);
+}
+
+// Both contain it.
+std::optional<IntegralClass> common(const IntegralClass& a, const IntegralClass& b) {
+  if (contains(a, b) == Truth::yes) return b;
+  if (contains(b, a) == Truth::yes) return a;
+  IntegralClass c = a;
+  if (is_near_curves(a) && is_near_curves(b)) {
+    c.near = std::max(a.near, b.near);
+    c.curves = either(a.curves, b.curves);
+  } else if (b.kind == Kind::rational) {
+    c.kind = b.kind;
+    c.near = b.near;
+    c.curves.clear();
+  }
+  c.on_leaf = a.on_leaf || b.on_leaf;
+  c.functions = both(a.functions, b.functions);
+  c.through = let_through(a, b);
+  c.without = either(a.without, b.without);
+  const bool in_both = contains(a, c) == Truth::yes && contains(b, c) == Truth::yes;
+  return in_both ? std::optional(c) : std::nullopt;
+}
+
+std::string listed(const Names& all) {
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? "" : ", ") + one;
+  return text;
+}
+
+std::string kind_and_place(const IntegralClass& c) {
+  if (c.kind == Kind::rational) return "rational";
+  const std::string kind = c.kind == Kind::meromorphic ? "meromorphic" : "real-analytic";
+  switch (c.near) {
+  case Near::curve:
+    return kind;
+  case Near::closed_curve:
+    return kind + " also at the ends of the phase curve (points at infinity, equilibria, poles of "
+                  "the system)";
+  case Near::level:
+    return kind + " on the leaves with " + c.level;
+  case Near::origin:
+    return kind + " near the origin";
+  default:
+    return kind + " on the whole " + (c.kind == Kind::real_analytic ? "real " : "") + "phase space";
+  }
+}
+
+} // namespace
+
+Truth contains(const IntegralClass& outer, const IntegralClass& inner) {
+  const bool yes = outer.liouville == inner.liouville && outer.frame == inner.frame &&
+                   is_kind_of(inner, outer) && forbids_as(inner, outer) &&
+                   is_part(inner.functions, outer.functions) && (!outer.on_leaf || inner.on_leaf);
+  return yes ? Truth::yes : Truth::unknown;
+}
+
+std::vector<IntegralClass> at_once(const std::vector<IntegralClass>& classes) {
+  std::vector<IntegralClass> all;
+  for (IntegralClass c : classes) {
+    for (std::size_t i = 0; i < all.size();) {
+      const auto meet = common(all[i], c);
+      if (!meet) {
+        ++i;
+        continue;
+      }
+      c = *meet;
+      all.erase(all.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;
+    }
+    all.push_back(std::move(c));
+  }
+  return all;
+}
+
+std::string sentence(const IntegralClass& c) {
+  std::string text = kind_and_place(c);
+  if (!c.functions.empty()) text += " (in the coordinates and " + listed(c.functions) + ")";
+  if (c.on_leaf) text += " and independent on the symplectic leaf of the phase curve";
+  if (!c.without.empty()) text += " and do not depend on " + listed(c.without);
+  if (!c.without.empty() && !c.through.empty())
+    text += " otherwise than through " + listed(c.through);
+  return c.frame.empty() ? text : text + " (in the coordinates of " + c.frame + ")";
+}
+
+std::string sentence(const std::vector<IntegralClass>& classes) {
+  std::string text = classes.size() > 1 ? "at once " : "";
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == classes.size() ? " and " : ", ") + sentence(classes[i]);
+  return text;
+}
+
+std::string first_integrals(const std::vector<IntegralClass>& classes) {
+  const bool fields = std::any_of(classes.begin(), classes.end(),
+                                  [](const IntegralClass& c) { return !c.liouville; });
+  return std::string("first integrals ") + (fields ? "and commuting vector fields " : "") +
+         "that are " + sentence(classes);
+}
+
+} // namespace kov

@@ -1,0 +1,66 @@
+#pragma once
+// Classes of first integrals, of which a theorem says that no complete set of integrals lies in them.
+//
+// A class is a value: it is computed where the theorem is applied, compared here, and put into words by
+// sentence() alone.  Nothing reads those words.
+//
+// Source  docs/theory/mechanics.md (6), "Class of first integrals"
+
+#include "exact/truth.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+struct IntegralClass {
+  enum class Kind : std::uint8_t { rational, meromorphic, real_analytic };
+  /// Where the functions are of this kind.
+  enum class Near : std::uint8_t {
+    curve,        ///< near the phase curves
+    closed_curve, ///< also at the points that close them: at infinity, equilibria, poles of the system
+    level,        ///< on the leaves where `level` holds
+    origin,       ///< near the origin of the phase space
+    phase_space ///< everywhere
+  };
+
+  Kind kind = Kind::meromorphic;
+  Near near = Near::curve;
+  std::vector<std::string> curves = {}; ///< near curve, closed_curve: near each of these
+  std::string level = {};               ///< near level: "F2 = 0"
+  /// Independent on the symplectic leaf of the phase curve; else together with the Casimir functions.
+  bool on_leaf = false;
+  /// Function symbols (of the coordinates) in which, beside the coordinates, they are of this kind.
+  std::vector<std::string> functions = {};
+  std::vector<std::string> without = {}; ///< coordinates and symbols that they do not contain,
+  std::vector<std::string> through = {}; ///< but through these symbols
+  std::string frame = {}; ///< the file whose coordinates these names are; empty: this one
+  bool liouville = true;  ///< in involution; else with commuting vector fields
+
+  friend bool operator==(const IntegralClass&, const IntegralClass&) = default;
+};
+
+/// Is each complete set of integrals of the class `inner` one of the class `outer`?  yes only where that is
+/// proved: to exclude `outer` is to exclude `inner`.
+///   rational < meromorphic near the closed curve (without function symbols) < near the curve;
+///   more curves < fewer; without x and y < without x; with fewer function symbols < with more;
+///   independent on a leaf < independent together with the Casimir functions.
+/// Example contains(IntegralClass{}, IntegralClass{.near = IntegralClass::Near::closed_curve})  // -> Truth::yes
+/// Example contains(IntegralClass{.near = IntegralClass::Near::closed_curve}, IntegralClass{})  // -> Truth::unknown
+[[nodiscard]] Truth contains(const IntegralClass& outer, const IntegralClass& inner);
+
+/// What is excluded where one of several classes is, which one depending on the point: integrals that are
+/// of all these classes at once.  Few members: two are one where a class is known that both contain and
+/// that contains all that is in both.
+[[nodiscard]] std::vector<IntegralClass> at_once(const std::vector<IntegralClass>& classes);
+
+/// "meromorphic (in the coordinates and s, c) and do not depend on q": what first integrals are.
+/// Example sentence(IntegralClass{.near = IntegralClass::Near::origin})  // -> meromorphic near the origin
+[[nodiscard]] std::string sentence(const IntegralClass& c);
+/// "at once X and Y" of several.
+[[nodiscard]] std::string sentence(const std::vector<IntegralClass>& classes);
+/// "first integrals that are X", with commuting vector fields where the class has them.
+[[nodiscard]] std::string first_integrals(const std::vector<IntegralClass>& classes);
+
+} // namespace kov
