@@ -181,8 +181,9 @@ bool may_vanish_identically(const System& s, const MPoly& d) {
 }
 
 bool somewhere_not_abelian(const strata::StrataAnswer& answer) {
-  return std::any_of(answer.strata.begin(), answer.strata.end(),
-                     [](const auto& x) { return x.leaf.abelian == Truth::no; });
+  const auto all = answer.told_apart();
+  return std::any_of(all.begin(), all.end(),
+                     [](const strata::Stratum& x) { return x.leaf.abelian == Truth::no; });
 }
 
 bool some_level_is_not_abelian(const System& s, const strata::StrataAnswer& answer) {

@@ -19,8 +19,9 @@ Truth StrataAnswer::abelian() const {
 }
 
 bool StrataAnswer::decided() const {
-  return unvisited.empty() && !strata.empty() &&
-         std::all_of(strata.begin(), strata.end(),
+  const auto all = told_apart();
+  return unvisited.empty() && !all.empty() &&
+         std::all_of(all.begin(), all.end(),
                      [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
 }
 

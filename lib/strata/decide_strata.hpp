@@ -59,7 +59,7 @@ struct StrataAnswer {
 
   /// yes or no: the same on all strata; unknown otherwise.
   [[nodiscard]] Truth abelian() const;
-  [[nodiscard]] bool decided() const; ///< no stratum is open, and none has parts that differ
+  [[nodiscard]] bool decided() const; ///< no stratum is open, told apart
   /// All strata, each told apart.
   [[nodiscard]] std::vector<Stratum> told_apart() const;
 };

@@ -55,6 +55,14 @@ TEST(ParameterTraps, TheReductionDividesByAParameterThatRDoesNotContain) {
             VerdictKind::non_integrable);
 }
 
+// Each part of the strata is decided by a closed answer ("sqrt(32 a + 1) is ..."), so the system is.
+TEST(ParameterTraps, PartsThatAreAllDecidedDecide) {
+  for (const char* h :
+       {"(p1^2 + p2^2)/2 + a*q1^2*q2 + q2^3/2", "(p1^2 + p2^2)/2 + a*q1^2*q2^2 + q2^4/4"})
+    for (const char* level : {"", "[assume]\nh = \"nonzero\"\n"})
+      EXPECT_EQ(verdict(hamiltonian(h, level + axis)), VerdictKind::depends) << h << level;
+}
+
 // The diagonal is invariant where a = b.
 VerdictKind of_diagonal(const std::string& conditions) {
   const std::string text = R"t([system]
