@@ -15,9 +15,15 @@ namespace {
 constexpr long first_terms = 24;
 constexpr long most_terms = 1500;
 
-void add_once(std::vector<MPoly>& all, const MPoly& p) {
-  if (std::none_of(all.begin(), all.end(), [&](const MPoly& q) { return q == p; }))
-    all.push_back(p);
+template <class T> void add_once(std::vector<T>& all, const T& one) {
+  if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+std::string joined(const std::vector<std::string>& all) {
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? "" : "; ") + one;
+  return text;
 }
 
 // Of a homogeneous polynomial of degree n in c1, c2: the coefficient of c1^i c2^(n - i).
@@ -83,27 +89,22 @@ public:
     result_.up_to = options.order;
     auto plane = invariant_plane(inside.system, inside.manifold);
     if (auto* no = std::get_if<OutOfScope>(&plane))
-      result_.open = no->why;
+      note(no->why);
     else
       result_.plane = std::get<InvariantPlane>(std::move(plane));
   }
 
   HigherOrders run() {
-    if (!result_.plane) return std::move(result_);
-    try {
-      for (const int sign : {1, -1})
-        if (!result_.obstruction && (sign == 1 || two_places_)) look(sign);
-    } catch (const OutOfBudget& limit) {
-      note(limit.what());
-    }
+    if (result_.plane) look();
     if (result_.obstruction) certify();
+    result_.open = joined(why_open_);
     return std::move(result_);
   }
 
 private:
   // What our own checker refuses is withdrawn.
   void certify() {
-    result_.open.clear();
+    why_open_.clear();
     Certified c = certificate(whole_, inside_, *result_.obstruction);
     result_.obstruction->certificate = std::move(c.json);
     result_.obstruction->no_certificate = c.none;
@@ -112,9 +113,15 @@ private:
     note("an obstruction was withdrawn: " + c.none);
   }
 
-  void note(const std::string& why) {
-    if (result_.open.find(why) != std::string::npos) return;
-    result_.open += (result_.open.empty() ? "" : "; ") + why;
+  void note(const std::string& why) { add_once(why_open_, why); }
+
+  void look() {
+    try {
+      for (const int sign : {1, -1})
+        if (!result_.obstruction && (sign == 1 || two_places_)) look(sign);
+    } catch (const OutOfBudget& limit) {
+      note(limit.what());
+    }
   }
 
   // One place over infinity if the degree is odd, two that y -> -y exchanges if it is even.
@@ -315,6 +322,7 @@ private:
   InvariantPlane plane_; ///< the one looked at, reflected for the second place
   bool two_places_ = false;
   HigherOrders result_;
+  std::vector<std::string> why_open_;
 };
 
 HigherOrders within(const System& s, const Subspace& inside, const HigherOptions& options) {
@@ -337,16 +345,16 @@ HigherOrders higher_orders(const System& s, const ManifoldSpec& m, const HigherO
     throw InvalidArgument("the order must be between 2 and " + std::to_string(largest_order));
   HigherOrders all;
   all.up_to = options.order;
+  std::vector<std::string> whys;
   for (const Subspace& inside : invariant_subspaces(s, m)) {
     HigherOrders one = within(s, inside, options);
     if (one.obstruction || inside.others.empty()) return one;
-    const std::string why = one.open.empty() ? "no logarithm at infinity" : one.open;
-    if (all.open.find(why) == std::string::npos)
-      all.open += (all.open.empty() ? "in subspaces of two degrees of freedom: " : "; ") + why;
+    add_once(whys, one.open.empty() ? std::string("no logarithm at infinity") : one.open);
   }
-  if (all.open.empty())
-    all.open = "the line is in no invariant subspace of two degrees of freedom, two of the "
-               "coordinates with their momenta";
+  all.open = whys.empty()
+                 ? "the line is in no invariant subspace of two degrees of freedom, two of "
+                   "the coordinates with their momenta"
+                 : "in subspaces of two degrees of freedom: " + joined(whys);
   return all;
 }
 
