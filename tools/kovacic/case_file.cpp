@@ -195,8 +195,15 @@ CaseReport test_theorem(const Settings& settings, const std::string& path) {
 
 } // namespace
 
-CaseReport check_case(const Settings& settings, const std::string& path) {
+std::string command_for(const std::string& path) {
   const Entry document = read_document(path);
+  if (is_theorem_document(document)) return "prove";
+  if (flow::is_scene(document)) return "section";
+  return is_equation_file(document) ? "solve" : "classify";
+}
+
+CaseReport check_case(const Settings& settings, const std::string& path) {
+  const Entry document = settings.document(path);
   if (is_theorem_document(document))
     throw document.error("this file holds a theorem", "kovacic prove " + path);
   if (flow::is_scene(document))

@@ -25,6 +25,8 @@ struct CaseReport {
 };
 
 /// The answer for the file, and (equation files) its expectations.  Input errors are thrown.
+/// The command that a file asks for by itself (kovacic FILE): prove, section, solve or classify.
+[[nodiscard]] std::string command_for(const std::string& path);
 [[nodiscard]] CaseReport check_case(const Settings& settings, const std::string& path);
 /// The expectations of the file only.
 [[nodiscard]] CaseReport test_case(const Settings& settings, const std::string& path);

@@ -473,7 +473,7 @@ private:
   };
 
   void read() {
-    document_ = read_document(path_);
+    document_ = settings_.document(path_);
     base_ = parameter_values(settings_);
     const System file = read_system(*document_, base_);
     const auto known = [&](const ParameterValues& values) {

@@ -216,7 +216,7 @@ private:
     Settings inner = settings_;
     inner.timeout *= part;
     return supervised(inner, arguments_.file, [&](const FileWorker::SoFar& so_far) {
-      const System s = read_system(arguments_.file, parameter_values(inner));
+      const System s = read_system(inner.document(arguments_.file), parameter_values(inner));
       inner.timeout *= part_of_the_time;
       ClassifyOptions options;
       options.check.decide = inner.solver_options();

@@ -87,6 +87,17 @@ int integrals(const Settings& settings, const IntegralsArguments& arguments);
 /// For which parameters is a system integrable?
 int classify(const Settings& settings, const ClassifyArguments& arguments);
 int explain(const Settings& settings, const std::string& code);
+/// A formula instead of a system file.
+struct OneLineArguments {
+  std::string hamiltonian, lagrangian;
+  std::vector<std::string> coordinates, rates, parameters; ///< empty: guessed, and told
+
+  [[nodiscard]] bool given() const { return !hamiltonian.empty() || !lagrangian.empty(); }
+};
+/// The system file of a formula, into settings.given; what was guessed is told on standard error.  Returns the
+/// name that messages call it.
+[[nodiscard]] std::string take_one_line(Settings& settings, const OneLineArguments& arguments);
+
 int make_new(const Settings& settings, const std::string& kind);
 int verify(const Settings& settings, const std::vector<std::string>& arguments);
 /// A theorem file: the status of every step, and a report as text, JSON, LaTeX or HTML.

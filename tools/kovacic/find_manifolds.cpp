@@ -110,7 +110,7 @@ Json json_of(const FoundManifold& m) {
 
 int find_manifolds(const Settings& settings, const std::string& file) {
   const Report report = supervised(settings, file, [&] {
-    const System s = read_system(file, parameter_values(settings));
+    const System s = read_system(settings.document(file), parameter_values(settings));
     const Budget budget = settings.solver_options().budget;
     const auto found = kov::find_manifolds(s.field, proved_integrals(s, budget), budget);
     std::ostringstream out;

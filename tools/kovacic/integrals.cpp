@@ -173,7 +173,7 @@ Json json_of(const std::string& file, const IntegralSearch& search, const Vector
 
 int integrals(const Settings& settings, const IntegralsArguments& arguments) {
   const Report report = supervised(settings, arguments.file, [&] {
-    const System s = read_system(arguments.file, parameter_values(settings));
+    const System s = read_system(settings.document(arguments.file), parameter_values(settings));
     IntegralOptions options;
     options.degree = arguments.degree;
     options.coefficients = arguments.coefficients;

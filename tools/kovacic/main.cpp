@@ -1,6 +1,7 @@
 // The command line of kovacic: flags, sub-commands, exit codes.  No mathematics.
 
 #include "bench.hpp"
+#include "case_file.hpp"
 #include "commands.hpp"
 #include "exact/error.hpp"
 #include "jets/obstruction.hpp"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <sstream>
@@ -45,6 +47,17 @@ CLI::Validator number(double most, const std::string& what) {
       "");
 }
 
+bool is_a_file(const std::string& name) {
+  std::error_code none;
+  return std::filesystem::is_regular_file(name, none);
+}
+
+// "y'' = x*y" in the place of a file.
+bool is_an_equation(const std::string& file) {
+  return !file.empty() && file != "-" && !is_a_file(file) && !file.ends_with(".toml") &&
+         file.find_first_of("'=") != std::string::npos;
+}
+
 struct CommandLine {
   Settings settings;
   SolveArguments solve_arguments;
@@ -56,6 +69,7 @@ struct CommandLine {
   ClassifyArguments classify_arguments;
   SectionArguments section_arguments;
   BenchArguments bench_arguments;
+  OneLineArguments one_line;
   std::vector<std::string> files;
   std::string word;
   std::string stage = "r";
@@ -69,6 +83,34 @@ struct CommandLine {
     command.add_option("--color", settings.color, "auto, always or never (see also NO_COLOR)")
         ->check(silent(CLI::IsMember({"auto", "always", "never"})))
         ->type_name("WHEN");
+  }
+  // Instead of a system file.
+  void one_line_flags(CLI::App& command) {
+    command.add_option("-H,--hamiltonian", one_line.hamiltonian, "H(q, p) instead of a file")
+        ->type_name("FORMULA");
+    command.add_option("-L,--lagrangian", one_line.lagrangian, "L(q, q') instead of a file")
+        ->type_name("FORMULA");
+    command
+        .add_option("--coordinates", one_line.coordinates,
+                    "with -H, -L: q1,q2,... (else guessed from the letters)")
+        ->delimiter(',')
+        ->type_name("NAMES");
+    command
+        .add_option("--momenta,--velocities", one_line.rates, "of the coordinates, in their order")
+        ->delimiter(',')
+        ->type_name("NAMES");
+    command.add_option("--parameters", one_line.parameters, "with -H, -L: the free constants")
+        ->delimiter(',')
+        ->type_name("NAMES");
+  }
+  // Throws unless there is just one of a file and a formula.
+  void settle_input(const CLI::App& command, std::string& file) {
+    if (one_line.given() != file.empty())
+      throw CLI::ValidationError(command.get_name(),
+                                 one_line.given() ? "a file or a formula is expected, not both"
+                                                  : "a file is expected, or a formula: -H 'p^2/2 + "
+                                                    "q^4'");
+    if (one_line.given()) file = take_one_line(settings, one_line);
   }
   void quiet_flag(CLI::App& command) {
     command.add_flag("-q,--quiet", settings.quiet, "the answer only");
@@ -258,9 +300,8 @@ struct CommandLine {
   void declare_integrals(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand("integrals", "first integrals of a system, for all parameter values");
-    command->add_option("FILE", integrals_arguments.file, "a system file")
-        ->required()
-        ->type_name("");
+    command->add_option("FILE", integrals_arguments.file, "a system file")->type_name("");
+    one_line_flags(*command);
     command
         ->add_option("--degree", integrals_arguments.degree,
                      "in the momenta (without momenta: in all variables); default 2")
@@ -281,7 +322,8 @@ struct CommandLine {
     ClassifyArguments& a = classify_arguments;
     CLI::App* command =
         app.add_subcommand("classify", "for which parameters is a system integrable?");
-    command->add_option("FILE", a.file, "a system file")->required()->type_name("");
+    command->add_option("FILE", a.file, "a system file")->type_name("");
+    one_line_flags(*command);
     command
         ->add_option("--degree", a.degree, "of first integrals; default 4, and 6 at single points")
         ->check(silent(CLI::Range(1, 20)))
@@ -376,7 +418,8 @@ struct CommandLine {
 
     CLI::App* find =
         app.add_subcommand("find-manifolds", "invariant sets of a system, most of them linear");
-    find->add_option("FILE", word, "a system file")->required()->type_name("");
+    find->add_option("FILE", word, "a system file")->type_name("");
+    one_line_flags(*find);
     set_flag(*find);
     process_flags(*find);
     work_flag(*find);
@@ -436,8 +479,8 @@ struct CommandLine {
 
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
     make->add_option("KIND", word, "ode, hamiltonian, euler-poisson or vector-field")
-        ->required()
         ->type_name("");
+    one_line_flags(*make);
     output_flags(*make);
 
     CLI::App* explain = app.add_subcommand("explain", "what a word in an answer means");
@@ -445,25 +488,42 @@ struct CommandLine {
     output_flags(*explain);
   }
 
-  int run(const std::string& command) {
+  int run(const CLI::App& app) {
+    const std::string command = app.get_name();
     settings.timeout = timeout.value_or(time_limits[command]);
-    if (command == "solve") return solve(settings, solve_arguments);
+    if (command == "solve") {
+      if (is_an_equation(solve_arguments.file))
+        std::swap(solve_arguments.ode.emplace(), solve_arguments.file);
+      return solve(settings, solve_arguments);
+    }
     if (command == "lame") return lame(settings, lame_arguments);
     if (command == "potential") return potential(settings, potential_arguments);
     if (command == "monodromy") return monodromy(settings, monodromy_arguments);
     if (command == "check") return check(settings, files);
     if (command == "show") return show(settings, word, stage);
-    if (command == "find-manifolds") return find_manifolds(settings, word);
+    if (command == "find-manifolds") {
+      settle_input(app, word);
+      return find_manifolds(settings, word);
+    }
     if (command == "spectrum") return spectrum(settings, spectrum_arguments);
-    if (command == "integrals") return integrals(settings, integrals_arguments);
-    if (command == "classify") return classify(settings, classify_arguments);
+    if (command == "integrals") {
+      settle_input(app, integrals_arguments.file);
+      return integrals(settings, integrals_arguments);
+    }
+    if (command == "classify") {
+      settle_input(app, classify_arguments.file);
+      return classify(settings, classify_arguments);
+    }
     if (command == "test") return test(settings, files);
     if (command == "verify") return verify(settings, files);
     if (command == "prove") return prove(settings, word);
     if (command == "report") return report_system(settings, word);
     if (command == "section") return section(settings, section_arguments);
     if (command == "bench") return bench(settings, bench_arguments);
-    if (command == "new") return make_new(settings, word);
+    if (command == "new") {
+      settle_input(app, word);
+      return make_new(settings, word);
+    }
     return explain(settings, word);
   }
 };
@@ -541,9 +601,15 @@ int main(int argc, char** argv) {
   app.name("kovacic");
   line.declare(app);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> arguments(argv + std::min(1, argc), argv + argc);
+    const auto names = command_names(app);
+    if (!arguments.empty() && is_a_file(arguments.front()) &&
+        std::find(names.begin(), names.end(), arguments.front()) == names.end())
+      arguments.insert(arguments.begin(), command_for(arguments.front()));
+    std::reverse(arguments.begin(), arguments.end()); // as CLI11 takes them
+    app.parse(std::move(arguments));
     catch_interrupts();
-    return line.run(app.get_subcommands().front()->get_name());
+    return line.run(*app.get_subcommands().front());
   } catch (const CLI::CallForVersion&) {
     return version();
   } catch (const CLI::Success& help) {

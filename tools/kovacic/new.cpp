@@ -186,6 +186,10 @@ const std::vector<StartingFile> starting_files{{"ode", ode_file},
 } // namespace
 
 int make_new(const Settings& settings, const std::string& kind) {
+  if (settings.given) {
+    write_output(settings, *settings.given);
+    return exit_decided;
+  }
   std::vector<std::string> kinds;
   for (const StartingFile& file : starting_files) {
     if (file.kind == kind) {

@@ -140,6 +140,10 @@ int report(const Settings& settings, const InputError& error) {
   return exit_input;
 }
 
+Entry Settings::document(const std::string& file) const {
+  return given ? parse_document(*given, file) : read_document(file);
+}
+
 void complain(const Settings& settings, const std::string& message, const std::string& hint) {
   const bool color = settings.colors(STDERR_FILENO);
   const char* red = color ? "\033[1;31m" : "";

@@ -5,9 +5,10 @@
 #include "exact/truth.hpp"
 #include "render.hpp"
 #include "supervisor.hpp"
-#include "symbol/input_error.hpp"
+#include "symbol/document.hpp"
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,11 +47,15 @@ struct Settings {
   int verbose = 0;
   bool exit_verdict = false;
   long jobs = 0; ///< --batch: so many lines at the same time; 0 = as many as there are cores
-  bool in_a_batch = false;        ///< one line of many
-  bool second_opinion = false;    ///< also ask the monodromy matrices
-  bool polynomial_of_y = false;   ///< solve: for A4, S4, A5
-  bool special_functions = false; ///< solve: also for the lines of a batch
-  bool strict = false;            ///< verify: refuse trusted steps
+  bool in_a_batch = false;          ///< one line of many
+  bool second_opinion = false;      ///< also ask the monodromy matrices
+  bool polynomial_of_y = false;     ///< solve: for A4, S4, A5
+  bool special_functions = false;   ///< solve: also for the lines of a batch
+  bool strict = false;              ///< verify: refuse trusted steps
+  std::optional<std::string> given; ///< a file's text from -H or -L; its name is that flag
+
+  /// The file of this name, or the text that was given instead.
+  [[nodiscard]] Entry document(const std::string& file) const;
 
   [[nodiscard]] Options solver_options() const;
   [[nodiscard]] bool wants_solutions() const { return !quiet && !exit_verdict; }

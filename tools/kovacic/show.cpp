@@ -190,7 +190,7 @@ Report show_manifolds(const Settings& settings, const std::string& stage, const 
 
 int show(const Settings& settings, const std::string& file, const std::string& stage) {
   const Report report = supervised(settings, file, [&] {
-    const System s = read_system(file, parameter_values(settings));
+    const System s = read_system(settings.document(file), parameter_values(settings));
     if (stage == "system") return show_system(s);
     if (stage == "lowest") return show_lowest(s);
     return show_manifolds(settings, stage, s);

@@ -1,0 +1,219 @@
+#include "system/one_line.hpp"
+
+#include "symbol/expression.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <optional>
+
+namespace kov {
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool has(const Names& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+bool is_number(const std::string& s) {
+  return !s.empty() &&
+         std::all_of(s.begin(), s.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+bool is_part_of_a_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// x' and x'(t) are the velocity x_dot: a file knows no primes.
+std::string without_primes(const std::string& formula) {
+  std::string text;
+  for (const char c : formula)
+    if (c == '\'' && !text.empty() && is_part_of_a_name(text.back()))
+      text += "_dot";
+    else
+      text += c;
+  return text;
+}
+
+// Letters that people call coordinates: they may be cyclic.
+const Names usual = {"x", "y", "z", "q", "r", "theta", "phi", "psi", "rho", "s", "u"};
+
+class Guess {
+public:
+  Guess(Names names, Mechanics kind) : names_(std::move(names)), kind_(kind) {}
+
+  // The coordinate of a momentum or velocity; nothing: it is none.
+  [[nodiscard]] std::optional<std::string> coordinate_of(const std::string& rate) const {
+    return kind_ == Mechanics::hamiltonian ? of_momentum(rate) : of_velocity(rate);
+  }
+
+  // The letter that goes with this coordinate; nothing: none is called so.
+  [[nodiscard]] std::optional<std::string> rate_of(const std::string& coordinate) const {
+    for (const std::string& name : names_)
+      if (coordinate_of(name) == coordinate) return name;
+    return std::nullopt;
+  }
+
+private:
+  [[nodiscard]] std::optional<std::string> of_momentum(const std::string& rate) const {
+    if (rate[0] != 'p' && rate[0] != 'P') return std::nullopt;
+    std::string rest = rate.substr(1);
+    if (rest.starts_with("_")) rest.erase(0, 1);
+    if (rest.empty()) return of_the_only_one();
+    if (is_number(rest)) return numbered(rest);
+    return known_or_usual(rest);
+  }
+
+  [[nodiscard]] std::optional<std::string> of_velocity(const std::string& rate) const {
+    for (const std::string end : {"_dot", "dot"})
+      if (rate.size() > end.size() && rate.ends_with(end))
+        return rate.substr(0, rate.size() - end.size());
+    if (rate.size() > 1 && rate[0] == 'v') {
+      const std::string rest = rate.substr(rate[1] == '_' ? 2 : 1);
+      if (is_number(rest)) return numbered(rest);
+      if (!rest.empty()) return known_or_usual(rest);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<std::string> known_or_usual(const std::string& name) const {
+    if (has(names_, name) || has(usual, name)) return name;
+    return std::nullopt;
+  }
+
+  // p: q, x, or another usual letter that occurs.
+  [[nodiscard]] std::optional<std::string> of_the_only_one() const {
+    if (has(names_, "q")) return "q";
+    for (const std::string& name : usual)
+      if (has(names_, name)) return name;
+    return "q";
+  }
+
+  // p1: q1 or x1, as others are called; else x, y, z in this order.
+  [[nodiscard]] std::optional<std::string> numbered(const std::string& number) const {
+    const Names stems = {"q", "x", "q_", "x_", "theta", "phi", "r", "th", "y"};
+    for (const std::string& stem : stems)
+      if (has(names_, stem + number)) return stem + number;
+    for (const std::string& stem : stems)
+      if (std::any_of(names_.begin(), names_.end(), [&](const std::string& n) {
+            return n.starts_with(stem) && is_number(n.substr(stem.size()));
+          }))
+        return stem + number;
+    const std::array<std::string, 3> letters = {"x", "y", "z"};
+    const std::size_t i = number.size() == 1 ? static_cast<std::size_t>(number[0] - '1') : 3;
+    if (i < letters.size() && has(names_, letters[i])) return letters[i];
+    return std::nullopt;
+  }
+
+  Names names_;
+  Mechanics kind_;
+};
+
+std::string rate_word(Mechanics kind) {
+  return kind == Mechanics::hamiltonian ? "momentum" : "velocity";
+}
+
+std::string listed(const Names& all) {
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? "" : ", ") + one;
+  return text;
+}
+
+std::string quoted(const Names& all) {
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? "\"" : ", \"") + one + "\"";
+  return "[" + text + "]";
+}
+
+// In the order x, y, z or q1, q2, q10 in which a person lists them.
+bool comes_before(const std::string& a, const std::string& b) {
+  const auto stem = [](const std::string& s) {
+    return s.substr(0, s.find_last_not_of("0123456789") + 1);
+  };
+  if (stem(a) != stem(b)) return a < b;
+  return a.size() != b.size() ? a.size() < b.size() : a < b;
+}
+
+void guess_coordinates(const Expression& e, const Guess& guess, const Names& names, Mechanics kind,
+                       Letters& letters) {
+  for (const std::string& name : names)
+    if (const auto c = guess.coordinate_of(name);
+        c && !has(letters.parameters, name) && !has(letters.coordinates, *c) && *c != name)
+      letters.coordinates.push_back(*c);
+  std::sort(letters.coordinates.begin(), letters.coordinates.end(), comes_before);
+  if (letters.coordinates.empty())
+    throw e.error("no letter of it looks like a " + rate_word(kind),
+                  kind == Mechanics::hamiltonian
+                      ? "call the momenta p1, p2, ... or px, py, ..., or name the coordinates: "
+                        "--coordinates x,y"
+                      : "call the velocities xdot, ydot, ... or x', y', ..., or name the "
+                        "coordinates: --coordinates x,y");
+}
+
+void settle_parameters(const Expression& e, const Names& names, Letters& letters) {
+  const bool given = !letters.parameters.empty();
+  for (const std::string& name : names) {
+    if (has(letters.coordinates, name) || has(letters.rates, name) || has(letters.parameters, name))
+      continue;
+    if (given)
+      throw e.error(name + " is no coordinate, and not among the parameters " +
+                    listed(letters.parameters));
+    if (name == "t")
+      throw e.error("t is the time or a parameter: which?",
+                    "a parameter: --parameters t,...; the time: make it a coordinate, with the "
+                    "energy as its momentum (H + p_t, --coordinates t,...)");
+    letters.parameters.push_back(name);
+  }
+}
+
+} // namespace
+
+Letters letters_of(const std::string& formula, Mechanics kind, const Letters& given,
+                   const std::string& name) {
+  const Expression e = parse_expression(without_primes(formula), name);
+  const Names names = names_in(e);
+  const Guess guess(names, kind);
+  Letters letters = given;
+  if (letters.coordinates.empty()) guess_coordinates(e, guess, names, kind, letters);
+  if (letters.rates.empty())
+    for (const std::string& c : letters.coordinates) {
+      const auto rate = guess.rate_of(c);
+      if (!rate)
+        throw e.error("which letter is the " + rate_word(kind) + " of " + c + "?",
+                      kind == Mechanics::hamiltonian
+                          ? "name them in the order of the coordinates: --momenta u,v,..."
+                          : "name them in the order of the coordinates: --velocities u,v,...");
+      letters.rates.push_back(*rate);
+    }
+  if (letters.rates.size() != letters.coordinates.size())
+    throw e.error("each coordinate needs one " + rate_word(kind) + ", in the same order");
+  for (const std::string& rate : letters.rates)
+    if (has(letters.coordinates, rate) || has(letters.parameters, rate))
+      throw e.error(rate + " is the " + rate_word(kind) + " of a coordinate and something else");
+  settle_parameters(e, names, letters);
+  return letters;
+}
+
+std::string in_words(const Letters& letters, Mechanics kind) {
+  return "coordinates " + listed(letters.coordinates) +
+         (kind == Mechanics::hamiltonian ? "; momenta " : "; velocities ") + listed(letters.rates) +
+         (letters.parameters.empty() ? "; no parameters"
+                                     : "; parameters " + listed(letters.parameters));
+}
+
+std::string system_text(const std::string& formula, Mechanics kind, const Letters& letters) {
+  const bool hamiltonian = kind == Mechanics::hamiltonian;
+  std::string text = without_primes(formula);
+  std::string escaped;
+  for (const char c : text)
+    escaped += c == '"' || c == '\\' ? std::string("\\") + c : c == '\n' ? " " : std::string(1, c);
+  return "format = \"equation/1\"\n\n[system]\nkind        = \"" +
+         std::string(hamiltonian ? "hamiltonian" : "lagrangian") +
+         "\"\ncoordinates = " + quoted(letters.coordinates) +
+         (hamiltonian ? "\nmomenta     = " : "\nvelocities  = ") + quoted(letters.rates) +
+         (letters.parameters.empty() ? "" : "\nparameters  = " + quoted(letters.parameters)) +
+         (hamiltonian ? "\nhamiltonian = \"" : "\nlagrangian  = \"") + escaped + "\"\n";
+}
+
+} // namespace kov

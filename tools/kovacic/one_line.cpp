@@ -1,0 +1,28 @@
+// -H and -L: a system file from one formula.
+
+#include "system/one_line.hpp"
+#include "commands.hpp"
+
+#include <cstdio>
+
+namespace kov::cli {
+
+std::string take_one_line(Settings& settings, const OneLineArguments& arguments) {
+  const bool hamiltonian = !arguments.hamiltonian.empty();
+  const std::string name = hamiltonian ? "-H" : "-L";
+  if (hamiltonian && !arguments.lagrangian.empty())
+    throw InputError("-L", 0, 0, 1, "H and L are both given", "leave one of them out");
+  const std::string& formula = hamiltonian ? arguments.hamiltonian : arguments.lagrangian;
+  const Mechanics kind = hamiltonian ? Mechanics::hamiltonian : Mechanics::lagrangian;
+  const Letters letters = letters_of(
+      formula, kind, {arguments.coordinates, arguments.rates, arguments.parameters}, name);
+  settings.given = system_text(formula, kind, letters);
+  if (!settings.quiet)
+    std::fprintf(stderr, "kovacic: %s read with %s\n", name.c_str(),
+                 in_words(letters, kind).c_str());
+  constexpr std::size_t longest = 60;
+  const std::string heading = name.substr(1) + " = " + formula;
+  return heading.size() <= longest ? heading : heading.substr(0, longest - 3) + "...";
+}
+
+} // namespace kov::cli
