@@ -2,6 +2,7 @@
 // ends with a documented exit code within its limits, never with 4 or a signal.
 
 #include "support/random.hpp"
+#include "support/smaller.hpp"
 
 #include <algorithm>
 #include <fcntl.h>
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 namespace kov::test {
 namespace {
@@ -227,6 +229,22 @@ std::string shown(const Words& words) {
   return text;
 }
 
+// The same end with less in it, also in a file.
+std::string made_smaller(Words words, int exit, const fs::path& directory, const Random& random) {
+  for (std::string& word : words)
+    if (!word.starts_with('-'))
+      word = smaller(
+          word,
+          [&](const std::string& next) {
+            const std::string before = std::exchange(word, next);
+            const bool same = run(words, directory) == exit;
+            word = before;
+            return same;
+          },
+          40);
+  return "smaller: " + shown(words) + "\nin " + written_failure(random.seed(), shown(words)) + "\n";
+}
+
 TEST(RandomCommands, EndWithADocumentedExitCode) {
   fs::path directory = fs::temp_directory_path() / ("kovacic-attack-" + std::to_string(::getpid()));
   fs::create_directories(directory);
@@ -239,6 +257,7 @@ TEST(RandomCommands, EndWithADocumentedExitCode) {
     const bool verdict = std::find(words.begin(), words.end(), "--exit-verdict") != words.end();
     const bool documented = (exit >= 0 && exit <= 3) || (verdict && (exit == 10 || exit == 20));
     EXPECT_TRUE(documented) << shown(words) << "\nexit " << exit << "\n"
+                            << (documented ? "" : made_smaller(words, exit, directory, random))
                             << contents(directory / "log").substr(0, 2000) << "\nlines.jsonl\n"
                             << contents(directory / "lines.jsonl") << "\nequation.toml\n"
                             << contents(directory / "equation.toml");

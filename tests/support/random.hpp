@@ -27,7 +27,7 @@ namespace kov::test {
 /// A stream of random choices; the same seed gives the same stream on every machine.
 class Random {
 public:
-  explicit Random(std::uint64_t seed) : bits_(seed) {}
+  explicit Random(std::uint64_t seed) : bits_(seed), seed_(seed) {}
 
   /// lowest <= value <= highest
   [[nodiscard]] long between(long lowest, long highest) {
@@ -40,9 +40,11 @@ public:
     return members[static_cast<std::size_t>(between(0, static_cast<long>(members.size()) - 1))];
   }
   [[nodiscard]] std::mt19937_64& bits() { return bits_; }
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }
 
 private:
   std::mt19937_64 bits_;
+  std::uint64_t seed_;
 };
 
 [[nodiscard]] inline std::uint64_t number_in_environment(const char* name,
