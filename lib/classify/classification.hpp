@@ -67,6 +67,9 @@ struct SystemClassification {
   /// Of these classes at once are the first integrals that are excluded; empty where nothing is.
   std::vector<IntegralClass> excluded;
   bool liouville = true; ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
+  /// Not empty: class, solutions and long integrals are told in these variables, "X = r*cos_t", the
+  /// others by their names (lib/canonical).
+  std::vector<std::string> variables = {};
   std::vector<std::pair<std::string, double>> stages; ///< what took how many seconds
   double seconds = 0;
   std::string at_work; ///< on the way: the stage that begins

@@ -1,6 +1,7 @@
 #include "classify/classify.hpp"
 
 #include "classify/almost_all.hpp"
+#include "classify/along.hpp"
 #include "classify/bounded.hpp"
 #include "classify/darboux_points.hpp"
 #include "classify/exclusion.hpp"
@@ -10,6 +11,7 @@
 #include "classify/scale.hpp"
 #include "classify/solutions.hpp"
 #include "classify/stated.hpp"
+#include "classify/variables.hpp"
 #include "exact/error.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
@@ -491,7 +493,7 @@ private:
     CheckOptions check = options_.check;
     check.decide.budget = share(part);
     const KnownSystem& known = round.studied();
-    const ManifoldReport report = check_manifold(known.system, m, known.claims, check);
+    const ManifoldReport report = study_along(known.system, m, known.claims, check);
     if (is_over(check.decide.budget)) {
       round.limited = true;
       if (!round.last) round.cut.push_back(m.name);
@@ -1069,8 +1071,8 @@ bool speaks_of(const SystemClassification& c, const std::string& constant) {
 
 } // namespace
 
-SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
-  const StatedSolutions stated = stated_solutions(s, options);
+SystemClassification classify_in_these_variables(const System& s, const ClassifyOptions& options,
+                                                 const StatedSolutions& stated) {
   Composition composition(s, options, stated);
   if (!composition.has_new_constants()) return composition.completed();
   ClassifyOptions plain = options;

@@ -22,6 +22,8 @@ struct ClassifyOptions {
   /// Square roots and eigenvalues that are no functions of the parameters, where open strata are
   /// left without them.
   bool adjoin_constants = true;
+  /// Where much is open, the same question in other canonical variables (lib/canonical).
+  bool change_variables = true;
   /// Stages that are left out, by the names that `at_work` gives them: of a run before that they
   /// kept from ending.
   std::vector<std::string> skip = {};

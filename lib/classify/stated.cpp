@@ -1,5 +1,6 @@
 #include "classify/stated.hpp"
 
+#include "classify/along.hpp"
 #include "classify/pieces.hpp"
 #include "classify/together.hpp"
 #include "exact/share.hpp"
@@ -127,7 +128,7 @@ private:
     const auto start = std::chrono::steady_clock::now();
     CheckOptions check = options_.check;
     check.decide.budget = part_of_the_time(check.decide.budget, 1 / static_cast<double>(left));
-    const ManifoldReport report = check_manifold(s_, m, claims, check);
+    const ManifoldReport report = study_along(s_, m, claims, check);
     StatedSolution one{m.name, {}, outcome(report)};
     const auto now = std::chrono::steady_clock::now();
     one.seconds = std::chrono::duration<double>(now - start).count();

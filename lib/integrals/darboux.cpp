@@ -42,10 +42,14 @@ MPoly derived(const PolynomialField& x, const std::vector<std::size_t>& variable
 std::optional<PolynomialField> polynomial_field(const PhaseSpace& p) {
   if (!p.is_polynomial_ring()) return std::nullopt;
   PolynomialField x;
-  x.denominator = common_denominator(p.field.ring, p.field.components);
-  if (uses_any(x.denominator, p.variables)) return std::nullopt;
+  const MPoly all = common_denominator(p.field.ring, p.field.components);
+  x.multiplier = one(p.field.ring);
+  for (const MFactor& f : factor(all).second)
+    if (uses_any(f.base, p.variables))
+      x.multiplier = x.multiplier * pow(f.base, static_cast<unsigned long>(f.exponent));
+  x.denominator = exact_div(all, x.multiplier);
   for (const MFraction& f : p.field.components) {
-    x.numerators.push_back(is_zero(f) ? MPoly(p.field.ring) : (f * MFraction(x.denominator)).num());
+    x.numerators.push_back(is_zero(f) ? MPoly(p.field.ring) : (f * MFraction(all)).num());
     x.degree = std::max(x.degree, degree_of(p, x.numerators.back()));
   }
   return x;

@@ -5,6 +5,8 @@
 //   sum l_i K_i + X(g) = 0                  g + sum l_i log f_i is a first integral
 //   [X, N] = (sum n_i K_i) N                N/prod f_i^n_i commutes with X
 //
+// A rational field is multiplied by its denominator for the first two.
+//
 // Each of the last two is linear in what is unknown, and is solved at all parameter values of a set.
 //
 // Source  docs/theory/integrals.md (5), (6)
@@ -20,13 +22,15 @@ struct DarbouxPolynomial {
   std::vector<MPoly> equations; ///< between parameters; those that hold on the set are left out
 };
 
-/// The field over a common denominator in the parameters.
+/// A polynomial multiple of the field over a common denominator in the parameters: it has the same
+/// first integrals, and Darboux polynomials with other cofactors.
 struct PolynomialField {
   std::vector<MPoly> numerators;
   MPoly denominator;
-  long degree = 0; ///< in the phase variables
+  MPoly multiplier; ///< of the field; 1: it is polynomial itself
+  long degree = 0;  ///< in the phase variables
 };
-/// Unset: the field is not polynomial in the phase variables, or these satisfy relations.
+/// Unset: the phase variables satisfy relations.
 [[nodiscard]] std::optional<PolynomialField> polynomial_field(const PhaseSpace& p);
 
 /// Some Darboux polynomials, irreducible over Q: coordinates, those of degree 1, and those of degree

@@ -109,7 +109,7 @@ private:
     if (!polynomial_) return;
     stages_.push_back({Stage::Kind::darboux_polynomials});
     stages_.push_back({Stage::Kind::logarithms, logarithmic_degree});
-    if (options_.until_integrable)
+    if (options_.until_integrable && is_one(polynomial_->multiplier))
       for (long k = 1; k <= field_degree; ++k)
         stages_.push_back({Stage::Kind::fields, k});
   }
@@ -314,7 +314,9 @@ private:
     const MFraction value(f.polynomial);
     return is_nowhere_zero(where, f.polynomial) &&
            (is_zero(f.cofactor) || where.is_nonzero(f.cofactor.den())) &&
-           space_.vanishes(where, lie_derivative(space_.field, value) - f.cofactor * value);
+           space_.vanishes(where, MFraction(polynomial_->multiplier) *
+                                          lie_derivative(space_.field, value) -
+                                      f.cofactor * value);
   }
   // At no parameter value f is the zero polynomial.
   [[nodiscard]] bool is_nowhere_zero(const ParameterSet& where, const MPoly& f) const {

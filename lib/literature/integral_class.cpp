@@ -136,7 +136,7 @@ std::string sentence(const IntegralClass& c) {
   if (!c.without.empty()) text += " and do not depend on " + listed(c.without);
   if (!c.without.empty() && !c.through.empty())
     text += " otherwise than through " + listed(c.through);
-  return c.frame.empty() ? text : text + " (in the coordinates of " + c.frame + ")";
+  return c.frame.empty() ? text : text + " (in the coordinates " + c.frame + ")";
 }
 
 std::string sentence(const std::vector<IntegralClass>& classes) {

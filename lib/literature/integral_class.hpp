@@ -35,7 +35,7 @@ struct IntegralClass {
   std::vector<std::string> functions = {};
   std::vector<std::string> without = {}; ///< coordinates and symbols that they do not contain,
   std::vector<std::string> through = {}; ///< but through these symbols
-  std::string frame = {}; ///< the file whose coordinates these names are; empty: this one
+  std::string frame = {}; ///< whose coordinates these are: "of FILE", "X = x - 1, y"; empty: ours
   bool liouville = true;  ///< in involution; else with commuting vector fields
 
   friend bool operator==(const IntegralClass&, const IntegralClass&) = default;

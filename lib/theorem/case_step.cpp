@@ -237,7 +237,7 @@ void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
     n.excluded = {m.by->integrals};
     n.curve = name_in_words(m.name) + " in " + n.node.file;
     if (!m.by->integrals.without.empty() && !n.node.place.as.empty()) // they name coordinates
-      n.excluded.front().frame = n.node.file;
+      n.excluded.front().frame = "of " + n.node.file;
     n.headline = "NON-INTEGRABLE" + by;
     n.statement = subject + m.statement + by;
     if (m.by->integrals.near != IntegralClass::Near::curve || !m.by->integrals.without.empty())

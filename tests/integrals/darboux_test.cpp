@@ -203,11 +203,25 @@ TEST(Darboux, ImmenseDegrees) {
   EXPECT_TRUE(darboux_polynomials(p, *polynomial_field(p), all, Budget::of_seconds(20)).size() < 6);
 }
 
-// A field that is not polynomial, or has a bracket, is left alone.
-TEST(Darboux, OnlyPolynomialFields) {
-  const System s = field({{"x", "1/y"}, {"y", "x"}});
-  const PhaseSpace p(s);
-  EXPECT_FALSE(polynomial_field(p));
+// A rational field has the integrals of its polynomial multiples; commuting fields it has not.
+TEST(Darboux, RationalFields) {
+  const auto of = [](const Components& components, const std::string& parameters = "") {
+    const System s = field(components, parameters);
+    return answers(s, integrable(s));
+  };
+  EXPECT_THAT(of({{"x", "v"}, {"v", "1/x"}}), ElementsAre("v^2 - 2*log(x); "));
+  EXPECT_EQ(of({{"x", "v"}, {"v", "-1/(x - 2)"}}).size(), 1);
+  EXPECT_EQ(of({{"x", "v/(x + y)"}, {"y", "x/(x + y)"}, {"v", "0"}}).size(), 1);
+  // with a parameter: also where it is 0
+  const System s = field({{"x", "v"}, {"v", "a/x + b*x"}}, "'a', 'b'");
+  for (const IntegralsOfSet& set : all_sets(integrable(s)))
+    EXPECT_TRUE(set.integrable(s.field));
+  // an integral of the multiple by x, and a field that commutes with that alone
+  const System multiple = field({{"x", "y/x"}, {"y", "(2*y + x^3)/x"}});
+  for (const IntegralsOfSet& set : all_sets(integrable(multiple)))
+    for (const auto& y : set.fields)
+      for (const MFraction& f : commutator(multiple.field, multiple.field.components, y))
+        EXPECT_TRUE(is_zero(f));
 }
 
 } // namespace

@@ -41,6 +41,8 @@ NodeResult root(const System& s, const SystemClassification& c) {
   if (!c.assumptions.empty()) n.formulas.push_back({"assumed", joined(c.assumptions, ", ")});
   for (const std::string& constant : c.constants)
     n.formulas.push_back({"where", constant});
+  for (const std::string& variable : c.variables)
+    if (variable.find(" = ") != std::string::npos) n.formulas.push_back({"where", variable});
   for (const std::string& note : c.notes)
     n.formulas.push_back({"note", note});
   for (Grid g : {integrable_sets(c), open_sets(c)})

@@ -112,6 +112,8 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
   for (const std::string& constant : c.constants)
     put(out, "where", constant);
+  if (c.excluded.empty() && !c.variables.empty()) // else the theorem names them
+    put(out, "where", joined(c.variables, ", "));
   for (const std::string& note : c.notes)
     put(out, "note", note);
   if (!quiet) {
@@ -157,6 +159,7 @@ Json json_of(const System& s, const SystemClassification& c) {
           {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
           {"assumptions", c.assumptions},
           {"constants", c.constants},
+          {"variables", c.variables},
           {"theorems", c.theorems},
           {"trusted", c.trusted},
           {"notes", c.notes},

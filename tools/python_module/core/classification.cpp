@@ -67,6 +67,7 @@ std::string stratum_text(const StratumOf& s) {
 std::string classification_text(const SystemClassification& c) {
   std::string text = statement(c);
   if (!c.assumptions.empty()) text += "\nassumed: " + parameters_text(c.assumptions);
+  if (!c.variables.empty()) text += "\nwhere: " + parameters_text(c.variables);
   for (const StratumOf& s : classified(c))
     text += "\n" + stratum_text(s);
   for (const std::string& step : c.trusted)

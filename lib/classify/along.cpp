@@ -1,0 +1,37 @@
+#include "classify/along.hpp"
+
+#include "integrability/parameters.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+bool is_reduced_by_an_integral(const ManifoldReport& report) {
+  const auto& all = report.reduced.eliminations;
+  return std::any_of(all.begin(), all.end(), [](const Elimination& e) { return !e.casimir; });
+}
+
+bool excludes_something(const ManifoldReport& report) {
+  return report.verdict == VerdictKind::non_integrable ||
+         std::any_of(report.blocks.begin(), report.blocks.end(), [](const BlockReport& b) {
+           return b.abelian == Truth::no || (b.strata && somewhere_not_abelian(*b.strata));
+         });
+}
+
+} // namespace
+
+ManifoldReport study_along(const System& s, const ManifoldSpec& m,
+                           const std::vector<ClaimReport>& claims, const CheckOptions& options) {
+  ManifoldReport report = check_manifold(s, m, claims, options);
+  if (report.failure || report.verdict != VerdictKind::undecided || excludes_something(report) ||
+      !is_reduced_by_an_integral(report))
+    return report;
+  auto casimirs = claims;
+  std::erase_if(casimirs,
+                [](const ClaimReport& c) { return c.claim.kind == SystemClaim::Kind::integral; });
+  ManifoldReport whole = check_manifold(s, m, casimirs, options);
+  return !whole.failure && excludes_something(whole) ? whole : report;
+}
+
+} // namespace kov

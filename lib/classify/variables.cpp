@@ -1,0 +1,190 @@
+#include "classify/variables.hpp"
+
+#include "classify/pieces.hpp"
+#include "exact/error.hpp"
+#include "exact/share.hpp"
+#include "integrability/parameters.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace kov {
+namespace {
+
+constexpr double part_for_the_change = 0.05;
+constexpr double part_before = 0.15; // in the user's variables, where others are simpler
+constexpr double part_in_others = 0.6;
+constexpr std::size_t longest_integral = 200; // as text, in the user's variables
+
+bool is_open(const ClassifiedStratum& s) { return s.status == StratumStatus::open; }
+
+bool has_open(const SystemClassification& c) {
+  return std::any_of(c.strata.begin(), c.strata.end(), is_open);
+}
+// The larger the sets that are open, and the more they are, the worse.
+bool is_better(const SystemClassification& a, const SystemClassification& b) {
+  const auto openness = [](const SystemClassification& c) {
+    std::pair<long, std::size_t> largest{std::numeric_limits<long>::min(), 0};
+    for (const ClassifiedStratum& s : c.strata)
+      if (is_open(s)) {
+        const long size = -static_cast<long>(s.where.equations().size() + s.special.size());
+        largest = {std::max(largest.first, size), largest.second + 1};
+      }
+    return std::tuple(largest.first, !c.almost_all, largest.second);
+  };
+  return openness(a) < openness(b);
+}
+
+/// One question after the other, each in its variables; the best answer so far is told.
+class InTurn {
+public:
+  InTurn(const System& s, const ClassifyOptions& options, const StatedSolutions& stated,
+         const CanonicalChange& change)
+      : s_(s), options_(options), stated_(stated), change_(change) {}
+
+  SystemClassification run() {
+    if (!answered(here(part_before)) && !answered(there(part_in_others)))
+      static_cast<void>(answered(here(1)));
+    return *std::move(best_);
+  }
+
+private:
+  [[nodiscard]] ClassifyOptions options(double part) const {
+    ClassifyOptions all = options_;
+    all.check.decide.budget = part_of_the_time(options_.check.decide.budget, part);
+    return all;
+  }
+
+  SystemClassification here(double part) {
+    ClassifyOptions all = options(part);
+    if (options_.so_far) all.so_far = [&](const SystemClassification& c) { tell(c); };
+    return classify_in_these_variables(s_, all, stated_);
+  }
+
+  SystemClassification there(double part) {
+    ClassifyOptions all = options(part);
+    if (options_.so_far)
+      all.so_far = [&](const SystemClassification& c) { tell(said_of_the_old(c, s_, change_)); };
+    return said_of_the_old(classify_in_these_variables(change_.system, all, {}), s_, change_);
+  }
+
+  // True: nothing is open any more.
+  bool answered(SystemClassification c) {
+    const double seconds = c.seconds + (best_ ? best_->seconds : 0);
+    if (!best_ || is_better(c, *best_)) best_ = std::move(c);
+    best_->seconds = seconds;
+    return !has_open(*best_);
+  }
+
+  void tell(const SystemClassification& c) const {
+    if (!best_ || is_better(c, *best_)) return options_.so_far(c);
+    SystemClassification told = *best_;
+    told.at_work = c.at_work;
+    options_.so_far(told);
+  }
+
+  const System& s_;
+  const ClassifyOptions& options_;
+  const StatedSolutions& stated_;
+  const CanonicalChange& change_;
+  std::optional<SystemClassification> best_;
+};
+
+FoundIntegral in_old(const FoundIntegral& f, const System& old, const CanonicalChange& change) {
+  FoundIntegral g = f;
+  g.value = f.hamiltonian ? *old.field.hamiltonian : in_old_variables(change, old.ring(), f.value);
+  g.logarithms.clear();
+  for (const LogarithmicTerm& t : f.logarithms) {
+    const MFraction of = in_old_variables(change, old.ring(), MFraction(t.of));
+    const MFraction times = in_old_variables(change, old.ring(), t.times);
+    g.logarithms.push_back({times, of.num()});
+    if (!is_constant(MFraction(of.den()))) g.logarithms.push_back({-times, of.den()});
+  }
+  return g;
+}
+
+} // namespace
+
+namespace {
+
+void tell_variables(const CanonicalChange& change, SystemClassification& c) {
+  c.variables = in_words(change);
+  std::string frame;
+  for (const std::string& one : c.variables)
+    frame += (frame.empty() ? "" : ", ") + one;
+  for (IntegralClass& excluded : c.excluded)
+    excluded.frame = frame;
+  for (ClassifiedStratum& s : c.strata)
+    for (ExclusionReason& by : s.by)
+      by.integrals.frame = frame;
+  if (c.almost_all) c.almost_all->by.integrals.frame = frame;
+}
+
+} // namespace
+
+SystemClassification said_of_the_old(SystemClassification c, const System& old,
+                                     const CanonicalChange& change) {
+  auto strata = c.strata;
+  bool is_short = true, integrable = true;
+  for (ClassifiedStratum& s : strata) {
+    integrable = integrable && s.status == StratumStatus::integrable;
+    for (FoundIntegral& f : s.integrals) {
+      f = in_old(f, old, change);
+      is_short = is_short && (f.hamiltonian || to_string(f).size() <= longest_integral);
+    }
+  }
+  if (is_short) c.strata = std::move(strata);
+  if (is_short && integrable) return c;
+  tell_variables(change, c);
+  return c;
+}
+
+namespace {
+
+// No denominator that the file does not have may vanish at special parameters: there the change would
+// say nothing.  Nor a radicand.
+bool is_defined_for_all_parameters(const System& s, const CanonicalChange& change) {
+  std::vector<MPoly> all;
+  for (const MFraction& f : change.variables)
+    all.push_back(f.den());
+  for (const auto& [i, value] : change.functions)
+    all.push_back(value.den());
+  const VectorField& now = change.system.field;
+  for (const MPoly& d : denominators(now))
+    all.push_back(d);
+  for (const MPoly& r : now.relations)
+    for (const FunctionSymbol& f : now.functions)
+      if (change.functions.contains(f.variable) && uses(r, f.variable))
+        all.push_back(coefficients(r, f.variable).front());
+  const auto known = denominators(s.field);
+  const auto is_known = [&](const MPoly& f) {
+    const auto used = used_variables(f);
+    if (!std::all_of(used.begin(), used.end(),
+                     [&](std::size_t i) { return s.ring()->find(f.ring()->name(i)).has_value(); }))
+      return false;
+    const MPoly here = transfer(MFraction(f), s.ring()).num();
+    return std::any_of(known.begin(), known.end(),
+                       [&](const MPoly& k) { return divides(here, k).has_value(); });
+  };
+  for (const MPoly& d : all)
+    for (const MFactor& f : factor(d).second)
+      if (!is_known(f.base) &&
+          may_vanish_identically(d.ring() == now.ring ? change.system : s, f.base))
+        return false;
+  return true;
+}
+
+} // namespace
+
+SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
+  const StatedSolutions stated = stated_solutions(s, options);
+  std::optional<CanonicalChange> change;
+  if (options.change_variables && options.search_solutions && !stated.decided)
+    change = simplified(s, part_of_the_time(options.check.decide.budget, part_for_the_change));
+  if (!change || !is_defined_for_all_parameters(s, *change))
+    return classify_in_these_variables(s, options, stated);
+  return InTurn(s, options, stated, *change).run();
+}
+
+} // namespace kov
