@@ -107,7 +107,10 @@ private:
     if (!way) return false;
     std::string none;
     const auto text = certificate_of(*way, equation, none);
-    if (text) add(*text + "\n", role);
+    if (text)
+      add(*text + "\n", role);
+    else
+      refuse(none, role + "-way");
     return text.has_value();
   }
   void take(const strata::StrataCertificate& c, const strata::StrataAnswer& a,

@@ -149,6 +149,7 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     decide_blocks(study, report);
     if (options.along_the_curve) decide_along_the_curve(study, report);
     decide_exceptions(study, report.blocks);
+    withdraw_refused(report.blocks);
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::no_obstruction) {
       report.not_studied = component_left_out(study, report);
       const std::string open = components_not_checked(study, report);

@@ -62,6 +62,8 @@ struct BlockReport {
   /// The way to r for the checkers, accepted by our own; null: none, and why.
   std::shared_ptr<const WayToR> way;
   std::string no_way;
+  bool refused =
+      false; ///< no_way is a refusal by our own checker: what the block said is withdrawn
   /// The studies of strata on which r means nothing, as far as `strata` rests on them.
   std::vector<std::shared_ptr<const ManifoldReport>> special_studies;
 };

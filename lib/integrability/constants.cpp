@@ -73,7 +73,8 @@ ConstantField ConstantField::make(const VectorField& v) {
   if (v.constants.empty()) return {};
   const FiniteAlgebra algebra(constant_relations(v));
   for (long k = 1; k < 50; ++k) {
-    const auto theta = *algebra.evaluate(primitive_candidate(v, k));
+    const MFraction candidate = primitive_candidate(v, k);
+    const auto theta = *algebra.evaluate(candidate);
     const auto minimal = algebra.minimal_polynomial(theta);
     if (minimal.size() != algebra.dimension() + 1) continue;
     std::vector<NfElem> coefficients;
@@ -83,6 +84,7 @@ ConstantField ConstantField::make(const VectorField& v) {
     const auto [field, root] = field_of_root(Poly::from_coefficients(coefficients), name);
     ConstantField result;
     result.field_ = field;
+    if (!field->is_rational()) result.generator_ = Rational(field->scale()) * candidate;
     Matrix powers(algebra.dimension()); // columns: 1, theta, theta^2, ...
     auto power = algebra.constant(MFraction(v.ring, Rational(1)));
     for (std::size_t i = 0; i < algebra.dimension(); ++i) {

@@ -5,6 +5,7 @@
 #include "system/vector_field.hpp"
 
 #include <map>
+#include <optional>
 
 namespace kov {
 
@@ -19,12 +20,15 @@ public:
   static ConstantField make(const VectorField& v);
 
   [[nodiscard]] const Field& field() const noexcept { return field_; }
+  /// The generator of the field, a linear combination of the constants.  Requires a field other than Q
+  [[nodiscard]] const MFraction& generator() const { return generator_.value(); }
   /// Requires that f uses only z and the constants; otherwise InvalidArgument, naming the variable.
   [[nodiscard]] RationalFunction convert(const MFraction& f, std::size_t z) const;
 
 private:
   [[nodiscard]] Poly convert(const MPoly& f, std::size_t z) const;
   Field field_ = rationals();
+  std::optional<MFraction> generator_;
   std::map<std::size_t, NfElem> values_;
 };
 

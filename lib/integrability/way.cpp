@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "integrability/normal_identity.hpp"
 #include "integrability/parameters.hpp"
+#include "integrability/preserved_relations.hpp"
 #include "integrability/way_names.hpp"
 
 #include <algorithm>
@@ -17,10 +18,15 @@ using Row = CurveRows::Row;
 class WayWriter {
 public:
   WayWriter(const Study& study, const ManifoldReport& report, const BlockReport& block)
-      : study_(study), s_(study.system), v_(s_.field), m_(report), block_(block), ode_(*block.ode),
-        f_(*ode_.field), rows_(v_, f_) {}
+      : study_(study), s_(study.system), v_(s_.field), written_(with_preserved_relations(v_)),
+        m_(report), block_(block), ode_(*block.ode), f_(*ode_.field), rows_(v_, f_) {}
 
   std::optional<WayToR> operator()(std::string& none) {
+    if (!holds_without_relations()) {
+      none = "Jacobi's identity, or what makes a gradient closed, holds only modulo the relations "
+             "of the functions, for which the format has no rule";
+      return std::nullopt;
+    }
     auto identity = normal_identity(m_, block_, rows_);
     if (!identity) {
       none = "the covectors of the block span no subsystem of which it is a quotient";
@@ -60,7 +66,7 @@ private:
     else
       for (const MFraction& x : v_.components)
         all.push_back(&x);
-    for (const FunctionSymbol& f : v_.functions)
+    for (const FunctionSymbol& f : written_.functions)
       for (const MFraction& g : f.gradient)
         all.push_back(&g);
     for (const auto* list : {&m_.manifold->equations, &m_.manifold->levels})
@@ -90,7 +96,7 @@ private:
     certify::PhaseSystem& x = way_.way.system;
     x.ring = phase.ring();
     x.dimension = v_.dimension();
-    for (const FunctionSymbol& f : v_.functions) {
+    for (const FunctionSymbol& f : written_.functions) {
       certify::PhaseSymbol& symbol = x.functions.emplace_back();
       symbol.meaning = f.meaning;
       for (std::size_t j = 0; j < v_.dimension(); ++j)
@@ -114,6 +120,19 @@ private:
           x.brackets.push_back({i, j, phase.write(p)});
   }
 
+  [[nodiscard]] bool holds_without_relations() const {
+    const Ideal no_relations(s_.ring(), v_.main_variables(), {});
+    if (has_bracket() && structure_failure(written_, *v_.poisson, no_relations)) return false;
+    const auto closed = [&](const FunctionSymbol& f) {
+      for (std::size_t i = 0; i < v_.dimension(); ++i)
+        for (std::size_t j = i + 1; j < v_.dimension(); ++j)
+          if (!(partial(written_, f.gradient[i], j) == partial(written_, f.gradient[j], i)))
+            return false;
+      return true;
+    };
+    return std::all_of(written_.functions.begin(), written_.functions.end(), closed);
+  }
+
   // Those whose identity needs no relation.
   [[nodiscard]] std::vector<const SystemClaim*> claimed() const {
     std::vector<const SystemClaim*> all;
@@ -121,11 +140,12 @@ private:
       if (!c.result.proved || !c.claim.on.empty()) continue;
       const bool casimir = c.claim.kind == SystemClaim::Kind::casimir;
       if (casimir && has_bracket()) {
-        const auto x = hamiltonian_field(v_, *v_.poisson, c.claim.value);
+        const auto x = hamiltonian_field(written_, *v_.poisson, c.claim.value);
         if (std::all_of(x.begin(), x.end(), [](const MFraction& f) { return is_zero(f); }))
           all.push_back(&c.claim);
       }
-      if (c.claim.kind == SystemClaim::Kind::integral && is_zero(lie_derivative(v_, c.claim.value)))
+      if (c.claim.kind == SystemClaim::Kind::integral &&
+          is_zero(lie_derivative(written_, c.claim.value)))
         all.push_back(&c.claim);
     }
     return all;
@@ -186,21 +206,11 @@ private:
       x.vectors.push_back(curve.write(a));
   }
 
-  // The generator of the field of the constants, where one of them is linear in it.
   void find_root(CurveWriter& curve) {
-    if (v_.constants.empty()) return;
+    if (v_.constants.empty() || !constants_are_numbers(v_)) return; // parameters of the strata then
     const ConstantField constants = ConstantField::make(v_);
     if (constants.field()->is_rational()) return;
-    for (const std::size_t i : v_.constants) {
-      const MFraction c = MFraction::variable(s_.ring(), i);
-      const NfElem a = constants.convert(c, ode_.z).num().coeff(0);
-      const Rational factor = a.coeff(1);
-      const NfElem rest = a - NfElem(a.coeff(0)) - NfElem(factor) * NfElem::generator(a.field());
-      if (is_zero(factor) || !is_zero(rest)) continue;
-      const MFraction shift(s_.ring(), a.coeff(0));
-      way_.root = curve.write(rows_.value(Rational(1) / factor * (c - shift)));
-      return;
-    }
+    way_.root = curve.write(rows_.value(constants.generator()));
   }
 
   // Where all coefficients of a denominator may be 0.  Those of the level only are chosen elsewhere;
@@ -237,6 +247,7 @@ private:
   const Study& study_;
   const System& s_;
   const VectorField& v_;
+  const VectorField written_; ///< with the gradients that the certificate states
   const ManifoldReport& m_;
   const BlockReport& block_;
   const AlgebraicOde& ode_;
@@ -248,31 +259,42 @@ private:
 
 } // namespace
 
-std::optional<WayToR> way_to_r(const Study& study, const ManifoldReport& report,
-                               const BlockReport& block, std::string& none) {
-  try {
-    auto way = WayWriter(study, report, block)(none);
-    if (!way) return std::nullopt;
-    const auto no = certify::objection(way->way, {block.ode->r.num(), block.ode->r.den()});
-    if (!no) return way;
-    none = "the checker refuses it, " + no->step + ": " + no->why;
-  } catch (const DomainError& why) {
-    none = why.what();
-  } catch (const InvalidArgument& why) {
-    none = why.what();
-  }
-  return std::nullopt;
-}
-
 void find_way(const Study& study, const ManifoldReport& report, BlockReport& block) {
   const Options& decide = study.options.decide;
   if (!block.ode || study.options.stop_at_r || !(decide.want_certificate || decide.ask_the_judge))
     return;
   try {
-    if (auto way = way_to_r(study, report, block, block.no_way))
+    auto way = WayWriter(study, report, block)(block.no_way);
+    if (!way) return;
+    const auto no = certify::objection(way->way, {block.ode->r.num(), block.ode->r.den()});
+    if (!no) {
       block.way = std::make_shared<const WayToR>(*std::move(way));
+      return;
+    }
+    block.no_way = "the checker refuses it, " + no->step + ": " + no->why;
+    block.refused = !no->limit;
+  } catch (const DomainError& why) {
+    block.no_way = why.what();
+  } catch (const InvalidArgument& why) {
+    block.no_way = why.what();
   } catch (const OutOfBudget& limit) {
     block.no_way = limit.what();
+  }
+}
+
+void withdraw_refused(std::vector<BlockReport>& blocks) {
+  for (BlockReport& b : blocks) {
+    if (!b.refused) continue;
+    const bool found = b.decision || b.strata || !b.energies.empty();
+    b.decision.reset();
+    b.strata.reset();
+    b.energies.clear();
+    b.special_studies.clear();
+    b.abelian = Truth::unknown;
+    if (found)
+      b.note =
+          "an answer was found, and our own checker refuses the way from the system to r(z): " +
+          b.no_way;
   }
 }
 

@@ -25,13 +25,12 @@ certificate_of(const WayToR& way, const std::string& equation, std::string& none
 /// What of the way to r(z) along this manifold has no certificate, as steps on trust.
 [[nodiscard]] std::vector<std::string> uncertified_way(const ManifoldReport& m);
 
-/// From what the derivation of `block.ode` holds.  `none`: why there is none.
-/// Errors  OutOfBudget
-[[nodiscard]] std::optional<WayToR> way_to_r(const Study& study, const ManifoldReport& report,
-                                             const BlockReport& block, std::string& none);
-
-/// Where certificates or our own checker are asked for: sets block.way, after the checker has
-/// accepted it, or block.no_way; a limit is a reason, too.
+/// Where certificates or our own checker are asked for, from what the derivation of `block.ode`
+/// holds: sets block.way, after the checker has accepted it, or block.no_way; a limit is a reason,
+/// too.  A refusal for another reason than a size is marked.
 void find_way(const Study& study, const ManifoldReport& report, BlockReport& block);
+
+/// What a block says whose way our own checker refuses: nothing, and why.
+void withdraw_refused(std::vector<BlockReport>& blocks);
 
 } // namespace kov
