@@ -276,6 +276,51 @@ bool functions_use_parameters(const VectorField& v) {
 
 constexpr long lines = 3, most_lines = 12;
 
+bool share(const MPoly& f, const MPoly& g, const std::vector<std::size_t>& variables) {
+  return std::any_of(variables.begin(), variables.end(),
+                     [&](std::size_t i) { return uses(f, i) && uses(g, i); });
+}
+
+// Relations that have no variables in common: the solutions are a product.
+std::vector<std::vector<MPoly>> independent_relations(const VectorField& v) {
+  std::vector<std::vector<MPoly>> groups;
+  const auto main = v.main_variables();
+  for (const MPoly& f : v.relations) {
+    std::vector<MPoly> mine{f};
+    std::erase_if(groups, [&](const std::vector<MPoly>& group) {
+      const bool meets = std::any_of(group.begin(), group.end(),
+                                     [&](const MPoly& g) { return share(f, g, main); });
+      if (meets) mine.insert(mine.end(), group.begin(), group.end());
+      return meets;
+    });
+    groups.push_back(std::move(mine));
+  }
+  return groups;
+}
+
+VectorField with_relations_alone(const VectorField& v, const std::vector<MPoly>& group) {
+  VectorField part = v;
+  part.relations = group;
+  part.components.clear();
+  part.hamiltonian.reset();
+  part.poisson.reset();
+  std::erase_if(part.functions, [&](const FunctionSymbol& s) {
+    return std::none_of(group.begin(), group.end(),
+                        [&](const MPoly& f) { return uses(f, s.variable); });
+  });
+  return part;
+}
+
+// Where all of one list or all of the other vanish.
+std::vector<MPoly> either(const std::vector<MPoly>& a, const std::vector<MPoly>& b) {
+  if (a.empty() || b.empty()) return a.empty() ? b : a;
+  std::vector<MPoly> products;
+  for (const MPoly& f : a)
+    for (const MPoly& g : b)
+      products.push_back(squarefree_part(f * g));
+  return products;
+}
+
 } // namespace
 
 std::optional<std::string> reducible_relations(const VectorField& v, const Budget& budget) {
@@ -292,6 +337,13 @@ std::optional<std::string> reducible_relations(const VectorField& v, const Budge
 
 std::vector<MPoly> where_relations_fall_apart(const VectorField& v, const Budget& budget) {
   if (!functions_use_parameters(v)) return {};
+  if (const auto groups = independent_relations(v); groups.size() > 1) {
+    std::vector<MPoly> somewhere; // a product is irreducible where its factors are
+    for (const auto& group : groups)
+      somewhere =
+          either(somewhere, where_relations_fall_apart(with_relations_alone(v, group), budget));
+    return somewhere;
+  }
   const Ideal whole = relation_ideal(v, {}, {}, budget);
   const Branches branches(whole, v.relations);
   if (branches.independent().empty()) return {}; // one point with its conjugates

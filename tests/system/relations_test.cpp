@@ -132,5 +132,38 @@ TEST(Relations, SpecialValues) {
   EXPECT_NE(special({"two"}), "");
 }
 
+// r^2 = x^2 + y^2 + a and q^2 = u^2 + v^2 + b, or + a b: a product is special where a factor is.
+TEST(Relations, SpecialValuesOfProducts) {
+  const Ring ring = make_ring({"x", "y", "u", "v", "r", "q", "a", "b"});
+  const auto x = [&](const char* name) { return MFraction::variable(ring, name); };
+  const MFraction half = MFraction(ring, Rational(Integer(1), Integer(2)));
+  const auto special_of = [&](const MFraction& f, const MFraction& g) {
+    VectorField v;
+    v.ring = ring;
+    v.coordinates = {0, 1, 2, 3};
+    v.parameters = {6, 7};
+    v.components.assign(4, MFraction(ring, Rational(1)));
+    for (const auto& [square, root] : {std::pair(f, 4), std::pair(g, 5)}) {
+      const MFraction r = MFraction::variable(ring, static_cast<std::size_t>(root));
+      FunctionSymbol symbol{static_cast<std::size_t>(root), ring->name(root), {}};
+      for (std::size_t i = 0; i < 4; ++i)
+        symbol.gradient.push_back(half / r * derivative(square, i));
+      v.functions.push_back(std::move(symbol));
+      v.relations.push_back((r * r - square).num());
+    }
+    return where_relations_fall_apart(v);
+  };
+  const MFraction sphere = x("x") * x("x") + x("y") * x("y") + x("a");
+  const MFraction other = x("u") * x("u") + x("v") * x("v") + x("b");
+  EXPECT_TRUE(special_of(sphere, other).empty());
+  const auto all = special_of(sphere, x("u") * x("u") + x("b") * x("v") * x("v"));
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(to_string(all.front()), "b");
+  const auto both = special_of(x("x") * x("x") + x("a") * x("y") * x("y"),
+                               x("u") * x("u") + x("b") * x("v") * x("v"));
+  ASSERT_EQ(both.size(), 1U);
+  EXPECT_EQ(to_string(both.front()), "a*b");
+}
+
 } // namespace
 } // namespace kov
