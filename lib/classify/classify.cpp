@@ -6,6 +6,7 @@
 #include "classify/darboux_points.hpp"
 #include "classify/exclusion.hpp"
 #include "classify/faces.hpp"
+#include "classify/growth.hpp"
 #include "classify/parameter_split.hpp"
 #include "classify/pieces.hpp"
 #include "classify/scale.hpp"
@@ -33,6 +34,7 @@ using Clock = Budget::Clock;
 constexpr std::size_t least_dimension = 5;   // where a normal part may have order four
 constexpr std::size_t most_compared = 8;     // integrable strata with one exclusion
 constexpr long low_degree = 2;               // of the integrals that are looked for first
+constexpr long most_coefficients = 8;        // the degree of their coefficients
 constexpr double part_with_parameters = 0.5; // of the time that is left: special values need some
 constexpr double part_for_almost_all = 0.2;
 constexpr double part_without_constants = 0.25; // of the time, before algebraic constants are used
@@ -261,6 +263,9 @@ private:
       look_for_a_contradiction(round, decided);
     else if (begins(round, "integrals"))
       try_integrals(round, decided, options_.degree);
+    if (const auto more = larger_coefficients(round.system, options_.degree, most_coefficients);
+        more && !round.pieces.empty() && is_small(round) && begins(round, "larger integrals"))
+      try_integrals(round, decided, options_.degree, more);
     meet_conditions(round);
     try_what_is_left(round, round.at_energy_zero);
     meet_conditions(round);
@@ -608,13 +613,15 @@ private:
   // ---- first integrals
 
   // Darboux: logarithms come after the solutions, as they do not contradict what these exclude.
-  IntegralSearch search_integrals(const System& s, long degree, double part, bool with_darboux) {
+  IntegralSearch search_integrals(const System& s, long degree, double part, bool with_darboux,
+                                  std::optional<long> coefficients = {}) {
     const auto start = Clock::now();
     IntegralOptions options;
     options.degree = degree;
     options.until_integrable = true;
     options.budget = share(part);
     options.darboux = with_darboux;
+    options.coefficients = coefficients;
     IntegralSearch search = find_integrals(s, options);
     result_.stages.emplace_back("first integrals of degree <= " + std::to_string(degree),
                                 seconds_since(start));
@@ -637,9 +644,11 @@ private:
       take_elsewhere(round, *search.elsewhere, search.not_covered);
   }
 
-  void try_integrals(Round& round, std::size_t decided, long degree) {
-    if (round.pieces.empty() || (round.integrals_known && degree == options_.degree)) return;
-    IntegralSearch search = search_integrals(round.system, degree, 0.5, true);
+  void try_integrals(Round& round, std::size_t decided, long degree,
+                     std::optional<long> coefficients = {}) {
+    const bool is_known = round.integrals_known && degree == options_.degree && !coefficients;
+    if (round.pieces.empty() || is_known) return;
+    IntegralSearch search = search_integrals(round.system, degree, 0.5, true, coefficients);
     common_equations_first(round.system, search.sets);
     round.integrals_known = search.finished();
     std::vector<Piece> met;

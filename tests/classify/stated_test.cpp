@@ -49,7 +49,7 @@ SystemClassification before_any_search(const System& s) {
 TEST(Stated, ComesBeforeAnySearch) {
   const System top = read_system(test::in_source("/cases/sliding_top/lemma2_symmetric.toml"));
   EXPECT_EQ(before_any_search(top).status(), ClassificationStatus::non_integrable);
-  for (const std::string h : {even_quartic, even_quartic + " + a^2*x*y*(x^2 + y^2)"})
+  for (const std::string& h : {even_quartic, even_quartic + " + a^2*x*y*(x^2 + y^2)"})
     for (const std::string assume : {"", "[assume]\nh = 'positive'\n", "[assume]\nh = 'nonzero'\n",
                                      "[assume]\nconditions = ['h < 3', 'h != a']\n"}) {
       const System s = planar(h, assume + diagonal);

@@ -1,0 +1,71 @@
+// Questions of users that are decided, each with its siblings; and those that are not yet.
+
+#include "classify/classify.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+ClassificationStatus status(const std::string& text, double seconds = 60) {
+  ClassifyOptions options;
+  options.check.decide.budget = Budget::of_seconds(seconds);
+  return classify_system(read_system(parse_document(text, "user.toml")), options).status();
+}
+std::string planar(const std::string& h, const std::string& parameters = "") {
+  return "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = ['u', 'v']\n"
+         "parameters = [" +
+         parameters + "]\nhamiltonian = '" + h + "'\n";
+}
+std::string line(const std::string& force, const std::string& parameters = "") {
+  return "[system]\nkind = 'vector-field'\ncoordinates = ['x', 'v']\nparameters = [" + parameters +
+         "]\n[system.field]\nx = 'v'\nv = '" + force + "'\n";
+}
+
+// A charge in a uniform field and a potential of one coordinate, in any gauge.
+TEST(Users, GaugesOfAUniformField) {
+  for (const std::string h :
+       {"((u - y)^2 + v^2)/2 - cos(x)", "(u^2 + (v + x)^2)/2 - cos(x)",
+        "((u - y/2)^2 + (v + x/2)^2)/2 - cos(x)", "((u - y - x^2)^2 + v^2)/2 + x^4"})
+    EXPECT_EQ(status(planar(h)), ClassificationStatus::integrable) << h;
+}
+
+TEST(Users, ForcesThatAreRational) {
+  for (const std::string force : {"1/x", "-1/(x - 1)", "a/x", "a*x + b/x", "-1/x^2"})
+    EXPECT_EQ(status(line(force, "'a', 'b'")), ClassificationStatus::integrable) << force;
+}
+
+// Each root with a parameter of its own.
+TEST(Users, RelativisticCentralForces) {
+  EXPECT_EQ(status(planar("-k/sqrt(e + x^2 + y^2) + sqrt(u^2 + v^2 + m^2)", "'k', 'e', 'm'")),
+            ClassificationStatus::integrable);
+  EXPECT_EQ(status(planar("sqrt(u^2 + v^2 + m^2) + k*(x^2 + y^2)", "'k', 'm'")),
+            ClassificationStatus::integrable);
+}
+
+TEST(Users, InverseSquaresBesideAQuartic) {
+  EXPECT_EQ(status(planar("(u^2 + v^2)/2 + x^4 + 6*x^2*y^2 + y^4 + a/x^2 + b/y^2", "'a', 'b'")),
+            ClassificationStatus::integrable);
+}
+
+// Known failures: this test turns red when one of them passes.  Then it moves to the tests above.
+TEST(Users, KnownFailures) {
+  const std::vector<std::string> failures{
+      // linear systems with five parameters: the parameters are cut along too many sets
+      planar("(u^2 + v^2)/2 + (x - m)^2/(2*s^2) + (y - n)^2/(2*t^2) - a*x*y",
+             "'m', 's', 'n', 't', 'a'"),
+      // two discrete conditions that meet in one point are not intersected
+      planar("(u^2 + v^2)/2 + V*sin(a*x)*sin(b*y)", "'V', 'a', 'b'"),
+      // v^2/2 - log(x) - 1/x: beside logarithms only polynomials are looked for
+      line("1/x - 1/x^2"),
+      // an uncoupled system without a rest: only rational integrals would be excluded
+      "[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y', 'z']\nmomenta = ['u', 'v', 'w']\n"
+      "hamiltonian = '(u^2 + v^2 + w^2)/2 + x^4 + 3*x^2*y^2 + y^4 + 1/z'\n"};
+  for (const std::string& text : failures)
+    EXPECT_EQ(status(text, 1), ClassificationStatus::open)
+        << "known to fail, and passes now: move it\n"
+        << text;
+}
+
+} // namespace
+} // namespace kov
