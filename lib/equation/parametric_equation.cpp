@@ -25,11 +25,51 @@ void assume_defined(strata::Question& q, const MFraction& f) {
     assume_somewhere_nonzero(q, f.den(), "a coefficient of the equation has no value");
 }
 
+// The constants are variables of the ring, so that sqrt(2)^2 - 2 is 0 by their equations only.
+class NoZeroDivisors {
+public:
+  NoZeroDivisors(const AlgebraicConstants& constants, const Scope& scope)
+      : constants_(constants), scope_(scope) {}
+
+  void operator()(const Expression& e) const {
+    for (const Expression& x : e.operands())
+      (*this)(x);
+    if (e.kind() == Expression::Kind::quotient) refuse_zero(e.operand(1));
+    if (e.kind() == Expression::Kind::power && is_negative(e.operand(1))) refuse_zero(e.operand(0));
+  }
+
+private:
+  // Nothing where it has no value, e.g. with the unknown function in it.
+  [[nodiscard]] std::optional<MFraction> value_of(const Expression& e) const {
+    try {
+      return evaluate(e, scope_);
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  }
+  [[nodiscard]] bool is_negative(const Expression& exponent) const {
+    const auto k = value_of(exponent);
+    return k && is_constant(*k) && sign(to_rational(*k)) < 0;
+  }
+  void refuse_zero(const Expression& e) const {
+    const auto below = value_of(e);
+    if (below && is_zero(constants_.reduced(*below, scope_)))
+      throw e.error("division by zero: this is 0");
+  }
+
+  const AlgebraicConstants& constants_;
+  const Scope& scope_;
+};
+
 } // namespace
 
 ParametricEquation read_parametric_equation(const EquationText& text) {
   const auto constants = AlgebraicConstants::in(text);
-  if (!constants) throw FreeParameters(text.parameters);
+  if (!constants)
+    throw FreeParameters(text.parameters,
+                         "beside them the constants can be I, square roots of integers, or one "
+                         "--minpoly, and this equation has others: give the parameters values with "
+                         "--set NAME=VALUE, or the other constants a name");
   check_assumptions(text);
   ParametricEquation f;
   const EquationNames given = equation_names(text);
@@ -48,6 +88,11 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
   for (const auto& [name, value] : text.set)
     values[name] = evaluate(value, ParameterScope(ring, values));
   const ParameterScope scope(ring, values, constants->functions(ring));
+  const NoZeroDivisors refuse_zero_divisors(*constants, scope);
+  for (const auto& [name, value] : text.set)
+    refuse_zero_divisors(value);
+  for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
+    if (*e) refuse_zero_divisors(**e);
   strata::Question& q = f.question;
   q.z = ring->index(f.variable);
   const auto reduced = [&](const MFraction& p, const MFraction& q0) { // y'' + p y' + q0 y = 0
@@ -63,6 +108,8 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
                                 given.unknown + " = 0 can be solved");
     for (const MFraction& c : {form->c0, form->c1, form->c2})
       assume_defined(q, c);
+    if (is_zero(constants->reduced(form->c2, scope)))
+      throw text.ode->error("the coefficient of " + given.unknown + "'' is 0");
     assume_somewhere_nonzero(q, form->c2.num(), "the coefficient of " + given.unknown + "'' is 0");
     q.r = reduced(form->c1 / form->c2, form->c0 / form->c2);
   } else {

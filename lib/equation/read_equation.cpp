@@ -193,8 +193,9 @@ private:
 
 } // namespace
 
-FreeParameters::FreeParameters(std::vector<std::string> names)
-    : Error("free parameters: " + enumerate(names)), names_(std::move(names)) {}
+FreeParameters::FreeParameters(std::vector<std::string> names, const std::string& why)
+    : Error("free parameters: " + enumerate(names) + (why.empty() ? "" : "; " + why)),
+      names_(std::move(names)) {}
 
 void check_names(const EquationText& text) {
   for (const std::string& name : text.parameters)

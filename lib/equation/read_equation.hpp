@@ -45,7 +45,8 @@ struct GivenEquation {
 /// Declared parameters without a value appear: not an error, but not decided either.
 class FreeParameters : public Error {
 public:
-  explicit FreeParameters(std::vector<std::string> names);
+  /// why: there is no answer for all values at once, as a sentence; empty: nobody has looked
+  explicit FreeParameters(std::vector<std::string> names, const std::string& why = {});
   [[nodiscard]] const std::vector<std::string>& names() const noexcept { return names_; }
 
 private:

@@ -40,7 +40,9 @@ struct Paper {
 
   // P exp(int theta)
   [[nodiscard]] std::string exponential(const Poly& p, const RationalFunction& theta) const {
-    const RationalFunction sum = theta + coerce(gauge, theta.field());
+    // of r = 0 theta is over Q, wherever the gauge is
+    const Field field = common_field(theta.field(), gauge.field());
+    const RationalFunction sum = coerce(theta, field) + coerce(gauge, field);
     return exponential_text(p, logarithmic_parts(sum, budget), z);
   }
   // f^(1/n)

@@ -4,6 +4,7 @@
 #include "decide/decide.hpp"
 #include "equation/parameter_scope.hpp"
 #include "equation/parametric_equation.hpp"
+#include "symbol/notations.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -109,6 +110,37 @@ TEST(AlgebraicConstants, WhatIsNotRead) {
   EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("sqrt(b)*z"))), FreeParameters);
   EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("sqrt(2)*b*z*c", "c^2 - 2"))),
                FreeParameters);
+}
+
+// What is 0 by the equations of the constants is 0, beside parameters, too.
+TEST(AlgebraicConstants, DivisionByAZeroIsAnErrorOfTheInput) {
+  for (const auto& [r, minpoly] : std::vector<std::pair<std::string, std::string>>{
+           {"b/(a^2-2)", "a^2-2"},
+           {"b + (a^2-2)^(-1)", "a^2-2"},
+           {"b*z/(z*(a^3-2*a))", "a^2-2"},
+           {"b*(1 + 1/(z*(a^2+a+1) + a^2+a+1))", "a^2+a+1"},
+           {"b/(I^2+1)", ""},
+           {"b*(I*I+1)^(-2)", ""},
+           {"b/(sqrt(2)^2-2)", ""},
+           {"b/(sqrt(6)-sqrt(2)*sqrt(3))", ""},
+           {"b/(1+I*sqrt(-1))", ""}})
+    EXPECT_THROW((void)read_parametric_equation(text_of(r, minpoly)), InputError) << r;
+  for (const auto& [r, minpoly] : std::vector<std::pair<std::string, std::string>>{
+           {"b/(a^2-3)", "a^2-2"}, {"b/(a^2+2)", "a^2-2"}, {"b/(I-1)", ""}, {"0^2*b+1/(b-I)", ""}})
+    EXPECT_NO_THROW((void)read_parametric_equation(text_of(r, minpoly))) << r;
+}
+
+TEST(AlgebraicConstants, ALeadingCoefficientThatIsZeroIsAnErrorOfTheInput) {
+  for (const auto& [ode, minpoly] :
+       std::vector<std::pair<std::string, std::string>>{{"(a^2-2)*y'' + b*y = 0", "a^2-2"},
+                                                        {"(I^2+1)*y'' + b*y = 0", ""},
+                                                        {"y'' + b/(a^2-2)*y = 0", "a^2-2"},
+                                                        {"y'' + y/(b*(I^2+1)) = 0", ""}}) {
+    EquationText text = text_of("b", minpoly);
+    text.r.reset();
+    text.ode = parse_ode(ode, "ode");
+    EXPECT_THROW((void)read_parametric_equation(text), InputError) << ode;
+  }
 }
 
 } // namespace
