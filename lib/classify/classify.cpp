@@ -13,7 +13,7 @@
 #include "classify/solutions.hpp"
 #include "classify/stated.hpp"
 #include "classify/variables.hpp"
-#include "exact/error.hpp"
+#include "decide/afterwards.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
@@ -30,6 +30,11 @@ namespace kov {
 namespace {
 
 using Clock = Budget::Clock;
+
+bool decides_something(const SystemClassification& c) {
+  return c.almost_all || std::any_of(c.strata.begin(), c.strata.end(),
+                                     [](const auto& s) { return s.status != StratumStatus::open; });
+}
 
 constexpr std::size_t least_dimension = 5;   // where a normal part may have order four
 constexpr std::size_t most_compared = 8;     // integrable strata with one exclusion
@@ -106,9 +111,12 @@ public:
       }
       finish();
     } catch (const OutOfBudget& limit) {
-      result_ = std::move(so_far_);
-      result_.at_work.clear();
-      result_.notes.push_back(std::string(limit.what()) + ": the rest counts as open");
+      keep_what_was_proved(limit.what());
+    } catch (const Contradiction&) {
+      throw;
+    } catch (const Error& error) {
+      if (!decides_something(so_far_)) throw;
+      keep_what_was_proved(failure_of("the stage '" + so_far_.at_work + "'", error.what()));
     }
     return std::move(result_);
   }
@@ -123,22 +131,38 @@ public:
     SystemClassification all = run();
     options_.check.decide.budget = whole;
     if (!may_have_large_blocks || !is_open_in_general(all) || time_is_over()) return all;
+    std::string missing;
+    try {
+      missing = failure_of("the matrices at a point", [&] { add_almost_all(all, whole); });
+    } catch (const OutOfBudget& limit) {
+      missing = limit.what();
+    }
+    if (!missing.empty()) all.notes.push_back("almost all parameters: " + missing);
+    return all;
+  }
+
+private:
+  void add_almost_all(SystemClassification& all, const Budget& whole) const {
     const auto solutions = particular_solutions(system_, levels_, options_.search_solutions,
                                                 part_of_the_time(whole, 0.1));
-    CheckOptions check = options_.check;
-    all.almost_all =
-        almost_all(system_, solutions.manifolds, claims_, level_parameters(system_), check);
-    if (!all.almost_all) return all;
+    auto found = almost_all(system_, solutions.manifolds, claims_, level_parameters(system_),
+                            options_.check);
+    if (!found) return;
+    all.almost_all = std::move(found);
     const ExclusionReason& by = all.almost_all->by;
     for (const auto& [to, from] :
          {std::pair(&all.theorems, &by.theorems), std::pair(&all.trusted, &by.trusted)})
       for (const std::string& text : *from)
         add_once(*to, text);
     add_once(all.assumptions, by.unchecked);
-    return all;
   }
 
-private:
+  void keep_what_was_proved(const std::string& why) {
+    result_ = std::move(so_far_);
+    result_.at_work.clear();
+    result_.notes.push_back(why + ": the rest counts as open");
+  }
+
   // Those of the file are decided.
   [[nodiscard]] std::vector<ClaimReport> claims_of_all(const System& known) const {
     std::vector<ClaimReport> all = stated_.claims;
@@ -848,9 +872,14 @@ private:
       const auto both = split_set(x.where, where.zero, where.not_all_zero, may_vanish(s)).inside;
       for (const ParameterSet& common : both) {
         const auto piece = on_part({x.where, x.special, {}}, common);
-        KOV_ENSURE(!piece || !piece->special.empty()); // integrable, and proved not to be
+        refuse_both(piece);
       }
     }
+  }
+
+  static void refuse_both(const std::optional<Piece>& integrable_and_not) {
+    if (integrable_and_not && integrable_and_not->special.empty())
+      throw Contradiction("some parameters are proved to be integrable and not to be");
   }
 
   // The same where the integrals came first.
@@ -869,7 +898,7 @@ private:
              split_set(x.where, e.zero, e.not_all_zero, may_vanish(s)).inside) {
           auto piece = on_part({x.where, x.special, {}}, common);
           if (piece && e.unless) piece = with_condition(*std::move(piece), negation(*e.unless));
-          KOV_ENSURE(!piece || !piece->special.empty()); // integrable, and proved not to be
+          refuse_both(piece);
         }
       } catch (const OutOfBudget&) { // not compared
       }
@@ -1089,7 +1118,14 @@ SystemClassification classify_in_these_variables(const System& s, const Classify
   plain.check.decide.budget = part_of_the_time(options.check.decide.budget, part_without_constants);
   auto without = Composition(s, plain, stated).run();
   if (without.status() != ClassificationStatus::open) return without;
-  auto result = composition.completed();
+  SystemClassification result;
+  const auto complete = [&] { result = composition.completed(); };
+  if (!decides_something(without)) {
+    complete();
+  } else if (auto failed = failure_of("the study with new constants", complete); !failed.empty()) {
+    without.notes.push_back(std::move(failed));
+    return without;
+  }
   std::erase_if(result.constants,
                 [&](const std::string& c) { return !speaks_of(result, c.substr(0, c.find(' '))); });
   return result;

@@ -1,11 +1,12 @@
 #include "classify/variables.hpp"
 
 #include "classify/pieces.hpp"
-#include "exact/error.hpp"
+#include "decide/afterwards.hpp"
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <limits>
 #include <tuple>
 
@@ -44,12 +45,39 @@ public:
       : s_(s), options_(options), stated_(stated), change_(change) {}
 
   SystemClassification run() {
-    if (!answered(here(part_before)) && !answered(there(part_in_others)))
-      static_cast<void>(answered(here(1)));
+    static_cast<void>(attempt([&] { return here(part_before); }) ||
+                      attempt([&] { return there(part_in_others); }) ||
+                      attempt([&] { return here(1); }));
+    if (!best_) std::rethrow_exception(first_);
+    if (error_ && !decides_something(*best_)) std::rethrow_exception(error_);
+    if (!limit_.empty() && has_open(*best_)) best_->notes.push_back(limit_);
     return *std::move(best_);
   }
 
 private:
+  static bool decides_something(const SystemClassification& c) {
+    return c.almost_all || std::any_of(c.strata.begin(), c.strata.end(), [](const auto& s) {
+             return s.status != StratumStatus::open;
+           });
+  }
+
+  // A limit or an error in one study leaves the others.
+  bool attempt(const std::function<SystemClassification()>& study) {
+    try {
+      return answered(study());
+    } catch (const Contradiction&) {
+      throw;
+    } catch (const OutOfBudget& limit) {
+      limit_ = limit.what();
+      if (!first_) first_ = std::current_exception();
+    } catch (const Error& error) {
+      limit_ = failure_of("the study in one choice of variables", error.what());
+      error_ = std::current_exception();
+      if (!first_) first_ = error_;
+    }
+    return false;
+  }
+
   [[nodiscard]] ClassifyOptions options(double part) const {
     ClassifyOptions all = options_;
     all.check.decide.budget = part_of_the_time(options_.check.decide.budget, part);
@@ -89,6 +117,9 @@ private:
   const StatedSolutions& stated_;
   const CanonicalChange& change_;
   std::optional<SystemClassification> best_;
+  std::string limit_;        ///< or error of the program, the last one
+  std::exception_ptr first_; ///< of both; the answer, where there is no other
+  std::exception_ptr error_; ///< of the program; the answer, where nothing is proved
 };
 
 FoundIntegral in_old(const FoundIntegral& f, const System& old, const CanonicalChange& change) {

@@ -3,7 +3,7 @@
 // of the group, or of as much as is known.
 
 #include "certify/equation/certificate.hpp"
-#include "exact/error.hpp"
+#include "decide/afterwards.hpp"
 #include "galois/classify.hpp"
 
 #include <string>
@@ -11,8 +11,8 @@
 namespace kov {
 
 /// The judge has looked at a step and refuses it: what was found is in doubt.
-class RefusedByChecker : public InternalError {
-  using InternalError::InternalError;
+class RefusedByChecker : public Contradiction {
+  using Contradiction::Contradiction;
 };
 
 /// Steps and witnesses for everything that `c` states about y'' = r y.

@@ -1,5 +1,6 @@
 #include "decide/decide.hpp"
 
+#include "decide/afterwards.hpp"
 #include "decide/certificate.hpp"
 #include "decide/whittaker_pull_back.hpp"
 #include "decide/words.hpp"
@@ -43,17 +44,21 @@ void fill(Decision& d, const std::shared_ptr<const Classification>& c) {
   if (c->group) d.kovacic_case = kovacic_case(*c->group);
 }
 
-// All or none: a limit here is no news about the group.
+// All or none: a limit or an error here is no news about the group.
 void add_solutions(Decision& d, const Classification& c, const Options& options) {
   if (!options.want_solutions) {
     d.no_solutions = SolutionsMissing{};
     return;
   }
+  std::string missing;
   try {
-    d.solutions = solutions(c, d.r, options.budget);
+    missing = failure_of("the solutions", [&] { d.solutions = solutions(c, d.r, options.budget); });
   } catch (const OutOfBudget& limit) {
-    d.no_solutions = SolutionsMissing{SolutionsMissing::Why::limit, limit.what()};
+    missing = limit.what();
   }
+  if (missing.empty()) return;
+  d.solutions.clear();
+  d.no_solutions = SolutionsMissing{SolutionsMissing::Why::limit, missing};
 }
 
 // The classical algorithm, for its steps, as a second opinion, or as the only one.
@@ -124,7 +129,9 @@ void closed_formula(Decision& d, const Options& options) {
   }
   if (!known || !known->answer || known->answer->abelian == Truth::unknown) return;
   const ClosedAnswer& answer = *known->answer;
-  KOV_ENSURE(d.abelian == Truth::unknown || d.abelian == answer.abelian);
+  if (d.abelian != Truth::unknown && d.abelian != answer.abelian)
+    throw Contradiction(std::string("the engines and the formula for ") + to_string(known->family) +
+                        "'s equation contradict each other");
   d.abelian = answer.abelian;
   d.because = ByFormula{*known, d.undecided};
   if (!answer.group) return;
@@ -136,13 +143,19 @@ void closed_formula(Decision& d, const Options& options) {
       d, options, std::string("from the formula for ") + to_string(known->family) + "'s equation");
 }
 
-void certify_it(Decision& d, const Classification& c, const Options& options) {
+// Returns what failed, as failure_of does.
+std::string certify_it(Decision& d, const Classification& c, const Options& options) {
   if (!d.group && d.abelian == Truth::unknown) {
     d.no_certificate = d.undecided ? d.undecided->detail : "nothing is proved";
-    return;
+    return {};
   }
+  std::string failed;
   try {
-    take(d, judged(certificate(c, d.r, options.budget)));
+    Judged opinion;
+    failed = failure_of("the certificate",
+                        [&] { opinion = judged(certificate(c, d.r, options.budget)); });
+    if (failed.empty()) take(d, std::move(opinion));
+    d.no_certificate += failed;
   } catch (const RefusedByChecker& why) {
     take(d, Judged{"", why.what(), false});
   } catch (const OutOfBudget& limit) {
@@ -150,19 +163,20 @@ void certify_it(Decision& d, const Classification& c, const Options& options) {
   }
   if (d.certificate.empty() && !d.undecided)
     d.undecided = Unable{Unable::Why::budget, "no certificate: " + d.no_certificate};
+  return failed;
 }
 
 // A third opinion: the certificate is written and judged, and not kept.
 void ask_the_judge(Decision& d, const Classification& c, const Options& options) {
   if (!d.proof()) return; // by a formula: there is nothing to judge
   Decision judged = d;
-  certify_it(judged, c, options);
+  const std::string failed = certify_it(judged, c, options);
   if (judged.withdrawn) {
     d = std::move(judged);
     return;
   }
   d.checked = judged.checked;
-  if (options.method == Method::all)
+  if (options.method == Method::all || !failed.empty())
     d.third_opinion = ThirdOpinion{!judged.certificate.empty(), judged.no_certificate};
 }
 
@@ -221,6 +235,17 @@ void announce(const Decision& d, const Options& options) {
   options.proved(so_far);
 }
 
+// More about the group.  Where nothing is proved yet an error is the answer; else it is told beside it.
+void behind(Decision& d, const std::function<void()>& search) {
+  if (!d.group && d.abelian == Truth::unknown) return search();
+  const std::string failed = failure_of("the search for the group", search);
+  if (failed.empty() || d.group) return;
+  if (d.undecided)
+    d.undecided->detail += "; " + failed;
+  else
+    d.undecided = Unable{Unable::Why::budget, failed};
+}
+
 // The engines; where they would need a polynomial of an uncomfortable degree, formulas first.
 Proof prove(Decision& d, const NormalForm& equation, const Options& options) {
   Options quick = options;
@@ -228,27 +253,43 @@ Proof prove(Decision& d, const NormalForm& equation, const Options& options) {
   if (formulas) quick.budget.max_degree = std::min(quick.budget.max_degree, comfortable_degree);
   Proof c = engines(d, equation, quick);
   if (d.group || quick.budget.max_degree == options.budget.max_degree) return c;
-  if (!is_zero(d.r)) closed_formula(d, options);
-  return d.group ? c : engines(d, equation, options);
+  behind(d, [&] {
+    if (!is_zero(d.r)) closed_formula(d, options);
+  });
+  if (d.group) return c;
+  behind(d, [&] {
+    Decision whole;
+    c = engines(whole, equation, options);
+    d = std::move(whole);
+  });
+  return c;
 }
 
 // The judge's opinion and what is known without the engines.
 void support(Decision& d, const Classification& c, const NormalForm& equation,
              const Options& options) {
   if (options.want_certificate)
-    certify_it(d, c, options);
+    (void)certify_it(d, c, options);
   else if (options.ask_the_judge || options.method == Method::all)
     ask_the_judge(d, c, options);
   if (d.withdrawn) return;
-  if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
-    second_chance(d, equation, options);
-  if (!d.group && options.method != Method::engines && !is_zero(d.r)) closed_formula(d, options);
+  behind(d, [&] {
+    if (!d.group && d.abelian != Truth::yes && options.method != Method::engines)
+      second_chance(d, equation, options);
+    if (!d.group && options.method != Method::engines && !is_zero(d.r)) closed_formula(d, options);
+  });
 }
 
 // Only to look at the steps: a limit of the classical algorithm is no news then.
 void compare_methods(Decision& d, const NormalForm& equation, const Options& options) {
   if ((!asked_to_compare(options) && !options.want_trace) || d.withdrawn) return;
-  const SecondOpinion other = classical(d, equation, options);
+  SecondOpinion other;
+  const std::string failed =
+      failure_of("Kovacic's algorithm", [&] { other = classical(d, equation, options); });
+  if (!failed.empty()) {
+    other = {{}, failed};
+    d.trace.push_back({"Kovacic's algorithm", failed});
+  }
   if (asked_to_compare(options) ||
       (other.kovacic_case && d.kovacic_case && *other.kovacic_case != *d.kovacic_case))
     compare(d, other);

@@ -1,6 +1,6 @@
 #include "integrability/check.hpp"
 
-#include "exact/error.hpp"
+#include "decide/afterwards.hpp"
 #include "integrability/along_the_curve.hpp"
 #include "integrability/block.hpp"
 #include "integrability/components.hpp"
@@ -16,20 +16,53 @@
 #include "integrability/way.hpp"
 
 #include <algorithm>
+#include <exception>
 
 namespace kov {
 namespace {
 
-// A limit leaves this block as it is, and the others are studied.
-template <class Stage> void within_limits(BlockReport& block, Stage stage) {
+/// The first error of the program; the answer, where there is no verdict without the part that failed.
+class Failure {
+public:
+  void remember() {
+    if (!error_) error_ = std::current_exception();
+  }
+  void rethrow_if_there_is_one() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+private:
+  std::exception_ptr error_;
+};
+
+void add_note(BlockReport& block, const std::string& what) {
+  block.note += (block.note.empty() ? "" : "; ") + what;
+}
+
+// A limit or an error of the program leaves this block as it is, and the others are studied.
+template <class Stage> void within_limits(BlockReport& block, Failure& failure, Stage stage) {
   try {
     stage();
   } catch (const OutOfBudget& limit) {
-    block.note += (block.note.empty() ? "" : "; ") + std::string(limit.what());
+    add_note(block, limit.what());
+  } catch (const Contradiction&) {
+    throw;
+  } catch (const InternalError& error) {
+    failure.remember();
+    add_note(block, failure_of("the study of this block", error.what()));
   }
 }
 
-void decide_blocks(const Study& study, ManifoldReport& report) {
+// Only a certificate needs it.
+void find_way_if_possible(const Study& study, const ManifoldReport& report, BlockReport& block) {
+  const std::string failed =
+      failure_of("the way to the equation", [&] { find_way(study, report, block); });
+  if (failed.empty()) return;
+  block.way.reset();
+  block.no_way = failed;
+}
+
+void decide_blocks(const Study& study, ManifoldReport& report, Failure& failure) {
   const System& s = study.system;
   const auto parts = blocks_to_study(report.reduced.system, *report.manifold);
   auto whole = coupling(s, report, parts);
@@ -39,8 +72,9 @@ void decide_blocks(const Study& study, ManifoldReport& report) {
   divisors.insert(divisors.end(), whole.divisors.begin(), whole.divisors.end());
   for (const auto& members : parts) {
     BlockReport& block = report.blocks.emplace_back();
-    within_limits(block, [&] { study_on_the_leaf(study, report, divisors, members, block); });
-    find_way(study, report, block);
+    within_limits(block, failure,
+                  [&] { study_on_the_leaf(study, report, divisors, members, block); });
+    find_way_if_possible(study, report, block);
   }
   if (std::none_of(report.blocks.begin(), report.blocks.end(),
                    [](const BlockReport& b) { return b.ode.has_value(); }))
@@ -52,12 +86,12 @@ void decide_blocks(const Study& study, ManifoldReport& report) {
 }
 
 // What the normal part does not see: blocks of order one that are coupled to the curve.
-void decide_along_the_curve(const Study& study, ManifoldReport& report) {
+void decide_along_the_curve(const Study& study, ManifoldReport& report, Failure& failure) {
   const auto extended = extended_system(study.system, report);
   if (!extended) return;
   for (const auto& members : pairs_with_the_curve(*extended, *report.manifold)) {
     BlockReport block;
-    within_limits(block, [&] {
+    within_limits(block, failure, [&] {
       study_block(study.system, *report.manifold, extended->system, extended->divisors, members,
                   study.options, block);
     });
@@ -66,18 +100,38 @@ void decide_along_the_curve(const Study& study, ManifoldReport& report) {
 }
 
 // Where the generic answer is not the whole one: single levels, and strata without the reduction.
-void decide_exceptions(const Study& study, std::vector<BlockReport>& all) {
+void decide_exceptions(const Study& study, std::vector<BlockReport>& all, Failure& failure) {
   const ReduceSpec* reduce = reduction_for(study.system, study.manifold.name);
   if (reduce && reduce->energy == "auto")
     for (auto& block : all)
-      if (block.ode) within_limits(block, [&] { study_levels(study, *reduce, all, block); });
+      if (block.ode)
+        within_limits(block, failure, [&] { study_levels(study, *reduce, all, block); });
   for (auto& block : all) {
     if (!block.strata) continue;
-    decide_special_strata(study, all, block.unknowns, *block.strata, block.special_studies);
-    block.abelian = some_level_is_not_abelian(study.system, *block.strata)
-                        ? Truth::no
-                        : block.strata->abelian();
+    within_limits(block, failure, [&] {
+      decide_special_strata(study, all, block.unknowns, *block.strata, block.special_studies);
+      block.abelian = some_level_is_not_abelian(study.system, *block.strata)
+                          ? Truth::no
+                          : block.strata->abelian();
+    });
   }
+}
+
+void ask_matrices(const Study& study, ManifoldReport& report, Failure& failure) {
+  try {
+    ask_the_matrices(study, report);
+  } catch (const Contradiction&) {
+    throw;
+  } catch (const InternalError& error) {
+    failure.remember();
+    report.matrices.reset();
+    report.reasons.push_back(failure_of("the monodromy matrices", error.what()));
+  }
+}
+
+// "No obstruction" means that everything was looked at.
+bool proves_something(const ManifoldReport& report) {
+  return report.verdict == VerdictKind::non_integrable || !report.statement.empty();
 }
 
 bool has_large_block(const ManifoldReport& report) {
@@ -129,6 +183,7 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
   ManifoldSpec spec = adapted_to_translations(s, given, claims);
   const Study study{s, spec, claims, options};
   ManifoldReport report;
+  Failure failure;
   report.name = spec.name;
   try {
     auto proved = prove_invariant(s.field, spec, options.decide.budget);
@@ -141,14 +196,14 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     linearise(study, report);
     fall_apart(study, spec, report);
     // no algebra decides a large block, and beside it the small ones may take long
-    if (!options.stop_at_r && has_large_block(report)) ask_the_matrices(study, report);
+    if (!options.stop_at_r && has_large_block(report)) ask_matrices(study, report, failure);
     if (report.matrices) {
       conclude(s, options, report);
       return report;
     }
-    decide_blocks(study, report);
-    if (options.along_the_curve) decide_along_the_curve(study, report);
-    decide_exceptions(study, report.blocks);
+    decide_blocks(study, report, failure);
+    if (options.along_the_curve) decide_along_the_curve(study, report, failure);
+    decide_exceptions(study, report.blocks, failure);
     withdraw_refused(report.blocks);
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::no_obstruction) {
       report.not_studied = component_left_out(study, report);
@@ -157,8 +212,9 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     }
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::undecided &&
         !has_large_block(report))
-      ask_the_matrices(study, report);
+      ask_matrices(study, report, failure);
     conclude(s, options, report);
+    if (!proves_something(report)) failure.rethrow_if_there_is_one();
   } catch (const OutOfBudget& e) {
     report.reasons.emplace_back(e.what());
   } catch (const DomainError& e) {

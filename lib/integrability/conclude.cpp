@@ -242,7 +242,8 @@ void add_trusted(const strata::StrataAnswer& a, const Add& add) {
 // An answer that no certificate repeats.
 void add_trusted(const std::optional<Decision>& d, const Add& add) {
   if (d && d->abelian != Truth::unknown && !d->checked)
-    add("the solver, without a certificate: " + reason(*d));
+    add("the solver, without a certificate" +
+        (d->no_certificate.empty() ? "" : " (" + d->no_certificate + ")") + ": " + reason(*d));
 }
 
 } // namespace

@@ -74,7 +74,9 @@ std::optional<SpecialSolution> special_solution(const Singularities& s, const Bu
   std::optional<SpecialSolution> found;
   const Try tell = [&](const Candidate& c) {
     budget.check();
-    const auto gauge = find_gauge(s, singularities(pulled_back(c.standard, c.f), budget), budget);
+    const RationalFunction there = pulled_back(c.standard, c.f);
+    if (is_zero(there)) return false; // y'' = 0 behind no map has the group SL(2)
+    const auto gauge = find_gauge(s, singularities(there, budget), budget);
     if (!gauge) return false;
     found = written(c, *gauge);
     normalise(*found);

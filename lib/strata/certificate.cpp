@@ -1,7 +1,7 @@
 #include "strata/certificate.hpp"
 
 #include "certify/strata/check.hpp"
-#include "exact/error.hpp"
+#include "decide/afterwards.hpp"
 #include "strata/leaf_certificate.hpp"
 #include "strata/words.hpp"
 
@@ -365,6 +365,10 @@ void trust_what_is_not_checked(StrataAnswer& a) {
 void certify(StrataAnswer& a, const Budget& budget) {
   try {
     a.certificate = std::make_shared<StrataCertificate>(certificate(a, budget));
+  } catch (const Contradiction&) {
+    throw;
+  } catch (const InternalError& why) {
+    return trust_without_certificate(a, failure_of("the certificate", why.what()));
   } catch (const InvalidArgument& why) {
     return trust_without_certificate(a, why.what());
   } catch (const OutOfBudget& why) {

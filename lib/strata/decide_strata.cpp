@@ -1,12 +1,13 @@
 #include "strata/decide_strata.hpp"
 
-#include "exact/error.hpp"
+#include "decide/afterwards.hpp"
 #include "parameters/signs.hpp"
 #include "strata/certificate.hpp"
 #include "strata/decide_leaf.hpp"
 #include "strata/words.hpp"
 
 #include <algorithm>
+#include <exception>
 
 namespace kov::strata {
 
@@ -108,17 +109,29 @@ public:
     answer_.contradictory = root.is_empty();
     trust(root.trusted());
     if (!answer_.contradictory) answer_.tree = node(root, 0);
+    if (error_ && !decides_something()) std::rethrow_exception(error_);
     answer_.contradictory = answer_.strata.empty() && answer_.unvisited.empty();
     answer_.seconds = std::chrono::duration<double>(Budget::Clock::now() - start).count();
     return std::move(answer_);
   }
 
 private:
+  [[nodiscard]] bool decides_something() const {
+    const auto all = answer_.told_apart();
+    return std::any_of(all.begin(), all.end(),
+                       [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
+  }
+
   void trust(const std::vector<TrustedStep>& steps) {
     for (const auto& s : steps)
       if (std::find(answer_.trusted.begin(), answer_.trusted.end(), s.claim) ==
           answer_.trusted.end())
         answer_.trusted.push_back(s.claim);
+  }
+
+  // To stand behind "for".
+  static std::string place_of(const Region& region) {
+    return region.path().empty() ? "all parameters" : to_string(region.path());
   }
 
   ProofTreePtr unvisited(const Region& region, const std::string& condition,
@@ -131,14 +144,27 @@ private:
     try {
       limits_.decide.budget.check();
       if (answer_.strata.size() >= limits_.max_strata || depth > 60)
-        return unvisited(region, to_string(region.path()), "the limit of strata");
+        return unvisited(region, place_of(region), "the limit of strata");
       auto answer = look(region);
       trust(region.trusted());
       if (auto* leaf = std::get_if<Leaf>(&answer)) return add(region, std::move(*leaf));
       return split(region, std::get<Needs>(answer), depth);
     } catch (const OutOfBudget& limit) {
-      return unvisited(region, to_string(region.path()) + " (" + limit.what() + ")", limit.what());
+      return unvisited(region, place_of(region) + " (" + limit.what() + ")", limit.what());
+    } catch (const Contradiction&) {
+      throw;
+    } catch (const InternalError& e) {
+      return failed(region, e.what());
+    } catch (const DomainError& e) {
+      return failed(region, e.what());
     }
+  }
+
+  // An error of the program costs this part of the parameters only.
+  ProofTreePtr failed(const Region& region, const std::string& what) {
+    if (!error_) error_ = std::current_exception();
+    const std::string why = failure_of("the decision there", what);
+    return unvisited(region, place_of(region) + " (" + why + ")", why);
   }
 
   std::variant<Leaf, Needs> look(const Region& region) const {
@@ -332,6 +358,7 @@ private:
   const Question& q_;
   const StrataLimits& limits_;
   StrataAnswer answer_;
+  std::exception_ptr error_; ///< of the program; the answer, where nothing is decided
 };
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "answer.hpp"
 
+#include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "equation/assumptions.hpp"
 #include "linode/centre.hpp"
@@ -34,6 +35,8 @@ constexpr char tag_disagreement = 'm'; // of two methods, or of our checker: a m
 constexpr char tag_input = 'i';
 constexpr char tag_internal = 'x';
 
+constexpr const char* the_rest = "the rest of the answer";
+
 std::string message(char tag, const Json& body, std::string_view certificate = {},
                     std::string_view loops = {}) {
   std::string text = tag + dump(body);
@@ -66,12 +69,23 @@ Json completed(std::string_view early) {
 }
 
 bool proves_something(const Json& result) {
-  return !result.at("group").is_null() || result.at("abelian") != "undecided";
+  const Json strata = result.value("strata", Json::array());
+  return !result.at("group").is_null() || result.at("abelian") != "undecided" ||
+         std::any_of(strata.begin(), strata.end(),
+                     [](const Json& s) { return s.at("abelian") != "undecided"; });
 }
 
+// Why a job did not come to its end.
+struct Stop {
+  std::string why = "budget";
+  std::string detail;
+  bool error = false; ///< of the program: told beside the verdict
+};
+
 // The answer of a job that was stopped: what its last early message says, and what is missing.
-std::string stopped(std::string_view early, const std::string& why, const std::string& detail,
-                    double seconds, const Settings& settings) {
+std::string stopped(std::string_view early, const Stop& stop, double seconds,
+                    const Settings& settings) {
+  const auto& [why, detail, error] = stop;
   if (early.empty()) early = "u";
   const auto [json, certificate, loops] = parts(early);
   Json result = completed(json);
@@ -80,7 +94,9 @@ std::string stopped(std::string_view early, const std::string& why, const std::s
     set_undecided(result, why, detail);
     return message(tag_undecided, result);
   }
-  result["no_solutions"] = settings.wants_solutions() ? detail : to_string(SolutionsMissing{});
+  if (!result.contains("strata"))
+    result["no_solutions"] = settings.wants_solutions() ? detail : to_string(SolutionsMissing{});
+  if (error) result["failed"].push_back(detail);
   Json open = result.at("undecided");
   if (early.front() == tag_undecided && open.is_null()) open = {{"why", why}, {"detail", detail}};
   if (!settings.certificate.empty() && certificate.empty() && !result.contains("no_certificate")) {
@@ -133,8 +149,12 @@ public:
       return undecided("budget", e.what());
     } catch (const std::bad_alloc&) {
       return undecided("budget", memory_limit(settings_));
+    } catch (const Contradiction& e) {
+      return internal(e.what());
     } catch (const std::exception& e) {
-      return message(tag_internal, {{"id", id_}, {"message", e.what()}});
+      if (!has_proved()) return internal(e.what());
+      return stopped(said_, {"internal", failure_of(the_rest, e.what()), true},
+                     seconds_since(start_), settings_);
     }
   }
 
@@ -154,7 +174,7 @@ private:
       open_ = unread_result(id_);
       open_["recognized"] = known;
       if (auto answer = by_strata(question, known)) return *std::move(answer);
-      if (!decide_for_all(open_)) throw;
+      if (!decide_for_all(open_)) return undecided("parameter", no_strata_);
       open_["seconds"] = seconds_since(start_);
       return message(tag_decided, open_);
     }
@@ -176,8 +196,7 @@ private:
     options.variable = equation.variable;
     options.ask_the_judge = !settings_.in_a_batch && is_small(equation.normal_form.r);
     open_ = open_result(id_, equation);
-    if (equation.form != GivenEquation::Form::r)
-      open_["original"] = original_form(equation, options.budget);
+    if (equation.form != GivenEquation::Form::r) put_original_form(open_, equation, options.budget);
     gauge_ = equation.p * RationalFunction(Rational(-1, 2));
     const NormalForm here = moved(equation.normal_form, options);
     say(message(tag_undecided, open_));
@@ -186,19 +205,35 @@ private:
     };
     Decision decision = decide(here, options);
     if (options.want_certificate) certify_formula(decision, options.budget);
-    Json result = closed(decision, recognized_json(decision, equation.constant, options.budget));
-    if (!settings_.in_a_batch || settings_.special_functions)
-      if (Json special = special_json(decision, options.budget); !special.is_null())
-        result["special_solution"] = std::move(special);
+    Json recognized;
+    do_part(open_, "the search for a classical equation",
+            [&] { recognized = recognized_json(decision, equation.constant, options.budget); });
+    Json result = closed(decision, recognized);
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
-    if (settings_.polynomial_of_y)
-      result["polynomial_of_y"] =
-          polynomial_json(decision, gauge_, settings_.max_print << 20, options.budget);
-    if (!settings_.second_opinion) return message(tag_of(decision), result, decision.certificate);
-    const SecondOpinion second =
-        second_opinion(decision.r, decision, options.budget, options.want_certificate);
-    result["second_opinion"] = second.json;
+    const SecondOpinion second = add_what_was_asked_for(result, decision, options);
     return message(tag_of(decision), result, decision.certificate, second.proof.json);
+  }
+
+  // Each costs itself only.
+  SecondOpinion add_what_was_asked_for(Json& result, const Decision& decision,
+                                       const Options& options) const {
+    if (!settings_.in_a_batch || settings_.special_functions)
+      do_part(result, "the search for special functions", [&] {
+        if (Json special = special_json(decision, options.budget); !special.is_null())
+          result["special_solution"] = std::move(special);
+      });
+    if (settings_.polynomial_of_y)
+      do_part(result, "the polynomial of y", [&] {
+        result["polynomial_of_y"] =
+            polynomial_json(decision, gauge_, settings_.max_print << 20, options.budget);
+      });
+    SecondOpinion second;
+    if (settings_.second_opinion)
+      do_part(result, "the second opinion", [&] {
+        second = second_opinion(decision.r, decision, options.budget, options.want_certificate);
+        result["second_opinion"] = second.json;
+      });
+    return second;
   }
 
   // Where the equation is over a smaller field, or its numbers are small: the answer is written in
@@ -207,7 +242,8 @@ private:
     if (options.want_certificate || options.want_trace || options.only_case ||
         options.method != Method::automatic || settings_.second_opinion)
       return given;
-    const auto there = centred(given);
+    std::optional<Centred> there;
+    do_part(open_, "the choice of a variable", [&] { there = centred(given); });
     if (!there) return given;
     options.variable = centred_variable(options.variable, there->centre);
     gauge_ = there->equation.p * RationalFunction(Rational(-1, 2));
@@ -219,8 +255,11 @@ private:
     if (!d.certificate.empty() || !d.places || !std::holds_alternative<ByFormula>(d.because))
       return;
     try {
-      auto opinion = strata::formula_certificate(d, budget);
-      if (!opinion) return;
+      std::optional<Judged> opinion;
+      const std::string failed =
+          failure_of("the certificate", [&] { opinion = strata::formula_certificate(d, budget); });
+      if (!failed.empty()) d.no_certificate += "; " + failed;
+      if (!failed.empty() || !opinion) return;
       const bool accepted = opinion->refusal.empty();
       take(d, *std::move(opinion));
       if (!accepted) return;
@@ -242,17 +281,19 @@ private:
       Json original = open_.at("original");
       original["identity_component_abelian"] = result.at("abelian");
       if (!is_zero(gauge_))
-        if (Json given = basis_json(decision, gauge_, settings_.max_print << 20,
-                                    settings_.solver_options().budget);
-            !given.is_null())
-          original["solutions"] = std::move(given);
+        do_part(result, "the solutions of the given equation", [&] {
+          if (Json given = basis_json(decision, gauge_, settings_.max_print << 20,
+                                      settings_.solver_options().budget);
+              !given.is_null())
+            original["solutions"] = std::move(given);
+        });
       result["original"] = std::move(original);
     }
     return result;
   }
 
   // All parameters at once; nothing for an equation that lib/equation does not read.
-  std::optional<std::string> by_strata(const Question& question, const Json& known) const {
+  std::optional<std::string> by_strata(const Question& question, const Json& known) {
     strata::StrataLimits limits;
     limits.decide = settings_.solver_options();
     limits.decide.ask_the_judge = true;
@@ -263,12 +304,15 @@ private:
       limits.decide.variable = f.variable;
       const strata::StrataAnswer answer = strata::decide_strata(f.question, limits);
       result = family_result(id_, f, answer);
-      if (limits.decide.want_certificate && answer.tree)
+      result["recognized"] = known;
+      if (limits.decide.want_certificate && answer.tree) {
+        say(message(tag_of_family(result), result));
         proof = certificate_of(answer, limits, result);
-    } catch (const FreeParameters&) {
+      }
+    } catch (const FreeParameters& why) {
+      no_strata_ = why.what();
       return std::nullopt;
     }
-    result["recognized"] = known;
     if (!question.ignored.empty()) result["assumptions_ignored"] = question.ignored;
     if (settings_.polynomial_of_y)
       result["polynomial_of_y"] = {{"missing", "parameters have no values"}};
@@ -278,7 +322,13 @@ private:
     if (!result.at("undecided").is_null() && !result.contains("contradictory") &&
         decide_for_all(result))
       result["undecided"] = nullptr;
-    return message(result.at("undecided").is_null() ? tag_decided : tag_undecided, result, proof);
+    return message(tag_of_family(result), result, proof);
+  }
+
+  static char tag_of_family(const Json& result) {
+    return result.contains("refused_by_checker") ? tag_disagreement
+           : result.at("undecided").is_null()    ? tag_decided
+                                                 : tag_undecided;
   }
 
   // Is the identity component decided on some stratum, or on a part of one?
@@ -291,36 +341,46 @@ private:
   // The certificate, or nothing; the result says why.
   static std::string certificate_of(const strata::StrataAnswer& answer,
                                     const strata::StrataLimits& limits, Json& result) {
+    std::string missing;
+    std::optional<strata::StrataCertificate> c;
     try {
-      const auto c = strata::certificate(answer, limits.decide.budget);
-      if (!c.refusal.empty()) {
-        result["no_certificate"] = strata::objection(c);
-        return {};
-      }
-      if (!c.says_anything) {
-        if (says_something(answer))
-          result["no_certificate"] = "the format has no rule for the strata that are decided";
-        return {};
-      }
-      for (const strata::Uncertified& u : c.trusted)
-        result["certificate_trusts"].push_back(u.told);
-      return c.json;
-    } catch (const InvalidArgument& e) {
-      result["no_certificate"] = e.what();
-      return {};
+      const std::string failed = failure_of("the certificate", [&] {
+        try {
+          c = strata::certificate(answer, limits.decide.budget);
+        } catch (const InvalidArgument& e) { // a name that the format does not have
+          missing = e.what();
+        }
+      });
+      missing += failed;
+    } catch (const OutOfBudget& limit) {
+      missing = limit.what();
     }
+    if (c && missing.empty() && !c->refusal.empty()) missing = strata::objection(*c);
+    if (c && missing.empty() && !c->says_anything && says_something(answer))
+      missing = "the format has no rule for the strata that are decided";
+    if (!missing.empty()) result["no_certificate"] = missing;
+    if (!c || !missing.empty() || !c->says_anything) return {};
+    for (const strata::Uncertified& u : c->trusted)
+      result["certificate_trusts"].push_back(u.told);
+    return c->json;
   }
 
   // What was proved before stays.
   std::string undecided(const std::string& why, const std::string& detail) {
-    if (!said_.empty() && proves_something(completed(parts(said_).json)))
-      return stopped(said_, why, detail, seconds_since(start_), settings_);
+    if (has_proved()) return stopped(said_, {why, detail}, seconds_since(start_), settings_);
     Json result = open_.is_null() ? unread_result(id_) : open_;
     set_undecided(result, why, detail);
     if (const Json& known = result.at("recognized"); !known.is_null())
       result["reason"] = detail + "; " + recognized_text(known);
     result["seconds"] = seconds_since(start_);
     return message(tag_undecided, result);
+  }
+
+  [[nodiscard]] bool has_proved() const {
+    return !said_.empty() && proves_something(completed(parts(said_).json));
+  }
+  [[nodiscard]] std::string internal(const std::string& what) const {
+    return message(tag_internal, {{"id", id_}, {"message", what}});
   }
 
   const Solver::Read& read_;
@@ -331,6 +391,7 @@ private:
   Json open_;
   RationalFunction gauge_; // -p/2 of the given equation
   std::string said_;       // the last early message
+  std::string no_strata_;  // why there is no answer for all parameters at once
 };
 
 std::string crash_text(const Reply& reply) {
@@ -357,7 +418,10 @@ std::string limit_text(const Reply& reply, const Settings& settings) {
 // The final message of a job that was answered or stopped by a limit.
 std::string final_message(const Reply& reply, const Settings& settings, double seconds) {
   if (reply.end == Reply::End::answered) return reply.answer;
-  return stopped(reply.early, "budget", limit_text(reply, settings), seconds, settings);
+  const std::string why = limit_text(reply, settings);
+  if (reply.end != Reply::End::crashed)
+    return stopped(reply.early, {"budget", why}, seconds, settings);
+  return stopped(reply.early, {"internal", failure_of(the_rest, why), true}, seconds, settings);
 }
 
 bool early_proof(const Reply& reply) {
@@ -461,13 +525,14 @@ Solver::Line read_line(const std::string& text) {
 Answer Solver::answer(std::string_view job) {
   const auto start = Clock::now();
   const Reply reply = worker_.ask(job);
-  const bool finished = reply.end != Reply::End::crashed && reply.end != Reply::End::interrupted;
+  const bool crashed = reply.end == Reply::End::crashed;
+  const bool interrupted = reply.end == Reply::End::interrupted;
   Answer a;
-  if (finished || early_proof(reply))
+  if (early_proof(reply) || (!crashed && !interrupted))
     a = read_answer(final_message(reply, settings_, seconds_since(start)));
-  if (finished) return a;
-  a.exit = reply.end == Reply::End::crashed ? exit_internal : exit_interrupted;
-  if (a.exit == exit_internal) a.internal = crash_text(reply);
+  else if (crashed)
+    a.exit = exit_internal, a.internal = crash_text(reply);
+  if (interrupted) a.exit = exit_interrupted;
   return a;
 }
 
@@ -475,7 +540,8 @@ namespace {
 
 Solver::Line line_of(const Reply& reply, const Settings& settings, double seconds) {
   if (reply.end == Reply::End::interrupted) return {"", exit_interrupted, "", ""};
-  if (reply.end != Reply::End::crashed) return read_line(final_message(reply, settings, seconds));
+  if (reply.end != Reply::End::crashed || early_proof(reply))
+    return read_line(final_message(reply, settings, seconds));
   const Json early = completed(reply.early.empty() ? "" : parts(reply.early).json);
   return {dump({{"id", early.at("id")}, {"error", "internal error: " + crash_text(reply)}}),
           exit_internal, "", ""};
@@ -535,9 +601,11 @@ TextAnswer TextWorker::ask(std::string_view job) {
   TextAnswer a;
   if (reply.end == Reply::End::interrupted) {
     a.exit = exit_interrupted;
+    a.early = reply.early;
   } else if (reply.end == Reply::End::crashed) {
     a.exit = exit_internal;
     a.internal = crash_text(reply);
+    a.early = reply.early;
   } else if (reply.end != Reply::End::answered) {
     a.exit = exit_undecided;
     a.limit = limit_text(reply, settings_);

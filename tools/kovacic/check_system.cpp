@@ -6,6 +6,7 @@
 #include "classification_report.hpp"
 #include "classify/together.hpp"
 #include "commands.hpp"
+#include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "integrability/certificate.hpp"
 #include "integrability/conclude.hpp"
@@ -560,16 +561,35 @@ private:
     Findings& findings = round.findings[index] = findings_of(s, m);
     Report answer{exit_decided, text_of(s, m, detail_of(round)), {{"manifold", json_of(s, m)}}, {}};
     std::vector<NamedCertificate> proofs;
-    if (!settings_.certificate.empty()) proofs = certificates(s, m);
-    if (settings_.second_opinion) ask_monodromy(s, m, answer, proofs);
+    if (!settings_.certificate.empty())
+      do_part(answer, "the certificates", [&] { proofs = certificates(s, m); });
+    if (settings_.second_opinion)
+      do_part(answer, "the second opinion", [&] { ask_monodromy(s, m, answer, proofs); });
     if (settings_.order > 1 && m.manifold && m.verdict != VerdictKind::non_integrable)
-      ask_higher_orders(s, *manifolds_to_check(s, options_).at(index), answer, proofs, findings);
+      do_part(answer, "the higher orders", [&] {
+        ask_higher_orders(s, *manifolds_to_check(s, options_).at(index), answer, proofs, findings);
+      });
     if (!settings_.certificate.empty()) file_certificates(s, proofs, answer);
     answer.json["unmet"] = Json::array(); // null: the expectation is about another one
     for (const SystemExpectation* x : expectations_of(round))
       answer.json["unmet"].push_back(
           x->manifold.empty() || x->manifold == m.name ? Json(unmet(*x, report)) : Json(nullptr));
     return answer;
+  }
+
+  // Behind the verdict: a limit or an error costs this part only.
+  static void do_part(Report& answer, const char* part, const std::function<void()>& work) {
+    std::string missing;
+    try {
+      missing = failure_of(part, work);
+    } catch (const OutOfBudget& limit) {
+      missing = std::string(part) + ": " + limit.what();
+    }
+    if (missing.empty()) return;
+    answer.json.at("manifold")["failed"].push_back(missing);
+    std::ostringstream line;
+    put(line, "failed", missing);
+    answer.text += line.str();
   }
 
   static Findings findings_of(const System& s, const ManifoldReport& m) {
@@ -755,9 +775,16 @@ private:
       result["together"] = r.json.at("together");
       return;
     }
-    report_.exit = worse(report_.exit, r.exit);
+    if (r.exit != exit_internal || !is_decided(result.at("manifolds")))
+      report_.exit = worse(report_.exit, r.exit);
     report_.text += path_ + "  [all manifolds together]\n  UNDECIDED\n" + limit_lines(r.limit);
     result["together"] = {{"verdict", to_string(VerdictKind::undecided)}, {"reason", r.limit}};
+  }
+
+  static bool is_decided(const Json& manifolds) {
+    return std::any_of(manifolds.begin(), manifolds.end(), [](const Json& m) {
+      return m.value("verdict", "") == to_string(VerdictKind::non_integrable);
+    });
   }
 
   // Were they decided?  They are expectations in the first round only.

@@ -67,6 +67,13 @@ constexpr Topic topics[] = {
      "degree (--max-degree), number of families (--max-families) or work in one search among\n"
      "polynomials (--max-work).  The answer is 'undecided', never 'no'.  Raise the limit that the "
      "message names.  Exit code 3."},
+    {"internal",
+     "An error of the program, not of the input.  Where it happened behind the verdict (in the\n"
+     "solutions, the certificate, a search that nobody needs for the answer), the verdict stays and\n"
+     "the answer names the part that is missing ('failed'); the exit code is that of a decided\n"
+     "question.  An error before any verdict ends in exit code 4.  A certificate that our own\n"
+     "checker refuses, and two methods that contradict each other, withdraw the verdict.  Please\n"
+     "send us the question."},
     {"time-limit", "See budget: raise --timeout S (seconds; 0 means no limit)."},
     {"memory-limit", "See budget: raise --memory N (MiB; 0 means no limit)."},
     {"degree-limit",

@@ -1,6 +1,7 @@
 #include "present.hpp"
 
 #include "certificate_file.hpp"
+#include "decide/afterwards.hpp"
 #include "render_program.hpp"
 #include "reproducer.hpp"
 
@@ -18,13 +19,33 @@ void report_failure(const Settings& settings, const Answer& answer) {
   }
 }
 
-std::string presented(const Settings& settings, const Answer& answer, const std::string& title) {
-  if (answer.result.is_null()) return {};
+namespace {
+
+// A comment, in a format that has them.
+std::string remark(const Settings& settings, std::string line) {
+  if (settings.format == "maxima") {
+    for (auto at = line.find("*/"); at != std::string::npos; at = line.find("*/", at))
+      line.insert(at + 1, " ");
+    return "/* " + line + " */\n";
+  }
+  const bool script = program_of(settings.format).has_value();
+  return (script ? "# " : settings.format == "tex" ? "% " : "  ") + line + "\n";
+}
+
+std::string failures(const Settings& settings, const Answer& answer) {
+  std::string text;
+  for (const Json& what : answer.result.value("failed", Json::array()))
+    text += remark(settings, what.get<std::string>());
+  return text;
+}
+
+std::string page(const Settings& settings, const Answer& answer, const std::string& title) {
   if (settings.format == "json")
     return answer.result.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  if (settings.format == "tex") return tex_of_result(answer.result, title);
+  if (settings.format == "tex")
+    return failures(settings, answer) + tex_of_result(answer.result, title);
   if (const auto program = program_of(settings.format))
-    return program_text(answer.result, *program);
+    return failures(settings, answer) + program_text(answer.result, *program);
   std::string text = text_of_result(answer.result, title, settings.style());
   if (settings.verbose > 0 && answer.result.at("seconds").is_number()) {
     char line[64];
@@ -33,6 +54,34 @@ std::string presented(const Settings& settings, const Answer& answer, const std:
     text += line;
   }
   return text;
+}
+
+// Where the whole cannot be laid out: comments in a script.
+std::string verdict_only(const Settings& settings, const Json& result, const std::string& failed) {
+  const auto value = [&](const char* key) {
+    const Json& j = result.at(key);
+    return j.is_null() ? std::string("not known") : j.is_string() ? j.get<std::string>() : dump(j);
+  };
+  std::string text;
+  for (const std::string& line :
+       {"y'' = (" + value("r") + ") y", "group: " + value("group"),
+        "identity component: " + value("identity_component") + ", abelian: " + value("abelian"),
+        failed})
+    text += remark(settings, line);
+  return text;
+}
+
+} // namespace
+
+std::string presented(const Settings& settings, const Answer& answer, const std::string& title) {
+  if (answer.result.is_null()) return {};
+  std::string text, failed;
+  try {
+    failed = failure_of("the layout", [&] { text = page(settings, answer, title); });
+  } catch (const OutOfBudget& limit) {
+    failed = limit.what();
+  }
+  return failed.empty() ? text : verdict_only(settings, answer.result, failed);
 }
 
 int present(const Settings& settings, Answer answer, const std::string& title) {

@@ -1,6 +1,7 @@
 #include "recognized.hpp"
 
 #include "algebraize/algebraize.hpp"
+#include "decide/afterwards.hpp"
 #include "decide/whittaker_pull_back.hpp"
 #include "equation/linear_form.hpp"
 #include "equation/parameter_scope.hpp"
@@ -48,10 +49,13 @@ Json closed_json(const ClosedAnswer& answer) {
 }
 
 void ensure_agreement(const ClosedAnswer& closed, const Decision& d) {
-  if (closed.abelian != Truth::unknown && d.abelian != Truth::unknown)
-    KOV_ENSURE(closed.abelian == d.abelian);
-  if (closed.group && d.group) KOV_ENSURE(describe(*closed.group) == describe(*d.group));
-  if (closed.component && d.component) KOV_ENSURE(*closed.component == *d.component);
+  const bool agree = (closed.abelian == Truth::unknown || d.abelian == Truth::unknown ||
+                      closed.abelian == d.abelian) &&
+                     (!closed.group || !d.group || describe(*closed.group) == describe(*d.group)) &&
+                     (!closed.component || !d.component || *closed.component == *d.component);
+  if (!agree)
+    throw Contradiction("the answer and the formula for the classical equation contradict each "
+                        "other");
 }
 
 Json recognized_json(const Decision& decision, const std::string& constant, const Budget& budget) {

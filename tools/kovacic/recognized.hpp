@@ -12,7 +12,7 @@ namespace kov::cli {
 [[nodiscard]] Json closed_json(const ClosedAnswer& answer);
 
 /// The object under "recognized"; null if nothing is.  constant: the generator of the field in texts.
-/// Throws InternalError when the closed answer of the family contradicts the decision.
+/// Throws Contradiction when the closed answer of the family contradicts the decision.
 [[nodiscard]] Json recognized_json(const Decision& decision, const std::string& constant,
                                    const Budget& budget);
 /// The object under "special_solution", for SL(2) only: what is not Liouvillian, in functions that

@@ -232,6 +232,8 @@ std::string text_of_result(const Json& result, const std::string& title, const S
       put(out, "assumed", listed(given));
     return out.str();
   }
+  for (const Json& what : result.value("failed", Json::array()))
+    put(out, "failed", what.get<std::string>());
   if (result.contains("strata")) {
     print_strata(out, result, style.whole || style.trace);
     put_polynomial_of_y(out, result);
@@ -266,7 +268,9 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   if (result.contains("original")) put_original(out, result.at("original"));
   put_solutions(out, result);
   put_polynomial_of_y(out, result);
-  if (style.solutions && result.contains("no_solutions"))
+  const Json failed = result.value("failed", Json::array());
+  if (style.solutions && result.contains("no_solutions") &&
+      std::find(failed.begin(), failed.end(), result.at("no_solutions")) == failed.end())
     put(out, "solutions", "not printed: " + result.at("no_solutions").get<std::string>());
   if (style.trace && result.contains("trace")) {
     out << "  steps\n";

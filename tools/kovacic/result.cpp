@@ -1,5 +1,6 @@
 #include "result.hpp"
 
+#include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "galois/algebraic_solution.hpp"
 #include "galois/basis.hpp"
@@ -7,6 +8,11 @@
 #include "recognized.hpp"
 
 namespace kov::cli {
+
+void do_part(Json& result, std::string_view part, const std::function<void()>& work) {
+  if (std::string failed = failure_of(part, work); !failed.empty())
+    result["failed"].push_back(std::move(failed));
+}
 
 Json json_integer(const Integer& n) {
   const Integer limit = pow(Integer(2), 53);
@@ -80,9 +86,14 @@ void put_solutions(Json& j, const Decision& d, std::size_t most_bytes, const Bud
   if (!d.group && d.solutions.empty()) return;
   try {
     Json all = Json::array();
-    for (const PrintedSolution& s : printed_solutions(d, most_bytes, budget))
-      all.push_back(solution(s));
-    j["solutions"] = std::move(all);
+    const std::string failed = failure_of("printing the solutions", [&] {
+      for (const PrintedSolution& s : printed_solutions(d, most_bytes, budget))
+        all.push_back(solution(s));
+    });
+    if (failed.empty())
+      j["solutions"] = std::move(all);
+    else
+      j["no_solutions"] = failed;
   } catch (const OutOfBudget& limit) {
     j["no_solutions"] = limit.what();
   }
@@ -152,8 +163,8 @@ Json closed_result(Json open, const Decision& d, double seconds, std::size_t mos
   j["abelian"] = text_of(d.abelian);
   if (d.kovacic_case) j["case"] = *d.kovacic_case;
   put_solutions(j, d, most_bytes, budget);
-  put_basis(j, d, most_bytes, budget);
-  j["reason"] = reason(d);
+  do_part(j, "the basis of the solutions", [&] { put_basis(j, d, most_bytes, budget); });
+  do_part(j, "the words for the reason", [&] { j["reason"] = reason(d); });
   if (d.undecided)
     j["undecided"] = {{"why", name_of(d.undecided->why)}, {"detail", d.undecided->detail}};
   j["seconds"] = seconds;
@@ -188,10 +199,11 @@ std::vector<std::string> solutions_of(const Json& result) {
 }
 
 // y = u exp(-1/2 int p), u'' = r u.  Scalars are central: docs/theory/normal_form.md, 1.5.
-Json original_form(const GivenEquation& e, const Budget& budget) {
-  KOV_ENSURE(derivative(e.p) * RationalFunction(Rational(1, 2)) +
-                 e.p * e.p * RationalFunction(Rational(1, 4)) - e.q ==
-             e.normal_form.r);
+void put_original_form(Json& result, const GivenEquation& e, const Budget& budget) {
+  if (derivative(e.p) * RationalFunction(Rational(1, 2)) +
+          e.p * e.p * RationalFunction(Rational(1, 4)) - e.q !=
+      e.normal_form.r)
+    throw Contradiction("the normal form is not the one of the given equation");
   Json j = {{"form", e.form == GivenEquation::Form::pq ? "p, q" : "equation"},
             {"p", to_string(e.p, e.variable)},
             {"q", to_string(e.q, e.variable)}};
@@ -202,11 +214,13 @@ Json original_form(const GivenEquation& e, const Budget& budget) {
     factor = "1";
   } else {
     try {
-      const LogarithmicParts parts =
-          logarithmic_parts(e.p * RationalFunction(Rational(-1, 2)), budget);
-      factor = exponential_text(Poly(1), parts, e.variable);
-      const auto order = radical_order(parts);
-      kind = !order ? "transcendental" : *order == Integer(1) ? "rational" : "algebraic";
+      do_part(result, "the factor of the solutions", [&] {
+        const LogarithmicParts parts =
+            logarithmic_parts(e.p * RationalFunction(Rational(-1, 2)), budget);
+        const auto order = radical_order(parts);
+        factor = exponential_text(Poly(1), parts, e.variable);
+        kind = !order ? "transcendental" : *order == Integer(1) ? "rational" : "algebraic";
+      });
     } catch (const OutOfBudget&) { // the integral form is an answer, too
     }
   }
@@ -214,7 +228,8 @@ Json original_form(const GivenEquation& e, const Budget& budget) {
   j["factor_kind"] = kind;
   if (is_zero(e.p)) {
     j["note"] = "the equation is in normal form already";
-    return j;
+    result["original"] = std::move(j);
+    return;
   }
   std::string note = "solutions are those of u'' = r*u times the factor; it multiplies the group "
                      "by scalars only, so the identity component is abelian for both or for none";
@@ -223,7 +238,7 @@ Json original_form(const GivenEquation& e, const Budget& budget) {
   if (kind == "transcendental")
     note += "; the factor is transcendental, so the group of the given equation is infinite";
   j["note"] = note;
-  return j;
+  result["original"] = std::move(j);
 }
 
 } // namespace kov::cli

@@ -7,7 +7,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kov::cli {
@@ -20,6 +22,9 @@ using Json = nlohmann::ordered_json;
 /// solutions of more than `most_bytes` are not printed (0: no limit).
 [[nodiscard]] Json closed_result(Json open, const Decision& decision, double seconds,
                                  std::size_t most_bytes, const Budget& budget);
+/// Does one part of the work behind a verdict; what fails there is told under "failed", a list of
+/// sentences, and costs this part only (decide/afterwards.hpp).
+void do_part(Json& result, std::string_view part, const std::function<void()>& work);
 /// The answer for an equation that could not even be read within the limits.
 [[nodiscard]] Json unread_result(const Json& id);
 /// Marks a result as undecided.  why: "budget", "parameter", "not-implemented", "inexact"
@@ -40,8 +45,8 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
 /// Is y'' = r y another equation than the given one?
 [[nodiscard]] bool is_transformed(const Json& result);
 
-/// What the factor exp(-1/2 int p) does: the object under "original".
-[[nodiscard]] Json original_form(const GivenEquation& equation, const Budget& budget);
+/// What the factor exp(-1/2 int p) does: the object under "original" of `result`.
+void put_original_form(Json& result, const GivenEquation& equation, const Budget& budget);
 
 /// A number, or a string where a reader of JSON would round it (beyond 2^53).
 [[nodiscard]] Json json_integer(const Integer& n);

@@ -1,5 +1,6 @@
 #include "second_opinion.hpp"
 
+#include "decide/afterwards.hpp"
 #include "exact/error.hpp"
 #include "integrability/loops_certificate.hpp"
 #include "integrability/study.hpp"
@@ -94,7 +95,7 @@ private:
       const auto matrices = monodromy::monodromy(v.system, {digits, {}, budget});
       const auto found = prove_non_abelian(v.system, matrices, budget);
       if (found && m_.verdict == VerdictKind::no_obstruction)
-        throw InternalError(
+        throw Contradiction(
             "the monodromy matrices prove that the identity component of the "
             "variational equation is not abelian, and the verdict is 'no obstruction'");
       if (found) j["proves"].push_back("not abelian");
@@ -138,7 +139,7 @@ SecondOpinion second_opinion(const RationalFunction& r, const Decision& answer,
       monodromy_opinion(r, digits, part_of_the_time(budget, half), with_proof);
   const std::string against = contradiction(o, answer);
   if (!against.empty())
-    throw InternalError("two answers contradict each other: " + proved(o) + ", and by algebra " +
+    throw Contradiction("two answers contradict each other: " + proved(o) + ", and by algebra " +
                         against);
   return told(json_of(o), with_proof ? proof_of(o) : NamedCertificate{});
 }

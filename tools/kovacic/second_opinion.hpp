@@ -20,11 +20,11 @@ struct SecondOpinion {
 };
 
 /// Of one equation y'' = r y.
-/// Errors  InternalError: the matrices contradict the answer
+/// Errors  Contradiction: the matrices contradict the answer
 [[nodiscard]] SecondOpinion second_opinion(const RationalFunction& r, const Decision& answer,
                                            const Budget& budget, bool with_proof);
 /// Of a manifold: the equations of its blocks and its whole variational equation.
-/// Errors  InternalError: the matrices contradict the verdict
+/// Errors  Contradiction: the matrices contradict the verdict
 [[nodiscard]] std::vector<SecondOpinion> second_opinion(const System& s, const ManifoldReport& m,
                                                         const Budget& budget, bool with_proof);
 

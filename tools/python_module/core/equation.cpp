@@ -3,6 +3,7 @@
 #include "bind.hpp"
 #include "question.hpp"
 
+#include "decide/afterwards.hpp"
 #include "decide/words.hpp"
 #include "equation/assumptions.hpp"
 #include "equation/equation_file.hpp"
@@ -408,11 +409,18 @@ void bind_decision(py::module_& m) {
         std::string text = told(s);
         if (is_name(s.given.constant) && s.given.constant != "I")
           text += "\nwhere " + s.given.constant + " = " + s.given.constant_meaning;
-        for (const Solution& y : solutions_of(s))
-          text += "\ny = " + solution_text(y);
-        if (!is_zero(s.given.p))
-          text += "\nsolutions of the given equation: these times " + factor_text(s.given);
-        return text;
+        std::string failed; // the verdict is told all the same
+        try {
+          failed = failure_of("printing the solutions", [&] {
+            for (const Solution& y : solutions_of(s))
+              text += "\ny = " + solution_text(y);
+            if (!is_zero(s.given.p))
+              text += "\nsolutions of the given equation: these times " + factor_text(s.given);
+          });
+        } catch (const OutOfBudget& limit) {
+          failed = limit.what();
+        }
+        return failed.empty() ? text : text + "\nsolutions not printed: " + failed;
       });
 }
 

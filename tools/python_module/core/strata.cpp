@@ -2,6 +2,7 @@
 
 #include "strata.hpp"
 #include "bind.hpp"
+#include "decide/afterwards.hpp"
 #include "strata/certificate.hpp"
 #include "strata/words.hpp"
 
@@ -19,7 +20,9 @@ FamilyAnswer decide_family(const ParametricEquation& f, const Options& options) 
   limits.decide.ask_the_judge = true;
   FamilyAnswer a{strata::decide_strata(f.question, limits), f.variable};
   try {
-    a.family = symbolic_family(f.question.r, f.question.z, options.budget);
+    (void)failure_of("the search for a classical family", [&] {
+      a.family = symbolic_family(f.question.r, f.question.z, options.budget);
+    });
   } catch (const OutOfBudget&) { // the strata are the answer
   }
   return a;
