@@ -73,11 +73,8 @@ System without_assumptions_on_levels(System s) {
 
 // What ended the question on a stratum before there was an answer; empty: nothing did.
 std::string limit_of(const strata::StrataAnswer& answer) {
-  if (!answer.unvisited.empty()) {
-    const std::string& where = answer.unvisited.front(); // without conditions: " (limit)"
-    return "the first variational equation is undecided" +
-           (where.rfind(" (", 0) == 0 ? where : " where " + where);
-  }
+  if (!answer.unvisited.empty())
+    return "the first variational equation is undecided for " + answer.unvisited.front();
   for (const strata::Stratum& s : answer.strata)
     if (s.leaf.open && (std::holds_alternative<strata::OpenNumber>(*s.leaf.open) ||
                         std::holds_alternative<strata::TooManyUnknowns>(*s.leaf.open) ||

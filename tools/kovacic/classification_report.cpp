@@ -3,6 +3,7 @@
 #include "theorem/setting.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace kov::cli {
 std::string joined(const std::vector<std::string>& all, const std::string& between) {
@@ -30,13 +31,47 @@ Grid open_sets(const SystemClassification& c) {
   return g;
 }
 
+bool proves_something(const SystemClassification& c) {
+  return c.almost_all || std::any_of(c.strata.begin(), c.strata.end(),
+                                     [](const auto& s) { return s.status != StratumStatus::open; });
+}
+
+// What is not decided is a step that is open.
+std::optional<NodeResult> what_is_open(const SystemClassification& c) {
+  Grid sets = open_sets(c);
+  if (sets.rows.empty() || !proves_something(c)) return std::nullopt; // the whole is open
+  NodeResult n;
+  n.node.id = "open";
+  n.node.title = "What is open";
+  n.statement = "nothing is decided here";
+  n.status = NodeStatus::open;
+  n.tables.push_back(std::move(sets));
+  return n;
+}
+
+std::string headline(const SystemClassification& c) {
+  switch (c.status()) {
+  case ClassificationStatus::integrable:
+    return "INTEGRABLE";
+  case ClassificationStatus::non_integrable:
+    return "NON-INTEGRABLE";
+  case ClassificationStatus::depends:
+    return "DEPENDS ON THE PARAMETERS";
+  default:
+    return "OPEN";
+  }
+}
+
 NodeResult root(const System& s, const SystemClassification& c) {
   NodeResult n;
+  n.node.kind = NodeKind::case_file; // it has a verdict
+  n.node.expect = "";                // and none is expected
+  n.headline = headline(c);
   n.node.id = "theorem";
   n.node.title = "The theorem";
   n.statement = statement(c);
   n.statement.pop_back(); // the renderers end sentences themselves
-  n.status = NodeStatus::proved;
+  n.status = proves_something(c) ? NodeStatus::proved : NodeStatus::open;
   if (s.field.hamiltonian) n.formulas.push_back({"H", to_string(*s.field.hamiltonian)});
   if (!c.assumptions.empty()) n.formulas.push_back({"assumed", joined(c.assumptions, ", ")});
   for (const std::string& constant : c.constants)
@@ -45,8 +80,9 @@ NodeResult root(const System& s, const SystemClassification& c) {
     if (variable.find(" = ") != std::string::npos) n.formulas.push_back({"where", variable});
   for (const std::string& note : c.notes)
     n.formulas.push_back({"note", note});
-  for (Grid g : {integrable_sets(c), open_sets(c)})
-    if (!g.rows.empty()) n.tables.push_back(std::move(g));
+  if (Grid g = integrable_sets(c); !g.rows.empty()) n.tables.push_back(std::move(g));
+  if (Grid g = open_sets(c); n.status == NodeStatus::open && !g.rows.empty())
+    n.tables.push_back(std::move(g));
   return n;
 }
 
@@ -176,6 +212,7 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c) {
     if (x.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, x, t.nodes.size()));
   for (const ExcludedTogether& e : excluded_together(c))
     t.nodes.push_back(exclusion(e, t.nodes.size()));
+  if (auto open = what_is_open(c)) t.nodes.push_back(*std::move(open));
   for (std::size_t i = 1; i < t.nodes.size(); ++i)
     t.nodes.front().node.needs.push_back(t.nodes[i].node.id);
   return t;

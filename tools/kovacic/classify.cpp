@@ -204,17 +204,33 @@ public:
 
   Report run() {
     Report report = run_for(part_of_first_run, {});
-    if (!report.json.is_object()) return report; // an internal error was told
-    if (!report.limit.empty() && settings_.timeout > 0)
+    const bool crashed = report.exit == exit_internal;
+    if (crashed && !proves_something(report.json))
+      return {exit_internal, "", nullptr}; // it was told
+    if (crashed) report.exit = report.json.at("status") == "open" ? exit_undecided : exit_decided;
+    const bool in_time = crashed || settings_.timeout > 0;
+    if (!report.limit.empty() && report.exit != exit_interrupted && in_time)
       if (const Json stage = report.json.value("at_work", Json(nullptr)); stage.is_string())
-        if (Report again = run_for(1 - part_of_first_run, {stage}); again.json.contains("strata"))
+        if (Report again = run_for(1 - part_of_first_run, {stage});
+            again.exit != exit_internal && again.json.contains("strata"))
           report = std::move(again);
-    if (!report.limit.empty() && report.json.contains("notes")) tell_limit(report);
+    if (!report.limit.empty()) {
+      if (!report.json.contains("strata")) report = nothing_known(report);
+      tell_limit(report);
+    }
     report.json.erase("at_work");
     return report;
   }
 
 private:
+  static bool proves_something(const Json& report) {
+    if (!report.is_object() || !report.contains("strata")) return false;
+    const Json& strata = report.at("strata");
+    return std::any_of(strata.begin(), strata.end(), [](const Json& s) {
+      return s.at("status") != to_string(StratumStatus::open);
+    });
+  }
+
   Report run_for(double part, const std::vector<std::string>& skip) {
     Settings inner = settings_;
     inner.timeout *= part;
@@ -237,6 +253,25 @@ private:
     });
   }
 
+  // A limit came before the first stage, perhaps while the file was read: all parameters are open.
+  Report nothing_known(const Report& stopped) const {
+    System s;
+    s.file = arguments_.file;
+    Report report = report_of(s, SystemClassification{});
+    report.exit = stopped.exit;
+    report.limit = stopped.limit;
+    report.json["strata"].push_back({{"conditions", Json::array()},
+                                     {"status", to_string(StratumStatus::open)},
+                                     {"integrals", Json::array()},
+                                     {"fields", Json::array()},
+                                     {"by", Json::array()},
+                                     {"open_after", Json::array()}});
+    std::ostringstream out;
+    if (format_ == "text") put(out, to_string(StratumStatus::open), "all parameters");
+    report.text += out.str();
+    return report;
+  }
+
   Report report_of(const System& s, const SystemClassification& c) const {
     return {c.status() == ClassificationStatus::open ? exit_undecided : exit_decided,
             format_ == "tex"    ? report::theorem_tex(as_theorem(s, c))
@@ -247,7 +282,7 @@ private:
 
   // The answer is that of a moment before the limit.
   void tell_limit(Report& report) const {
-    const bool of_time = report.limit.starts_with("time");
+    const bool of_time = report.limit.starts_with("time"); // of the first run: the whole is told
     const std::string note = (of_time ? Budget::time_limit(settings_.timeout) : report.limit) +
                              ": what was proved before is shown, and the rest counts as open";
     report.json["notes"].push_back(note);

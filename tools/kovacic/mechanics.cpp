@@ -117,6 +117,8 @@ Report FileWorker::ask(std::string_view job) {
     failure.exit = a.exit;
     failure.internal = a.internal;
     report_failure(settings_, failure);
+    if (!a.early.empty()) r = unpacked(a.early);
+    r.exit = a.exit;
     r.limit = a.exit == exit_interrupted ? "interrupted" : "internal error: " + a.internal;
   } else {
     r = unpacked(a.text);

@@ -24,7 +24,7 @@ struct Report {
 
 /// Jobs on one system file, in a child process under the limits of the settings, each job under its
 /// own.  Input errors are thrown here; a limit that was reached gives an undecided report, an
-/// internal error is printed.
+/// internal error is printed.  What a job has said before a limit, Ctrl-C or a crash is in the report.
 class FileWorker {
 public:
   /// Takes what is known before the end: it is the answer if a limit ends the job.

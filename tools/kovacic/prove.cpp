@@ -97,6 +97,7 @@ int run(const Settings& settings, const std::string& file, const ReadTheorem& re
     failure.exit = a.exit;
     failure.internal = a.internal;
     report_failure(settings, failure);
+    if (!a.early.empty()) write_output(settings, a.early); // the steps that were reached
     return a.exit;
   }
   if (!a.limit.empty()) {
