@@ -216,12 +216,21 @@ class Classical:
                  for _ in range(self.factors[i].degree(Z) if i < len(self.factors) else 1)]
         if sum(self.halves(x) is True for x in three) >= 2:
             return True
+        if any(self.trivial(x, *three[:i], *three[i + 1:]) for i, x in enumerate(three)):
+            return True
         odd = self.odd_sums(three)
         if any(odd) and sum(x.rational for x in three) >= 2:
             return True
         dihedral = sum(self.halves(x) is not False for x in three) >= 2
         no_row = any(self.multiple(x, 1) or self.multiple(x, 60) is False for x in three)
         return False if all(v is False for v in odd) and not dihedral and no_row else None
+
+    def trivial(self, x, l, m):
+        """Is x a natural number N with l + m or l - m among N - 1, N - 3, ..., 1 - N?"""
+        if x.value is None or x.value.denominator != 1:
+            return False
+        sums = [constant(plus(l.root, m.root, sign)) for sign in (1, -1)] if l.root and m.root else []
+        return any(c is not None and abs(c) < x.value and (x.value - 1 - c) % 2 == 0 for c in sums)
 
     def odd_sums(self, three):
         """Is (l +- m +- n - 1)/2 an integer?"""

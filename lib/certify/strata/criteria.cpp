@@ -166,12 +166,27 @@ private:
                            [&](const Number* x) { return property(*x); });
     };
     if (count([&](const Number& x) { return in_halves(x) == Truth::yes; }) >= 2) return Truth::yes;
+    for (std::size_t i = 0; i < three.size(); ++i)
+      if (trivial(three, i)) return Truth::yes;
     const Truth reducible = odd_sum(three);
     if (reducible == Truth::yes && count([&](const Number& x) { return rational(x); }) >= 2)
       return Truth::yes;
     const bool dihedral = count([&](const Number& x) { return in_halves(x) != Truth::no; }) >= 2;
     const bool polyhedral = count([&](const Number& x) { return in_no_row(x); }) == 0;
     return reducible == Truth::no && !dihedral && !polyhedral ? Truth::no : Truth::unknown;
+  }
+  // The difference at place i is a natural number N, and the sum or the difference of the other two
+  // is one of N-1, N-3, ..., 1-N: the local monodromy is 1 or -1.
+  [[nodiscard]] bool trivial(const std::vector<const Number*>& x, std::size_t i) const {
+    const auto& n = x[i]->constant;
+    const Number& l = *x[(i + 1) % 3];
+    const Number& m = *x[(i + 2) % 3];
+    if (!n || !is_integer(*n) || !l.root || !m.root) return false;
+    for (const long s : {1L, -1L}) {
+      const auto c = constant_value(combined(*l.root, Rational(s), *m.root, a_));
+      if (c && abs(*c) < *n && is_integer(half * (*n - Rational(1) - *c))) return true;
+    }
+    return false;
   }
   Truth odd_sum(const std::vector<const Number*>& x) const {
     if (!std::all_of(x.begin(), x.end(), [](const Number* one) { return one->root.has_value(); }))
