@@ -313,6 +313,27 @@ std::optional<MPoly> Region::pending() const {
   return std::nullopt;
 }
 
+bool Region::admits(const Substitution& point) const {
+  const auto at = [&](const MFraction& f) {
+    const MFraction v = substitute(f, point);
+    return is_zero(v) ? Rational(0) : to_rational(v);
+  };
+  const auto holds = [&](const Condition& c) {
+    const int s = sign(at(MFraction(c.p)));
+    return c.sign == Sign::zero       ? s == 0
+           : c.sign == Sign::nonzero  ? s != 0
+           : c.sign == Sign::positive ? s > 0
+                                      : s >= 0;
+  };
+  return std::all_of(assumptions_.conditions.begin(), assumptions_.conditions.end(), holds) &&
+         std::all_of(relations_.begin(), relations_.end(),
+                     [&](const Relation& r) { return is_zero(at(MFraction(r.p))); }) &&
+         std::all_of(nonzero_.begin(), nonzero_.end(),
+                     [&](const MPoly& p) { return !is_zero(at(MFraction(p))); }) &&
+         std::all_of(assumptions_.memberships.begin(), assumptions_.memberships.end(),
+                     [&](const Membership& m) { return is_integer(at(m.value)) == m.in_integers; });
+}
+
 // 1 is in the ideal of the equations that are not solved, saturated by what does not vanish.
 bool Region::equations_contradict() const {
   std::vector<MPoly> equations;

@@ -9,9 +9,11 @@
 namespace kov::spectrum {
 namespace {
 
+using strata::ExponentialFamily;
 using strata::GroupBound;
 using strata::Leaf;
 using strata::Part;
+using strata::PolynomialPart;
 using strata::Question;
 using strata::Scheme;
 using strata::Stratum;
@@ -254,9 +256,9 @@ private:
   }
 
   std::optional<Eigenfunction> smallest(const Scheme& s, const Region& region) {
-    const Families families = families_of_exponents(s, budget_);
+    const strata::ExponentialFamilies families = families_of_exponents(s, budget_);
     for (long d = 0; d <= 4 * (options_.levels + 1); ++d)
-      for (const Family& f : families.all) {
+      for (const ExponentialFamily& f : families.all) {
         if (!is_constant(f.degree) || to_rational(f.degree) != Rational(d)) continue;
         const PolynomialPart part = polynomial_part(s, f, d, region, budget_);
         if (part.open.empty() && part.conditions.empty()) return function_of(part, f);
@@ -264,7 +266,7 @@ private:
     return std::nullopt;
   }
 
-  static Eigenfunction function_of(const PolynomialPart& part, const Family& f) {
+  static Eigenfunction function_of(const PolynomialPart& part, const ExponentialFamily& f) {
     return {part.p, f.powers, f.exponent};
   }
 
@@ -281,14 +283,14 @@ private:
       p.why = "the places of the equation are not at hand";
       return;
     }
-    const Families families = families_of_exponents(*s.leaf.scheme, budget_);
+    const strata::ExponentialFamilies families = families_of_exponents(*s.leaf.scheme, budget_);
     if (!families.missing.empty()) {
       p.why = families.missing;
       return;
     }
     p.status = Piece::Status::none;
     const Region region = region_of(q_, s);
-    for (const Family& f : families.all) {
+    for (const ExponentialFamily& f : families.all) {
       DegreeFamily found = levels_of(s, f, region);
       if (found.first.empty() && found.open.empty()) continue; // none, proved
       p.families.push_back(std::move(found));
@@ -297,7 +299,7 @@ private:
   }
 
   // A degree that is a number: one level at most.
-  DegreeFamily levels_of(const Stratum& stratum, const Family& f, const Region& region) {
+  DegreeFamily levels_of(const Stratum& stratum, const ExponentialFamily& f, const Region& region) {
     const Scheme& s = *stratum.leaf.scheme;
     DegreeFamily out{f.degree, {}, {}};
     if (!is_constant(f.degree)) return levels_by_degree(stratum, f, std::move(out));
@@ -313,7 +315,8 @@ private:
   }
 
   // degree = N is solved for a parameter.
-  DegreeFamily levels_by_degree(const Stratum& stratum, const Family& f, DegreeFamily out) {
+  DegreeFamily levels_by_degree(const Stratum& stratum, const ExponentialFamily& f,
+                                DegreeFamily out) {
     const Scheme& s = *stratum.leaf.scheme;
     for (long n = 0; n < options_.levels; ++n) {
       const MFraction condition = f.degree - MFraction(s.r.ring(), Rational(n));
@@ -326,7 +329,7 @@ private:
       try {
         if (!admits(stratum.conditions, put) || !admits(q_.assumptions.conditions, put)) continue;
         const Scheme there = at(s, put);
-        Family g = f;
+        ExponentialFamily g = f;
         g.omega = substitute(f.omega, put);
         g.exponent = substitute(f.exponent, put);
         for (auto& [base, power] : g.powers) {
@@ -377,7 +380,7 @@ private:
     return all;
   }
 
-  void add_level(const Stratum& stratum, const Scheme& s, const Family& f, long n,
+  void add_level(const Stratum& stratum, const Scheme& s, const ExponentialFamily& f, long n,
                  const Region& region, std::optional<std::pair<std::size_t, MFraction>> fixed,
                  DegreeFamily& out) {
     PolynomialPart part = polynomial_part(s, f, n, region, budget_);

@@ -8,7 +8,7 @@
 //
 // Source  Acosta-Humanez, Morales-Ruiz, Weil 2011; docs/theory/spectrum.md
 
-#include "spectrum/exponential_families.hpp"
+#include "strata/exponential_families.hpp"
 #include "strata/decide_strata.hpp"
 
 namespace kov::spectrum {

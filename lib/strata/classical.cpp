@@ -2,8 +2,8 @@
 
 #include "exact/error.hpp"
 #include "special/kimura.hpp"
-#include "special/lame.hpp"
-#include "special/lame_family.hpp"
+#include "strata/lame_leaf.hpp"
+#include "strata/parts.hpp"
 #include "strata/statement.hpp"
 
 #include <algorithm>
@@ -19,35 +19,6 @@ const Residues odd_integers{Rational(1), Rational(2)};
 const Residues half_integers{Rational(1, 2), Rational(1)};
 
 MFraction number(const Ring& ring, const Rational& c) { return {ring, c}; }
-
-// Parts by decisions one after the other; what the region knows is no condition.
-class Parts {
-public:
-  explicit Parts(const Region& region) : region_(region) {}
-
-  template <class Yes, class No> void split(const ArithmeticStatement& s, Yes yes, No no) {
-    const Truth known = holds_on(s, region_);
-    for (const bool holds : {true, false}) {
-      if (known == truth(!holds)) continue;
-      if (known == Truth::unknown) path_.push_back({s, holds});
-      holds ? yes() : no();
-      if (known == Truth::unknown) path_.pop_back();
-    }
-  }
-  [[nodiscard]] Truth known(const ArithmeticStatement& s) const { return holds_on(s, region_); }
-  void add(GroupType type, std::optional<Integer> n = {}) {
-    const GaloisGroup g{type, std::move(n)};
-    parts_.push_back({path_, truth(is_abelian(identity_component(g))), g});
-  }
-  void add(Truth abelian, GroupBound bound) { parts_.push_back({path_, abelian, {}, bound}); }
-
-  [[nodiscard]] std::vector<Part> take() { return std::move(parts_); }
-
-private:
-  const Region& region_;
-  std::vector<ArithmeticCondition> path_;
-  std::vector<Part> parts_;
-};
 
 // ---- Riemann: kimura.md, 1 to 3
 
@@ -347,120 +318,6 @@ private:
   Squares numbers_; ///< the same, one for each place
 };
 
-// ---- Lame: lame.md
-
-class Lame {
-public:
-  Lame(const LameFamilyForm& form, const Region& region, const Budget& budget)
-      : form_(form), p_(form.parameters), region_(region), budget_(budget), parts_(region) {}
-
-  Answer run() {
-    for (const MPoly& f : form_.generic)
-      if (auto needs = must_not_vanish(f)) return *std::move(needs);
-    const MFraction disc = p_.g2 * p_.g2 * p_.g2 - Rational(27) * (p_.g3 * p_.g3);
-    if (is_zero(disc)) return {};
-    if (auto needs = must_not_vanish(disc.num())) return *std::move(needs);
-    const Ring& ring = form_.alpha.ring();
-    const MFraction square = Rational(4) * form_.alpha + number(ring, Rational(1));
-    if (!is_number(form_.alpha))
-      any_index(square);
-    else if (auto needs = given_index(square))
-      return *std::move(needs);
-    ClassicalForm found{Classical::lame, {{"2*n + 1", square}}, MFraction(ring), 1};
-    found.values = {{"B", p_.b}, {"g2", p_.g2}, {"g3", p_.g3}};
-    return ClassicalAnswer{std::move(found), parts_.take(), equation(square)};
-  }
-
-private:
-  // f = 4x^3 - g2 x - g3:  r = f''/(4f) - 3 f'^2/(16 f^2) + (alpha x + B)/f
-  [[nodiscard]] ClassicalEquation equation(const MFraction& square) const {
-    const Ring& ring = form_.alpha.ring();
-    const MFraction x = MFraction::variable(ring, form_.z);
-    const MFraction f = Rational(4) * (x * x * x) - p_.g2 * x - p_.g3;
-    const MFraction slope = derivative(f, form_.z);
-    const MFraction r = (Rational(1, 4) * derivative(slope, form_.z) + form_.alpha * x + p_.b) / f -
-                        Rational(3, 16) * (slope * slope) / (f * f);
-    return {form_.z, form_.map, r, {f.num()}, {number(ring, Rational(1, 4)), square}};
-  }
-  [[nodiscard]] std::optional<Needs> must_not_vanish(const MPoly& f) const {
-    auto doubt = region_.doubtful_factor(f);
-    if (!doubt) return std::nullopt;
-    return Needs{*std::move(doubt), {Event::Kind::poles_meet}};
-  }
-
-  // The equation in (z - c)^2 has the same identity component.
-  void add(GroupType type, std::optional<Integer> n, GroupBound otherwise) {
-    if (type == GroupType::SL2 || !form_.squared)
-      parts_.add(type, std::move(n));
-    else
-      parts_.add(Truth::yes, otherwise);
-  }
-  void add_sl2() { parts_.add(GroupType::SL2); }
-  void add_quaternions() { add(GroupType::D, Integer(2), GroupBound::finite); }
-
-  void any_index(const MFraction& square) {
-    const Squares all{square, p_.b, p_.g2, p_.g3};
-    const Rational zero(0);
-    const auto sl2 = [&] { add_sl2(); };
-    const auto half = [&] {
-      parts_.split(
-          LameIsFinite{all, true}, [&] { add_quaternions(); }, sl2);
-    };
-    const auto polyhedral = [&] {
-      parts_.split(
-          LameIsFinite{all, false}, [&] { parts_.add(Truth::yes, GroupBound::finite); }, sl2);
-    };
-    const SumIn fractions{{square},
-                          {{zero, Rational(2, 3)}, {zero, Rational(1, 2)}, {zero, Rational(2, 5)}}};
-    const auto no_integer = [&] {
-      parts_.split(SumIn{{square}, {{zero, Rational(2)}}}, half,
-                   [&] { parts_.split(fractions, polyhedral, sl2); });
-    };
-    parts_.split(
-        SumIn{{square}, {odd_integers}},
-        [&] { parts_.add(Truth::yes, GroupBound::torus_normaliser_or_T); }, no_integer);
-  }
-
-  // Abelian exactly where some polynomials all vanish.
-  std::optional<Needs> given_index(const MFraction& square) {
-    const Rational four_alpha = is_zero(square) ? Rational(-1) : to_rational(square) - Rational(1);
-    const LameIndex index = lame_index(NfElem(four_alpha * Rational(1, 4)));
-    const LameConditions c = lame_conditions(index, p_, budget_);
-    if (c.always()) { // T_4 where B is an eigenvalue of a polynomial of Lame
-      parts_.add(Truth::yes, GroupBound::torus_normaliser_or_T);
-      return std::nullopt;
-    }
-    std::optional<MPoly> doubt;
-    for (const MPoly& f : c.abelian) {
-      if (is_zero(f) || vanishes(f)) continue;
-      auto factor = region_.doubtful_factor(f);
-      if (!factor) {
-        add_sl2();
-        return std::nullopt;
-      }
-      if (!doubt) doubt = std::move(factor);
-    }
-    if (doubt) return Needs{*std::move(doubt), {.kind = Event::Kind::invariant_appears, .m = 12}};
-    if (index.kind == LameCase::brioschi)
-      add_quaternions();
-    else
-      parts_.add(Truth::yes, GroupBound::finite);
-    return std::nullopt;
-  }
-  // A relation that is not solved says so.
-  [[nodiscard]] bool vanishes(const MPoly& f) const {
-    const auto& all = region_.relations();
-    return std::any_of(all.begin(), all.end(),
-                       [&](const Region::Relation& r) { return divides(r.p, f).has_value(); });
-  }
-
-  const LameFamilyForm& form_;
-  const LameParameters<MFraction>& p_;
-  const Region& region_;
-  const Budget& budget_;
-  Parts parts_;
-};
-
 // ---- w = (z - c)^k
 
 struct PowerForm {
@@ -555,7 +412,7 @@ Answer classical_answer(const Scheme& s, const Region& region, const Budget& bud
   auto direct = Recognition(s, region).run();
   if (direct.index() != 0 || !maps) return direct;
   if (const auto lame = recognize_lame(s.r, s.z, budget)) {
-    auto answer = Lame(*lame, region, budget).run();
+    auto answer = lame_answer_on(*lame, region, budget);
     if (answer.index() != 0) return answer;
   }
   for (const MFraction& centre : centres(s)) {

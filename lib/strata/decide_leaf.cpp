@@ -5,10 +5,14 @@
 #include "strata/classical.hpp"
 #include "strata/confluent.hpp"
 #include "strata/exponent_sums.hpp"
+#include "strata/exponential_families.hpp"
 #include "strata/first_case.hpp"
 #include "strata/irrational.hpp"
 #include "strata/open_exponent.hpp"
+#include "strata/parts.hpp"
+#include "strata/sample_check.hpp"
 #include "strata/statement.hpp"
+#include "strata/uniform.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -395,7 +399,7 @@ void tell_open_apart(Leaf& leaf, const Region& region) {
   if (!leaf.scheme) return;
   std::vector<ArithmeticCondition> none;
   for (const ArithmeticStatement& s : necessary(leaf)) {
-    const Truth known = holds_on(s, region);
+    const Truth known = holds_on(s, none, region);
     if (known == Truth::yes) return leaf.parts.clear();
     if (known == Truth::no) continue;
     std::vector<ArithmeticCondition> here = none;
@@ -413,11 +417,30 @@ void tell_irreducible(Leaf& leaf, const Scheme& s, const Region& region) {
   const auto needs = exponential_needs(s);
   if (!needs) return;
   const auto* sum = std::get_if<SumIn>(&*needs);
-  const Truth possible = sum == nullptr ? Truth::no : holds_on(*sum, region);
+  const Truth possible = sum == nullptr ? Truth::no : holds_on(*sum, {}, region);
   if (possible == Truth::no) leaf.group = sl2();
   if (possible != Truth::unknown) return;
   leaf.parts = {{{{*sum, true}}, Truth::no, {}, GroupBound::SL2_or_Borel},
                 {{{*sum, false}}, Truth::no, sl2()}};
+}
+
+constexpr double short_search = 2e7; // products of terms: the same on every machine
+
+// Not abelian, and an exponential solution for all parameters: all triangular matrices.
+void tell_exponential(Answer& answer, const Scheme& s, const Region& region, const Budget& budget) {
+  auto* leaf = std::get_if<Leaf>(&answer);
+  if (leaf == nullptr || leaf->abelian != Truth::no || leaf->group || !leaf->parts.empty()) return;
+  if (has_real_parameters(s, region)) return; // the group alone is not worth questions about them
+  try {
+    Budget little = budget;
+    little.max_work = std::min(budget.max_work, short_search);
+    if (auto w = exponential_for_all(s, region, little)) {
+      leaf->group = GaloisGroup{GroupType::Borel, {}};
+      leaf->because.emplace_back(ExponentialFound{*std::move(w)});
+    }
+  } catch (const OutOfBudget&) { // the group is not known, the verdict is
+    budget.check();
+  }
 }
 
 Answer with_parts(Answer answer, const Scheme& s, const Region& region, const Budget& budget) {
@@ -444,8 +467,6 @@ Answer with_parts(Answer answer, const Scheme& s, const Region& region, const Bu
 
 // What the places decide comes with a certificate; where that is a long search, the closed answer
 // of a classical equation is taken first.
-constexpr double short_search = 2e7; // products of terms: the same on every machine
-
 Answer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const Region& region,
                                const Budget& budget) {
   try {
@@ -471,6 +492,21 @@ bool depends_on_parameters(const MFraction& r, std::size_t z) {
   return std::any_of(used.begin(), used.end(), [&](std::size_t i) { return i != z; });
 }
 
+// p = 0 is no stratum with one parameter less, nor a number.
+bool cannot_be_solved(const MPoly& p, const Region& region) {
+  return used_variables(p).size() > 1 &&
+         std::holds_alternative<Region::Stuck>(region.where_zero(p));
+}
+
+// A closed answer that another road contradicts at a point says nothing.
+void compare_at_points(Answer& answer, const MFraction& r, std::size_t z, const Region& region,
+                       const Budget& budget) {
+  auto* leaf = std::get_if<Leaf>(&answer);
+  if (leaf == nullptr || evidence<ClassicalForm>(*leaf) == nullptr) return;
+  if (auto where = disagreement(*leaf, r, z, region, budget))
+    answer = open_leaf(AnswersDiffer{*std::move(where)});
+}
+
 Answer with_scheme(Answer answer, const std::shared_ptr<const Scheme>& s) {
   if (auto* leaf = std::get_if<Leaf>(&answer)) leaf->scheme = s;
   return answer;
@@ -491,11 +527,17 @@ Answer decide_leaf(const MFraction& r, std::size_t z, const Region& region,
     return leaf_of(decide(equation, options));
   }
   auto places = scheme(r, z, region, options.budget);
-  if (auto* needs = std::get_if<Needs>(&places)) return std::move(*needs);
+  if (auto* needs = std::get_if<Needs>(&places)) {
+    if (cannot_be_solved(needs->p, region))
+      if (auto leaf = abelian_for_all(r, z, region, options.budget)) return *std::move(leaf);
+    return std::move(*needs);
+  }
   const auto s = std::make_shared<const Scheme>(std::get<Scheme>(std::move(places)));
   auto closed = LeafDecision(*s, region, options.budget).at_once();
   auto answer = closed ? *std::move(closed) : places_or_closed_answer(s, region, options.budget);
   answer = with_scheme(with_parts(std::move(answer), *s, region, options.budget), s);
+  tell_exponential(answer, *s, region, options.budget);
+  compare_at_points(answer, r, z, region, options.budget);
   if (auto* leaf = std::get_if<Leaf>(&answer); leaf != nullptr && options.want_trace)
     leaf->trace = first_case(*s, region, options.budget);
   return answer;

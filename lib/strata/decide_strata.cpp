@@ -185,10 +185,23 @@ private:
   // r in the parameters that are left.
   [[nodiscard]] std::optional<MFraction> value_on(const Region& region) const {
     try {
-      return region.restrict(q_.r);
+      MFraction r = region.restrict(q_.r);
+      const auto below = coefficients(r.den(), q_.z);
+      if (std::all_of(below.begin(), below.end(),
+                      [&](const MPoly& f) { return vanishes(f, region); }))
+        return std::nullopt;
+      return r;
     } catch (const DomainError&) {
       return std::nullopt;
     }
+  }
+
+  // Also by an equation that is kept.
+  static bool vanishes(const MPoly& f, const Region& region) {
+    const auto& all = region.relations();
+    return is_zero(f) || std::any_of(all.begin(), all.end(), [&](const Region::Relation& r) {
+             return divides(r.p, f).has_value();
+           });
   }
 
   // The irreducible equation of the one parameter in r: r is a number but for z.
@@ -223,7 +236,7 @@ private:
       } catch (const DomainError&) {
         continue;
       }
-      if (is_zero(there)) continue;
+      if (is_zero(there) || vanishes(there.num(), region)) continue;
       const auto doubt = region.doubtful_factor(there.num());
       if (!doubt) return std::nullopt;
       if (!needs) needs = Needs{*doubt, {.kind = Event::Kind::reduction, .shown = g.why}};
@@ -301,14 +314,22 @@ private:
     const bool number = root && std::all_of(used.begin(), used.end(), [&](std::size_t i) {
                           return i == q_.z || i == root->variable;
                         });
-    if (!number)
+    // numbers but for z, and every genericity holds or fails at the roots: at once
+    const bool settled =
+        number && std::all_of(q_.generic.begin(), q_.generic.end(), [&](const Genericity& g) {
+          return holds_at_root(g, region, needs.p) || fails_at_root(g, region, needs.p);
+        });
+    if (!settled)
       if (auto there = related(region, needs, depth)) return there;
     if (!number) return add_here(open_leaf(NotSolved{needs.p, needs.why}));
     if (region.has_no_real_root(needs.p))
       return prune(region, needs.p,
                    "Z3: no real root of " + to_string(needs.p) + " satisfies the conditions");
     for (const auto& g : q_.generic)
-      if (!holds_at_root(g, region, needs.p)) return add_here(no_reduction(g));
+      if (!holds_at_root(g, region, needs.p))
+        return add_here(fails_at_root(g, region, needs.p)
+                            ? no_reduction(g)
+                            : open_leaf(NotSolved{needs.p, needs.why}));
     return add_here(at_root(r, needs.p).value_or(no_value()));
   }
 
@@ -329,15 +350,27 @@ private:
   // One of the coefficients vanishes at no root of p, which is irreducible in one parameter.
   static bool holds_at_root(const Genericity& g, const Region& region, const MPoly& p) {
     return std::any_of(g.not_all_zero.begin(), g.not_all_zero.end(), [&](const MPoly& f) {
-      try {
-        const MFraction there = region.restrict(MFraction(f));
-        const auto used = used_variables(there);
-        return !is_zero(there) && used.size() <= 1 && is_constant(gcd(there.num(), p)) &&
-               (used.empty() || uses(p, used[0]));
-      } catch (const DomainError&) {
-        return false;
-      }
+      const auto there = restricted_to(f, region);
+      if (!there || is_zero(*there)) return false;
+      const auto used = used_variables(*there);
+      return used.size() <= 1 && is_constant(gcd(there->num(), p)) &&
+             (used.empty() || uses(p, used[0]));
     });
+  }
+  // All of them vanish at every root of p.
+  static bool fails_at_root(const Genericity& g, const Region& region, const MPoly& p) {
+    return std::all_of(g.not_all_zero.begin(), g.not_all_zero.end(), [&](const MPoly& f) {
+      const auto there = restricted_to(f, region);
+      return there && (is_zero(*there) || divides(p, there->num()));
+    });
+  }
+  // f in the parameters that are left; unset where it has no value.
+  static std::optional<MFraction> restricted_to(const MPoly& f, const Region& region) {
+    try {
+      return region.restrict(MFraction(f));
+    } catch (const DomainError&) {
+      return std::nullopt;
+    }
   }
 
   ProofTreePtr add(const Region& region, const Leaf& leaf) {

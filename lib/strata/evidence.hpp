@@ -87,6 +87,9 @@ struct NoInvariant { ///< Sym^m has no rational solution: the exponents say it, 
   InvariantBound bound;
   std::optional<Excluded> excluded{}; ///< set where bound.form is
 };
+struct ExponentialFound { ///< y'/y = w for all parameters
+  MFraction w;
+};
 struct InvariantFound {
   ParametricInvariant v;
 };
@@ -166,6 +169,10 @@ struct ByParts {};    ///< exactly on some of Leaf::parts
 struct RefusedByChecker {
   std::string shown;
 };
+/// The closed answer for all parameters, and that of the same equation at one point.
+struct AnswersDiffer {
+  std::string point; ///< told, and used by nobody
+};
 /// The equation is decided, and is not all of the question: told, and used by nobody.
 struct NotStudied {
   std::string shown;
@@ -174,17 +181,18 @@ struct NotStudied {
 using OpenCondition =
     std::variant<NoEquation, NotSolved, SomeDifference, RationalDifference, IntegralDifference,
                  MinorsVanish, IntegralNu, TooManyUnknowns, LargeDenominator, OpenNumber, ByParts,
-                 RefusedByChecker, NotStudied>;
+                 RefusedByChecker, AnswersDiffer, NotStudied>;
 
 /// What an abelian component needs (an OpenCondition "abelian only if") does not hold.
 struct ConditionFails {
   OpenCondition condition;
 };
 
-using AnyEvidence = std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
-                                 ExcludedDifferences, NoProducts, AssumedNotInteger, NoExponential,
-                                 NoFamilies, NoInvariant, InvariantFound, BesselForm, WeberForm,
-                                 ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
+using AnyEvidence =
+    std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
+                 ExcludedDifferences, NoProducts, AssumedNotInteger, NoExponential, NoFamilies,
+                 NoInvariant, InvariantFound, ExponentialFound, BesselForm, WeberForm,
+                 ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
 
 /// For std::visit and std::get_if.  It is copied and destroyed in evidence.cpp, and not in each file
 /// that does so: that takes seconds of the compiler.

@@ -352,6 +352,9 @@ std::string condition(const Leaf& leaf, const ByParts&) {
 std::string condition(const Leaf&, const RefusedByChecker& open) {
   return "our own checker refuses the certificate of what was found: " + open.shown;
 }
+std::string condition(const Leaf&, const AnswersDiffer& open) {
+  return "two answers of this program differ at " + open.point + " (please report this equation)";
+}
 std::string condition(const Leaf&, const NotStudied& open) { return open.shown; }
 
 std::string condition(const Leaf& leaf, const OpenCondition& open) {
@@ -393,8 +396,17 @@ std::string prefix(const Leaf& leaf, std::size_t longest) {
   return text;
 }
 
+std::string exponential(const Leaf& leaf, std::size_t longest) {
+  const auto* found = evidence<ExponentialFound>(leaf);
+  if (found == nullptr) return "";
+  const std::string w = to_string(found->w);
+  return "; there is an exponential solution" +
+         (w.size() <= longest ? ", y'/y = " + w : std::string());
+}
+
 std::string reason(const Leaf& leaf, std::size_t longest) {
-  return prefix(leaf, longest) + (leaf.open ? undecided(leaf, longest) : argument(leaf, longest));
+  return prefix(leaf, longest) + (leaf.open ? undecided(leaf, longest) : argument(leaf, longest)) +
+         exponential(leaf, longest);
 }
 
 constexpr std::size_t one_line = 80; // longer formulas are none for a terminal
