@@ -5,6 +5,7 @@
 #include "recognized.hpp"
 #include "render.hpp"
 #include "strata/certificate.hpp"
+#include "strata/domain.hpp"
 #include "strata/words.hpp"
 
 #include <algorithm>
@@ -19,6 +20,13 @@ void line(std::ostream& out, const std::string& label, const std::string& text,
   out << std::string(indent, ' ') << label
       << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ') << wrapped(text, indent + 10)
       << "\n";
+}
+
+std::string listed(const Json& texts) {
+  std::string all;
+  for (const Json& t : texts)
+    all += (all.empty() ? "" : ", ") + t.get<std::string>();
+  return all;
 }
 
 Json group_name(const strata::Leaf& leaf) {
@@ -98,8 +106,6 @@ std::string answer(const Json& stratum) {
 
 void print_whole(std::ostream& out, const Json& s) {
   line(out, "stratum", where(s));
-  if (s.contains("no_equation"))
-    return line(out, "none", "no equation y'' = r y: " + s.at("reason").get<std::string>(), 4);
   line(out, "group", answer(s), 4);
   line(out, "because", s.at("reason"), 4);
   print_trace(out, s);
@@ -112,9 +118,8 @@ struct Alike {
   [[nodiscard]] bool generic() const { return first().value("generic", false); } // general
   // Those for which something holds that must be looked at come first.
   [[nodiscard]] int rank() const {
-    if (first().contains("no_equation")) return 2;
     const std::string abelian = first().at("abelian");
-    return abelian == "undecided" ? 0 : abelian == "yes" ? 1 : 3;
+    return abelian == "undecided" ? 0 : abelian == "yes" ? 1 : 2;
   }
 };
 
@@ -123,7 +128,6 @@ std::vector<Alike> alike(const Json& strata) {
   for (const Json& s : strata) {
     const auto same = [&](const Alike& a) {
       return answer(a.first()) == answer(s) &&
-             a.first().contains("no_equation") == s.contains("no_equation") &&
              (s.at("abelian") != "undecided" || a.first().at("reason") == s.at("reason"));
     };
     auto it = std::find_if(all.begin(), all.end(), same);
@@ -155,7 +159,6 @@ void print_alike(std::ostream& out, const Alike& a, const std::string& elsewhere
   const Json& s = a.first();
   line(out, "stratum", elsewhere.empty() ? where_any(a) : elsewhere);
   const std::string reason = s.contains("brief") ? s.at("brief") : s.at("reason");
-  if (s.contains("no_equation")) return line(out, "none", "no equation y'' = r y: " + reason, 4);
   line(out, "group", answer(s), 4);
   const auto others = std::count_if(a.strata.begin(), a.strata.end(), [&](const Json* x) {
     return x->at("reason") != s.at("reason");
@@ -193,10 +196,11 @@ void print_in_brief(std::ostream& out, const Json& j) {
 
 void print_strata(std::ostream& out, const Json& j, bool whole) {
   if (j.contains("contradictory")) line(out, "strata", "no parameters satisfy the assumptions");
-  std::string given;
-  for (const Json& c : j.value("assumed", Json::array()))
-    given += (given.empty() ? "" : ", ") + c.get<std::string>();
+  const std::string given = listed(j.value("assumed", Json::array()));
   if (!given.empty()) line(out, "assumed", given);
+  if (j.contains("domain"))
+    line(out, "domain", listed(j.at("domain")) + "; for other values there is no equation");
+  if (j.contains("no_equation")) line(out, "none", j.at("no_equation"));
   if (whole)
     for (const Json& s : j.at("strata"))
       print_whole(out, s);
@@ -211,25 +215,6 @@ void print_strata(std::ostream& out, const Json& j, bool whole) {
 
 namespace {
 
-// Values of the parameters for which there is no equation: nothing is asked there.
-void mark_no_equation(Json& j, const strata::StrataAnswer& a) {
-  const auto all = a.told_apart();
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (all[i].leaf.no_equation()) {
-      Json& s = j["strata"][i];
-      s["no_equation"] = true;
-      s["reason"] = strata::open_condition(all[i].leaf);
-      s.erase("open");
-    }
-}
-
-// The strata on which something is asked.
-std::vector<strata::Stratum> with_equation(const strata::StrataAnswer& a) {
-  std::vector<strata::Stratum> all = a.told_apart();
-  std::erase_if(all, [](const strata::Stratum& s) { return s.leaf.no_equation(); });
-  return all;
-}
-
 std::string where(const strata::Stratum& s) {
   std::string text;
   for (const std::string& c : strata::condition_texts(s))
@@ -239,7 +224,7 @@ std::string where(const strata::Stratum& s) {
 
 // What holds on every stratum stands on top; the rest is in the list.
 void put_common(Json& j, const strata::StrataAnswer& a) {
-  const auto asked = with_equation(a);
+  const auto asked = a.told_apart();
   if (asked.empty()) return;
   const auto& first = asked.front().leaf;
   const auto all = [&](auto same) { return std::all_of(asked.begin(), asked.end(), same); };
@@ -259,26 +244,29 @@ void put_common(Json& j, const strata::StrataAnswer& a) {
 
 } // namespace
 
-Json family_result(const Json& id, const ParametricEquation& f, const strata::StrataAnswer& a) {
+Json family_result(const Json& id, const ParametricEquation& f, const strata::StrataAnswer& all) {
   Json j = unread_result(id);
   j["variable"] = f.variable;
   j["r"] = to_string_by_powers(f.question.r, f.question.z);
+  const strata::StrataAnswer a = strata::on_domain(all);
   put_strata(j, a);
+  if (const auto domain = in_words(strata::domain(all)); !domain.empty()) j["domain"] = domain;
   j["seconds"] = a.seconds;
   if (a.contradictory) {
     set_undecided(j, "parameter", "no parameters satisfy the assumptions");
     return j;
   }
-  mark_no_equation(j, a);
   put_common(j, a);
   std::string open;
-  const auto asked = with_equation(a);
-  for (const auto& s : asked)
+  for (const auto& s : a.told_apart())
     if (s.leaf.abelian == Truth::unknown && open.empty())
       open = where(s) + strata::open_condition(s.leaf);
-  if (asked.empty() && a.unvisited.empty())
-    open =
-        a.strata.empty() ? "nothing was looked at" : strata::open_condition(a.strata.front().leaf);
+  if (a.strata.empty() && a.unvisited.empty()) {
+    open = all.strata.empty() ? "nothing was looked at"
+                              : "there is no equation for any of these parameters: " +
+                                    strata::open_condition(all.strata.front().leaf);
+    j["no_equation"] = open;
+  }
   if (open.empty() && !a.unvisited.empty()) open = "not looked at: " + a.unvisited.front();
   if (!a.refusal.empty()) {
     j["refused_by_checker"] = a.certificate->json;

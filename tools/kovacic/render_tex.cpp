@@ -151,17 +151,20 @@ std::string strata_tex(const Json& result) {
   if (result.contains("contradictory")) s += "No parameters satisfy the assumptions.\n";
   if (const Json& given = result.value("assumed", Json::array()); !given.empty())
     s += "Assumed: " + joined(given, "") + ".\n";
+  if (result.contains("domain"))
+    s += "There is an equation for " + joined(result.at("domain"), "") + " only.\n";
+  if (result.contains("no_equation")) // and a list without items is an error of LaTeX
+    return s + escaped(result.at("no_equation").get<std::string>()) + ".\n";
   s += "\\begin{description}\n";
   for (const Json& x : result.at("strata")) {
     const std::string group = x.at("group_text"), abelian = x.at("abelian");
     s += "\\item[" + joined(x.at("conditions"), "for all parameters") + "] ";
-    if (!x.contains("no_equation"))
-      s += (group.empty() ? "" : "The group is " + escaped(group) + ". ") +
-           std::string("Its identity component is ") +
-           (abelian == "yes"  ? "abelian"
-            : abelian == "no" ? "not abelian"
-                              : "abelian or not: undecided") +
-           ": ";
+    s += (group.empty() ? "" : "The group is " + escaped(group) + ". ") +
+         std::string("Its identity component is ") +
+         (abelian == "yes"  ? "abelian"
+          : abelian == "no" ? "not abelian"
+                            : "abelian or not: undecided") +
+         ": ";
     s += escaped(x.at("reason").get<std::string>()) + ".\n";
   }
   for (const Json& u : result.value("unvisited", Json::array()))

@@ -4,6 +4,7 @@
 #include "bind.hpp"
 #include "decide/afterwards.hpp"
 #include "strata/certificate.hpp"
+#include "strata/domain.hpp"
 #include "strata/words.hpp"
 
 #include <pybind11/stl.h>
@@ -34,12 +35,8 @@ using strata::Leaf;
 using strata::StrataAnswer;
 using strata::Stratum;
 
-// The strata on which there is an equation.
-std::vector<Stratum> asked(const StrataAnswer& a) {
-  std::vector<Stratum> all = a.told_apart();
-  std::erase_if(all, [](const Stratum& s) { return s.leaf.no_equation(); });
-  return all;
-}
+// The strata; nothing is said where there is no equation.
+std::vector<Stratum> asked(const StrataAnswer& a) { return strata::on_domain(a).told_apart(); }
 
 bool looked_at_everything(const StrataAnswer& a) {
   return a.unvisited.empty() && !a.contradictory && !asked(a).empty();
@@ -104,6 +101,9 @@ public:
   }
   py::object operator()(const strata::NoFamilies&) const { return make("NoFamilies"); }
   py::object operator()(const strata::NoInvariant& e) const { return make("NoInvariant", e.m); }
+  py::object operator()(const strata::ExponentialFound& e) const {
+    return make("ExponentialFound", e.w);
+  }
   py::object operator()(const strata::InvariantFound&) const { return make("InvariantFound"); }
   py::object operator()(const strata::BesselForm& e) const {
     return make("BesselForm", e.nu_squared, e.nu, e.s);
@@ -167,7 +167,9 @@ std::string told(const FamilyAnswer& a) {
     text += (text.empty() ? "assumed " : ", ") + c;
   if (!text.empty()) text += "\n";
   if (a.answer.contradictory) text += "no parameters satisfy the assumptions\n";
-  for (const Stratum& s : a.answer.told_apart())
+  for (const std::string& c : in_words(strata::domain(a.answer)))
+    text += "there is no equation unless " + c + "\n";
+  for (const Stratum& s : asked(a.answer))
     text += told(s) + "\n";
   for (const std::string& u : a.answer.unvisited)
     text += u + ": not looked at\n";
@@ -277,8 +279,11 @@ void bind_strata(py::module_& m) {
           "group", [](const FamilyAnswer& a) { return common_group(a.answer); },
           "where it is the same on all strata, else None")
       .def_property_readonly(
-          "strata", [](const FamilyAnswer& a) { return a.answer.told_apart(); },
-          "disjoint; with `unvisited` they cover the assumptions")
+          "strata", [](const FamilyAnswer& a) { return asked(a.answer); },
+          "disjoint; with `unvisited` they cover the values with an equation: `domain`")
+      .def_property_readonly(
+          "domain", [](const FamilyAnswer& a) { return in_words(strata::domain(a.answer)); },
+          "where there is an equation, beside the assumptions; empty: everywhere")
       .def_property_readonly("assumed", [](const FamilyAnswer& a) { return assumed(a.answer); })
       .def_property_readonly(
           "unvisited", [](const FamilyAnswer& a) { return a.answer.unvisited; },
@@ -322,7 +327,7 @@ void bind_strata(py::module_& m) {
           "conditions cannot be checked.")
       .def("__str__", [](const FamilyAnswer& a) { return told(a); })
       .def("__repr__", [](const FamilyAnswer& a) {
-        return "<StrataAnswer: " + std::to_string(a.answer.told_apart().size()) + " strata>";
+        return "<StrataAnswer: " + std::to_string(asked(a.answer).size()) + " strata>";
       });
 }
 

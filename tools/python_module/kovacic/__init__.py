@@ -331,8 +331,8 @@ for _type, _shown in (
     _type._repr_html_ = _shown
 
 from ._evidence import (  # noqa: E402, F401
-    AssumedNotInteger, BesselForm, ClassicalForm, ConditionFails, DifferenceBound, ExcludedDifferences, InvariantFound,
-    IrrationalDifference, IrregularPlace, Logarithm, Loop, NoExponential, NoFamilies, NoInvariant, NoProducts, Number,
-    OfEquation, OtherBlocks, WeberForm)
+    AssumedNotInteger, BesselForm, ClassicalForm, ConditionFails, DifferenceBound, ExcludedDifferences, ExponentialFound,
+    InvariantFound, IrrationalDifference, IrregularPlace, Logarithm, Loop, NoExponential, NoFamilies, NoInvariant, NoProducts,
+    Number, OfEquation, OtherBlocks, WeberForm)
 
 __all__ = sorted(_name for _name in dir() if not _name.startswith("_"))

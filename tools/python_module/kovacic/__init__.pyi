@@ -398,6 +398,10 @@ class ExcludedDifferences:
     values: list
 
 
+class ExponentialFound:
+    w: Any
+
+
 class FixedPoint:
     __match_args__ = ('stability', 'l', 'y')
     l: float
@@ -691,6 +695,7 @@ class StrataAnswer:
     abelian: Truth
     group: GaloisGroup | None
     strata: list[Stratum]
+    domain: list[str]
     assumed: list[str]
     unvisited: list[str]
     trusted: list[str]

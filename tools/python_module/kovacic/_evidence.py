@@ -66,6 +66,12 @@ class NoInvariant:
 
 
 @dataclass(frozen=True)
+class ExponentialFound:
+    """There is an exponential solution for all parameters: y'/y = w."""
+    w: object
+
+
+@dataclass(frozen=True)
 class InvariantFound:
     """A symmetric power has a rational solution."""
 

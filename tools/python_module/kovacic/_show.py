@@ -36,8 +36,8 @@ def strata(a):
     text = f"<p>assumed: {escape(', '.join(a.assumed))}</p>" if a.assumed else ""
     if a.contradictory:
         text += "<p>no parameters satisfy the assumptions</p>"
-    rows = [(escape(s.where), escape(s.group_text), "no equation" if s.no_equation else TRUTH[s.abelian],
-             escape(s.undecided if s.no_equation else s.reason)) for s in a.strata]
+    text += "".join(f"<p>there is no equation unless {escape(c)}</p>" for c in a.domain)
+    rows = [(escape(s.where), escape(s.group_text), TRUTH[s.abelian], escape(s.reason)) for s in a.strata]
     rows += [(escape(u), "", "not looked at", "") for u in a.unvisited]
     text += table(rows, ("where", "group", "identity component", "because"))
     if a.family is not None:
