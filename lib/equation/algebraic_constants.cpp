@@ -1,5 +1,7 @@
 #include "equation/algebraic_constants.hpp"
 
+#include "equation/parameter_scope.hpp"
+#include "parameters/region.hpp"
 #include "symbol/constants.hpp"
 
 #include <algorithm>
@@ -16,6 +18,11 @@ std::optional<Integer> integer(const Expression& e) {
   if (e.kind() == Kind::negate && e.operand(0).kind() == Kind::number)
     return -e.operand(0).number();
   return std::nullopt;
+}
+
+bool calls_something(const Expression& e) {
+  return e.kind() == Kind::call ||
+         std::any_of(e.operands().begin(), e.operands().end(), calls_something);
 }
 
 std::string name_of_root(const Integer& p) { return "sqrt(" + to_string(p) + ")"; }
@@ -44,7 +51,7 @@ MFraction lowered(const MPoly& f, std::size_t x, const MPoly& p) {
 std::optional<AlgebraicConstants> AlgebraicConstants::in(const EquationText& text) {
   AlgebraicConstants all;
   for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
-    if (*e && !all.collect(**e)) return std::nullopt;
+    if (*e && !all.collect(**e, text)) return std::nullopt;
   const auto& parameters = text.parameters;
   if (std::find(parameters.begin(), parameters.end(), "I") != parameters.end()) all.i_ = false;
   all.minpoly_ = text.minpoly;
@@ -52,7 +59,8 @@ std::optional<AlgebraicConstants> AlgebraicConstants::in(const EquationText& tex
     const auto names = names_in(*text.minpoly);
     if (std::find(names.begin(), names.end(), "I") != names.end())
       throw text.minpoly->error("I is the imaginary unit", "give the constant another name");
-    if (all.i_ || !all.square_roots_.empty()) return std::nullopt; // not known to be independent
+    if (all.i_ || !all.square_roots_.empty() || !all.parameter_roots_.empty())
+      return std::nullopt; // not known to be independent
   }
   return all;
 }
@@ -77,11 +85,33 @@ std::optional<AlgebraicConstants::SquareRoot> AlgebraicConstants::square_root(co
   return root;
 }
 
-bool AlgebraicConstants::collect(const Expression& e) {
+// A function of parameters alone, and of some.
+bool AlgebraicConstants::collect_root(const Expression& argument, const EquationText& text) {
+  const auto is_free = [&](const std::string& name) {
+    const auto& all = text.parameters;
+    return std::find(all.begin(), all.end(), name) != all.end() &&
+           std::none_of(text.set.begin(), text.set.end(),
+                        [&](const auto& value) { return value.first == name; });
+  };
+  const auto names = names_in(argument);
+  if (names.empty() || !std::all_of(names.begin(), names.end(), is_free) ||
+      calls_something(argument))
+    return false;
+  const MFraction value = evaluate(argument, ParameterScope(make_ring(names), {}));
+  if (is_zero(value) || is_constant(value)) return false;
+  const std::string name = "sqrt(" + to_string(value) + ")";
+  if (std::none_of(parameter_roots_.begin(), parameter_roots_.end(),
+                   [&](const ParameterRoot& r) { return r.name == name; }))
+    parameter_roots_.push_back({argument, name});
+  return true;
+}
+
+bool AlgebraicConstants::collect(const Expression& e, const EquationText& text) {
   if (e.kind() == Kind::name && e.name() == "I") i_ = true;
   if (e.kind() == Kind::call && e.name() == "root") return false;
   if (e.kind() == Kind::call && e.name() == "sqrt") {
     const auto n = e.operands().size() == 1 ? integer(e.operand(0)) : std::nullopt;
+    if (!n && e.operands().size() == 1) return collect_root(e.operand(0), text);
     const auto root = n ? square_root(*n) : std::nullopt;
     if (!root) return false;
     i_ = i_ || root->imaginary;
@@ -91,7 +121,7 @@ bool AlgebraicConstants::collect(const Expression& e) {
     return true;
   }
   return std::all_of(e.operands().begin(), e.operands().end(),
-                     [this](const Expression& x) { return collect(x); });
+                     [&](const Expression& x) { return collect(x, text); });
 }
 
 std::vector<Integer> AlgebraicConstants::primes() const {
@@ -107,6 +137,8 @@ std::vector<std::string> AlgebraicConstants::names() const {
   if (i_) all.emplace_back("I");
   for (const Integer& p : primes())
     all.push_back(name_of_root(p));
+  for (const ParameterRoot& r : parameter_roots_)
+    all.push_back(r.name);
   if (minpoly_)
     for (const auto& name : names_in(*minpoly_))
       all.push_back(name);
@@ -122,6 +154,9 @@ std::vector<FunctionMeaning> AlgebraicConstants::functions(const Ring& ring) con
       value *= MFraction::variable(ring, name_of_root(p));
     all.push_back({0, "sqrt", MFraction(ring, Rational(r.n)), value});
   }
+  for (const ParameterRoot& r : parameter_roots_)
+    all.push_back({0, "sqrt", evaluate(r.argument, ParameterScope(ring, {})),
+                   MFraction::variable(ring, r.name)});
   return all;
 }
 
@@ -135,6 +170,11 @@ std::vector<std::pair<std::size_t, MPoly>> AlgebraicConstants::equations(const S
   if (i_) square_is("I", Integer(-1));
   for (const Integer& p : primes())
     square_is(name_of_root(p), p);
+  for (const ParameterRoot& r : parameter_roots_) {
+    const MFraction x = MFraction::variable(ring, r.name);
+    all.emplace_back(ring->index(r.name),
+                     (x * x - evaluate(r.argument, ParameterScope(ring, {}))).num());
+  }
   if (minpoly_) {
     const MPoly p = evaluate(*minpoly_, scope).num();
     const auto factors = is_zero(p) ? std::vector<MFactor>{} : factor(p).second;
@@ -148,6 +188,12 @@ std::vector<std::pair<std::size_t, MPoly>> AlgebraicConstants::equations(const S
 }
 
 void AlgebraicConstants::assume(Assumptions& all, const Scope& scope) const {
+  for (const ParameterRoot& r : parameter_roots_) {
+    const MFraction f = evaluate(r.argument, ParameterScope(scope.ring(), {}));
+    if (Region(scope.ring(), all).exact_sign_of(f.num() * f.den()) > 0)
+      all.require(MFraction::variable(scope.ring(), r.name), Sign::positive);
+    if (!is_constant(f.den())) all.require(MFraction(f.den()), Sign::nonzero);
+  }
   for (const auto& [x, p] : equations(scope))
     all.require(MFraction(p), Sign::zero);
   for (const Integer& p : primes())

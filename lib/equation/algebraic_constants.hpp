@@ -2,10 +2,11 @@
 // Constants outside Q beside parameters: I, square roots of integers, the root of a polynomial.
 // They become parameters with an assumed equation, which lib/strata keeps as a relation: I with
 // I^2 = -1, and sqrt(p) for each prime p in a square root, so that they are independent
-// (sqrt(-12) is 2*I*sqrt(3)).
+// (sqrt(-12) is 2*I*sqrt(3)).  So do square roots of functions of the parameters: sqrt(N - 1), with
+// N = sqrt(N - 1)^2 + 1.
 //
 // What is found holds for every choice of the roots (I and -I, both square roots, all roots of the
-// polynomial): a little more than was asked.
+// polynomial): a little more than was asked.  The root of what is assumed to be positive is positive.
 
 #include "equation/read_equation.hpp"
 #include "parameters/conditions.hpp"
@@ -15,8 +16,9 @@ namespace kov {
 
 class AlgebraicConstants {
 public:
-  /// The constants in the formulas.  Unset: root(...); a square root of something that is not an
-  /// integer, or with a prime factor above 10^6; the root of a polynomial beside other constants.
+  /// The constants in the formulas.  Unset: root(...); a square root of something that is neither an
+  /// integer nor a function of the parameters, or with a prime factor above 10^6; the root of a
+  /// polynomial beside other constants.
   /// Given   EquationText text;
   /// Given   text.r = parse_expression("sqrt(-12)*z + a", "r"), text.parameters = {"a"};
   /// Example AlgebraicConstants::in(text)->names().size()  // -> 2
@@ -38,13 +40,19 @@ private:
     bool imaginary = false;
     std::vector<Integer> primes;
   };
-  bool collect(const Expression& e);
+  struct ParameterRoot {
+    Expression argument;
+    std::string name; ///< sqrt(...), of the ring
+  };
+  bool collect(const Expression& e, const EquationText& text);
+  bool collect_root(const Expression& argument, const EquationText& text);
   static std::optional<SquareRoot> square_root(const Integer& n);
   [[nodiscard]] std::vector<Integer> primes() const;
   [[nodiscard]] std::vector<std::pair<std::size_t, MPoly>> equations(const Scope& scope) const;
 
   bool i_ = false;
   std::vector<SquareRoot> square_roots_;
+  std::vector<ParameterRoot> parameter_roots_;
   std::optional<Expression> minpoly_;
 };
 

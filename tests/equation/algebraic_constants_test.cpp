@@ -104,10 +104,75 @@ TEST(AlgebraicConstants, AreIndependent) {
                InputError);
 }
 
+// w = sqrt(f(b)) is a parameter with w^2 = f(b): at a value of w the strata say what the solver says
+// for the number b with this root.
+TEST(AlgebraicConstants, RootsOfFunctionsOfTheParameters) {
+  const std::vector<std::pair<std::string, std::string>> roots{{"sqrt(b)", "w^2"},
+                                                               {"sqrt(b - 1)", "w^2 + 1"},
+                                                               {"sqrt(1/b)", "1/w^2"},
+                                                               {"sqrt(4*b + 1)", "(w^2 - 1)/4"}};
+  for (const char* form : {"W*z", "(W - 1/4)/z^2", "(W^2 - 1/4)/z^2 - 1", "b/z^2 + W", "z^2 + W",
+                           "(W - 1/4)/z^2 - b", "W/z^2 + 1/(z - 1)^2"})
+    for (const auto& [root, b] : roots) {
+      std::string r = form;
+      for (std::size_t i; (i = r.find('W')) != std::string::npos;)
+        r.replace(i, 1, root);
+      SCOPED_TRACE(r);
+      const auto answer = strata::decide_strata(read_parametric_equation(text_of(r)).question);
+      const Ring& ring = answer.question->r.ring();
+      std::size_t w = 0; // the one whose name is no word
+      while (ring->name(w).find('(') == std::string::npos)
+        ++w;
+      for (const char* value : {"1", "2", "3/2", "1/3"}) { // roots that are positive
+        const Ring one = make_ring({"w"});
+        const auto number = [&](const std::string& text, const ParameterScope& scope) {
+          const MFraction v = evaluate(parse_expression(text, "number"), scope);
+          return is_zero(v) ? Rational(0) : to_rational(v);
+        };
+        const Rational root_value = number(value, ParameterScope(one, {}));
+        const Rational at_b = number(b, ParameterScope(one, {{"w", MFraction(one, root_value)}}));
+        const auto* s = strata::stratum_at(answer, {{w, root_value}, {ring->index("b"), at_b}});
+        ASSERT_NE(s, nullptr) << value;
+        if (s->leaf.abelian == Truth::unknown) continue;
+        EXPECT_EQ(s->leaf.abelian, at(text_of(r), to_string(at_b))) << value;
+      }
+    }
+}
+
+TEST(AlgebraicConstants, APositiveNumberHasAPositiveRoot) { // sympy issue 22525
+  EquationText text;
+  text.ode =
+      parse_expression("4*N*sqrt(N-1)*y + (4*s^2*(N-1) + (N - 2*s*(N-1))^2)*y'' = 0", "ode", true);
+  text.variable = "s";
+  text.parameters = {"N"};
+  const auto answer = with_parameter(text, "N > 1");
+  EXPECT_EQ(answer.abelian(), Truth::no);
+  for (const auto& s : answer.strata) {
+    ASSERT_TRUE(s.leaf.group) << to_string(s.conditions);
+    EXPECT_EQ(s.leaf.group->type, GroupType::SL2) << to_string(s.conditions);
+  }
+}
+
+// Not the zero of a polynomial, but of the equation of a constant.
+TEST(AlgebraicConstants, DivisionByZero) {
+  for (const auto& [r, minpoly] : std::vector<std::pair<std::string, std::string>>{
+           {"b/(c^2 - 2)", "c^2 - 2"},
+           {"b/(I^2 + 1)", ""},
+           {"z + 1/(sqrt(2)*b*(sqrt(8) - 2*sqrt(2)))", ""},
+           {"b/((sqrt(2) - sqrt(8)/2)*z + I^2 + 1)", ""},
+           {"b*z/(c^3 - 2*c)", "c^2 - 2"}})
+    EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of(r, minpoly))), InputError) << r;
+  EquationText text = text_of("z");
+  text.r.reset();
+  text.ode = parse_expression("(sqrt(2)^2 - 2)*b*y'' + z*y' + b*y = 0", "ode", true);
+  EXPECT_THROW(static_cast<void>(read_parametric_equation(text)), InputError);
+}
+
 TEST(AlgebraicConstants, WhatIsNotRead) {
   EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("root(x^2 - 2, 1.4)*b*z"))),
                FreeParameters);
-  EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("sqrt(b)*z"))), FreeParameters);
+  for (const char* r : {"sqrt(z)*b", "sqrt(b + sqrt(2))*z", "sqrt(b + z)", "sqrt(b - b)*b*z"})
+    EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of(r))), FreeParameters) << r;
   EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("sqrt(2)*b*z*c", "c^2 - 2"))),
                FreeParameters);
 }
