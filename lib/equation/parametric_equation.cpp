@@ -3,7 +3,6 @@
 #include "equation/algebraic_constants.hpp"
 #include "equation/assumptions.hpp"
 #include "equation/parameter_scope.hpp"
-#include "exact/error.hpp"
 #include "system/linear_formula.hpp"
 
 #include <algorithm>
@@ -119,13 +118,7 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
       assume_defined(q, c);
     q.r = reduced(p, q0);
   }
-  try {
-    q.r = q.r.ring() ? constants->reduced(q.r, scope) : MFraction(ring);
-  } catch (const DomainError&) { // by the equations of the constants
-    const Expression& e = text.r ? *text.r : text.ode ? *text.ode : *text.p;
-    throw e.error("division by zero: a denominator, or the coefficient of " + given.unknown +
-                  "'', is 0 by the equation of a constant");
-  }
+  q.r = q.r.ring() ? constants->reduced(q.r, scope) : MFraction(ring);
   q.assumptions = read_assumptions(text, scope);
   constants->assume(q.assumptions, scope);
   return f;

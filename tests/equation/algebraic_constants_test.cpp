@@ -153,21 +153,6 @@ TEST(AlgebraicConstants, APositiveNumberHasAPositiveRoot) { // sympy issue 22525
   }
 }
 
-// Not the zero of a polynomial, but of the equation of a constant.
-TEST(AlgebraicConstants, DivisionByZero) {
-  for (const auto& [r, minpoly] : std::vector<std::pair<std::string, std::string>>{
-           {"b/(c^2 - 2)", "c^2 - 2"},
-           {"b/(I^2 + 1)", ""},
-           {"z + 1/(sqrt(2)*b*(sqrt(8) - 2*sqrt(2)))", ""},
-           {"b/((sqrt(2) - sqrt(8)/2)*z + I^2 + 1)", ""},
-           {"b*z/(c^3 - 2*c)", "c^2 - 2"}})
-    EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of(r, minpoly))), InputError) << r;
-  EquationText text = text_of("z");
-  text.r.reset();
-  text.ode = parse_expression("(sqrt(2)^2 - 2)*b*y'' + z*y' + b*y = 0", "ode", true);
-  EXPECT_THROW(static_cast<void>(read_parametric_equation(text)), InputError);
-}
-
 TEST(AlgebraicConstants, WhatIsNotRead) {
   EXPECT_THROW(static_cast<void>(read_parametric_equation(text_of("root(x^2 - 2, 1.4)*b*z"))),
                FreeParameters);
