@@ -208,7 +208,9 @@ bool is_defined_for_all_parameters(const System& s, const CanonicalChange& chang
 
 } // namespace
 
-SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
+namespace {
+
+SystemClassification classified(const System& s, const ClassifyOptions& options) {
   const StatedSolutions stated = stated_solutions(s, options);
   std::optional<CanonicalChange> change;
   if (options.change_variables && options.search_solutions && !stated.decided)
@@ -216,6 +218,25 @@ SystemClassification classify_system(const System& s, const ClassifyOptions& opt
   if (!change || !is_defined_for_all_parameters(s, *change))
     return classify_in_these_variables(s, options, stated);
   return InTurn(s, options, stated, *change).run();
+}
+
+// A limit that falls before the first stage.
+SystemClassification all_open(const System& s, const std::string& limit) {
+  SystemClassification c = nothing_known(s);
+  leave_open({all_parameters(s, level_parameters(s), {}, c), {}}, c);
+  finish(s, c);
+  c.notes.push_back(limit + ": the rest counts as open");
+  return c;
+}
+
+} // namespace
+
+SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
+  try {
+    return classified(s, options);
+  } catch (const OutOfBudget& limit) {
+    return all_open(s, limit.what());
+  }
 }
 
 } // namespace kov

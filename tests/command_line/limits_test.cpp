@@ -6,6 +6,7 @@
 #include "clock.hpp"
 #include "commands.hpp"
 
+#include "classify/classify.hpp"
 #include "support/own_folder.hpp"
 #include "symbol/notations.hpp"
 
@@ -195,6 +196,19 @@ void check_classification(const std::string& path, long count) {
 TEST(Limits, AtAnyMomentOfClassify) {
   for (const Written& w : {henon_heiles, polar, field})
     check_classification(path_of(w), 12);
+}
+
+// Also for those who ask the library.
+TEST(Limits, BeforeTheFirstStageAllParametersAreOpen) {
+  for (const Written& w : {henon_heiles, polar, field}) {
+    ClassifyOptions options;
+    options.check.decide.budget.deadline = Budget::Clock::now() - std::chrono::seconds(1);
+    const SystemClassification c = classify_system(read_system(path_of(w)), options);
+    EXPECT_EQ(c.status(), ClassificationStatus::open) << w.name;
+    ASSERT_FALSE(c.strata.empty()) << w.name;
+    for (const ClassifiedStratum& s : c.strata)
+      EXPECT_EQ(s.status, StratumStatus::open) << w.name;
+  }
 }
 
 } // namespace
