@@ -249,6 +249,8 @@ private:
       }
       return of_a_level;
     });
+    for (const std::size_t i : levels)
+      forget_assumptions(i, s);
     for (ReduceSpec& r : s.reductions)
       r.energy.clear(); // all levels at once
     return s;

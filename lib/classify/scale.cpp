@@ -139,7 +139,10 @@ void keep_assumptions(const System& before, const std::vector<std::size_t>& ones
                        [&](std::size_t i) { return is_assumed(i, wanted); });
   };
   const bool positive = all({Relation::positive});
-  const bool real = all({Relation::real, Relation::positive, Relation::nonnegative});
+  const bool real = std::all_of(ones.begin(), ones.end(), [&](std::size_t i) {
+    return before.real.contains(before.ring()->name(i));
+  });
+  if (!real) s.real.clear(); // a real parameter divided by a power of one that is not
   std::vector<Assumption> kept;
   for (Assumption a : s.assumptions) {
     const auto used = used_variables(a.value);

@@ -33,20 +33,28 @@ InputError error_at_name(const Sentence& s, const std::string& name, const std::
   return s.error(message, hint);
 }
 
-// v is declared rational or real if it is one of the parameters; a v c + d in Z makes c v + d
-// rational, and with it the only parameter in it.
 void declare(Assumptions& all, const MFraction& v, Sentence::Domain domain) {
-  const auto used = used_variables(v);
-  if (used.size() != 1 || !is_constant(v.den()) || degree(v.num(), used[0]) != 1) return;
-  if (domain != Sentence::Domain::complex) all.real.push_back(used[0]);
-  if (domain == Sentence::Domain::rational) all.rational.push_back(used[0]);
+  if (domain == Sentence::Domain::real) all.declare_real(v);
+  if (domain == Sentence::Domain::rational) all.declare_rational(v);
+}
+
+bool is_ordered(const Sentence& s) {
+  return s.kind == Sentence::Kind::sign &&
+         (s.sign == Sign::positive || s.sign == Sign::nonnegative);
+}
+
+// What stands in an inequality is real: the names themselves, and of what they are put to only
+// what must be.
+void declare_names(Assumptions& all, const Sentence& s, const Scope& scope) {
+  if (!is_ordered(s)) return;
+  for (const std::string& name : names_in(s))
+    if (const auto value = scope.value(name)) all.declare_real(*value);
 }
 
 // An inequality is about real numbers.
 void refuse_imaginary_unit(const Sentence& s, const MFraction& value, const Ring& ring) {
-  const bool ordered = s.sign == Sign::positive || s.sign == Sign::nonnegative;
   const auto i = ring->find("I");
-  if (ordered && i && uses(value, *i))
+  if (is_ordered(s) && i && uses(value, *i))
     throw s.error("an inequality is about real numbers", "I is the imaginary unit");
 }
 
@@ -65,6 +73,17 @@ void assume(Assumptions& all, const Sentence& s, const Scope& scope) {
   default:
     declare(all, value, s.domain);
   }
+}
+
+// What is real first: a quotient has the sign of num * den where den is.
+Assumptions together(const std::vector<Sentence>& said, const Scope& scope, Assumptions all = {}) {
+  for (const Sentence& s : said)
+    declare_names(all, s, scope);
+  for (const Sentence& s : said)
+    if (s.kind == Sentence::Kind::declaration) assume(all, s, scope);
+  for (const Sentence& s : said)
+    if (s.kind != Sentence::Kind::declaration) assume(all, s, scope);
+  return all;
 }
 
 // The constants of the equation, as read_equation defines them.
@@ -186,10 +205,7 @@ void refuse_contradictions(const EquationText& text, const std::vector<Sentence>
   std::map<std::string, MFraction> values;
   for (const auto& [name, value] : text.set)
     values[name] = evaluate(value, ParameterScope(ring, {}));
-  Assumptions together;
-  for (const Sentence& s : all)
-    assume(together, s, ParameterScope(ring, values));
-  if (Region(ring, together).is_empty())
+  if (Region(ring, together(all, ParameterScope(ring, values))).is_empty())
     throw all.back().error(all.size() == 1 ? "no parameters satisfy the assumption"
                                            : "the assumptions contradict each other");
 }
@@ -202,12 +218,12 @@ bool is_rational_formula(const Expression& e) {
   return std::all_of(e.operands().begin(), e.operands().end(), is_rational_formula);
 }
 
-Assumptions read_assumptions(const EquationText& text, const Scope& scope) {
-  Assumptions all;
+Assumptions read_assumptions(const EquationText& text, const Scope& scope, Assumptions known) {
+  std::vector<Sentence> said;
   for (const auto& a : text.assume)
-    for (const Sentence& s : sentences(a))
-      assume(all, s, scope);
-  return all;
+    for (Sentence& s : sentences(a))
+      said.push_back(std::move(s));
+  return together(said, scope, std::move(known));
 }
 
 namespace {
@@ -220,8 +236,7 @@ void refuse_complex_order(const std::vector<Sentence>& all) {
       for (const auto& name : names_in(s))
         complex.insert(name);
   for (const Sentence& s : all) {
-    if (s.kind != Sentence::Kind::sign || (s.sign != Sign::positive && s.sign != Sign::nonnegative))
-      continue;
+    if (!is_ordered(s)) continue;
     for (const auto& name : names_in(s))
       if (complex.contains(name))
         throw error_at_name(s, name, "'" + name + "' is said to be complex",

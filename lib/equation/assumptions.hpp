@@ -11,8 +11,9 @@ namespace kov {
 /// No root, no I: the formula means a rational function of its names.
 [[nodiscard]] bool is_rational_formula(const Expression& e);
 
-/// The assumptions in the ring of the scope.  Errors  InputError
-[[nodiscard]] Assumptions read_assumptions(const EquationText& text, const Scope& scope);
+/// The assumptions in the ring of the scope, after what is known of it.  Errors  InputError
+[[nodiscard]] Assumptions read_assumptions(const EquationText& text, const Scope& scope,
+                                           Assumptions known = {});
 
 /// Values are compared exactly, in the number field of the equation's constants.
 /// Errors  InputError: a text that is no sentence, a name that is no parameter, a sentence that is

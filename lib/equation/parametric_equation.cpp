@@ -119,8 +119,8 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
     q.r = reduced(p, q0);
   }
   q.r = q.r.ring() ? constants->reduced(q.r, scope) : MFraction(ring);
-  q.assumptions = read_assumptions(text, scope);
   constants->assume(q.assumptions, scope);
+  q.assumptions = read_assumptions(text, scope, std::move(q.assumptions));
   return f;
 }
 

@@ -99,7 +99,7 @@ void decide_locus(const Study& study, const std::vector<BlockReport>& generic, c
                   std::size_t h, BlockReport& block) {
   const System& s = study.system;
   System all_levels = s;
-  std::erase_if(all_levels.assumptions, [&](const Assumption& a) { return uses(a.value, h); });
+  forget_assumptions(h, all_levels);
   strata::Question q = strata_question(all_levels, *block.ode);
   const auto nowhere = without_level(q, f, h, s.ring()->name(h));
   q.assumptions.require(transfer(MFraction(f), q.r.ring()), Sign::zero);

@@ -10,8 +10,18 @@ namespace {
 
 using Relation = Assumption::Relation;
 
+// "1 > 0", after a parameter has its value.
+bool holds_of_a_number(Relation relation, const MFraction& value) {
+  if (is_zero(value)) return relation == Relation::zero || relation == Relation::nonnegative;
+  if (!is_constant(value)) return false;
+  return relation == Relation::nonzero ||
+         (relation != Relation::zero && relation != Relation::integer &&
+          sign(to_rational(value)) > 0);
+}
+
 void add_assumption(Assumptions& all, const Assumption& a, const Ring& ring) {
   const MFraction value = transfer(a.value, ring);
+  if (holds_of_a_number(a.relation, value)) return;
   switch (a.relation) {
   case Relation::zero:
     return all.require(value, Sign::zero);
@@ -24,13 +34,36 @@ void add_assumption(Assumptions& all, const Assumption& a, const Ring& ring) {
   case Relation::integer:
     all.require_integral(value, true);
     [[fallthrough]];
-  default: // real, rational: of a parameter
-    if (const auto used = used_variables(value);
-        used.size() == 1 && value == MFraction::variable(ring, used[0])) {
-      all.real.push_back(used[0]);
-      if (a.relation != Relation::real) all.rational.push_back(used[0]);
-    }
+  case Relation::rational:
+    return all.declare_rational(value);
+  case Relation::real:
+    return all.declare_real(value);
   }
+}
+
+bool is_real_valued(const Assumption& a) {
+  return a.relation != Relation::zero && a.relation != Relation::nonzero;
+}
+
+// One of several variables in it is not known to be real.
+bool is_open(const Assumption& a, const System& s, const Ring& ring, const Assumptions& known) {
+  const auto used = used_variables(a.value);
+  return used.size() > 1 && std::count_if(used.begin(), used.end(), [&](std::size_t i) {
+                              return std::find(known.real.begin(), known.real.end(),
+                                               *ring->find(s.ring()->name(i))) == known.real.end();
+                            }) == 1;
+}
+
+std::vector<Assumption> about(const System& s, const Ring& ring) {
+  std::vector<Assumption> all;
+  std::copy_if(s.assumptions.begin(), s.assumptions.end(), std::back_inserter(all),
+               [&](const Assumption& a) {
+                 const auto used = used_variables(a.value);
+                 return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+                   return ring->find(s.ring()->name(i)).has_value();
+                 });
+               });
+  return all;
 }
 
 // At special values there may be several systems, and the curve lies in one of them.
@@ -44,6 +77,25 @@ void add_special_relations(const System& s, const Ring& ring, strata::Question& 
 }
 
 } // namespace
+
+Assumptions assumptions_on(const System& s, const Ring& ring) {
+  const std::vector<Assumption> given = about(s, ring);
+  std::vector<std::size_t> real;
+  for (const std::string& name : s.real)
+    if (const auto i = ring->find(name)) real.push_back(*i);
+  for (;;) { // with more that is real more can be said, and more must be real
+    Assumptions all;
+    all.real = real;
+    for (const Assumption& a : given)
+      add_assumption(all, a, ring);
+    real = all.real;
+    for (const Assumption& a : given)
+      if (is_real_valued(a) && is_open(a, s, ring, all))
+        if (const auto i = Region(ring, all).made_real_by(transfer(a.value, ring)))
+          if (std::find(real.begin(), real.end(), *i) == real.end()) real.push_back(*i);
+    if (real.size() == all.real.size()) return all;
+  }
+}
 
 strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
   std::vector<std::string> names;
@@ -63,8 +115,7 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
   strata::Question q;
   q.z = ring->index(s.ring()->name(ode.z));
   q.r = transfer(ode.r, ring);
-  for (const auto& a : s.assumptions)
-    if (known(a.value)) add_assumption(q.assumptions, a, ring);
+  q.assumptions = assumptions_on(s, ring);
   for (const auto& relation : s.field.relations) { // among the algebraic constants
     const auto used = used_variables(relation);
     if (std::all_of(used.begin(), used.end(), [&](std::size_t i) {
@@ -131,12 +182,7 @@ std::vector<std::size_t> level_parameters(const System& s) {
 
 namespace {
 
-Region assumed_region(const System& s) {
-  Assumptions assumed;
-  for (const auto& a : s.assumptions)
-    add_assumption(assumed, a, s.ring());
-  return {s.ring(), assumed};
-}
+Region assumed_region(const System& s) { return {s.ring(), assumptions_on(s, s.ring())}; }
 
 } // namespace
 
@@ -191,7 +237,6 @@ bool some_level_is_not_abelian(const System& s, const strata::StrataAnswer& answ
   const auto is_level = [&](std::size_t i) {
     return std::find(levels.begin(), levels.end(), i) != levels.end();
   };
-  System others = s; // what is assumed of the other parameters
   for (const auto& a : s.assumptions) {
     const auto used = used_variables(a.value);
     if (std::none_of(used.begin(), used.end(), is_level)) continue;
@@ -199,15 +244,11 @@ bool some_level_is_not_abelian(const System& s, const strata::StrataAnswer& answ
                       a.relation == Relation::nonnegative || a.relation == Relation::real;
     if (!open || !std::all_of(used.begin(), used.end(), is_level)) return false;
   }
-  std::erase_if(others.assumptions, [&](const Assumption& a) {
-    const auto used = used_variables(a.value);
-    return std::any_of(used.begin(), used.end(), is_level);
-  });
-  Assumptions assumed;
+  System others = s; // what is assumed of the other parameters
+  for (const std::size_t h : levels)
+    forget_assumptions(h, others);
   const Ring& ring = s.ring();
-  for (const auto& a : others.assumptions)
-    add_assumption(assumed, a, ring);
-  const Region all(ring, assumed);
+  const Region all(ring, assumptions_on(others, ring));
   const auto for_some_level = [&](const Condition& c) {
     if (c.sign != Sign::nonzero) return false;
     std::vector<MPoly> parts{transfer(MFraction(c.p), ring).num()};

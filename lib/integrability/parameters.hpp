@@ -9,6 +9,15 @@ namespace kov {
 /// Errors  InvalidArgument: r depends on something that is not a parameter
 [[nodiscard]] strata::Question strata_question(const System& s, const AlgebraicOde& ode);
 
+/// What the file assumes, as far as it is about variables of this ring.  What is real is what the
+/// file says (System::real), and what must be real by that.
+/// Given   const System product = read_system(parse_document("system = {kind = 'hamiltonian', "
+///             "coordinates = ['q'], momenta = ['p'], parameters = ['a', 'b', 'c'], "
+///             "hamiltonian = 'p^2/2 + (a + b + c)*q^2'}\n"
+///             "assume = {conditions = ['a > 0', 'a*b - c > 0']}", "product.toml"));
+/// Example assumptions_on(product, product.ring()).real.size()  // -> 3
+[[nodiscard]] Assumptions assumptions_on(const System& s, const Ring& ring);
+
 /// Parameters of the levels only: the vector field does not contain them, and they may be chosen.
 /// One that occurs in assumptions and in no manifold or reduction labels no level.
 /// Given   const System free = read_system(parse_document("system = {kind = 'hamiltonian', "

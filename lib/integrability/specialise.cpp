@@ -1,6 +1,7 @@
 #include "integrability/specialise.hpp"
 
 #include "exact/error.hpp"
+#include "exact/linear_fraction.hpp"
 #include "system/relations.hpp"
 
 #include <algorithm>
@@ -61,6 +62,15 @@ void put(ManifoldSpec& m, const Substitution& values) {
   put(m.nonzero, values);
 }
 
+// A parameter with a value is none any more; what its value is made of is real if it must be.
+void put(std::set<std::string>& real, const Substitution& values, const Ring& ring) {
+  std::set<std::string> more;
+  for (const auto& [i, value] : values)
+    if (real.erase(ring->name(i)) > 0)
+      if (const auto x = variable_of_linear_fraction(value)) more.insert(ring->name(*x));
+  real.insert(more.begin(), more.end());
+}
+
 } // namespace
 
 System at_values(const System& s, const Substitution& values) {
@@ -74,6 +84,7 @@ System at_values(const System& s, const Substitution& values) {
     put(r.change, values);
   for (auto& a : special.assumptions)
     put(a.value, values);
+  put(special.real, values, s.ring());
   return special;
 }
 

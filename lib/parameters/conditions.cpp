@@ -1,11 +1,35 @@
 #include "parameters/conditions.hpp"
 
+#include "exact/linear_fraction.hpp"
 #include "parameters/integers.hpp"
 
 #include <algorithm>
 #include <set>
 
 namespace kov {
+namespace {
+
+void add_once(std::vector<std::size_t>& all, std::optional<std::size_t> i) {
+  if (i && std::find(all.begin(), all.end(), *i) == all.end()) all.push_back(*i);
+}
+
+bool are_all_in(const std::vector<std::size_t>& all, const MPoly& p) {
+  const auto used = used_variables(p);
+  return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+    return std::find(all.begin(), all.end(), i) != all.end();
+  });
+}
+
+} // namespace
+
+void Assumptions::declare_real(const MFraction& f) {
+  add_once(real, variable_of_linear_fraction(f));
+}
+
+void Assumptions::declare_rational(const MFraction& f) {
+  declare_real(f);
+  add_once(rational, variable_of_linear_fraction(f));
+}
 
 void Assumptions::require(const MFraction& f, Sign sign) {
   const MPoly num = f.num();
@@ -17,11 +41,13 @@ void Assumptions::require(const MFraction& f, Sign sign) {
       conditions.push_back(std::move(c));
   };
   if (fraction) add({den, Sign::nonzero});
-  const bool ordered = sign == Sign::positive || sign == Sign::nonnegative;
-  add({ordered && fraction ? num * den : num, sign});
-  if (!ordered) return;
-  for (const std::size_t i : used_variables(f))
-    if (std::find(real.begin(), real.end(), i) == real.end()) real.push_back(i);
+  if (sign == Sign::zero || sign == Sign::nonzero) return add({num, sign});
+  declare_real(f);
+  if (fraction && !are_all_in(real, den)) {
+    if (sign == Sign::positive) add({num, Sign::nonzero});
+    return;
+  }
+  add({fraction ? num * den : num, sign});
 }
 
 void Assumptions::require_integral(const MFraction& f, bool in_integers) {
@@ -75,7 +101,7 @@ std::vector<std::string> in_words(const Assumptions& all, const Ring& ring) {
   std::set<std::size_t> told; // what has a sign is real, and an integer is rational
   for (const Condition& c : all.conditions) {
     list.push_back(to_string(c));
-    if (c.sign == Sign::positive || c.sign == Sign::nonnegative)
+    if ((c.sign == Sign::positive || c.sign == Sign::nonnegative) && are_all_in(all.real, c.p))
       for (const std::size_t i : used_variables(c.p))
         told.insert(i);
   }

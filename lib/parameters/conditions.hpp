@@ -4,7 +4,9 @@
 //   p = 0    p != 0    p > 0    p >= 0        for polynomials p in the parameters, over Q
 //   v in Z   v not in Z                       for rational functions v of them
 //
-// A parameter that occurs in an inequality is real; the others range over the complex numbers.
+// Parameters range over the complex numbers but those that are said to be real.  What stands in an
+// inequality of the author is real; that is a fact about his own names (`real`), and a rewritten
+// condition says nothing of the kind: if A = C*D, then A > 0 holds for C = i, D = -i.
 
 #include "certify/strata/certificate.hpp"
 
@@ -30,8 +32,13 @@ struct Assumptions {
   std::vector<std::size_t> real;     ///< variables known to be real
   std::vector<std::size_t> rational; ///< variables known to be rational
 
-  /// f = 0, f != 0, f > 0, f >= 0 for a rational function, whose denominator is then not 0.
+  /// f = 0, f != 0, f > 0, f >= 0 for a rational function, whose denominator is then not 0.  An
+  /// order makes f real (declare_real), not all that it is made of.  Requires that what is known to
+  /// be real is in `real`: num/den > 0 is num*den > 0 for a real den, and else num != 0 is kept.
   void require(const MFraction& f, Sign sign);
+  /// f is real; so is x, if f is a linear fraction over Q of x alone.
+  void declare_real(const MFraction& f);
+  void declare_rational(const MFraction& f); ///< the same, with "rational"
   /// f in Z, or not; its denominator is not 0.
   void require_integral(const MFraction& f, bool in_integers);
 };

@@ -211,6 +211,29 @@ bool Region::implies_nonzero(const MPoly& p) const {
   }
 }
 
+std::optional<std::size_t> Region::made_real_by(const MFraction& f) const {
+  if (!f.ring()) return std::nullopt;
+  auto open = used_variables(f);
+  std::erase_if(open, [&](std::size_t i) { return is_real(i); });
+  if (open.size() != 1) return std::nullopt;
+  const MPoly num = f.num(), den = f.den();
+  if (degree(num, open[0]) > 1 || degree(den, open[0]) > 1) return std::nullopt;
+  const auto at = [&](const MPoly& p, std::size_t k) {
+    const auto all = coefficients(p, open[0]);
+    return k < all.size() ? all[k] : MPoly(ring_);
+  };
+  const MPoly determinant = at(num, 1) * at(den, 0) - at(num, 0) * at(den, 1);
+  if (is_zero(determinant)) return std::nullopt;
+  const auto is_a_factor = [&](const MPoly& q) { // of something positive
+    return std::any_of(
+        assumptions_.conditions.begin(), assumptions_.conditions.end(),
+        [&](const Condition& c) { return c.sign == Sign::positive && divides(q, c.p); });
+  };
+  for (const MPoly& q : irreducible_parts(determinant))
+    if (!implies_nonzero(q) && !is_a_factor(q)) return std::nullopt;
+  return open[0];
+}
+
 bool Region::has_no_real_root(const MPoly& p) const {
   return is_real(p) && refutes({{p, Sign::zero}});
 }

@@ -67,6 +67,9 @@ public:
 
   /// Follows from the assumed inequalities and the equations solved alone; p as in path().
   [[nodiscard]] bool implies_nonzero(const MPoly& p) const;
+  /// The variable that is real because f is: f is a linear fraction of it over real variables, with
+  /// a determinant that is known not to vanish.  B C > 0 and B > 0: C is real.
+  [[nodiscard]] std::optional<std::size_t> made_real_by(const MFraction& f) const;
   /// p in one real variable has no real root that satisfies the conditions: proved.
   [[nodiscard]] bool has_no_real_root(const MPoly& p) const;
 

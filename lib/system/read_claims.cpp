@@ -1,5 +1,6 @@
 // Claims, manifolds, the reduction, assumptions and expectations of a system file.
 
+#include "exact/linear_fraction.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
 #include "system/read_system.hpp"
@@ -90,7 +91,14 @@ void check_assumption(const Assumption& a, const Entry& entry) {
                       "the left side minus the right side is " + to_string(v));
 }
 
-Assumption read_condition(const Entry& entry, const SystemScope& scope) {
+// A name that is put to a function of other parameters is real, and its value; of what the value is
+// made of nothing is said, unless it is one parameter moved and scaled.
+void say_real(const std::string& name, const SystemScope& scope, System& s) {
+  if (const auto value = scope.value(name))
+    if (const auto i = variable_of_linear_fraction(*value)) s.real.insert(s.ring()->name(*i));
+}
+
+Assumption read_condition(const Entry& entry, const SystemScope& scope, System& s) {
   const std::string& text = entry.string();
   const std::array signs{
       std::pair(">=", Relation::nonnegative), std::pair("<=", Relation::nonnegative),
@@ -102,10 +110,14 @@ Assumption read_condition(const Entry& entry, const SystemScope& scope) {
     const std::string word(sign);
     const OriginPtr place = entry.origin();
     const std::size_t after = at + word.size();
-    MFraction left = evaluate(parse_expression(text.substr(0, at), place), scope);
-    MFraction right =
-        evaluate(parse_expression(text.substr(after), origin_from(place, after)), scope);
+    const Expression one = parse_expression(text.substr(0, at), place);
+    const Expression other = parse_expression(text.substr(after), origin_from(place, after));
+    MFraction left = evaluate(one, scope), right = evaluate(other, scope);
     if (word[0] == '<') std::swap(left, right);
+    if (relation == Relation::positive || relation == Relation::nonnegative)
+      for (const Expression* side : {&one, &other})
+        for (const std::string& name : names_in(*side))
+          say_real(name, scope, s);
     return {relation, left - right, one_line(text), entry.line()};
   }
   throw entry.error("a condition was expected", "for example \"A + B >= C\" or \"d != 0\"");
@@ -122,6 +134,11 @@ void require_parameters(const MFraction& f, const Entry& entry, const System& s)
 }
 
 } // namespace
+
+void forget_assumptions(std::size_t parameter, System& s) {
+  std::erase_if(s.assumptions, [&](const Assumption& a) { return uses(a.value, parameter); });
+  s.real.erase(s.ring()->name(parameter));
+}
 
 void assume_nonzero(const MPoly& p, long line, System& s) {
   const MFraction value(p);
@@ -154,7 +171,7 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
   for (const auto& [name, entry] : assume->members()) {
     if (name == "conditions") {
       for (const Entry* one : entry.list())
-        add_assumption(read_condition(*one, scope), *one, s);
+        add_assumption(read_condition(*one, scope, s), *one, s);
       continue;
     }
     const auto v = scope.value(name);
@@ -168,6 +185,7 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
       throw entry.error("unknown assumption '" + entry.string() + "'",
                         "use one of " + enumerate(known) + ", or conditions = [\"...\"]");
     }
+    if (word->second != Relation::nonzero) say_real(name, scope, s);
     add_assumption({word->second, *v, name + " " + word->first, entry.line()}, entry, s);
   }
 }

@@ -10,6 +10,7 @@
 #include "system/vector_field.hpp"
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -103,6 +104,10 @@ struct System {
   std::vector<ManifoldSpec> manifolds;
   std::vector<ReduceSpec> reductions;
   std::vector<Assumption> assumptions;
+  /// Parameters that the file's own words make real: what stands in an inequality, and what is said
+  /// to be real, rational or an integer.  Recorded when the file is read; rewritten assumptions add
+  /// nothing.
+  std::set<std::string> real;
   std::vector<SystemExpectation> expectations;
   std::map<std::size_t, long> weights; ///< [expansion] weights, by variable
   long expansion_terms = 2;
@@ -118,6 +123,9 @@ struct System {
 
 /// p != 0 from now on, if that is not assumed already and says something.
 void assume_nonzero(const MPoly& p, long line, System& s);
+
+/// What is assumed of this parameter is not used from now on.
+void forget_assumptions(std::size_t parameter, System& s);
 
 /// Parameter values from the command line or from an [[expect]] block: name, text of the value.
 using ParameterValues = std::vector<std::pair<std::string, std::string>>;

@@ -3,6 +3,7 @@
 #include "certify/strata/arithmetic.hpp"
 #include "certify/system/certificate.hpp"
 #include "exact/error.hpp"
+#include "integrability/parameters.hpp"
 
 #include <algorithm>
 
@@ -44,9 +45,11 @@ FamilyWriter::FamilyWriter(const System& s, std::string name,
     for (const MFraction& x : row)
       if (!is_zero(x)) writer_.divide(x);
   writer_.make_ring();
-  Assumptions known;
-  require(known, assumed, s_.ring());
-  for (const Condition& c : known.conditions)
+  System real = s_; // as all members of a family are
+  real.assumptions = assumed;
+  for (const std::size_t i : s_.field.parameters)
+    real.real.insert(s_.ring()->name(i));
+  for (const Condition& c : assumptions_on(real, s_.ring()).conditions)
     assumptions_.push_back(moved(c));
 }
 

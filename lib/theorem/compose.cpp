@@ -3,6 +3,7 @@
 
 #include "certify/theorem/fact.hpp"
 #include "exact/error.hpp"
+#include "integrability/parameters.hpp"
 #include "parameters/reals.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
@@ -37,6 +38,9 @@ System system_of(const NodeResult& n, const std::string& directory) {
     s.assumptions.push_back(
         {x.strict ? Assumption::Relation::positive : Assumption::Relation::nonnegative,
          formula(s, x.value), x.value + (x.strict ? " > 0" : " >= 0"), 0});
+  if (!n.domain.empty()) // a criterion about a real system
+    for (const std::size_t i : s.field.parameters)
+      s.real.insert(s.ring()->name(i));
   return s;
 }
 
@@ -288,8 +292,9 @@ Pieces pieces(NodeResult& n, const TheoremResult& result, const std::vector<Para
 
 // The real parameters that the node speaks about.
 std::vector<Condition> range_of(const NodeResult& n, const System& whole, const Budget& budget) {
-  Assumptions known;
-  require(known, whole.assumptions, whole.ring());
+  Assumptions known = assumptions_on(whole, whole.ring());
+  for (const std::size_t i : n.region.real)
+    known.declare_real(transfer(MFraction::variable(n.region.ring, i), whole.ring()));
   for (const Condition& c : n.region.conditions)
     known.require(transfer(MFraction(c.p), whole.ring()), c.sign);
   for (const std::size_t i : whole.field.parameters)

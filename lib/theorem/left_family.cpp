@@ -123,6 +123,9 @@ std::string too_much_assumed(const System& single, const ParameterValues& member
   };
   const MFraction a = moment("A"), b = moment("B"), c = moment("C");
   Assumptions known;
+  for (const MFraction& f : {a, b, c})
+    for (const std::size_t i : used_variables(f))
+      known.declare_real(MFraction::variable(single.ring(), i));
   for (const MFraction& f : {a - b, b - c, c, b, a}) // the last two follow, and help
     known.require(f, Sign::positive);
   const Region region(single.ring(), known);

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/finite_algebra.hpp"
+#include "integrability/parameters.hpp"
 #include "parameters/region.hpp"
 #include "symbol/input_error.hpp"
 #include "system/formula.hpp"
@@ -43,16 +44,14 @@ private:
   std::vector<FunctionMeaning> none_;
 };
 
-Sign sign_of(Assumption::Relation r) {
-  using Relation = Assumption::Relation;
-  return r == Relation::positive      ? Sign::positive
-         : r == Relation::nonnegative ? Sign::nonnegative
-         : r == Relation::zero        ? Sign::zero
-                                      : Sign::nonzero;
-}
+struct WrittenCondition {
+  MFraction value; ///< left - right
+  Sign sign = Sign::zero;
+  std::vector<MFraction> names; ///< values of the names that stand in it
+};
 
 // "A > B", "L3 != 0", "A*C >= 1" as a relation of left - right.
-std::pair<MFraction, Sign> read_condition(const std::string& text, const PlaceScope& scope) {
+WrittenCondition read_condition(const std::string& text, const PlaceScope& scope) {
   static const std::array<std::pair<const char*, Sign>, 6> signs{{{">=", Sign::nonnegative},
                                                                   {"<=", Sign::nonnegative},
                                                                   {"!=", Sign::nonzero},
@@ -62,21 +61,30 @@ std::pair<MFraction, Sign> read_condition(const std::string& text, const PlaceSc
   for (const auto& [word, sign] : signs) {
     const std::size_t at = text.find(word);
     if (at == std::string::npos) continue;
-    MFraction left = scope.read(text.substr(0, at));
-    MFraction right = scope.read(text.substr(at + std::string(word).size()));
+    const std::string sides[] = {text.substr(0, at), text.substr(at + std::string(word).size())};
+    MFraction left = scope.read(sides[0]), right = scope.read(sides[1]);
     if (*word == '<') std::swap(left, right);
-    return {left - right, sign};
+    WrittenCondition all{left - right, sign, {}};
+    for (const std::string& side : sides)
+      for (const std::string& name : names_in(parse_expression(side, "theorem file")))
+        if (const auto value = scope.value(name)) all.names.push_back(*value);
+    return all;
   }
   throw InputError("theorem file", 0, 0, 1, "'" + text + "' is no condition",
                    "for example \"A > B\" or \"L3 != 0\"");
 }
 
-std::vector<std::pair<MFraction, Sign>> read_conditions(const Place& place,
-                                                        const PlaceScope& scope) {
-  std::vector<std::pair<MFraction, Sign>> all;
+// What stands in an inequality is real.
+void require(Assumptions& known, const Place& place, const PlaceScope& scope) {
+  std::vector<WrittenCondition> all;
   for (const std::string& text : place.conditions)
     all.push_back(read_condition(text, scope));
-  return all;
+  for (const WrittenCondition& c : all)
+    if (c.sign == Sign::positive || c.sign == Sign::nonnegative)
+      for (const MFraction& name : c.names)
+        known.declare_real(name);
+  for (const WrittenCondition& c : all)
+    known.require(c.value, c.sign);
 }
 
 // f, which may use the names of another ring, with its variables replaced by values in `ring`.
@@ -142,10 +150,8 @@ private:
   }
   // What is known about the parameters.
   [[nodiscard]] Region parameters() const {
-    Assumptions known;
-    require(known, whole_.assumptions, scope_.ring());
-    for (const auto& [value, sign] : read_conditions(place_, scope_))
-      known.require(value, sign);
+    Assumptions known = assumptions_on(whole_, scope_.ring());
+    require(known, place_, scope_);
     return {scope_.ring(), known};
   }
   [[nodiscard]] bool is_parametric(const MFraction& f) const {
@@ -323,6 +329,9 @@ private:
         return "it assumes that " + a.text;
       implied += (implied.empty() ? "" : ", ") + a.text;
     }
+    for (const std::string& name : single_.real)
+      if (const std::size_t i = *single_.ring()->find(name); !is_level(i) && !is_real_there(i))
+        return "it assumes that " + name + " is real";
     if (!implied.empty())
       checks_.push_back({"what " + file_name(single_) + " assumes follows: " + implied, true});
     return "";
@@ -339,11 +348,20 @@ private:
   static long degree_of(const MFraction& f) {
     return is_constant(f.den()) ? degree(f.num(), used_variables(f).front()) : -1;
   }
+  [[nodiscard]] bool is_real_there(std::size_t i) const {
+    const auto there = map_.find(i);
+    return there != map_.end() && follows(there->second, Assumption::Relation::real);
+  }
   [[nodiscard]] bool follows(const MFraction& value, Assumption::Relation relation) const {
     using Relation = Assumption::Relation;
     const MFraction num = roots_.reduced(value.num()), den = roots_.reduced(value.den());
     if (relation == Relation::zero) return is_zero(num);
     if (relation == Relation::nonzero) return !is_zero(num) && is_nonzero(num.num());
+    const bool strict = relation == Relation::positive || relation == Relation::nonnegative;
+    if (strict && region_.exact_sign_of(num.num()) * region_.exact_sign_of(num.den()) *
+                          region_.exact_sign_of(den.num()) * region_.exact_sign_of(den.den()) >
+                      0)
+      return true; // whether or not all that it is made of is real
     const MFraction whole = num / den;
     const auto used = used_variables(whole);
     if (roots_.uses_root(whole) ||
@@ -373,26 +391,10 @@ private:
 
 } // namespace
 
-void require(Assumptions& known, const std::vector<Assumption>& assumed, const Ring& ring) {
-  using Relation = Assumption::Relation;
-  for (const Assumption& a : assumed) {
-    if (is_constant(a.value) || is_zero(a.value)) continue;
-    const MFraction value = transfer(a.value, ring);
-    if (a.relation == Relation::real) {
-      for (const std::size_t i : used_variables(value))
-        if (std::find(known.real.begin(), known.real.end(), i) == known.real.end())
-          known.real.push_back(i);
-    } else if (a.relation != Relation::rational && a.relation != Relation::integer) {
-      known.require(value, sign_of(a.relation));
-    }
-  }
-}
-
 std::vector<Condition> conditions_of(const System& whole, const Place& place) {
   const PlaceScope scope(whole, {});
   Assumptions all;
-  for (const auto& [value, sign] : read_conditions(place, scope))
-    all.require(value, sign);
+  require(all, place, scope);
   return all.conditions;
 }
 
@@ -407,9 +409,9 @@ ParameterRegion region_of(const System& whole, const Place& place) {
                        "'" + name + "' is no parameter of " + file_name(whole));
     all.require(MFraction::variable(scope.ring(), *i) - scope.read(text), Sign::zero);
   }
-  for (const auto& [value, sign] : read_conditions(place, scope))
-    all.require(value, sign);
+  require(all, place, scope);
   region.conditions = all.conditions;
+  region.real = all.real;
   return region;
 }
 

@@ -33,6 +33,7 @@ struct Place {
 struct ParameterRegion {
   Ring ring;
   std::vector<Condition> conditions;
+  std::vector<std::size_t> real = {}; ///< what stands in the inequalities, as they are written
 };
 
 /// The map of a place, as it was checked.  Parameters in `at` do not occur.
@@ -65,8 +66,5 @@ struct Located {
 /// Errors  InputError: a formula that cannot be read
 [[nodiscard]] Located locate(const std::string& whole, const std::string& base,
                              const System& single, const Place& place);
-
-/// All conditions of `assumed` as conditions on parameters, those that can be written so.
-void require(Assumptions& known, const std::vector<Assumption>& assumed, const Ring& ring);
 
 } // namespace kov

@@ -28,6 +28,34 @@ TEST(Region, SumsOfPositiveTermsAreNotZero) {
   EXPECT_TRUE(r.trusted().empty());
 }
 
+// What is positive is real; what it is made of need not be.
+TEST(Region, AnInequalityMakesItsValueReal) {
+  Assumptions a;
+  a.require(x("A") * x("C"), Sign::positive);
+  a.require(Rational(2) * x("h") - number(1), Sign::nonnegative);
+  const Region r(ring, a);
+  EXPECT_FALSE(r.is_real((x("A")).num()) || r.is_real(x("C").num()));
+  EXPECT_TRUE(r.is_real(x("h").num()));
+  EXPECT_EQ(r.exact_sign_of((x("A") * x("C")).num()), 1);
+  EXPECT_EQ(r.sign_of((x("A") * x("A") + number(1)).num()), 0);
+  EXPECT_FALSE(r.made_real_by(x("A") * x("C")));
+  Assumptions b;
+  b.require(-x("C") * x("C"), Sign::positive); // C = i
+  EXPECT_FALSE(Region(ring, b).is_empty());
+  b.declare_real(x("C"));
+  EXPECT_TRUE(Region(ring, b).is_empty());
+  Assumptions c; // A/C > 0 holds at A = C = i
+  c.require(x("A") / x("C"), Sign::positive);
+  EXPECT_EQ(Region(ring, c).sign_of((x("A") * x("C")).num()), 0);
+  EXPECT_TRUE(Region(ring, c).provably_nonzero((x("A") * x("C")).num()));
+  Assumptions d;
+  d.declare_real(x("C"));
+  d.require(x("A") / x("C"), Sign::positive);
+  EXPECT_EQ(Region(ring, d).made_real_by(x("A") / x("C")), ring->index("A"));
+  EXPECT_EQ(Region(ring, d).made_real_by(x("A") * x("C") - number(1)), ring->index("A"));
+  EXPECT_FALSE(Region(ring, d).made_real_by(x("A") * (x("C") - number(1)))); // at C = 1
+}
+
 // A^2 = 2 and A^2 = C^2 + 3, C^2 = 1: no parameter is linear in any of them.
 TEST(Region, EquationsThatContradictEachOtherLeaveNothing) {
   Assumptions a;
@@ -98,6 +126,8 @@ TEST(Region, ContradictionsAreSeen) {
 
 TEST(Region, InequalitiesThatNeedTheOracleAreCounted) {
   Assumptions a;
+  a.declare_real(x("A"));
+  a.declare_real(x("C"));
   a.require(x("A") * x("A") + x("C") * x("C") - x("A") * x("C") - number(1), Sign::nonnegative);
   const Region r(ring, a);
   EXPECT_EQ(r.sign_of((x("A") * x("A") + x("C") * x("C") - x("A") * x("C")).num()), 1);

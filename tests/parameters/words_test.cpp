@@ -38,5 +38,15 @@ TEST(Assumptions, TheStrongestIsSaid) {
             (std::vector<std::string>{"n/2 is an integer", "n is rational"}));
 }
 
+// "a*l > 0" alone leaves a and l complex, and what is real of them is said.
+TEST(Assumptions, WhatIsRealBesideAnInequalityIsSaid) {
+  Assumptions all;
+  all.require(x("a") * x("l"), Sign::positive);
+  all.declare_real(x("a"));
+  EXPECT_EQ(in_words(all, ring), (std::vector<std::string>{"a*l > 0", "a is real"}));
+  all.declare_real(x("l"));
+  EXPECT_EQ(in_words(all, ring), (std::vector<std::string>{"a*l > 0"}));
+}
+
 } // namespace
 } // namespace kov

@@ -122,6 +122,32 @@ class Together(unittest.TestCase):
         self.assertEqual([str(m.verdict) for m in report.manifolds], ["VerdictKind.non_integrable"] * 2)
         self.assertEqual(report.values["b"], Fraction(5, 2))
 
+    # A is real; C = 1j, D = -1j satisfies all of it, and the group is then triangular
+    PRODUCT = '''
+[system]
+kind = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta = ["p1", "p2"]
+parameters = ["A", "C", "D"]
+hamiltonian = "(p1^2+p2^2)/2 + q2 - C/D*q1^2/(2*q2)"
+[assume]
+conditions = ["A > 0", "A = C*D"]
+[[manifold]]
+name = "axis"
+equations = ["q1 = 0", "p1 = 0"]
+level = "H = 1"
+'''
+
+    def test_assumptions_grow_no_stronger(self):
+        values = '[set]\nA = "C*D"\n[assume]\nconditions = ["A > 0"]'
+        by_value = self.PRODUCT.replace('[assume]\nconditions = ["A > 0", "A = C*D"]', values)
+        for text in (self.PRODUCT, by_value):
+            self.assertIsNot(kovacic.check(text).verdict, VerdictKind.non_integrable)
+        real = self.PRODUCT.replace("[assume]", '[assume]\nC = "real"')
+        self.assertIs(kovacic.check(real).verdict, VerdictKind.non_integrable)
+        square = kovacic.check(self.PRODUCT.replace("A = C*D", "A = -C^2"))  # no contradiction
+        self.assertIsNot(square.verdict, VerdictKind.non_integrable)
+
     def test_strata(self):
         report = kovacic.check(self.FILE)
         self.assertIn("only for", report.together.statement)
