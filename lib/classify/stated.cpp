@@ -4,6 +4,7 @@
 #include "classify/pieces.hpp"
 #include "classify/together.hpp"
 #include "exact/share.hpp"
+#include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
 #include "strata/words.hpp"
 
@@ -66,8 +67,8 @@ std::string assumed_of_levels(const System& s) {
 }
 
 System without_assumptions_on_levels(System s) {
-  const auto levels = level_parameters(s);
-  std::erase_if(s.assumptions, [&](const Assumption& a) { return uses_any(a.value, levels); });
+  for (const std::size_t h : level_parameters(s))
+    forget_assumptions(h, s);
   return s;
 }
 

@@ -9,11 +9,6 @@
 
 namespace kov {
 
-/// The parameters of which one may choose the value: those that only label levels, and of which so
-/// little is assumed that every polynomial has some value != 0 there: p != 0; or one c h + d > 0 or
-/// >= 0 or "h real", with a number c != 0.
-[[nodiscard]] std::vector<std::size_t> free_levels(const System& s);
-
 /// Each exclusion is cut out of what those before it have left; the rest is open.  Every point of the
 /// parameter space is in one stratum.
 /// Errors  InvalidArgument: contradictory assumptions

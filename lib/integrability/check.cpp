@@ -10,6 +10,7 @@
 #include "integrability/levels.hpp"
 #include "integrability/linearise.hpp"
 #include "integrability/matrices.hpp"
+#include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/special_strata.hpp"
 #include "integrability/translations.hpp"
@@ -110,9 +111,9 @@ void decide_exceptions(const Study& study, std::vector<BlockReport>& all, Failur
     if (!block.strata) continue;
     within_limits(block, failure, [&] {
       decide_special_strata(study, all, block.unknowns, *block.strata, block.special_studies);
-      block.abelian = some_level_is_not_abelian(study.system, *block.strata)
-                          ? Truth::no
-                          : block.strata->abelian();
+      const auto level = level_that_decides(study.system, *block.strata);
+      block.abelian = level ? Truth::no : block.strata->abelian();
+      if (level) block.level = *level;
     });
   }
 }

@@ -58,7 +58,8 @@ struct BlockReport {
   std::vector<MPoly> special; ///< where singular places of r merge, in the energy parameter
   std::vector<EnergyResult> energies;
   Truth abelian = Truth::unknown;
-  std::string note; ///< why something is missing
+  std::string level; ///< the one that decides, if it is not a general one: "h = 0"
+  std::string note;  ///< why something is missing
   /// The way to r for the checkers, accepted by our own; null: none, and why.
   std::shared_ptr<const WayToR> way;
   std::string no_way;

@@ -147,6 +147,15 @@ std::string decided_where(const ManifoldReport& report) {
   return levels;
 }
 
+// One block is enough, and one level of it.
+std::string by_one_level(const ManifoldReport& report) {
+  if (report.matrices) return "";
+  const BlockReport* by = nullptr;
+  for (const BlockReport& b : report.blocks)
+    if (b.abelian == Truth::no && (by == nullptr || b.level.empty())) by = &b;
+  return by == nullptr || by->level.empty() ? "" : ", by the level " + by->level;
+}
+
 Truth both(Truth a, Truth b) {
   if (a == Truth::no || b == Truth::no) return Truth::no;
   return a == Truth::yes && b == Truth::yes ? Truth::yes : Truth::unknown;
@@ -219,6 +228,7 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
                        std::string(s.field.poisson ? "in Liouville's sense " : "") + "with " +
                        first_integrals({report.by->integrals});
   if (report.verdict == VerdictKind::depends) report.statement += decided_where(report);
+  if (report.verdict == VerdictKind::non_integrable) report.statement += by_one_level(report);
 }
 
 std::string exceptions(const ManifoldReport& report) {

@@ -232,42 +232,6 @@ bool somewhere_not_abelian(const strata::StrataAnswer& answer) {
                      [](const strata::Stratum& x) { return x.leaf.abelian == Truth::no; });
 }
 
-bool some_level_is_not_abelian(const System& s, const strata::StrataAnswer& answer) {
-  const auto levels = level_parameters(s);
-  const auto is_level = [&](std::size_t i) {
-    return std::find(levels.begin(), levels.end(), i) != levels.end();
-  };
-  for (const auto& a : s.assumptions) {
-    const auto used = used_variables(a.value);
-    if (std::none_of(used.begin(), used.end(), is_level)) continue;
-    const bool open = a.relation == Relation::nonzero || a.relation == Relation::positive ||
-                      a.relation == Relation::nonnegative || a.relation == Relation::real;
-    if (!open || !std::all_of(used.begin(), used.end(), is_level)) return false;
-  }
-  System others = s; // what is assumed of the other parameters
-  for (const std::size_t h : levels)
-    forget_assumptions(h, others);
-  const Ring& ring = s.ring();
-  const Region all(ring, assumptions_on(others, ring));
-  const auto for_some_level = [&](const Condition& c) {
-    if (c.sign != Sign::nonzero) return false;
-    std::vector<MPoly> parts{transfer(MFraction(c.p), ring).num()};
-    for (const std::size_t h : levels) {
-      std::vector<MPoly> finer;
-      for (const auto& p : parts)
-        for (auto& k : coefficients(p, h))
-          if (!is_zero(k)) finer.push_back(std::move(k));
-      parts = std::move(finer);
-    }
-    return std::any_of(parts.begin(), parts.end(),
-                       [&](const MPoly& p) { return is_constant(p) || !all.doubtful_factor(p); });
-  };
-  return std::any_of(answer.strata.begin(), answer.strata.end(), [&](const auto& x) {
-    return x.leaf.abelian == Truth::no &&
-           std::all_of(x.conditions.begin(), x.conditions.end(), for_some_level);
-  });
-}
-
 strata::StrataLimits strata_limits(const System& s, const AlgebraicOde& ode,
                                    const CheckOptions& options) {
   strata::StrataLimits limits;

@@ -27,11 +27,6 @@ namespace kov {
 /// Example level_parameters(free).size()  // -> 1
 [[nodiscard]] std::vector<std::size_t> level_parameters(const System& s);
 
-/// For all other parameters there is a level at which the identity component is not abelian: one
-/// level is enough.  A sufficient test: a non-abelian stratum given by inequations alone, none of
-/// which vanishes for all levels, and assumptions on the levels that leave an open set.
-[[nodiscard]] bool some_level_is_not_abelian(const System& s, const strata::StrataAnswer& answer);
-
 /// No parameter values satisfy what the file assumes: proved.  Not all contradictions are seen.
 /// Given   const System empty = read_system(parse_document("system = {kind = 'hamiltonian', "
 ///             "coordinates = ['q'], momenta = ['p'], parameters = ['a'], "

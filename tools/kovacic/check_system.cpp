@@ -13,6 +13,7 @@
 #include "integrability/eigenvalue.hpp"
 #include "integrability/expect.hpp"
 #include "integrability/matrices.hpp"
+#include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
 #include "integrals/stratum.hpp"
 #include "jets/words.hpp"

@@ -10,6 +10,7 @@
 #include "integrability/certificate.hpp"
 #include "integrability/check.hpp"
 #include "integrability/matrices.hpp"
+#include "integrability/one_level.hpp"
 #include "integrals/find.hpp"
 #include "system/assumed_values.hpp"
 

@@ -1,0 +1,23 @@
+#pragma once
+// A level is not a parameter of the system: for fixed parameters one level whose variational
+// equation has a non-abelian identity component is enough.
+//
+// Source  docs/theory/mechanics.md (7); docs/theory/classify.md 8 (a)
+
+#include "strata/decide_strata.hpp"
+#include "system/system.hpp"
+
+namespace kov {
+
+/// The parameters of which one may choose the value: those that only label levels, and of which so
+/// little is assumed that every polynomial has some value != 0 there: p != 0; "real"; one
+/// c h + d > 0 or >= 0 with a number c != 0; or strict inequalities in levels alone that have a point.
+[[nodiscard]] std::vector<std::size_t> free_levels(const System& s);
+
+/// For all other parameters there is a level at which the identity component is not abelian: which,
+/// in words ("h = 0", or empty for general ones).  Unset: not proved.
+/// Source  docs/theory/mechanics.md (7), "One level is enough"
+[[nodiscard]] std::optional<std::string> level_that_decides(const System& s,
+                                                            const strata::StrataAnswer& answer);
+
+} // namespace kov
