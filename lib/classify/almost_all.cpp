@@ -87,8 +87,9 @@ std::optional<AlmostAll> almost_all(const System& s, const std::vector<ManifoldS
                                     const std::vector<std::size_t>& levels,
                                     const CheckOptions& options) {
   for (int attempt = 0; attempt < most_points; ++attempt) {
-    const Substitution values = point(s, levels, attempt);
-    if (values.empty()) return std::nullopt;
+    const Substitution numbers = point(s, levels, attempt);
+    if (numbers.empty()) return std::nullopt;
+    const Substitution values = with_functions(s, numbers);
     for (std::size_t k = 0; k < std::min(solutions.size(), most_solutions); ++k)
       try {
         if (!is_inside(s, values)) break;

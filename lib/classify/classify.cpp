@@ -63,11 +63,12 @@ struct Round : KnownSystem {
   std::vector<std::vector<MPoly>> special = {}; ///< where there may be more solutions
   std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
   std::vector<ManifoldSpec> solutions = {};
-  bool integrals_known = false;      ///< for all of these parameters, from a round before
-  std::size_t decided = 0;           ///< strata that were there before
-  bool limited = false;              ///< some stage ended by its share of the time
-  std::vector<std::string> cut = {}; ///< the solutions whose share was too small
-  bool last = false;                 ///< after all others, with all the time that is left
+  bool integrals_known = false;             ///< for all of these parameters, from a round before,
+  std::vector<MPoly> integrals_unless = {}; ///< but not where one of these vanishes
+  std::size_t decided = 0;                  ///< strata that were there before
+  bool limited = false;                     ///< some stage ended by its share of the time
+  std::vector<std::string> cut = {};        ///< the solutions whose share was too small
+  bool last = false;                        ///< after all others, with all the time that is left
   /// Where some parameters are not 0 the solutions are those of a system where they are 1.
   std::optional<ScaledSystem> scale = {};
   std::optional<KnownSystem> at_scale = {};
@@ -677,6 +678,7 @@ private:
     IntegralSearch search = search_integrals(round.system, degree, 0.5, true, coefficients);
     common_equations_first(round.system, search.sets);
     round.integrals_known = search.finished();
+    round.integrals_unless = search.not_covered;
     std::vector<Piece> met;
     for (const IntegralsOfSet& set : search.sets)
       if (set.found() > 0 || is_enough(round.system, set))
@@ -911,6 +913,7 @@ private:
 
   // Where equations hold the system is a special one, and all is done again.
   void again(const Round& round, Piece piece) {
+    if (is_outside_of_the_domain(round.system, piece.where)) return;
     try {
       if (auto parts = by_factors(round, piece); parts.size() > 1) {
         for (Piece& part : parts)
@@ -924,7 +927,10 @@ private:
       const Substitution values = solved_parameters(round.system, piece.where);
       if (values.empty()) return once_more(round, std::move(piece));
       Round next = in_parameters(round, piece, values);
-      next.integrals_known = round.integrals_known && next.system.field.poisson &&
+      const auto& unless = round.integrals_unless;
+      const bool covered = std::all_of(unless.begin(), unless.end(),
+                                       [&](const MPoly& p) { return piece.where.is_nonzero(p); });
+      next.integrals_known = round.integrals_known && covered && next.system.field.poisson &&
                              looks_at_the_same(round.system, next.system);
       waiting_.push_back(std::move(next));
     } catch (const DomainError& e) {
@@ -943,7 +949,8 @@ private:
     return values;
   }
 
-  static Round in_parameters(const Round& round, const Piece& piece, const Substitution& values) {
+  static Round in_parameters(const Round& round, const Piece& piece, const Substitution& solved) {
+    const Substitution values = with_functions(round.system, solved);
     System special = kov::at_values(round.system, values);
     for (const MPoly& p : piece.where.inequations())
       assume_nonzero(special, substitute(p, values));

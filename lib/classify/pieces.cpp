@@ -128,10 +128,12 @@ ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& lev
       keep_nonzero(a.value.num(), "", all, told);
     keep_nonzero(a.value.den(), "", all, told);
   }
-  for (const MPoly& den : denominators(s.field))
-    for (const MFactor& f : factor(den).second)
-      if (in_parameters(f.base) && !all.is_nonzero(f.base))
-        keep_nonzero(f.base, to_string(f.base) + " != 0", all, told);
+  for (const MPoly& p : s.domain.nonzero())
+    if (in_parameters(p) && !all.is_nonzero(p)) keep_nonzero(p, to_string(p) + " != 0", all, told);
+  for (const auto& list : s.domain.lists())
+    if (list.size() > 1 &&
+        std::none_of(list.begin(), list.end(), [&](const MPoly& p) { return all.is_nonzero(p); }))
+      add_once(told.assumptions, in_words(list));
   if (all.is_empty() || contradicts_itself(s))
     throw InvalidArgument("no parameter value satisfies the relations and assumptions");
   return all;
@@ -185,7 +187,25 @@ void leave_open(Piece piece, SystemClassification& c) {
   c.strata.push_back(std::move(x));
 }
 
+bool is_outside_of_the_domain(const System& s, const ParameterSet& where) {
+  try {
+    return s.domain.excludes([&](const MPoly& p) {
+      const auto used = used_variables(p);
+      const auto& own = where.parameters();
+      return std::all_of(used.begin(), used.end(),
+                         [&](std::size_t i) {
+                           return std::find(own.begin(), own.end(), i) != own.end();
+                         }) &&
+             where.vanishes(p);
+    });
+  } catch (const OutOfBudget&) {
+    return false; // it stays, and nothing is proved of it
+  }
+}
+
 void finish(const System& s, SystemClassification& c) {
+  std::erase_if(c.strata,
+                [&](const ClassifiedStratum& x) { return is_outside_of_the_domain(s, x.where); });
   for (const Assumption& a : s.assumptions)
     add_once(c.assumptions, a.text);
   for (const std::string& constant : s.adjoined)

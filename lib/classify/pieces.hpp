@@ -45,6 +45,8 @@ bool exclude(std::vector<Piece>& pieces, const Exclusion& e, const System& s,
              SystemClassification& c);
 /// A stratum of c, with what was tried.
 void leave_open(Piece piece, SystemClassification& c);
+/// The system exists at no point of the set: it is no stratum.
+[[nodiscard]] bool is_outside_of_the_domain(const System& s, const ParameterSet& where);
 /// From the strata to what the theorem rests on, and their order.
 void finish(const System& s, SystemClassification& c);
 

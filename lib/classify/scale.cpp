@@ -178,6 +178,7 @@ ScaledSystem at_one(const System& s, const std::vector<std::size_t>& parameters,
     }
     x.back[parameters[j]] = p;
   }
+  x.values = with_functions(s, std::move(x.values));
   x.system = at_values(s, x.values);
   keep_assumptions(s, x.ones, x.system);
   return x;

@@ -54,15 +54,16 @@ bool is_open(const Assumption& a, const System& s, const Ring& ring, const Assum
                             }) == 1;
 }
 
+bool is_about(const MFraction& f, const Ring& its, const Ring& ring) {
+  const auto used = used_variables(f);
+  return std::all_of(used.begin(), used.end(),
+                     [&](std::size_t i) { return ring->find(its->name(i)).has_value(); });
+}
+
 std::vector<Assumption> about(const System& s, const Ring& ring) {
   std::vector<Assumption> all;
   std::copy_if(s.assumptions.begin(), s.assumptions.end(), std::back_inserter(all),
-               [&](const Assumption& a) {
-                 const auto used = used_variables(a.value);
-                 return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
-                   return ring->find(s.ring()->name(i)).has_value();
-                 });
-               });
+               [&](const Assumption& a) { return is_about(a.value, s.ring(), ring); });
   return all;
 }
 
@@ -88,6 +89,9 @@ Assumptions assumptions_on(const System& s, const Ring& ring) {
     all.real = real;
     for (const Assumption& a : given)
       add_assumption(all, a, ring);
+    for (const MPoly& p : s.domain.nonzero())
+      if (is_about(MFraction(p), s.ring(), ring))
+        all.require(transfer(MFraction(p), ring), Sign::nonzero);
     real = all.real;
     for (const Assumption& a : given)
       if (is_real_valued(a) && is_open(a, s, ring, all))
@@ -187,7 +191,7 @@ Region assumed_region(const System& s) { return {s.ring(), assumptions_on(s, s.r
 } // namespace
 
 bool contradicts_itself(const System& s) {
-  if (s.assumptions.empty()) return false;
+  if (s.assumptions.empty() && s.domain.lists().empty()) return false;
   const Region all = assumed_region(s);
   return all.is_empty() || all.refutes({});
 }

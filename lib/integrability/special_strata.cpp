@@ -153,7 +153,7 @@ std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& g
   const System& s = study.system;
   const Ring& ring = x.conditions.front().p.ring();
   try {
-    const Substitution values = in_ring(x.solved, ring, s.ring());
+    const Substitution values = with_functions(s, in_ring(x.solved, ring, s.ring()));
     System special = at_values(s, values);
     assume(special, x, values);
     for (auto& r : special.reductions)
@@ -180,6 +180,21 @@ std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& g
   }
 }
 
+// The system does not exist there.
+bool is_outside_of_the_domain(const System& s, const Stratum& x) {
+  if (x.conditions.empty()) return false;
+  const Ring& ring = x.conditions.front().p.ring();
+  return s.domain.excludes([&](const MPoly& p) {
+    for (const std::size_t i : used_variables(p))
+      if (!ring->find(s.ring()->name(i))) return false;
+    const MFraction here = substitute(transfer(MFraction(p), ring), x.solved);
+    return is_zero(here) ||
+           std::any_of(x.conditions.begin(), x.conditions.end(), [&](const auto& c) {
+             return c.sign == Sign::zero && divides(c.p, here.num());
+           });
+  });
+}
+
 } // namespace
 
 void decide_special_strata(const Study& study, const std::vector<BlockReport>& generic,
@@ -187,6 +202,7 @@ void decide_special_strata(const Study& study, const std::vector<BlockReport>& g
                            SpecialStudies& studies) {
   std::vector<Stratum> all;
   for (auto& x : answer.strata) {
+    if (is_outside_of_the_domain(study.system, x)) continue;
     std::vector<Stratum> parts;
     if (x.leaf.no_equation() && !x.solved.empty())
       parts = again(study, generic, unknowns, x, answer, studies);

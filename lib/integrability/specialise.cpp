@@ -3,13 +3,16 @@
 #include "exact/error.hpp"
 #include "exact/linear_fraction.hpp"
 #include "system/relations.hpp"
+#include "system/written_functions.hpp"
 
 #include <algorithm>
 
 namespace kov {
 namespace {
 
-void put(MFraction& f, const Substitution& values) { f = substitute(f, values); }
+void put(MFraction& f, const Substitution& values) {
+  if (!is_zero(f)) f = substitute(f, values);
+}
 void put(std::optional<MFraction>& f, const Substitution& values) {
   if (f) put(*f, values);
 }
@@ -43,10 +46,13 @@ void free_constants(VectorField& v) {
 }
 
 void put(VectorField& v, const Substitution& values) {
+  std::erase_if(v.functions, [&](const FunctionSymbol& f) { return values.contains(f.variable); });
   for (auto* names : {&v.parameters, &v.constants})
     std::erase_if(*names, [&](std::size_t i) { return values.contains(i); });
-  for (auto& f : v.functions)
+  for (auto& f : v.functions) {
     put(f.gradient, values);
+    put(f.argument, values);
+  }
   put(v.relations, values);
   free_constants(v);
   put(v.components, values);
@@ -71,10 +77,41 @@ void put(std::set<std::string>& real, const Substitution& values, const Ring& ri
   real.insert(more.begin(), more.end());
 }
 
+// What the function is of a number, if it is a rational number: that of the principal branch, as if
+// the number were written in the file.
+std::optional<Rational> value_at(const std::string& function, const Rational& x) {
+  const bool even = function == "cos" || function == "cosh" || function == "exp";
+  const bool odd =
+      function == "sin" || function == "sinh" || function == "tan" || function == "tanh";
+  if (is_zero(x) && (even || odd)) return Rational(even ? 1 : 0);
+  if (x == Rational(1) && (function == "log" || function == "ln")) return Rational(0);
+  if (order_of_root(function) > 0 && x == Rational(1)) return x;
+  return order_of_root(function) == 2 && sign(x) > 0 ? exact_sqrt(x) : std::nullopt;
+}
+
 } // namespace
 
-System at_values(const System& s, const Substitution& values) {
+Substitution with_functions(const System& s, Substitution values) {
+  const VectorField& v = s.field;
+  for (bool more = true; more;) {
+    more = false;
+    for (const FunctionSymbol& f : v.functions) {
+      if (f.function.empty() || values.contains(f.variable)) continue;
+      const MFraction there = is_zero(f.argument) ? f.argument : substitute(f.argument, values);
+      if (!is_zero(there) && !is_constant(there)) continue;
+      const auto value = value_at(f.function, is_zero(there) ? Rational(0) : to_rational(there));
+      if (!value) continue;
+      values[f.variable] = MFraction(v.ring, *value);
+      more = true;
+    }
+  }
+  return values;
+}
+
+System at_values(const System& s, const Substitution& parameters) {
+  const Substitution values = with_functions(s, parameters);
   System special = s;
+  special.domain = s.domain.at(parameters);
   put(special.field, values);
   if (special.field.relations != s.field.relations)
     if (const auto why = reducible_relations(special.field)) throw DomainError(*why);

@@ -5,6 +5,10 @@
 
 namespace kov {
 
+/// The values with those of functions that become numbers: sqrt(a*x^2 + 1) is 1 at a = 0, as if 1 were
+/// written in the file.
+[[nodiscard]] Substitution with_functions(const System& s, Substitution values);
+
 /// The parameters of `values` replaced everywhere that check_manifold looks at, and removed from
 /// the list of parameters.
 /// Errors  DomainError: something has no value there, or the relations have several solutions

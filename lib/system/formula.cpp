@@ -85,6 +85,7 @@ std::optional<MFraction> power_of_root(const MFraction& base, const MFraction& e
     if (order == 0 || !(f.argument == base)) continue;
     const Rational times = k * Rational(order);
     if (!is_integer(times) || abs(times) > Rational(max_exponent)) continue;
+    if (sign(times) < 0) scope.divides_by(base);
     return pow(f.value ? *f.value : MFraction::variable(scope.ring(), f.variable),
                to_long(times.num()));
   }
@@ -105,6 +106,7 @@ MFraction evaluate_power(const Expression& e, const Scope& scope) {
                       std::to_string(max_exponent));
   const long n = to_long(floor(k));
   if (n < 0 && is_zero(base)) throw e.operand(0).error("division by zero: this is 0");
+  if (n < 0) scope.divides_by(base);
   if (n != 0 && !is_zero(base)) check_power(base, static_cast<double>(std::abs(n)));
   return pow(base, n);
 }
@@ -148,6 +150,7 @@ MFraction evaluate(const Expression& e, const Scope& scope) {
   case Kind::quotient: {
     const MFraction denominator = evaluate(e.operand(1), scope);
     if (is_zero(denominator)) throw e.operand(1).error("division by zero: this is 0");
+    scope.divides_by(denominator);
     return product(evaluate(e.operand(0), scope), MFraction(denominator.den(), denominator.num()));
   }
   case Kind::power:

@@ -27,6 +27,8 @@ public:
   /// The value of a name, or unset for an unknown one (evaluate then reports it).
   [[nodiscard]] virtual std::optional<MFraction> value(const std::string& name) const = 0;
   [[nodiscard]] virtual const std::vector<FunctionMeaning>& functions() const = 0;
+  /// A formula divides by this, or by a root of it.
+  virtual void divides_by(const MFraction& f) const { static_cast<void>(f); }
   /// Names for "did you mean", and the sentence for the hint.
   [[nodiscard]] virtual std::vector<std::string> known_names() const = 0;
 };

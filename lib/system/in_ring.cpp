@@ -25,7 +25,10 @@ struct Move {
     for (auto& [name, f] : all)
       (*this)(f);
   }
-  void operator()(FunctionSymbol& f) const { (*this)(f.gradient); }
+  void operator()(FunctionSymbol& f) const {
+    (*this)(f.gradient);
+    if (!is_zero(f.argument)) (*this)(f.argument);
+  }
   void operator()(Assumption& a) const { (*this)(a.value); }
   void operator()(ReduceSpec& r) const { (*this)(r.change); }
   void operator()(ManifoldSpec& m) const {
@@ -69,6 +72,7 @@ System in_ring(const System& s, const Ring& ring) {
   move(all.manifolds);
   move(all.reductions);
   move(all.assumptions);
+  all.domain = s.domain.in(ring);
   move(all.expectations);
   move(all.lagrangian);
   move(all.velocity_values);

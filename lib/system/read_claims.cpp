@@ -164,6 +164,7 @@ void add_assumption(Assumption a, const Entry& entry, System& s) {
 void read_assumptions(const Entry& document, const SystemScope& scope, System& s) {
   const Entry* assume = document.find("assume");
   if (!assume) return;
+  scope.take_divisors(); // those of claims say nothing of the system
   const std::vector<std::pair<std::string, Relation>> words{
       {"positive", Relation::positive}, {"nonnegative", Relation::nonnegative},
       {"nonzero", Relation::nonzero},   {"real", Relation::real},
@@ -188,6 +189,8 @@ void read_assumptions(const Entry& document, const SystemScope& scope, System& s
     if (word->second != Relation::nonzero) say_real(name, scope, s);
     add_assumption({word->second, *v, name + " " + word->first, entry.line()}, entry, s);
   }
+  for (const MPoly& d : scope.take_divisors())
+    s.domain.require(d, s.field, scope.meanings);
 }
 
 void read_reduction(const Entry& e, const SystemScope& scope, System& s) {

@@ -384,6 +384,28 @@ void require_denominators(const Entry& system, const VectorField& v) {
       throw system.error("division by zero: " + to_string(d) + " is 0 by the relations");
 }
 
+// What is written, and what the field is divided by.
+ParameterDomain domain_of(const SystemScope& scope, const VectorField& v) {
+  ParameterDomain all;
+  for (const auto& divisors : {scope.take_divisors(), denominators(v)})
+    for (const MPoly& d : divisors)
+      all.require(d, v, scope.meanings);
+  for (const FunctionMeaning& m : scope.meanings)
+    if ((m.name == "log" || m.name == "ln") && !is_zero(m.argument))
+      all.require(m.argument.num(), v, scope.meanings);
+  return all;
+}
+
+// A function of a number, at special values of the parameters, is known by its name.
+void note_functions(const SystemScope& scope, VectorField& v) {
+  for (FunctionSymbol& f : v.functions)
+    for (const FunctionMeaning& m : scope.meanings)
+      if (!m.value && m.variable == f.variable) {
+        f.function = m.name;
+        f.argument = m.argument;
+      }
+}
+
 } // namespace
 
 void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
@@ -403,6 +425,8 @@ void read_vector_field(const Entry& document, SystemScope& scope, System& s) {
   require_derivatives(system, scope, v);
   read_dynamics(system, scope, s);
   require_denominators(system, v);
+  note_functions(scope, v);
+  s.domain = domain_of(scope, v);
   if (v.poisson && s.kind == SystemKind::poisson)
     if (const auto failure = structure_failure(v, *v.poisson, relation_ideal(v)))
       throw system.at("bracket").error("this bracket is not a Poisson bracket: " + *failure);

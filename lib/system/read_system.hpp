@@ -5,6 +5,7 @@
 #include "system/written_functions.hpp"
 
 #include <set>
+#include <utility>
 
 namespace kov {
 
@@ -21,6 +22,9 @@ public:
   [[nodiscard]] Equation equation(const Entry& entry) const;
   [[nodiscard]] std::vector<Equation> equations(const Entry& entry) const;
   void add(const FunctionMeaning& meaning) override { meanings.push_back(meaning); }
+  void divides_by(const MFraction& f) const override;
+  /// What was divided by since the last call.
+  std::vector<MPoly> take_divisors() const { return std::exchange(divisors_, {}); }
   /// A name for a formula that is evaluated at its first use.
   void define(const std::string& name, const Entry& entry);
 
@@ -39,6 +43,7 @@ private:
   [[nodiscard]] std::optional<MFraction> fixed_value(const std::string& name) const;
 
   const Entry* document_;
+  mutable std::vector<MPoly> divisors_;
   Ring ring_;
   std::map<std::string, const Entry*> definitions_;
   std::map<std::string, Expression> pending_;

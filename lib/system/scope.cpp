@@ -146,6 +146,12 @@ std::optional<MFraction> SystemScope::value(const std::string& name) const {
   }
 }
 
+void SystemScope::divides_by(const MFraction& f) const {
+  const MPoly d = f.num();
+  if (!is_constant(d) && std::find(divisors_.begin(), divisors_.end(), d) == divisors_.end())
+    divisors_.push_back(d);
+}
+
 std::vector<std::string> SystemScope::known_names() const {
   std::vector<std::string> names(ring_->names());
   std::erase(names, independent);

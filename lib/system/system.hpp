@@ -6,6 +6,7 @@
 // docs/guide/system-files.md describes the format.
 
 #include "symbol/document.hpp"
+#include "system/domain.hpp"
 #include "system/formula.hpp"
 #include "system/vector_field.hpp"
 
@@ -108,6 +109,8 @@ struct System {
   /// to be real, rational or an integer.  Recorded when the file is read; rewritten assumptions add
   /// nothing.
   std::set<std::string> real;
+  /// Where the formulas of [system] and [assume] mean something.
+  ParameterDomain domain;
   std::vector<SystemExpectation> expectations;
   std::map<std::size_t, long> weights; ///< [expansion] weights, by variable
   long expansion_terms = 2;

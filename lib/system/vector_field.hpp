@@ -23,6 +23,8 @@ struct FunctionSymbol {
   std::size_t variable = 0;
   std::string meaning;             ///< "sin(q1)", for messages
   std::vector<MFraction> gradient; ///< ds/dx_j, in the order of the coordinates
+  std::string function = {};       ///< "sin", if it is known which function it is,
+  MFraction argument = {};         ///< and of what
 };
 
 using Matrix = std::vector<std::vector<MFraction>>;

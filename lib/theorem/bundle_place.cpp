@@ -47,6 +47,7 @@ FamilyWriter::FamilyWriter(const System& s, std::string name,
   writer_.make_ring();
   System real = s_; // as all members of a family are
   real.assumptions = assumed;
+  real.domain = {}; // its denominators stand beside the assumptions
   for (const std::size_t i : s_.field.parameters)
     real.real.insert(s_.ring()->name(i));
   for (const Condition& c : assumptions_on(real, s_.ring()).conditions)

@@ -1,5 +1,6 @@
 #include "theorem/setting.hpp"
 
+#include "integrability/parameters.hpp"
 #include "symbol/author_words.hpp"
 #include "theorem/prove.hpp"
 
@@ -137,6 +138,10 @@ std::string assumptions_of(const System& s) {
   for (const Assumption& a : s.assumptions)
     if (!is_constant(a.value) && !symbol(a.relation).empty()) // of fixed parameters: they hold
       add(condition(s, a));
+  System plain = s;
+  plain.domain = {};
+  for (const ParameterDomain::NotAllZero& list : s.domain.lists())
+    if (not_excluded(plain, list).size() == list.size()) add(in_words(list));
   for (const auto& [relation, word] :
        {std::pair{Relation::integer, " integral"}, std::pair{Relation::rational, " rational"},
         std::pair{Relation::real, " real"}})

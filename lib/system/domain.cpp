@@ -1,0 +1,128 @@
+#include "system/domain.hpp"
+
+#include "exact/error.hpp"
+#include "system/written_functions.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+using NotAllZero = ParameterDomain::NotAllZero;
+
+bool contains(const NotAllZero& all, const MPoly& p) {
+  return std::find(all.begin(), all.end(), p) != all.end();
+}
+
+// The coefficients of f by all that is no parameter and no constant.
+NotAllZero coefficients_of(const MPoly& f, const VectorField& v) {
+  const auto is_in = [](const std::vector<std::size_t>& all, std::size_t i) {
+    return std::find(all.begin(), all.end(), i) != all.end();
+  };
+  NotAllZero all{f};
+  for (const std::size_t i : used_variables(f)) {
+    if (is_in(v.parameters, i) || is_in(v.constants, i)) continue;
+    NotAllZero finer;
+    for (const MPoly& p : all)
+      for (MPoly& c : coefficients(p, i))
+        if (!is_zero(c)) finer.push_back(std::move(c));
+    all = std::move(finer);
+  }
+  return all;
+}
+
+// What is under the root that f is.
+std::optional<MFraction> under_the_root(const MPoly& f,
+                                        const std::vector<FunctionMeaning>& meanings) {
+  const auto used = used_variables(f);
+  if (used.size() != 1) return std::nullopt;
+  const MFraction root = MFraction::variable(f.ring(), used[0]);
+  if (!(MFraction(f) == root)) return std::nullopt;
+  for (const FunctionMeaning& m : meanings)
+    if (order_of_root(m.name) != 0 && (m.value ? *m.value == root : m.variable == used[0]))
+      return m.argument;
+  return std::nullopt;
+}
+
+} // namespace
+
+void ParameterDomain::require(const MPoly& f, const VectorField& v,
+                              const std::vector<FunctionMeaning>& meanings) {
+  if (is_constant(f)) return;
+  for (const MFactor& one : factor(f).second) {
+    const auto inner = under_the_root(one.base, meanings);
+    if (inner && !is_zero(*inner))
+      require(inner->num(), v, meanings);
+    else
+      require(coefficients_of(one.base, v));
+  }
+}
+
+void ParameterDomain::add(NotAllZero list) {
+  const auto says = [](const NotAllZero& a, const NotAllZero& b) { // a says b
+    return std::all_of(a.begin(), a.end(), [&](const MPoly& p) { return contains(b, p); });
+  };
+  if (std::any_of(lists_.begin(), lists_.end(), [&](const auto& a) { return says(a, list); }))
+    return;
+  std::erase_if(lists_, [&](const auto& b) { return says(list, b); });
+  lists_.push_back(std::move(list));
+}
+
+void ParameterDomain::require(NotAllZero list) {
+  if (std::any_of(list.begin(), list.end(), [](const MPoly& p) { return is_constant(p); })) return;
+  MPoly common(list.front().ring());
+  for (const MPoly& p : list)
+    common = gcd(common, p);
+  NotAllZero rest;
+  bool is_settled = false; // a quotient is a number
+  for (const MPoly& p : list) {
+    const MPoly q = squarefree_part(exact_div(p, common));
+    is_settled = is_settled || is_constant(q);
+    if (!contains(rest, q)) rest.push_back(q);
+  }
+  if (!is_constant(common))
+    for (const MFactor& f : factor(common).second)
+      add({f.base});
+  std::sort(rest.begin(), rest.end(), // the same words for the same list
+            [](const MPoly& p, const MPoly& q) { return to_string(p) < to_string(q); });
+  if (!is_settled) add(std::move(rest));
+}
+
+std::vector<MPoly> ParameterDomain::nonzero() const {
+  std::vector<MPoly> all;
+  for (const NotAllZero& list : lists_)
+    if (list.size() == 1) all.push_back(list.front());
+  return all;
+}
+
+ParameterDomain ParameterDomain::at(const Substitution& values) const {
+  ParameterDomain there;
+  for (const NotAllZero& list : lists_) {
+    NotAllZero left;
+    for (const MPoly& p : list)
+      if (const MFraction f = substitute(p, values); !is_zero(f)) left.push_back(f.num());
+    if (left.empty())
+      throw DomainError("the system does not exist there: needed is " + in_words(list));
+    there.require(std::move(left));
+  }
+  return there;
+}
+
+ParameterDomain ParameterDomain::in(const Ring& ring) const {
+  ParameterDomain there;
+  for (const NotAllZero& list : lists_) {
+    there.lists_.emplace_back();
+    for (const MPoly& p : list)
+      there.lists_.back().push_back(transfer(MFraction(p), ring).num());
+  }
+  return there;
+}
+
+std::string in_words(const ParameterDomain::NotAllZero& list) {
+  std::string text;
+  for (const MPoly& p : list)
+    text += (text.empty() ? "" : " or ") + to_string(p) + " != 0";
+  return text;
+}
+
+} // namespace kov
