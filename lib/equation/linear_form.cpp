@@ -4,16 +4,11 @@
 
 #include <algorithm>
 #include <set>
-#include <unordered_map>
 
 namespace kov {
 namespace {
 
 using Kind = Expression::Kind;
-
-constexpr long max_order = 20; // higher derivatives are refused before they are computed
-
-bool is_diff(const Expression& e) { return e.kind() == Kind::call && e.name() == "diff"; }
 
 // y, or y(z) where y is no function that formulas know
 bool is_function_name(const Expression& e) {
@@ -41,157 +36,30 @@ void look(const Expression& e, Found& found) {
     look(operand, found);
 }
 
-class Recogniser {
+class OverNumbers : public Coefficients<RationalFunction> {
 public:
-  Recogniser(const std::string& unknown, const Reading& reading)
-      : unknown_(unknown), reading_(reading), zero_(coerce(Poly(0), reading.constants->field())) {}
+  explicit OverNumbers(const Reading& reading) : reading_(reading) {}
 
-  LinearForm operator()(const Expression& e) {
-    if (!mentions(e)) return {{}, rational_function(e, reading_)};
-    switch (e.kind()) {
-    case Kind::name:
-      return unknown_itself();
-    case Kind::sum:
-      return sum(e);
-    case Kind::negate:
-      return scaled((*this)(e.operand(0)), RationalFunction(-1));
-    case Kind::product:
-      return product(e);
-    case Kind::quotient:
-      if (mentions(e.operand(1))) throw not_linear(e);
-      return scaled((*this)(e.operand(0)), inverse(e.operand(1)));
-    case Kind::power:
-      if (e.operand(1).kind() == Kind::number && e.operand(1).number() == Integer(1))
-        return (*this)(e.operand(0));
-      throw not_linear(e);
-    case Kind::call:
-      return call(e);
-    case Kind::derivative:
-      return differentiated((*this)(e.operand(0)), e.order(), e);
-    case Kind::equation: {
-      LinearForm left = (*this)(e.operand(0));
-      return added(std::move(left), scaled((*this)(e.operand(1)), RationalFunction(-1)));
-    }
-    default:
-      throw not_linear(e);
-    }
+  [[nodiscard]] RationalFunction constant(long n) const override {
+    return RationalFunction(coerce(Poly(n), reading_.constants->field()));
+  }
+  [[nodiscard]] RationalFunction value(const Expression& e) const override {
+    return rational_function(e, reading_);
+  }
+  [[nodiscard]] RationalFunction derivative(const RationalFunction& f) const override {
+    reading_.budget.check();
+    return kov::derivative(f);
+  }
+  [[nodiscard]] std::string text(const RationalFunction& f) const override {
+    return to_string(f, reading_.variable);
+  }
+  void check(const RationalFunction& f) const override {
+    reading_.budget.check();
+    reading_.budget.check_degree(std::max(degree(f.num()), degree(f.den())));
   }
 
 private:
-  bool mentions(const Expression& e) {
-    const auto known = mentions_.find(e.id());
-    if (known != mentions_.end()) return known->second;
-    if (e.kind() == Kind::call && e.name() == "root") return false; // a constant
-    const bool named = e.kind() == Kind::name || e.kind() == Kind::call;
-    bool result = (named && e.name() == unknown_) || e.kind() == Kind::derivative || is_diff(e);
-    for (const Expression& operand : e.operands())
-      result = mentions(operand) || result;
-    mentions_[e.id()] = result;
-    return result;
-  }
-
-  [[nodiscard]] InputError not_linear(const Expression& e) const {
-    return e.error("this is not linear in " + unknown_,
-                   "only a2*" + unknown_ + "'' + a1*" + unknown_ + "' + a0*" + unknown_ +
-                       " = 0 with rational functions a2, a1, a0 can be solved");
-  }
-
-  [[nodiscard]] LinearForm unknown_itself() const {
-    return {{RationalFunction(coerce(Poly(1), reading_.constants->field()))}, zero_};
-  }
-
-  [[nodiscard]] LinearForm added(LinearForm a, const LinearForm& b) const {
-    if (a.c.size() < b.c.size()) a.c.resize(b.c.size(), zero_);
-    for (std::size_t i = 0; i < b.c.size(); ++i)
-      a.c[i] += b.c[i];
-    a.rest += b.rest;
-    return a;
-  }
-
-  static LinearForm scaled(LinearForm a, const RationalFunction& f) {
-    for (RationalFunction& c : a.c)
-      c *= f;
-    a.rest *= f;
-    return a;
-  }
-
-  [[nodiscard]] RationalFunction inverse(const Expression& e) const {
-    const RationalFunction f = rational_function(e, reading_);
-    if (is_zero(f)) throw e.error("division by zero");
-    return RationalFunction(1) / f;
-  }
-
-  LinearForm sum(const Expression& e) {
-    LinearForm total{{}, zero_};
-    for (const Expression& term : e.operands())
-      total = added(std::move(total), (*this)(term));
-    return total;
-  }
-
-  LinearForm product(const Expression& e) {
-    RationalFunction factor(coerce(Poly(1), reading_.constants->field()));
-    const Expression* linear = nullptr;
-    for (const Expression& operand : e.operands()) {
-      reading_.budget.check();
-      if (!mentions(operand)) {
-        factor *= rational_function(operand, reading_);
-        reading_.budget.check_degree(std::max(degree(factor.num()), degree(factor.den())));
-      } else if (linear != nullptr) {
-        throw not_linear(e);
-      } else {
-        linear = &operand;
-      }
-    }
-    return scaled((*this)(*linear), factor);
-  }
-
-  LinearForm call(const Expression& e) {
-    if (e.name() == unknown_) { // y(z)
-      const bool plain = e.operands().size() == 1 && e.operand(0).kind() == Kind::name &&
-                         e.operand(0).name() == reading_.variable;
-      if (!plain)
-        throw e.error("'" + unknown_ + "' is a function of " + reading_.variable,
-                      "write " + unknown_ + " or " + unknown_ + "(" + reading_.variable + ")");
-      return unknown_itself();
-    }
-    if (!is_diff(e)) throw not_linear(e);
-    const std::string form = "write diff(" + unknown_ + ", " + reading_.variable + ") or diff(" +
-                             unknown_ + ", " + reading_.variable + ", 2)";
-    if (e.operands().size() < 2 || e.operands().size() > 3)
-      throw e.error("diff has two or three arguments", form);
-    if (e.operand(1).kind() != Kind::name || e.operand(1).name() != reading_.variable)
-      throw e.operand(1).error("the derivative is with respect to " + reading_.variable, form);
-    long order = 1;
-    if (e.operands().size() == 3) {
-      const Expression& n = e.operand(2);
-      if (n.kind() != Kind::number || n.number() > Integer(max_order))
-        throw n.error("the order of a derivative is a small integer", form);
-      order = to_long(n.number());
-    }
-    return differentiated((*this)(e.operand(0)), order, e);
-  }
-
-  // (sum c_k y^(k))' = sum c_k' y^(k) + c_k y^(k+1)
-  LinearForm differentiated(LinearForm a, long order, const Expression& at) const {
-    if (static_cast<long>(a.c.size()) + order > max_order + 1)
-      throw at.error("only second-order equations can be solved");
-    for (; order > 0; --order) {
-      reading_.budget.check();
-      LinearForm b{std::vector<RationalFunction>(a.c.empty() ? 0 : a.c.size() + 1, zero_),
-                   derivative(a.rest)};
-      for (std::size_t k = 0; k < a.c.size(); ++k) {
-        b.c[k] += derivative(a.c[k]);
-        b.c[k + 1] += a.c[k];
-      }
-      a = std::move(b);
-    }
-    return a;
-  }
-
-  const std::string& unknown_;
   const Reading& reading_;
-  RationalFunction zero_;
-  std::unordered_map<const void*, bool> mentions_;
 };
 
 } // namespace
@@ -219,30 +87,15 @@ OdeNames ode_names(const Expression& equation) {
 
 LinearForm linear_form(const Expression& equation, const std::string& unknown,
                        const Reading& reading) {
-  LinearForm form = Recogniser(unknown, reading)(equation);
-  while (!form.c.empty() && is_zero(form.c.back()))
-    form.c.pop_back();
-  return form;
+  return LinearReader<RationalFunction>(unknown, reading.variable, OverNumbers(reading))
+      .form(equation);
 }
 
 SecondOrder second_order(const Expression& equation, const std::string& unknown,
                          const Reading& reading) {
-  const LinearForm form = linear_form(equation, unknown, reading);
-  const std::string pattern = "y'' + p y' + q y = 0 is expected";
-  const long order = static_cast<long>(form.c.size()) - 1;
-  if (order > 2)
-    throw equation.error("the equation has order " + std::to_string(order),
-                         "only second-order equations can be solved");
-  if (!is_zero(form.rest)) {
-    std::string term = to_string(form.rest, reading.variable);
-    if (term.size() > 60) term = term.substr(0, 60) + "...";
-    throw equation.error("the equation is not homogeneous: the term " + term + " has no " + unknown,
-                         pattern);
-  }
-  if (order < 2)
-    throw equation.error(order < 0 ? "everything cancels: there is no equation left"
-                                   : "the coefficient of " + unknown + "'' is zero",
-                         pattern);
+  const OverNumbers numbers(reading);
+  const LinearForm form =
+      LinearReader<RationalFunction>(unknown, reading.variable, numbers).second_order(equation);
   const auto check = [&](const RationalFunction& a, const RationalFunction& b) {
     reading.budget.check_degree(std::max(degree(a.num()), 0L) + std::max(degree(b.den()), 0L));
     reading.budget.check_degree(std::max(degree(a.den()), 0L) + std::max(degree(b.num()), 0L));

@@ -2,6 +2,7 @@
 // A linear differential equation recognised in a formula: "z^2*y'' + z*y' + (z^2-1/4)*y = 0",
 // "y'' = r(z)*y", "(p(z)*y')' = q(z)*y", "diff(y,z,2) = z*y".
 
+#include "symbol/linear_reader.hpp"
 #include "symbol/rational_form.hpp"
 
 #include <optional>
@@ -11,10 +12,7 @@
 namespace kov {
 
 /// c[0] y + c[1] y' + ... + rest, all over K(z).
-struct LinearForm {
-  std::vector<RationalFunction> c;
-  RationalFunction rest;
-};
+using LinearForm = LinearFormOver<RationalFunction>;
 
 /// The names of the unknown function and of its variable, as the formula itself tells them.
 struct OdeNames {

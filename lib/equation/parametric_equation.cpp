@@ -2,7 +2,9 @@
 
 #include "equation/algebraic_constants.hpp"
 #include "equation/assumptions.hpp"
+#include "equation/linear_form.hpp"
 #include "equation/parameter_scope.hpp"
+#include "symbol/rational_form.hpp"
 #include "system/linear_formula.hpp"
 
 #include <algorithm>
@@ -61,6 +63,26 @@ private:
   const Scope& scope_;
 };
 
+const Expression* find_name(const Expression& e, const std::string& name) {
+  if (e.kind() == Expression::Kind::name && e.name() == name) return &e;
+  for (const Expression& operand : e.operands())
+    if (const Expression* found = find_name(operand, name)) return found;
+  return nullptr;
+}
+
+// A forgotten parameter, told as the reader without parameters tells it.
+void refuse_unknown_names(const EquationText& text, const EquationNames& given,
+                          const Scope& scope) {
+  for (const auto* formula : {&text.r, &text.p, &text.q, &text.ode}) {
+    if (!*formula) continue;
+    for (const std::string& name : names_in(**formula)) {
+      if (scope.value(name) || (text.ode && name == given.unknown)) continue;
+      const Expression* at = find_name(**formula, name);
+      throw unknown_name(at != nullptr ? *at : **formula, text.parameters, given.variable);
+    }
+  }
+}
+
 } // namespace
 
 ParametricEquation read_parametric_equation(const EquationText& text) {
@@ -88,6 +110,7 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
   for (const auto& [name, value] : text.set)
     values[name] = evaluate(value, ParameterScope(ring, values));
   const ParameterScope scope(ring, values, constants->functions(ring));
+  refuse_unknown_names(text, given, scope);
   const NoZeroDivisors refuse_zero_divisors(*constants, scope);
   for (const auto& [name, value] : text.set)
     refuse_zero_divisors(value);
@@ -102,16 +125,12 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
     q.r = evaluate(*text.r, scope);
   } else if (text.ode) {
     const auto form = parametric_second_order(*text.ode, given.unknown, q.z, scope);
-    if (!form)
-      throw text.ode->error("this is not a homogeneous linear equation of the second order",
-                            "only a2*" + given.unknown + "'' + a1*" + given.unknown + "' + a0*" +
-                                given.unknown + " = 0 can be solved");
-    for (const MFraction& c : {form->c0, form->c1, form->c2})
+    for (const MFraction& c : {form.c0, form.c1, form.c2})
       assume_defined(q, c);
-    if (is_zero(constants->reduced(form->c2, scope)))
+    if (is_zero(constants->reduced(form.c2, scope)))
       throw text.ode->error("the coefficient of " + given.unknown + "'' is 0");
-    assume_somewhere_nonzero(q, form->c2.num(), "the coefficient of " + given.unknown + "'' is 0");
-    q.r = reduced(form->c1 / form->c2, form->c0 / form->c2);
+    assume_somewhere_nonzero(q, form.c2.num(), "the coefficient of " + given.unknown + "'' is 0");
+    q.r = reduced(form.c1 / form.c2, form.c0 / form.c2);
   } else {
     const MFraction p = evaluate(*text.p, scope), q0 = evaluate(*text.q, scope);
     for (const MFraction& c : {p, q0})
@@ -125,8 +144,13 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
 }
 
 void take_all_parameters(EquationText& text) {
+  auto names = settable_names(text);
+  if (text.ode) {
+    const OdeNames given = ode_names(*text.ode);
+    std::erase(names, given.unknown);
+    if (text.variable.empty()) text.variable = given.variable;
+  }
   if (text.variable.empty()) {
-    const auto names = settable_names(text);
     text.variable = "z";
     for (const char* name : {"t", "x", "z"})
       if (std::find(names.begin(), names.end(), name) != names.end()) text.variable = name;
@@ -135,7 +159,7 @@ void take_all_parameters(EquationText& text) {
     return std::any_of(text.set.begin(), text.set.end(),
                        [&](const auto& value) { return value.first == name; });
   };
-  for (const std::string& name : settable_names(text))
+  for (const std::string& name : names)
     if (name != text.variable && !has_value(name) &&
         std::find(text.parameters.begin(), text.parameters.end(), name) == text.parameters.end())
       text.parameters.push_back(name);

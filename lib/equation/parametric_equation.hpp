@@ -23,9 +23,10 @@ struct ParametricEquation {
   std::string variable;
 };
 
-/// Errors  InputError: an unknown name, a function that is not rational, as check_assumptions
+/// Errors  InputError: an unknown name, a function that is not rational, as check_assumptions; an
+///         equation that is not linear of the second order
 ///         FreeParameters: root(...) or a square root of something else than an integer that is no
-///         square, beside parameters; an equation that is not linear of the second order
+///         square, beside parameters
 /// Given   EquationText weber;
 /// Given   weber.r = parse_expression("z^2 + a", "r"), weber.parameters = {"a"};
 /// Given   const ParametricEquation weber_equation = read_parametric_equation(weber);

@@ -149,8 +149,26 @@ private:
     if (names.size() == 1 && names.front() != "Pi" && names.front() != "i") return names.front();
     if (names.size() == 1) return "z";
     throw formulas_.front().error("which of " + enumerate(names) + " is the variable?",
-                                  "say it with --variable (or variable = \"...\" in a file); "
-                                  "constants get values with --set");
+                                  other_names(names));
+  }
+
+  // What to write for the names that are not the variable.
+  static std::string other_names(std::vector<std::string> names) {
+    for (const char* usual : {"x", "t", "s"}) {
+      const auto x = std::find(names.begin(), names.end(), usual);
+      if (x == names.end()) continue;
+      names.erase(x);
+      std::string flags, list;
+      for (const std::string& name : names) {
+        flags += " --parameter " + name;
+        list += (list.empty() ? "\"" : ", \"") + name + "\"";
+      }
+      return "if it is " + std::string(usual) + ", write" + flags + " (in a file parameters = [" +
+             list + "]), or give values: --set " + names.front() +
+             "=...; otherwise name it: --variable";
+    }
+    return "say it with --variable (or variable = \"...\" in a file); each other name is a "
+           "parameter (--parameter NAME) or has a value (--set)";
   }
 
   void refuse_free_parameters() const {

@@ -39,12 +39,13 @@ public:
       in_.push_back(t);
       if (t.kind == Kind::end) break;
     }
-    brackets_ = std::any_of(in_.begin(), in_.end(), [](const Token& t) { return t.is("["); });
+    unwrap();
+    for (std::size_t i = 1; i < in_.size(); ++i)
+      brackets_ = brackets_ || (in_[i].is("[") && ends_operand(in_[i - 1]));
   }
 
   // The texts of the tokens live as long as this object.
   std::vector<Token> tokens() {
-    drop_statement_end();
     while (at_ + 1 < in_.size())
       step();
     out_.push_back(in_.back());
@@ -74,6 +75,59 @@ private:
   }
   void sign(const Token& at, std::string_view text) { push(at, Kind::sign, text); }
   std::string_view kept(std::string text) { return texts_.emplace_back(std::move(text)); }
+
+  // ---- a whole call of a solver: dsolve(equation, y(x)) is its equation
+
+  [[nodiscard]] static bool is_solver(const Token& t) {
+    static constexpr std::array<std::string_view, 6> solvers{
+        "dsolve", "DSolve", "desolve", "ode2", "contrib_ode", "kovacicsols"};
+    return t.kind == Kind::name &&
+           std::find(solvers.begin(), solvers.end(), t.text) != solvers.end();
+  }
+
+  // The parenthesis that opens its arguments, also those of DEtools[kovacicsols]; 0: another text.
+  [[nodiscard]] std::size_t arguments_of_solver() const {
+    const bool in_package = peek(1).is("[") && is_solver(peek(2)) && peek(3).is("]");
+    const std::size_t at = in_package ? 4 : is_solver(peek(0)) ? 1 : 0;
+    return at > 0 && opens(at) ? at : 0;
+  }
+
+  void unwrap() {
+    drop_statement_end();
+    const std::size_t open = arguments_of_solver();
+    if (open == 0) return;
+    std::vector<std::size_t> commas;
+    std::size_t close = open;
+    for (long depth = 0; close + 1 < in_.size(); ++close) {
+      const Token& t = in_[close];
+      depth += opening(t) - closing(t);
+      if (depth == 0) break;
+      if (t.is(",") && depth == 1) commas.push_back(close);
+      if (t.is(",") && depth == 2 && in_[open + 1].is("{") && commas.empty()) refuse_values(t);
+    }
+    if (close + 2 != in_.size()) return; // something follows: no call by itself
+    commas.push_back(close);
+    for (std::size_t i = 0; i + 1 < commas.size(); ++i)
+      check_argument(commas[i] + 1, commas[i + 1]);
+    in_.erase(in_.begin() + static_cast<std::ptrdiff_t>(commas.front()), in_.end() - 1);
+    in_.erase(in_.begin(), in_.begin() + static_cast<std::ptrdiff_t>(open) + 1);
+  }
+
+  // y   y(x)   y[x]   x   [y, x]   option = ...; nothing that restricts the solutions
+  void check_argument(std::size_t from, std::size_t to) const {
+    const bool option = from + 1 < to && in_[from].kind == Kind::name && in_[from + 1].is("=") &&
+                        in_[from].text != "ics";
+    for (std::size_t i = from; i < to && !option; ++i)
+      if (in_[i].kind != Kind::name && !in_[i].is(",") && !opening(in_[i]) && !closing(in_[i]))
+        refuse_values(in_[from]);
+  }
+  [[noreturn]] void refuse_values(const Token& at) const {
+    throw source_.error(at.span, "initial values have no place here",
+                        "the answer is about all solutions: give the equation alone");
+  }
+
+  static bool opening(const Token& t) { return t.is("(") || t.is("[") || t.is("{"); }
+  static bool closing(const Token& t) { return t.is(")") || t.is("]") || t.is("}"); }
 
   // Maple's and Maxima's ; and Maxima's $
   void drop_statement_end() {
@@ -121,9 +175,10 @@ private:
   }
 
   [[nodiscard]] bool after_operand() const {
-    if (at_ == 0) return false;
-    const Token& t = in_[at_ - 1];
-    return t.kind == Kind::number || t.kind == Kind::name || t.is(")") || t.is("]") || t.is("'");
+    return at_ > 0 && (in_[at_ - 1].kind == Kind::number || ends_operand(in_[at_ - 1]));
+  }
+  static bool ends_operand(const Token& t) {
+    return t.kind == Kind::name || t.is(")") || t.is("]") || t.is("'");
   }
 
   // In Mathematica's notation arguments stand in brackets, so that x (x + 1) and 2 x are products.
@@ -165,9 +220,27 @@ private:
       return open(t, "diff", Group::derivative);
     if (t.text == "Rational" && opens(1)) return open(t, "", Group::fraction);
     if (t.text == "Eq" && opens(1)) return open(t, "", Group::equation);
+    if (number_of_sympy()) return;
     out_.push_back(t);
     if (brackets_ && t.text == "Sqrt") out_.back().text = "sqrt";
     ++at_;
+  }
+
+  // S(3), Integer(3), S.Half
+  bool number_of_sympy() {
+    const Token t = in_[at_];
+    if (t.text == "S" && peek(1).is(".") && is_name(peek(2), "Half")) {
+      for (const auto& [kind, text] :
+           {std::pair{Kind::sign, "("}, std::pair{Kind::number, "1"}, std::pair{Kind::sign, "/"},
+            std::pair{Kind::number, "2"}, std::pair{Kind::sign, ")"}})
+        push(t, kind, text);
+      at_ += 3;
+      return true;
+    }
+    const bool number = peek(2).kind == Kind::number || peek(2).is("-");
+    if ((t.text != "S" && t.text != "Integer") || !peek(1).is("(") || !number) return false;
+    open(t, "", Group::plain);
+    return true;
   }
 
   void open(const Token& t, std::string_view function, Group group) {
@@ -203,12 +276,12 @@ private:
     return true;
   }
 
-  // What follows the first argument of diff: x, x   x, 2   x$2   (x, 2)   {x, 2}
+  // What follows the first argument of diff: x, x   x, 2   x$2   (x, 2)   {x, 2}   [x$2]
   [[nodiscard]] std::optional<Derivation> derivation(std::size_t at) const {
     Derivation d{.variable = {}, .order = 0, .end = at};
     const auto token = [&](std::size_t i) { return in_[std::min(i, in_.size() - 1)]; };
     for (;; ++at) {
-      const bool pair = token(at).is("(") || token(at).is("{");
+      const bool pair = opening(token(at));
       if (pair) ++at;
       const Token v = token(at++);
       if (v.kind != Kind::name || (d.order > 0 && v.text != d.variable.text)) return std::nullopt;
@@ -216,7 +289,7 @@ private:
       const bool counted = token(at).is("$") || token(at).is(",");
       const auto count = counted ? small_number(token(at + 1)) : std::nullopt;
       if (count) at += 2;
-      if (pair && (!count || !(token(at).is(")") || token(at).is("}")))) return std::nullopt;
+      if (pair && (!count || !closing(token(at)))) return std::nullopt;
       if (pair) ++at;
       d.order += count.value_or(1);
       d.end = at;
@@ -319,9 +392,10 @@ private:
 
 // Something that only other programs write, so that our own texts take no second way.
 bool is_foreign(std::string_view text) {
-  static constexpr std::array<std::string_view, 12> marks{
-      "diff(", "Diff(",     "D(", "Derivative", "derivative(", "Eq(",
-      "==",    "Rational(", "%",  ";",          "$",           "@@"};
+  static constexpr std::array<std::string_view, 18> marks{
+      "diff(",        "Diff(",       "D(", "Derivative", "derivative(", "Eq(",    "==",
+      "Rational(",    "%",           ";",  "$",          "@@",          "solve(", "ode2(",
+      "contrib_ode(", "kovacicsols", "S",  "Integer("};
   return text.find('[') != std::string_view::npos ||
          std::any_of(marks.begin(), marks.end(), [&](std::string_view mark) {
            return text.find(mark) != std::string_view::npos;

@@ -340,19 +340,22 @@ std::vector<Rational> rational_polynomial(const Expression& e, const std::string
 }
 
 InputError unknown_name(const Expression& at, const Reading& reading) {
+  return unknown_name(at, reading.constants->defined_names(), reading.variable);
+}
+
+InputError unknown_name(const Expression& at, std::vector<std::string> known,
+                        const std::string& variable) {
   const std::string& name = at.name();
   if (name == "Pi" || name == "pi" || name == "E" || name == "e")
     return at.error("unknown name '" + name + "'",
                     "constants are algebraic numbers: rationals, I, sqrt(c), root(p(x), approx)");
   if (name == "i" || name == "j")
     return at.error("unknown name '" + name + "'", "the imaginary unit is I");
-  std::vector<std::string> known = reading.constants->defined_names();
-  if (!reading.variable.empty()) known.push_back(reading.variable);
-  std::string hint = reading.variable.empty() ? "a constant is expected here"
-                                              : "the variable is " + reading.variable;
-  if (const auto near = nearest(name, known))
-    hint += "; did you mean " + *near + "?";
-  else if (!reading.variable.empty())
+  if (!variable.empty()) known.push_back(variable);
+  std::string hint =
+      variable.empty() ? "a constant is expected here" : "the variable is " + variable;
+  if (const auto near = nearest(name, known)) hint += "; did you mean " + *near + "?";
+  if (!variable.empty())
     hint += "; another name is a parameter (--parameter " + name +
             ": decided for all values), has a value (--set) or a minimal polynomial (--minpoly)";
   return at.error("unknown name '" + name + "'", hint);

@@ -33,7 +33,10 @@ struct Reading {
 [[nodiscard]] std::vector<Rational> rational_polynomial(const Expression& e,
                                                         const std::string& variable);
 
-/// The error for a name that nobody knows.
+/// The error for a name that nobody knows, where `known` names could be meant; variable: "" where a
+/// constant is expected.
+[[nodiscard]] InputError unknown_name(const Expression& at, std::vector<std::string> known,
+                                      const std::string& variable);
 [[nodiscard]] InputError unknown_name(const Expression& at, const Reading& reading);
 
 } // namespace kov

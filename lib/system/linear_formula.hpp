@@ -4,7 +4,6 @@
 
 #include "system/formula.hpp"
 
-#include <optional>
 #include <string>
 
 namespace kov {
@@ -14,17 +13,17 @@ struct ParametricSecondOrder {
   MFraction c0, c1, c2;
 };
 
-/// Unset for anything but a homogeneous linear equation of second order (the reader of equations
-/// without parameters, lib/equation, says what is wrong with one).
-/// Errors  InputError from evaluate()
+/// Errors  InputError: as `second_order` of lib/equation; from evaluate()
 /// Given   const Entry file = parse_document("system = {kind = 'vector-field', "
 ///             "coordinates = ['z'], parameters = ['n'], field = {z = '1'}}", "f.toml");
 /// Given   const SystemScope scope(file, {});
 /// Given   const Expression ode = parse_expression("(z*y')' = n*y", "ode", true);
 /// Example parametric_second_order(ode, "y", scope.ring()->index("z"), scope)
 ///         // -> {-n, 1, z}
-[[nodiscard]] std::optional<ParametricSecondOrder>
-parametric_second_order(const Expression& equation, const std::string& unknown, std::size_t z,
-                        const Scope& scope);
+/// Example parametric_second_order(parse_expression("y' = n*y", "ode", true), "y",
+///         scope.ring()->index("z"), scope)  // -> throws InputError
+[[nodiscard]] ParametricSecondOrder parametric_second_order(const Expression& equation,
+                                                            const std::string& unknown,
+                                                            std::size_t z, const Scope& scope);
 
 } // namespace kov

@@ -16,8 +16,7 @@ protected:
   [[nodiscard]] std::string read(const std::string& text) const {
     const Expression ode = parse_expression(text, "ode", true);
     const auto found = parametric_second_order(ode, "y", scope.ring()->index("z"), scope);
-    if (!found) return "none";
-    return to_string(found->c2) + ", " + to_string(found->c1) + ", " + to_string(found->c0);
+    return to_string(found.c2) + ", " + to_string(found.c1) + ", " + to_string(found.c0);
   }
 
   const Entry file = parse_document("system = {kind = 'vector-field', coordinates = ['z'], "
@@ -40,15 +39,23 @@ TEST_F(LinearFormula, DerivativesOfProductsAreExpanded) {
   EXPECT_EQ(read("-(-y'') - a*y = 0"), "1, 0, -a");
 }
 
-TEST_F(LinearFormula, OtherEquationsAreNone) {
-  EXPECT_EQ(read("y' = n*y"), "none");    // order one
-  EXPECT_EQ(read("y''' = n*y"), "none");  // order three
-  EXPECT_EQ(read("y'' = n"), "none");     // not homogeneous
-  EXPECT_EQ(read("y*y'' = n*y"), "none"); // not linear
-  EXPECT_EQ(read("y''^2 = n*y"), "none");
-  EXPECT_EQ(read("y'' = 1/y"), "none");
-  EXPECT_EQ(read("n*y'' - n*y'' + y = 0"), "none"); // y'' cancels
-  EXPECT_THROW(static_cast<void>(read("y'' = unknown*y")), InputError);
+TEST_F(LinearFormula, DerivativesOfOtherPrograms) {
+  EXPECT_EQ(read("diff(y, z, 2) + a*z*y = 0"), "1, 0, a*z");
+  EXPECT_EQ(read("diff(z*diff(y(z), z), z) = n*y(z)"), "z, 1, -n");
+  EXPECT_EQ(read("diff(a*diff(y, z), z, 1) = diff(y, z, 0)"), "a, 0, -1");
+}
+
+TEST_F(LinearFormula, OtherEquationsAreRefused) {
+  for (const char* other : {"y' = n*y",              // order one
+                            "y''' = n*y",            // order three
+                            "y'' = n",               // not homogeneous
+                            "y*y'' = n*y",           // not linear
+                            "y''^2 = n*y",           //
+                            "y'' = 1/y",             //
+                            "n*y'' - n*y'' + y = 0", // y'' cancels
+                            "y'' = n*y(2*z)",        // another function
+                            "diff(y, n, 2) = y", "y'' = unknown*y"})
+    EXPECT_THROW(static_cast<void>(read(other)), InputError) << other;
 }
 
 // What in_ring leaves: every formula is the same, in the larger ring.

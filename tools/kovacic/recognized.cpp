@@ -148,8 +148,7 @@ std::optional<MFraction> symbolic_r(const EquationText& text) {
     return normal_form_of(evaluate(*text.p, scope), evaluate(*text.q, scope), 0);
   if (!text.ode) return std::nullopt;
   const auto form = parametric_second_order(*text.ode, unknown, 0, scope);
-  if (!form) return std::nullopt;
-  return normal_form_of(form->c1 / form->c2, form->c0 / form->c2, 0);
+  return normal_form_of(form.c1 / form.c2, form.c0 / form.c2, 0);
 }
 
 } // namespace
