@@ -72,6 +72,38 @@ bool admits(const std::vector<Condition>& conditions, const Substitution& put) {
   });
 }
 
+// false: a value that is put in is an integer where none is assumed, or no integer where one is.
+bool admits(const std::vector<Membership>& memberships, const Substitution& put) {
+  return std::all_of(memberships.begin(), memberships.end(), [&](const Membership& m) {
+    const MFraction value = substitute(m.value, put);
+    if (is_zero(value)) return m.in_integers;
+    return !is_constant(value) || m.in_integers == is_integer(to_rational(value));
+  });
+}
+
+bool admits(const Assumptions& all, const Substitution& put) {
+  return admits(all.conditions, put) && admits(all.memberships, put);
+}
+
+// p, irreducible and in one parameter alone, has no root there that is (or is not) an integer as
+// assumed: its root is rational and another number, or all are irrational.
+bool has_no_admissible_root(const MPoly& p, const std::vector<Membership>& memberships) {
+  const auto used = used_variables(p);
+  if (used.size() != 1) return false;
+  const auto c = coefficients(p, used[0]);
+  if (c.size() == 2) {
+    try {
+      return !admits(memberships, {{used[0], -MFraction(c[0]) / MFraction(c[1])}});
+    } catch (const DomainError&) { // what is assumed has no value there
+      return true;
+    }
+  }
+  return std::any_of(memberships.begin(), memberships.end(), [&](const Membership& m) {
+    return m.in_integers && used_variables(m.value) == used && is_constant(m.value.den()) &&
+           degree(m.value.num(), used[0]) == 1;
+  });
+}
+
 bool has_equation(const Assumptions& all) {
   return std::any_of(all.conditions.begin(), all.conditions.end(),
                      [](const Condition& c) { return c.sign == certify::Sign::zero; });
@@ -94,13 +126,15 @@ std::vector<MPoly> nonzero_factors(const std::vector<Condition>& conditions,
 // The equations without what is known not to be 0, each factor once; unset: they contradict.
 std::optional<std::vector<MPoly>> simplified(const std::vector<MPoly>& equations,
                                              const std::vector<MPoly>& nonzero,
+                                             const std::vector<Membership>& memberships,
                                              const Budget& budget) {
   std::vector<MPoly> out;
   for (const MPoly& f : equations) {
     MPoly product(f.ring(), Integer(1));
     for (const MPoly& p : irreducible_parts(f))
       if (std::none_of(nonzero.begin(), nonzero.end(),
-                       [&](const MPoly& q) { return p == q || p == -q; }))
+                       [&](const MPoly& q) { return p == q || p == -q; }) &&
+          !has_no_admissible_root(p, memberships))
         product *= p;
     if (is_constant(product)) return std::nullopt;
     out.push_back(product);
@@ -231,7 +265,7 @@ private:
       level.n = n;
       level.fixed = {energy_, transfer(value, q_.r.ring())};
       const Substitution there{{energy_, level.fixed->second}};
-      if (!admits(s.conditions, there) || !admits(q_.assumptions.conditions, there)) continue;
+      if (!admits(s.conditions, there) || !admits(q_.assumptions, there)) continue;
       level.y = eigenfunction(s, level.fixed->second);
       out.push_back(std::move(level));
     }
@@ -327,7 +361,7 @@ private:
       }
       const Substitution put{{fixed->first, fixed->second}};
       try {
-        if (!admits(stratum.conditions, put) || !admits(q_.assumptions.conditions, put)) continue;
+        if (!admits(stratum.conditions, put) || !admits(q_.assumptions, put)) continue;
         const Scheme there = at(s, put);
         ExponentialFamily g = f;
         g.omega = substitute(f.omega, put);
@@ -389,8 +423,8 @@ private:
       return;
     }
     const Substitution put = fixed ? Substitution{{fixed->first, fixed->second}} : Substitution{};
-    auto equations =
-        simplified(part.conditions, nonzero_factors(all_conditions(stratum), put), budget_);
+    auto equations = simplified(part.conditions, nonzero_factors(all_conditions(stratum), put),
+                                q_.assumptions.memberships, budget_);
     if (!equations) return; // no such point
     Level level;
     level.n = n;

@@ -3,6 +3,7 @@
 #include "decide/decide.hpp"
 #include "exact/ideal.hpp"
 #include "spectrum/spectrum.hpp"
+#include "support/random.hpp"
 
 #include <gtest/gtest.h>
 
@@ -240,6 +241,39 @@ TEST(Spectrum, AssumptionsHoldAtEachLevel) {
     for (const DegreeFamily& f : p.families)
       for (const Level& level : f.first)
         EXPECT_GT(to_rational(level.fixed->second), Rational(5));
+}
+
+// J is (or is not) an integer, a half-integer, ... by assumption: the levels are those of the family
+// without the assumption whose J is so.
+TEST(Spectrum, IntegersAreAssumedAtEachLevel) {
+  test::random_rounds(12, [](test::Random& random) {
+    const long scale = random.between(1, 4), shift = random.between(0, 3), c = random.between(1, 4);
+    strata::Question q;
+    q.r = pow(x("z"), 6) - number(scale) * (x("J") + number(shift, 4)) * x("z") * x("z") - x("E");
+    const auto levels = [&] {
+      std::set<std::string> all;
+      for (const Piece& p : algebraic_spectrum(q, energy).pieces)
+        for (const DegreeFamily& f : p.families)
+          for (const Level& level : f.first)
+            all.insert(kov::to_string(level.fixed->second));
+      return all;
+    };
+    const std::set<std::string> free = levels();
+    ASSERT_FALSE(free.empty());
+    const bool in_integers = random.once_in(2);
+    const MFraction value = number(c) * x("J") + number(random.between(0, 3), 4);
+    q.assumptions.require_integral(value, in_integers);
+    std::set<std::string> expected;
+    for (const std::string& text : free) {
+      const auto slash = text.find('/');
+      const Rational j(Integer::parse(text.substr(0, slash)),
+                       slash == std::string::npos ? Integer(1)
+                                                  : Integer::parse(text.substr(slash + 1)));
+      const Rational there = to_rational(substitute(value, {{5, MFraction(ring, j)}}));
+      if (is_integer(there) == in_integers) expected.insert(text);
+    }
+    EXPECT_EQ(levels(), expected) << kov::to_string(value) << (in_integers ? " in Z" : " not in Z");
+  });
 }
 
 // Turbiner's radial sextic: irregular and one regular place, so that no group is dihedral.
