@@ -2,6 +2,7 @@
 // derivatives and whole calls of their solvers, with letters for the function, the variable and the
 // parameters that are drawn anew in each round.
 
+#include "equation/linear_form.hpp"
 #include "equation/parametric_equation.hpp"
 #include "support/random.hpp"
 #include "symbol/notations.hpp"
