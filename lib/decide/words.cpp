@@ -1,6 +1,7 @@
 #include "decide/words.hpp"
 
 #include "exact/error.hpp"
+#include "exact/letters.hpp"
 
 namespace kov {
 namespace {
@@ -8,9 +9,10 @@ namespace {
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
-std::string argument(const ByFormula& by) {
-  const std::string text = std::string("by the formula for ") + to_string(by.known.family) +
-                           "'s equation: " + by.known.answer->reason;
+std::string argument(const ByFormula& by, const std::string& variable) {
+  const std::string text =
+      std::string("by the formula for ") + to_string(by.known.family) +
+      "'s equation: " + Letters(names_in_text(variable)).in(by.known.answer->reason);
   return by.engines && !by.engines->detail.empty()
              ? text + " (no search: " + by.engines->detail + ")"
              : text;
@@ -23,7 +25,7 @@ std::string argument(const Because& because, const std::string& variable) {
                                  return std::string(
                                      "Kovacic's algorithm excludes its cases 1, 2 and 3");
                                },
-                               [](const ByFormula& by) { return argument(by); }},
+                               [&](const ByFormula& by) { return argument(by, variable); }},
                     because);
 }
 
@@ -56,9 +58,11 @@ std::string to_string(const SolutionsMissing& why) {
   return why.why == SolutionsMissing::Why::not_asked_for ? "not asked for" : why.limit;
 }
 
-std::string reason(const Decision& d) {
+std::string reason(const Decision& d) { return reason(d, d.variable); }
+
+std::string reason(const Decision& d, const std::string& variable) {
   if (d.withdrawn) return "undecided: " + to_string(*d.withdrawn);
-  std::string text = argument(d.because, d.variable);
+  std::string text = argument(d.because, variable);
   if (d.third_opinion) text += "; " + third_opinion(*d.third_opinion);
   if (d.second_opinion)
     text += "; Kovacic's algorithm agrees: case " + std::to_string(*d.second_opinion);

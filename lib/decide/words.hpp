@@ -7,6 +7,8 @@ namespace kov {
 
 /// Why the answer holds, or "undecided: ..."
 [[nodiscard]] std::string reason(const Decision& d);
+/// The same with another name for the variable.
+[[nodiscard]] std::string reason(const Decision& d, const std::string& variable);
 /// Why it was taken back.
 [[nodiscard]] std::string to_string(const Withdrawn& why);
 /// Why the solutions are not there: "not asked for", or a limit.

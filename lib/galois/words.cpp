@@ -2,6 +2,8 @@
 
 #include "galois/solutions.hpp"
 
+#include "exact/letters.hpp"
+
 namespace kov {
 namespace {
 
@@ -180,7 +182,7 @@ std::string argument(const Classification& c, const std::string& z) {
 } // namespace
 
 std::string reason(const Classification& c, const std::string& z) {
-  std::string text = argument(c, z);
+  std::string text = Letters(names_in_text(z)).in(argument(c, Letters::mark), z);
   if (c.undecided && c.undecided->why == Unable::Why::budget)
     text += (text.empty() ? "" : "; ") + ("undecided: " + c.undecided->detail);
   return text;

@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
+#include "exact/letters.hpp"
 #include "pullback/gauge.hpp"
 #include "pullback/local.hpp"
 #include "pullback/standard.hpp"
@@ -93,6 +94,16 @@ namespace {
 
 std::string in_parentheses(const std::string& text) { return "(" + text + ")"; }
 
+// In front of or behind a *: sums in parentheses.
+std::string as_factor(const std::string& text) {
+  long depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    depth += (text[i] == '(') - (text[i] == ')');
+    if (i > 0 && depth == 0 && (text[i] == '+' || text[i] == '-')) return in_parentheses(text);
+  }
+  return text;
+}
+
 std::string root_text(const NfElem& square) {
   if (const auto root = exact_sqrt(square)) return to_string(*root);
   return "sqrt(" + to_string(square) + ")";
@@ -104,56 +115,10 @@ std::string quotient_text(const NfElem& a, const NfElem& b) {
   return in_parentheses(to_string(a)) + "/sqrt(" + to_string(b) + ")";
 }
 
-// c x in brackets, c given by its square.
-std::string argument_text(const NfElem& square, const std::string& x) {
-  const std::string c = root_text(square);
-  return "(" + (c == "1" ? "" : c + "*") + x + ")";
-}
-
 // A name or a number needs no parentheses.
 std::string factor_text(const RationalFunction& f, const std::string& variable) {
   const std::string text = to_string(f, variable);
   return text.find_first_of("+-*/^ ") == std::string::npos ? text : in_parentheses(text);
-}
-
-std::string y_text(const SpecialSolution& y, const std::string& variable, const std::string& x) {
-  std::vector<std::string> terms;
-  const auto add = [&](const RationalFunction& f, const std::string& function) {
-    if (is_zero(f)) return;
-    const bool one = f == RationalFunction(1);
-    terms.push_back((one ? "" : factor_text(f, variable) + "*") + function + in_parentheses(x));
-  };
-  add(y.a, "F");
-  add(y.b, "F'");
-  std::string sum = terms.front();
-  if (terms.size() > 1) sum += " + " + terms.back();
-  if (is_one(y.h)) return sum;
-  return "sqrt(" + to_string(y.h, variable) + ")*" + (terms.size() > 1 ? in_parentheses(sum) : sum);
-}
-
-std::string airy_text(const NfElem& a, const std::string& x) {
-  if (is_one(a)) return "Ai(" + x + "), Bi(" + x + ")";
-  return "Ai(c*" + x + "), Bi(c*" + x + ") with c^3 = " + to_string(a);
-}
-
-// p = x^2 R: a x^2 + c, or b x + c
-std::string bessel_text(const Poly& p, const std::string& x) {
-  if (degree(p) == 1) {
-    const std::string argument = "(2*sqrt(" + x + "))";
-    return "sqrt(" + x + ")*I_n" + argument + ", sqrt(" + x + ")*K_n" + argument +
-           " with n = " + root_text(NfElem(1) + NfElem(4) * p.coeff(0));
-  }
-  const std::string argument = argument_text(-p.coeff(2), x);
-  return "sqrt(" + x + ")*J_n" + argument + ", sqrt(" + x + ")*Y_n" + argument +
-         " with n = " + root_text(p.coeff(0) + NfElem(Rational(1, 4)));
-}
-
-std::string whittaker_text(const Poly& p, const std::string& x) {
-  const NfElem square = NfElem(4) * p.coeff(2);
-  const std::string argument = argument_text(square, x);
-  return "M_(k,m)" + argument + ", W_(k,m)" + argument +
-         " with k = " + quotient_text(-p.coeff(1), square) +
-         ", m = " + root_text(p.coeff(0) + NfElem(Rational(1, 4)));
 }
 
 std::string power_text(const std::string& base, const NfElem& exponent) {
@@ -161,56 +126,139 @@ std::string power_text(const std::string& base, const NfElem& exponent) {
   return is_one(exponent) ? base + "*" : base + "^(" + to_string(exponent) + ")*";
 }
 
-// x^((1-l)/2) (1-x)^((1-m)/2) 2F1((1-l-m-n)/2, (1-l-m+n)/2; 1-l; x), and -l for l where that is
-// another function.
-std::string hypergeometric_text(const RationalFunction& standard, const std::string& x) {
-  const RationalFunction y(Poly::z() - Poly(1)), z(Poly::z());
-  const auto root_at = [&](const RationalFunction& f, const NfElem& point) {
-    const NfElem value = evaluate(f.num(), point) / evaluate(f.den(), point);
-    return exact_sqrt(NfElem(1) + NfElem(4) * value);
-  };
-  const RationalFunction at_infinity = standard * z * z;
-  const bool vanishes = degree(at_infinity.num()) < degree(at_infinity.den());
-  const auto l = root_at(at_infinity, NfElem(0)), m = root_at(standard * y * y, NfElem(1)),
-             n = exact_sqrt(NfElem(1) + (vanishes ? NfElem(0)
-                                                  : NfElem(4) * lead(at_infinity.num()) /
-                                                        lead(at_infinity.den())));
-  if (!l || !m || !n) return "";
-  const NfElem one(1), half(Rational(1, 2));
-  const auto with = [&](const NfElem& l0) {
-    const NfElem sum = one - l0 - *m;
-    return power_text(x, (one - l0) * half) + power_text("(1 - " + x + ")", (one - *m) * half) +
-           "2F1(" + to_string((sum - *n) * half) + ", " + to_string((sum + *n) * half) + "; " +
-           to_string(one - l0) + "; " + x + ")";
-  };
-  const bool integer = is_rational(*l) && is_integer(to_rational(*l));
-  if (!integer) return with(*l) + ", " + with(-*l);
-  return with(sign(to_rational(*l)) > 0 ? -*l : *l); // 1 - l is no denominator then
-}
-
-std::string functions_text(const SpecialSolution& y, const std::string& x) {
-  const Poly p = (y.standard * RationalFunction(Poly::z() * Poly::z())).num();
-  switch (y.family) {
-  case Classical::airy:
-    return airy_text(y.standard.num().coeff(1), x);
-  case Classical::bessel:
-    return bessel_text(p, x);
-  case Classical::whittaker:
-    return whittaker_text(p, x);
-  case Classical::riemann:
-    return hypergeometric_text(y.standard, x);
-  default:
-    return "";
+/// One solution in print: its variable x and the letters beside the names of the equation.
+class Print {
+public:
+  Print(const SpecialSolution& y, const std::string& variable) : y_(y), variable_(variable) {
+    std::set<std::string> taken = names_in_text(variable);
+    taken.merge(names_in_text(y.f.field()->letter()));
+    letter_ = Letters(taken);
+    x_ = y.f == RationalFunction(Poly::z()) ? variable : letter_("x");
   }
-}
+
+  [[nodiscard]] SpecialSolutionText text() const {
+    const std::string f = letter_("F");
+    return {y_text(),
+            f,
+            x_,
+            to_string(y_.f, variable_),
+            f + "'' = " + in_parentheses(to_string(y_.standard, x_)) + " " + f,
+            functions()};
+  }
+
+private:
+  // c x in brackets, c given by its square.
+  [[nodiscard]] std::string argument(const NfElem& square) const {
+    const std::string c = root_text(square);
+    return "(" + (c == "1" ? "" : as_factor(c) + "*") + as_factor(x_) + ")";
+  }
+
+  [[nodiscard]] std::string y_text() const {
+    std::vector<std::string> terms;
+    const auto add = [&](const RationalFunction& f, const std::string& function) {
+      if (is_zero(f)) return;
+      const bool one = f == RationalFunction(1);
+      terms.push_back((one ? "" : factor_text(f, variable_) + "*") + function +
+                      (x_.front() == '(' ? x_ : in_parentheses(x_)));
+    };
+    add(y_.a, letter_("F"));
+    add(y_.b, letter_("F") + "'");
+    std::string sum = terms.front();
+    if (terms.size() > 1) sum += " + " + terms.back();
+    if (is_one(y_.h)) return sum;
+    return "sqrt(" + to_string(y_.h, variable_) + ")*" +
+           (terms.size() > 1 ? in_parentheses(sum) : sum);
+  }
+
+  [[nodiscard]] std::string airy() const {
+    const NfElem a = y_.standard.num().coeff(1);
+    if (is_one(a)) return "Ai(" + x_ + "), Bi(" + x_ + ")";
+    const std::string c = letter_("c"), argument = "(" + c + "*" + as_factor(x_) + ")";
+    return "Ai" + argument + ", Bi" + argument + " with " + c + "^3 = " + to_string(a);
+  }
+
+  // p = x^2 R: a x^2 + c, or x + c
+  [[nodiscard]] std::string bessel(const Poly& p) const {
+    const std::string n = letter_("n");
+    const auto both = [&](const char* first, const char* second, const std::string& argument,
+                          const NfElem& order_squared) {
+      const std::string root = "sqrt(" + x_ + ")*";
+      return root + first + n + argument + ", " + root + second + n + argument + " with " + n +
+             " = " + root_text(order_squared);
+    };
+    if (degree(p) == 1)
+      return both("I_", "K_", "(2*sqrt(" + x_ + "))", NfElem(1) + NfElem(4) * p.coeff(0));
+    return both("J_", "Y_", argument(-p.coeff(2)), p.coeff(0) + NfElem(Rational(1, 4)));
+  }
+
+  [[nodiscard]] std::string whittaker(const Poly& p) const {
+    const NfElem square = NfElem(4) * p.coeff(2);
+    const std::string k = letter_("k"), m = letter_("m");
+    const std::string of = "_(" + k + "," + m + ")" + argument(square);
+    return "M" + of + ", W" + of + " with " + k + " = " + quotient_text(-p.coeff(1), square) +
+           ", " + m + " = " + root_text(p.coeff(0) + NfElem(Rational(1, 4)));
+  }
+
+  // x^((1-l)/2) (1-x)^((1-m)/2) 2F1((1-l-m-n)/2, (1-l-m+n)/2; 1-l; x), and -l for l where that is
+  // another function.
+  [[nodiscard]] std::string hypergeometric() const {
+    const RationalFunction y(Poly::z() - Poly(1)), z(Poly::z());
+    const auto root_at = [&](const RationalFunction& f, const NfElem& point) {
+      const NfElem value = evaluate(f.num(), point) / evaluate(f.den(), point);
+      return exact_sqrt(NfElem(1) + NfElem(4) * value);
+    };
+    const RationalFunction at_infinity = y_.standard * z * z;
+    const bool vanishes = degree(at_infinity.num()) < degree(at_infinity.den());
+    const auto l = root_at(at_infinity, NfElem(0)), m = root_at(y_.standard * y * y, NfElem(1)),
+               n = exact_sqrt(NfElem(1) + (vanishes ? NfElem(0)
+                                                    : NfElem(4) * lead(at_infinity.num()) /
+                                                          lead(at_infinity.den())));
+    if (!l || !m || !n) return "";
+    const NfElem one(1), half(Rational(1, 2));
+    const auto with = [&](const NfElem& l0) {
+      const NfElem sum = one - l0 - *m;
+      return power_text(as_atom(x_), (one - l0) * half) +
+             power_text("(1 - " + as_factor(x_) + ")", (one - *m) * half) + "2F1(" +
+             to_string((sum - *n) * half) + ", " + to_string((sum + *n) * half) + "; " +
+             to_string(one - l0) + "; " + x_ + ")";
+    };
+    const bool integer = is_rational(*l) && is_integer(to_rational(*l));
+    if (!integer) return with(*l) + ", " + with(-*l);
+    return with(sign(to_rational(*l)) > 0 ? -*l : *l); // 1 - l is no denominator then
+  }
+
+  // The variable may be z - c.
+  static std::string as_atom(const std::string& x) { return is_plain(x) ? x : in_parentheses(x); }
+  static bool is_plain(const std::string& x) {
+    return x.find_first_of("+-*/^ ") == std::string::npos || x.front() == '(';
+  }
+
+  [[nodiscard]] std::string functions() const {
+    const Poly p = (y_.standard * RationalFunction(Poly::z() * Poly::z())).num();
+    switch (y_.family) {
+    case Classical::airy:
+      return airy();
+    case Classical::bessel:
+      return bessel(p);
+    case Classical::whittaker:
+      return whittaker(p);
+    case Classical::riemann:
+      return hypergeometric();
+    default:
+      return "";
+    }
+  }
+
+  const SpecialSolution& y_;
+  const std::string& variable_;
+  Letters letter_;
+  std::string x_;
+};
 
 } // namespace
 
 SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable) {
-  const bool same = y.f == RationalFunction(Poly::z());
-  const std::string x = same ? variable : variable == "x" ? "t" : "x";
-  return {y_text(y, variable, x), x, to_string(y.f, variable),
-          "F'' = " + in_parentheses(to_string(y.standard, x)) + " F", functions_text(y, x)};
+  return Print(y, variable).text();
 }
 
 } // namespace kov

@@ -38,13 +38,14 @@ struct SpecialSolution {
 /// they have short names, else "".
 struct SpecialSolutionText {
   std::string y;         ///< "sqrt(z)*((z + 1)*F(x) + (z^2)*F'(x))"
+  std::string function;  ///< "F"
   std::string letter;    ///< "x"
   std::string x;         ///< f
   std::string equation;  ///< "F'' = (x) F"
   std::string functions; ///< "Ai(x), Bi(x)"
 };
-/// The letter x is another one where the variable has that name; where f is the variable itself, F
-/// is written in it.
+/// F, x and the letters of `functions` have other names where the equation has these; where f is
+/// the variable itself, F is written in it.
 [[nodiscard]] SpecialSolutionText printed(const SpecialSolution& y, const std::string& variable);
 
 } // namespace kov

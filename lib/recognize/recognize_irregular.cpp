@@ -16,6 +16,15 @@ Moebius to_infinity(const Singularities& s) {
 
 Moebius shift(const NfElem& by) { return {NfElem(1), by, NfElem(0), NfElem(1)}; }
 
+// a/sqrt(b)
+std::string quotient_text(const NfElem& a, const NfElem& b) {
+  if (is_zero(a)) return "0";
+  if (const auto root = root_in(b)) return to_string(a / *root);
+  const std::string text = to_string(a);
+  const bool plain = text.find_first_of("+-*/ ") == std::string::npos;
+  return (plain ? text : "(" + text + ")") + "/" + root_text(b);
+}
+
 std::optional<Recognized> polynomial(const RationalFunction& r, Moebius m) {
   const Poly& f = r.num();
   Recognized out;
@@ -30,7 +39,7 @@ std::optional<Recognized> polynomial(const RationalFunction& r, Moebius m) {
     const NfElem w = f.coeff(0) - f.coeff(1) * f.coeff(1) / (NfElem(4) * u);
     out = {Classical::weber,
            "y'' = (u x^2 + w) y, a = w/sqrt(u)",
-           {{"u", to_string(u)}, {"w", to_string(w)}, {"a", root_text(w * w / u)}},
+           {{"u", to_string(u)}, {"w", to_string(w)}, {"a", quotient_text(w, u)}},
            m,
            weber_answer(w * w / u)};
   } else {
@@ -74,12 +83,14 @@ std::optional<Recognized> one_regular(const RationalFunction& r, Moebius m) {
                       m,
                       answer};
   }
-  return Recognized{
-      Classical::whittaker,
-      "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))",
-      {{"k", root_text(k2)}, {"m", root_text(m2)}, {"a", to_string(a)}, {"b", to_string(b)}},
-      m,
-      answer};
+  return Recognized{Classical::whittaker,
+                    "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))",
+                    {{"k", quotient_text(-b, NfElem(4) * a)},
+                     {"m", root_text(m2)},
+                     {"a", to_string(a)},
+                     {"b", to_string(b)}},
+                    m,
+                    answer};
 }
 
 } // namespace

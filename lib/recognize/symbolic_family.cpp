@@ -1,7 +1,7 @@
 #include "recognize/symbolic_family.hpp"
 
 #include "exact/error.hpp"
-#include "recognize/canonical_names.hpp"
+#include "exact/letters.hpp"
 #include "special/arithmetic.hpp"
 #include "special/coefficients.hpp"
 #include "special/kimura.hpp"
@@ -9,7 +9,6 @@
 #include "special/lame_family.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace kov {
 namespace {
@@ -70,6 +69,8 @@ public:
   }
 
   SymbolicFamily lame(const LameFamilyForm& form) const;
+  /// Is x of the standard equation the variable itself?
+  [[nodiscard]] bool in_place() const { return in_place_; }
 
 private:
   void note(const MPoly& f) {
@@ -104,13 +105,12 @@ private:
     Polynomial num;
     long power = 0;
   };
-  [[nodiscard]] Moved moved(const std::vector<Place>& places,
-                            const std::optional<Place>& zero) const;
+  [[nodiscard]] Moved moved(const std::vector<Place>& places, const std::optional<Place>& zero);
 
   SymbolicFamily started(Classical family, const std::string& equation) const {
     return {family, equation, {}, {}, generic_};
   }
-  SymbolicFamily euler(const std::vector<Place>& places) const;
+  SymbolicFamily euler(const std::vector<Place>& places);
   SymbolicFamily riemann(const std::vector<Place>& places) const;
   std::optional<SymbolicFamily> polynomial(const Moved& r);
   std::optional<SymbolicFamily> one_regular(const std::vector<Place>& places);
@@ -118,11 +118,12 @@ private:
   const MFraction& r_;
   std::size_t z_;
   std::vector<MPoly> generic_;
+  bool in_place_ = true;
 };
 
 // At c: z = c + 1/x, r becomes x^-4 r(c + 1/x).  The regular place then is 1/(c' - c), or 0.
 Recognizer::Moved Recognizer::moved(const std::vector<Place>& places,
-                                    const std::optional<Place>& zero) const {
+                                    const std::optional<Place>& zero) {
   MFraction r = r_;
   const MFraction x = MFraction::variable(r_.ring(), z_);
   const auto irregular =
@@ -134,6 +135,7 @@ Recognizer::Moved Recognizer::moved(const std::vector<Place>& places,
   } else if (zero) {
     shift = *zero->at;
   }
+  in_place_ = !irregular->at && is_zero(shift);
   r = substitute(r, {{z_, x + shift}});
   const Polynomial den = in_z(r.den(), z_);
   Moved m{in_z(r.num(), z_), static_cast<long>(den.size()) - 1};
@@ -142,7 +144,17 @@ Recognizer::Moved Recognizer::moved(const std::vector<Place>& places,
   return m;
 }
 
-SymbolicFamily Recognizer::euler(const std::vector<Place>& places) const {
+// a/sqrt(b)
+std::string quotient_text(const MFraction& a, const MFraction& b) {
+  if (is_zero(a)) return "0";
+  if (const auto root = square_root(b)) return to_string(a / *root);
+  const std::string text = to_string(a);
+  const bool plain = text.find_first_of("+-*/ ") == std::string::npos;
+  return (plain ? text : "(" + text + ")") + "/sqrt(" + to_string(b) + ")";
+}
+
+SymbolicFamily Recognizer::euler(const std::vector<Place>& places) {
+  in_place_ = places.front().at && is_zero(*places.front().at) && !places.back().at;
   SymbolicFamily out = started(Classical::euler, "y'' = (l^2-1)/(4*x^2) y");
   out.parameters = {{"l", root_text(delta_squared(places.front()))}};
   out.cases = {{"l = 0 (T_2)", GroupType::T, Truth::yes},
@@ -209,6 +221,7 @@ std::optional<SymbolicFamily> Recognizer::polynomial(const Moved& r) {
     out.cases = {{"", GroupType::Gm, Truth::yes}};
     return out;
   }
+  in_place_ = in_place_ && is_zero(r.num[degree - 1]); // no shift
   if (degree == 1) {
     SymbolicFamily out = started(Classical::airy, "y'' = a x y");
     out.parameters = {{"a", to_string(r.num[1])}};
@@ -219,7 +232,7 @@ std::optional<SymbolicFamily> Recognizer::polynomial(const Moved& r) {
     const MFraction& u = r.num[2];
     const MFraction w = r.num[0] - r.num[1] * r.num[1] / (Rational(4) * u);
     SymbolicFamily out = started(Classical::weber, "y'' = (u x^2 + w) y, a = w/sqrt(u)");
-    out.parameters = {{"a", root_text(w * w / u)}};
+    out.parameters = {{"a", quotient_text(w, u)}};
     out.cases = {{"a is an odd integer", GroupType::Borel, Truth::no},
                  {"else", GroupType::SL2, Truth::no}};
     return out;
@@ -258,7 +271,7 @@ std::optional<SymbolicFamily> Recognizer::one_regular(const std::vector<Place>& 
   }
   SymbolicFamily out =
       started(Classical::whittaker, "y'' = (a + b/x + (m^2-1/4)/x^2) y, k = -b/(2*sqrt(a))");
-  out.parameters = {{"k", root_text(n[1] * n[1] / (Rational(4) * n[2]))}, {"m", root_text(m2)}};
+  out.parameters = {{"k", quotient_text(-n[1], Rational(4) * n[2])}, {"m", root_text(m2)}};
   out.cases = {{"k + m - 1/2 and k - m - 1/2 are integers, one of them >= 0 and one < 0",
                 GroupType::Gm, Truth::yes},
                {"some k +- m is half of an odd integer", GroupType::Borel, Truth::no},
@@ -267,7 +280,7 @@ std::optional<SymbolicFamily> Recognizer::one_regular(const std::vector<Place>& 
 }
 
 SymbolicFamily Recognizer::lame(const LameFamilyForm& form) const {
-  SymbolicFamily out = started(Classical::lame, "y_tt = (n(n+1) wp(t; g2, g3) + B) y");
+  SymbolicFamily out = started(Classical::lame, "y_tt = (n(n+1) wp(t; g2, g3) + B) y, x = wp(t)");
   out.generic = form.generic;
   const MFraction one(r_.ring(), Rational(1));
   const MFraction square = Rational(4) * form.alpha + one;
@@ -289,14 +302,16 @@ SymbolicFamily Recognizer::lame(const LameFamilyForm& form) const {
   return out;
 }
 
-// The letters of the family apart from the names that the equation uses.
-SymbolicFamily with_names(SymbolicFamily f, const std::set<std::string>& taken) {
-  const auto names = fresh_names(f.parameters, taken);
-  f.equation = renamed(f.equation, names);
+// The letters of the family apart from the names that the equation uses.  A letter whose value is
+// the name itself means the same on both sides.
+SymbolicFamily with_names(SymbolicFamily f, Letters letters) {
+  for (const auto& [name, value] : f.parameters)
+    if (name == value) letters.keep(name);
+  f.equation = letters.in(f.equation);
   for (auto& [name, value] : f.parameters)
-    name = renamed(name, names);
+    name = letters.in(name);
   for (FamilyCase& c : f.cases)
-    c.when = renamed(c.when, names);
+    c.when = letters.in(c.when);
   return f;
 }
 
@@ -333,18 +348,18 @@ std::optional<SymbolicFamily> symbolic_family(const MFraction& r, std::size_t z,
   constexpr long largest = 18;
   if (degree(r.num(), z) > largest || degree(r.den(), z) > largest) return std::nullopt;
   budget.check();
-  std::set<std::string> taken;
-  for (const std::size_t i : used_variables(r))
-    if (i != z) taken.insert(r.ring()->name(i));
   Recognizer recognizer(r, z);
+  Letters letters(r.ring());
   if (const auto form = recognize_lame(r, z, budget)) {
-    SymbolicFamily lame = with_names(recognizer.lame(*form), taken);
-    lame.equation += ", " + form->change;
+    if (form->change.empty()) letters.keep("x");
+    SymbolicFamily lame = with_names(recognizer.lame(*form), letters);
+    if (!form->change.empty()) lame.equation += ", " + form->change;
     return lame;
   }
   try {
     auto found = recognizer.run(budget);
-    if (found) found = with_names(*std::move(found), taken);
+    if (recognizer.in_place() && r.ring()->name(z) == "x") letters.keep("x");
+    if (found) found = with_names(*std::move(found), letters);
     return found;
   } catch (const NotRational&) {
     return std::nullopt;

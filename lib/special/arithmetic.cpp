@@ -1,6 +1,7 @@
 #include "special/arithmetic.hpp"
 
 #include "exact/error.hpp"
+#include "exact/letters.hpp"
 #include "special/kimura.hpp"
 #include "special/lame.hpp"
 #include "special/riemann.hpp"
@@ -95,22 +96,31 @@ std::string is_in(const Texts& all, const std::string& what, bool holds) {
   return all[0] + (noun ? " is no " + what.substr(3) : " is not " + what);
 }
 
-std::string step_text(const Residues& c) {
-  const std::string p = c.step == Rational(1) ? "p" : to_string(c.step) + "*p";
-  return is_zero(c.a) ? p : "+-" + to_string(c.a) + " + " + p;
+// Beside the names in the numbers that a sentence is about.
+Letters letters_for(const Squares& squares) {
+  for (const MFraction& s : squares)
+    if (s.ring()) return Letters(s.ring());
+  return Letters();
+}
+
+std::string step_text(const Residues& c, const std::string& p) {
+  const std::string step = c.step == Rational(1) ? p : to_string(c.step) + "*" + p;
+  return is_zero(c.a) ? step : "+-" + to_string(c.a) + " + " + step;
 }
 
 // Several classes: "+-1/6 + 2*p, +-5/6 + 2*p (p an integer)", after "one of" or "none of"
-std::string classes_text(const std::vector<Residues>& classes) {
+std::string classes_text(const SumIn& s) {
+  const std::string p = letters_for(s.squares)("p");
   Texts steps;
-  for (const Residues& c : classes)
-    steps.push_back(step_text(c));
-  return listed(steps) + " (p an integer)";
+  for (const Residues& c : s.classes)
+    steps.push_back(step_text(c, p));
+  return listed(steps) + " (" + p + " an integer)";
 }
 
-std::string is_in_one(const std::string& number, const std::vector<Residues>& classes, bool holds) {
-  if (classes.size() == 1) return is_in({number}, class_text(classes[0], Known::up_to_sign), holds);
-  return number + (holds ? " is one of " : " is none of ") + classes_text(classes);
+std::string is_in_one(const std::string& number, const SumIn& s, bool holds) {
+  if (s.classes.size() == 1)
+    return is_in({number}, class_text(s.classes[0], Known::up_to_sign), holds);
+  return number + (holds ? " is one of " : " is none of ") + classes_text(s);
 }
 
 // h is an integer exactly where `number` is in a + Z, 0 <= a < 1.
@@ -186,20 +196,19 @@ std::string words(const SumIn& s, bool holds) {
   if (s.squares.size() > 1)
     if (const auto one = without_numbers(s)) return words(*one, holds);
   if (s.squares.size() == 1) {
-    if (const auto root = square_root(s.squares[0]))
-      return is_in_one(to_string(*root), s.classes, holds);
+    if (const auto root = square_root(s.squares[0])) return is_in_one(to_string(*root), s, holds);
     const Root root = without_squares(s.squares[0]);
-    std::vector<Residues> classes;
-    for (const Residues& c : s.classes)
-      classes.push_back({c.a / root.scale, c.step / root.scale});
-    return is_in_one("sqrt(" + to_string(root.inner) + ")", classes, holds);
+    SumIn inner = s;
+    for (Residues& c : inner.classes)
+      c = {c.a / root.scale, c.step / root.scale};
+    return is_in_one("sqrt(" + to_string(root.inner) + ")", inner, holds);
   }
   std::string sum;
   for (const MFraction& x : s.squares)
     sum += (sum.empty() ? "" : " +- ") + number_text(x);
   const bool one = s.classes.size() == 1;
   return (holds ? "some " : "no ") + sum + " is " +
-         (one ? class_text(s.classes[0], Known::up_to_sign) : "one of " + classes_text(s.classes));
+         (one ? class_text(s.classes[0], Known::up_to_sign) : "one of " + classes_text(s));
 }
 
 // Without the numbers that are rational for all parameters, nor constant terms and factors.
@@ -240,16 +249,18 @@ std::string words(const InHalves& s, bool holds) {
 }
 
 std::string words(const Separated& s, bool holds) {
-  return "+-(" + number_text(s.squares[0]) + ") is " + (holds ? "a" : "no") +
-         " natural number N with " + number_text(s.squares[1]) + " among N - 1, N - 3, ..., 1 - N";
+  const Letters letter = letters_for(s.squares);
+  return "+-(" + number_text(s.squares[0]) + ") is " + (holds ? "a" : "no") + " natural number " +
+         letter("N") + " with " + number_text(s.squares[1]) +
+         letter.in(" among N - 1, N - 3, ..., 1 - N");
 }
 
 std::string words(const WithoutLogarithm& s, bool holds) {
   return std::string(holds ? "" : "it is not so that ") + "one of " +
          listed(number_texts(s.squares)) +
-         " is an integer, and each that is equals up to sign a natural number N with the sum or "
-         "the "
-         "difference of the other two among N - 1, N - 3, ..., 1 - N";
+         letters_for(s.squares).in(
+             " is an integer, and each that is equals up to sign a natural number N with the "
+             "sum or the difference of the other two among N - 1, N - 3, ..., 1 - N");
 }
 
 std::string words(const InRow& s, bool holds) {
@@ -263,12 +274,14 @@ std::string words(const LameIsFinite& s, bool holds) {
   const auto value = [&](std::size_t i) {
     return is_zero(s.squares[i]) ? std::string("0") : to_string(s.squares[i]);
   };
+  const Letters letter = letters_for(s.squares);
   if (s.half)
-    return "Q_m(" + value(1) + ", " + value(2) + ", " + value(3) + ") " + (holds ? "= 0" : "!= 0") +
-           ", Brioschi's determinant for m = |" + index + "|";
-  return "the polynomials of 'kovacic lame' for n + 1/2 = " + index +
-         (holds ? " vanish" : " do not all vanish") + " at B = " + value(1) + ", g2 = " + value(2) +
-         ", g3 = " + value(3);
+    return "Q_" + letter("m") + "(" + value(1) + ", " + value(2) + ", " + value(3) + ") " +
+           (holds ? "= 0" : "!= 0") + ", Brioschi's determinant for " + letter("m") + " = |" +
+           index + "|";
+  return "the polynomials of 'kovacic lame' for " + letter("n") + " + 1/2 = " + index +
+         (holds ? " vanish" : " do not all vanish") + " at " + letter("B") + " = " + value(1) +
+         ", " + letter("g2") + " = " + value(2) + ", " + letter("g3") + " = " + value(3);
 }
 
 // ---- at one point

@@ -1,5 +1,7 @@
 #include "special/lame_family.hpp"
 
+#include "exact/letters.hpp"
+
 #include "exact/error.hpp"
 #include "special/coefficients.hpp"
 
@@ -98,12 +100,12 @@ public:
                                         const std::string& variable, const MFraction& w) {
     if (r.num.size() > 10 || r.den.size() > 12) return std::nullopt;
     if (const auto form = lame_form(r))
-      return found(*form, variable + " = " + plus("x", form->shift), w - form->shift);
+      return found(*form, plain(variable, form->shift), w - form->shift);
     for (const MFraction& c : places) {
       const auto form = lame_form(turned(r, c));
       if (!form) continue;
       note(c.den());
-      return found(*form, variable + " = " + plus("1/(" + plus("x", form->shift) + ")", c),
+      return found(*form, variable + " = " + plus("1/(" + plus(x(), form->shift) + ")", c),
                    pow(w - c, -1) - form->shift);
     }
     return std::nullopt;
@@ -118,6 +120,14 @@ public:
   }
 
 private:
+  // The variable of Lame's equation, beside the names of r.
+  [[nodiscard]] std::string x() const { return Letters(ring_)("x"); }
+  // "" where it is the variable of r itself, and may have its name.
+  [[nodiscard]] std::string plain(const std::string& variable, const MFraction& shift) const {
+    if (variable == "x" && is_zero(shift)) return "";
+    return variable + " = " + plus(x(), shift);
+  }
+
   LameFamilyForm found(const Form& form, const std::string& change, MFraction map) {
     for (const MFraction* f : {&form.alpha, &form.p.b, &form.p.g2, &form.p.g3, &form.shift})
       if (f->ring()) note(f->den());

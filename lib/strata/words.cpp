@@ -1,9 +1,7 @@
 #include "strata/words.hpp"
 
 #include "decide/words.hpp"
-#include "recognize/canonical_names.hpp"
-
-#include <set>
+#include "exact/letters.hpp"
 
 namespace kov::strata {
 namespace {
@@ -16,8 +14,21 @@ std::string power(long m) { return "Sym^" + std::to_string(m); }
 std::string name(const Leaf& leaf, PlaceIndex i) {
   return place_name(place_at(*leaf.scheme, i), leaf.scheme->z);
 }
+// Our letters beside the names in the equation.
+Letters letters(const Leaf& leaf) {
+  return leaf.scheme ? Letters(leaf.scheme->r.ring()) : Letters();
+}
+std::string delta(const Leaf& leaf) { return letters(leaf)("Delta"); }
 std::string difference(const Leaf& leaf, PlaceIndex i) {
-  return "Delta at " + name(leaf, i) + ", " + square_text(place_at(*leaf.scheme, i));
+  return delta(leaf) + " at " + name(leaf, i) + ", " + square_text(place_at(*leaf.scheme, i));
+}
+
+// A stratum on which there are no parameters left.
+std::string of_number(const Leaf& leaf) {
+  const Decision& d = evidence<Number>(leaf)->decision;
+  if (!leaf.scheme) return kov::reason(d);
+  const Ring& ring = leaf.scheme->r.ring();
+  return letters(leaf).in(kov::reason(d, Letters::mark), ring->name(leaf.scheme->z));
 }
 
 // ---- the evidence
@@ -45,8 +56,8 @@ std::string torus(const Leaf& leaf) {
   const auto* e = evidence<IrrationalDifference>(leaf);
   if (e == nullptr) return "";
   const ParametricPlace& p = place_at(*leaf.scheme, e->place);
-  return "at " + name(leaf, e->place) + " " + square_text(p) + " " + irrational(p) +
-         ", so that Delta is not rational";
+  return "at " + name(leaf, e->place) + " " + square_text(p) + " " + irrational(p) + ", so that " +
+         delta(leaf) + " is not rational";
 }
 
 std::string logarithm(const Leaf& leaf) {
@@ -107,7 +118,7 @@ std::string invariant(const Leaf& leaf, std::size_t longest) {
   const ParametricInvariant& v = evidence<InvariantFound>(leaf)->v;
   const std::string text = product(v, leaf);
   return (text.size() <= longest
-              ? "v = " + text + " solves the symmetric power " + power(v.form.m)
+              ? letters(leaf)("v") + " = " + text + " solves the symmetric power " + power(v.form.m)
               : "the symmetric power " + power(v.form.m) + " has a rational solution") +
          " for all parameters of the stratum, and SL(2) and the full triangular group have no "
          "invariants";
@@ -144,11 +155,12 @@ std::string one_open(const Leaf& leaf) {
   const std::string list = listed(evidence<ExcludedDifferences>(leaf)->values);
   const std::string torus_text = torus(leaf);
   return difference(leaf, bound.place) + ": not larger than " + to_string(bound.square) + "; " +
-         (torus_text.empty() ? "if Delta is not rational, "
-                             : torus_text + ", and unless 2*Delta is an integer, ") +
+         torus_text +
+         letters(leaf).in(torus_text.empty() ? "if Delta is not rational, "
+                                             : ", and unless 2*Delta is an integer, ") +
          without_invariant(leaf) + "; an abelian identity component is possible only for " +
-         (list.empty() ? "no value of Delta"
-                       : "Delta in {" + list + "}, none of which occurs here");
+         (list.empty() ? "no value of " + delta(leaf)
+                       : delta(leaf) + " in {" + list + "}, none of which occurs here");
 }
 
 std::string several_open(const Leaf& leaf) {
@@ -156,14 +168,16 @@ std::string several_open(const Leaf& leaf) {
   if (text.empty()) text = "there is no exponential solution";
   for (const Evidence& e : leaf.because)
     if (const auto* one = std::get_if<ExcludedDifferences>(&e))
-      text += "; " + difference(leaf, one->place) + ", 2*Delta is not an integer";
+      text += "; " + difference(leaf, one->place) + ", 2*" + delta(leaf) + " is not an integer";
   return text + "; " + without_invariant(leaf);
 }
 
 std::string bessel_family(const Leaf& leaf) {
   const auto& form = *evidence<BesselForm>(leaf);
-  return "z = x^(2/s) turns the equation into one of Bessel, nu^2 = " +
-         to_factored_string(form.nu_squared) + " (s = " + to_string(form.s) + ")";
+  const Letters letter = letters(leaf);
+  return leaf.scheme->r.ring()->name(leaf.scheme->z) +
+         letter.in(" = x^(2/k) turns the equation into one of Bessel, nu^2 = ") +
+         to_factored_string(form.nu_squared) + " (" + letter("k") + " = " + to_string(form.s) + ")";
 }
 
 std::string weber_condition(const Leaf& leaf) {
@@ -184,7 +198,7 @@ std::string weber(const Leaf& leaf) {
 std::string assumed_integers(const Leaf& leaf) {
   const auto& e = *evidence<AssumedNotInteger>(leaf);
   return torus(leaf) + "; " + difference(leaf, e.place) + ", and by assumption " +
-         (e.twice ? "2*Delta" : "Delta") + " is not an integer; " + without_invariant(leaf);
+         (e.twice ? "2*" : "") + delta(leaf) + " is not an integer; " + without_invariant(leaf);
 }
 
 std::string condition(const Leaf& leaf, const OpenCondition& open);
@@ -204,28 +218,27 @@ std::string numbers_of(const ClassicalForm& form, const Scheme& s) {
   }
   for (const auto& [name, value] : form.values)
     all.emplace_back(name, is_zero(value) ? std::string("0") : to_string(value));
-  std::set<std::string> taken;
-  for (const std::size_t i : used_variables(s.r))
-    if (i != s.z) taken.insert(s.r.ring()->name(i));
-  auto letters = all;
+  Letters letter(s.r.ring());
+  for (const auto& [name, value] : all)
+    if (value == name) letter.keep(name);
   if (form.family == Classical::lame && all.front().first == all.front().second)
-    letters.emplace_back("n", "n"); // 2*n + 1 is 2*n + 1
-  const auto fresh = fresh_names(letters, taken);
+    letter.keep("n"); // 2*n + 1 is 2*n + 1
   std::string text;
   for (const auto& [name, value] : all)
-    if (value != name) text += ", " + renamed(name, fresh) + " = " + value;
+    if (value != name) text += ", " + letter.in(name) + " = " + value;
   return text;
 }
 
 std::string classical(const Leaf& leaf) {
   const auto& form = *evidence<ClassicalForm>(leaf);
   const Ring& ring = leaf.scheme->r.ring();
-  std::string text = form.family == Classical::constant ? "y'' = c y"
+  const Letters letter = letters(leaf);
+  std::string text = form.family == Classical::constant ? letter.in("y'' = c y")
                      : form.family == Classical::polynomial
-                         ? "r is a polynomial"
+                         ? letter("r") + " is a polynomial"
                          : to_string(form.family) + std::string("'s equation");
   if (form.power != 1)
-    text += " in w = " +
+    text += " in " + letter("w") + " = " +
             (is_zero(form.centre)
                  ? ring->name(leaf.scheme->z)
                  : "(" + to_string(MFraction::variable(ring, leaf.scheme->z) - form.centre) + ")") +
@@ -238,7 +251,7 @@ std::string argument(const Leaf& leaf, std::size_t longest) {
   case Conclusion::none:
     return "";
   case Conclusion::number:
-    return kov::reason(evidence<Number>(leaf)->decision);
+    return of_number(leaf);
   case Conclusion::invariant:
     return invariant(leaf, longest);
   case Conclusion::half_integers:
@@ -259,12 +272,12 @@ std::string argument(const Leaf& leaf, std::size_t longest) {
     return several_open(leaf);
   case Conclusion::no_products:
     return torus(leaf) + "; " + difference(leaf, evidence<NoProducts>(leaf)->place) +
-           "; no exponents of y1*y2 are possible";
+           letters(leaf).in("; no exponents of y1*y2 are possible");
   case Conclusion::assumed_integers:
     return assumed_integers(leaf);
   case Conclusion::bessel:
-    return bessel_family(leaf) + ", and nu - 1/2 is" + (leaf.abelian == Truth::yes ? "" : " not") +
-           " an integer";
+    return bessel_family(leaf) + letters(leaf).in(", and nu - 1/2 is") +
+           (leaf.abelian == Truth::yes ? "" : " not") + " an integer";
   case Conclusion::weber:
     return weber(leaf);
   case Conclusion::classical:
@@ -280,8 +293,9 @@ std::string argument(const Leaf& leaf, std::size_t longest) {
 // ---- what is left open
 
 std::string some_difference(const Leaf& leaf, const SomeDifference& open) {
-  std::string text = open.torus ? "some 2*Delta is an integer"
-                                : "every Delta is rational or some 2*Delta is an integer";
+  std::string text =
+      letters(leaf).in(open.torus ? "some 2*Delta is an integer"
+                                  : "every Delta is rational or some 2*Delta is an integer");
   for (const PlaceIndex i : open.places)
     text += ", " + difference(leaf, i);
   return text;
@@ -314,11 +328,11 @@ std::string condition(const Leaf& leaf, const SomeDifference& open) {
          ", and a symmetric power has a rational solution";
 }
 std::string condition(const Leaf& leaf, const RationalDifference& open) {
-  return "abelian only if Delta is rational, " + difference(leaf, open.place) +
+  return "abelian only if " + delta(leaf) + " is rational, " + difference(leaf, open.place) +
          ", and the equation is reducible or a symmetric power has a rational solution";
 }
 std::string condition(const Leaf& leaf, const IntegralDifference& open) {
-  return std::string("abelian only if ") + (open.twice ? "2*Delta" : "Delta") +
+  return std::string("abelian only if ") + (open.twice ? "2*" : "") + delta(leaf) +
          " is a positive integer, " + difference(leaf, open.place) +
          ", and Sym^4 has a rational solution";
 }
@@ -335,9 +349,7 @@ std::string condition(const Leaf&, const TooManyUnknowns& open) {
 std::string condition(const Leaf&, const LargeDenominator&) {
   return "reducible or not: not looked at";
 }
-std::string condition(const Leaf& leaf, const OpenNumber&) {
-  return kov::reason(evidence<Number>(leaf)->decision);
-}
+std::string condition(const Leaf& leaf, const OpenNumber&) { return of_number(leaf); }
 std::string condition(const Leaf& leaf, const ByParts&) {
   std::string where;
   for (const Part& p : leaf.parts) {
@@ -426,7 +438,7 @@ std::string reason(const Leaf& leaf) { return reason(leaf, std::string::npos); }
 std::string reason_in_brief(const Leaf& leaf) { return reason(leaf, one_line); }
 
 std::string group_text(const Leaf& leaf) {
-  if (leaf.group) return describe(*leaf.group);
+  if (leaf.group) return letters(leaf).in(describe(*leaf.group));
   switch (leaf.bound) {
   case GroupBound::SL2_or_Borel:
     return "SL(2, C) or the full triangular group";
@@ -473,7 +485,7 @@ std::string to_string(const Event& e) {
   case Event::Kind::logarithm_vanishes:
     return "there is no logarithm at " + at;
   case Event::Kind::difference_is:
-    return "Delta = " + to_string(e.value) + " at " + at;
+    return Letters(e.place.q.ring())("Delta") + " = " + to_string(e.value) + " at " + at;
   case Event::Kind::invariant_vanishes:
     return "the invariant that was found may vanish";
   case Event::Kind::invariant_appears:
@@ -497,19 +509,23 @@ std::string place_name(const ParametricPlace& p, std::size_t z) {
 }
 
 std::string square_text(const ParametricPlace& p) {
-  if (p.chi.size() == 2) return "Delta^2 = " + to_factored_string(-p.chi[0]);
+  Letters letter;
+  for (const MFraction& c : p.chi)
+    if (c.ring()) letter = Letters(c.ring());
+  const std::string square = letter("Delta") + "^2", root = letter("T");
+  if (p.chi.size() == 2) return square + " = " + to_factored_string(-p.chi[0]);
   std::string s;
   for (std::size_t i = p.chi.size(); i-- > 0;) {
     if (is_zero(p.chi[i])) continue;
     const bool number = is_constant(p.chi[i]);
     const bool negative = number && sign(to_rational(p.chi[i])) < 0;
-    const std::string t = i == 0 ? "" : i == 1 ? "T" : "T^" + std::to_string(i);
+    const std::string t = i == 0 ? "" : i == 1 ? root : root + "^" + std::to_string(i);
     std::string c = to_factored_string(negative ? -p.chi[i] : p.chi[i]);
     if (!number) c = "(" + c + ")";
     if (!t.empty()) c = number && is_one(negative ? -p.chi[i] : p.chi[i]) ? t : c + "*" + t;
     s += (s.empty() ? (negative ? "-" : "") : negative ? " - " : " + ") + c;
   }
-  return "Delta^2 a root T of " + s;
+  return square + " a root " + root + " of " + s;
 }
 
 } // namespace kov::strata

@@ -7,6 +7,7 @@
 #include "render.hpp"
 #include "symbol/suggest.hpp"
 
+#include <set>
 #include <sstream>
 
 namespace kov::cli {
@@ -105,20 +106,27 @@ Report numbers(const Settings& settings, const LameQuestion& q) {
 // --- free names: a condition
 // -----------------------------------------------------------------------
 
-std::string class_text(const ExponentClass& c) {
-  const std::string step = c.modulus == 1 ? "p" : std::to_string(c.modulus) + "*p";
+// Our letters beside the free names.
+Letters letters_beside(const LameQuestion& q) {
+  return Letters(std::set<std::string>(q.free.begin(), q.free.end()));
+}
+
+std::string class_text(const ExponentClass& c, const Letters& letter) {
+  const std::string p = letter("p"),
+                    step = c.modulus == 1 ? p : std::to_string(c.modulus) + "*" + p;
   return is_zero(c.nu0) ? step : "+-" + to_string(c.nu0) + " + " + step;
 }
 
-std::string classes_text(const ThirdExponents& third) {
+std::string classes_text(const ThirdExponents& third, const Letters& letter) {
   std::string s;
   for (const ExponentClass& c : third.classes)
-    s += (s.empty() ? "" : ", ") + class_text(c);
-  return s + " (p an integer)";
+    s += (s.empty() ? "" : ", ") + class_text(c, letter);
+  return s + " (" + letter("p") + " an integer)";
 }
 
-std::string degenerate_text(const ThirdExponents& third) {
-  return third.all ? "always" : "exactly when l is one of " + classes_text(third);
+std::string degenerate_text(const ThirdExponents& third, const Letters& letter) {
+  return third.all ? "always"
+                   : "exactly when " + letter("l") + " is one of " + classes_text(third, letter);
 }
 
 std::string cusp_text(const LameIndex& index) {
@@ -153,11 +161,12 @@ Report degenerate(const Settings& settings, const LameQuestion& q,
   }
   const MFraction l2 = degenerate_exponent_squared(alpha, p);
   const ThirdExponents third = degenerate_exponents(index);
+  const Letters letter = letters_beside(q);
   const bool number = is_zero(l2) || is_constant(l2);
-  const std::string where = ", where l^2 = " + to_string(l2);
+  const std::string where = ", where " + letter("l") + "^2 = " + to_string(l2);
   Json classes = Json::array();
   for (const ExponentClass& c : third.classes)
-    classes.push_back({{"l", class_text(c)}, {"reason", c.reason}});
+    classes.push_back({{"l", class_text(c, letter)}, {"reason", c.reason}});
   j["condition"] = {{"abelian", "exponent"}, {"l_squared", to_string(l2)}, {"l", classes}};
   Truth abelian = third.all ? Truth::yes : Truth::unknown; // for all values at once
   if (number && !third.all) {
@@ -165,9 +174,10 @@ Report degenerate(const Settings& settings, const LameQuestion& q,
     j["condition"]["abelian"] = yes ? "always" : "never";
     abelian = yes ? Truth::yes : Truth::no;
     put(out, "abelian",
-        (yes ? "always: l is one of " : "never: l is none of ") + classes_text(third) + where);
+        (yes ? "always: " : "never: ") + letter("l") + (yes ? " is one of " : " is none of ") +
+            classes_text(third, letter) + where);
   } else {
-    put(out, "abelian", degenerate_text(third) + where);
+    put(out, "abelian", degenerate_text(third, letter) + where);
   }
   const MFraction cusp = is_zero(p.g2) ? p.g3 : p.g2; // g2 = 0 and g3 = 0 say the same here
   if (!is_constant(cusp)) {
@@ -229,10 +239,14 @@ Report condition(const Settings& settings, const LameQuestion& q) {
   if (!is_constant(c.discriminant)) {
     j["condition"]["assuming"].push_back(to_string(c.discriminant) + " != 0");
     put(out, "assuming", to_string(c.discriminant) + " != 0 (the curve is not degenerate)");
-    const std::string when = "l^2 = n(n+1)/3 - 2*B*g2/(9*g3): abelian " +
-                             degenerate_text(degenerate_exponents(index)) + "; " + cusp_text(index);
+    const Letters letter = letters_beside(q);
+    const std::string when = letter("l") + "^2 = n(n+1)/3 - 2*B*g2/(9*g3): abelian " +
+                             degenerate_text(degenerate_exponents(index), letter) + "; " +
+                             cusp_text(index);
     j["degenerate"] = when;
-    put(out, "else", "Riemann's equation with exponent differences l, 1/2, n + 1/2, where " + when);
+    put(out, "else",
+        "Riemann's equation with exponent differences " + letter("l") + ", 1/2, n + 1/2, where " +
+            when);
   }
   const bool everywhere = is_constant(c.discriminant);
   const Truth abelian = everywhere && c.always()  ? Truth::yes

@@ -7,8 +7,8 @@
 #include "equation/parameter_scope.hpp"
 #include "equation/read_equation.hpp"
 #include "exact/error.hpp"
+#include "exact/letters.hpp"
 #include "pullback/special_solution.hpp"
-#include "recognize/canonical_names.hpp"
 #include "recognize/symbolic_family.hpp"
 #include "system/linear_formula.hpp"
 
@@ -22,13 +22,17 @@ const char* text_of(Truth t) {
   return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided";
 }
 
-// The names in the name of a field's generator: a of "(2*a)".
-std::set<std::string> letters_of(const std::string& generator) {
-  std::set<std::string> names;
-  if (generator.empty()) return names;
-  for (const std::string& name : names_in(parse_expression(generator, "constant")))
-    names.insert(name);
-  return names;
+// Beside the variable and the generator of the field; x where it is the variable itself stays x.
+Letters letters_for(const Recognized& found, const std::string& variable,
+                    const std::string& constant) {
+  std::set<std::string> taken = names_in_text(variable);
+  taken.merge(names_in_text(constant));
+  Letters letters(taken);
+  const bool in_place = found.z_of_x && found.z_of_x->is_identity() && !found.centre;
+  if (in_place && variable == "x") letters.keep("x");
+  for (const auto& [name, value] : found.parameters)
+    if (name == value) letters.keep(name);
+  return letters;
 }
 
 } // namespace
@@ -40,11 +44,11 @@ Json group_json(const GaloisGroup& g) {
   return j;
 }
 
-Json closed_json(const ClosedAnswer& answer) {
+Json closed_json(const ClosedAnswer& answer, const Letters& letters) {
   Json j;
   j["abelian"] = text_of(answer.abelian);
   j["group"] = answer.group ? group_json(*answer.group) : Json(nullptr);
-  j["reason"] = answer.reason;
+  j["reason"] = letters.in(answer.reason);
   return j;
 }
 
@@ -67,23 +71,25 @@ Json recognized_json(const Decision& decision, const std::string& constant, cons
   } catch (const OutOfBudget&) { // the answer itself is there
   }
   if (!found) return nullptr;
-  const auto names = fresh_names(found->parameters, letters_of(constant));
+  const Letters letters = letters_for(*found, decision.variable, constant);
+  const std::string x = letters("x");
   Json j;
   j["family"] = to_string(found->family);
-  j["equation"] = renamed(found->equation, names);
+  j["equation"] = letters.in(found->equation);
   j["parameters"] = Json::object();
   for (const auto& [name, value] : found->parameters)
-    j["parameters"][renamed(name, names)] = value;
+    j["parameters"][letters.in(name)] =
+        found->family == Classical::polynomial ? renamed(value, {{"x", x}}) : value;
   j["change"] = nullptr;
   std::string left = decision.variable;
   if (found->centre)
     left = "(" + to_string(Poly::z() - Poly(*found->centre), decision.variable) + ")^2";
-  if (found->z_of_x) j["change"] = left + " = " + to_string(*found->z_of_x, "x");
-  if (!found->z_of_x && !is_name(left)) j["change"] = left + " = x";
+  if (found->z_of_x) j["change"] = left + " = " + to_string(*found->z_of_x, x);
+  if (!found->z_of_x && !is_name(left)) j["change"] = left + " = " + x;
   j["closed_answer"] = nullptr;
   if (found->answer) {
     ensure_agreement(*found->answer, decision);
-    j["closed_answer"] = closed_json(*found->answer);
+    j["closed_answer"] = closed_json(*found->answer, letters);
   }
   return j;
 }
@@ -107,6 +113,7 @@ Json special_json(const Decision& decision, const Budget& budget) {
     const SpecialSolutionText text = printed(*found, decision.variable);
     return {{"family", to_string(found->family)},
             {"y", text.y},
+            {"function", text.function},
             {"letter", text.letter},
             {"x", text.x},
             {"equation", text.equation},
@@ -120,7 +127,7 @@ std::string special_text(const Json& j, const std::string& unknown) {
   const auto text = [&](const char* key) { return j.at(key).get<std::string>(); };
   std::string all = unknown + " = " + text("y") + " with ";
   if (text("x") != text("letter")) all += text("letter") + " = " + text("x") + ", ";
-  if (!text("functions").empty()) all += "F = " + text("functions") + ", ";
+  if (!text("functions").empty()) all += text("function") + " = " + text("functions") + ", ";
   return all + text("equation");
 }
 
@@ -225,8 +232,9 @@ std::string recognized_text(const Json& j) {
   }
   if (!j.at("change").is_null()) {
     const std::string change = j.at("change").get<std::string>();
+    const auto equals = change.find(" = ");
     const bool only_a_name =
-        change.ends_with(" = x") && is_name(change.substr(0, change.size() - 4));
+        is_name(change.substr(0, equals)) && is_name(change.substr(equals + 3));
     if (!only_a_name) text += "; " + change;
   }
   return text;

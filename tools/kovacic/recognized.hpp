@@ -1,6 +1,7 @@
 #pragma once
 // "This is Lame's equation with n = ...": what lib/special recognises, as JSON and as a sentence.
 
+#include "exact/letters.hpp"
 #include "recognize/recognize.hpp"
 #include "result.hpp"
 
@@ -9,7 +10,7 @@ namespace kov::cli {
 /// {"type": "SL2", "n": null}
 [[nodiscard]] Json group_json(const GaloisGroup& g);
 /// {"abelian", "group", "reason"}
-[[nodiscard]] Json closed_json(const ClosedAnswer& answer);
+[[nodiscard]] Json closed_json(const ClosedAnswer& answer, const Letters& letters = Letters());
 
 /// The object under "recognized"; null if nothing is.  constant: the generator of the field in texts.
 /// Throws Contradiction when the closed answer of the family contradicts the decision.

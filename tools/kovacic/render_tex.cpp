@@ -188,7 +188,7 @@ std::string tex_of_formula(const std::string& formula) {
 namespace {
 
 // The polynomial that w satisfies, or X; coefficients ascending.
-std::string polynomial_tex(const Json& c, const std::string& unknown = "w") {
+std::string polynomial_tex(const Json& c, const std::string& unknown) {
   std::string polynomial;
   for (std::size_t i = c.size(); i-- > 0;) {
     const std::string text = c[i].get<std::string>();
@@ -206,26 +206,32 @@ std::string polynomial_tex(const Json& c, const std::string& unknown = "w") {
 std::string polynomial_of_y_tex(const Json& result) {
   if (!result.contains("polynomial_of_y")) return {};
   const Json& y = result.at("polynomial_of_y");
+  const Letters letter = letters_beside(result);
+  const std::string x = tex_name(letter("X"));
   if (y.contains("missing"))
-    return "No polynomial of $y$: " + escaped(y.at("missing").get<std::string>()) + ".\n";
+    return "No polynomial of $" + tex_name(letter("y")) +
+           "$: " + escaped(y.at("missing").get<std::string>()) + ".\n";
   const bool given = y.contains("given_factor");
   const std::string factor = y.at(given ? "given_factor" : "factor").get<std::string>();
-  return std::string(is_transformed(result) && !given ? "\\[ u" : "\\[ y") + "^{" +
+  return "\\[ " + tex_name(letter(is_transformed(result) && !given ? "u" : "y")) + "^{" +
          y.at("power").dump() +
-         "} = " + (factor == "1" ? "" : "\\left(" + tex_of_formula(factor) + "\\right)") +
-         "X,\\quad " + polynomial_tex(y.at("polynomial"), "X") + " = 0 \\]\n";
+         "} = " + (factor == "1" ? "" : "\\left(" + tex_of_formula(factor) + "\\right)") + x +
+         ",\\quad " + polynomial_tex(y.at("polynomial"), x) + " = 0 \\]\n";
 }
 
 std::string solutions_tex(const Json& result) {
   std::string s;
+  const Letters letter = letters_beside(result);
+  const std::string y = tex_name(letter("y")), w = tex_name(letter("w"));
   for (const Json& x : result.at("solutions"))
     if (x.contains("minimal_polynomial"))
-      s += "\\[ w = y'/y:\\quad " + polynomial_tex(x.at("minimal_polynomial")) + " = 0 \\]\n";
+      s += "\\[ " + w + " = " + y + "'/" + y + ":\\quad " +
+           polynomial_tex(x.at("minimal_polynomial"), w) + " = 0 \\]\n";
   if (is_transformed(result) && result.at("original").contains("solutions"))
     s += "Solutions of the given equation:\n";
   const std::vector<std::string> formulas = solutions_of(result);
   for (std::size_t i = 0; i < formulas.size(); ++i)
-    s += "\\[ y" + (formulas.size() > 1 ? "_" + std::to_string(i + 1) : std::string()) + " = " +
+    s += "\\[ " + y + (formulas.size() > 1 ? "_" + std::to_string(i + 1) : std::string()) + " = " +
          tex_of_formula(formulas[i]) + " \\]\n";
   return s;
 }
@@ -239,7 +245,8 @@ std::string tex_of_result(const Json& result, const std::string& title) {
     const std::string r = result.at("r").get<std::string>();
     const std::string body = tex_of_formula(r);
     const bool sum = r.find(' ') != std::string::npos && body.find("\\frac") != 0;
-    s += "\\[ y'' = " + (sum ? "\\left(" + body + "\\right)" : body) + "\\,y \\]\n";
+    const std::string y = tex_name(letters_beside(result)("y"));
+    s += "\\[ " + y + "'' = " + (sum ? "\\left(" + body + "\\right)" : body) + "\\," + y + " \\]\n";
   }
   if (result.contains("strata")) return s + strata_tex(result) + polynomial_of_y_tex(result);
   s += "$G = " + group_tex(result.at("group")) +

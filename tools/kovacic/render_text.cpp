@@ -76,12 +76,13 @@ std::string shortened(const std::string& formula) {
          formula.substr(formula.size() - longest / 4);
 }
 
-// r y, with parentheses where r is more than a power.
-std::string right_side(const std::string& r) {
-  if (r == "0") return "0";
-  if (r == "1" || r == "-1") return r.substr(0, r.size() - 1) + "y";
+// y'' = r y, with parentheses where r is more than a power.
+std::string equation_text(const std::string& r, const std::string& y) {
+  const std::string left = y + "'' = ";
+  if (r == "0") return left + "0";
+  if (r == "1" || r == "-1") return left + r.substr(0, r.size() - 1) + y;
   const bool simple = r.find_first_of(" /") == std::string::npos;
-  return (simple ? r : "(" + r + ")") + " y";
+  return left + (simple ? r : "(" + r + ")") + " " + y;
 }
 
 std::string listed(const Json& texts) {
@@ -91,7 +92,7 @@ std::string listed(const Json& texts) {
   return all;
 }
 
-std::string minimal_polynomial(const Json& coefficients, const std::string& unknown = "w") {
+std::string minimal_polynomial(const Json& coefficients, const std::string& unknown) {
   std::string s;
   for (std::size_t i = coefficients.size(); i-- > 0;) {
     const std::string c = coefficients[i].get<std::string>();
@@ -112,36 +113,43 @@ std::string note(const Json& solution) {
   return solution.contains("note") ? "   [" + solution.at("note").get<std::string>() + "]" : "";
 }
 
+// Of the equation y'' = r y: u where another one was given.
+std::string unknown_of(const Json& result) {
+  return letters_beside(result)(is_transformed(result) ? "u" : "y");
+}
+
 // A polynomial for w = y'/y, and formulas.  What belongs to u'' = r u of a given equation is called
 // u.
 std::vector<std::string> solution_lines(const Json& result) {
   const Json& known = result.at("solutions");
   std::vector<std::string> lines;
-  const std::string u = is_transformed(result) ? "u" : "y";
+  const Letters letter = letters_beside(result);
+  const std::string u = unknown_of(result), w = letter("w");
   for (const Json& s : known)
     if (s.contains("minimal_polynomial"))
-      lines.push_back("w = " + u + "'/" + u + " satisfies " +
-                      minimal_polynomial(s.at("minimal_polynomial")) + note(s));
+      lines.push_back(w + " = " + u + "'/" + u + " satisfies " +
+                      minimal_polynomial(s.at("minimal_polynomial"), w) + note(s));
   const bool given = is_transformed(result) && result.at("original").contains("solutions");
   const std::vector<std::string> formulas = solutions_of(result);
   for (std::size_t i = 0; i < formulas.size(); ++i)
-    lines.push_back((given ? "y" : u) + (formulas.size() > 1 ? std::to_string(i + 1) : "") + " = " +
-                    formulas[i] + (formulas.size() == known.size() ? note(known[i]) : ""));
+    lines.push_back((given ? letter("y") : u) + (formulas.size() > 1 ? std::to_string(i + 1) : "") +
+                    " = " + formulas[i] + (formulas.size() == known.size() ? note(known[i]) : ""));
   return lines;
 }
 
 void put_polynomial_of_y(std::ostringstream& out, const Json& result) {
   if (!result.contains("polynomial_of_y")) return;
   const Json& y = result.at("polynomial_of_y");
-  const bool of_u = is_transformed(result) && !y.contains("given_factor");
-  const std::string u = of_u ? "u" : "y";
+  const Letters letter = letters_beside(result);
+  const std::string u = y.contains("given_factor") ? letter("y") : unknown_of(result),
+                    x = letter("X");
   if (y.contains("missing"))
     return put(out, u, "no polynomial: " + y.at("missing").get<std::string>());
   const std::string factor =
       y.at(y.contains("given_factor") ? "given_factor" : "factor").get<std::string>();
   put(out, u,
-      u + "^" + y.at("power").dump() + " = " + (factor == "1" ? "" : "(" + factor + ")*") +
-          "X with " + minimal_polynomial(y.at("polynomial"), "X"));
+      u + "^" + y.at("power").dump() + " = " + (factor == "1" ? "" : "(" + factor + ")*") + x +
+          " with " + minimal_polynomial(y.at("polynomial"), x));
 }
 
 void put_solutions(std::ostringstream& out, const Json& result) {
@@ -151,22 +159,25 @@ void put_solutions(std::ostringstream& out, const Json& result) {
     put(out, i > 0 ? "" : lines.size() > 1 ? "solutions" : "solution", lines[i]);
 }
 
-void put_original(std::ostringstream& out, const Json& original) {
+void put_original(std::ostringstream& out, const Json& result) {
+  const Json& original = result.at("original");
+  const Letters letter = letters_beside(result);
   const std::string factor = original.at("factor").get<std::string>();
   if (factor == "1") return;
   put(out, "given",
-      "y'' + p y' + q y = 0 with p = " + original.at("p").get<std::string>() +
-          ", q = " + original.at("q").get<std::string>());
+      letter.in("y'' + p y' + q y = 0 with p = ") + original.at("p").get<std::string>() + ", " +
+          letter("q") + " = " + original.at("q").get<std::string>());
   put(out, "",
-      "y = u * " + factor + " with u'' = r u; the factor is " +
+      letter.in("y = u * ") + factor + letter.in(" with u'' = r u; the factor is ") +
           original.at("factor_kind").get<std::string>() +
           "; the identity component is abelian for both equations or for none");
 }
 
 // "G = SL(2, C), identity component SL(2, C), not abelian", as much of it as is known.
 std::string group_line(const Json& result) {
-  std::string line =
-      result.at("group").is_null() ? std::string() : "G = " + group_text(result.at("group"));
+  std::string line = result.at("group").is_null()
+                         ? std::string()
+                         : "G = " + letters_beside(result).in(group_text(result.at("group")));
   const auto add = [&](const std::string& text) { line += (line.empty() ? "" : ", ") + text; };
   const Json& component = result.at("identity_component");
   if (!component.is_null())
@@ -218,13 +229,19 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   const std::string variable =
       result.at("variable").is_null() ? "z" : result.at("variable").get<std::string>();
   if (!result.at("r").is_null())
-    out << wrapped("y'' = " + right_side(shortened(result.at("r").get<std::string>())), 0) << '\n';
+    out << wrapped(equation_text(shortened(result.at("r").get<std::string>()),
+                                 letters_beside(result)("y")),
+                   0)
+        << '\n';
   if (result.contains("constants"))
     for (const auto& [name, meaning] : result.at("constants").items())
       if (name != "I" && name.find('(') == std::string::npos) // the others say it themselves
         put(out, "where", name + " = " + meaning.get<std::string>());
   const bool open = result.at("case").is_null();
-  out << "  " << paint(open ? "1;33" : "1;32", with_variable(headline(result), variable)) << '\n';
+  out << "  "
+      << paint(open ? "1;33" : "1;32",
+               with_variable(letters_beside(result).in(headline(result)), variable))
+      << '\n';
   if (const std::string line = group_line(result); !line.empty())
     out << "  " << wrapped(line, 2) << '\n';
   if (style.quiet && result.at("undecided").is_null()) {
@@ -257,15 +274,14 @@ std::string text_of_result(const Json& result, const std::string& title, const S
     if (const std::string known = recognized_text(result.at("recognized")); !known.empty())
       put(out, "this is", known);
   if (result.contains("special_solution"))
-    put(out, "but",
-        special_text(result.at("special_solution"), is_transformed(result) ? "u" : "y"));
+    put(out, "but", special_text(result.at("special_solution"), unknown_of(result)));
   if (result.contains("second_opinion")) {
     const Json& o = result.at("second_opinion");
     put(out, "monodromy", o.at("text").get<std::string>());
     if (o.contains("no_certificate"))
       put(out, "no proof", "of that: " + o.at("no_certificate").get<std::string>());
   }
-  if (result.contains("original")) put_original(out, result.at("original"));
+  if (result.contains("original")) put_original(out, result);
   put_solutions(out, result);
   put_polynomial_of_y(out, result);
   const Json failed = result.value("failed", Json::array());

@@ -2,10 +2,13 @@
 
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
+#include "exact/letters.hpp"
 #include "galois/algebraic_solution.hpp"
 #include "galois/basis.hpp"
 #include "galois/exponential_form.hpp"
 #include "recognized.hpp"
+
+#include <set>
 
 namespace kov::cli {
 
@@ -183,6 +186,22 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
   result["undecided"] = {{"why", why}, {"detail", detail}};
 }
 
+Letters letters_beside(const Json& result) {
+  std::set<std::string> taken;
+  const auto take = [&](const Json& text) {
+    if (text.is_string()) taken.merge(names_in_text(text.get_ref<const std::string&>()));
+  };
+  take(result.at("variable"));
+  take(result.at("r"));
+  if (result.contains("original"))
+    for (const char* key : {"p", "q"})
+      take(result.at("original").at(key));
+  if (result.contains("constants"))
+    for (const auto& [name, meaning] : result.at("constants").items())
+      taken.merge(names_in_text(name));
+  return Letters(taken);
+}
+
 bool is_transformed(const Json& result) {
   return result.contains("original") && result.at("original").at("factor") != "1";
 }
@@ -237,7 +256,7 @@ void put_original_form(Json& result, const GivenEquation& e, const Budget& budge
   if (kind == "algebraic") note += "; the factor is algebraic, so both groups are finite or none";
   if (kind == "transcendental")
     note += "; the factor is transcendental, so the group of the given equation is infinite";
-  j["note"] = note;
+  j["note"] = letters_beside({{"variable", e.variable}, {"r", nullptr}, {"original", j}}).in(note);
   result["original"] = std::move(j);
 }
 

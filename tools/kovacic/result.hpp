@@ -4,6 +4,7 @@
 
 #include "decide/decide.hpp"
 #include "equation/read_equation.hpp"
+#include "exact/letters.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -42,6 +43,8 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
 /// the given equation, if gauge is not 0 and there is one.  {missing}: why there is none.
 [[nodiscard]] Json polynomial_json(const Decision& decision, const RationalFunction& gauge,
                                    std::size_t most_bytes, const Budget& budget);
+/// The letters that texts bring in (y, u, w, X, ...) beside the names of this equation.
+[[nodiscard]] Letters letters_beside(const Json& result);
 /// Is y'' = r y another equation than the given one?
 [[nodiscard]] bool is_transformed(const Json& result);
 
