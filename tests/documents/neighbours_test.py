@@ -19,6 +19,10 @@ PROGRAM = sys.argv[1]
 EQUATIONS = [["-r", r] for r in ("z^2 + 3", "1/z - 3/(16*z^2)", "-3/(16*z^2)", "2/z^2", "1", "-2", "I", "z", "0", "-5/(36*z^2)",
                                  "(z^4 + 4*z^3 - z^2 - 2*z + 1/4)/z^4", "-3/(16*z^2) - 2/(9*(z-1)^2) + 3/(16*z*(z-1))")]
 EQUATIONS += [["-e", e] for e in ("z^2*y'' + z*y' + (z^2 - 1/4)*y = 0", "x*y'' + y' = 0", "y'' + 2*y' + y = 0")]
+# names that scripts use themselves, or that the programs have
+RENAMED = [["-e", "y'' = (2/r^2+1)*y"], ["-e", "u'' = (2/y^2+1)*u", "--variable", "y"], ["-r", "2/N^2 + 4", "--variable", "N"],
+           ["-r", "1/lambda - 3/(16*lambda^2)", "--variable", "lambda"], ["-r", "y1^2 + 1", "--variable", "y1"],
+           ["-r", "1/w - 3/(16*w^2)", "--variable", "w"], ["-e", "E*y'' + y' = 0", "--variable", "E"]]
 
 
 def said(*command, text=None):
@@ -32,13 +36,13 @@ def exported(program, arguments):
 class Neighbours(unittest.TestCase):
     @unittest.skipUnless(importlib.util.find_spec("sympy"), "needs SymPy")
     def test_sympy(self):
-        scripts = [exported("sympy", arguments) for arguments in EQUATIONS]
+        scripts = [exported("sympy", arguments) for arguments in EQUATIONS + RENAMED]
         self.all_zero(said(sys.executable, "-", text="\n".join(scripts)), "\n".join(scripts).count("# 0\n"))
 
     @unittest.skipUnless(shutil.which("maxima"), "needs Maxima")
     def test_maxima(self):
-        scripts = ["kill(all)$ display2d : false$\n" + exported("maxima", arguments) for arguments in EQUATIONS]
-        text = re.sub(r"^(ratsimp.*);$", r'print("left", \1)$', "\n".join(scripts), flags=re.M)
+        scripts = ["kill(all)$ display2d : false$\n" + exported("maxima", arguments) for arguments in EQUATIONS + RENAMED]
+        text = re.sub(r"^(ratsimp.*);  /\* 0 \*/$", r'print("left", \1)$', "\n".join(scripts), flags=re.M)
         with tempfile.TemporaryDirectory() as directory:
             path = pathlib.Path(directory, "script.mac")
             path.write_text(text, encoding="utf-8")
@@ -48,7 +52,7 @@ class Neighbours(unittest.TestCase):
         self.assertEqual(set(left), {"0"}, done.stdout)
 
     def test_sage(self):
-        for arguments in EQUATIONS:
+        for arguments in EQUATIONS + RENAMED:
             compile(exported("sage", arguments).replace(".gen()", ""), "sage", "exec")
 
     @unittest.skipUnless(importlib.util.find_spec("sympy"), "needs SymPy")

@@ -391,8 +391,8 @@ struct CommandLine {
                     "A4, S4, A5: also the polynomial of y itself, not only that of y'/y");
     solve->add_flag("--special-functions", settings.special_functions,
                     "--batch: also solutions in Airy's, Bessel's, Whittaker's functions and 2F1");
-    solver_flags(*solve, {"text", "json", "tex", "sympy", "maxima", "sage"},
-                 "text, json, tex, sympy, maxima or sage");
+    solver_flags(*solve, {"text", "json", "tex", "sympy", "maxima", "maple", "mathematica", "sage"},
+                 "text, json, tex, sympy, maxima, maple, mathematica or sage");
 
     declare_families(app);
     declare_spectrum(app);
