@@ -36,6 +36,8 @@ public:
 };
 
 /// A call of diff, which is what every notation's derivative becomes.
+/// Example is_diff(parse_expression("diff(y, z, 2)", "-e"))  // -> yes
+/// Example is_diff(parse_expression("y''", "-e"))  // -> no
 [[nodiscard]] inline bool is_diff(const Expression& e) {
   return e.kind() == Expression::Kind::call && e.name() == "diff";
 }
