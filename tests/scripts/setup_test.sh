@@ -35,8 +35,8 @@ END
   cat >"$tree/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.20)
 project(tiny LANGUAGES C)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tools)
 add_executable(kovacic main.c)
-set_target_properties(kovacic PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tools)
 END
   program 1
 }
@@ -53,7 +53,8 @@ for i in 1 2 3; do run "first$i" & done
 wait
 for i in 1 2 3; do check "three at once on a fresh tree: $i" says "first$i.out" 'answer 1'; done
 check "the stages are shown" grep -q '2/3 configuring' "$tree"/first{1,2,3}.err
-check "with an estimate" grep -q '3/3 building .* steps (at most about' "$tree"/first{1,2,3}.err
+check "with an estimate" grep -q '3/3 building .* steps (about .* s; less' "$tree"/first{1,2,3}.err
+check "and what is left" grep -q '100 % (. of ., about .* left)' "$tree"/first{1,2,3}.err
 check "and a log" test -s "$tree/build/setup.log"
 run second
 check "nothing to do is not worth a word" test ! -s "$tree/second.err"
@@ -80,6 +81,11 @@ chmod -R a+rX,a-w "$tree/build" "$tree/tools" "$tree/main.c"
 as_nobody "$tree/tools/run" >/tmp/setup-test-$$.out 2>&1
 check "a finished build in a read-only tree runs" grep -q 'answer 3' /tmp/setup-test-$$.out
 rm -f /tmp/setup-test-$$.out
+
+fresh_tree
+printf '[tests]\nno-such-package-kovacic  a reason\n' >>"$tree/tools/packages.txt"
+run core solve
+check "packages of tests are not needed for an answer" says core.out 'answer 1'
 
 fresh_tree
 echo "no-such-package-kovacic  a reason" >>"$tree/tools/packages.txt"
