@@ -13,7 +13,8 @@ namespace kov {
 /// Definitions are evaluated when they are first used, so that their order does not matter.
 class SystemScope : public FunctionsInFormulas::GrowingScope {
 public:
-  SystemScope(const Entry& document, const ParameterValues& settings);
+  /// more: another table with formulas of this system, which may use functions that the system does not.
+  SystemScope(const Entry& document, const ParameterValues& settings, const Entry* more = nullptr);
 
   [[nodiscard]] const Ring& ring() const override { return ring_; }
   [[nodiscard]] std::optional<MFraction> value(const std::string& name) const override;

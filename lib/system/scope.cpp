@@ -33,8 +33,8 @@ std::string independent_name(const Entry& document, const std::vector<std::strin
 
 } // namespace
 
-SystemScope::SystemScope(const Entry& document, const ParameterValues& settings)
-    : written(document.at("system")), document_(&document) {
+SystemScope::SystemScope(const Entry& document, const ParameterValues& settings, const Entry* more)
+    : written(document.at("system"), more), document_(&document) {
   const Entry& system = document.at("system");
   system.check_keys({"kind", "coordinates", "momenta", "parameters", "constants", "hamiltonian",
                      "lagrangian", "velocities", "angular_velocity", "gyrostat", "bracket", "field",

@@ -67,13 +67,17 @@ long order_of_root(const std::string& function) {
   return 0;
 }
 
-FunctionsInFormulas::FunctionsInFormulas(const Entry& system) {
+FunctionsInFormulas::FunctionsInFormulas(const Entry& system, const Entry* more) {
   for (const char* key :
        {"hamiltonian", "lagrangian", "gyrostat", "bracket", "field", "define", "relations"})
     if (const Entry* e = system.find(key)) collect(*e);
   if (const Entry* functions = system.find("function"))
     for (const Entry* f : functions->list())
       if (const Entry* derivative = f->find("derivative")) collect(*derivative);
+  for (const char* key : {"section", "where", "start", "plot"})
+    if (const Entry* e = more == nullptr ? nullptr : more->find(key)) collect(*e);
+  if (const Entry* levels = more == nullptr ? nullptr : more->find("levels"))
+    collect_names(*levels);
   add_names_in_angles();
 }
 
@@ -112,6 +116,14 @@ void FunctionsInFormulas::collect(const Entry& entry) {
     collect(entry.expression(true));
   } catch (const InputError&) { // told when the formula is evaluated
   }
+}
+
+void FunctionsInFormulas::collect_names(const Entry& table) {
+  for (const auto& [name, one] : table.members())
+    try {
+      collect(parse_expression(name, "levels"));
+    } catch (const InputError&) { // told when the formula is evaluated
+    }
 }
 
 void FunctionsInFormulas::collect(const Expression& e) {

@@ -32,10 +32,11 @@ struct WrittenFunctions {
   std::vector<MPoly> nonzero; ///< in the parameters: else the arguments depend on one another
 };
 
-/// The functions in the formulas of [system], by their texts.
+/// The functions in the formulas of [system], by their texts, and in those of another table that asks for more of the
+/// same system (a scene: section, where, start, plot, the names of its levels).
 class FunctionsInFormulas {
 public:
-  explicit FunctionsInFormulas(const Entry& system);
+  explicit FunctionsInFormulas(const Entry& system, const Entry* more = nullptr);
 
   /// Names for all symbols that may be needed; none of them is in `taken`.
   [[nodiscard]] std::vector<std::string> names(std::set<std::string> taken);
@@ -69,6 +70,7 @@ public:
 
 private:
   void collect(const Entry& entry);
+  void collect_names(const Entry& table);
   void collect(const Expression& e);
   void add_names_in_angles();
   void note(Family family, const Expression& argument, long root = 1);

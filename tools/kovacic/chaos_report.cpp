@@ -264,8 +264,13 @@ std::string proof_text(const SystemScene& s, const FixedPointsInRectangle& all,
 }
 
 std::string json_of(const SystemScene& s, const PeriodicOrbits* orbits,
-                    const Homoclinic* homoclinic, const FixedPointsInRectangle* all) {
-  Json j{{"file", s.file}, {"scene", s.name}, {"section", s.section.text}, {"level", levels_of(s)}};
+                    const Homoclinic* homoclinic, const FixedPointsInRectangle* all,
+                    const Json& simulation) {
+  Json j{{"file", s.file},
+         {"scene", s.name},
+         {"section", s.section.text},
+         {"level", levels_of(s)},
+         {"simulation", simulation}};
   if (orbits != nullptr) {
     j["period"] = orbits->period;
     j["complete"] = false; // that there are no others anywhere is never proved

@@ -4,6 +4,8 @@
 #include "flow/chaos/all_fixed_points.hpp"
 #include "flow/chaos/homoclinic.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <string>
 
 namespace kov::cli {
@@ -24,10 +26,11 @@ void write_homoclinic(const std::string& path, const flow::SystemScene& s,
                                      const std::vector<std::string>& rectangle);
 /// Each sheet that was found over the middle is decided.
 [[nodiscard]] bool complete(const flow::FixedPointsInRectangle& all);
-/// One JSON object, without a line break at its end.
+/// One JSON object, without a line break at its end.  `simulation`: what section_report.hpp says of the orbits.
 [[nodiscard]] std::string json_of(const flow::SystemScene& s, const flow::PeriodicOrbits* orbits,
                                   const flow::Homoclinic* homoclinic,
-                                  const flow::FixedPointsInRectangle* all);
+                                  const flow::FixedPointsInRectangle* all,
+                                  const nlohmann::ordered_json& simulation);
 /// docs/theory/chaos.md has the format.  Requires found.proof.
 /// Errors  InputError: the system is none of those that the format has
 [[nodiscard]] std::string certificate_of(const flow::SystemScene& s, const flow::Homoclinic& found);

@@ -36,6 +36,8 @@ const char* word(flow::Ended e) {
     return "stopped";
   case flow::Ended::singular:
     return "singular";
+  case flow::Ended::idle:
+    return "idle";
   default:
     return "broken";
   }

@@ -6,6 +6,7 @@
 #include "plot.hpp"
 #include "section_files.hpp"
 #include "section_page.hpp"
+#include "section_report.hpp"
 #include "symbol/document.hpp"
 #include "symbol/suggest.hpp"
 
@@ -23,76 +24,6 @@ using flow::Indicator;
 using flow::SystemScene;
 using flow::SystemSection;
 
-// A level that is no integral is one for the start.
-std::string levels_of(const SystemScene& s) {
-  std::string text;
-  const std::vector<flow::SceneFormula> integrals = s.integrals();
-  for (const auto& level : s.levels) {
-    const bool stays = std::any_of(integrals.begin(), integrals.end(),
-                                   [&](const auto& f) { return f.value == level.function.value; });
-    text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", level.function.text,
-                        level.value.text(), stays ? "" : " at the start");
-  }
-  return text;
-}
-
-std::string parameters_of(const SystemScene& s) {
-  std::string text;
-  const auto add = [&](const std::string& name, const std::string& value) {
-    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
-  };
-  for (const auto& [name, value] : s.system.values)
-    add(name, name != s.varied ? to_string(value)
-                               : fmt::format("{} ... {} ({} values)", to_string(value),
-                                             to_string(s.family.back().system.values.at(name)),
-                                             s.family.size()));
-  for (const auto& [variable, value] : s.values)
-    add(s.system.ring()->name(variable), value.text());
-  return text;
-}
-
-std::string drifts_of(const SystemSection& r) {
-  std::string text;
-  for (std::size_t i = 0; i < r.integrals.size(); ++i)
-    text +=
-        fmt::format("{}{}: {:.1e}", text.empty() ? "drift of " : ", ", r.integrals[i], r.drifts[i]);
-  return text.empty() ? "no integrals to check" : text;
-}
-
-// Two lines: the mechanics; the numerics.
-std::vector<std::string> caption(const SystemScene& s, const SystemSection& r) {
-  std::string mechanics;
-  for (const std::string& part : {parameters_of(s), levels_of(s)})
-    if (!part.empty()) mechanics += part + "; ";
-  mechanics += fmt::format("section {}, {}", s.section.text,
-                           s.rising && s.falling ? "both directions"
-                           : s.rising            ? "upward"
-                                                 : "downward");
-  if (s.where) mechanics += fmt::format(", where {} > 0", s.where->text);
-  return {mechanics, fmt::format("{} orbits, {} points; Taylor order {}, {}, tolerance {}; {}",
-                                 r.orbits.size(), r.points.size(), r.order, r.arithmetic,
-                                 s.tolerance.text(), drifts_of(r))};
-}
-
-// What is missing in a result, in words; empty if nothing is.
-std::string shortfall(const SystemSection& r) {
-  std::string text;
-  const auto add = [&](std::size_t n, const std::string& what) {
-    if (n > 0)
-      text +=
-          fmt::format("{}{} of {} orbits {}", text.empty() ? "" : "; ", n, r.orbits.size(), what);
-  };
-  add(r.count(Ended::stopped), "were stopped before their end");
-  add(r.cut_short(), fmt::format("ended at the limit of {} before their last crossing",
-                                 r.has_time ? "points" : "steps"));
-  return text;
-}
-
-std::string partial(const SystemSection& r) {
-  const std::string missing = shortfall(r);
-  return missing.empty() ? "" : "PARTIAL: " + missing;
-}
-
 // A column has no spaces.
 std::string column(const std::string& text) {
   std::string name;
@@ -101,25 +32,14 @@ std::string column(const std::string& text) {
   return name;
 }
 
-double indicator_of(const SystemScene& s, const flow::DrawnOrbit& o) {
-  switch (s.indicator) {
-  case Indicator::megno:
-    return o.indicators.megno;
-  case Indicator::lyapunov:
-    return o.indicators.lyapunov;
-  case Indicator::fli:
-    return o.indicators.fli;
-  default:
-    return 0;
-  }
-}
-
 void write_points(const std::string& path, const SystemScene& s, const SystemSection& r) {
   write_whole(path, [&](std::ofstream& out) {
     if (const std::string missing = partial(r); !missing.empty())
       fmt::print(out, "# {}\n", missing);
     fmt::print(out, "# {}\n", s.title);
     for (const std::string& line : caption(s, r))
+      fmt::print(out, "# {}\n", line);
+    for (const std::string& line : remarks(s, r))
       fmt::print(out, "# {}\n", line);
     const std::string colour = to_string(s.indicator);
     fmt::print(out, "orbit t {} {}{}{}\n", column(s.plot[0].text), column(s.plot[1].text),
@@ -142,7 +62,9 @@ void write_orbits(const std::string& path, const SystemScene& s, const SystemSec
     if (const std::string missing = partial(r); !missing.empty())
       fmt::print(out, "# {}\n", missing);
     const bool with = s.indicator != Indicator::none;
-    fmt::print(out, "orbit {}_0 {}_0 crossings tangencies steps time drift{} ended_by\n",
+    fmt::print(out,
+               "orbit {}_0 {}_0 crossings tangencies steps time drift{} rest_from inside_from "
+               "ended_by\n",
                column(s.plot[0].text), column(s.plot[1].text),
                with ? " lyapunov lyapunov_error fli megno" : "");
     for (std::size_t i = 0; i < r.orbits.size(); ++i) {
@@ -151,8 +73,12 @@ void write_orbits(const std::string& path, const SystemScene& s, const SystemSec
       const std::string chaos = with ? fmt::format(" {:.6g} {:.2g} {:.6g} {:.6g}", c.lyapunov,
                                                    c.lyapunov_error, c.fli, c.megno)
                                      : "";
-      fmt::print(out, "{} {:.12g} {:.12g} {} {} {} {:.8g} {:.2e}{} {}\n", i, o.start[0], o.start[1],
-                 o.crossings, o.tangencies, o.steps, o.time, o.drift, chaos, word(o.ended));
+      const auto since = [](double t) {
+        return t < 0 ? std::string("-") : fmt::format("{:.8g}", t);
+      };
+      fmt::print(out, "{} {:.12g} {:.12g} {} {} {} {:.8g} {:.2e}{} {} {} {}\n", i, o.start[0],
+                 o.start[1], o.crossings, o.tangencies, o.steps, o.time, o.drift, chaos,
+                 since(o.rest_from), since(o.inside_from), word(o.ended));
     }
   });
 }
@@ -214,8 +140,7 @@ private:
       return fmt::format("no crossing within the limit of steps, which {} of {} orbits reached (a "
                          "'time' has no such limit)",
                          result_.count(Ended::steps), result_.orbits.size());
-    if (result_.points.empty() && !result_.stopped)
-      return fmt::format("the section is never crossed by any of {} orbits", result_.orbits.size());
+    if (result_.points.empty() && !result_.stopped) return never_crossed(scene_, result_);
     if (result_.drift > scene_.drift.as<double>())
       return fmt::format("the integrals drift by {:.1e}, more than the {} that the scene allows; "
                          "no picture is drawn ({})",
@@ -234,32 +159,12 @@ private:
       fmt::print("  {}\n", line);
     if (result_.skipped > 0)
       fmt::print("  {} places of the grid are not on the level\n", result_.skipped);
-    if (const std::size_t n = result_.count(Ended::singular); n > 0)
-      fmt::print(
-          "  {} of {} orbits end in a singularity (a collision, or infinity in finite time): "
-          "their steps shrink to nothing\n",
-          n, result_.orbits.size());
-    if (const std::size_t n = result_.count(Ended::broken); n > 0)
-      fmt::print("  {} of {} orbits end where the field has no value (0/0), or beyond the largest "
-                 "number\n",
-                 n, result_.orbits.size());
-    if (scene_.indicator != Indicator::none) chaos();
+    for (const std::string& line : remarks(scene_, result_))
+      fmt::print("  {}\n", line);
+    if (scene_.indicator != Indicator::none) fmt::print("  {}\n", chaos_of(result_));
     if (const std::string missing = partial(result_); !missing.empty())
       fmt::print("  {}\n", missing);
     fmt::print("  {:.2f} s; data {}.dat\n", seconds_, base_);
-  }
-
-  void chaos() const {
-    const auto most = std::max_element(
-        result_.orbits.begin(), result_.orbits.end(),
-        [](const auto& a, const auto& b) { return a.indicators.lyapunov < b.indicators.lyapunov; });
-    fmt::print("  largest Lyapunov exponent {:.4g} +- {:.1g} (orbit {}, numerically); <MEGNO> "
-               "above 3: {} of {} orbits\n",
-               most->indicators.lyapunov, most->indicators.lyapunov_error,
-               most - result_.orbits.begin(),
-               std::count_if(result_.orbits.begin(), result_.orbits.end(),
-                             [](const auto& o) { return o.indicators.megno > 3; }),
-               result_.orbits.size());
   }
 
   [[nodiscard]] int pictures() const {
@@ -267,6 +172,8 @@ private:
     const std::string missing = partial(result_);
     plot.title = scene_.title + (missing.empty() ? "" : "  [" + missing + "]");
     plot.caption = caption(scene_, result_);
+    for (const std::string& line : remarks(scene_, result_))
+      plot.caption.push_back(line);
     for (std::size_t i = 0; i < 2; ++i) {
       plot.labels[i] = scene_.plot[i].text;
       plot.columns[i] = column(scene_.plot[i].text);
@@ -290,7 +197,8 @@ private:
 
   // Periodic orbits and homoclinic points; false: not all that was asked for is proved.
   bool proofs() {
-    if (!o_.fixed_points && !o_.homoclinic && o_.rectangle.empty()) return true;
+    const bool any = o_.fixed_points || o_.homoclinic || !o_.rectangle.empty();
+    if (!any && settings_.format != "json") return true;
     flow::PeriodicOrbits orbits;
     flow::Homoclinic homoclinic;
     std::string text;
@@ -317,7 +225,8 @@ private:
     }
     if (settings_.format == "json")
       text = json_of(scene_, o_.fixed_points ? &orbits : nullptr,
-                     o_.homoclinic ? &homoclinic : nullptr, all ? &*all : nullptr) +
+                     o_.homoclinic ? &homoclinic : nullptr, all ? &*all : nullptr,
+                     json_of(scene_, result_)) +
              "\n";
     if (settings_.format == "json" || !settings_.quiet) fmt::print("{}", text);
     return !orbits.stopped && (!o_.homoclinic || homoclinic.proof) && (!all || complete(*all));
@@ -373,9 +282,13 @@ private:
             ? ""
             : fmt::format("; Lyapunov exponent {:.3g} +- {:.1g}, MEGNO {:.3g}, FLI {:.3g}",
                           c.lyapunov, c.lyapunov_error, c.megno, c.fli);
+    const std::string still =
+        (o.rest_from < 0 ? "" : fmt::format("; at rest from t = {:.6g} on", o.rest_from)) +
+        (o.inside_from < 0 ? ""
+                           : fmt::format("; in the section from t = {:.6g} on", o.inside_from));
     return fmt::format("orbit {} from ({:.6g}, {:.6g}): {} crossings until t = {:.6g}, drift "
-                       "{:.1e}{}; ended by: {}",
-                       i, o.start[0], o.start[1], o.crossings, o.time, o.drift, chaos,
+                       "{:.1e}{}{}; ended by: {}",
+                       i, o.start[0], o.start[1], o.crossings, o.time, o.drift, chaos, still,
                        word(o.ended));
   }
 

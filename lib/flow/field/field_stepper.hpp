@@ -4,13 +4,18 @@
 // that the units of the coordinates do not matter.  The series of a step are in units tau of time, a power of 2
 // near the length of the step before: x_k tau^k neither overflows nor vanishes however short the steps become.
 //
+// A variable that has become small beside its scale is measured with its own size, as long as it moves (x -> 0 in a
+// sink, or between the saddles of a cycle); one that was 0 at the start, but for rounding, is not.  A tangent vector
+// takes part in the choice of the step, in units of its own length.
+//
 // A step shorter than 8 u of the orbit's longest one (u: unit roundoff) is the way to a singularity: the orbit ends.
+// An orbit rests where a step moves it by rounding only, and lies in the section where S is 0 but for rounding; if it
+// goes on so for long and no time is given, it ends, too.
 
 #include "flow/field/growth.hpp"
 #include "flow/field/machine.hpp"
 #include "flow/orbit/steps.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <cstddef>
 
@@ -22,6 +27,8 @@ template <class R> struct FieldFinish {
   int tangencies = 0;
   Indicators indicators = {}; ///< with a tangent vector only
   Ended ended = Ended::time;
+  R rest_from{-1};   ///< from then to the end it rests; -1: it does not
+  R inside_from{-1}; ///< from then to the end it lies in the section; -1: it does not
 };
 
 template <class R> struct FieldSink {
@@ -29,6 +36,8 @@ template <class R> struct FieldSink {
   virtual bool crossing(std::size_t orbit, const R& t, const R* x, bool rising) = 0;
   /// x: the state at the start, after every `check_every` steps and at the end, but not deep in a close encounter.
   virtual void look(std::size_t orbit, const R* x) = 0;
+  /// What rounding may make of the section function where the variables have these sizes, in a step of this length.
+  virtual R section_noise(const R* sizes, const R& step) = 0;
   virtual void finished(std::size_t orbit, const FieldFinish<R>&) = 0;
   virtual ~FieldSink() = default;
 };
@@ -50,10 +59,11 @@ template <class R> struct FieldRun {
   int order = 20;
   R t_end{};
   long max_crossings = -1, max_steps = -1; ///< -1: no limit
+  bool idle_ends = false; ///< an orbit ends that rests, or lies in the section, for long
   int check_every = 16;
   bool section = true, falling = false, rising = true;
   const R* per_scale = nullptr; ///< 1/scale of every variable
-  /// For each orbit: the size of the section; what is smaller by rounding is 0.
+  /// For each orbit: the size of the section.
   const R* section_sizes = nullptr;
   const R* values = nullptr; ///< of the numbers
   const R* starts = nullptr; ///< variables + tangent for each orbit
@@ -74,9 +84,22 @@ template <class R> double own_unit(const R* x, const R* per_scale, std::size_t v
     const auto size = std::abs(static_cast<double>(R(x[i] * per_scale[i])));
     most = most < size ? size : most;
   }
-  constexpr int smallest = -200;
-  return most > 0 && most < 1 ? std::exp2(std::max(std::ceil(std::log2(most)), double{smallest}))
-                              : 1;
+  if (!(most > 0x1p-200)) return most > 0 ? 0x1p-200 : 1;
+  return most < 1 ? std::exp2(std::ceil(std::log2(most))) : 1;
+}
+
+/// 1/s, or up to twice as much: of a double only the exponent is turned round, which costs no division.
+template <class T> inline T about_inverse(const T& s) {
+  if constexpr (!std::is_same_v<typename Lanes<T>::Real, double>) {
+    return T(Lanes<T>::all(typename Lanes<T>::Real(1)) / s);
+  } else {
+    typename Lanes<T>::Bits bits;
+    std::memcpy(&bits, &s, sizeof s);
+    bits = (2046LL << 52) - (bits & 0x7ff0000000000000LL);
+    T inverse;
+    std::memcpy(&inverse, &bits, sizeof s);
+    return inverse;
+  }
 }
 
 template <class T> class FieldStepper {
@@ -143,12 +166,19 @@ private:
       L::set(low_[i], lane, Real(0));
     }
     const Real unit(own_unit(start, run_.per_scale, tapes_.variables));
-    for (int i = 0; i < variables_; ++i)
-      L::set(scale_[i], lane, Real(unit / run_.per_scale[i]));
+    for (int i = 0; i < variables_; ++i) {
+      const Real scale = unit / run_.per_scale[i];
+      L::set(scale_[i], lane, scale);
+      L::set(per_start_[i], lane, Real(Real(1) / scale));
+      L::set(least_[i], lane, scale);
+      L::set(before_x_[i], lane, Real(0));
+    }
     if (run_.section) L::set(section_size_, lane, run_.section_sizes[orbit]);
     L::set(t_, lane, Real(0));
     L::set(t_low_, lane, Real(0));
     L::set(longest_, lane, Real(0));
+    L::set(moved_until_, lane, Real(0));
+    quiet_[lane] = Quiet{};
     Lanes<Step>::set(log2_tau_, lane, 0.0);
     fresh_ = true;
     watch_.forget(lane);
@@ -163,6 +193,7 @@ private:
     if (fresh_) set_first_units();
     tau_ = T(exp2_estimate(log2_tau_));
     jets(run_.order);
+    measure();
     if (run_.section) section_series();
     const T left = (L::all(run_.t_end) - t_) - t_low_;
     const Step log2_wanted = log2_step();
@@ -171,12 +202,19 @@ private:
     if (run_.section && tapes_.curved) h = followed(h);
     const T part = h / tau_;
     if (run_.section) look_for_crossings(part);
+    T motion{};
+    for (int i = 0; i < variables_; ++i) {
+      motion = larger(motion, T(absolute(series(i)[1]) * per_start_[i]));
+      before_x_[i] = absolute(x_[i]);
+    }
+    const T rests = L::all(unit_roundoff<Real>() * Real(64));
     for (int i = 0; i < total_; ++i)
       add_compensated(x_[i], low_[i], increment(series(i), run_.order, part));
     log2_tau_ =
         within(log2_tau_ + ((log2_wanted + 6755399441055744.0) - 6755399441055744.0)); // rounded
     before_ = t_;
     add_compensated(t_, t_low_, h);
+    moved_until_ = choose(motion * T(exp2_estimate(log2_wanted)) > rests, t_, moved_until_);
     if (tapes_.tangent > 0) follow_growth(h);
     account(h, left);
   }
@@ -186,6 +224,7 @@ private:
     fresh_ = false;
     tau_ = L::all(Real(1));
     jets(2);
+    measure();
     const Step first = log2_size(1), second = log2_size(2) * 0.5;
     const Step rate = within(first > second ? first : second);
     for (int lane = 0; lane < n; ++lane)
@@ -196,15 +235,29 @@ private:
   void jets(int order) {
     for (int i = 0; i < total_; ++i)
       *series(i) = x_[i];
-    for (int i = 0; i < variables_;
-         ++i) // far from where the scales were seen, the orbit has its own
-      per_scale_[i] = L::all(Real(1)) / larger(scale_[i], absolute(x_[i]));
     for (int k = 0; k < order; ++k) {
       run_order(tapes_.field, s_, k);
       const T rate = tau_ * L::all(Real(1) / Real(k + 1));
       for (int i = 0; i < total_; ++i)
         series(i)[k + 1] = s_[tapes_.derivatives[i] + static_cast<std::uint32_t>(k)] * rate;
     }
+  }
+
+  // The sizes of the variables and what they are measured with.  least_: the scale until the variable is awake.
+  void measure() {
+    const T spare = L::all(Real(0x1p10));
+    for (int i = 0; i < variables_; ++i) {
+      const T* x = series(i);
+      const T now = larger(absolute(x[0]), before_x_[i]);
+      size_[i] = larger(larger(now, larger(absolute(x[1]), absolute(x[2]))), least_[i]);
+      per_scale_[i] = about_inverse(T(larger(now, smaller(scale_[i], T(spare * size_[i])))));
+    }
+    if (tapes_.tangent == 0) return;
+    T length = L::all(Real(1e-300));
+    for (int i = 0; i < variables_; ++i)
+      length = larger(length, T(absolute(x_[variables_ + i]) * per_start_[i]));
+    for (int i = 0; i < variables_; ++i)
+      per_scale_[variables_ + i] = per_start_[i] / length;
   }
 
   void section_series() {
@@ -236,10 +289,10 @@ private:
     return h;
   }
 
-  // log2 of ||x_k||
+  // log2 of ||x_k||, with the tangent vector
   Step log2_size(int k) const {
     T most{};
-    for (int i = 0; i < variables_; ++i)
+    for (int i = 0; i < total_; ++i)
       most = larger(most, T(absolute(series(i)[k]) * per_scale_[i]));
     return log2_estimate(larger(most, L::all(Real(1e-300))));
   }
@@ -308,12 +361,33 @@ private:
 
   void look_closer(int lane, const Real& h, const Real& sign_before) {
     Root<Real> roots[max_degree]; // a polynomial has no more
-    const Real noise = L::get(section_size_, lane) * (unit_roundoff<Real>() * Real(16));
-    const int found =
-        watch_.sign_changes_in(lane, s_ + tapes_.section_place, run_.order, h, sign_before, noise,
-                               roots, max_degree, tally_[lane].tangencies);
+    const int found = watch_.sign_changes_in(
+        lane, s_ + tapes_.section_place, run_.order, h, sign_before,
+        [&](const Real& size) { return noise(lane, size); }, roots, max_degree,
+        tally_[lane].tangencies);
     for (int i = 0; i < found; ++i)
       land(lane, Real(roots[i].x * h), !roots[i].falling);
+  }
+
+  // What S may be by rounding, in a step in which its terms have this size.
+  Real noise(int lane, const Real& size) {
+    const Real whole = L::get(section_size_, lane);
+    Quiet& q = quiet_[lane];
+    if (!(size < whole * Real(0x1p-16))) {
+      q.from = Real(-1);
+      return whole * (unit_roundoff<Real>() * Real(16));
+    }
+    Real sizes[most_variables];
+    for (int i = 0; i < variables_; ++i)
+      sizes[i] = L::get(size_[i], lane);
+    q.noise = run_.sink->section_noise(sizes, L::get(tau_, lane));
+    if (size > q.noise) {
+      q.from = Real(-1);
+    } else if (q.from < Real(0)) {
+      q.from = L::get(t_, lane);
+      q.step = tally_[lane].steps;
+    }
+    return q.noise;
   }
 
   void land(int lane, const Real& dt, bool rising) {
@@ -322,14 +396,35 @@ private:
     for (int i = 0; i < variables_; ++i)
       x[i] = value_at(series(i), run_.order, lane, dt);
     const Real t = L::get(t_, lane) + (L::get(t_low_, lane) + dt * L::get(tau_, lane));
-    if (run_.sink->crossing(orbit_[lane], t, x, rising)) ++tally_[lane].crossings;
+    if (!run_.sink->crossing(orbit_[lane], t, x, rising)) return;
+    ++tally_[lane].crossings;
+    quiet_[lane].crossed = tally_[lane].steps;
   }
 
   void look(int lane) {
     Real x[most_variables];
-    for (int i = 0; i < variables_; ++i)
+    for (int i = 0; i < variables_; ++i) {
       x[i] = L::get(x_[i], lane);
+      const Real scale = L::get(scale_[i], lane),
+                 size = x[i] < Real(0) ? Real(Real(0) - x[i]) : x[i];
+      if (size > scale * Real(0x1p-40)) // awake
+        L::set(least_[i], lane, Real(scale * Real(0x1p-400) + Real(1e-270)));
+    }
     run_.sink->look(orbit_[lane], x);
+    Quiet& q = quiet_[lane];
+    const bool rests = L::get(moved_until_, lane) < L::get(t_, lane);
+    if (!rests) q.rest_step = -1;
+    if (rests && q.rest_step < 0) q.rest_step = tally_[lane].steps;
+  }
+
+  // Nothing has happened for long, and nothing will.
+  bool is_idle(int lane) const {
+    const Quiet& q = quiet_[lane];
+    const long steps = tally_[lane].steps, wait = steps / 4 > idle_steps ? steps / 4 : idle_steps;
+    const auto since = [&](bool holds, long step) {
+      return holds && steps - (step > q.crossed ? step : q.crossed) > wait;
+    };
+    return since(q.rest_step >= 0, q.rest_step) || since(is_inside(lane), q.step);
   }
 
   double log_norm(int lane) const {
@@ -381,6 +476,8 @@ private:
         finish(lane, Ended::time);
       else if (step < L::get(longest_, lane) * shrunk_)
         finish(lane, Ended::singular);
+      else if (run_.idle_ends && f.steps % 64 == 0 && is_idle(lane))
+        finish(lane, Ended::idle);
       else if (run_.max_crossings >= 0 && f.crossings >= run_.max_crossings)
         finish(lane, Ended::crossings);
       else if (run_.max_steps >= 0 && f.steps >= run_.max_steps)
@@ -388,11 +485,22 @@ private:
     }
   }
 
+  // S may have become large without a sign change: nobody has looked closer then.
+  bool is_inside(int lane) const {
+    const Quiet& q = quiet_[lane];
+    const Real value = run_.section ? L::get(s_[tapes_.section_place], lane) : Real(0);
+    return !(q.from < Real(0)) && !(value > q.noise) && !(Real(0) - value > q.noise);
+  }
+
   void finish(int lane, Ended why) {
     if (why != Ended::singular && why != Ended::broken) look(lane);
     FieldFinish<Real>& f = tally_[lane];
-    f.t = L::get(why == Ended::broken ? before_ : t_, lane);
+    const bool rests = L::get(moved_until_, lane) < L::get(t_, lane);
+    if (rests) f.rest_from = L::get(moved_until_, lane);
+    if (rests && run_.idle_ends && why == Ended::time) why = Ended::idle; // in one step
+    f.t = L::get(why == Ended::broken || why == Ended::idle ? before_ : t_, lane);
     f.ended = why;
+    if (is_inside(lane)) f.inside_from = quiet_[lane].from;
     if (tapes_.tangent > 0) f.indicators = growth_[lane].indicators();
     run_.sink->finished(orbit_[lane], f);
     refill(lane);
@@ -408,12 +516,21 @@ private:
   T section_error_ = T(exp2_estimate(Step{} + (run_.log2_tolerance + 4.0))) +
                      L::all(unit_roundoff<Real>() * Real(64));
   Real shrunk_ = unit_roundoff<Real>() * Real(8);
-  T x_[most_variables]{}, low_[most_variables]{}, scale_[most_variables]{},
-      per_scale_[most_variables]{}, section_size_{};
-  T t_{}, t_low_{}, before_{}, longest_{}, tau_{};
+  T x_[most_variables]{}, low_[most_variables]{}, per_scale_[most_variables]{}, section_size_{};
+  /// Of the variables: the scale at the start and 1 over it, the size in the last step, in this one, the least one.
+  T scale_[most_variables]{}, per_start_[most_variables]{}, before_x_[most_variables]{},
+      size_[most_variables]{}, least_[most_variables]{};
+  T t_{}, t_low_{}, before_{}, longest_{}, tau_{}, moved_until_{};
   Step log2_tau_{};
   bool fresh_ = true; ///< an orbit has just begun
   SectionWatch<T> watch_{run_.falling, run_.rising};
+  struct Quiet {
+    Real from{-1}, noise{};        ///< S is within noise since then; -1: it is not
+    long step = 0, rest_step = -1; ///< when that began, and rest
+    long crossed = 0;              ///< the step of the last crossing
+  };
+  static constexpr long idle_steps = 2000;
+  Quiet quiet_[n]{};
   std::size_t orbit_[n]{};
   bool busy_[n]{};
   FieldFinish<Real> tally_[n]{};

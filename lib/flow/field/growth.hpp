@@ -1,7 +1,9 @@
 #pragma once
 // How fast a small deviation v(t) of one orbit grows: chaos, in numbers.
 //
-//   lyapunov   (1/t) log |v(t)/v(0)|; its error from the spread over blocks of the time
+//   lyapunov   (1/t) log |v(t)/v(0)|, or the same over the last half, quarter or eighth of the time if that is far more
+//              certain (an orbit that has come to a sink).  Its error: the spread over blocks of the time, or what the
+//              next shorter part of the time says if that is more, and log |v| = 2 for the direction of v
 //   FLI        the largest log |v(s)/v(0)|, s <= t                                    [FroeschleLegaGonczi1997]
 //   MEGNO      <Y>(t), the mean over s <= t of Y(s) = (2/s) int_0^s (|v|'/|v|) r dr;  [CincottaGiordanoSimo2003]
 //              2 on a regular orbit, (lyapunov/2) t on a chaotic one.  By parts
@@ -45,22 +47,49 @@ public:
   [[nodiscard]] Indicators indicators() const {
     Indicators i;
     if (!(t_ > 0)) return i;
-    i.lyapunov = (last_ - first_) / t_;
     i.fli = most_;
     i.megno = y_integral_ / t_;
-    double time = 0, square = 0;
-    for (int k = 0; k < used_; ++k)
-      time += times_[k];
-    for (int k = 0; k < used_; ++k) {
-      const double d = logs_[k] - times_[k] * i.lyapunov;
-      square += d * d;
+    const Slope whole = slope(0);
+    i.lyapunov = whole.rate;
+    i.lyapunov_error = whole.error;
+    for (int begin = used_ / 2; used_ - begin >= 4; begin += (used_ - begin + 1) / 2) {
+      const Slope last = slope(begin);
+      if (!(4 * last.error < i.lyapunov_error)) continue;
+      i.lyapunov = last.rate;
+      i.lyapunov_error = last.error;
     }
-    const int n = used_;
-    i.lyapunov_error = n > 1 ? std::sqrt(square * n / (n - 1.0)) / time : INFINITY;
     return i;
   }
 
 private:
+  struct Slope {
+    double rate = 0, error = 0;
+  };
+  double rate(int begin, double& time) const {
+    double log = 0;
+    time = 0;
+    for (int k = begin; k < used_; ++k) {
+      time += times_[k];
+      log += logs_[k];
+    }
+    return log / time;
+  }
+  // Over the blocks from `begin` on.
+  Slope slope(int begin) const {
+    const int n = used_ - begin;
+    double time = 0, later = 0, square = 0;
+    Slope s;
+    s.rate = rate(begin, time);
+    for (int k = begin; k < used_; ++k) {
+      const double d = logs_[k] - times_[k] * s.rate;
+      square += d * d;
+    }
+    const double spread = n > 1 ? std::sqrt(square * n / (n - 1.0)) / time : std::abs(s.rate);
+    const double change = n > 1 ? std::abs(s.rate - rate(begin + n / 2, later)) : 0;
+    s.error = (change > spread ? change : spread) + 2 / time;
+    return s;
+  }
+
   // Blocks of as many steps each; when all are used, neighbours become one.
   void block(double h, double change) {
     if (in_block_ == 0) {

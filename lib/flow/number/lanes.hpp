@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <type_traits>
 
 #if defined(__FMA__)
 #include <immintrin.h>
@@ -91,7 +92,20 @@ template <class C, class T> inline T choose(const C& condition, const T& a, cons
   return condition ? a : b;
 }
 template <class T> inline T larger(const T& a, const T& b) { return choose(a < b, b, a); }
-template <class T> inline T absolute(const T& a) { return choose(a < T{}, T(-a), a); }
+template <class T> inline T smaller(const T& a, const T& b) { return choose(a < b, a, b); }
+template <class T> inline T absolute(const T& a) {
+  if constexpr (std::is_same_v<typename Lanes<T>::Real, double>) {
+    typename Lanes<T>::Bits
+        bits; // clearing the bit of the sign is one instruction instead of three
+    std::memcpy(&bits, &a, sizeof a);
+    bits &= 0x7fffffffffffffffLL;
+    T out;
+    std::memcpy(&out, &bits, sizeof a);
+    return out;
+  } else {
+    return choose(a < T{}, T(-a), a);
+  }
+}
 
 /// Half the distance from 1 to the next number.
 template <class R> inline R unit_roundoff() {

@@ -242,9 +242,9 @@ private:
     const Real noise =
         L::get(jet_.s[Jet<T>::m_squared][0], lane) * (unit_roundoff<Real>() * Real(16));
     Root<Real> roots[16];
-    const int found =
-        watch_.sign_changes_in(lane, jet_.s[Jet<T>::section], run_.order, h, sign_before, noise,
-                               roots, 16, tally_[lane].tangencies);
+    const int found = watch_.sign_changes_in(
+        lane, jet_.s[Jet<T>::section], run_.order, h, sign_before,
+        [&](const Real&) { return noise; }, roots, 16, tally_[lane].tangencies);
     for (int i = 0; i < found; ++i)
       land(lane, Real(roots[i].x * h), roots[i].falling);
   }

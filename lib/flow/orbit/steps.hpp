@@ -9,8 +9,8 @@
 namespace kov::flow {
 
 /// Why an orbit ended; `broken`: a number that is none; `singular`: the steps shrink to nothing, as they do before a
-/// collision or where the field is not defined.
-enum class Ended : unsigned char { time, crossings, steps, stopped, broken, singular };
+/// collision or where the field is not defined; `idle`: it rests, or lies in the section.
+enum class Ended : unsigned char { time, crossings, steps, stopped, broken, singular, idle };
 
 inline namespace KOV_ISA {
 
@@ -95,10 +95,11 @@ public:
     above_ = sign1;
   }
 
-  /// The wanted sign changes in one lane.  `noise`: S below it is taken for 0, as on an invariant plane where it
-  /// vanishes identically.
+  /// The wanted sign changes in one lane.  `noise` says below what S is taken for 0, as on an invariant plane where it
+  /// vanishes identically, if its terms in this step have the size that it is given.
+  template <class Noise>
   int sign_changes_in(int lane, const T* s, int p, const Real& h, const Real& sign_before,
-                      const Real& noise, Root<Real>* roots, int capacity, int& tangencies) const {
+                      const Noise& noise, Root<Real>* roots, int capacity, int& tangencies) const {
     Real b[max_degree + 1];
     Real power(1), scale(0);
     for (int k = 0; k <= p; ++k) {
@@ -112,7 +113,7 @@ public:
       const bool off = root_search::size_of(b[0]) > Real(1e-10) * scale;
       above = (off ? b[0] : b[1]) > Real(0);
     }
-    return sign_changes(b, p, noise, above, falling_, rising_, roots, capacity, tangencies);
+    return sign_changes(b, p, noise(scale), above, falling_, rising_, roots, capacity, tangencies);
   }
 
 private:

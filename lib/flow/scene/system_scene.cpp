@@ -69,7 +69,7 @@ private:
           rational.emplace_back(one.first, std::string(one.second.expression().text()));
       }
     try {
-      scope_ = std::make_unique<SystemScope>(document, rational);
+      scope_ = std::make_unique<SystemScope>(document, rational, &e_);
       s_.system = read_system(document, *scope_);
     } catch (const InputError& e) { // a value is known there as one of the command line
       const Entry* set = e_.find(varied_.empty() ? "set" : "vary");

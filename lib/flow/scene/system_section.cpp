@@ -57,6 +57,36 @@ MFraction crossed_in(const SystemScene& s) {
   return f;
 }
 
+// What rounding may make of a section function: units of its terms, and of those of the rates of its variables.
+class SectionNoise {
+public:
+  SectionNoise(const Field& f, const System& s, const MFraction& section) : size_(f, section) {
+    for (std::size_t i = 0; i < f.variables().size(); ++i) {
+      const std::size_t v = f.variables()[i];
+      const MFraction slope = derivative(section, v);
+      if (is_zero(slope)) continue;
+      const MFraction rate = i < f.coordinates()
+                                 ? s.field.components[i]
+                                 : lie_derivative(s.field, MFraction::variable(s.ring(), v));
+      by_rates_.push_back({TermSize(f, slope), TermSize(f, rate)});
+    }
+  }
+  // In units of 16 unit roundoffs.
+  double operator()(const double* sizes, double step) {
+    double sum = size_(sizes);
+    for (auto& [slope, rate] : by_rates_)
+      if (const double one = slope(sizes) * rate(sizes) * step; std::isfinite(one)) sum += one;
+    return sum;
+  }
+
+private:
+  struct ByRate {
+    TermSize slope, rate;
+  };
+  TermSize size_;
+  std::vector<ByRate> by_rates_;
+};
+
 // What all orbits and all arithmetics share.
 struct Stage {
   const SystemScene& scene;
@@ -65,8 +95,9 @@ struct Stage {
   std::size_t skipped = 0;
   std::vector<FieldStart> starts;
   Scales scales;
-  std::vector<double> per_scale;      ///< 1/scale of every variable: powers of 2
-  std::vector<TermSize> term_sizes;   ///< of the integrals, then of the section
+  std::vector<double> per_scale;    ///< 1/scale of every variable: powers of 2
+  std::vector<TermSize> term_sizes; ///< of the integrals, then of the section
+  std::optional<SectionNoise> section_noise;
   double section_size = 1;            ///< the largest that was seen
   std::array<double, 2> part_sizes{}; ///< of the section's numerator and denominator
   int order = 20;
@@ -109,6 +140,7 @@ private:
     for (const MFraction& f : functions)
       term_sizes.emplace_back(field, f);
     section_size = largest(term_sizes.back());
+    section_noise.emplace(field, scene.system, functions.back());
     const MFraction& f = scene.section.value;
     for (std::size_t i = 0; i < 2; ++i) {
       TermSize part(field, MFraction(i == 0 ? f.num() : f.den()));
@@ -183,6 +215,7 @@ template <class R> struct DrawnSink : FieldSink<R> {
   std::size_t first;
   Evaluator<R> drawn, where, integrals, fraction; ///< fraction: of the section
   std::vector<TermSize> sizes;
+  std::optional<SectionNoise> noise; ///< where it was needed
   MeaningCheck meanings;
   std::vector<double> before;        ///< of each orbit: what was drawn last, for a return map
   std::vector<long> seen;            ///< crossings of each orbit, with those that are skipped
@@ -222,6 +255,12 @@ template <class R> struct DrawnSink : FieldSink<R> {
     return true;
   }
 
+  R section_noise(const R* of_variables, const R& step) override {
+    if (!noise) noise = stage.section_noise;
+    const std::vector<double> at = doubles(of_variables);
+    return R((*noise)(at.data(), to_double(step))) * (unit_roundoff<R>() * R(16));
+  }
+
   void look(std::size_t orbit, const R* x) override {
     const std::vector<R>& now = integrals(x);
     const std::vector<double> at = doubles(x);
@@ -251,6 +290,8 @@ template <class R> struct DrawnSink : FieldSink<R> {
     o.drift = worst[orbit];
     o.indicators = f.indicators;
     o.ended = f.ended;
+    o.rest_from = to_double(f.rest_from);
+    o.inside_from = to_double(f.inside_from);
     orbits.emplace_back(first + orbit, o);
   }
 
@@ -362,6 +403,7 @@ template <class R> struct SectionWork {
     run.max_crossings = s.crossings > 0 ? s.crossings + s.skip
                                         : most_points / static_cast<long>(stage.starts.size()) + 1;
     run.max_steps = s.time ? -1 : least_steps + steps_for_crossing * (s.crossings + s.skip);
+    run.idle_ends = !s.time;
     run.falling = s.falling;
     run.rising = s.rising;
     run.values = tapes.values();

@@ -22,6 +22,9 @@ struct DrawnOrbit {
   double drift = 0; ///< the largest of its integrals and function symbols, relative to their sizes
   Indicators indicators = {};
   Ended ended = Ended::stopped;
+  double rest_from = -1; ///< from then to the end it rests, but for rounding; -1: it does not
+  double inside_from =
+      -1; ///< from then to the end it lies in the section, but for rounding; -1: it does not
 };
 
 struct SystemSection {

@@ -1,0 +1,218 @@
+#include "section_report.hpp"
+
+#include "section_files.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace kov::cli {
+namespace {
+
+using flow::DrawnOrbit;
+using flow::Ended;
+using flow::Indicator;
+using flow::SystemScene;
+using flow::SystemSection;
+
+// A level that is no integral is one for the start.
+std::string levels_of(const SystemScene& s) {
+  std::string text;
+  const std::vector<flow::SceneFormula> integrals = s.integrals();
+  for (const auto& level : s.levels) {
+    const bool stays = std::any_of(integrals.begin(), integrals.end(),
+                                   [&](const auto& f) { return f.value == level.function.value; });
+    text += fmt::format("{}{} = {}{}", text.empty() ? "" : ", ", level.function.text,
+                        level.value.text(), stays ? "" : " at the start");
+  }
+  return text;
+}
+
+std::string parameters_of(const SystemScene& s) {
+  std::string text;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", name, value);
+  };
+  for (const auto& [name, value] : s.system.values)
+    add(name, name != s.varied ? to_string(value)
+                               : fmt::format("{} ... {} ({} values)", to_string(value),
+                                             to_string(s.family.back().system.values.at(name)),
+                                             s.family.size()));
+  for (const auto& [variable, value] : s.values)
+    add(s.system.ring()->name(variable), value.text());
+  return text;
+}
+
+std::string drifts_of(const SystemSection& r) {
+  std::string text;
+  for (std::size_t i = 0; i < r.integrals.size(); ++i)
+    text +=
+        fmt::format("{}{}: {:.1e}", text.empty() ? "drift of " : ", ", r.integrals[i], r.drifts[i]);
+  return text.empty() ? "no integrals to check" : text;
+}
+
+} // namespace
+
+std::vector<std::string> caption(const SystemScene& s, const SystemSection& r) {
+  std::string mechanics;
+  for (const std::string& part : {parameters_of(s), levels_of(s)})
+    if (!part.empty()) mechanics += part + "; ";
+  mechanics += fmt::format("section {}, {}", s.section.text,
+                           s.rising && s.falling ? "both directions"
+                           : s.rising            ? "upward"
+                                                 : "downward");
+  if (s.where) mechanics += fmt::format(", where {} > 0", s.where->text);
+  return {mechanics, fmt::format("{} orbits, {} points; Taylor order {}, {}, tolerance {}; {}",
+                                 r.orbits.size(), r.points.size(), r.order, r.arithmetic,
+                                 s.tolerance.text(), drifts_of(r))};
+}
+
+std::string shortfall(const SystemSection& r) {
+  std::string text;
+  const auto add = [&](std::size_t n, const std::string& what) {
+    if (n > 0)
+      text +=
+          fmt::format("{}{} of {} orbits {}", text.empty() ? "" : "; ", n, r.orbits.size(), what);
+  };
+  add(r.count(Ended::stopped), "were stopped before their end");
+  add(r.cut_short(), fmt::format("ended at the limit of {} before their last crossing",
+                                 r.has_time ? "points" : "steps"));
+  return text;
+}
+
+std::string partial(const SystemSection& r) {
+  const std::string missing = shortfall(r);
+  return missing.empty() ? "" : "PARTIAL: " + missing;
+}
+
+namespace {
+
+// "3 of 10 orbits"
+std::string orbits_text(std::size_t n, const SystemSection& r) {
+  return fmt::format("{} of {} orbit{}", n, r.orbits.size(), r.orbits.size() == 1 ? "" : "s");
+}
+
+// "orbit 1 from t = 36.7 on, orbit 4 from t = 12 on, ..."
+std::string since_text(const SystemSection& r, double DrawnOrbit::*from) {
+  std::string text;
+  int named = 0;
+  for (std::size_t i = 0; i < r.orbits.size(); ++i) {
+    if (!(r.orbits[i].*from > 0)) continue;
+    if (++named > 3) return text + ", ...";
+    text +=
+        fmt::format("{}orbit {} from t = {:.4g} on", named > 1 ? ", " : "", i, r.orbits[i].*from);
+  }
+  return text;
+}
+
+// Both kinds: from the start, and from later on.
+void add_since(std::vector<std::string>& lines, const SystemSection& r, double DrawnOrbit::*from,
+               const std::string& always, const std::string& later) {
+  const auto count = [&](const auto& holds) {
+    return static_cast<std::size_t>(std::count_if(
+        r.orbits.begin(), r.orbits.end(), [&](const DrawnOrbit& o) { return holds(o.*from); }));
+  };
+  if (const std::size_t n = count([](double t) { return t == 0; }); n > 0)
+    lines.push_back(always + ": " + orbits_text(n, r));
+  if (const std::size_t n = count([](double t) { return t > 0; }); n > 0)
+    lines.push_back(fmt::format("{}: {} ({})", later, orbits_text(n, r), since_text(r, from)));
+}
+
+bool is_early(const DrawnOrbit& o) {
+  return o.ended == Ended::singular || o.ended == Ended::broken;
+}
+
+} // namespace
+
+std::vector<std::string> remarks(const SystemScene& s, const SystemSection& r) {
+  std::vector<std::string> lines;
+  if (const std::size_t n = r.count(Ended::singular); n > 0)
+    lines.push_back(fmt::format("{} of {} orbits end in a singularity (a collision, or infinity in "
+                                "finite time): their steps shrink to nothing",
+                                n, r.orbits.size()));
+  if (const std::size_t n = r.count(Ended::broken); n > 0)
+    lines.push_back(fmt::format("{} of {} orbits end where the field has no value (0/0), or beyond "
+                                "the largest number",
+                                n, r.orbits.size()));
+  add_since(lines, r, &DrawnOrbit::rest_from, "at an equilibrium from the start",
+            "come to rest at an equilibrium, but for the rounding of the start");
+  add_since(lines, r, &DrawnOrbit::inside_from,
+            "in the section " + s.section.text + " from the start, which is not a crossing",
+            "within rounding of the section in the end, where crossings are not seen");
+  return lines;
+}
+
+std::string chaos_of(const SystemSection& r) {
+  std::vector<std::size_t> moving, resting;
+  for (std::size_t i = 0; i < r.orbits.size(); ++i)
+    if (!is_early(r.orbits[i])) (r.orbits[i].rest_from < 0 ? moving : resting).push_back(i);
+  const auto& all = moving.empty() ? resting : moving;
+  if (all.empty()) return "no exponents: every orbit ends early";
+  const auto of = [&](std::size_t i) { return r.orbits[i].indicators; };
+  const std::size_t most = *std::max_element(
+      all.begin(), all.end(), [&](auto a, auto b) { return of(a).lyapunov < of(b).lyapunov; });
+  std::string text = fmt::format(
+      "largest Lyapunov exponent {:.4g} +- {:.1g} (orbit {}, {}numerically)", of(most).lyapunov,
+      of(most).lyapunov_error, most, moving.empty() ? "that of its equilibrium, " : "");
+  if (!moving.empty())
+    text += fmt::format(
+        "; <MEGNO> above 3: {} of {} orbits",
+        std::count_if(moving.begin(), moving.end(), [&](std::size_t i) { return of(i).megno > 3; }),
+        moving.size());
+  if (const std::size_t left = r.orbits.size() - moving.size(); left > 0 && !moving.empty())
+    text += fmt::format(" ({} that rest{} or end early are left out)", left, left == 1 ? "s" : "");
+  return text;
+}
+
+std::string never_crossed(const SystemScene& s, const SystemSection& r) {
+  std::string text =
+      r.orbits.size() == 1
+          ? "the section is never crossed"
+          : fmt::format("the section is never crossed by any of {} orbits", r.orbits.size());
+  for (const std::string& line : remarks(s, r))
+    text += "; " + line;
+  return text;
+}
+
+double indicator_of(const SystemScene& s, const DrawnOrbit& o) {
+  switch (s.indicator) {
+  case Indicator::megno:
+    return o.indicators.megno;
+  case Indicator::lyapunov:
+    return o.indicators.lyapunov;
+  case Indicator::fli:
+    return o.indicators.fli;
+  default:
+    return 0;
+  }
+}
+
+nlohmann::ordered_json json_of(const SystemScene& s, const SystemSection& r) {
+  const auto since = [](double t) {
+    return t < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(t);
+  };
+  nlohmann::ordered_json j{{"points", r.points.size()},
+                           {"drift", r.drift},
+                           {"partial", !shortfall(r).empty()},
+                           {"remarks", remarks(s, r)},
+                           {"orbits", nlohmann::ordered_json::array()}};
+  for (const DrawnOrbit& o : r.orbits) {
+    j["orbits"].push_back({{"start", o.start},
+                           {"crossings", o.crossings},
+                           {"tangencies", o.tangencies},
+                           {"time", o.time},
+                           {"drift", o.drift},
+                           {"rest_from", since(o.rest_from)},
+                           {"inside_from", since(o.inside_from)},
+                           {"ended_by", word(o.ended)}});
+    if (s.indicator == Indicator::none) continue;
+    j["orbits"].back().update({{"lyapunov", o.indicators.lyapunov},
+                               {"lyapunov_error", o.indicators.lyapunov_error},
+                               {"fli", o.indicators.fli},
+                               {"megno", o.indicators.megno}});
+  }
+  return j;
+}
+
+} // namespace kov::cli

@@ -1,0 +1,28 @@
+#pragma once
+// What the simulation of a scene shows, in words and as data.
+
+#include "flow/scene/system_section.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace kov::cli {
+
+/// Two lines: the mechanics; the numerics.
+[[nodiscard]] std::vector<std::string> caption(const flow::SystemScene& s,
+                                               const flow::SystemSection& r);
+/// What happened to orbits that did not go on as the others: singularities, rest, the section itself.
+[[nodiscard]] std::vector<std::string> remarks(const flow::SystemScene& s,
+                                               const flow::SystemSection& r);
+/// The largest exponent and how many orbits look chaotic, of those that neither rest nor end early.
+[[nodiscard]] std::string chaos_of(const flow::SystemSection& r);
+/// Requires no crossings.
+[[nodiscard]] std::string never_crossed(const flow::SystemScene& s, const flow::SystemSection& r);
+/// What is missing in a result, in words; empty if nothing is.  With "PARTIAL: " before it.
+[[nodiscard]] std::string shortfall(const flow::SystemSection& r);
+[[nodiscard]] std::string partial(const flow::SystemSection& r);
+
+[[nodiscard]] double indicator_of(const flow::SystemScene& s, const flow::DrawnOrbit& o);
+[[nodiscard]] nlohmann::ordered_json json_of(const flow::SystemScene& s,
+                                             const flow::SystemSection& r);
+
+} // namespace kov::cli
