@@ -12,7 +12,7 @@ template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 std::string argument(const ByFormula& by, const std::string& variable) {
   const std::string text =
       std::string("by the formula for ") + to_string(by.known.family) +
-      "'s equation: " + Letters(names_in_text(variable)).in(by.known.answer->reason);
+      "'s equation: " + FreshLetters(names_in_text(variable)).in(by.known.answer->reason);
   return by.engines && !by.engines->detail.empty()
              ? text + " (no search: " + by.engines->detail + ")"
              : text;

@@ -51,7 +51,7 @@ std::string indexed(const std::string& letter, const std::set<std::string>& take
 
 } // namespace
 
-Letters::Letters(const std::set<std::string>& taken) {
+FreshLetters::FreshLetters(const std::set<std::string>& taken) {
   std::set<std::string> used = taken;
   for (const char* letter : ours) {
     std::string name = letter;
@@ -65,17 +65,17 @@ Letters::Letters(const std::set<std::string>& taken) {
     names_.emplace("y_tt", "y_" + t + t);
 }
 
-Letters::Letters(const Ring& ring) {
-  if (ring) *this = Letters(std::set<std::string>(ring->names().begin(), ring->names().end()));
+FreshLetters::FreshLetters(const Ring& ring) {
+  if (ring) *this = FreshLetters(std::set<std::string>(ring->names().begin(), ring->names().end()));
 }
 
-std::string Letters::operator()(const std::string& letter) const {
+std::string FreshLetters::operator()(const std::string& letter) const {
   const auto other = names_.find(letter);
   return other == names_.end() ? letter : other->second;
 }
 
 // And so does the letter whose name it had.
-void Letters::keep(const std::string& letter) {
+void FreshLetters::keep(const std::string& letter) {
   const auto other = names_.find(letter);
   if (other == names_.end()) return;
   const std::string free = other->second;
@@ -83,9 +83,9 @@ void Letters::keep(const std::string& letter) {
   if (names_.erase(free) > 0 && free == "t") names_.erase("y_tt");
 }
 
-std::string Letters::in(const std::string& text) const { return renamed(text, names_); }
+std::string FreshLetters::in(const std::string& text) const { return renamed(text, names_); }
 
-std::string Letters::in(const std::string& text, const std::string& variable) const {
+std::string FreshLetters::in(const std::string& text, const std::string& variable) const {
   std::string all;
   for (const char sign : in(text))
     all += sign == *mark ? variable : std::string(1, sign);

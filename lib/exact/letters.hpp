@@ -12,16 +12,16 @@ namespace kov {
 
 /// Every letter of ours has one name beside a question: itself, or one that the question leaves
 /// free (n -> n_1; the variables x and t of standard equations: another of x, t, s).
-/// Given   const Letters beside_n({"n", "x"});
+/// Given   const FreshLetters beside_n({"n", "x"});
 /// Example beside_n("n")  // -> n_1
 /// Example beside_n("x")  // -> t
 /// Example beside_n("m")  // -> m
-class Letters {
+class FreshLetters {
 public:
   /// Beside a question that uses these names.
-  explicit Letters(const std::set<std::string>& taken = {});
+  explicit FreshLetters(const std::set<std::string>& taken = {});
   /// Beside formulas over this ring.
-  explicit Letters(const Ring& ring);
+  explicit FreshLetters(const Ring& ring);
 
   [[nodiscard]] std::string operator()(const std::string& letter) const;
   /// A text of ours, without names of the question: each letter under its name.

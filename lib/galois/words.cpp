@@ -182,7 +182,7 @@ std::string argument(const Classification& c, const std::string& z) {
 } // namespace
 
 std::string reason(const Classification& c, const std::string& z) {
-  std::string text = Letters(names_in_text(z)).in(argument(c, Letters::mark), z);
+  std::string text = FreshLetters(names_in_text(z)).in(argument(c, FreshLetters::mark), z);
   if (c.undecided && c.undecided->why == Unable::Why::budget)
     text += (text.empty() ? "" : "; ") + ("undecided: " + c.undecided->detail);
   return text;

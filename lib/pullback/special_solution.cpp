@@ -132,7 +132,7 @@ public:
   Print(const SpecialSolution& y, const std::string& variable) : y_(y), variable_(variable) {
     std::set<std::string> taken = names_in_text(variable);
     taken.merge(names_in_text(y.f.field()->letter()));
-    letter_ = Letters(taken);
+    letter_ = FreshLetters(taken);
     x_ = y.f == RationalFunction(Poly::z()) ? variable : letter_("x");
   }
 
@@ -251,7 +251,7 @@ private:
 
   const SpecialSolution& y_;
   const std::string& variable_;
-  Letters letter_;
+  FreshLetters letter_;
   std::string x_;
 };
 

@@ -304,7 +304,7 @@ SymbolicFamily Recognizer::lame(const LameFamilyForm& form) const {
 
 // The letters of the family apart from the names that the equation uses.  A letter whose value is
 // the name itself means the same on both sides.
-SymbolicFamily with_names(SymbolicFamily f, Letters letters) {
+SymbolicFamily with_names(SymbolicFamily f, FreshLetters letters) {
   for (const auto& [name, value] : f.parameters)
     if (name == value) letters.keep(name);
   f.equation = letters.in(f.equation);
@@ -349,7 +349,7 @@ std::optional<SymbolicFamily> symbolic_family(const MFraction& r, std::size_t z,
   if (degree(r.num(), z) > largest || degree(r.den(), z) > largest) return std::nullopt;
   budget.check();
   Recognizer recognizer(r, z);
-  Letters letters(r.ring());
+  FreshLetters letters(r.ring());
   if (const auto form = recognize_lame(r, z, budget)) {
     if (form->change.empty()) letters.keep("x");
     SymbolicFamily lame = with_names(recognizer.lame(*form), letters);

@@ -97,10 +97,10 @@ std::string is_in(const Texts& all, const std::string& what, bool holds) {
 }
 
 // Beside the names in the numbers that a sentence is about.
-Letters letters_for(const Squares& squares) {
+FreshLetters letters_for(const Squares& squares) {
   for (const MFraction& s : squares)
-    if (s.ring()) return Letters(s.ring());
-  return Letters();
+    if (s.ring()) return FreshLetters(s.ring());
+  return FreshLetters();
 }
 
 std::string step_text(const Residues& c, const std::string& p) {
@@ -249,7 +249,7 @@ std::string words(const InHalves& s, bool holds) {
 }
 
 std::string words(const Separated& s, bool holds) {
-  const Letters letter = letters_for(s.squares);
+  const FreshLetters letter = letters_for(s.squares);
   return "+-(" + number_text(s.squares[0]) + ") is " + (holds ? "a" : "no") + " natural number " +
          letter("N") + " with " + number_text(s.squares[1]) +
          letter.in(" among N - 1, N - 3, ..., 1 - N");
@@ -274,7 +274,7 @@ std::string words(const LameIsFinite& s, bool holds) {
   const auto value = [&](std::size_t i) {
     return is_zero(s.squares[i]) ? std::string("0") : to_string(s.squares[i]);
   };
-  const Letters letter = letters_for(s.squares);
+  const FreshLetters letter = letters_for(s.squares);
   if (s.half)
     return "Q_" + letter("m") + "(" + value(1) + ", " + value(2) + ", " + value(3) + ") " +
            (holds ? "= 0" : "!= 0") + ", Brioschi's determinant for " + letter("m") + " = |" +

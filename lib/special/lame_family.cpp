@@ -121,7 +121,7 @@ public:
 
 private:
   // The variable of Lame's equation, beside the names of r.
-  [[nodiscard]] std::string x() const { return Letters(ring_)("x"); }
+  [[nodiscard]] std::string x() const { return FreshLetters(ring_)("x"); }
   // "" where it is the variable of r itself, and may have its name.
   [[nodiscard]] std::string plain(const std::string& variable, const MFraction& shift) const {
     if (variable == "x" && is_zero(shift)) return "";

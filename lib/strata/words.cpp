@@ -15,8 +15,8 @@ std::string name(const Leaf& leaf, PlaceIndex i) {
   return place_name(place_at(*leaf.scheme, i), leaf.scheme->z);
 }
 // Our letters beside the names in the equation.
-Letters letters(const Leaf& leaf) {
-  return leaf.scheme ? Letters(leaf.scheme->r.ring()) : Letters();
+FreshLetters letters(const Leaf& leaf) {
+  return leaf.scheme ? FreshLetters(leaf.scheme->r.ring()) : FreshLetters();
 }
 std::string delta(const Leaf& leaf) { return letters(leaf)("Delta"); }
 std::string difference(const Leaf& leaf, PlaceIndex i) {
@@ -28,7 +28,7 @@ std::string of_number(const Leaf& leaf) {
   const Decision& d = evidence<Number>(leaf)->decision;
   if (!leaf.scheme) return kov::reason(d);
   const Ring& ring = leaf.scheme->r.ring();
-  return letters(leaf).in(kov::reason(d, Letters::mark), ring->name(leaf.scheme->z));
+  return letters(leaf).in(kov::reason(d, FreshLetters::mark), ring->name(leaf.scheme->z));
 }
 
 // ---- the evidence
@@ -174,7 +174,7 @@ std::string several_open(const Leaf& leaf) {
 
 std::string bessel_family(const Leaf& leaf) {
   const auto& form = *evidence<BesselForm>(leaf);
-  const Letters letter = letters(leaf);
+  const FreshLetters letter = letters(leaf);
   return leaf.scheme->r.ring()->name(leaf.scheme->z) +
          letter.in(" = x^(2/k) turns the equation into one of Bessel, nu^2 = ") +
          to_factored_string(form.nu_squared) + " (" + letter("k") + " = " + to_string(form.s) + ")";
@@ -218,7 +218,7 @@ std::string numbers_of(const ClassicalForm& form, const Scheme& s) {
   }
   for (const auto& [name, value] : form.values)
     all.emplace_back(name, is_zero(value) ? std::string("0") : to_string(value));
-  Letters letter(s.r.ring());
+  FreshLetters letter(s.r.ring());
   for (const auto& [name, value] : all)
     if (value == name) letter.keep(name);
   if (form.family == Classical::lame && all.front().first == all.front().second)
@@ -232,7 +232,7 @@ std::string numbers_of(const ClassicalForm& form, const Scheme& s) {
 std::string classical(const Leaf& leaf) {
   const auto& form = *evidence<ClassicalForm>(leaf);
   const Ring& ring = leaf.scheme->r.ring();
-  const Letters letter = letters(leaf);
+  const FreshLetters letter = letters(leaf);
   std::string text = form.family == Classical::constant ? letter.in("y'' = c y")
                      : form.family == Classical::polynomial
                          ? letter("r") + " is a polynomial"
@@ -485,7 +485,7 @@ std::string to_string(const Event& e) {
   case Event::Kind::logarithm_vanishes:
     return "there is no logarithm at " + at;
   case Event::Kind::difference_is:
-    return Letters(e.place.q.ring())("Delta") + " = " + to_string(e.value) + " at " + at;
+    return FreshLetters(e.place.q.ring())("Delta") + " = " + to_string(e.value) + " at " + at;
   case Event::Kind::invariant_vanishes:
     return "the invariant that was found may vanish";
   case Event::Kind::invariant_appears:
@@ -509,9 +509,9 @@ std::string place_name(const ParametricPlace& p, std::size_t z) {
 }
 
 std::string square_text(const ParametricPlace& p) {
-  Letters letter;
+  FreshLetters letter;
   for (const MFraction& c : p.chi)
-    if (c.ring()) letter = Letters(c.ring());
+    if (c.ring()) letter = FreshLetters(c.ring());
   const std::string square = letter("Delta") + "^2", root = letter("T");
   if (p.chi.size() == 2) return square + " = " + to_factored_string(-p.chi[0]);
   std::string s;

@@ -107,24 +107,24 @@ Report numbers(const Settings& settings, const LameQuestion& q) {
 // -----------------------------------------------------------------------
 
 // Our letters beside the free names.
-Letters letters_beside(const LameQuestion& q) {
-  return Letters(std::set<std::string>(q.free.begin(), q.free.end()));
+FreshLetters letters_beside(const LameQuestion& q) {
+  return FreshLetters(std::set<std::string>(q.free.begin(), q.free.end()));
 }
 
-std::string class_text(const ExponentClass& c, const Letters& letter) {
+std::string class_text(const ExponentClass& c, const FreshLetters& letter) {
   const std::string p = letter("p"),
                     step = c.modulus == 1 ? p : std::to_string(c.modulus) + "*" + p;
   return is_zero(c.nu0) ? step : "+-" + to_string(c.nu0) + " + " + step;
 }
 
-std::string classes_text(const ThirdExponents& third, const Letters& letter) {
+std::string classes_text(const ThirdExponents& third, const FreshLetters& letter) {
   std::string s;
   for (const ExponentClass& c : third.classes)
     s += (s.empty() ? "" : ", ") + class_text(c, letter);
   return s + " (" + letter("p") + " an integer)";
 }
 
-std::string degenerate_text(const ThirdExponents& third, const Letters& letter) {
+std::string degenerate_text(const ThirdExponents& third, const FreshLetters& letter) {
   return third.all ? "always"
                    : "exactly when " + letter("l") + " is one of " + classes_text(third, letter);
 }
@@ -161,7 +161,7 @@ Report degenerate(const Settings& settings, const LameQuestion& q,
   }
   const MFraction l2 = degenerate_exponent_squared(alpha, p);
   const ThirdExponents third = degenerate_exponents(index);
-  const Letters letter = letters_beside(q);
+  const FreshLetters letter = letters_beside(q);
   const bool number = is_zero(l2) || is_constant(l2);
   const std::string where = ", where " + letter("l") + "^2 = " + to_string(l2);
   Json classes = Json::array();
@@ -239,7 +239,7 @@ Report condition(const Settings& settings, const LameQuestion& q) {
   if (!is_constant(c.discriminant)) {
     j["condition"]["assuming"].push_back(to_string(c.discriminant) + " != 0");
     put(out, "assuming", to_string(c.discriminant) + " != 0 (the curve is not degenerate)");
-    const Letters letter = letters_beside(q);
+    const FreshLetters letter = letters_beside(q);
     const std::string when = letter("l") + "^2 = n(n+1)/3 - 2*B*g2/(9*g3): abelian " +
                              degenerate_text(degenerate_exponents(index), letter) + "; " +
                              cusp_text(index);

@@ -23,11 +23,11 @@ const char* text_of(Truth t) {
 }
 
 // Beside the variable and the generator of the field; x where it is the variable itself stays x.
-Letters letters_for(const Recognized& found, const std::string& variable,
-                    const std::string& constant) {
+FreshLetters letters_for(const Recognized& found, const std::string& variable,
+                         const std::string& constant) {
   std::set<std::string> taken = names_in_text(variable);
   taken.merge(names_in_text(constant));
-  Letters letters(taken);
+  FreshLetters letters(taken);
   const bool in_place = found.z_of_x && found.z_of_x->is_identity() && !found.centre;
   if (in_place && variable == "x") letters.keep("x");
   for (const auto& [name, value] : found.parameters)
@@ -44,7 +44,7 @@ Json group_json(const GaloisGroup& g) {
   return j;
 }
 
-Json closed_json(const ClosedAnswer& answer, const Letters& letters) {
+Json closed_json(const ClosedAnswer& answer, const FreshLetters& letters) {
   Json j;
   j["abelian"] = text_of(answer.abelian);
   j["group"] = answer.group ? group_json(*answer.group) : Json(nullptr);
@@ -71,7 +71,7 @@ Json recognized_json(const Decision& decision, const std::string& constant, cons
   } catch (const OutOfBudget&) { // the answer itself is there
   }
   if (!found) return nullptr;
-  const Letters letters = letters_for(*found, decision.variable, constant);
+  const FreshLetters letters = letters_for(*found, decision.variable, constant);
   const std::string x = letters("x");
   Json j;
   j["family"] = to_string(found->family);

@@ -10,7 +10,8 @@ namespace kov::cli {
 /// {"type": "SL2", "n": null}
 [[nodiscard]] Json group_json(const GaloisGroup& g);
 /// {"abelian", "group", "reason"}
-[[nodiscard]] Json closed_json(const ClosedAnswer& answer, const Letters& letters = Letters());
+[[nodiscard]] Json closed_json(const ClosedAnswer& answer,
+                               const FreshLetters& letters = FreshLetters());
 
 /// The object under "recognized"; null if nothing is.  constant: the generator of the field in texts.
 /// Throws Contradiction when the closed answer of the family contradicts the decision.

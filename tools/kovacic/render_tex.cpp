@@ -206,7 +206,7 @@ std::string polynomial_tex(const Json& c, const std::string& unknown) {
 std::string polynomial_of_y_tex(const Json& result) {
   if (!result.contains("polynomial_of_y")) return {};
   const Json& y = result.at("polynomial_of_y");
-  const Letters letter = letters_beside(result);
+  const FreshLetters letter = letters_beside(result);
   const std::string x = tex_name(letter("X"));
   if (y.contains("missing"))
     return "No polynomial of $" + tex_name(letter("y")) +
@@ -221,7 +221,7 @@ std::string polynomial_of_y_tex(const Json& result) {
 
 std::string solutions_tex(const Json& result) {
   std::string s;
-  const Letters letter = letters_beside(result);
+  const FreshLetters letter = letters_beside(result);
   const std::string y = tex_name(letter("y")), w = tex_name(letter("w"));
   for (const Json& x : result.at("solutions"))
     if (x.contains("minimal_polynomial"))

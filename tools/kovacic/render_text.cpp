@@ -123,7 +123,7 @@ std::string unknown_of(const Json& result) {
 std::vector<std::string> solution_lines(const Json& result) {
   const Json& known = result.at("solutions");
   std::vector<std::string> lines;
-  const Letters letter = letters_beside(result);
+  const FreshLetters letter = letters_beside(result);
   const std::string u = unknown_of(result), w = letter("w");
   for (const Json& s : known)
     if (s.contains("minimal_polynomial"))
@@ -140,7 +140,7 @@ std::vector<std::string> solution_lines(const Json& result) {
 void put_polynomial_of_y(std::ostringstream& out, const Json& result) {
   if (!result.contains("polynomial_of_y")) return;
   const Json& y = result.at("polynomial_of_y");
-  const Letters letter = letters_beside(result);
+  const FreshLetters letter = letters_beside(result);
   const std::string u = y.contains("given_factor") ? letter("y") : unknown_of(result),
                     x = letter("X");
   if (y.contains("missing"))
@@ -161,7 +161,7 @@ void put_solutions(std::ostringstream& out, const Json& result) {
 
 void put_original(std::ostringstream& out, const Json& result) {
   const Json& original = result.at("original");
-  const Letters letter = letters_beside(result);
+  const FreshLetters letter = letters_beside(result);
   const std::string factor = original.at("factor").get<std::string>();
   if (factor == "1") return;
   put(out, "given",

@@ -186,7 +186,7 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
   result["undecided"] = {{"why", why}, {"detail", detail}};
 }
 
-Letters letters_beside(const Json& result) {
+FreshLetters letters_beside(const Json& result) {
   std::set<std::string> taken;
   const auto take = [&](const Json& text) {
     if (text.is_string()) taken.merge(names_in_text(text.get_ref<const std::string&>()));
@@ -199,7 +199,7 @@ Letters letters_beside(const Json& result) {
   if (result.contains("constants"))
     for (const auto& [name, meaning] : result.at("constants").items())
       taken.merge(names_in_text(name));
-  return Letters(taken);
+  return FreshLetters(taken);
 }
 
 bool is_transformed(const Json& result) {

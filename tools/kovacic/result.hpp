@@ -44,7 +44,7 @@ void set_undecided(Json& result, const std::string& why, const std::string& deta
 [[nodiscard]] Json polynomial_json(const Decision& decision, const RationalFunction& gauge,
                                    std::size_t most_bytes, const Budget& budget);
 /// The letters that texts bring in (y, u, w, X, ...) beside the names of this equation.
-[[nodiscard]] Letters letters_beside(const Json& result);
+[[nodiscard]] FreshLetters letters_beside(const Json& result);
 /// Is y'' = r y another equation than the given one?
 [[nodiscard]] bool is_transformed(const Json& result);
 
