@@ -377,7 +377,9 @@ private:
       c.functions.push_back(s.ring()->name(f.variable));
     for (const std::size_t i : x_.instead_of)
       c.without.push_back(s.ring()->name(i));
-    c.through = c.functions;
+    for (const std::string& coordinate : c.without)
+      for (const std::string& symbol : c.functions)
+        c.through.emplace_back(coordinate, symbol);
     return c;
   }
 

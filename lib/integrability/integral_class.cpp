@@ -95,20 +95,19 @@ std::vector<std::size_t> moving_and_left_out(const System& s, const InvariantMan
 
 namespace {
 
-// Symbols that are functions of a coordinate that is left out.
-std::vector<std::string> functions_of(const System& s, const std::vector<std::size_t>& left_out) {
-  std::vector<std::string> names;
+// Symbols that are functions of a coordinate that is left out, each with the coordinate.
+std::vector<std::pair<std::string, std::string>>
+functions_of(const System& s, const std::vector<std::size_t>& left_out) {
+  std::vector<std::pair<std::string, std::string>> all;
   const auto is_left_out = [&](std::size_t i) {
     return std::find(left_out.begin(), left_out.end(), i) != left_out.end();
   };
-  for (const FunctionSymbol& f : s.field.functions) {
-    if (is_left_out(f.variable)) continue;
-    bool depends = false;
+  for (const FunctionSymbol& f : s.field.functions)
     for (std::size_t j = 0; j < s.field.coordinates.size(); ++j)
-      depends = depends || (!is_zero(f.gradient[j]) && is_left_out(s.field.coordinates[j]));
-    if (depends) names.push_back(s.ring()->name(f.variable));
-  }
-  return names;
+      if (const std::size_t q = s.field.coordinates[j];
+          !is_left_out(f.variable) && is_left_out(q) && !is_zero(f.gradient[j]))
+        all.emplace_back(s.ring()->name(q), s.ring()->name(f.variable));
+  return all;
 }
 
 IntegralClass along(const System& s, const std::string& name, Near near,

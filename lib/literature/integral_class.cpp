@@ -10,7 +10,7 @@ using Kind = IntegralClass::Kind;
 using Near = IntegralClass::Near;
 using Names = std::vector<std::string>;
 
-bool has(const Names& all, const std::string& one) {
+template <class T> bool has(const std::vector<T>& all, const T& one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 bool is_part(const Names& part, const Names& of) {
@@ -47,13 +47,20 @@ bool is_kind_of(const IntegralClass& inner, const IntegralClass& outer) {
 // Does it forbid all that `outer` forbids?
 bool forbids_as(const IntegralClass& inner, const IntegralClass& outer) {
   return is_part(outer.without, inner.without) &&
-         (outer.without.empty() || is_part(inner.through, outer.through));
+         std::all_of(inner.through.begin(), inner.through.end(), [&](const auto& x) {
+           return !has(outer.without, x.first) || has(outer.through, x);
+         });
 }
 
-// Symbols through which both let a coordinate enter that one of them forbids.
-Names let_through(const IntegralClass& a, const IntegralClass& b) {
-  if (a.without.empty()) return b.through;
-  return b.without.empty() ? a.through : both(a.through, b.through);
+// What both allow of that which one of them forbids.
+std::vector<std::pair<std::string, std::string>> let_through(const IntegralClass& a,
+                                                             const IntegralClass& b) {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (const auto& x : a.through)
+    if (!has(b.without, x.first) || has(b.through, x)) all.push_back(x);
+  for (const auto& x : b.through)
+    if (!has(a.without, x.first)) all.push_back(x);
+  return all;
 }
 
 // Both contain it.
@@ -134,8 +141,10 @@ std::string sentence(const IntegralClass& c) {
   if (!c.functions.empty()) text += " (in the coordinates and " + listed(c.functions) + ")";
   if (c.on_leaf) text += " and independent on the symplectic leaf of the phase curve";
   if (!c.without.empty()) text += " and do not depend on " + listed(c.without);
-  if (!c.without.empty() && !c.through.empty())
-    text += " otherwise than through " + listed(c.through);
+  Names symbols;
+  for (const auto& [coordinate, symbol] : c.through)
+    if (!has(symbols, symbol)) symbols.push_back(symbol);
+  if (!symbols.empty()) text += " otherwise than through " + listed(symbols);
   return c.frame.empty() ? text : text + " (in the coordinates " + c.frame + ")";
 }
 

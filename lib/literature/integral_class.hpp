@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kov {
@@ -33,8 +34,9 @@ struct IntegralClass {
   bool on_leaf = false;
   /// Function symbols (of the coordinates) in which, beside the coordinates, they are of this kind.
   std::vector<std::string> functions = {};
-  std::vector<std::string> without = {}; ///< coordinates and symbols that they do not contain,
-  std::vector<std::string> through = {}; ///< but through these symbols
+  std::vector<std::string> without = {}; ///< coordinates and symbols on which they do not depend,
+  /// but through symbols that are functions of them: coordinate and symbol.
+  std::vector<std::pair<std::string, std::string>> through = {};
   std::string frame = {}; ///< whose coordinates these are: "of FILE", "X = x - 1, y"; empty: ours
   bool liouville = true;  ///< in involution; else with commuting vector fields
 

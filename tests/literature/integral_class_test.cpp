@@ -47,7 +47,8 @@ TEST(IntegralClass, WhatIsLeftOutMakesItSmaller) {
   EXPECT_EQ(contains(without, without_two), Truth::yes);
   EXPECT_EQ(contains(without, all), Truth::unknown);
   IntegralClass through = without; // functions of q are allowed: a larger class than without q
-  through.functions = through.through = {"s"};
+  through.functions = {"s"};
+  through.through = {{"q", "s"}};
   IntegralClass strict = without;
   strict.functions = {"s"};
   EXPECT_EQ(contains(through, strict), Truth::yes);
@@ -83,6 +84,22 @@ TEST(IntegralClass, TwoCurvesAreOneClass) {
   EXPECT_THAT(at_once({a, b}), ElementsAre(both));
 }
 
+// x only through its sine, y only through its cosine: both conditions stay.
+TEST(IntegralClass, EachCoordinateIsLeftOutByItself) {
+  IntegralClass a = along({"N"}), b = along({"M"});
+  a.functions = b.functions = {"sin_x", "cos_y"};
+  a.without = {"x"};
+  a.through = {{"x", "sin_x"}};
+  b.without = {"y"};
+  b.through = {{"y", "cos_y"}};
+  const auto met = at_once({a, b});
+  ASSERT_EQ(met.size(), 1U);
+  EXPECT_EQ(sentence(met), "meromorphic (in the coordinates and sin_x, cos_y) and do not depend on "
+                           "x, y otherwise than through sin_x, cos_y");
+  EXPECT_EQ(contains(a, met.front()), Truth::yes);
+  EXPECT_EQ(contains(met.front(), a), Truth::unknown);
+}
+
 IntegralClass any(Random& random) {
   const auto some = [&](const std::vector<std::string>& from) {
     std::vector<std::string> all;
@@ -101,7 +118,9 @@ IntegralClass any(Random& random) {
   c.on_leaf = random.once_in(2);
   c.functions = some({"s", "c"});
   c.without = some({"q", "p"});
-  if (!c.without.empty()) c.through = some(c.functions);
+  for (const std::string& q : c.without)
+    for (const std::string& f : some(c.functions))
+      c.through.emplace_back(q, f);
   return c;
 }
 
