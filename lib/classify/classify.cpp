@@ -676,6 +676,7 @@ private:
     const bool is_known = round.integrals_known && degree == options_.degree && !coefficients;
     if (round.pieces.empty() || is_known) return;
     IntegralSearch search = search_integrals(round.system, degree, 0.5, true, coefficients);
+    if (coefficients && !search.finished()) round.limited = true; // once more, with more time
     common_equations_first(round.system, search.sets);
     round.integrals_known = search.finished();
     round.integrals_unless = search.not_covered;

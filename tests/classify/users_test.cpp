@@ -44,7 +44,8 @@ TEST(Users, RelativisticCentralForces) {
 }
 
 TEST(Users, InverseSquaresBesideAQuartic) {
-  EXPECT_EQ(status(planar("(u^2 + v^2)/2 + x^4 + 6*x^2*y^2 + y^4 + a/x^2 + b/y^2", "'a', 'b'")),
+  EXPECT_EQ(status(planar("(u^2 + v^2)/2 + x^4 + 6*x^2*y^2 + y^4 + a/x^2 + b/y^2", "'a', 'b'"),
+                   600), // a third of a second, but on a busy machine
             ClassificationStatus::integrable);
 }
 
