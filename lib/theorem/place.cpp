@@ -357,6 +357,7 @@ private:
     const MFraction num = roots_.reduced(value.num()), den = roots_.reduced(value.den());
     if (relation == Relation::zero) return is_zero(num);
     if (relation == Relation::nonzero) return !is_zero(num) && is_nonzero(num.num());
+    if (relation == Relation::real) return is_real(num) && is_real(den);
     const bool strict = relation == Relation::positive || relation == Relation::nonnegative;
     if (strict && region_.exact_sign_of(num.num()) * region_.exact_sign_of(num.den()) *
                           region_.exact_sign_of(den.num()) * region_.exact_sign_of(den.den()) >
@@ -367,12 +368,23 @@ private:
     if (roots_.uses_root(whole) ||
         !std::all_of(used.begin(), used.end(), [&](std::size_t i) { return region_.is_real(i); }))
       return false;
-    if (relation == Relation::real) return true;
     const MPoly product = whole.num() * whole.den();
     if (relation == Relation::nonnegative && is_zero(product)) return true;
     if (region_.sign_of(product) > 0) return true;
     return region_.refutes(
         {{-product, relation == Relation::positive ? Sign::nonnegative : Sign::positive}});
+  }
+
+  // Made of real parameters and of roots of what is not negative.
+  [[nodiscard]] bool is_real(const MFraction& f) const {
+    const auto used = used_variables(f);
+    return std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+      const auto& roots = roots_.all();
+      const auto root =
+          std::find_if(roots.begin(), roots.end(), [&](const auto& r) { return r.first == i; });
+      if (root == roots.end()) return region_.is_real(i);
+      return is_real(root->second) && follows(root->second, Assumption::Relation::nonnegative);
+    });
   }
 
   const System& whole_;

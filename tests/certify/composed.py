@@ -2,6 +2,7 @@
 facts that are put there, so that nothing else of a theorem has to be paid for."""
 import copy
 from types import SimpleNamespace
+from typing import NamedTuple
 
 from lowest import CANONICAL, SHOWN, family, refused
 from maps import diagonal
@@ -10,7 +11,21 @@ NAMES = ("q1", "q2", "p1", "p2")
 ONE, SAME = diagonal(["1"] * 4), {x: x for x in NAMES}
 FREE = {"parameters": [], "assumed": []}
 SPACE = ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"]
-LEAVES, ORIGIN, LEAF = "meromorphic on the leaves with F2 = 0", "meromorphic near the origin", "meromorphic and independent on the symplectic leaf"
+
+
+class Class(NamedTuple):
+    """As first_integrals.IntegralClass, by itself: the checker that is tested may be a mutant."""
+    kind: str = "meromorphic"
+    place: str = "curve"
+    on_leaf: bool = False
+    functions: tuple = ()
+    without: tuple = ()
+
+    def sentence(self):
+        return f"{self.kind} {self.place}"
+
+
+NEAR, LEAVES, ORIGIN, LEAF = Class(), Class(place="level"), Class(place="origin"), Class(on_leaf=True)
 
 
 def ready(m):
@@ -52,7 +67,7 @@ def certificates(m):
     top = {"format": real[0].FORMAT, "parameters": [], "title": "a title", "claim": {"not_integrable": True},
            "curve": {"denominators": ["z^2 - 3"]}, "equation": {"certificate": {"format": "kovacic-certificate/1"}}}
 
-    def accepts(top, said="meromorphic", trust=0, space=space):
+    def accepts(top, said=NEAR, trust=0, space=space):
         curve.space = space
         inner = SimpleNamespace(trust=trust, denials=[])
         module.system = SimpleNamespace(FORMAT=real[0].FORMAT, accept=lambda top, prove: (curve, None, inner))
@@ -69,7 +84,7 @@ def certificates(m):
         without = SimpleNamespace(**vars(space) | {"brackets": None})
         return (accepts(top) is True and accepts(top, trust=1) is None and accepts(top, trust=2) is None
                 and accepts(top | {"claim": {"not_integrable": False}}) is None and accepts(top | {"format": "kovacic-system/2"}) is None
-                and accepts(top, "meromorphic (in the coordinates q1)") is None and accepts(top, "meromorphic and do not depend on t") is None
+                and accepts(top, Class(functions=("q1",))) is None and accepts(top, Class(without=("t",))) is None
                 and accepts(top, LEAF) is True and accepts(top, space=without) is None)
     finally:
         module.system, module.read_system, module.integrals, module.Shown = real
@@ -179,8 +194,8 @@ def places(m):
         t = theorem(m, {"X": x}, of=of)
         d = {"system": "X", "of": "of", "at": [], "region": []} | a_map(values=values, shown=[real, shown]) | more
         return None if refused(m, lambda: found.append(t.place(d))) else found[0]
-    n = fact(m, "N", y, [], ["meromorphic"], (), ["Morales-Ramis"], way=["the curve"])
-    near, leaves = fact(m, "N", y, [], ["meromorphic", ORIGIN]), fact(m, "N", y, [], [LEAVES])
+    n = fact(m, "N", y, [], [NEAR], (), ["Morales-Ramis"], way=["the curve"])
+    near, leaves = fact(m, "N", y, [], [NEAR, ORIGIN]), fact(m, "N", y, [], [LEAVES])
     f, moved = place(n), "p1^2 + p2^2 + q1^3*a + 3*q1^2*a + 3*q1*a + a"
     there = {"values": values | {"q1": "q1 + 1"}}
     g = place(n, moved, **there)
@@ -189,7 +204,7 @@ def places(m):
         {**real, "by": {**SHOWN, "zeros": [["2", "-1"]]}}, {**shown, "by": {"node": "empty", "terms": [["1", "1", ["0", "1"]], ["1", "1", ["2", "1"]]], "zeros": []}}])
     if not (f and g and once):
         return False
-    one = (f.kind, f.family.name, f.region, f.classes, f.used, f.way) == ("N", "X", [], ["meromorphic"], {"Morales-Ramis"}, ["the curve"])
+    one = (f.kind, f.family.name, f.region, f.classes, f.used, f.way) == ("N", "X", [], [NEAR], {"Morales-Ramis"}, ["the curve"])
     b = once.family.names["b"]
     return (one and g.way == ["the curve", "its names: q1 = q1 + 1"] and place(near) and place(near, moved, **there) is None
             and once.region[0] == ({1 << b: 3, 0: -2}, "zero") and once.region[1][1] == "nonzero" and len(once.region) == 2
@@ -209,7 +224,7 @@ def levels(m):
         back = diagonal(["1"] * 3 + [[f"{sign}1", str(factor)]] * 3)
         d = {"system": "X", "of": "of", "at": [], "region": []} | a_map(values=values, back=back)
         return not refused(m, lambda: t.place(d))
-    return (of(["meromorphic"], 2) and not of([LEAVES], 2) and not of(["meromorphic", LEAVES], 2) and of([LEAVES], 1) and of([LEAVES], 1, "-")
+    return (of([NEAR], 2) and not of([LEAVES], 2) and not of([NEAR, LEAVES], 2) and of([LEAVES], 1) and of([LEAVES], 1, "-")
             and len(one) == 6)
 
 
@@ -265,11 +280,11 @@ def lowest_orders(m):
         found = []
         t = theorem(m, {"X": x}, of=fact(m, kind, family, region, classes, ["line"], ["Morales-Ramis"]))
         return None if refused(m, lambda: found.append(t.lowest_order(d))) else found[0]
-    f = of("meromorphic")
+    f = of(NEAR)
     a, b = (1 << x.names[name] for name in ("a", "b"))
-    return (f is not None and f.family is x and f.classes == ["meromorphic", ORIGIN] and f.used == {"Morales-Ramis", "Ziglin 1982"}
+    return (f is not None and f.family is x and f.classes == [NEAR, ORIGIN] and f.used == {"Morales-Ramis", "Ziglin 1982"}
             and f.integrals == ["line"] and [(dict(g), s) for g, s in f.region] == [({65 * a + 3 * b: 7, 2 * b: -1, a: 1}, "zero"), ({a: 1}, "positive")]
-            and of("meromorphic", LEAF) is None and of(LEAF) is None and of("meromorphic", family=None) is None and of(kind="I") is None)
+            and of(NEAR, LEAF) is None and of(LEAF) is None and of(NEAR, family=None) is None and of(kind="I") is None)
 
 
 def covers(m):
@@ -292,14 +307,14 @@ def covers(m):
 
     def cover(tree=whole, parts=("n", "i"), symmetries=("s",), **more):
         t = theorem(m, {"X": x})
-        t.facts = {"s": t.symmetry({"system": "X"} | flip), "n": fact(m, "N", x, region, ["meromorphic", ORIGIN], (), ["Morales-Ramis"]),
-                   "i": fact(m, "I", x, [(a, "zero")], (), ["line"], ["nothing"]), "all": fact(m, "N", x, [], ["meromorphic"]),
-                   "there": fact(m, "N", other, region, ["meromorphic"])} | more
+        t.facts = {"s": t.symmetry({"system": "X"} | flip), "n": fact(m, "N", x, region, [NEAR, ORIGIN], (), ["Morales-Ramis"]),
+                   "i": fact(m, "I", x, [(a, "zero")], (), ["line"], ["nothing"]), "all": fact(m, "N", x, [], [NEAR]),
+                   "there": fact(m, "N", other, region, [NEAR])} | more
         found = []
         d = {"system": "X", "symmetries": list(symmetries), "parts": list(parts), "tree": tree}
         return None if refused(m, lambda: found.append(t.cover(d))) else found[0]
     f = cover()
-    if f is None or (f.kind, f.family, f.region, list(f.classes), f.used) != ("N", x, [], ["meromorphic", ORIGIN], {"Morales-Ramis", "nothing"}):
+    if f is None or (f.kind, f.family, f.region, list(f.classes), f.used) != ("N", x, [], [NEAR, ORIGIN], {"Morales-Ramis", "nothing"}):
         return False
     everywhere = part(0, shown=[])
     leaves = fact(m, "N", x, region, [LEAVES])
@@ -330,10 +345,10 @@ def leaves_of_a_cover(m):
         t = theorem(m, {"X": x})
         d = {"system": "X"} | rows
         map = m["place"].Map(x, {}, [], m["place"].Target.of(x, [], False), d)
-        t.facts = {"s": fact(m, "S", x, map=map), "n": fact(m, "N", x, [], classes), "k": fact(m, "N", x, [], ["meromorphic"])}
+        t.facts = {"s": fact(m, "S", x, map=map), "n": fact(m, "N", x, [], classes), "k": fact(m, "N", x, [], [NEAR])}
         tree = {"node": "part", "part": "0", "word": [], "shown": []}
         return not refused(m, lambda: t.cover({"system": "X", "symmetries": ["s"], "parts": ["n", "k"], "tree": tree}))
-    return (cover(["meromorphic"], twice) and not cover([LEAVES], twice) and not cover(["meromorphic", LEAVES], twice)
+    return (cover([NEAR], twice) and not cover([LEAVES], twice) and not cover([NEAR, LEAVES], twice)
             and cover([LEAVES], turned) and len(CANONICAL) == 2)
 
 

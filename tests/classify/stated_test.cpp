@@ -71,7 +71,7 @@ TEST(Stated, OnlyWhereThereIsALevel) {
   EXPECT_EQ(status_at(c, {{"a", 0}}), "integrable");
   EXPECT_EQ(status_at(c, {{"a", 2}}), "excluded");
   for (const std::string assume :
-       {"'h > a'", "'h > 1', 'h < 0*a + 2'", "'a*h > 0'", "'h^2 > 2'", "'h = a'"}) {
+       {"'h > a'", "'h > 1', 'h < 0*a + 2'", "'a*h > 0'", "'a*h^2 > 2'", "'h = a'"}) {
     const System s = planar(even_quartic, "[assume]\nconditions = [" + assume + "]\n" + diagonal);
     EXPECT_THAT(stated_solutions(s, {}).all, testing::IsEmpty()) << assume;
   }

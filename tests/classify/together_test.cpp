@@ -115,14 +115,16 @@ TEST(FreeLevels, HalfLinesAndInequationsLeaveEnough) {
   EXPECT_THAT(chosen("'h > 0'"), ElementsAre("h", "k"));
   EXPECT_THAT(chosen("'h > a', 'h != b'"), ElementsAre("h", "k"));
   EXPECT_THAT(chosen("'k <= -3'"), ElementsAre("h", "k"));
+  EXPECT_THAT(chosen("'h^2 < 1'"), ElementsAre("h", "k")); // open, and not empty
+  EXPECT_THAT(chosen("'h > k'"), ElementsAre("h", "k"));
 }
 
 TEST(FreeLevels, OthersAreParametersLikeAll) {
   EXPECT_THAT(chosen("'h = a'"), ElementsAre("k"));
   EXPECT_THAT(chosen("'h >= 0', 'h <= 0'"), ElementsAre("k"));
   EXPECT_THAT(chosen("'a*h > 0'"), ElementsAre("k"));
-  EXPECT_THAT(chosen("'h^2 < 1'"), ElementsAre("k"));
-  EXPECT_THAT(chosen("'h > k'"), IsEmpty());
+  EXPECT_THAT(chosen("'a*h^2 < 1'"), ElementsAre("k"));
+  EXPECT_THAT(chosen("'h > a*k'"), IsEmpty());
 }
 
 } // namespace

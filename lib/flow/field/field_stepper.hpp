@@ -372,10 +372,11 @@ private:
   // What S may be by rounding, in a step in which its terms have this size.
   Real noise(int lane, const Real& size) {
     const Real whole = L::get(section_size_, lane);
+    const Real of_all_terms = whole * (unit_roundoff<Real>() * Real(16));
     Quiet& q = quiet_[lane];
     if (!(size < whole * Real(0x1p-16))) {
       q.from = Real(-1);
-      return whole * (unit_roundoff<Real>() * Real(16));
+      return of_all_terms;
     }
     Real sizes[most_variables];
     for (int i = 0; i < variables_; ++i)
@@ -387,7 +388,8 @@ private:
       q.from = L::get(t_, lane);
       q.step = tally_[lane].steps;
     }
-    return q.noise;
+    // far above the terms that were seen: those of a product with many zeros, which cancel
+    return of_all_terms * Real(16) < q.noise ? of_all_terms : q.noise;
   }
 
   void land(int lane, const Real& dt, bool rising) {
