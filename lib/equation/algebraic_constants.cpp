@@ -190,14 +190,20 @@ std::vector<std::pair<std::size_t, MPoly>> AlgebraicConstants::equations(const S
 void AlgebraicConstants::assume(Assumptions& all, const Scope& scope) const {
   for (const ParameterRoot& r : parameter_roots_) {
     const MFraction f = evaluate(r.argument, ParameterScope(scope.ring(), {}));
-    if (Region(scope.ring(), all).exact_sign_of(f.num() * f.den()) > 0)
-      all.require(MFraction::variable(scope.ring(), r.name), Sign::positive);
     if (!is_constant(f.den())) all.require(MFraction(f.den()), Sign::nonzero);
   }
   for (const auto& [x, p] : equations(scope))
     all.require(MFraction(p), Sign::zero);
   for (const Integer& p : primes())
     all.real.push_back(scope.ring()->index(name_of_root(p)));
+}
+
+void AlgebraicConstants::assume_signs(Assumptions& all, const Scope& scope) const {
+  for (const ParameterRoot& r : parameter_roots_) {
+    const MFraction f = evaluate(r.argument, ParameterScope(scope.ring(), {}));
+    if (Region(scope.ring(), all).exact_sign_of(f.num() * f.den()) > 0)
+      all.require(MFraction::variable(scope.ring(), r.name), Sign::positive);
+  }
 }
 
 MFraction AlgebraicConstants::reduced(const MFraction& f, const Scope& scope) const {

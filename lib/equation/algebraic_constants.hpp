@@ -29,6 +29,8 @@ public:
   [[nodiscard]] std::vector<FunctionMeaning> functions(const Ring& ring) const;
   /// I^2 + 1 = 0, ...
   void assume(Assumptions& all, const Scope& scope) const;
+  /// The root of what is positive by these assumptions is meant to be the positive one.
+  void assume_signs(Assumptions& all, const Scope& scope) const;
   /// The same value with the powers that the equations allow to lower.  Throws DomainError when the
   /// denominator is 0.
   [[nodiscard]] MFraction reduced(const MFraction& f, const Scope& scope) const;

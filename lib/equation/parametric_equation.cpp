@@ -140,6 +140,7 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
   q.r = q.r.ring() ? constants->reduced(q.r, scope) : MFraction(ring);
   constants->assume(q.assumptions, scope);
   q.assumptions = read_assumptions(text, scope, std::move(q.assumptions));
+  constants->assume_signs(q.assumptions, scope);
   return f;
 }
 

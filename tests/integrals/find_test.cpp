@@ -194,8 +194,7 @@ TEST(Integrals, DenominatorsOfTheBracketAreLeftOut) {
                                             "['y/a', '-x/a', '0', '0'], ['0', '0', '0', '0']",
                                             "a*(x^2 + 2*y^2 + 3*z^2)/2", ""),
                                     {.degree = 2});
-  ASSERT_EQ(found.not_covered.size(), 1U);
-  EXPECT_EQ(to_string(found.not_covered.front()), "a");
+  EXPECT_TRUE(found.not_covered.empty()); // where a = 0 there is no system
 }
 
 System on_a_circle(const std::string& potential) {
