@@ -133,7 +133,8 @@ public:
     std::set<std::string> taken = names_in_text(variable);
     taken.merge(names_in_text(y.f.field()->letter()));
     letter_ = FreshLetters(taken);
-    x_ = y.f == RationalFunction(Poly::z()) ? variable : letter_("x");
+    const bool is_name = names_in_text(variable) == std::set<std::string>{variable};
+    x_ = is_name && y.f == RationalFunction(Poly::z()) ? variable : letter_("x");
   }
 
   [[nodiscard]] SpecialSolutionText text() const {
