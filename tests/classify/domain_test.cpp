@@ -2,8 +2,8 @@
 // a number are like all others.
 
 #include "classify/classify.hpp"
-#include "classify/pieces.hpp"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -31,6 +31,15 @@ SystemClassification classified(const System& s) {
   return classify_system(s, options);
 }
 
+// Of "a != 0 or b != 0": are both a = 0 and b = 0 conditions of the stratum?
+bool is_outside(const std::vector<std::string>& conditions, const std::string& needed) {
+  for (const std::string name : {"a", "b"})
+    if (needed.find(name + " != 0") != std::string::npos &&
+        std::find(conditions.begin(), conditions.end(), name + " = 0") == conditions.end())
+      return false;
+  return true;
+}
+
 TEST(ClassifyDomain, WhereASystemExistsItIsIntegrable) {
   const std::vector<std::pair<std::string, std::string>> known{
       {"1/(a*x + b*y)^2", "a != 0 or b != 0"},       {"1/(a*x - b*y)^4", "a != 0 or b != 0"},
@@ -42,7 +51,7 @@ TEST(ClassifyDomain, WhereASystemExistsItIsIntegrable) {
     EXPECT_EQ(to_string(c.status()), "integrable") << potential;
     EXPECT_THAT(c.assumptions, Contains(needed)) << potential;
     for (const ClassifiedStratum& x : c.strata)
-      EXPECT_FALSE(is_outside_of_the_domain(s, x.where)) << potential;
+      EXPECT_FALSE(is_outside(conditions(c, x), needed)) << potential;
   }
 }
 
