@@ -8,8 +8,8 @@
 //
 // Source  Acosta-Humanez, Morales-Ruiz, Weil 2011; docs/theory/spectrum.md
 
-#include "strata/exponential_families.hpp"
 #include "strata/decide_strata.hpp"
+#include "strata/exponential_families.hpp"
 
 namespace kov::spectrum {
 

@@ -63,8 +63,8 @@ private:
 struct TextAnswer {
   int exit = exit_decided;
   std::string text;
-  std::string limit = {};          ///< exit_undecided because a limit ended the work
-  std::string early;               ///< and this was known by then; also where it was interrupted or crashed
+  std::string limit = {}; ///< exit_undecided because a limit ended the work
+  std::string early;      ///< and this was known by then; also where it was interrupted or crashed
   std::optional<InputError> error; ///< exit_input
   std::string internal;            ///< exit_internal
 };

@@ -69,7 +69,8 @@ constexpr Topic topics[] = {
      "message names.  Exit code 3."},
     {"internal",
      "An error of the program, not of the input.  Where it happened behind the verdict (in the\n"
-     "solutions, the certificate, a search that nobody needs for the answer), the verdict stays and\n"
+     "solutions, the certificate, a search that nobody needs for the answer), the verdict stays "
+     "and\n"
      "the answer names the part that is missing ('failed'); the exit code is that of a decided\n"
      "question.  An error before any verdict ends in exit code 4.  A certificate that our own\n"
      "checker refuses, and two methods that contradict each other, withdraw the verdict.  Please\n"
