@@ -38,9 +38,9 @@ bool is_kind_of(const IntegralClass& inner, const IntegralClass& outer) {
       is_near_curves(outer)) // what holds near a larger set holds near a part
     return is_part(outer.curves, inner.curves) &&
            (outer.near == Near::curve || inner.near == Near::closed_curve);
-  if (inner.kind == Kind::rational) // of the coordinates: meromorphic on the closure of each curve
-    return outer.kind == Kind::rational || (outer.kind == Kind::meromorphic &&
-                                            outer.near != Near::level && inner.functions.empty());
+  // Rational in the coordinates: on the closure of each curve; in function symbols: where they are holomorphic.
+  if (inner.kind == Kind::rational && outer.kind == Kind::meromorphic)
+    return outer.near == Near::curve || (outer.near != Near::level && inner.functions.empty());
   return inner.kind == outer.kind && inner.near == outer.near && inner.level == outer.level;
 }
 

@@ -45,6 +45,7 @@ struct IntegralClass {
 
 /// Is each complete set of integrals of the class `inner` one of the class `outer`?  yes only where that is
 /// proved: to exclude `outer` is to exclude `inner`.
+///   rational, also in function symbols < meromorphic near the curve;
 ///   rational < meromorphic near the closed curve (without function symbols) < near the curve;
 ///   more curves < fewer; without x and y < without x; with fewer function symbols < with more;
 ///   independent on a leaf < independent together with the Casimir functions.
