@@ -167,6 +167,29 @@ std::string summary_of(const TheoremResult& r, const std::string& id) {
   return "";
 }
 
+// The step is about real f, and f^2 = e: of e > 0 it speaks, of e < 0 it does not.
+TEST(ForgedReality, ARootIsRealWhereItsSquareIsNotNegative) {
+  const std::string part = linear("\"f\"", "x + f^2", "[assume]\nf = \"real\"\n");
+  const auto of = [&](const std::string& assumed, const std::string& square,
+                      const std::string& if_) {
+    return proved({{"forged_whole.toml",
+                    linear("\"e\"", "x + " + square, "[assume]\ne = \"" + assumed + "\"\n")},
+                   {"forged_part.toml", part}},
+                  cover("forged_whole.toml", "\"ni\"",
+                        case_of("forged_part.toml",
+                                "roots = { r = \"" + square + "\" }\nas = { f = \"r\" }\n" + if_)));
+  };
+  const std::string refused = "it assumes that f real";
+  EXPECT_THAT(summary_of(of("real", "e", ""), "ni"), HasSubstr(refused));
+  EXPECT_THAT(summary_of(of("real", "e", "if = [\"e < 0\"]\n"), "ni"), HasSubstr(refused));
+  EXPECT_THAT(summary_of(of("real", "e^2 - 1", ""), "ni"), HasSubstr(refused));
+  EXPECT_THAT(summary_of(of("real", "e", "if = [\"e > 0\"]\n"), "ni"), Not(HasSubstr(refused)));
+  EXPECT_THAT(summary_of(of("real", "e^2 + 1", ""), "ni"), Not(HasSubstr(refused)));
+  EXPECT_THAT(of("real", "e^2 + 1", "").conclusion(), testing::StartsWith("PROVED"));
+  EXPECT_THAT(of("positive", "e", "").conclusion(), testing::StartsWith("PROVED"));
+  EXPECT_THAT(of("positive", "0 - e", "").conclusion(), testing::StartsWith("NOT PROVED"));
+}
+
 // (1 + p) q2 (q1^2 + q2^2) at the origin, (1 - p) of it at q1 = 1.
 std::string two_places(const std::string& symmetry) {
   const auto potential = [](const std::string& q) { return "(" + q + "^2*q2 + q2^3)"; };

@@ -606,6 +606,8 @@ int main(int argc, char** argv) {
     if (!arguments.empty() && is_a_file(arguments.front()) &&
         std::find(names.begin(), names.end(), arguments.front()) == names.end())
       arguments.insert(arguments.begin(), command_for(arguments.front()));
+    if (!arguments.empty() && (arguments.front() == "-H" || arguments.front() == "-L"))
+      arguments.insert(arguments.begin(), "classify");
     std::reverse(arguments.begin(), arguments.end()); // as CLI11 takes them
     app.parse(std::move(arguments));
     catch_interrupts();
