@@ -1,11 +1,11 @@
 #include "classify/almost_all.hpp"
 
-#include "classify/exclusion.hpp"
 #include "exact/error.hpp"
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "manifold/invariant_manifold.hpp"
+#include "study/exclusion.hpp"
 #include "variation/normal.hpp"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 //
 // Source  docs/theory/classify.md (10)
 
-#include "classify/classification.hpp"
 #include "integrability/check.hpp"
+#include "study/classification.hpp"
 
 namespace kov {
 

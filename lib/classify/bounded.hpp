@@ -3,7 +3,7 @@
 //
 // Source  docs/theory/classify.md (2)
 
-#include "classify/difference.hpp"
+#include "study/difference.hpp"
 #include "system/system.hpp"
 
 namespace kov {

@@ -1,14 +1,10 @@
 #include "classify/classify.hpp"
 
 #include "classify/almost_all.hpp"
-#include "classify/along.hpp"
 #include "classify/bounded.hpp"
 #include "classify/darboux_points.hpp"
-#include "classify/exclusion.hpp"
 #include "classify/faces.hpp"
 #include "classify/growth.hpp"
-#include "classify/parameter_split.hpp"
-#include "classify/pieces.hpp"
 #include "classify/scale.hpp"
 #include "classify/solutions.hpp"
 #include "classify/stated.hpp"
@@ -19,6 +15,10 @@
 #include "integrability/specialise.hpp"
 #include "integrability/study.hpp"
 #include "strata/words.hpp"
+#include "study/along.hpp"
+#include "study/exclusion.hpp"
+#include "study/parameter_split.hpp"
+#include "study/pieces.hpp"
 #include "system/relations.hpp"
 
 #include <algorithm>

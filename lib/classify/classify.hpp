@@ -6,8 +6,8 @@
 //
 // Source  docs/theory/classify.md
 
-#include "classify/classification.hpp"
 #include "integrability/check.hpp"
+#include "study/classification.hpp"
 
 #include <functional>
 

@@ -8,7 +8,7 @@
 //
 // Source  docs/theory/classify.md (3, 4)
 
-#include "classify/exclusion.hpp"
+#include "study/exclusion.hpp"
 
 namespace kov {
 

@@ -5,7 +5,7 @@
 //
 // Source  docs/theory/classify.md (6.1)
 
-#include "classify/exclusion.hpp"
+#include "study/exclusion.hpp"
 
 namespace kov {
 

@@ -4,7 +4,7 @@
 //
 // Source  docs/theory/classify.md (9)
 
-#include "classify/exclusion.hpp"
+#include "study/exclusion.hpp"
 
 namespace kov {
 

@@ -1,12 +1,12 @@
 #include "classify/stated.hpp"
 
-#include "classify/along.hpp"
-#include "classify/pieces.hpp"
-#include "classify/together.hpp"
 #include "exact/share.hpp"
 #include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
 #include "strata/words.hpp"
+#include "study/along.hpp"
+#include "study/pieces.hpp"
+#include "study/together.hpp"
 
 #include <algorithm>
 #include <chrono>

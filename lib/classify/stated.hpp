@@ -8,7 +8,7 @@
 // Source  docs/theory/classify.md (7, 8)
 
 #include "classify/classify.hpp"
-#include "classify/exclusion.hpp"
+#include "study/exclusion.hpp"
 
 namespace kov {
 

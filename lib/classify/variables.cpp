@@ -1,9 +1,9 @@
 #include "classify/variables.hpp"
 
-#include "classify/pieces.hpp"
 #include "decide/afterwards.hpp"
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
+#include "study/pieces.hpp"
 
 #include <algorithm>
 #include <exception>

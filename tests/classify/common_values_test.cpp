@@ -1,6 +1,6 @@
 // Two differences that are special at finitely many values together.
 
-#include "classify/difference.hpp"
+#include "study/difference.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "classify/general_level.hpp"
+#include "study/general_level.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // The pieces of a classification: sets cut along polynomials, and conditions on differences.
 
 #include "classify/components.hpp"
-#include "classify/difference.hpp"
-#include "classify/parameter_split.hpp"
-#include "classify/places.hpp"
+#include "study/difference.hpp"
+#include "study/parameter_split.hpp"
+#include "study/places.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

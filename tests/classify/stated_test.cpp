@@ -2,7 +2,7 @@
 
 #include "classify/stated.hpp"
 
-#include "classify/together.hpp"
+#include "study/together.hpp"
 #include "support/points.hpp"
 #include "support/source_dir.hpp"
 

@@ -1,7 +1,7 @@
 // Several solutions of one system as one theorem: the union of what they exclude, point by point.
 
-#include "classify/together.hpp"
 #include "integrability/one_level.hpp"
+#include "study/together.hpp"
 
 #include "exact/error.hpp"
 

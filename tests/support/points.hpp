@@ -1,7 +1,7 @@
 #pragma once
 // What a classification says at single points of the parameters.
 
-#include "classify/classification.hpp"
+#include "study/classification.hpp"
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,6 @@
 #include "case_file.hpp"
 #include "certificate_file.hpp"
 #include "classification_report.hpp"
-#include "classify/together.hpp"
 #include "commands.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/words.hpp"
@@ -20,6 +19,7 @@
 #include "mechanics.hpp"
 #include "present_strata.hpp"
 #include "second_opinion.hpp"
+#include "study/together.hpp"
 #include "system/assumed_values.hpp"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #pragma once
 // A classification in the form of a theorem with steps, which has LaTeX and HTML.
 
-#include "classify/classification.hpp"
 #include "mechanics.hpp"
+#include "study/classification.hpp"
 #include "theorem/theorem.hpp"
 
 namespace kov::cli {

@@ -5,13 +5,13 @@
 #include "source.hpp"
 #include "strata.hpp"
 
-#include "classify/together.hpp"
 #include "equation/equation_file.hpp"
 #include "integrability/certificate.hpp"
 #include "integrability/check.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/one_level.hpp"
 #include "integrals/find.hpp"
+#include "study/together.hpp"
 #include "system/assumed_values.hpp"
 
 #include <pybind11/stl.h>

@@ -3,7 +3,7 @@
 //
 // Source  docs/theory/classify.md (7)
 
-#include "classify/difference.hpp"
+#include "study/difference.hpp"
 
 namespace kov {
 

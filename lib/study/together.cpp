@@ -1,7 +1,7 @@
-#include "classify/together.hpp"
+#include "study/together.hpp"
 
-#include "classify/pieces.hpp"
 #include "integrability/one_level.hpp"
+#include "study/pieces.hpp"
 
 namespace kov {
 SystemClassification together(const System& s, const std::vector<Exclusion>& all,

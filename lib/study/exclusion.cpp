@@ -1,12 +1,12 @@
-#include "classify/exclusion.hpp"
+#include "study/exclusion.hpp"
 
-#include "classify/general_level.hpp"
 #include "decide/words.hpp"
 #include "exact/error.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/matrices.hpp"
 #include "jets/words.hpp"
 #include "strata/words.hpp"
+#include "study/general_level.hpp"
 
 #include <algorithm>
 

@@ -5,9 +5,9 @@
 // Parameters that only label levels are not among them: for fixed parameters an integrable system
 // is so on all levels (docs/theory/classify.md, 1).
 
-#include "classify/difference.hpp"
 #include "integrals/find.hpp"
 #include "literature/integral_class.hpp"
+#include "study/difference.hpp"
 
 namespace kov {
 

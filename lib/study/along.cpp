@@ -1,4 +1,4 @@
-#include "classify/along.hpp"
+#include "study/along.hpp"
 
 #include "integrability/parameters.hpp"
 

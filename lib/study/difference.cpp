@@ -1,4 +1,4 @@
-#include "classify/difference.hpp"
+#include "study/difference.hpp"
 
 #include "exact/error.hpp"
 #include "exact/factor.hpp"

@@ -4,8 +4,8 @@
 //
 // Source  docs/theory/classify.md (7)
 
-#include "classify/exclusion.hpp"
-#include "classify/parameter_split.hpp"
+#include "study/exclusion.hpp"
+#include "study/parameter_split.hpp"
 
 #include <stop_token>
 

@@ -1,9 +1,9 @@
-#include "classify/classification.hpp"
+#include "study/classification.hpp"
 
-#include "classify/parameter_split.hpp"
-#include "classify/places.hpp"
 #include "exact/error.hpp"
 #include "parameters/conditions.hpp"
+#include "study/parameter_split.hpp"
+#include "study/places.hpp"
 
 #include <algorithm>
 

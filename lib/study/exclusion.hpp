@@ -8,10 +8,10 @@
 //
 // Source  docs/theory/classify.md (1, 2)
 
-#include "classify/classification.hpp"
 #include "integrability/check.hpp"
 #include "jets/obstruction.hpp"
 #include "quadratures/obstruction.hpp"
+#include "study/classification.hpp"
 
 namespace kov {
 

@@ -1,4 +1,4 @@
-#include "classify/pieces.hpp"
+#include "study/pieces.hpp"
 
 #include "exact/error.hpp"
 #include "integrability/parameters.hpp"

@@ -3,7 +3,7 @@
 //
 // Source  docs/theory/classify.md (1, 7)
 
-#include "classify/exclusion.hpp"
+#include "study/exclusion.hpp"
 
 #include <stop_token>
 

@@ -1,8 +1,8 @@
-#include "classify/places.hpp"
+#include "study/places.hpp"
 
-#include "classify/parameter_split.hpp"
-#include "classify/pieces.hpp"
 #include "exact/error.hpp"
+#include "study/parameter_split.hpp"
+#include "study/pieces.hpp"
 #include "system/vector_field.hpp"
 
 #include <algorithm>

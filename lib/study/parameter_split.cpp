@@ -1,4 +1,4 @@
-#include "classify/parameter_split.hpp"
+#include "study/parameter_split.hpp"
 
 #include <algorithm>
 #include <numeric>
