@@ -213,6 +213,11 @@ std::string theorem_json(const TheoremResult& t) {
       j["tables"].push_back({{"caption", g.caption}, {"header", g.header}, {"rows", g.rows}});
     if (!n.node.file.empty()) j["file"] = n.node.file;
     if (n.node.kind == NodeKind::case_file) j["expect"] = n.node.expect;
+    if (n.found) {
+      j["verdict"] = to_string(n.found->verdict);
+      j["integrals_class"] =
+          n.found->excluded.empty() ? Json(nullptr) : Json(sentence(n.found->excluded));
+    }
     for (const auto& [key, values] :
          {std::pair{"where", &n.node.where}, std::pair{"sample", &n.node.sample}})
       for (const auto& [name, value] : *values)

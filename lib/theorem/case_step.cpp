@@ -1,9 +1,9 @@
 // The step "case": the verdict of a system file.
 
-#include "integrability/certificate.hpp"
 #include "integrability/conclude.hpp"
 #include "integrability/parameters.hpp"
 #include "linode/singularities.hpp"
+#include "study/study.hpp"
 #include "theorem/prove.hpp"
 #include "theorem/setting.hpp"
 
@@ -186,47 +186,91 @@ std::string reason_of(const ManifoldReport& m) {
 
 namespace {
 
-CheckReport checked(const std::string& path, const ParameterValues& where, const NodeResult& n,
+using study::CurveStudy;
+using study::SystemStudy;
+using study::Verdict;
+
+SystemStudy studied(const std::string& path, const ParameterValues& where, const NodeResult& n,
                     const ProveOptions& options) {
-  CheckOptions check;
-  check.decide = options.decide;
-  check.decide.want_certificate = true;
-  check.only_manifold = n.node.manifold;
-  const System s = read_system(path, where);
+  study::StudyOptions how;
+  how.check.decide = options.decide;
+  how.check.decide.want_certificate = true;
+  how.check.only_manifold = n.node.manifold;
+  how.order = n.node.order;
+  const Entry document = read_document(path);
   std::vector<std::string> names;
-  for (const ManifoldSpec& m : s.manifolds)
+  for (const ManifoldSpec& m : read_system(document, where).manifolds)
     names.push_back(m.name);
   if (!n.node.manifold.empty()) require_known(n.node.manifold, names, "manifold");
-  return check_system(s, check);
+  return study::study(document, where, how);
 }
 
-std::string found(const ManifoldReport& m) {
-  const std::string reason = m.failure ? m.failure->message : reason_of(m);
-  return to_string(m.verdict) + (reason.empty() ? "" : ": " + reason);
+std::string found(const CurveStudy& m) {
+  if (m.first.failure) return to_string(m.headline.verdict) + ": " + m.first.failure->message;
+  const std::string reason =
+      m.higher && m.higher->excluded ? m.higher->excluded->by.reason : reason_of(m.first);
+  return to_string(m.headline.verdict) + (reason.empty() ? "" : ": " + reason);
 }
 
-bool expected(const TheoremNode& node, VerdictKind v) {
-  return node.expect == "any" ? v != VerdictKind::undecided : to_string(v) == node.expect;
-}
-
-// Not integrable along one manifold is not integrable; otherwise all of them have to be decided.
-int weight(const ManifoldReport& m) {
-  return m.verdict == VerdictKind::non_integrable           ? 3
-         : m.failure || m.verdict == VerdictKind::undecided ? 2
-         : m.verdict == VerdictKind::depends                ? 1
-                                                            : 0;
+bool expected(const TheoremNode& node, Verdict v) {
+  return node.expect == "any" ? v != Verdict::undecided && v != Verdict::failed
+                              : to_string(v) == node.expect;
 }
 
 // Found, but not what the file says.
-void unexpected(NodeResult& n, const ManifoldReport& m) {
-  if (m.verdict != VerdictKind::undecided)
+void unexpected(NodeResult& n, Verdict v) {
+  if (v != Verdict::undecided && v != Verdict::failed)
     n.summary = "expected " + n.node.expect + ", found " + n.summary;
-  if (m.verdict == VerdictKind::non_integrable) n.status = NodeStatus::refuted;
+  if (v == Verdict::non_integrable) n.status = NodeStatus::refuted;
+}
+
+// Of several manifolds together, or of several orders: each set by one of them.
+void conclude_together(NodeResult& n, const System& s, const SystemClassification& c,
+                       const std::string& along) {
+  n.says = Conclusion::not_integrable;
+  n.excluded = c.excluded;
+  n.curve = along + " in " + n.node.file;
+  for (const std::string& step : c.trusted)
+    n.trusted.push_back({step});
+  for (const std::string& name : c.theorems)
+    for (const LiteratureTheorem& t : literature())
+      if (t.name == name) n.theorems.push_back(used(t));
+  n.headline = "NON-INTEGRABLE (" + along + ")";
+  n.statement = assumptions_of(s) + "The system of " + n.node.file + " is not integrable with " +
+                first_integrals(c.excluded) + " (" + along + ")";
+}
+
+// The obstruction of a higher order.
+void conclude_higher(NodeResult& n, const System& s, const CurveStudy& m) {
+  const ExclusionReason& by = m.higher->excluded->by;
+  const std::string at_order = " at order " + std::to_string(by.order);
+  const std::string along =
+      " (" + by.theorems.front() + ", along the manifold " + name_in_words(m.name()) + ")";
+  const std::string except = m.higher->exceptions.empty() ? "" : ", " + m.higher->exceptions;
+  n.theorems.push_back(used(morales_ramis_simo()));
+  n.theorems.back().integrals = by.integrals;
+  if (!by.unchecked.empty())
+    n.theorems.back().hypotheses.push_back({by.unchecked, Settled::open, ""});
+  for (const std::string& step : by.trusted)
+    n.trusted.push_back({step});
+  n.headline = "NON-INTEGRABLE" + at_order + except + along;
+  n.statement = assumptions_of(s) + "The system of " + n.node.file + " is " + statement(by) +
+                (by.level.empty() ? "" : ", " + by.level) + except + along +
+                (except.empty() ? "" : ". In the exceptions nothing follows about integrability");
+  if (!except.empty()) return;
+  n.says = Conclusion::not_integrable;
+  n.excluded = {by.integrals};
+  n.curve = name_in_words(m.name()) + " in " + n.node.file;
 }
 
 // What follows, in words and as the headline of a report.
-void conclude(NodeResult& n, const System& s, const ManifoldReport& m) {
+void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
+  const ManifoldReport& m = all_orders.first;
   if (!m.by) return; // a limit came before the theorem
+  if (all_orders.orders_together && all_orders.headline.verdict == Verdict::non_integrable)
+    return conclude_together(n, s, *all_orders.orders_together,
+                             "along the manifold " + name_in_words(m.name) + ", by two orders");
+  if (all_orders.higher && all_orders.higher->excluded) return conclude_higher(n, s, all_orders);
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
   const std::string by = " (" + m.by->id() + ", along the manifold " + name_in_words(m.name) + ")";
   for (const std::string& step : trusted_steps(m))
@@ -274,32 +318,59 @@ void show_manifold(NodeResult& n, const System& s, const std::string& name) {
   }
 }
 
-// The manifold that decides, with its material.
-const ManifoldReport& take(NodeResult& n, const CheckReport& report) {
-  const auto& all = report.manifolds;
-  const ManifoldReport& m = *std::max_element(
-      all.begin(), all.end(),
-      [](const ManifoldReport& a, const ManifoldReport& b) { return weight(a) < weight(b); });
-  for (const ManifoldReport& other : all)
-    if (&other != &m) n.formulas.push_back({"manifold " + other.name, found(other)});
-  if (m.failure) {
-    n.summary = m.failure->message;
-    return m;
+int weight(const CurveStudy& m) {
+  switch (m.headline.verdict) {
+  case Verdict::non_integrable:
+    return 3;
+  case Verdict::undecided:
+  case Verdict::failed:
+    return 2;
+  case Verdict::depends:
+    return 1;
+  default:
+    return 0;
   }
-  show_manifold(n, report.system, m.name);
-  n.checks.push_back({"the manifold " + m.name + " is invariant", m.manifold.has_value()});
-  for (const BlockReport& b : m.blocks)
-    show_block(n, report.system, b);
-  for (NamedCertificate& c : certificates(report.system, m)) // what has none is a trusted step
+}
+
+void show_curve(NodeResult& n, const System& s, const CurveStudy& m) {
+  show_manifold(n, s, m.name());
+  n.checks.push_back({"the manifold " + m.name() + " is invariant", m.first.manifold.has_value()});
+  for (const BlockReport& b : m.first.blocks)
+    show_block(n, s, b);
+  for (NamedCertificate& c : certificates(s, m)) // what has none is a trusted step
     if (!c.json.empty()) n.certificates.push_back(std::move(c.json));
-  n.summary = found(m);
-  if (!expected(n.node, m.verdict)) {
-    unexpected(n, m);
-    return m;
+}
+
+// Not integrable along one manifold is not integrable; otherwise all of them have to be decided.
+const CurveStudy& that_decides(const SystemStudy& study) {
+  return *std::max_element(
+      study.manifolds.begin(), study.manifolds.end(),
+      [](const CurveStudy& a, const CurveStudy& b) { return weight(a) < weight(b); });
+}
+
+// The manifold that decides, with its material; or all of them.
+void take(NodeResult& n, const SystemStudy& study) {
+  const CurveStudy& m = that_decides(study);
+  const Verdict verdict = study.headline.verdict;
+  n.found = study.headline;
+  const bool by_several =
+      verdict == Verdict::non_integrable && m.headline.verdict != Verdict::non_integrable;
+  for (const CurveStudy& other : study.manifolds) {
+    if (&other != &m) n.formulas.push_back({"manifold " + other.name(), found(other)});
+    if (by_several && !other.first.failure) show_curve(n, study.system, other);
   }
+  n.summary = by_several ? to_string(verdict) + ": " + statement(*study.together) : found(m);
+  if (m.first.failure && !by_several) {
+    n.summary = m.first.failure->message;
+    return;
+  }
+  if (!by_several) show_curve(n, study.system, m);
+  if (!expected(n.node, verdict)) return unexpected(n, verdict);
   n.status = NodeStatus::proved;
-  conclude(n, report.system, m);
-  return m;
+  if (by_several)
+    conclude_together(n, study.system, *study.together, "by all its manifolds together");
+  else
+    conclude(n, study.system, m);
 }
 
 std::string text_of(const ParameterValues& values) {
@@ -333,53 +404,54 @@ bool names_a_level(const System& s, const ParameterValues& sample) {
 }
 
 // What the verdict at the sample says about the verdict for the family.
-void compare(NodeResult& n, const System& family, const ManifoldReport& whole,
-             const ManifoldReport& there, const std::string& text) {
+void compare(NodeResult& n, const SystemStudy& family, const CurveStudy& there,
+             const std::string& text) {
+  const Verdict whole = family.headline.verdict, here = there.headline.verdict;
   n.formulas.push_back({"the sample by itself", found(there)});
   if (n.status != NodeStatus::proved) return;
-  if (there.verdict == VerdictKind::undecided) {
+  if (here == Verdict::undecided) {
     n.caution = "THE SAMPLE " + text + " BY ITSELF IS UNDECIDED";
     n.summary += "; " + n.caution;
     return;
   }
-  const bool same = there.verdict == whole.verdict;
-  if (whole.verdict == VerdictKind::depends) return; // both answers occur
-  if (!same && names_a_level(family, n.node.sample)) {
-    n.summary += "; at the level of the sample " + text + ": " + to_string(there.verdict);
+  const bool same = here == whole;
+  if (whole == Verdict::depends) return; // both answers occur
+  if (!same && names_a_level(family.system, n.node.sample)) {
+    n.summary += "; at the level of the sample " + text + ": " + to_string(here);
     return;
   }
   n.checks.push_back({"the sample " + text + " by itself has the same verdict", same});
   if (same) return;
   n.status = NodeStatus::refuted;
-  n.summary = "CONTRADICTION: for all parameters " + to_string(whole.verdict) +
-              ", but at the sample " + text + " " + found(there);
+  n.summary = "CONTRADICTION: for all parameters " + to_string(whole) + ", but at the sample " +
+              text + " " + found(there);
 }
 
 // One set of values from the family, decided by itself: a second opinion with tables.
-void take_sample(NodeResult& n, const CheckReport& family, const ManifoldReport& whole,
-                 const std::string& path, const ProveOptions& options) {
+void take_sample(NodeResult& n, const SystemStudy& family, const std::string& path,
+                 const ProveOptions& options) {
   const std::string text = text_of(n.node.sample);
   n.formulas.push_back({"a sample", text});
   ParameterValues values = n.node.where;
   values.insert(values.end(), n.node.sample.begin(), n.node.sample.end());
   NodeResult sample;
   sample.node = n.node;
-  sample.node.manifold = whole.name;
-  const CheckReport report = checked(path, values, sample, options);
-  const ManifoldReport& there = take(sample, report);
+  sample.node.manifold = that_decides(family).name();
+  const SystemStudy study = studied(path, values, sample, options);
+  take(sample, study);
   move_material(n, sample);
-  compare(n, family.system, whole, there, text);
+  compare(n, family, study.manifolds.front(), text);
 }
 
 } // namespace
 
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
   const std::string path = beside(directory, n.node.file);
-  const CheckReport report = checked(path, n.node.where, n, options);
-  show_setting(n, report.system);
-  if (report.manifolds.empty()) throw DomainError(n.node.file + " has no manifold");
-  const ManifoldReport& whole = take(n, report);
-  if (!n.node.sample.empty()) take_sample(n, report, whole, path, options);
+  const SystemStudy study = studied(path, n.node.where, n, options);
+  show_setting(n, study.system);
+  if (study.manifolds.empty()) throw DomainError(n.node.file + " has no manifold");
+  take(n, study);
+  if (!n.node.sample.empty()) take_sample(n, study, path, options);
 }
 
 } // namespace kov

@@ -1,6 +1,7 @@
 #include "theorem/setting.hpp"
 #include "theorem/theorem.hpp"
 
+#include "jets/obstruction.hpp"
 #include "literature/literature.hpp"
 #include "symbol/author_words.hpp"
 #include "symbol/suggest.hpp"
@@ -74,6 +75,14 @@ Hypothesis read_hypothesis(const Entry& e) {
   return {one_line(e.at("text").string()), text_of(e, "by"), false};
 }
 
+int read_order(const Entry& e) {
+  const long order = e.integer();
+  if (order < 1 || order > jets::largest_order)
+    throw e.error("an order of variational equations is expected",
+                  "1 to " + std::to_string(jets::largest_order));
+  return static_cast<int>(order);
+}
+
 std::string read_expected(const Entry& e) {
   const std::vector<std::string> known{"non-integrable", "no-obstruction", "depends", "any"};
   if (std::find(known.begin(), known.end(), e.string()) == known.end())
@@ -93,7 +102,8 @@ Keys keys_of(NodeKind kind) {
     return {{"file"}, {"where", "of", "at", "if", "as", "roots", "time"}};
   case NodeKind::case_file:
     return {{"file"},
-            {"where", "sample", "manifold", "expect", "of", "at", "if", "as", "roots", "time"}};
+            {"where", "sample", "manifold", "expect", "order", "of", "at", "if", "as", "roots",
+             "time"}};
   case NodeKind::splitting:
     return {{"file", "small"},
             {"where", "families", "triangle", "of", "at", "if", "as", "roots", "time"}};
@@ -122,7 +132,7 @@ void check_keys_of_kind(const Entry& e, NodeKind kind) {
   }
   for (const char* key :
        {"file", "other", "where", "manifold", "expect", "small", "families", "triangle", "scaled",
-        "sample", "theorem", "of", "at", "if", "as", "roots", "time"}) {
+        "sample", "order", "theorem", "of", "at", "if", "as", "roots", "time"}) {
     const auto among = [&](const std::vector<std::string>& all) {
       return std::find(all.begin(), all.end(), key) != all.end();
     };
@@ -160,7 +170,7 @@ TheoremNode read_node(const Entry& e) {
   e.check_keys({"id",         "title",    "statement", "note",   "kind",     "needs",  "cite",
                 "hypotheses", "file",     "other",     "where",  "manifold", "expect", "small",
                 "families",   "triangle", "scaled",    "sample", "theorem",  "of",     "at",
-                "if",         "as",       "roots",     "time"});
+                "if",         "as",       "roots",     "time",   "order"});
   TheoremNode n;
   n.kind = kind_of(e.at("kind"));
   check_keys_of_kind(e, n.kind);
@@ -177,6 +187,7 @@ TheoremNode read_node(const Entry& e) {
   n.other = text_of(e, "other");
   n.manifold = text_of(e, "manifold");
   if (const Entry* x = e.find("expect")) n.expect = read_expected(*x);
+  if (const Entry* x = e.find("order")) n.order = read_order(*x);
   n.small = texts_of(e, "small");
   n.scaled = texts_of(e, "scaled");
   if (const Entry* families = e.find("families"))

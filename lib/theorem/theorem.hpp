@@ -18,6 +18,7 @@
 
 #include "literature/literature.hpp"
 #include "splitting/checked.hpp"
+#include "study/headline.hpp"
 #include "symbol/document.hpp"
 #include "system/system.hpp"
 #include "theorem/place.hpp"
@@ -85,6 +86,7 @@ struct TheoremNode {
   std::string manifold;
   /// case: the verdict that counts as proved; "any": every decided one
   std::string expect = "non-integrable";
+  int order = 1; ///< case: of the variational equations, where the first leaves something open
   std::vector<std::string> small;   ///< splitting, scaling: the parameters of size eps
   std::vector<LeftFamily> families; ///< splitting: the exceptional families that may remain
   bool triangle = true;             ///< splitting: only bodies with A <= B + C
@@ -167,6 +169,7 @@ struct NodeResult {
   std::string summary;                  ///< one sentence: what was found
   std::string caution;                  ///< a part of it that no short form leaves out
   std::string headline;                 ///< case: the verdict in a few words
+  std::optional<study::Headline> found; ///< case: the same as a value
   CheckedIdentities checks;             ///< each identity that was verified
   std::vector<Formula> formulas;
   std::vector<Grid> tables;

@@ -71,7 +71,7 @@ class Check(unittest.TestCase):
     def test_not_a_manifold(self):
         report = kovacic.check(CUBIC.replace("q1 = 0\", \"p1 = 0", "q1 = 1\", \"p1 = 0"))
         self.assertIsNotNone(report.manifolds[0].failure)
-        self.assertIs(report.verdict, VerdictKind.undecided)
+        self.assertIs(report.verdict, VerdictKind.failed)
 
     def test_equation_file(self):
         answer = kovacic.check("format = 'equation/1'\n[ode]\nr = 'z'\n")

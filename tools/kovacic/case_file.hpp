@@ -34,7 +34,6 @@ struct CaseReport {
 [[nodiscard]] CaseReport check_equation(const Settings& settings, const Entry& document);
 /// System files (a [system] table).
 [[nodiscard]] CaseReport check_system_file(const Settings& settings, const std::string& path);
-[[nodiscard]] CaseReport test_system_file(const Settings& settings, const std::string& path);
 /// Scenes (format = "scene/1"): the expectations, after a run with all lanes in one thread.
 [[nodiscard]] CaseReport test_scene(const std::string& path);
 /// The same for the scenes of a system file, or the one of a file that names a system.

@@ -435,6 +435,7 @@ struct CommandLine {
     set_flag(*test);
     budget_flags(*test, 600);
     method_flags(*test);
+    order_flag(*test, "1");
     quiet_flag(*test);
     output_flags(*test);
 
@@ -458,6 +459,7 @@ struct CommandLine {
     report->add_option("FILE", word, "a system file")->required()->type_name("");
     set_flag(*report);
     manifold_flag(*report);
+    order_flag(*report, "1");
     report_flags(*report);
 
     CLI::App* section =

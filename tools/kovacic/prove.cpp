@@ -10,6 +10,7 @@
 #include "present.hpp"
 #include "report/render_theorem.hpp"
 #include "settings.hpp"
+#include "study/study.hpp"
 
 #include <fmt/format.h>
 
@@ -57,7 +58,11 @@ void write_certificates(const Settings& settings, const TheoremResult& result) {
                        n.certificates[i]);
 }
 
+// A manifold that is none is an error of its file.
 int exit_of(const TheoremResult& result) {
+  if (std::any_of(result.nodes.begin(), result.nodes.end(),
+                  [](const NodeResult& n) { return n.found && n.found->refused > 0; }))
+    return exit_input;
   if (result.count(NodeStatus::refuted) > 0) return exit_no;
   return result.complete() ? exit_decided : exit_undecided;
 }
@@ -117,16 +122,6 @@ int prove(const Settings& settings, const std::string& file) {
 
 namespace {
 
-// The values that the expectations of the file are about, each once; --set takes their place.
-std::vector<ParameterValues> rounds_of(const System& s, const ParameterValues& set) {
-  std::vector<ParameterValues> rounds;
-  for (const SystemExpectation& x : s.expectations)
-    if (set.empty() && std::find(rounds.begin(), rounds.end(), x.where) == rounds.end())
-      rounds.push_back(x.where);
-  if (rounds.empty()) rounds.push_back(set);
-  return rounds;
-}
-
 std::string at(const ParameterValues& values) {
   std::string text;
   for (const auto& [name, value] : values)
@@ -159,13 +154,14 @@ Theorem theorem_of_system(const Settings& settings, const std::string& file,
     return n;
   };
   if (!s.manifolds.empty())
-    for (const ParameterValues& where : rounds_of(s, parameter_values(settings))) {
+    for (const ParameterValues& where : study::rounds(s, parameter_values(settings))) {
       const std::size_t number = t.nodes.size();
       TheoremNode& verdict = add(NodeKind::case_file,
                                  "verdict" + (number == 0 ? "" : "-" + std::to_string(number + 1)),
                                  "The verdict" + at(where), where);
       verdict.expect = "any";
       verdict.manifold = settings.manifold;
+      verdict.order = std::max(settings.order, 1);
     }
   if (!s.claims.empty()) add(NodeKind::claims, "claims", "The claims", parameter_values(settings));
   if (t.nodes.empty()) throw document.error("the file has neither claims nor manifolds");

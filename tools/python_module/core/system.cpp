@@ -6,25 +6,25 @@
 #include "strata.hpp"
 
 #include "equation/equation_file.hpp"
-#include "integrability/certificate.hpp"
-#include "integrability/check.hpp"
 #include "integrability/matrices.hpp"
-#include "integrability/one_level.hpp"
 #include "integrals/find.hpp"
+#include "study/study.hpp"
 #include "study/together.hpp"
-#include "system/assumed_values.hpp"
 
 #include <pybind11/stl.h>
 
 #include <algorithm>
 
 namespace pybind11::detail {
-KOV_PYTHON_ENUM(kov::VerdictKind, "VerdictKind");
+KOV_PYTHON_ENUM(kov::study::Verdict, "VerdictKind");
 KOV_PYTHON_ENUM(kov::Settled, "Settled");
 } // namespace pybind11::detail
 
 namespace kov::python {
 namespace {
+
+using study::CurveStudy;
+using study::SystemStudy;
 
 FamilyAnswer family(const strata::StrataAnswer& a, const BlockReport& b) {
   return {a, b.ode && a.question ? a.question->r.ring()->name(b.ode->z) : "z"};
@@ -74,6 +74,15 @@ std::string headline(const ManifoldReport& m) {
   }
 }
 
+std::string headline(const CurveStudy& m) {
+  if (!m.higher || !m.higher->excluded) return headline(m.first);
+  const ExclusionReason& by = m.higher->excluded->by;
+  const std::string& except = m.higher->exceptions;
+  return "NON-INTEGRABLE at order " + std::to_string(by.order) +
+         (except.empty() ? "" : ", " + except) + " (" + by.theorems.front() + ": " + statement(by) +
+         (by.level.empty() ? "" : ", " + by.level) + ")";
+}
+
 std::vector<std::string> notes(const ManifoldReport& m) {
   std::vector<std::string> all;
   if (m.manifold) all = m.manifold->rewritten;
@@ -101,8 +110,9 @@ std::string told(const BlockReport& b) {
   return text;
 }
 
-std::string told(const ManifoldReport& m) {
-  std::string text = "[" + m.name + "] " + headline(m);
+std::string told(const CurveStudy& study) {
+  const ManifoldReport& m = study.first;
+  std::string text = "[" + m.name + "] " + headline(study);
   if (m.failure) return text;
   if (!m.not_checked.empty() && (m.verdict != VerdictKind::undecided || m.by))
     text += "\n  NOT CHECKED: " + m.not_checked;
@@ -113,43 +123,21 @@ std::string told(const ManifoldReport& m) {
   if (m.blocks.empty() || m.matrices || m.verdict == VerdictKind::undecided)
     for (const std::string& r : m.reasons)
       text += "\n  because " + r;
+  if (study.higher && study.higher->excluded)
+    text += "\n  because " + study.higher->excluded->by.reason;
   if (m.verdict != VerdictKind::undecided)
     for (const std::string& step : trusted_steps(m))
       text += "\n  trusted: " + step;
   return text;
 }
 
-// What the manifolds exclude, one after the other.
-SystemClassification all_together(const CheckReport& report) {
+// Of one manifold too.
+SystemClassification all_together(const SystemStudy& study) {
+  if (study.together) return *study.together;
   std::vector<Exclusion> all;
-  for (const ManifoldReport& m : report.manifolds)
-    if (!m.failure)
-      for (Exclusion& e : exclusions_of_verdict(report.system, m, free_levels(report.system)))
-        all.push_back(std::move(e));
-  return together(report.system, all);
-}
-
-bool is_excluded_by_several(const CheckReport& report) {
-  try {
-    return report.manifolds.size() > 1 &&
-           all_together(report).status() == ClassificationStatus::non_integrable;
-  } catch (const InvalidArgument&) { // nothing satisfies what is assumed
-    return false;
-  }
-}
-
-// The strongest that the manifolds say together: one of them is enough to exclude integrals.
-VerdictKind verdict(const CheckReport& report) {
-  const auto any = [&](VerdictKind kind) {
-    return std::any_of(report.manifolds.begin(), report.manifolds.end(), [&](const auto& m) {
-      return (m.failure ? VerdictKind::undecided : m.verdict) == kind;
-    });
-  };
-  if (any(VerdictKind::non_integrable) || is_excluded_by_several(report))
-    return VerdictKind::non_integrable;
-  for (const VerdictKind kind : {VerdictKind::undecided, VerdictKind::depends})
-    if (any(kind)) return kind;
-  return report.manifolds.empty() ? VerdictKind::undecided : VerdictKind::no_obstruction;
+  for (const CurveStudy& m : study.manifolds)
+    all.insert(all.end(), m.exclusions.begin(), m.exclusions.end());
+  return together(study.system, all);
 }
 
 py::dict values_of(const System& s) {
@@ -166,16 +154,16 @@ std::vector<std::string> assumptions_of(const System& s) {
   return all;
 }
 
-py::dict certificates_of(const CheckReport& report) {
+py::dict certificates_of(const SystemStudy& report) {
   py::dict all;
-  for (const ManifoldReport& m : report.manifolds)
+  for (const CurveStudy& m : report.manifolds)
     for (const NamedCertificate& c : certificates(report.system, m))
       if (!c.json.empty()) all[py::str(c.name)] = c.json;
   return all;
 }
 
 py::object checked(const Wishes& wishes, const Source& source, const ParameterValues& values,
-                   const std::string& manifold, const std::vector<std::string>& assume) {
+                   const std::string& manifold, int order, const std::vector<std::string>& assume) {
   const Entry document = source.document();
   if (is_equation_file(document)) {
     EquationText text = read_equation_file(document).text;
@@ -186,12 +174,16 @@ py::object checked(const Wishes& wishes, const Source& source, const ParameterVa
   }
   if (!assume.empty())
     throw InvalidArgument("the assumptions on a system stand in its file, under [assume]");
+  if (order < 1 || order > jets::largest_order)
+    throw InvalidArgument("order: 1 to " + std::to_string(jets::largest_order) +
+                          " is expected, and not " + std::to_string(order));
   return computed(wishes.limits, [&](const Budget& budget, const Interrupt&) {
-    CheckOptions options;
-    options.decide = wishes.options(budget);
-    options.decide.ask_the_judge = true;
-    options.only_manifold = manifold;
-    return check_system(read_system_as_assumed(document, values), options);
+    study::StudyOptions options;
+    options.check.decide = wishes.options(budget);
+    options.check.decide.ask_the_judge = true;
+    options.check.only_manifold = manifold;
+    options.order = order;
+    return study::study(document, values, options);
   });
 }
 
@@ -217,11 +209,14 @@ void bind_theorem_used(py::module_& m) {
 }
 
 void bind_reports(py::module_& m) {
-  enumeration<VerdictKind>(m, "VerdictKind",
-                           {{"non_integrable", VerdictKind::non_integrable},
-                            {"no_obstruction", VerdictKind::no_obstruction},
-                            {"depends", VerdictKind::depends},
-                            {"undecided", VerdictKind::undecided}});
+  using study::Verdict;
+  enumeration<Verdict>(m, "VerdictKind",
+                       {{"non_integrable", Verdict::non_integrable},
+                        {"no_obstruction", Verdict::no_obstruction},
+                        {"depends", Verdict::depends},
+                        {"undecided", Verdict::undecided},
+                        {"integrable", Verdict::integrable},
+                        {"failed", Verdict::failed}});
 
   auto block = read_only<BlockReport>(m, "BlockReport", "A diagonal block of the normal system.",
                                       {"answer"});
@@ -244,40 +239,48 @@ void bind_reports(py::module_& m) {
       .def_property_readonly("levels", &levels_of, "(condition, why, answer, note)")
       .def_readonly("note", &BlockReport::note);
 
-  auto manifold = read_only<ManifoldReport>(m, "ManifoldReport", "What follows from one manifold.",
-                                            {"verdict"});
-  manifold.def_readonly("name", &ManifoldReport::name)
-      .def_readonly("verdict", &ManifoldReport::verdict)
+  auto manifold =
+      read_only<CurveStudy>(m, "ManifoldReport", "What follows from one manifold.", {"verdict"});
+  manifold.def_property_readonly("name", &CurveStudy::name)
+      .def_property_readonly("verdict", [](const CurveStudy& c) { return c.headline.verdict; })
       .def_property_readonly(
           "failure",
-          [](const ManifoldReport& r) { return unless_empty(r.failure ? r.failure->message : ""); },
+          [](const CurveStudy& c) {
+            return unless_empty(c.first.failure ? c.first.failure->message : "");
+          },
           "why it is no invariant manifold, or None")
-      .def_readonly("by", &ManifoldReport::by, "the theorem used, or None")
+      .def_property_readonly(
+          "by", [](const CurveStudy& c) { return c.first.by; }, "the theorem used, or None")
       .def_property_readonly(
           "integrals",
-          [](const ManifoldReport& r) { return r.by ? sentence(r.by->integrals) : "meromorphic"; },
+          [](const CurveStudy& c) {
+            return c.headline.excluded.empty() ? "meromorphic" : sentence(c.headline.excluded);
+          },
           "the class of first integrals that is excluded")
-      .def_readonly("statement", &ManifoldReport::statement)
+      .def_property_readonly("statement", [](const CurveStudy& c) { return c.first.statement; })
       .def_property_readonly(
-          "not_checked", [](const ManifoldReport& r) { return unless_empty(r.not_checked); },
+          "not_checked", [](const CurveStudy& c) { return unless_empty(c.first.not_checked); },
           "a hypothesis of the verdict that is not proved, or None")
-      .def_readonly("reasons", &ManifoldReport::reasons)
-      .def_readonly("blocks", &ManifoldReport::blocks)
+      .def_property_readonly("reasons", [](const CurveStudy& c) { return c.first.reasons; })
+      .def_property_readonly("blocks", [](const CurveStudy& c) { return c.first.blocks; })
       .def_property_readonly(
           "matrices",
-          [](const ManifoldReport& r) {
-            return unless_empty(r.matrices ? reason(*r.matrices) : "");
+          [](const CurveStudy& c) {
+            return unless_empty(c.first.matrices ? reason(*c.first.matrices) : "");
           },
           "what monodromy matrices prove of the whole variational equation, "
           "where the blocks decide nothing")
-      .def_property_readonly("notes", &notes, "how the manifold and its equations were read")
-      .def_property_readonly("trusted_steps", &trusted_steps)
+      .def_property_readonly(
+          "notes", [](const CurveStudy& c) { return notes(c.first); },
+          "how the manifold and its equations were read")
+      .def_property_readonly("trusted_steps",
+                             [](const CurveStudy& c) { return trusted_steps(c.first); })
       .def_property_readonly("not_studied",
-                             [](const ManifoldReport& r) { return unless_empty(r.not_studied); })
-      .def_property_readonly("headline", &headline)
-      .def("__str__", [](const ManifoldReport& r) { return told(r); })
-      .def("__repr__", [](const ManifoldReport& r) {
-        return "<ManifoldReport " + r.name + ": " + to_string(r.verdict) + ">";
+                             [](const CurveStudy& c) { return unless_empty(c.first.not_studied); })
+      .def_property_readonly("headline", [](const CurveStudy& c) { return headline(c); })
+      .def("__str__", [](const CurveStudy& c) { return told(c); })
+      .def("__repr__", [](const CurveStudy& c) {
+        return "<ManifoldReport " + c.name() + ": " + to_string(c.headline.verdict) + ">";
       });
 
   read_only<ClaimReport>(m, "ClaimReport", "A claim of the file, proved or refuted.")
@@ -296,32 +299,43 @@ void bind_reports(py::module_& m) {
       .def("__repr__",
            [](const ClaimReport& c) { return "<" + c.claim.name + ": " + c.result.detail + ">"; });
 
-  auto report = read_only<CheckReport>(m, "CheckReport", "A system file and what follows from it.",
+  auto report = read_only<SystemStudy>(m, "CheckReport", "A system file and what follows from it.",
                                        {"verdict"});
-  report.def_property_readonly("verdict", &verdict)
-      .def_property_readonly("title", [](const CheckReport& r) { return r.system.title; })
-      .def_property_readonly("file", [](const CheckReport& r) { return r.system.file; })
+  report.def_property_readonly("verdict", [](const SystemStudy& r) { return r.headline.verdict; })
       .def_property_readonly(
-          "values", [](const CheckReport& r) { return values_of(r.system); }, "of parameters")
+          "complete", [](const SystemStudy& r) { return r.headline.complete; },
+          "no limit and no error of the program ended a part of it")
+      .def_property_readonly(
+          "integrals",
+          [](const SystemStudy& r) {
+            return r.headline.excluded.empty() ? std::optional<std::string>()
+                                               : sentence(r.headline.excluded);
+          },
+          "the class of first integrals that is excluded, or None")
+      .def_property_readonly("title", [](const SystemStudy& r) { return r.system.title; })
+      .def_property_readonly("file", [](const SystemStudy& r) { return r.system.file; })
+      .def_property_readonly(
+          "values", [](const SystemStudy& r) { return values_of(r.system); }, "of parameters")
       .def_property_readonly("assumptions",
-                             [](const CheckReport& r) { return assumptions_of(r.system); })
-      .def_readonly("claims", &CheckReport::claims)
-      .def_readonly("manifolds", &CheckReport::manifolds)
+                             [](const SystemStudy& r) { return assumptions_of(r.system); })
+      .def_readonly("claims", &SystemStudy::claims)
+      .def_readonly("manifolds", &SystemStudy::manifolds)
       .def_property_readonly("together", &all_together,
                              "what the manifolds exclude together: a Classification")
       .def_property_readonly("certificates", &certificates_of,
                              "by name, if they were asked for: JSON for verify()")
-      .def_readonly("seconds", &CheckReport::seconds)
+      .def_readonly("seconds", &SystemStudy::seconds)
       .def("__str__",
-           [](const CheckReport& r) {
+           [](const SystemStudy& r) {
              std::string text = r.system.title;
-             for (const ManifoldReport& each : r.manifolds)
+             for (const CurveStudy& each : r.manifolds)
                text += "\n" + told(each);
              if (r.manifolds.empty()) text += "\nno [[manifold]]: nothing was asked";
              return text;
            })
-      .def("__repr__",
-           [](const CheckReport& r) { return "<CheckReport: " + to_string(verdict(r)) + ">"; });
+      .def("__repr__", [](const SystemStudy& r) {
+        return "<CheckReport: " + to_string(r.headline.verdict) + ">";
+      });
 }
 
 std::vector<MFraction> values_of(const IntegralsOfSet& s) {
@@ -405,7 +419,7 @@ void bind_system(py::module_& m) {
            }),
            py::arg("text"), py::arg("name"));
   m.def("check", &checked, py::arg("wishes"), py::arg("source"), py::arg("set"),
-        py::arg("manifold"), py::arg("assume"));
+        py::arg("manifold"), py::arg("order"), py::arg("assume"));
   m.def("integrals", [](const Limits& limits, const Source& source, const ParameterValues& values,
                         long degree, std::optional<long> coefficients) {
     if (degree < 0 || (coefficients && *coefficients < 0))

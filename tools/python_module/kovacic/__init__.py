@@ -53,17 +53,18 @@ def solve(equation=None, *, r=None, ode=None, p=None, q=None, variable=None, par
                                trace=bool(trace), certificate=bool(certificate)), texts)
 
 
-def check(source, *, set=None, manifold="", assume=None, trace=False, certificate=False, timeout=_QUESTION,
+def check(source, *, set=None, manifold="", order=1, assume=None, trace=False, certificate=False, timeout=_QUESTION,
           max_work=None, max_degree=None, max_families=None):
     """A system file, by its path or as text with line breaks: what follows from each of its manifolds.
 
     A CheckReport; for an equation file what solve() returns.  set: {parameter: value}.
+    order: of the variational equations, 1 to 7, where the first leaves something open.
     """
     if not isinstance(manifold, str):
         raise WrongType(f"manifold: a str is expected, and not {manifold!r}")
     return _core.check(_wishes(timeout, max_work, max_degree, max_families, trace=bool(trace),
                                certificate=bool(certificate)),
-                       _source(source), _convert.values(set), manifold, _convert.texts(assume, "assume"))
+                       _source(source), _convert.values(set), manifold, _int(order, "order"), _convert.texts(assume, "assume"))
 
 
 def prove(path, *, timeout=_THEOREM, max_work=None, certificate=False):

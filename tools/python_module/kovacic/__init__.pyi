@@ -147,6 +147,8 @@ class VerdictKind(enum.Enum):
     no_obstruction = 1
     depends = 2
     undecided = 3
+    integrable = 4
+    failed = 5
     def __bool__(self) -> bool: ...
 
 
@@ -287,6 +289,8 @@ class ByKovacic: ...
 class CheckReport:
     __match_args__ = ('verdict',)
     verdict: VerdictKind
+    complete: bool
+    integrals: str | None
     title: str
     file: str
     values: dict[str, Any]
@@ -787,9 +791,10 @@ def solve(equation: Formula | None = None, *, r: Formula | None = None, ode: For
           max_degree: int | None = None, max_families: int | None = None) -> Any: ...  # Solved, or StrataAnswer
 
 
-def check(source: Source, *, set: Mapping[Name, Formula] | None = None, manifold: str = "", assume: Sentences | None = None,
-          trace: bool = False, certificate: bool = False, timeout: float | None = 60, max_work: float | None = None,
-          max_degree: int | None = None, max_families: int | None = None) -> Any: ...  # CheckReport, or as solve()
+def check(source: Source, *, set: Mapping[Name, Formula] | None = None, manifold: str = "", order: int = 1,
+          assume: Sentences | None = None, trace: bool = False, certificate: bool = False, timeout: float | None = 60,
+          max_work: float | None = None, max_degree: int | None = None,
+          max_families: int | None = None) -> Any: ...  # CheckReport, or as solve()
 
 
 def prove(path: Path, *, timeout: float | None = 600, max_work: float | None = None,

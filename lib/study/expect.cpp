@@ -1,24 +1,31 @@
-#include "integrability/expect.hpp"
+#include "study/expect.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <utility>
 
-namespace kov {
+namespace kov::study {
 namespace {
 
 std::string group_name(const GaloisGroup& g) {
   return to_string(g.type) + (g.n ? "_" + to_string(*g.n) : "");
 }
 
+// The verdict, or that of the first order where higher ones say more.
+std::string verdict_for(const SystemExpectation& x, const CurveStudy& study) {
+  std::string first = to_string(study.first.verdict);
+  return x.verdict == first ? first : to_string(study.headline.verdict);
+}
+
 // What one manifold has to say; empty: as expected.
-std::string compare(const SystemExpectation& x, const ManifoldReport& m) {
+std::string compare(const SystemExpectation& x, const CurveStudy& study) {
+  const ManifoldReport& m = study.first;
   std::string wrong;
   const auto differs = [&](const std::string& what, const std::string& expected,
                            const std::string& found) {
     if (!expected.empty() && expected != found)
       wrong += what + ": expected " + expected + ", found " + found + "; ";
   };
-  differs("verdict", x.verdict, to_string(m.verdict));
+  differs("verdict", x.verdict, verdict_for(x, study));
   const BlockReport* block = nullptr;
   for (const auto& b : m.blocks)
     if (b.ode && (!block || b.abelian == Truth::no)) block = &b;
@@ -59,13 +66,13 @@ std::string compare(const SystemExpectation& x, const ManifoldReport& m) {
 
 } // namespace
 
-std::string unmet(const SystemExpectation& x, const CheckReport& report) {
+std::string unmet(const SystemExpectation& x, std::span<const CurveStudy> manifolds) {
   std::string wrong;
-  for (const auto& m : report.manifolds) {
-    if (!x.manifold.empty() && x.manifold != m.name) continue;
+  for (const CurveStudy& m : manifolds) {
+    if (!x.manifold.empty() && x.manifold != m.name()) continue;
     const std::string one = compare(x, m);
     if (one.empty()) return {}; // one manifold is enough
-    wrong += "[" + m.name + "] " + one;
+    wrong += "[" + m.name() + "] " + one;
   }
   return wrong.empty() ? "the file has no such manifold" : wrong;
 }
@@ -81,41 +88,23 @@ std::string describe(const SystemExpectation& x) {
   return s;
 }
 
-namespace {
-
-std::string run(const Entry& document, const SystemExpectation& x, const CheckOptions& options) {
-  const System s = read_system(document, x.where);
-  CheckOptions how = options;
-  how.only_manifold = x.manifold;
-  // read again: the values of `where` apply to p, q, r of the expectation as well
-  const auto here = std::find_if(s.expectations.begin(), s.expectations.end(),
-                                 [&](const SystemExpectation& e) { return e.line == x.line; });
-  return unmet(*here, check_system(s, how));
-}
-
-} // namespace
-
-std::vector<ExpectationResult> test_system_file(const std::string& path,
-                                                const CheckOptions& options) {
+std::vector<ExpectationResult> test_file(const std::string& path, const StudyOptions& options) {
   const Entry document = read_document(path);
-  const System s = read_system(document);
   std::vector<ExpectationResult> results;
-  const auto timed = [&](long line, std::string name, auto&& work) {
-    const auto start = std::chrono::steady_clock::now();
-    ExpectationResult r{path, line, std::move(name), false, work(), 0};
-    r.passed = r.message.empty();
-    r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    results.push_back(std::move(r));
-  };
-  for (const auto& claim : s.claims)
-    timed(claim.line, claim.name.empty() ? claim.text : claim.name, [&]() -> std::string {
-      const ClaimResult r = decide_claim(s, claim, options.decide.budget);
-      return is_met(claim, r) ? "" : r.detail;
-    });
-  for (const auto& x : s.expectations) {
-    timed(x.line, describe(x), [&] { return run(document, x, options); });
+  bool with_claims = true;
+  for (const ParameterValues& values : rounds(read_system(document), {})) {
+    const SystemStudy all = study(document, values, options);
+    const auto add = [&](long line, std::string name, std::string message) {
+      results.push_back({path, line, std::move(name), std::move(message)});
+    };
+    if (std::exchange(with_claims, false))
+      for (const ClaimReport& c : all.claims)
+        add(c.claim.line, c.claim.name.empty() ? c.claim.text : c.claim.name,
+            is_met(c.claim, c.result) ? "" : c.result.detail);
+    for (const SystemExpectation& x : all.system.expectations)
+      if (x.where == values) add(x.line, describe(x), unmet(x, all.manifolds));
   }
   return results;
 }
 
-} // namespace kov
+} // namespace kov::study

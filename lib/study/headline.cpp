@@ -1,0 +1,95 @@
+#include "study/headline.hpp"
+
+#include "study/classification.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace kov::study {
+
+std::string to_string(Verdict v) {
+  switch (v) {
+  case Verdict::non_integrable:
+    return "non-integrable";
+  case Verdict::integrable:
+    return "integrable";
+  case Verdict::no_obstruction:
+    return "no-obstruction";
+  case Verdict::depends:
+    return "depends";
+  case Verdict::undecided:
+    return "undecided";
+  case Verdict::failed:
+    return "failed";
+  }
+  return "";
+}
+
+namespace {
+
+// More is excluded, or the same with less trust.
+bool is_better(const Headline& a, const Headline& b) {
+  if (a.excluded.size() != 1 || b.excluded.size() != 1) return false;
+  const IntegralClass &x = a.excluded.front(), &y = b.excluded.front();
+  if (contains(x, y) != Truth::yes) return false;
+  return contains(y, x) != Truth::yes || a.trusted + a.unchecked < b.trusted + b.unchecked;
+}
+
+const Headline* best_obstruction(std::span<const Headline> all) {
+  const Headline* best = nullptr;
+  for (const Headline& h : all)
+    if (h.verdict == Verdict::non_integrable && (best == nullptr || is_better(h, *best))) best = &h;
+  return best;
+}
+
+std::size_t unchecked_in(const SystemClassification& c) {
+  std::set<std::string> all;
+  for (const ClassifiedStratum& x : c.strata)
+    for (const ExclusionReason& by : x.by)
+      if (!by.unchecked.empty()) all.insert(by.unchecked);
+  return all.size();
+}
+
+Verdict without_obstruction(std::span<const Headline> all, bool excludes) {
+  const auto any = [&](Verdict v) {
+    return std::any_of(all.begin(), all.end(), [v](const Headline& h) { return h.verdict == v; });
+  };
+  for (const Verdict v : {Verdict::failed, Verdict::undecided, Verdict::depends})
+    if (any(v)) return v;
+  return all.empty() ? Verdict::undecided : excludes ? Verdict::depends : Verdict::no_obstruction;
+}
+
+} // namespace
+
+Headline headline_of(const SystemClassification& c) {
+  Headline h;
+  h.verdict = c.status() == ClassificationStatus::non_integrable ? Verdict::non_integrable
+              : c.excluded.empty()                               ? Verdict::undecided
+                                                                 : Verdict::depends;
+  h.excluded = c.excluded;
+  h.trusted = c.trusted.size();
+  h.unchecked = unchecked_in(c);
+  return h;
+}
+
+Headline headline(std::span<const Headline> manifolds, const Headline* together) {
+  Headline whole;
+  if (const Headline* by = best_obstruction(manifolds))
+    whole = *by;
+  else if (together != nullptr)
+    whole = *together;
+  else if (manifolds.size() == 1)
+    whole = manifolds.front();
+  if (whole.verdict != Verdict::non_integrable)
+    whole.verdict =
+        without_obstruction(manifolds, together != nullptr && !together->excluded.empty());
+  whole.refused = 0;
+  whole.complete = true;
+  for (const Headline& h : manifolds) {
+    whole.refused += h.refused;
+    whole.complete = whole.complete && h.complete;
+  }
+  return whole;
+}
+
+} // namespace kov::study

@@ -1,0 +1,44 @@
+#pragma once
+// What a study says in one line: the same for each command that asks.
+
+#include "literature/integral_class.hpp"
+
+#include <span>
+
+namespace kov {
+struct SystemClassification; // study/classification.hpp
+}
+
+namespace kov::study {
+
+enum class Verdict : std::uint8_t {
+  non_integrable,
+  no_obstruction,
+  depends, ///< on the parameters: decided everywhere, not everywhere the same
+  undecided,
+  integrable,
+  failed ///< what the file calls an invariant manifold is none
+};
+/// Example to_string(Verdict::no_obstruction)  // -> no-obstruction
+[[nodiscard]] std::string to_string(Verdict v);
+
+struct Headline {
+  Verdict verdict = Verdict::undecided;
+  std::vector<IntegralClass> excluded; ///< of these classes at once, for some parameters at least
+  std::size_t trusted = 0;             ///< steps on trust
+  std::size_t unchecked = 0;           ///< hypotheses that are not proved
+  std::size_t refused = 0;             ///< manifolds that are not invariant
+  bool complete = true;                ///< no limit and no error of the program ended a part of it
+  friend bool operator==(const Headline&, const Headline&) = default;
+};
+
+/// What several manifolds exclude together.
+[[nodiscard]] Headline headline_of(const SystemClassification& c);
+
+/// Of a file: one manifold that proves non-integrability is enough, or several together; otherwise all
+/// have to be decided.  together: headline_of() what they exclude, null where nobody asked.
+/// Example headline({}).verdict == Verdict::undecided  // -> yes
+[[nodiscard]] Headline headline(std::span<const Headline> manifolds,
+                                const Headline* together = nullptr);
+
+} // namespace kov::study

@@ -1,0 +1,91 @@
+#pragma once
+// What a system file says: claims, then one answer for each manifold whatever orders are asked, then
+// what they say together.  `check`, `test`, `prove`, `report`, Python and the tests call this and
+// nothing else.
+//
+// Assumed equations are values where they can be (system/assumed_values.hpp); eigenvalues over which
+// variations fall apart are adjoined (integrability/eigenvalue.hpp).
+
+#include "integrability/certificate.hpp"
+#include "study/headline.hpp"
+#include "study/higher_orders.hpp"
+
+#include <map>
+
+namespace kov::study {
+
+struct StudyOptions {
+  CheckOptions check = {};
+  int order = 1; ///< of the variational equations, where the first leaves something open
+};
+
+/// One manifold.
+struct CurveStudy {
+  ManifoldReport first; ///< of the first variational equation
+  std::optional<HigherOrders> higher;
+  std::vector<Exclusion> exclusions;                   ///< of all orders
+  std::optional<SystemClassification> orders_together; ///< where higher ones have exceptions
+  Headline headline;
+  std::vector<std::string> failed; ///< parts that a limit or an error of the program ended, and why
+
+  [[nodiscard]] const std::string& name() const { return first.name; }
+};
+
+/// A system file at one set of values, asked piece by piece, each under limits of its own; what was
+/// answered is kept.
+class FileStudy {
+public:
+  /// Errors  InputError; InvalidArgument: no values satisfy what the file assumes
+  FileStudy(const Entry& document, ParameterValues set);
+
+  /// As the file has it, without the eigenvalues.
+  [[nodiscard]] const System& system() const { return system_; }
+  /// With them.
+  [[nodiscard]] const System& studied(const CheckOptions& options);
+  [[nodiscard]] const std::vector<ClaimReport>& claims(const CheckOptions& options);
+  /// The k-th of manifolds_to_check(system(), options.check).  with_claims: proved ones are used.
+  [[nodiscard]] const CurveStudy& manifold(std::size_t k, const StudyOptions& options,
+                                           bool with_claims = true);
+  /// What these of them exclude together.   Errors  InvalidArgument
+  [[nodiscard]] SystemClassification together(const std::vector<std::size_t>& of,
+                                              const StudyOptions& options, bool with_claims = true);
+
+private:
+  [[nodiscard]] bool is_fine_without_values(const std::string& manifold, const Budget&) const;
+
+  Entry document_;
+  ParameterValues set_;
+  System system_;
+  std::optional<System> studied_;
+  std::optional<std::vector<ClaimReport>> claims_;
+  std::map<std::string, CurveStudy> manifolds_; ///< by their names
+};
+
+struct SystemStudy {
+  System system; ///< with eigenvalues
+  std::vector<ClaimReport> claims;
+  std::vector<CurveStudy> manifolds;
+  std::optional<SystemClassification> together; ///< of several manifolds
+  Headline headline;
+  double seconds = 0;
+};
+
+/// The whole: each manifold has an equal share of the time that is left, and a limit costs that
+/// manifold only.  An error of the program in one of them is thrown where the others prove nothing.
+/// Errors  InputError; InvalidArgument: no values satisfy what the file assumes, no such manifold
+/// Given   const Entry file = parse_document("system = {kind = 'hamiltonian', "
+///             "coordinates = ['q1', 'q2'], momenta = ['p1', 'p2'], parameters = ['h'], "
+///             "hamiltonian = '(p1^2 + p2^2)/2 + q1^2*q2 + q2^3/2'}\n"
+///             "manifold = [{name = 'N', equations = ['q1 = 0', 'p1 = 0'], level = ['H = h']}]",
+///             "cubic.toml");
+/// Example to_string(study(file, {{"h", "1"}}).headline.verdict)  // -> non-integrable
+[[nodiscard]] SystemStudy study(const Entry& document, const ParameterValues& set,
+                                const StudyOptions& options = {});
+
+/// The values that the expectations of a file are about, each once; given ones take their place.
+[[nodiscard]] std::vector<ParameterValues> rounds(const System& file, const ParameterValues& given);
+
+/// Of all orders, if they were asked for: of each either a text or why there is none.
+[[nodiscard]] std::vector<NamedCertificate> certificates(const System& s, const CurveStudy& m);
+
+} // namespace kov::study

@@ -1,0 +1,310 @@
+#include "study_report.hpp"
+
+#include "classification_report.hpp"
+#include "decide/words.hpp"
+#include "integrability/conclude.hpp"
+#include "integrability/matrices.hpp"
+#include "integrability/parameters.hpp"
+#include "present_strata.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace kov::cli {
+std::string labelled(const std::string& label, const std::string& text, std::size_t indent) {
+  const std::size_t column = indent + 10;
+  return std::string(indent, ' ') + label +
+         std::string(label.size() < 10 ? 10 - label.size() : 1, ' ') + wrapped(text, column) + "\n";
+}
+
+std::string title_of_manifold(const System& s, const std::string& name) {
+  std::string title = s.file + "  [" + name + "]";
+  for (const auto& [parameter, value] : s.values)
+    title += "  " + parameter + " = " + to_string(value);
+  return title;
+}
+
+namespace {
+
+void put(std::ostringstream& out, const std::string& label, const std::string& text,
+         std::size_t indent = 2) {
+  out << labelled(label, text, indent);
+}
+
+// The beginning of what would fill a page.
+std::string cut(const std::string& text, Detail detail) {
+  constexpr std::size_t five_lines = 430;
+  if (detail == Detail::whole || text.size() <= five_lines) return text;
+  return text.substr(0, five_lines) + " ... (--verbose shows the rest)";
+}
+
+std::string undecided_somewhere(const ManifoldReport& m, Detail detail) {
+  const std::string except = cut(exceptions(m), detail);
+  const bool depends = m.verdict == VerdictKind::depends;
+  if (except.empty())
+    return depends ? "DEPENDS ON THE PARAMETERS  (" + m.by->id() + ")" : "UNDECIDED";
+  return (depends ? "NON-INTEGRABLE, " : "UNDECIDED IN PART: NON-INTEGRABLE, ") + except + "  (" +
+         m.by->id() + ": " + m.statement + "; in the exceptions nothing follows)";
+}
+
+std::string headline(const ManifoldReport& m, Detail detail) {
+  switch (m.verdict) {
+  case VerdictKind::non_integrable:
+    return "NON-INTEGRABLE  (" + m.by->id() + ": " + m.statement + ")";
+  case VerdictKind::no_obstruction:
+    return "NO OBSTRUCTION  (the first-order test of " + m.by->id() +
+           " passes; this does not prove integrability)";
+  default:
+    return undecided_somewhere(m, detail);
+  }
+}
+
+std::string at_order(const Exclusion& e) {
+  return "NON-INTEGRABLE at order " + std::to_string(e.by.order);
+}
+
+std::string theorem_of(const Exclusion& e) {
+  return "  (" + e.by.theorems.front() + ": " + statement(e.by) +
+         (e.by.level.empty() ? "" : ", " + e.by.level);
+}
+
+// One for all orders.
+std::string headline(const study::CurveStudy& m, Detail detail) {
+  if (!m.higher || !m.higher->excluded) return headline(m.first, detail);
+  const Exclusion& e = *m.higher->excluded;
+  if (m.higher->exceptions.empty()) return at_order(e) + theorem_of(e) + ")";
+  switch (m.headline.verdict) {
+  case study::Verdict::non_integrable: // in the exceptions by the first order
+    return "NON-INTEGRABLE  (" + statement(*m.orders_together) + ")";
+  case study::Verdict::undecided:
+    return "UNDECIDED IN PART: " + at_order(e) + ", " + m.higher->exceptions + theorem_of(e) + ")";
+  default:
+    return at_order(e) + ", " + m.higher->exceptions + theorem_of(e) +
+           "; in the exceptions nothing follows)";
+  }
+}
+
+void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent) {
+  std::string group = d.group ? "G = " + describe(*d.group) : "G not determined";
+  if (d.component) group += ", identity component " + to_string(*d.component);
+  group += d.abelian == Truth::yes  ? ", abelian"
+           : d.abelian == Truth::no ? ", not abelian"
+                                    : ", abelian or not: undecided";
+  put(out, "group", group, indent);
+  put(out, "because", reason(d), indent);
+  Json steps = Json::object();
+  put_trace(steps, d.trace);
+  print_trace(out, steps);
+}
+
+void print(std::ostringstream& out, const strata::StrataAnswer& a, Detail detail) {
+  Json j;
+  put_strata(j, a);
+  j["trusted"] = Json::array(); // said once for all blocks
+  print_strata(out, j, detail == Detail::whole);
+}
+
+// r in three lines, or what its poles are.
+std::string shape_of(const AlgebraicOde& ode, const std::string& z) {
+  constexpr std::size_t three_lines = 260;
+  const MPoly numerator = ode.r.num();
+  std::string whole = to_factored_string(ode.r);
+  if (whole.size() <= three_lines) return whole;
+  const std::string below = to_factored_string(MFraction(ode.r.den()));
+  return (below.size() <= three_lines ? "N(" + z + ")/(" + below + "), N"
+                                      : "a quotient whose numerator is") +
+         " of degree " + std::to_string(degree(numerator, ode.z)) + " with " +
+         std::to_string(numerator.length()) + " terms (--verbose shows them)";
+}
+
+void put_level(std::ostringstream& out, const EnergyResult& e, Detail detail) {
+  put(out, "at", e.condition + "  (" + e.why + ")");
+  if (e.decision) put_decision(out, *e.decision, 4);
+  if (e.strata) print(out, *e.strata, detail);
+  if (!e.note.empty()) put(out, "note", cut(e.note, detail), 4);
+}
+
+// A level that decides is enough.
+bool decides(const EnergyResult& e) {
+  return (e.decision && e.decision->abelian == Truth::no) ||
+         (e.strata && e.strata->decided() && somewhere_not_abelian(*e.strata));
+}
+
+void put_levels(std::ostringstream& out, const std::vector<EnergyResult>& all, Detail detail) {
+  const auto one = std::find_if(all.begin(), all.end(), decides);
+  if (detail == Detail::whole || one == all.end())
+    for (const EnergyResult& e : all)
+      put_level(out, e, detail);
+  else
+    put_level(out, *one, detail);
+}
+
+void put_block(std::ostringstream& out, const System& s, const BlockReport& b, Detail detail) {
+  if (b.ode) {
+    const std::string z = s.ring()->name(b.ode->z);
+    put(out, "change", b.ode->change + ", y the variation of " + b.ode->unknown);
+    put(out, "equation",
+        "y'' = r(" + z + ") y,  r = " +
+            (detail == Detail::whole ? to_factored_string(b.ode->r) : shape_of(*b.ode, z)));
+  }
+  if (b.decision) put_decision(out, *b.decision, 2);
+  if (b.strata) print(out, *b.strata, detail);
+  if (detail == Detail::whole)
+    for (const auto& f : b.special)
+      put(out, "merging", "singular places meet where " + to_string(f) + " = 0");
+  put_levels(out, b.energies, detail);
+  if (!b.note.empty()) put(out, "note", cut(b.note, detail));
+}
+
+void put_trust(std::ostringstream& out, const std::vector<std::string>& steps) {
+  if (!steps.empty())
+    put(out, "trusted",
+        std::to_string(steps.size()) + (steps.size() == 1 ? " step: " : " steps: ") +
+            joined(steps, "; "));
+}
+
+// Which flag sets the first limit among the reasons.
+void put_way_out(std::ostringstream& out, const std::vector<std::string>& reasons) {
+  for (const std::string& reason : reasons)
+    if (const std::string way = way_out("budget", reason); way != way_out("budget", ""))
+      return put(out, "more", way);
+}
+
+// Below a headline of higher order: its reasons, and then what the first order says.
+void put_obstruction(std::ostringstream& out, const study::CurveStudy& m, Detail detail) {
+  const ExclusionReason& by = m.higher->excluded->by;
+  if (!by.unchecked.empty()) put(out, "NOT CHECKED", by.unchecked);
+  put(out, "because", by.reason);
+  put_trust(out, by.trusted);
+  put(out, "order 1", headline(m.first, detail));
+}
+
+std::string nothing_found(const study::HigherOrders& h) {
+  return h.planes.open.empty() ? "no obstruction up to VE_" + std::to_string(h.up_to) +
+                                     " (no logarithm at infinity; this proves nothing)"
+                               : "OPEN: " + h.planes.open;
+}
+
+void put_first_order(std::ostringstream& out, const System& s, const ManifoldReport& m,
+                     bool undecided, Detail detail) {
+  for (const std::string& constant : s.adjoined)
+    if (!m.blocks.empty()) put(out, "where", constant);
+  for (const auto& e : m.reduced.eliminations)
+    put(out, "reduced",
+        "the variation of " + e.unknown + " by the linear integral d" + e.integral + " = 0");
+  for (const auto& b : m.blocks)
+    put_block(out, s, b, detail);
+  if (m.blocks.empty())
+    for (const auto& r : m.reasons)
+      put(out, "because", r);
+  else if (m.verdict == VerdictKind::undecided && !m.not_studied.empty())
+    put(out, "open", m.reasons.back());
+  if (m.matrices && !m.blocks.empty()) put(out, "because", reason(*m.matrices));
+  if (undecided) put_way_out(out, m.reasons);
+  if (m.verdict != VerdictKind::undecided || m.by) put_trust(out, trusted_steps(m));
+}
+
+void put_manifold(std::ostringstream& out, const System& s, const study::CurveStudy& study,
+                  Detail detail) {
+  using study::Verdict;
+  const ManifoldReport& m = study.first;
+  const Verdict verdict = study.headline.verdict;
+  const bool undecided = verdict == Verdict::undecided || verdict == Verdict::failed;
+  if (detail == Detail::nothing && !undecided) return;
+  out << title_of_manifold(s, m.name) << "\n";
+  if (m.failure) return put(out, "error", m.failure->message);
+  out << "  " << wrapped(headline(study, detail), 2) << "\n";
+  if (m.manifold)
+    for (const auto& line : m.manifold->rewritten)
+      put(out, "note", line);
+  const bool by_higher = study.higher && study.higher->excluded;
+  if (by_higher) put_obstruction(out, study, detail);
+  if (!m.not_checked.empty() && (m.verdict != VerdictKind::undecided || m.by))
+    put(out, "NOT CHECKED", m.not_checked);
+  if (detail != Detail::headline || undecided) put_first_order(out, s, m, undecided, detail);
+  if (study.higher && !by_higher)
+    put(out, "order " + std::to_string(study.higher->up_to), nothing_found(*study.higher));
+  for (const std::string& part : study.failed)
+    put(out, "failed", part);
+}
+
+std::string headline_of_all(study::Verdict verdict, bool excludes) {
+  switch (verdict) {
+  case study::Verdict::non_integrable:
+    return "NON-INTEGRABLE";
+  case study::Verdict::no_obstruction:
+    return "NO OBSTRUCTION  (the tests pass along all of them; this does not prove integrability)";
+  case study::Verdict::depends:
+    return "DEPENDS ON THE PARAMETERS";
+  default:
+    return excludes ? "UNDECIDED IN PART" : "UNDECIDED";
+  }
+}
+
+} // namespace
+
+std::string text_of(const System& s, const study::CurveStudy& m, Detail detail) {
+  std::ostringstream out;
+  put_manifold(out, s, m, detail);
+  return out.str();
+}
+
+std::string text_of(const System& s, const SystemClassification& c, study::Verdict verdict,
+                    Detail detail) {
+  std::ostringstream out;
+  out << title_of_manifold(s, "all manifolds together") << "\n  "
+      << wrapped(headline_of_all(verdict, !c.excluded.empty()), 2) << "\n";
+  if (c.excluded.empty()) return out.str();
+  put(out, "theorem", statement(c));
+  if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
+  if (detail == Detail::headline) return out.str();
+  for (const ExcludedTogether& e : excluded_together(c))
+    put(out, "excluded", joined(e.where, "; or ") + ": " + cut(reason_of(*e.by), detail));
+  put(out, "by", joined(c.theorems, ", "));
+  return out.str();
+}
+
+Json json_of_together(const SystemClassification& c) {
+  Json strata = Json::array();
+  for (const ClassifiedStratum& x : c.strata)
+    strata.push_back(json_of(c, x));
+  return {{"statement", c.excluded.empty() ? Json(nullptr) : Json(statement(c))},
+          {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
+          {"assumptions", c.assumptions},
+          {"theorems", c.theorems},
+          {"trusted", c.trusted},
+          {"strata", strata}};
+}
+
+namespace {
+
+// Nothing of the manifold but its name and its verdict stands twice.
+Json json_of(const study::HigherOrders& h) {
+  Json j{{"up_to", h.up_to}};
+  if (!h.planes.open.empty() && !h.excluded) j["open"] = h.planes.open;
+  if (!h.excluded) return j;
+  const ExclusionReason& by = h.excluded->by;
+  j["order"] = by.order;
+  if (!h.by_quadratures) j["residue"] = to_string(h.planes.obstruction->logarithm.form);
+  j["level"] = by.level;
+  j["exceptions"] = h.exceptions;
+  j["without"] = by.integrals.without;
+  j["not_checked"] = by.unchecked.empty() ? Json(nullptr) : Json(by.unchecked);
+  j["reason"] = by.reason;
+  j["theorem"] = by.theorems.front();
+  j["trusted"] = by.trusted;
+  return j;
+}
+
+} // namespace
+
+Json json_of(const System& s, const study::CurveStudy& m) {
+  Json j = json_of(s, m.first);
+  j["verdict"] = to_string(m.headline.verdict);
+  if (m.higher) j["higher_orders"] = json_of(*m.higher);
+  for (const std::string& part : m.failed)
+    j["failed"].push_back(part);
+  return j;
+}
+
+} // namespace kov::cli
