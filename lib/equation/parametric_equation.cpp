@@ -70,17 +70,22 @@ const Expression* find_name(const Expression& e, const std::string& name) {
   return nullptr;
 }
 
-// A forgotten parameter, told as the reader without parameters tells it.
+// Forgotten parameters, told as the reader without parameters tells them.
 void refuse_unknown_names(const EquationText& text, const EquationNames& given,
                           const Scope& scope) {
+  std::set<std::string> unknown;
+  const Expression* first = nullptr;
   for (const auto* formula : {&text.r, &text.p, &text.q, &text.ode}) {
     if (!*formula) continue;
     for (const std::string& name : names_in(**formula)) {
       if (scope.value(name) || (text.ode && name == given.unknown)) continue;
-      const Expression* at = find_name(**formula, name);
-      throw unknown_name(at != nullptr ? *at : **formula, text.parameters, given.variable);
+      if (unknown.empty()) first = find_name(**formula, name);
+      unknown.insert(name);
     }
   }
+  if (unknown.empty()) return;
+  if (unknown.size() == 1) throw unknown_name(*first, text.parameters, given.variable);
+  throw unknown_names(*first, {unknown.begin(), unknown.end()}, given.variable);
 }
 
 } // namespace

@@ -64,6 +64,7 @@ public:
 
   GivenEquation read() {
     names();
+    refuse_unknown_names();
     refuse_free_parameters();
     constants_.reserve(result_.variable);
     if (text_.ode) constants_.reserve(result_.unknown);
@@ -171,6 +172,13 @@ private:
            "parameter (--parameter NAME) or has a value (--set)";
   }
 
+  // Several at once; one alone has a message with its place.
+  void refuse_unknown_names() const {
+    std::vector<std::string> names = open_names();
+    std::erase(names, result_.variable);
+    if (names.size() > 1) throw unknown_names(formulas_.front(), names, result_.variable);
+  }
+
   void refuse_free_parameters() const {
     std::set<std::string> free;
     for (const Expression& e : formulas_)
@@ -214,6 +222,16 @@ private:
 FreeParameters::FreeParameters(std::vector<std::string> names, const std::string& why)
     : Error("free parameters: " + enumerate(names) + (why.empty() ? "" : "; " + why)),
       names_(std::move(names)) {}
+
+InputError unknown_names(const Expression& at, const std::vector<std::string>& names,
+                         const std::string& variable) {
+  std::string flags;
+  for (const std::string& name : names)
+    flags += " --parameter " + name;
+  return at.error("unknown names " + enumerate(names),
+                  "the variable is " + variable + "; if they are parameters write" + flags +
+                      ", or give them values: --set " + names.front() + "=...");
+}
 
 void check_names(const EquationText& text) {
   for (const std::string& name : text.parameters)

@@ -62,6 +62,9 @@ struct EquationNames {
   std::string variable = "z";
   std::string unknown = "y";
 };
+/// Two or more names without a meaning, with the options that give them one.
+[[nodiscard]] InputError unknown_names(const Expression& at, const std::vector<std::string>& names,
+                                       const std::string& variable);
 /// Given, or inferred.  Errors  InputError
 [[nodiscard]] EquationNames equation_names(const EquationText& text);
 /// What can have a value: the parameters and every name in the formulas; sorted.

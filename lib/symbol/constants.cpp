@@ -3,6 +3,7 @@
 #include "exact/factor.hpp"
 #include "symbol/approximation.hpp"
 #include "symbol/rational_form.hpp"
+#include "symbol/written.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +13,12 @@ namespace {
 
 using Kind = Expression::Kind;
 
-// Source text without spaces and without parentheses around the whole: the key under which a
-// constant is remembered, and the name of the field that it generates.
+// Text in our own notation without spaces and without parentheses around the whole: the key under which a
+// constant is remembered, and the name of the field that it generates.  Two constants that were written in
+// another notation may come from the same place of a text.
 std::string key_of(const Expression& e) {
-  std::string key(e.text());
-  std::erase_if(key, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
+  std::string key = written(e);
+  std::erase(key, ' ');
   const auto wrapped = [&] { // does the first parenthesis close at the very end?
     long depth = 0;
     for (std::size_t i = 0; i < key.size(); ++i) {

@@ -274,8 +274,8 @@ Expression parse_expression(std::string text, const std::string& name, bool allo
   return parse_expression(origin->text, origin, allow_equation, limits);
 }
 
-Expression parse_tokens(Tokens tokens, const ParseLimits& limits) {
-  return ExpressionParser(std::move(tokens), limits).read(true);
+Expression parse_tokens(Tokens tokens, const ParseLimits& limits, bool allow_equation) {
+  return ExpressionParser(std::move(tokens), limits).read(allow_equation);
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #include "symbol/notations.hpp"
 
+#include "symbol/operators.hpp"
 #include "symbol/tokens.hpp"
 
 #include <algorithm>
@@ -40,16 +41,18 @@ public:
       if (t.kind == Kind::end) break;
     }
     unwrap();
-    for (std::size_t i = 1; i < in_.size(); ++i)
-      brackets_ = brackets_ || (in_[i].is("[") && ends_operand(in_[i - 1]));
+    look_for_brackets();
+  }
+  Translation(std::vector<Token> tokens, std::string_view text, const OriginPtr& origin)
+      : source_(text, origin), in_(std::move(tokens)) {
+    look_for_brackets();
   }
 
-  // The texts of the tokens live as long as this object.
-  std::vector<Token> tokens() {
+  TokenList tokens() {
     while (at_ + 1 < in_.size())
       step();
     out_.push_back(in_.back());
-    return std::move(out_);
+    return {std::move(out_), std::move(texts_)};
   }
 
 private:
@@ -71,10 +74,15 @@ private:
   }
 
   void push(const Token& at, Kind kind, std::string_view text) {
-    out_.push_back({.kind = kind, .span = at.span, .text = text});
+    out_.push_back({.kind = kind, .span = at.span, .text = text, .after_blank = at.after_blank});
   }
   void sign(const Token& at, std::string_view text) { push(at, Kind::sign, text); }
   std::string_view kept(std::string text) { return texts_.emplace_back(std::move(text)); }
+
+  void look_for_brackets() {
+    for (std::size_t i = 1; i < in_.size(); ++i)
+      brackets_ = brackets_ || (in_[i].is("[") && ends_operand(in_[i - 1]));
+  }
 
   // ---- a whole call of a solver: dsolve(equation, y(x)) is its equation
 
@@ -402,103 +410,26 @@ bool is_foreign(std::string_view text) {
          });
 }
 
-// ---- operators
-
-bool differentiates(const Expression& e) {
-  return e.kind() == Expression::Kind::derivative ||
-         (e.kind() == Expression::Kind::call && e.name() == "diff") ||
-         std::any_of(e.operands().begin(), e.operands().end(), differentiates);
-}
-
-// The one name like Dx; nothing if there are several, or something is differentiated.
-std::optional<std::string> derivation_name(const Expression& e) {
-  std::optional<std::string> found;
-  for (const std::string& name : names_in(e)) {
-    const bool letter = name.size() > 1 && name.front() == 'D' && (name[1] < '0' || name[1] > '9');
-    if (!letter) continue;
-    if (found) return std::nullopt;
-    found = name;
-  }
-  return !found || differentiates(e) ? std::nullopt : found;
-}
-
-/// An operator in Dx, applied to a function: both are texts.
-class Application {
-public:
-  Application(std::string d, std::size_t longest) : d_(std::move(d)), longest_(longest) {}
-
-  [[nodiscard]] std::string operator()(const Expression& e, const std::string& y) const {
-    if (y.size() > longest_) throw e.error("this product of operators is too long");
-    if (!mentions(e)) return "((" + std::string(e.text()) + ")*" + y + ")";
-    switch (e.kind()) {
-    case Expression::Kind::name:
-      return "(" + y + ")'";
-    case Expression::Kind::negate:
-      return "(-" + (*this)(e.operand(0), y) + ")";
-    case Expression::Kind::sum:
-      return sum(e, y);
-    case Expression::Kind::product: {
-      std::string result = y;
-      for (auto factor = e.operands().rbegin(); factor != e.operands().rend(); ++factor)
-        result = (*this)(*factor, result);
-      return result;
-    }
-    case Expression::Kind::power:
-      return power(e, y);
-    case Expression::Kind::equation:
-      return (*this)(e.operand(0), y) + " = " + (*this)(e.operand(1), y);
-    default:
-      throw e.error("this is no operator in " + d_,
-                    "write polynomials in " + d_ + ", with the coefficients on the left");
-    }
-  }
-
-private:
-  [[nodiscard]] bool mentions(const Expression& e) const {
-    const auto names = names_in(e);
-    return std::binary_search(names.begin(), names.end(), d_);
-  }
-  [[nodiscard]] std::string sum(const Expression& e, const std::string& y) const {
-    std::string result;
-    for (const Expression& term : e.operands()) {
-      result += (result.empty() ? "(" : "+") + (*this)(term, y);
-      if (result.size() > longest_) throw e.error("this product of operators is too long");
-    }
-    return result + ")";
-  }
-  [[nodiscard]] std::string power(const Expression& e, std::string y) const {
-    const Expression& n = e.operand(1);
-    if (n.kind() != Expression::Kind::number || n.number() > Integer(max_order))
-      throw n.error("the exponent of an operator is a small number");
-    for (long i = to_long(n.number()); i > 0; --i)
-      y = (*this)(e.operand(0), y);
-    return y;
-  }
-
-  std::string d_;
-  std::size_t longest_;
-};
-
-Expression applied(const Expression& e, const std::string& d, const ParseLimits& limits) {
-  const auto names = names_in(e);
-  const std::string y = std::binary_search(names.begin(), names.end(), "y") ? "u" : "y";
-  const std::string text = Application(d, limits.max_length / 4)(e, y + "(" + d.substr(1) + ")");
-  const OriginPtr origin = origin_of_text(e.origin().file, text);
-  return parse_expression(origin->text, origin, true, limits);
-}
-
 } // namespace
+
+TokenList translated(std::vector<Token> tokens, std::string_view text, const OriginPtr& origin) {
+  return Translation(std::move(tokens), text, origin).tokens();
+}
+
+TokenList translated(std::string_view text, const OriginPtr& origin) {
+  return Translation(text, origin).tokens();
+}
 
 Expression parse_ode(std::string_view text, const OriginPtr& origin, const ParseLimits& limits) {
   const auto read = [&] {
     if (text.size() > limits.max_length || !is_foreign(text))
       return parse_expression(text, origin, true, limits);
-    Translation translation(text, origin);
-    return parse_tokens(Tokens(text, origin, translation.tokens()), limits);
+    const TokenList list = translated(text, origin);
+    return parse_tokens(Tokens(text, origin, list.tokens), limits);
   };
   const Expression e = read();
-  const auto d = derivation_name(e);
-  return d ? applied(e, *d, limits) : e;
+  const auto d = derivation_in(e);
+  return d ? applied(e, *d, limits.max_length / 4) : e;
 }
 
 Expression parse_ode(std::string text, const std::string& name) {

@@ -6,7 +6,7 @@
 //   Maxima       'diff(y, x, 2) = x*y, %i, a ; or $ at the end
 //   SymPy        Eq(Derivative(y(x), (x, 2)), x*y(x)), y(x).diff(x, 2), Rational(1, 4)
 //   Sage         diff(y(x), x, x) == x*y(x), derivative(y(x), x, 2)
-//   ore_algebra  Dx^2 - x, a product of operators is their composition
+//   ore_algebra  Dx^2 - x, a product of operators is their composition (operators.hpp)
 //
 // Tokens become tokens, each with its place in the text as it was written, so that messages point at
 // what the user sees.  Only operators are written out anew.

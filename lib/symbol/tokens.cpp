@@ -10,32 +10,6 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-// 0.5 -> 1/2, 2.50e-3 -> 1/400; nothing where the fraction would be absurdly long.
-std::string exact_fraction(std::string_view decimal) {
-  std::string digits;
-  long scale = 0;
-  std::size_t i = 0;
-  bool after_point = false;
-  for (; i < decimal.size() && (is_digit(decimal[i]) || decimal[i] == '.'); ++i) {
-    if (decimal[i] == '.') {
-      after_point = true;
-      continue;
-    }
-    digits += decimal[i];
-    scale -= after_point;
-  }
-  if (digits.empty() || digits.size() > 60) return {};
-  if (i < decimal.size()) { // e, E
-    const std::string exponent(decimal.substr(i + 1));
-    if (exponent.size() > 4) return {};
-    scale += std::stol(exponent);
-  }
-  if (scale < -60 || scale > 60) return {};
-  const Integer n = Integer::parse(digits);
-  const Integer power = pow(Integer(10), static_cast<unsigned long>(std::abs(scale)));
-  return to_string(scale < 0 ? Rational(n, power) : Rational(n * power));
-}
-
 struct Typeset {
   std::string_view bytes;
   const char* hint;
@@ -60,6 +34,31 @@ constexpr std::array typeset_signs{
     Typeset{"$", "for a second derivative write y'' or diff(y, z, 2)"}};
 
 } // namespace
+
+std::string exact_fraction(std::string_view decimal) {
+  std::string digits;
+  long scale = 0;
+  std::size_t i = 0;
+  bool after_point = false;
+  for (; i < decimal.size() && (is_digit(decimal[i]) || decimal[i] == '.'); ++i) {
+    if (decimal[i] == '.') {
+      after_point = true;
+      continue;
+    }
+    digits += decimal[i];
+    scale -= after_point;
+  }
+  if (digits.empty() || digits.size() > 60) return {};
+  if (i < decimal.size()) { // e, E
+    const std::string exponent(decimal.substr(i + 1));
+    if (exponent.size() > 4) return {};
+    scale += std::stol(exponent);
+  }
+  if (scale < -60 || scale > 60) return {};
+  const Integer n = Integer::parse(digits);
+  const Integer power = pow(Integer(10), static_cast<unsigned long>(std::abs(scale)));
+  return to_string(scale < 0 ? Rational(n, power) : Rational(n * power));
+}
 
 Span make_span(std::size_t begin, std::size_t end) {
   return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - begin)};
@@ -101,13 +100,22 @@ Token Tokens::next() {
   }
   const bool known = std::string_view("+-*/^()=,'").find(c) != std::string_view::npos;
   const bool foreign = std::string_view("[]{}%.$@;").find(c) != std::string_view::npos;
-  if (!known && !(foreign && foreign_signs)) strange_character();
+  const bool pasted = pasted_signs && std::string_view(":&~\\").find(c) != std::string_view::npos;
+  if (!known && !(foreign && foreign_signs) && !pasted) strange_character();
   ++position_;
+  if (c == '\\') return command(begin);
   const bool double_star = c == '*' && position_ < text_.size() && text_[position_] == '*';
   position_ += double_star;
   Token t = cut(Token::Kind::sign, begin);
   if (double_star) t.text = "^";
   return t;
+}
+
+Token Tokens::command(std::size_t begin) {
+  while (position_ < text_.size() && is_letter(text_[position_]) && text_[position_] != '_')
+    ++position_;
+  if (position_ == begin + 1 && position_ < text_.size()) ++position_; // \, and \{
+  return cut(Token::Kind::command, begin);
 }
 
 Token Tokens::number() {

@@ -3,13 +3,17 @@
 
 #include "symbol/expression.hpp"
 
+#include <deque>
+
 namespace kov {
 
 struct Token {
-  enum class Kind : std::uint8_t { number, decimal, name, sign, end };
+  enum class Kind : std::uint8_t { number, decimal, name, sign, command, end };
   Kind kind = Kind::end;
   Span span;
-  std::string_view text; ///< of a sign: one character, "^" for "**" as well
+  std::string_view
+      text; ///< of a sign: one character, "^" for "**" as well; of a command: with its backslash
+  bool after_blank = false; ///< in pasted text: a blank stands before it
 
   [[nodiscard]] bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
 };
@@ -28,6 +32,8 @@ public:
   int decimals_allowed = 0;
   /// Signs of other programs are tokens instead of errors: [ ] { } % . $ @ ;
   bool foreign_signs = false;
+  /// Also those of pasted text: : & ~ and \\name as a command.
+  bool pasted_signs = false;
 
   [[nodiscard]] InputError error(Span where, std::string message, std::string hint = {}) const {
     return {*origin_, where, std::move(message), std::move(hint)};
@@ -37,6 +43,7 @@ public:
 
 private:
   [[nodiscard]] Token number();
+  [[nodiscard]] Token command(std::size_t begin);
   [[nodiscard]] Token cut(Token::Kind kind, std::size_t begin) const;
   void skip_digits();
   void refuse_decimal(const Token& t) const;
@@ -49,8 +56,22 @@ private:
 };
 
 /// An equation or a formula from its tokens.  Throws InputError.
-[[nodiscard]] Expression parse_tokens(Tokens tokens, const ParseLimits& limits);
+[[nodiscard]] Expression parse_tokens(Tokens tokens, const ParseLimits& limits,
+                                      bool allow_equation = true);
 
+/// Tokens and the texts of those that stand in no text.
+struct TokenList {
+  std::vector<Token> tokens;
+  std::deque<std::string> texts;
+};
+/// The notations of other programs as ours (notations.hpp); the last token is Kind::end.
+[[nodiscard]] TokenList translated(std::vector<Token> tokens, std::string_view text,
+                                   const OriginPtr& origin);
+/// The same of a text, as parse_ode has it.
+[[nodiscard]] TokenList translated(std::string_view text, const OriginPtr& origin);
+
+/// 0.5 -> 1/2, 2.50e-3 -> 1/400; nothing where the fraction would be absurdly long.
+[[nodiscard]] std::string exact_fraction(std::string_view decimal);
 [[nodiscard]] Span make_span(std::size_t begin, std::size_t end);
 /// 'text', cut after 40 bytes.
 [[nodiscard]] std::string quoted(std::string_view s);

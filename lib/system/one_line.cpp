@@ -151,6 +151,23 @@ void guess_coordinates(const Expression& e, const Guess& guess, const Names& nam
                         "coordinates: --coordinates x,y");
 }
 
+// xy is no parameter beside x and y: a product, whose sign is missing.
+void refuse_run_together(const Expression& e, const std::string& name, const Letters& letters) {
+  Names known = letters.coordinates;
+  known.insert(known.end(), letters.rates.begin(), letters.rates.end());
+  std::string rest = name, product;
+  while (!rest.empty()) {
+    std::string longest;
+    for (const std::string& letter : known)
+      if (rest.starts_with(letter) && letter.size() > longest.size()) longest = letter;
+    if (longest.empty()) return;
+    product += (product.empty() ? "" : "*") + longest;
+    rest.erase(0, longest.size());
+  }
+  throw e.error("is " + name + " one name, or " + product + "?",
+                "write " + product + "; one name: --parameters " + name + ",...");
+}
+
 void settle_parameters(const Expression& e, const Names& names, Letters& letters) {
   const bool given = !letters.parameters.empty();
   for (const std::string& name : names) {
@@ -163,6 +180,7 @@ void settle_parameters(const Expression& e, const Names& names, Letters& letters
       throw e.error("t is the time or a parameter: which?",
                     "a parameter: --parameters t,...; the time: make it a coordinate, with the "
                     "energy as its momentum (H + p_t, --coordinates t,...)");
+    refuse_run_together(e, name, letters);
     letters.parameters.push_back(name);
   }
 }

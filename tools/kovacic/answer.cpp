@@ -165,6 +165,8 @@ private:
       say(message(tag_undecided, {{"id", id}}));
     });
     id_ = question.id;
+    read_as_ = question.read_as;
+    notes_ = question.notes;
     check_names(question.text);
     check_assumptions(question.text);
     try {
@@ -172,12 +174,19 @@ private:
     } catch (const FreeParameters&) {
       const Json known = symbolic_json(question.text, settings_.solver_options().budget);
       open_ = unread_result(id_);
+      put_reading(open_);
       open_["recognized"] = known;
       if (auto answer = by_strata(question, known)) return *std::move(answer);
       if (!decide_for_all(open_)) return undecided("parameter", no_strata_);
       open_["seconds"] = seconds_since(start_);
       return message(tag_decided, open_);
     }
+  }
+
+  // How pasted text was understood.
+  void put_reading(Json& result) const {
+    if (!read_as_.empty()) result["read_as"] = read_as_;
+    if (!notes_.empty()) result["notes"] = notes_;
   }
 
   void say(std::string early) {
@@ -196,6 +205,7 @@ private:
     options.variable = equation.variable;
     options.ask_the_judge = !settings_.in_a_batch && is_small(equation.normal_form.r);
     open_ = open_result(id_, equation);
+    put_reading(open_);
     if (equation.form != GivenEquation::Form::r) put_original_form(open_, equation, options.budget);
     gauge_ = equation.p * RationalFunction(Rational(-1, 2));
     const NormalForm here = moved(equation.normal_form, options);
@@ -304,6 +314,7 @@ private:
       limits.decide.variable = f.variable;
       const strata::StrataAnswer answer = strata::decide_strata(f.question, limits);
       result = family_result(id_, f, answer);
+      put_reading(result);
       result["recognized"] = known;
       if (limits.decide.want_certificate && answer.tree) {
         say(message(tag_of_family(result), result));
@@ -369,6 +380,7 @@ private:
   std::string undecided(const std::string& why, const std::string& detail) {
     if (has_proved()) return stopped(said_, {why, detail}, seconds_since(start_), settings_);
     Json result = open_.is_null() ? unread_result(id_) : open_;
+    put_reading(result);
     set_undecided(result, why, detail);
     if (const Json& known = result.at("recognized"); !known.is_null())
       result["reason"] = detail + "; " + recognized_text(known);
@@ -388,6 +400,7 @@ private:
   const Worker::Early& early_;
   Clock::time_point start_ = Clock::now();
   Json id_;
+  std::vector<std::string> read_as_, notes_;
   Json open_;
   RationalFunction gauge_; // -p/2 of the given equation
   std::string said_;       // the last early message

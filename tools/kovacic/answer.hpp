@@ -16,8 +16,11 @@ namespace kov::cli {
 /// What the child reads a job into.
 struct Question {
   EquationText text;
-  Json id;                          ///< null, or what names the equation in the answer
-  std::vector<std::string> ignored; ///< assumptions that were not understood
+  Json id;                               ///< null, or what names the equation in the answer
+  std::vector<std::string> ignored;      ///< assumptions that were not understood
+  std::vector<std::string> read_as;      ///< of the command line: what was read in another way
+  std::vector<std::string> notes;        ///< and how
+  std::optional<std::string> right_side; ///< of the given equation: what is decided is homogeneous
 };
 
 struct Answer {

@@ -12,9 +12,9 @@
 #include "monodromy/elliptic_time.hpp"
 #include "monodromy/stokes.hpp"
 #include "monodromy/words.hpp"
+#include "pasted_question.hpp"
 #include "render.hpp"
 #include "report/loops_picture.hpp"
-#include "symbol/notations.hpp"
 #include "symbol/rational_form.hpp"
 
 #include <chrono>
@@ -28,22 +28,13 @@ namespace mo = kov::monodromy;
 
 constexpr long most_digits = 100000;
 
-std::optional<Expression> formula(const std::string& option, const std::optional<std::string>& text,
-                                  bool equation = false) {
-  if (!text) return std::nullopt;
-  return equation ? parse_ode(*text, option) : parse_expression(*text, option);
-}
-
 GivenEquation given(const Settings& settings, const MonodromyArguments& a) {
   EquationText text;
-  text.r = formula("-r", a.r);
-  text.ode = formula("-e", a.ode, true);
-  text.p = formula("--p", a.p);
-  text.q = formula("--q", a.q);
-  text.minpoly = formula("--minpoly", a.minpoly);
   text.variable = a.variable;
   text.set = settings.settings();
-  return read_equation(text, settings.solver_options().budget);
+  const PastedQuestion pasted = read_options({a.r, a.ode, a.p, a.q, a.minpoly}, std::move(text));
+  tell(pasted);
+  return read_equation(pasted.text, settings.solver_options().budget);
 }
 
 // A base point: a Gaussian number whose denominators are powers of two.

@@ -2,6 +2,7 @@
 
 #include "system/one_line.hpp"
 #include "commands.hpp"
+#include "symbol/pasted.hpp"
 
 #include <cstdio>
 
@@ -12,11 +13,20 @@ std::string take_one_line(Settings& settings, const OneLineArguments& arguments)
   const std::string name = hamiltonian ? "-H" : "-L";
   if (hamiltonian && !arguments.lagrangian.empty())
     throw InputError("-L", 0, 0, 1, "H and L are both given", "leave one of them out");
-  const std::string& formula = hamiltonian ? arguments.hamiltonian : arguments.lagrangian;
+  std::vector<std::string> declared = arguments.parameters;
+  for (const auto* list : {&arguments.coordinates, &arguments.rates})
+    declared.insert(declared.end(), list->begin(), list->end());
+  const Pasted pasted = pasted_formula(hamiltonian ? arguments.hamiltonian : arguments.lagrangian,
+                                       name, {declared, ""});
+  const std::string& formula = pasted.text;
   const Mechanics kind = hamiltonian ? Mechanics::hamiltonian : Mechanics::lagrangian;
   const Letters letters = letters_of(
       formula, kind, {arguments.coordinates, arguments.rates, arguments.parameters}, name);
   settings.given = system_text(formula, kind, letters);
+  for (const std::string& note : pasted.notes)
+    std::fprintf(stderr, "kovacic: %s\n", printable(note).c_str());
+  if (!pasted.as_written)
+    std::fprintf(stderr, "kovacic: %s read as %s\n", name.c_str(), printable(formula).c_str());
   if (!settings.quiet)
     std::fprintf(stderr, "kovacic: %s read with %s\n", name.c_str(),
                  in_words(letters, kind).c_str());

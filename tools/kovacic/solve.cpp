@@ -4,27 +4,28 @@
 #include "commands.hpp"
 #include "equation/assumptions.hpp"
 #include "equation/equation_file.hpp"
+#include "pasted_question.hpp"
 #include "present.hpp"
-#include "symbol/notations.hpp"
 
 #include <algorithm>
 
 namespace kov::cli {
 namespace {
 
-std::optional<Expression> formula(const std::string& option, const std::optional<std::string>& text,
-                                  bool equation = false) {
-  if (!text) return std::nullopt;
-  return equation ? parse_ode(*text, option) : parse_expression(*text, option);
+std::vector<AssumedText> assumed(const SolveArguments& a) {
+  std::vector<AssumedText> all;
+  for (const std::string& text : a.assume)
+    all.push_back({text, origin_of_text("--assume", text), ""});
+  return all;
 }
 
 // The names in the assumptions that occur in the equation are parameters, unless they are its
 // variable.
 void add_assumptions(Question& q, const SolveArguments& a) {
   const auto names = settable_names(q.text);
-  for (const std::string& text : a.assume) {
-    q.text.assume.push_back({text, origin_of_text("--assume", text), ""});
-    for (const std::string& name : names_in_assumption(q.text.assume.back()))
+  for (const AssumedText& sentence : assumed(a)) {
+    q.text.assume.push_back(sentence);
+    for (const std::string& name : names_in_assumption(sentence))
       if (name != (q.text.variable.empty() ? "z" : q.text.variable) &&
           std::binary_search(names.begin(), names.end(), name))
         q.text.parameters.push_back(name);
@@ -32,15 +33,18 @@ void add_assumptions(Question& q, const SolveArguments& a) {
 }
 
 Question from_options(const Settings& settings, const SolveArguments& a) {
+  EquationText given;
+  given.variable = a.variable;
+  given.parameters = a.parameters;
+  given.set = settings.settings();
+  given.assume = assumed(a);
+  PastedQuestion pasted = read_options({a.r, a.ode, a.p, a.q, a.minpoly}, std::move(given));
   Question q;
-  q.text.r = formula("-r", a.r);
-  q.text.ode = formula("-e", a.ode, true);
-  q.text.p = formula("--p", a.p);
-  q.text.q = formula("--q", a.q);
-  q.text.minpoly = formula("--minpoly", a.minpoly);
-  q.text.variable = a.variable;
-  q.text.parameters = a.parameters;
-  q.text.set = settings.settings();
+  q.text = std::move(pasted.text);
+  q.text.assume.clear();
+  q.read_as = std::move(pasted.read_as);
+  q.notes = std::move(pasted.notes);
+  q.right_side = std::move(pasted.right_side);
   add_assumptions(q, a);
   return q;
 }
@@ -55,7 +59,7 @@ Question from_file(const Settings& settings, const SolveArguments& a, const Entr
   q.text.set = settings.settings();
   q.id = a.file;
   if (!a.variable.empty()) q.text.variable = a.variable;
-  if (a.minpoly) q.text.minpoly = formula("--minpoly", a.minpoly);
+  if (a.minpoly) q.text.minpoly = parse_expression(*a.minpoly, "--minpoly");
   add_assumptions(q, a);
   return q;
 }

@@ -6,10 +6,10 @@
 #include "equation/parametric_equation.hpp"
 #include "galois/group.hpp"
 #include "mechanics.hpp"
+#include "pasted_question.hpp"
 #include "recognized.hpp"
 #include "render.hpp"
 #include "special/arithmetic.hpp"
-#include "symbol/notations.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -31,10 +31,13 @@ struct Asked {
 
 EquationText text_of(const Settings& settings, const SpectrumArguments& a) {
   EquationText text;
-  if (a.r) text.r = parse_expression(*a.r, "-r");
-  if (a.ode) text.ode = parse_ode(*a.ode, "-e");
   text.variable = a.variable;
+  text.parameters = {a.energy};
   text.set = settings.settings();
+  const PastedQuestion pasted = read_options({a.r, a.ode, {}, {}, {}}, std::move(text));
+  tell(pasted);
+  text = pasted.text;
+  text.parameters.clear();
   take_all_parameters(text);
   for (const std::string& sentence : a.assume)
     text.assume.push_back({sentence, origin_of_text("--assume", sentence), ""});

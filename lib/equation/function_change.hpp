@@ -1,0 +1,40 @@
+#pragma once
+// Coefficients in sin, cos, exp, tanh, ... of one argument, or in roots of one linear function: a variable in which
+// they are rational.
+//
+//   exp(m c x)                       t = exp(g x)
+//   sinh, cosh, tanh of m c x        t = exp(g x), or cosh(g x) where the equation does not change with x -> -x
+//   sin, cos, tan of m c x           t = tan(g x/2), or cos(g x) likewise
+//   (a x + b)^(k/n)                  t = (a x + b)^(1/n)
+//
+// t generates the field of the coefficients, or a field below it by two degrees, or above it by n: the identity
+// component of the group is the same, and so is whether there are Liouvillian solutions (docs/theory/mechanics.md (6)).
+
+#include "symbol/expression.hpp"
+
+#include <optional>
+#include <string>
+
+namespace kov {
+
+struct ChangedEquation {
+  std::string variable; ///< its letter
+  std::string p, q;     ///< y_tt + p y_t + q y = 0
+  std::string change;   ///< t = exp(x)
+};
+
+/// Nothing where the coefficients are rational functions of x already.
+/// Errors   InputError: functions of arguments that no such variable serves, x beside them
+/// Given    const auto changed = [](const char* ode) {
+///              return function_change(parse_expression(ode, "-e", true), "y", "x"); };
+/// Example  changed("y'' = exp(x)*y")->q  // -> -1/t
+/// Example  changed("y'' = cos(x)*y")->change  // -> t = cos(x)
+/// Example  changed("y'' = x*y").has_value()  // -> no
+/// Example  changed("y'' = x*exp(x)*y")  // -> throws InputError
+[[nodiscard]] std::optional<ChangedEquation>
+function_change(const Expression& ode, const std::string& unknown, const std::string& variable);
+
+/// Does a function of x, or a root, stand in it?
+[[nodiscard]] bool has_functions_of(const Expression& e, const std::string& variable);
+
+} // namespace kov

@@ -1,0 +1,222 @@
+#include "equation/understood.hpp"
+
+#include "equation/assumptions.hpp"
+#include "equation/function_change.hpp"
+#include "equation/linear_form.hpp"
+#include "equation/riccati_form.hpp"
+#include "symbol/operators.hpp"
+#include "symbol/pasted.hpp"
+#include "symbol/pasted_characters.hpp"
+#include "symbol/suggest.hpp"
+#include "symbol/written.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace kov {
+namespace {
+
+using Kind = Expression::Kind;
+using Names = std::vector<std::string>;
+
+constexpr std::size_t longest_operator = std::size_t{1} << 20;
+
+bool has(const Names& all, const std::string& one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+bool is_letters(const std::string& s) {
+  return std::all_of(s.begin(), s.end(),
+                     [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); });
+}
+
+/// One question on its way.
+class Way {
+public:
+  Way(Pasted pasted, const std::string& name, const EquationText& given)
+      : ode_(std::move(pasted.formula)), name_(name), declared_(declared_names(given)) {
+    result_.text = given;
+    if (!pasted.as_written) result_.read_as = pasted.text;
+    result_.notes = std::move(pasted.notes);
+    conditions(pasted.conditions);
+  }
+
+  Understood operator()() {
+    apply_operator();
+    if (!differentiates(ode_)) { // the reader says what is missing
+      result_.text.ode = ode_;
+      return std::move(result_);
+    }
+    const OdeNames names = ode_names(ode_);
+    unknown_ = names.unknown;
+    variable_ = result_.text.variable.empty() ? names.variable : result_.text.variable;
+    if (variable_.empty()) variable_ = only_free_name();
+    refuse_run_together();
+    riccati();
+    separate();
+    change();
+    if (!result_.text.p) result_.text.ode = ode_;
+    return std::move(result_);
+  }
+
+private:
+  void replace(const std::string& text) {
+    const OriginPtr origin = origin_of_text(name_, text);
+    ode_ = parse_expression(origin->text, origin, true);
+  }
+  void note(std::string words) { result_.notes.push_back(std::move(words)); }
+
+  void conditions(const std::vector<Expression>& all) {
+    std::string list;
+    for (const Expression& e : all)
+      list += (list.empty() ? "" : ", ") + written(e);
+    if (!list.empty())
+      note("the answer is about all solutions; " + list + " chooses " +
+           (all.size() > 1 ? "one of them" : "some of them"));
+  }
+
+  [[nodiscard]] Names free_names(const Expression& e, const std::string& but) const {
+    Names free;
+    for (const std::string& name : names_in(e))
+      if (name != "I" && name != but && !has(declared_, name)) free.push_back(name);
+    return free;
+  }
+
+  // "": z, or several
+  [[nodiscard]] std::string only_free_name() const {
+    const Names free = free_names(ode_, unknown_);
+    if (free.size() == 1) return free.front();
+    return has(free, "z") || free.empty() ? "z" : "";
+  }
+
+  // Dx of any formula; D and theta where nothing else is differentiated.
+  void apply_operator() {
+    if (differentiates(ode_)) return;
+    auto d = derivation_in(ode_);
+    for (const char* name : {"D", "theta"})
+      if (!d && has(names_in(ode_), name) && !has(declared_, name))
+        d = Derivation{name, result_.text.variable, std::string(name) == "theta"};
+    if (!d) return;
+    if (d->euler && d->variable.empty()) d->variable = variable_of_euler(d->name);
+    ode_ = applied(ode_, *d, longest_operator);
+    if (d->name == "D" || d->euler)
+      note(d->name + " is " + (d->euler ? d->variable + " times " : "") + "the derivative");
+    result_.text.variable = d->variable;
+  }
+
+  [[nodiscard]] std::string variable_of_euler(const std::string& theta) const {
+    Names free = free_names(ode_, theta);
+    std::erase_if(free, [](const std::string& n) { return n == "y" || n == "u" || n == "w"; });
+    if (free.size() == 1) return free.front();
+    if (free.empty() || has(free, "z")) return "z";
+    throw ode_.error("which of " + enumerate(free) + " is the variable?",
+                     "name it: --variable " + free.front() +
+                         "; the others are parameters: --parameter NAME");
+  }
+
+  // xy, axy: y belongs to no other name.  ax alone would be taken for the variable.
+  void refuse_run_together() const {
+    for (const std::string& name : free_names(ode_, unknown_)) {
+      if (name.size() < 2 || !is_letters(name) || is_greek(name)) continue;
+      const bool ends =
+          unknown_.size() == 1 && (name.front() == unknown_[0] || name.back() == unknown_[0]);
+      const bool explicitly = name == result_.text.variable || name == ode_names(ode_).variable;
+      if (!ends && (explicitly || name != variable_)) continue;
+      std::string product;
+      for (const char c : name)
+        product += (product.empty() ? "" : "*") + std::string(1, c);
+      throw ode_.error("is " + name + " one name, or " + product + "?",
+                       "write " + product +
+                           (ends ? "; one name: --parameter " : "; one name: --variable ") + name);
+    }
+  }
+
+  void riccati() {
+    const auto form = riccati_form(ode_, unknown_, variable_);
+    if (!form) return;
+    if (result_.read_as.empty()) result_.read_as = written(ode_);
+    note("a Riccati equation: " + form->substitution + ", and " + form->linear);
+    unknown_ = form->unknown;
+    replace(form->linear);
+    result_.text.variable = variable_;
+  }
+
+  // Terms without y go to the right side.
+  void separate() {
+    std::vector<SignedTerm> left, right;
+    for (const SignedTerm& t : terms_of(ode_)) {
+      if (divides_by_unknown(t.term)) return;
+      const bool zero = t.term.kind() == Kind::number && is_zero(t.term.number());
+      if (mentions_name(t.term, unknown_))
+        left.push_back(t);
+      else if (!zero)
+        right.push_back({!t.minus, t.term});
+    }
+    if (right.empty() || left.empty()) return;
+    if (result_.text.variable.empty()) {
+      if (variable_.empty()) throw which_variable();
+      result_.text.variable = variable_;
+    }
+    if (result_.read_as.empty()) result_.read_as = written(ode_);
+    result_.right_side = sum_of(right);
+    replace(sum_of(left) + " = 0");
+    note("decided is the homogeneous equation " + written(ode_) + "; the right side is " +
+         *result_.right_side);
+  }
+  [[nodiscard]] bool divides_by_unknown(const Expression& e) const {
+    if (e.kind() == Kind::quotient && mentions_name(e.operand(1), unknown_)) return true;
+    return std::any_of(e.operands().begin(), e.operands().end(),
+                       [&](const Expression& x) { return divides_by_unknown(x); });
+  }
+  [[nodiscard]] InputError which_variable() const {
+    const Names free = free_names(ode_, unknown_);
+    std::string flags;
+    for (const std::string& n : free)
+      if (n != "x" && n != "t") flags += " --parameter " + n;
+    return ode_.error("which of " + enumerate(free) + " is the variable?",
+                      "name it with --variable, the others with --parameter:" + flags);
+  }
+
+  void change() {
+    if (variable_.empty()) {
+      const Names free = free_names(ode_, unknown_);
+      const bool any = std::any_of(free.begin(), free.end(),
+                                   [&](const std::string& x) { return has_functions_of(ode_, x); });
+      if (any) throw which_variable();
+      return;
+    }
+    const auto changed = function_change(ode_, unknown_, variable_);
+    if (!changed) return;
+    if (result_.read_as.empty()) result_.read_as = written(ode_);
+    note("in the variable " + changed->change + " the coefficients are rational");
+    result_.text.p = parse_expression(changed->p, name_ + " in " + changed->variable);
+    result_.text.q = parse_expression(changed->q, name_ + " in " + changed->variable);
+    result_.text.variable = changed->variable;
+  }
+
+  Expression ode_;
+  std::string name_;
+  Names declared_;
+  std::string unknown_, variable_;
+  Understood result_;
+};
+
+} // namespace
+
+std::vector<std::string> declared_names(const EquationText& given) {
+  Names names = given.parameters;
+  for (const auto& [name, value] : given.set)
+    names.push_back(name);
+  if (given.minpoly)
+    for (const std::string& name : names_in(*given.minpoly))
+      names.push_back(name);
+  for (const AssumedText& sentence : given.assume)
+    for (const std::string& name : names_in_assumption(sentence))
+      if (name != given.variable) names.push_back(name);
+  return names;
+}
+
+Understood understood(const std::string& ode, const std::string& name, const EquationText& given) {
+  return Way(pasted_equation(ode, name, {declared_names(given), given.variable}), name, given)();
+}
+
+} // namespace kov

@@ -1,0 +1,41 @@
+#pragma once
+// From an equation as it was pasted (symbol/pasted.hpp) to a linear homogeneous one with rational coefficients:
+//
+//   operators       D^2 - x, theta^2 + x
+//   a right side    y'' + y = sin(x): the homogeneous equation is kept, sin(x) stands beside it
+//   Riccati         y' = a y^2 + b y + c with y = -u'/(a u)
+//   functions       sin(x), exp(2 x), tanh(x), sqrt(x) in the coefficients: another variable (function_change.hpp)
+//
+// Every step is told.
+
+#include "equation/read_equation.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kov {
+
+struct Understood {
+  EquationText text;                     ///< ode, or p and q in another variable
+  std::string read_as;                   ///< "": as it was written
+  std::vector<std::string> notes;        ///< sentences
+  std::optional<std::string> right_side; ///< y'' + p y' + q y = this
+};
+
+/// `given` has the parameters, values and the variable, as far as they are known.
+/// Errors   InputError, also for what could be meant in two ways
+/// Given    const EquationText no_names;
+/// Given    const Understood airy = understood("y'' = x y", "-e", no_names);
+/// Given    const Understood riccati = understood("y' = y^2 + x", "-e", no_names);
+/// Example  airy.read_as  // -> y'' = x*y
+/// Example  riccati.read_as  // -> y' = y^2 + x
+/// Example  read_equation(riccati.text).normal_form.r  // -> -z
+/// Example  understood("y'' = xy", "-e", no_names).read_as  // -> throws InputError
+[[nodiscard]] Understood understood(const std::string& ode, const std::string& name,
+                                    const EquationText& given);
+
+/// The names that were given a meaning.
+[[nodiscard]] std::vector<std::string> declared_names(const EquationText& given);
+
+} // namespace kov

@@ -1,0 +1,365 @@
+#include "symbol/pasted.hpp"
+
+#include "symbol/pasted_characters.hpp"
+#include "symbol/pasted_passes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace kov {
+
+bool PastedNames::has(std::string_view name) const {
+  return name == variable || std::find(declared.begin(), declared.end(), name) != declared.end();
+}
+
+void Pasting::note(std::string words) {
+  if (std::find(notes.begin(), notes.end(), words) == notes.end())
+    notes.push_back(std::move(words));
+}
+
+void Pasting::stop_at_errors() const {
+  if (errors.empty()) return;
+  const InputError& first = errors.front();
+  std::string hint = first.hint();
+  for (std::size_t i = 1; i < errors.size(); ++i) {
+    const InputError& e = errors[i];
+    hint += (hint.empty() ? "" : "; ") + std::string("also at column ") +
+            std::to_string(e.column()) + ": " + e.message() +
+            (e.hint().empty() || e.hint() == first.hint() ? "" : ": " + e.hint());
+  }
+  throw InputError(first.file(), first.line(), first.column(), first.length(), first.message(),
+                   hint, first.source_line());
+}
+
+std::size_t closing_of(const std::vector<Token>& tokens, std::size_t open) {
+  long depth = 0;
+  for (std::size_t i = open; i < tokens.size(); ++i) {
+    depth += opens(tokens[i]) - closes(tokens[i]);
+    if (depth == 0) return i;
+  }
+  return tokens.size() - 1;
+}
+
+namespace {
+
+using Kind = Token::Kind;
+using List = std::vector<Token>;
+
+constexpr std::size_t longest = std::size_t{1} << 20; // bytes; more is nothing that a person pastes
+
+// The words of the text, with places in it as it was written.
+List words(const PlainCharacters& plain, const OriginPtr& origin) {
+  Tokens cut(plain.text, origin);
+  cut.foreign_signs = cut.pasted_signs = true;
+  cut.decimals_allowed = 1;
+  List all;
+  std::size_t end = 0;
+  for (;;) {
+    Token t = cut.next();
+    const std::size_t begin = t.span.offset;
+    t.after_blank = begin > end;
+    end = begin + t.span.length;
+    t.span = make_span(plain.from[begin], std::max(plain.from[end], plain.from[begin]));
+    all.push_back(t);
+    if (t.kind == Kind::end) return all;
+  }
+}
+
+bool is_solver(const Token& t) {
+  static constexpr std::array<std::string_view, 7> solvers{
+      "dsolve", "DSolve", "desolve", "ode2", "contrib_ode", "kovacicsols", "DSolveValue"};
+  return t.kind == Kind::name && std::find(solvers.begin(), solvers.end(), t.text) != solvers.end();
+}
+
+/// One question as tokens: the equation, and what stands beside it.
+struct Pieces {
+  std::vector<List> formulas; // without end
+  std::vector<List> ignored;  // options of a solver that restrict the solutions
+  std::string variable;       // of a list of coefficients
+};
+
+class Cutting {
+public:
+  Cutting(List all, Pasting& p) : all_(std::move(all)), p_(p) {
+    end_ = all_.back();
+    all_.pop_back();
+  }
+
+  Pieces operator()() {
+    while (!all_.empty() && (all_.back().is(";") || all_.back().is("$") || all_.back().is(".")))
+      all_.pop_back();
+    drop_assignment();
+    if (!take_solver())
+      for (const List& piece : split(all_, ",;"))
+        take(piece);
+    for (List& piece : result_.formulas)
+      piece.push_back(end_);
+    return std::move(result_);
+  }
+
+private:
+  [[nodiscard]] const Token& token(std::size_t i) const { return i < all_.size() ? all_[i] : end_; }
+
+  // ode := ..., ode: ..., ode = Eq(...)
+  void drop_assignment() {
+    if (token(0).kind != Kind::name) return;
+    std::size_t begin = 0;
+    if (token(1).is(":")) begin = token(2).is("=") ? 3 : 2;
+    const bool call = token(2).kind == Kind::name && token(3).is("(");
+    if (token(1).is("=") && call && (is_solver(token(2)) || token(2).text == "Eq")) begin = 2;
+    if (begin == 0) return;
+    all_.erase(all_.begin(), all_.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+
+  static std::vector<List> split(const List& all, std::string_view at) {
+    std::vector<List> parts(1);
+    long depth = 0;
+    for (const Token& t : all) {
+      depth += opens(t) - closes(t);
+      const bool here =
+          depth == 0 && t.kind == Kind::sign && at.find(t.text) != std::string_view::npos;
+      if (here)
+        parts.emplace_back();
+      else
+        parts.back().push_back(t);
+    }
+    std::erase_if(parts, [](const List& part) { return part.empty(); });
+    return parts;
+  }
+
+  // {a, b}: both
+  void take(const List& piece) {
+    const bool set = piece.front().is("{") && closing_of(piece, 0) + 1 == piece.size();
+    if (!set) return result_.formulas.push_back(piece);
+    for (const List& part : split({piece.begin() + 1, piece.end() - 1}, ","))
+      take(part);
+  }
+
+  bool take_solver() {
+    const bool in_package = token(1).is("[") && is_solver(token(2)) && token(3).is("]");
+    const std::size_t open = in_package ? 4 : 1;
+    if (!in_package && !is_solver(token(0))) return false;
+    if (!opens(token(open)) || closing_of(all_, open) + 1 != all_.size()) return false;
+    const auto begin = all_.begin() + static_cast<std::ptrdiff_t>(open) + 1;
+    const std::vector<List> arguments = split({begin, all_.end() - 1}, ",");
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      if (i == 0)
+        take_first(arguments[0]);
+      else
+        take_option(arguments[i]);
+    return !result_.formulas.empty();
+  }
+
+  // [equation, y(0) = 1], but a list of coefficients is one formula
+  void take_first(const List& piece) {
+    const bool list = piece.front().is("[") && closing_of(piece, 0) + 1 == piece.size();
+    const bool equations = std::any_of(piece.begin(), piece.end(), [](const Token& t) {
+      return t.is("=") || t.is("'") || is_named(t, "diff");
+    });
+    if (!list || !equations) return take(piece);
+    for (const List& part : split({piece.begin() + 1, piece.end() - 1}, ","))
+      take(part);
+  }
+
+  // y(x), x, option = ...: nothing that restricts the solutions
+  void take_option(const List& piece) {
+    if (piece.size() == 1 && piece[0].kind == Kind::name) result_.variable = piece[0].text;
+    const bool named = piece.size() > 1 && piece[1].is("=") && !is_named(piece[0], "ics");
+    const bool numbers = std::any_of(piece.begin(), piece.end(), [](const Token& t) {
+      return t.kind == Kind::number || t.kind == Kind::decimal || t.is(":");
+    });
+    if (!named && numbers) result_.ignored.push_back(piece);
+  }
+
+  List all_;
+  Pasting& p_;
+  Token end_;
+  Pieces result_;
+};
+
+// [a, b, c]: a y + b y' + c y'', as DEtools has it.
+bool is_list(const List& piece) {
+  return piece.front().is("[") && closing_of(piece, 0) + 2 == piece.size();
+}
+
+List equation_of_list(const List& list, const std::string& variable, Pasting& p) {
+  const bool taken = p.names.has("y") || std::any_of(list.begin(), list.end(), [](const Token& t) {
+                       return is_named(t, "y");
+                     });
+  const std::string_view y = taken ? "u" : "y";
+  List out;
+  long order = 0, depth = 0;
+  const auto put = [&](const Token& at, Kind kind, std::string_view s) {
+    out.push_back(made(at, kind, s));
+    out.back().after_blank = false;
+  };
+  const auto end_term = [&](const Token& at) {
+    put(at, Kind::sign, ")");
+    put(at, Kind::sign, "*");
+    put(at, Kind::name, y);
+    for (long i = 0; i < order; ++i)
+      put(at, Kind::sign, "'");
+    if (!variable.empty()) {
+      put(at, Kind::sign, "(");
+      put(at, Kind::name, p.kept(variable));
+      put(at, Kind::sign, ")");
+    }
+    ++order;
+  };
+  put(list[0], Kind::sign, "(");
+  for (std::size_t i = 1; i + 2 < list.size(); ++i) {
+    depth += opens(list[i]) - closes(list[i]);
+    if (depth == 0 && list[i].is(",")) {
+      end_term(list[i]);
+      put(list[i], Kind::sign, "+");
+      put(list[i], Kind::sign, "(");
+    } else {
+      out.push_back(list[i]);
+    }
+  }
+  end_term(list[list.size() - 2]);
+  out.push_back(list.back());
+  p.note("the list has the coefficients of " + std::string(y) + ", " + std::string(y) + "', " +
+         std::string(y) + "'', the lowest derivative first");
+  return out;
+}
+
+void find_unknowns(const List& tokens, Pasting& p) {
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].kind != Kind::name) continue;
+    if (tokens[i + 1].is("'")) p.unknowns.emplace(tokens[i].text);
+    if (tokens[i].text == "diff" && i + 2 < tokens.size() && tokens[i + 2].kind == Kind::name &&
+        tokens[i + 2].text != "diff")
+      p.unknowns.emplace(tokens[i + 2].text);
+  }
+}
+
+struct Read {
+  Expression formula;
+  std::string text;
+};
+
+class Reading {
+public:
+  Reading(const std::string& text, const std::string& name, const PastedNames& names)
+      : origin_(origin_of_text(name, text)), p_{.text = origin_->text,
+                                                .origin = origin_,
+                                                .names = names} {
+    if (text.size() > longest)
+      throw InputError(*origin_, Span{0, 1},
+                       "a text of " + std::to_string(text.size()) + " bytes is too long here",
+                       "write it into a file");
+    plain_ = plain_characters(p_.text, origin_, p_.errors);
+    p_.stop_at_errors();
+    words_ = without_latex(words(plain_, origin_), p_);
+    p_.stop_at_errors();
+  }
+
+  Pasted formula() {
+    refuse_pasted_signs(words_);
+    List tokens = plain(words_);
+    p_.stop_at_errors();
+    return finished(parsed(std::move(tokens), false), {});
+  }
+
+  Pasted equation() {
+    List tokens = without_quotients_of_d(std::move(words_), p_);
+    Pieces pieces = Cutting(std::move(tokens), p_)();
+    if (pieces.formulas.empty()) throw at_end("a formula is missing");
+    for (List& piece : pieces.formulas) {
+      if (is_list(piece)) piece = equation_of_list(piece, pieces.variable, p_);
+      translations_.push_back(translated(std::move(piece), p_.text, origin_));
+      find_unknowns(translations_.back().tokens, p_);
+    }
+    std::vector<List> plain_pieces;
+    for (const TokenList& t : translations_) {
+      refuse_pasted_signs(t.tokens);
+      plain_pieces.push_back(plain(t.tokens));
+    }
+    p_.stop_at_errors();
+    Read first = parsed(std::move(plain_pieces.front()), true);
+    std::vector<Expression> conditions;
+    for (std::size_t i = 1; i < plain_pieces.size(); ++i)
+      conditions.push_back(condition(parsed(std::move(plain_pieces[i]), true), first));
+    for (const List& ignored : pieces.ignored)
+      p_.note("not used: " + text_of(ignored));
+    return finished(std::move(first), std::move(conditions));
+  }
+
+private:
+  [[nodiscard]] InputError at_end(const std::string& message) const {
+    return {*origin_, make_span(0, 1), message};
+  }
+
+  List plain(const List& tokens) { return with_products(with_plain_functions(tokens, p_), p_); }
+
+  Read parsed(List tokens, bool equation) {
+    std::string text = text_of(tokens);
+    Expression e =
+        parse_tokens(Tokens(p_.text, origin_, std::move(tokens)), ParseLimits{}, equation);
+    return {std::move(e), std::move(text)};
+  }
+
+  void refuse_pasted_signs(const List& tokens) {
+    for (const Token& t : tokens)
+      if (t.kind == Kind::sign &&
+          std::string_view(":&~@$%.;").find(t.text) != std::string_view::npos)
+        p_.refuse(t.span, "unexpected " + quoted(t.text));
+      else if (t.is("[") || t.is("]") || t.is("{") || t.is("}"))
+        p_.refuse(t.span, "unexpected character " + quoted(t.text), "use parentheses ( )");
+  }
+
+  // y(0) = 1, y'(0) = a: the unknown at a point.
+  [[nodiscard]] Expression condition(const Read& piece, const Read& equation) const {
+    const Expression& e = piece.formula;
+    const auto refuse = [&] {
+      return e.error("this is neither an equation for the unknown function nor a value of it",
+                     "one equation is expected, and values like y(0) = 1 behind commas");
+    };
+    if (e.kind() != Expression::Kind::equation) throw refuse();
+    Expression left = e.operand(0);
+    if (left.kind() == Expression::Kind::derivative) left = left.operand(0);
+    if (left.kind() != Expression::Kind::call || !p_.unknowns.contains(left.name()) ||
+        left.operands().size() != 1)
+      throw refuse();
+    const std::string call = left.name() + "(" + std::string(left.operand(0).text()) + ")";
+    if (equation.text.find(call) != std::string::npos) throw refuse();
+    return e;
+  }
+
+  Pasted finished(Read first, std::vector<Expression> conditions) {
+    return {.formula = std::move(first.formula),
+            .text = first.text,
+            .as_written = conditions.empty() && p_.notes.empty() && is_strict(first.text),
+            .notes = std::move(p_.notes),
+            .conditions = std::move(conditions)};
+  }
+
+  // Would the strict reader see the same?
+  [[nodiscard]] bool is_strict(const std::string& understood) const {
+    try {
+      return text_of(translated(p_.text, origin_).tokens) == understood;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  OriginPtr origin_;
+  Pasting p_;
+  PlainCharacters plain_;
+  List words_;
+  std::vector<TokenList> translations_;
+};
+
+} // namespace
+
+Pasted pasted_formula(std::string text, const std::string& name, const PastedNames& names) {
+  return Reading(text, name, names).formula();
+}
+
+Pasted pasted_equation(std::string text, const std::string& name, const PastedNames& names) {
+  return Reading(text, name, names).equation();
+}
+
+} // namespace kov

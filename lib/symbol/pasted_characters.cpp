@@ -1,0 +1,216 @@
+#include "symbol/pasted_characters.hpp"
+
+#include "symbol/tokens.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace kov {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+struct Written {
+  std::string_view bytes;
+  std::string_view plain;
+};
+
+constexpr std::array signs{
+    Written{"\u2032", "'"},     Written{"\u2019", "'"},      Written{"\u00b4", "'"},
+    Written{"\u2033", "''"},    Written{"\u201d", "''"},     Written{"\u2034", "'''"},
+    Written{"\u2057", "''''"},  Written{"\"", "''"},         Written{"\u2212", "-"},
+    Written{"\u2013", "-"},     Written{"\u2014", "-"},      Written{"\ufe63", "-"},
+    Written{"\u00b7", "*"},     Written{"\u00d7", "*"},      Written{"\u22c5", "*"},
+    Written{"\u2219", "*"},     Written{"\u2022", "*"},      Written{"\u2217", "*"},
+    Written{"\u00f7", "/"},     Written{"\u2044", "/"},      Written{"\u2215", "/"},
+    Written{"\u2254", ":="},    Written{"\uff1d", "="},      Written{"\u00bd", "(1/2)"},
+    Written{"\u00bc", "(1/4)"}, Written{"\u00be", "(3/4)"},  Written{"\u2153", "(1/3)"},
+    Written{"\u2154", "(2/3)"}, Written{"\u221a", "\\sqrt "}};
+
+// Blanks of every width, and what is not seen at all.
+constexpr std::array<std::string_view, 10> blanks{"\u00a0", "\u2002", "\u2003", "\u2005", "\u2009",
+                                                  "\u200a", "\u202f", "\u200b", "\u2061", "\u2062"};
+
+constexpr std::array superscripts{
+    Written{"\u2070", "0"}, Written{"\u00b9", "1"}, Written{"\u00b2", "2"}, Written{"\u00b3", "3"},
+    Written{"\u2074", "4"}, Written{"\u2075", "5"}, Written{"\u2076", "6"}, Written{"\u2077", "7"},
+    Written{"\u2078", "8"}, Written{"\u2079", "9"}, Written{"\u207b", "-"}, Written{"\u207a", "+"},
+    Written{"\u207f", "n"}, Written{"\u02e3", "x"}};
+
+// Letters with dots above: a derivative by the time.
+constexpr std::array dotted{Written{"\u1e8b", "x'"}, Written{"\u1e8d", "x''"},
+                            Written{"\u1e8f", "y'"}, Written{"\u00ff", "y''"},
+                            Written{"\u017c", "z'"}, Written{"\u0307", "'"},
+                            Written{"\u0308", "''"}};
+
+constexpr std::array<std::string_view, 24> greek{
+    "alpha", "beta",  "gamma",  "delta",   "epsilon", "zeta", "eta",     "theta",
+    "iota",  "kappa", "lambda", "mu",      "nu",      "xi",   "omicron", "pi",
+    "rho",   "sigma", "tau",    "upsilon", "phi",     "chi",  "psi",     "omega"};
+
+template <class List> std::optional<Written> found_in(const List& list, std::string_view rest) {
+  for (const Written& w : list)
+    if (rest.starts_with(w.bytes)) return w;
+  return std::nullopt;
+}
+
+// U+0391 to U+03A9 and U+03B1 to U+03C9 (a final sigma is one), and the curly forms of three.
+std::string greek_letter(std::string_view rest) {
+  for (const Written& curly : {Written{"\u03d1", "theta"}, Written{"\u03d5", "phi"},
+                               Written{"\u03f5", "epsilon"}, Written{"\u00b5", "mu"}})
+    if (rest.starts_with(curly.bytes)) return std::string(curly.plain);
+  if (rest.size() < 2) return {};
+  const auto a = static_cast<unsigned char>(rest[0]), b = static_cast<unsigned char>(rest[1]);
+  if ((a != 0xCE && a != 0xCF) || (b & 0xC0U) != 0x80) return {};
+  const unsigned code = (a & 0x1FU) << 6 | (b & 0x3FU);
+  const bool capital = code >= 0x391 && code <= 0x3A9, small = code >= 0x3B1 && code <= 0x3C9;
+  if (!capital && !small) return {};
+  unsigned index = code - (capital ? 0x391 : 0x3B1);
+  if (index == 17 && capital) return {};
+  if (index >= 17) --index;
+  std::string name(greek.at(index));
+  if (capital) name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+std::size_t character_length(std::string_view rest) {
+  const auto byte = static_cast<unsigned char>(rest[0]);
+  std::size_t n = 1;
+  while (byte >= 0xC0 && n < std::min<std::size_t>(4, rest.size()) &&
+         (static_cast<unsigned char>(rest[n]) & 0xC0U) == 0x80)
+    ++n;
+  return n;
+}
+
+class Rewriting {
+public:
+  Rewriting(std::string_view text, const OriginPtr& origin, std::vector<InputError>& errors)
+      : text_(text), origin_(origin), errors_(errors) {}
+
+  PlainCharacters operator()() {
+    while (at_ < text_.size())
+      step();
+    out_.from.push_back(static_cast<std::uint32_t>(text_.size()));
+    return std::move(out_);
+  }
+
+private:
+  [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
+
+  void emit(std::string_view plain) {
+    out_.text += plain;
+    out_.from.resize(out_.text.size(), static_cast<std::uint32_t>(at_));
+  }
+  void take(const Written& w) {
+    emit(w.plain);
+    at_ += w.bytes.size();
+  }
+
+  void step() {
+    const char c = text_[at_];
+    if (c == '\\') return command();
+    if (static_cast<unsigned char>(c) < 0x80 && c != '"') return ascii(c);
+    if (const auto w = found_in(signs, rest())) return take(*w);
+    if (const auto w = found_in(dotted, rest())) return take(*w);
+    for (const std::string_view blank : blanks)
+      if (rest().starts_with(blank)) return take({blank, " "});
+    if (found_in(superscripts, rest())) return superscript();
+    if (const std::string name = greek_letter(rest()); !name.empty()) return letter(name);
+    if (rest().starts_with("\xe2\x82") && rest().size() > 2) return subscript();
+    strange();
+  }
+
+  void ascii(char c) {
+    const bool visible = c > 0x20 && c < 0x7f;
+    const bool blank = c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    if (!blank && (!visible || std::string_view("!?#`|<>").find(c) != std::string_view::npos))
+      return strange();
+    emit(std::string_view(&text_[at_], 1));
+    ++at_;
+  }
+
+  // \name and a blank, so that \frac12 has two words; an index belongs to its name.
+  void command() {
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && is_letter(text_[end]))
+      ++end;
+    if (end == at_ + 1) end = std::min(end + 1, text_.size());
+    for (std::size_t i = at_; i < end; ++i) {
+      out_.text += text_[i];
+      out_.from.push_back(static_cast<std::uint32_t>(i));
+    }
+    at_ = end;
+    if (at_ >= text_.size() || text_[at_] != '_') emit(" ");
+  }
+
+  // A Greek letter is a name by itself, with the index that follows.
+  void letter(const std::string& name) {
+    if (!out_.text.empty() && (is_letter(out_.text.back()) || is_digit(out_.text.back())))
+      emit(" ");
+    emit(name);
+    at_ += character_length(rest());
+    const bool index = at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '_' ||
+                                              rest().starts_with("\xe2\x82"));
+    if (!index) emit(" ");
+  }
+
+  void superscript() {
+    std::string power;
+    std::size_t end = at_;
+    while (const auto w = found_in(superscripts, text_.substr(end))) {
+      power += w->plain;
+      end += w->bytes.size();
+    }
+    const bool simple = std::all_of(power.begin(), power.end(), is_digit) || power.size() == 1;
+    emit(simple ? "^" + power : "^(" + power + ")");
+    at_ = end;
+    if (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) emit(" ");
+  }
+
+  // U+2080 to U+2089
+  void subscript() {
+    const auto digit = static_cast<unsigned char>(rest()[2]);
+    if (digit < 0x80 || digit > 0x89) return strange();
+    emit(std::string(1, static_cast<char>('0' + (digit - 0x80))));
+    at_ += 3;
+    if (at_ < text_.size() && is_letter(text_[at_])) emit(" ");
+  }
+
+  void strange() {
+    const std::size_t n = character_length(rest());
+    const auto byte = static_cast<unsigned char>(text_[at_]);
+    constexpr std::string_view hex = "0123456789abcdef";
+    const bool shown = n > 1 || (byte > 0x20 && byte < 0x7f);
+    errors_.emplace_back(
+        *origin_, make_span(at_, at_ + n),
+        shown ? "unexpected character " + quoted(rest().substr(0, n))
+              : std::string("unexpected byte 0x") + hex[byte >> 4] + hex[byte & 15],
+        rest().starts_with("\u2202") ? "one variable is expected: write d^2y/dx^2 or y''" : "");
+    emit(" ");
+    at_ += n;
+  }
+
+  std::string_view text_;
+  const OriginPtr& origin_;
+  std::vector<InputError>& errors_;
+  PlainCharacters out_;
+  std::size_t at_ = 0;
+};
+
+} // namespace
+
+PlainCharacters plain_characters(std::string_view text, const OriginPtr& origin,
+                                 std::vector<InputError>& errors) {
+  return Rewriting(text, origin, errors)();
+}
+
+bool is_greek(std::string_view name) {
+  std::string small(name);
+  if (!small.empty() && small[0] >= 'A' && small[0] <= 'Z')
+    small[0] = static_cast<char>(small[0] - 'A' + 'a');
+  return std::find(greek.begin(), greek.end(), small) != greek.end();
+}
+
+} // namespace kov

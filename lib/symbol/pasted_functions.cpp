@@ -1,0 +1,275 @@
+// Decimals, e^x, RootOf, sin x: what is a number or a call, written in another way.
+
+#include "symbol/constants.hpp"
+#include "symbol/pasted_passes.hpp"
+#include "symbol/rational_form.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace kov {
+namespace {
+
+using Kind = Token::Kind;
+using List = std::vector<Token>;
+
+constexpr std::array<std::string_view, 42> functions{
+    "sin",   "cos",   "tan",     "cot",     "sec",    "csc",    "sinh",   "cosh",   "tanh",
+    "coth",  "sech",  "csch",    "exp",     "log",    "ln",     "sqrt",   "root",   "RootOf",
+    "diff",  "Diff",  "asin",    "acos",    "atan",   "arcsin", "arccos", "arctan", "asinh",
+    "acosh", "atanh", "arsinh",  "arcosh",  "artanh", "sn",     "cn",     "dn",     "wp",
+    "abs",   "erf",   "besselj", "bessely", "airyai", "airybi"};
+constexpr std::size_t elementary = 15; // the first of them: sin x needs no parentheses
+
+std::string lower(std::string_view s) {
+  std::string t(s);
+  if (!t.empty() && t[0] >= 'A' && t[0] <= 'Z') t[0] = static_cast<char>(t[0] - 'A' + 'a');
+  return t;
+}
+
+class PlainFunctions {
+public:
+  PlainFunctions(List in, Pasting& p) : in_(std::move(in)), p_(p) {}
+
+  List operator()() {
+    while (in_[at_].kind != Kind::end)
+      step();
+    out_.push_back(in_[at_]);
+    return std::move(out_);
+  }
+
+private:
+  [[nodiscard]] const Token& token(std::size_t i) const { return in_[std::min(i, in_.size() - 1)]; }
+  void sign(const Token& at, std::string_view s) {
+    out_.push_back(made(at, Kind::sign, s));
+    out_.back().after_blank = false;
+  }
+  void copy(std::size_t from, std::size_t to) {
+    for (at_ = from; at_ < to;)
+      step();
+  }
+
+  void step() {
+    const Token t = token(at_);
+    if (t.kind == Kind::decimal) return decimal(t);
+    if (t.kind == Kind::name && named(t)) return;
+    if (t.is("(")) groups_.push_back({at_ > 0 ? token(at_ - 1).text : "", 0});
+    if (t.is(",") && !groups_.empty()) ++groups_.back().commas;
+    if (t.is(")") && !groups_.empty()) groups_.pop_back();
+    out_.push_back(t);
+    ++at_;
+  }
+
+  // An approximation stays one: the second argument of root.
+  void decimal(const Token& t) {
+    ++at_;
+    if (!groups_.empty() && groups_.back().of == "root" && groups_.back().commas == 1)
+      return out_.push_back(t);
+    const std::string exact = exact_fraction(t.text);
+    if (exact.empty()) return out_.push_back(t); // the reader refuses it
+    if (!t.text.ends_with("."))                  // the point of a sentence
+      p_.note("decimals are exact: " + std::string(t.text) + " = " + exact);
+    const auto slash = exact.find('/');
+    const auto number = [&](const std::string& digits) {
+      out_.push_back(made(t, Kind::number, p_.kept(digits)));
+    };
+    if (slash == std::string::npos) return number(exact);
+    const bool grouped = needs_group(token(at_));
+    if (grouped) out_.push_back(made(t, Kind::sign, "("));
+    number(exact.substr(0, slash));
+    sign(t, "/");
+    number(exact.substr(slash + 1));
+    out_.back().after_blank = false;
+    if (grouped) sign(t, ")");
+  }
+  [[nodiscard]] bool needs_group(const Token& next) const {
+    const bool before = !out_.empty() && (out_.back().is("^") || out_.back().is("/"));
+    return before || next.is("^") || next.kind == Kind::name || next.is("(");
+  }
+
+  bool named(const Token& t) {
+    const bool called = token(at_ + 1).is("(");
+    if (t.text == "RootOf" && called) return root_of(t);
+    if ((t.text == "e" || t.text == "E") && !p_.names.has(t.text) && token(at_ + 1).is("^"))
+      return exponential(t);
+    const std::string small = lower(t.text);
+    const bool is_elementary = std::find(functions.begin(), functions.begin() + elementary,
+                                         small) != functions.begin() + elementary;
+    if (!is_elementary || p_.names.has(t.text)) return false;
+    if (small != t.text && !called) return false;
+    if (called) {
+      out_.push_back(t);
+      if (small != t.text) out_.back().text = p_.kept(small);
+      ++at_;
+      return true;
+    }
+    return token(at_ + 1).is("^") ? power_of_function(t) : applied(t, at_ + 1);
+  }
+
+  // e^x is exp(x) wherever a name stands in the exponent: a power of a number e would not be rational.
+  bool exponential(const Token& t) {
+    std::size_t from = at_ + 2;
+    const bool minus = token(from).is("-");
+    from += minus;
+    std::size_t to = from + 1;
+    if (token(from).is("("))
+      to = closing_of(in_, from) + 1;
+    else if (token(from).kind == Kind::name && token(to).is("(") &&
+             is_function_word(token(from).text))
+      to = closing_of(in_, to) + 1;
+    const bool has_name = std::any_of(in_.begin() + static_cast<std::ptrdiff_t>(from),
+                                      in_.begin() + static_cast<std::ptrdiff_t>(to),
+                                      [](const Token& x) { return x.kind == Kind::name; });
+    const Token& then = token(to);
+    if (token(from).kind == Kind::number && then.kind == Kind::name) {
+      p_.refuse(t.span, "what is the exponent?",
+                "write exp(" + std::string(token(from).text) + "*" + std::string(then.text) +
+                    "), or exp(" + std::string(token(from).text) + ")*" + std::string(then.text));
+      return false;
+    }
+    if (!has_name || then.is("^")) return false;
+    out_.push_back(made(t, Kind::name, "exp"));
+    sign(t, "(");
+    if (minus) sign(token(from - 1), "-");
+    const bool group = token(from).is("(");
+    copy(from + group, to - group);
+    sign(token(to - 1), ")");
+    at_ = to;
+    return true;
+  }
+
+  // sin^2(x), sin^2 x
+  bool power_of_function(const Token& t) {
+    std::size_t from = at_ + 2;
+    const std::size_t to = token(from).is("(") ? closing_of(in_, from) + 1 : from + 1;
+    const bool plain = to == from + 1 && token(from).kind == Kind::number;
+    if (!plain) {
+      p_.refuse(t.span, "a power of " + std::string(t.text) + ", or its inverse?",
+                "write (" + std::string(t.text) + "(x))^(-1), or arc" + std::string(t.text) +
+                    "(x)");
+      at_ = to;
+      return true;
+    }
+    const Token exponent = token(from);
+    if (token(to).is("(")) {
+      const std::size_t end = closing_of(in_, to) + 1;
+      out_.push_back(t);
+      copy(to, end);
+    } else {
+      applied(t, to);
+    }
+    sign(exponent, "^");
+    out_.push_back(exponent);
+    return true;
+  }
+
+  // sin x, sin 2x: where the term ends there.
+  bool applied(const Token& t, std::size_t from) {
+    std::size_t to = from;
+    if (token(to).kind == Kind::number && token(to + 1).kind == Kind::name &&
+        !token(to + 1).after_blank)
+      ++to;
+    const bool argument = token(to).kind == Kind::name || token(to).kind == Kind::number;
+    const Token& then = token(to + 1);
+    const bool ends = then.kind == Kind::end || then.is("+") || then.is("-") || then.is("=") ||
+                      then.is(")") || then.is(",");
+    if (!argument) return false;
+    if (!ends) {
+      p_.refuse(t.span, "where does the argument of " + std::string(t.text) + " end?",
+                "write " + std::string(t.text) + "(...)");
+      out_.push_back(t);
+      sign(t, "(");
+      out_.push_back(token(to));
+      sign(t, ")");
+      at_ = to + 1;
+      return true;
+    }
+    out_.push_back(t);
+    sign(t, "(");
+    if (to > from) {
+      out_.push_back(token(from));
+      sign(token(to), "*");
+    }
+    out_.push_back(token(to));
+    out_.back().after_blank = false;
+    sign(token(to), ")");
+    at_ = to + 1;
+    return true;
+  }
+
+  // RootOf(_Z^2 - 2): one root; the answer for another one is its conjugate.
+  bool root_of(const Token& t) {
+    const std::size_t close = closing_of(in_, at_ + 1);
+    List inside(in_.begin() + static_cast<std::ptrdiff_t>(at_) + 2,
+                in_.begin() + static_cast<std::ptrdiff_t>(close));
+    long depth = 0;
+    const auto comma = std::find_if(inside.begin(), inside.end(), [&](const Token& x) {
+      depth += opens(x) - closes(x);
+      return depth == 0 && x.is(",");
+    });
+    if (comma != inside.end() && (comma + 1)->kind == Kind::decimal) {
+      out_.push_back(made(t, Kind::name, "root"));
+      in_[at_].text = "root";
+      ++at_;
+      return true;
+    }
+    if (comma != inside.end()) {
+      p_.refuse(t.span, "which root is meant?", "write root(p(x), approximation)");
+      at_ = close + 1;
+      return true;
+    }
+    inside.push_back({.kind = Kind::end, .span = token(close).span, .text = {}});
+    inside = with_products(std::move(inside), p_);
+    p_.stop_at_errors();
+    const Expression p =
+        parse_tokens(Tokens(p_.text, p_.origin, std::move(inside)), ParseLimits{}, false);
+    put_root(t, p);
+    at_ = close + 1;
+    return true;
+  }
+
+  void put_root(const Token& t, const Expression& p) {
+    const std::vector<std::string> names = names_in(p);
+    if (names.size() != 1)
+      throw p.error("a polynomial in one name is expected", "write e.g. RootOf(_Z^2 - 2)");
+    Constants field;
+    field.define_root(names.front(), p);
+    const std::vector<Rational> c = rational_polynomial(p, names.front());
+    std::string root = field.definition();
+    if (c.size() == 3 && is_zero(c[1])) root = "sqrt(" + to_string(-c[0] / c[2]) + ")";
+    if (c.size() == 2) root = "(" + to_string(-c[0] / c[1]) + ")";
+    p_.note(std::string("RootOf(") + std::string(p.text()) + ") is taken as " + root +
+            "; another root gives a conjugate answer");
+    const std::string_view text = p_.kept(root);
+    Tokens cut(text, origin_of_text("RootOf", root));
+    cut.decimals_allowed = 1;
+    for (Token x = cut.next(); x.kind != Kind::end; x = cut.next()) {
+      x.span = t.span;
+      out_.push_back(x);
+    }
+    out_.back().after_blank = false;
+  }
+
+  struct Group {
+    std::string_view of;
+    long commas = 0;
+  };
+  List in_;
+  Pasting& p_;
+  List out_;
+  std::vector<Group> groups_;
+  std::size_t at_ = 0;
+};
+
+} // namespace
+
+bool is_function_word(std::string_view name) {
+  return std::find(functions.begin(), functions.end(), name) != functions.end();
+}
+
+std::vector<Token> with_plain_functions(std::vector<Token> tokens, Pasting& p) {
+  return PlainFunctions(std::move(tokens), p)();
+}
+
+} // namespace kov

@@ -1,0 +1,240 @@
+// Commands of LaTeX in pasted text.
+
+#include "symbol/pasted_characters.hpp"
+#include "symbol/pasted_passes.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kov {
+namespace {
+
+using Kind = Token::Kind;
+using List = std::vector<Token>;
+
+template <std::size_t n>
+bool is_one_of(const std::array<std::string_view, n>& all, std::string_view s) {
+  return std::find(all.begin(), all.end(), s) != all.end();
+}
+
+constexpr std::array<std::string_view, 30> layout{
+    "left", "right",  "big",   "Big",   "bigl",         "bigr",      "Bigl",     "Bigr",
+    "bigg", "Bigg",   "quad",  "qquad", "displaystyle", "textstyle", "nonumber", ",",
+    ";",    "!",      ":",     " ",     "\\",           "[",         "]",        "(",
+    ")",    "hspace", "biggl", "biggr", "Biggl",        "Biggr"};
+constexpr std::array<std::string_view, 4> with_a_name{"begin", "end", "label", "tag"};
+constexpr std::array<std::string_view, 8> upright{"mathrm", "operatorname", "text", "textrm",
+                                                  "mathit", "mathsf",       "rm",   "mbox"};
+
+class Latex {
+public:
+  Latex(List in, Pasting& p) : in_(std::move(in)), p_(p) {}
+
+  List operator()() {
+    List out;
+    while (now().kind != Kind::end)
+      element(out);
+    while (!out.empty() && (out.back().is(".") || out.back().is(","))) // the end of a sentence
+      out.pop_back();
+    out.push_back(now());
+    return out;
+  }
+
+private:
+  [[nodiscard]] const Token& now() const { return in_[std::min(at_, in_.size() - 1)]; }
+  [[nodiscard]] const Token& next() const { return in_[std::min(at_ + 1, in_.size() - 1)]; }
+
+  void element(List& out) {
+    const Token t = now();
+    if (t.kind == Kind::command) return command(out);
+    if (t.is("^")) return power(out);
+    if (t.kind == Kind::name && t.text.ends_with("_") && next().is("{")) return index(out);
+    ++at_;
+    if (t.is("$") || t.is("&") || t.is("~")) return;
+    if (t.is("{") || t.is("[")) return out.push_back(made(t, Kind::sign, "("));
+    if (t.is("}") || t.is("]")) return out.push_back(made(t, Kind::sign, ")"));
+    if (t.kind == Kind::name && t.text.starts_with("_") && !out.empty() &&
+        out.back().kind == Kind::name && !t.after_blank) { // the index of a command
+      out.back().text = p_.kept(std::string(out.back().text) + std::string(t.text));
+      if (out.back().text.ends_with("_") && now().is("{")) {
+        --at_;
+        in_[at_] = out.back();
+        out.pop_back();
+      }
+      return;
+    }
+    out.push_back(t);
+  }
+
+  // {...}, one digit, or one element
+  List argument(const Token& of) {
+    List inner;
+    if (now().kind == Kind::end) {
+      p_.refuse(of.span, std::string(of.text) + " has no argument");
+      return inner;
+    }
+    if (now().is("{")) {
+      const Token open = now();
+      for (++at_; !now().is("}") && now().kind != Kind::end;)
+        element(inner);
+      if (now().kind == Kind::end) p_.refuse(open.span, "this brace is never closed");
+      ++at_;
+    } else if (now().kind == Kind::number && now().text.size() > 1) {
+      Token& number = in_[at_];
+      inner.push_back({.kind = Kind::number,
+                       .span = {number.span.offset, 1},
+                       .text = number.text.substr(0, 1),
+                       .after_blank = number.after_blank});
+      number.text.remove_prefix(1);
+      ++number.span.offset, --number.span.length;
+    } else {
+      element(inner);
+    }
+    return inner;
+  }
+
+  // x_{10}
+  void index(List& out) {
+    Token name = now();
+    at_ += 1;
+    const Token brace = now();
+    const List inner = argument(brace);
+    std::string text(name.text);
+    for (const Token& t : inner) {
+      if (t.kind != Kind::name && t.kind != Kind::number)
+        p_.refuse(t.span, "an index has letters and digits only");
+      text += t.text;
+    }
+    name.text = p_.kept(std::move(text));
+    out.push_back(name);
+  }
+
+  static void put(List& out, const Token& at, const List& inner, bool group) {
+    if (group) out.push_back(made(at, Kind::sign, "("));
+    out.insert(out.end(), inner.begin(), inner.end());
+    if (group) out.push_back(made(inner.empty() ? at : inner.back(), Kind::sign, ")"));
+    if (group) out.back().after_blank = false;
+  }
+
+  void power(List& out) {
+    const Token hat = now();
+    ++at_;
+    if (now().kind == Kind::number && now().text.size() > 1) {
+      const std::string digits(now().text), one = digits.substr(0, 1);
+      p_.refuse(now().span, "an exponent of two digits, or a factor?",
+                "write ^{" + digits + "}, or ^" + one + " \\cdot " + digits.substr(1));
+    }
+    const List inner = argument(hat);
+    const auto is_prime = [](const Token& t) { return t.is("'"); };
+    if (!inner.empty() && std::all_of(inner.begin(), inner.end(), is_prime))
+      return put(out, hat, inner, false);
+    const bool order = inner.size() == 3 && inner[0].is("(") && inner[1].kind == Kind::number &&
+                       inner[1].text.size() == 1 && inner[2].is(")") && !out.empty() &&
+                       out.back().kind == Kind::name;
+    if (order) { // y^{(2)}
+      for (char n = inner[1].text[0]; n > '0'; --n)
+        out.push_back(made(hat, Kind::sign, "'"));
+      p_.note(
+          std::string(p_.text.substr(hat.span.offset, inner[2].span.offset + 2 - hat.span.offset)) +
+          " is a derivative");
+      return;
+    }
+    out.push_back(hat);
+    put(out, hat, inner, inner.size() > 1);
+  }
+
+  void command(List& out) {
+    const Token t = now();
+    const std::string_view name = t.text.substr(1);
+    ++at_;
+    if (is_one_of(layout, name)) return;
+    if (is_one_of(with_a_name, name)) return static_cast<void>(argument(t));
+    if (name == "{" || name == "lbrace") return out.push_back(made(t, Kind::sign, "("));
+    if (name == "}" || name == "rbrace") return out.push_back(made(t, Kind::sign, ")"));
+    if (name == "cdot" || name == "times" || name == "ast")
+      return out.push_back(made(t, Kind::sign, "*"));
+    if (name == "div") return out.push_back(made(t, Kind::sign, "/"));
+    if (name == "prime") return out.push_back(made(t, Kind::sign, "'"));
+    if (name == "frac" || name == "dfrac" || name == "tfrac") return fraction(t, out);
+    if (name == "sqrt") return root(t, out);
+    if (name == "dot" || name == "ddot") return dots(t, name == "dot" ? 1 : 2, out);
+    if (is_one_of(upright, name)) return upright_name(t, out);
+    const std::string_view letter = name.starts_with("var") ? name.substr(3) : name;
+    if (is_greek(letter) || is_function_word(name) || name == "imath")
+      return out.push_back(made(t, Kind::name, name == "imath" ? "I" : letter));
+    p_.refuse(t.span, "the LaTeX command " + std::string(t.text) + " has no meaning here");
+  }
+
+  void fraction(const Token& t, List& out) {
+    const List a = argument(t), b = argument(t);
+    const bool derivative = is_quotient_of_d(a, b);
+    if (!derivative) out.push_back(made(t, Kind::sign, "("));
+    put(out, t, a, !derivative && a.size() > 1);
+    out.push_back(made(t, Kind::sign, "/"));
+    put(out, t, b, !derivative && b.size() > 1);
+    if (derivative) return;
+    out.push_back(made(b.empty() ? t : b.back(), Kind::sign, ")"));
+    out.back().after_blank = false;
+  }
+
+  // \sqrt{x}, \sqrt[3]{x}
+  void root(const Token& t, List& out) {
+    List degree;
+    if (now().is("["))
+      for (++at_; now().kind != Kind::end;) {
+        if (now().is("]")) {
+          ++at_;
+          break;
+        }
+        element(degree);
+      }
+    const List inner = argument(t);
+    if (degree.empty()) {
+      out.push_back(made(t, Kind::name, "sqrt"));
+      return put(out, t, inner, inner.size() != 1 || !inner[0].is("("));
+    }
+    put(out, t, inner, true);
+    for (const std::string_view sign : {"^", "(", "1", "/"})
+      out.push_back(made(t, sign == "1" ? Kind::number : Kind::sign, sign));
+    put(out, t, degree, degree.size() > 1);
+    out.push_back(made(t, Kind::sign, ")"));
+  }
+
+  void dots(const Token& t, int order, List& out) {
+    const List inner = argument(t);
+    put(out, t, inner, inner.size() > 1);
+    for (; order > 0; --order)
+      out.push_back(made(t, Kind::sign, "'"));
+    out.back().after_blank = false;
+  }
+
+  // \mathrm{d} and \operatorname{sech}
+  void upright_name(const Token& t, List& out) {
+    std::string text;
+    for (const Token& part : argument(t))
+      text += part.text;
+    if (!text.empty()) out.push_back(made(t, Kind::name, p_.kept(std::move(text))));
+  }
+
+  List in_;
+  Pasting& p_;
+  std::size_t at_ = 0;
+};
+
+bool is_latex(const List& tokens) {
+  for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+    if (tokens[i].kind == Kind::command) return true;
+    const bool above =
+        tokens[i].is("^") || (tokens[i].kind == Kind::name && tokens[i].text.ends_with("_"));
+    if (above && tokens[i + 1].is("{")) return true;
+  }
+  return tokens.size() > 2 && tokens.front().is("$") && tokens[tokens.size() - 2].is("$");
+}
+
+} // namespace
+
+std::vector<Token> without_latex(std::vector<Token> tokens, Pasting& p) {
+  return is_latex(tokens) ? Latex(std::move(tokens), p)() : tokens;
+}
+
+} // namespace kov

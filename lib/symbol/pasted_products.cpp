@@ -1,0 +1,192 @@
+// Factors side by side.
+
+#include "symbol/pasted_passes.hpp"
+#include "symbol/suggest.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace kov {
+namespace {
+
+using Kind = Token::Kind;
+using List = std::vector<Token>;
+
+bool is_operand_end(const Token& t) {
+  return t.kind == Kind::number || t.kind == Kind::decimal || t.kind == Kind::name || t.is(")") ||
+         t.is("'");
+}
+bool is_operand_start(const Token& t) {
+  return t.kind == Kind::number || t.kind == Kind::decimal || t.kind == Kind::name || t.is("(");
+}
+
+// What a notation could not use keeps its own message.
+bool is_left_over(std::string_view name) {
+  static constexpr std::array<std::string_view, 8> words{
+      "D", "Derivative", "derivative", "Eq", "S", "Integer", "Rational", "Subscript"};
+  return std::find(words.begin(), words.end(), name) != words.end();
+}
+
+class Products {
+public:
+  Products(List in, Pasting& p) : in_(std::move(in)), p_(p) {}
+
+  List operator()() {
+    for (at_ = 0; at_ < in_.size(); ++at_) {
+      const Token& t = in_[at_];
+      if (!out_.empty() && is_operand_end(out_.back()) && is_operand_start(t)) between(t);
+      out_.push_back(t);
+    }
+    return std::move(out_);
+  }
+
+private:
+  [[nodiscard]] std::string shown(std::size_t from, std::size_t to) const {
+    List some(in_.begin() + static_cast<std::ptrdiff_t>(from),
+              in_.begin() + static_cast<std::ptrdiff_t>(std::min(to, in_.size())));
+    std::string text = text_of(some);
+    return text.size() <= 40 ? text : text.substr(0, 37) + "...";
+  }
+  [[nodiscard]] bool is_unknown(const Token& t) const {
+    return t.kind == Kind::name && (p_.unknowns.contains(t.text) || t.text == "diff");
+  }
+  static Span both(const Token& a, const Token& b) {
+    return make_span(a.span.offset, std::max(b.span.offset + b.span.length, a.span.offset + 1));
+  }
+  // Nothing is written between them.
+  static bool touch(const Token& a, const Token& b) {
+    return !b.after_blank && a.span.offset + a.span.length >= b.span.offset;
+  }
+
+  void between(const Token& t) {
+    const Token& before = out_.back();
+    if (t.is("(") && (before.kind == Kind::name || before.is("'"))) return group_after_name(t);
+    if (t.kind == Kind::number || t.kind == Kind::decimal)
+      return p_.refuse(both(before, t),
+                       before.kind == Kind::number ? "two numbers side by side"
+                                                   : "a number behind a factor: its exponent?",
+                       "write * or ^ between " + std::string(before.text) + " and " +
+                           std::string(t.text));
+    if (!is_clear_in_exponent(t) || !is_clear_in_quotient(t)) return;
+    multiply(t);
+  }
+
+  void multiply(const Token& t) {
+    out_.push_back(
+        {.kind = Kind::sign, .span = make_span(t.span.offset, t.span.offset), .text = "*"});
+  }
+
+  // f(x) is a call, x (1 - x) a product; a(b + c) could be both.
+  void group_after_name(const Token& t) {
+    const Token name = out_.back();
+    const std::size_t close = closing_of(in_, at_);
+    const bool single = close == at_ + 2;
+    if (name.is("'")) {
+      if (t.after_blank && !single) multiply(t);
+      return;
+    }
+    if (is_function_word(name.text) || is_left_over(name.text)) return;
+    if (is_unknown(name) && (!t.after_blank || single)) return;
+    if (t.after_blank && !single) {
+      if (is_clear_in_exponent(t) && is_clear_in_quotient(t)) multiply(t);
+      return;
+    }
+    const std::string inside = shown(at_, close + 1), letter(name.text);
+    static const std::vector<std::string> usual{"sqrt", "root", "sin",  "cos", "tan",
+                                                "exp",  "sinh", "cosh", "tanh"};
+    if (const auto near = letter.size() > 2 ? nearest(letter, usual) : std::nullopt)
+      return p_.refuse(name.span, "unknown function '" + letter + "'",
+                       "did you mean " + *near + "?");
+    p_.refuse(both(name, in_[std::min(close, in_.size() - 1)]),
+              "is " + letter + inside + " a product or a function?",
+              "a product: " + letter + "*" + inside +
+                  "; functions are not known here but sin, cos, exp, sqrt, ...");
+  }
+
+  // x^2a
+  [[nodiscard]] bool is_clear_in_exponent(const Token& t) const {
+    const std::size_t n = out_.size();
+    if (n < 3 || out_[n - 1].kind != Kind::number || !touch(out_[n - 1], t) || t.is("("))
+      return true;
+    const bool power = out_[n - 2].is("^") || (out_[n - 2].is("-") && out_[n - 3].is("^"));
+    if (!power || is_unknown(t)) return true;
+    const std::string digits(out_[n - 1].text), letter(t.text);
+    p_.refuse(both(out_[n - 1], t), "where does the exponent end?",
+              "write ^" + digits + "*" + letter + ", or ^(" + digits + "*" + letter + ")");
+    return false;
+  }
+
+  // Where the factor begins that ends before `end`.
+  [[nodiscard]] std::size_t factor_begin(std::size_t end) const {
+    std::size_t i = end - 1;
+    for (;;) {
+      while (out_[i].is("'") && i > 0)
+        --i;
+      if (out_[i].is(")")) {
+        for (long depth = 0; i > 0; --i) {
+          depth += out_[i].is(")") - out_[i].is("(");
+          if (depth == 0) break;
+        }
+        if (i > 0 && (out_[i - 1].kind == Kind::name || out_[i - 1].is("'"))) --i;
+        while (out_[i].is("'") && i > 0)
+          --i;
+      }
+      std::size_t hat = i;
+      if (hat > 1 && out_[hat - 1].is("-")) --hat;
+      if (hat < 2 || !out_[hat - 1].is("^")) return i;
+      i = hat - 2;
+    }
+  }
+
+  // 1/2x; but 1/x y' with y' in no denominator, 1/4 y with a number before y, and 1/(2 m) x
+  [[nodiscard]] bool is_clear_in_quotient(const Token& t) const {
+    const std::size_t n = out_.size(), begin = factor_begin(n);
+    if (begin < 2 || !out_[begin - 1].is("/") || is_unknown(t)) return true;
+    const bool apart = !touch(out_.back(), t);
+    const bool fraction =
+        begin + 1 == n && out_[begin].kind == Kind::number && out_[begin - 2].kind == Kind::number;
+    if (apart && (fraction || out_.back().is(")"))) return true;
+    const auto part = [&](std::size_t from, std::size_t to) {
+      const auto at = [&](std::size_t i) { return out_.begin() + static_cast<std::ptrdiff_t>(i); };
+      const std::string text = text_of(List(at(from), at(to)));
+      return text.size() <= 24 ? text : std::string("(...)");
+    };
+    const std::string below = part(begin, n), top = part(factor_begin(begin - 1), begin - 1);
+    const std::string next = t.is("(") ? "(...)" : std::string(t.text);
+    p_.refuse(both(out_[begin], t), "does " + next + " stand below the line?",
+              "write " + top + "/(" + below + "*" + next + "), or (" + top + "/" + below + ")*" +
+                  next);
+    return false;
+  }
+
+  List in_;
+  Pasting& p_;
+  List out_;
+  std::size_t at_ = 0;
+};
+
+} // namespace
+
+std::vector<Token> with_products(std::vector<Token> tokens, Pasting& p) {
+  return Products(std::move(tokens), p)();
+}
+
+std::string text_of(const std::vector<Token>& tokens) {
+  std::string text;
+  const Token* before = nullptr;
+  for (const Token& t : tokens) {
+    if (t.kind == Kind::end) break;
+    const bool operand = before != nullptr && is_operand_end(*before);
+    const bool spaced = t.is("=") || ((t.is("+") || t.is("-")) && operand);
+    if (spaced)
+      text += " " + std::string(t.text) + " ";
+    else if (t.is(","))
+      text += ", ";
+    else
+      text += t.text;
+    before = &t;
+  }
+  return text;
+}
+
+} // namespace kov

@@ -1,0 +1,198 @@
+// Pasted equations that are not linear and homogeneous with rational coefficients: what is decided instead.
+
+#include "equation/function_change.hpp"
+#include "equation/linear_form.hpp"
+#include "equation/parametric_equation.hpp"
+#include "equation/riccati_form.hpp"
+#include "equation/understood.hpp"
+#include "support/random.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+using test::Random;
+using test::random_rounds;
+using testing::HasSubstr;
+
+EquationText given(const std::vector<std::string>& parameters = {},
+                   const std::string& variable = {}) {
+  EquationText text;
+  text.parameters = parameters;
+  text.variable = variable;
+  return text;
+}
+
+Understood read(const std::string& ode, const EquationText& with = given()) {
+  return understood(ode, "-e", with);
+}
+
+std::string r_of(const std::string& ode, const EquationText& with = given()) {
+  const GivenEquation e = read_equation(read(ode, with).text);
+  return e.variable + ": " + to_string(e.normal_form.r, e.variable);
+}
+
+std::string complaint(const std::string& ode, const EquationText& with = given()) {
+  try {
+    return "understood: " + r_of(ode, with);
+  } catch (const InputError& e) {
+    return e.message() + " / " + e.hint();
+  }
+}
+
+TEST(Understood, OperatorsOfOneVariable) {
+  for (const char* airy : {"D^2 - x", "Dx^2 - x", "D^2 y = x y", "(D^2 - x) y = 0", "d^2/dx^2 - x",
+                           "D*D = x", "(D^2 - x) y"})
+    EXPECT_EQ(r_of(airy), "x: x") << airy;
+  EXPECT_EQ(r_of("(D - x)(D + x)"), "x: x^2 - 1");
+  EXPECT_EQ(r_of("(D + x)(D - x)"), "x: x^2 + 1");
+  for (const char* euler : {"theta^2 - x", "θ^2 - x", "theta^2 y = x y", "x^2 y'' + x y' = x y"})
+    EXPECT_EQ(r_of(euler), r_of("x^2*y'' + x*y' - x*y = 0")) << euler;
+  EXPECT_EQ(read("theta^2 - a*x", given({"a"})).text.variable, "x");
+  EXPECT_THAT(complaint("theta^2 - a*x"), HasSubstr("which of a and x is the variable"));
+  EXPECT_EQ(r_of("y'' = D*y", given({}, "D")), "D: D"); // something is differentiated: D is a name
+}
+
+TEST(Understood, NamesThatRunIntoTheUnknownAreAskedBack) {
+  for (const char* text :
+       {"y'' = xy", "y'' + 2xy = 0", "y'' = yx", "y'' + axy = 0", "y'' = ax y", "u'' = xu"})
+    EXPECT_THAT(complaint(text), HasSubstr("one name, or")) << text;
+  EXPECT_TRUE(read("y'' = xy*x*y", given({"xy"})).text.ode);
+  EXPECT_EQ(r_of("psi'' = x psi"), "x: x");
+  EXPECT_EQ(r_of("y'' = xi*y"), "xi: xi"); // a Greek letter
+}
+
+TEST(Understood, TheRightSideStandsBeside) {
+  for (const auto& [text, right, r] :
+       std::vector<std::tuple<const char*, const char*, const char*>>{
+           {"y'' + x^2*y = sin(x)", "sin(x)", "x: -x^2"},
+           {"y'' - y = e^x + x", "exp(x) + x", "x: 1"},
+           {"x^2 y'' - 2 y - 3 x = 0", "3*x", "x: 2/x^2"},
+           {"sin(x) = y'' + y", "-sin(x)", "x: -1"}}) {
+    const Understood u = read(text);
+    EXPECT_EQ(u.right_side.value_or(""), right) << text;
+    EXPECT_EQ(r_of(text), r) << text;
+    EXPECT_FALSE(u.read_as.empty());
+  }
+  for (const char* homogeneous : {"y'' = x*y + 0", "y''/y = x", "y'' - x*y = 0"})
+    EXPECT_FALSE(read(homogeneous).right_side) << homogeneous;
+  EXPECT_THAT(complaint("x*(y'' + 1) = y"),
+              HasSubstr("not homogeneous")); // a term inside of a product
+  EXPECT_THAT(complaint("y'' = a*x"), HasSubstr("which of a and x"));
+}
+
+// y = -u'/(a u) solves y' = a y^2 + b y + c where u solves the equation for u: with numbers for the derivatives.
+TEST(Understood, RiccatiEquations) {
+  EXPECT_EQ(r_of("y' = y^2 + x"), "x: -x");
+  EXPECT_EQ(r_of("y' + y^2 = x"), "x: x");
+  EXPECT_EQ(r_of("y' = -y*y + x^2 + 1"), "x: x^2 + 1");
+  EXPECT_EQ(r_of("y'(x) = y(x)^2 + x"), "x: -x");
+  EXPECT_EQ(r_of("diff(y(x), x) = y(x)^2 + x"), "x: -x");
+  EXPECT_EQ(r_of("y' = (y + x)^2"), r_of("u'' - 2*x*u' + x^2*u = 0"));
+  EXPECT_EQ(r_of("x*y' = y^2 - x^2"), r_of("u'' + u'/x - u = 0"));
+  for (const char* other :
+       {"y'' = y^2", "y' = y^3 + x", "y' = x*y + 1", "y*y' = x", "y'^2 = y^2", "y' = 1/y"})
+    EXPECT_FALSE(riccati_form(parse_expression(other, "-e", true), "y", "x")) << other;
+}
+
+TEST(Understood, FunctionsBecomeTheVariable) {
+  for (const auto& [text, change] : std::vector<std::pair<const char*, const char*>>{
+           {"y'' = e^x*y", "t = exp(x)"},
+           {"y'' = e^(2x) y + 3 y", "t = exp(2*x)"},
+           {"y'' = e^-x y", "t = exp(x)"},
+           {"y'' = sin(x)*y", "t = tan(x/2)"},
+           {"y'' = cos(x)*y", "t = cos(x)"},
+           {"y'' = cosh(x)^-2*y", "t = cosh(2*x)"},
+           {"y'' = sinh(x) y", "t = exp(x)"},
+           {"x^(3/2)*y'' + y = 0", "t = x^(1/2)"},
+           {"sqrt(1 + 2*x)*y'' = x*y", "t = (2*x + 1)^(1/2)"}})
+    EXPECT_THAT(read(text).notes, testing::Contains(HasSubstr(change))) << text;
+  for (const auto& [text, words] : std::vector<std::pair<const char*, const char*>>{
+           {"y'' = x sin(x) y", "also x outside"},
+           {"y'' = exp(x) y + exp(sqrt(2)*x) y", "not rational"},
+           {"y'' = exp(x)*sin(x)*y", "no one variable"},
+           {"y'' = exp(x^2)*y", "not a multiple of x"},
+           {"y'' = sqrt(x)*sqrt(x + 1)*y", "roots of two"},
+           {"y'' = sqrt(x^2 + 1)*y", "linear function"},
+           {"y'' = log(x)*y", "'log' is not a rational function"}})
+    EXPECT_THAT(complaint(text), HasSubstr(words)) << text;
+}
+
+// Another road to the equation in t: with y = f(t(x)) for a power f = t^s the chain rule is written out by hand.
+struct Road {
+  const char* text; // y'' + A y' + B y = 0
+  const char* t;    // its variable
+  // t', t'' and the coefficients as functions of t
+  const char *first, *second, *a, *b;
+};
+
+TEST(Understood, TheChainRuleHolds) {
+  for (const Road& road : std::vector<Road>{
+           {"y'' + e^x y' + (e^(2x) + 1) y = 0", "exp(x)", "t", "t", "t", "t^2 + 1"},
+           {"y'' + tanh(x) y' + sinh(2x) y = 0", "exp(2*x)", "2*t", "4*t", "(t - 1)/(t + 1)",
+            "(t^2 - 1)/(2*t)"},
+           {"y'' + sin(x) y' + cos(x) y = 0", "cos(x)", "0", "0", "", ""},
+           {"y'' + sin(x) y' + sin(x) y = 0", "tan(x/2)", "(1 + t^2)/2", "t*(1 + t^2)/2",
+            "2*t/(1 + t^2)", "2*t/(1 + t^2)"},
+           {"y'' + tan(2x) y' + sin(2x) y = 0", "tan(x)", "1 + t^2", "2*t*(1 + t^2)",
+            "2*t/(1 - t^2)", "2*t/(1 + t^2)"},
+           {"y'' + sqrt(x) y' + x y = 0", "x^(1/2)", "1/(2*t)", "-1/(4*t^3)", "t", "t^2"}}) {
+    SCOPED_TRACE(road.text);
+    const Understood u = read(road.text);
+    EXPECT_THAT(u.notes, testing::Contains(HasSubstr(std::string("t = ") + road.t)));
+    if (std::string(road.first) == "0") continue;
+    const std::string first = std::string("(") + road.first + ")";
+    const std::string hand = first + "^2*y'' + ((" + road.second + ") + (" + road.a + ")*" + first +
+                             ")*y' + (" + road.b + ")*y = 0";
+    EquationText text;
+    text.ode = parse_expression(hand, "-e", true);
+    text.variable = "t";
+    EXPECT_EQ(to_string(read_equation(u.text).normal_form.r, "t"),
+              to_string(read_equation(text).normal_form.r, "t"));
+  }
+}
+
+// cos: by t = cos(x) y'' = (1 - t^2) y_tt - t y_t, and sin(x) y' = -(1 - t^2) y_t.
+TEST(Understood, EvenEquationsHaveTheCosineAsVariable) {
+  const auto by_hand = [](const std::string& ode) {
+    EquationText text;
+    text.ode = parse_expression(ode, "-e", true);
+    text.variable = "t";
+    return to_string(read_equation(text).normal_form.r, "t");
+  };
+  const auto ours = [](const std::string& ode) {
+    return to_string(read_equation(read(ode).text).normal_form.r, "t");
+  };
+  EXPECT_EQ(ours("y'' + sin(x) y' + cos(x) y = 0"),
+            by_hand("(1 - t^2)*y'' - t*y' - (1 - t^2)*y' + t*y = 0"));
+  EXPECT_EQ(ours("y'' + cos(2x) y + cos(x) y = 0"),
+            by_hand("(1 - t^2)*y'' - t*y' + (2*t^2 - 1 + t)*y = 0"));
+  EXPECT_EQ(ours("y'' + sinh(x) y' + cosh(x) y = 0"),
+            by_hand("(t^2 - 1)*y'' + t*y' + (t^2 - 1)*y' + t*y = 0"));
+}
+
+TEST(Understood, ParametersAndConstantsStay) {
+  const Understood u = read("y'' = sqrt(2)*a*exp(b*x)*y", given({"a", "b"}, "x"));
+  EXPECT_EQ(u.text.variable, "t");
+  EquationText text;
+  text.ode = parse_expression("b^2*(t^2*y'' + t*y') = sqrt(2)*a*t*y", "-e", true);
+  text.variable = "t";
+  text.parameters = {"a", "b"};
+  EXPECT_EQ(to_string(read_parametric_equation(u.text).question.r),
+            to_string(read_parametric_equation(text).question.r));
+  EXPECT_THAT(complaint("y'' = a*exp(x)*y"), HasSubstr("which of a and x"));
+}
+
+TEST(Understood, AnEquationThatIsWrittenOutIsLeftAsItIs) {
+  for (const char* text :
+       {"y'' = x*y", "x^2*y'' + x*y' + (x^2 - 1/4)*y = 0", "diff(y(x), x$2) = x*y(x)"}) {
+    const Understood u = read(text);
+    EXPECT_EQ(u.read_as, "") << text;
+    EXPECT_TRUE(u.notes.empty()) << text;
+  }
+}
+
+} // namespace
+} // namespace kov

@@ -1,0 +1,103 @@
+#include "pasted_question.hpp"
+
+#include "equation/function_change.hpp"
+#include "symbol/pasted.hpp"
+#include "symbol/written.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace kov::cli {
+namespace {
+
+class Options {
+public:
+  Options(const FormulaOptions& options, EquationText given) : options_(options) {
+    question_.text = std::move(given);
+    question_.text.minpoly = formula("--minpoly", "", options.minpoly);
+    names_ = {declared_names(question_.text), question_.text.variable};
+  }
+
+  PastedQuestion operator()() {
+    if (options_.ode) take(understood(*options_.ode, "-e", question_.text));
+    question_.text.r = formula("-r", "r", options_.r);
+    if (!options_.ode || options_.p) // both are refused later
+      question_.text.p = options_.p ? formula("--p", "p", options_.p) : question_.text.p;
+    if (!options_.ode || options_.q)
+      question_.text.q = options_.q ? formula("--q", "q", options_.q) : question_.text.q;
+    functions();
+    return std::move(question_);
+  }
+
+private:
+  std::optional<Expression> formula(const std::string& option, const std::string& letter,
+                                    const std::optional<std::string>& text) {
+    if (!text) return std::nullopt;
+    Pasted pasted = pasted_formula(*text, option, names_);
+    if (!pasted.as_written)
+      question_.read_as.push_back((letter.empty() ? "" : letter + " = ") + pasted.text);
+    for (std::string& note : pasted.notes)
+      question_.notes.push_back(std::move(note));
+    return std::move(pasted.formula);
+  }
+
+  void take(Understood u) {
+    question_.text = std::move(u.text);
+    if (!u.read_as.empty()) question_.read_as.push_back(u.read_as);
+    for (std::string& note : u.notes)
+      question_.notes.push_back(std::move(note));
+    question_.right_side = std::move(u.right_side);
+  }
+
+  // Coefficients in sin(x), exp(x), ...: the whole equation in another variable.
+  void functions() {
+    EquationText& t = question_.text;
+    const bool here = !options_.ode && ((t.r && !t.p && !t.q) || (!t.r && t.p && t.q));
+    if (!here || !(calls_function(t.r) || calls_function(t.p) || calls_function(t.q))) return;
+    const std::string y = fresh_unknown();
+    const std::string ode =
+        t.r ? y + "'' = (" + written(*t.r) + ")*" + y
+            : y + "'' + (" + written(*t.p) + ")*" + y + "' + (" + written(*t.q) + ")*" + y + " = 0";
+    EquationText given = t;
+    given.r = given.p = given.q = std::nullopt;
+    Understood u = understood(ode, t.r ? "-r" : "--p, --q", given);
+    if (!u.text.p) return; // roots of constants: as they are
+    u.read_as = ode;
+    take(std::move(u));
+  }
+  static bool calls_function(const std::optional<Expression>& e) {
+    if (!e) return false;
+    const auto names = names_in(*e);
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& x) { return has_functions_of(*e, x); });
+  }
+  [[nodiscard]] std::string fresh_unknown() const {
+    for (const char* letter : {"y", "u", "w", "f"}) {
+      const auto uses = [&](const std::optional<Expression>& e) {
+        return e && mentions_name(*e, letter);
+      };
+      if (!uses(question_.text.r) && !uses(question_.text.p) && !uses(question_.text.q))
+        return letter;
+    }
+    return "y_";
+  }
+
+  const FormulaOptions& options_;
+  PastedQuestion question_;
+  PastedNames names_;
+};
+
+} // namespace
+
+PastedQuestion read_options(const FormulaOptions& options, EquationText given) {
+  return Options(options, std::move(given))();
+}
+
+void tell(const PastedQuestion& question) {
+  for (const std::string& text : question.read_as)
+    std::fprintf(stderr, "kovacic: read as %s\n", printable(text).c_str());
+  for (const std::string& note : question.notes)
+    std::fprintf(stderr, "kovacic: %s\n", printable(note).c_str());
+}
+
+} // namespace kov::cli
