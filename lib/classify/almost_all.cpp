@@ -5,6 +5,7 @@
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
 #include "manifold/invariant_manifold.hpp"
+#include "study/curve.hpp"
 #include "study/exclusion.hpp"
 #include "variation/normal.hpp"
 
@@ -72,7 +73,7 @@ std::optional<AlmostAll> at_point(const System& s, const ManifoldSpec& solution,
   if (!std::holds_alternative<InvariantManifold>(in_general)) return std::nullopt;
   const System there = at_values(s, values);
   const ManifoldReport report =
-      check_manifold(there, at_values(solution, values), at_values(claims, values), options);
+      study_curve(there, at_values(solution, values), at_values(claims, values), options);
   if (!report.matrices || !report.manifold || !is_transverse(there, *report.manifold))
     return std::nullopt;
   auto found = exclusions_of_verdict(there, report, level_parameters(there));

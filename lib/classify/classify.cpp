@@ -15,7 +15,7 @@
 #include "integrability/specialise.hpp"
 #include "integrability/study.hpp"
 #include "strata/words.hpp"
-#include "study/along.hpp"
+#include "study/curve.hpp"
 #include "study/exclusion.hpp"
 #include "study/parameter_split.hpp"
 #include "study/pieces.hpp"
@@ -525,7 +525,7 @@ private:
     CheckOptions check = options_.check;
     check.decide.budget = share(part);
     const KnownSystem& known = round.studied();
-    const ManifoldReport report = study_along(known.system, m, known.claims, check);
+    const ManifoldReport report = study_curve(known.system, m, known.claims, check);
     if (is_over(check.decide.budget)) {
       round.limited = true;
       if (!round.last) round.cut.push_back(m.name);
@@ -1057,7 +1057,7 @@ private:
     check.decide.budget = share(0.1);
     check.along_the_curve = true;
     const KnownSystem& known = round.studied();
-    auto all = exclusions(known.system, check_manifold(known.system, m, known.claims, check),
+    auto all = exclusions(known.system, study_curve(known.system, m, known.claims, check),
                           level_parameters(known.system));
     for (Exclusion& e : all)
       e = round.before(std::move(e));

@@ -2,6 +2,7 @@
 
 #include "exact/finite_algebra.hpp"
 #include "integrability/parameters.hpp"
+#include "study/curve.hpp"
 #include "system/in_ring.hpp"
 
 #include <algorithm>
@@ -161,7 +162,7 @@ public:
     name_levels();
     const auto spec = manifold();
     if (!spec) return {};
-    const ManifoldReport report = check_manifold(system_, *spec, {}, options);
+    const ManifoldReport report = study_curve(system_, *spec, {}, options);
     std::vector<Exclusion> all;
     for (Exclusion& e : kov::exclusions(system_, report, level_parameters(system_)))
       if (auto here = in_ring_of(s, e)) all.push_back(*std::move(here));

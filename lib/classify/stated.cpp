@@ -4,8 +4,8 @@
 #include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
 #include "strata/words.hpp"
-#include "study/along.hpp"
 #include "study/pieces.hpp"
+#include "study/study.hpp"
 #include "study/together.hpp"
 
 #include <algorithm>
@@ -88,23 +88,21 @@ std::string limit_of(const strata::StrataAnswer& answer) {
 class StatedStudy {
 public:
   StatedStudy(const System& s, const ClassifyOptions& options)
-      : s_(s), told_(without_assumptions_on_levels(s)), options_(options),
+      : s_(s), file_(s), told_(without_assumptions_on_levels(s)), options_(options),
         admitted_(some_level_is_admitted(s)), assumed_(assumed_of_levels(s)) {
     options_.check.decide.budget =
         part_of_the_time(options.check.decide.budget, part_of_the_time_for_them);
   }
 
-  StatedSolutions run(std::vector<ClaimReport> claims) {
-    StatedSolutions result{std::move(claims), {}};
+  StatedSolutions run() {
+    StatedSolutions result{file_.claims(options_.check), {}};
     if (!admitted_) return result;
-    std::size_t left = s_.manifolds.size();
-    for (const ManifoldSpec& m : s_.manifolds) {
+    for (std::size_t k = 0; k < s_.manifolds.size(); ++k) {
+      const ManifoldSpec& m = s_.manifolds[k];
       const std::string stage = m.name + ", as the file states it";
       if (options_.so_far) tell(stage);
       const auto& skip = options_.skip;
-      if (std::find(skip.begin(), skip.end(), stage) == skip.end())
-        result.all.push_back(study(m, result.claims, left));
-      --left;
+      if (std::find(skip.begin(), skip.end(), stage) == skip.end()) result.all.push_back(study(k));
     }
     result.decided = known().status() == ClassificationStatus::non_integrable;
     return result;
@@ -121,19 +119,16 @@ private:
     options_.so_far(so_far);
   }
 
-  StatedSolution study(const ManifoldSpec& m, const std::vector<ClaimReport>& claims,
-                       std::size_t left) {
+  StatedSolution study(std::size_t k) {
     const auto start = std::chrono::steady_clock::now();
-    CheckOptions check = options_.check;
-    check.decide.budget = part_of_the_time(check.decide.budget, 1 / static_cast<double>(left));
-    const ManifoldReport report = study_along(s_, m, claims, check);
-    StatedSolution one{m.name, {}, outcome(report)};
-    const auto now = std::chrono::steady_clock::now();
-    one.seconds = std::chrono::duration<double>(now - start).count();
-    const auto& deadline = check.decide.budget.deadline;
-    one.finished = !report.failure && !(deadline && now >= *deadline);
-    if (report.failure) return one;
-    one.exclusions = exclusions_of_verdict(s_, report, free_levels(s_));
+    study::StudyOptions share{options_.check};
+    share.check.only_manifold.clear();
+    share.check.decide.budget = part_of_the_time(share.check.decide.budget,
+                                                 1 / static_cast<double>(s_.manifolds.size() - k));
+    const study::CurveStudy& found = file_.manifold(k, share);
+    StatedSolution one{found.name(), found.exclusions, outcome(found.first)};
+    one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    one.finished = !found.first.failure && found.headline.complete;
     for (Exclusion& e : one.exclusions) {
       e.not_all_zero.insert(e.not_all_zero.end(), admitted_->begin(), admitted_->end());
       if (!assumed_.empty()) e.by.level += (e.by.level.empty() ? "" : ", ") + assumed_;
@@ -143,7 +138,8 @@ private:
   }
 
   const System& s_;
-  System told_; ///< of which the theorem speaks: nothing is assumed of levels
+  study::FileStudy file_; ///< as `check` studies it
+  System told_;           ///< of which the theorem speaks: nothing is assumed of levels
   ClassifyOptions options_;
   std::optional<Lists> admitted_;
   std::string assumed_;
@@ -153,7 +149,7 @@ private:
 } // namespace
 
 StatedSolutions stated_solutions(const System& s, const ClassifyOptions& options) {
-  return StatedStudy(s, options).run(decide_claims(s, options.check));
+  return StatedStudy(s, options).run();
 }
 
 Exclusion in_ring(Exclusion e, const Ring& ring) {

@@ -5,6 +5,8 @@
 #include "integrability/eigenvalue.hpp"
 #include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
+#include "study/contradiction.hpp"
+#include "study/curve.hpp"
 #include "study/together.hpp"
 #include "system/assumed_values.hpp"
 
@@ -90,12 +92,29 @@ void ask_higher_orders(const System& s, const ManifoldSpec& spec, const StudyOpt
   if (!missing.empty()) m.failed.push_back(missing);
 }
 
+// The claims of the file are proved by other code than that which excludes.
+void look_for_contradictions(const System& s, const std::vector<ClaimReport>& claims,
+                             CurveStudy& m) {
+  if (m.exclusions.empty() || claims.empty()) return;
+  try {
+    const std::string missing = failure_of("the look for contradictions", [&] {
+      if (const auto known = known_integrals(s, claims))
+        for (const Exclusion& e : m.exclusions)
+          refuse_contradiction(s, e, *known);
+    });
+    if (!missing.empty()) m.failed.push_back(missing);
+  } catch (const OutOfBudget&) { // none is known
+  }
+}
+
 } // namespace
 
 FileStudy::FileStudy(const Entry& document, ParameterValues set)
-    : document_(document), set_(std::move(set)), system_(read_system_as_assumed(document_, set_)) {
+    : document_(document), set_(std::move(set)), system_(read_system_as_assumed(document, set_)) {
   require_consistent(system_);
 }
+
+FileStudy::FileStudy(System s) : system_(std::move(s)), studied_(system_) {}
 
 const System& FileStudy::studied(const CheckOptions& options) {
   if (studied_) return *studied_;
@@ -113,7 +132,7 @@ const std::vector<ClaimReport>& FileStudy::claims(const CheckOptions& options) {
 // Values can turn a curve into points; then they are the reason, and the file is not wrong.
 bool FileStudy::is_fine_without_values(const std::string& manifold, const Budget& budget) const {
   if (set_.empty()) return false;
-  const System file = read_system(document_, {});
+  const System file = read_system(*document_, {});
   for (const auto& spec : file.manifolds)
     if (spec.name == manifold)
       return std::holds_alternative<InvariantManifold>(prove_invariant(file.field, spec, budget));
@@ -124,12 +143,10 @@ const CurveStudy& FileStudy::manifold(std::size_t k, const StudyOptions& options
                                       bool with_claims) {
   const System& s = studied(options.check);
   const ManifoldSpec& spec = *manifolds_to_check(s, options.check).at(k);
-  if (const auto known = manifolds_.find(spec.name); known != manifolds_.end())
-    return known->second;
+  if (const auto done = manifolds_.find(spec.name); done != manifolds_.end()) return done->second;
   CurveStudy m;
-  m.first = check_manifold(
-      s, spec, with_claims ? claims_of(s, claims(options.check)) : std::vector<ClaimReport>{},
-      options.check);
+  const auto known = with_claims ? claims_of(s, claims(options.check)) : std::vector<ClaimReport>{};
+  m.first = study_curve(s, spec, known, options.check);
   if (m.first.failure && is_fine_without_values(spec.name, options.check.decide.budget)) {
     m.first.reasons = {"at these values " + m.first.failure->message};
     m.first.failure.reset();
@@ -138,6 +155,7 @@ const CurveStudy& FileStudy::manifold(std::size_t k, const StudyOptions& options
   m.headline = of_first_order(m.first);
   if (options.order > 1 && m.first.manifold && m.headline.verdict != Verdict::non_integrable)
     ask_higher_orders(s, spec, options, m);
+  look_for_contradictions(s, known, m);
   m.headline.complete = m.failed.empty() && !is_over(options.check.decide.budget);
   return manifolds_.emplace(spec.name, std::move(m)).first->second;
 }

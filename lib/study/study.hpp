@@ -37,6 +37,8 @@ class FileStudy {
 public:
   /// Errors  InputError; InvalidArgument: no values satisfy what the file assumes
   FileStudy(const Entry& document, ParameterValues set);
+  /// A system that was read, as it is: no eigenvalues are adjoined.
+  explicit FileStudy(System s);
 
   /// As the file has it, without the eigenvalues.
   [[nodiscard]] const System& system() const { return system_; }
@@ -53,7 +55,7 @@ public:
 private:
   [[nodiscard]] bool is_fine_without_values(const std::string& manifold, const Budget&) const;
 
-  Entry document_;
+  std::optional<Entry> document_;
   ParameterValues set_;
   System system_;
   std::optional<System> studied_;

@@ -3,10 +3,8 @@
 // a child process, piece by piece, so that a limit or a crash costs one piece only.
 
 #include "case_file.hpp"
-#include "certificate_file.hpp"
 #include "commands.hpp"
 #include "decide/afterwards.hpp"
-#include "integrability/parameters.hpp"
 #include "mechanics.hpp"
 #include "second_opinion.hpp"
 #include "study/expect.hpp"
@@ -16,7 +14,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <sstream>
@@ -26,53 +23,6 @@ namespace {
 
 using study::Headline;
 using study::Verdict;
-
-Json json_of_round(const System& s) {
-  Json set = Json::object();
-  for (const auto& [name, value] : s.values)
-    set[name] = to_string(value);
-  Json assumptions = Json::array();
-  for (const auto& x : s.assumptions)
-    assumptions.push_back(x.text);
-  return Json{{"format", "kovacic-result/1"},
-              {"input", Json{{"file", s.file}}},
-              {"title", s.title},
-              {"set", set},
-              {"assumptions", assumptions},
-              {"claims", Json::array()},
-              {"manifolds", Json::array()},
-              {"seconds", 0}};
-}
-
-// A manifold that is none is an error of the file, whatever else is proved.
-int exit_of(const Settings& settings, const Headline& h) {
-  if (h.refused > 0) return exit_input;
-  const Truth abelian = h.verdict == Verdict::non_integrable   ? Truth::no
-                        : h.verdict == Verdict::no_obstruction ? Truth::yes
-                                                               : Truth::unknown;
-  return settings.exit_of(abelian, h.verdict != Verdict::undecided);
-}
-
-// From the child to its parent, who compares no classes of integrals: of them in words.
-Json packed(const Headline& h) {
-  return {static_cast<int>(h.verdict),
-          h.trusted,
-          h.unchecked,
-          h.refused,
-          h.complete,
-          h.excluded.empty() ? Json(nullptr) : Json(sentence(h.excluded))};
-}
-Headline unpacked(const Json& j) {
-  return {static_cast<Verdict>(j.at(0).get<int>()), {}, j.at(1), j.at(2), j.at(3), j.at(4)};
-}
-
-void put(Json& result, const Headline& h, const Json& integrals) {
-  result["verdict"] = to_string(h.verdict);
-  result["integrals_class"] = integrals;
-  result["trusted"] = h.trusted;
-  result["not_checked"] = h.unchecked;
-  result["complete"] = h.complete;
-}
 
 // The jobs of one file: the plan, and for each set of values ("round") its claims and each of its
 // manifolds.  They run in a child process; what a job needs of earlier ones is made again when the
@@ -136,18 +86,7 @@ private:
 
   Report claims(Round& round) {
     const System& s = round.file.system();
-    Report report{exit_decided, "", {{"claims", Json::array()}, {"expected", Json::array()}}, {}};
-    for (const auto& c : round.file.claims(options_.check)) {
-      report.json.at("claims").push_back(json_of(c));
-      std::string where;
-      for (const MPoly& g : not_excluded(s, c.result.generic))
-        where += (where.empty() ? " where " : ", ") + to_string(g) + " != 0";
-      report.json.at("expected")
-          .push_back(
-              {{"name", title_of(c.claim) + (c.claim.holds ? ": proved" + where : ": refuted")},
-               {"found", is_met(c.claim, c.result) ? "" : c.result.detail},
-               {"limit", !c.result.open.empty()}});
-    }
+    Report report{exit_decided, "", json_of_claims(s, round.file.claims(options_.check)), {}};
     if (s.manifolds.empty())
       report.text =
           heading(s.file, s.title) +
@@ -166,7 +105,7 @@ private:
       do_part(answer, "the certificates", [&] { proofs = study::certificates(s, m); });
     if (settings_.second_opinion)
       do_part(answer, "the second opinion", [&] { ask_monodromy(s, m.first, answer, proofs); });
-    if (!settings_.certificate.empty()) file_certificates(s, proofs, answer);
+    if (!settings_.certificate.empty()) file_certificates(settings_, s, proofs, answer);
     answer.json["unmet"] = Json::array(); // null: the expectation is about another one
     for (const SystemExpectation* x : expectations_of(round))
       answer.json["unmet"].push_back(x->manifold.empty() || x->manifold == m.name()
@@ -224,26 +163,6 @@ private:
       answer.text += labelled("monodromy", o.json.at("text").get<std::string>());
       all.push_back(o.json);
       if (!o.proof.json.empty() || !o.proof.none.empty()) proofs.push_back(o.proof);
-    }
-  }
-
-  void file_certificates(const System& s, const std::vector<NamedCertificate>& proofs,
-                         Report& answer) const {
-    std::string values;
-    for (const auto& [name, value] : s.values)
-      values += "-" + name + "=" + to_string(value);
-    Json& json = answer.json.at("manifold");
-    json["certificate_files"] = Json::array();
-    for (const NamedCertificate& c : proofs) {
-      if (c.json.empty()) {
-        json["no_certificate"].push_back(c.name + ": " + c.none);
-        answer.text += labelled("no proof", "of " + c.name + ": " + c.none);
-        continue;
-      }
-      const std::string path = file_certificate(
-          settings_, std::filesystem::path(s.file).stem().string() + values + "-" + c.name, c.json);
-      json["certificate_files"].push_back(path);
-      answer.text += labelled("proof", path + "   verify: kovacic verify " + path);
     }
   }
 

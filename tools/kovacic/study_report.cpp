@@ -264,47 +264,4 @@ std::string text_of(const System& s, const SystemClassification& c, study::Verdi
   return out.str();
 }
 
-Json json_of_together(const SystemClassification& c) {
-  Json strata = Json::array();
-  for (const ClassifiedStratum& x : c.strata)
-    strata.push_back(json_of(c, x));
-  return {{"statement", c.excluded.empty() ? Json(nullptr) : Json(statement(c))},
-          {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
-          {"assumptions", c.assumptions},
-          {"theorems", c.theorems},
-          {"trusted", c.trusted},
-          {"strata", strata}};
-}
-
-namespace {
-
-// Nothing of the manifold but its name and its verdict stands twice.
-Json json_of(const study::HigherOrders& h) {
-  Json j{{"up_to", h.up_to}};
-  if (!h.planes.open.empty() && !h.excluded) j["open"] = h.planes.open;
-  if (!h.excluded) return j;
-  const ExclusionReason& by = h.excluded->by;
-  j["order"] = by.order;
-  if (!h.by_quadratures) j["residue"] = to_string(h.planes.obstruction->logarithm.form);
-  j["level"] = by.level;
-  j["exceptions"] = h.exceptions;
-  j["without"] = by.integrals.without;
-  j["not_checked"] = by.unchecked.empty() ? Json(nullptr) : Json(by.unchecked);
-  j["reason"] = by.reason;
-  j["theorem"] = by.theorems.front();
-  j["trusted"] = by.trusted;
-  return j;
-}
-
-} // namespace
-
-Json json_of(const System& s, const study::CurveStudy& m) {
-  Json j = json_of(s, m.first);
-  j["verdict"] = to_string(m.headline.verdict);
-  if (m.higher) j["higher_orders"] = json_of(*m.higher);
-  for (const std::string& part : m.failed)
-    j["failed"].push_back(part);
-  return j;
-}
-
 } // namespace kov::cli

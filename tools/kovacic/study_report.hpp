@@ -26,4 +26,19 @@ enum class Detail : std::uint8_t {
                                   study::Verdict verdict, Detail detail);
 [[nodiscard]] Json json_of_together(const SystemClassification& c);
 
+/// The answer for one set of values, empty.
+[[nodiscard]] Json json_of_round(const System& s);
+/// "claims", and "expected": that they hold, or not.
+[[nodiscard]] Json json_of_claims(const System& s, const std::vector<ClaimReport>& claims);
+/// verdict, class of integrals (in words), trusted, not_checked, complete.
+void put(Json& result, const study::Headline& h, const Json& integrals);
+/// Writes them (--certificate); the answer names the files.
+void file_certificates(const Settings& settings, const System& s,
+                       const std::vector<NamedCertificate>& proofs, Report& answer);
+/// From the child to its parent, who compares no classes of integrals: of them in words, as [5].
+[[nodiscard]] Json packed(const study::Headline& h);
+[[nodiscard]] study::Headline unpacked(const Json& j);
+/// A manifold that is none is an error of the file, whatever else is proved.
+[[nodiscard]] int exit_of(const Settings& settings, const study::Headline& h);
+
 } // namespace kov::cli

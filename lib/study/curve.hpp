@@ -9,7 +9,7 @@ namespace kov {
 
 /// check_manifold(); where the zero level of a known integral leaves it undecided, what couples that
 /// level to the others may not be abelian, and the same is asked without integrals.
-[[nodiscard]] ManifoldReport study_along(const System& s, const ManifoldSpec& m,
+[[nodiscard]] ManifoldReport study_curve(const System& s, const ManifoldSpec& m,
                                          const std::vector<ClaimReport>& claims,
                                          const CheckOptions& options);
 

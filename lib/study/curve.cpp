@@ -1,4 +1,4 @@
-#include "study/along.hpp"
+#include "study/curve.hpp"
 
 #include "integrability/parameters.hpp"
 
@@ -21,7 +21,7 @@ bool excludes_something(const ManifoldReport& report) {
 
 } // namespace
 
-ManifoldReport study_along(const System& s, const ManifoldSpec& m,
+ManifoldReport study_curve(const System& s, const ManifoldSpec& m,
                            const std::vector<ClaimReport>& claims, const CheckOptions& options) {
   ManifoldReport report = check_manifold(s, m, claims, options);
   if (report.failure || report.verdict != VerdictKind::undecided || excludes_something(report) ||
