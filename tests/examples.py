@@ -19,6 +19,7 @@ import sys
 excused = {
     "exact/flint.hpp": "includes only",
     "exact/flint_matrix.hpp": "includes only",
+    "symbol/pasted_passes.hpp": "a part of pasted.hpp",
     "integrability/block.hpp": "a stage of check.hpp",
     "integrability/curve_rows.hpp": "a part of way.hpp",
     "integrability/way.hpp": "an example needs a system file",
@@ -122,7 +123,7 @@ def main(source, room, output):
     out = [f"// The examples of lib/{room}, written by tests/examples.py.\n"]
     out += [f'#include "{room}/{h}"\n' for h in headers]
     out += ['#include "exact/poly.hpp"\n', '#include "support/shown.hpp"\n']
-    out += ["namespace kov {\n", "namespace {\n", "using testing::example;\n",
+    out += ["namespace kov {\n", f"namespace examples_of_{room} {{\n", "using testing::example;\n",
             names_of_strata if room in ("parameters", "strata", "spectrum") else names]
     for header in headers:
         with open(os.path.join(folder, header), encoding="utf-8") as text:

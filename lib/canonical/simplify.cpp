@@ -10,7 +10,7 @@
 namespace kov {
 namespace {
 
-constexpr std::size_t most_degrees = 3; // of freedom, of flat coordinates
+constexpr std::size_t most_flat_degrees = 3; // of freedom, of flat coordinates
 
 // Names that the ring does not have: X, Y, Z and U, V, W, or X1, ...
 FlatNames add_names(std::size_t n, std::vector<std::string>& names) {
@@ -23,9 +23,9 @@ FlatNames add_names(std::size_t n, std::vector<std::string>& names) {
   };
   static const std::vector<std::string> q{"X", "Y", "Z"}, p{"U", "V", "W"};
   FlatNames all;
-  for (std::size_t i = 0; i < std::min(n, most_degrees); ++i)
+  for (std::size_t i = 0; i < std::min(n, most_flat_degrees); ++i)
     all.coordinates.push_back(add(q[i]));
-  for (std::size_t i = 0; i < std::min(n, most_degrees); ++i)
+  for (std::size_t i = 0; i < std::min(n, most_flat_degrees); ++i)
     all.momenta.push_back(add(p[i]));
   all.root = add("R");
   return all;
@@ -37,7 +37,7 @@ bool is_changed(const Form& form, const Form& before) {
 
 std::optional<Form> simpler(const Form& given, const FlatNames& names, const Budget& budget) {
   Form form = with_quadratic_kinetic_term(given);
-  if (given.degrees() <= most_degrees)
+  if (given.degrees() <= most_flat_degrees)
     if (auto flat = in_flat_coordinates(form, names, budget)) form = *std::move(flat);
   form = with_completed_square(form, budget);
   form = with_good_origin(form, budget);

@@ -9,7 +9,7 @@
 namespace kov {
 namespace {
 
-bool contains(const std::vector<std::size_t>& all, std::size_t i) {
+bool is_among(const std::vector<std::size_t>& all, std::size_t i) {
   return std::find(all.begin(), all.end(), i) != all.end();
 }
 
@@ -169,7 +169,7 @@ ScaledSystem at_one(const System& s, const std::vector<std::size_t>& parameters,
     x.values[parameters[c]] = MFraction(s.ring(), Rational(1));
   }
   for (std::size_t j = 0; j < parameters.size(); ++j) {
-    if (contains(columns, j)) continue;
+    if (is_among(columns, j)) continue;
     MFraction p = MFraction::variable(s.ring(), parameters[j]);
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const MFraction& w = weights[k][j];
@@ -212,7 +212,7 @@ std::optional<ScaledSystem> scaled(const System& s) {
   const auto levels = level_parameters(s);
   std::vector<std::size_t> parameters;
   for (const std::size_t p : s.field.parameters)
-    if (!contains(levels, p)) parameters.push_back(p);
+    if (!is_among(levels, p)) parameters.push_back(p);
   if (parameters.empty() || parameters.size() > most_parameters) return std::nullopt;
   const Matrix basis = Weights(s).of(parameters);
   std::optional<ScaledSystem> best;

@@ -8,7 +8,7 @@ namespace kov::witness {
 
 namespace {
 
-constexpr int prime_tries = 2000;
+constexpr int local_prime_tries = 2000;
 constexpr long largest_annihilator = 120; // degree over Q; the bound is cruder than it is useful
 
 // Does the judge agree?
@@ -28,7 +28,7 @@ PrimeIdeal prime_for_places(const certify::Judge& judge, const Singularities& s,
     bases.push_back(place.place);
   const Poly all = product(std::move(bases));
   PrimeIdeals primes = PrimeIdeals::large(judge.field);
-  for (int tries = 0; tries < prime_tries; ++tries) {
+  for (int tries = 0; tries < local_prime_tries; ++tries) {
     budget.check();
     const PrimeIdeal prime = primes.next();
     if (agrees([&] {
@@ -46,7 +46,7 @@ PrimeIdeal prime_for_places(const certify::Judge& judge, const Singularities& s,
 std::optional<PrimeIdeal> irrational_at_every_root(const Singularity& s, const Field& k,
                                                    const Budget& budget) {
   PrimeIdeals primes = PrimeIdeals::large(k);
-  for (int tries = 0; tries < prime_tries; ++tries) {
+  for (int tries = 0; tries < local_prime_tries; ++tries) {
     budget.check();
     const PrimeIdeal prime = primes.next();
     const auto q = prime.reduce(s.place);

@@ -8,7 +8,7 @@ namespace kov::witness {
 
 namespace {
 
-constexpr int prime_tries = 4000;
+constexpr int torsion_prime_tries = 4000;
 constexpr mp_limb_t points_to_try = 4000;
 
 // h modulo a prime of degree one of K(w).
@@ -69,7 +69,7 @@ std::optional<certify::NotAPower> two_points(const ReducedFunction& h, long l) {
 certify::NotAPower not_a_power(const certify::Judge& judge, const certify::TorsionFunction& h,
                                const certify::InvariantFact& v, long l, const Budget& budget) {
   PrimeIdeals primes(judge.field, 40);
-  for (int tries = 0; tries < prime_tries; ++tries) {
+  for (int tries = 0; tries < torsion_prime_tries; ++tries) {
     budget.check();
     const PrimeIdeal prime = primes.next();
     if (prime.p % static_cast<mp_limb_t>(l) != 1) continue;

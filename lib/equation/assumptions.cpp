@@ -18,13 +18,6 @@ bool contains(const Names& all, const std::string& name) {
   return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-const Expression* find_name(const Expression& e, const std::string& name) {
-  if (e.kind() == Expression::Kind::name && e.name() == name) return &e;
-  for (const Expression& operand : e.operands())
-    if (const Expression* found = find_name(operand, name)) return found;
-  return nullptr;
-}
-
 InputError error_at_name(const Sentence& s, const std::string& name, const std::string& message,
                          const std::string& hint) {
   for (const Expression* side : {&s.left, s.right ? &*s.right : nullptr})

@@ -77,7 +77,7 @@ private:
   std::map<std::string, std::string> letters_, meanings_;
 };
 
-class OverRing : public Coefficients<MFraction> {
+class OverRing : public FieldOfCoefficients<MFraction> {
 public:
   OverRing(const Scope& scope, std::size_t t, MFraction speed)
       : scope_(scope), t_(t), speed_(std::move(speed)) {}

@@ -36,7 +36,7 @@ void look(const Expression& e, Found& found) {
     look(operand, found);
 }
 
-class OverNumbers : public Coefficients<RationalFunction> {
+class OverNumbers : public FieldOfCoefficients<RationalFunction> {
 public:
   explicit OverNumbers(const Reading& reading) : reading_(reading) {}
 

@@ -63,13 +63,6 @@ private:
   const Scope& scope_;
 };
 
-const Expression* find_name(const Expression& e, const std::string& name) {
-  if (e.kind() == Expression::Kind::name && e.name() == name) return &e;
-  for (const Expression& operand : e.operands())
-    if (const Expression* found = find_name(operand, name)) return found;
-  return nullptr;
-}
-
 // Forgotten parameters, told as the reader without parameters tells them.
 void refuse_unknown_names(const EquationText& text, const EquationNames& given,
                           const Scope& scope) {

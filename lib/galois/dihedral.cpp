@@ -172,10 +172,10 @@ struct ReducedClass {
 };
 
 // The class of E in the Jacobian modulo one prime; unset when the prime is not good.
-class Reduction {
+class JacobianReduction {
 public:
-  Reduction(const DihedralCurve& c, const std::vector<Pole>& poles, const Integer& l,
-            PrimeIdeal prime)
+  JacobianReduction(const DihedralCurve& c, const std::vector<Pole>& poles, const Integer& l,
+                    PrimeIdeal prime)
       : c_(c), poles_(poles), l_(l), prime_(prime) {}
 
   [[nodiscard]] std::optional<ReducedClass> divisor_class() {
@@ -382,7 +382,8 @@ void reduce_modulo_primes(DihedralAnswer& answer, const DihedralCurve& c,
   for (int tries = 0; tries < prime_tries && answer.orders.size() < 3; ++tries) {
     budget.check();
     const PrimeIdeal prime = primes.next();
-    const auto reduced = Reduction(c, poles, answer.residue_denominator, prime).divisor_class();
+    const auto reduced =
+        JacobianReduction(c, poles, answer.residue_denominator, prime).divisor_class();
     if (!reduced) continue;
     const auto order = reduced->jacobian.order(reduced->e, budget);
     if (!order) {

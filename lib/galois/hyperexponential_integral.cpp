@@ -87,14 +87,14 @@ HyperexponentialIntegral reduced_integral(const RationalFunction& a, const Ratio
 namespace {
 
 // Factors and summands with as few signs and parentheses as the reader needs.
-std::string bracketed(const std::string& text) {
+std::string bracketed_sum(const std::string& text) {
   return text.find_first_of("+-/ ") == std::string::npos ? text : "(" + text + ")";
 }
 
 std::string times(const std::string& a, const std::string& b) {
   if (a == "1") return b;
   if (b == "1") return a;
-  return bracketed(a) + "*" + b;
+  return bracketed_sum(a) + "*" + b;
 }
 
 // a + b; a - b' where b begins with a negative number between parentheses: "(-1/2)*log(z)".
@@ -123,7 +123,7 @@ std::string rational_integral(const RationalFunction& b, const std::string& z,
 std::string root_text(const Rational& square) {
   const auto [outside, inside] = square_part(square.num() * square.den());
   const std::string factor = to_string(Rational(outside, square.den()));
-  if (inside == Integer(1)) return bracketed(factor);
+  if (inside == Integer(1)) return bracketed_sum(factor);
   const std::string root = "sqrt(" + to_string(inside) + ")";
   return factor == "1" ? root : "(" + factor + "*" + root + ")";
 }
@@ -144,7 +144,7 @@ std::optional<std::string> error_function(const HyperexponentialIntegral& x, con
   if (!is_zero(constant)) text += "*exp(" + to_string(constant) + ")";
   const std::string argument = to_string(Poly::z() + Poly(shift), z);
   return text + (sign(a) < 0 ? "*erf(" : "*erfi(") +
-         (root == "1" ? argument : root + "*" + bracketed(argument)) + ")";
+         (root == "1" ? argument : root + "*" + bracketed_sum(argument)) + ")";
 }
 
 // int c exp(a z)/(z - d) dz = c exp(a d) Ei(a (z - d)), for each simple pole d in K.

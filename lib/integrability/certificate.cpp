@@ -11,13 +11,6 @@ namespace kov {
 
 namespace {
 
-std::string list(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& s : all)
-    text += (text.empty() ? "" : ", ") + s;
-  return text;
-}
-
 // "y'' = r(z) y with z = ... is the equation of the block (...) along ..., derived by this program"
 std::string derivation(const System& s, const ManifoldReport& m, const BlockReport& b,
                        const std::string& level) {
@@ -32,8 +25,9 @@ std::string derivation(const System& s, const ManifoldReport& m, const BlockRepo
   if (!level.empty()) values.push_back(level);
   return "y'' = r y, in the variable " + s.ring()->name(b.ode->z) + " (" + b.ode->change +
          "), is the normal form of the equation of " + b.ode->unknown + " in the block (" +
-         list(b.unknowns) + ") of the normal variational equations of " + s.file + " along " +
-         m.name + ": " + list(equations) + (values.empty() ? "" : "; with " + list(values));
+         comma_separated(b.unknowns) + ") of the normal variational equations of " + s.file +
+         " along " + m.name + ": " + comma_separated(equations) +
+         (values.empty() ? "" : "; with " + comma_separated(values));
 }
 
 class Collector {

@@ -161,15 +161,8 @@ Truth both(Truth a, Truth b) {
   return a == Truth::yes && b == Truth::yes ? Truth::yes : Truth::unknown;
 }
 
-std::string list(const std::vector<std::string>& all) {
-  std::string text;
-  for (const auto& one : all)
-    text += (text.empty() ? "" : ", ") + one;
-  return text;
-}
-
 std::vector<std::string> reasons_of(const BlockReport& block) {
-  const std::string name = "block (" + list(block.unknowns) + "): ";
+  const std::string name = "block (" + comma_separated(block.unknowns) + "): ";
   std::vector<std::string> all;
   if (!block.note.empty()) all.push_back(name + block.note);
   if (block.decision) all.push_back(name + reason(*block.decision));

@@ -1,6 +1,7 @@
 #include "integrability/variational_monodromy.hpp"
 
 #include "exact/error.hpp"
+#include "integrability/block.hpp"
 #include "integrability/constants.hpp"
 
 #include "decide/decide.hpp"
@@ -10,13 +11,6 @@
 
 namespace kov {
 namespace {
-
-const ReduceSpec* reduction_for(const System& s, const std::string& manifold) {
-  const auto it = std::find_if(s.reductions.begin(), s.reductions.end(), [&](const ReduceSpec& r) {
-    return r.manifold.empty() || r.manifold == manifold;
-  });
-  return it == s.reductions.end() ? nullptr : &*it;
-}
 
 void refuse_parameters(const System& s, const Matrix& a) {
   std::string names;

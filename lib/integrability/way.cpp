@@ -10,6 +10,14 @@
 #include <algorithm>
 
 namespace kov {
+
+std::string comma_separated(const std::vector<std::string>& all) {
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? "" : ", ") + one;
+  return text;
+}
+
 namespace {
 
 using Element = FunctionField::Element;

@@ -17,6 +17,9 @@ struct WayToR {
   bool leaves_out = false; ///< something moves along the curve and has no value on it
 };
 
+/// "a, b, c"
+[[nodiscard]] std::string comma_separated(const std::vector<std::string>& all);
+
 /// The certificate of the whole way with this one of y'' = r y (a text), and whether the checker
 /// accepts it.   `none`: why not.
 [[nodiscard]] std::optional<std::string>

@@ -30,8 +30,6 @@ bool is_parametric(const PhaseSpace& p, const MPoly& f) {
                       [&](std::size_t i) { return uses(f, i); });
 }
 
-MPoly common_multiple(const MPoly& a, const MPoly& b) { return exact_div(a * b, gcd(a, b)); }
-
 void add_new(std::vector<MPoly>& all, const MPoly& f) {
   if (std::find(all.begin(), all.end(), f) == all.end()) all.push_back(f);
 }

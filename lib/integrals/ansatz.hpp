@@ -14,6 +14,11 @@
 
 namespace kov {
 
+/// The least one.
+[[nodiscard]] inline MPoly common_multiple(const MPoly& a, const MPoly& b) {
+  return exact_div(a * b, gcd(a, b));
+}
+
 /// The variables of one system in their two roles, with what is divided by.
 struct PhaseSpace {
   explicit PhaseSpace(const System& s, const Budget& budget = {});

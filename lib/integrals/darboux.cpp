@@ -14,8 +14,6 @@ constexpr std::size_t most_columns = 30;
 constexpr double most_terms = 2e4; // where a plane is put into the field
 constexpr double most_work = 1e6;  // in each of the ideals that come up
 
-MPoly common_multiple(const MPoly& a, const MPoly& b) { return exact_div(a * b, gcd(a, b)); }
-
 MPoly one(const Ring& ring) { return MPoly(ring, Integer(1)); }
 
 MPoly common_denominator(const Ring& ring, const std::vector<MFraction>& all) {

@@ -10,9 +10,9 @@ namespace kov {
 namespace {
 
 /// One chart: the line, and what has to vanish on it.
-class Chart {
+class LineChart {
 public:
-  Chart(const VectorField& v, std::size_t dependent) : v_(v), dependent_(dependent) {
+  LineChart(const VectorField& v, std::size_t dependent) : v_(v), dependent_(dependent) {
     auto names = v.ring->names();
     for (const char* unknown : {"slope of the line", "offset of the line", "ratio of the momenta"})
       names.emplace_back(unknown);
@@ -98,7 +98,7 @@ Lines find_lines(const VectorField& v, const Budget& budget) {
   Lines all;
   if (v.dimension() != 4 || !v.functions.empty()) return all;
   for (const std::size_t dependent : {1U, 0U})
-    Chart(v, dependent).find(all, budget);
+    LineChart(v, dependent).find(all, budget);
   return all;
 }
 

@@ -5,7 +5,7 @@
 namespace kov::monodromy {
 namespace {
 
-constexpr long most_bits = 1L << 16;
+constexpr long most_root_bits = 1L << 16;
 
 // Over Q, f squarefree.
 std::vector<ComplexBall> rational_roots(const Poly& f, long bits) {
@@ -41,14 +41,14 @@ std::vector<ComplexBall> embedded_roots(const Poly& f, long bits) {
   if (degree(f) < 1) return {};
   if (f.field()->is_rational()) return rational_roots(f, bits);
   const Poly all = squarefree_part(norm(f));
-  for (long precision = bits + 64; precision <= most_bits; precision *= 2) {
+  for (long precision = bits + 64; precision <= most_root_bits; precision *= 2) {
     std::vector<ComplexBall> kept;
     for (const ComplexBall& z : rational_roots(all, precision))
       if (acb_contains_zero(evaluate(f, z, precision).raw()) != 0) kept.push_back(z);
     if (static_cast<long>(kept.size()) == degree(f)) return kept;
   }
-  throw OutOfBudget("the singularities could not be told apart with " + std::to_string(most_bits) +
-                    " bits");
+  throw OutOfBudget("the singularities could not be told apart with " +
+                    std::to_string(most_root_bits) + " bits");
 }
 
 std::vector<SingularPoint> singular_points(const DifferentialSystem& s, long bits,

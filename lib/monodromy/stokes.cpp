@@ -12,8 +12,8 @@
 namespace kov::monodromy {
 namespace {
 
-constexpr long spare_bits = 64;
-constexpr long most_bits = 1L << 18;
+constexpr long stokes_spare_bits = 64;
+constexpr long most_stokes_bits = 1L << 18;
 
 // ---- the families
 
@@ -256,7 +256,7 @@ void ensure_connected(const Stokes& s, const Crossings& c, const std::optional<B
     throw InternalError("the Stokes matrices fail their self-test: the formal monodromy");
 }
 
-Ball radius(const ComplexBall& z) {
+Ball ball_radius(const ComplexBall& z) {
   BallMatrix m(1);
   acb_set(m.entry(0, 0), z.raw());
   return largest_radius(m);
@@ -272,7 +272,8 @@ bool accurate(const Stokes& s, long digits) {
   arb_pow_ui(bound.raw(), bound.raw(), static_cast<ulong>(digits), 64);
   arb_inv(bound.raw(), bound.raw(), 64);
   return std::all_of(s.matrices.begin(), s.matrices.end(), [&](const StokesMatrix& m) {
-    return is_within(largest_radius(m.matrix), bound) && is_within(radius(m.multiplier), bound);
+    return is_within(largest_radius(m.matrix), bound) &&
+           is_within(ball_radius(m.multiplier), bound);
   });
 }
 
@@ -288,7 +289,7 @@ std::optional<Stokes> stokes_at_infinity(const RationalFunction& p, const Ration
     const Monodromy m = monodromy(RationalFunction(0), -r, {request.digits, base, request.budget});
     around = m.loops.at(0).matrix;
   }
-  for (long bits = request.digits * 4 + spare_bits; bits < most_bits; bits *= 2) {
+  for (long bits = request.digits * 4 + stokes_spare_bits; bits < most_stokes_bits; bits *= 2) {
     request.budget.check();
     try {
       const Numbers n{bits};

@@ -56,9 +56,9 @@ std::optional<RationalFunction> assembled(const std::vector<Pole>& poles,
   return f + RationalFunction(constant);
 }
 
-class Search {
+class AirySearch {
 public:
-  Search(std::vector<Pole> poles, NfElem a, const Try& tell, const Budget& budget)
+  AirySearch(std::vector<Pole> poles, NfElem a, const Try& tell, const Budget& budget)
       : poles_(std::move(poles)), a_(std::move(a)), tell_(tell), budget_(budget) {}
 
   bool run() {
@@ -104,7 +104,7 @@ bool try_airy(const Singularities& s, const Try& tell, const Budget& budget) {
   if (n % 3 == 2) constants = {norm * norm};
   if (n % 3 == 0) constants = {NfElem(1)};
   for (const NfElem& a : constants)
-    if (Search(*poles, a, tell, budget).run()) return true;
+    if (AirySearch(*poles, a, tell, budget).run()) return true;
   return false;
 }
 

@@ -12,17 +12,17 @@
 namespace kov::pullback {
 namespace {
 
-constexpr long largest_degree = 12;
+constexpr long largest_map_degree = 12;
 constexpr long most_zeros = 12;
 
-struct Pole {
+struct IrregularPole {
   Point point;
   long order = 0;
   ResidueSeries terms; // of f t^order
 };
 
-std::vector<Pole> poles_of(const Singularities& s) {
-  std::vector<Pole> all;
+std::vector<IrregularPole> irregular_poles(const Singularities& s) {
+  std::vector<IrregularPole> all;
   for (const Singularity* place : irregular_places(s)) {
     const Phase p = phase(s.r, *place);
     const Point point = point_of(*place);
@@ -34,11 +34,11 @@ std::vector<Pole> poles_of(const Singularities& s) {
   return all;
 }
 
-class Search {
+class BesselSearch {
 public:
-  Search(const Singularities& s, const Try& tell, const Budget& budget)
-      : s_(s), tell_(tell), budget_(budget), poles_(poles_of(s)) {
-    for (const Pole& p : poles_) {
+  BesselSearch(const Singularities& s, const Try& tell, const Budget& budget)
+      : s_(s), tell_(tell), budget_(budget), poles_(irregular_poles(s)) {
+    for (const IrregularPole& p : poles_) {
       left_ += p.order * degree(p.point.q);
       if (!p.point.at_infinity) below_ *= pow(p.point.q, static_cast<unsigned long>(p.order));
     }
@@ -48,7 +48,8 @@ public:
   }
 
   bool run() {
-    if (poles_.empty() || left_ > largest_degree || static_cast<long>(zeros_.size()) > most_zeros)
+    if (poles_.empty() || left_ > largest_map_degree ||
+        static_cast<long>(zeros_.size()) > most_zeros)
       return false;
     return with_multiplicities(0, Poly(1));
   }
@@ -89,7 +90,7 @@ private:
     };
     std::vector<Value> values;
     const NfElem n(left_);
-    for (const Pole& p : poles_) {
+    for (const IrregularPole& p : poles_) {
       if (degree(p.point.q) != 1) continue;
       const auto terms = static_cast<long>(p.terms.size());
       const Laurent here = laurent(visible, p.point, terms);
@@ -119,13 +120,13 @@ private:
   }
 
   bool scaled(const RationalFunction& shape) {
-    const Pole& first = poles_.front();
+    const IrregularPole& first = poles_.front();
     const Laurent here = laurent(shape, first.point, 1);
     if (here.order != -first.order) return false;
     const Poly factor = divide({first.terms[0]}, here.terms, first.point.q)[0];
     if (degree(factor) > 0) return false;
     const RationalFunction f = shape * RationalFunction(factor);
-    for (const Pole& p : poles_) {
+    for (const IrregularPole& p : poles_) {
       const Laurent terms = laurent(f, p.point, static_cast<long>(p.terms.size()));
       if (terms.order != -p.order || terms.terms != p.terms) return false;
     }
@@ -141,7 +142,7 @@ private:
   const Singularities& s_;
   const Try& tell_;
   const Budget& budget_;
-  std::vector<Pole> poles_;
+  std::vector<IrregularPole> poles_;
   std::vector<const Singularity*> zeros_;
   Poly below_ = Poly(1);
   long left_ = 0;
@@ -150,7 +151,7 @@ private:
 } // namespace
 
 bool try_bessel_of_root(const Singularities& s, const Try& tell, const Budget& budget) {
-  return Search(s, tell, budget).run();
+  return BesselSearch(s, tell, budget).run();
 }
 
 } // namespace kov::pullback

@@ -15,7 +15,7 @@
 namespace kov::pullback {
 namespace {
 
-constexpr long largest_degree = 6;
+constexpr long largest_riemann_degree = 6;
 constexpr std::size_t most_places = 12;
 constexpr long most_divisions = 200000;
 
@@ -66,9 +66,9 @@ struct Fibre {
   std::vector<Member> places;
 };
 
-class Search {
+class RiemannSearch {
 public:
-  Search(const Singularities& s, const Try& tell, const Budget& budget)
+  RiemannSearch(const Singularities& s, const Try& tell, const Budget& budget)
       : s_(s), tell_(tell), budget_(budget) {
     for (const Singularity& p : s.finite)
       if (is_lasting(p)) places_.push_back(&p);
@@ -80,7 +80,7 @@ public:
 
   bool run() {
     if (places_.empty() || places_.size() > most_places) return false;
-    for (long n = 1; n <= largest_degree; ++n) {
+    for (long n = 1; n <= largest_riemann_degree; ++n) {
       fibres_.assign(3, Fibre{Poly(1), n, {}});
       if (divide(0)) return true;
     }
@@ -194,7 +194,7 @@ private:
 
 bool try_riemann(const Singularities& s, const Try& tell, const Budget& budget) {
   if (!irregular_places(s).empty()) return false;
-  return Search(s, tell, budget).run();
+  return RiemannSearch(s, tell, budget).run();
 }
 
 } // namespace kov::pullback

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_poles = 6;
 
-struct Pole {
+struct DoublePole {
   const Singularity* place = nullptr;
   Point point;
   long order = 0;
@@ -22,8 +22,8 @@ struct Pole {
   ResidueSeries terms; // of f/f0
 };
 
-std::optional<std::vector<Pole>> poles_of(const Singularities& s) {
-  std::vector<Pole> all;
+std::optional<std::vector<DoublePole>> double_poles(const Singularities& s) {
+  std::vector<DoublePole> all;
   for (const Singularity* place : irregular_places(s)) {
     if (place->kind == PlaceKind::ramified) return std::nullopt;
     const Phase p = phase(s.r, *place);
@@ -63,15 +63,15 @@ std::optional<Candidate> as_weber(const NfElem& a, const NfElem& b, const NfElem
                    RationalFunction(*above, *below)};
 }
 
-class Search {
+class WhittakerSearch {
 public:
-  Search(const Singularities& s, std::vector<Pole> poles, NfElem a, const Try& tell,
-         const Budget& budget)
+  WhittakerSearch(const Singularities& s, std::vector<DoublePole> poles, NfElem a, const Try& tell,
+                  const Budget& budget)
       : s_(s), poles_(std::move(poles)), a_(std::move(a)), tell_(tell), budget_(budget) {}
 
   bool run() {
     if (leading_.size() == poles_.size()) return with_slope();
-    const Pole& next = poles_[leading_.size()];
+    const DoublePole& next = poles_[leading_.size()];
     const Poly square = scale(next.square, inverse(a_));
     const auto root = square_root(square, next.point.q);
     if (!root) return false;
@@ -112,7 +112,7 @@ private:
     std::size_t least = 0;
     for (std::size_t i = 1; i < poles_.size(); ++i)
       if (poles_[i].order < poles_[least].order) least = i;
-    const Pole& p = poles_[least];
+    const DoublePole& p = poles_[least];
     const Poly value = p.place->beta * inverse_mod(leading_[least], p.point.q) % p.point.q;
     if (degree(value) > 0) return {};
     const NfElem l(p.order);
@@ -141,7 +141,7 @@ private:
   }
 
   const Singularities& s_;
-  std::vector<Pole> poles_;
+  std::vector<DoublePole> poles_;
   NfElem a_;
   const Try& tell_;
   const Budget& budget_;
@@ -151,14 +151,14 @@ private:
 } // namespace
 
 bool try_whittaker(const Singularities& s, const Try& tell, const Budget& budget) {
-  auto poles = poles_of(s);
+  auto poles = double_poles(s);
   if (!poles || poles->empty() || poles->size() > most_poles) return false;
-  std::stable_sort(poles->begin(), poles->end(), [](const Pole& p, const Pole& q) {
+  std::stable_sort(poles->begin(), poles->end(), [](const DoublePole& p, const DoublePole& q) {
     return degree(p.point.q) < degree(q.point.q);
   });
-  const Pole& first = poles->front();
+  const DoublePole& first = poles->front();
   for (const NfElem& a : kovacic::square_classes(first.square, first.point.q))
-    if (Search(s, *poles, a, tell, budget).run()) return true;
+    if (WhittakerSearch(s, *poles, a, tell, budget).run()) return true;
   return false;
 }
 

@@ -1,13 +1,12 @@
 #include "special/confluent.hpp"
 
+#include "special/half.hpp"
 #include "special/riemann.hpp"
 
 #include <algorithm>
 
 namespace kov {
 namespace {
-
-const Rational half(1, 2);
 
 std::optional<Rational> rational_root(const NfElem& square) {
   return is_rational(square) ? exact_sqrt(to_rational(square)) : std::nullopt;

@@ -2,7 +2,9 @@
 
 #include "exact/error.hpp"
 #include "exact/ideal.hpp"
+#include "special/coefficients.hpp"
 #include "special/confluent.hpp"
+#include "special/half.hpp"
 #include "special/riemann.hpp"
 
 #include <algorithm>
@@ -10,17 +12,12 @@
 namespace kov {
 namespace {
 
-const Rational half(1, 2);
-
 NfElem discriminant(const LameParameters<NfElem>& p) {
   return p.g2 * p.g2 * p.g2 - NfElem(27) * p.g3 * p.g3;
 }
 MFraction discriminant(const LameParameters<MFraction>& p) {
   return p.g2 * p.g2 * p.g2 - Rational(27) * (p.g3 * p.g3);
 }
-
-NfElem scaled(const Rational& c, const NfElem& a) { return NfElem(c) * a; }
-MFraction scaled(const Rational& c, const MFraction& a) { return c * a; }
 
 LameIndex classified(const Rational& n) {
   const Integer b = (n + half).den();

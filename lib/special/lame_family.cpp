@@ -4,6 +4,7 @@
 
 #include "exact/error.hpp"
 #include "special/coefficients.hpp"
+#include "special/half.hpp"
 
 #include <algorithm>
 
@@ -52,7 +53,6 @@ void make_monic(Fraction& r) {
 // The cubic P with P^2 = d, d monic of degree 6.
 std::optional<Polynomial> square_root(const Polynomial& d) {
   if (d.size() != 7) return std::nullopt;
-  const Rational half(1, 2);
   const MFraction p2 = half * d[5];
   const MFraction p1 = half * (d[4] - p2 * p2);
   const MFraction p0 = half * (d[3] - Rational(2) * (p1 * p2));

@@ -2,13 +2,12 @@
 
 #include "exact/error.hpp"
 #include "special/coefficients.hpp"
+#include "special/half.hpp"
 
 #include <optional>
 
 namespace kov {
 namespace {
-
-const Rational half(1, 2);
 
 NfElem constant(const Rational& c, const LameParameters<NfElem>&) { return NfElem(c); }
 MFraction constant(const Rational& c, const LameParameters<MFraction>& p) {
@@ -59,7 +58,7 @@ std::optional<long> largest_degree(const Rational& n, long m) {
 }
 
 // A linear form in the free coefficients of v.
-template <class R> using Form = std::vector<R>;
+template <class R> using LinearForm = std::vector<R>;
 
 // The forms whose common zeros, not all 0, are the v = sum v_j x^j with L v = 0, where image[j] is
 // L x^j, of degree at most j + e, and v_d, v_{d-1}, ... are found from the top.
@@ -68,11 +67,11 @@ public:
   TopDown(std::vector<Coefficients<R>> image, long e, const LameParameters<R>& p)
       : image_(std::move(image)), e_(e), parameters_(p), v_(image_.size()) {}
 
-  std::vector<Form<R>> conditions(const Budget& budget) {
+  std::vector<LinearForm<R>> conditions(const Budget& budget) {
     for (long row = static_cast<long>(image_.size()) - 1 + e_; row >= 0; --row) {
       budget.check();
       const long j = row - e_;
-      const Form<R> rest = applied(row, j);
+      const LinearForm<R> rest = applied(row, j);
       if (j < 0) {
         note(rest);
         continue;
@@ -80,7 +79,7 @@ public:
       const R indicial = entry(j, row);
       if (is_zero(indicial)) { // a growth exponent: v_j is free
         note(rest);
-        Form<R>& v = v_[static_cast<std::size_t>(j)];
+        LinearForm<R>& v = v_[static_cast<std::size_t>(j)];
         v.resize(static_cast<std::size_t>(free_) + 1, constant(Rational(0), parameters_));
         v.back() = constant(Rational(1), parameters_);
         ++free_;
@@ -89,7 +88,7 @@ public:
           v_[static_cast<std::size_t>(j)].push_back(-c / indicial);
       }
     }
-    for (Form<R>& form : found_)
+    for (LinearForm<R>& form : found_)
       form.resize(static_cast<std::size_t>(free_), constant(Rational(0), parameters_));
     return std::move(found_);
   }
@@ -102,18 +101,18 @@ private:
                                                          : constant(Rational(0), parameters_);
   }
   // The coefficient of x^row in L of the known part v_{j+1}, v_{j+2}, ...
-  [[nodiscard]] Form<R> applied(long row, long j) const {
-    Form<R> form(static_cast<std::size_t>(free_), constant(Rational(0), parameters_));
+  [[nodiscard]] LinearForm<R> applied(long row, long j) const {
+    LinearForm<R> form(static_cast<std::size_t>(free_), constant(Rational(0), parameters_));
     for (long i = std::max(j + 1, 0L); i < static_cast<long>(image_.size()); ++i) {
       const R c = entry(i, row);
       if (is_zero(c)) continue;
-      const Form<R>& v = v_[static_cast<std::size_t>(i)];
+      const LinearForm<R>& v = v_[static_cast<std::size_t>(i)];
       for (std::size_t k = 0; k < v.size(); ++k)
         form[k] = form[k] + c * v[k];
     }
     return form;
   }
-  void note(const Form<R>& form) {
+  void note(const LinearForm<R>& form) {
     for (const R& c : form)
       if (!is_zero(c)) return found_.push_back(form);
   }
@@ -121,9 +120,9 @@ private:
   std::vector<Coefficients<R>> image_;
   long e_;
   const LameParameters<R>& parameters_;
-  std::vector<Form<R>> v_;
+  std::vector<LinearForm<R>> v_;
   long free_ = 0;
-  std::vector<Form<R>> found_;
+  std::vector<LinearForm<R>> found_;
 };
 
 } // namespace
@@ -197,13 +196,13 @@ std::vector<R> invariant_conditions(const Rational& n, long m, const LameParamet
     image.push_back(symmetric_power(power, m, alpha, p));
   }
   TopDown<R> system(std::move(image), (m - 2) / 2, p);
-  const std::vector<Form<R>> forms = system.conditions(budget);
+  const std::vector<LinearForm<R>> forms = system.conditions(budget);
   std::vector<R> conditions;
   const auto keep = [&](const R& c) {
     if (!is_zero(c)) conditions.push_back(c);
   };
   if (system.free() == 1) {
-    for (const Form<R>& form : forms)
+    for (const LinearForm<R>& form : forms)
       keep(form.front());
     return conditions;
   }

@@ -2,14 +2,13 @@
 
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
+#include "special/half.hpp"
 #include "special/kimura.hpp"
 
 #include <algorithm>
 
 namespace kov {
 namespace {
-
-const Rational half(1, 2);
 
 // The roots in Q of f over K, with multiplicity: common roots of the coordinates of f in a basis of
 // K, so that nothing is factored over K.
@@ -42,7 +41,7 @@ std::optional<Rational> rational_exponent(const NfElem& square) {
   return is_rational(square) ? exact_sqrt(to_rational(square)) : std::nullopt;
 }
 
-bool is_half_integer(const std::optional<Rational>& q) { return q && q->den() == Integer(2); }
+bool is_known_half_integer(const std::optional<Rational>& q) { return q && q->den() == Integer(2); }
 
 bool contains_up_to(const std::vector<Integer>& sums, const Integer& n) {
   // |s| <= N - 1 and s = N - 1 modulo 2: one of N-1, N-3, ..., -(N-1)
@@ -67,7 +66,7 @@ public:
   ClosedAnswer answer() const {
     if (const auto odd = odd_relation())
       return reducible("l +- m +- n = " + to_string(*odd) + " is an odd integer");
-    if (std::count_if(exponents_.begin(), exponents_.end(), is_half_integer) >= 2)
+    if (std::count_if(exponents_.begin(), exponents_.end(), is_known_half_integer) >= 2)
       return dihedral();
     if (all_rational())
       if (const SchwarzClass* row = schwarz_class({*exponents_[0], *exponents_[1], *exponents_[2]}))
@@ -141,7 +140,7 @@ private:
   [[nodiscard]] ClosedAnswer dihedral() const {
     std::vector<std::optional<Rational>> rest = exponents_;
     for (int i = 0; i < 2; ++i)
-      rest.erase(std::find_if(rest.begin(), rest.end(), is_half_integer));
+      rest.erase(std::find_if(rest.begin(), rest.end(), is_known_half_integer));
     const std::string reason = "two exponent differences are in 1/2 + Z, and the third is ";
     if (!rest.front()) return ClosedAnswer::of({GroupType::Dinf, {}}, reason + "irrational");
     return ClosedAnswer::of({GroupType::D, rest.front()->den()}, reason + to_string(*rest.front()));

@@ -50,8 +50,6 @@ SurdField chart_field(const Ring& ring) {
                           {ring->index("cos_g"), one - x("sin_g") * x("sin_g")}});
 }
 
-MFraction dot(const Triple& a, const Triple& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 // {M_i, M_j} = -epsilon_ijk M_k, {M_i, Gamma_j} = -epsilon_ijk Gamma_k, {Gamma_i, Gamma_j} = 0.
 void check_brackets(const AndoyerChart& c, CheckedIdentities& out) {
   const auto bracket = [&](const MFraction& f, const MFraction& g) {

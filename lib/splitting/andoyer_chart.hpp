@@ -26,6 +26,10 @@ namespace kov {
 
 using Triple = std::array<MFraction, 3>;
 
+[[nodiscard]] inline MFraction dot(const Triple& a, const Triple& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 struct AndoyerChart {
   Ring ring;
   VectorField phase; ///< (l, g, h, L, G, F) with its canonical bracket

@@ -47,7 +47,7 @@ bool has_irregular_place(const Leaf& leaf) {
 
 namespace {
 
-using Answer = std::variant<Leaf, Needs>;
+using LeafAnswer = std::variant<Leaf, Needs>;
 
 GaloisGroup sl2() { return {GroupType::SL2, {}}; }
 
@@ -62,7 +62,7 @@ public:
   }
 
   /// A torus and a logarithm are enough; else what the families of confluent.hpp know.
-  std::optional<Answer> at_once() {
+  std::optional<LeafAnswer> at_once() {
     if (torus_ && log_) return torus_and_logarithm();
     const bool irrational =
         any_place([](const ParametricPlace& p) { return p.exponent == ExponentKind::irrational; });
@@ -72,7 +72,7 @@ public:
     return std::nullopt;
   }
 
-  Answer by_places() {
+  LeafAnswer by_places() {
     if (torus_ && log_) return torus_and_logarithm();
     if (!open_.empty()) return with_open_exponents();
     return torus_ ? with_torus() : with_rational_exponents();
@@ -118,7 +118,7 @@ private:
   }
 
   // Some Delta irrational or a place irregular, everywhere: only Sym^4 matters.
-  Answer with_torus() {
+  LeafAnswer with_torus() {
     auto answer = no_invariant(4, GroupBound::torus_normaliser);
     if (auto* none = std::get_if<NoInvariant>(&answer))
       return not_abelian(Conclusion::torus, {*torus_, std::move(*none)}, exponential_bound(s_));
@@ -127,7 +127,7 @@ private:
 
   using Searched = std::variant<NoInvariant, Leaf, Needs>;
 
-  static Answer lift(Searched s) {
+  static LeafAnswer lift(Searched s) {
     if (auto* leaf = std::get_if<Leaf>(&s)) return std::move(*leaf);
     return std::get<Needs>(std::move(s));
   }
@@ -190,7 +190,7 @@ private:
     });
   }
   // An invariant of degree 4 over Q(parameters), if there is one.
-  std::optional<Answer> degree_four(long most) {
+  std::optional<LeafAnswer> degree_four(long most) {
     const auto four = invariant_bound(s_, 4).form;
     if (!four || four->degree >= most) return std::nullopt;
     auto found = find_invariant(s_, *four, region_, budget_);
@@ -201,7 +201,7 @@ private:
   }
 
   // All Delta are rational constants and all places regular.
-  Answer with_rational_exponents() {
+  LeafAnswer with_rational_exponents() {
     const ExponentialBound exponential = exponential_bound(s_);
     if (log_ && exponential.excludes())
       return not_abelian(Conclusion::irreducible_log, {*log_}, exponential);
@@ -241,7 +241,7 @@ private:
     });
   }
 
-  std::optional<Answer> all_integral() const {
+  std::optional<LeafAnswer> all_integral() const {
     if (any_place([](const ParametricPlace& p) { return !is_integer(p.delta); }))
       return std::nullopt;
     for (PlaceIndex i = 0; i < number_of_places(s_); ++i)
@@ -270,7 +270,7 @@ private:
     });
   }
 
-  Answer by_invariants(const ExponentialBound& exponential) {
+  LeafAnswer by_invariants(const ExponentialBound& exponential) {
     std::vector<Evidence> because;
     std::vector<long> degrees;
     if (log_) because.push_back(*log_);
@@ -296,7 +296,7 @@ private:
     return leaf;
   }
 
-  Answer with_open_exponents() {
+  LeafAnswer with_open_exponents() {
     // An invariant of degree 4 for generic exponents settles all of them.
     if (auto answer = degree_four(most_unknowns)) return *std::move(answer);
     return decide_open_exponents(s_, open_, torus_, log_, region_, budget_);
@@ -427,7 +427,8 @@ void tell_irreducible(Leaf& leaf, const Scheme& s, const Region& region) {
 constexpr double short_search = 2e7; // products of terms: the same on every machine
 
 // Not abelian, and an exponential solution for all parameters: all triangular matrices.
-void tell_exponential(Answer& answer, const Scheme& s, const Region& region, const Budget& budget) {
+void tell_exponential(LeafAnswer& answer, const Scheme& s, const Region& region,
+                      const Budget& budget) {
   auto* leaf = std::get_if<Leaf>(&answer);
   if (leaf == nullptr || leaf->abelian != Truth::no || leaf->group || !leaf->parts.empty()) return;
   if (has_real_parameters(s, region)) return; // the group alone is not worth questions about them
@@ -443,7 +444,8 @@ void tell_exponential(Answer& answer, const Scheme& s, const Region& region, con
   }
 }
 
-Answer with_parts(Answer answer, const Scheme& s, const Region& region, const Budget& budget) {
+LeafAnswer with_parts(LeafAnswer answer, const Scheme& s, const Region& region,
+                      const Budget& budget) {
   auto* leaf = std::get_if<Leaf>(&answer);
   if (leaf != nullptr && evidence<ClassicalForm>(*leaf) != nullptr) return answer;
   if (leaf != nullptr && leaf->abelian != Truth::unknown && leaf->group) return answer;
@@ -467,8 +469,8 @@ Answer with_parts(Answer answer, const Scheme& s, const Region& region, const Bu
 
 // What the places decide comes with a certificate; where that is a long search, the closed answer
 // of a classical equation is taken first.
-Answer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const Region& region,
-                               const Budget& budget) {
+LeafAnswer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const Region& region,
+                                   const Budget& budget) {
   try {
     Budget little = budget;
     little.max_work = std::min(budget.max_work, short_search);
@@ -499,7 +501,7 @@ bool cannot_be_solved(const MPoly& p, const Region& region) {
 }
 
 // A closed answer that another road contradicts at a point says nothing.
-void compare_at_points(Answer& answer, const MFraction& r, std::size_t z, const Region& region,
+void compare_at_points(LeafAnswer& answer, const MFraction& r, std::size_t z, const Region& region,
                        const Budget& budget) {
   auto* leaf = std::get_if<Leaf>(&answer);
   if (leaf == nullptr || evidence<ClassicalForm>(*leaf) == nullptr) return;
@@ -507,20 +509,20 @@ void compare_at_points(Answer& answer, const MFraction& r, std::size_t z, const 
     answer = open_leaf(AnswersDiffer{*std::move(where)});
 }
 
-Answer with_scheme(Answer answer, const std::shared_ptr<const Scheme>& s) {
+LeafAnswer with_scheme(LeafAnswer answer, const std::shared_ptr<const Scheme>& s) {
   if (auto* leaf = std::get_if<Leaf>(&answer)) leaf->scheme = s;
   return answer;
 }
 
 } // namespace
 
-Answer decide_by_places(const std::shared_ptr<const Scheme>& s, const Region& region,
-                        const Budget& budget) {
+LeafAnswer decide_by_places(const std::shared_ptr<const Scheme>& s, const Region& region,
+                            const Budget& budget) {
   return with_scheme(LeafDecision(*s, region, budget).by_places(), s);
 }
 
-Answer decide_leaf(const MFraction& r, std::size_t z, const Region& region,
-                   const Options& options) {
+LeafAnswer decide_leaf(const MFraction& r, std::size_t z, const Region& region,
+                       const Options& options) {
   if (is_zero(r) || !depends_on_parameters(r, z)) {
     NormalForm equation;
     if (!is_zero(r)) equation.r = to_rational_function(r, z);

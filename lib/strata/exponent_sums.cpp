@@ -6,7 +6,7 @@
 namespace kov::strata {
 namespace {
 
-const Rational half(1, 2);
+const Rational one_half(1, 2);
 constexpr std::size_t most_sums = 1000;
 
 // d = fixed + (sum of the numbers, each with a sign)/2, for one of the fixed ones.
@@ -65,13 +65,13 @@ private:
   // side (1 +- Delta)/2; with a logarithm the exponent of the solution without one.
   bool add_regular(const ParametricPlace& p, const Rational& side) {
     if (p.exponent == ExponentKind::rational) {
-      std::vector<Rational> choices{side * half * (Rational(1) - side * p.delta)};
-      if (p.log != Truth::yes) choices.push_back(side * half * (Rational(1) + side * p.delta));
+      std::vector<Rational> choices{side * one_half * (Rational(1) - side * p.delta)};
+      if (p.log != Truth::yes) choices.push_back(side * one_half * (Rational(1) + side * p.delta));
       return choose(choices);
     }
     if (p.chi.size() != 2) return false;
     numbers_.push_back(-(p.chi[0] / p.chi[1]));
-    return choose({side * half});
+    return choose({side * one_half});
   }
 
   // At infinity (e - nu)/2, at a finite place -(e + nu)/2, e up to sign.
@@ -80,7 +80,7 @@ private:
     const auto square =
         exponent_squared(p, static_cast<std::size_t>(side == Rational(1) ? nu + 1 : nu - 1));
     if (!is_zero(square)) numbers_.push_back(square);
-    return choose({Rational(-nu) * half});
+    return choose({Rational(-nu) * one_half});
   }
 
   // r = c0 t^-2nu (q(t)^2 + b t^K + ...), q = 1 + ... of degree < K: c0 b^2.
@@ -94,7 +94,7 @@ private:
       return sum;
     };
     for (std::size_t k = 1; k < K; ++k)
-      q.push_back(half * (c[k] / c[0] - products(k)));
+      q.push_back(one_half * (c[k] / c[0] - products(k)));
     const MFraction b = c[K] / c[0] - products(K);
     return b * b * c[0];
   }

@@ -8,7 +8,7 @@
 namespace kov::strata {
 namespace {
 
-constexpr std::size_t most_families = 4096;
+constexpr std::size_t most_choices = 4096;
 
 // What one choice at one place adds to a family.
 struct Contribution {
@@ -59,7 +59,7 @@ public:
       if (!here) return {{}, missing_};
       if (here->empty()) return {}; // a ramified place: no exponential solution
       count *= here->size();
-      if (count > most_families) return {{}, "there are more than 4096 choices of exponents"};
+      if (count > most_choices) return {{}, "there are more than 4096 choices of exponents"};
       all.push_back(*std::move(here));
     }
     ExponentialFamilies found;

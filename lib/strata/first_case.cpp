@@ -10,25 +10,25 @@ constexpr std::size_t most_places = 12;
 
 // What a place may contribute: alpha at a finite place; at infinity 1 - alpha, so that the degree
 // is that minus the sum of the others.
-using Choices = std::vector<Rational>;
+using Exponents = std::vector<Rational>;
 
-std::optional<Choices> choices(const ParametricPlace& p) {
+std::optional<Exponents> choices(const ParametricPlace& p) {
   const Rational half(1, 2);
   switch (p.kind) {
   case PlaceKind::ordinary:
-    return Choices{Rational(0), Rational(1)};
+    return Exponents{Rational(0), Rational(1)};
   case PlaceKind::simple:
-    return Choices{Rational(p.at_infinity ? 0 : 1)};
+    return Exponents{Rational(p.at_infinity ? 0 : 1)};
   case PlaceKind::regular:
     if (p.exponent != ExponentKind::rational) return std::nullopt;
-    if (is_zero(p.delta)) return Choices{half};
-    return Choices{half * (Rational(1) + p.delta), half * (Rational(1) - p.delta)};
+    if (is_zero(p.delta)) return Exponents{half};
+    return Exponents{half * (Rational(1) + p.delta), half * (Rational(1) - p.delta)};
   default:
     return std::nullopt;
   }
 }
 
-std::string listed(const Choices& all) {
+std::string listed_choices(const Exponents& all) {
   std::string text;
   for (const auto& x : all)
     text += (text.empty() ? "" : ", ") + to_string(x);
@@ -54,7 +54,8 @@ public:
     if (!finite)
       say(2, "the families are no finite list of numbers");
     else if (places_.size() > most_places)
-      say(2, "more than " + std::to_string(most_places) + " places: the families are not listed");
+      say(2, "more than " + std::to_string(most_places) +
+                 " places: the families are not listed_choices");
     else
       families();
     return std::move(steps_);
@@ -68,14 +69,14 @@ private:
   bool exponents(const ParametricPlace& p) {
     const std::string at = place_name(p, s_.z) + ": ";
     const auto all = choices(p);
-    Choices shown = all.value_or(Choices{});
+    Exponents shown = all.value_or(Exponents{});
     for (auto& x : shown)
       x = exponent(p, x);
     if (p.kind == PlaceKind::regular) {
       const std::string log = p.log == Truth::yes ? ", a logarithm" : "";
-      say(1, at + square_text(p) + (all ? ", exponents " + listed(shown) : "") + log);
+      say(1, at + square_text(p) + (all ? ", exponents " + listed_choices(shown) : "") + log);
     } else {
-      say(1, at + (all ? "exponents " + listed(shown)
+      say(1, at + (all ? "exponents " + listed_choices(shown)
                        : "irregular, order " + std::to_string(p.order)));
     }
     if (all) choices_.push_back(*all);
@@ -139,7 +140,7 @@ private:
   const Region& region_;
   const Budget& budget_;
   std::vector<const ParametricPlace*> places_; // infinity last
-  std::vector<Choices> choices_;
+  std::vector<Exponents> choices_;
   std::vector<TraceStep> steps_;
 };
 

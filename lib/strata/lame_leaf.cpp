@@ -11,9 +11,9 @@ namespace {
 
 using Answer = std::variant<std::monostate, ClassicalAnswer, Needs>;
 
-const Residues odd_integers{Rational(1), Rational(2)};
+const Residues all_odd_integers{Rational(1), Rational(2)};
 
-MFraction number(const Ring& ring, const Rational& c) { return {ring, c}; }
+MFraction constant(const Ring& ring, const Rational& c) { return {ring, c}; }
 
 class Lame {
 public:
@@ -27,7 +27,7 @@ public:
     if (is_zero(disc)) return {};
     if (auto needs = must_not_vanish(disc.num())) return *std::move(needs);
     const Ring& ring = form_.alpha.ring();
-    const MFraction square = Rational(4) * form_.alpha + number(ring, Rational(1));
+    const MFraction square = Rational(4) * form_.alpha + constant(ring, Rational(1));
     if (!is_number(form_.alpha))
       any_index(square);
     else if (auto needs = given_index(square))
@@ -46,7 +46,7 @@ private:
     const MFraction slope = derivative(f, form_.z);
     const MFraction r = (Rational(1, 4) * derivative(slope, form_.z) + form_.alpha * x + p_.b) / f -
                         Rational(3, 16) * (slope * slope) / (f * f);
-    return {form_.z, form_.map, r, {f.num()}, {number(ring, Rational(1, 4)), square}};
+    return {form_.z, form_.map, r, {f.num()}, {constant(ring, Rational(1, 4)), square}};
   }
   [[nodiscard]] std::optional<Needs> must_not_vanish(const MPoly& f) const {
     auto doubt = region_.doubtful_factor(f);
@@ -100,7 +100,7 @@ private:
                    [&] { parts_.split(fractions, polyhedral, sl2); });
     };
     parts_.split(
-        SumIn{{square}, {odd_integers}},
+        SumIn{{square}, {all_odd_integers}},
         [&] { parts_.add(Truth::yes, GroupBound::torus_normaliser_or_T); }, no_integer);
   }
 

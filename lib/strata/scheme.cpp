@@ -108,7 +108,7 @@ MFraction at_infinity(const MFraction& r, std::size_t z) {
 }
 
 // Discriminants and resultants of larger equations cannot be interrupted.
-constexpr long most_terms = 500;
+constexpr long most_numerator_terms = 500;
 
 constexpr long max_log_order = 40; // above: the question of a logarithm stays open
 
@@ -121,9 +121,10 @@ public:
   }
 
   std::variant<Scheme, Needs> build() {
-    if (scheme_.r.num().length() > most_terms)
+    if (scheme_.r.num().length() > most_numerator_terms)
       throw OutOfBudget("r has " + std::to_string(scheme_.r.num().length()) +
-                        " terms in its numerator, the limit is " + std::to_string(most_terms));
+                        " terms in its numerator, the limit is " +
+                        std::to_string(most_numerator_terms));
     const auto [content, factors] = factor(scheme_.r.den());
     std::vector<MPoly> places;
     for (const auto& f : factors) {

@@ -359,7 +359,7 @@ necessary_condition(const std::vector<std::vector<ArithmeticCondition>>& parts) 
 
 namespace {
 
-constexpr long most_values = 200000;
+constexpr long most_in_classes = 200000;
 
 /// A rational function of one variable over Q.
 struct Univariate {
@@ -435,7 +435,7 @@ Integer denominator(const std::vector<Residues>& classes) {
 std::optional<Rational> distance(const Rational& limit, const Integer& n) {
   if (sign(limit) < 0) return -limit;
   std::optional<Rational> least;
-  for (long j = 0; j <= most_values; ++j) {
+  for (long j = 0; j <= most_in_classes; ++j) {
     const Rational root = Rational(Integer(j)) / Rational(n);
     const Rational square = root * root;
     if (!(square == limit)) {
@@ -506,7 +506,7 @@ std::optional<CommonValues> values_by_roots(const DifferenceCondition& a,
   CommonValues all{a.squares.front(), {}};
   const Integer n = denominator(*first);
   for (long j = 0;; ++j) {
-    if (j > most_values) return std::nullopt;
+    if (j > most_in_classes) return std::nullopt;
     const Rational root = Rational(Integer(j)) / Rational(n);
     if (*from < root) return all;
     if (!contains(*first, root)) continue;
@@ -529,7 +529,7 @@ std::optional<CommonValues> values_by(const DifferenceCondition& a, const Differ
   CommonValues all{a.squares.front(), {}};
   const Integer n = denominator(*first);
   for (long j = 0;; ++j) {
-    if (j > most_values) return std::nullopt;
+    if (j > most_in_classes) return std::nullopt;
     const Rational root = Rational(Integer(j)) / Rational(n);
     const Rational square = root * root;
     if (*from < square) return all;
@@ -559,7 +559,7 @@ std::vector<Rational> special_squares(const DifferenceCondition& c, long bound) 
   KOV_ENSURE(classes);
   const Integer n = denominator(*classes);
   std::vector<Rational> all;
-  for (long j = 0; j <= most_values; ++j) {
+  for (long j = 0; j <= most_in_classes; ++j) {
     const Rational root = Rational(Integer(j)) / Rational(n);
     if (Rational(bound) < root) return all;
     if (contains(*classes, root)) all.push_back(root * root);
@@ -620,7 +620,7 @@ std::string listed(const std::vector<std::string>& all, const std::string& last)
   return text;
 }
 
-std::string to_string(const Residues& r) {
+std::string class_text(const Residues& r) {
   const std::string step = r.step == Rational(1) ? "Z" : to_string(r.step) + "*Z";
   if (is_zero(r.a)) return step;
   return (r.a + r.a == r.step ? "" : "+-") + to_string(r.a) + " + " + step;
@@ -630,7 +630,7 @@ std::string to_string(const Residues& r) {
 std::string in_classes(const DifferenceCondition& c) {
   std::vector<std::string> sets;
   for (const Residues& r : c.classes)
-    sets.push_back(to_string(r));
+    sets.push_back(class_text(r));
   return root(c.squares.front()) + (c.holds ? " is in " : " is not in ") + listed(sets, " or ");
 }
 

@@ -32,7 +32,7 @@ std::vector<ParameterSet> without(const ParameterSet& set,
 }
 
 // Those that others imply stay: of b = 2*a, a != 0, b != 0 the last can be dropped if a != 0 is assumed.
-ParameterSet without_inequation(const ParameterSet& set, const MPoly& p) {
+ParameterSet without_condition(const ParameterSet& set, const MPoly& p) {
   ParameterSet larger = set.plain();
   for (const MPoly& f : set.equations())
     larger = larger.where_zero(f);
@@ -79,7 +79,7 @@ private:
     const ParameterPlace here = all_[i];
     for (const MPoly& p : here.where.inequations()) {
       if (is_assumed(p)) continue;
-      ParameterPlace larger{without_inequation(here.where, p), here.special};
+      ParameterPlace larger{without_condition(here.where, p), here.special};
       const ParameterSet more = larger.where.where_zero(p);
       if (!may_be_dropped(i, p) && !is_on_another(more, i)) continue;
       if (!more.is_empty() && !without(more, agreeing_with(larger, i)).empty()) continue;

@@ -1,5 +1,7 @@
 #include "symbol/author_words.hpp"
 
+#include "symbol/tokens.hpp"
+
 #include <algorithm>
 
 namespace kov {
@@ -22,8 +24,6 @@ std::size_t control_at(const std::string& s, std::size_t at) {
   const bool turns = byte(0) == 0xe2 && byte(1) == 0x81 && between(byte(2), 0xa6, 0xa9);
   return breaks || marks || turns ? 3 : 0;
 }
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 } // namespace
 

@@ -231,6 +231,12 @@ std::string read_text(const std::string& path, std::size_t limit) {
   return text;
 }
 
+bool has_format(const Entry& document, std::string_view kind) {
+  const Entry* format = document.find("format");
+  return format != nullptr && format->kind() == Entry::Kind::string &&
+         format->string().starts_with(std::string(kind) + "/");
+}
+
 Entry read_document(const std::string& path) {
   return parse_document(read_text(path, std::size_t{16} << 20), path);
 }

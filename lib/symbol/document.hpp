@@ -89,5 +89,7 @@ private:
 [[nodiscard]] Entry read_document(const std::string& path);
 /// Reads a text; `name` is what messages call it.  Errors  InputError: not TOML
 [[nodiscard]] Entry parse_document(std::string text, const std::string& name);
+/// Does the document begin with format = "KIND/..."?
+[[nodiscard]] bool has_format(const Entry& document, std::string_view kind);
 
 } // namespace kov

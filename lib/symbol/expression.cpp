@@ -115,7 +115,8 @@ private:
     const int outer = tokens_.decimals_allowed;
     advance();
     if (at(")"))
-      throw tokens_.error(join(at_name, token_.span), quoted(n.name) + " has no argument");
+      throw tokens_.error(join(at_name, token_.span),
+                          quoted(std::string_view(n.name)) + " has no argument");
     for (;;) {
       n.operands.push_back(expression(0));
       if (!at(",")) break;
@@ -288,6 +289,13 @@ void gather_names(const Expression& e, std::set<std::string>& names) {
 }
 
 } // namespace
+
+const Expression* find_name(const Expression& e, const std::string& name) {
+  if (e.kind() == Expression::Kind::name && e.name() == name) return &e;
+  for (const Expression& operand : e.operands())
+    if (const Expression* found = find_name(operand, name)) return found;
+  return nullptr;
+}
 
 std::vector<std::string> names_in(const Expression& e) {
   std::set<std::string> names;

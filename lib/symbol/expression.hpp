@@ -99,5 +99,7 @@ struct ParseLimits {
 /// not the variable inside root(p(x), approx).
 /// Example names_in(parse_expression("a*z^2 + sin(q)", "-r"))  // -> {a, q, z}
 [[nodiscard]] std::vector<std::string> names_in(const Expression& e);
+/// The first place where the name stands in e, or null.  It lives as long as e.
+[[nodiscard]] const Expression* find_name(const Expression& e, const std::string& name);
 
 } // namespace kov

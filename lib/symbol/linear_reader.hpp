@@ -19,12 +19,12 @@ template <class F> struct LinearFormOver {
 };
 
 /// What the reader asks of the field of coefficients.
-template <class F> class Coefficients {
+template <class F> class FieldOfCoefficients {
 public:
-  Coefficients() = default;
-  Coefficients(const Coefficients&) = delete;
-  Coefficients& operator=(const Coefficients&) = delete;
-  virtual ~Coefficients() = default;
+  FieldOfCoefficients() = default;
+  FieldOfCoefficients(const FieldOfCoefficients&) = delete;
+  FieldOfCoefficients& operator=(const FieldOfCoefficients&) = delete;
+  virtual ~FieldOfCoefficients() = default;
 
   [[nodiscard]] virtual F constant(long n) const = 0;
   [[nodiscard]] virtual F value(const Expression& e) const = 0;
@@ -47,7 +47,7 @@ template <class F> class LinearReader {
   using Form = LinearFormOver<F>;
 
 public:
-  LinearReader(std::string unknown, std::string variable, const Coefficients<F>& in)
+  LinearReader(std::string unknown, std::string variable, const FieldOfCoefficients<F>& in)
       : unknown_(std::move(unknown)), variable_(std::move(variable)), in_(in),
         zero_(in.constant(0)) {}
 
@@ -252,7 +252,7 @@ private:
 
   std::string unknown_;
   std::string variable_;
-  const Coefficients<F>& in_;
+  const FieldOfCoefficients<F>& in_;
   F zero_;
   std::unordered_map<const void*, bool> mentions_;
 };

@@ -11,13 +11,11 @@
 namespace kov {
 namespace {
 
-using Kind = Token::Kind;
-
 constexpr long max_order = 20;   // higher derivatives are left to the reader's own message
 constexpr int max_methods = 200; // each y(x).diff(...) is a search backwards
 
 bool is_name(const Token& t, std::string_view name) {
-  return t.kind == Kind::name && t.text == name;
+  return t.kind == TokenKind::name && t.text == name;
 }
 
 bool adjacent(const Token& a, const Token& b) {
@@ -26,7 +24,7 @@ bool adjacent(const Token& a, const Token& b) {
 
 // A number of at most three digits.
 std::optional<long> small_number(const Token& t) {
-  if (t.kind != Kind::number || t.text.size() > 3) return std::nullopt;
+  if (t.kind != TokenKind::number || t.text.size() > 3) return std::nullopt;
   return std::stol(std::string(t.text));
 }
 
@@ -38,7 +36,7 @@ public:
     source_.decimals_allowed = 1; // the reader refuses them where they do not belong
     for (Token t = source_.next();; t = source_.next()) {
       in_.push_back(t);
-      if (t.kind == Kind::end) break;
+      if (t.kind == TokenKind::end) break;
     }
     unwrap();
     look_for_brackets();
@@ -73,10 +71,10 @@ private:
     return peek(ahead).is(")") || peek(ahead).is("]");
   }
 
-  void push(const Token& at, Kind kind, std::string_view text) {
+  void push(const Token& at, TokenKind kind, std::string_view text) {
     out_.push_back({.kind = kind, .span = at.span, .text = text, .after_blank = at.after_blank});
   }
-  void sign(const Token& at, std::string_view text) { push(at, Kind::sign, text); }
+  void sign(const Token& at, std::string_view text) { push(at, TokenKind::sign, text); }
   std::string_view kept(std::string text) { return texts_.emplace_back(std::move(text)); }
 
   void look_for_brackets() {
@@ -89,7 +87,7 @@ private:
   [[nodiscard]] static bool is_solver(const Token& t) {
     static constexpr std::array<std::string_view, 6> solvers{
         "dsolve", "DSolve", "desolve", "ode2", "contrib_ode", "kovacicsols"};
-    return t.kind == Kind::name &&
+    return t.kind == TokenKind::name &&
            std::find(solvers.begin(), solvers.end(), t.text) != solvers.end();
   }
 
@@ -123,10 +121,10 @@ private:
 
   // y   y(x)   y[x]   x   [y, x]   option = ...; nothing that restricts the solutions
   void check_argument(std::size_t from, std::size_t to) const {
-    const bool option = from + 1 < to && in_[from].kind == Kind::name && in_[from + 1].is("=") &&
-                        in_[from].text != "ics";
+    const bool option = from + 1 < to && in_[from].kind == TokenKind::name &&
+                        in_[from + 1].is("=") && in_[from].text != "ics";
     for (std::size_t i = from; i < to && !option; ++i)
-      if (in_[i].kind != Kind::name && !in_[i].is(",") && !opening(in_[i]) && !closing(in_[i]))
+      if (in_[i].kind != TokenKind::name && !in_[i].is(",") && !opening(in_[i]) && !closing(in_[i]))
         refuse_values(in_[from]);
   }
   [[noreturn]] void refuse_values(const Token& at) const {
@@ -147,7 +145,7 @@ private:
   void step() {
     const Token& t = in_[at_];
     product_by_juxtaposition();
-    if (t.kind == Kind::name) return name();
+    if (t.kind == TokenKind::name) return name();
     if (t.is("%") && constant()) return;
     if (t.is("'") && noun()) return;
     if (t.is(".") && method()) return;
@@ -178,35 +176,37 @@ private:
 
   // What no rule has used.
   void refuse_foreign(const Token& t) const {
-    if (t.kind == Kind::sign && std::string_view("%.$@;").find(t.text) != std::string_view::npos)
+    if (t.kind == TokenKind::sign &&
+        std::string_view("%.$@;").find(t.text) != std::string_view::npos)
       throw source_.error(t.span, "unexpected " + quoted(t.text));
   }
 
   [[nodiscard]] bool after_operand() const {
-    return at_ > 0 && (in_[at_ - 1].kind == Kind::number || ends_operand(in_[at_ - 1]));
+    return at_ > 0 && (in_[at_ - 1].kind == TokenKind::number || ends_operand(in_[at_ - 1]));
   }
   static bool ends_operand(const Token& t) {
-    return t.kind == Kind::name || t.is(")") || t.is("]") || t.is("'");
+    return t.kind == TokenKind::name || t.is(")") || t.is("]") || t.is("'");
   }
 
   // In Mathematica's notation arguments stand in brackets, so that x (x + 1) and 2 x are products.
   void product_by_juxtaposition() {
     const Token& t = in_[at_];
-    const bool starts = t.kind == Kind::number || t.kind == Kind::name || t.is("(");
+    const bool starts = t.kind == TokenKind::number || t.kind == TokenKind::name || t.is("(");
     if (!brackets_ || !starts || !after_operand()) return;
     const Token& before = in_[at_ - 1];
-    if (t.is("(") && adjacent(before, t) && (before.kind == Kind::name || before.is("'")))
+    if (t.is("(") && adjacent(before, t) && (before.kind == TokenKind::name || before.is("'")))
       throw source_.error(t.span, "brackets and parentheses are mixed",
                           "in Mathematica's notation the argument of a function stands in [ ], and "
                           "a product is written with * or a blank");
-    sign({.kind = Kind::sign, .span = make_span(t.span.offset, t.span.offset), .text = {}}, "*");
+    sign({.kind = TokenKind::sign, .span = make_span(t.span.offset, t.span.offset), .text = {}},
+         "*");
   }
 
   // Maxima's %i
   bool constant() {
     const Token& n = peek(1);
     if (!is_name(n, "i") && !is_name(n, "I")) return false;
-    push(n, Kind::name, "I");
+    push(n, TokenKind::name, "I");
     at_ += 2;
     return true;
   }
@@ -239,20 +239,21 @@ private:
     const Token t = in_[at_];
     if (t.text == "S" && peek(1).is(".") && is_name(peek(2), "Half")) {
       for (const auto& [kind, text] :
-           {std::pair{Kind::sign, "("}, std::pair{Kind::number, "1"}, std::pair{Kind::sign, "/"},
-            std::pair{Kind::number, "2"}, std::pair{Kind::sign, ")"}})
+           {std::pair{TokenKind::sign, "("}, std::pair{TokenKind::number, "1"},
+            std::pair{TokenKind::sign, "/"}, std::pair{TokenKind::number, "2"},
+            std::pair{TokenKind::sign, ")"}})
         push(t, kind, text);
       at_ += 3;
       return true;
     }
-    const bool number = peek(2).kind == Kind::number || peek(2).is("-");
+    const bool number = peek(2).kind == TokenKind::number || peek(2).is("-");
     if ((t.text != "S" && t.text != "Integer") || !peek(1).is("(") || !number) return false;
     open(t, "", Group::plain);
     return true;
   }
 
   void open(const Token& t, std::string_view function, Group group) {
-    if (!function.empty()) push(t, Kind::name, function);
+    if (!function.empty()) push(t, TokenKind::name, function);
     sign(peek(1), "(");
     groups_.push_back(group);
     at_ += 2;
@@ -292,7 +293,8 @@ private:
       const bool pair = opening(token(at));
       if (pair) ++at;
       const Token v = token(at++);
-      if (v.kind != Kind::name || (d.order > 0 && v.text != d.variable.text)) return std::nullopt;
+      if (v.kind != TokenKind::name || (d.order > 0 && v.text != d.variable.text))
+        return std::nullopt;
       d.variable = v;
       const bool counted = token(at).is("$") || token(at).is(",");
       const auto count = counted ? small_number(token(at + 1)) : std::nullopt;
@@ -312,7 +314,7 @@ private:
     out_.push_back(d.variable);
     if (d.order != 1) {
       sign(d.variable, ",");
-      push(d.variable, Kind::number, kept(std::to_string(d.order)));
+      push(d.variable, TokenKind::number, kept(std::to_string(d.order)));
     }
     at_ = d.end;
   }
@@ -322,7 +324,7 @@ private:
     if (!is_name(in_[at_], "Derivative") || !opens(1) || !closes(3) || !opens(4) || !closes(6))
       return false;
     const auto order = small_number(peek(2));
-    if (!order || *order > max_order || peek(5).kind != Kind::name) return false;
+    if (!order || *order > max_order || peek(5).kind != TokenKind::name) return false;
     primes(peek(5), *order);
     at_ += 7;
     return true;
@@ -340,7 +342,7 @@ private:
     std::size_t ahead = 0;
     for (; order <= max_order && is_name(peek(ahead), "D") && peek(ahead + 1).is("("); ahead += 2)
       ++order;
-    if (order == 0 || peek(ahead).kind != Kind::name) return false;
+    if (order == 0 || peek(ahead).kind != TokenKind::name) return false;
     const Token function = peek(ahead++);
     for (long i = 0; i < order; ++i)
       if (!peek(ahead++).is(")")) return false;
@@ -354,8 +356,8 @@ private:
   bool power_of_d() {
     const auto order = small_number(peek(4));
     if (!is_name(peek(1), "D") || !peek(2).is("@") || !peek(3).is("@") || !order ||
-        *order > max_order || !peek(5).is(")") || !peek(6).is("(") || peek(7).kind != Kind::name ||
-        !peek(8).is(")"))
+        *order > max_order || !peek(5).is(")") || !peek(6).is("(") ||
+        peek(7).kind != TokenKind::name || !peek(8).is(")"))
       return false;
     primes(peek(7), *order);
     at_ += 9;
@@ -369,8 +371,8 @@ private:
     if (!d || ++methods_ > max_methods) return false;
     const auto begin = start_of_operand();
     const Token dot = in_[at_];
-    const std::array<Token, 2> head{Token{Kind::name, dot.span, "diff"},
-                                    Token{Kind::sign, dot.span, "("}};
+    const std::array<Token, 2> head{Token{TokenKind::name, dot.span, "diff"},
+                                    Token{TokenKind::sign, dot.span, "("}};
     out_.insert(out_.begin() + begin, head.begin(), head.end());
     groups_.push_back(Group::plain);
     by(dot, *d);
@@ -385,7 +387,7 @@ private:
       depth += token(i).is(")") - token(i).is("(");
       if (depth == 0) break;
     }
-    return i > 0 && token(i - 1).kind == Kind::name ? i - 1 : i;
+    return i > 0 && token(i - 1).kind == TokenKind::name ? i - 1 : i;
   }
 
   Tokens source_;

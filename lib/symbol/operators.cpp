@@ -10,7 +10,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr long max_order = 20; // higher derivatives are left to the reader's own message
+constexpr long max_operator_order = 20; // higher derivatives are left to the reader's own message
 
 /// An operator, applied to a function: both are texts.
 class Application {
@@ -65,7 +65,7 @@ private:
   }
   [[nodiscard]] std::string power(const Expression& e, std::string y) const {
     const Expression& n = e.operand(1);
-    if (n.kind() != Kind::number || n.number() > Integer(max_order))
+    if (n.kind() != Kind::number || n.number() > Integer(max_operator_order))
       throw n.error("the exponent of an operator is a small number");
     for (long i = to_long(n.number()); i > 0; --i)
       y = (*this)(e.operand(0), y);

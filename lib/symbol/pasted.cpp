@@ -43,7 +43,6 @@ std::size_t closing_of(const std::vector<Token>& tokens, std::size_t open) {
 
 namespace {
 
-using Kind = Token::Kind;
 using List = std::vector<Token>;
 
 constexpr std::size_t longest = std::size_t{1} << 20; // bytes; more is nothing that a person pastes
@@ -62,14 +61,15 @@ List words(const PlainCharacters& plain, const OriginPtr& origin) {
     end = begin + t.span.length;
     t.span = make_span(plain.from[begin], std::max(plain.from[end], plain.from[begin]));
     all.push_back(t);
-    if (t.kind == Kind::end) return all;
+    if (t.kind == TokenKind::end) return all;
   }
 }
 
 bool is_solver(const Token& t) {
   static constexpr std::array<std::string_view, 7> solvers{
       "dsolve", "DSolve", "desolve", "ode2", "contrib_ode", "kovacicsols", "DSolveValue"};
-  return t.kind == Kind::name && std::find(solvers.begin(), solvers.end(), t.text) != solvers.end();
+  return t.kind == TokenKind::name &&
+         std::find(solvers.begin(), solvers.end(), t.text) != solvers.end();
 }
 
 /// One question as tokens: the equation, and what stands beside it.
@@ -103,10 +103,10 @@ private:
 
   // ode := ..., ode: ..., ode = Eq(...)
   void drop_assignment() {
-    if (token(0).kind != Kind::name) return;
+    if (token(0).kind != TokenKind::name) return;
     std::size_t begin = 0;
     if (token(1).is(":")) begin = token(2).is("=") ? 3 : 2;
-    const bool call = token(2).kind == Kind::name && token(3).is("(");
+    const bool call = token(2).kind == TokenKind::name && token(3).is("(");
     if (token(1).is("=") && call && (is_solver(token(2)) || token(2).text == "Eq")) begin = 2;
     if (begin == 0) return;
     all_.erase(all_.begin(), all_.begin() + static_cast<std::ptrdiff_t>(begin));
@@ -118,7 +118,7 @@ private:
     for (const Token& t : all) {
       depth += opens(t) - closes(t);
       const bool here =
-          depth == 0 && t.kind == Kind::sign && at.find(t.text) != std::string_view::npos;
+          depth == 0 && t.kind == TokenKind::sign && at.find(t.text) != std::string_view::npos;
       if (here)
         parts.emplace_back();
       else
@@ -164,10 +164,10 @@ private:
 
   // y(x), x, option = ...: nothing that restricts the solutions
   void take_option(const List& piece) {
-    if (piece.size() == 1 && piece[0].kind == Kind::name) result_.variable = piece[0].text;
+    if (piece.size() == 1 && piece[0].kind == TokenKind::name) result_.variable = piece[0].text;
     const bool named = piece.size() > 1 && piece[1].is("=") && !is_named(piece[0], "ics");
     const bool numbers = std::any_of(piece.begin(), piece.end(), [](const Token& t) {
-      return t.kind == Kind::number || t.kind == Kind::decimal || t.is(":");
+      return t.kind == TokenKind::number || t.kind == TokenKind::decimal || t.is(":");
     });
     if (!named && numbers) result_.ignored.push_back(piece);
   }
@@ -190,30 +190,30 @@ List equation_of_list(const List& list, const std::string& variable, Pasting& p)
   const std::string_view y = taken ? "u" : "y";
   List out;
   long order = 0, depth = 0;
-  const auto put = [&](const Token& at, Kind kind, std::string_view s) {
+  const auto put = [&](const Token& at, TokenKind kind, std::string_view s) {
     out.push_back(made(at, kind, s));
     out.back().after_blank = false;
   };
   const auto end_term = [&](const Token& at) {
-    put(at, Kind::sign, ")");
-    put(at, Kind::sign, "*");
-    put(at, Kind::name, y);
+    put(at, TokenKind::sign, ")");
+    put(at, TokenKind::sign, "*");
+    put(at, TokenKind::name, y);
     for (long i = 0; i < order; ++i)
-      put(at, Kind::sign, "'");
+      put(at, TokenKind::sign, "'");
     if (!variable.empty()) {
-      put(at, Kind::sign, "(");
-      put(at, Kind::name, p.kept(variable));
-      put(at, Kind::sign, ")");
+      put(at, TokenKind::sign, "(");
+      put(at, TokenKind::name, p.kept(variable));
+      put(at, TokenKind::sign, ")");
     }
     ++order;
   };
-  put(list[0], Kind::sign, "(");
+  put(list[0], TokenKind::sign, "(");
   for (std::size_t i = 1; i + 2 < list.size(); ++i) {
     depth += opens(list[i]) - closes(list[i]);
     if (depth == 0 && list[i].is(",")) {
       end_term(list[i]);
-      put(list[i], Kind::sign, "+");
-      put(list[i], Kind::sign, "(");
+      put(list[i], TokenKind::sign, "+");
+      put(list[i], TokenKind::sign, "(");
     } else {
       out.push_back(list[i]);
     }
@@ -227,10 +227,10 @@ List equation_of_list(const List& list, const std::string& variable, Pasting& p)
 
 void find_unknowns(const List& tokens, Pasting& p) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (tokens[i].kind != Kind::name) continue;
+    if (tokens[i].kind != TokenKind::name) continue;
     if (tokens[i + 1].is("'")) p.unknowns.emplace(tokens[i].text);
-    if (tokens[i].text == "diff" && i + 2 < tokens.size() && tokens[i + 2].kind == Kind::name &&
-        tokens[i + 2].text != "diff")
+    if (tokens[i].text == "diff" && i + 2 < tokens.size() &&
+        tokens[i + 2].kind == TokenKind::name && tokens[i + 2].text != "diff")
       p.unknowns.emplace(tokens[i + 2].text);
   }
 }
@@ -240,9 +240,9 @@ struct Read {
   std::string text;
 };
 
-class Reading {
+class PastedReading {
 public:
-  Reading(const std::string& text, const std::string& name, const PastedNames& names)
+  PastedReading(const std::string& text, const std::string& name, const PastedNames& names)
       : origin_(origin_of_text(name, text)), p_{.text = origin_->text,
                                                 .origin = origin_,
                                                 .names = names} {
@@ -303,7 +303,7 @@ private:
 
   void refuse_pasted_signs(const List& tokens) {
     for (const Token& t : tokens)
-      if (t.kind == Kind::sign &&
+      if (t.kind == TokenKind::sign &&
           std::string_view(":&~@$%.;").find(t.text) != std::string_view::npos)
         p_.refuse(t.span, "unexpected " + quoted(t.text));
       else if (t.is("[") || t.is("]") || t.is("{") || t.is("}"))
@@ -355,11 +355,11 @@ private:
 } // namespace
 
 Pasted pasted_formula(std::string text, const std::string& name, const PastedNames& names) {
-  return Reading(text, name, names).formula();
+  return PastedReading(text, name, names).formula();
 }
 
 Pasted pasted_equation(std::string text, const std::string& name, const PastedNames& names) {
-  return Reading(text, name, names).equation();
+  return PastedReading(text, name, names).equation();
 }
 
 } // namespace kov

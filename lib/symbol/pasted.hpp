@@ -38,7 +38,7 @@ struct Pasted {
 /// Given   const auto read = [](const char* s) { return pasted_formula(s, "-r").text; };
 /// Example read("2 m x\u00b2 + 0.25")  // -> 2*m*x^2 + 1/4
 /// Example read("1/2x")  // -> throws InputError
-/// Example read("a(b + c)")  // -> a(b + c)
+/// Example read("a(b + c)")  // -> throws InputError
 [[nodiscard]] Pasted pasted_formula(std::string text, const std::string& name,
                                     const PastedNames& names = {});
 

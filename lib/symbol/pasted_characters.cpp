@@ -9,8 +9,7 @@
 namespace kov {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_latin(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 struct Written {
   std::string_view bytes;
@@ -134,7 +133,7 @@ private:
   // \name and a blank, so that \frac12 has two words; an index belongs to its name.
   void command() {
     std::size_t end = at_ + 1;
-    while (end < text_.size() && is_letter(text_[end]))
+    while (end < text_.size() && is_latin(text_[end]))
       ++end;
     if (end == at_ + 1) end = std::min(end + 1, text_.size());
     for (std::size_t i = at_; i < end; ++i) {
@@ -147,8 +146,7 @@ private:
 
   // A Greek letter is a name by itself, with the index that follows.
   void letter(const std::string& name) {
-    if (!out_.text.empty() && (is_letter(out_.text.back()) || is_digit(out_.text.back())))
-      emit(" ");
+    if (!out_.text.empty() && (is_latin(out_.text.back()) || is_digit(out_.text.back()))) emit(" ");
     emit(name);
     at_ += character_length(rest());
     const bool index = at_ < text_.size() && (is_digit(text_[at_]) || text_[at_] == '_' ||
@@ -166,7 +164,7 @@ private:
     const bool simple = std::all_of(power.begin(), power.end(), is_digit) || power.size() == 1;
     emit(simple ? "^" + power : "^(" + power + ")");
     at_ = end;
-    if (at_ < text_.size() && (is_letter(text_[at_]) || is_digit(text_[at_]))) emit(" ");
+    if (at_ < text_.size() && (is_latin(text_[at_]) || is_digit(text_[at_]))) emit(" ");
   }
 
   // U+2080 to U+2089
@@ -175,7 +173,7 @@ private:
     if (digit < 0x80 || digit > 0x89) return strange();
     emit(std::string(1, static_cast<char>('0' + (digit - 0x80))));
     at_ += 3;
-    if (at_ < text_.size() && is_letter(text_[at_])) emit(" ");
+    if (at_ < text_.size() && is_latin(text_[at_])) emit(" ");
   }
 
   void strange() {

@@ -11,7 +11,6 @@
 namespace kov {
 namespace {
 
-using Kind = Token::Kind;
 using List = std::vector<Token>;
 
 constexpr std::array<std::string_view, 42> functions{
@@ -33,7 +32,7 @@ public:
   PlainFunctions(List in, Pasting& p) : in_(std::move(in)), p_(p) {}
 
   List operator()() {
-    while (in_[at_].kind != Kind::end)
+    while (in_[at_].kind != TokenKind::end)
       step();
     out_.push_back(in_[at_]);
     return std::move(out_);
@@ -42,7 +41,7 @@ public:
 private:
   [[nodiscard]] const Token& token(std::size_t i) const { return in_[std::min(i, in_.size() - 1)]; }
   void sign(const Token& at, std::string_view s) {
-    out_.push_back(made(at, Kind::sign, s));
+    out_.push_back(made(at, TokenKind::sign, s));
     out_.back().after_blank = false;
   }
   void copy(std::size_t from, std::size_t to) {
@@ -52,8 +51,8 @@ private:
 
   void step() {
     const Token t = token(at_);
-    if (t.kind == Kind::decimal) return decimal(t);
-    if (t.kind == Kind::name && named(t)) return;
+    if (t.kind == TokenKind::decimal) return decimal(t);
+    if (t.kind == TokenKind::name && named(t)) return;
     if (t.is("(")) groups_.push_back({at_ > 0 ? token(at_ - 1).text : "", 0});
     if (t.is(",") && !groups_.empty()) ++groups_.back().commas;
     if (t.is(")") && !groups_.empty()) groups_.pop_back();
@@ -72,11 +71,11 @@ private:
       p_.note("decimals are exact: " + std::string(t.text) + " = " + exact);
     const auto slash = exact.find('/');
     const auto number = [&](const std::string& digits) {
-      out_.push_back(made(t, Kind::number, p_.kept(digits)));
+      out_.push_back(made(t, TokenKind::number, p_.kept(digits)));
     };
     if (slash == std::string::npos) return number(exact);
     const bool grouped = needs_group(token(at_));
-    if (grouped) out_.push_back(made(t, Kind::sign, "("));
+    if (grouped) out_.push_back(made(t, TokenKind::sign, "("));
     number(exact.substr(0, slash));
     sign(t, "/");
     number(exact.substr(slash + 1));
@@ -85,7 +84,7 @@ private:
   }
   [[nodiscard]] bool needs_group(const Token& next) const {
     const bool before = !out_.empty() && (out_.back().is("^") || out_.back().is("/"));
-    return before || next.is("^") || next.kind == Kind::name || next.is("(");
+    return before || next.is("^") || next.kind == TokenKind::name || next.is("(");
   }
 
   bool named(const Token& t) {
@@ -115,21 +114,21 @@ private:
     std::size_t to = from + 1;
     if (token(from).is("("))
       to = closing_of(in_, from) + 1;
-    else if (token(from).kind == Kind::name && token(to).is("(") &&
+    else if (token(from).kind == TokenKind::name && token(to).is("(") &&
              is_function_word(token(from).text))
       to = closing_of(in_, to) + 1;
     const bool has_name = std::any_of(in_.begin() + static_cast<std::ptrdiff_t>(from),
                                       in_.begin() + static_cast<std::ptrdiff_t>(to),
-                                      [](const Token& x) { return x.kind == Kind::name; });
+                                      [](const Token& x) { return x.kind == TokenKind::name; });
     const Token& then = token(to);
-    if (token(from).kind == Kind::number && then.kind == Kind::name) {
+    if (token(from).kind == TokenKind::number && then.kind == TokenKind::name) {
       p_.refuse(t.span, "what is the exponent?",
                 "write exp(" + std::string(token(from).text) + "*" + std::string(then.text) +
                     "), or exp(" + std::string(token(from).text) + ")*" + std::string(then.text));
       return false;
     }
     if (!has_name || then.is("^")) return false;
-    out_.push_back(made(t, Kind::name, "exp"));
+    out_.push_back(made(t, TokenKind::name, "exp"));
     sign(t, "(");
     if (minus) sign(token(from - 1), "-");
     const bool group = token(from).is("(");
@@ -143,7 +142,7 @@ private:
   bool power_of_function(const Token& t) {
     std::size_t from = at_ + 2;
     const std::size_t to = token(from).is("(") ? closing_of(in_, from) + 1 : from + 1;
-    const bool plain = to == from + 1 && token(from).kind == Kind::number;
+    const bool plain = to == from + 1 && token(from).kind == TokenKind::number;
     if (!plain) {
       p_.refuse(t.span, "a power of " + std::string(t.text) + ", or its inverse?",
                 "write (" + std::string(t.text) + "(x))^(-1), or arc" + std::string(t.text) +
@@ -167,12 +166,12 @@ private:
   // sin x, sin 2x: where the term ends there.
   bool applied(const Token& t, std::size_t from) {
     std::size_t to = from;
-    if (token(to).kind == Kind::number && token(to + 1).kind == Kind::name &&
+    if (token(to).kind == TokenKind::number && token(to + 1).kind == TokenKind::name &&
         !token(to + 1).after_blank)
       ++to;
-    const bool argument = token(to).kind == Kind::name || token(to).kind == Kind::number;
+    const bool argument = token(to).kind == TokenKind::name || token(to).kind == TokenKind::number;
     const Token& then = token(to + 1);
-    const bool ends = then.kind == Kind::end || then.is("+") || then.is("-") || then.is("=") ||
+    const bool ends = then.kind == TokenKind::end || then.is("+") || then.is("-") || then.is("=") ||
                       then.is(")") || then.is(",");
     if (!argument) return false;
     if (!ends) {
@@ -208,8 +207,8 @@ private:
       depth += opens(x) - closes(x);
       return depth == 0 && x.is(",");
     });
-    if (comma != inside.end() && (comma + 1)->kind == Kind::decimal) {
-      out_.push_back(made(t, Kind::name, "root"));
+    if (comma != inside.end() && (comma + 1)->kind == TokenKind::decimal) {
+      out_.push_back(made(t, TokenKind::name, "root"));
       in_[at_].text = "root";
       ++at_;
       return true;
@@ -219,7 +218,7 @@ private:
       at_ = close + 1;
       return true;
     }
-    inside.push_back({.kind = Kind::end, .span = token(close).span, .text = {}});
+    inside.push_back({.kind = TokenKind::end, .span = token(close).span, .text = {}});
     inside = with_products(std::move(inside), p_);
     p_.stop_at_errors();
     const Expression p =
@@ -244,7 +243,7 @@ private:
     const std::string_view text = p_.kept(root);
     Tokens cut(text, origin_of_text("RootOf", root));
     cut.decimals_allowed = 1;
-    for (Token x = cut.next(); x.kind != Kind::end; x = cut.next()) {
+    for (Token x = cut.next(); x.kind != TokenKind::end; x = cut.next()) {
       x.span = t.span;
       out_.push_back(x);
     }

@@ -9,7 +9,6 @@
 namespace kov {
 namespace {
 
-using Kind = Token::Kind;
 using List = std::vector<Token>;
 
 template <std::size_t n>
@@ -32,7 +31,7 @@ public:
 
   List operator()() {
     List out;
-    while (now().kind != Kind::end)
+    while (now().kind != TokenKind::end)
       element(out);
     while (!out.empty() && (out.back().is(".") || out.back().is(","))) // the end of a sentence
       out.pop_back();
@@ -46,15 +45,15 @@ private:
 
   void element(List& out) {
     const Token t = now();
-    if (t.kind == Kind::command) return command(out);
+    if (t.kind == TokenKind::command) return command(out);
     if (t.is("^")) return power(out);
-    if (t.kind == Kind::name && t.text.ends_with("_") && next().is("{")) return index(out);
+    if (t.kind == TokenKind::name && t.text.ends_with("_") && next().is("{")) return index(out);
     ++at_;
     if (t.is("$") || t.is("&") || t.is("~")) return;
-    if (t.is("{") || t.is("[")) return out.push_back(made(t, Kind::sign, "("));
-    if (t.is("}") || t.is("]")) return out.push_back(made(t, Kind::sign, ")"));
-    if (t.kind == Kind::name && t.text.starts_with("_") && !out.empty() &&
-        out.back().kind == Kind::name && !t.after_blank) { // the index of a command
+    if (t.is("{") || t.is("[")) return out.push_back(made(t, TokenKind::sign, "("));
+    if (t.is("}") || t.is("]")) return out.push_back(made(t, TokenKind::sign, ")"));
+    if (t.kind == TokenKind::name && t.text.starts_with("_") && !out.empty() &&
+        out.back().kind == TokenKind::name && !t.after_blank) { // the index of a command
       out.back().text = p_.kept(std::string(out.back().text) + std::string(t.text));
       if (out.back().text.ends_with("_") && now().is("{")) {
         --at_;
@@ -69,19 +68,19 @@ private:
   // {...}, one digit, or one element
   List argument(const Token& of) {
     List inner;
-    if (now().kind == Kind::end) {
+    if (now().kind == TokenKind::end) {
       p_.refuse(of.span, std::string(of.text) + " has no argument");
       return inner;
     }
     if (now().is("{")) {
       const Token open = now();
-      for (++at_; !now().is("}") && now().kind != Kind::end;)
+      for (++at_; !now().is("}") && now().kind != TokenKind::end;)
         element(inner);
-      if (now().kind == Kind::end) p_.refuse(open.span, "this brace is never closed");
+      if (now().kind == TokenKind::end) p_.refuse(open.span, "this brace is never closed");
       ++at_;
-    } else if (now().kind == Kind::number && now().text.size() > 1) {
+    } else if (now().kind == TokenKind::number && now().text.size() > 1) {
       Token& number = in_[at_];
-      inner.push_back({.kind = Kind::number,
+      inner.push_back({.kind = TokenKind::number,
                        .span = {number.span.offset, 1},
                        .text = number.text.substr(0, 1),
                        .after_blank = number.after_blank});
@@ -101,7 +100,7 @@ private:
     const List inner = argument(brace);
     std::string text(name.text);
     for (const Token& t : inner) {
-      if (t.kind != Kind::name && t.kind != Kind::number)
+      if (t.kind != TokenKind::name && t.kind != TokenKind::number)
         p_.refuse(t.span, "an index has letters and digits only");
       text += t.text;
     }
@@ -110,16 +109,16 @@ private:
   }
 
   static void put(List& out, const Token& at, const List& inner, bool group) {
-    if (group) out.push_back(made(at, Kind::sign, "("));
+    if (group) out.push_back(made(at, TokenKind::sign, "("));
     out.insert(out.end(), inner.begin(), inner.end());
-    if (group) out.push_back(made(inner.empty() ? at : inner.back(), Kind::sign, ")"));
+    if (group) out.push_back(made(inner.empty() ? at : inner.back(), TokenKind::sign, ")"));
     if (group) out.back().after_blank = false;
   }
 
   void power(List& out) {
     const Token hat = now();
     ++at_;
-    if (now().kind == Kind::number && now().text.size() > 1) {
+    if (now().kind == TokenKind::number && now().text.size() > 1) {
       const std::string digits(now().text), one = digits.substr(0, 1);
       p_.refuse(now().span, "an exponent of two digits, or a factor?",
                 "write ^{" + digits + "}, or ^" + one + " \\cdot " + digits.substr(1));
@@ -128,12 +127,12 @@ private:
     const auto is_prime = [](const Token& t) { return t.is("'"); };
     if (!inner.empty() && std::all_of(inner.begin(), inner.end(), is_prime))
       return put(out, hat, inner, false);
-    const bool order = inner.size() == 3 && inner[0].is("(") && inner[1].kind == Kind::number &&
-                       inner[1].text.size() == 1 && inner[2].is(")") && !out.empty() &&
-                       out.back().kind == Kind::name;
+    const bool order = inner.size() == 3 && inner[0].is("(") &&
+                       inner[1].kind == TokenKind::number && inner[1].text.size() == 1 &&
+                       inner[2].is(")") && !out.empty() && out.back().kind == TokenKind::name;
     if (order) { // y^{(2)}
       for (char n = inner[1].text[0]; n > '0'; --n)
-        out.push_back(made(hat, Kind::sign, "'"));
+        out.push_back(made(hat, TokenKind::sign, "'"));
       p_.note(
           std::string(p_.text.substr(hat.span.offset, inner[2].span.offset + 2 - hat.span.offset)) +
           " is a derivative");
@@ -149,31 +148,31 @@ private:
     ++at_;
     if (is_one_of(layout, name)) return;
     if (is_one_of(with_a_name, name)) return static_cast<void>(argument(t));
-    if (name == "{" || name == "lbrace") return out.push_back(made(t, Kind::sign, "("));
-    if (name == "}" || name == "rbrace") return out.push_back(made(t, Kind::sign, ")"));
+    if (name == "{" || name == "lbrace") return out.push_back(made(t, TokenKind::sign, "("));
+    if (name == "}" || name == "rbrace") return out.push_back(made(t, TokenKind::sign, ")"));
     if (name == "cdot" || name == "times" || name == "ast")
-      return out.push_back(made(t, Kind::sign, "*"));
-    if (name == "div") return out.push_back(made(t, Kind::sign, "/"));
-    if (name == "prime") return out.push_back(made(t, Kind::sign, "'"));
+      return out.push_back(made(t, TokenKind::sign, "*"));
+    if (name == "div") return out.push_back(made(t, TokenKind::sign, "/"));
+    if (name == "prime") return out.push_back(made(t, TokenKind::sign, "'"));
     if (name == "frac" || name == "dfrac" || name == "tfrac") return fraction(t, out);
     if (name == "sqrt") return root(t, out);
     if (name == "dot" || name == "ddot") return dots(t, name == "dot" ? 1 : 2, out);
     if (is_one_of(upright, name)) return upright_name(t, out);
     const std::string_view letter = name.starts_with("var") ? name.substr(3) : name;
     if (is_greek(letter) || is_function_word(name) || name == "imath")
-      return out.push_back(made(t, Kind::name, name == "imath" ? "I" : letter));
+      return out.push_back(made(t, TokenKind::name, name == "imath" ? "I" : letter));
     p_.refuse(t.span, "the LaTeX command " + std::string(t.text) + " has no meaning here");
   }
 
   void fraction(const Token& t, List& out) {
     const List a = argument(t), b = argument(t);
     const bool derivative = is_quotient_of_d(a, b);
-    if (!derivative) out.push_back(made(t, Kind::sign, "("));
+    if (!derivative) out.push_back(made(t, TokenKind::sign, "("));
     put(out, t, a, !derivative && a.size() > 1);
-    out.push_back(made(t, Kind::sign, "/"));
+    out.push_back(made(t, TokenKind::sign, "/"));
     put(out, t, b, !derivative && b.size() > 1);
     if (derivative) return;
-    out.push_back(made(b.empty() ? t : b.back(), Kind::sign, ")"));
+    out.push_back(made(b.empty() ? t : b.back(), TokenKind::sign, ")"));
     out.back().after_blank = false;
   }
 
@@ -181,7 +180,7 @@ private:
   void root(const Token& t, List& out) {
     List degree;
     if (now().is("["))
-      for (++at_; now().kind != Kind::end;) {
+      for (++at_; now().kind != TokenKind::end;) {
         if (now().is("]")) {
           ++at_;
           break;
@@ -190,21 +189,21 @@ private:
       }
     const List inner = argument(t);
     if (degree.empty()) {
-      out.push_back(made(t, Kind::name, "sqrt"));
+      out.push_back(made(t, TokenKind::name, "sqrt"));
       return put(out, t, inner, inner.size() != 1 || !inner[0].is("("));
     }
     put(out, t, inner, true);
     for (const std::string_view sign : {"^", "(", "1", "/"})
-      out.push_back(made(t, sign == "1" ? Kind::number : Kind::sign, sign));
+      out.push_back(made(t, sign == "1" ? TokenKind::number : TokenKind::sign, sign));
     put(out, t, degree, degree.size() > 1);
-    out.push_back(made(t, Kind::sign, ")"));
+    out.push_back(made(t, TokenKind::sign, ")"));
   }
 
   void dots(const Token& t, int order, List& out) {
     const List inner = argument(t);
     put(out, t, inner, inner.size() > 1);
     for (; order > 0; --order)
-      out.push_back(made(t, Kind::sign, "'"));
+      out.push_back(made(t, TokenKind::sign, "'"));
     out.back().after_blank = false;
   }
 
@@ -213,7 +212,7 @@ private:
     std::string text;
     for (const Token& part : argument(t))
       text += part.text;
-    if (!text.empty()) out.push_back(made(t, Kind::name, p_.kept(std::move(text))));
+    if (!text.empty()) out.push_back(made(t, TokenKind::name, p_.kept(std::move(text))));
   }
 
   List in_;
@@ -223,9 +222,9 @@ private:
 
 bool is_latex(const List& tokens) {
   for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-    if (tokens[i].kind == Kind::command) return true;
+    if (tokens[i].kind == TokenKind::command) return true;
     const bool above =
-        tokens[i].is("^") || (tokens[i].kind == Kind::name && tokens[i].text.ends_with("_"));
+        tokens[i].is("^") || (tokens[i].kind == TokenKind::name && tokens[i].text.ends_with("_"));
     if (above && tokens[i + 1].is("{")) return true;
   }
   return tokens.size() > 2 && tokens.front().is("$") && tokens[tokens.size() - 2].is("$");

@@ -9,15 +9,15 @@
 namespace kov {
 namespace {
 
-using Kind = Token::Kind;
 using List = std::vector<Token>;
 
 bool is_operand_end(const Token& t) {
-  return t.kind == Kind::number || t.kind == Kind::decimal || t.kind == Kind::name || t.is(")") ||
-         t.is("'");
+  return t.kind == TokenKind::number || t.kind == TokenKind::decimal || t.kind == TokenKind::name ||
+         t.is(")") || t.is("'");
 }
 bool is_operand_start(const Token& t) {
-  return t.kind == Kind::number || t.kind == Kind::decimal || t.kind == Kind::name || t.is("(");
+  return t.kind == TokenKind::number || t.kind == TokenKind::decimal || t.kind == TokenKind::name ||
+         t.is("(");
 }
 
 // What a notation could not use keeps its own message.
@@ -48,7 +48,7 @@ private:
     return text.size() <= 40 ? text : text.substr(0, 37) + "...";
   }
   [[nodiscard]] bool is_unknown(const Token& t) const {
-    return t.kind == Kind::name && (p_.unknowns.contains(t.text) || t.text == "diff");
+    return t.kind == TokenKind::name && (p_.unknowns.contains(t.text) || t.text == "diff");
   }
   static Span both(const Token& a, const Token& b) {
     return make_span(a.span.offset, std::max(b.span.offset + b.span.length, a.span.offset + 1));
@@ -60,11 +60,11 @@ private:
 
   void between(const Token& t) {
     const Token& before = out_.back();
-    if (t.is("(") && (before.kind == Kind::name || before.is("'"))) return group_after_name(t);
-    if (t.kind == Kind::number || t.kind == Kind::decimal)
+    if (t.is("(") && (before.kind == TokenKind::name || before.is("'"))) return group_after_name(t);
+    if (t.kind == TokenKind::number || t.kind == TokenKind::decimal)
       return p_.refuse(both(before, t),
-                       before.kind == Kind::number ? "two numbers side by side"
-                                                   : "a number behind a factor: its exponent?",
+                       before.kind == TokenKind::number ? "two numbers side by side"
+                                                        : "a number behind a factor: its exponent?",
                        "write * or ^ between " + std::string(before.text) + " and " +
                            std::string(t.text));
     if (!is_clear_in_exponent(t) || !is_clear_in_quotient(t)) return;
@@ -73,7 +73,7 @@ private:
 
   void multiply(const Token& t) {
     out_.push_back(
-        {.kind = Kind::sign, .span = make_span(t.span.offset, t.span.offset), .text = "*"});
+        {.kind = TokenKind::sign, .span = make_span(t.span.offset, t.span.offset), .text = "*"});
   }
 
   // f(x) is a call, x (1 - x) a product; a(b + c) could be both.
@@ -106,7 +106,7 @@ private:
   // x^2a
   [[nodiscard]] bool is_clear_in_exponent(const Token& t) const {
     const std::size_t n = out_.size();
-    if (n < 3 || out_[n - 1].kind != Kind::number || !touch(out_[n - 1], t) || t.is("("))
+    if (n < 3 || out_[n - 1].kind != TokenKind::number || !touch(out_[n - 1], t) || t.is("("))
       return true;
     const bool power = out_[n - 2].is("^") || (out_[n - 2].is("-") && out_[n - 3].is("^"));
     if (!power || is_unknown(t)) return true;
@@ -127,7 +127,7 @@ private:
           depth += out_[i].is(")") - out_[i].is("(");
           if (depth == 0) break;
         }
-        if (i > 0 && (out_[i - 1].kind == Kind::name || out_[i - 1].is("'"))) --i;
+        if (i > 0 && (out_[i - 1].kind == TokenKind::name || out_[i - 1].is("'"))) --i;
         while (out_[i].is("'") && i > 0)
           --i;
       }
@@ -143,8 +143,8 @@ private:
     const std::size_t n = out_.size(), begin = factor_begin(n);
     if (begin < 2 || !out_[begin - 1].is("/") || is_unknown(t)) return true;
     const bool apart = !touch(out_.back(), t);
-    const bool fraction =
-        begin + 1 == n && out_[begin].kind == Kind::number && out_[begin - 2].kind == Kind::number;
+    const bool fraction = begin + 1 == n && out_[begin].kind == TokenKind::number &&
+                          out_[begin - 2].kind == TokenKind::number;
     if (apart && (fraction || out_.back().is(")"))) return true;
     const auto part = [&](std::size_t from, std::size_t to) {
       const auto at = [&](std::size_t i) { return out_.begin() + static_cast<std::ptrdiff_t>(i); };
@@ -175,7 +175,7 @@ std::string text_of(const std::vector<Token>& tokens) {
   std::string text;
   const Token* before = nullptr;
   for (const Token& t : tokens) {
-    if (t.kind == Kind::end) break;
+    if (t.kind == TokenKind::end) break;
     const bool operand = before != nullptr && is_operand_end(*before);
     const bool spaced = t.is("=") || ((t.is("+") || t.is("-")) && operand);
     if (spaced)

@@ -9,12 +9,11 @@
 namespace kov {
 namespace {
 
-using Kind = Token::Kind;
 using List = std::vector<Token>;
 
 bool begins_with_d(const Token& t) {
-  return t.kind == Kind::name && t.text.front() == 'd' && !is_greek(t.text) && t.text != "diff" &&
-         t.text != "dsolve" && t.text != "desolve" && t.text != "derivative";
+  return t.kind == TokenKind::name && t.text.front() == 'd' && !is_greek(t.text) &&
+         t.text != "diff" && t.text != "dsolve" && t.text != "desolve" && t.text != "derivative";
 }
 
 class Quotients {
@@ -48,7 +47,8 @@ private:
     if (!token(i).is("^")) return;
     const bool grouped = token(i + 1).is("(");
     const Token& n = token(i + 1 + grouped);
-    if (n.kind != Kind::number || n.text.size() > 1 || (grouped && !token(i + 3).is(")"))) return;
+    if (n.kind != TokenKind::number || n.text.size() > 1 || (grouped && !token(i + 3).is(")")))
+      return;
     order = n.text[0] - '0';
     i += grouped ? 4 : 2;
   }
@@ -68,7 +68,7 @@ private:
     if (d.text == "d") {
       a.next = i + 1;
       order_at(a.next, a.order);
-      if (token(a.next).kind == Kind::name) a.function = token(a.next++);
+      if (token(a.next).kind == TokenKind::name) a.function = token(a.next++);
     } else {
       const bool digit = d.text.size() > 2 && d.text[1] >= '2' && d.text[1] <= '9'; // d2y
       if (digit) a.order = d.text[1] - '0';
@@ -90,7 +90,7 @@ private:
     Below b;
     Token d = token(i++);
     if (d.text == "d") {
-      if (token(i).kind != Kind::name) return std::nullopt;
+      if (token(i).kind != TokenKind::name) return std::nullopt;
       b.variable = token(i++);
     } else {
       const char last = d.text.back();
@@ -136,7 +136,7 @@ private:
       run(b.next, std::min(next, end), f);
     } else if (above(b.next)) {
       next = step(b.next, end, f);
-    } else if (t.kind == Kind::name) {
+    } else if (t.kind == TokenKind::name) {
       f.push_back(t);
       ++next;
       if (token(next).is("(") && !token(next).after_blank) {
@@ -148,15 +148,15 @@ private:
       for (; token(next).is("'"); ++next)
         f.push_back(token(next));
       const Token& then = token(next);
-      if (then.kind == Kind::name || then.kind == Kind::number || then.is("(") || then.is("^") ||
-          then.is("*") || then.is("/"))
+      if (then.kind == TokenKind::name || then.kind == TokenKind::number || then.is("(") ||
+          then.is("^") || then.is("*") || then.is("/"))
         p_.refuse(t.span, "what is differentiated here?", "write d/dx (...)");
     } else {
       const Token& d = token(at);
-      out.push_back(made(d, Kind::name, p_.kept("D" + std::string(b.variable.text))));
+      out.push_back(made(d, TokenKind::name, p_.kept("D" + std::string(b.variable.text))));
       if (b.order == 1) return b.next;
-      out.push_back(made(d, Kind::sign, "^"));
-      out.push_back(made(d, Kind::number, p_.kept(std::to_string(b.order))));
+      out.push_back(made(d, TokenKind::sign, "^"));
+      out.push_back(made(d, TokenKind::number, p_.kept(std::to_string(b.order))));
       return b.next;
     }
     put(token(at), f, b, out);
@@ -164,16 +164,18 @@ private:
   }
 
   void put(const Token& at, const List& f, const Below& b, List& out) {
-    out.push_back(made(at, Kind::name, "diff"));
-    out.push_back(made(at, Kind::sign, "("));
+    out.push_back(made(at, TokenKind::name, "diff"));
+    out.push_back(made(at, TokenKind::sign, "("));
     out.back().after_blank = false;
     out.insert(out.end(), f.begin(), f.end());
-    const auto sign = [&](std::string_view s) { out.push_back(made(b.variable, Kind::sign, s)); };
+    const auto sign = [&](std::string_view s) {
+      out.push_back(made(b.variable, TokenKind::sign, s));
+    };
     sign(",");
     out.push_back(b.variable);
     if (b.order != 1) {
       sign(",");
-      out.push_back(made(b.variable, Kind::number, p_.kept(std::to_string(b.order))));
+      out.push_back(made(b.variable, TokenKind::number, p_.kept(std::to_string(b.order))));
     }
     sign(")");
     out.back().after_blank = false;

@@ -7,6 +7,12 @@
 
 namespace kov {
 
+[[nodiscard]] inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// May begin a name.
+[[nodiscard]] inline bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
 struct Token {
   enum class Kind : std::uint8_t { number, decimal, name, sign, command, end };
   Kind kind = Kind::end;
@@ -17,6 +23,7 @@ struct Token {
 
   [[nodiscard]] bool is(std::string_view sign) const { return kind == Kind::sign && text == sign; }
 };
+using TokenKind = Token::Kind;
 
 /// Cuts a text into tokens.  Throws InputError for bytes that belong to none, with what to write.
 class Tokens {

@@ -7,11 +7,12 @@ namespace {
 
 using Kind = Expression::Kind;
 
-constexpr int of_equation = 1, of_sum = 10, of_product = 20, of_power = 30, of_atom = 40;
+constexpr int equation_binding = 1, sum_binding = 10, product_binding = 20, power_binding = 30,
+              atom_binding = 40;
 
 struct Piece {
   std::string text;
-  int binding = of_atom;
+  int binding = atom_binding;
 };
 
 std::string at_least(const Piece& p, int binding) {
@@ -24,7 +25,7 @@ public:
 
   [[nodiscard]] Piece operator()(const Expression& e) const {
     if (instead_)
-      if (auto text = instead_(e)) return {*std::move(text), of_atom};
+      if (auto text = instead_(e)) return {*std::move(text), atom_binding};
     switch (e.kind()) {
     case Kind::number:
       return {to_string(e.number())};
@@ -34,23 +35,23 @@ public:
     case Kind::sum:
       return sum(terms_of(e));
     case Kind::negate:
-      return {"-" + at_least((*this)(e.operand(0)), of_product), of_sum};
+      return {"-" + at_least((*this)(e.operand(0)), product_binding), sum_binding};
     case Kind::product:
       return product(e);
     case Kind::quotient:
-      return {at_least((*this)(e.operand(0)), of_product) + "/" +
-                  at_least((*this)(e.operand(1)), of_power),
-              of_product};
+      return {at_least((*this)(e.operand(0)), product_binding) + "/" +
+                  at_least((*this)(e.operand(1)), power_binding),
+              product_binding};
     case Kind::power:
-      return {at_least((*this)(e.operand(0)), of_atom) + "^" +
-                  at_least((*this)(e.operand(1)), of_atom),
-              of_power};
+      return {at_least((*this)(e.operand(0)), atom_binding) + "^" +
+                  at_least((*this)(e.operand(1)), atom_binding),
+              power_binding};
     case Kind::call:
       return {e.name() + arguments(e)};
     case Kind::derivative:
       return derivative(e);
     case Kind::equation:
-      return {(*this)(e.operand(0)).text + " = " + (*this)(e.operand(1)).text, of_equation};
+      return {(*this)(e.operand(0)).text + " = " + (*this)(e.operand(1)).text, equation_binding};
     }
     return {};
   }
@@ -58,11 +59,11 @@ public:
   [[nodiscard]] Piece sum(const std::vector<SignedTerm>& terms) const {
     std::string text;
     for (const SignedTerm& t : terms) {
-      const std::string term = at_least((*this)(t.term), of_product);
+      const std::string term = at_least((*this)(t.term), product_binding);
       text += text.empty() ? (t.minus ? "-" : "") : (t.minus ? " - " : " + ");
       text += term;
     }
-    return {text.empty() ? "0" : text, of_sum};
+    return {text.empty() ? "0" : text, sum_binding};
   }
 
 private:
@@ -71,9 +72,9 @@ private:
     for (const Expression& factor : e.operands()) {
       const Piece p = (*this)(factor);
       const bool quotient = factor.kind() == Kind::quotient && !text.empty();
-      text += (text.empty() ? "" : "*") + at_least(p, quotient ? of_power : of_product);
+      text += (text.empty() ? "" : "*") + at_least(p, quotient ? power_binding : product_binding);
     }
-    return {text, of_product};
+    return {text, product_binding};
   }
 
   [[nodiscard]] std::string arguments(const Expression& e) const {
@@ -88,7 +89,7 @@ private:
     const std::string primes(static_cast<std::size_t>(e.order()), '\'');
     const bool plain = !instead_ || !instead_(f);
     if (f.kind() == Kind::call && plain) return {f.name() + primes + arguments(f)};
-    return {at_least((*this)(f), of_atom) + primes};
+    return {at_least((*this)(f), atom_binding) + primes};
   }
 
   const Instead& instead_;

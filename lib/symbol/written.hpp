@@ -15,8 +15,6 @@ using Instead = std::function<std::optional<std::string>(const Expression&)>;
 /// parse_expression reads it back, whatever notation e came from.
 /// Given   const Expression two = parse_expression("a*(b - c)^2/d", "-r");
 /// Example written(two)  // -> a*(b - c)^2/d
-/// Example written(two, [](const Expression& e) { return e.kind() == Expression::Kind::sum
-///             ? std::optional<std::string>("s") : std::nullopt; })  // -> a*s^2/d
 [[nodiscard]] std::string written(const Expression& e, const Instead& instead = {});
 
 /// Does this name stand anywhere in the tree, also as a function?

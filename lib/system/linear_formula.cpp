@@ -5,7 +5,7 @@
 namespace kov {
 namespace {
 
-class OverParameters : public Coefficients<MFraction> {
+class OverParameters : public FieldOfCoefficients<MFraction> {
 public:
   OverParameters(std::size_t z, const Scope& scope) : z_(z), scope_(scope) {}
 

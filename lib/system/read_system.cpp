@@ -13,15 +13,6 @@
 namespace kov {
 namespace {
 
-std::vector<std::string> names_of(const Entry& system, std::string_view key) {
-  const Entry* e = system.find(key);
-  return e ? e->strings() : std::vector<std::string>{};
-}
-
-} // namespace
-
-namespace {
-
 std::vector<std::size_t> indices(const Ring& ring, const std::vector<std::string>& names) {
   std::vector<std::size_t> all;
   for (const auto& name : names)

@@ -51,6 +51,8 @@ private:
   mutable std::set<std::string> open_; ///< being evaluated, to see circles
 };
 
+/// The strings of an entry; none where there is no such entry.
+[[nodiscard]] std::vector<std::string> names_of(const Entry& system, std::string_view key);
 /// Requires  scope = SystemScope(document, settings); then it knows all names of the file.
 [[nodiscard]] System read_system(const Entry& document, SystemScope& scope);
 void read_vector_field(const Entry& document, SystemScope& scope, System& s);

@@ -7,14 +7,15 @@
 #include <algorithm>
 
 namespace kov {
-namespace {
-
-const Entry* section(const Entry& document, std::string_view name) { return document.find(name); }
 
 std::vector<std::string> names_of(const Entry& system, std::string_view key) {
   const Entry* e = system.find(key);
   return e ? e->strings() : std::vector<std::string>{};
 }
+
+namespace {
+
+const Entry* section(const Entry& document, std::string_view name) { return document.find(name); }
 
 /// The new independent variable: what [reduce] calls it, or the first free letter.
 std::string independent_name(const Entry& document, const std::vector<std::string>& taken) {

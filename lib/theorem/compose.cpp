@@ -13,16 +13,17 @@
 #include <algorithm>
 
 namespace kov {
-namespace {
 
-constexpr double cover_seconds = 20;
-constexpr std::size_t most_symmetries = 48;
-
-const NodeResult* find(const TheoremResult& result, const std::string& id) {
+const NodeResult* node_with(const TheoremResult& result, const std::string& id) {
   for (const NodeResult& n : result.nodes)
     if (n.node.id == id) return &n;
   return nullptr;
 }
+
+namespace {
+
+constexpr double cover_seconds = 20;
+constexpr std::size_t most_symmetries = 48;
 
 bool has_system(const NodeResult& n) {
   using enum NodeKind;
@@ -137,7 +138,7 @@ std::vector<Condition> image(const ParameterRegion& region, const ParameterMap& 
 bool reaches_all(const NodeResult& n, const TheoremResult& result) {
   if (n.node.kind != NodeKind::splitting) return true;
   return std::any_of(n.node.needs.begin(), n.node.needs.end(), [&](const std::string& id) {
-    const NodeResult& s = *find(result, id);
+    const NodeResult& s = *node_with(result, id);
     return s.node.kind == NodeKind::scaling && s.status == NodeStatus::proved &&
            s.node.file == n.node.file && s.node.where == n.node.where &&
            s.node.small == n.node.small;
@@ -280,7 +281,7 @@ Pieces pieces(NodeResult& n, const TheoremResult& result, const std::vector<Para
        {"step", "region", "there"},
        {}});
   for (const std::string& id : n.node.needs) {
-    const NodeResult& part = *find(result, id);
+    const NodeResult& part = *node_with(result, id);
     if (const auto why = adds_nothing(part, result); !why.empty())
       all.idle.push_back("'" + id + "' (" + why + ")");
     else

@@ -6,7 +6,7 @@
 namespace kov {
 namespace {
 
-constexpr int most_depth = 40, proof_depth = 2;
+constexpr int most_depth = 40, cover_proof_depth = 2;
 
 enum class Status : std::uint8_t { unknown, yes, no };
 
@@ -82,7 +82,7 @@ private:
     for (const std::size_t i : piece.word)
       word.push_back(json_text(std::to_string(i)));
     for (const Condition& c : piece.region) {
-      auto proof = shown(ring_, given, c, proof_depth, budget_, factorizations_);
+      auto proof = shown(ring_, given, c, cover_proof_depth, budget_, factorizations_);
       if (!proof) return std::nullopt;
       proofs.push_back(*std::move(proof));
     }

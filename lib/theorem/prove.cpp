@@ -68,12 +68,6 @@ void run_step(NodeResult& n, const TheoremResult& result, const std::string& dir
   n.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-const NodeResult* find(const TheoremResult& result, const std::string& id) {
-  for (const NodeResult& n : result.nodes)
-    if (n.node.id == id) return &n;
-  return nullptr;
-}
-
 // Openness travels up the tree; the file has no circles.
 class Openness {
 public:
@@ -104,9 +98,9 @@ bool is_proved(const NodeResult& n) { return n.status == NodeStatus::proved && !
 void settle_hypotheses(TheoremResult& result, const std::string& directory) {
   for (NodeResult& n : result.nodes) {
     for (Hypothesis& h : n.node.hypotheses)
-      h.checked = !h.by.empty() && is_proved(*find(result, h.by));
+      h.checked = !h.by.empty() && is_proved(*node_with(result, h.by));
     for (const AdmittedFamily& f : n.admitted)
-      n.node.hypotheses.push_back(settle_family(n, f, find(result, f.left.by), directory));
+      n.node.hypotheses.push_back(settle_family(n, f, node_with(result, f.left.by), directory));
   }
 }
 

@@ -20,6 +20,9 @@ struct ProveOptions {
 /// Errors  InputError: a file that cannot be read
 [[nodiscard]] TheoremResult prove(const Theorem& t, const ProveOptions& options = {});
 
+/// The step of this name; null: there is none.
+[[nodiscard]] const NodeResult* node_with(const TheoremResult& result, const std::string& id);
+
 /// One step each; `directory` ends in '/' or is empty.
 void prove_claims(NodeResult& n, const std::string& directory, const ProveOptions& options);
 void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options);

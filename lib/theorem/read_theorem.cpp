@@ -309,16 +309,10 @@ std::string to_string(NodeStatus s) {
   }
 }
 
-bool is_theorem_document(const Entry& document) {
-  const Entry* format = document.find("format");
-  return format && format->kind() == Entry::Kind::string &&
-         format->string().starts_with("theorem/");
-}
-
 Theorem read_theorem(const Entry& document) {
   document.check_keys(
       {"format", "title", "statement", "cite", "node", "system", "symmetry", "expect"});
-  if (!is_theorem_document(document))
+  if (!has_format(document, "theorem"))
     throw document.error("a theorem file begins with format = \"theorem/1\"");
   if (document.at("format").string() != "theorem/1")
     throw document.at("format").error("this program reads format theorem/1");

@@ -7,7 +7,7 @@
 namespace kov {
 namespace {
 
-void add_once(std::vector<std::string>& all, const std::string& one) {
+void add_text(std::vector<std::string>& all, const std::string& one) {
   if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
@@ -81,7 +81,7 @@ std::vector<std::string> TheoremResult::trusted_steps() const {
   for (const NodeResult& n : nodes) { // two steps may have one title
     std::vector<std::string> own;
     for (const std::string& t : n.on_faith())
-      add_once(own, n.node.title + ": " + t);
+      add_text(own, n.node.title + ": " + t);
     all.insert(all.end(), own.begin(), own.end());
   }
   return all;

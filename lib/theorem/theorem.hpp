@@ -113,7 +113,6 @@ struct Theorem {
 
 /// Errors  InputError: an unknown key, id or kind, a circle of needs
 [[nodiscard]] Theorem read_theorem(const Entry& document);
-[[nodiscard]] bool is_theorem_document(const Entry& document);
 
 /// Material for a report.
 struct Formula {

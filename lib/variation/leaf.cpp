@@ -38,12 +38,12 @@ MFraction minor(const std::vector<Row>& rows, std::size_t first,
   return sum;
 }
 
-void add(std::vector<MPoly>& divisors, const MFraction& f) {
+} // namespace
+
+void add_divisors(std::vector<MPoly>& divisors, const MFraction& f) {
   for (const MPoly& p : {f.num(), f.den()})
     if (!is_constant(p)) divisors.push_back(p);
 }
-
-} // namespace
 
 namespace {
 
@@ -126,7 +126,7 @@ bool seen_on_the_leaf(const VectorField& v, const InvariantManifold& m, const No
   std::move(block.begin(), block.end(), std::back_inserter(rows));
   if (rows.size() > most_rows) return false;
   const auto f = some_minor(rows, m);
-  if (f) add(divisors, *f);
+  if (f) add_divisors(divisors, *f);
   return f.has_value();
 }
 

@@ -14,6 +14,9 @@ struct Restriction {
   std::vector<Elimination> integrals;
 };
 
+/// Where a fraction has no value or is 0: its numerator and its denominator, unless constant.
+void add_divisors(std::vector<MPoly>& divisors, const MFraction& f);
+
 /// Do the unknowns of a block take all values on the tangent vectors of the symplectic leaf in the
 /// restriction?  Always, where the field is not Hamiltonian or the coordinates are canonical.  Else
 /// a minor is needed of the matrix of the rows df P, f of the block or of the restriction, that is

@@ -1,5 +1,7 @@
 #include "variation/whole.hpp"
 
+#include "variation/leaf.hpp"
+
 #include <algorithm>
 
 namespace kov {
@@ -121,11 +123,6 @@ bool solved_by_levels(const VectorField& v, const InvariantManifold& m, const Ma
   return v.dimension() - rank(m, all, divisors) == known_solutions(v, m);
 }
 
-void add(std::vector<MPoly>& divisors, const MFraction& f) {
-  for (const MPoly& p : {f.num(), f.den()})
-    if (!is_constant(p)) divisors.push_back(p);
-}
-
 // The manifold meets the leaf in a symplectic surface, or in a symplectic manifold that its levels
 // solve.
 bool is_symplectic(const VectorField& v, const InvariantManifold& m, const Matrix& rows,
@@ -134,7 +131,7 @@ bool is_symplectic(const VectorField& v, const InvariantManifold& m, const Matri
   const Matrix poisson = restricted(m, *v.poisson);
   const MFraction pf = pfaffian(m, brackets(m, poisson, rows), leaf);
   if (m.vanishes_on_curve(pf)) return false;
-  add(divisors, pf);
+  add_divisors(divisors, pf);
   return has_rank_below(m, poisson, leaf.size() + 4) ||
          solved_by_levels(v, m, rows, jacobian, divisors);
 }

@@ -37,6 +37,7 @@ cmake_minimum_required(VERSION 3.20)
 project(tiny LANGUAGES C)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tools)
 add_executable(kovacic main.c)
+add_executable(kovacic-core main.c)
 END
   program 1
 }
@@ -55,6 +56,7 @@ for i in 1 2 3; do check "three at once on a fresh tree: $i" says "first$i.out" 
 check "the stages are shown" grep -q '2/3 configuring' "$tree"/first{1,2,3}.err
 check "with an estimate" grep -q '3/3 building .* steps (about .* s; less' "$tree"/first{1,2,3}.err
 check "and what is left" grep -q '100 % (. of ., about .* left)' "$tree"/first{1,2,3}.err
+check "only the core" test ! -e "$tree/build/release/tools/kovacic"
 check "and a log" test -s "$tree/build/setup.log"
 run second
 check "nothing to do is not worth a word" test ! -s "$tree/second.err"
@@ -86,6 +88,10 @@ fresh_tree
 printf '[tests]\nno-such-package-kovacic  a reason\n' >>"$tree/tools/packages.txt"
 run core solve
 check "packages of tests are not needed for an answer" says core.out 'answer 1'
+printf '[pictures]\nbash  always there\n' >>"$tree/tools/packages.txt"
+"$tree/tools/run" section >"$tree/section.out" 2>"$tree/section.err"
+check "what simulates builds the whole program" test -x "$tree/build/release/tools/kovacic"
+check "and answers" says section.out 'answer 1'
 
 fresh_tree
 echo "no-such-package-kovacic  a reason" >>"$tree/tools/packages.txt"

@@ -19,9 +19,14 @@ function(kov_precompile target)
   endif()
 endfunction()
 
+# The files of a folder are compiled together, up to so many bytes: most of what the compiler does for one of them
+# is the same for its neighbours.  The preset `dev` compiles each alone, so that each is seen to include what it uses.
+option(KOV_UNITY "Compile the files of a folder together" ON)
+
 add_library(kov_warnings INTERFACE)
 target_compile_options(kov_warnings INTERFACE
-  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  # -Wshadow means nothing between files that are compiled together
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic $<$<NOT:$<BOOL:${KOV_UNITY}>>:-Wshadow> -Wconversion -Wno-sign-conversion
   # g++ 12 sees overlaps in std::string operator+ that are not there (GCC PR105329)
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # and from a precompiled header it does not know that <string> is a system header
@@ -53,21 +58,56 @@ function(kov_sources out folder)
 endfunction()
 
 # Where the time of a run goes is compiled with -O2, the rest with -O1, which compiles twice as fast: the long
-# loops of those rooms are FLINT's, Arb's and Z3's, and those of lib/exact.
+# loops of those rooms are FLINT's, Arb's and Z3's, and those of lib/exact.  What writes answers is compiled faster still.
 set(kov_hot_rooms exact linode kovacic riccati invariant pcurvature galois monodromy flow)
+set(kov_writing_rooms report theorem splitting literature)
 function(kov_optimize target name)
-  if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT name IN_LIST kov_hot_rooms)
+  if(NOT CMAKE_BUILD_TYPE STREQUAL Release OR name IN_LIST kov_hot_rooms)
+    return()
+  elseif(name IN_LIST kov_writing_rooms)
+    target_compile_options(${target} PRIVATE -Og)
+  else()
     target_compile_options(${target} PRIVATE -O1)
   endif()
 endfunction()
 
+set(kov_unity_bytes 200000)
+function(kov_unity target)
+  if(NOT KOV_UNITY)
+    return()
+  endif()
+  set(folder)
+  foreach(source ${ARGN})
+    if(NOT source MATCHES "\\.cpp$")
+      set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+      continue()
+    endif()
+    get_filename_component(source ${source} ABSOLUTE)
+    get_filename_component(of ${source} DIRECTORY)
+    if(EXISTS ${source})
+      file(SIZE ${source} bytes)
+    else() # generated
+      set(bytes 20000)
+    endif()
+    math(EXPR together "${together} + ${bytes}")
+    if(NOT of STREQUAL folder OR together GREATER kov_unity_bytes)
+      math(EXPR group "${group} + 1")
+      set(folder ${of})
+      set(together ${bytes})
+    endif()
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+  endforeach()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
+
 # The first room of each kind owns a precompiled header; the others of its kind reuse it.
 function(kov_precompile_room name)
-  if(name IN_LIST kov_hot_rooms)
-    set(kind hot)
-  else()
-    set(kind other)
-  endif()
+  set(kind other)
+  foreach(list hot writing)
+    if(name IN_LIST kov_${list}_rooms)
+      set(kind ${list})
+    endif()
+  endforeach()
   get_property(owner GLOBAL PROPERTY KOV_PRECOMPILED_${kind})
   if(owner)
     kov_precompile(kov_${name} REUSE ${owner})
@@ -93,6 +133,7 @@ function(kov_room name)
   if(name STREQUAL flow) # compiled with other options
     kov_precompile(kov_flow ${kov_standard_headers})
   else()
+    kov_unity(kov_${name} ${sources})
     kov_precompile_room(${name})
   endif()
   set_property(GLOBAL APPEND PROPERTY KOV_ROOMS ${name})
@@ -114,6 +155,9 @@ function(kov_test_program name)
   target_link_libraries(test_${name} PRIVATE ${TESTS_LINKS} kov_warnings kov_test_source_dir GTest::gmock
                         GTest::gtest_main)
   target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  if(name IN_LIST kov_tests_together)
+    kov_unity(test_${name} ${TESTS_UNPARSED_ARGUMENTS})
+  endif()
   if(NOT TESTS_LINKS MATCHES "kov::(flow|command_line)") # compiled with other options
     kov_precompile(test_${name} REUSE kov_test_source_dir)
   endif()

@@ -107,7 +107,7 @@ std::string stopped(std::string_view early, const Stop& stop, double seconds,
   return message(open.is_null() ? tag_decided : tag_undecided, result, certificate);
 }
 
-Json packed(const InputError& e, const Json& id) {
+Json packed_error(const InputError& e, const Json& id) {
   return {{"id", id},
           {"file", e.file()},
           {"line", e.line()},
@@ -118,7 +118,7 @@ Json packed(const InputError& e, const Json& id) {
           {"source", e.source_line()}};
 }
 
-InputError unpacked(const Json& j) {
+InputError unpacked_error(const Json& j) {
   return {j.at("file"),    j.at("line"), j.at("column"), j.at("length"),
           j.at("message"), j.at("hint"), j.at("source")};
 }
@@ -142,7 +142,7 @@ public:
     try {
       return decide_it(job);
     } catch (const InputError& e) {
-      return message(tag_input, packed(e, id_));
+      return message(tag_input, packed_error(e, id_));
     } catch (const FreeParameters& e) {
       return undecided("parameter", e.what());
     } catch (const OutOfBudget& e) {
@@ -498,7 +498,7 @@ Answer read_answer(const std::string& text) {
   switch (text.front()) {
   case tag_input:
     a.exit = exit_input;
-    a.error = unpacked(body);
+    a.error = unpacked_error(body);
     break;
   case tag_internal:
     a.exit = exit_internal;
@@ -514,7 +514,7 @@ Answer read_answer(const std::string& text) {
   return a;
 }
 
-Solver::Line read_line(const std::string& text) {
+Solver::Line parse_reply(const std::string& text) {
   const auto [json, proof, loops] = parts(text);
   const char tag = text.front();
   if (tag != tag_internal && tag != tag_input)
@@ -524,7 +524,7 @@ Solver::Line read_line(const std::string& text) {
     return {dump({{"id", body.at("id")},
                   {"error", "internal error: " + body.at("message").get<std::string>()}}),
             exit_internal, "", ""};
-  const InputError e = unpacked(body);
+  const InputError e = unpacked_error(body);
   std::string text_of_error = e.message();
   if (e.column() > 0)
     text_of_error += " (column " + std::to_string(e.column()) + " of " + e.file() + ")";
@@ -554,7 +554,7 @@ namespace {
 Solver::Line line_of(const Reply& reply, const Settings& settings, double seconds) {
   if (reply.end == Reply::End::interrupted) return {"", exit_interrupted, "", ""};
   if (reply.end != Reply::End::crashed || early_proof(reply))
-    return read_line(final_message(reply, settings, seconds));
+    return parse_reply(final_message(reply, settings, seconds));
   const Json early = completed(reply.early.empty() ? "" : parts(reply.early).json);
   return {dump({{"id", early.at("id")}, {"error", "internal error: " + crash_text(reply)}}),
           exit_internal, "", ""};
@@ -598,7 +598,7 @@ TextWorker::TextWorker(const Settings& settings, Serve serve)
               });
               return message(tag_decided, {{"exit", exit}, {"text", out.str()}});
             } catch (const InputError& e) {
-              return message(tag_input, packed(e, nullptr));
+              return message(tag_input, packed_error(e, nullptr));
             } catch (const OutOfBudget& e) {
               return message(tag_undecided, {{"limit", e.what()}, {"early", said}});
             } catch (const std::bad_alloc&) {
@@ -628,7 +628,7 @@ TextAnswer TextWorker::ask(std::string_view job) {
     switch (reply.answer.front()) {
     case tag_input:
       a.exit = exit_input;
-      a.error = unpacked(body);
+      a.error = unpacked_error(body);
       break;
     case tag_undecided:
       a.exit = exit_undecided;

@@ -165,7 +165,7 @@ Json parse_line(std::string_view text, const std::function<void(const Json&)>& i
   return j;
 }
 
-std::optional<Expression> formula(const Json& line, const char* key, bool equation = false) {
+std::optional<Expression> formula_at(const Json& line, const char* key, bool equation = false) {
   if (!line.contains(key) || line.at(key).is_null()) return std::nullopt;
   const Json& value = line.at(key);
   if (!value.is_string())
@@ -211,7 +211,7 @@ void refuse_keys(const Json& line) {
 }
 
 // One text or a list of texts.
-std::vector<std::string> texts(const Json& line, const char* key) {
+std::vector<std::string> one_or_more(const Json& line, const char* key) {
   if (line.contains(key) && line.at(key).is_string()) return {line.at(key).get<std::string>()};
   return names(line, key);
 }
@@ -221,11 +221,11 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   Question q;
   if (line.contains("id")) q.id = line.at("id");
   refuse_keys(line);
-  q.text.r = formula(line, "r");
-  q.text.p = formula(line, "p");
-  q.text.q = formula(line, "q");
-  q.text.ode = formula(line, "ode", true);
-  q.text.minpoly = formula(line, "minpoly");
+  q.text.r = formula_at(line, "r");
+  q.text.p = formula_at(line, "p");
+  q.text.q = formula_at(line, "q");
+  q.text.ode = formula_at(line, "ode", true);
+  q.text.minpoly = formula_at(line, "minpoly");
   q.text.parameters = names(line, "parameters");
   q.text.infer_variable = false;
   if (line.contains("variable") && !line.at("variable").is_null()) {
@@ -236,7 +236,7 @@ Question read_line(std::string_view job, const std::function<void(const Json&)>&
   if (!q.text.r && !q.text.p && !q.text.q && !q.text.ode)
     refuse("the line has no equation", "give r, or p and q, or ode");
   const auto known = settable_names(q.text);
-  for (const std::string& text : texts(line, "assumptions"))
+  for (const std::string& text : one_or_more(line, "assumptions"))
     if (is_prose(text, known)) // said, not used
       q.ignored.push_back(text);
     else

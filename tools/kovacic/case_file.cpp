@@ -3,10 +3,8 @@
 #include "answer.hpp"
 #include "certificate_file.hpp"
 #include "commands.hpp"
-#include "flow/scene/system_scene.hpp"
 #include "mechanics.hpp"
 #include "present.hpp"
-#include "theorem/prove.hpp"
 
 #include <algorithm>
 #include <map>
@@ -96,8 +94,8 @@ Answer solve_with(const Settings& settings, const EquationFile& file,
   return solver.answer("");
 }
 
-std::string title_of(const EquationFile& file,
-                     const std::vector<std::pair<std::string, Expression>>& where) {
+std::string name_of_entry(const EquationFile& file,
+                          const std::vector<std::pair<std::string, Expression>>& where) {
   std::string title = file.path;
   for (const auto& [name, value] : where)
     title +=
@@ -137,7 +135,7 @@ CaseReport check_equation(const Settings& settings, const Entry& document) {
   report.json = Json::array();
   std::map<std::string, Answer> answers; // by the values of the block
   const auto answer_for = [&](const std::vector<std::pair<std::string, Expression>>& where) {
-    const std::string key = title_of(file, where);
+    const std::string key = name_of_entry(file, where);
     if (!answers.contains(key)) {
       answers.emplace(key, solve_with(settings, file, where));
       take(settings, report, answers.at(key), key);
@@ -154,59 +152,18 @@ CaseReport check_equation(const Settings& settings, const Entry& document) {
   return report;
 }
 
-namespace {
-
-// A theorem file: each step that computes is an expectation that it is proved, and the whole that
-// the proof is complete; unless the file expects it to be open.
-Json theorem_expectations(const TheoremResult& result) {
-  const bool open = result.theorem.expected_open;
-  Json all = Json::array();
-  for (const NodeResult& n : result.nodes)
-    if (n.node.kind != NodeKind::argument && n.node.kind != NodeKind::theorem)
-      all.push_back(
-          {{"name", n.node.id + ": " + to_string(n.status)},
-           {"met", n.status == NodeStatus::proved || (open && n.status != NodeStatus::refuted)},
-           {"found", n.summary}});
-  all.push_back({{"name", open ? "the proof is open" : "the proof is complete"},
-                 {"met", result.complete() != open},
-                 {"found", result.conclusion()}});
-  return all;
-}
-
-CaseReport test_theorem(const Settings& settings, const std::string& path) {
-  const Report r = supervised(settings, path, [&] {
-    ProveOptions options;
-    options.decide = settings.solver_options();
-    const TheoremResult result = kov::prove(read_theorem(read_document(path)), options);
-    return Report{exit_decided, "", Json{{"expected", theorem_expectations(result)}}};
-  });
-  CaseReport report;
-  report.exit = r.exit;
-  if (!r.json.contains("expected")) {
-    report.expected.push_back({.name = "the proof is complete",
-                               .met = false,
-                               .found = r.json.value("reason", "a limit")});
-    return report;
-  }
-  for (const Json& e : r.json.at("expected"))
-    report.expected.push_back({e.at("name"), e.at("met"), e.at("found")});
-  return report;
-}
-
-} // namespace
-
 std::string command_for(const std::string& path) {
   const Entry document = read_document(path);
-  if (is_theorem_document(document)) return "prove";
-  if (flow::is_scene(document)) return "section";
+  if (has_format(document, "theorem")) return "prove";
+  if (has_format(document, "scene")) return "section";
   return is_equation_file(document) ? "solve" : "classify";
 }
 
 CaseReport check_case(const Settings& settings, const std::string& path) {
   const Entry document = settings.document(path);
-  if (is_theorem_document(document))
+  if (has_format(document, "theorem"))
     throw document.error("this file holds a theorem", "kovacic prove " + path);
-  if (flow::is_scene(document))
+  if (has_format(document, "scene"))
     throw InputError(path, 0, 0, 1, "this file describes a scene to simulate",
                      "write: kovacic section " + path + "   or   kovacic test " + path);
   if (is_equation_file(document)) return check_equation(settings, document);
@@ -214,24 +171,6 @@ CaseReport check_case(const Settings& settings, const std::string& path) {
     throw InputError(path, 0, 0, 1, "a system file is reported as text or json",
                      "write: kovacic report " + path + " --format tex");
   return check_system_file(settings, path);
-}
-
-CaseReport test_case(const Settings& settings, const std::string& path) {
-  const Entry document = read_document(path);
-  if (is_theorem_document(document)) return test_theorem(settings, path);
-  if (flow::is_scene(document) && !flow::has_system_scenes(document)) return test_scene(path);
-  CaseReport report;
-  if (!flow::is_scene(document))
-    report = is_equation_file(document) ? check_equation(settings, document)
-                                        : check_system_file(settings, path);
-  if (report.json.is_object()) // a limit, before anything could be compared
-    report.expected.push_back(
-        {.name = "decided", .met = false, .found = report.json.value("reason", "a limit")});
-  if (flow::has_system_scenes(document)) {
-    const std::vector<Expected> scenes = test_system_scenes(document);
-    report.expected.insert(report.expected.end(), scenes.begin(), scenes.end());
-  }
-  return report;
 }
 
 std::optional<GroupName> parse_group(const std::string& text) {

@@ -28,8 +28,10 @@ struct CaseReport {
 /// The command that a file asks for by itself (kovacic FILE): prove, section, solve or classify.
 [[nodiscard]] std::string command_for(const std::string& path);
 [[nodiscard]] CaseReport check_case(const Settings& settings, const std::string& path);
-/// The expectations of the file only.
+/// The expectations of the file only (test_scene.cpp).
 [[nodiscard]] CaseReport test_case(const Settings& settings, const std::string& path);
+/// The steps of a theorem file, and that its proof is complete.
+[[nodiscard]] CaseReport test_theorem(const Settings& settings, const std::string& path);
 
 [[nodiscard]] CaseReport check_equation(const Settings& settings, const Entry& document);
 /// System files (a [system] table).

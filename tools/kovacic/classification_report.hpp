@@ -1,15 +1,14 @@
 #pragma once
-// A classification in the form of a theorem with steps, which has LaTeX and HTML.
+// A classification as text, as JSON and as a page.
 
 #include "mechanics.hpp"
 #include "study/classification.hpp"
-#include "theorem/theorem.hpp"
 
 namespace kov::cli {
 
-/// The first step is the theorem with its tables; each of the others proves exclusions by one
-/// equation.
-[[nodiscard]] TheoremResult as_theorem(const System& s, const SystemClassification& c);
+/// As LaTeX ("tex") or HTML: a theorem with its steps.
+[[nodiscard]] std::string classification_page(const System& s, const SystemClassification& c,
+                                              const std::string& format);
 
 /// Conditions, status, integrals, reasons, and what was tried.
 [[nodiscard]] Json json_of(const SystemClassification& c, const ClassifiedStratum& s);

@@ -7,7 +7,6 @@
 #include "mechanics.hpp"
 #include "output_format.hpp"
 #include "render.hpp"
-#include "report/render_theorem.hpp"
 
 #include <fmt/format.h>
 
@@ -20,12 +19,12 @@ namespace kov::cli {
 namespace {
 
 // What is left for the answer when the work has to end by itself.
-constexpr double part_of_the_time = 0.85;
+constexpr double part_of_the_search = 0.85;
 // The rest is for a second run, without the stage that a limit had to end from outside.
 constexpr double part_of_first_run = 0.7;
 constexpr const char* unfinished = "a limit ended the work; what was proved before is shown";
 
-std::string title_of(ClassificationStatus s) {
+std::string words_of(ClassificationStatus s) {
   switch (s) {
   case ClassificationStatus::integrable:
     return "INTEGRABLE";
@@ -38,7 +37,7 @@ std::string title_of(ClassificationStatus s) {
   }
 }
 
-void put(std::ostream& out, const std::string& name, const std::string& text) {
+void put_wide(std::ostream& out, const std::string& name, const std::string& text) {
   out << "  " << fmt::format("{:<12}", name) << wrapped(text, 14) << '\n';
 }
 void put_below(std::ostream& out, const std::string& text) {
@@ -56,7 +55,7 @@ std::string beginning(const std::string& text, bool all) {
 
 void print(const SystemClassification& c, const ClassifiedStratum& s, bool verbose,
            std::ostream& out) {
-  put(out, to_string(s.status), beginning(where_text(c, s), verbose));
+  put_wide(out, to_string(s.status), beginning(where_text(c, s), verbose));
   if (const std::string with = integrals_text(s); !with.empty()) put_below(out, "with " + with);
   for (const std::string& tried : s.open_after)
     put_below(out, beginning(tried, verbose));
@@ -74,7 +73,8 @@ void print_all(const SystemClassification& c, StratumStatus status, bool verbose
       ++more;
     }
   }
-  if (more > 0) put(out, to_string(status), std::to_string(more) + " more (--verbose names them)");
+  if (more > 0)
+    put_wide(out, to_string(status), std::to_string(more) + " more (--verbose names them)");
 }
 
 // Many sets with long conditions fill pages, and the theorem says "elsewhere".
@@ -96,43 +96,43 @@ void print_excluded(const SystemClassification& c, bool verbose, std::ostream& o
   const auto all = excluded_together(c);
   const std::size_t shown = verbose ? all.size() : std::min(all.size(), most_shown);
   for (std::size_t i = 0; i < shown; ++i) {
-    put(out, "excluded", some_of(all[i].where, verbose));
+    put_wide(out, "excluded", some_of(all[i].where, verbose));
     put_below(out, reason_of(*all[i].by));
   }
   if (shown < all.size())
-    put(out, "excluded",
-        "more sets, for " + std::to_string(all.size() - shown) +
-            " further reasons (--verbose names them)");
+    put_wide(out, "excluded",
+             "more sets, for " + std::to_string(all.size() - shown) +
+                 " further reasons (--verbose names them)");
 }
 
 std::string text_of(const System& s, const SystemClassification& c, bool quiet, bool verbose) {
   std::ostringstream out;
-  out << heading(s.file, s.title) << "\n  " << title_of(c.status()) << '\n';
-  put(out, "theorem", statement(c));
-  if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
+  out << heading(s.file, s.title) << "\n  " << words_of(c.status()) << '\n';
+  put_wide(out, "theorem", statement(c));
+  if (!c.assumptions.empty()) put_wide(out, "assumed", joined(c.assumptions, ", "));
   for (const std::string& constant : c.constants)
-    put(out, "where", constant);
+    put_wide(out, "where", constant);
   if (c.excluded.empty() && !c.variables.empty()) // else the theorem names them
-    put(out, "where", joined(c.variables, ", "));
+    put_wide(out, "where", joined(c.variables, ", "));
   for (const std::string& note : c.notes)
-    put(out, "note", note);
+    put_wide(out, "note", note);
   if (!quiet) {
     if (c.almost_all) {
-      put(out, "almost all", "proved at " + c.almost_all->at);
+      put_wide(out, "almost all", "proved at " + c.almost_all->at);
       put_below(out, reason_of(c.almost_all->by));
     }
     print_all(c, StratumStatus::integrable, verbose, out);
     print_all(c, StratumStatus::open, verbose, out);
     print_excluded(c, verbose, out);
   }
-  if (!c.theorems.empty()) put(out, "by", joined(c.theorems, ", "));
+  if (!c.theorems.empty()) put_wide(out, "by", joined(c.theorems, ", "));
   if (!c.trusted.empty())
-    put(out, "trusted",
-        std::to_string(c.trusted.size()) + (c.trusted.size() == 1 ? " step: " : " steps: ") +
-            beginning(joined(c.trusted, "; "), verbose));
+    put_wide(out, "trusted",
+             std::to_string(c.trusted.size()) + (c.trusted.size() == 1 ? " step: " : " steps: ") +
+                 beginning(joined(c.trusted, "; "), verbose));
   if (verbose)
     for (const auto& [stage, seconds] : c.stages)
-      put(out, "time", fmt::format("{:.1f} ms  {}", 1000 * seconds, stage));
+      put_wide(out, "time", fmt::format("{:.1f} ms  {}", 1000 * seconds, stage));
   return out.str();
 }
 
@@ -147,7 +147,7 @@ Json almost_all(const SystemClassification& c) {
           {"trusted", by.trusted}};
 }
 
-Json json_of(const System& s, const SystemClassification& c) {
+Json as_json(const System& s, const SystemClassification& c) {
   Json strata = Json::array();
   for (const ClassifiedStratum& x : c.strata)
     strata.push_back(cli::json_of(c, x));
@@ -236,7 +236,7 @@ private:
     inner.timeout *= part;
     return supervised(inner, arguments_.file, [&](const FileWorker::SoFar& so_far) {
       const System s = read_system(inner.document(arguments_.file), parameter_values(inner));
-      inner.timeout *= part_of_the_time;
+      inner.timeout *= part_of_the_search;
       ClassifyOptions options;
       options.check.decide = inner.solver_options();
       options.check.decide.ask_the_judge = true;
@@ -267,17 +267,17 @@ private:
                                      {"by", Json::array()},
                                      {"open_after", Json::array()}});
     std::ostringstream out;
-    if (format_ == "text") put(out, to_string(StratumStatus::open), "all parameters");
+    if (format_ == "text") put_wide(out, to_string(StratumStatus::open), "all parameters");
     report.text += out.str();
     return report;
   }
 
   Report report_of(const System& s, const SystemClassification& c) const {
     return {c.status() == ClassificationStatus::open ? exit_undecided : exit_decided,
-            format_ == "tex"    ? report::theorem_tex(as_theorem(s, c))
-            : format_ == "html" ? report::theorem_html(as_theorem(s, c))
-                                : text_of(s, c, settings_.quiet, settings_.verbose > 0),
-            json_of(s, c)};
+            format_ == "tex" || format_ == "html"
+                ? classification_page(s, c, format_)
+                : text_of(s, c, settings_.quiet, settings_.verbose > 0),
+            as_json(s, c)};
   }
 
   // The answer is that of a moment before the limit.
@@ -288,7 +288,7 @@ private:
     report.json["notes"].push_back(note);
     if (format_ != "text") return;
     std::ostringstream out;
-    put(out, "note", note);
+    put_wide(out, "note", note);
     report.text += out.str();
   }
 

@@ -94,7 +94,7 @@ void print(const std::vector<FoundManifold>& found, bool whole, std::ostringstre
   print_list("equilibria only:", still, out);
 }
 
-Json json_of(const FoundManifold& m) {
+Json as_json(const FoundManifold& m) {
   std::vector<std::string> equations;
   for (const auto& e : m.equations)
     equations.push_back(e.text);
@@ -123,7 +123,7 @@ int find_manifolds(const Settings& settings, const std::string& file) {
     print(found.proved, settings.verbose > 0, out);
     Json all = Json::array();
     for (const auto& m : found.proved)
-      all.push_back(json_of(m));
+      all.push_back(as_json(m));
     Json json{{"format", "kovacic-manifolds/1"}, {"file", file}, {"manifolds", all}};
     if (!found.left_out.empty()) json["left_out"] = found.left_out;
     return Report{found.left_out.empty() ? exit_decided : exit_undecided, out.str(), json, {}};

@@ -97,14 +97,7 @@ void print(const std::string& where, const IntegralsOfSet& set, const VectorFiel
         << '\n';
 }
 
-Json texts(const std::vector<MPoly>& polynomials) {
-  Json all = Json::array();
-  for (const MPoly& f : polynomials)
-    all.push_back(to_string(f));
-  return all;
-}
-
-Json json_of(const IntegralsOfSet& set, const VectorField& v) {
+Json as_json(const IntegralsOfSet& set, const VectorField& v) {
   const auto label = labels(set);
   Json all = Json::array();
   for (std::size_t i = 0; i < set.integrals.size(); ++i) {
@@ -154,10 +147,10 @@ std::string text_of(const std::string& file, const IntegralSearch& search, const
   return out.str();
 }
 
-Json json_of(const std::string& file, const IntegralSearch& search, const VectorField& v) {
+Json as_json(const std::string& file, const IntegralSearch& search, const VectorField& v) {
   Json sets = Json::array();
   for (const IntegralsOfSet& set : search.sets)
-    sets.push_back(json_of(set, v));
+    sets.push_back(as_json(set, v));
   return {{"format", "kovacic-integrals/1"},
           {"file", file},
           {"parameters", "complex"},
@@ -165,7 +158,7 @@ Json json_of(const std::string& file, const IntegralSearch& search, const Vector
           {"assumed_nonzero", texts(search.assumed)},
           {"not_covered_unless_nonzero", texts(search.not_covered)},
           {"sets", sets},
-          {"elsewhere", search.elsewhere ? json_of(*search.elsewhere, v) : Json(nullptr)},
+          {"elsewhere", search.elsewhere ? as_json(*search.elsewhere, v) : Json(nullptr)},
           {"finished", search.finished()}};
 }
 
@@ -184,7 +177,7 @@ int integrals(const Settings& settings, const IntegralsArguments& arguments) {
     const IntegralSearch search = find_integrals(s, options);
     return Report{search.finished() ? exit_decided : exit_undecided,
                   text_of(arguments.file, search, s.field),
-                  json_of(arguments.file, search, s.field)};
+                  as_json(arguments.file, search, s.field)};
   });
   write_output(settings,
                settings.format == "json" && !report.json.is_null()

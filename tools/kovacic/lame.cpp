@@ -13,19 +13,7 @@
 namespace kov::cli {
 namespace {
 
-constexpr const char* headline = "Lame's equation y_tt = (n(n+1) wp(t; g2, g3) + B) y, ";
-
-void put(std::ostringstream& out, const std::string& label, const std::string& text) {
-  out << "  " << label << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ')
-      << wrapped(text, 12) << '\n';
-}
-
-Json texts(const std::vector<MPoly>& polynomials) {
-  Json all = Json::array();
-  for (const MPoly& f : polynomials)
-    all.push_back(to_string(f));
-  return all;
-}
+constexpr const char* equation_of_lame = "Lame's equation y_tt = (n(n+1) wp(t; g2, g3) + B) y, ";
 
 // A terminal is no place for a thousand coefficients.
 std::string all_zero(const std::vector<MPoly>& polynomials) {
@@ -55,7 +43,7 @@ Json opened(const LameQuestion& q) {
 }
 
 std::string title(const LameQuestion& q, const Json& j) {
-  std::string text = headline + q.degree.text;
+  std::string text = equation_of_lame + q.degree.text;
   std::vector<std::string> open;
   for (const char* name : {"B", "g2", "g3"}) {
     const std::string value = j.at(name).get<std::string>();

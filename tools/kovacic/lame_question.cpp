@@ -130,12 +130,6 @@ private:
   Ring ring_;
 };
 
-std::optional<Expression> formula(const std::string& option,
-                                  const std::optional<std::string>& text) {
-  if (!text) return std::nullopt;
-  return parse_expression(*text, option);
-}
-
 } // namespace
 
 LameTexts lame_texts(const Settings& settings, const LameArguments& a) {

@@ -1,5 +1,7 @@
 #include "mechanics.hpp"
 
+#include "result.hpp"
+
 #include "decide/words.hpp"
 #include "integrability/matrices.hpp"
 #include "present.hpp"
@@ -10,28 +12,24 @@
 #include <ostream>
 
 namespace kov::cli {
+Json texts(const std::vector<MPoly>& polynomials) {
+  Json all = Json::array();
+  for (const auto& f : polynomials)
+    all.push_back(to_string(f));
+  return all;
+}
+
 namespace {
 
 Json text_or_null(const std::optional<MFraction>& f) {
   return f ? Json(to_factored_string(*f)) : Json(nullptr);
 }
 
-Json texts(const std::vector<MPoly>& polys) {
-  Json all = Json::array();
-  for (const auto& f : polys)
-    all.push_back(to_string(f));
-  return all;
-}
-
-std::string yes_no(Truth t) {
-  return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided";
-}
-
 Json json_of(const Decision& d) {
   Json j;
   j["group"] = d.group ? group_json(*d.group) : Json(nullptr);
   j["identity_component"] = d.component ? Json(to_string(*d.component)) : Json(nullptr);
-  j["abelian"] = yes_no(d.abelian);
+  j["abelian"] = word_of(d.abelian);
   j["case"] = d.kovacic_case ? Json(*d.kovacic_case) : Json(nullptr);
   j["reason"] = reason(d);
   return j;
@@ -69,11 +67,11 @@ Report supervised(const Settings& settings, const std::string& file,
 
 namespace {
 
-std::string packed(const Report& r) {
+std::string packed_report(const Report& r) {
   return dump({{"exit", r.exit}, {"text", r.text}, {"json", r.json}});
 }
 
-Report unpacked(const std::string& text) {
+Report unpacked_report(const std::string& text) {
   const Json j = Json::parse(text);
   return {j.at("exit"), j.at("text"), j.at("json")};
 }
@@ -85,8 +83,8 @@ FileWorker::FileWorker(const Settings& settings, const std::string& file, Work w
       worker_(settings, [file, work = std::move(work)](std::string_view job, std::ostream& out,
                                                        const Worker::Early& early) {
         try {
-          const Report r = work(job, [&](const Report& so_far) { early(packed(so_far)); });
-          out << packed(r);
+          const Report r = work(job, [&](const Report& so_far) { early(packed_report(so_far)); });
+          out << packed_report(r);
           return r.exit;
         } catch (const DomainError& e) {
           throw InputError(file, 0, 0, 1, e.what());
@@ -105,7 +103,7 @@ Report FileWorker::ask(std::string_view job) {
   Report r;
   r.exit = a.exit;
   if (!a.limit.empty() && !a.early.empty()) {
-    r = unpacked(a.early);
+    r = unpacked_report(a.early);
     r.limit = a.limit;
   } else if (!a.limit.empty()) {
     r.limit = a.limit;
@@ -117,11 +115,11 @@ Report FileWorker::ask(std::string_view job) {
     failure.exit = a.exit;
     failure.internal = a.internal;
     report_failure(settings_, failure);
-    if (!a.early.empty()) r = unpacked(a.early);
+    if (!a.early.empty()) r = unpacked_report(a.early);
     r.exit = a.exit;
     r.limit = a.exit == exit_interrupted ? "interrupted" : "internal error: " + a.internal;
   } else {
-    r = unpacked(a.text);
+    r = unpacked_report(a.text);
   }
   return r;
 }
@@ -183,7 +181,7 @@ Json json_of(const System& s, const BlockReport& b) {
     j["energies"] = std::move(all);
   }
   const bool mixed = b.abelian == Truth::unknown && b.strata && b.strata->decided();
-  j["abelian"] = mixed ? "depends" : yes_no(b.abelian);
+  j["abelian"] = mixed ? "depends" : word_of(b.abelian);
   if (!b.note.empty()) j["note"] = b.note;
   return j;
 }

@@ -51,6 +51,8 @@ private:
 /// --set as the reader of system files wants it.
 [[nodiscard]] ParameterValues parameter_values(const Settings& settings);
 
+/// As texts.
+[[nodiscard]] Json texts(const std::vector<MPoly>& polynomials);
 [[nodiscard]] Json json_of(const LinearSystem& s);
 [[nodiscard]] Json json_of(const NormalVariationalEquation& e);
 /// p, q, r, variable, parameters, change, ...

@@ -51,7 +51,7 @@ mo::Point read_base(const std::string& text) {
   return mo::point(z);
 }
 
-Json json_of(const mo::BallMatrix& m, long digits) {
+Json as_json(const mo::BallMatrix& m, long digits) {
   Json rows = Json::array();
   for (long i = 0; i < m.size(); ++i) {
     Json row = Json::array();
@@ -75,14 +75,14 @@ std::vector<std::string> place_names(const mo::Monodromy& m, const std::string& 
   }
 }
 
-Json json_of(const mo::Monodromy& m, long digits, const std::string& variable,
+Json as_json(const mo::Monodromy& m, long digits, const std::string& variable,
              const std::string& rows) {
   Json loops = Json::array();
   const auto names = place_names(m, variable);
   auto name = names.begin();
   for (const mo::LoopMatrix& l : m.loops)
     loops.push_back({{"place", *name++},
-                     {"matrix", json_of(l.matrix, digits)},
+                     {"matrix", as_json(l.matrix, digits)},
                      {"radius", mo::decimal_radius(l.matrix, digits)}});
   Json j{{"format", "kovacic-monodromy/1"},
          {"base", mo::exact_decimals(m.base)},
@@ -90,7 +90,7 @@ Json json_of(const mo::Monodromy& m, long digits, const std::string& variable,
          {"loops", loops},
          {"digits", digits}};
   if (m.large_circle)
-    j["large_circle"] = {{"matrix", json_of(*m.large_circle, digits)},
+    j["large_circle"] = {{"matrix", as_json(*m.large_circle, digits)},
                          {"radius", mo::decimal_radius(*m.large_circle, digits)}};
   j["self_tests"] = m.self_tests;
   return j;
@@ -115,19 +115,19 @@ std::string angle_text(const Ball& x) {
   return arb_is_zero(x.raw()) != 0 ? "0" : direction;
 }
 
-Json json_of(const mo::Stokes& s, long digits) {
+Json as_json(const mo::Stokes& s, long digits) {
   Json all = Json::array();
   for (const mo::StokesMatrix& x : s.matrices) {
     const auto [re, im] = mo::decimals(x.multiplier.raw(), digits);
     all.push_back({{"direction", angle_text(x.direction)},
                    {"multiplier", {re, im}},
-                   {"matrix", json_of(x.matrix, digits)},
+                   {"matrix", as_json(x.matrix, digits)},
                    {"radius", mo::decimal_radius(x.matrix, digits)}});
   }
   return {{"place", "infinity"}, {"family", s.family}, {"matrices", all}};
 }
 
-Json json_of(const mo::HyperbolicPair& p) {
+Json as_json(const mo::HyperbolicPair& p) {
   return {{"proves", "SL2"},
           {"A", p.a},
           {"B", p.b},
@@ -136,7 +136,7 @@ Json json_of(const mo::HyperbolicPair& p) {
           {"trace_ABAB^-1", ball_text(p.trace_normalizer)}};
 }
 
-Json json_of(const mo::NoSmallGroup& p) {
+Json as_json(const mo::NoSmallGroup& p) {
   return {{"proves", "SL2"},
           {"A", p.a},
           {"B", p.b},
@@ -145,11 +145,11 @@ Json json_of(const mo::NoSmallGroup& p) {
           {"trace_C_squared", ball_text(p.trace_c_square)}};
 }
 
-Json json_of(const mo::Sl2Proof& p) {
-  return std::visit([](const auto& x) { return json_of(x); }, p);
+Json as_json(const mo::Sl2Proof& p) {
+  return std::visit([](const auto& x) { return as_json(x); }, p);
 }
 
-Json json_of(const mo::UnipotentElement& u) {
+Json as_json(const mo::UnipotentElement& u) {
   return {{"loops", u.loops ? Json(*u.loops) : Json("large circle")},
           {"power", u.power},
           {"conjugated_by", u.conjugator}};
@@ -157,20 +157,20 @@ Json json_of(const mo::UnipotentElement& u) {
 
 constexpr const char* not_abelian = "the identity component is not abelian";
 
-Json json_of(const mo::NonAbelianProof& p, bool by_blocks) {
+Json as_json(const mo::NonAbelianProof& p, bool by_blocks) {
   return {{"proves", not_abelian},
           {"unipotent_by", by_blocks ? "blocks" : "exponents"},
-          {"A", json_of(p.a)},
-          {"B", json_of(p.b)},
+          {"A", as_json(p.a)},
+          {"B", as_json(p.b)},
           {"row", p.row},
           {"column", p.column},
           {"commutator_entry", ball_text(p.entry)}};
 }
 
-Json json_of(const std::optional<NonAbelianVariation>& p, const std::vector<std::string>& names) {
+Json as_json(const std::optional<NonAbelianVariation>& p, const std::vector<std::string>& names) {
   if (!p) return nullptr;
-  if (p->unipotent) return json_of(*p->unipotent, p->by_blocks);
-  Json j = json_of(*p->block_proof);
+  if (p->unipotent) return as_json(*p->unipotent, p->by_blocks);
+  Json j = as_json(*p->block_proof);
   j["proves"] = not_abelian;
   j["block"] = "(d" + names.at(p->block.at(0)) + ", d" + names.at(p->block.at(1)) + ")";
   return j;
@@ -336,17 +336,17 @@ Matrices of_equation(const Settings& settings, const MonodromyArguments& a) {
   const GivenEquation e = given(settings, a);
   const mo::Request request = request_of(settings, a);
   const mo::Monodromy m = mo::monodromy(e.p, e.q, request);
-  Json j = json_of(m, a.digits, e.variable, "(y, y')");
+  Json j = as_json(m, a.digits, e.variable, "(y, y')");
   mo::Monodromy known = m; // elements of the group
   if (const auto s = mo::stokes_at_infinity(e.p, e.q, m.base, request)) {
-    j["stokes"] = json_of(*s, a.digits);
+    j["stokes"] = as_json(*s, a.digits);
     for (const mo::StokesMatrix& x : s->matrices)
       known.loops.push_back({{}, x.matrix});
     for (const std::string& passed : s->self_tests)
       j["self_tests"].push_back(passed);
   }
   const auto proof = mo::prove_sl2(known, request.budget);
-  j["certificate"] = proof ? json_of(*proof) : Json(nullptr);
+  j["certificate"] = proof ? as_json(*proof) : Json(nullptr);
   const std::string title = is_zero(e.p)
                                 ? "y'' = r y, r = " + to_string(e.normal_form.r, e.variable)
                                 : "y'' + p y' + q y = 0, p = " + to_string(e.p, e.variable) +
@@ -407,18 +407,18 @@ std::string elliptic_text(const Json& j) {
   return out.str();
 }
 
-Json json_of(const mo::EllipticMonodromy& m, long digits, const std::string& variable,
+Json as_json(const mo::EllipticMonodromy& m, long digits, const std::string& variable,
              const std::string& rows) {
   Json periods = Json::array(), poles = Json::array();
   for (const mo::PeriodMatrix& p : m.periods)
     periods.push_back({{"period", number(p.period, digits)},
                        {"loops", p.loops},
-                       {"matrix", json_of(p.matrix, digits)},
+                       {"matrix", as_json(p.matrix, digits)},
                        {"radius", mo::decimal_radius(p.matrix, digits)}});
   for (const mo::PoleMatrix& p : m.poles)
     poles.push_back({{"place", p.place ? mo::to_string(*p.place, variable) : "infinity"},
                      {"other_sheet", p.other_sheet},
-                     {"matrix", json_of(p.matrix, digits)},
+                     {"matrix", as_json(p.matrix, digits)},
                      {"radius", mo::decimal_radius(p.matrix, digits)}});
   return {{"format", "kovacic-monodromy/1"},
           {"base", mo::exact_decimals(m.base)},
@@ -437,7 +437,7 @@ Matrices of_elliptic_time(const Settings& settings, const MonodromyArguments& a)
   const GivenEquation e = given(settings, a);
   const mo::EllipticMonodromy m =
       mo::elliptic_monodromy(e.normal_form.r, read_time(*a.time, e), request_of(settings, a));
-  return {json_of(m, a.digits, e.variable, "(y, dy/dt)"), {}};
+  return {as_json(m, a.digits, e.variable, "(y, dy/dt)"), {}};
 }
 
 LinearSystem linear_system(const System& s, const MonodromyArguments& a, const Settings& settings,
@@ -483,11 +483,11 @@ Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
   const NumericalVariation v =
       numerical_variation(s, manifold, linear_system(s, a, settings, manifold), {}, request.budget);
   const mo::Monodromy m = mo::monodromy(v.system, request);
-  Json j = json_of(m, a.digits, s.ring()->name(s.z), rows_of(v.names));
+  Json j = as_json(m, a.digits, s.ring()->name(s.z), rows_of(v.names));
   j["unknowns"] = v.names;
   j["change"] = v.change;
   const auto proof = prove_non_abelian(v.system, m, request.budget);
-  j["certificate"] = json_of(proof, v.names);
+  j["certificate"] = as_json(proof, v.names);
   const std::string title = s.title.empty() ? s.file : s.title;
   if (!settings.certificate.empty())
     write_proof(settings,
@@ -497,9 +497,9 @@ Matrices of_system(const Settings& settings, const MonodromyArguments& a) {
   return {j, report::loops_svg(m, title, place_names(m, s.ring()->name(s.z)))};
 }
 
-Json json_of(const std::optional<EllipticBlockProof>& p, const std::vector<std::string>& names) {
+Json as_json(const std::optional<EllipticBlockProof>& p, const std::vector<std::string>& names) {
   if (!p) return nullptr;
-  Json j = json_of(p->words);
+  Json j = as_json(p->words);
   j["proves"] = not_abelian;
   j["block"] = rows_of({names.at(p->block.at(0)), names.at(p->block.at(1))});
   return j;
@@ -519,11 +519,11 @@ Matrices of_system_on_a_curve(const Settings& settings, const MonodromyArguments
       elliptic_variation(s, manifold, linear_system(s, a, settings, manifold), request.budget);
   const mo::EllipticMonodromy m = mo::elliptic_monodromy(v.system, request);
   const std::string& z = s.ring()->name(s.z);
-  Json j = json_of(m, a.digits, z, rows_of(v.names));
+  Json j = as_json(m, a.digits, z, rows_of(v.names));
   j["unknowns"] = v.names;
   j["change"] = v.change;
   j["curve"] = "(d" + z + "/dt)^2 = " + to_string(v.system.f, z);
-  j["certificate"] = json_of(prove_non_abelian(v.system, m, request.budget), v.names);
+  j["certificate"] = as_json(prove_non_abelian(v.system, m, request.budget), v.names);
   return {j, {}};
 }
 

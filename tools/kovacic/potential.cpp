@@ -31,7 +31,7 @@ std::string square_text(const EigenvalueFamily& f) {
   return to_string(f.c) + (sign(f.w) < 0 ? " - " : " + ") + square;
 }
 
-Json json_of(const EigenvalueTable& t) {
+Json as_json(const EigenvalueTable& t) {
   Json families = Json::array();
   for (const EigenvalueFamily& f : t.families)
     families.push_back({{"lambda", polynomial_text(f)},
@@ -106,7 +106,7 @@ int potential(const Settings& settings, const PotentialArguments& a) {
   const Report report = supervised(settings, "--degree", [&] {
     const EigenvalueTable table = eigenvalue_table(a.degree);
     const Truth abelian = table.all ? Truth::yes : Truth::unknown;
-    Report r{settings.exit_of(abelian, true), text_of(table), json_of(table)};
+    Report r{settings.exit_of(abelian, true), text_of(table), as_json(table)};
     return a.eigenvalue ? one(settings, a, std::move(r)) : r;
   });
   write_output(settings,

@@ -22,13 +22,6 @@ void line(std::ostream& out, const std::string& label, const std::string& text,
       << "\n";
 }
 
-std::string listed(const Json& texts) {
-  std::string all;
-  for (const Json& t : texts)
-    all += (all.empty() ? "" : ", ") + t.get<std::string>();
-  return all;
-}
-
 Json group_name(const strata::Leaf& leaf) {
   if (!leaf.group) return nullptr;
   return to_string(leaf.group->type) + (leaf.group->n ? "_" + to_string(*leaf.group->n) : "");

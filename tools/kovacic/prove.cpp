@@ -20,13 +20,6 @@
 
 namespace kov::cli {
 
-std::string output_format(const Settings& settings) {
-  for (const char* ending : {"html", "tex", "json"})
-    if (settings.format == "text" && settings.output.ends_with(std::string(".") + ending))
-      return ending;
-  return settings.format;
-}
-
 namespace {
 
 std::string rendered(const TheoremResult& t, const std::string& format, bool verbose) {
@@ -174,7 +167,7 @@ Theorem theorem_of_system(const Settings& settings, const std::string& file,
 
 int report_system(const Settings& settings, const std::string& file) {
   const Entry document = read_document(file);
-  if (is_theorem_document(document)) return prove(settings, file);
+  if (has_format(document, "theorem")) return prove(settings, file);
   return run(settings, file, [&] { return theorem_of_system(settings, file, document); });
 }
 

@@ -18,10 +18,6 @@
 namespace kov::cli {
 namespace {
 
-const char* text_of(Truth t) {
-  return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided";
-}
-
 // Beside the variable and the generator of the field; x where it is the variable itself stays x.
 FreshLetters letters_for(const Recognized& found, const std::string& variable,
                          const std::string& constant) {
@@ -46,7 +42,7 @@ Json group_json(const GaloisGroup& g) {
 
 Json closed_json(const ClosedAnswer& answer, const FreshLetters& letters) {
   Json j;
-  j["abelian"] = text_of(answer.abelian);
+  j["abelian"] = word_of(answer.abelian);
   j["group"] = answer.group ? group_json(*answer.group) : Json(nullptr);
   j["reason"] = letters.in(answer.reason);
   return j;
@@ -173,13 +169,13 @@ Json symbolic_json(const EquationText& text, const Budget& budget) {
   for (const auto& [name, value] : family->parameters)
     j["parameters"][name] = value;
   j["change"] = nullptr;
-  j["abelian"] = text_of(family->abelian());
+  j["abelian"] = word_of(family->abelian());
   j["summary"] = family->summary();
   j["cases"] = Json::array();
   for (const FamilyCase& c : family->cases)
     j["cases"].push_back({{"when", c.when},
                           {"group", c.group ? Json(to_string(*c.group)) : Json(nullptr)},
-                          {"abelian", text_of(c.abelian)}});
+                          {"abelian", word_of(c.abelian)}});
   j["assuming"] = Json::array();
   for (const MPoly& f : family->generic)
     j["assuming"].push_back(to_string(f) + " != 0");

@@ -26,6 +26,11 @@ struct Style {
 /// Lines of at most `width` columns; the first one begins after `indent` columns already written.
 [[nodiscard]] std::string wrapped(const std::string& text, std::size_t indent,
                                   std::size_t width = 98);
+/// "a, b, c" of an array of texts.
+[[nodiscard]] std::string listed(const Json& texts);
+/// A line of an answer: the label, then the text in a column of its own.
+void put(std::ostream& out, const std::string& label, const std::string& text,
+         std::size_t indent = 2);
 /// The first line of an answer about a file: its name and title, on two lines if one is too short.
 [[nodiscard]] std::string heading(const std::string& file, const std::string& title);
 /// A formula of ours as LaTeX; `\mathtt{...}` if it is not one.

@@ -138,7 +138,7 @@ std::string component_tex(const Json& name) {
   return "\\{1\\}";
 }
 
-std::string joined(const Json& texts, const std::string& if_none) {
+std::string joined_texts(const Json& texts, const std::string& if_none) {
   std::string all;
   for (const Json& t : texts)
     all += (all.empty() ? "" : ", ") + t.get<std::string>();
@@ -150,15 +150,15 @@ std::string strata_tex(const Json& result) {
   std::string s;
   if (result.contains("contradictory")) s += "No parameters satisfy the assumptions.\n";
   if (const Json& given = result.value("assumed", Json::array()); !given.empty())
-    s += "Assumed: " + joined(given, "") + ".\n";
+    s += "Assumed: " + joined_texts(given, "") + ".\n";
   if (result.contains("domain"))
-    s += "There is an equation for " + joined(result.at("domain"), "") + " only.\n";
+    s += "There is an equation for " + joined_texts(result.at("domain"), "") + " only.\n";
   if (result.contains("no_equation")) // and a list without items is an error of LaTeX
     return s + escaped(result.at("no_equation").get<std::string>()) + ".\n";
   s += "\\begin{description}\n";
   for (const Json& x : result.at("strata")) {
     const std::string group = x.at("group_text"), abelian = x.at("abelian");
-    s += "\\item[" + joined(x.at("conditions"), "for all parameters") + "] ";
+    s += "\\item[" + joined_texts(x.at("conditions"), "for all parameters") + "] ";
     s += (group.empty() ? "" : "The group is " + escaped(group) + ". ") +
          std::string("Its identity component is ") +
          (abelian == "yes"  ? "abelian"
@@ -171,7 +171,7 @@ std::string strata_tex(const Json& result) {
     s += "\\item[" + escaped(u.get<std::string>()) + "] Open.\n";
   s += "\\end{description}\n";
   if (const Json& steps = result.at("trusted"); !steps.empty())
-    s += "On trust: " + joined(steps, "") + ".\n";
+    s += "On trust: " + joined_texts(steps, "") + ".\n";
   return s;
 }
 

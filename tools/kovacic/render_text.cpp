@@ -85,13 +85,6 @@ std::string equation_text(const std::string& r, const std::string& y) {
   return left + (simple ? r : "(" + r + ")") + " " + y;
 }
 
-std::string listed(const Json& texts) {
-  std::string all;
-  for (const Json& t : texts)
-    all += (all.empty() ? "" : ", ") + t.get<std::string>();
-  return all;
-}
-
 std::string minimal_polynomial(const Json& coefficients, const std::string& unknown) {
   std::string s;
   for (std::size_t i = coefficients.size(); i-- > 0;) {
@@ -104,7 +97,7 @@ std::string minimal_polynomial(const Json& coefficients, const std::string& unkn
   return s + " = 0";
 }
 
-void put(std::ostringstream& out, const std::string& label, const std::string& text) {
+void put_short(std::ostringstream& out, const std::string& label, const std::string& text) {
   out << "  " << label << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ')
       << wrapped(shortened(text), 12) << '\n';
 }
@@ -144,19 +137,19 @@ void put_polynomial_of_y(std::ostringstream& out, const Json& result) {
   const std::string u = y.contains("given_factor") ? letter("y") : unknown_of(result),
                     x = letter("X");
   if (y.contains("missing"))
-    return put(out, u, "no polynomial: " + y.at("missing").get<std::string>());
+    return put_short(out, u, "no polynomial: " + y.at("missing").get<std::string>());
   const std::string factor =
       y.at(y.contains("given_factor") ? "given_factor" : "factor").get<std::string>();
-  put(out, u,
-      u + "^" + y.at("power").dump() + " = " + (factor == "1" ? "" : "(" + factor + ")*") + x +
-          " with " + minimal_polynomial(y.at("polynomial"), x));
+  put_short(out, u,
+            u + "^" + y.at("power").dump() + " = " + (factor == "1" ? "" : "(" + factor + ")*") +
+                x + " with " + minimal_polynomial(y.at("polynomial"), x));
 }
 
 void put_solutions(std::ostringstream& out, const Json& result) {
   if (!result.at("solutions").is_array()) return;
   const std::vector<std::string> lines = solution_lines(result);
   for (std::size_t i = 0; i < lines.size(); ++i)
-    put(out, i > 0 ? "" : lines.size() > 1 ? "solutions" : "solution", lines[i]);
+    put_short(out, i > 0 ? "" : lines.size() > 1 ? "solutions" : "solution", lines[i]);
 }
 
 void put_original(std::ostringstream& out, const Json& result) {
@@ -164,13 +157,13 @@ void put_original(std::ostringstream& out, const Json& result) {
   const FreshLetters letter = letters_beside(result);
   const std::string factor = original.at("factor").get<std::string>();
   if (factor == "1") return;
-  put(out, "given",
-      letter.in("y'' + p y' + q y = 0 with p = ") + original.at("p").get<std::string>() + ", " +
-          letter("q") + " = " + original.at("q").get<std::string>());
-  put(out, "",
-      letter.in("y = u * ") + factor + letter.in(" with u'' = r u; the factor is ") +
-          original.at("factor_kind").get<std::string>() +
-          "; the identity component is abelian for both equations or for none");
+  put_short(out, "given",
+            letter.in("y'' + p y' + q y = 0 with p = ") + original.at("p").get<std::string>() +
+                ", " + letter("q") + " = " + original.at("q").get<std::string>());
+  put_short(out, "",
+            letter.in("y = u * ") + factor + letter.in(" with u'' = r u; the factor is ") +
+                original.at("factor_kind").get<std::string>() +
+                "; the identity component is abelian for both equations or for none");
 }
 
 // "G = SL(2, C), identity component SL(2, C), not abelian", as much of it as is known.
@@ -190,6 +183,20 @@ std::string group_line(const Json& result) {
 }
 
 } // namespace
+
+void put(std::ostream& out, const std::string& label, const std::string& text, std::size_t indent) {
+  const std::size_t column = indent + 10;
+  out << std::string(indent, ' ') << label
+      << std::string(label.size() < 10 ? 10 - label.size() : 1, ' ') << wrapped(text, column)
+      << "\n";
+}
+
+std::string listed(const Json& texts) {
+  std::string all;
+  for (const Json& t : texts)
+    all += (all.empty() ? "" : ", ") + t.get<std::string>();
+  return all;
+}
 
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
   std::string out;
@@ -239,7 +246,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   if (result.contains("constants"))
     for (const auto& [name, meaning] : result.at("constants").items())
       if (name != "I" && name.find('(') == std::string::npos) // the others say it themselves
-        put(out, "where", name + " = " + meaning.get<std::string>());
+        put_short(out, "where", name + " = " + meaning.get<std::string>());
   const bool open = result.at("case").is_null();
   out << "  "
       << paint(open ? "1;33" : "1;32",
@@ -249,40 +256,41 @@ std::string text_of_result(const Json& result, const std::string& title, const S
     out << "  " << wrapped(line, 2) << '\n';
   if (style.quiet && result.at("undecided").is_null()) {
     if (const Json given = result.value("assumed", Json::array()); !given.empty())
-      put(out, "assumed", listed(given));
+      put_short(out, "assumed", listed(given));
     return out.str();
   }
   for (const Json& what : result.value("failed", Json::array()))
-    put(out, "failed", what.get<std::string>());
+    put_short(out, "failed", what.get<std::string>());
   if (result.contains("strata")) {
     print_strata(out, result, style.whole || style.trace);
     put_polynomial_of_y(out, result);
     if (result.contains("second_opinion"))
-      put(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
+      put_short(out, "monodromy", result.at("second_opinion").at("text").get<std::string>());
     if (const Json& known = result.at("recognized"); !known.is_null())
-      if (const std::string text = recognized_text(known); !text.empty()) put(out, "this is", text);
+      if (const std::string text = recognized_text(known); !text.empty())
+        put_short(out, "this is", text);
     return out.str();
   }
   if (!result.at("undecided").is_null()) {
     const Json& u = result.at("undecided");
-    put(out, "open", u.at("detail").get<std::string>());
+    put_short(out, "open", u.at("detail").get<std::string>());
     if (result.at("reason") != u.at("detail"))
-      put(out, "because", result.at("reason").get<std::string>());
-    put(out, "more", way_out(u.at("why"), u.at("detail")));
+      put_short(out, "because", result.at("reason").get<std::string>());
+    put_short(out, "more", way_out(u.at("why"), u.at("detail")));
   } else {
-    put(out, "because", result.at("reason").get<std::string>());
+    put_short(out, "because", result.at("reason").get<std::string>());
   }
   if (result.contains("recognized") && !result.at("recognized").is_null() &&
       !result.at("recognized").contains("summary")) // that one is in the reason
     if (const std::string known = recognized_text(result.at("recognized")); !known.empty())
-      put(out, "this is", known);
+      put_short(out, "this is", known);
   if (result.contains("special_solution"))
-    put(out, "but", special_text(result.at("special_solution"), unknown_of(result)));
+    put_short(out, "but", special_text(result.at("special_solution"), unknown_of(result)));
   if (result.contains("second_opinion")) {
     const Json& o = result.at("second_opinion");
-    put(out, "monodromy", o.at("text").get<std::string>());
+    put_short(out, "monodromy", o.at("text").get<std::string>());
     if (o.contains("no_certificate"))
-      put(out, "no proof", "of that: " + o.at("no_certificate").get<std::string>());
+      put_short(out, "no proof", "of that: " + o.at("no_certificate").get<std::string>());
   }
   if (result.contains("original")) put_original(out, result);
   put_solutions(out, result);
@@ -290,7 +298,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   const Json failed = result.value("failed", Json::array());
   if (style.solutions && result.contains("no_solutions") &&
       std::find(failed.begin(), failed.end(), result.at("no_solutions")) == failed.end())
-    put(out, "solutions", "not printed: " + result.at("no_solutions").get<std::string>());
+    put_short(out, "solutions", "not printed: " + result.at("no_solutions").get<std::string>());
   if (style.trace && result.contains("trace")) {
     out << "  steps\n";
     for (const Json& step : result.at("trace"))
@@ -302,7 +310,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   for (const char* key : {"certificate_file", "loops_certificate_file"})
     if (result.contains(key)) {
       const std::string path = result.at(key).get<std::string>();
-      put(out, "proof", path + "   verify: kovacic verify " + path);
+      put_short(out, "proof", path + "   verify: kovacic verify " + path);
     }
   return out.str();
 }

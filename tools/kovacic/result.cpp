@@ -109,11 +109,11 @@ void put_basis(Json& j, const Decision& d, std::size_t most_bytes, const Budget&
     j["basis"] = std::move(both);
 }
 
-const char* text_of(Truth t) {
+} // namespace
+
+const char* word_of(Truth t) {
   return t == Truth::yes ? "yes" : t == Truth::no ? "no" : "undecided";
 }
-
-} // namespace
 
 std::string name_of(Unable::Why why) {
   switch (why) {
@@ -163,7 +163,7 @@ Json closed_result(Json open, const Decision& d, double seconds, std::size_t mos
   Json j = std::move(open);
   if (d.group) j["group"] = group_json(*d.group);
   if (d.component) j["identity_component"] = to_string(*d.component);
-  j["abelian"] = text_of(d.abelian);
+  j["abelian"] = word_of(d.abelian);
   if (d.kovacic_case) j["case"] = *d.kovacic_case;
   put_solutions(j, d, most_bytes, budget);
   do_part(j, "the basis of the solutions", [&] { put_basis(j, d, most_bytes, budget); });

@@ -54,6 +54,8 @@ void put_original_form(Json& result, const GivenEquation& equation, const Budget
 /// A number, or a string where a reader of JSON would round it (beyond 2^53).
 [[nodiscard]] Json json_integer(const Integer& n);
 
+/// "yes", "no" or "undecided".
+[[nodiscard]] const char* word_of(Truth t);
 [[nodiscard]] std::string name_of(Unable::Why why);
 
 } // namespace kov::cli

@@ -37,7 +37,7 @@ std::string proved(const MonodromyOpinion& o) {
   return subject + verb + " nothing (no equality is concluded from enclosures)";
 }
 
-Json json_of(const MonodromyOpinion& o) {
+Json as_json(const MonodromyOpinion& o) {
   Json proves = Json::array();
   if (o.sl2) proves.push_back("SL2");
   if (o.irreducible) proves.push_back("irreducible");
@@ -141,7 +141,7 @@ SecondOpinion second_opinion(const RationalFunction& r, const Decision& answer,
   if (!against.empty())
     throw Contradiction("two answers contradict each other: " + proved(o) + ", and by algebra " +
                         against);
-  return told(json_of(o), with_proof ? proof_of(o) : NamedCertificate{});
+  return told(as_json(o), with_proof ? proof_of(o) : NamedCertificate{});
 }
 
 std::vector<SecondOpinion> second_opinion(const System& s, const ManifoldReport& m,

@@ -4,6 +4,7 @@
 
 #include "equation/read_equation.hpp"
 #include "symbol/expression.hpp"
+#include "symbol/notations.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -126,6 +127,12 @@ void make_directory(const std::string& path) {
 void close_file(std::ofstream& out, const std::string& path) {
   out.close();
   if (!out) throw InputError(path, 0, 0, 1, "the file cannot be written");
+}
+
+std::optional<Expression> formula(const std::string& option, const std::optional<std::string>& text,
+                                  bool equation) {
+  if (!text) return std::nullopt;
+  return equation ? parse_ode(*text, option) : parse_expression(*text, option);
 }
 
 void write_output(const Settings& settings, const std::string& text) {

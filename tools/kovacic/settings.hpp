@@ -71,6 +71,9 @@ struct Settings {
   [[nodiscard]] std::vector<std::pair<std::string, Expression>> settings() const;
 };
 
+/// The formula (or the equation) after an option; nothing if it is not given.  Throws InputError.
+[[nodiscard]] std::optional<Expression>
+formula(const std::string& option, const std::optional<std::string>& text, bool equation = false);
 /// Writes to -o or to standard output.  Throws InputError if the file cannot be written.
 void write_output(const Settings& settings, const std::string& text);
 /// Writes the file at once or not at all.

@@ -19,7 +19,7 @@ namespace {
 
 using spectrum::AlgebraicSpectrum;
 using spectrum::DegreeFamily;
-using spectrum::Level;
+using SpectrumLevel = spectrum::Level;
 using spectrum::Piece;
 using spectrum::Series;
 
@@ -158,7 +158,7 @@ private:
     below(12, s.every_energy ? "every " + energy_ + " where " + equation + some
               : s.value      ? energy_ + " = " + value_text(*s.value) + some
                              : equation + some);
-    for (const Level& level : s.first)
+    for (const SpectrumLevel& level : s.first)
       if (level.y)
         below(14, integer + " = " + std::to_string(level.n) + ":  " + energy_ + " = " +
                       to_factored_string(level.fixed->second) +
@@ -169,13 +169,13 @@ private:
     const bool number = is_constant(f.degree);
     if (!number)
       below(12, "the degree of P: " + kov::to_string(f.degree) + " = N, a natural number");
-    for (const Level& level : f.first)
+    for (const SpectrumLevel& level : f.first)
       below(14, (number ? "" : "N = " + std::to_string(level.n) + ":  ") + conditions(level) +
                     (level.y ? ",  y = " + spectrum::to_string(*level.y, q_.z) : ""));
     if (!f.open.empty()) put("open", f.open);
   }
 
-  [[nodiscard]] std::string conditions(const Level& level) const {
+  [[nodiscard]] std::string conditions(const SpectrumLevel& level) const {
     std::string text;
     const auto add = [&](const std::string& one) { text += (text.empty() ? "" : ", ") + one; };
     if (level.fixed)
@@ -194,7 +194,7 @@ private:
 
 // ---- JSON
 
-Json json_of(const Level& level, const Ring& ring, std::size_t z) {
+Json as_json(const SpectrumLevel& level, const Ring& ring, std::size_t z) {
   Json equations = Json::array();
   for (const MPoly& f : level.equations)
     equations.push_back(to_string(f));
@@ -204,10 +204,10 @@ Json json_of(const Level& level, const Ring& ring, std::size_t z) {
   return j;
 }
 
-Json json_of(const std::vector<Level>& levels, const Ring& ring, std::size_t z) {
+Json as_json(const std::vector<SpectrumLevel>& levels, const Ring& ring, std::size_t z) {
   Json all = Json::array();
-  for (const Level& level : levels)
-    all.push_back(json_of(level, ring, z));
+  for (const SpectrumLevel& level : levels)
+    all.push_back(as_json(level, ring, z));
   return all;
 }
 
@@ -229,7 +229,7 @@ const char* status_text(Piece::Status s) {
   throw InternalError("status of a piece");
 }
 
-Json json_of(const Piece& p, const Ring& ring, std::size_t z) {
+Json as_json(const Piece& p, const Ring& ring, std::size_t z) {
   Json where = Json::array();
   for (const ArithmeticCondition& c : p.where)
     where.push_back(to_string(c));
@@ -242,11 +242,11 @@ Json json_of(const Piece& p, const Ring& ring, std::size_t z) {
                       {"value", s.value ? Json(to_string(*s.value)) : Json(nullptr)},
                       {"equation", to_string(s.equation)},
                       {"integer", s.equation.ring()->name(s.n)},
-                      {"first", json_of(s.first, ring, z)}});
+                      {"first", as_json(s.first, ring, z)}});
   Json degrees = Json::array();
   for (const DegreeFamily& f : p.families)
     degrees.push_back({{"degree", to_string(f.degree)},
-                       {"first", json_of(f.first, ring, z)},
+                       {"first", as_json(f.first, ring, z)},
                        {"open", f.open.empty() ? Json(nullptr) : Json(f.open)}});
   Json groups = Json::array();
   for (const GaloisGroup& g : p.groups)
@@ -261,11 +261,11 @@ Json json_of(const Piece& p, const Ring& ring, std::size_t z) {
           {"open", p.why.empty() ? Json(nullptr) : Json(p.why)}};
 }
 
-Json json_of(const Asked& asked, const AlgebraicSpectrum& spectrum) {
+Json as_json(const Asked& asked, const AlgebraicSpectrum& spectrum) {
   const auto& q = asked.equation.question;
   Json pieces = Json::array();
   for (const Piece& p : spectrum.pieces)
-    pieces.push_back(json_of(p, q.r.ring(), q.z));
+    pieces.push_back(as_json(p, q.r.ring(), q.z));
   return {{"format", "kovacic-spectrum/1"},
           {"r", to_string(q.r)},
           {"for", q.r.ring()->name(asked.energy)},
@@ -297,7 +297,7 @@ int spectrum(const Settings& settings, const SpectrumArguments& arguments) {
     if (!found.refusal.empty())
       throw InternalError("our own checker refuses the strata: " + found.refusal);
     return Report{found.decided() ? exit_decided : exit_undecided, Text(asked, found).run(),
-                  json_of(asked, found)};
+                  as_json(asked, found)};
   });
   write_output(settings,
                settings.format == "json" && !report.json.is_null()

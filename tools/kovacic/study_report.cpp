@@ -6,6 +6,7 @@
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "present_strata.hpp"
+#include "render.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -25,11 +26,6 @@ std::string title_of_manifold(const System& s, const std::string& name) {
 }
 
 namespace {
-
-void put(std::ostringstream& out, const std::string& label, const std::string& text,
-         std::size_t indent = 2) {
-  out << labelled(label, text, indent);
-}
 
 // The beginning of what would fill a page.
 std::string cut(const std::string& text, Detail detail) {

@@ -99,4 +99,23 @@ CaseReport test_scene(const std::string& path) {
   return report;
 }
 
+CaseReport test_case(const Settings& settings, const std::string& path) {
+  const Entry document = read_document(path);
+  if (has_format(document, "theorem")) return test_theorem(settings, path);
+  const bool scenes = flow::has_system_scenes(document);
+  if (has_format(document, "scene") && !scenes) return test_scene(path);
+  CaseReport report;
+  if (!has_format(document, "scene"))
+    report = is_equation_file(document) ? check_equation(settings, document)
+                                        : check_system_file(settings, path);
+  if (report.json.is_object()) // a limit, before anything could be compared
+    report.expected.push_back(
+        {.name = "decided", .met = false, .found = report.json.value("reason", "a limit")});
+  if (scenes) {
+    const std::vector<Expected> all = test_system_scenes(document);
+    report.expected.insert(report.expected.end(), all.begin(), all.end());
+  }
+  return report;
+}
+
 } // namespace kov::cli

@@ -22,7 +22,7 @@
 namespace kov::cli {
 namespace {
 
-using Report = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
 constexpr std::size_t largest_certificate = std::size_t{256} << 20;
 
@@ -30,15 +30,15 @@ std::string trust(std::size_t steps) {
   return std::to_string(steps) + (steps == 1 ? " trusted step" : " trusted steps");
 }
 
-Report claim_of(const certify::Claim& c) {
-  const auto optional = [](const auto& v) { return v ? Report(*v) : Report(nullptr); };
+Json claim_of(const certify::Claim& c) {
+  const auto optional = [](const auto& v) { return v ? Json(*v) : Json(nullptr); };
   return {{"group", optional(c.group)},
-          {"n", c.n ? Report(to_string(*c.n)) : Report(nullptr)},
+          {"n", c.n ? Json(to_string(*c.n)) : Json(nullptr)},
           {"component", optional(c.component)},
           {"abelian", optional(c.abelian)}};
 }
 
-Report rejected(Report r, const char* where, const certify::Rejected& no) {
+Json rejected(Json r, const char* where, const certify::Rejected& no) {
   r["verdict"] = "rejected";
   r[where] = no.step;
   r["reason"] = no.why;
@@ -49,7 +49,7 @@ std::string not_checked(std::size_t n) {
   return std::to_string(n) + (n == 1 ? " hypothesis" : " hypotheses") + " NOT CHECKED";
 }
 
-Report accepted(Report r, std::size_t trusted, bool strict, std::size_t unchecked = 0) {
+Json accepted(Json r, std::size_t trusted, bool strict, std::size_t unchecked = 0) {
   const bool refused = strict && trusted + unchecked > 0;
   r["verdict"] = refused ? "rejected" : "accepted";
   r["trusted_steps"] = trusted;
@@ -58,7 +58,7 @@ Report accepted(Report r, std::size_t trusted, bool strict, std::size_t unchecke
   return r;
 }
 
-Report judge_group(Report r, const std::string& certificate, bool strict) {
+Json judge_group(Json r, const std::string& certificate, bool strict) {
   const certify::Certificate c = certify::read_certificate(certificate);
   const auto verdict = certify::check(c);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "step", *no);
@@ -69,21 +69,21 @@ Report judge_group(Report r, const std::string& certificate, bool strict) {
   return r;
 }
 
-Report judge_strata(Report r, const std::string& certificate, bool strict) {
+Json judge_strata(Json r, const std::string& certificate, bool strict) {
   const certify::StrataCertificate c = certify::read_strata_certificate(certificate);
   const auto verdict = certify::check_strata(c);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "node", *no);
   const auto& yes = std::get<certify::StrataAccepted>(verdict);
   r = accepted(r, yes.trusted, strict);
   r["statement"] = certify::statement(c);
-  r["strata"] = Report{{"abelian", yes.abelian},           {"not_abelian", yes.not_abelian},
-                       {"by_criterion", yes.by_criterion}, {"undecided", yes.open},
-                       {"not_admitted", yes.outside},      {"empty", yes.empty}};
-  r["claim"] = {{"abelian", yes.claim ? Report(*yes.claim) : Report(nullptr)}};
+  r["strata"] = Json{{"abelian", yes.abelian},           {"not_abelian", yes.not_abelian},
+                     {"by_criterion", yes.by_criterion}, {"undecided", yes.open},
+                     {"not_admitted", yes.outside},      {"empty", yes.empty}};
+  r["claim"] = {{"abelian", yes.claim ? Json(*yes.claim) : Json(nullptr)}};
   return r;
 }
 
-Report judge_system(Report r, const std::string& certificate, bool strict) {
+Json judge_system(Json r, const std::string& certificate, bool strict) {
   const certify::SystemCertificate c = certify::read_system_certificate(certificate);
   const auto verdict = certify::check_way(c);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
@@ -97,7 +97,7 @@ Report judge_system(Report r, const std::string& certificate, bool strict) {
   return r;
 }
 
-Report judge_jets(Report r, const std::string& certificate, bool strict) {
+Json judge_jets(Json r, const std::string& certificate, bool strict) {
   const certify::JetsCertificate c = certify::read_jets_certificate(certificate);
   const auto verdict = certify::check_jets(c);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
@@ -108,7 +108,7 @@ Report judge_jets(Report r, const std::string& certificate, bool strict) {
   return r;
 }
 
-Report judge_theorem(Report r, const std::string& certificate, bool strict) {
+Json judge_theorem(Json r, const std::string& certificate, bool strict) {
   const auto verdict = certify::check_theorem(certificate);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
   const auto& yes = std::get<certify::TheoremAccepted>(verdict);
@@ -118,7 +118,7 @@ Report judge_theorem(Report r, const std::string& certificate, bool strict) {
   return r;
 }
 
-Report judge_loops(Report r, const std::string& certificate, bool strict) {
+Json judge_loops(Json r, const std::string& certificate, bool strict) {
   const certify::LoopsCertificate c = certify::read_loops_certificate(certificate);
   const auto verdict = certify::check_loops(c);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
@@ -126,7 +126,7 @@ Report judge_loops(Report r, const std::string& certificate, bool strict) {
   return accepted(r, std::get<certify::Accepted>(verdict).trusted_steps, strict);
 }
 
-Report judge_homoclinic(Report r, const std::string& certificate, bool strict) {
+Json judge_homoclinic(Json r, const std::string& certificate, bool strict) {
   const certify::HomoclinicCertificate c = certify::read_homoclinic_certificate(certificate);
   const auto verdict = certify::check_homoclinic(c);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
@@ -138,8 +138,8 @@ Report judge_homoclinic(Report r, const std::string& certificate, bool strict) {
 }
 
 // The outcome of one text: "accepted", "rejected" or "malformed", with its reason.
-Report judge(const std::string& path, const std::string& certificate, bool strict) {
-  Report r{{"file", path}};
+Json judge(const std::string& path, const std::string& certificate, bool strict) {
+  Json r{{"file", path}};
   try {
     const auto format = certify::format_of(certificate);
     if (format == "kovacic-strata/1") return judge_strata(r, certificate, strict);
@@ -157,7 +157,7 @@ Report judge(const std::string& path, const std::string& certificate, bool stric
 }
 
 // The same in a process of its own: a text made to exhaust the memory is refused like any other.
-Report judge_file(const Settings& settings, const std::string& path) {
+Json judge_file(const Settings& settings, const std::string& path) {
   std::string certificate;
   try {
     certificate = read_text(path, largest_certificate);
@@ -168,12 +168,12 @@ Report judge_file(const Settings& settings, const std::string& path) {
     out << dump(judge(path, certificate, settings.strict));
     return 0;
   });
-  if (!a.text.empty()) return Report::parse(a.text);
+  if (!a.text.empty()) return Json::parse(a.text);
   const std::string why = a.exit == exit_interrupted ? "interrupted" : a.limit + a.internal;
   return {{"file", path}, {"verdict", "rejected"}, {"reason", why}};
 }
 
-std::string claim_text(const Report& claim) {
+std::string claim_text(const Json& claim) {
   std::string s;
   const auto add = [&](const std::string& part) { s += (s.empty() ? "" : ", ") + part; };
   if (!claim["group"].is_null()) {
@@ -189,7 +189,7 @@ std::string claim_text(const Report& claim) {
 }
 
 // "13 strata: 1 abelian, 12 not abelian": the strata without points are left out.
-std::string strata_text(const Report& strata) {
+std::string strata_text(const Json& strata) {
   std::size_t all = 0;
   std::string s;
   for (const auto& [key, name] : {std::pair("abelian", "abelian"),
@@ -204,7 +204,7 @@ std::string strata_text(const Report& strata) {
 }
 
 // "given 3 theorems of the literature and 1 hypothesis NOT CHECKED; 0 trusted steps"
-std::string given_text(const Report& given, std::size_t trusted) {
+std::string given_text(const Json& given, std::size_t trusted) {
   const auto n = given["theorems"].get<std::size_t>();
   const auto open = given["unchecked_hypotheses"].get<std::size_t>();
   std::string s =
@@ -214,7 +214,7 @@ std::string given_text(const Report& given, std::size_t trusted) {
 }
 
 // One line, and the statement: what a certificate says cannot look like another line.
-std::string text(const Report& r) {
+std::string text(const Json& r) {
   std::string s = printable(r["file"].get<std::string>()) + ": " + r["verdict"].get<std::string>();
   if (r.contains("strata"))
     s +=
@@ -247,14 +247,13 @@ int verify(const Settings& settings, const std::vector<std::string>& files) {
   std::string out;
   int code = exit_decided;
   for (const std::string& f : files) {
-    const Report r = judge_file(settings, f);
+    const Json r = judge_file(settings, f);
     const bool accepted = r["verdict"] == "accepted";
     code = std::max<int>(code, accepted                     ? exit_decided
                                : r["verdict"] == "rejected" ? exit_no
                                                             : exit_input);
-    out += settings.format == "json"
-               ? r.dump(-1, ' ', false, Report::error_handler_t::replace) + "\n"
-               : text(r);
+    out += settings.format == "json" ? r.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
+                                     : text(r);
   }
   if (!settings.quiet) write_output(settings, out);
   return code;

@@ -38,7 +38,7 @@ void add_power(std::vector<std::string>& powers, const char* name, long e) {
   if (e > 0) powers.push_back(e == 1 ? name : name + ("^" + std::to_string(e)));
 }
 
-std::string text(const Poly& f) {
+std::string poly_text(const Poly& f) {
   std::string s;
   for (long i = degree(f); i >= 0; --i) {
     const NfElem c = f.coeff(i);
@@ -198,7 +198,7 @@ private:
 
 } // namespace
 
-std::string over_field(const Poly& f) { return text(f); }
+std::string over_field(const Poly& f) { return poly_text(f); }
 
 std::string quoted(const std::string& text) {
   std::string s = "\"";
@@ -211,7 +211,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::vector<std::string> statement(const Certificate& c) {
-  std::string equation = "y'' = ((" + text(c.num) + ")/(" + text(c.den) + ")) y";
+  std::string equation = "y'' = ((" + poly_text(c.num) + ")/(" + poly_text(c.den) + ")) y";
   if (!c.field->is_rational()) equation += ", " + minimal_polynomial(c.field) + " = 0";
   std::vector<std::string> lines{std::move(equation), claimed(c.claim)};
   for (const Step& s : c.steps)

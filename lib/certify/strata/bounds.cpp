@@ -47,7 +47,7 @@ std::optional<Rational> real_part(const ProvedPlace& x) {
   return x.linear() ? x.largest() : std::nullopt;
 }
 
-bool is_natural(const Rational& x) { return is_integer(x) && sign(x) >= 0; }
+bool is_natural_sum(const Rational& x) { return is_integer(x) && sign(x) >= 0; }
 
 } // namespace
 
@@ -127,7 +127,7 @@ bool Places::no_line() const {
     sums = add_choices(a_, std::move(sums), *choices, x.d);
     if (!sums) return false;
   }
-  return std::none_of(sums->begin(), sums->end(), is_natural);
+  return std::none_of(sums->begin(), sums->end(), is_natural_sum);
 }
 
 std::vector<InvariantPlace> Places::exponents(long m) const {

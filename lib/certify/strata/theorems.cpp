@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t max_values = 20000;
 
-bool is_natural(const Rational& x) { return is_integer(x) && sign(x) >= 0; }
+bool is_natural_number(const Rational& x) { return is_integer(x) && sign(x) >= 0; }
 
 // Values of Delta at an open place at which G0 might be abelian.
 class ExcludedValues {
@@ -81,7 +81,7 @@ private:
               static_cast<double>(2 * open_.d + 1));
     for (const Rational& f : sums)
       for (long j = -open_.d; j <= open_.d; ++j)
-        if (is_natural((f + Rational(Integer(j) * k)) / Rational(2))) return true;
+        if (is_natural_number((f + Rational(Integer(j) * k)) / Rational(2))) return true;
     return false;
   }
 
@@ -134,7 +134,7 @@ private:
   void add_line(const Rational& f, long j) {
     a_.charge(work_of_a_rational);
     if (j == 0) {
-      need(!is_natural(f), "an exponential solution may exist for all exponent differences");
+      need(!is_natural_number(f), "an exponential solution may exist for all exponent differences");
       return;
     }
     const Rational reach = *b_ * Rational(j) / Rational(2);

@@ -13,7 +13,7 @@ constexpr unsigned long most_degree = 12, most_power = 12;
 constexpr std::array<const char*, 7> extra_names{"_alpha", "_beta", "_delta", "_s",
                                                  "_F",     "_Y",    "_i"};
 
-MPoly widened(const MPoly& f, const Ring& ring) {
+MPoly transferred(const MPoly& f, const Ring& ring) {
   return is_zero(f) ? MPoly(ring) : transfer(MFraction(f), ring).num();
 }
 
@@ -387,13 +387,13 @@ Conditions splitting_conditions(const Family& y, const SplittingData& d, const R
   Conditions all;
   for (const Conditions* known : {&y.assumptions, &d.region})
     for (const Condition& c : *known)
-      all.push_back({widened(c.p, ring), c.sign});
+      all.push_back({transferred(c.p, ring), c.sign});
   for (std::size_t i = 0; i < 6; ++i)
     all.push_back({orbits.name(i), Sign::positive});
   all.push_back({MPoly(ring, Integer(1)) - orbits.name(5), Sign::positive});
   for (std::size_t i = 0; i < 4; ++i)
     all.push_back({orbits.relation(i), Sign::zero});
-  for (MPoly& f : orbits.sums(widened(d.first, ring)))
+  for (MPoly& f : orbits.sums(transferred(d.first, ring)))
     all.push_back({std::move(f), Sign::zero});
   return all;
 }

@@ -218,12 +218,6 @@ Effects Scene::effects() const {
   return effects_of(signs);
 }
 
-bool is_scene(const Entry& document) {
-  const Entry* format = document.find("format");
-  return format != nullptr && format->kind() == Entry::Kind::string &&
-         format->string().starts_with("scene/");
-}
-
 Scene read_scene(const std::string& path) { return read_scene(read_document(path)); }
 
 Scene parse_scene(std::string text, const std::string& name) {

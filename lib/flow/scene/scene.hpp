@@ -95,7 +95,6 @@ struct Scene {
 ///         orbits, no end
 [[nodiscard]] Scene read_scene(const Entry& document);
 [[nodiscard]] Scene read_scene(const std::string& path);
-[[nodiscard]] bool is_scene(const Entry& document); ///< format = "scene/..."
 [[nodiscard]] Scene parse_scene(std::string text, const std::string& name);
 
 } // namespace kov::flow

@@ -341,7 +341,7 @@ std::vector<SceneFormula> SystemScene::integrals() const {
 
 bool has_system_scenes(const Entry& document) {
   return document.find("scene") != nullptr ||
-         (is_scene(document) && document.find("system") != nullptr);
+         (has_format(document, "scene") && document.find("system") != nullptr);
 }
 
 std::vector<SystemScene> read_system_scenes(const Entry& document) {

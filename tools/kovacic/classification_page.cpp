@@ -1,0 +1,176 @@
+#include "classification_page.hpp"
+#include "classification_report.hpp"
+#include "commands.hpp"
+#include "report/render_theorem.hpp"
+#include "theorem/setting.hpp"
+#include "theorem/theorem.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace kov::cli {
+namespace {
+
+Grid integrable_sets(const SystemClassification& c) {
+  Grid g{"Integrable", {"parameters", "first integrals"}, {}};
+  for (const ClassifiedStratum& s : c.strata)
+    if (s.status == StratumStatus::integrable)
+      g.rows.push_back({where_text(c, s), integrals_text(s)});
+  return g;
+}
+
+Grid open_sets(const SystemClassification& c) {
+  Grid g{"Open", {"parameters", "what was tried"}, {}};
+  for (const ClassifiedStratum& s : c.strata)
+    if (s.status == StratumStatus::open)
+      g.rows.push_back({where_text(c, s), joined(s.open_after, "; ")});
+  return g;
+}
+
+bool proves_something(const SystemClassification& c) {
+  return c.almost_all || std::any_of(c.strata.begin(), c.strata.end(),
+                                     [](const auto& s) { return s.status != StratumStatus::open; });
+}
+
+// What is not decided is a step that is open.
+std::optional<NodeResult> what_is_open(const SystemClassification& c) {
+  Grid sets = open_sets(c);
+  if (sets.rows.empty() || !proves_something(c)) return std::nullopt; // the whole is open
+  NodeResult n;
+  n.node.id = "open";
+  n.node.title = "What is open";
+  n.statement = "nothing is decided here";
+  n.status = NodeStatus::open;
+  n.tables.push_back(std::move(sets));
+  return n;
+}
+
+std::string headline(const SystemClassification& c) {
+  switch (c.status()) {
+  case ClassificationStatus::integrable:
+    return "INTEGRABLE";
+  case ClassificationStatus::non_integrable:
+    return "NON-INTEGRABLE";
+  case ClassificationStatus::depends:
+    return "DEPENDS ON THE PARAMETERS";
+  default:
+    return "OPEN";
+  }
+}
+
+NodeResult root(const System& s, const SystemClassification& c) {
+  NodeResult n;
+  n.node.kind = NodeKind::case_file; // it has a verdict
+  n.node.expect = "";                // and none is expected
+  n.headline = headline(c);
+  n.node.id = "theorem";
+  n.node.title = "The theorem";
+  n.statement = statement(c);
+  n.statement.pop_back(); // the renderers end sentences themselves
+  n.status = proves_something(c) ? NodeStatus::proved : NodeStatus::open;
+  if (s.field.hamiltonian) n.formulas.push_back({"H", to_string(*s.field.hamiltonian)});
+  if (!c.assumptions.empty()) n.formulas.push_back({"assumed", joined(c.assumptions, ", ")});
+  for (const std::string& constant : c.constants)
+    n.formulas.push_back({"where", constant});
+  for (const std::string& variable : c.variables)
+    if (variable.find(" = ") != std::string::npos) n.formulas.push_back({"where", variable});
+  for (const std::string& note : c.notes)
+    n.formulas.push_back({"note", note});
+  if (Grid g = integrable_sets(c); !g.rows.empty()) n.tables.push_back(std::move(g));
+  if (Grid g = open_sets(c); n.status == NodeStatus::open && !g.rows.empty())
+    n.tables.push_back(std::move(g));
+  return n;
+}
+
+void add_theorems(NodeResult& n, const ExclusionReason& by) {
+  for (const std::string& name : by.theorems) {
+    const auto& all = literature();
+    const auto known =
+        std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.name == name; });
+    if (known == all.end())
+      n.trusted.push_back({name});
+    else
+      n.theorems.push_back(used(*known));
+  }
+}
+
+// " for b = 1", so that titles tell the steps apart; long sets stand in the table of the step.
+std::string briefly(const std::vector<std::string>& where) {
+  constexpr std::size_t longest = 30;
+  return where.size() > 1 || where.front().size() > longest ? "" : " for " + where.front();
+}
+
+// The search expands the derivative of each integral that it returns, and their brackets.
+NodeResult integrable(const SystemClassification& c, const ClassifiedStratum& s,
+                      std::size_t number) {
+  NodeResult n;
+  const std::string where = where_text(c, s);
+  n.node.id = "integrable-" + std::to_string(number);
+  n.node.title = "Integrable" + briefly({where});
+  n.statement = "integrable: as many independent first integrals" +
+                std::string(c.liouville ? " in involution" : "") + " as needed";
+  n.status = NodeStatus::proved;
+  n.formulas.push_back({"parameters", where});
+  for (const FoundIntegral& f : s.integrals) {
+    if (f.hamiltonian) continue;
+    const std::string text = to_string(f);
+    n.formulas.push_back({"first integral", text});
+    n.checks.push_back({"its derivative along the field vanishes: " +
+                            (f.logarithms.empty() ? brief(f.value, 60) : text),
+                        true});
+  }
+  for (const std::string& y : s.fields)
+    n.checks.push_back(
+        {"it commutes with the field, and the integrals are constant along it: " + y, true});
+  return n;
+}
+
+NodeResult exclusion(const ExcludedTogether& e, std::size_t number) {
+  NodeResult n;
+  n.node.id = "excluded-" + std::to_string(number);
+  n.node.title = "Not integrable" + briefly(e.where) + ", along " + e.by->solution;
+  n.statement = statement(*e.by);
+  n.summary = e.by->reason;
+  n.status = NodeStatus::proved;
+  for (const std::string& step : e.by->trusted)
+    n.trusted.push_back({step});
+  if (!e.by->unchecked.empty())
+    n.node.hypotheses.push_back({.text = e.by->unchecked, .by = {}, .checked = false});
+  if (!e.by->level.empty()) n.formulas.push_back({"level", e.by->level});
+  Grid g{"Excluded", {"parameters"}, {}};
+  for (const std::string& where : e.where)
+    g.rows.push_back({where});
+  n.tables.push_back(std::move(g));
+  add_theorems(n, *e.by);
+  return n;
+}
+
+} // namespace
+
+TheoremResult as_theorem(const System& s, const SystemClassification& c) {
+  TheoremResult t;
+  t.theorem.file = s.file;
+  t.theorem.title = s.title.empty() ? s.file : s.title;
+  t.theorem.cite = s.cite;
+  t.theorem.system = s.file.substr(s.file.rfind('/') + 1);
+  t.files = input_files(t.theorem);
+  t.program = program_version() + " with " + libraries();
+  t.seconds = c.seconds;
+  t.nodes.push_back(root(s, c));
+  for (const ClassifiedStratum& x : c.strata)
+    if (x.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, x, t.nodes.size()));
+  for (const ExcludedTogether& e : excluded_together(c))
+    t.nodes.push_back(exclusion(e, t.nodes.size()));
+  if (auto open = what_is_open(c)) t.nodes.push_back(*std::move(open));
+  for (std::size_t i = 1; i < t.nodes.size(); ++i)
+    t.nodes.front().node.needs.push_back(t.nodes[i].node.id);
+  return t;
+}
+
+std::string classification_page(const System& s, const SystemClassification& c,
+                                const std::string& format) {
+  const TheoremResult theorem = as_theorem(s, c);
+  return format == "tex" ? report::theorem_tex(theorem) : report::theorem_html(theorem);
+}
+
+} // namespace kov::cli
