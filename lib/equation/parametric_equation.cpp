@@ -115,6 +115,7 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
   for (const auto* e : {&text.r, &text.p, &text.q, &text.ode})
     if (*e) refuse_zero_divisors(**e);
   strata::Question& q = f.question;
+  f.gauge = MFraction(ring);
   q.z = ring->index(f.variable);
   const auto reduced = [&](const MFraction& p, const MFraction& q0) { // y'' + p y' + q0 y = 0
     return Rational(1, 4) * (p * p) + Rational(1, 2) * derivative(p, q.z) - q0;
@@ -128,11 +129,13 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
     if (is_zero(constants->reduced(form.c2, scope)))
       throw text.ode->error("the coefficient of " + given.unknown + "'' is 0");
     assume_somewhere_nonzero(q, form.c2.num(), "the coefficient of " + given.unknown + "'' is 0");
+    f.gauge = Rational(-1, 2) * (form.c1 / form.c2);
     q.r = reduced(form.c1 / form.c2, form.c0 / form.c2);
   } else {
     const MFraction p = evaluate(*text.p, scope), q0 = evaluate(*text.q, scope);
     for (const MFraction& c : {p, q0})
       assume_defined(q, c);
+    f.gauge = Rational(-1, 2) * p;
     q.r = reduced(p, q0);
   }
   q.r = q.r.ring() ? constants->reduced(q.r, scope) : MFraction(ring);

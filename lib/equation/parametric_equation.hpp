@@ -21,6 +21,7 @@ namespace kov {
 struct ParametricEquation {
   strata::Question question;
   std::string variable;
+  MFraction gauge; ///< -p/2 of the given y'' + p y' + q y = 0
 };
 
 /// Errors  InputError: an unknown name, a function that is not rational, as check_assumptions; an

@@ -3,6 +3,7 @@
 #include "equation/assumptions.hpp"
 #include "equation/function_change.hpp"
 #include "equation/linear_form.hpp"
+#include "equation/particular.hpp"
 #include "equation/riccati_form.hpp"
 #include "symbol/operators.hpp"
 #include "symbol/pasted.hpp"
@@ -159,8 +160,14 @@ private:
     if (result_.read_as.empty()) result_.read_as = written(ode_);
     result_.right_side = sum_of(right);
     replace(sum_of(left) + " = 0");
+    const OriginPtr origin = origin_of_text(name_, *result_.right_side);
+    const auto y =
+        particular_solution(ode_, unknown_, variable_, parse_expression(origin->text, origin));
     note("decided is the homogeneous equation " + written(ode_) + "; the right side is " +
          *result_.right_side);
+    note(y ? "a particular solution: " + unknown_ + " = " + *y
+           : "no particular solution was found: rational functions times exponentials, sines and "
+             "cosines of the right side were tried");
   }
   [[nodiscard]] bool divides_by_unknown(const Expression& e) const {
     if (e.kind() == Kind::quotient && mentions_name(e.operand(1), unknown_)) return true;

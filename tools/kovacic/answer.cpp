@@ -316,6 +316,12 @@ private:
       result = family_result(id_, f, answer);
       put_reading(result);
       result["recognized"] = known;
+      if (settings_.wants_solutions() && !result.contains("refused_by_checker")) {
+        say(message(tag_of_family(result), result));
+        do_part(result, "the solutions", [&] {
+          put_solutions_of_strata(result, f, answer, settings_.solver_options().budget);
+        });
+      }
       if (limits.decide.want_certificate && answer.tree) {
         say(message(tag_of_family(result), result));
         proof = certificate_of(answer, limits, result);

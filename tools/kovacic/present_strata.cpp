@@ -6,6 +6,7 @@
 #include "render.hpp"
 #include "strata/certificate.hpp"
 #include "strata/domain.hpp"
+#include "strata/parametric_basis.hpp"
 #include "strata/words.hpp"
 
 #include <algorithm>
@@ -97,10 +98,13 @@ std::string answer(const Json& stratum) {
                             : "abelian or not: undecided");
 }
 
+void print_solutions(std::ostream& out, const Json& s, const std::string& on);
+
 void print_whole(std::ostream& out, const Json& s) {
   line(out, "stratum", where(s));
   line(out, "group", answer(s), 4);
   line(out, "because", s.at("reason"), 4);
+  if (s.contains("solutions")) print_solutions(out, s, "");
   print_trace(out, s);
 }
 
@@ -148,6 +152,8 @@ std::string where_any(const Alike& a) {
                              : "; or on " + std::to_string(more) + " more strata (--verbose)");
 }
 
+void print_solutions(std::ostream& out, const Alike& a);
+
 void print_alike(std::ostream& out, const Alike& a, const std::string& elsewhere) {
   const Json& s = a.first();
   line(out, "stratum", elsewhere.empty() ? where_any(a) : elsewhere);
@@ -166,6 +172,40 @@ void print_alike(std::ostream& out, const Alike& a, const std::string& elsewhere
              ? "on another stratum for another reason (--verbose)"
              : "on " + std::to_string(others) + " more strata for reasons of their own (--verbose)",
          4);
+  print_solutions(out, a);
+}
+
+// y1, y2 under their conditions; "" for none.
+void print_solutions(std::ostream& out, const Json& s, const std::string& on) {
+  for (const Json& part : s.at("solutions")) {
+    const std::string conditions = listed(part.at("where"));
+    const std::string here = on + (on.empty() || conditions.empty() ? "" : ", ") + conditions;
+    const Json& y = part.at("y");
+    for (std::size_t i = 0; i < y.size(); ++i)
+      line(out, i == 0 ? "solutions" : "",
+           "y" + std::to_string(i + 1) + " = " + y[i].get<std::string>() +
+               (i == 0 && !here.empty() ? "   where " + here : ""),
+           4);
+  }
+}
+
+// Those of strata with one answer: their own conditions where the formulas differ.
+void print_solutions(std::ostream& out, const Alike& a) {
+  std::vector<const Json*> told;
+  for (const Json* s : a.strata) {
+    if (!s->contains("solutions")) continue;
+    const bool known = std::any_of(told.begin(), told.end(), [&](const Json* x) {
+      return x->at("solutions") == s->at("solutions");
+    });
+    if (!known) told.push_back(s);
+  }
+  const bool all = std::all_of(a.strata.begin(), a.strata.end(),
+                               [](const Json* s) { return s->contains("solutions"); });
+  constexpr std::size_t most = 6;
+  for (std::size_t i = 0; i < told.size() && i < most; ++i)
+    print_solutions(out, *told[i], all && told.size() == 1 ? "" : where(*told[i]));
+  if (told.size() > most)
+    line(out, "", "on " + std::to_string(told.size() - most) + " more strata (--verbose)", 4);
 }
 
 bool is_short(const Alike& a) {
@@ -204,6 +244,50 @@ void print_strata(std::ostream& out, const Json& j, bool whole) {
       line(out, "open", u);
   for (const Json& t : j.at("trusted"))
     line(out, "trusted", t);
+}
+
+namespace {
+
+// Formulas for one stratum; those of an equation without parameters come from its decision.
+Json solutions_of_stratum(const ParametricEquation& f, const strata::Stratum& s,
+                          const std::vector<MPoly>& domain, const Budget& budget) {
+  Json all = Json::array();
+  const auto region = strata::region_of(f.question, s, domain);
+  if (!region) return all;
+  const auto texts = [&](const std::vector<MPoly>& zero, const std::vector<MPoly>& nonzero) {
+    Json conditions = Json::array();
+    for (const MPoly& p : zero)
+      conditions.push_back(to_string(Condition{p, Sign::zero}));
+    for (const MPoly& p : nonzero)
+      conditions.push_back(to_string(Condition{p, Sign::nonzero}));
+    return conditions;
+  };
+  const MFraction gauge = region->restrict(f.gauge);
+  const auto* number = strata::evidence<strata::Number>(s.leaf);
+  const auto used = used_variables(gauge);
+  const bool free =
+      std::any_of(used.begin(), used.end(), [&](std::size_t i) { return i != f.question.z; });
+  if (number != nullptr && !free && !is_zero(number->decision.r)) {
+    const RationalFunction g = to_rational_function(gauge, f.question.z);
+    if (Json both = basis_json(number->decision, g, 2000, budget); !both.is_null())
+      all.push_back({{"where", Json::array()}, {"y", std::move(both)}});
+    return all;
+  }
+  for (const auto& x : strata::solutions_on(f.question, f.gauge, s.leaf, *region, budget))
+    all.push_back({{"where", texts(x.zero, x.nonzero)}, {"y", x.y}});
+  return all;
+}
+
+} // namespace
+
+void put_solutions_of_strata(Json& j, const ParametricEquation& f, const strata::StrataAnswer& all,
+                             const Budget& budget) {
+  const strata::StrataAnswer a = strata::on_domain(all);
+  const auto domain = strata::domain(all).nonzero;
+  const auto strata = a.told_apart();
+  for (std::size_t i = 0; i < strata.size() && i < j.at("strata").size(); ++i)
+    if (Json found = solutions_of_stratum(f, strata[i], domain, budget); !found.empty())
+      j["strata"][i]["solutions"] = std::move(found);
 }
 
 namespace {
