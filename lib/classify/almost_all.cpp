@@ -95,7 +95,7 @@ std::optional<AlmostAll> almost_all(const System& s, const std::vector<ManifoldS
       try {
         if (!is_inside(s, values)) break;
         CheckOptions share = options;
-        share.decide.budget = part_of_the_time(options.decide.budget, 0.4);
+        share.decide.budget = part_of_the_work(options.decide.budget, 0.4);
         if (auto found = at_point(s, solutions[k], claims, values, share)) return found;
       } catch (const OutOfBudget&) { // what was not computed says nothing
         return std::nullopt;

@@ -128,10 +128,10 @@ public:
                                        system_.field.parameters.size() > levels_.size();
     const Budget whole = options_.check.decide.budget;
     if (may_have_large_blocks)
-      options_.check.decide.budget = part_of_the_time(whole, 1 - part_for_almost_all);
+      options_.check.decide.budget = part_of_the_work(whole, 1 - part_for_almost_all);
     SystemClassification all = run();
     options_.check.decide.budget = whole;
-    if (!may_have_large_blocks || !is_open_in_general(all) || time_is_over()) return all;
+    if (!may_have_large_blocks || !is_open_in_general(all) || work_is_done()) return all;
     std::string missing;
     try {
       missing = failure_of("the matrices at a point", [&] { add_almost_all(all, whole); });
@@ -145,7 +145,7 @@ public:
 private:
   void add_almost_all(SystemClassification& all, const Budget& whole) const {
     const auto solutions = particular_solutions(system_, levels_, options_.search_solutions,
-                                                part_of_the_time(whole, 0.1));
+                                                part_of_the_work(whole, 0.1));
     auto found = almost_all(system_, solutions.manifolds, claims_, level_parameters(system_),
                             options_.check);
     if (!found) return;
@@ -265,17 +265,17 @@ private:
   // Of the time of the round, as long as it has some.
   [[nodiscard]] Budget share(double part) const {
     const Budget& all = options_.check.decide.budget;
-    return part_of_the_time(round_budget_ && !is_over(*round_budget_) ? *round_budget_ : all, part);
+    return part_of_the_work(round_budget_ && !is_over(*round_budget_) ? *round_budget_ : all, part);
   }
-  static bool is_over(const Budget& b) { return b.deadline && Clock::now() >= *b.deadline; }
-  [[nodiscard]] bool time_is_over() const { return is_over(options_.check.decide.budget); }
+  static bool is_over(const Budget& b) { return b.is_spent() || b.is_cut_short(); }
+  [[nodiscard]] bool work_is_done() const { return is_over(options_.check.decide.budget); }
 
   // ---- one round
 
   void study(Round round) {
     const std::size_t decided = round.decided = result_.strata.size();
     const bool is_first = std::exchange(begun_, true) == false;
-    round_budget_ = part_of_the_time(options_.check.decide.budget,
+    round_budget_ = part_of_the_work(options_.check.decide.budget,
                                      round.last || is_at_numbers(round) ? 1 : part_with_parameters);
     if (is_first) take_stated(round);
     if (!round.pieces.empty() && !round.integrals_known && begins(round, "integrals of low degree"))
@@ -375,6 +375,8 @@ private:
         leave_open(later.whole);
     finish();
     so_far_ = std::exchange(result_, std::move(kept));
+    so_far_.complete = false;
+    const Unmetered words;
     if (options_.so_far) options_.so_far(so_far_);
   }
 
@@ -921,8 +923,8 @@ private:
           again(round, std::move(part));
         return;
       }
-      if (time_is_over()) {
-        note(piece, "the time limit was reached", "");
+      if (work_is_done()) {
+        note(piece, "the work limit was reached", "");
         return leave_open(std::move(piece));
       }
       const Substitution values = solved_parameters(round.system, piece.where);
@@ -1125,7 +1127,7 @@ SystemClassification classify_in_these_variables(const System& s, const Classify
   if (!composition.has_new_constants()) return composition.completed();
   ClassifyOptions plain = options;
   plain.adjoin_constants = false;
-  plain.check.decide.budget = part_of_the_time(options.check.decide.budget, part_without_constants);
+  plain.check.decide.budget = part_of_the_work(options.check.decide.budget, part_without_constants);
   auto without = Composition(s, plain, stated).run();
   if (without.status() != ClassificationStatus::open) return without;
   SystemClassification result;

@@ -14,7 +14,7 @@
 namespace kov {
 namespace {
 
-constexpr double part_of_the_time_for_them = 0.3;
+constexpr double part_for_them = 0.3;
 
 using Relation = Assumption::Relation;
 using Lists = std::vector<std::vector<MPoly>>;
@@ -90,8 +90,7 @@ public:
   StatedStudy(const System& s, const ClassifyOptions& options)
       : s_(s), file_(s), told_(without_assumptions_on_levels(s)), options_(options),
         admitted_(some_level_is_admitted(s)), assumed_(assumed_of_levels(s)) {
-    options_.check.decide.budget =
-        part_of_the_time(options.check.decide.budget, part_of_the_time_for_them);
+    options_.check.decide.budget = part_of_the_work(options.check.decide.budget, part_for_them);
   }
 
   StatedSolutions run() {
@@ -116,6 +115,8 @@ private:
   void tell(const std::string& stage) const {
     SystemClassification so_far = known();
     so_far.at_work = stage;
+    so_far.complete = false;
+    const Unmetered words;
     options_.so_far(so_far);
   }
 
@@ -123,12 +124,13 @@ private:
     const auto start = std::chrono::steady_clock::now();
     study::StudyOptions share{options_.check};
     share.check.only_manifold.clear();
-    share.check.decide.budget = part_of_the_time(share.check.decide.budget,
+    share.check.decide.budget = part_of_the_work(share.check.decide.budget,
                                                  1 / static_cast<double>(s_.manifolds.size() - k));
     const study::CurveStudy& found = file_.manifold(k, share);
     StatedSolution one{found.name(), found.exclusions, outcome(found.first)};
     one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    one.finished = !found.first.failure && found.headline.complete;
+    one.finished =
+        !found.first.failure && found.headline.complete && !share.check.decide.budget.is_spent();
     for (Exclusion& e : one.exclusions) {
       e.not_all_zero.insert(e.not_all_zero.end(), admitted_->begin(), admitted_->end());
       if (!assumed_.empty()) e.by.level += (e.by.level.empty() ? "" : ", ") + assumed_;

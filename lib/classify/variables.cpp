@@ -80,7 +80,7 @@ private:
 
   [[nodiscard]] ClassifyOptions options(double part) const {
     ClassifyOptions all = options_;
-    all.check.decide.budget = part_of_the_time(options_.check.decide.budget, part);
+    all.check.decide.budget = part_of_the_work(options_.check.decide.budget, part);
     return all;
   }
 
@@ -214,7 +214,7 @@ SystemClassification classified(const System& s, const ClassifyOptions& options)
   const StatedSolutions stated = stated_solutions(s, options);
   std::optional<CanonicalChange> change;
   if (options.change_variables && options.search_solutions && !stated.decided)
-    change = simplified(s, part_of_the_time(options.check.decide.budget, part_for_the_change));
+    change = simplified(s, part_of_the_work(options.check.decide.budget, part_for_the_change));
   if (!change || !is_defined_for_all_parameters(s, *change))
     return classify_in_these_variables(s, options, stated);
   return InTurn(s, options, stated, *change).run();
@@ -232,11 +232,16 @@ SystemClassification all_open(const System& s, const std::string& limit) {
 } // namespace
 
 SystemClassification classify_system(const System& s, const ClassifyOptions& options) {
+  SystemClassification c;
   try {
-    return classified(s, options);
+    c = classified(s, options);
   } catch (const OutOfBudget& limit) {
-    return all_open(s, limit.what());
+    c = all_open(s, limit.what());
   }
+  c.complete = !options.check.decide.budget.is_cut_short();
+  if (!c.complete)
+    add_once(c.notes, "the clock ended the work: with more time more may be decided");
+  return c;
 }
 
 } // namespace kov

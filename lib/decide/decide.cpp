@@ -119,7 +119,10 @@ void closed_formula(Decision& d, const Options& options) {
   std::optional<Recognized> known;
   try {
     Budget little = options.budget;
-    if (d.places) little.deadline.reset(); // the places are there, and time may be over
+    if (d.places) { // then little is left to do, and the limits may be reached
+      little.work_end.reset();
+      little.deadline.reset();
+    }
     known = recognize(d.r, little, d.places ? &*d.places : nullptr);
     if (d.places && (!known || !known->answer || !known->answer->group))
       if (auto behind = recognize_pull_back(*d.places, d.variable, little);

@@ -2,6 +2,7 @@
 // Every search takes a Budget; check() is called in each loop that can be long.
 
 #include "exact/error.hpp"
+#include "exact/meter.hpp"
 
 #include <chrono>
 #include <cstdio>
@@ -11,15 +12,19 @@
 
 namespace kov {
 
-/// What a search may spend; by default no time limit.
+/// What a search may spend; by default there is no limit of the whole work, and none of time.  What is
+/// found depends on the work alone: time only ends what is running.
 /// Example Budget small; small.max_degree = 10; small.check_degree(11)  // -> throws OutOfBudget
 /// Example Budget::of_seconds(60).check()  // -> done
+/// Example Budget little; little.give(100); charge(101); little.check()  // -> throws OutOfBudget
 struct Budget {
   using Clock = std::chrono::steady_clock;
 
-  long max_degree = 100000;    ///< largest degree of a polynomial unknown
-  long max_families = 1000000; ///< largest number of families that one case may look at
-  double max_work = 1e8;       ///< products of terms in one search among polynomials (work.hpp)
+  long max_degree = 100000;       ///< largest degree of a polynomial unknown
+  long max_families = 1000000;    ///< largest number of families that one case may look at
+  double max_work = 1e8;          ///< products of terms in one search among polynomials (work.hpp)
+  std::optional<double> work_end; ///< the meter's reading at which all ends, in the thread at work
+  double work = 0;                ///< what work_end was made from, for the message
   std::optional<Clock::time_point> deadline;
   double seconds = 0; ///< what the deadline was made from, for the message
   std::stop_token stop;
@@ -32,11 +37,30 @@ struct Budget {
     return b;
   }
 
-  /// Throws OutOfBudget when the time is over or the caller asked to stop.  Cost: one clock
-  /// reading.
+  /// From now on.
+  void give(double units) {
+    work = units;
+    work_end = meter() + units;
+  }
+  /// Of a question with many searches, in the whole: one to two minutes of a processor of 2024.
+  void give_by_default() { give(70 * max_work); }
+
+  /// Throws OutOfBudget when the work is done, the time is over or the caller asked to stop.  Cost:
+  /// one clock reading.
   void check() const {
+    if (is_spent()) throw OutOfBudget(work_limit(work));
     if (stop.stop_requested()) throw OutOfBudget("stopped on request");
     if (deadline && Clock::now() > *deadline) throw OutOfBudget(time_limit(seconds));
+  }
+  [[nodiscard]] bool is_spent() const { return work_end && meter() > *work_end; }
+  /// Ended by the clock, or on request: then an answer says less than the work would allow.
+  [[nodiscard]] bool is_cut_short() const {
+    return stop.stop_requested() || (deadline && Clock::now() > *deadline);
+  }
+  [[nodiscard]] static std::string work_limit(double units) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.2g", units);
+    return "work limit of " + std::string(text) + " reached";
   }
   [[nodiscard]] static std::string time_limit(double seconds) {
     return "time limit of " + number(seconds) + " s reached";

@@ -1,6 +1,8 @@
 #include "exact/multivariate.hpp"
 
 #include "exact/error.hpp"
+#include "exact/meter.hpp"
+#include "exact/quick_size.hpp"
 
 #include <algorithm>
 #include <set>
@@ -13,6 +15,10 @@ const Ring& common_ring(const Ring& a, const Ring& b) {
   if (!a) return b;
   throw InvalidArgument("two multivariate values from different rings cannot be combined");
 }
+
+// Measured, in units of the meter (docs/theory/work.md).
+constexpr double units_per_product = 0.4;
+constexpr double units_per_term = 3; // of a dividend
 
 // FLINT stops the program when it is asked for an exponent that is no machine word.
 MPoly checked_exponents(MPoly f) {
@@ -115,6 +121,7 @@ MPoly operator-(const MPoly& a, const MPoly& b) {
 MPoly operator*(const MPoly& a, const MPoly& b) {
   MPoly r(common_ring(a.ring_, b.ring_));
   if (!a.ring_ || !b.ring_) return r;
+  charge(units_per_product * quick_size(a.v_) * quick_size(b.v_));
   fmpz_mpoly_mul(r.v_, a.v_, b.v_, r.ctx());
   return checked_exponents(std::move(r));
 }
@@ -170,6 +177,7 @@ std::optional<MPoly> divides(const MPoly& b, const MPoly& a) {
   if (is_zero(b)) return is_zero(a) ? std::optional(a) : std::nullopt;
   if (!a.ring()) return a;
   MPoly q(common_ring(a.ring(), b.ring()));
+  charge(units_per_term * quick_size(a.raw()));
   if (fmpz_mpoly_divides(q.raw(), a.raw(), b.raw(), q.ctx()) == 0) return std::nullopt;
   return q;
 }

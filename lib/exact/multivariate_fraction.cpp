@@ -1,5 +1,7 @@
 #include "exact/error.hpp"
+#include "exact/meter.hpp"
 #include "exact/multivariate.hpp"
+#include "exact/quick_size.hpp"
 
 #include <algorithm>
 
@@ -13,6 +15,9 @@ public:
 
 namespace {
 
+// Measured, in units of the meter (docs/theory/work.md): for the gcds more than for the products.
+constexpr double units_per_term = 10;
+
 using Binary = void (*)(kov_mpoly_q*, const kov_mpoly_q*, const kov_mpoly_q*,
                         const fmpz_mpoly_ctx_t);
 
@@ -21,6 +26,8 @@ MFraction combine(const MFraction& a, const MFraction& b, Binary op) {
     throw InvalidArgument("two multivariate values from different rings cannot be combined");
   MFraction r(a.ring());
   const auto* ctx = r.ring()->ctx();
+  charge(units_per_term * (quick_size(&a.raw()->num) + quick_size(&a.raw()->den) +
+                           quick_size(&b.raw()->num) + quick_size(&b.raw()->den)));
   op(MFractionAccess::raw(r), a.raw(), b.raw(), ctx);
   if (fmpz_mpoly_degrees_fit_si(&r.raw()->num, ctx) == 0 ||
       fmpz_mpoly_degrees_fit_si(&r.raw()->den, ctx) == 0)

@@ -1,4 +1,4 @@
-// A file: its claims, then each of its manifolds with its share of the time.
+// A file: its claims, then each of its manifolds with its share of the work.
 
 #include "integrability/check.hpp"
 
@@ -33,10 +33,17 @@ std::vector<ClaimReport> decide_claims(const System& s, const CheckOptions& opti
 
 namespace {
 
-// An equal share, so that one manifold does not take the time of the others.
+// An equal share, so that one manifold does not take the work of the others.
 CheckOptions for_one_of(std::size_t manifolds, CheckOptions options) {
-  options.decide.budget =
-      part_of_the_time(options.decide.budget, 1 / static_cast<double>(manifolds));
+  Budget& budget = options.decide.budget;
+  budget = part_of_the_work(budget, 1 / static_cast<double>(manifolds));
+  return options;
+}
+
+// As much as one minute is enough for.
+CheckOptions with_a_limit(CheckOptions options) {
+  Budget& budget = options.decide.budget;
+  if (!budget.work_end) budget.give(60 * budget.max_work);
   return options;
 }
 
@@ -49,9 +56,10 @@ CheckReport check_system(const System& s, const CheckOptions& options) {
   report.system = s;
   report.claims = decide_claims(s, options);
   auto left = manifolds_to_check(s, options);
+  const CheckOptions of_all = left.size() > 1 ? with_a_limit(options) : options;
   for (; !left.empty(); left.erase(left.begin()))
     report.manifolds.push_back(
-        check_manifold(s, *left.front(), report.claims, for_one_of(left.size(), options)));
+        check_manifold(s, *left.front(), report.claims, for_one_of(left.size(), of_all)));
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -13,7 +13,7 @@ namespace kov {
 namespace {
 
 constexpr long digits = 30;
-constexpr std::chrono::seconds longest{15};
+constexpr double most_work = 1.5e9; // some seconds
 
 // Level parameters in the equations of the manifold, all at one value.
 Substitution at_level(const System& s, const ManifoldSpec& spec, const Rational& value) {
@@ -148,9 +148,7 @@ std::optional<MatrixEvidence> matrices_at(const Study& general, const Substituti
 
 void ask_the_matrices(const Study& study, ManifoldReport& report) {
   if (!report.manifold || !has_only_levels(study.system)) return;
-  Budget budget = part_of_the_time(study.options.decide.budget, 0.5); // what is known must be told
-  const auto end = Budget::Clock::now() + longest;
-  budget.deadline = budget.deadline ? std::min(*budget.deadline, end) : end;
+  const Budget budget = at_most(part_of_the_work(study.options.decide.budget, 0.5), most_work);
   for (const Rational& value : {Rational(1), Rational(2), Rational(-1, 3)}) {
     const Substitution level = at_level(study.system, study.manifold, value);
     try {

@@ -277,7 +277,7 @@ private:
   [[nodiscard]] bool has_all_integrals(const State& s) const {
     return s.found.size() + 1 >= space_.field.dimension();
   }
-  [[nodiscard]] Budget share() const { return part_of_the_time(options_.budget, darboux_part); }
+  [[nodiscard]] Budget share() const { return part_of_the_work(options_.budget, darboux_part); }
 
   // Those of all parameters of the set; it is divided where special ones have more.
   void look_for_darboux_polynomials(State s, std::size_t stage) {

@@ -1,6 +1,7 @@
 #include "integrals/kernel.hpp"
 
 #include "exact/flint.hpp"
+#include "exact/meter.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -129,10 +130,14 @@ namespace {
 
 constexpr double most_dense_work = 2e9; // products, of a matrix of numbers
 
-bool is_small(const EchelonForm& e) {
+double products(const EchelonForm& e) {
   const auto columns = static_cast<double>(e.columns);
-  return static_cast<double>(e.rows.size()) * columns * columns <= most_dense_work;
+  return static_cast<double>(e.rows.size()) * columns * columns;
 }
+bool is_small(const EchelonForm& e) { return products(e) <= most_dense_work; }
+
+// Of the meter, modulo a prime.
+double elimination_work(const EchelonForm& e) { return products(e) / 25; }
 
 bool is_numerical(const EchelonForm& e) {
   return e.pivots.empty() && !e.rows.empty() && is_small(e) &&
@@ -150,6 +155,7 @@ std::vector<std::size_t> independent_rows(const EchelonForm& e) {
   for (std::size_t i = 0; i < e.rows.size(); ++i)
     for (const auto& [j, c] : e.rows[i])
       nmod_mat_entry(m, j, i) = fmpz_fdiv_ui(c.coefficient(0).raw(), p);
+  charge(elimination_work(e));
   const auto rank = static_cast<std::size_t>(nmod_mat_rref(m));
   std::vector<std::size_t> rows;
   for (std::size_t i = 0, column = 0; i < rank; ++i, ++column) {
@@ -170,6 +176,7 @@ public:
     for (std::size_t i = 0; i < rows.size(); ++i)
       for (const auto& [j, c] : e.rows[rows[i]])
         fmpz_set(entry(i, j), c.coefficient(0).raw());
+    charge(4 * elimination_work(e)); // several primes
     fmpz_mat_rref(m_, den_, m_);
     std::size_t column = 0;
     for (std::size_t i = 0; i < rows.size(); ++i, ++column) {
@@ -298,6 +305,7 @@ bool independent_modulo_a_prime(const EchelonForm& e) {
   for (std::size_t i = 0; i < e.rows.size(); ++i)
     for (const auto& [j, c] : e.rows[i])
       nmod_mat_entry(m, i, j) = fmpz_fdiv_ui(c.coefficient(0).raw(), p);
+  charge(elimination_work(e));
   const bool full = nmod_mat_rank(m) == static_cast<slong>(n);
   nmod_mat_clear(m);
   return full;

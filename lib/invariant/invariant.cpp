@@ -2,6 +2,7 @@
 
 #include "exact/chinese_lift.hpp"
 #include "exact/error.hpp"
+#include "exact/meter.hpp"
 #include "invariant/symmetric_power.hpp"
 #include "linode/modular_series.hpp"
 
@@ -118,6 +119,8 @@ std::optional<ModularKernel> Search::kernel(const PrimeIdeal& prime) const {
           (*rows)[static_cast<std::size_t>(j)].coeff(shape.degree + 1 + i);
   nmod_mat_t null;
   nmod_mat_init(null, shape.m + 1, shape.m + 1, prime.p);
+  const auto unknowns = static_cast<double>(shape.m + 1);
+  charge(static_cast<double>(columns) * unknowns * unknowns / 25);
   const long dimension = nmod_mat_nullspace(null, matrix);
   for (long k = 0; k < dimension; ++k) {
     NmodPoly sum(prime.p);

@@ -1,6 +1,7 @@
 #include "linode/modular_series.hpp"
 
 #include "exact/error.hpp"
+#include "exact/meter.hpp"
 
 #include <algorithm>
 
@@ -34,6 +35,7 @@ NmodPoly power_series_solution(const ThetaEquation& equation, const std::vector<
   const auto c0 = reversed_coefficients(equation.c0);
   const long longest = static_cast<long>(std::max({c2.size(), c1.size(), c0.size()}));
   const int limbs = _nmod_vec_dot_bound_limbs(longest + 1, mod);
+  charge(static_cast<double>(n) * static_cast<double>(c2.size() + c1.size() + c0.size()) / 8);
   // u_k, k u_k and k(k-1) u_k side by side
   std::vector<mp_limb_t> x0(static_cast<std::size_t>(n));
   std::vector<mp_limb_t> x1(static_cast<std::size_t>(n));

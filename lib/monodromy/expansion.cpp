@@ -24,9 +24,10 @@ using Series = std::vector<ComplexBall>;
 // sum_l f[first + l] y[k - first - l] for l < length
 void dot(acb_struct* sum, const Coefficients& f, long first, const Series& y, long k, long length,
          bool subtract, long precision) {
-  if (length > 0)
-    acb_dot(sum, sum, subtract ? 1 : 0, f[first].raw(), 1, y[k - first].raw(), -1, length,
-            precision);
+  if (length <= 0) return;
+  const double words = static_cast<double>(precision) / 64;
+  charge(static_cast<double>(length) * (2 + words * words / 8));
+  acb_dot(sum, sum, subtract ? 1 : 0, f[first].raw(), 1, y[k - first].raw(), -1, length, precision);
 }
 
 Magnitude radius(const ComplexBall& z) {

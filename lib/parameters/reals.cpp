@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 
 #include <z3++.h>
@@ -39,32 +41,47 @@ z3::expr formula(z3::context& z3, const Condition& c) {
   }
 }
 
-unsigned milliseconds_left(const Budget& budget) {
-  using std::chrono::milliseconds;
-  if (!budget.deadline) return 1000;
-  const auto left =
-      std::chrono::duration_cast<milliseconds>(*budget.deadline - Budget::Clock::now());
-  return static_cast<unsigned>(std::clamp<milliseconds::rep>(left.count(), 1, 3600 * 1000));
-}
+// Z3 counts its own steps, which take from some ten nanoseconds to a millisecond each: few are enough
+// for what is asked here, and more would not be an answer soon.
+constexpr double units_per_step = 200,
+                 units_per_question = 1e4; // of the meter (docs/theory/work.md)
+constexpr double steps_per_work = 2e-3;    // of one search: 2e5 steps
 
 z3::solver limited_solver(z3::context& z3, const Budget& budget) {
   z3::solver solver = z3::tactic(z3, "qfnra-nlsat").mk_solver();
   z3::params limits(z3);
-  limits.set("timeout", milliseconds_left(budget));
+  limits.set("rlimit",
+             static_cast<unsigned>(std::clamp(budget.max_work * steps_per_work, 1.0, 4e9)));
   limits.set("ctrl_c", false); // or Z3 takes an interrupt of ours for its own, and nobody sees it
   solver.set(limits);
   return solver;
 }
 
-// The answer; unknown when the caller asks to stop.
+double steps_of(const z3::solver& solver) {
+  const z3::stats all = solver.statistics();
+  for (unsigned i = 0; i < all.size(); ++i)
+    if (all.key(i) == "rlimit count") return all.uint_value(i);
+  return 0;
+}
+
+// The answer; unknown at the limit of steps.   Errors  OutOfBudget: the clock, or a stop
 z3::check_result answer_of(z3::context& z3, z3::solver& solver, const Budget& budget) {
-  if (!budget.stop.stop_possible()) return solver.check();
-  if (budget.stop.stop_requested()) return z3::unknown;
-  const std::jthread watcher([&](const std::stop_token& done) {
-    for (; !done.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds(5)))
-      if (budget.stop.stop_requested()) z3.interrupt();
-  });
-  return solver.check();
+  using namespace std::chrono_literals;
+  budget.check();
+  std::jthread watcher;
+  if (budget.deadline || budget.stop.stop_possible())
+    watcher = std::jthread([&](const std::stop_token& done) {
+      std::mutex mutex;
+      std::unique_lock lock(mutex);
+      std::condition_variable_any bell;
+      while (!bell.wait_for(lock, done, 5ms, [&] { return done.stop_requested(); }))
+        if (budget.is_cut_short()) z3.interrupt();
+    });
+  const z3::check_result answer = solver.check();
+  if (watcher.joinable()) watcher = {}; // no interrupt after this
+  charge(units_per_question + units_per_step * steps_of(solver));
+  if (answer == z3::unknown) budget.check();
+  return answer;
 }
 
 // "A = 1, B = 1/2", for people.

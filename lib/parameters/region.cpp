@@ -11,7 +11,6 @@
 namespace kov {
 namespace {
 
-constexpr double z3_seconds = 0.3;
 constexpr long z3_terms = 40; // larger polynomials are beyond its limit anyway
 constexpr long z3_degree = 12;
 
@@ -191,7 +190,7 @@ bool Region::refutes(const std::vector<Condition>& more) const {
     all.push_back(c);
     claim += (claim.empty() ? "" : ", ") + to_string(c);
   }
-  if (has_real_point(all, Budget::of_seconds(z3_seconds)) != Truth::no) return false;
+  if (has_real_point(all, Budget{}) != Truth::no) return false;
   const std::string where = path_.empty() ? "" : " where " + to_string(path_);
   trusted_.push_back({"Z3: no real parameters satisfy the assumptions" +
                       (claim.empty() ? "" : " and " + claim) + where});

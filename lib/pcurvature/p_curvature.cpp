@@ -1,6 +1,7 @@
 #include "pcurvature/p_curvature.hpp"
 
 #include "exact/error.hpp"
+#include "exact/meter.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -28,6 +29,7 @@ NmodPoly polynomial(const Residues& c, mp_limb_t p) {
 // The sum is left unreduced.
 void add_product(Residues& sum, const Residues& f, const Residues& g, nmod_t mod) {
   if (f.size() < g.size()) return add_product(sum, g, f, mod);
+  charge(static_cast<double>(f.size()) * static_cast<double>(std::min(g.size(), long_factor)) / 16);
   if (g.size() < long_factor) {
     for (std::size_t j = 0; j < g.size(); ++j)
       for (std::size_t i = 0; i < f.size(); ++i)

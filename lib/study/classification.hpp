@@ -73,6 +73,9 @@ struct SystemClassification {
   std::vector<std::pair<std::string, double>> stages; ///< what took how many seconds
   double seconds = 0;
   std::string at_work; ///< on the way: the stage that begins
+  /// All of the work that was allowed is done: another run says the same.  False: the clock, or a
+  /// request, ended it.
+  bool complete = true;
 
   [[nodiscard]] ClassificationStatus status() const;
 };

@@ -358,7 +358,7 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   const Pieces found = pieces(n, result, maps);
   need_origin(n, whole);
   n.region = region_of(whole, n.node.place);
-  Budget z3 = Budget::of_seconds(cover_seconds);
+  Budget z3;
   z3.stop = stop;
   const Covered covered = is_covered(range_of(n, whole, z3), found.regions, z3);
   if (covered.holds != Truth::yes || n.excluded.empty()) {

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <sstream>
 
@@ -165,6 +164,7 @@ Json as_json(const System& s, const SystemClassification& c) {
           {"notes", c.notes},
           {"strata", strata},
           {"at_work", c.at_work.empty() ? Json(nullptr) : Json(c.at_work)},
+          {"complete", c.complete},
           {"seconds", c.seconds}};
 }
 
@@ -173,15 +173,14 @@ Json as_json(const System& s, const SystemClassification& c) {
 namespace {
 
 /// What is told while the work goes on.  Words for many strata cost much: they may take a tenth of the
-/// time, and else the last ones are told again, with the stage that begins.
+/// work, and else the last ones are told again, with the stage that begins.
 class SoFarReports {
 public:
   template <class Write> const Report& next(const SystemClassification& c, Write write) {
-    const auto begin = Clock::now();
-    const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
-    if (!last_ || writing_ < part_ * seconds(begin - start_)) {
+    const double begin = meter();
+    if (!last_ || writing_ < part_ * (begin - start_)) {
       last_ = write();
-      writing_ += seconds(Clock::now() - begin);
+      writing_ += meter() - begin;
     } else if (last_->json.is_object()) {
       last_->json["at_work"] = c.at_work.empty() ? Json(nullptr) : Json(c.at_work);
     }
@@ -189,9 +188,8 @@ public:
   }
 
 private:
-  using Clock = std::chrono::steady_clock;
   static constexpr double part_ = 0.1;
-  Clock::time_point start_ = Clock::now();
+  double start_ = meter();
   double writing_ = 0;
   std::optional<Report> last_;
 };
@@ -209,6 +207,7 @@ public:
       return {exit_internal, "", nullptr}; // it was told
     if (crashed) report.exit = report.json.at("status") == "open" ? exit_undecided : exit_decided;
     const bool in_time = crashed || settings_.timeout > 0;
+    const bool cut_short = !report.limit.empty(); // a second run leaves something out
     if (!report.limit.empty() && report.exit != exit_interrupted && in_time)
       if (const Json stage = report.json.value("at_work", Json(nullptr)); stage.is_string())
         if (Report again = run_for(1 - part_of_first_run, {stage});
@@ -218,6 +217,7 @@ public:
       if (!report.json.contains("strata")) report = nothing_known(report);
       tell_limit(report);
     }
+    if (cut_short) report.json["complete"] = false;
     report.json.erase("at_work");
     return report;
   }
@@ -239,6 +239,7 @@ private:
       inner.timeout *= part_of_the_search;
       ClassifyOptions options;
       options.check.decide = inner.solver_options();
+      options.check.decide.budget.give_by_default();
       options.check.decide.ask_the_judge = true;
       if (arguments_.degree > 0) options.degree = options.degree_at_points = arguments_.degree;
       if (settings_.order > 0) options.order = settings_.order;

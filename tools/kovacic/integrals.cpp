@@ -173,6 +173,7 @@ int integrals(const Settings& settings, const IntegralsArguments& arguments) {
     Settings search_settings = settings;
     search_settings.timeout *= part_of_the_time;
     options.budget = search_settings.solver_options().budget;
+    options.budget.give_by_default();
     require_consistent(s);
     const IntegralSearch search = find_integrals(s, options);
     return Report{search.finished() ? exit_decided : exit_undecided,

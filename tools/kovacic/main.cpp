@@ -331,7 +331,7 @@ struct CommandLine {
     command->add_flag("--only-file", a.only_file, "no solutions but the manifolds of the file");
     order_flag(*command, "5");
     set_flag(*command);
-    process_flags(*command, 60, "seconds for the whole file");
+    process_flags(*command, 600, "seconds for the whole file");
     work_flag(*command);
     format_flag(*command, {"text", "json", "tex", "html"},
                 "text, json, tex or html (also: -o NAME.html)");

@@ -10,7 +10,7 @@ namespace kov::cli {
 namespace {
 
 constexpr long digits = 30;
-constexpr double half = 0.5; // of the time: the answer is there already, and must be told
+constexpr double most_work = 2e9; // some seconds: the answer is there already, and must be told
 constexpr const char* nothing = "prove nothing: an equality is never concluded from enclosures";
 
 std::string matrices(std::size_t count, const std::string& kind) {
@@ -71,7 +71,7 @@ public:
         if (e.r && e.decision) add_block(*e.r, *e.decision);
     }
     if (!m_.matrices) // they are the first opinion already
-      add(whole(part_of_the_time(budget_, half)), "-loops-whole");
+      add(whole(at_most(budget_, most_work)), "-loops-whole");
     return std::move(all_);
   }
 
@@ -135,8 +135,7 @@ private:
 
 SecondOpinion second_opinion(const RationalFunction& r, const Decision& answer,
                              const Budget& budget, bool with_proof) {
-  const MonodromyOpinion o =
-      monodromy_opinion(r, digits, part_of_the_time(budget, half), with_proof);
+  const MonodromyOpinion o = monodromy_opinion(r, digits, at_most(budget, most_work), with_proof);
   const std::string against = contradiction(o, answer);
   if (!against.empty())
     throw Contradiction("two answers contradict each other: " + proved(o) + ", and by algebra " +

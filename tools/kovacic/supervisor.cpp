@@ -2,6 +2,7 @@
 
 #include "exact/error.hpp"
 #include "exact/flint.hpp"
+#include "exact/memory.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
-#include <malloc.h>
 #include <new>
 #include <poll.h>
 #include <sys/mman.h>
@@ -43,62 +43,8 @@ volatile std::sig_atomic_t ctrl_c = 0;
 
 // --- out of memory in the child: one way out for C++, GMP and FLINT ----------------------------
 
-void* checked(void* p) {
-  if (p == nullptr) _exit(exit_out_of_memory);
-  return p;
-}
-
-// Small pieces that FLINT has given back, by their size: its polynomials live for a moment, and the
-// lists that malloc keeps for this purpose are too short for them.
-class SmallPieces {
-public:
-  static constexpr std::size_t largest = 256;
-
-  void* take(std::size_t n) {
-    const std::size_t k = (n + unit - 1) / unit;
-    if (const Piece piece = lists_[k].first; piece != nullptr) {
-      std::memcpy(&lists_[k].first, piece, sizeof piece); // a piece begins with its successor
-      --lists_[k].length;
-      return piece;
-    }
-    return std::malloc(k * unit);
-  }
-  void give(void* piece) {
-    const std::size_t k = ::malloc_usable_size(piece) / unit;
-    if (k == 0 || k > largest / unit || lists_[k].length == longest) return std::free(piece);
-    std::memcpy(piece, &lists_[k].first, sizeof piece);
-    lists_[k].first = piece;
-    ++lists_[k].length;
-  }
-
-private:
-  using Piece = void*;
-  struct List {
-    Piece first = nullptr;
-    std::size_t length = 0;
-  };
-  static constexpr std::size_t unit = 16;
-  static constexpr std::size_t longest = 256;
-  std::array<List, largest / unit + 1> lists_{};
-};
-thread_local SmallPieces small_pieces;
-
-void* take(std::size_t n) {
-  return checked(n > 0 && n <= SmallPieces::largest ? small_pieces.take(n)
-                                                    : std::malloc(n == 0 ? 1 : n));
-}
-void give(void* p) {
-  if (p != nullptr) small_pieces.give(p);
-}
-void* take_zeros(std::size_t n, std::size_t size) {
-  constexpr std::size_t is_small = SmallPieces::largest;
-  if (n <= is_small && size <= is_small && n * size <= is_small)
-    return std::memset(take(n * size), 0, n * size);
-  return checked(std::calloc(n == 0 ? 1 : n, size == 0 ? 1 : size));
-}
-void* take_more(void* p, std::size_t n) { return checked(std::realloc(p, n == 0 ? 1 : n)); }
-void* gmp_take_more(void* p, std::size_t, std::size_t n) { return take_more(p, n); }
-void gmp_give(void* p, std::size_t) { give(p); }
+void* gmp_take_more(void* p, std::size_t, std::size_t n) { return reallocate(p, n); }
+void gmp_give(void* p, std::size_t) { release(p); }
 
 // A worker ends by a signal, which writes no counters of executed lines: tools/coverage has them after
 // each job.
@@ -129,8 +75,7 @@ void prepare_child(const ProcessLimits& limits) {
 #else
   (void)limits;
 #endif
-  mp_set_memory_functions(take, gmp_take_more, gmp_give);
-  __flint_set_memory_functions(take, take_zeros, take_more, give);
+  mp_set_memory_functions(allocate, gmp_take_more, gmp_give);
   flint_set_abort([]() { _exit(exit_library_abort); });
   std::set_new_handler([] { _exit(exit_out_of_memory); });
 }

@@ -156,6 +156,8 @@ void bind_classification(py::module_& m) {
       .def_readonly("trusted_steps", &SystemClassification::trusted)
       .def_readonly("notes", &SystemClassification::notes)
       .def_readonly("stages", &SystemClassification::stages, "(what, seconds)")
+      .def_readonly("complete", &SystemClassification::complete,
+                    "all of the work that was allowed is done; False: the clock ended it")
       .def_readonly("seconds", &SystemClassification::seconds)
       .def("__str__", [](const SystemClassification& c) { return classification_text(c); })
       .def("__repr__", [](const SystemClassification& c) {
@@ -167,6 +169,7 @@ void bind_classification(py::module_& m) {
     return computed(limits, [&](const Budget& budget, const Interrupt&) {
       ClassifyOptions options;
       options.check.decide.budget = budget;
+      options.check.decide.budget.give_by_default();
       options.check.decide.ask_the_judge = true;
       if (degree) options.degree = options.degree_at_points = *degree;
       options.search_solutions = search;

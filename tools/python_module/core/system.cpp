@@ -429,6 +429,7 @@ void bind_system(py::module_& m) {
       options.degree = degree;
       options.coefficients = coefficients;
       options.budget = budget;
+      options.budget.give_by_default();
       return find_integrals(read_system(source.document(), values), options);
     });
   });

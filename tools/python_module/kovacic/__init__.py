@@ -118,7 +118,7 @@ def spectrum(equation=None, *, r=None, ode=None, energy="E", variable=None, assu
     return _core.spectrum(_limits(timeout, max_work), texts, _convert.name(energy, "energy"), _int(levels, "levels"))
 
 
-def classify(source, *, degree=None, search=True, set=None, timeout=_QUESTION, max_work=None):
+def classify(source, *, degree=None, search=True, set=None, timeout=_THEOREM, max_work=None):
     """For which parameters is a system integrable?  A Classification: strata with proofs, the rest open.
 
     degree: of the first integrals that are looked for (4, and 6 at single points); search=False: no solutions but the manifolds of the file.

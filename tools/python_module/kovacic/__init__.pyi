@@ -333,6 +333,7 @@ class Classification:
     trusted_steps: list[str]
     notes: list[str]
     stages: list[tuple[str, float]]
+    complete: bool
     seconds: float
 
 
@@ -815,7 +816,7 @@ def integrals(source: Source, degree: int = 2, *, coefficients: int | None = Non
 
 
 def classify(source: Source, *, degree: int | None = None, search: bool = True, set: Mapping[Name, Formula] | None = None,
-             timeout: float | None = 60, max_work: float | None = None) -> Classification: ...
+             timeout: float | None = 600, max_work: float | None = None) -> Classification: ...
 
 
 def spectrum(equation: Formula | None = None, *, r: Formula | None = None, ode: Formula | None = None,
