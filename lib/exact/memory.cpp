@@ -60,7 +60,7 @@ thread_local SmallPieces small_pieces;
 
 // Measured (docs/theory/work.md).
 constexpr double units_per_piece = 1;
-constexpr double units_per_byte = 1.0 / 20;
+constexpr double units_per_byte = 3.0 / 64; // sums of such fractions are exact
 
 void count(std::size_t n) { charge(units_per_piece + units_per_byte * static_cast<double>(n)); }
 

@@ -17,7 +17,7 @@ const Ring& common_ring(const Ring& a, const Ring& b) {
 }
 
 // Measured, in units of the meter (docs/theory/work.md).
-constexpr double units_per_product = 0.4;
+constexpr double units_per_product = 3.0 / 8;
 constexpr double units_per_term = 3; // of a dividend
 
 // FLINT stops the program when it is asked for an exponent that is no machine word.

@@ -137,7 +137,7 @@ double products(const EchelonForm& e) {
 bool is_small(const EchelonForm& e) { return products(e) <= most_dense_work; }
 
 // Of the meter, modulo a prime.
-double elimination_work(const EchelonForm& e) { return products(e) / 25; }
+double elimination_work(const EchelonForm& e) { return products(e) / 32; }
 
 bool is_numerical(const EchelonForm& e) {
   return e.pivots.empty() && !e.rows.empty() && is_small(e) &&

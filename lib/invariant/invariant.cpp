@@ -120,7 +120,7 @@ std::optional<ModularKernel> Search::kernel(const PrimeIdeal& prime) const {
   nmod_mat_t null;
   nmod_mat_init(null, shape.m + 1, shape.m + 1, prime.p);
   const auto unknowns = static_cast<double>(shape.m + 1);
-  charge(static_cast<double>(columns) * unknowns * unknowns / 25);
+  charge(static_cast<double>(columns) * unknowns * unknowns / 32);
   const long dimension = nmod_mat_nullspace(null, matrix);
   for (long k = 0; k < dimension; ++k) {
     NmodPoly sum(prime.p);

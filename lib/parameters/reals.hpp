@@ -13,8 +13,8 @@ namespace kov {
 
 /// no       Z3 has refuted the conjunction over the reals
 /// yes      it has found a point
-/// unknown  its limit was reached, or the caller asked to stop
-/// Cost     at most until the deadline of the budget; a second if it has none
+/// unknown  its limit of steps was reached, which follows from budget.max_work
+/// Errors   OutOfBudget: the deadline, or the caller asked to stop
 /// Given    const Condition positive{a.num(), Sign::positive};
 /// Given    const Condition negative{(-a).num(), Sign::positive};
 /// Example  has_real_point({positive, negative})  // -> Truth::no

@@ -17,7 +17,7 @@
 namespace kov::study {
 namespace {
 
-constexpr double part_for_eigenvalues = 0.1; // of the time
+constexpr double work_for_eigenvalues = 6e8; // some seconds
 
 Verdict verdict_of_first(const ManifoldReport& m) {
   switch (m.verdict) {
@@ -41,11 +41,6 @@ Headline of_first_order(const ManifoldReport& m) {
   h.trusted = trusted_steps(m).size();
   h.unchecked = m.not_checked.empty() ? 0 : 1;
   return h;
-}
-
-bool is_over(const Budget& budget) {
-  return budget.stop.stop_requested() ||
-         (budget.deadline && Budget::Clock::now() > *budget.deadline);
 }
 
 // An obstruction with exceptions leaves open there what the first order leaves open.
@@ -119,7 +114,7 @@ FileStudy::FileStudy(System s) : system_(std::move(s)), studied_(system_) {}
 const System& FileStudy::studied(const CheckOptions& options) {
   if (studied_) return *studied_;
   CheckOptions search = options;
-  search.decide.budget = part_of_the_time(options.decide.budget, part_for_eigenvalues);
+  search.decide.budget = at_most(options.decide.budget, work_for_eigenvalues);
   studied_ = with_eigenvalues(system_, search);
   return *studied_;
 }
@@ -156,7 +151,7 @@ const CurveStudy& FileStudy::manifold(std::size_t k, const StudyOptions& options
   if (options.order > 1 && m.first.manifold && m.headline.verdict != Verdict::non_integrable)
     ask_higher_orders(s, spec, options, m);
   look_for_contradictions(s, known, m);
-  m.headline.complete = m.failed.empty() && !is_over(options.check.decide.budget);
+  m.headline.complete = m.failed.empty() && !options.check.decide.budget.is_cut_short();
   return manifolds_.emplace(spec.name, std::move(m)).first->second;
 }
 
@@ -177,7 +172,11 @@ class WholeStudy {
 public:
   WholeStudy(const Entry& document, const ParameterValues& set, const StudyOptions& options)
       : file_(document, set), options_(options),
-        manifolds_(manifolds_to_check(file_.system(), options.check)) {}
+        manifolds_(manifolds_to_check(file_.system(), options.check)),
+        of_several_(options.check.decide.budget) {
+    if (manifolds_.size() > 1 && !of_several_.work_end)
+      of_several_.give(60 * of_several_.max_work); // what a minute is enough for
+  }
 
   SystemStudy run() {
     const auto start = std::chrono::steady_clock::now();
@@ -201,8 +200,8 @@ public:
 private:
   void one(std::size_t k) {
     StudyOptions share = options_;
-    share.check.decide.budget = part_of_the_time(options_.check.decide.budget,
-                                                 1 / static_cast<double>(manifolds_.size() - k));
+    share.check.decide.budget =
+        part_of_the_work(of_several_, 1 / static_cast<double>(manifolds_.size() - k));
     try {
       all_.manifolds.push_back(file_.manifold(k, share));
       studied_.push_back(k);
@@ -227,6 +226,7 @@ private:
   FileStudy file_;
   const StudyOptions& options_;
   std::vector<const ManifoldSpec*> manifolds_;
+  Budget of_several_; ///< shared by them
   std::vector<std::size_t> studied_;
   std::exception_ptr error_;
   SystemStudy all_;

@@ -22,7 +22,6 @@ const NodeResult* node_with(const TheoremResult& result, const std::string& id) 
 
 namespace {
 
-constexpr double cover_seconds = 20;
 constexpr std::size_t most_symmetries = 48;
 
 bool has_system(const NodeResult& n) {

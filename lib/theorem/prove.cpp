@@ -114,6 +114,10 @@ public:
   }
 
 private:
+  static void leave_open(NodeResult& n, const std::string& why) {
+    n.status = NodeStatus::open;
+    n.summary = why;
+  }
   void settle(NodeResult& n) {
     if (n.node.kind != NodeKind::cover || !done_.insert(n.node.id).second) return;
     for (NodeResult& need : result_.nodes)
@@ -123,8 +127,9 @@ private:
     try {
       prove_cover(n, result_, directory_, stop_);
     } catch (const DomainError& why) {
-      n.status = NodeStatus::open;
-      n.summary = why.what();
+      leave_open(n, why.what());
+    } catch (const OutOfBudget& why) {
+      leave_open(n, why.what());
     }
   }
 

@@ -14,7 +14,7 @@ using testing::Not;
 
 SystemClassification classified(const std::string& text) {
   ClassifyOptions options;
-  options.check.decide.budget = Budget::of_seconds(60);
+  options.check.decide.budget.give(1e8 * 60);
   options.degree = 2;
   return classify_system(read_system(parse_document(text, "test.toml")), options);
 }

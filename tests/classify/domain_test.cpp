@@ -23,7 +23,7 @@ System plane(const std::string& potential) {
 
 SystemClassification classified(const System& s) {
   ClassifyOptions options;
-  options.check.decide.budget = Budget::of_seconds(20);
+  options.check.decide.budget.give(1e8 * 20);
   options.check.decide.want_certificate = false;
   options.degree = 2;
   options.degree_at_points = 2;

@@ -18,7 +18,7 @@ namespace {
 
 ClassifyOptions within(double seconds) {
   ClassifyOptions options;
-  options.check.decide.budget = Budget::of_seconds(seconds);
+  options.check.decide.budget.give(1e8 * seconds);
   options.change_variables = std::getenv("KOV_AS_WRITTEN") == nullptr;
   return options;
 }

@@ -28,7 +28,7 @@ System plane(const std::string& parameters, const std::string& hamiltonian,
 
 SystemClassification classified(const System& s) {
   ClassifyOptions options;
-  options.check.decide.budget = Budget::of_seconds(120);
+  options.check.decide.budget.give(1e8 * 120);
   return classify_system(s, options);
 }
 

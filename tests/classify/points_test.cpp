@@ -35,7 +35,7 @@ std::string status(const std::string& text, const Point& point, bool fixed) {
     for (const auto& [name, value] : point)
       values.emplace_back(name, to_string(value));
   ClassifyOptions options;
-  options.check.decide.budget = Budget::of_seconds(30);
+  options.check.decide.budget.give(1e8 * 30);
   const auto c = classify_system(read_system(parse_document(text, "point.toml"), values), options);
   return status_at(c, fixed ? Point{} : point);
 }

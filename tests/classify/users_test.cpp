@@ -9,7 +9,7 @@ namespace {
 
 ClassificationStatus status(const std::string& text, double seconds = 60) {
   ClassifyOptions options;
-  options.check.decide.budget = Budget::of_seconds(seconds);
+  options.check.decide.budget.give(1e8 * seconds);
   return classify_system(read_system(parse_document(text, "user.toml")), options).status();
 }
 std::string planar(const std::string& h, const std::string& parameters = "") {

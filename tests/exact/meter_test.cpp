@@ -85,7 +85,7 @@ TEST_F(Meter, ABudgetEndsAtItsWork) {
     budget.check();
     ADD_FAILURE() << "no limit";
   } catch (const OutOfBudget& limit) {
-    EXPECT_THAT(limit.what(), HasSubstr("work limit of 1000 reached"));
+    EXPECT_THAT(limit.what(), HasSubstr("work limit of 1e+03 reached"));
   }
 }
 

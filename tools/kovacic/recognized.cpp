@@ -8,6 +8,7 @@
 #include "equation/read_equation.hpp"
 #include "exact/error.hpp"
 #include "exact/letters.hpp"
+#include "exact/share.hpp"
 #include "pullback/special_solution.hpp"
 #include "recognize/symbolic_family.hpp"
 #include "system/linear_formula.hpp"
@@ -93,18 +94,14 @@ Json recognized_json(const Decision& decision, const std::string& constant, cons
 namespace {
 
 // What a search that nobody asked for may take.
-Budget courtesy(Budget budget) {
-  const auto latest = Budget::Clock::now() + std::chrono::seconds(2);
-  if (!budget.deadline || *budget.deadline > latest) budget.deadline = latest;
-  return budget;
-}
+constexpr double courtesy = 2e8; // units of work, some seconds
 
 } // namespace
 
 Json special_json(const Decision& decision, const Budget& budget) {
   if (!decision.group || decision.group->type != GroupType::SL2 || !decision.places) return nullptr;
   try {
-    const auto found = special_solution(*decision.places, courtesy(budget));
+    const auto found = special_solution(*decision.places, at_most(budget, courtesy));
     if (!found) return nullptr;
     const SpecialSolutionText text = printed(*found, decision.variable);
     return {{"family", to_string(found->family)},
