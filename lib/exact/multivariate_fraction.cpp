@@ -16,7 +16,7 @@ public:
 namespace {
 
 // Measured, in units of the meter (docs/theory/work.md): for the gcds more than for the products.
-constexpr double units_per_term = 10;
+constexpr double units_per_operand_term = 10;
 
 using Binary = void (*)(kov_mpoly_q*, const kov_mpoly_q*, const kov_mpoly_q*,
                         const fmpz_mpoly_ctx_t);
@@ -26,8 +26,8 @@ MFraction combine(const MFraction& a, const MFraction& b, Binary op) {
     throw InvalidArgument("two multivariate values from different rings cannot be combined");
   MFraction r(a.ring());
   const auto* ctx = r.ring()->ctx();
-  charge(units_per_term * (quick_size(&a.raw()->num) + quick_size(&a.raw()->den) +
-                           quick_size(&b.raw()->num) + quick_size(&b.raw()->den)));
+  charge(units_per_operand_term * (quick_size(&a.raw()->num) + quick_size(&a.raw()->den) +
+                                   quick_size(&b.raw()->num) + quick_size(&b.raw()->den)));
   op(MFractionAccess::raw(r), a.raw(), b.raw(), ctx);
   if (fmpz_mpoly_degrees_fit_si(&r.raw()->num, ctx) == 0 ||
       fmpz_mpoly_degrees_fit_si(&r.raw()->den, ctx) == 0)
