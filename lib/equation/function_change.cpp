@@ -33,7 +33,7 @@ enum class Family : std::uint8_t { circular, hyperbolic, root };
 struct Function {
   Expression e;
   Family family = Family::root;
-  std::string name;     // sin, ...; "" for a root
+  std::string name{};   // sin, ...; "" for a root
   Rational multiple{1}; // of the common argument; of a root: its exponent
 };
 

@@ -14,6 +14,7 @@ void bind_equation(py::module_& m);
 void bind_strata(py::module_& m);
 void bind_spectrum(py::module_& m);
 void bind_system(py::module_& m);
+void bind_motion(py::module_& m);
 void bind_classification(py::module_& m);
 void bind_theorem(py::module_& m);
 void bind_numerics(py::module_& m);

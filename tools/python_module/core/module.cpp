@@ -59,6 +59,8 @@ PYBIND11_MODULE(_core, m) {
   kov::python::bind_strata(m);
   kov::python::bind_spectrum(m);
   kov::python::bind_system(m);
+  kov::python::bind_motion(m);
+  m.attr("version") = KOV_VERSION;
   kov::python::bind_classification(m);
   kov::python::bind_theorem(m);
   kov::python::bind_numerics(m);

@@ -21,7 +21,7 @@ from . import _convert, _core, _evidence, _show
 from ._core import (  # noqa: F401
     Accepted, AlgebraicNumber, Argument, BlockReport, ByEngines, ByFormula, ByKovacic, CheckReport, ClaimReport,
     Classification, ClassificationStatus, ClassifiedStratum, Connected, Decision, Ended, ExclusionReason,
-    FixedPoint, FixedPoints, FoundIntegral, GaloisGroup, GroupType, IntegralSearch, IntegralsOfSet, LameAnswer,
+    FixedPoint, FixedPoints, FoundIntegral, FoundManifold, GaloisGroup, GroupType, IntegralSearch, IntegralsOfSet, LameAnswer,
     LameConditions, LameFamily, LiouvillianSolution, ManifoldReport, Method, MFraction, Monodromy, NodeResult,
     NodeStatus, OrbitReport, RationalFunction, Rejected, Settled, Solved, Spectrum, SpectrumFamily, SpectrumLevel,
     SpectrumPiece, SpectrumSeries, SpectrumStatus, Stability, StrataAnswer, Stratum,
@@ -31,6 +31,9 @@ from ._errors import (  # noqa: F401
     DomainError, Error, FreeParameters, InputError, InternalError, Interrupted, InvalidArgument, OutOfBudget,
     WrongType)
 from ._map import map  # noqa: A004, F401
+from ._system_object import System  # noqa: F401
+
+__version__ = _core.version
 
 _QUESTION, _THEOREM = 60, 600  # seconds, as in the command
 
