@@ -1,5 +1,6 @@
 #include "classify/stated.hpp"
 
+#include "classify/shares.hpp"
 #include "exact/share.hpp"
 #include "integrability/one_level.hpp"
 #include "integrability/parameters.hpp"
@@ -13,8 +14,6 @@
 
 namespace kov {
 namespace {
-
-constexpr double part_for_them = 0.3;
 
 using Relation = Assumption::Relation;
 using Lists = std::vector<std::vector<MPoly>>;
@@ -90,7 +89,7 @@ public:
   StatedStudy(const System& s, const ClassifyOptions& options)
       : s_(s), file_(s), told_(without_assumptions_on_levels(s)), options_(options),
         admitted_(some_level_is_admitted(s)), assumed_(assumed_of_levels(s)) {
-    options_.check.decide.budget = part_of_the_work(options.check.decide.budget, part_for_them);
+    options_.check.decide.budget = part_of_the_work(options.check.decide.budget, share::stated);
   }
 
   StatedSolutions run() {
@@ -122,13 +121,15 @@ private:
 
   StatedSolution study(std::size_t k) {
     const auto start = std::chrono::steady_clock::now();
+    const double work = meter();
     study::StudyOptions share{options_.check};
     share.check.only_manifold.clear();
     share.check.decide.budget = part_of_the_work(share.check.decide.budget,
                                                  1 / static_cast<double>(s_.manifolds.size() - k));
     const study::CurveStudy& found = file_.manifold(k, share);
     StatedSolution one{found.name(), found.exclusions, outcome(found.first)};
-    one.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+    one.spent = {"along " + one.name + ", as the file states it", meter() - work, time.count()};
     one.finished =
         !found.first.failure && found.headline.complete && !share.check.decide.budget.is_spent();
     for (Exclusion& e : one.exclusions) {

@@ -17,7 +17,7 @@ struct StatedSolution {
   std::string name;
   std::vector<Exclusion> exclusions = {}; ///< in the ring of the file's system
   std::string outcome;                    ///< in words, for those parameters that stay open
-  double seconds = 0;
+  Spent spent = {};
   bool finished = false; ///< no limit ended it
 };
 

@@ -1,5 +1,6 @@
 #include "classify/variables.hpp"
 
+#include "classify/shares.hpp"
 #include "decide/afterwards.hpp"
 #include "exact/share.hpp"
 #include "integrability/parameters.hpp"
@@ -13,9 +14,6 @@
 namespace kov {
 namespace {
 
-constexpr double part_for_the_change = 0.05;
-constexpr double part_before = 0.15; // in the user's variables, where others are simpler
-constexpr double part_in_others = 0.6;
 constexpr std::size_t longest_integral = 200; // as text, in the user's variables
 
 bool is_open(const ClassifiedStratum& s) { return s.status == StratumStatus::open; }
@@ -45,8 +43,8 @@ public:
       : s_(s), options_(options), stated_(stated), change_(change) {}
 
   SystemClassification run() {
-    static_cast<void>(attempt([&] { return here(part_before); }) ||
-                      attempt([&] { return there(part_in_others); }) ||
+    static_cast<void>(attempt([&] { return here(share::here_first); }) ||
+                      attempt([&] { return there(share::there); }) ||
                       attempt([&] { return here(1); }));
     if (!best_) std::rethrow_exception(first_);
     if (error_ && !decides_something(*best_)) std::rethrow_exception(error_);
@@ -214,7 +212,7 @@ SystemClassification classified(const System& s, const ClassifyOptions& options)
   const StatedSolutions stated = stated_solutions(s, options);
   std::optional<CanonicalChange> change;
   if (options.change_variables && options.search_solutions && !stated.decided)
-    change = simplified(s, part_of_the_work(options.check.decide.budget, part_for_the_change));
+    change = simplified(s, part_of_the_work(options.check.decide.budget, share::change));
   if (!change || !is_defined_for_all_parameters(s, *change))
     return classify_in_these_variables(s, options, stated);
   return InTurn(s, options, stated, *change).run();

@@ -40,6 +40,8 @@ struct ClassifiedStratum {
   std::vector<std::string> fields = {};
   std::vector<ExclusionReason> by = {};     ///< excluded: each of them is enough
   std::vector<std::string> open_after = {}; ///< open: what was tried
+  /// Algebraic constants, by their variables, in which integrals, fields or reasons may be written.
+  std::vector<std::size_t> constants = {};
 };
 
 /// Where a set of parameters stays open: not integrable for almost all parameters, all but a set of
@@ -52,6 +54,13 @@ struct AlmostAll {
 enum class ClassificationStatus : std::uint8_t { integrable, non_integrable, open, depends };
 /// "integrable", "non-integrable", "open", "depends"
 [[nodiscard]] std::string to_string(ClassificationStatus s);
+
+/// One task of the search.
+struct Spent {
+  std::string task;
+  double work = 0; ///< units of the meter (exact/meter.hpp)
+  double seconds = 0;
+};
 
 struct SystemClassification {
   std::vector<ClassifiedStratum> strata; ///< disjoint; they cover all parameters
@@ -70,7 +79,7 @@ struct SystemClassification {
   /// Not empty: class, solutions and long integrals are told in these variables, "X = r*cos_t", the
   /// others by their names (lib/canonical).
   std::vector<std::string> variables = {};
-  std::vector<std::pair<std::string, double>> stages; ///< what took how many seconds
+  std::vector<Spent> spent; ///< on what, in the order in which it was done
   double seconds = 0;
   std::string at_work; ///< on the way: the stage that begins
   /// All of the work that was allowed is done: another run says the same.  False: the clock, or a

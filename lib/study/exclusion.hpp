@@ -21,6 +21,7 @@ struct Exclusion {
   std::vector<std::vector<MPoly>> not_all_zero; ///< each a list
   std::optional<DifferenceCondition> unless;    ///< except where this holds
   ExclusionReason by;
+  std::vector<std::size_t> constants = {}; ///< algebraic, in which the reason may be written
 };
 
 /// All that the report proves.  levels: the parameters of which one may choose the value.

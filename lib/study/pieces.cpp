@@ -24,7 +24,8 @@ ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
   return {.where = piece.where,
           .special = piece.special,
           .status = StratumStatus::excluded,
-          .by = {e.by}};
+          .by = {e.by},
+          .constants = e.constants};
 }
 
 void exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,

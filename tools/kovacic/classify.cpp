@@ -1,6 +1,7 @@
 // kovacic classify FILE: for which parameters is the system integrable?
 
 #include "classify/classify.hpp"
+#include "classify/stage.hpp"
 
 #include "classification_report.hpp"
 #include "commands.hpp"
@@ -130,8 +131,9 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
              std::to_string(c.trusted.size()) + (c.trusted.size() == 1 ? " step: " : " steps: ") +
                  beginning(joined(c.trusted, "; "), verbose));
   if (verbose)
-    for (const auto& [stage, seconds] : c.stages)
-      put_wide(out, "time", fmt::format("{:.1f} ms  {}", 1000 * seconds, stage));
+    for (const Spent& s : c.spent)
+      put_wide(out, "spent",
+               fmt::format("{:.2g} units ({:.1f} ms)  {}", s.work, 1000 * s.seconds, s.task));
   return out.str();
 }
 
@@ -300,7 +302,39 @@ private:
 
 } // namespace
 
+namespace {
+
+// "30 % (80 %)": the second one in a last round.
+std::string part_of(const Stage& stage) {
+  if (stage.part == 0) return "";
+  const auto percent = [](double part) { return fmt::format("{:.0f} %", 100 * part); };
+  return percent(stage.part) +
+         (stage.at_last == stage.part ? "" : " (" + percent(stage.at_last) + ")");
+}
+
+std::string plan(const Settings& settings) {
+  Budget budget;
+  budget.max_work = settings.max_work;
+  budget.give_by_default();
+  std::ostringstream out;
+  out << fmt::format("{:.2g} units of work, about {:.0f} s; of what is left of them\n", budget.work,
+                     1e-8 * budget.work);
+  for (const auto& [what, part] : parts_of_the_whole())
+    out << fmt::format("  {:>11}  {}\n", fmt::format("{:.0f} %", 100 * part), what);
+  out << "of what a round has left (in a last round), a round being the system with the parameters "
+         "that are open\n";
+  for (const Stage& stage : strategy())
+    out << fmt::format("  {:>11}  {}\n", part_of(stage), stage.name);
+  return out.str();
+}
+
+} // namespace
+
 int classify(const Settings& settings, const ClassifyArguments& arguments) {
+  if (arguments.plan) {
+    write_output(settings, plan(settings));
+    return exit_decided;
+  }
   const Report report = Classification(settings, arguments).run();
   write_output(settings,
                output_format(settings) == "json" && report.json.is_object()

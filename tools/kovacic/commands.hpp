@@ -60,6 +60,7 @@ struct ClassifyArguments {
   std::string file;
   long degree = 0;        ///< of the first integrals; 0: as ClassifyOptions has it
   bool only_file = false; ///< no solutions but those of the file
+  bool plan = false;      ///< only what would be tried
 };
 
 int solve(const Settings& settings, const SolveArguments& arguments);

@@ -329,6 +329,8 @@ struct CommandLine {
         ->check(silent(CLI::Range(1, 20)))
         ->type_name("D");
     command->add_flag("--only-file", a.only_file, "no solutions but the manifolds of the file");
+    command->add_flag("--plan", a.plan,
+                      "only what is tried, in this order, and with how much work");
     order_flag(*command, "5");
     set_flag(*command);
     process_flags(*command, 600, "seconds for the whole file");
@@ -513,7 +515,7 @@ struct CommandLine {
       return integrals(settings, integrals_arguments);
     }
     if (command == "classify") {
-      settle_input(app, classify_arguments.file);
+      if (!classify_arguments.plan) settle_input(app, classify_arguments.file);
       return classify(settings, classify_arguments);
     }
     if (command == "test") return test(settings, files);

@@ -155,7 +155,15 @@ void bind_classification(py::module_& m) {
       .def_readonly("theorems", &SystemClassification::theorems)
       .def_readonly("trusted_steps", &SystemClassification::trusted)
       .def_readonly("notes", &SystemClassification::notes)
-      .def_readonly("stages", &SystemClassification::stages, "(what, seconds)")
+      .def_property_readonly(
+          "stages",
+          [](const SystemClassification& c) {
+            std::vector<std::pair<std::string, double>> all;
+            for (const Spent& s : c.spent)
+              all.emplace_back(s.task, s.seconds);
+            return all;
+          },
+          "(what, seconds)")
       .def_readonly("complete", &SystemClassification::complete,
                     "all of the work that was allowed is done; False: the clock ended it")
       .def_readonly("seconds", &SystemClassification::seconds)

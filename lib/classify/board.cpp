@@ -1,0 +1,151 @@
+#include "classify/board.hpp"
+
+#include "classify/bounded.hpp"
+#include "decide/afterwards.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr std::size_t most_compared = 8; // integrable strata with one exclusion
+
+void refuse_both(const std::optional<Piece>& integrable_and_not) {
+  if (integrable_and_not && integrable_and_not->special.empty())
+    throw Contradiction("some parameters are proved to be integrable and not to be");
+}
+
+// The same as contradict_nothing, where the integrals came first.
+void contradict_no_integrals(const Board& b, const Round& round, const Exclusion& e) {
+  const System& s = round.system;
+  if (!e.by.unchecked.empty() || !e.by.integrals.without.empty() || !s.field.functions.empty())
+    return;
+  const auto& strata = b.result.strata;
+  std::size_t looked_at = 0;
+  for (std::size_t i = round.decided; i < strata.size() && looked_at < most_compared; ++i) {
+    const ClassifiedStratum& x = strata[i];
+    if (x.status != StratumStatus::integrable || has_logarithms(x.integrals)) continue;
+    ++looked_at;
+    try {
+      for (const ParameterSet& common :
+           split_set(x.where, e.zero, e.not_all_zero, may_vanish(s)).inside) {
+        auto piece = on_part({x.where, x.special, {}}, common);
+        if (piece && e.unless) piece = with_condition(*std::move(piece), negation(*e.unless));
+        refuse_both(piece);
+      }
+    } catch (const OutOfBudget&) { // not compared
+    }
+  }
+}
+
+// Less is excluded, for later: of "p and q both vanish" only p = 0 is kept, a larger set, which is
+// studied again by itself.
+Exclusion with_simple_exceptions(Exclusion e) {
+  for (auto& list : e.not_all_zero)
+    if (list.size() > 1)
+      list = {*std::min_element(list.begin(), list.end(), [](const MPoly& p, const MPoly& q) {
+        return p.length() < q.length();
+      })};
+  return e;
+}
+
+// Where the denominators vanish nothing is concluded.
+std::vector<Piece> at_those_values(const Round& round, const Piece& piece,
+                                   const CommonValues& common, const MPoly& denominators) {
+  const MayVanish possible = may_vanish(round.system);
+  const SetParts parts = split_set(piece.where, {denominators}, {}, possible);
+  std::vector<Piece> all;
+  for (const ParameterSet& special : parts.inside)
+    all.push_back({special, piece.special, piece.tried});
+  for (const ParameterSet& where : parts.outside)
+    for (const Rational& value : common.values) {
+      const MFraction difference = common.square - MFraction(common.square.ring(), value);
+      for (const ParameterSet& there : split_set(where, {difference.num()}, {}, possible).inside)
+        if (auto part = on_part(piece, there)) all.push_back(*std::move(part));
+    }
+  return all;
+}
+
+std::vector<Piece> at_common_values(Board& b, const Round& round, const Piece& piece) {
+  for (std::size_t i = 0; i < piece.special.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (const auto common = common_values(piece.special[i], piece.special[j])) {
+        add_once(b.result.trusted, "the common values of two exponent differences");
+        return at_those_values(round, piece, *common,
+                               piece.special[i].squares.front().den() *
+                                   piece.special[j].squares.front().den());
+      }
+  if (const auto bounded = bounded_values(round.system, piece.where, piece.special)) {
+    add_once(b.result.trusted, bounded->trusted);
+    MPoly denominators = bounded->values.square.den();
+    for (const DifferenceCondition& c : piece.special)
+      for (const MFraction& square : c.squares)
+        denominators = denominators * square.den();
+    return at_those_values(round, piece, bounded->values, squarefree_part(denominators));
+  }
+  return {piece};
+}
+
+} // namespace
+
+bool may_have_large_blocks(const System& s) { return s.field.dimension() >= 5; }
+bool is_the_first(const Board& b, const Round& round) {
+  return round.system.field.parameters.size() == b.known.system.field.parameters.size();
+}
+bool is_small(const Round& round) { return round.system.field.dimension() <= 4; }
+bool is_at_numbers(const Round& round) {
+  return round.system.field.parameters.size() <= round.levels.size();
+}
+
+std::vector<std::size_t> adjoined_constants(const System& s) {
+  const auto& all = s.field.constants; // those that were adjoined are the last ones
+  return {all.end() - static_cast<long>(s.adjoined.size()), all.end()};
+}
+
+void note(Round& round, const std::string& what, const std::string& outcome) {
+  for (Piece& p : round.pieces)
+    note(p, what, outcome);
+}
+
+void exclude(Board& b, Round& round, const Exclusion& e) {
+  contradict_no_integrals(b, round, e);
+  if (!exclude(round.pieces, e, round.system, b.result))
+    round.late.push_back(with_simple_exceptions(e)); // nothing is concluded for now
+}
+
+void exclude_or_defer(Board& b, Round& round, Exclusion e) {
+  if (e.unless && e.unless->squares.size() > 1)
+    round.late.push_back(std::move(e));
+  else
+    exclude(b, round, e);
+}
+
+bool has_logarithms(const std::vector<FoundIntegral>& integrals) {
+  return std::any_of(integrals.begin(), integrals.end(),
+                     [](const FoundIntegral& f) { return !f.logarithms.empty(); });
+}
+
+void contradict_nothing(const Board& b, const Round& round, const Exclusion& where,
+                        const IntegralsOfSet& set) {
+  if (set.only_declared_relations || has_logarithms(set.integrals)) return;
+  for (std::size_t i = round.decided; i < b.result.strata.size(); ++i) {
+    const ClassifiedStratum& x = b.result.strata[i];
+    if (x.status != StratumStatus::excluded || !x.by.front().unchecked.empty() ||
+        !x.by.front().integrals.without.empty()) // the integrals may be others than those excluded
+      continue;
+    const MayVanish possible = may_vanish(round.system);
+    for (const ParameterSet& common :
+         split_set(x.where, where.zero, where.not_all_zero, possible).inside)
+      refuse_both(on_part({x.where, x.special, {}}, common));
+  }
+}
+
+std::vector<Piece> met(Board& b, const Round& round, const Piece& piece) {
+  try {
+    return at_common_values(b, round, piece);
+  } catch (const OutOfBudget&) { // it stays whole
+    return {piece};
+  }
+}
+
+} // namespace kov

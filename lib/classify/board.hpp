@@ -1,0 +1,101 @@
+#pragma once
+// What is decided and what is open while a system is classified, and the rounds in which it is done.
+//
+// Source  docs/theory/classify.md (7)
+
+#include "classify/scale.hpp"
+#include "classify/solutions.hpp"
+#include "classify/stated.hpp"
+#include "study/pieces.hpp"
+
+namespace kov {
+
+/// With what is known of it.
+struct KnownSystem {
+  System system;
+  std::vector<ClaimReport> claims;
+  std::vector<KnownLevel> levels;
+};
+
+/// One system with its solutions and integrals, on some pieces of the parameters.
+struct Round : KnownSystem {
+  Piece whole;
+  std::vector<Piece> pieces = {whole};
+  std::vector<ManifoldSpec> at_energy_zero = {}, at_all_levels = {}; ///< solutions for what is left
+  std::vector<std::vector<MPoly>> special = {}; ///< where there may be more solutions
+  std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
+  std::vector<ManifoldSpec> solutions = {};
+  bool studied_at_once = false;             ///< one answer for all parameters was enough
+  bool integrals_known = false;             ///< for all of these parameters, from a round before,
+  std::vector<MPoly> integrals_unless = {}; ///< but not where one of these vanishes
+  std::size_t decided = 0;                  ///< strata that were there before
+  bool limited = false;                     ///< some task ended at its share of the work
+  std::vector<std::string> cut = {};        ///< the solutions whose share was too small
+  bool last = false;                        ///< after all others, with all the work that is left
+  /// If these parameters are not 0, a rescaling makes them 1: solutions are studied there.
+  std::optional<ScaledSystem> scale = {};
+  std::optional<KnownSystem> at_scale = {};
+
+  [[nodiscard]] const KnownSystem& studied() const { return at_scale ? *at_scale : *this; }
+  [[nodiscard]] Exclusion before(Exclusion e) const {
+    return scale ? scale->before(std::move(e)) : e;
+  }
+};
+
+struct Board {
+  ClassifyOptions options; ///< its budget is that of the whole
+  const StatedSolutions& stated;
+  KnownSystem known;               ///< with names for levels
+  bool is_as_stated = false;       ///< the system is that of the file, but for names of levels
+  bool begun = false;              ///< some round is done, or at work
+  std::vector<Round> waiting = {}; ///< parts of the parameters that were not studied yet
+  std::vector<Round> later = {};   ///< those that their share did not suffice for
+  std::vector<Piece> open = {};    ///< for which there is nothing more to try
+  SystemClassification result = {};
+  SystemClassification so_far = {}; ///< what `result` was when a task began, the rest open
+
+  [[nodiscard]] const Budget& budget() const { return options.check.decide.budget; }
+};
+
+/// A normal part may have order four.
+[[nodiscard]] bool may_have_large_blocks(const System& s);
+/// Later rounds have fewer parameters.
+[[nodiscard]] bool is_the_first(const Board& b, const Round& round);
+/// Two degrees of freedom: of more variables there are very many monomials.
+[[nodiscard]] bool is_small(const Round& round);
+/// Each parameter that labels no level has a value.
+[[nodiscard]] bool is_at_numbers(const Round& round);
+
+/// The algebraic constants that System::adjoined names, by their variables.
+[[nodiscard]] std::vector<std::size_t> adjoined_constants(const System& s);
+
+/// Of all pieces that are open.
+void note(Round& round, const std::string& what, const std::string& outcome);
+/// Cuts the pieces; what is too hard to tell for now is kept for later.
+/// Errors  Contradiction
+void exclude(Board& b, Round& round, const Exclusion& e);
+/// The same for exclusions with exceptions that take long to tell: these come last.
+void exclude_or_defer(Board& b, Round& round, Exclusion e);
+
+/// They are not meromorphic functions, and contradict no theorem on these.
+[[nodiscard]] bool has_logarithms(const std::vector<FoundIntegral>& integrals);
+/// Our own check: a theorem on integrals and one on variational equations cannot contradict.  Where
+/// these integrals are enough nothing is excluded by this round.   Errors  Contradiction
+void contradict_nothing(const Board& b, const Round& round, const Exclusion& where,
+                        const IntegralsOfSet& set);
+
+/// The parts of a piece on which two of its conditions hold together at common values only.
+[[nodiscard]] std::vector<Piece> met(Board& b, const Round& round, const Piece& piece);
+
+/// What is left of them; those of claims that are not proved any more are no levels.
+[[nodiscard]] std::vector<KnownLevel> at_values(std::vector<KnownLevel> levels,
+                                                const Substitution& values,
+                                                const std::vector<ClaimReport>& claims);
+/// What is open after a round: special systems where equations hold, once more where work is left,
+/// or open for good.
+void go_on(Board& b, const Round& round);
+/// Parameters that the set determines, as functions of the others, are put into the system.
+/// Unset: there is none, or something has no value there.
+[[nodiscard]] std::optional<Round> in_solved_parameters(const Round& round, const Piece& piece);
+
+} // namespace kov

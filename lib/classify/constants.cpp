@@ -1,0 +1,180 @@
+#include "classify/constants.hpp"
+
+#include "exact/error.hpp"
+#include "exact/share.hpp"
+#include "integrability/eigenvalue.hpp"
+#include "integrability/parameters.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kov {
+namespace {
+
+constexpr double part_of_a_search = 0.1; // of the work that is left: three searches at most
+
+ParticularSolutions solutions_of(const Board& b, const KnownSystem& known) {
+  return particular_solutions(known.system, known.levels, b.options.search_solutions,
+                              part_of_the_work(b.budget(), part_of_a_search));
+}
+
+void move_to(System system, KnownSystem& known) {
+  known.claims = claims_of(system, std::move(known.claims));
+  for (KnownLevel& l : known.levels)
+    l.integral = transfer(l.integral, system.ring());
+  known.system = std::move(system);
+}
+
+// Where it leads to more solutions.
+bool adjoin_square_root(const Board& b, KnownSystem& known, const MPoly& d,
+                        ParticularSolutions& solutions) {
+  KnownSystem larger = known;
+  move_to(with_square_root(known.system, d, ""), larger);
+  auto more = solutions_of(b, larger);
+  const std::size_t constant = larger.system.field.constants.back();
+  const auto needs_it = [&](const ManifoldSpec& m) {
+    return std::any_of(m.equations.begin(), m.equations.end(),
+                       [&](const Equation& e) { return uses(e.difference, constant); });
+  };
+  if (std::none_of(more.manifolds.begin(), more.manifolds.end(), needs_it)) return false;
+  known = std::move(larger);
+  solutions = std::move(more);
+  return true;
+}
+
+bool are_the_same(const ManifoldSpec& a, const ManifoldSpec& b) {
+  return std::equal(a.equations.begin(), a.equations.end(), b.equations.begin(), b.equations.end(),
+                    [](const Equation& x, const Equation& y) {
+                      return x.difference == transfer(y.difference, x.difference.ring());
+                    });
+}
+
+// Those of the file, and those that have changed: the others are found again.
+void keep_new_or_stated(std::vector<ManifoldSpec>& all, const std::vector<ManifoldSpec>& before,
+                        std::size_t stated) {
+  for (std::size_t k = all.size(); k-- > stated;)
+    if (are_the_same(all[k], before[k])) all.erase(all.begin() + static_cast<long>(k));
+}
+
+} // namespace
+
+std::optional<KnownSystem> with_constants(const Board& b) {
+  KnownSystem known = b.known;
+  if (!may_have_large_blocks(known.system)) return std::nullopt;
+  ParticularSolutions solutions = solutions_of(b, known);
+  for (const MPoly& d : solutions.wanted)
+    if (adjoin_square_root(b, known, d, solutions)) break;
+  System with_solutions = known.system;
+  with_solutions.manifolds = solutions.manifolds;
+  CheckOptions check = b.options.check;
+  check.decide.budget = part_of_the_work(b.budget(), part_of_a_search);
+  System found = with_eigenvalues(std::move(with_solutions), check);
+  if (found.adjoined.empty()) return std::nullopt;
+  keep_new_or_stated(found.manifolds, solutions.manifolds, known.system.manifolds.size());
+  move_to(std::move(found), known);
+  return known;
+}
+
+namespace {
+
+/// From one ring to another that has its names.
+class Move {
+public:
+  explicit Move(const ParameterSet& all) : all_(all) {}
+
+  [[nodiscard]] ParameterSet operator()(const ParameterSet& where) const {
+    ParameterSet there = all_;
+    for (const MPoly& p : where.equations())
+      there = there.where_zero(here(p));
+    for (const MPoly& p : where.inequations())
+      there = there.where_nonzero(here(p));
+    return there;
+  }
+  [[nodiscard]] std::vector<DifferenceCondition>
+  operator()(std::vector<DifferenceCondition> all) const {
+    for (DifferenceCondition& c : all)
+      for (MFraction& square : c.squares)
+        square = transfer(square, all_.ring());
+    return all;
+  }
+  [[nodiscard]] ClassifiedStratum operator()(ClassifiedStratum x) const {
+    x.where = (*this)(x.where);
+    x.special = (*this)(std::move(x.special));
+    for (FoundIntegral& f : x.integrals) {
+      f.value = transfer(f.value, all_.ring());
+      for (LogarithmicTerm& t : f.logarithms)
+        t = {transfer(t.times, all_.ring()), here(t.of)};
+    }
+    return x;
+  }
+
+private:
+  [[nodiscard]] MPoly here(const MPoly& p) const {
+    return transfer(MFraction(p), all_.ring()).num();
+  }
+
+  const ParameterSet& all_;
+};
+
+} // namespace
+
+bool go_on_with(Board& b, KnownSystem larger) {
+  SystemClassification result = b.result;
+  result.relations.clear();
+  result.nonzero.clear();
+  std::vector<Round> rounds;
+  try {
+    const ParameterSet all =
+        all_parameters(larger.system, level_parameters(larger.system), b.budget().stop, result);
+    const Move moved(all);
+    for (ClassifiedStratum& x : result.strata)
+      x = moved(std::move(x));
+    for (const Piece& p : b.open) {
+      Round round{larger, {moved(p.where), moved(p.special), p.tried}};
+      if (round.whole.where.is_empty()) continue;
+      if (auto solved = in_solved_parameters(round, round.whole)) round = *std::move(solved);
+      rounds.push_back(std::move(round));
+    }
+  } catch (const OutOfBudget& limit) {
+    b.result.notes.push_back(std::string("algebraic constants: ") + limit.what());
+    return false;
+  }
+  b.result = std::move(result);
+  b.known = std::move(larger);
+  b.open.clear();
+  std::reverse(rounds.begin(), rounds.end()); // the first is next
+  b.waiting = std::move(rounds);
+  return true;
+}
+
+namespace {
+
+bool is_written_in(const SystemClassification& c, const ClassifiedStratum& x,
+                   std::size_t constant) {
+  const auto& named = x.constants;
+  if (std::find(named.begin(), named.end(), constant) != named.end()) return true;
+  const auto any = [&](const std::vector<MPoly>& all) {
+    return std::any_of(all.begin(), all.end(), [&](const MPoly& p) { return uses(p, constant); });
+  };
+  try {
+    if (any(proper_equations(x.where, c.relations)) || any(inequations(x.where))) return true;
+  } catch (const OutOfBudget&) {
+    return true;
+  }
+  return std::any_of(x.special.begin(), x.special.end(), [&](const DifferenceCondition& d) {
+    return std::any_of(d.squares.begin(), d.squares.end(),
+                       [&](const MFraction& square) { return uses(square, constant); });
+  });
+}
+
+} // namespace
+
+void forget_unused_constants(const System& s, SystemClassification& c) {
+  const auto constants = adjoined_constants(s);
+  for (std::size_t k = 0; k < constants.size(); ++k)
+    if (std::none_of(c.strata.begin(), c.strata.end(),
+                     [&](const ClassifiedStratum& x) { return is_written_in(c, x, constants[k]); }))
+      std::erase(c.constants, s.adjoined[k]);
+}
+
+} // namespace kov

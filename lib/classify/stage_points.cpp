@@ -1,0 +1,72 @@
+#include "classify/stage_points.hpp"
+
+#include "classify/darboux_points.hpp"
+#include "classify/faces.hpp"
+
+#include <utility>
+
+namespace kov::stages {
+namespace {
+
+bool is_looked_at(const Board& b, const Round& round) {
+  return !round.pieces.empty() && b.options.search_solutions;
+}
+
+} // namespace
+
+std::vector<Task> darboux_points_first(const Board& b, const Round& round) {
+  return one_if(is_looked_at(b, round) && has_many_parameters(round.system, round.levels),
+                "Darboux points");
+}
+std::vector<Task> darboux_points(const Board& b, const Round& round) {
+  return one_if(is_looked_at(b, round) && !has_many_parameters(round.system, round.levels),
+                "Darboux points");
+}
+
+void study_darboux_points(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
+  for (const Exclusion& e : exclusions_by_darboux_points(round.system, budget))
+    exclude(b, round, e);
+}
+
+std::vector<Task> faces(const Board& b, const Round& round) {
+  return one_if(is_looked_at(b, round) && exponential_coordinates(round.studied().system),
+                "where exponentials are 0");
+}
+
+void study_faces(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
+  CheckOptions check = b.options.check;
+  check.decide.budget = budget;
+  for (Exclusion& e : exclusions_at_faces(round.studied().system, check))
+    exclude(b, round, round.before(std::move(e)));
+}
+
+std::vector<Task> higher_orders(const Board& b, const Round& round) {
+  std::vector<Task> all;
+  if (b.options.order > 1 && !round.pieces.empty())
+    for (const ManifoldSpec& m : round.solutions)
+      all.push_back({"orders 2.." + std::to_string(b.options.order) + " along " + m.name, m});
+  return all;
+}
+
+void study_higher_orders(Board& b, Round& round, const Task& task, const Budget& budget) {
+  Options decide = b.options.check.decide;
+  decide.budget = budget;
+  std::string why;
+  if (auto e = exclusion_of_higher_order(round.studied().system, *task.along, b.options.order,
+                                         decide, why)) {
+    e->constants = adjoined_constants(round.studied().system);
+    exclude(b, round, round.before(*std::move(e)));
+  }
+  note(round, task.name, why);
+}
+
+std::vector<Task> exceptions(const Board& /*b*/, const Round& round) {
+  return one_if(!round.late.empty(), "exceptions");
+}
+
+void tell_exceptions(Board& b, Round& round, const Task& /*task*/, const Budget& /*budget*/) {
+  for (const Exclusion& e : std::exchange(round.late, {}))
+    exclude(b, round, e);
+}
+
+} // namespace kov::stages

@@ -1,0 +1,189 @@
+#include "classify/stage_solutions.hpp"
+
+#include "exact/error.hpp"
+#include "exact/share.hpp"
+#include "integrability/parameters.hpp"
+#include "integrability/specialise.hpp"
+#include "study/curve.hpp"
+
+#include <algorithm>
+
+namespace kov::stages {
+namespace {
+
+constexpr double part_of_the_search = 0.2; // of one answer for all parameters
+constexpr double part_along_them = 0.4;
+
+bool is_of_the_file(const Board& b, const std::string& manifold) {
+  const auto& all = b.known.system.manifolds;
+  return std::any_of(all.begin(), all.end(),
+                     [&](const ManifoldSpec& m) { return m.name == manifold; });
+}
+
+// Not where it would be the same study again.
+bool is_done(const Board& b, const Round& round, const ManifoldSpec& m) {
+  const auto& all = b.stated.all;
+  return b.is_as_stated && !round.at_scale && !round.last && is_the_first(b, round) &&
+         std::any_of(all.begin(), all.end(),
+                     [&](const StatedSolution& x) { return x.finished && x.name == m.name; });
+}
+
+std::vector<Task> worth_trying(const Round& round, const std::vector<ManifoldSpec>& all) {
+  std::vector<Task> tasks;
+  if (round.pieces.empty()) return tasks;
+  for (const ManifoldSpec& m : all)
+    if (!round.last || std::find(round.cut.begin(), round.cut.end(), m.name) != round.cut.end())
+      tasks.push_back({m.name, m});
+  return tasks;
+}
+
+// Those that were adjoined and occur in the equations of the set or along it.
+std::vector<std::size_t> constants_in(const System& s, const ManifoldSpec& m,
+                                      const ManifoldReport& report) {
+  auto all = adjoined_constants(s);
+  std::erase_if(all, [&](std::size_t c) {
+    const auto in_it = [&](const Equation& e) { return uses(e.difference, c); };
+    const auto along_it = [&](const BlockReport& block) {
+      if (!block.ode || !block.ode->r.ring()) return false;
+      const auto there = block.ode->r.ring()->find(s.ring()->name(c));
+      return there && uses(block.ode->r, *there);
+    };
+    return std::none_of(m.equations.begin(), m.equations.end(), in_it) &&
+           std::none_of(m.levels.begin(), m.levels.end(), in_it) &&
+           std::none_of(report.blocks.begin(), report.blocks.end(), along_it);
+  });
+  return all;
+}
+
+// The system with as many parameters 1 as possible; false: there is none.
+bool change_scale(Round& round) {
+  try {
+    round.scale = scaled(round.system);
+    if (!round.scale) return false;
+    auto claims = kov::at_values(round.claims, round.scale->values);
+    auto levels = at_values(round.levels, round.scale->values, claims);
+    round.at_scale = {round.scale->system, std::move(claims), std::move(levels)};
+    return true;
+  } catch (const DomainError&) { // something has no value there
+    round.scale.reset();
+    return false;
+  }
+}
+
+} // namespace
+
+std::vector<Task> stated(const Board& b, const Round& /*round*/) {
+  if (b.begun || b.stated.all.empty()) return {};
+  return {{"the manifolds of the file"}};
+}
+
+void take_stated(Board& b, Round& round, const Task& /*task*/, const Budget& /*budget*/) {
+  for (const StatedSolution& one : b.stated.all) {
+    b.result.spent.push_back(one.spent);
+    for (const Exclusion& x : one.exclusions)
+      exclude_or_defer(b, round, in_ring(x, round.system.ring()));
+    note(round, "along " + one.name, one.outcome);
+  }
+}
+
+std::vector<Task> one_answer(const Board& b, const Round& round) {
+  Round scaled_round = round;
+  if (round.pieces.empty() || !b.options.search_solutions || !change_scale(scaled_round)) return {};
+  return {{"one answer for all parameters"}};
+}
+
+void try_one_answer(Board& b, Round& round, const Task& task, const Budget& budget) {
+  const SystemClassification before = b.result;
+  Round trial = round;
+  find_solutions(b, trial, task, part_of_the_work(budget, part_of_the_search));
+  const std::vector<Task> along = found(b, trial);
+  const Budget for_all = part_of_the_work(budget, part_along_them);
+  for (std::size_t i = 0; i < along.size() && !trial.pieces.empty(); ++i)
+    study_along(b, trial, along[i],
+                part_of_the_work(for_all, 1 / static_cast<double>(along.size() - i)));
+  const std::size_t equations = round.whole.where.equations().size();
+  const bool done = std::all_of(trial.pieces.begin(), trial.pieces.end(), [&](const Piece& p) {
+    return p.special.empty() && p.where.equations().size() > equations;
+  });
+  if (done) {
+    round = std::move(trial);
+    round.studied_at_once = true;
+    return;
+  }
+  b.result = before;
+  static_cast<void>(change_scale(round));
+}
+
+std::vector<Task> search(const Board& /*b*/, const Round& round) {
+  if (round.pieces.empty() || round.studied_at_once) return {};
+  return {{"solutions"}};
+}
+
+void find_solutions(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
+  auto solutions = particular_solutions(round.studied().system, round.studied().levels,
+                                        b.options.search_solutions, budget);
+  round.at_all_levels = std::move(solutions.at_all_levels);
+  round.special = std::move(solutions.special);
+  if (round.scale)
+    for (auto& equations : round.special)
+      equations = round.scale->before(std::move(equations));
+  round.at_energy_zero = std::move(solutions.at_energy_zero);
+  round.solutions = std::move(solutions.manifolds);
+  for (const std::string& limit : solutions.left_out)
+    note(round, limit, "");
+  for (Piece& p : round.pieces)
+    if (round.solutions.empty() && p.tried.empty())
+      note(p, "invariant manifolds",
+           b.options.search_solutions ? "none was found" : "the file has none");
+}
+
+std::vector<Task> found(const Board& b, const Round& round) {
+  if (round.studied_at_once) return {};
+  auto tasks = worth_trying(round, round.solutions);
+  std::erase_if(tasks, [&](const Task& t) { return is_done(b, round, *t.along); });
+  return tasks;
+}
+std::vector<Task> at_energy_zero(const Board& /*b*/, const Round& round) {
+  return worth_trying(round, round.at_energy_zero);
+}
+std::vector<Task> at_all_levels(const Board& /*b*/, const Round& round) {
+  return worth_trying(round, round.at_all_levels);
+}
+
+void study_along(Board& b, Round& round, const Task& task, const Budget& budget) {
+  const ManifoldSpec& m = *task.along;
+  CheckOptions check = b.options.check;
+  check.decide.budget = budget;
+  const KnownSystem& known = round.studied();
+  const ManifoldReport report = study_curve(known.system, m, known.claims, check);
+  if (budget.is_spent()) {
+    round.limited = true;
+    if (!round.last) round.cut.push_back(m.name);
+  }
+  if (report.failure && is_of_the_file(b, m.name) && is_the_first(b, round))
+    add_once(b.result.notes,
+             "the file's manifold " + m.name + " was not used: " + report.failure->message);
+  const auto constants = constants_in(known.system, m, report);
+  for (Exclusion& x : exclusions(known.system, report, level_parameters(known.system))) {
+    x.constants = constants;
+    exclude_or_defer(b, round, round.before(std::move(x)));
+  }
+  note(round, "along " + report.name, outcome(report));
+}
+
+std::vector<Task> conditions(const Board& /*b*/, const Round& round) {
+  const bool some = std::any_of(round.pieces.begin(), round.pieces.end(),
+                                [](const Piece& p) { return !p.special.empty(); });
+  return some ? std::vector<Task>{{"common values of exponent differences"}} : std::vector<Task>{};
+}
+
+void meet_conditions(Board& b, Round& round, const Task& /*task*/, const Budget& /*budget*/) {
+  std::vector<Piece> left;
+  for (const Piece& piece : round.pieces) {
+    auto parts = met(b, round, piece);
+    std::move(parts.begin(), parts.end(), std::back_inserter(left));
+  }
+  round.pieces = std::move(left);
+}
+
+} // namespace kov::stages

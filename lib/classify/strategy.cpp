@@ -1,0 +1,51 @@
+#include "classify/shares.hpp"
+#include "classify/stage.hpp"
+#include "classify/stage_integrals.hpp"
+#include "classify/stage_points.hpp"
+#include "classify/stage_solutions.hpp"
+
+namespace kov {
+
+std::span<const PartOfTheWhole> parts_of_the_whole() {
+  static constexpr PartOfTheWhole all[] = {
+      {"along the manifolds of the file, as check does", share::stated},
+      {"a search for canonical variables in which the system is simpler", share::change},
+      {"in the variables of the file, if there are others", share::here_first},
+      {"then in those others, and the rest in those of the file again", share::there},
+      {"of these: one round, unless its parameters are numbers or it is the last", share::round},
+      {"of these: without algebraic constants, if solutions ask for some",
+       share::without_constants},
+      {"of these: all but matrices at a point, if there are large blocks", share::all_but_points},
+  };
+  return all;
+}
+
+std::span<const Stage> strategy() {
+  using namespace stages;
+  static constexpr Stage all[] = {
+      // what, its part of the work of the round that is left, the same in a last round
+      {"along the manifolds of the file, as check does", 0, 0, stated, take_stated},
+      {"first integrals of low degree", 0.25, 0.25, low_integrals, find_low_integrals},
+      {"Darboux points (three parameters or more)", 0.3, 0.3, darboux_points_first,
+       study_darboux_points},
+      {"one answer for all parameters", 0.1, 0.1, one_answer, try_one_answer},
+      {"a search for invariant sets", 0.2, 0.2, search, find_solutions},
+      {"along each of them", 0.4, 0.8, found, study_along},
+      {"Darboux points", 0.3, 0.3, darboux_points, study_darboux_points},
+      {"where exponentials are 0", 0.3, 0.3, faces, study_faces},
+      {"integrals that would contradict", 0.1, 0.1, contradictions, look_for_a_contradiction},
+      {"first integrals", 0.5, 0.5, integrals, find_integrals},
+      {"first integrals with larger coefficients", 0.5, 0.5, larger_integrals,
+       find_larger_integrals},
+      {"common values of exponent differences", 1, 1, conditions, meet_conditions},
+      {"along invariant sets at H = 0", 0.2, 0.8, at_energy_zero, study_along},
+      {"common values of exponent differences", 1, 1, conditions, meet_conditions},
+      {"along invariant sets at more levels", 0.2, 0.8, at_all_levels, study_along},
+      {"higher variational equations", 0.3, 0.3, higher_orders, study_higher_orders},
+      {"first integrals of high degree", 0.5, 0.5, high_integrals, find_high_integrals},
+      {"exceptions that take long to tell", 1, 1, exceptions, tell_exceptions},
+  };
+  return all;
+}
+
+} // namespace kov

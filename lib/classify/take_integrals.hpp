@@ -1,0 +1,23 @@
+#pragma once
+// What first integrals that were found say of the open sets.
+
+#include "classify/board.hpp"
+
+namespace kov {
+
+[[nodiscard]] bool is_enough(const System& s, const IntegralsOfSet& set);
+/// Sets are cut along their equations in this order: what several have in common leaves few parts.
+void common_equations_first(const System& s, std::vector<IntegralsOfSet>& sets);
+/// Where the integrals are what they are.
+[[nodiscard]] Exclusion conditions_of(const System& s, const IntegralsOfSet& set,
+                                      const std::vector<MPoly>& not_covered);
+/// Pieces inside the set go to `met`, or are done with.
+void take_integrals(Board& b, Round& round, const IntegralsOfSet& set,
+                    const std::vector<MPoly>& not_covered, std::vector<Piece>& met);
+/// The same for the pieces that met no set.
+void take_elsewhere(Board& b, Round& round, const IntegralsOfSet& set,
+                    const std::vector<MPoly>& not_covered);
+/// What was searched, and found.
+[[nodiscard]] std::string searched_text(const IntegralsOfSet& set);
+
+} // namespace kov
