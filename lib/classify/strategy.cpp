@@ -8,14 +8,16 @@ namespace kov {
 
 std::span<const PartOfTheWhole> parts_of_the_whole() {
   static constexpr PartOfTheWhole all[] = {
-      {"along the manifolds of the file, as check does", share::stated},
+      {"the manifolds of the file, as check studies them", share::stated},
       {"a search for canonical variables in which the system is simpler", share::change},
-      {"in the variables of the file, if there are others", share::here_first},
-      {"then in those others, and the rest in those of the file again", share::there},
-      {"of these: one round, unless its parameters are numbers or it is the last", share::round},
-      {"of these: without algebraic constants, if solutions ask for some",
+      {"rounds in the variables of the file (all of the work, if there are no simpler ones)",
+       share::here_first},
+      {"rounds in the simpler ones; then in those of the file again", share::there},
+      {"of these, one round (all of it: without parameters, or in a last round)", share::round},
+      {"of these, the rounds before algebraic constants, if solutions ask for some",
        share::without_constants},
-      {"of these: all but matrices at a point, if there are large blocks", share::all_but_points},
+      {"of these, the rounds before matrices at a point, if blocks may be large",
+       share::all_but_points},
   };
   return all;
 }
@@ -24,7 +26,7 @@ std::span<const Stage> strategy() {
   using namespace stages;
   static constexpr Stage all[] = {
       // what, its part of the work of the round that is left, the same in a last round
-      {"along the manifolds of the file, as check does", 0, 0, stated, take_stated},
+      {"what the manifolds of the file exclude", 0, 0, stated, take_stated},
       {"first integrals of low degree", 0.25, 0.25, low_integrals, find_low_integrals},
       {"Darboux points (three parameters or more)", 0.3, 0.3, darboux_points_first,
        study_darboux_points},

@@ -317,12 +317,14 @@ std::string plan(const Settings& settings) {
   budget.max_work = settings.max_work;
   budget.give_by_default();
   std::ostringstream out;
-  out << fmt::format("{:.2g} units of work, about {:.0f} s; of what is left of them\n", budget.work,
-                     1e-8 * budget.work);
+  out << fmt::format("The whole work: {:.2g} units, each about ten nanoseconds (--max-work)\n",
+                     budget.work)
+      << "\nThe question, each with a part of the work that is then left:\n";
   for (const auto& [what, part] : parts_of_the_whole())
     out << fmt::format("  {:>11}  {}\n", fmt::format("{:.0f} %", 100 * part), what);
-  out << "of what a round has left (in a last round), a round being the system with the parameters "
-         "that are open\n";
+  out << "\nOne round, on the parameters that are open, each with a part of what the round has "
+         "left\n"
+         "(in parentheses: in a last round, which has all the work that is left):\n";
   for (const Stage& stage : strategy())
     out << fmt::format("  {:>11}  {}\n", part_of(stage), stage.name);
   return out.str();
