@@ -7,7 +7,7 @@
 
 #include "integrals/find.hpp"
 #include "literature/integral_class.hpp"
-#include "study/difference.hpp"
+#include "study/places.hpp"
 
 namespace kov {
 
@@ -94,6 +94,9 @@ struct SystemClassification {
 /// "b = 6", "b = 1, A = B": the strata with one of these, in few pieces.
 [[nodiscard]] std::vector<std::string> places(const SystemClassification& c,
                                               const std::vector<StratumStatus>& wanted);
+/// The same of these sets, not all of which need to be strata.
+[[nodiscard]] std::vector<std::string> texts_of(const SystemClassification& c,
+                                                std::vector<ParameterPlace> all);
 /// The theorem as one sentence.
 [[nodiscard]] std::string statement(const SystemClassification& c);
 /// "not integrable with first integrals that are ...": what one reason proves of its strata.

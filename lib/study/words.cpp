@@ -104,18 +104,22 @@ std::vector<std::string> conditions(const SystemClassification& c, const Classif
   return all;
 }
 
-std::vector<std::string> places(const SystemClassification& c,
-                                const std::vector<StratumStatus>& wanted) {
-  std::vector<ParameterPlace> all;
-  for (const ClassifiedStratum& s : c.strata)
-    if (std::find(wanted.begin(), wanted.end(), s.status) != wanted.end())
-      all.push_back({s.where, s.special});
+std::vector<std::string> texts_of(const SystemClassification& c, std::vector<ParameterPlace> all) {
   if (c.at_work.empty())
     all = in_few_words(std::move(all), c.nonzero); // on the way that takes too long
   std::vector<std::string> texts;
   for (const ParameterPlace& p : all)
     texts.push_back(joined(conditions(c, {p.where, p.special})));
   return texts;
+}
+
+std::vector<std::string> places(const SystemClassification& c,
+                                const std::vector<StratumStatus>& wanted) {
+  std::vector<ParameterPlace> all;
+  for (const ClassifiedStratum& s : c.strata)
+    if (std::find(wanted.begin(), wanted.end(), s.status) != wanted.end())
+      all.push_back({s.where, s.special});
+  return texts_of(c, std::move(all));
 }
 
 namespace {

@@ -159,7 +159,7 @@ TheoremResult as_theorem(const System& s, const SystemClassification& c) {
   t.nodes.push_back(root(s, c));
   for (const ClassifiedStratum& x : c.strata)
     if (x.status == StratumStatus::integrable) t.nodes.push_back(integrable(c, x, t.nodes.size()));
-  for (const ExcludedTogether& e : excluded_together(c))
+  for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_reason))
     t.nodes.push_back(exclusion(e, t.nodes.size()));
   if (auto open = what_is_open(c)) t.nodes.push_back(*std::move(open));
   for (std::size_t i = 1; i < t.nodes.size(); ++i)

@@ -44,18 +44,34 @@ Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
           {"open_after", s.open_after}};
 }
 
-std::vector<ExcludedTogether> excluded_together(const SystemClassification& c) {
+namespace {
+
+bool same(const ExclusionReason& a, const ExclusionReason& b, ExcludedFor what) {
+  if (a.unchecked != b.unchecked) return false;
+  return what == ExcludedFor::the_same_curve
+             ? a.solution == b.solution && a.order == b.order
+             : reason_of(a) == reason_of(b) && a.integrals == b.integrals;
+}
+
+} // namespace
+
+std::vector<ExcludedTogether> excluded_together(const SystemClassification& c, ExcludedFor what) {
   std::vector<ExcludedTogether> all;
+  std::vector<std::vector<ParameterPlace>> where;
   for (const ClassifiedStratum& s : c.strata) {
     if (s.status != StratumStatus::excluded) continue;
     const ExclusionReason& by = s.by.front();
-    auto same = std::find_if(all.begin(), all.end(), [&](const ExcludedTogether& e) {
-      return reason_of(*e.by) == reason_of(by) && e.by->integrals == by.integrals &&
-             e.by->unchecked == by.unchecked;
-    });
-    if (same == all.end()) same = all.insert(all.end(), {&by, {}});
-    same->where.push_back(where_text(c, s));
+    std::size_t i = 0;
+    while (i < all.size() && !same(*all[i].by, by, what))
+      ++i;
+    if (i == all.size()) {
+      all.push_back({&by, {}});
+      where.emplace_back();
+    }
+    where[i].push_back({s.where, s.special});
   }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].where = texts_of(c, std::move(where[i]));
   return all;
 }
 

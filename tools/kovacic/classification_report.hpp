@@ -19,11 +19,13 @@ namespace kov::cli {
 [[nodiscard]] std::string reason_of(const ExclusionReason& o);
 /// "a = 0, b != 1", or "all parameters"
 [[nodiscard]] std::string where_text(const SystemClassification& c, const ClassifiedStratum& s);
-/// Strata that are excluded for the same reason.
+/// Strata that are excluded for one reason, or along one curve at one order.
+enum class ExcludedFor : std::uint8_t { the_same_reason, the_same_curve };
 struct ExcludedTogether {
   const ExclusionReason* by;
   std::vector<std::string> where;
 };
-[[nodiscard]] std::vector<ExcludedTogether> excluded_together(const SystemClassification& c);
+[[nodiscard]] std::vector<ExcludedTogether> excluded_together(const SystemClassification& c,
+                                                              ExcludedFor what);
 
 } // namespace kov::cli

@@ -45,6 +45,7 @@ void put_below(std::ostream& out, const std::string& text) {
 }
 
 constexpr std::size_t five_lines = 430;
+constexpr long most_lines = 36;        // with all reasons; fewer lines follow
 constexpr std::size_t most_shown = 12; // of the strata with one status, of the reasons to exclude
 
 // The beginning of what would fill a page.
@@ -92,8 +93,9 @@ std::string some_of(const std::vector<std::string>& sets, bool all) {
 }
 
 // The strata that one equation excludes, together.
-void print_excluded(const SystemClassification& c, bool verbose, std::ostream& out) {
-  const auto all = excluded_together(c);
+std::string excluded_in_full(const SystemClassification& c, bool verbose) {
+  std::ostringstream out;
+  const auto all = excluded_together(c, ExcludedFor::the_same_reason);
   const std::size_t shown = verbose ? all.size() : std::min(all.size(), most_shown);
   for (std::size_t i = 0; i < shown; ++i) {
     put_wide(out, "excluded", some_of(all[i].where, verbose));
@@ -103,6 +105,19 @@ void print_excluded(const SystemClassification& c, bool verbose, std::ostream& o
     put_wide(out, "excluded",
              "more sets, for " + std::to_string(all.size() - shown) +
                  " further reasons (--verbose names them)");
+  return out.str();
+}
+
+// The strata that are excluded along the same curve, at the same order.
+std::string excluded_in_brief(const SystemClassification& c) {
+  std::ostringstream out;
+  for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_curve)) {
+    put_wide(out, "excluded", some_of(e.where, false));
+    put_below(out, "along " + e.by->solution +
+                       (e.by->order > 1 ? ", at order " + std::to_string(e.by->order) : ""));
+  }
+  put_wide(out, "more", "--verbose says why each set is excluded");
+  return out.str();
 }
 
 std::string text_of(const System& s, const SystemClassification& c, bool quiet, bool verbose) {
@@ -123,7 +138,12 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
     }
     print_all(c, StratumStatus::integrable, verbose, out);
     print_all(c, StratumStatus::open, verbose, out);
-    print_excluded(c, verbose, out);
+    const std::string full = excluded_in_full(c, verbose);
+    const std::string before = out.str();
+    const bool too_long = std::count(before.begin(), before.end(), '\n') +
+                              std::count(full.begin(), full.end(), '\n') >
+                          most_lines;
+    out << (verbose || !too_long ? full : excluded_in_brief(c));
   }
   if (!c.theorems.empty()) put_wide(out, "by", joined(c.theorems, ", "));
   if (!c.trusted.empty())

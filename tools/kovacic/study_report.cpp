@@ -254,7 +254,7 @@ std::string text_of(const System& s, const SystemClassification& c, study::Verdi
   put(out, "theorem", statement(c));
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
   if (detail == Detail::headline) return out.str();
-  for (const ExcludedTogether& e : excluded_together(c))
+  for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_reason))
     put(out, "excluded", joined(e.where, "; or ") + ": " + cut(reason_of(*e.by), detail));
   put(out, "by", joined(c.theorems, ", "));
   return out.str();
