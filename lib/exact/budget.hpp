@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 #include "exact/meter.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <optional>
@@ -43,7 +44,8 @@ struct Budget {
     work_end = meter() + units;
   }
   /// Of a question with many searches, in the whole: one to two minutes of a processor of 2024.
-  void give_by_default() { give(70 * max_work); }
+  /// (Seconds at least: a small limit of one search is none of the rest.)
+  void give_by_default() { give(70 * std::max(max_work, 1e7)); }
 
   /// Throws OutOfBudget when the work is done, the time is over or the caller asked to stop.  Cost:
   /// one clock reading.

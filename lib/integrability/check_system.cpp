@@ -6,6 +6,7 @@
 #include "integrability/parameters.hpp"
 #include "integrability/study.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace kov {
@@ -43,7 +44,7 @@ CheckOptions for_one_of(std::size_t manifolds, CheckOptions options) {
 // As much as one minute is enough for.
 CheckOptions with_a_limit(CheckOptions options) {
   Budget& budget = options.decide.budget;
-  if (!budget.work_end) budget.give(60 * budget.max_work);
+  if (!budget.work_end) budget.give(60 * std::max(budget.max_work, 1e8));
   return options;
 }
 

@@ -175,7 +175,7 @@ public:
         manifolds_(manifolds_to_check(file_.system(), options.check)),
         of_several_(options.check.decide.budget) {
     if (manifolds_.size() > 1 && !of_several_.work_end)
-      of_several_.give(60 * of_several_.max_work); // what a minute is enough for
+      of_several_.give(60 * std::max(of_several_.max_work, 1e8)); // a minute or more
   }
 
   SystemStudy run() {

@@ -5,11 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace kov {
 namespace {
 
-SystemClassification classified(const std::string& form) {
+SystemClassification classified(const std::string& form, bool with_constants = true) {
   ClassifyOptions options;
+  options.adjoin_constants = with_constants;
   options.degree = 2;
   options.order = 1;
   return classify_system(
@@ -37,6 +40,26 @@ TEST(ClassifiedEigenvalue, AValueOfTheParameterThatIsNotRational) {
   for (const char* form :
        {"z^4/4 + z^2*((a^2 + 1)*x^2 + x*y)", "z^4/4 + z^2*((a^5 + a + 1)*x^2 + x*y)"})
     EXPECT_NO_THROW(static_cast<void>(classified(form))) << form;
+}
+
+// What is decided without the constants is decided so with them, and more may be.
+TEST(ClassifiedEigenvalue, WhatIsDecidedBeforeStays) {
+  for (const char* form : {"z^4/4 + z^2*(a*x^2 + x*y) + x^3*y", "z^4/4 + z^2*(x^2 + a*x*y)",
+                           "(x^2 + y^2 + z^2)^2/4 + a*x^2 + x*y", "z^4/4 + a*z^2*x*y"}) {
+    const auto before = classified(form, false);
+    const auto after = classified(form);
+    EXPECT_TRUE(before.constants.empty()) << form;
+    for (const Rational& a : {Rational(0), Rational(1), Rational(-3, 2), Rational(7)}) {
+      const std::string was = test::status_at(before, {{"a", a}});
+      std::set<std::string> is; // over each root
+      for (const ClassifiedStratum& s : after.strata)
+        if (test::contains(s, {{"a", a}})) is.insert(to_string(s.status));
+      if (was != "open") {
+        EXPECT_EQ(is, std::set{was}) << form << ", a = " << to_string(a);
+      }
+      EXPECT_FALSE(is.empty()) << form << ", a = " << to_string(a);
+    }
+  }
 }
 
 // Garnier's system is integrable with every quadratic form.
