@@ -1,5 +1,5 @@
 #pragma once
-// FieldOfCoefficients in sin, cos, exp, tanh, ... of one argument, or in roots of one linear function: a variable in which
+// Coefficients in sin, cos, exp, tanh, ... of one argument, or in roots of one linear function: a variable in which
 // they are rational.
 //
 //   exp(m c x)                       t = exp(g x)

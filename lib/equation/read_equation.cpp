@@ -4,9 +4,26 @@
 #include "symbol/suggest.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <set>
+#include <string_view>
 
 namespace kov {
+
+bool is_letter_of_a_constant(const std::string& name) {
+  static const std::set<std::string> all{"alpha", "beta",   "gamma",  "delta", "epsilon",
+                                         "kappa", "lambda", "mu",     "nu",    "omega",
+                                         "Gamma", "Delta",  "Lambda", "Omega"};
+  constexpr std::string_view letters = "abcdghjklmnABCDEFGHJKLMN";
+  const bool counted =
+      name.size() > 1 && std::isdigit(static_cast<unsigned char>(name.back())) != 0;
+  return counted || all.contains(name) || (name.size() == 1 && letters.find(name) != letters.npos);
+}
+
+InputError variable_or_constant(const Expression& where, const std::string& name) {
+  return where.error("is " + name + " the variable, or a constant?",
+                     "the variable: --variable " + name + "; a constant: --parameter " + name);
+}
 bool is_name(const std::string& text) {
   const auto letter = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
@@ -147,6 +164,8 @@ private:
     const std::vector<std::string> names = open_names();
     const bool has_z = std::find(names.begin(), names.end(), "z") != names.end();
     if (!text_.infer_variable || has_z || names.empty()) return "z";
+    if (names.size() == 1 && is_letter_of_a_constant(names.front()))
+      throw variable_or_constant(formulas_.front(), names.front());
     if (names.size() == 1 && names.front() != "Pi" && names.front() != "i") return names.front();
     if (names.size() == 1) return "z";
     throw formulas_.front().error("which of " + enumerate(names) + " is the variable?",

@@ -78,4 +78,11 @@ struct EquationNames {
 /// Example read_equation(weber).variable  // -> throws FreeParameters
 [[nodiscard]] GivenEquation read_equation(const EquationText& text, const Budget& budget = {});
 
+/// Letters that equations have for constants: a, k, E, lambda, x2.  One of them alone is not taken for the variable
+/// of a typed equation: y'' = a^2 y is asked back.
+/// Example is_letter_of_a_constant("k")  // -> yes
+/// Example is_letter_of_a_constant("t")  // -> no
+[[nodiscard]] bool is_letter_of_a_constant(const std::string& name);
+[[nodiscard]] InputError variable_or_constant(const Expression& where, const std::string& name);
+
 } // namespace kov

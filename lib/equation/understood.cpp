@@ -50,7 +50,10 @@ public:
     const OdeNames names = ode_names(ode_);
     unknown_ = names.unknown;
     variable_ = result_.text.variable.empty() ? names.variable : result_.text.variable;
-    if (variable_.empty()) variable_ = only_free_name();
+    if (variable_.empty()) {
+      variable_ = only_free_name();
+      if (is_letter_of_a_constant(variable_)) throw variable_or_constant(ode_, variable_);
+    }
     refuse_run_together();
     riccati();
     separate();

@@ -124,7 +124,7 @@ private:
     return theta;
   }
 
-  // FieldOfCoefficients over K; the first dependent variable stands for the unknown.
+  // Coefficients over K; the first dependent variable stands for the unknown.
   [[nodiscard]] MFraction polynomial(const std::vector<MFraction>& coefficients) const {
     const MFraction t = MFraction::variable(algebra_.ring(), dependent_[0]);
     MFraction f(algebra_.ring());

@@ -64,6 +64,16 @@ TEST(Understood, NamesThatRunIntoTheUnknownAreAskedBack) {
   EXPECT_EQ(r_of("y'' = xi*y"), "xi: xi"); // a Greek letter
 }
 
+TEST(Understood, ALetterOfAConstantAloneIsAskedBack) {
+  for (const char* text : {"y'' = a^2 y", "y'' + k^2*y = 0", "y'' = lambda*y", "y'' = x2 y",
+                           "y'' = E y", "y'' = exp(a) y", "y'' = a^2 y + 1"})
+    EXPECT_THAT(complaint(text), HasSubstr("the variable, or a constant?")) << text;
+  EXPECT_TRUE(read("y'' = a^2*y", given({"a"})).text.ode);
+  for (const char* text : {"y'' = x^2 y", "y'' = t y", "y'' = xi*y", "diff(y(a), a, 2) = a*y(a)",
+                           "y''[k] == k*y[k]", "y'' = 2 y"})
+    EXPECT_NO_THROW((void)r_of(text)) << text;
+}
+
 TEST(Understood, TheRightSideStandsBeside) {
   for (const auto& [text, right, r] :
        std::vector<std::tuple<const char*, const char*, const char*>>{

@@ -49,7 +49,7 @@ private:
     question_.right_side = std::move(u.right_side);
   }
 
-  // FieldOfCoefficients in sin(x), exp(x), ...: the whole equation in another variable.
+  // Coefficients in sin(x), exp(x), ...: the whole equation in another variable.
   void functions() {
     EquationText& t = question_.text;
     const bool here = !options_.ode && ((t.r && !t.p && !t.q) || (!t.r && t.p && t.q));
