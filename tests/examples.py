@@ -19,6 +19,8 @@ import sys
 excused = {
     "exact/flint.hpp": "includes only",
     "exact/flint_matrix.hpp": "includes only",
+    "exact/memory.hpp": "memory for FLINT",
+    "exact/quick_size.hpp": "of FLINT's structures",
     "symbol/pasted_passes.hpp": "a part of pasted.hpp",
     "integrability/block.hpp": "a stage of check.hpp",
     "integrability/curve_rows.hpp": "a part of way.hpp",
