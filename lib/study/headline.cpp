@@ -1,9 +1,6 @@
 #include "study/headline.hpp"
 
-#include "study/classification.hpp"
-
 #include <algorithm>
-#include <set>
 
 namespace kov::study {
 
@@ -42,14 +39,6 @@ const Headline* best_obstruction(std::span<const Headline> all) {
   return best;
 }
 
-std::size_t unchecked_in(const SystemClassification& c) {
-  std::set<std::string> all;
-  for (const ClassifiedStratum& x : c.strata)
-    for (const ExclusionReason& by : x.by)
-      if (!by.unchecked.empty()) all.insert(by.unchecked);
-  return all.size();
-}
-
 Verdict without_obstruction(std::span<const Headline> all, bool excludes) {
   const auto any = [&](Verdict v) {
     return std::any_of(all.begin(), all.end(), [v](const Headline& h) { return h.verdict == v; });
@@ -60,17 +49,6 @@ Verdict without_obstruction(std::span<const Headline> all, bool excludes) {
 }
 
 } // namespace
-
-Headline headline_of(const SystemClassification& c) {
-  Headline h;
-  h.verdict = c.status() == ClassificationStatus::non_integrable ? Verdict::non_integrable
-              : c.excluded.empty()                               ? Verdict::undecided
-                                                                 : Verdict::depends;
-  h.excluded = c.excluded;
-  h.trusted = c.trusted.size();
-  h.unchecked = unchecked_in(c);
-  return h;
-}
 
 Headline headline(std::span<const Headline> manifolds, const Headline* together) {
   Headline whole;

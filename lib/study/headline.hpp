@@ -5,10 +5,6 @@
 
 #include <span>
 
-namespace kov {
-struct SystemClassification; // study/classification.hpp
-}
-
 namespace kov::study {
 
 enum class Verdict : std::uint8_t {
@@ -32,12 +28,9 @@ struct Headline {
   friend bool operator==(const Headline&, const Headline&) = default;
 };
 
-/// What several manifolds exclude together.
-[[nodiscard]] Headline headline_of(const SystemClassification& c);
-
 /// Of a file: one manifold that proves non-integrability is enough, or several together; otherwise all
-/// have to be decided.  together: headline_of() what they exclude, null where nobody asked.
-/// Example headline({}).verdict == Verdict::undecided  // -> yes
+/// have to be decided.  together: what they exclude, null where nobody asked.
+/// Example headline(std::vector<Headline>{}).verdict == Verdict::undecided  // -> yes
 [[nodiscard]] Headline headline(std::span<const Headline> manifolds,
                                 const Headline* together = nullptr);
 

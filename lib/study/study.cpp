@@ -19,88 +19,124 @@ namespace {
 
 constexpr double work_for_eigenvalues = 6e8; // some seconds
 
-Verdict verdict_of_first(const ManifoldReport& m) {
-  switch (m.verdict) {
-  case VerdictKind::non_integrable:
-    return Verdict::non_integrable;
-  case VerdictKind::no_obstruction:
-    return Verdict::no_obstruction;
-  case VerdictKind::depends:
-    return Verdict::depends;
-  default:
-    return Verdict::undecided;
-  }
+Step excluded(const Exclusion& e, Rule rule, bool everywhere) {
+  Step step{e.by.solution, rule, Excluded{{e.by.integrals}, everywhere, e}, {}, e.by.trusted, {}};
+  if (!e.by.unchecked.empty()) step.unchecked = {e.by.unchecked};
+  return step;
 }
 
-Headline of_first_order(const ManifoldReport& m) {
-  Headline h;
-  h.refused = m.failure ? 1 : 0;
-  h.verdict = m.failure ? Verdict::failed : verdict_of_first(m);
-  if (!m.by) return h;
-  if (!m.statement.empty()) h.excluded = {m.by->integrals};
-  h.trusted = trusted_steps(m).size();
-  h.unchecked = m.not_checked.empty() ? 0 : 1;
-  return h;
+// What the report of the first order proves.
+std::vector<Step> steps_of(const CurveStudy& m) {
+  std::vector<Step> all;
+  const ManifoldReport& r = m.first;
+  const bool everywhere = r.verdict == VerdictKind::non_integrable;
+  for (const Exclusion& e : m.exclusions)
+    all.push_back(excluded(e, Rule::first_order, everywhere));
+  if (r.verdict != VerdictKind::no_obstruction && r.verdict != VerdictKind::depends) return all;
+  Step passes{r.name, Rule::first_order, Passes{1, r.verdict == VerdictKind::depends}};
+  passes.trusted = trusted_steps(r);
+  if (!r.not_checked.empty()) passes.unchecked = {r.not_checked};
+  all.push_back(std::move(passes));
+  return all;
 }
 
-// An obstruction with exceptions leaves open there what the first order leaves open.
-Headline with_exceptions(const Headline& first, const SystemClassification& both) {
-  Headline h = headline_of(both);
-  if (h.verdict != Verdict::non_integrable)
-    h.verdict = first.verdict == Verdict::undecided ? Verdict::undecided : Verdict::depends;
-  return h;
+// All that exclude, of one curve or (no name) of all, together.
+Step cover(const ProofTree& t, const std::string& curve, const SystemClassification& c) {
+  Step step{curve, Rule::cover,
+            Excluded{c.excluded, c.status() == ClassificationStatus::non_integrable}};
+  for (StepId id = 0; id < t.steps.size(); ++id)
+    if (std::holds_alternative<Excluded>(t.steps[id].says) && t.steps[id].rule != Rule::cover &&
+        (curve.empty() || t.steps[id].curve == curve))
+      step.premises.push_back(id);
+  return step;
 }
 
-void take_higher_orders(const System& s, HigherOrders found, const StudyOptions& options,
-                        CurveStudy& m) {
-  if (found.excluded) {
-    std::vector<Exclusion> all = m.exclusions;
-    all.push_back(*found.excluded);
-    if (!found.exceptions.empty()) {
-      m.orders_together = kov::together(s, all, options.check.decide.budget.stop);
-      m.headline = with_exceptions(m.headline, *m.orders_together);
-    } else {
-      const ExclusionReason& by = found.excluded->by;
-      m.headline = {Verdict::non_integrable,
-                    {by.integrals},
-                    by.trusted.size(),
-                    std::size_t{by.unchecked.empty() ? 0U : 1U}};
+/// One manifold, asked: the steps that it adds to the tree.
+class Curve {
+public:
+  Curve(const System& s, const ManifoldSpec& spec, const StudyOptions& options, ProofTree& tree)
+      : s_(s), spec_(spec), options_(options), tree_(tree) {}
+
+  void take(ManifoldReport first) {
+    study.first = std::move(first);
+    tree_.curves.push_back(spec_.name);
+    if (study.first.failure) {
+      tree_.refused.push_back({spec_.name, study.first.failure->message});
+      return;
     }
-    m.exclusions = std::move(all);
+    study.exclusions = exclusions_of_verdict(s_, study.first, free_levels(s_));
+    for (Step& step : steps_of(study))
+      tree_.steps.push_back(std::move(step));
   }
-  m.higher = std::move(found);
-}
 
-// Behind the verdict of the first order: a limit or an error costs this part only.
-void ask_higher_orders(const System& s, const ManifoldSpec& spec, const StudyOptions& options,
-                       CurveStudy& m) {
-  constexpr const char* part = "the higher orders";
-  std::string missing;
-  try {
-    missing = failure_of(part, [&] {
-      take_higher_orders(s, higher_orders(s, spec, options.order, options.check.decide), options,
-                         m);
+  void ask_higher_orders() {
+    if (options_.order < 2 || !study.first.manifold || is_excluded()) return;
+    attempt("the higher orders", [&] {
+      study.higher = higher_orders(s_, spec_, options_.order, options_.check.decide);
+      if (!study.higher->excluded) return;
+      const Exclusion& e = *study.higher->excluded;
+      study.exclusions.push_back(e);
+      tree_.steps.push_back(
+          excluded(e, study.higher->by_quadratures ? Rule::quadratures : Rule::higher_order,
+                   study.higher->exceptions.empty()));
     });
-  } catch (const OutOfBudget& limit) {
-    missing = std::string(part) + ": " + limit.what();
   }
-  if (!missing.empty()) m.failed.push_back(missing);
-}
 
-// The claims of the file are proved by other code than that which excludes.
-void look_for_contradictions(const System& s, const std::vector<ClaimReport>& claims,
-                             CurveStudy& m) {
-  if (m.exclusions.empty() || claims.empty()) return;
-  try {
-    const std::string missing = failure_of("the look for contradictions", [&] {
-      if (const auto known = known_integrals(s, claims))
-        for (const Exclusion& e : m.exclusions)
-          refuse_contradiction(s, e, *known);
+  // Several exclusions, each on its set, may leave nothing.
+  void put_together() {
+    if (study.exclusions.size() < 2 || is_excluded()) return;
+    attempt("what its exclusions say together", [&] {
+      auto c = kov::together(s_, study.exclusions, options_.check.decide.budget.stop);
+      if (c.status() != ClassificationStatus::non_integrable) return;
+      tree_.steps.push_back(cover(tree_, spec_.name, c));
+      study.together = std::move(c);
     });
-    if (!missing.empty()) m.failed.push_back(missing);
-  } catch (const OutOfBudget&) { // none is known
   }
-}
+
+  // The claims of the file are proved by other code than that which excludes.
+  void look_for_contradictions(const std::vector<ClaimReport>& claims) {
+    if (study.exclusions.empty() || claims.empty()) return;
+    attempt("the look for contradictions", [&] {
+      ProofTree mine{{}, {}, {}, {}};
+      for (const Exclusion& e : study.exclusions)
+        mine.steps.push_back(excluded(e, Rule::first_order, false));
+      if (auto known = known_integrals(s_, claims))
+        mine.steps.push_back({"", Rule::known_integrals, *std::move(known)});
+      refuse_contradictions(s_, mine);
+    });
+  }
+
+  void finish() {
+    if (options_.check.decide.budget.is_cut_short())
+      tree_.attempts.push_back({spec_.name, "a limit ended the study", true});
+    study.headline = headline(tree_, spec_.name);
+  }
+
+  /// A limit or an error of the program behind the verdict costs this part only.
+  void attempt(const char* part, const std::function<void()>& work) {
+    std::string missing;
+    try {
+      missing = failure_of(part, work);
+    } catch (const OutOfBudget& limit) {
+      missing = std::string(part) + ": " + limit.what();
+    }
+    if (missing.empty()) return;
+    study.failed.push_back(missing);
+    tree_.attempts.push_back({spec_.name, missing, true});
+  }
+
+  CurveStudy study;
+
+private:
+  [[nodiscard]] bool is_excluded() const {
+    return headline(tree_, spec_.name).verdict == Verdict::non_integrable;
+  }
+
+  const System& s_;
+  const ManifoldSpec& spec_;
+  const StudyOptions& options_;
+  ProofTree& tree_;
+};
 
 } // namespace
 
@@ -117,6 +153,13 @@ const System& FileStudy::studied(const CheckOptions& options) {
   search.decide.budget = at_most(options.decide.budget, work_for_eigenvalues);
   studied_ = with_eigenvalues(system_, search);
   return *studied_;
+}
+
+void FileStudy::missing(const std::string& curve, const std::string& why) {
+  if (!curve.empty() &&
+      std::find(tree_.curves.begin(), tree_.curves.end(), curve) == tree_.curves.end())
+    tree_.curves.push_back(curve);
+  tree_.attempts.push_back({curve, why, true});
 }
 
 const std::vector<ClaimReport>& FileStudy::claims(const CheckOptions& options) {
@@ -139,20 +182,19 @@ const CurveStudy& FileStudy::manifold(std::size_t k, const StudyOptions& options
   const System& s = studied(options.check);
   const ManifoldSpec& spec = *manifolds_to_check(s, options.check).at(k);
   if (const auto done = manifolds_.find(spec.name); done != manifolds_.end()) return done->second;
-  CurveStudy m;
+  Curve curve(s, spec, options, tree_);
   const auto known = with_claims ? claims_of(s, claims(options.check)) : std::vector<ClaimReport>{};
-  m.first = study_curve(s, spec, known, options.check);
-  if (m.first.failure && is_fine_without_values(spec.name, options.check.decide.budget)) {
-    m.first.reasons = {"at these values " + m.first.failure->message};
-    m.first.failure.reset();
+  ManifoldReport first = study_curve(s, spec, known, options.check);
+  if (first.failure && is_fine_without_values(spec.name, options.check.decide.budget)) {
+    first.reasons = {"at these values " + first.failure->message};
+    first.failure.reset();
   }
-  if (!m.first.failure) m.exclusions = exclusions_of_verdict(s, m.first, free_levels(s));
-  m.headline = of_first_order(m.first);
-  if (options.order > 1 && m.first.manifold && m.headline.verdict != Verdict::non_integrable)
-    ask_higher_orders(s, spec, options, m);
-  look_for_contradictions(s, known, m);
-  m.headline.complete = m.failed.empty() && !options.check.decide.budget.is_cut_short();
-  return manifolds_.emplace(spec.name, std::move(m)).first->second;
+  curve.take(std::move(first));
+  curve.ask_higher_orders();
+  curve.put_together();
+  curve.look_for_contradictions(known);
+  curve.finish();
+  return manifolds_.emplace(spec.name, std::move(curve.study)).first->second;
 }
 
 SystemClassification FileStudy::together(const std::vector<std::size_t>& of,
@@ -162,7 +204,9 @@ SystemClassification FileStudy::together(const std::vector<std::size_t>& of,
     const auto& one = manifold(k, options, with_claims).exclusions;
     all.insert(all.end(), one.begin(), one.end());
   }
-  return kov::together(studied(options.check), all, options.check.decide.budget.stop);
+  auto c = kov::together(studied(options.check), all, options.check.decide.budget.stop);
+  if (!c.excluded.empty()) tree_.steps.push_back(cover(tree_, "", c));
+  return c;
 }
 
 namespace {
@@ -184,14 +228,9 @@ public:
     all_.system = file_.studied(options_.check);
     for (std::size_t k = 0; k < manifolds_.size(); ++k)
       one(k);
-    std::vector<Headline> each;
-    for (const CurveStudy& m : all_.manifolds)
-      each.push_back(m.headline);
     if (manifolds_.size() > 1) together();
-    const std::optional<Headline> common =
-        all_.together ? std::optional(headline_of(*all_.together)) : std::nullopt;
-    all_.headline = headline(each, common ? &*common : nullptr);
-    all_.headline.complete = all_.headline.complete && (manifolds_.size() < 2 || common);
+    all_.tree = file_.tree();
+    all_.headline = headline(all_.tree);
     if (error_ && all_.headline.verdict != Verdict::non_integrable) std::rethrow_exception(error_);
     all_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return std::move(all_);
@@ -213,13 +252,15 @@ private:
       m.first.name = manifolds_[k]->name;
       m.first.reasons = {failure_of("the study of " + m.name(), error.what())};
       m.headline.complete = false;
+      file_.missing(m.name(), m.first.reasons.front());
     }
   }
 
   void together() {
     try {
       all_.together = file_.together(studied_, options_);
-    } catch (const OutOfBudget&) { // each by itself: the headline is not complete
+    } catch (const OutOfBudget& limit) { // each by itself
+      file_.missing("", limit.what());
     }
   }
 

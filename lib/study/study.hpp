@@ -7,8 +7,8 @@
 // variations fall apart are adjoined (integrability/eigenvalue.hpp).
 
 #include "integrability/certificate.hpp"
-#include "study/headline.hpp"
 #include "study/higher_orders.hpp"
+#include "study/proof_tree.hpp"
 
 #include <map>
 
@@ -23,8 +23,8 @@ struct StudyOptions {
 struct CurveStudy {
   ManifoldReport first; ///< of the first variational equation
   std::optional<HigherOrders> higher;
-  std::vector<Exclusion> exclusions;                   ///< of all orders
-  std::optional<SystemClassification> orders_together; ///< where higher ones have exceptions
+  std::vector<Exclusion> exclusions;            ///< of all orders
+  std::optional<SystemClassification> together; ///< where several of them leave nothing
   Headline headline;
   std::vector<std::string> failed; ///< parts that a limit or an error of the program ended, and why
 
@@ -52,6 +52,11 @@ public:
   [[nodiscard]] SystemClassification together(const std::vector<std::size_t>& of,
                                               const StudyOptions& options, bool with_claims = true);
 
+  /// What is proved so far.
+  [[nodiscard]] const ProofTree& tree() const { return tree_; }
+  /// A limit or an error of the program ended this curve, or (no name) what they say together.
+  void missing(const std::string& curve, const std::string& why);
+
 private:
   [[nodiscard]] bool is_fine_without_values(const std::string& manifold, const Budget&) const;
 
@@ -61,6 +66,7 @@ private:
   std::optional<System> studied_;
   std::optional<std::vector<ClaimReport>> claims_;
   std::map<std::string, CurveStudy> manifolds_; ///< by their names
+  ProofTree tree_;
 };
 
 struct SystemStudy {
@@ -68,7 +74,8 @@ struct SystemStudy {
   std::vector<ClaimReport> claims;
   std::vector<CurveStudy> manifolds;
   std::optional<SystemClassification> together; ///< of several manifolds
-  Headline headline;
+  ProofTree tree;
+  Headline headline; ///< of the tree
   double seconds = 0;
 };
 

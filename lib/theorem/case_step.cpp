@@ -267,9 +267,9 @@ void conclude_higher(NodeResult& n, const System& s, const CurveStudy& m) {
 void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
   const ManifoldReport& m = all_orders.first;
   if (!m.by) return; // a limit came before the theorem
-  if (all_orders.orders_together && all_orders.headline.verdict == Verdict::non_integrable)
-    return conclude_together(n, s, *all_orders.orders_together,
-                             "along the manifold " + name_in_words(m.name) + ", by two orders");
+  if (all_orders.together)
+    return conclude_together(n, s, *all_orders.together,
+                             "along the manifold " + name_in_words(m.name) + ", set by set");
   if (all_orders.higher && all_orders.higher->excluded) return conclude_higher(n, s, all_orders);
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
   const std::string by = " (" + m.by->id() + ", along the manifold " + name_in_words(m.name) + ")";

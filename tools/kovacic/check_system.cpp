@@ -131,11 +131,7 @@ private:
   Report all_together(Round& round, std::istream& others, std::size_t with_claims) {
     const std::vector<std::size_t> all{std::istream_iterator<std::size_t>(others), {}};
     const SystemClassification c = round.file.together(all, options_, with_claims != 0);
-    std::vector<Headline> each;
-    for (const std::size_t k : all)
-      each.push_back(round.file.manifold(k, options_, with_claims != 0).headline);
-    const Headline common = study::headline_of(c);
-    Headline whole = study::headline(each, &common);
+    Headline whole = study::headline(round.file.tree());
     const System& s = round.file.studied(options_.check);
     if (whole.verdict != Verdict::non_integrable &&
         all.size() < manifolds_to_check(s, options_.check).size())

@@ -66,18 +66,14 @@ std::string theorem_of(const Exclusion& e) {
 
 // One for all orders.
 std::string headline(const study::CurveStudy& m, Detail detail) {
+  if (m.together) // each set by one of its exclusions
+    return "NON-INTEGRABLE  (not integrable with " + first_integrals(m.together->excluded) + ")";
   if (!m.higher || !m.higher->excluded) return headline(m.first, detail);
   const Exclusion& e = *m.higher->excluded;
   if (m.higher->exceptions.empty()) return at_order(e) + theorem_of(e) + ")";
-  switch (m.headline.verdict) {
-  case study::Verdict::non_integrable: // in the exceptions by the first order
-    return "NON-INTEGRABLE  (" + statement(*m.orders_together) + ")";
-  case study::Verdict::undecided:
-    return "UNDECIDED IN PART: " + at_order(e) + ", " + m.higher->exceptions + theorem_of(e) + ")";
-  default:
-    return at_order(e) + ", " + m.higher->exceptions + theorem_of(e) +
-           "; in the exceptions nothing follows)";
-  }
+  return (m.headline.verdict == study::Verdict::undecided ? "UNDECIDED IN PART: " : "") +
+         at_order(e) + ", " + m.higher->exceptions + theorem_of(e) +
+         "; in the exceptions nothing follows)";
 }
 
 void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent) {

@@ -75,6 +75,8 @@ std::string headline(const ManifoldReport& m) {
 }
 
 std::string headline(const CurveStudy& m) {
+  if (m.together)
+    return "NON-INTEGRABLE (not integrable with " + first_integrals(m.together->excluded) + ")";
   if (!m.higher || !m.higher->excluded) return headline(m.first);
   const ExclusionReason& by = m.higher->excluded->by;
   const std::string& except = m.higher->exceptions;

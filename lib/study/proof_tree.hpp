@@ -1,0 +1,71 @@
+#pragma once
+// What a study has proved, as steps: on this set of parameters this holds, because of that.  The headline
+// and the exit code are functions of it, and two steps that contradict each other are looked for here.
+
+#include "study/contradiction.hpp"
+#include "study/headline.hpp"
+
+#include <set>
+#include <variant>
+
+namespace kov::study {
+
+using StepId = std::size_t;
+
+/// No complete set of integrals that are of these classes at once.
+struct Excluded {
+  std::vector<IntegralClass> integrals;
+  bool everywhere = false;        ///< at all parameters that the file admits
+  std::optional<Exclusion> set{}; ///< where and why; unset: where the premises exclude
+};
+/// On all levels the variational equations along the curve exclude nothing.  Proved, and settles nothing.
+struct Passes {
+  int order = 1;
+  bool elsewhere = false; ///< only where no other step about this curve excludes
+};
+using Says = std::variant<Excluded, Passes, Integrable>;
+
+enum class Rule : std::uint8_t {
+  first_order,
+  higher_order,
+  quadratures,
+  known_integrals, ///< claims of the file, proved
+  cover            ///< premises that exclude, each on its set
+};
+
+struct Step {
+  std::string curve; ///< empty: of the whole file
+  Rule rule = Rule::first_order;
+  Says says;
+  std::vector<StepId> premises = {};     ///< earlier ones: no circle
+  std::vector<std::string> trusted = {}; ///< of its own
+  std::vector<std::string> unchecked = {};
+};
+
+/// What was tried without a finding.
+struct Attempt {
+  std::string curve, outcome;
+  bool ended = false; ///< by a limit, or an error of the program
+};
+
+struct ProofTree {
+  std::vector<std::string> curves; ///< those that were asked about
+  std::vector<Step> steps;
+  std::vector<Attempt> attempts;
+  std::vector<Attempt> refused; ///< manifolds that are not invariant, and why
+};
+
+/// On what a step rests: its own, and that of all below it.
+struct Support {
+  std::set<std::string> trusted, unchecked;
+};
+[[nodiscard]] Support support(const ProofTree& t, StepId step);
+
+/// Of one curve, and of all.  Adding steps never takes anything back.
+[[nodiscard]] Headline headline(const ProofTree& t, const std::string& curve);
+[[nodiscard]] Headline headline(const ProofTree& t);
+
+/// Errors  Contradiction: two steps of the system exclude each other
+void refuse_contradictions(const System& s, const ProofTree& t);
+
+} // namespace kov::study
