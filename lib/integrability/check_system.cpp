@@ -60,7 +60,7 @@ CheckReport check_system(const System& s, const CheckOptions& options) {
   const CheckOptions of_all = left.size() > 1 ? with_a_limit(options) : options;
   for (; !left.empty(); left.erase(left.begin()))
     report.manifolds.push_back(
-        check_manifold(s, *left.front(), report.claims, for_one_of(left.size(), of_all)));
+        whole_study({s, *left.front(), report.claims, for_one_of(left.size(), of_all)}));
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return report;
 }

@@ -158,8 +158,9 @@ std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& g
     assume(special, x, values);
     for (auto& r : special.reductions)
       r.energy.clear();
-    const ManifoldReport here = check_manifold(special, at_values(study.manifold, values),
-                                               at_values(study.claims, values), study.options);
+    const ManifoldSpec manifold = at_values(study.manifold, values);
+    const auto claims = at_values(study.claims, values);
+    const ManifoldReport here = whole_study({special, manifold, claims, study.options});
     if (leaves_more_out(study, special, here)) return {};
     if (here.matrices) // the way to r is said of the whole
       for (std::string& step : trusted_steps(here))
