@@ -61,18 +61,23 @@ struct Place {
 std::optional<Place> best_pivot(const ParameterSet& where, const std::vector<SparseRow>& rows) {
   std::optional<Place> best;
   std::tuple<int, std::size_t, long> cost{2, 0, 0};
+  double visited = 0;
   for (const bool constants : {true, false}) {
-    for (std::size_t i = 0; i < rows.size(); ++i)
+    const int kind = constants ? 0 : 1;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (std::tuple{kind, rows[i].size(), 1L} >= cost) continue; // no entry of it is better
+      visited += static_cast<double>(rows[i].size());
       for (const auto& [j, c] : rows[i]) {
-        const std::tuple<int, std::size_t, long> here{constants ? 0 : 1, rows[i].size(),
-                                                      c.length()};
+        const std::tuple<int, std::size_t, long> here{kind, rows[i].size(), c.length()};
         if (here >= cost || is_constant(c) != constants) continue;
         if (!constants && !where.is_nonzero(c)) continue;
         cost = here;
         best = Place{i, j};
       }
+    }
     if (best) break;
   }
+  charge(visited);
   return best;
 }
 
