@@ -21,6 +21,7 @@ struct LogIntegral {
 /// Given   const MFraction w = a / z + MFraction(Rational(1)*z);
 /// Example to_string(log_integral(w, 0)->exponential)  // -> z^2/2
 /// Example log_integral(w, 0)->powers.at(0).second  // -> a
+/// Example to_string(log_integral(a / (z * z), 0)->exponential)  // -> -a/z
 [[nodiscard]] std::optional<LogIntegral> log_integral(const MFraction& w, std::size_t z);
 
 /// The logarithmic derivative.

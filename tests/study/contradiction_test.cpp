@@ -4,6 +4,7 @@
 
 #include "decide/afterwards.hpp"
 #include "exact/error.hpp"
+#include "study/proof_tree.hpp"
 #include "study/study.hpp"
 
 #include <gtest/gtest.h>
@@ -43,6 +44,18 @@ TEST(Contradiction, IsSeenOnAllParameters) {
   ASSERT_TRUE(r.known);
   EXPECT_TRUE(contradict(r.system, everywhere(), *r.known));
   EXPECT_THROW(refuse_contradiction(r.system, everywhere(), *r.known), Contradiction);
+}
+
+TEST(Contradiction, IsSeenBetweenStepsOfATree) {
+  const Read r = read(both);
+  ASSERT_TRUE(r.known);
+  ProofTree t{{"axis"}, {}, {}, {}};
+  t.steps.push_back({"", Rule::known_integrals, *r.known});
+  EXPECT_NO_THROW(refuse_contradictions(r.system, t));
+  t.steps.push_back({"axis", Rule::first_order, Excluded{{}, true, std::nullopt}});
+  EXPECT_NO_THROW(refuse_contradictions(r.system, t)) << "a cover: its premises are looked at";
+  t.steps.push_back({"axis", Rule::first_order, Excluded{{}, true, everywhere()}});
+  EXPECT_THROW(refuse_contradictions(r.system, t), Contradiction);
 }
 
 TEST(Contradiction, IsSeenOnASetAndOutsideOfOne) {
