@@ -1,5 +1,6 @@
 #include "equation/function_change.hpp"
 
+#include "equation/function_kinds.hpp"
 #include "equation/parameter_scope.hpp"
 #include "exact/letters.hpp"
 #include "symbol/constants.hpp"
@@ -8,7 +9,6 @@
 #include "symbol/written.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 #include <set>
@@ -19,32 +19,6 @@ namespace {
 using Kind = Expression::Kind;
 
 constexpr long largest_multiple = 60; // of one argument among the arguments
-constexpr std::array<std::string_view, 6> circular{"sin", "cos", "tan", "cot", "sec", "csc"};
-constexpr std::array<std::string_view, 7> hyperbolic{"sinh", "cosh", "tanh", "coth",
-                                                     "sech", "csch", "exp"};
-
-template <class List> bool contains(const List& list, std::string_view name) {
-  return std::find(list.begin(), list.end(), name) != list.end();
-}
-
-enum class Family : std::uint8_t { circular, hyperbolic, root };
-
-/// A function of x in the equation.
-struct Function {
-  Expression e;
-  Family family = Family::root;
-  std::string name{};   // sin, ...; "" for a root
-  Rational multiple{1}; // of the common argument; of a root: its exponent
-};
-
-bool is_function_of(const Expression& e, const std::string& x) {
-  if (e.kind() == Kind::call && mentions_name(e, x))
-    return contains(circular, e.name()) || contains(hyperbolic, e.name()) || e.name() == "sqrt";
-  if (e.kind() != Kind::power || !mentions_name(e.operand(0), x)) return false;
-  const auto exponent = as_rational(e.operand(1));
-  return exponent && !is_integer(*exponent);
-}
-
 /// Names for the constants that are no rational numbers, so that they are variables of a ring.
 class Symbols {
 public:
@@ -113,31 +87,25 @@ public:
     ring_ = make_ring({names.begin(), names.end()});
     scope_.emplace(ring_, std::map<std::string, MFraction>{});
     family_ = functions_.front().family;
-    for (const Function& f : functions_)
+    for (const CoefficientFunction& f : functions_)
       if (f.family != family_)
         throw f.e.error("no one variable makes '" + std::string(f.e.text()) + "' and '" +
                             std::string(functions_.front().e.text()) + "' rational",
                         "functions of one kind are expected: exp and hyperbolic ones, or sin and "
                         "cos, or roots of one linear function");
-    if (family_ == Family::root)
+    if (family_ == FunctionFamily::root)
       roots();
     else
       multiples();
-    return family_ == Family::root         ? by_root()
-           : family_ == Family::hyperbolic ? by_exponential()
-                                           : by_tangent();
+    return family_ == FunctionFamily::root         ? by_root()
+           : family_ == FunctionFamily::hyperbolic ? by_exponential()
+                                                   : by_tangent();
   }
 
 private:
   void gather(const Expression& e) {
     if (is_function_of(e, x_)) {
-      Function f{.e = e};
-      if (e.kind() == Kind::call && e.name() != "sqrt") {
-        f.name = e.name();
-        f.family = contains(circular, f.name) ? Family::circular : Family::hyperbolic;
-        if (e.operands().size() != 1) throw e.error(e.name() + " has one argument");
-      }
-      functions_.push_back(std::move(f));
+      functions_.push_back(function_of(e));
       return;
     }
     for (const Expression& x : e.operands())
@@ -169,7 +137,7 @@ private:
   // The arguments as integer multiples of one: g x.
   void multiples() {
     std::vector<MFraction> slopes;
-    for (const Function& f : functions_) {
+    for (const CoefficientFunction& f : functions_) {
       const MFraction argument = value(f.e.operand(0));
       const MFraction slope = argument / MFraction::variable(ring_, x_);
       if (is_zero(slope) || uses(slope, at(x_)))
@@ -192,7 +160,7 @@ private:
     Rational unit(numerators, denominators);
     if (sign(slopes.front().num().coefficient(0)) < 0) unit = -unit; // exp(x), not exp(-x)
     g_ = slopes.front() * MFraction(ring_, unit);
-    for (Function& f : functions_) {
+    for (CoefficientFunction& f : functions_) {
       f.multiple = f.multiple / unit;
       if (!fits_long(f.multiple.num()) || std::abs(to_long(f.multiple.num())) > largest_multiple)
         throw f.e.error("the arguments differ by too large a factor");
@@ -202,7 +170,7 @@ private:
   // (a x + b)^(k/n): all of one base.
   void roots() {
     Integer n(1);
-    for (Function& f : functions_) {
+    for (CoefficientFunction& f : functions_) {
       const bool root = f.e.kind() == Kind::call;
       f.multiple = root ? Rational(1, 2) : *as_rational(f.e.operand(1));
       const MFraction base = value(f.e.operand(0));
@@ -288,7 +256,7 @@ private:
 
   ChangedEquation by_root() {
     std::map<const void*, std::string> texts;
-    for (const Function& f : functions_)
+    for (const CoefficientFunction& f : functions_)
       texts[f.e.id()] = "(" + t_ + "^(" + to_string(f.multiple * Rational(n_)) + "))";
     const MFraction slope = derivative(base_, at(x_)),
                     rest = base_ - slope * MFraction::variable(ring_, x_);
@@ -302,11 +270,13 @@ private:
   // theta^2 y + P theta y + Q y = 0, theta = t d/dt.
   ChangedEquation by_exponential() {
     std::map<const void*, std::string> texts;
-    for (const Function& f : functions_) {
+    for (const CoefficientFunction& f : functions_) {
       const long m = to_long(f.multiple.num());
       const MFraction up = pow(t(), m), down = pow(t(), -m);
-      texts[f.e.id()] = text_of(f, f.name == "exp" ? up : Rational(1, 2) * (up + down),
-                                Rational(1, 2) * (up - down));
+      texts[f.e.id()] = "(" +
+                        to_string(value_of(f, f.name == "exp" ? up : Rational(1, 2) * (up + down),
+                                           Rational(1, 2) * (up - down))) +
+                        ")";
     }
     const auto c = form(texts, g_ * t());
     p_ = c.c[1] / (c.c[2] * g_), q_ = c.c[0] / (c.c[2] * g_ * g_);
@@ -333,14 +303,14 @@ private:
     const MFraction cosine = (one - square) / (one + square),
                     sine = number(2) * t() / (one + square);
     std::map<const void*, std::string> texts;
-    for (const Function& f : functions_) {
+    for (const CoefficientFunction& f : functions_) {
       const long m = to_long(f.multiple.num());
       MFraction c = one, s = number(0);
       for (long i = 0; i < std::abs(m); ++i) {
         const MFraction next = c * cosine - s * sine;
         s = s * cosine + c * sine, c = next;
       }
-      texts[f.e.id()] = text_of(f, c, m < 0 ? -s : s);
+      texts[f.e.id()] = "(" + to_string(value_of(f, c, m < 0 ? -s : s)) + ")";
     }
     const auto c = form(texts, g_ * speed);
     p_ = c.c[1] / (c.c[2] * g_), q_ = c.c[0] / (c.c[2] * g_ * g_);
@@ -353,27 +323,6 @@ private:
     }
     p_ = (t() + p_) / speed, q_ = q_ / (speed * speed);
     return result("tan(" + argument(Rational(1, 2) * g_) + ")");
-  }
-
-  // cos, sin and their quotients, or cosh and sinh.
-  static std::string text_of(const Function& f, const MFraction& cos, const MFraction& sin) {
-    const std::string name =
-        f.family == Family::hyperbolic && f.name != "exp" ? hyperbolic_as_circular(f.name) : f.name;
-    const auto quotient = [&](const MFraction& a, const MFraction& b) {
-      if (is_zero(b)) throw f.e.error("division by zero");
-      return a / b;
-    };
-    const MFraction one = cos / cos;
-    const MFraction value = name == "sin"   ? sin
-                            : name == "tan" ? quotient(sin, cos)
-                            : name == "cot" ? quotient(cos, sin)
-                            : name == "sec" ? quotient(one, cos)
-                            : name == "csc" ? quotient(one, sin)
-                                            : cos; // cos, exp
-    return "(" + to_string(value) + ")";
-  }
-  static std::string hyperbolic_as_circular(const std::string& name) {
-    return name == "sech" ? "sec" : name == "csch" ? "csc" : name.substr(0, name.size() - 1);
   }
 
   // P(s(t)) = -P(t) and Q(s(t)) = Q(t): the equation does not change with x -> -x.
@@ -423,10 +372,10 @@ private:
   const Expression& ode_;
   std::string unknown_, x_, t_;
   Symbols symbols_;
-  std::vector<Function> functions_;
+  std::vector<CoefficientFunction> functions_;
   Ring ring_;
   std::optional<ParameterScope> scope_;
-  Family family_ = Family::root;
+  FunctionFamily family_ = FunctionFamily::root;
   MFraction g_, base_, p_, q_;
   long n_ = 1;
 };
