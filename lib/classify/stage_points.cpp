@@ -2,6 +2,7 @@
 
 #include "classify/darboux_points.hpp"
 #include "classify/faces.hpp"
+#include "study/higher_orders.hpp"
 
 #include <utility>
 
@@ -51,11 +52,15 @@ std::vector<Task> higher_orders(const Board& b, const Round& round) {
 void study_higher_orders(Board& b, Round& round, const Task& task, const Budget& budget) {
   Options decide = b.options.check.decide;
   decide.budget = budget;
-  std::string why;
-  if (auto e = exclusion_of_higher_order(round.studied().system, *task.along, b.options.order,
-                                         decide, why)) {
-    e->constants = adjoined_constants(round.studied().system);
-    exclude(b, round, round.before(*std::move(e)));
+  const System& s = round.studied().system;
+  study::HigherOrders h = study::higher_orders(s, *task.along, b.options.order, decide);
+  const std::string order = "VE_" + std::to_string(h.excluded ? h.excluded->by.order : h.up_to);
+  const std::string why = h.excluded              ? order + " excludes no more"
+                          : h.planes.open.empty() ? "no logarithm at infinity up to " + order
+                                                  : h.planes.open;
+  if (h.excluded) {
+    h.excluded->constants = adjoined_constants(s);
+    exclude(b, round, round.before(*std::move(h.excluded)));
   }
   note(round, task.name, why);
 }

@@ -22,19 +22,6 @@ bool uses_any(const MFraction& f, const std::vector<std::size_t>& variables) {
   return std::any_of(variables.begin(), variables.end(), [&](std::size_t i) { return uses(f, i); });
 }
 
-// Not all of these vanish: then p != 0 for some level.
-std::vector<MPoly> by_levels(const MPoly& p, const std::vector<std::size_t>& levels) {
-  std::vector<MPoly> parts{p};
-  for (const std::size_t h : levels) {
-    std::vector<MPoly> finer;
-    for (const MPoly& part : parts)
-      for (MPoly& c : coefficients(part, h))
-        if (!is_zero(c)) finer.push_back(std::move(c));
-    parts = std::move(finer);
-  }
-  return parts;
-}
-
 // "h real", or "c h + d > 0" with numbers: satisfied whatever the parameters are, and it says nothing
 // of them.
 bool is_of_the_level_alone(const Assumption& a) {
@@ -48,7 +35,7 @@ std::optional<Lists> some_level_is_admitted(const System& s) {
   for (const Assumption& a : s.assumptions) {
     if (!uses_any(a.value, levels)) continue;
     if (a.relation == Relation::nonzero && is_constant(MFraction(a.value.den())))
-      some.push_back(by_levels(a.value.num(), levels));
+      some.push_back(not_all_zero_for_some(a.value.num(), levels));
     else if (!is_of_the_level_alone(a))
       return std::nullopt;
   }

@@ -40,4 +40,12 @@ std::string failure_of(std::string_view part, const std::function<void()>& work)
   return {};
 }
 
+std::string failure_or_limit_of(std::string_view part, const std::function<void()>& work) {
+  try {
+    return failure_of(part, work);
+  } catch (const OutOfBudget& limit) {
+    return std::string(part) + ": " + limit.what();
+  }
+}
+
 } // namespace kov

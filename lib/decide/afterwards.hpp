@@ -20,6 +20,10 @@ class Contradiction : public InternalError {
 /// did.  Limits (OutOfBudget, no memory) and Contradiction pass.
 /// Example failure_of("the solutions", [] {}).empty()  // -> yes
 [[nodiscard]] std::string failure_of(std::string_view part, const std::function<void()>& work);
+/// The same, and a limit of work or time is such a sentence as well.
+/// Example failure_or_limit_of("orders", [] {}).empty()  // -> yes
+[[nodiscard]] std::string failure_or_limit_of(std::string_view part,
+                                              const std::function<void()>& work);
 /// The same sentence for what failed elsewhere.
 /// Example failure_of("the solutions", "1 != 1")  // -> an error of the program in the solutions: 1 != 1
 [[nodiscard]] std::string failure_of(std::string_view part, std::string_view why);

@@ -73,9 +73,7 @@ private:
     std::string list;
     for (const Expression& e : all)
       list += (list.empty() ? "" : ", ") + written(e);
-    if (!list.empty())
-      note("the answer is about all solutions; " + list + " chooses " +
-           (all.size() > 1 ? "one of them" : "some of them"));
+    if (!list.empty()) note("the answer is about all solutions; not used: " + list);
   }
 
   [[nodiscard]] Names free_names(const Expression& e, const std::string& but) const {

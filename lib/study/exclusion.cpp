@@ -43,18 +43,6 @@ public:
     }
   }
 
-  /// Some level with p != 0: not all of these vanish.
-  [[nodiscard]] std::vector<MPoly> by_levels(const MPoly& p) const {
-    std::vector<MPoly> parts{p};
-    for (const std::size_t h : levels_) {
-      std::vector<MPoly> finer;
-      for (const MPoly& part : parts)
-        for (MPoly& c : coefficients(part, h))
-          if (!is_zero(c)) finer.push_back(std::move(c));
-      parts = std::move(finer);
-    }
-    return parts;
-  }
   [[nodiscard]] bool has_level(const MFraction& f) const {
     return std::any_of(levels_.begin(), levels_.end(), [&](std::size_t h) { return uses(f, h); });
   }
@@ -64,7 +52,7 @@ public:
     Exclusion e;
     e.zero = zero_;
     for (const MPoly& p : nonzero_)
-      e.not_all_zero.push_back(by_levels(p));
+      e.not_all_zero.push_back(not_all_zero_for_some(p, levels_));
     e.by.level = words();
     return e;
   }
@@ -257,7 +245,7 @@ bool require_some(Exclusion& e, const Projection& p, const std::vector<MPoly>& v
     const auto here = p.value(MFraction(f));
     if (!here) return false;
     if (is_zero(*here)) continue;
-    for (MPoly& c : p.by_levels(here->num()))
+    for (MPoly& c : not_all_zero_for_some(here->num(), p.levels()))
       parts.push_back(std::move(c));
   }
   e.not_all_zero.push_back(std::move(parts)); // empty: they do vanish, and nothing is excluded
@@ -269,10 +257,10 @@ void require_change(Exclusion& e, const Projection& p, const MFraction& f) {
   std::vector<MPoly> changes;
   for (const std::size_t h : p.levels())
     if (const MFraction slope = derivative(f, h); !is_zero(slope))
-      for (MPoly& k : p.by_levels(slope.num()))
+      for (MPoly& k : not_all_zero_for_some(slope.num(), p.levels()))
         changes.push_back(std::move(k));
   e.not_all_zero.push_back(std::move(changes));
-  e.not_all_zero.push_back(p.by_levels(f.den()));
+  e.not_all_zero.push_back(not_all_zero_for_some(f.den(), p.levels()));
 }
 
 // Differences that depend on the level are not special for some level.
@@ -459,6 +447,18 @@ std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& 
 
 } // namespace
 
+std::vector<MPoly> not_all_zero_for_some(const MPoly& p, const std::vector<std::size_t>& levels) {
+  std::vector<MPoly> parts{p};
+  for (const std::size_t h : levels) {
+    std::vector<MPoly> finer;
+    for (const MPoly& part : parts)
+      for (MPoly& c : coefficients(part, h))
+        if (!is_zero(c)) finer.push_back(std::move(c));
+    parts = std::move(finer);
+  }
+  return parts;
+}
+
 std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
                                   const std::vector<std::size_t>& levels) {
   std::vector<Exclusion> all;
@@ -507,22 +507,6 @@ Exclusion exclusion_of(const ManifoldSpec& m, const QuadratureObstruction& o) {
   e.by.theorems = {jets::theorem()};
   e.by.trusted = {"higher variational equations by quadratures, along " + m.name};
   return e;
-}
-
-std::optional<Exclusion> exclusion_of_higher_order(const System& s, const ManifoldSpec& m,
-                                                   int order, const Options& options,
-                                                   std::string& why) {
-  const jets::HigherOrders orders = jets::higher_orders(s, m, {order, options});
-  if (orders.obstruction)
-    why = "VE_" + std::to_string(orders.obstruction->logarithm.order) + " excludes no more";
-  else
-    why = orders.open.empty() ? "no logarithm at infinity up to VE_" + std::to_string(order)
-                              : orders.open;
-  if (orders.obstruction || orders.open.empty()) return exclusion_of(s, m, orders);
-  const QuadratureOrders quadratures = orders_by_quadratures(s, m, order, options.budget);
-  if (quadratures.obstruction) return exclusion_of(m, *quadratures.obstruction);
-  if (!quadratures.open.empty()) why += "; " + quadratures.open;
-  return std::nullopt;
 }
 
 } // namespace kov

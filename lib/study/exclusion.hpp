@@ -24,6 +24,10 @@ struct Exclusion {
   std::vector<std::size_t> constants = {}; ///< algebraic, in which the reason may be written
 };
 
+/// p != 0 for some level, where not all of these vanish: its coefficients.
+[[nodiscard]] std::vector<MPoly> not_all_zero_for_some(const MPoly& p,
+                                                       const std::vector<std::size_t>& levels);
+
 /// All that the report proves.  levels: the parameters of which one may choose the value.
 [[nodiscard]] std::vector<Exclusion> exclusions(const System& s, const ManifoldReport& report,
                                                 const std::vector<std::size_t>& levels);
@@ -39,12 +43,5 @@ struct Exclusion {
 
 /// The same by quadratures, of a system without parameters.
 [[nodiscard]] Exclusion exclusion_of(const ManifoldSpec& m, const QuadratureObstruction& o);
-
-/// The same of the variational equations up to this order, along an invariant plane of a natural
-/// system or by quadratures; nothing if there is no obstruction.  why: what was found.
-[[nodiscard]] std::optional<Exclusion> exclusion_of_higher_order(const System& s,
-                                                                 const ManifoldSpec& m, int order,
-                                                                 const Options& options,
-                                                                 std::string& why);
 
 } // namespace kov

@@ -114,12 +114,7 @@ public:
 
   /// A limit or an error of the program behind the verdict costs this part only.
   void attempt(const char* part, const std::function<void()>& work) {
-    std::string missing;
-    try {
-      missing = failure_of(part, work);
-    } catch (const OutOfBudget& limit) {
-      missing = std::string(part) + ": " + limit.what();
-    }
+    const std::string missing = failure_or_limit_of(part, work);
     if (missing.empty()) return;
     study.failed.push_back(missing);
     tree_.attempts.push_back({spec_.name, missing, true});

@@ -116,12 +116,7 @@ private:
 
   // Behind the verdict: a limit or an error costs this part only.
   static void do_part(Report& answer, const char* part, const std::function<void()>& work) {
-    std::string missing;
-    try {
-      missing = failure_of(part, work);
-    } catch (const OutOfBudget& limit) {
-      missing = std::string(part) + ": " + limit.what();
-    }
+    const std::string missing = failure_or_limit_of(part, work);
     if (missing.empty()) return;
     answer.json.at("manifold")["failed"].push_back(missing);
     answer.text += labelled("failed", missing);

@@ -45,19 +45,6 @@ std::optional<NodeResult> what_is_open(const SystemClassification& c) {
   return n;
 }
 
-std::string headline(const SystemClassification& c) {
-  switch (c.status()) {
-  case ClassificationStatus::integrable:
-    return "INTEGRABLE";
-  case ClassificationStatus::non_integrable:
-    return "NON-INTEGRABLE";
-  case ClassificationStatus::depends:
-    return "DEPENDS ON THE PARAMETERS";
-  default:
-    return "OPEN";
-  }
-}
-
 NodeResult root(const System& s, const SystemClassification& c) {
   NodeResult n;
   n.node.kind = NodeKind::case_file; // it has a verdict

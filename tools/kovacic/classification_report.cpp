@@ -16,6 +16,19 @@ std::string reason_of(const ExclusionReason& o) {
   return "along " + o.solution + (o.level.empty() ? "" : " (" + o.level + ")") + ": " + o.reason;
 }
 
+std::string headline(const SystemClassification& c) {
+  switch (c.status()) {
+  case ClassificationStatus::integrable:
+    return "INTEGRABLE";
+  case ClassificationStatus::non_integrable:
+    return "NON-INTEGRABLE";
+  case ClassificationStatus::depends:
+    return "DEPENDS ON THE PARAMETERS";
+  default:
+    return "OPEN";
+  }
+}
+
 std::string where_text(const SystemClassification& c, const ClassifiedStratum& s) {
   const std::string text = joined(conditions(c, s), ", ");
   return text.empty() ? "all parameters" : text;

@@ -10,6 +10,8 @@ namespace kov::cli {
 [[nodiscard]] std::string classification_page(const System& s, const SystemClassification& c,
                                               const std::string& format);
 
+/// INTEGRABLE, NON-INTEGRABLE, ...
+[[nodiscard]] std::string headline(const SystemClassification& c);
 /// Conditions, status, integrals, reasons, and what was tried.
 [[nodiscard]] Json json_of(const SystemClassification& c, const ClassifiedStratum& s);
 

@@ -24,19 +24,6 @@ constexpr double part_of_the_search = 0.85;
 constexpr double part_of_first_run = 0.7;
 constexpr const char* unfinished = "a limit ended the work; what was proved before is shown";
 
-std::string words_of(ClassificationStatus s) {
-  switch (s) {
-  case ClassificationStatus::integrable:
-    return "INTEGRABLE";
-  case ClassificationStatus::non_integrable:
-    return "NON-INTEGRABLE";
-  case ClassificationStatus::depends:
-    return "DEPENDS ON THE PARAMETERS";
-  default:
-    return "OPEN";
-  }
-}
-
 void put_wide(std::ostream& out, const std::string& name, const std::string& text) {
   out << "  " << fmt::format("{:<12}", name) << wrapped(text, 14) << '\n';
 }
@@ -122,7 +109,7 @@ std::string excluded_in_brief(const SystemClassification& c) {
 
 std::string text_of(const System& s, const SystemClassification& c, bool quiet, bool verbose) {
   std::ostringstream out;
-  out << heading(s.file, s.title) << "\n  " << words_of(c.status()) << '\n';
+  out << heading(s.file, s.title) << "\n  " << headline(c) << '\n';
   put_wide(out, "theorem", statement(c));
   if (!c.assumptions.empty()) put_wide(out, "assumed", joined(c.assumptions, ", "));
   for (const std::string& constant : c.constants)

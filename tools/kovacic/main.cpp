@@ -55,7 +55,7 @@ bool is_a_file(const std::string& name) {
 // "y'' = x*y" in the place of a file.
 bool is_an_equation(const std::string& file) {
   return !file.empty() && file != "-" && !is_a_file(file) && !file.ends_with(".toml") &&
-         file.find_first_of("'=") != std::string::npos;
+         (file.find_first_of("'=") != std::string::npos || file.front() == '[');
 }
 
 struct CommandLine {
