@@ -60,7 +60,7 @@ endfunction()
 # Where the time of a run goes is compiled with -O2, the rest with -O1, which compiles twice as fast: the long
 # loops of those rooms are FLINT's, Arb's and Z3's, and those of lib/exact.  What writes answers is compiled faster still.
 set(kov_hot_rooms exact linode kovacic riccati invariant pcurvature galois monodromy flow)
-set(kov_writing_rooms report theorem splitting literature)
+set(kov_writing_rooms report theorem splitting literature symbol equation system study main)
 function(kov_optimize target name)
   if(NOT CMAKE_BUILD_TYPE STREQUAL Release OR name IN_LIST kov_hot_rooms)
     return()
