@@ -46,7 +46,7 @@ kov_package(python NAME python3-kovacic SECTION python SHLIBDEPS ON
   SUMMARY "The Python module."
   DESCRIPTION "import kovacic: equations, systems and theorems from Python, SymPy and
 notebooks."
-  DEPENDS "python3 (>= 3.11), python3 (<< 3.12)" RECOMMENDS "python3-sympy, python3-numpy"
+  DEPENDS "kovacic, python3 (>= 3.11), python3 (<< 3.12)" RECOMMENDS "python3-sympy, python3-numpy"
   SUGGESTS "kovacic-doc, python3-distributed")
 kov_package(documentation NAME kovacic-doc SECTION doc ARCHITECTURE all
   SUMMARY "Guide, theory, examples."
