@@ -12,6 +12,7 @@ import importlib.util
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -178,6 +179,22 @@ class Trees(unittest.TestCase):
         for line in text(self.python / "MANIFEST.in").splitlines():
             for path in line.split()[1:]:
                 self.assertTrue((self.python / path).exists(), path)
+
+    def test_without_git(self):
+        """From an unpacked archive, and where git is not installed, the same files."""
+        with tempfile.TemporaryDirectory() as directory:
+            archive, out = pathlib.Path(directory) / "archive", pathlib.Path(directory) / "out"
+            for path in self.source.files():
+                (archive / path).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(ROOT / path, archive / path)
+            (archive / "build").mkdir()
+            (archive / "build/generated").write_text("")
+            empty = pathlib.Path(directory) / "empty"
+            empty.mkdir()
+            subprocess.run([sys.executable, archive / "tools/packaging/source", "python", out], check=True,
+                           env={**os.environ, "PATH": str(empty)})
+            made, expected = ({str(x.relative_to(tree)) for x in tree.rglob("*")} for tree in (out, self.python))
+            self.assertEqual(made, expected)
 
     def test_nothing_is_overwritten(self):
         for out in (self.python, ROOT / "lib", ROOT):
