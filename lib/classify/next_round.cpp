@@ -100,8 +100,10 @@ std::vector<Exclusion> along_the_curve(const Board& b, const Round& round, const
   const KnownSystem& known = round.studied();
   auto all = exclusions(known.system, study_curve(known.system, m, known.claims, check),
                         level_parameters(known.system));
-  for (Exclusion& e : all)
+  for (Exclusion& e : all) {
+    e.along = m;
     e = round.before(std::move(e));
+  }
   return all;
 }
 

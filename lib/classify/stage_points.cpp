@@ -60,6 +60,7 @@ void study_higher_orders(Board& b, Round& round, const Task& task, const Budget&
                                                   : h.planes.open;
   if (h.excluded) {
     h.excluded->constants = adjoined_constants(s);
+    h.excluded->along = *task.along;
     exclude(b, round, round.before(*std::move(h.excluded)));
   }
   note(round, task.name, why);

@@ -80,8 +80,14 @@ std::vector<Task> stated(const Board& b, const Round& /*round*/) {
 void take_stated(Board& b, Round& round, const Task& /*task*/, const Budget& /*budget*/) {
   for (const StatedSolution& one : b.stated.all) {
     b.result.spent.push_back(one.spent);
-    for (const Exclusion& x : one.exclusions)
-      exclude_or_defer(b, round, in_ring(x, round.system.ring()));
+    const auto named = [&](const ManifoldSpec& m) { return m.name == one.name; };
+    const auto& all = round.system.manifolds;
+    const auto along = std::find_if(all.begin(), all.end(), named);
+    for (const Exclusion& x : one.exclusions) {
+      Exclusion e = in_ring(x, round.system.ring());
+      if (along != all.end()) e.along = *along;
+      exclude_or_defer(b, round, std::move(e));
+    }
     note(round, "along " + one.name, one.outcome);
   }
 }
@@ -166,6 +172,7 @@ void study_along(Board& b, Round& round, const Task& task, const Budget& budget)
   const auto constants = constants_in(known.system, m, report);
   for (Exclusion& x : exclusions(known.system, report, level_parameters(known.system))) {
     x.constants = constants;
+    x.along = m;
     exclude_or_defer(b, round, round.before(std::move(x)));
   }
   note(round, "along " + report.name, outcome(report));

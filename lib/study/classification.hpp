@@ -42,6 +42,7 @@ struct ClassifiedStratum {
   std::vector<std::string> open_after = {}; ///< open: what was tried
   /// Algebraic constants, by their variables, in which integrals, fields or reasons may be written.
   std::vector<std::size_t> constants = {};
+  std::optional<ManifoldSpec> along = {}; ///< excluded: along this invariant set
 };
 
 /// Where a set of parameters stays open: not integrable for almost all parameters, all but a set of

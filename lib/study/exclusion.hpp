@@ -22,6 +22,7 @@ struct Exclusion {
   std::optional<DifferenceCondition> unless;    ///< except where this holds
   ExclusionReason by;
   std::vector<std::size_t> constants = {}; ///< algebraic, in which the reason may be written
+  std::optional<ManifoldSpec> along = {};  ///< the invariant set of the solutions, if there is one
 };
 
 /// p != 0 for some level, where not all of these vanish: its coefficients.

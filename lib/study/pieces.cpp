@@ -25,7 +25,8 @@ ClassifiedStratum stratum(const Piece& piece, const Exclusion& e) {
           .special = piece.special,
           .status = StratumStatus::excluded,
           .by = {e.by},
-          .constants = e.constants};
+          .constants = e.constants,
+          .along = e.along};
 }
 
 void exclude(const Piece& piece, const Exclusion& e, const MayVanish& possible,

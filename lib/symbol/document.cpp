@@ -109,6 +109,41 @@ Expression Entry::expression(bool allow_equation) const {
   return parse_expression(text, place, allow_equation);
 }
 
+Entry Entry::merged(const Entry& more) const {
+  Entry all = *this;
+  for (const auto& [key, entry] : more.members_) {
+    const auto known = std::find_if(all.members_.begin(), all.members_.end(),
+                                    [&, &name = key](const auto& m) { return m.first == name; });
+    if (known == all.members_.end()) {
+      all.members_.emplace_back(key, entry);
+      continue;
+    }
+    Entry& here = known->second;
+    if (here.is_table() && entry.is_table()) {
+      here = here.merged(entry);
+      continue;
+    }
+    if (!entry.is_array()) throw entry.key_error("'" + key + "' has a value already");
+    if (!here.is_array()) { // one value by itself is a list of one
+      Entry list = here;
+      list.kind_ = Kind::array;
+      list.members_.clear();
+      list.items_ = {here};
+      here = std::move(list);
+    }
+    here.items_.insert(here.items_.end(), entry.items_.begin(), entry.items_.end());
+  }
+  return all;
+}
+
+Entry Entry::only(const std::vector<std::string>& keys) const {
+  Entry all = *this;
+  std::erase_if(all.members_, [&](const auto& m) {
+    return std::find(keys.begin(), keys.end(), m.first) == keys.end();
+  });
+  return all;
+}
+
 InputError Entry::error_at(long line, long column, std::size_t length, std::string message,
                            std::string hint) const {
   std::string text;

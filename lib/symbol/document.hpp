@@ -59,6 +59,14 @@ public:
   /// The same, pointing at the key instead of its value.
   [[nodiscard]] InputError key_error(std::string message, std::string hint = {}) const;
 
+  /// With what a table of the same kind adds: tables key by key, lists one after the other.
+  /// Errors  InputError: another value for the same key
+  /// Example file.merged(parse_document("system = {time = 't'}", "more")).at("system").members().size()
+  ///         // -> 2
+  [[nodiscard]] Entry merged(const Entry& more) const;
+  /// A table of this document without its other keys.
+  [[nodiscard]] Entry only(const std::vector<std::string>& keys) const;
+
 private:
   friend class DocumentReader;
   [[nodiscard]] InputError error_at(long line, long column, std::size_t length, std::string message,

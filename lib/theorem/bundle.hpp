@@ -12,6 +12,7 @@ struct TheoremBundle {
   std::string none; ///< why there is none: the first step that has no rule or no data
   std::vector<std::string> carried; ///< the steps that are in it
   std::size_t theorems = 0, unchecked = 0;
+  std::size_t trusted = 0, open = 0; ///< steps on trust in it, regions of which it says nothing
 };
 
 /// Reads the files of the steps again.  `directory` ends in '/' or is empty.

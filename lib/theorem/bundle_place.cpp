@@ -1,5 +1,6 @@
 #include "theorem/bundle_place.hpp"
 
+#include "certify/jets/certificate.hpp"
 #include "certify/strata/arithmetic.hpp"
 #include "certify/system/certificate.hpp"
 #include "exact/error.hpp"
@@ -175,17 +176,37 @@ void ask(BundleTarget& t, const certify::StrataCertificate& x, const Ring& ring)
 
 } // namespace
 
+namespace {
+
+// Of higher variational equations.
+BundleTarget target_of_jets(const std::string& certificate) {
+  const certify::JetsCertificate c = certify::read_jets_certificate(certificate);
+  if (!c.field.tower.empty()) throw DomainError("an algebraic constant among the parameters");
+  BundleTarget t;
+  const auto& names = c.phase->names();
+  const std::size_t dimension = 2 * (2 + c.others);
+  t.coordinates.assign(names.begin(), names.begin() + static_cast<long>(dimension));
+  t.parameters.assign(names.begin() + static_cast<long>(dimension), names.end());
+  for (const MPoly& d : c.field.denominators)
+    t.asked.push_back({false, Sign::nonzero, {in_ring(d, c.phase)}});
+  t.asked.push_back(coefficient_of(c.obstruction.value.p, c.field.ring->name(c.e()), c.phase));
+  return t;
+}
+
+} // namespace
+
 BundleTarget target_of(const std::string& certificate) {
+  if (certificate.find("kovacic-jets/1") < 60) return target_of_jets(certificate);
   const certify::SystemCertificate c = certify::read_system_certificate(certificate);
   const certify::PhaseSystem& s = c.way.system;
-  if (!c.not_integrable || !s.hamiltonian)
+  if (!c.not_integrable)
     throw DomainError("the certificate does not say \"not integrable\" of all its points");
   BundleTarget t;
   const auto& names = s.ring->names();
   t.coordinates.assign(names.begin(), names.begin() + static_cast<long>(s.dimension));
   t.parameters.assign(names.begin() + static_cast<long>(s.first_parameter()), names.end());
   std::vector<bool> used(names.size(), false);
-  use(s, s.hamiltonian->p, used);
+  if (s.hamiltonian) use(s, s.hamiltonian->p, used);
   for (const certify::PhaseBracket& b : s.brackets)
     use(s, b.value.p, used);
   for (std::size_t k = 0; k < s.inverses.size(); ++k)

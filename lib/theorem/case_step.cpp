@@ -190,14 +190,13 @@ using study::CurveStudy;
 using study::SystemStudy;
 using study::Verdict;
 
-SystemStudy studied(const std::string& path, const ParameterValues& where, const NodeResult& n,
+SystemStudy studied(const Entry& document, const ParameterValues& where, const NodeResult& n,
                     const ProveOptions& options) {
   study::StudyOptions how;
   how.check.decide = options.decide;
   how.check.decide.want_certificate = true;
   how.check.only_manifold = n.node.manifold;
   how.order = n.node.order;
-  const Entry document = read_document(path);
   std::vector<std::string> names;
   for (const ManifoldSpec& m : read_system(document, where).manifolds)
     names.push_back(m.name);
@@ -428,7 +427,7 @@ void compare(NodeResult& n, const SystemStudy& family, const CurveStudy& there,
 }
 
 // One set of values from the family, decided by itself: a second opinion with tables.
-void take_sample(NodeResult& n, const SystemStudy& family, const std::string& path,
+void take_sample(NodeResult& n, const SystemStudy& family, const Entry& document,
                  const ProveOptions& options) {
   const std::string text = text_of(n.node.sample);
   n.formulas.push_back({"a sample", text});
@@ -437,7 +436,7 @@ void take_sample(NodeResult& n, const SystemStudy& family, const std::string& pa
   NodeResult sample;
   sample.node = n.node;
   sample.node.manifold = that_decides(family).name();
-  const SystemStudy study = studied(path, values, sample, options);
+  const SystemStudy study = studied(document, values, sample, options);
   take(sample, study);
   move_material(n, sample);
   compare(n, family, study.manifolds.front(), text);
@@ -445,13 +444,31 @@ void take_sample(NodeResult& n, const SystemStudy& family, const std::string& pa
 
 } // namespace
 
-void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  const std::string path = beside(directory, n.node.file);
-  const SystemStudy study = studied(path, n.node.where, n, options);
+namespace {
+
+void prove_by_file(NodeResult& n, const std::string& directory, const ProveOptions& options) {
+  const Entry document = document_of(n.node, directory);
+  const SystemStudy study = studied(document, n.node.where, n, options);
   show_setting(n, study.system);
   if (study.manifolds.empty()) throw DomainError(n.node.file + " has no manifold");
   take(n, study);
-  if (!n.node.sample.empty()) take_sample(n, study, path, options);
+  if (!n.node.sample.empty()) take_sample(n, study, document, options);
+}
+
+} // namespace
+
+void prove_case(NodeResult& n, const std::string& directory, const ProveOptions& options) {
+  if (n.node.step.empty()) return prove_by_file(n, directory, options);
+  NodeResult trial = n;
+  try {
+    prove_by_file(trial, directory, options);
+  } catch (const InternalError&) {
+    throw;
+  } catch (const Error&) { // it stays on trust
+  }
+  const bool is_found =
+      trial.status == NodeStatus::proved && trial.says == Conclusion::not_integrable;
+  is_found ? void(n = std::move(trial)) : prove_trusted(n);
 }
 
 } // namespace kov

@@ -183,7 +183,7 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
   if (n.node.kind == NodeKind::splitting && !n.node.place.roots.empty())
     return unbind(n, "the criterion is about the real system, and a root may be complex");
   if (is_the_same_file(n, whole, directory)) {
-    n.region = region_of(read_system(whole), n.node.place);
+    n.region = region_of(system_of(result.theorem, directory), n.node.place);
     return;
   }
   Located found = locate(whole, base, system_of(n, directory), n.node.place);
@@ -211,7 +211,26 @@ void transport_from_lowest_order(NodeResult& n) {
   n.excluded.push_back(ziglin_1982().integrals);
 }
 
+namespace {
+
+// Of a step on trust, or an open part: lists of conditions.
+void settle_regions(NodeResult& n, const TheoremResult& result, const std::string& directory) {
+  if (result.theorem.system.empty())
+    return unbind(n, "the theorem file names no system (system = \"...\")");
+  const System whole = system_of(result.theorem, directory);
+  for (const auto& conditions : n.node.regions) {
+    Place place;
+    place.conditions = conditions;
+    n.regions.push_back(region_of(whole, place));
+  }
+  if (n.regions.empty()) n.regions.push_back(region_of(whole, {}));
+}
+
+} // namespace
+
 void settle_place(NodeResult& n, const TheoremResult& result, const std::string& directory) {
+  if (n.node.kind == NodeKind::trusted || n.node.kind == NodeKind::open_part)
+    return settle_regions(n, result, directory);
   if (!has_system(n) || (n.status != NodeStatus::proved && n.status != NodeStatus::trusted)) return;
   if (result.theorem.system.empty())
     return unbind(n, "the theorem file names no system (system = \"...\")");
@@ -351,6 +370,7 @@ void state(NodeResult& n, const System& whole, const std::string& file, bool has
 void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory,
                  const std::stop_token& stop) {
   if (result.theorem.system.empty()) throw DomainError("the theorem file names no system");
+  if (is_of_strata(result.theorem)) return prove_cover_of_strata(n, result, directory, stop);
   const std::string path = beside(directory, result.theorem.system);
   const System whole = read_system(path);
   const auto maps = symmetries(n, result.theorem, whole, path);

@@ -30,12 +30,18 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
 void prove_scaling(NodeResult& n, const std::string& directory);
 void prove_lowest_order(NodeResult& n, const std::string& directory);
 void prove_theorem(NodeResult& n);
+/// Nothing is computed: what the node says is taken on trust, under the name that it gives.
+void prove_trusted(NodeResult& n);
 
 /// The step's system is the theorem's, or one that a step `of` leads to: its region, or unbound.
 void settle_place(NodeResult& n, const TheoremResult& result, const std::string& directory);
 /// The regions of the needs cover that of the node, up to the symmetries of the system.
 void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& directory,
                  const std::stop_token& stop = {});
+
+/// The same for complex parameters, by a tree of equations and inequations (strata_cover.cpp).
+void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std::string& directory,
+                           const std::stop_token& stop);
 
 /// "The family is not integrable": checked if `by` is a case that proves it, and that is about it.
 [[nodiscard]] Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f,

@@ -21,7 +21,9 @@ const std::map<std::string, NodeKind>& kinds() {
                                                      {"lowest-order", NodeKind::lowest_order},
                                                      {"theorem", NodeKind::theorem},
                                                      {"cover", NodeKind::cover},
-                                                     {"argument", NodeKind::argument}};
+                                                     {"argument", NodeKind::argument},
+                                                     {"trusted", NodeKind::trusted},
+                                                     {"open", NodeKind::open_part}};
   return names;
 }
 
@@ -99,11 +101,17 @@ struct Keys {
 Keys keys_of(NodeKind kind) {
   switch (kind) {
   case NodeKind::claims:
-    return {{"file"}, {"where", "of", "at", "if", "as", "roots", "time"}};
+    return {{"file"},
+            {"where", "of", "at", "if", "as", "roots", "time", "integral", "integrable", "step",
+             "fields"}};
   case NodeKind::case_file:
     return {{"file"},
             {"where", "sample", "manifold", "expect", "order", "of", "at", "if", "as", "roots",
-             "time"}};
+             "time", "levels", "step", "integrals"}};
+  case NodeKind::trusted:
+    return {{"step"}, {"regions", "integrals", "integrable"}};
+  case NodeKind::open_part:
+    return {{}, {"regions"}};
   case NodeKind::splitting:
     return {{"file", "small"},
             {"where", "families", "triangle", "of", "at", "if", "as", "roots", "time"}};
@@ -131,8 +139,10 @@ void check_keys_of_kind(const Entry& e, NodeKind kind) {
       throw found->error("'" + key + "' of a node of kind '" + name + "' is empty");
   }
   for (const char* key :
-       {"file", "other", "where", "manifold", "expect", "small", "families", "triangle", "scaled",
-        "sample", "order", "theorem", "of", "at", "if", "as", "roots", "time"}) {
+       {"file",     "other",     "where",   "manifold", "expect",  "small",    "families",
+        "triangle", "scaled",    "sample",  "order",    "theorem", "of",       "at",
+        "if",       "as",        "roots",   "time",     "levels",  "integral", "integrable",
+        "step",     "integrals", "regions", "fields"}) {
     const auto among = [&](const std::vector<std::string>& all) {
       return std::find(all.begin(), all.end(), key) != all.end();
     };
@@ -166,11 +176,74 @@ std::string read_id(const Entry& e) {
   return id;
 }
 
+bool is_table_or_tables(const Entry* e) {
+  return e != nullptr &&
+         (e->is_table() || (e->is_array() && !e->array().empty() && e->array().front().is_table()));
+}
+
+IntegralClass read_class(const Entry& e) {
+  using Kind = IntegralClass::Kind;
+  using Near = IntegralClass::Near;
+  static const std::map<std::string, Kind> kinds{{"rational", Kind::rational},
+                                                 {"meromorphic", Kind::meromorphic}};
+  static const std::map<std::string, Near> places{
+      {"curve", Near::curve}, {"closed curve", Near::closed_curve}, {"origin", Near::origin}};
+  const auto one_of = [&](const char* key, const auto& all) {
+    const Entry* given = e.find(key);
+    if (!given) return all.begin()->second;
+    const auto found = all.find(given->string());
+    if (found == all.end())
+      throw given->error("'" + given->string() + "' is no " + key + " of first integrals");
+    return found->second;
+  };
+  e.check_keys(
+      {"kind", "near", "on_leaf", "liouville", "functions", "without", "through", "frame"});
+  IntegralClass c;
+  c.kind = one_of("kind", kinds);
+  c.near = one_of("near", places);
+  if (e.find("kind") == nullptr) c.kind = Kind::meromorphic;
+  if (const Entry* x = e.find("on_leaf")) c.on_leaf = x->boolean();
+  if (const Entry* x = e.find("liouville")) c.liouville = x->boolean();
+  c.functions = texts_of(e, "functions");
+  c.without = texts_of(e, "without");
+  for (const std::string& symbol : texts_of(e, "through"))
+    c.through.emplace_back("", symbol);
+  c.frame = text_of(e, "frame");
+  return c;
+}
+
+std::vector<std::vector<std::string>> read_lists(const Entry& e, std::string_view key) {
+  std::vector<std::vector<std::string>> all;
+  if (const Entry* x = e.find(key))
+    for (const Entry& list : x->array()) {
+      all.emplace_back();
+      for (const std::string& text : list.strings())
+        all.back().push_back(one_line(text));
+    }
+  return all;
+}
+
+// Tables of a system file, what is trusted, and where.
+void read_tables(const Entry& e, TheoremNode& n) {
+  const bool manifold = is_table_or_tables(e.find("manifold"));
+  if (!manifold) n.manifold = text_of(e, "manifold");
+  if (manifold || is_table_or_tables(e.find("integral")))
+    n.tables = e.only(manifold ? std::vector<std::string>{"manifold"}
+                               : std::vector<std::string>{"integral"});
+  n.levels = texts_of(e, "levels");
+  if (const Entry* x = e.find("integrable")) n.integrable = x->boolean();
+  n.step = text_of(e, "step");
+  if (const Entry* x = e.find("integrals")) n.integrals = read_class(*x);
+  n.regions = read_lists(e, "regions");
+  n.fields = read_lists(e, "fields");
+}
+
 TheoremNode read_node(const Entry& e) {
-  e.check_keys({"id",         "title",    "statement", "note",   "kind",     "needs",  "cite",
-                "hypotheses", "file",     "other",     "where",  "manifold", "expect", "small",
-                "families",   "triangle", "scaled",    "sample", "theorem",  "of",     "at",
-                "if",         "as",       "roots",     "time",   "order"});
+  e.check_keys({"id",         "title",    "statement", "note",    "kind",     "needs",  "cite",
+                "hypotheses", "file",     "other",     "where",   "manifold", "expect", "small",
+                "families",   "triangle", "scaled",    "sample",  "theorem",  "of",     "at",
+                "if",         "as",       "roots",     "time",    "order",    "levels", "integral",
+                "integrable", "step",     "integrals", "regions", "fields"});
   TheoremNode n;
   n.kind = kind_of(e.at("kind"));
   check_keys_of_kind(e, n.kind);
@@ -185,7 +258,7 @@ TheoremNode read_node(const Entry& e) {
   n.cite = texts_of(e, "cite");
   n.file = text_of(e, "file");
   n.other = text_of(e, "other");
-  n.manifold = text_of(e, "manifold");
+  read_tables(e, n);
   if (const Entry* x = e.find("expect")) n.expect = read_expected(*x);
   if (const Entry* x = e.find("order")) n.order = read_order(*x);
   n.small = texts_of(e, "small");
@@ -310,8 +383,8 @@ std::string to_string(NodeStatus s) {
 }
 
 Theorem read_theorem(const Entry& document) {
-  document.check_keys(
-      {"format", "title", "statement", "cite", "node", "system", "symmetry", "expect"});
+  document.check_keys({"format", "title", "statement", "cite", "node", "system", "symmetry",
+                       "expect", "algebraic"});
   if (!has_format(document, "theorem"))
     throw document.error("a theorem file begins with format = \"theorem/1\"");
   if (document.at("format").string() != "theorem/1")
@@ -325,10 +398,13 @@ Theorem read_theorem(const Entry& document) {
   if (const Entry* all = document.find("symmetry"))
     for (const Entry* e : all->list())
       t.symmetries.push_back(read_symmetry(*e));
+  t.algebraic = read_values(document, "algebraic");
   t.expected_open = read_expectation(document);
   t.cite = texts_of(document, "cite");
   for (const Entry* e : document.at("node").list())
     t.nodes.push_back(read_node(*e));
+  for (TheoremNode& n : t.nodes)
+    n.algebraic = t.algebraic;
   constexpr std::size_t most = 2000; // the tree is walked by recursion
   if (t.nodes.size() > most)
     throw document.error("a theorem has at most " + std::to_string(most) + " nodes");

@@ -118,6 +118,16 @@ bool TheoremResult::complete() const {
          count(NodeStatus::unbound) == 0 && count(NodeStatus::reasoned) == 0;
 }
 
+bool TheoremResult::complete_but_for_open_parts() const {
+  const auto parts =
+      static_cast<std::size_t>(std::count_if(nodes.begin(), nodes.end(), [](const NodeResult& n) {
+        return n.node.kind == NodeKind::open_part && n.status == NodeStatus::open;
+      }));
+  const bool is_ours = !nodes.empty() && nodes.front().status == NodeStatus::proved;
+  return is_ours && count(NodeStatus::open) == parts && count(NodeStatus::refuted) == 0 &&
+         count(NodeStatus::unbound) == 0 && count(NodeStatus::reasoned) == 0;
+}
+
 std::string TheoremResult::time() const {
   const auto tenths = static_cast<long>(seconds * 10 + 0.5);
   return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s";

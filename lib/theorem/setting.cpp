@@ -116,6 +116,64 @@ std::string all_of(const System& s, Assumption::Relation relation) {
 
 } // namespace
 
+std::string toml_text(const std::string& s) {
+  std::string out = "\"";
+  for (const char c : s) {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + "\"";
+}
+
+bool is_of_stratum(const TheoremNode& n) { return n.tables.has_value() || !n.step.empty(); }
+
+bool is_of_strata(const Theorem& t) {
+  return std::any_of(t.nodes.begin(), t.nodes.end(), [](const TheoremNode& n) {
+    return is_of_stratum(n) || n.kind == NodeKind::open_part;
+  });
+}
+
+namespace {
+
+std::string listed_texts(const std::vector<std::string>& all) {
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? "" : ", ") + toml_text(one);
+  return "[" + text + "]";
+}
+
+Entry with_names(Entry document, const ParameterValues& algebraic, std::vector<std::string> names,
+                 std::vector<std::string> conditions) {
+  for (const auto& [name, value] : algebraic) {
+    names.push_back(name);
+    conditions.push_back(value + " = 0");
+  }
+  if (!names.empty())
+    document = document.merged(
+        parse_document("system = {parameters = " + listed_texts(names) + "}", document.file()));
+  if (!conditions.empty())
+    document = document.merged(parse_document(
+        "assume = {conditions = " + listed_texts(conditions) + "}", document.file()));
+  return document;
+}
+
+} // namespace
+
+Entry document_of(const TheoremNode& n, const std::string& directory) {
+  Entry document = read_document(beside(directory, n.file));
+  if (!is_of_stratum(n)) return with_names(std::move(document), n.algebraic, {}, {});
+  std::vector<std::string> keys{"format", "title", "cite", "system", "set", "assume"};
+  if (n.kind == NodeKind::case_file) keys.insert(keys.end(), {"integral", "casimir", "darboux"});
+  if (!n.tables) keys.insert(keys.end(), {"manifold", "reduce"});
+  document = with_names(document.only(keys), n.algebraic, n.levels, n.place.conditions);
+  return n.tables ? document.merged(*n.tables) : document;
+}
+
+System system_of(const Theorem& t, const std::string& directory, const ParameterValues& at) {
+  return read_system(with_names(read_document(beside(directory, t.system)), t.algebraic, {}, {}),
+                     at);
+}
+
 std::string sha256(const std::string& bytes) {
   sha256_ctx state;
   sha256_init(&state);

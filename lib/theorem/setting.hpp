@@ -6,6 +6,19 @@
 
 namespace kov {
 
+/// The step is about a stratum of the theorem's system: it brings tables of its own, or a step on trust.
+[[nodiscard]] bool is_of_stratum(const TheoremNode& n);
+/// The parameters of the theorem's system need not be real, or steps are about strata of them.
+[[nodiscard]] bool is_of_strata(const Theorem& t);
+/// The file of the step with what the node adds to it: constants, levels, manifolds, integrals, and its
+/// conditions as assumptions.   Errors  InputError
+[[nodiscard]] Entry document_of(const TheoremNode& n, const std::string& directory);
+/// The theorem's system, with its constants.   Errors  InputError
+[[nodiscard]] System system_of(const Theorem& t, const std::string& directory,
+                               const ParameterValues& at = {});
+/// "a \"b\"" as TOML writes it.
+[[nodiscard]] std::string toml_text(const std::string& s);
+
 /// The theorem's file and those that its steps name, each once, in the order of the steps; a system
 /// with its names, its bracket and its equations, as written.  What cannot be read again is left
 /// out.

@@ -10,6 +10,8 @@
 //   theorem         a theorem of the literature, with its hypotheses: taken on trust
 //   cover           composition: the parameters of the other steps cover those of the statement
 //   argument        a step of reasoning in words: read by people, checked by none
+//   trusted         "not integrable there", or "integrable there", by a step that nothing repeats
+//   open            a part of the parameters of which nothing is said
 // and rests on other nodes.  docs/theory/splitting.md describes the built-in steps,
 // docs/theory/composition.md how they are put together.
 //
@@ -38,7 +40,9 @@ enum class NodeKind : std::uint8_t {
   lowest_order,
   theorem,
   cover,
-  argument
+  argument,
+  trusted,
+  open_part
 };
 enum class NodeStatus : std::uint8_t {
   proved,   ///< here, by exact computation (and the theorems named)
@@ -91,6 +95,20 @@ struct TheoremNode {
   std::vector<LeftFamily> families; ///< splitting: the exceptional families that may remain
   bool triangle = true;             ///< splitting: only bodies with A <= B + C
   std::vector<std::string> scaled;  ///< scaling: the variables that take over eps
+  /// Of the system file besides, for this node: [[node.manifold]], [[node.integral]]; `levels` names
+  /// the values of integrals in them.
+  std::optional<Entry> tables{};
+  std::vector<std::string> levels{};
+  ParameterValues algebraic{}; ///< constants of the theorem: name, polynomial that vanishes
+  /// claims: the integrals of `tables` commute, are independent and as many as are needed.
+  bool integrable = false;
+  /// claims without a bracket: vector fields that commute, a formula for each coordinate.
+  std::vector<std::vector<std::string>> fields{};
+  /// trusted, open: instead of one place, any of these; lists of conditions.
+  std::vector<std::vector<std::string>> regions{};
+  /// What is trusted: kind trusted; or, where the check of a case or of claims ends in another way.
+  std::string step{};
+  IntegralClass integrals{}; ///< of a trusted step that excludes
   long line = 0;
 };
 
@@ -106,7 +124,8 @@ struct Theorem {
   std::string statement; ///< the author's words
   std::string system;    ///< the file of the system that the theorem is about; empty: none is named
   std::vector<Symmetry> symmetries;
-  bool expected_open = false; ///< for tests: the proof is not complete, and that is known
+  ParameterValues algebraic{}; ///< [algebraic]: constants that the system file does not have
+  bool expected_open = false;  ///< for tests: the proof is not complete, and that is known
   std::vector<std::string> cite;
   std::vector<TheoremNode> nodes; ///< the root first
 };
@@ -154,9 +173,11 @@ struct NodeResult {
   TheoremNode node;
   std::string statement; ///< what was computed, in words; empty for an argument
   Conclusion says = Conclusion::none;
-  std::string integrals;               ///< says has_integral: which
-  std::vector<IntegralClass> excluded; ///< says not_integrable: classes of first integrals
-  std::string curve;                   ///< and on the leaf of which phase curve: "N in lemma3.toml"
+  std::vector<ParameterRegion> regions; ///< instead of one region: any of these
+  bool on_trust = false;                ///< by the step that the node names, and by nothing else
+  std::string integrals;                ///< says has_integral: which
+  std::vector<IntegralClass> excluded;  ///< says not_integrable: classes of first integrals
+  std::string curve; ///< and on the leaf of which phase curve: "N in lemma3.toml"
   /// What the step needs of the parameters of its file besides what the file assumes.
   std::vector<Inequality> domain;
   ParameterRegion region;      ///< of the theorem's parameters, if the step is about its system
@@ -196,6 +217,8 @@ struct TheoremResult {
   std::string program{};   ///< the versions of the program and its libraries, where it is known
   std::string bundle{};    ///< all of it as one certificate, accepted by the judge; or empty
   std::string no_bundle{}; ///< why there is none
+  /// Of the bundle of a theorem about strata: steps on trust in it, regions of which it says nothing.
+  std::size_t bundle_trusted = 0, bundle_open = 0;
 
   [[nodiscard]] std::size_t count(NodeStatus s) const;
   /// Each theorem once, with a hypothesis open where one of its uses leaves it open.
@@ -209,6 +232,8 @@ struct TheoremResult {
   /// The first step is proved, each other one too or a theorem of the literature: nothing open,
   /// refuted, unbound or in words.
   [[nodiscard]] bool complete() const;
+  /// The same, but for parts of the parameters that are said to be open.
+  [[nodiscard]] bool complete_but_for_open_parts() const;
   [[nodiscard]] std::string time() const;  ///< "1.2 s"
   [[nodiscard]] std::string given() const; ///< "4 theorems of the literature and 6 other steps ..."
   [[nodiscard]] std::string computed() const; ///< "16 steps computed here, 4 of them with ..."

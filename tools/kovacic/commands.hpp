@@ -61,6 +61,7 @@ struct ClassifyArguments {
   long degree = 0;        ///< of the first integrals; 0: as ClassifyOptions has it
   bool only_file = false; ///< no solutions but those of the file
   bool plan = false;      ///< only what would be tried
+  std::string as_theorem; ///< the theorem file that is written; or empty
 };
 
 int solve(const Settings& settings, const SolveArguments& arguments);

@@ -329,6 +329,14 @@ struct CommandLine {
         ->check(silent(CLI::Range(1, 20)))
         ->type_name("D");
     command->add_flag("--only-file", a.only_file, "no solutions but the manifolds of the file");
+    command
+        ->add_option("--as-theorem", a.as_theorem,
+                     "write what is found as a theorem file, for prove")
+        ->type_name("OUT.toml");
+    command
+        ->add_option("--certificate", settings.certificate,
+                     "write the whole as one certificate, for verify")
+        ->type_name("OUT.json");
     command->add_flag("--plan", a.plan,
                       "only what is tried, in this order, and with how much work");
     order_flag(*command, "5");

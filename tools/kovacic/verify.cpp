@@ -112,8 +112,9 @@ Json judge_theorem(Json r, const std::string& certificate, bool strict) {
   const auto verdict = certify::check_theorem(certificate);
   if (const auto* no = std::get_if<certify::Rejected>(&verdict)) return rejected(r, "rule", *no);
   const auto& yes = std::get<certify::TheoremAccepted>(verdict);
-  r = accepted(r, 0, strict, yes.unchecked);
+  r = accepted(r, yes.trusted, strict, yes.unchecked);
   r["statement"] = yes.statement;
+  if (yes.open > 0) r["open_regions"] = yes.open;
   r["given"] = {{"theorems", yes.theorems}, {"unchecked_hypotheses", yes.unchecked}};
   return r;
 }

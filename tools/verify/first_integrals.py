@@ -41,16 +41,21 @@ class IntegralClass(NamedTuple):
     on_leaf: bool = False
     functions: tuple = ()
     without: tuple = ()
+    through: tuple = ()
+    frame: str = ""
+    liouville: bool = True
 
     def sentence(self):
-        text = self.kind + {
+        text = self.kind + ("" if self.kind == "rational" else {
             "curve": "", "level": " on the leaves with F2 = 0", "origin": " near the origin",
             "phase space": " on the whole real phase space",
-            "closed curve": " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"}[self.place]
+            "closed curve": " also at the ends of the phase curve (points at infinity, equilibria, poles of the system)"}[self.place])
         if self.functions:
             text += f" (in the coordinates and {', '.join(self.functions)})"
         text += " and independent on the symplectic leaf of the phase curve" * self.on_leaf
-        return text + f" and do not depend on {', '.join(self.without)}" * bool(self.without)
+        text += f" and do not depend on {', '.join(self.without)}" * bool(self.without)
+        text += f" otherwise than through {', '.join(self.through)}" * bool(self.through)
+        return text + f" (in the coordinates {self.frame})" * bool(self.frame)
 
 
 def integrals(curve, denials):
@@ -60,4 +65,4 @@ def integrals(curve, denials):
     place = "curve" if all(regular for regular, _ in denials) else "closed curve"
     on_leaf = space.brackets is not None and not space.one_leaf()
     moving = [] if all(regular and sl2 for regular, sl2 in denials) else curve.moving()
-    return IntegralClass("meromorphic", place, on_leaf, tuple(symbols), tuple(moving))
+    return IntegralClass("meromorphic", place, on_leaf, tuple(symbols), tuple(moving), liouville=space.brackets is not None)

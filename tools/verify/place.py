@@ -17,6 +17,19 @@ from tower import Tower, compose
 ZERO, UNIT = Function(P()), Function(ONE)
 
 
+def uses(space):
+    """The names that the Hamiltonian and the brackets, or the field, and what is in them use"""
+    used = set()
+    left = [f.p for f in space.field] if space.hamiltonian is None else [space.hamiltonian.p, *(f.p for *_, f in space.pairs)]
+    while left:
+        for x in left.pop().variables() - used:
+            used.add(x)
+            if x in space.denominators:
+                left.append(space.denominators[x].p)
+            left += [g.p for g in space.gradients.get(x, {}).values()]
+    return used
+
+
 class Family:
     def __init__(self, d):
         self.name, self.parameters, self.data = d["name"], d["parameters"], d["system"]
@@ -25,8 +38,14 @@ class Family:
         self.assumptions = conditions(d["assumptions"], self.names)
         given = d.get("lagrangian")
         self.lagrangian = Lagrangian(given, self.space) if given else None
-        seen = set().union(self.space.hamiltonian.p.variables(), *(f.p.variables() for *_, f in self.space.pairs))
-        need(seen >= set(self.space.denominators), "an inverse that is not one of the system")
+        complex = d.get("complex") or []
+        right(len(set(complex)) == len(complex) and set(complex) <= set(self.names), "a parameter is expected")
+        self.complex = frozenset(self.names[x] for x in complex)
+        need(uses(self.space) >= set(self.space.denominators), "an inverse that is not one of the system")
+
+    def is_plain(self):
+        """A Hamiltonian system without functions and relations, with real parameters"""
+        return self.space.hamiltonian is not None and not self.space.functions and not self.space.relations and not self.complex
 
     def region(self, rows):
         return conditions(rows, self.names)
@@ -37,13 +56,10 @@ class Target:
 
     def __init__(self, space, parameters, shown):
         self.space, self.parameters, self.conditions = space, parameters, shown
-        self.uses, left = set(), [space.hamiltonian.p, *(f.p for *_, f in space.pairs)]
-        while left:
-            for x in left.pop().variables() - self.uses:
-                self.uses.add(x)
-                if x in space.denominators:
-                    left.append(space.denominators[x].p)
-        need(not any(space.at[s] in self.uses for s in space.functions), "a function occurs in the system")
+        self.uses = uses(space)
+
+    def need_no_functions(self):
+        need(not any(self.space.at[s] in self.uses for s in self.space.functions), "a function occurs in the system")
 
     @staticmethod
     def of(family, region, real=True):
@@ -56,6 +72,7 @@ class Map:
 
     def __init__(self, family, at, region, target, d):
         self.family, self.target, self.space = family, target, family.space
+        target.need_no_functions()
         self.free = {x: v for x, v in family.names.items() if x not in at}
         self.put = {family.names[x]: f for x, f in at.items()} | {v: Function(P({1 << v: 1})) for v in self.free.values()}
         self.given = [(self.at(Function(f)).p.primitive(), sign) for f, sign in family.assumptions + region]

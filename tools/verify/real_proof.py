@@ -13,6 +13,7 @@ DEPTH, TERMS, ZEROS, BITS = 64, 1000, 200, 33220                # 10000 digits
 
 class Nodes:
     left = 0
+    complex = frozenset()                   # variables that need not be real
 
 
 def conditions(rows, names):
@@ -35,6 +36,7 @@ def refute(v, given, names, leaf=None, depth=DEPTH):
         return leaf(v, given)
     d = read({"node": "text", "p": "text"} | {key: "any" for key, *_ in BRANCHES[kind]}, v, kind)
     f = parse(d["p"], names)
+    need(kind != "sign" or not f.variables() & Nodes.complex, "the sign of what need not be real")
     for key, factor, sign in BRANCHES[kind]:
         refute(d[key], [*given, (f * factor, sign)], names, leaf, depth - 1)
 
@@ -54,7 +56,7 @@ def contradiction(d, given, names):
     for c, *_ in terms:
         spend(common.bit_length() >> 6)
         common = short(lcm(common, short(c.denominator)))
-    for c, f, _ in terms:
+    for c, f, *_ in terms:
         total += f * (short(c.numerator) * (common // c.denominator))
     for v in d["zeros"]:
         if not isinstance(v, list) or len(v) != 2:
@@ -62,7 +64,8 @@ def contradiction(d, given, names):
         f, sign = at(v[0], given)
         need(sign == "zero", "a condition is not one of sign zero")
         total += parse(text(v[1]), names) * f * common
-    need(any(strict for *_, strict in terms), "no term is strict")
+    need(any(strict for *_, strict, _ in terms), "no term is strict")
+    need(len(terms) == 1 or all(real for *_, real in terms), "a factor has no sign")
     need(not total, "the sum is not 0")
 
 
@@ -82,19 +85,20 @@ def at(v, given):
 
 
 def term(v, given, names):
-    """[c, Q, [i, e], ...]: c, Q^2 prod f_i^e, and whether it is strict"""
+    """[c, Q, [i, e], ...]: c, Q^2 prod f_i^e, whether it is strict (nowhere 0), and whether it is >= 0 at each point"""
     if not isinstance(v, list) or len(v) < 2:
         raise Malformed("a term is expected")
     c, q = read("rational", v[0], "a number"), parse(text(v[1]), names)
     need(c > 0, "a factor is not positive")
     spend(10 * len(v))
-    f, strict = q * q, q.constant() not in (None, 0)
+    f, strict, real = q * q, q.constant() not in (None, 0), not q.variables() & Nodes.complex
     for pair in v[2:]:
         if not isinstance(pair, list) or len(pair) != 2:
             raise Malformed("an index and an exponent are expected")
         g, sign = at(pair[0], given)
         e = read("int", pair[1], "an exponent")
         need(1 <= e <= 100, "an exponent is out of range")
-        need(sign in ("positive", "nonnegative") or sign == "nonzero" and e % 2 == 0, "a factor has no sign")
+        need(sign != "zero", "a factor has no sign")
+        real = real and (sign != "nonzero" or e % 2 == 0 and not g.variables() & Nodes.complex)
         strict, f = strict and sign != "nonnegative", f * g**e
-    return c, f, strict
+    return c, f, strict, real

@@ -14,6 +14,23 @@ def function(f, names):
     return f"({text})/{f.n}" if f.n != 1 else text
 
 
+def system_lines(space, system):
+    """The bracket and the Hamiltonian, or the field; the functions, the inverses and the relations: a line each"""
+    names = space.names
+    if space.brackets is None:
+        yield ", ".join(f"{x}' = {function(f, names)}" for x, f in zip(space.coordinates, space.field))
+    else:
+        pairs = [f"{{{space.coordinates[i]}, {space.coordinates[j]}}} = {function(f, names)}" for i, j, f in space.pairs]
+        yield ", ".join([*pairs, f"H = {function(space.hamiltonian, names)}"])
+    for s in system["functions"]:
+        name, gradient = s["name"], space.gradients[space.at[s["name"]]]
+        slopes = [f"d{name}/d{space.coordinates[j]} = {function(g, names)}" for j, g in gradient.items() if g]
+        yield f"{name} {quoted(s['meaning'])}: {', '.join(slopes) or 'constant'}"
+    for u in space.inverses:
+        yield f"{u} = 1/({function(space.denominators[space.at[u]], names)})"
+    yield from (f"{function(f, names)} = 0" for f in space.relations)
+
+
 class Shown:
     """names: of phase space; those of R are shown from the last of the tower down to the parameters."""
 
@@ -40,19 +57,7 @@ class Shown:
         return f"({self.polynomial(p)})/({'*'.join(below)})" if below else self.polynomial(p)
 
     def system(self, d):
-        space = self.space
-        if space.brackets is None:
-            yield ", ".join(f"{x}' = {self.function(f)}" for x, f in zip(space.coordinates, space.field))
-        else:
-            pairs = [f"{{{space.coordinates[i]}, {space.coordinates[j]}}} = {self.function(f)}" for i, j, f in space.pairs]
-            yield ", ".join([*pairs, f"H = {self.function(space.hamiltonian)}"])
-        for s in d["system"]["functions"]:
-            name, gradient = s["name"], space.gradients[space.at[s["name"]]]
-            slopes = [f"d{name}/d{space.coordinates[j]} = {self.function(g)}" for j, g in gradient.items() if g]
-            yield f"{name} {quoted(s['meaning'])}: {', '.join(slopes) or 'constant'}"
-        for u in space.inverses:
-            yield f"{u} = 1/({self.function(space.denominators[space.at[u]])})"
-        yield from (self.zero([f]) for f in space.relations)
+        return system_lines(self.space, d["system"])
 
     def phase_curve(self, d):
         """Where it lies"""
@@ -60,12 +65,14 @@ class Shown:
         line = f"the phase curve with {self.curve.variable} = {change} on {quoted(d['curve']['manifold'])}"
         return line + f": {where}" * bool(where) + f"; levels {self.zero(self.curve.levels)}" * bool(self.curve.levels)
 
+    def functions_there(self, d):
+        values = [f"{s} = {self.element(d['curve']['values'][s])}" for s in self.space.functions if self.curve.has(s)]
+        return [f"for functions with {', '.join(values)} there"] * bool(values)
+
     def solution(self, d):
         """The phase curve: where it lies, the values of the functions, and its function field"""
         yield f"along {self.phase_curve(d)}"
-        values = [f"{s} = {self.element(d['curve']['values'][s])}" for s in self.space.functions if self.curve.has(s)]
-        if values:
-            yield f"  for functions with {', '.join(values)} there"
+        yield from (f"  {line}" for line in self.functions_there(d))
         for w in self.R.tower:
             yield f"  {w['name']}^{w['degree']} = {self.element(w['value'])}"
         shown = [self.polynomial(p) for p in self.R.shown if p.variables() - {0}]

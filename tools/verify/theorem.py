@@ -4,17 +4,22 @@ Each step becomes a Fact by its rule; a step names earlier ones only.  real_proo
 place.py the changes of variables (3, 4), splitting.py (6) and lowest_order.py (7) their steps."""
 import re
 
+import jets
 import strata
 import system
 from certificate_format import Malformed, Rejected, need, read
-from first_integrals import integrals
+from first_integrals import IntegralClass, integrals
+from jets_format import read_jets
 from lowest_order import lowest_order
+from motion import Jets
 from multivariate import FIELD, P, Work, parse
-from phase_space import Function, total
+from normal_group import NormalGroup
+from phase_space import Function, PhaseSpace, total
 from place import Family, Map, Target
 from real_proof import Nodes, refute, show
 from splitting import Splitting
 from statement import quoted
+from stratum_of_family import Restriction, Stratum, integrability, read_class
 from system_format import read_system, right
 from system_statement import Shown
 from theorem_format import FORMAT, NODES, read_theorem
@@ -25,11 +30,13 @@ WORK = 4 * 10**7                            # for each step
 
 
 class Fact:
-    """kind: N, I or S (1); target: the conditions, for a place; region: those of a fact about a family; classes: K, in the
+    """kind: N, I, S (1), J (integrable) or O (nothing is said); target: the conditions, for a place; region: those of a fact about a family; classes: K, in the
     order in which they came; integrals: lines; used: names of theorems; way: texts, the phase curve and the maps from it"""
 
-    def __init__(self, kind, family, region=(), classes=(), integrals=(), used=(), target=None, map=None, way=()):
+    def __init__(self, kind, family, region=(), classes=(), integrals=(), used=(), target=None, map=None, way=(), regions=(),
+                 trusted="", only_stratum=False, shows_way=False):
         self.kind, self.family, self.region, self.classes = kind, family, list(region), list(classes)
+        self.regions, self.trusted, self.only_stratum, self.shows_way = list(regions), trusted, only_stratum, shows_way
         self.integrals, self.used, self.target, self.map, self.way = list(integrals), set(used), target, map, list(way)
 
 
@@ -38,7 +45,7 @@ class Theorem:
         self.prove, self.facts, self.named = prove, {}, set()
         self.families = {d["name"]: Family(d) for d in top["systems"]}
         for i, d in enumerate(top["steps"]):
-            Work.left = WORK
+            Work.left, Nodes.complex = WORK, frozenset()
             try:
                 need(d["id"] not in self.facts, "the id occurs twice")
                 need((d["rule"] == "cover") == (i == len(top["steps"]) - 1), "the last step is a cover, and no other")
@@ -51,6 +58,11 @@ class Theorem:
 
     def family(self, d):
         need(d["system"] in self.families, "there is no such system")
+        Nodes.complex = self.families[d["system"]].complex
+        return self.families[d["system"]]
+
+    def plain_family(self, d):
+        need(self.family(d).is_plain(), "a Hamiltonian system with real parameters is expected")
         return self.families[d["system"]]
 
     def fact(self, name, *kinds):
@@ -62,15 +74,38 @@ class Theorem:
     # -- single systems (5)
 
     def certificate(self, d):
+        if isinstance(d["certificate"], dict) and d["certificate"].get("format") == jets.FORMAT:
+            return self.jets(d["certificate"])
         need(isinstance(d["certificate"], dict) and d["certificate"].get("format") == system.FORMAT, "another format")
         top = read_system(d["certificate"])
         curve, _, inner = system.accept(top, self.prove)
         need(not inner.trust and top["claim"]["not_integrable"], "not proved for all parameters, or not without trust")
         excluded = integrals(curve, inner.denials)
-        need(curve.space.brackets is not None and not excluded.functions and not excluded.without, "another class")
+        only = curve.space.brackets is None or bool(excluded.functions or excluded.without)
         target = Target(curve.space, top["parameters"], list(self.asked(top, curve)))
-        way = f"{Shown(curve).phase_curve(top)} of {quoted(top['title'])}"
-        return Fact("N", None, (), [excluded], (), ["Morales-Ramis"], target, way=[way])
+        shown = Shown(curve)
+        way = [f"{shown.phase_curve(top)} of {quoted(top['title'])}", *shown.functions_there(top)]
+        used = "Ayoul-Zung" if curve.space.brackets is None else "Morales-Ramis"
+        return Fact("N", None, (), [excluded], (), [used], target, way=way, only_stratum=only)
+
+    def jets(self, certificate):
+        """Of higher variational equations: canonical coordinates"""
+        d = read_jets(certificate)
+        orders = Jets(d)
+        need(not NormalGroup(orders, d["group"], self.prove).trust, "not without trust")
+        need(not d["constants"], "an algebraic constant among the parameters")
+        q, p = d["system"]["coordinates"], d["system"]["momenta"]
+        phase = {"coordinates": [*q, *p], "functions": [], "inverses": [], "relations": [], "field": None,
+                 "hamiltonian": d["system"]["hamiltonian"], "brackets": [[x, y, "1"] for x, y in zip(q, p)]}
+        space, e = PhaseSpace(phase, d["parameters"]), d["variables"][0]
+        names = {x: space.at[x] for x in d["parameters"]}
+        value = d["obstruction"]["value"]
+        groups = [("nonzero", Function(parse(text, names))) for text in d["denominators"]]
+        rows = parse(value if isinstance(value, str) else value[0], names | {e: FIELD * 100}).coefficients(FIELD * 100)
+        groups.append(("group", [Function(f) for f in rows or [P()]]))
+        way = [f"VE_{orders.order} along a line of {quoted(d['title'])}"]
+        return Fact("N", None, (), [IntegralClass()], (), ["Morales-Ramis-Simo"], Target(space, d["parameters"], groups), way=way,
+                    only_stratum=True)
 
     @staticmethod
     def asked(top, curve):
@@ -96,7 +131,7 @@ class Theorem:
 
     def literature(self, d):
         need(d["theorem"] == "Ziglin 1983", "an unknown theorem")
-        y, known = self.family(d), Family(SYMMETRIC_TOP)
+        y, known = self.plain_family(d), Family(SYMMETRIC_TOP)
         same = y.data["coordinates"] == known.data["coordinates"] and y.parameters == known.parameters and \
             y.space.at == known.space.at and y.space.hamiltonian.p == known.space.hamiltonian.p and \
             y.space.hamiltonian.n == known.space.hamiltonian.n and y.assumptions == known.assumptions and \
@@ -127,18 +162,15 @@ class Theorem:
         return total(x * space.d(f, j) for j, x in enumerate(space.field))
 
     def splitting(self, d):
-        y = self.family(d)
+        y = self.plain_family(d)
         return Fact("N", y, Splitting(y, d).region, [REAL], (), ["Ziglin 1980"])
 
     # -- changes of variables (4)
 
     def place(self, d):
-        x, of = self.family(d), self.fact(d["of"], "N", "I")
-        right(all(len(v) == 2 and isinstance(v[0], str) and v[0] in x.names for v in d["at"]), "a parameter is expected")
-        at, free = {}, {name: v for name, v in x.names.items() if name not in {v[0] for v in d["at"]}}
-        for name, value in d["at"]:
-            need(name not in at, "a parameter is put twice")
-            at[name] = self.function(value, free)
+        x, of = self.plain_family(d), self.fact(d["of"], "N", "I")
+        need(not of.only_stratum and not of.trusted and (of.family is None or of.family.is_plain()), "another class")
+        at = self.read_at(x, d)
         region = x.region(d["region"])
         target = of.target or Target.of(of.family, of.region, of.kind == "N")
         map = Map(x, at, region, target, d)
@@ -149,6 +181,14 @@ class Theorem:
         equations = [(P({1 << v: at[name].n}) - at[name].p, "zero") for name, v in x.names.items() if name in at]
         return Fact(of.kind, x, equations + region, of.classes, of.integrals, of.used, way=[*of.way, *map.shown()])
 
+    def read_at(self, x, d):
+        right(all(len(v) == 2 and isinstance(v[0], str) and v[0] in x.names for v in d["at"]), "a parameter is expected")
+        at, free = {}, {name: v for name, v in x.names.items() if name not in {v[0] for v in d["at"]}}
+        for name, value in d["at"]:
+            need(name not in at, "a parameter is put twice")
+            at[name] = self.function(value, free)
+        return at
+
     @staticmethod
     def function(v, names):
         p, n = (v, "1") if isinstance(v, str) else v
@@ -158,7 +198,7 @@ class Theorem:
         return Function(parse(p, names), n)
 
     def symmetry(self, d):
-        x = self.family(d)
+        x = self.plain_family(d)
         right(not d["adjoined"], "nothing is adjoined")
         map = Map(x, {}, [], Target.of(x, [], False), d)
         need(not map.affine, "the origin moves")
@@ -166,8 +206,8 @@ class Theorem:
         return Fact("S", x, map=map)
 
     def lowest_order(self, d):
-        x, of = self.family(d), self.fact(d["of"], "N")
-        need(of.family is not None, "the step is about a system of a certificate")
+        x, of = self.plain_family(d), self.fact(d["of"], "N")
+        need(of.family is not None and of.family.is_plain(), "the step is about a system of a certificate")
         need(not any(c.on_leaf for c in of.classes), "what is independent on one leaf, of parts of lowest order")
         lowest_order(x, of.family, d)
         at = {of.family.names[name]: x.names[name] for name in x.parameters}
@@ -175,14 +215,41 @@ class Theorem:
                   for f, sign in of.region]
         return Fact("N", x, region, [*of.classes, ORIGIN], of.integrals, of.used | {"Ziglin 1982"})
 
+    # -- strata of complex parameters, steps on trust (12 to 15)
+
+    def stratum(self, d):
+        x, of = self.family(d), self.fact(d["of"], "N")
+        need(of.target is not None, "the step says something else")
+        here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
+        Restriction(here, of.target).need_asked(d["shown"])
+        return Fact("N", x, here.conditions(), of.classes, (), of.used, way=of.way, shows_way=True)
+
+    def integrable(self, d):
+        x = self.family(d)
+        here = Stratum(x, self.read_at(x, d), x.region(d["region"]))
+        return Fact("J", x, here.conditions(), (), [integrability(here, d)])
+
+    def trusted(self, d):
+        x = self.family(d)
+        right(d["says"] in ("integrable", "not integrable") and d["regions"] and 0 < len(d["step"]) <= 4000, "a trusted step")
+        no = d["says"] == "not integrable"
+        right(no == (d["class"] is not None), "the class of first integrals")
+        return Fact("N" if no else "J", x, classes=[read_class(d["class"])] if no else (), trusted=d["step"],
+                    regions=[x.region(rows) for rows in d["regions"]])
+
+    def open(self, d):
+        x = self.family(d)
+        right(d["regions"], "a region is expected")
+        return Fact("O", x, regions=[x.region(rows) for rows in d["regions"]])
+
     # -- the cover (8)
 
     def cover(self, d):
         x = self.family(d)
         self.symmetries = [self.fact(name, "S") for name in d["symmetries"]]
-        self.parts = [self.fact(name, "N", "I") for name in d["parts"]]
+        self.parts = [self.fact(name, "N", "I", "J", "O") for name in d["parts"]]
         need(all(f.family is x for f in self.symmetries + self.parts), "a step is about another system")
-        need(any(f.kind == "N" for f in self.parts), "nothing says that it is not integrable")
+        need(any(f.kind in ("N", "J") for f in self.parts), "nothing says that it is not integrable")
         if any(LEAVES in f.classes for f in self.parts):
             for f in self.symmetries:
                 f.map.need_level(RIGID)
@@ -191,11 +258,14 @@ class Theorem:
         return Fact("N", x, (), dict.fromkeys(classes), (), set().union(*(f.used for f in self.parts)))
 
     def part(self, v, given):
-        d = read({"node": "text", "part": "int", "word": ["int"], "shown": ["any"]}, v, "part")
+        d = read({"node": "text", "part": "int", "word": ["int"], "shown": ["any"], "region?": "int"}, v, "part")
         need(d["node"] == "part" and 0 <= d["part"] < len(self.parts) and len(d["word"]) <= 40, "no such part")
         f = self.parts[d["part"]]
-        right(len(d["shown"]) == len(f.region), "each condition of the part must be shown")
-        for (g, sign), by in zip(f.region, d["shown"]):
+        right((d["region"] is not None) == bool(f.regions), "the region of the part")
+        need(not f.regions or 0 <= d["region"] < len(f.regions), "no such region")
+        region = f.regions[d["region"]] if f.regions else f.region
+        right(len(d["shown"]) == len(region), "each condition of the part must be shown")
+        for (g, sign), by in zip(region, d["shown"]):
             for i in d["word"]:
                 need(0 <= i < len(self.symmetries), "no such symmetry")
                 map = self.symmetries[i].map
@@ -219,4 +289,6 @@ def verify(top, prove, strict):
     open_ones = f"{unchecked} {'hypothesis' if unchecked == 1 else 'hypotheses'} NOT CHECKED"
     need(not unchecked or not strict, f"{open_ones}, refused by --strict")
     said = f"given {len(used)} theorem{'s' * (len(used) != 1)} of the literature"
-    return 0, said + f" and {open_ones}" * bool(unchecked) + "; ", lines
+    trusted = sum(bool(f.trusted) for f in theorem.parts) + sum(len(f.integrals[0][3]) for f in theorem.parts
+                                                                if f.kind == "J" and not f.trusted)
+    return trusted, said + f" and {open_ones}" * bool(unchecked) + "; ", lines

@@ -6,7 +6,7 @@ FORMAT = "kovacic-theorem/1"
 COND = {"p": "text", "sign": "text"}
 VELOCITY = {"name": "text", "momentum": "text", "value": "any"}
 FAMILY = {"name": "text", "parameters": ["text"], "system": SYSTEM, "assumptions": [COND],
-          "lagrangian?": {"value": "any", "velocities": [VELOCITY]}}
+          "lagrangian?": {"value": "any", "velocities": [VELOCITY]}, "complex?": ["text"]}
 SHOWN = {"over": "text", "value": "text", "by": "any", "square?": "true"}
 CHOSEN = {"chosen": [["any"]], "by": "any"}
 ROOT = {"name": "text", "square": "any"}
@@ -23,6 +23,11 @@ RULES = {"certificate": {"certificate": "any"},
          "symmetry": MAP | {"system": "text"},
          "lowest-order": {"of": "text", "system": "text", "weights": ["int"], "degree": "int", "units": ["any"],
                           "orders": [ORDER]},
+         "stratum": {"of": "text", "system": "text", "at": [["any"]], "region": [COND], "shown": ["any"]},
+         "integrable": {"system": "text", "at": [["any"]], "region": [COND], "claims": [{"name": "text", "value": "any"}],
+                        "fields": [["any"]], "independent": "any", "rank": "any"},
+         "trusted": {"system": "text", "says": "text", "step": "text", "regions": [[COND]], "class?": "any"},
+         "open": {"system": "text", "regions": [[COND]]},
          "cover": {"system": "text", "symmetries": ["text"], "parts": ["text"], "tree": "any"}}
 FAMILIES, STEPS, NODES = 40, 200, 200000
 
@@ -37,8 +42,7 @@ def read_theorem(top):
         for key in ("functions", "inverses", "relations"):
             system[key] = system[key] or []
         given = [system[key] is not None for key in ("hamiltonian", "brackets", "field")]
-        right(given == [True, True, False] and not system["functions"] and not system["relations"],
-              "a Hamiltonian and brackets are expected, and nothing else")
+        right(given in ([True, True, False], [False, False, True]), "a Hamiltonian with brackets, or a field, is expected")
         need_names(system, family["parameters"])
     top["steps"] = [read_step(v) for v in top["steps"]]
     return top

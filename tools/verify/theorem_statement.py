@@ -1,7 +1,7 @@
 """What a certificate of a theorem states, as text (docs/theory/theorem_certificates.md 9, 10)."""
 from first_integrals import IntegralClass
 from statement import RELATION, polynomial, quoted
-from system_statement import function
+from system_statement import function, system_lines
 
 REAL = IntegralClass("real-analytic", "phase space")
 ORIGIN = IntegralClass(place="origin")
@@ -13,6 +13,12 @@ LITERATURE = {
         (CHECKED, "the system is Hamiltonian on the leaves of a Poisson structure (S2)"),
         (CHECKED, "the curve is a phase curve and no equilibrium (C4, C5)"),
         (STATED, "the first integrals are meromorphic near the curve, and independent on the symplectic leaf that carries it")]),
+    "Morales-Ramis-Simo": ("Morales-Ruiz, Ramis and Simo (2007)", [
+        (CHECKED, "the curve is a phase curve of a Hamiltonian system (J1, J2)"),
+        (STATED, "the first integrals are meromorphic near the curve")]),
+    "Ayoul-Zung": ("Ayoul and Zung (2010)", [
+        (CHECKED, "the curve is a phase curve and no equilibrium (C4, C5)"),
+        (STATED, "first integrals and commuting vector fields are meromorphic near the curve")]),
     "Ziglin 1980": ("Ziglin on the splitting of separatrices (1980)", [
         (CHECKED, "hypotheses 1 to 6, for a perturbation of the Euler top (Z1 to Z3)"),
         (STATED, "the first integral is real-analytic near the closure of the orbit")]),
@@ -40,6 +46,11 @@ SYMMETRIC_TOP = {
                     {"p": "A^2 - 8*A*C + 16*C^2 + L3^2", "sign": "positive"}]}
 
 
+def first_integrals(classes):
+    at_once, fields = "at once " * (len(classes) > 1), "and commuting vector fields " * any(not c.liouville for c in classes)
+    return f"first integrals {fields}that are {at_once}{enumerated(c.sentence() for c in classes)}"
+
+
 def enumerated(texts):
     *first, last = texts
     return f"{', '.join(first)} and {last}" if first else last
@@ -51,11 +62,11 @@ def conditions(rows, space):
 
 def system(family):
     space = family.space
-    pairs = [f"{{{space.coordinates[i]}, {space.coordinates[j]}}} = {function(f, space.names)}" for i, j, f in space.pairs]
-    yield f"the system {quoted(family.name)}" + f" with real parameters {', '.join(family.parameters)}" * bool(family.parameters)
-    yield "  " + ", ".join([*pairs, f"H = {function(space.hamiltonian, space.names)}"])
-    for u in space.inverses:
-        yield f"  {u} = 1/({polynomial(space.denominators[space.at[u]].p, space.names)})"
+    real, complex = ([x for x, v in family.names.items() if (v in family.complex) == wanted] for wanted in (False, True))
+    kinds = [f"{kind} parameters {', '.join(names)}" for kind, names in (("real", real), ("complex", complex)) if names]
+    yield f"the system {quoted(family.name)}" + f" with {' and '.join(kinds)}" * bool(kinds)
+    for line in system_lines(space, family.data):
+        yield "  " + line
     if family.lagrangian:
         yield family.lagrangian.line()
     if family.assumptions:
@@ -63,7 +74,17 @@ def system(family):
 
 
 def place(fact):
-    return f"where {conditions(fact.region, fact.family.space)}" if fact.region else "everywhere"
+    rows = fact.regions or [fact.region]
+    return "; or ".join(f"where {conditions(r, fact.family.space)}" if r else "everywhere" for r in rows)
+
+
+def integrable(fact):
+    if fact.trusted:
+        return f"  TRUSTED: integrable {place(fact)}: {quoted(fact.trusted)}"
+    (y, claims, fields, not_shown), names = fact.integrals[0], fact.family.space.names
+    said = [f"first integral {quoted(name)}: {function(f, y.space.names)}" for name, f in claims]
+    said += [f"commuting field ({', '.join(function(f, names) for f in row)})" for row in fields]
+    return f"  integrable {place(fact)}: {', '.join(said)}" + f" (TRUSTED: {', '.join(not_shown)})" * bool(not_shown)
 
 
 def exception(fact, symmetries):
@@ -78,10 +99,17 @@ def exception(fact, symmetries):
 
 def statement(last, theorem):
     lines = list(system(last.family))
-    at_once = "at once " * (len(last.classes) > 1)
-    lines.append(f"is not integrable with first integrals that are {at_once}{enumerated(c.sentence() for c in last.classes)}, "
-                 "where the denominators are not 0 for all coordinates")
-    lines += [f"  {place(f)}: {'; '.join(f.way)}" for f in theorem.parts if any(c.on_leaf for c in f.classes)]
+    kinds = {f.kind for f in theorem.parts}
+    but = ", but where it is integrable" * ("J" in kinds and bool(last.classes)) + ", but where nothing is said" * ("O" in kinds)
+    verdict = f"is not integrable with {first_integrals(last.classes)}" if last.classes else "is integrable"
+    lines.append(f"{verdict}, where the denominators are not 0 for all coordinates{but}")
+    for f in theorem.parts:
+        if f.kind == "N" and f.trusted:
+            lines.append(f"  TRUSTED: not integrable with {first_integrals(f.classes)} {place(f)}: {quoted(f.trusted)}")
+        elif f.shows_way or any(c.on_leaf for c in f.classes):
+            lines.append(f"  {place(f)}: {'; '.join(f.way)}")
+    lines += [integrable(f) for f in theorem.parts if f.kind == "J"]
+    lines += [f"  nothing is said {place(f)}" for f in theorem.parts if f.kind == "O"]
     lines += [exception(f, theorem.symmetries) for f in theorem.parts if f.kind == "I"]
     for f in theorem.symmetries:
         space, map = f.family.space, f.map

@@ -124,6 +124,8 @@ struct SystemCertificate {
 [[nodiscard]] CurveFunction read_curve_function(const PhaseCurve& c, const Node& n);
 [[nodiscard]] Json to_json(const CurveFunction& f);
 [[nodiscard]] Json to_json(const PhaseFunction& f);
+/// The object `system`.
+[[nodiscard]] Json to_json(const PhaseSystem& s);
 [[nodiscard]] std::string write_system_certificate(const SystemCertificate& c);
 
 } // namespace kov::certify

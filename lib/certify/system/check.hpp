@@ -27,6 +27,10 @@ struct SystemAccepted {
 [[nodiscard]] std::string to_string(const PhaseFunction& f);
 /// "the phase curve with z = q1 on 'N': q2 = 0, p2 = 0; levels H - h = 0"
 [[nodiscard]] std::string phase_curve(const SystemCertificate& c);
+/// Bracket and Hamiltonian, or the field; the functions, the inverses, the relations: a line each.
+[[nodiscard]] std::vector<std::string> shown_system(const PhaseSystem& s);
+/// "for functions with s = 0, c = 1 there", if there are some.
+[[nodiscard]] std::vector<std::string> functions_there(const SystemCertificate& c);
 /// The lines of section 8.  Requires a certificate that was accepted, with what was found.
 [[nodiscard]] std::vector<std::string> statement(const SystemCertificate& c,
                                                  const SystemAccepted& found);

@@ -29,6 +29,29 @@ std::string zeros(const std::vector<PhaseFunction>& all) {
   return joined(said, ", ");
 }
 
+// As it was given: (p)/(n*(d_1)^2*(d_2)).
+std::string shown_element(const PhaseCurve& c, const CurveFunction& f) {
+  std::vector<std::string> below;
+  if (f.n != Integer(1)) below.push_back(to_string(f.n));
+  for (std::size_t k = 0; k < f.over.size(); ++k)
+    if (f.over[k] > 0)
+      below.push_back("(" + to_string(c.denominators[k]) + ")" +
+                      (f.over[k] > 1 ? "^" + std::to_string(f.over[k]) : ""));
+  if (below.empty()) return to_string(f.p);
+  return "(" + to_string(f.p) + ")/(" + joined(below, "*") + ")";
+}
+
+std::string shown_field(const PhaseSystem& s) {
+  const auto& names = s.ring->names();
+  std::vector<std::string> all;
+  for (const PhaseBracket& b : s.brackets)
+    all.push_back("{" + names[b.first] + ", " + names[b.second] + "} = " + to_string(b.value));
+  if (s.hamiltonian) all.push_back("H = " + to_string(*s.hamiltonian));
+  for (std::size_t i = 0; i < s.field.size(); ++i)
+    all.push_back(names[i] + "' = " + to_string(s.field[i]));
+  return joined(all, ", ");
+}
+
 class SystemStatement {
 public:
   SystemStatement(const SystemCertificate& c, const SystemAccepted& found)
@@ -36,8 +59,8 @@ public:
 
   std::vector<std::string> operator()() {
     lines_.push_back("the system " + quoted(c_.way.title) + parameters());
-    lines_.push_back("  " + field());
-    symbols();
+    for (const std::string& line : shown_system(s_))
+      lines_.push_back("  " + line);
     for (const ClaimedFunction& f : c_.way.claims)
       lines_.push_back(std::string(f.casimir ? "  Casimir function " : "  first integral ") +
                        quoted(f.name) + ": " + to_string(f.value));
@@ -59,61 +82,16 @@ private:
     return all.empty() ? "" : " with parameters " + joined(all, ", ");
   }
 
-  [[nodiscard]] std::string field() const {
-    std::vector<std::string> all;
-    for (const PhaseBracket& b : s_.brackets)
-      all.push_back("{" + name(b.first) + ", " + name(b.second) + "} = " + to_string(b.value));
-    if (s_.hamiltonian) all.push_back("H = " + to_string(*s_.hamiltonian));
-    for (std::size_t i = 0; i < s_.field.size(); ++i)
-      all.push_back(name(i) + "' = " + to_string(s_.field[i]));
-    return joined(all, ", ");
-  }
-
-  void symbols() {
-    for (std::size_t i = 0; i < s_.functions.size(); ++i) {
-      std::vector<std::string> gradient;
-      const std::string& s = name(s_.dimension + i);
-      for (const auto& [j, g] : s_.functions[i].gradient)
-        if (!is_zero(g.p)) gradient.push_back("d" + s + "/d" + name(j) + " = " + to_string(g));
-      lines_.push_back("  " + s + " " + quoted(s_.functions[i].meaning) + ": " +
-                       (gradient.empty() ? "constant" : joined(gradient, ", ")));
-    }
-    for (std::size_t i = 0; i < s_.inverses.size(); ++i)
-      lines_.push_back("  " + name(s_.first_inverse() + i) + " = 1/(" + to_string(s_.inverses[i]) +
-                       ")");
-    for (const MPoly& r : s_.relations)
-      lines_.push_back("  " + to_string(r) + " = 0");
-  }
-
-  // As it was given: (p)/(n*(d_1)^2*(d_2)).
-  [[nodiscard]] std::string element(const CurveFunction& f) const {
-    std::vector<std::string> below;
-    if (f.n != Integer(1)) below.push_back(to_string(f.n));
-    for (std::size_t k = 0; k < f.over.size(); ++k)
-      if (f.over[k] > 0)
-        below.push_back("(" + to_string(c_.way.curve.denominators[k]) + ")" +
-                        (f.over[k] > 1 ? "^" + std::to_string(f.over[k]) : ""));
-    if (below.empty()) return to_string(f.p);
-    return "(" + to_string(f.p) + ")/(" + joined(below, "*") + ")";
-  }
-
-  // The functions meant take these values on the curve.
-  void functions(const PhaseCurve& c) {
-    std::vector<std::string> all;
-    for (std::size_t i = s_.dimension; i < s_.first_inverse(); ++i)
-      for (const auto& [k, value] : c.values)
-        if (k == i) all.push_back(name(i) + " = " + element(value));
-    if (!all.empty()) lines_.push_back("  for functions with " + joined(all, ", ") + " there");
-  }
-
   void curve() {
     const PhaseCurve& c = c_.way.curve;
     const std::string& z = c.ring->name(c.z());
     lines_.push_back("along " + phase_curve(c_));
-    functions(c);
+    for (const std::string& line : functions_there(c_))
+      lines_.push_back("  " + line);
     for (std::size_t i = 0; i < c.tower.size(); ++i)
       lines_.push_back("  " + c.ring->name(c.variable(i)) + "^" +
-                       std::to_string(c.tower[i].degree) + " = " + element(c.tower[i].value));
+                       std::to_string(c.tower[i].degree) + " = " +
+                       shown_element(c, c.tower[i].value));
     for (const MPoly& d : c.denominators) {
       const auto used = used_variables(d);
       if (std::none_of(used.begin(), used.end(), [&](std::size_t i) { return i > c.z(); }))
@@ -138,6 +116,35 @@ private:
 };
 
 } // namespace
+
+std::vector<std::string> shown_system(const PhaseSystem& s) {
+  std::vector<std::string> lines{shown_field(s)};
+  const auto& names = s.ring->names();
+  for (std::size_t i = 0; i < s.functions.size(); ++i) {
+    std::vector<std::string> gradient;
+    const std::string& f = names[s.dimension + i];
+    for (const auto& [j, g] : s.functions[i].gradient)
+      if (!is_zero(g.p)) gradient.push_back("d" + f + "/d" + names[j] + " = " + to_string(g));
+    lines.push_back(f + " " + quoted(s.functions[i].meaning) + ": " +
+                    (gradient.empty() ? "constant" : joined(gradient, ", ")));
+  }
+  for (std::size_t i = 0; i < s.inverses.size(); ++i)
+    lines.push_back(names[s.first_inverse() + i] + " = 1/(" + to_string(s.inverses[i]) + ")");
+  for (const MPoly& r : s.relations)
+    lines.push_back(to_string(r) + " = 0");
+  return lines;
+}
+
+// The functions meant take these values on the curve.
+std::vector<std::string> functions_there(const SystemCertificate& c) {
+  const PhaseSystem& s = c.way.system;
+  std::vector<std::string> all;
+  for (std::size_t i = s.dimension; i < s.first_inverse(); ++i)
+    for (const auto& [k, value] : c.way.curve.values)
+      if (k == i) all.push_back(s.ring->name(i) + " = " + shown_element(c.way.curve, value));
+  if (all.empty()) return {};
+  return {"for functions with " + joined(all, ", ") + " there"};
+}
 
 std::string phase_curve(const SystemCertificate& c) {
   const PhaseCurve& x = c.way.curve;

@@ -66,6 +66,7 @@ public:
     whole.emplace_back("claim", Json{Json::Object{{"not_integrable", Json{c_.not_integrable}}}});
     return {std::move(whole)};
   }
+  [[nodiscard]] Json of_the_system() const { return system(); }
 
 private:
   [[nodiscard]] Json name(std::size_t i) const { return text(s_.ring->name(i)); }
@@ -172,6 +173,12 @@ private:
 };
 
 } // namespace
+
+Json to_json(const PhaseSystem& s) {
+  SystemCertificate c;
+  c.way.system = s;
+  return SystemWriter(c).of_the_system();
+}
 
 std::string write_system_certificate(const SystemCertificate& c) {
   return to_string(SystemWriter(c)());

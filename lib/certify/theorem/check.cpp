@@ -2,11 +2,13 @@
 
 #include "certify/equation/facts.hpp"
 #include "certify/equation/statement.hpp"
+#include "certify/jets/check.hpp"
 #include "certify/system/check.hpp"
 #include "certify/text/limits.hpp"
 #include "certify/theorem/fact.hpp"
 #include "certify/theorem/lowest_order.hpp"
 #include "certify/theorem/splitting.hpp"
+#include "certify/theorem/stratum.hpp"
 #include "exact/error.hpp"
 
 #include <algorithm>
@@ -15,7 +17,8 @@ namespace kov::certify {
 
 namespace {
 
-constexpr std::size_t max_families = 40, max_theorem_steps = 200, max_word = 40;
+constexpr std::size_t max_families = 40, max_theorem_steps = 200, max_word = 40,
+                      max_step_text = 4000;
 constexpr std::size_t max_proof_nodes = 200000;
 constexpr int max_json_depth = 512;
 
@@ -90,7 +93,13 @@ private:
   }
 
   TheoremAccepted accepted() const {
-    TheoremAccepted yes{0, 0, theorem_statement(*last_, parts_, symmetries_)};
+    TheoremAccepted yes{0, 0, 0, 0, theorem_statement(*last_, parts_, symmetries_)};
+    for (const TheoremFact* f : parts_) {
+      yes.trusted += f->trusted.empty() ? 0 : 1;
+      for (const ClaimedIntegrals& c : f->integrals)
+        yes.trusted += c.not_shown.size();
+      yes.open += f->kind == FactKind::open ? 1 : 0;
+    }
     for (const NamedTheorem& t : named_theorems()) {
       if (!last_->used.contains(t.id)) continue;
       ++yes.theorems;
@@ -121,12 +130,21 @@ private:
                     : rule == "place"        ? place(k)
                     : rule == "symmetry"     ? symmetry(k)
                     : rule == "lowest-order" ? lowest_order(k)
+                    : rule == "stratum"      ? stratum(k)
+                    : rule == "integrable"   ? integrable(k)
+                    : rule == "trusted"      ? trusted(k)
+                    : rule == "open"         ? open(k)
                     : rule == "cover"        ? cover(k)
                                              : (n.fail("an unknown rule"), TheoremFact{});
     k.done();
     last_ = &facts_.emplace(id, std::move(f)).first->second;
   }
 
+  const Family& plain_family(Keys& k) {
+    const Family& f = family(k);
+    need(f.is_plain(), "a Hamiltonian system with real parameters is expected");
+    return f;
+  }
   const Family& family(Keys& k) {
     const std::string name = k.at("system").text();
     const auto found = std::find_if(families_.begin(), families_.end(),
@@ -147,8 +165,49 @@ private:
 
   // ---- 5
 
+  static bool is_of_jets(const Node& inner) {
+    Keys k(inner);
+    return k.at("format").text() == "kovacic-jets/1";
+  }
+
+  // Of higher variational equations: canonical coordinates, nothing is left out.
+  static TheoremFact jets(const Node& inner) {
+    const JetsCertificate c = [&] {
+      try {
+        return read_jets_certificate(to_string(inner.json()));
+      } catch (const InvalidArgument& e) {
+        inner.fail(e.what());
+      }
+    }();
+    const auto verdict = check_jets(c);
+    if (const auto* no = std::get_if<Rejected>(&verdict))
+      throw Refused{no->step + ": " + no->why, no->limit};
+    need(std::get<JetsAccepted>(verdict).trusted == 0, "not without trust");
+    need(c.field.tower.empty(), "an algebraic constant among the parameters");
+    TheoremFact f;
+    f.classes = {IntegralClass{}};
+    f.way = {"VE_" + std::to_string(c.order) + " along a line of " + quoted(c.title)};
+    f.used = {"Morales-Ramis-Simo"};
+    f.only_stratum = true;
+    auto s = std::make_shared<PhaseSystem>();
+    s->ring = c.phase;
+    const std::size_t n = 2 + c.others;
+    s->dimension = 2 * n;
+    s->hamiltonian = c.hamiltonian;
+    for (std::size_t i = 0; i < n; ++i)
+      s->brackets.push_back({i, i + n, {MPoly(c.phase, Integer(1)), Integer(1)}});
+    f.system = s;
+    f.target = Target{f.system.get(), {}};
+    const Ring& ring = f.system->ring;
+    const std::string e = c.field.ring->name(c.e());
+    for (const MPoly& d : c.field.denominators)
+      f.target->asked.push_back({false, Sign::nonzero, only(in_z(ring, e, inner, d), ring)});
+    f.target->asked.push_back(not_all_zero(in_z(ring, e, inner, c.obstruction.value.p), ring));
+    return f;
+  }
   TheoremFact certificate(Keys& k) {
     const Node inner = k.at("certificate");
+    if (is_of_jets(inner)) return jets(inner);
     SystemCertificate c = [&] {
       try {
         return read_system_certificate(to_string(inner.json()));
@@ -162,16 +221,16 @@ private:
     const auto& yes = std::get<SystemAccepted>(verdict);
     need(yes.trusted == 0 && yes.not_integrable,
          "not proved for all parameters, or not without trust");
-    need(c.way.system.hamiltonian && yes.integrals.functions.empty() &&
-             yes.integrals.without.empty(),
-         "another class");
     TheoremFact f;
+    f.only_stratum = !c.way.system.hamiltonian || !yes.integrals.functions.empty() ||
+                     !yes.integrals.without.empty();
     f.classes = {yes.integrals};
     f.way = {phase_curve(c) + " of " + quoted(c.way.title)};
-    f.used = {"Morales-Ramis"};
+    for (std::string& text : functions_there(c))
+      f.way.push_back(std::move(text));
+    f.used = {c.way.system.hamiltonian ? "Morales-Ramis" : "Ayoul-Zung"};
     f.system = std::make_shared<PhaseSystem>(c.way.system);
     f.target = Target{f.system.get(), asked(c, inner)};
-    static_cast<void>(used_names(*f.system));
     return f;
   }
   static std::vector<AskedCondition> asked(const SystemCertificate& c, const Node& at) {
@@ -214,7 +273,7 @@ private:
 
   TheoremFact literature(Keys& k) {
     need(k.at("theorem").text() == "Ziglin 1983", "an unknown theorem");
-    const Family& y = family(k);
+    const Family& y = plain_family(k);
     const Json json = parse_json(symmetric_heavy_top());
     const Family known = read_family(Node(json, "Ziglin 1983", rationals()), arithmetic_);
     const auto same = [](const PhaseFunction& f, const PhaseFunction& g) {
@@ -291,7 +350,7 @@ private:
 
   TheoremFact splitting(Keys& k) {
     TheoremFact f;
-    f.family = &family(k);
+    f.family = &plain_family(k);
     f.region = need_splitting(*f.family, k, arithmetic_, nodes_);
     f.classes = {real_analytic()};
     f.used = {"Ziglin 1980"};
@@ -318,9 +377,11 @@ private:
   }
 
   TheoremFact place(Keys& k) {
-    const Family& x = family(k);
+    const Family& x = plain_family(k);
     const TheoremFact& of = fact(k.at("of"));
-    need_kind(of, of.kind != FactKind::symmetry);
+    need_kind(of, of.kind == FactKind::not_integrable || of.kind == FactKind::integrals);
+    need(!of.only_stratum && of.trusted.empty() && (!of.family || of.family->is_plain()),
+         "another class");
     const ParameterFunctions at = read_at(x, k.at("at"));
     const Conditions region = x.region(k.at("region"));
     const Target y = of.target
@@ -349,8 +410,62 @@ private:
     return std::find(f.classes.begin(), f.classes.end(), integrals) != f.classes.end();
   }
 
-  TheoremFact symmetry(Keys& k) {
+  // ---- 12 to 15
+
+  FamilyStratum stratum_of(Keys& k) {
     const Family& x = family(k);
+    return {&x, read_at(x, k.at("at")), x.region(k.at("region"))};
+  }
+
+  TheoremFact stratum(Keys& k) {
+    const FamilyStratum here = stratum_of(k);
+    const TheoremFact& of = fact(k.at("of"));
+    need_kind(of, of.kind == FactKind::not_integrable && of.target.has_value());
+    need_restriction(here, *of.target, k.at("shown"), arithmetic_, nodes_);
+    TheoremFact f;
+    f.family = here.family;
+    f.region = here.conditions();
+    f.classes = of.classes;
+    f.used = of.used;
+    f.way = of.way;
+    f.shows_way = true;
+    return f;
+  }
+
+  TheoremFact integrable(Keys& k) {
+    const FamilyStratum here = stratum_of(k);
+    TheoremFact f;
+    f.kind = FactKind::integrable;
+    f.family = here.family;
+    f.region = here.conditions();
+    f.integrals.push_back(need_integrable(here, k, arithmetic_, nodes_));
+    return f;
+  }
+
+  TheoremFact somewhere(Keys& k, FactKind kind) {
+    TheoremFact f;
+    f.kind = kind;
+    f.family = &family(k);
+    for (const Node& n : k.at("regions").items())
+      f.regions.push_back(f.family->region(n));
+    if (f.regions.empty()) k.at("regions").fail("a region is expected");
+    return f;
+  }
+  TheoremFact trusted(Keys& k) {
+    const std::string says = k.at("says").text();
+    need(says == "not integrable" || says == "integrable", "a trusted step says something else");
+    TheoremFact f =
+        somewhere(k, says == "integrable" ? FactKind::integrable : FactKind::not_integrable);
+    f.trusted = k.at("step").text();
+    if (f.trusted.empty() || f.trusted.size() > max_step_text)
+      k.at("step").fail("the name of the step is expected");
+    if (f.kind == FactKind::not_integrable) f.classes = {read_class(k.at("class"))};
+    return f;
+  }
+  TheoremFact open(Keys& k) { return somewhere(k, FactKind::open); }
+
+  TheoremFact symmetry(Keys& k) {
+    const Family& x = plain_family(k);
     if (!k.at("adjoined").items().empty()) k.at("adjoined").fail("nothing is adjoined");
     auto map = std::make_shared<Map>(x, ParameterFunctions{}, Conditions{}, target_of(x, {}, false),
                                      k, arithmetic_, nodes_);
@@ -365,10 +480,11 @@ private:
   }
 
   TheoremFact lowest_order(Keys& k) {
-    const Family& x = family(k);
+    const Family& x = plain_family(k);
     const TheoremFact& of = fact(k.at("of"));
     need_kind(of, of.kind == FactKind::not_integrable);
-    need(of.family != nullptr, "the step is about a system of a certificate");
+    need(of.family != nullptr && of.family->is_plain(),
+         "the step is about a system of a certificate");
     need(!on_one_leaf(of.classes), "what is independent on one leaf, of parts of lowest order");
     need_lowest_order(x, *of.family, k, arithmetic_, nodes_);
     TheoremFact f;
@@ -390,19 +506,23 @@ private:
     for (const Node& n : k.at("symmetries").items())
       symmetries_.push_back(&of_kind(n, x, FactKind::symmetry, FactKind::symmetry));
     for (const Node& n : k.at("parts").items())
-      parts_.push_back(&of_kind(n, x, FactKind::not_integrable, FactKind::integrals));
+      parts_.push_back(&part_about(n, x));
     for (const TheoremFact* f : parts_) {
       for (const IntegralClass& c : f->classes)
         if (!has(all, c)) all.classes.push_back(c);
       all.used.insert(f->used.begin(), f->used.end());
     }
-    need(!all.classes.empty(), "nothing says that it is not integrable");
+    need(!all.classes.empty() ||
+             std::any_of(parts_.begin(), parts_.end(),
+                         [](const auto* f) { return f->kind == FactKind::integrable; }),
+         "nothing says that it is not integrable");
     if (has(all, on_leaves()))
       for (const TheoremFact* f : symmetries_)
         f->map->need_level(rigid_level);
     Conditions given = x.assumptions;
-    RealProof(x.system.ring, parameters(x), arithmetic_, nodes_)
-        .refute(k.at("tree"), given, [&](const Node& n, Conditions& here) { part(n, here, x); });
+    x.proof(arithmetic_, nodes_).refute(k.at("tree"), given, [&](const Node& n, Conditions& here) {
+      part(n, here, x);
+    });
     return all;
   }
   const TheoremFact& of_kind(const Node& n, const Family& x, FactKind one, FactKind other) {
@@ -411,11 +531,11 @@ private:
     need(f.family == &x, "a step is about another system");
     return f;
   }
-  static std::vector<bool> parameters(const Family& x) {
-    std::vector<bool> real(x.system.ring->size(), false);
-    for (std::size_t i = x.system.first_parameter(); i < real.size(); ++i)
-      real[i] = true;
-    return real;
+  const TheoremFact& part_about(const Node& n, const Family& x) {
+    const TheoremFact& f = fact(n);
+    need_kind(f, f.kind != FactKind::symmetry);
+    need(f.family == &x, "a step is about another system");
+    return f;
   }
 
   void part(const Node& n, Conditions& given, const Family& x) {
@@ -424,13 +544,16 @@ private:
     const TheoremFact& f = *parts_[index(k.at("part"), parts_.size(), "no such part")];
     const auto word = k.at("word").items(), shown = k.at("shown").items();
     need(word.size() <= max_word, "no such part");
-    if (shown.size() != f.region.size()) n.fail("each condition of the part must be shown");
-    RealProof proof(x.system.ring, parameters(x), arithmetic_, nodes_);
+    const Conditions& region =
+        f.regions.empty() ? f.region
+                          : f.regions[index(k.at("region"), f.regions.size(), "no such region")];
+    if (shown.size() != region.size()) n.fail("each condition of the part must be shown");
+    RealProof proof = x.proof(arithmetic_, nodes_);
     for (std::size_t i = 0; i < shown.size(); ++i) {
-      MPoly g = f.region[i].p;
+      MPoly g = region[i].p;
       for (const Node& w : word)
         g = symmetries_[index(w, symmetries_.size(), "no such symmetry")]->map->phi(g).p;
-      proof.show({back(g, x), f.region[i].sign}, shown[i], given);
+      proof.show({back(g, x), region[i].sign}, shown[i], given);
     }
     k.done();
   }
@@ -467,8 +590,14 @@ Family read_family(const Node& n, Arithmetic& a) {
   if (parameters.size() > max_parameters) n.fail("too many parameters");
   const Node system = k.at("system");
   f.system = read_phase_system(system, parameters);
-  if (!f.system.hamiltonian || !f.system.functions.empty() || !f.system.relations.empty())
-    system.fail("a Hamiltonian and brackets are expected, and nothing else");
+  if (const auto complex = k.find("complex")) {
+    f.complex.assign(f.system.ring->size(), false);
+    for (const Node& x : complex->items()) {
+      const auto i = f.system.ring->find(x.text());
+      if (!i || !f.is_parameter(*i) || f.complex[*i]) x.fail("a parameter is expected");
+      f.complex[*i] = true;
+    }
+  }
   const PhaseSpace space(f.system, a);
   space.need_symbols();
   static_cast<void>(space.field());

@@ -10,19 +10,25 @@
 
 namespace kov::certify {
 
-enum class FactKind : std::uint8_t { not_integrable, integrals, symmetry };
+enum class FactKind : std::uint8_t { not_integrable, integrals, symmetry, integrable, open };
 
 /// First integrals of a family, as they are shown.
 struct ClaimedIntegrals {
   const Family* family = nullptr;
   std::vector<std::pair<std::string, PhaseFunction>> claims;
   std::vector<PhaseFunction> level;
+  std::vector<std::vector<PhaseFunction>> fields{}; ///< that commute with the family's
+  std::vector<std::string> not_shown{};             ///< what is taken on trust of them
 };
 
 struct TheoremFact {
   FactKind kind = FactKind::not_integrable;
   const Family* family = nullptr; ///< null: the system of a certificate, known by `target` alone
   Conditions region;
+  std::vector<Conditions> regions{};  ///< instead of one: in any of these
+  std::string trusted{};              ///< the step that nothing repeats
+  bool only_stratum = false;          ///< of a certificate: in the coordinates of its own system
+  bool shows_way = false;             ///< the statement names the curve
   std::vector<IntegralClass> classes; ///< of first integrals that are excluded
   std::vector<ClaimedIntegrals> integrals;
   std::set<std::string> used;   ///< theorems of the literature
@@ -56,6 +62,9 @@ struct NamedTheorem {
 [[nodiscard]] std::vector<std::string>
 theorem_statement(const TheoremFact& last, const std::vector<const TheoremFact*>& parts,
                   const std::vector<const TheoremFact*>& symmetries);
+
+/// The classes of first integrals as JSON (theorem_certificates.md 12).
+[[nodiscard]] IntegralClass read_class(const Node& n);
 
 /// FAMILY, with S1 and S2.
 [[nodiscard]] Family read_family(const Node& n, Arithmetic& a);

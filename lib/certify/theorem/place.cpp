@@ -51,6 +51,18 @@ Conditions Family::region(const Node& n) const {
   return all;
 }
 
+bool Family::is_plain() const {
+  return system.hamiltonian && system.functions.empty() && system.relations.empty() &&
+         std::none_of(complex.begin(), complex.end(), [](bool x) { return x; });
+}
+
+RealProof Family::proof(Arithmetic& a, std::size_t& nodes_left) const {
+  std::vector<bool> real(system.ring->size(), false);
+  for (std::size_t i = system.first_parameter(); i < real.size(); ++i)
+    real[i] = complex.empty() || !complex[i];
+  return {system.ring, std::move(real), a, nodes_left, complex};
+}
+
 Target target_of(const Family& f, const Conditions& region, bool real) {
   Target t{&f.system, {}};
   for (std::size_t i = f.system.first_parameter(); real && i < f.system.ring->size(); ++i)
@@ -63,9 +75,12 @@ Target target_of(const Family& f, const Conditions& region, bool real) {
 
 std::vector<bool> used_names(const PhaseSystem& s) {
   std::vector<bool> used(s.ring->size(), false);
-  std::vector<MPoly> left{s.hamiltonian->p};
+  std::vector<MPoly> left;
+  if (s.hamiltonian) left.push_back(s.hamiltonian->p);
   for (const PhaseBracket& b : s.brackets)
     left.push_back(b.value.p);
+  for (const PhaseFunction& f : s.field)
+    left.push_back(f.p);
   while (!left.empty()) {
     const MPoly f = std::move(left.back());
     left.pop_back();
@@ -74,11 +89,18 @@ std::vector<bool> used_names(const PhaseSystem& s) {
       used[i] = true;
       if (i >= s.first_inverse() && i < s.first_parameter())
         left.push_back(s.inverses[i - s.first_inverse()]);
+      if (i >= s.dimension && i < s.first_inverse())
+        for (const auto& [j, g] : s.functions[i - s.dimension].gradient)
+          left.push_back(g.p);
     }
   }
+  return used;
+}
+
+void need_no_functions(const PhaseSystem& s) {
+  const std::vector<bool> used = used_names(s);
   for (std::size_t i = s.dimension; i < s.first_inverse(); ++i)
     need(!used[i], "a function occurs in the system");
-  return used;
 }
 
 Map::Map(const Family& x, const ParameterFunctions& at, const Conditions& region, const Target& y,
@@ -215,6 +237,7 @@ void Map::adjoin(const Node& n) {
 // (M2)
 void Map::read_values(const Node& n) {
   const PhaseSystem& y = *y_.system;
+  need_no_functions(y);
   const std::vector<bool> used = used_names(y);
   values_.resize(y.ring->size());
   Keys k(n);

@@ -11,12 +11,18 @@
 
 namespace kov::certify {
 
-/// X: all parameters are real.
+/// X: the parameters are real, but for those that are said to be complex.
 struct Family {
   std::string name;
   PhaseSystem system;
   Conditions assumptions; ///< in the ring of the system
   std::optional<LagrangianForm> lagrangian{};
+  std::vector<bool> complex{}; ///< by variable of the ring
+
+  /// A Hamiltonian system without functions and relations, with real parameters.
+  [[nodiscard]] bool is_plain() const;
+  /// Proofs about its parameters.
+  [[nodiscard]] RealProof proof(Arithmetic& a, std::size_t& nodes_left) const;
 
   [[nodiscard]] bool is_parameter(std::size_t i) const { return i >= system.first_parameter(); }
   /// Refuses a polynomial with coordinates or inverses.
@@ -101,7 +107,9 @@ private:
   bool moves_origin_ = false;
 };
 
-/// The inverses that the Hamiltonian, the brackets and these inverses use.
+/// What the Hamiltonian and the brackets, or the field, the gradients and the inverses in them use.
 [[nodiscard]] std::vector<bool> used_names(const PhaseSystem& s);
+/// Refuses a system in which a function occurs.
+void need_no_functions(const PhaseSystem& s);
 
 } // namespace kov::certify

@@ -70,6 +70,7 @@ void RealProof::refute(const Node& n, Conditions& given, const Leaf& leaf, int d
     refute_with({f, sign}, k.at(key), given, leaf, depth - 1);
   };
   if (kind == "sign") {
+    need(is_real(p), "the sign of what need not be real");
     branch("positive", p, Sign::positive);
     branch("zero", p, Sign::zero);
     branch("negative", -p, Sign::positive);
@@ -94,8 +95,13 @@ void RealProof::show(const Condition& c, const Node& n, Conditions& given) {
 MPoly RealProof::poly(const Node& n) const {
   MPoly f = read_poly(ring_, n);
   for (const std::size_t i : used_variables(f))
-    if (!real_[i]) n.fail("a name that is not real");
+    if (!real_[i] && !complex_[i]) n.fail("a name that is not real");
   return f;
+}
+
+bool RealProof::is_real(const MPoly& f) const {
+  const auto used = used_variables(f);
+  return std::none_of(used.begin(), used.end(), [&](std::size_t i) { return complex_[i]; });
 }
 
 const Condition& RealProof::at(const Node& n, const Conditions& given) {
@@ -111,16 +117,17 @@ RealProof::Term RealProof::term(const Node& n, const Conditions& given) {
   Term t{parts[0].rational(), a_.times(q, q), !is_zero(q) && is_constant(q)};
   need(t.c > Rational(0), "a factor is not positive");
   need_short(t.c.num());
+  t.real = is_real(q);
   for (std::size_t j = 2; j < parts.size(); ++j) {
     const auto pair = parts[j].items();
     if (pair.size() != 2) parts[j].fail("an index and an exponent are expected");
     const Condition& f = at(pair[0], given);
     const long e = pair[1].count();
     need(e >= 1 && e <= max_exponent_of_a_factor, "an exponent is out of range");
-    need(f.sign == Sign::positive || f.sign == Sign::nonnegative ||
-             (f.sign == Sign::nonzero && e % 2 == 0),
-         "a factor has no sign");
+    need(f.sign != Sign::zero, "a factor has no sign");
+    t.real = t.real && (f.sign != Sign::nonzero || (e % 2 == 0 && is_real(f.p)));
     t.strict = t.strict && f.sign != Sign::nonnegative;
+
     t.f = a_.times(t.f, a_.power(f.p, static_cast<unsigned long>(e)));
   }
   return t;
@@ -152,6 +159,8 @@ void RealProof::contradiction(const Node& n, const Conditions& given) {
   }
   need(std::any_of(all.begin(), all.end(), [](const Term& t) { return t.strict; }),
        "no term is strict");
+  need(all.size() == 1 || std::all_of(all.begin(), all.end(), [](const Term& t) { return t.real; }),
+       "a factor has no sign");
   need(is_zero(sum), "the sum is not 0");
 }
 

@@ -37,22 +37,48 @@ void put_system(std::vector<std::string>& lines, const Family& f) {
   const auto& names = s.ring->names();
   const std::vector<std::string> parameters(names.begin() + static_cast<long>(s.first_parameter()),
                                             names.end());
+  std::vector<std::string> real, complex;
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    (!f.complex.empty() && f.complex[s.first_parameter() + i] ? complex : real)
+        .push_back(parameters[i]);
   lines.push_back("the system " + quoted(f.name) +
-                  (parameters.empty() ? "" : " with real parameters " + joined(parameters)));
-  std::vector<std::string> field;
-  for (const PhaseBracket& b : s.brackets)
-    field.push_back("{" + names[b.first] + ", " + names[b.second] + "} = " + to_string(b.value));
-  field.push_back("H = " + to_string(*s.hamiltonian));
-  lines.push_back("  " + joined(field));
-  for (std::size_t k = 0; k < s.inverses.size(); ++k)
-    lines.push_back("  " + names[s.first_inverse() + k] + " = 1/(" + to_string(s.inverses[k]) +
-                    ")");
+                  (real.empty() ? "" : " with real parameters " + joined(real)) +
+                  (complex.empty() ? ""
+                                   : std::string(real.empty() ? " with" : " and") +
+                                         " complex parameters " + joined(complex)));
+  for (const std::string& line : shown_system(s))
+    lines.push_back("  " + line);
   if (f.lagrangian) lines.push_back(shown_lagrangian(*f.lagrangian, s));
   if (!f.assumptions.empty()) lines.push_back("  " + text(f.assumptions));
 }
 
 std::string place(const TheoremFact& f) {
-  return f.region.empty() ? "everywhere" : "where " + text(f.region);
+  if (f.regions.empty()) return f.region.empty() ? "everywhere" : "where " + text(f.region);
+  std::vector<std::string> all;
+  for (const Conditions& c : f.regions)
+    all.push_back(c.empty() ? "everywhere" : "where " + text(c));
+  return joined(all, "; or ");
+}
+
+// "X1, X2" in the order of the coordinates
+std::string shown_field(const std::vector<PhaseFunction>& y) {
+  std::vector<std::string> all;
+  for (const PhaseFunction& f : y)
+    all.push_back(to_string(f));
+  return "(" + joined(all) + ")";
+}
+
+// With a bracket: independent and in involution; without: they and the fields commute.
+std::string integrable(const TheoremFact& f) {
+  if (!f.trusted.empty()) return "  TRUSTED: integrable " + place(f) + ": " + quoted(f.trusted);
+  std::vector<std::string> said;
+  const ClaimedIntegrals& c = f.integrals.front();
+  for (const auto& [name, value] : c.claims)
+    said.push_back("first integral " + quoted(name) + ": " + to_string(value));
+  for (const auto& y : c.fields)
+    said.push_back("commuting field " + shown_field(y));
+  return "  integrable " + place(f) + ": " + joined(said) +
+         (c.not_shown.empty() ? "" : " (TRUSTED: " + joined(c.not_shown) + ")");
 }
 
 std::string exception(const TheoremFact& f, bool has_symmetries) {
@@ -93,6 +119,14 @@ const std::vector<NamedTheorem>& named_theorems() {
         {checked, "the curve is a phase curve and no equilibrium (C4, C5)"},
         {stated, "the first integrals are meromorphic near the curve, and independent on the "
                  "symplectic leaf that carries it"}}},
+      {"Morales-Ramis-Simo",
+       "Morales-Ruiz, Ramis and Simo (2007)",
+       {{checked, "the curve is a phase curve of a Hamiltonian system (J1, J2)"},
+        {stated, "the first integrals are meromorphic near the curve"}}},
+      {"Ayoul-Zung",
+       "Ayoul and Zung (2010)",
+       {{checked, "the curve is a phase curve and no equilibrium (C4, C5)"},
+        {stated, "first integrals and commuting vector fields are meromorphic near the curve"}}},
       {"Ziglin 1980",
        "Ziglin on the splitting of separatrices (1980)",
        {{checked, "hypotheses 1 to 6, for a perturbation of the Euler top (Z1 to Z3)"},
@@ -125,6 +159,44 @@ const std::string& symmetric_heavy_top() {
   return json;
 }
 
+IntegralClass read_class(const Node& n) {
+  using Kind = IntegralClass::Kind;
+  using Near = IntegralClass::Near;
+  static const std::vector<std::pair<std::string, Kind>> kinds{{"rational", Kind::rational},
+                                                               {"meromorphic", Kind::meromorphic}};
+  static const std::vector<std::pair<std::string, Near>> places{
+      {"curve", Near::curve}, {"closed curve", Near::closed_curve}, {"origin", Near::origin}};
+  const auto one_of = [](const Node& x, const auto& all) {
+    for (const auto& [name, value] : all)
+      if (name == x.text()) return value;
+    x.fail("an unknown word");
+  };
+  const auto texts = [](const Node& x) {
+    std::vector<std::string> all;
+    for (const Node& one : x.items()) {
+      all.push_back(one.text());
+      if (!is_name(all.back())) one.fail("a name is expected");
+    }
+    return all;
+  };
+  Keys k(n);
+  IntegralClass c;
+  c.kind = one_of(k.at("kind"), kinds);
+  c.near = one_of(k.at("near"), places);
+  static const std::vector<std::pair<std::string, bool>> truths{{"yes", true}, {"no", false}};
+  c.on_leaf = one_of(k.at("on_leaf"), truths);
+  c.liouville = one_of(k.at("liouville"), truths);
+  c.functions = texts(k.at("functions"));
+  c.without = texts(k.at("without"));
+  for (const std::string& symbol : texts(k.at("through")))
+    c.through.emplace_back("", symbol);
+  c.frame = k.at("frame").text();
+  if (std::any_of(c.frame.begin(), c.frame.end(), [](char x) { return x < ' ' || x > '~'; }))
+    k.at("frame").fail("one line is expected");
+  k.done();
+  return c;
+}
+
 bool on_one_leaf(const std::vector<IntegralClass>& classes) {
   return std::any_of(classes.begin(), classes.end(),
                      [](const IntegralClass& c) { return c.on_leaf; });
@@ -135,10 +207,27 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
                                            const std::vector<const TheoremFact*>& symmetries) {
   std::vector<std::string> lines;
   put_system(lines, *last.family);
-  lines.push_back("is not integrable with " + first_integrals(last.classes) +
-                  ", where the denominators are not 0 for all coordinates");
+  const auto has = [&](FactKind kind) {
+    return std::any_of(parts.begin(), parts.end(), [&](const auto* f) { return f->kind == kind; });
+  };
+  const std::string but = std::string(has(FactKind::integrable) && !last.classes.empty()
+                                          ? ", but where it is integrable"
+                                          : "") +
+                          (has(FactKind::open) ? ", but where nothing is said" : "");
+  lines.push_back((last.classes.empty()
+                       ? std::string("is integrable")
+                       : "is not integrable with " + first_integrals(last.classes)) +
+                  ", where the denominators are not 0 for all coordinates" + but);
   for (const TheoremFact* f : parts)
-    if (on_one_leaf(f->classes)) lines.push_back("  " + place(*f) + ": " + joined(f->way, "; "));
+    if (f->kind == FactKind::not_integrable && !f->trusted.empty())
+      lines.push_back("  TRUSTED: not integrable with " + first_integrals(f->classes) + " " +
+                      place(*f) + ": " + quoted(f->trusted));
+    else if (f->shows_way || on_one_leaf(f->classes))
+      lines.push_back("  " + place(*f) + ": " + joined(f->way, "; "));
+  for (const TheoremFact* f : parts)
+    if (f->kind == FactKind::integrable) lines.push_back(integrable(*f));
+  for (const TheoremFact* f : parts)
+    if (f->kind == FactKind::open) lines.push_back("  nothing is said " + place(*f));
   for (const TheoremFact* f : parts)
     if (f->kind == FactKind::integrals) lines.push_back(exception(*f, !symmetries.empty()));
   for (const TheoremFact* f : symmetries)

@@ -1,0 +1,33 @@
+#pragma once
+// What is said of a family where some of its parameters are functions of the others, in its own
+// coordinates: theorem_certificates.md 12, 13.
+
+#include "certify/theorem/fact.hpp"
+
+namespace kov::certify {
+
+/// Where a step is: the parameters of X that are put in, and the conditions besides.
+struct FamilyStratum {
+  const Family* family = nullptr;
+  ParameterFunctions at;
+  Conditions region;
+
+  /// n p - P = 0 for each parameter put in, then the region.
+  [[nodiscard]] Conditions conditions() const;
+};
+
+/// Refuses unless the system Y is X on the stratum, and what is asked of its parameters holds there for
+/// some values of the levels.
+void need_restriction(const FamilyStratum& x, const Target& y, const Node& shown, Arithmetic& a,
+                      std::size_t& nodes_left);
+
+/// First integrals of X on the stratum, independent and in involution, as many as are needed.
+[[nodiscard]] ClaimedIntegrals need_integrable(const FamilyStratum& x, Keys& data, Arithmetic& a,
+                                               std::size_t& nodes_left);
+
+/// For a writer: the polynomial of which a coefficient is shown not to vanish.  rank: of the bracket, or
+/// of the fields.   Errors  Refused
+[[nodiscard]] MPoly minor_of(const FamilyStratum& x, const ClaimedIntegrals& c, bool rank,
+                             const std::vector<std::size_t>& columns, Arithmetic& a);
+
+} // namespace kov::certify

@@ -1,0 +1,316 @@
+#include "parameters/complex_proof.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace kov {
+namespace {
+
+using Exponents = std::vector<unsigned long>;
+using Cofactors = std::map<std::size_t, MPoly>;
+
+constexpr std::size_t most_elements = 60, most_terms = 400;
+
+// f = sum cofactors[i] (condition i)
+struct Combination {
+  MPoly f;
+  Cofactors cofactors;
+};
+
+// scale m = rest + sum cofactors[i] (condition i)
+struct Remainder {
+  Integer scale{1};
+  MPoly rest;
+  Cofactors cofactors;
+};
+
+void add(Cofactors& to, const Cofactors& from, const MPoly& times) {
+  for (const auto& [i, c] : from) {
+    MPoly& sum = to.try_emplace(i, MPoly(times.ring())).first->second;
+    sum = sum + c * times;
+  }
+}
+Cofactors times(const Cofactors& all, const MPoly& f) {
+  Cofactors result;
+  add(result, all, f);
+  return result;
+}
+
+std::optional<Exponents> quotient(const Exponents& a, const Exponents& b) {
+  Exponents e = a;
+  for (std::size_t i = 0; i < e.size(); ++i) {
+    if (a[i] < b[i]) return std::nullopt;
+    e[i] -= b[i];
+  }
+  return e;
+}
+
+/// A Gröbner basis of the equations that remembers how it is made of them.
+class Basis {
+public:
+  Basis(Ring ring, const std::vector<Condition>& given, const Budget& budget)
+      : ring_(std::move(ring)), budget_(budget) {
+    for (std::size_t i = 0; i < given.size(); ++i)
+      if (given[i].sign == Sign::zero && !is_zero(given[i].p))
+        add_element({given[i].p, {{i, MPoly(ring_, Integer(1))}}});
+    while (!pairs_.empty() && all_.size() < most_elements) {
+      budget_.check();
+      const auto [i, j] = *pairs_.begin();
+      pairs_.erase(pairs_.begin());
+      add_element(s_polynomial(all_[i], all_[j]));
+    }
+  }
+
+  [[nodiscard]] bool empty() const { return all_.empty(); }
+
+  [[nodiscard]] Remainder reduced(MPoly f) const {
+    Remainder r{Integer(1), MPoly(ring_), {}};
+    while (!is_zero(f)) {
+      budget_.check();
+      const Exponents e = f.exponents(0);
+      const Integer c = f.coefficient(0);
+      const Combination* g = divisor(e);
+      if (!g || f.length() > static_cast<long>(most_terms)) {
+        const MPoly lead = MPoly::term(ring_, c, e);
+        r.rest = r.rest + lead;
+        f = f - lead;
+        continue;
+      }
+      const Integer d = g->f.coefficient(0), common = gcd(c, d);
+      Integer a = exact_div(d, common), b = exact_div(c, common);
+      if (sign(a) < 0) {
+        a = -a;
+        b = -b;
+      }
+      const MPoly by = MPoly::term(ring_, b, *quotient(e, g->f.exponents(0)));
+      const MPoly lift(ring_, a);
+      f = lift * f - by * g->f;
+      r.rest = lift * r.rest;
+      r.scale = r.scale * a;
+      for (auto& [i, x] : r.cofactors)
+        x = lift * x;
+      add(r.cofactors, g->cofactors, by);
+    }
+    return r;
+  }
+
+private:
+  [[nodiscard]] const Combination* divisor(const Exponents& e) const {
+    for (const Combination& g : all_)
+      if (quotient(e, g.f.exponents(0))) return &g;
+    return nullptr;
+  }
+  void add_element(Combination x) {
+    Remainder r = reduced(x.f); // scale f = rest + ...
+    if (is_zero(r.rest)) return;
+    Cofactors c = times(x.cofactors, MPoly(ring_, r.scale));
+    add(c, r.cofactors, MPoly(ring_, Integer(-1)));
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      pairs_.emplace(i, all_.size());
+    all_.push_back({std::move(r.rest), std::move(c)});
+  }
+  [[nodiscard]] Combination s_polynomial(const Combination& x, const Combination& y) const {
+    const Exponents a = x.f.exponents(0), b = y.f.exponents(0);
+    Exponents lcm_of(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+      lcm_of[i] = std::max(a[i], b[i]);
+    const MPoly u = MPoly::term(ring_, y.f.coefficient(0), *quotient(lcm_of, a));
+    const MPoly v = MPoly::term(ring_, x.f.coefficient(0), *quotient(lcm_of, b));
+    Combination s{u * x.f - v * y.f, times(x.cofactors, u)};
+    add(s.cofactors, times(y.cofactors, v), MPoly(ring_, Integer(-1)));
+    return s;
+  }
+
+  Ring ring_;
+  const Budget& budget_;
+  std::vector<Combination> all_;
+  std::set<std::pair<std::size_t, std::size_t>> pairs_;
+};
+
+Json empty_node(const Integer& scale, const std::vector<std::size_t>& factors, long power,
+                const Cofactors& cofactors) {
+  std::vector<Json> term{json_text(to_string(scale)), json_text("1")}, zeros;
+  for (const std::size_t j : factors)
+    term.push_back(json_list({json_text(std::to_string(j)), json_text(std::to_string(power))}));
+  for (const auto& [i, c] : cofactors)
+    if (!is_zero(c))
+      zeros.push_back(json_list({json_text(std::to_string(i)), json_text(to_string(-c))}));
+  return Json{Json::Object{{"node", json_text("empty")},
+                           {"terms", json_list({json_list(std::move(term))})},
+                           {"zeros", json_list(std::move(zeros))}}};
+}
+
+bool is_nowhere_zero(const Condition& c) {
+  return c.sign == Sign::nonzero || c.sign == Sign::positive;
+}
+
+} // namespace
+
+std::optional<Json> ComplexProof::by_products(const std::vector<Condition>& given) const {
+  std::vector<std::size_t> nonzero;
+  for (std::size_t j = 0; j < given.size(); ++j)
+    if (is_nowhere_zero(given[j])) {
+      if (is_zero(given[j].p)) return empty_node(Integer(1), {j}, 1, {});
+      if (!is_constant(given[j].p)) nonzero.push_back(j);
+    }
+  const Basis basis(ring_, given, budget_);
+  if (basis.empty()) return std::nullopt;
+  const auto zero = [&](const std::vector<std::size_t>& factors,
+                        long power) -> std::optional<Json> {
+    Remainder all{Integer(1), MPoly(ring_, Integer(1)), {}};
+    for (long e = 0; e < (factors.empty() ? 1 : power); ++e)
+      for (std::size_t k = 0; k < std::max<std::size_t>(factors.size(), 1); ++k) {
+        const MPoly g = factors.empty() ? MPoly(ring_, Integer(1)) : given[factors[k]].p;
+        Remainder next = basis.reduced(all.rest * g);
+        Cofactors c = times(all.cofactors, g * MPoly(ring_, next.scale));
+        add(c, next.cofactors, MPoly(ring_, Integer(1)));
+        all = {all.scale * next.scale, std::move(next.rest), std::move(c)};
+      }
+    if (!is_zero(all.rest)) return std::nullopt;
+    return empty_node(all.scale, factors, power, all.cofactors);
+  };
+  if (auto node = zero({}, 1)) return node;
+  for (const std::size_t j : nonzero)
+    if (auto node = zero({j}, 1)) return node;
+  for (const long power : {1L, 2L})
+    if (nonzero.size() > 1 || power > 1)
+      if (auto node = zero(nonzero, power)) return node;
+  return std::nullopt;
+}
+
+// Where all that is used is real; other conditions say nothing.
+std::optional<Json> ComplexProof::by_signs(const std::vector<Condition>& given) const {
+  if (std::none_of(given.begin(), given.end(), [](const Condition& c) {
+        return c.sign == Sign::positive || c.sign == Sign::nonnegative;
+      }))
+    return std::nullopt;
+  std::vector<Condition> real = given;
+  for (Condition& c : real) {
+    const auto used = used_variables(c.p);
+    if (std::any_of(used.begin(), used.end(), [&](std::size_t i) { return complex_[i]; }))
+      c = {MPoly(ring_, Integer(1)), Sign::positive};
+  }
+  return RealFacts(ring_, std::move(real)).contradiction();
+}
+
+std::optional<Json> ComplexProof::contradiction(const std::vector<Condition>& given) const {
+  if (auto node = by_products(given)) return node;
+  return by_signs(given);
+}
+
+std::optional<Json> ComplexProof::shown(std::vector<Condition> given, const Condition& c) const {
+  given.push_back(negation(c));
+  return contradiction(given);
+}
+
+namespace {
+
+enum class InTree : std::uint8_t { unknown, yes, no };
+
+class TreeOfRegions {
+public:
+  TreeOfRegions(const ComplexProof& proof, const std::vector<RegionOfPart>& regions,
+                const Budget& budget, std::vector<Condition>* gap)
+      : proof_(proof), regions_(regions), budget_(budget), gap_(gap) {
+    for (const RegionOfPart& r : regions_) {
+      atoms_of_.emplace_back();
+      for (const Condition& c : r.conditions) {
+        const auto at = std::find(atoms_.begin(), atoms_.end(), c);
+        atoms_of_.back().push_back(static_cast<std::size_t>(at - atoms_.begin()));
+        if (at == atoms_.end()) atoms_.push_back(c);
+      }
+    }
+  }
+
+  std::optional<Json> run(const std::vector<Condition>& assumed) {
+    return node(assumed, std::vector<InTree>(atoms_.size(), InTree::unknown), most_depth);
+  }
+
+private:
+  std::optional<Json> node(const std::vector<Condition>& given, std::vector<InTree> known,
+                           int depth) {
+    budget_.check();
+    if (auto end = proof_.contradiction(given)) return end;
+    for (std::size_t i = 0; i < atoms_.size(); ++i) {
+      if (known[i] != InTree::unknown) continue;
+      if (proof_.shown(given, atoms_[i]))
+        known[i] = InTree::yes;
+      else if (proof_.shown(given, negation(atoms_[i])))
+        known[i] = InTree::no;
+    }
+    const std::size_t best = nearest(known);
+    if (best == regions_.size() || depth == 0) {
+      if (gap_) *gap_ = given;
+      return std::nullopt;
+    }
+    const auto& atoms = atoms_of_[best];
+    const auto open = std::find_if(atoms.begin(), atoms.end(),
+                                   [&](std::size_t i) { return known[i] == InTree::unknown; });
+    if (open == atoms.end()) return leaf(given, regions_[best]);
+    return split(given, known, atoms_[*open].p, depth);
+  }
+  // The region that is not excluded and lacks least.
+  [[nodiscard]] std::size_t nearest(const std::vector<InTree>& known) const {
+    std::size_t best = regions_.size(), least = 0;
+    for (std::size_t k = 0; k < regions_.size(); ++k) {
+      const auto count = [&](InTree what) {
+        return static_cast<std::size_t>(
+            std::count_if(atoms_of_[k].begin(), atoms_of_[k].end(),
+                          [&](std::size_t i) { return known[i] == what; }));
+      };
+      if (count(InTree::no) > 0) continue;
+      const std::size_t unknown = count(InTree::unknown);
+      if (best != regions_.size() && unknown >= least) continue;
+      best = k;
+      least = unknown;
+    }
+    return best;
+  }
+  std::optional<Json> leaf(const std::vector<Condition>& given, const RegionOfPart& r) const {
+    std::vector<Json> proofs;
+    for (const Condition& c : r.conditions) {
+      auto node = proof_.shown(given, c);
+      if (!node) return std::nullopt;
+      proofs.push_back(*std::move(node));
+    }
+    Json::Object leaf{{"node", json_text("part")},
+                      {"part", json_text(std::to_string(r.part))},
+                      {"word", json_list({})},
+                      {"shown", json_list(std::move(proofs))}};
+    if (r.region) leaf.emplace_back("region", json_text(std::to_string(*r.region)));
+    return Json{std::move(leaf)};
+  }
+  std::optional<Json> split(const std::vector<Condition>& given, const std::vector<InTree>& known,
+                            const MPoly& p, int depth) {
+    const auto branch = [&](Sign sign) {
+      auto more = given;
+      more.push_back({p, sign});
+      return node(more, known, depth - 1);
+    };
+    auto zero = branch(Sign::zero);
+    if (!zero) return std::nullopt;
+    auto nonzero = branch(Sign::nonzero);
+    if (!nonzero) return std::nullopt;
+    return json_zero_node(p, *std::move(nonzero), *std::move(zero));
+  }
+
+  static constexpr int most_depth = 40;
+
+  const ComplexProof& proof_;
+  const std::vector<RegionOfPart>& regions_;
+  const Budget& budget_;
+  std::vector<Condition>* gap_;
+  std::vector<Condition> atoms_;
+  std::vector<std::vector<std::size_t>> atoms_of_;
+};
+
+} // namespace
+
+std::optional<Json> tree_of_regions(const ComplexProof& proof,
+                                    const std::vector<Condition>& assumed,
+                                    const std::vector<RegionOfPart>& regions, const Budget& budget,
+                                    std::vector<Condition>* gap) {
+  return TreeOfRegions(proof, regions, budget, gap).run(assumed);
+}
+
+} // namespace kov

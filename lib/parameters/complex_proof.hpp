@@ -1,0 +1,45 @@
+#pragma once
+// Searches for proofs over the complex numbers: that no point satisfies all of a list of conditions,
+// as a NODE `empty` with one term (docs/theory/theorem_certificates.md 2): a product of what is not 0
+// is a combination of what is 0.  What is not found says nothing.
+
+#include "parameters/refutation.hpp"
+
+namespace kov {
+
+class ComplexProof {
+public:
+  /// complex: by variable of the ring, the names that need not be real.
+  ComplexProof(Ring ring, std::vector<bool> complex, Budget budget = {})
+      : ring_(std::move(ring)), complex_(std::move(complex)), budget_(std::move(budget)) {}
+
+  /// Errors  OutOfBudget
+  [[nodiscard]] std::optional<Json> contradiction(const std::vector<Condition>& given) const;
+  /// The same for the conditions and the negation of c.
+  [[nodiscard]] std::optional<Json> shown(std::vector<Condition> given, const Condition& c) const;
+
+private:
+  [[nodiscard]] std::optional<Json> by_products(const std::vector<Condition>& given) const;
+  [[nodiscard]] std::optional<Json> by_signs(const std::vector<Condition>& given) const;
+
+  Ring ring_;
+  std::vector<bool> complex_;
+  Budget budget_;
+};
+
+/// A region, with the number of its part and which of the part's regions it is.
+struct RegionOfPart {
+  std::size_t part = 0;
+  std::optional<std::size_t> region;
+  std::vector<Condition> conditions;
+};
+
+/// A tree whose leaves are regions (theorem_certificates.md 8); nothing if none is found: `gap` says
+/// where.   Errors  OutOfBudget
+[[nodiscard]] std::optional<Json> tree_of_regions(const ComplexProof& proof,
+                                                  const std::vector<Condition>& assumed,
+                                                  const std::vector<RegionOfPart>& regions,
+                                                  const Budget& budget,
+                                                  std::vector<Condition>* gap = nullptr);
+
+} // namespace kov

@@ -1,0 +1,338 @@
+#include "theorem/goals.hpp"
+
+#include "exact/error.hpp"
+#include "study/parameter_split.hpp"
+#include "theorem/setting.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace kov {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+std::string list_of(const Texts& all) {
+  std::string text;
+  for (const std::string& one : all)
+    text += (text.empty() ? "" : ", ") + toml_text(one);
+  return "[" + text + "]";
+}
+std::string single_line(std::string s) {
+  for (char& c : s)
+    if (c == '\n' || c == '\t') c = ' ';
+  return s;
+}
+
+/// Where a stratum is: values of parameters, and conditions.
+struct Where {
+  ParameterValues at;
+  Texts conditions;
+
+  [[nodiscard]] Texts all() const {
+    Texts texts;
+    for (const auto& [name, value] : at)
+      texts.push_back(name + " = " + value);
+    texts.insert(texts.end(), conditions.begin(), conditions.end());
+    return texts;
+  }
+};
+
+class TheoremFile {
+public:
+  TheoremFile(const System& s, const SystemClassification& c, std::string system_file)
+      : s_(s), c_(c), file_(std::move(system_file)) {}
+
+  std::string operator()() {
+    find_constants();
+    for (const ClassifiedStratum& x : c_.strata)
+      if (x.special.empty()) put(x);
+    put_special();
+    if (ids_.empty()) throw DomainError("there is no stratum");
+    std::ostringstream out;
+    out << "format = \"theorem/1\"\ntitle  = "
+        << toml_text(single_line(s_.title.empty() ? "The system of " + file_ : s_.title))
+        << "\nsystem = " << toml_text(file_) << "\n";
+    if (!constants_.empty()) {
+      out << "\n[algebraic]\n";
+      for (const auto& [name, polynomial] : constants_)
+        out << name << " = " << toml_text(polynomial) << "\n";
+    }
+    out << "\n[[node]]\nid    = \"main\"\nkind  = \"cover\"\ntitle = \"The strata\"\nneeds = "
+        << list_of(ids_) << "\n"
+        << nodes_.str();
+    return out.str();
+  }
+
+private:
+  // ---- names
+
+  [[nodiscard]] bool is_of_the_file(const std::string& name) const {
+    return s_.ring()->find(name).has_value();
+  }
+  // What the sets are written in beside the parameters of the file.
+  void find_constants() {
+    for (const MPoly& p : c_.relations)
+      for (const std::size_t i : used_variables(p)) {
+        const std::string name = p.ring()->name(i);
+        if (!is_of_the_file(name) && constants_.emplace(name, to_string(p)).second &&
+            used_variables(p).size() > 1)
+          throw DomainError("the constant " + name + " is no root of a polynomial with numbers");
+      }
+  }
+  [[nodiscard]] bool is_known(const std::string& name) const {
+    return is_of_the_file(name) || constants_.contains(name);
+  }
+  std::string id_of(const char* kind) {
+    const std::string id = std::string(kind) + "-" + std::to_string(++count_[kind]);
+    ids_.push_back(id);
+    return id;
+  }
+
+  // ---- sets
+
+  [[nodiscard]] bool is_assumed(const MPoly& p) const {
+    return std::any_of(c_.nonzero.begin(), c_.nonzero.end(),
+                       [&](const MPoly& q) { return q == p || q == -p; });
+  }
+  [[nodiscard]] bool is_relation(const MPoly& p) const {
+    return std::any_of(c_.relations.begin(), c_.relations.end(),
+                       [&](const MPoly& q) { return q == p || q == -p; });
+  }
+  [[nodiscard]] Where where_of(const ParameterSet& set) const {
+    Where w;
+    SolvedSet solved = solve(set);
+    for (const auto& [i, value] : solved.values) {
+      const std::string& name = set.ring()->name(i);
+      if (is_zero(value) || is_constant(value.den()))
+        w.at.emplace_back(name, to_string(value));
+      else
+        solved.left.push_back(MPoly::variable(set.ring(), i) * value.den() - value.num());
+    }
+    for (const MPoly& p : solved.left)
+      if (!is_relation(p)) w.conditions.push_back(to_string(Condition{p, Sign::zero}));
+    for (const MPoly& p : kov::inequations(set))
+      if (!is_assumed(p)) w.conditions.push_back(to_string(Condition{p, Sign::nonzero}));
+    return w;
+  }
+  void put_where(const Where& w) {
+    if (!w.at.empty()) {
+      std::string values;
+      for (const auto& [name, value] : w.at)
+        values += (values.empty() ? "" : ", ") + name + " = " + toml_text(value);
+      nodes_ << "where = { " << values << " }\nat    = { " << values << " }\n";
+    }
+    if (!w.conditions.empty()) nodes_ << "if    = " << list_of(w.conditions) << "\n";
+  }
+  static std::string title_of(const Where& w) {
+    std::string text;
+    for (const std::string& one : w.all())
+      text += (text.empty() ? "" : ", ") + one;
+    return text.empty() ? "all parameters" : text;
+  }
+  void begin(const char* id, const char* kind, const std::string& title) {
+    nodes_ << "\n[[node]]\nid    = " << toml_text(id_of(id)) << "\nkind  = \"" << kind
+           << "\"\ntitle = " << toml_text(single_line(title)) << "\n";
+  }
+
+  // ---- strata
+
+  void put(const ClassifiedStratum& x) {
+    switch (x.status) {
+    case StratumStatus::integrable:
+      return put_integrable(x);
+    case StratumStatus::excluded:
+      return put_excluded(x);
+    case StratumStatus::open:
+      begin("open", "open", "Open: " + title_of(where_of(x.where)));
+      nodes_ << "regions = [" << list_of(where_of(x.where).all()) << "]\n";
+      return;
+    }
+  }
+
+  void put_integrable(const ClassifiedStratum& x) {
+    const Where w = where_of(x.where);
+    const bool has_logarithms =
+        std::any_of(x.integrals.begin(), x.integrals.end(),
+                    [](const FoundIntegral& f) { return !f.logarithms.empty(); });
+    const std::string step = "the first integrals " + integrals_text(x);
+    if (has_logarithms || !c_.variables.empty() || !x.fields.empty()) {
+      begin("integrable", "trusted", "Integrable: " + title_of(w));
+      nodes_ << "integrable = true\nstep  = " << toml_text(single_line(step)) << "\nregions = ["
+             << list_of(w.all()) << "]\n";
+      return;
+    }
+    begin("integrable", "claims", "Integrable: " + title_of(w));
+    nodes_ << "file  = " << toml_text(file_)
+           << "\nintegrable = true\nstep  = " << toml_text(single_line(step)) << "\n";
+    put_where(w);
+    std::size_t k = 0;
+    for (const FoundIntegral& f : x.integrals)
+      nodes_ << "[[node.integral]]\nname  = " << toml_text(fresh("I" + std::to_string(++k)))
+             << "\nvalue = " << toml_text(to_string(f.value)) << "\n";
+  }
+  [[nodiscard]] std::string fresh(std::string name) const {
+    while (is_known(name) || s_.named.contains(name))
+      name += "_";
+    return name;
+  }
+
+  static std::string step_of(const ExclusionReason& by) {
+    std::string text =
+        "along " + by.solution + (by.level.empty() ? "" : " (" + by.level + ")") + ": " + by.reason;
+    if (!by.unchecked.empty()) text += "; NOT CHECKED: " + by.unchecked;
+    return single_line(text);
+  }
+  void put_class(const IntegralClass& c) {
+    using Near = IntegralClass::Near;
+    const bool rational = c.kind == IntegralClass::Kind::rational;
+    Texts symbols;
+    for (const auto& [coordinate, symbol] : c.through)
+      if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end())
+        symbols.push_back(symbol);
+    std::string text = std::string("kind = \"") + (rational ? "rational" : "meromorphic") + "\"";
+    if (c.near == Near::closed_curve) text += ", near = \"closed curve\"";
+    if (c.near == Near::origin) text += ", near = \"origin\"";
+    if (c.near == Near::curve) text += ", near = \"curve\"";
+    if (c.on_leaf) text += ", on_leaf = true";
+    if (!c.liouville) text += ", liouville = false";
+    if (!c.functions.empty()) text += ", functions = " + list_of(c.functions);
+    if (!c.without.empty()) text += ", without = " + list_of(c.without);
+    if (!symbols.empty()) text += ", through = " + list_of(symbols);
+    if (!c.frame.empty()) text += ", frame = " + toml_text(c.frame);
+    nodes_ << "integrals = { " << text << " }\n";
+  }
+
+  void put_excluded(const ClassifiedStratum& x) {
+    const Where w = where_of(x.where);
+    const ExclusionReason& by = x.by.front();
+    const bool is_case = x.along && c_.variables.empty() && by.unchecked.empty();
+    begin("excluded", is_case ? "case" : "trusted", "Not integrable: " + title_of(w));
+    nodes_ << "step  = " << toml_text(step_of(by)) << "\n";
+    put_class(by.integrals);
+    if (!is_case) {
+      nodes_ << "regions = [" << list_of(w.all()) << "]\n";
+      return;
+    }
+    nodes_ << "file  = " << toml_text(file_) << "\n";
+    if (by.order > 1) nodes_ << "order = " << by.order << "\n";
+    put_where(w);
+    put_manifold(*x.along);
+  }
+  void put_manifold(const ManifoldSpec& m) {
+    const auto stated = [&](const ManifoldSpec& known) { return known.name == m.name; };
+    if (m.line > 0 && std::any_of(s_.manifolds.begin(), s_.manifolds.end(), stated)) {
+      nodes_ << "manifold = " << toml_text(m.name) << "\n";
+      return;
+    }
+    Texts levels;
+    for (const auto* all : {&m.equations, &m.levels})
+      for (const Equation& e : *all)
+        for (const std::size_t i : used_variables(e.difference)) {
+          const std::string& name = e.difference.ring()->name(i);
+          if (!is_known(name) && std::find(levels.begin(), levels.end(), name) == levels.end())
+            levels.push_back(name);
+        }
+    if (!levels.empty()) nodes_ << "levels = " << list_of(levels) << "\n";
+    nodes_ << "[[node.manifold]]\nname  = " << toml_text(single_line(m.name))
+           << "\nequations = " << list_of(equations_of(m.equations)) << "\n";
+    if (!m.levels.empty()) nodes_ << "level = " << list_of(equations_of(m.levels)) << "\n";
+    if (!m.nonzero.empty()) {
+      Texts nonzero;
+      for (const MPoly& p : m.nonzero)
+        nonzero.push_back(to_string(p));
+      nodes_ << "nonzero = " << list_of(nonzero) << "\n";
+    }
+  }
+  static Texts equations_of(const std::vector<Equation>& all) {
+    Texts texts;
+    for (const Equation& e : all)
+      texts.push_back(e.text.find('=') != std::string::npos ? e.text
+                                                            : to_string(e.difference) + " = 0");
+    return texts;
+  }
+
+  // ---- strata with conditions that no polynomial can say
+
+  // Where only they are: what their exceptions are is covered by other strata, or by one another.
+  void put_special() {
+    std::vector<const ClassifiedStratum*> special;
+    for (const ClassifiedStratum& x : c_.strata)
+      if (!x.special.empty()) special.push_back(&x);
+    if (special.empty()) return;
+    const std::vector<ParameterSet> left = united(without_others(special));
+    if (left.empty()) return;
+    Texts regions;
+    for (const ParameterSet& set : left)
+      regions.push_back(list_of(where_of(set).all()));
+    std::string all;
+    for (const std::string& r : regions)
+      all += (all.empty() ? "" : ", ") + r;
+    const bool excluded =
+        std::all_of(special.begin(), special.end(), [](const ClassifiedStratum* x) {
+          return x->status == StratumStatus::excluded;
+        });
+    if (!excluded) {
+      begin("open", "open", "Open for some values of exponent differences");
+      nodes_ << "regions = [" << all << "]\n";
+      return;
+    }
+    Texts steps;
+    std::vector<IntegralClass> classes;
+    for (const ClassifiedStratum* x : special) {
+      const std::string step = step_of(x->by.front());
+      if (std::find(steps.begin(), steps.end(), step) == steps.end()) steps.push_back(step);
+      classes.push_back(x->by.front().integrals);
+    }
+    classes = at_once(classes);
+    if (classes.size() != 1)
+      throw DomainError("strata with exceptional exponent differences for several classes of "
+                        "first integrals");
+    std::string text = "exponent differences are special at the other strata only";
+    for (const std::string& step : steps)
+      text += "; " + step;
+    begin("excluded", "trusted", "Not integrable: exponent differences");
+    nodes_ << "step  = " << toml_text(text) << "\n";
+    put_class(classes.front());
+    nodes_ << "regions = [" << all << "]\n";
+  }
+  [[nodiscard]] std::vector<ParameterSet>
+  without_others(const std::vector<const ClassifiedStratum*>& special) const {
+    std::vector<ParameterSet> left;
+    const MayVanish any = [](const MPoly&) { return true; };
+    for (const ClassifiedStratum* x : special) {
+      std::vector<ParameterSet> parts{x->where};
+      for (const ClassifiedStratum& other : c_.strata) {
+        if (!other.special.empty()) continue;
+        std::vector<std::vector<MPoly>> nonzero;
+        for (const MPoly& p : other.where.inequations())
+          nonzero.push_back({p});
+        std::vector<ParameterSet> outside;
+        for (const ParameterSet& part : parts)
+          for (ParameterSet& set : split_set(part, other.where.equations(), nonzero, any).outside)
+            if (!set.is_empty()) outside.push_back(std::move(set));
+        parts = std::move(outside);
+      }
+      std::move(parts.begin(), parts.end(), std::back_inserter(left));
+    }
+    return left;
+  }
+
+  const System& s_;
+  const SystemClassification& c_;
+  std::string file_;
+  std::map<std::string, std::string> constants_;
+  std::map<std::string, std::size_t> count_;
+  Texts ids_;
+  std::ostringstream nodes_;
+};
+
+} // namespace
+
+std::string theorem_file(const System& s, const SystemClassification& c,
+                         const std::string& system_file) {
+  return TheoremFile(s, c, system_file)();
+}
+
+} // namespace kov

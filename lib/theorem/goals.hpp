@@ -1,0 +1,16 @@
+#pragma once
+// What a classification has found, as a theorem file: each stratum a node that `prove` checks again.
+
+#include "study/classification.hpp"
+#include "theorem/theorem.hpp"
+
+namespace kov {
+
+/// The text of a theorem file about `system_file`, a path as the theorem file writes it: claims for
+/// integrable strata, cases along the invariant sets that exclude, steps on trust for what `prove` has
+/// no rule for, and what is open.  s: the system that was classified, as its file has it.
+/// Errors  DomainError: what the format has no words for
+[[nodiscard]] std::string theorem_file(const System& s, const SystemClassification& c,
+                                       const std::string& system_file);
+
+} // namespace kov

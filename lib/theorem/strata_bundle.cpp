@@ -1,0 +1,445 @@
+// A theorem about strata of complex parameters as one certificate: theorem_certificates.md 11 to 15.
+
+#include "certify/equation/facts.hpp"
+#include "certify/theorem/stratum.hpp"
+#include "exact/error.hpp"
+#include "system/formula.hpp"
+#include "theorem/bundle_place.hpp"
+#include "theorem/prove.hpp"
+#include "theorem/setting.hpp"
+#include "theorem/strata.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kov {
+namespace {
+
+using Exponents = std::vector<unsigned long>;
+
+Json json_truth(bool x) { return json_text(x ? "yes" : "no"); }
+Json json_texts(const std::vector<std::string>& all) {
+  std::vector<Json> list;
+  for (const std::string& one : all)
+    list.push_back(json_text(one));
+  return json_list(std::move(list));
+}
+
+Json json_class(const IntegralClass& c) {
+  using Near = IntegralClass::Near;
+  const bool rational = c.kind == IntegralClass::Kind::rational;
+  if (c.kind == IntegralClass::Kind::real_analytic || c.near == Near::level ||
+      c.near == Near::phase_space)
+    throw DomainError("there is no rule for first integrals that are " + sentence(c));
+  std::vector<std::string> symbols;
+  for (const auto& [coordinate, symbol] : c.through)
+    if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end())
+      symbols.push_back(symbol);
+  return Json{Json::Object{{"kind", json_text(rational ? "rational" : "meromorphic")},
+                           {"near", json_text(c.near == Near::origin         ? "origin"
+                                              : c.near == Near::closed_curve ? "closed curve"
+                                                                             : "curve")},
+                           {"on_leaf", json_truth(c.on_leaf)},
+                           {"liouville", json_truth(c.liouville)},
+                           {"functions", json_texts(c.functions)},
+                           {"without", json_texts(c.without)},
+                           {"through", json_texts(symbols)},
+                           {"frame", json_text(c.frame)}}};
+}
+
+std::string one_line_of(std::string s) {
+  for (char& c : s)
+    if (c < ' ' || c > '~') c = '?';
+  constexpr std::size_t longest = 3000;
+  return s.substr(0, longest);
+}
+
+/// Where a step is, in the names of the family.
+struct Place12 {
+  Json at;
+  certify::ParameterFunctions values;
+  Substitution put;
+  std::vector<Condition> equations, region, given;
+};
+
+class StrataBundle {
+public:
+  StrataBundle(const TheoremResult& t, std::string directory,
+               const std::map<std::string, std::string>& refused, const Budget& budget)
+      : t_(t), directory_(std::move(directory)), refused_(refused), budget_(budget),
+        family_(system_of(t.theorem, directory_)), name_(t.theorem.system),
+        proof_(family_.proof(budget)), json_(family_.json(name_)) {}
+
+  std::string operator()() {
+    const NodeResult& root = t_.nodes.front();
+    if (root.node.kind != NodeKind::cover || !root.node.place.at.empty() ||
+        !root.node.place.conditions.empty())
+      throw DomainError("the first step is no cover of all parameters");
+    certify::Arithmetic a;
+    checked_ = certify::read_family(certify::Node(json_, name_, rationals()), a);
+    for (const std::string& id : root.node.needs)
+      put_part(*node_with(t_, id));
+    put_groups();
+    put_cover(root);
+    return certify::to_string(Json{Json::Object{{"format", json_text("kovacic-theorem/1")},
+                                                {"title", json_text(t_.theorem.title)},
+                                                {"systems", json_list({json_})},
+                                                {"steps", json_list(std::move(steps_))}}});
+  }
+
+private:
+  void put_step(const std::string& id, const char* rule, Json::Object members) {
+    Json::Object step{{"id", json_text(id)}, {"rule", json_text(rule)}};
+    for (auto& m : members)
+      step.push_back(std::move(m));
+    steps_.push_back(Json{std::move(step)});
+  }
+
+  // ---- a part of the cover
+
+  void put_part(const NodeResult& n) {
+    if (n.node.kind == NodeKind::open_part) return put_region(n, open_);
+    if (n.says == Conclusion::none) return;
+    if (!n.on_trust && !refused_.contains(n.node.id)) try {
+        return n.says == Conclusion::has_integral ? put_integrable(n) : put_case(n);
+      } catch (const DomainError& why) {
+        return put_trusted(n, why.what());
+      } catch (const InvalidArgument& why) {
+        return put_trusted(n, why.what());
+      } catch (const certify::Refused& why) {
+        return put_trusted(n, why.why);
+      }
+    const auto no = refused_.find(n.node.id);
+    put_trusted(n, no == refused_.end() ? "" : "the judge refuses its certificate: " + no->second);
+  }
+
+  [[nodiscard]] Place12 place_of(const NodeResult& n) const {
+    const Place& p = n.node.place;
+    if (!p.as.empty() || !p.roots.empty() || !p.of.empty() || !p.time.empty())
+      throw DomainError("a change of variables beside strata");
+    Place12 x;
+    const System base = system_of(t_.theorem, directory_, p.at);
+    std::vector<Json> rows;
+    for (const std::string& name : family_.parameters()) {
+      const auto value = base.values.find(name);
+      if (std::none_of(p.at.begin(), p.at.end(), [&](const auto& v) { return v.first == name; }))
+        continue;
+      if (value == base.values.end()) throw DomainError(name + " has no value");
+      const MFraction f = is_zero(value->second) ? MFraction(MPoly(family_.ring()))
+                                                 : transfer(value->second, family_.ring());
+      if (!is_zero(f) && !is_constant(f.den()))
+        throw DomainError(name + " is put to a quotient of parameters");
+      const Integer d = is_zero(f) ? Integer(1) : f.den().coefficient(0);
+      const std::size_t i = family_.ring()->index(name);
+      x.values[i] = {is_zero(f) ? MPoly(family_.ring()) : f.num(), d};
+      x.put[i] = f;
+      rows.push_back(json_list({json_text(name), certify::to_json(x.values[i])}));
+      x.equations.push_back(
+          {certify::scaled(MPoly::variable(family_.ring(), i), d) - x.values[i].p, Sign::zero});
+    }
+    x.at = json_list(std::move(rows));
+    for (const Condition& c : conditions_of(family_.system(), p))
+      x.region.push_back(family_.moved(c));
+    for (const std::vector<Condition>* all : {&family_.assumptions(), &std::as_const(x.region)})
+      for (const Condition& c : *all) {
+        const MFraction f = substitute(MFraction(c.p), x.put);
+        x.given.push_back(
+            {is_zero(f) ? MPoly(family_.ring()) : certify::primitive(f.num()), c.sign});
+      }
+    return x;
+  }
+  void add_region(const std::string& id, const Place12& x) {
+    RegionOfPart r{parts_.size(), std::nullopt, x.equations};
+    r.conditions.insert(r.conditions.end(), x.region.begin(), x.region.end());
+    regions_.push_back(std::move(r));
+    parts_.push_back(id);
+  }
+
+  // ---- excluded, by a certificate of its own
+
+  void put_case(const NodeResult& n) {
+    const Place12 x = place_of(n);
+    std::string why = "the step has no certificate";
+    for (const std::string& json : n.certificates) {
+      try {
+        const BundleTarget y = target_of(json);
+        std::vector<Json> shown = shown_of(y, x);
+        put_step(n.node.id + "-step", "certificate",
+                 {{"certificate", certify::parse_json(json, 512)}});
+        put_step(n.node.id, "stratum",
+                 {{"of", json_text(n.node.id + "-step")},
+                  {"system", json_text(name_)},
+                  {"at", x.at},
+                  {"region", json_conditions(x.region)},
+                  {"shown", json_list(std::move(shown))}});
+        return add_region(n.node.id, x);
+      } catch (const Error& no) {
+        why = no.what();
+      }
+    }
+    throw DomainError(why);
+  }
+
+  // The parts of f by the monomials in the levels, in the order of the judge.
+  [[nodiscard]] std::vector<std::pair<Exponents, MPoly>> by_levels(const MPoly& f) const {
+    const auto level_part = [&](const Exponents& e) {
+      Exponents levels(e.size(), 0);
+      for (std::size_t j = 0; j < e.size(); ++j)
+        if (is_level(f.ring()->name(j))) levels[j] = e[j];
+      return levels;
+    };
+    std::map<Exponents, MPoly> all;
+    for (long t = 0; t < f.length(); ++t) {
+      const Exponents e = f.exponents(t);
+      Exponents here(family_.ring()->size(), 0);
+      for (std::size_t j = 0; j < e.size(); ++j)
+        if (e[j] > 0 && !is_level(f.ring()->name(j)))
+          here[family_.ring()->index(f.ring()->name(j))] = e[j];
+      MPoly& sum = all.try_emplace(level_part(e), MPoly(family_.ring())).first->second;
+      sum = sum + MPoly::term(family_.ring(), f.coefficient(t), here);
+    }
+    if (all.empty()) all.emplace(Exponents(f.ring()->size(), 0), MPoly(family_.ring()));
+    return {all.begin(), all.end()};
+  }
+  [[nodiscard]] bool is_level(const std::string& name) const {
+    return !family_.ring()->find(name).has_value();
+  }
+
+  std::vector<Json> shown_of(const BundleTarget& y, const Place12& x) const {
+    std::vector<Json> all;
+    for (const BundleAsked& c : y.asked) {
+      if (c.real) continue;
+      const MPoly& f = c.choices.empty() ? MPoly(family_.ring()) : c.choices.front();
+      const bool has_sign = c.sign == Sign::positive || c.sign == Sign::nonnegative;
+      if (!c.group && has_sign) {
+        const auto used = used_variables(f);
+        if (used.size() == 1 && is_level(f.ring()->name(used.front()))) continue;
+      }
+      std::optional<Json> node;
+      if (!c.group && c.sign != Sign::nonzero) {
+        node = proof_.shown(x.given, {by_levels(f).front().second, c.sign});
+      } else {
+        auto zeros = x.given;
+        for (const MPoly& g : c.choices)
+          for (const auto& [levels, part] : by_levels(g))
+            zeros.push_back({part, Sign::zero});
+        if (c.choices.empty()) zeros.push_back({MPoly(family_.ring()), Sign::zero});
+        node = proof_.contradiction(zeros);
+      }
+      if (!node)
+        throw DomainError("it is not shown that " + brief(MFraction(f), 80) +
+                          (c.group ? " and others do not vanish together" : " has its sign"));
+      all.push_back(*std::move(node));
+    }
+    return all;
+  }
+
+  // ---- integrable
+
+  void put_integrable(const NodeResult& n) {
+    const Place12 x = place_of(n);
+    const System s = read_system(document_of(n.node, directory_), n.node.where);
+    const certify::FamilyStratum stratum{&checked_, x.values, x.region};
+    certify::ClaimedIntegrals c;
+    c.family = &checked_;
+    std::vector<Json> claims, fields;
+    for (const SystemClaim& claim : s.claims) {
+      if (claim.kind != SystemClaim::Kind::integral || !claim.on.empty()) continue;
+      const certify::PhaseFunction f = function(s, claim.value);
+      c.claims.emplace_back(claim.name, f);
+      claims.push_back(
+          Json{Json::Object{{"name", json_text(claim.name)}, {"value", certify::to_json(f)}}});
+    }
+    for (const auto& row : n.node.fields) {
+      std::vector<Json> entries;
+      c.fields.emplace_back();
+      for (const std::string& text : row) {
+        c.fields.back().push_back(function(s, formula(s, text), false));
+        entries.push_back(certify::to_json(c.fields.back().back()));
+      }
+      fields.push_back(json_list(std::move(entries)));
+    }
+    const std::size_t d = checked_.system.dimension, m = c.claims.size();
+    const bool bracket = checked_.system.hamiltonian.has_value();
+    if (bracket && (m > d || 2 * m < d)) throw DomainError("too few first integrals");
+    put_step(n.node.id, "integrable",
+             {{"system", json_text(name_)},
+              {"at", x.at},
+              {"region", json_conditions(x.region)},
+              {"claims", json_list(std::move(claims))},
+              {"fields", json_list(std::move(fields))},
+              {"independent", m == 0 ? Json{} : minor(stratum, c, false, m, x)},
+              {"rank", minor(stratum, c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x)}});
+    add_region(n.node.id, x);
+  }
+  // A multiple by what does not depend on the variables is an integral as well.
+  certify::PhaseFunction function(const System& s, const MFraction& f, bool any_multiple = true) {
+    if (is_zero(f)) return {MPoly(family_.ring()), Integer(1)};
+    const auto used = used_variables(f.den());
+    const auto& x = s.field.coordinates;
+    const bool is_parametric = std::none_of(used.begin(), used.end(), [&](std::size_t i) {
+      return std::find(x.begin(), x.end(), i) != x.end();
+    });
+    const MFraction g = any_multiple && is_parametric ? MFraction(f.num()) : f;
+    return family_.written(transfer(g, family_.system().ring()));
+  }
+
+  // A minor with a coefficient that is not 0 on the stratum; null: it is on trust.
+  Json minor(const certify::FamilyStratum& stratum, const certify::ClaimedIntegrals& c, bool rank,
+             std::size_t size, const Place12& x) {
+    if (!checked_.system.functions.empty() || !checked_.system.relations.empty()) return {};
+    const std::size_t d = checked_.system.dimension;
+    constexpr std::size_t most_tries = 200;
+    std::vector<std::size_t> columns;
+    for (std::size_t i = 0; i < size; ++i)
+      columns.push_back(i);
+    for (std::size_t tries = 0; tries < most_tries && size <= d; ++tries) {
+      certify::Arithmetic a;
+      if (auto found = coefficient(certify::minor_of(stratum, c, rank, columns, a), x)) {
+        std::vector<Json> names;
+        for (const std::size_t i : columns)
+          names.push_back(json_text(checked_.system.ring->name(i)));
+        found->emplace(found->begin(), "columns", json_list(std::move(names)));
+        return Json{*std::move(found)};
+      }
+      if (!next(columns, d)) break;
+    }
+    return {};
+  }
+  static bool next(std::vector<std::size_t>& columns, std::size_t d) {
+    const std::size_t n = columns.size();
+    for (std::size_t k = n; k-- > 0;) {
+      if (columns[k] + (n - k) >= d) continue;
+      ++columns[k];
+      for (std::size_t i = k + 1; i < n; ++i)
+        columns[i] = columns[i - 1] + 1;
+      return true;
+    }
+    return false;
+  }
+  [[nodiscard]] std::optional<Json::Object> coefficient(const MPoly& f, const Place12& x) const {
+    const std::size_t d = checked_.system.dimension;
+    std::map<Exponents, MPoly> all;
+    for (long t = 0; t < f.length(); ++t) {
+      Exponents e = f.exponents(t);
+      const Exponents monomial(e.begin(), e.begin() + static_cast<long>(d));
+      std::fill(e.begin(), e.begin() + static_cast<long>(d), 0);
+      MPoly& sum = all.try_emplace(monomial, MPoly(f.ring())).first->second;
+      sum = sum + MPoly::term(f.ring(), f.coefficient(t), e);
+    }
+    std::vector<std::pair<Exponents, MPoly>> sorted(all.begin(), all.end());
+    std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+      return total_degree(a.second) < total_degree(b.second);
+    });
+    constexpr std::size_t most_tries = 30;
+    for (std::size_t k = 0; k < sorted.size() && k < most_tries; ++k) {
+      const auto& [monomial, c] = sorted[k];
+      auto node = proof_.shown(x.given, {family_.moved({c, Sign::nonzero}).p, Sign::nonzero});
+      if (!node) continue;
+      std::vector<Json> exponents;
+      for (const unsigned long e : monomial)
+        exponents.push_back(json_text(std::to_string(e)));
+      return Json::Object{{"monomial", json_list(std::move(exponents))}, {"by", *std::move(node)}};
+    }
+    return std::nullopt;
+  }
+  static long total_degree(const MPoly& f) {
+    long most = 0;
+    for (long t = 0; t < f.length(); ++t) {
+      long sum = 0;
+      for (const unsigned long e : f.exponents(t))
+        sum += static_cast<long>(e);
+      most = std::max(most, sum);
+    }
+    return most;
+  }
+
+  // ---- on trust, or open
+
+  struct Group {
+    std::string id, step;
+    bool integrable = false;
+    IntegralClass integrals;
+    std::vector<std::vector<Condition>> regions;
+  };
+  void put_trusted(const NodeResult& n, const std::string& why) {
+    const bool integrable = n.says == Conclusion::has_integral;
+    std::string step = n.node.step.empty() ? n.summary : n.node.step;
+    if (n.excluded.size() > 1) throw DomainError("a step on trust with several classes");
+    const IntegralClass integrals = n.excluded.empty() ? IntegralClass{} : n.excluded.front();
+    if (!why.empty() && !n.on_trust) step += " [no certificate: " + why + "]";
+    step = one_line_of(step);
+    for (Group& g : trusted_)
+      if (g.step == step && g.integrable == integrable && g.integrals == integrals)
+        return put_region(n, g);
+    trusted_.push_back({n.node.id, step, integrable, integrals, {}});
+    put_region(n, trusted_.back());
+  }
+  void put_region(const NodeResult& n, Group& g) const {
+    for (const ParameterRegion& r : regions_of(n)) {
+      g.regions.emplace_back();
+      for (const Condition& c : r.conditions)
+        g.regions.back().push_back(family_.moved(c));
+    }
+  }
+  void put_groups() {
+    for (const Group& g : trusted_) {
+      Json::Object members{{"system", json_text(name_)},
+                           {"says", json_text(g.integrable ? "integrable" : "not integrable")},
+                           {"step", json_text(g.step)},
+                           {"regions", put_regions(g)}};
+      if (!g.integrable) members.emplace_back("class", json_class(g.integrals));
+      put_step(g.id, "trusted", std::move(members));
+      parts_.push_back(g.id);
+    }
+    if (open_.regions.empty()) return;
+    put_step("open", "open", {{"system", json_text(name_)}, {"regions", put_regions(open_)}});
+    parts_.emplace_back("open");
+  }
+  Json put_regions(const Group& g) {
+    std::vector<Json> rows;
+    for (std::size_t k = 0; k < g.regions.size(); ++k) {
+      rows.push_back(json_conditions(g.regions[k]));
+      regions_.push_back({parts_.size(), k, g.regions[k]});
+    }
+    return json_list(std::move(rows));
+  }
+
+  void put_cover(const NodeResult& root) {
+    std::vector<Json> parts;
+    for (const std::string& id : parts_)
+      parts.push_back(json_text(id));
+    auto tree = tree_of_regions(proof_, family_.assumptions(), regions_, budget_);
+    if (!tree) throw DomainError("the cover of the parameters was not found");
+    put_step(root.node.id, "cover",
+             {{"system", json_text(name_)},
+              {"symmetries", json_list({})},
+              {"parts", json_list(std::move(parts))},
+              {"tree", *std::move(tree)}});
+  }
+
+  const TheoremResult& t_;
+  std::string directory_;
+  const std::map<std::string, std::string>& refused_;
+  const Budget& budget_;
+  StrataFamily family_;
+  std::string name_;
+  ComplexProof proof_;
+  Json json_;
+  certify::Family checked_;
+  std::vector<Json> steps_;
+  std::vector<std::string> parts_;
+  std::vector<RegionOfPart> regions_;
+  std::vector<Group> trusted_;
+  Group open_;
+};
+
+} // namespace
+
+std::string bundle_of_strata(const TheoremResult& t, const std::string& directory,
+                             const std::map<std::string, std::string>& refused,
+                             const Budget& budget) {
+  return StrataBundle(t, directory, refused, budget)();
+}
+
+} // namespace kov

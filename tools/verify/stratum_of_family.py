@@ -1,0 +1,240 @@
+"""What is said of a family where some of its parameters are functions of the others, in its own coordinates
+(docs/theory/theorem_certificates.md 12, 13)."""
+from itertools import combinations
+
+from certificate_format import Malformed, need, read
+from first_integrals import IntegralClass
+from multivariate import FIELD, MASK, ONE, P
+from phase_space import Function, total
+from real_proof import refute, show
+from strata_format import NAME
+from system_format import right
+from tower import Tower, compose
+
+NOTHING = Function(P())
+MINOR, PARTS = 8, 500
+CLASS = {"kind": "text", "near": "text", "on_leaf": "text", "liouville": "text", "functions": ["text"], "without": ["text"],
+         "through": ["text"], "frame": "text"}
+
+
+def read_class(v):
+    d, truth = read(CLASS, v, "class"), {"yes": True, "no": False}
+    right(d["kind"] in ("rational", "meromorphic") and d["near"] in ("curve", "closed curve", "origin"), "an unknown word")
+    right(d["on_leaf"] in truth and d["liouville"] in truth, "an unknown word")
+    right(all(NAME.match(x) for key in ("functions", "without", "through") for x in d[key]), "a name is expected")
+    right(all(" " <= x <= "~" for x in d["frame"]), "one line is expected")
+    return IntegralClass(d["kind"], d["near"], truth[d["on_leaf"]], *(tuple(d[key]) for key in ("functions", "without", "through")),
+                         d["frame"], truth[d["liouville"]])
+
+
+class Stratum:
+    """at: {name: Function}, parameters of the family that are put in; region: conditions besides"""
+
+    def __init__(self, family, at, region):
+        self.family, self.space, self.values, self.region = family, family.space, at, region
+        space = self.space
+        self.images = {v: Function(P({1 << v: 1})) for v in space.at.values()}
+        self.images |= {family.names[x]: f for x, f in at.items()}
+        self.tower = Tower(space.at)
+        for u in space.inverses:
+            self.adjoin(space.at[u], self.put(space.denominators[space.at[u]]), self.images, space.at[u])
+        self.given = [(self.put(Function(f)).p.primitive(), sign) for f, sign in family.assumptions + region]
+
+    def adjoin(self, variable, h, images, name):
+        """The variable stands for 1/p, h = p/n; `name` has the value 1/h."""
+        need(h, "a denominator is 0")
+        self.tower.steps.append((variable, None, h.p))
+        images[name] = Function(P({1 << variable: h.n}))
+
+    def put(self, f):
+        return compose(f, self.images)
+
+    def conditions(self):
+        names = self.family.names
+        return [(P({1 << v: self.values[x].n}) - self.values[x].p, "zero") for x, v in names.items() if x in self.values] + \
+            self.region
+
+    def need_zero(self, f, why):
+        self.tower.need_zero(f, why)
+
+    def cleared(self, p):
+        for x, _, h in reversed(self.tower.steps):
+            n = p.degree(x)
+            if n > 0:
+                p = p.substitute(x, h, ONE * -1, n)
+        return p
+
+
+class Restriction:
+    """The system of the target is that of the family on the stratum."""
+
+    def __init__(self, here, target):
+        self.here, self.family, self.x, self.y, self.target = here, here.family, here.space, target.space, target
+        x, y = self.x, self.y
+        need(len(x.coordinates) == len(y.coordinates), "another number of coordinates")
+        need((x.hamiltonian is None) == (y.hamiltonian is None), "a bracket, or none")
+        self.images = {}
+        for names, known in ((y.coordinates, x.coordinates), (y.functions, x.functions)):
+            for name in names:
+                need(name in known, "the system has another name")
+                self.images[y.at[name]] = Function(P({1 << x.at[name]: 1}))
+        for name in target.parameters:
+            if name in x.at:
+                need(name in self.family.names and name not in here.values, "a parameter that has a value")
+                self.images[y.at[name]] = Function(P({1 << x.at[name]: 1}))
+        for k, u in enumerate(y.inverses):
+            h = compose(y.denominators[y.at[u]], self.images)
+            here.adjoin(FIELD * (len(x.names) + k), h, self.images, y.at[u])
+        self.place = [x.coordinates.index(name) for name in y.coordinates]
+        self.need_same_functions()
+        self.need_same_system()
+
+    def need_same(self, ours, theirs, why):
+        self.here.need_zero(self.here.put(ours) - compose(theirs, self.images), why)
+
+    def need_same_functions(self):
+        for s in self.y.functions:
+            left, right_ = self.x.gradients[self.x.at[s]], self.y.gradients[self.y.at[s]]
+            for j, i in enumerate(self.place):
+                self.need_same(left.get(i, NOTHING), right_.get(j, NOTHING), "another gradient")
+        ours = [self.here.put(f).p.primitive() for f in self.x.relations]
+        for f in self.y.relations:
+            p = compose(f, self.images).p.primitive()
+            need(p in ours or p * -1 in ours, "a relation that the system has not")
+
+    def need_same_system(self):
+        x, y = self.x, self.y
+        if y.hamiltonian is None:
+            for j, f in enumerate(y.field):
+                self.need_same(x.field[self.place[j]], f, "another field")
+            return
+        self.need_same(x.hamiltonian, y.hamiltonian, "another Hamiltonian")
+        for i, j in combinations(range(len(self.place)), 2):
+            self.need_same(x.brackets.get((self.place[i], self.place[j]), NOTHING), y.brackets.get((i, j), NOTHING),
+                           "another bracket")
+
+    # -- what is asked of the parameters, for some values of the levels
+
+    def is_level(self, v):
+        return v not in self.images
+
+    def by_levels(self, f):
+        """The parts of f by the monomials in the levels, in the names of the family"""
+        names = {self.y.at[x]: x for x in self.target.parameters}
+        need(f.variables() <= set(names), "a condition on the parameters is expected")
+        parts = {}
+        for k, c in f.items():
+            level = here = 0
+            for v, name in names.items():
+                e = k >> v & MASK
+                if self.is_level(v):
+                    level |= e << v
+                else:
+                    here |= e << self.x.at[name]
+            parts.setdefault(level, []).append((here, c))
+        need(len(parts) <= PARTS, "a limit: too many monomials in the levels")
+        order = sorted(parts, key=lambda k: [k >> v & MASK for v in sorted(names)])
+        return {level: P(parts[level]) for level in order} or {0: P()}
+
+    def need_asked(self, rows):
+        rows, bounded, names = iter(rows), set(), self.family.names
+        for sign, f in self.target.conditions:
+            if sign == "real":
+                at = {self.y.at[x]: self.x.at[x] for x in self.target.parameters if x in self.x.at}
+                need(not any(at.get(v) in self.family.complex for v in f.p.variables()), "a parameter that need not be real")
+                continue
+            if sign in ("positive", "nonnegative"):
+                used = list(f.p.variables())
+                if len(used) == 1 and self.is_level(used[0]):
+                    need(f.p.degree(used[0]) == 1, "a condition on a level")
+                    need(used[0] not in bounded, "two conditions on a level")
+                    bounded.add(used[0])
+                    continue
+            by = next(rows, None)
+            if by is None:
+                raise Malformed("not everything is shown")
+            if sign not in ("group", "nonzero"):
+                parts = self.by_levels(f.p)
+                need(list(parts) == [0], "a condition on a level")
+                show(parts[0], sign, by, self.here.given, names)
+                continue
+            members = f if sign == "group" else [f]
+            zeros = [(part, "zero") for g in members for part in self.by_levels(g.p).values()]
+            refute(by, self.here.given + zeros, names)
+        right(next(rows, None) is None, "more is shown than is needed")
+
+
+def integrability(here, d):
+    """First integrals of the family on the stratum, independent and in involution, or commuting with fields: the family, pairs of
+    a name and a function, the fields, what is taken on trust"""
+    space = here.space
+    claims = [(c["name"], space.read(c["value"])) for c in d["claims"]]
+    fields = [[space.read(v) for v in row] for row in d["fields"]]
+    right(all(len(row) == len(space.coordinates) for row in fields), "an entry for each coordinate is expected")
+    slopes = [[space.d(f, j) for j in space.indices] for _, f in claims]
+    for df in slopes:
+        here.need_zero(here.put(dot(space.field, df)), "not a first integral")
+    n, m, not_shown = len(space.coordinates), len(claims), []
+    if space.hamiltonian is None:
+        need_commuting(here, [space.field, *fields], slopes, fields)
+        need(1 + len(fields) + m == n, "not as many integrals as are needed")
+        if m:
+            need_minor(here, d["independent"], slopes, m, not_shown, "independence")
+        need_minor(here, d["rank"], [space.field, *fields], 1 + len(fields), not_shown, "the rank")
+        return here.family, claims, fields, not_shown
+    need(not fields, "fields beside a bracket")
+    structure = [[space.brackets.get((i, j), NOTHING) for j in space.indices] for i in space.indices]
+    for df, dg in combinations(slopes, 2):
+        here.need_zero(here.put(dot(df, [dot(row, dg) for row in structure])), "not in involution")
+    need_minor(here, d["independent"], slopes, m, not_shown, "independence")
+    need(m <= n <= 2 * m, "not as many integrals as are needed")
+    need_minor(here, d["rank"], structure, 2 * (n - m), not_shown, "the rank")
+    return here.family, claims, [], not_shown
+
+
+def dot(a, b):
+    return total(f * g for f, g in zip(a, b) if f and g)
+
+
+def need_commuting(here, all_fields, slopes, fields):
+    space = here.space
+    for y in fields:
+        for df in slopes:
+            here.need_zero(here.put(dot(y, df)), "not constant along a field")
+    for x, y in combinations(all_fields, 2):
+        for i in space.indices:
+            f, g = (dot(a, [space.d(b[i], j) for j in space.indices]) for a, b in ((x, y), (y, x)))
+            here.need_zero(here.put(f - g), "the fields do not commute")
+
+
+def need_minor(here, v, rows, size, not_shown, what):
+    """A minor of this size is not the zero function, at each point of the stratum; or on trust"""
+    if v is None:
+        not_shown.append(what)
+        return
+    space = here.space
+    d = read({"columns": ["text"], "monomial": ["int"], "by": "any"}, v, "minor")
+    need(not space.functions and not space.relations, "a minor with functions")
+    columns = d["columns"]
+    need(all(x in space.coordinates for x in columns) and len(set(columns)) == len(columns), "a coordinate is expected")
+    need(len(columns) == size <= MINOR, "a minor of another size")
+    columns = [space.coordinates.index(x) for x in columns]
+    chosen = rows if len(rows) == size else [rows[i] for i in columns]
+    p = here.cleared(determinant([[here.put(row[j]) for j in columns] for row in chosen]).p)
+    right(len(d["monomial"]) == len(space.coordinates), "an exponent for each coordinate is expected")
+    rest, names = P(), set(here.family.names.values())
+    for k, c in p.items():
+        if all(k >> FIELD * j & MASK == e for j, e in enumerate(d["monomial"])):
+            k -= sum(e << FIELD * j for j, e in enumerate(d["monomial"]))
+            rest += P({k: c})
+    need(rest.variables() <= names, "a name that is no parameter")
+    show(rest, "nonzero", d["by"], here.given, here.family.names)
+
+
+def determinant(m):
+    """By the first row"""
+    if not m:
+        return Function(ONE)
+    terms = [Function(f.p * (-1) ** j, f.n) * determinant([row[:j] + row[j + 1:] for row in m[1:]])
+             for j, f in enumerate(m[0]) if f]
+    return total(terms)
