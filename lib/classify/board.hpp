@@ -28,6 +28,7 @@ struct Round : KnownSystem {
   bool studied_at_once = false;             ///< one answer for all parameters was enough
   bool integrals_known = false;             ///< for all of these parameters, from a round before,
   std::vector<MPoly> integrals_unless = {}; ///< but not where one of these vanishes
+  bool only_special_values = false;         ///< are left: the system is studied there at once
   std::size_t decided = 0;                  ///< strata that were there before
   bool limited = false;                     ///< some task ended at its share of the work
   std::vector<std::string> cut = {};        ///< the solutions whose share was too small

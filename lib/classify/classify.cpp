@@ -157,6 +157,7 @@ void study(Board& b, Round round) {
           part_of_the_round(b, budget, part / static_cast<double>(tasks.size() - i)));
     }
     b.begun = true;
+    if (round.only_special_values) break;
   }
   tell(b, round, "");
   go_on(b, round);

@@ -1,8 +1,8 @@
 #include "classify/scale.hpp"
 
-#include "exact/finite_algebra.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/specialise.hpp"
+#include "moves/scalings.hpp"
 
 #include <algorithm>
 
@@ -15,78 +15,16 @@ bool is_among(const std::vector<std::size_t>& all, std::size_t i) {
 
 constexpr std::size_t most_parameters = 8; // subsets of them are tried
 
-/// Linear equations for the weights: of the variables of the ring, then of the time and the bracket.
-class Weights {
-public:
-  explicit Weights(const System& s) : ring_(s.ring()), levels_(level_parameters(s)), v_(s.field) {
-    for (const MPoly& f : v_.relations)
-      add_homogeneous(f);
-    for (std::size_t j = 0; j < v_.dimension(); ++j)
-      add(v_.components[j], {{v_.coordinates[j], 1}, {time(), 1}});
-    for (const FunctionSymbol& u : v_.functions)
-      for (std::size_t j = 0; j < v_.dimension(); ++j)
-        add(u.gradient[j], {{u.variable, 1}, {v_.coordinates[j], -1}});
-    if (v_.poisson)
-      for (std::size_t i = 0; i < v_.dimension(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-          add((*v_.poisson)[i][j],
-              {{v_.coordinates[i], 1}, {v_.coordinates[j], 1}, {bracket(), 1}});
-    for (const std::size_t c : v_.constants)
-      add_row({{c, 1}});
+// Each with its weights for these parameters in this order.
+Matrix of_these(const std::vector<std::size_t>& parameters, const Matrix& all) {
+  Matrix some;
+  for (const auto& weights : all) {
+    some.emplace_back();
+    for (const std::size_t p : parameters)
+      some.back().push_back(weights[p]);
   }
-
-  /// A basis, each with weights for these parameters in this order.
-  [[nodiscard]] Matrix of(const std::vector<std::size_t>& parameters) const {
-    Matrix all;
-    for (const auto& solution : null_space(rows_, ring_->size() + 2, ring_)) {
-      all.emplace_back();
-      for (const std::size_t p : parameters)
-        all.back().push_back(solution[p]);
-    }
-    return all;
-  }
-
-private:
-  using Row = std::map<std::size_t, long>;
-
-  [[nodiscard]] std::size_t time() const { return ring_->size(); }
-  [[nodiscard]] std::size_t bracket() const { return ring_->size() + 1; }
-
-  void add_row(const Row& row) {
-    std::vector<MFraction> all(ring_->size() + 2, MFraction(ring_));
-    for (const auto& [i, c] : row)
-      all[i] = MFraction(ring_, Rational(c));
-    rows_.push_back(std::move(all));
-  }
-  static Row exponents(const MPoly& f, long term) {
-    Row row;
-    const auto e = f.exponents(term);
-    for (std::size_t i = 0; i < e.size(); ++i)
-      if (e[i] > 0) row[i] = static_cast<long>(e[i]);
-    return row;
-  }
-  static Row minus(Row a, const Row& b) {
-    for (const auto& [i, c] : b)
-      a[i] -= c;
-    return a;
-  }
-  void add_homogeneous(const MPoly& f) {
-    for (long t = 1; t < f.length(); ++t)
-      add_row(minus(exponents(f, t), exponents(f, 0)));
-  }
-  // f is homogeneous with this weight.
-  void add(const MFraction& f, const Row& weight) {
-    if (is_zero(f)) return;
-    add_homogeneous(f.num());
-    add_homogeneous(f.den());
-    add_row(minus(minus(exponents(f.num(), 0), exponents(f.den(), 0)), weight));
-  }
-
-  Ring ring_;
-  std::vector<std::size_t> levels_;
-  const VectorField& v_;
-  Matrix rows_;
-};
+  return some;
+}
 
 // Reduced rows with 1 at the chosen columns; unset: they are not independent there.
 std::optional<Matrix> solved_for(Matrix rows, const std::vector<std::size_t>& columns) {
@@ -214,7 +152,7 @@ std::optional<ScaledSystem> scaled(const System& s) {
   for (const std::size_t p : s.field.parameters)
     if (!is_among(levels, p)) parameters.push_back(p);
   if (parameters.empty() || parameters.size() > most_parameters) return std::nullopt;
-  const Matrix basis = Weights(s).of(parameters);
+  const Matrix basis = of_these(parameters, scalings(s));
   std::optional<ScaledSystem> best;
   for (std::size_t set = 1; set < (std::size_t{1} << parameters.size()); ++set) {
     std::vector<std::size_t> columns;

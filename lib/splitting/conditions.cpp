@@ -69,6 +69,49 @@ MPoly in_moments(const OrbitSpace& o, const MPoly& f, const Ring& target) {
   return value.num();
 }
 
+// The parameters of H1 that are neither small nor moments.
+std::vector<std::string> others_of(const SplittingData& d) {
+  const EulerPerturbation& p = d.perturbation;
+  std::vector<std::string> all;
+  for (const std::size_t v : used_variables(p.first)) {
+    const std::string& name = p.first.ring()->name(v);
+    const bool known =
+        std::find(p.coordinates.begin(), p.coordinates.end(), v) != p.coordinates.end() ||
+        std::find(p.small.begin(), p.small.end(), name) != p.small.end() ||
+        std::any_of(p.inverse_inertia.begin(), p.inverse_inertia.end(),
+                    [&](const MFraction& a) { return uses(a, v); });
+    if (!known) all.push_back(name);
+  }
+  return all;
+}
+
+bool is_among(const std::string& name, const std::vector<std::string>& all) {
+  return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+// A function of these parameters alone.
+bool is_in(const MPoly& f, const std::vector<std::string>& parameters) {
+  const auto used = used_variables(f);
+  return std::all_of(used.begin(), used.end(), [&](std::size_t v) {
+    return is_among(f.ring()->name(v), parameters);
+  });
+}
+
+void add_once(const MPoly& f, std::vector<MPoly>& all) {
+  if (std::find(all.begin(), all.end(), f) == all.end()) all.push_back(f);
+}
+
+// The cone of the moments takes all other parameters for positive ones.
+void require_signs(const MPoly& equation, const std::vector<std::string>& others,
+                   const EulerPerturbation& p) {
+  for (const std::size_t v : used_variables(equation)) {
+    const std::string& name = equation.ring()->name(v);
+    if (is_among(name, others) && !is_among(name, p.positive))
+      throw DomainError("the sums of residues vanish where " + name +
+                        ", which has no sign, satisfies an equation");
+  }
+}
+
 } // namespace
 
 Cone moment_cone(const Ring& ring) {
@@ -81,6 +124,8 @@ VanishingConditions vanishing_conditions(const SplittingData& d) {
   const std::vector<std::string>& small = d.perturbation.small;
   std::vector<std::string> names{"a", "b", "c", "A", "B", "C", "u", "v"};
   names.insert(names.end(), small.begin(), small.end());
+  const std::vector<std::string> others = others_of(d);
+  names.insert(names.end(), others.begin(), others.end());
   VanishingConditions out;
   out.ring = make_ring(names);
   for (const std::string& s : small)
@@ -91,13 +136,17 @@ VanishingConditions vanishing_conditions(const SplittingData& d) {
     if (is_zero(part)) continue;
     MPoly condition(o.chart.ring, Integer(1));
     for (const MFactor& f : factor(part.num()).second) {
-      if (cone.sign(f.base) == 0)
+      const bool has_sign = cone.sign(f.base) != 0;
+      if (!has_sign && is_in(f.base, others))
+        add_once(transfer(MFraction(f.base), out.ring).num(), out.nonzero);
+      else if (!has_sign)
         condition *= f.base;
       else if (const std::string text = to_string(f.base);
                std::find(out.dropped.begin(), out.dropped.end(), text) == out.dropped.end())
         out.dropped.push_back(text);
     }
     const MPoly equation = in_moments(o, condition, out.ring);
+    require_signs(equation, others, d.perturbation);
     if (seen.insert(to_string(equation)).second) out.equations.push_back(equation);
   }
   return out;

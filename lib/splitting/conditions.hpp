@@ -13,13 +13,17 @@
 namespace kov {
 
 struct VanishingConditions {
-  Ring ring;                          ///< a, b, c, A, B, C, u, v, and the small parameters
+  Ring ring;                          ///< a, b, c, A, B, C, u, v, and the parameters of H1
   std::vector<std::size_t> direction; ///< the small parameters S
   std::vector<MPoly> equations;
   std::vector<std::string> dropped; ///< the factors of one sign
+  /// Factors of the sums in parameters of H1 that are neither small nor moments, nor known to be
+  /// positive: dropped as well, so that the equations say something where these are not 0.
+  std::vector<MPoly> nonzero = {};
 };
 
-/// Errors  DomainError when Y or a root is left in an equation
+/// Errors  DomainError when Y or a root, or a parameter without a sign that is not small, is left in an
+///         equation
 [[nodiscard]] VanishingConditions vanishing_conditions(const SplittingData& d);
 
 /// a, b = a + u, c = a + u + v with a, u, v > 0.

@@ -27,7 +27,7 @@ private:
   [[nodiscard]] std::vector<MPoly> restricted(const Branch& b) const;
   [[nodiscard]] std::vector<MPoly> open_factors(const MPoly& f, const Branch& b, std::string* why);
   void close(const Branch& b, const std::string& reason) { empty.push_back({name(b), reason}); }
-  void leaf(const Branch& b, const std::optional<MPoly>& direction);
+  void leaf(const Branch& b, const std::optional<MPoly>& direction, bool exact);
   [[nodiscard]] bool same_signs(const MPoly& f, const Branch& b, std::string* why) const;
   [[nodiscard]] std::string name(const Branch& b) const;
   [[nodiscard]] MPoly in_moments(const MPoly& f) const;
@@ -131,6 +131,7 @@ void Classifier::split(Branch branch) {
   budget_.check();
   if (branch.zero.size() == c_.direction.size()) return; // S = 0 is excluded
   std::optional<MPoly> relation;
+  bool exact = true;
   for (const MPoly& f : restricted(branch)) {
     std::string why;
     const std::vector<MPoly> open = open_factors(f, branch, &why);
@@ -147,10 +148,10 @@ void Classifier::split(Branch branch) {
       return split(std::move(other));
     }
     if (std::any_of(open.begin(), open.end(), [&](const MPoly& g) { return uses_direction(g); })) {
-      if (open.size() > 1 || relation)
-        throw DomainError("the branch " + name(branch) +
-                          " is left with several equations for the " +
-                          "direction, which are not solved together");
+      if (open.size() > 1 || relation) { // not solved together: the larger family is kept
+        exact = false;
+        continue;
+      }
       relation = open.front();
       continue;
     }
@@ -161,7 +162,7 @@ void Classifier::split(Branch branch) {
     }
     return;
   }
-  leaf(branch, relation);
+  leaf(branch, relation, exact);
 }
 
 // A polynomial in a, b, c, S as one in the moments A = 1/a, ...
@@ -265,13 +266,14 @@ void Classifier::decide_triangle(const Branch& b, SplittingFamily& f) const {
   }
 }
 
-void Classifier::leaf(const Branch& b, const std::optional<MPoly>& direction) {
+// exact: no equation was left out, so that a member is one indeed.
+void Classifier::leaf(const Branch& b, const std::optional<MPoly>& direction, bool exact) {
   SplittingFamily f;
   for (const std::size_t v : b.zero)
     f.zero.push_back(c_.ring->name(v));
   for (const MPoly& g : b.moments)
     f.moments.push_back(in_moments(g));
-  find_witness(b, direction, f);
+  if (exact) find_witness(b, direction, f);
   decide_triangle(b, f);
   if (direction) f.direction = simplified(in_moments(*direction), f.moments);
   families.push_back(std::move(f));

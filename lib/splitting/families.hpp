@@ -34,7 +34,9 @@ struct SplittingClassification {
   std::vector<EmptyBranch> empty;
 };
 
-/// Errors  DomainError when a branch keeps more than one equation for the direction; OutOfBudget
+/// Where a branch keeps several equations for the direction the family has one of them, or none: it is
+/// larger than the set where all sums vanish.
+/// Errors  OutOfBudget
 [[nodiscard]] SplittingClassification classify_families(const VanishingConditions& c,
                                                         const Budget& budget = {});
 /// "L2 = 0, L3 = 0, 2*A - 2*B - C = 0"

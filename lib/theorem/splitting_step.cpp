@@ -179,6 +179,8 @@ void prove_splitting(NodeResult& n, const std::string& directory, const ProveOpt
   for (const CheckedIdentity& c : check_ziglin_hypotheses(d))
     n.checks.push_back(c);
   const VanishingConditions conditions = vanishing_conditions(d);
+  for (const MPoly& f : conditions.nonzero)
+    throw DomainError("all sums of residues vanish where " + to_string(f) + " = 0");
   const SplittingClassification k = classify_families(conditions, options.decide.budget);
   show_data(n, d, conditions);
   show_families(n, k);

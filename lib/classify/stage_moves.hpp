@@ -1,0 +1,14 @@
+#pragma once
+// Stages of the strategy: theorems about the whole family, before it is studied along solutions.
+//
+// Source  docs/theory/moves.md
+
+#include "classify/stage.hpp"
+
+namespace kov::stages {
+
+/// A free body with three different moments, perturbed: its separatrices split.
+[[nodiscard]] std::vector<Task> splitting(const Board& b, const Round& round);
+void study_splitting(Board& b, Round& round, const Task& task, const Budget& budget);
+
+} // namespace kov::stages

@@ -1,0 +1,77 @@
+#include "moves/e3.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+bool same(const Matrix& a, const Matrix& b, int sign) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < a.size(); ++j)
+      if (!is_zero(a[i][j] - Rational(sign) * b[i][j])) return false;
+  return true;
+}
+
+// The negative bracket is that of the time that runs backwards.
+bool has_bracket_of_e3(const VectorField& v) {
+  if (!v.poisson || v.dimension() != 6) return false;
+  const Matrix e3 =
+      e3_structure(v.ring, v.coordinates, std::vector<MFraction>(3, MFraction(v.ring)));
+  return same(*v.poisson, e3, 1) || same(*v.poisson, e3, -1);
+}
+
+// d^2 H/dx^2 at the origin of the phase space.
+std::optional<MFraction> second_derivative_at_0(const VectorField& v, std::size_t x) {
+  Substitution origin;
+  for (const std::size_t i : v.coordinates)
+    origin[i] = MFraction(v.ring);
+  try {
+    return substitute(derivative(derivative(*v.hamiltonian, x), x), origin);
+  } catch (const DomainError&) { // a pole
+    return std::nullopt;
+  }
+}
+
+// x with a = x (exponent 1) or a = 1/x (-1).
+std::optional<std::pair<std::size_t, long>> as_power(const MFraction& a) {
+  const auto used = used_variables(a);
+  if (used.size() != 1) return std::nullopt;
+  for (const long e : {-1L, 1L})
+    if (pow(a, e) == MFraction::variable(a.ring(), used.front())) return std::pair(used.front(), e);
+  return std::nullopt;
+}
+
+} // namespace
+
+bool is_assumed_positive(const System& s, std::size_t parameter) {
+  const MFraction x = MFraction::variable(s.ring(), parameter);
+  return std::any_of(s.assumptions.begin(), s.assumptions.end(), [&](const Assumption& a) {
+    return a.relation == Assumption::Relation::positive && a.value == x;
+  });
+}
+
+std::optional<FreeBody> free_body(const System& s) {
+  const VectorField& v = s.field;
+  if (!v.hamiltonian || !v.functions.empty() || !v.relations.empty() || !v.constants.empty() ||
+      !has_bracket_of_e3(v))
+    return std::nullopt;
+  FreeBody body{};
+  std::copy(v.coordinates.begin(), v.coordinates.end(), body.coordinates.begin());
+  std::optional<long> exponent;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto a = second_derivative_at_0(v, v.coordinates[k]);
+    const auto power = a ? as_power(*a) : std::nullopt;
+    if (!power || (exponent && power->second != *exponent)) return std::nullopt;
+    if (!is_assumed_positive(s, power->first)) return std::nullopt;
+    exponent = power->second;
+    body.moments[k] = power->first;
+  }
+  const auto& m = body.moments;
+  if (m[0] == m[1] || m[1] == m[2] || m[2] == m[0]) return std::nullopt;
+  body.inverse = *exponent == 1;
+  return body;
+}
+
+} // namespace kov

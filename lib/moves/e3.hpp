@@ -1,0 +1,25 @@
+#pragma once
+// Hamiltonian systems on e(3)*: rigid bodies with coordinates M, Gamma.
+//
+// Source  docs/theory/moves.md (3)
+
+#include "system/system.hpp"
+
+#include <array>
+
+namespace kov {
+
+/// H = (M1^2/A + M2^2/B + M3^2/C)/2 + ..., in coordinates with the bracket of e(3) or its negative; A, B, C
+/// (or their inverses) are positive parameters and different ones.
+struct FreeBody {
+  std::array<std::size_t, 6> coordinates; ///< M1 M2 M3 Gamma1 Gamma2 Gamma3
+  std::array<std::size_t, 3> moments;     ///< parameters
+  bool inverse = false;                   ///< they are 1/A, 1/B, 1/C
+};
+
+/// Unset: the system is none, or has function symbols.
+[[nodiscard]] std::optional<FreeBody> free_body(const System& s);
+/// The file says so.
+[[nodiscard]] bool is_assumed_positive(const System& s, std::size_t parameter);
+
+} // namespace kov
