@@ -6,6 +6,7 @@
 #include "classify/scale.hpp"
 #include "classify/solutions.hpp"
 #include "classify/stated.hpp"
+#include "moves/equivalence.hpp"
 #include "study/pieces.hpp"
 
 namespace kov {
@@ -43,15 +44,25 @@ struct Round : KnownSystem {
   }
 };
 
+/// A set of parameters that a change of variables takes into another one: what is proved there holds here.
+struct Follower {
+  Piece piece;
+  ParameterSet of;
+  Equivalence by;
+};
+
 struct Board {
   ClassifyOptions options; ///< its budget is that of the whole
   const StatedSolutions& stated;
-  KnownSystem known;               ///< with names for levels
+  KnownSystem known = {};          ///< with names for levels
   bool is_as_stated = false;       ///< the system is that of the file, but for names of levels
   bool begun = false;              ///< some round is done, or at work
   std::vector<Round> waiting = {}; ///< parts of the parameters that were not studied yet
   std::vector<Round> later = {};   ///< those that their share did not suffice for
-  std::vector<Piece> open = {};    ///< for which there is nothing more to try
+  std::vector<Equivalence> symmetries = {}; ///< of the family
+  std::vector<ParameterSet> studied = {};   ///< sets of rounds, whole ones
+  std::vector<Follower> followers = {};
+  std::vector<Piece> open = {}; ///< for which there is nothing more to try
   SystemClassification result = {};
   SystemClassification so_far = {}; ///< what `result` was when a task began, the rest open
 
@@ -87,6 +98,12 @@ void contradict_nothing(const Board& b, const Round& round, const Exclusion& whe
 
 /// The parts of a piece on which two of its conditions hold together at common values only.
 [[nodiscard]] std::vector<Piece> met(Board& b, const Round& round, const Piece& piece);
+
+/// Whether the piece follows another set by a symmetry; then it is noted, and need not be studied.
+[[nodiscard]] bool follows_another(Board& b, const Piece& piece);
+/// What is known of the sets that they follow is carried over; what is open there is open.  The rest, if
+/// any, waits to be studied by itself.
+void settle_followers(Board& b);
 
 /// What is left of them; those of claims that are not proved any more are no levels.
 [[nodiscard]] std::vector<KnownLevel> at_values(std::vector<KnownLevel> levels,

@@ -10,6 +10,7 @@
 #include "exact/share.hpp"
 #include "integrability/eigenvalue.hpp"
 #include "integrability/parameters.hpp"
+#include "moves/discrete.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -98,6 +99,8 @@ void tell(Board& b, const Round& round, const std::string& next) {
   };
   open(b.open);
   open(round.pieces);
+  for (const Follower& f : b.followers)
+    leave_open(f.piece, now);
   for (const auto* rounds : {&b.waiting, &b.later})
     for (const Round& later : *rounds)
       leave_open(later.whole, now);
@@ -164,7 +167,11 @@ void study(Board& b, Round round) {
 }
 
 void study_all(Board& b) {
-  while (!b.waiting.empty() || !b.later.empty()) {
+  while (!b.waiting.empty() || !b.later.empty() || !b.followers.empty()) {
+    if (b.waiting.empty() && b.later.empty()) {
+      settle_followers(b);
+      continue;
+    }
     auto& from = b.waiting.empty() ? b.later : b.waiting;
     Round next = std::move(from.back());
     from.pop_back();
@@ -203,6 +210,23 @@ std::string limit_in_words(const Budget& budget) {
   }
 }
 
+// Of the family: one set of each orbit is studied, and the others follow.
+void find_symmetries(Board& b) {
+  const System& s = b.known.system;
+  if (s.field.parameters.size() < b.known.levels.size() + 2) return;
+  try {
+    for (const FamilySymmetry& y :
+         family_symmetries(s, part_of_the_work(b.budget(), share::symmetries))) {
+      const auto is_known = [&](const Equivalence& e) { return e.parameters == y.parameters; };
+      if (!y.parameters.empty() && keeps_assumptions(s, y) &&
+          std::none_of(b.symmetries.begin(), b.symmetries.end(), is_known))
+        b.symmetries.push_back(equivalence(s, y));
+    }
+  } catch (const OutOfBudget&) { // then each set is studied
+    b.symmetries.clear();
+  }
+}
+
 // The whole set, then what is left of it with algebraic constants that its solutions ask for.
 void study_whole(Board& b) {
   Round first{
@@ -211,6 +235,7 @@ void study_whole(Board& b) {
        {}}};
   const std::optional<KnownSystem> larger = constants_at_hand(b);
   b.waiting.push_back(std::move(first));
+  if (b.options.search_solutions) find_symmetries(b);
   {
     const WithPart less(b, larger ? share::without_constants : 1);
     study_all(b);

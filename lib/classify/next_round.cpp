@@ -135,8 +135,16 @@ void leave_open_at_last(Board& b, const Round& round, Piece piece) {
     }
 }
 
+bool is_whole(const Round& round, const Piece& piece) {
+  return piece.where.equations().size() == round.whole.where.equations().size();
+}
+
 // With the work that is left when all special values have had theirs.
 void once_more(Board& b, const Round& round, Piece piece) {
+  if (round.only_special_values && !is_whole(round, piece)) { // no stage has looked at it
+    b.waiting.push_back({{round.system, round.claims, round.levels}, std::move(piece)});
+    return;
+  }
   if (!round.limited || round.last) return leave_open_at_last(b, round, std::move(piece));
   Round next{{round.system, round.claims, round.levels}, std::move(piece)};
   next.integrals_known = round.integrals_known;
@@ -188,7 +196,7 @@ void again(Board& b, const Round& round, Piece piece) {
     note(piece, "the equations of the parameters", next.why_not);
     b.open.push_back(std::move(piece));
   } else if (next.special) {
-    b.waiting.push_back(*std::move(next.special));
+    if (!follows_another(b, piece)) b.waiting.push_back(*std::move(next.special));
   } else {
     once_more(b, round, std::move(piece));
   }

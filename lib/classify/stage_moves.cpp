@@ -1,5 +1,7 @@
 #include "classify/stage_moves.hpp"
 
+#include "integrability/parameters.hpp"
+#include "moves/frames.hpp"
 #include "moves/splitting.hpp"
 
 #include <algorithm>
@@ -16,7 +18,62 @@ bool has_only_special_values(const Round& round) {
   });
 }
 
+// Where the equations of the piece hold they hold in the frame too: there the system is the same one.
+bool stays_in(const Piece& piece, const Equivalence& e) {
+  const auto equations = piece.where.equations();
+  return std::all_of(equations.begin(), equations.end(), [&](const MPoly& f) {
+    const auto there = pulled_back(e, f);
+    return there && piece.where.vanishes(*there);
+  });
+}
+
+std::size_t free_parameters(const System& s) {
+  return s.field.parameters.size() - level_parameters(s).size();
+}
+
 } // namespace
+
+std::vector<Task> frames(const Board& b, const Round& round) {
+  const VectorField& v = round.system.field;
+  return one_if(!round.pieces.empty() && b.options.search_solutions && !round.last && v.poisson &&
+                    v.hamiltonian && v.functions.empty() && free_parameters(round.system) >= 2,
+                "a frame");
+}
+
+void choose_frame(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
+  const auto frame = find_frame(round.system, budget);
+  if (!frame) return;
+  const MPoly vanishing = MPoly::variable(round.system.ring(), frame->vanishing);
+  std::vector<Piece> left;
+  std::vector<Follower> followers;
+  for (const Piece& piece : round.pieces) {
+    const SetParts parts = split_set(piece.where, {vanishing}, {}, may_vanish(round.system));
+    if (parts.inside.empty() || !piece.special.empty() || !stays_in(piece, frame->to)) {
+      left.push_back(piece);
+      continue;
+    }
+    for (const ParameterSet& inside : parts.inside)
+      left.push_back({inside, {}, piece.tried});
+    const ParameterSet of = piece.where.plain().where_zero(vanishing);
+    for (const ParameterSet& outside : parts.outside) {
+      // a sum of two real squares, one of which is not 0
+      if (frame->to.real) {
+        followers.push_back(
+            {{outside.where_nonzero(frame->to.square), {}, piece.tried}, of, frame->to});
+        continue;
+      }
+      const SetParts isotropic =
+          split_set(outside, {frame->to.square}, {}, may_vanish(round.system));
+      for (const ParameterSet& set : isotropic.inside)
+        left.push_back({set, {}, piece.tried});
+      for (const ParameterSet& set : isotropic.outside)
+        followers.push_back({{set, {}, piece.tried}, of, frame->to});
+    }
+  }
+  round.pieces = std::move(left);
+  round.only_special_values = has_only_special_values(round);
+  std::move(followers.begin(), followers.end(), std::back_inserter(b.followers));
+}
 
 std::vector<Task> splitting(const Board& b, const Round& round) {
   return one_if(!round.pieces.empty() && b.options.search_solutions && !round.last &&

@@ -11,4 +11,8 @@ namespace kov::stages {
 [[nodiscard]] std::vector<Task> splitting(const Board& b, const Round& round);
 void study_splitting(Board& b, Round& round, const Task& task, const Budget& budget);
 
+/// A rotation takes most parameters to some at which one of them is 0: only these are studied.
+[[nodiscard]] std::vector<Task> frames(const Board& b, const Round& round);
+void choose_frame(Board& b, Round& round, const Task& task, const Budget& budget);
+
 } // namespace kov::stages

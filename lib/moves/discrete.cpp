@@ -63,9 +63,8 @@ public:
     for (const auto& row : *v.poisson) {
       a.bracket_.emplace_back();
       for (const MFraction& entry : row) {
-        auto terms = is_constant(MFraction(entry.den()))
-                         ? terms_in(entry.num(), v.coordinates)
-                         : std::nullopt;
+        auto terms = is_constant(MFraction(entry.den())) ? terms_in(entry.num(), v.coordinates)
+                                                         : std::nullopt;
         if (!terms || !(entry.den() == MPoly(v.ring, Integer(1)))) return std::nullopt;
         a.bracket_.back().push_back(*std::move(terms));
       }
@@ -295,8 +294,7 @@ bool is_symmetry(const System& s, const FamilySymmetry& y) {
   if (!(substitute(*v.hamiltonian, phi) == substitute(*v.hamiltonian, y.parameters))) return false;
   for (std::size_t i = 0; i < v.dimension(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
-      const MFraction left =
-          Rational(y.sign[i] * y.sign[j]) * (*v.poisson)[y.place[i]][y.place[j]];
+      const MFraction left = Rational(y.sign[i] * y.sign[j]) * (*v.poisson)[y.place[i]][y.place[j]];
       if (!is_zero(left - Rational(y.bracket) * substitute((*v.poisson)[i][j], phi))) return false;
     }
   return true;
@@ -304,12 +302,18 @@ bool is_symmetry(const System& s, const FamilySymmetry& y) {
 
 } // namespace
 
-MFraction FamilySymmetry::pulled_back(const System& s, const MFraction& f) const {
-  Substitution inverse; // x_place[i] -> sign[i] x_i
-  const auto& x = s.field.coordinates;
-  for (std::size_t i = 0; i < place.size(); ++i)
-    inverse[x[place[i]]] = Rational(sign[i]) * MFraction::variable(s.ring(), x[i]);
-  return substitute(f, inverse);
+// H(Phi x; sigma p) = H(x; p) for Phi = phi^-1: x_place[i] -> sign[i] x_i.
+Equivalence equivalence(const System& s, const FamilySymmetry& y) {
+  Equivalence e;
+  e.ring = s.ring();
+  e.phase.resize(y.place.size());
+  for (std::size_t i = 0; i < y.place.size(); ++i)
+    e.phase[y.place[i]] =
+        Rational(y.sign[i]) * MFraction::variable(s.ring(), s.field.coordinates[i]);
+  e.parameters = y.parameters;
+  e.time = e.bracket = MFraction(s.ring(), Rational(y.bracket));
+  e.words = in_words(s, y);
+  return e;
 }
 
 std::vector<FamilySymmetry> family_symmetries(const System& s, const Budget& budget) {

@@ -3,7 +3,7 @@
 //
 // Source  docs/theory/moves.md (2)
 
-#include "system/system.hpp"
+#include "moves/equivalence.hpp"
 
 namespace kov {
 
@@ -15,10 +15,6 @@ struct FamilySymmetry {
   std::vector<int> sign;
   int bracket = 1;         ///< {phi_i, phi_j} = bracket * {x_i, x_j} o phi
   Substitution parameters; ///< p -> (sigma p): those that change
-
-  /// f(phi^-1 x)
-  [[nodiscard]] MFraction pulled_back(const System& s, const MFraction& f) const;
-  [[nodiscard]] bool moves_parameters() const { return !parameters.empty(); }
 };
 
 /// All of them: those that move no parameter as well.  None is looked for where there are function symbols,
@@ -31,6 +27,8 @@ struct FamilySymmetry {
 [[nodiscard]] std::vector<FamilySymmetry> family_symmetries(const System& s,
                                                             const Budget& budget = {});
 
+/// From p to sigma p.
+[[nodiscard]] Equivalence equivalence(const System& s, const FamilySymmetry& symmetry);
 /// sigma carries what the file assumes into itself: proved.
 [[nodiscard]] bool keeps_assumptions(const System& s, const FamilySymmetry& symmetry);
 /// "A -> B, L1 -> -L2, ...", of the parameters that change.

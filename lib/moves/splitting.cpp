@@ -207,19 +207,23 @@ MPoly difference(const System& s, const FreeBody& body, std::size_t larger, std:
 
 // No admitted parameters have their moments in this order, and satisfy the equations.
 bool is_empty(const System& s, const FreeBody& body, const std::array<std::size_t, 3>& axes,
-              const std::vector<MPoly>& equations) {
+              const std::vector<MPoly>& equations, std::vector<std::string>& trusted) {
   std::vector<Condition> all{{difference(s, body, axes[0], axes[1]), Sign::positive},
                              {difference(s, body, axes[1], axes[2]), Sign::positive}};
   for (const MPoly& f : equations)
     all.push_back({f, Sign::zero});
-  return refuted_over_the_reals(s, all).has_value();
+  const auto proof = refuted_over_the_reals(s, all);
+  if (proof && std::find(trusted.begin(), trusted.end(), *proof) == trusted.end())
+    trusted.push_back(*proof);
+  return proof.has_value();
 }
 
 // The sets where all sums vanish; unset: an identity fails, or they vanish for all moments and directions.
-std::optional<OrderOfMoments> order(const System& s, const FreeBody& body, const Renamed& there,
-                                    const Weights& small, const std::array<std::size_t, 3>& axes,
-                                    std::vector<MPoly>& nonzero, const Budget& budget) {
-  const SplittingData d = splitting_data(perturbation_of_euler(there.family(small, axes)), budget);
+std::optional<OrderOfMoments> order(const System& s, const Renamed& there,
+                                    const std::array<std::size_t, 3>& axes, SplittingFinding& found,
+                                    const Budget& budget) {
+  const SplittingData d =
+      splitting_data(perturbation_of_euler(there.family(found.small, axes)), budget);
   if (!all_hold(d.checks) || !all_hold(check_ziglin_hypotheses(d))) return std::nullopt;
   const VanishingConditions conditions = vanishing_conditions(d);
   OrderOfMoments result{axes, {}};
@@ -231,26 +235,28 @@ std::optional<OrderOfMoments> order(const System& s, const FreeBody& body, const
       equations.push_back(there.before(g, axes));
     if (f.direction) equations.push_back(there.before(*f.direction, axes));
     if (equations.empty()) return std::nullopt;
-    if (!is_empty(s, body, axes, equations)) result.left.push_back(std::move(equations));
+    if (!is_empty(s, found.body, axes, equations, found.trusted))
+      result.left.push_back(std::move(equations));
   }
   for (const MPoly& f : conditions.nonzero)
-    nonzero.push_back(there.before(f, axes));
+    if (MPoly g = there.before(f, axes);
+        std::find(found.nonzero.begin(), found.nonzero.end(), g) == found.nonzero.end())
+      found.nonzero.push_back(std::move(g));
   return result;
 }
 
 // Unset: for some order the criterion says nothing.
-std::optional<SplittingFinding> finding(const System& s, const FreeBody& body,
-                                        const Renamed& there, const Candidate& candidate,
-                                        const Budget& budget) {
-  SplittingFinding found{body, candidate.small, {}, candidate.perturbation.order, {}, {}};
+std::optional<SplittingFinding> finding(const System& s, const FreeBody& body, const Renamed& there,
+                                        const Candidate& candidate, const Budget& budget) {
+  SplittingFinding found{body, candidate.small, {}, candidate.perturbation.order, {}, {}, {}};
   for (const std::string& name : candidate.perturbation.small)
     found.direction.push_back(there.parameter(name));
   auto axes = first_order;
   try {
     do {
       budget.check();
-      if (is_empty(s, body, axes, {})) continue;
-      auto one = order(s, body, there, candidate.small, axes, found.nonzero, budget);
+      if (is_empty(s, body, axes, {}, found.trusted)) continue;
+      auto one = order(s, there, axes, found, budget);
       if (!one) return std::nullopt;
       found.orders.push_back(*std::move(one));
     } while (std::next_permutation(axes.begin(), axes.end()));
@@ -301,7 +307,8 @@ Exclusion exclusion(const System& s, const SplittingFinding& found) {
                 "scale makes all values small";
   e.by.integrals = theorem.integrals;
   e.by.theorems = {theorem.theorem->name};
-  e.by.trusted = {"the sums of residues at doubly asymptotic solutions of the free body"};
+  e.by.trusted = found.trusted;
+  e.by.trusted.emplace_back("the sums of residues at doubly asymptotic solutions of the free body");
   return e;
 }
 

@@ -22,11 +22,12 @@ struct OrderOfMoments {
 /// order all equations of a set that is left.
 struct SplittingFinding {
   FreeBody body;
-  Weights small;                 ///< H at eps^w p is H at p in scaled variables and time
+  Weights small;                      ///< H at eps^w p is H at p in scaled variables and time
   std::vector<std::size_t> direction; ///< those in the leading term
-  long order = 1;                ///< of that term
+  long order = 1;                     ///< of that term
   std::vector<MPoly> nonzero;
   std::vector<OrderOfMoments> orders;
+  std::vector<std::string> trusted = {}; ///< that other orders, or what is left of some, are empty
 };
 
 /// Unset: the system is no perturbed free body with moments and real parameters that may differ, or the

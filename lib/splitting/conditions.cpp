@@ -92,9 +92,8 @@ bool is_among(const std::string& name, const std::vector<std::string>& all) {
 // A function of these parameters alone.
 bool is_in(const MPoly& f, const std::vector<std::string>& parameters) {
   const auto used = used_variables(f);
-  return std::all_of(used.begin(), used.end(), [&](std::size_t v) {
-    return is_among(f.ring()->name(v), parameters);
-  });
+  return std::all_of(used.begin(), used.end(),
+                     [&](std::size_t v) { return is_among(f.ring()->name(v), parameters); });
 }
 
 void add_once(const MPoly& f, std::vector<MPoly>& all) {

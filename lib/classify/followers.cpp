@@ -1,0 +1,174 @@
+// Sets of parameters that a change of variables takes into others.
+//
+// Source  docs/theory/moves.md (1, 2)
+
+#include "classify/board.hpp"
+#include "integrability/parameters.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace kov {
+namespace {
+
+// All of its points are taken into `target`.
+bool is_taken_into(const Piece& piece, const Equivalence& e, const ParameterSet& target) {
+  const auto holds_for = [&](const std::vector<MPoly>& all, const auto& condition) {
+    return std::all_of(all.begin(), all.end(), [&](const MPoly& f) {
+      const auto here = pulled_back(e, f);
+      return here && condition(*here);
+    });
+  };
+  return holds_for(target.equations(), [&](const MPoly& f) { return piece.where.vanishes(f); }) &&
+         holds_for(target.inequations(), [&](const MPoly& f) { return piece.where.is_nonzero(f); });
+}
+
+bool lies_in(const ParameterSet& set, const ParameterSet& larger) {
+  const auto& equations = larger.equations();
+  const auto& inequations = larger.inequations();
+  return std::all_of(equations.begin(), equations.end(),
+                     [&](const MPoly& f) { return set.vanishes(f); }) &&
+         std::all_of(inequations.begin(), inequations.end(),
+                     [&](const MPoly& f) { return set.is_nonzero(f); });
+}
+
+bool may_meet(const ParameterSet& set, const ParameterSet& target) {
+  const auto equations = target.equations();
+  return std::all_of(equations.begin(), equations.end(),
+                     [&](const MPoly& f) { return set.vanishes(f); });
+}
+
+// The parts of the pieces that are taken into the stratum, and what is left.
+std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
+                       const MayVanish& possible) {
+  std::vector<std::vector<MPoly>> lists;
+  for (const MPoly& f : x.nonzero)
+    lists.push_back({f});
+  std::vector<Piece> inside, left;
+  for (const Piece& piece : pieces) {
+    const SetParts parts = split_set(piece.where, x.zero, lists, possible);
+    for (const ParameterSet& outside : parts.outside)
+      if (auto part = on_part(piece, outside)) left.push_back(*std::move(part));
+    for (const ParameterSet& set : parts.inside) {
+      auto part = on_part(piece, set);
+      for (const DifferenceCondition& c : x.special) {
+        if (!part) break;
+        if (auto out = with_condition(*part, negation(c))) left.push_back(*std::move(out));
+        part = with_condition(*std::move(part), c);
+      }
+      if (part) inside.push_back(*std::move(part));
+    }
+  }
+  pieces = std::move(left);
+  return inside;
+}
+
+// Of r^2 = f nothing is known where f = 0: over the reals that may be nowhere.
+bool has_no_real_point(Board& b, const Piece& piece) {
+  std::vector<Condition> all;
+  for (const MPoly& f : piece.where.equations())
+    all.push_back({f, Sign::zero});
+  for (const MPoly& f : piece.where.inequations())
+    all.push_back({f, Sign::nonzero});
+  const auto proof = refuted_over_the_reals(b.known.system, all);
+  if (proof) add_once(b.result.trusted, *proof);
+  return proof.has_value();
+}
+
+// A set that follows one that follows it, in parts, is studied after all.
+void study_or_leave_open(Board& b, const Follower& follower, Piece piece) {
+  auto next = follower.by.root ? std::nullopt : in_solved_parameters(Round{b.known, piece}, piece);
+  if (next) {
+    b.symmetries.clear();
+    b.waiting.push_back(*std::move(next));
+  } else {
+    b.open.push_back(std::move(piece));
+  }
+}
+
+/// What is known of the set that is followed, carried over to the parts of the one that follows.
+class Settling {
+public:
+  Settling(Board& b, const Follower& follower)
+      : b_(b), follower_(follower), left_{follower.piece} {}
+
+  void run() {
+    take_strata();
+    meet_conditions();
+    take_strata(); // at common values
+    take_open();
+    for (Piece& piece : left_)
+      if (!has_no_real_point(b_, piece)) study_or_leave_open(b_, follower_, std::move(piece));
+  }
+
+private:
+  template <class Use> void take(const ClassifiedStratum& x, const Use& use) {
+    if (left_.empty() || !may_meet(x.where, follower_.of)) return;
+    try {
+      const auto here = carried(b_.known.system, follower_.by, x);
+      if (!here) return;
+      auto rest = left_;
+      auto parts = cut(rest, *here, may_vanish(b_.known.system));
+      left_ = std::move(rest);
+      for (Piece& part : parts)
+        use(std::move(part), *here);
+    } catch (const OutOfBudget&) { // nothing is carried
+    }
+  }
+  void take_strata() {
+    const std::vector<ClassifiedStratum> known = b_.result.strata;
+    for (const ClassifiedStratum& x : known)
+      take(x, [&](Piece part, const CarriedStratum& here) {
+        ClassifiedStratum y = here.stratum;
+        y.where = std::move(part.where);
+        y.special = std::move(part.special);
+        b_.result.strata.push_back(std::move(y));
+      });
+  }
+  void meet_conditions() {
+    std::vector<Piece> parts;
+    for (const Piece& piece : left_)
+      for (Piece& part : met(b_, Round{b_.known, piece}, piece))
+        parts.push_back(std::move(part));
+    left_ = std::move(parts);
+  }
+  void take_open() {
+    const std::vector<Piece> open = b_.open;
+    for (const Piece& piece : open)
+      take({.where = piece.where, .special = piece.special},
+           [&](Piece part, const CarriedStratum& /*here*/) {
+             note(part, follower_.by.words, "the set that this one becomes is open");
+             b_.open.push_back(std::move(part));
+           });
+  }
+
+  Board& b_;
+  const Follower& follower_;
+  std::vector<Piece> left_;
+};
+
+} // namespace
+
+bool follows_another(Board& b, const Piece& piece) {
+  if (!piece.special.empty() || b.symmetries.empty()) return false;
+  const std::size_t equations = piece.where.equations().size();
+  for (const ParameterSet& target : b.studied) {
+    if (target.equations().size() != equations || lies_in(piece.where, target)) continue;
+    for (const Equivalence& e : b.symmetries) {
+      if (!is_taken_into(piece, e, target) || !holds(b.known.system, e)) continue;
+      b.followers.push_back({piece, target, e});
+      return true;
+    }
+  }
+  b.studied.push_back(piece.where);
+  return false;
+}
+
+// The later ones first: an earlier one may follow a set of which they are parts.
+void settle_followers(Board& b) {
+  auto all = std::exchange(b.followers, {});
+  for (auto follower = all.rbegin(); follower != all.rend(); ++follower)
+    Settling(b, *follower).run();
+}
+
+} // namespace kov

@@ -1,0 +1,194 @@
+#include "moves/equivalence.hpp"
+
+#include "exact/error.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+/// u + r v
+struct Halves {
+  MFraction even, odd;
+};
+
+// A polynomial in r with r^2 = square.
+std::pair<MPoly, MPoly> halves(const Equivalence& e, const MPoly& f) {
+  MPoly even(e.ring), odd(e.ring), power(e.ring, Integer(1));
+  const MPoly square = transfer(MFraction(e.square), e.ring).num();
+  const auto all = coefficients(f, *e.root);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (k > 0 && k % 2 == 0) power = power * square;
+    MPoly& side = k % 2 == 0 ? even : odd;
+    side = side + all[k] * power;
+  }
+  return {even, odd};
+}
+
+Halves halves(const Equivalence& e, const MFraction& f) {
+  if (!e.root) return {f, MFraction(e.ring)};
+  const auto [a, b] = halves(e, f.num());
+  const auto [c, d] = halves(e, f.den());
+  // (a + r b)/(c + r d) = (a + r b)(c - r d)/(c^2 - r^2 d^2)
+  const MPoly square = transfer(MFraction(e.square), e.ring).num();
+  const MFraction norm(c * c - square * d * d);
+  return {MFraction(a * c - square * b * d) / norm, MFraction(b * c - a * d) / norm};
+}
+
+bool vanishes(const Equivalence& e, const MFraction& f) {
+  if (is_zero(f)) return true;
+  const Halves h = halves(e, f);
+  return is_zero(h.even) && is_zero(h.odd);
+}
+
+MFraction moved(const Equivalence& e, const MFraction& f, const Substitution& values) {
+  return substitute(transfer(f, e.ring), values);
+}
+
+Substitution all_values(const System& s, const Equivalence& e) {
+  Substitution values = e.parameters;
+  for (std::size_t i = 0; i < s.field.dimension(); ++i)
+    values[s.field.coordinates[i]] = e.phase[i];
+  return values;
+}
+
+bool is_invertible(const System& s, const Equivalence& e) {
+  const std::size_t n = s.field.dimension();
+  Matrix rows(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      rows[i].push_back(derivative(e.phase[i], s.field.coordinates[j]));
+  // Gauss, modulo r^2
+  for (std::size_t c = 0; c < n; ++c) {
+    const auto pivot = std::find_if(rows.begin() + static_cast<long>(c), rows.end(),
+                                    [&](const auto& row) { return !vanishes(e, row[c]); });
+    if (pivot == rows.end()) return false;
+    std::swap(rows[c], *pivot);
+    for (std::size_t i = c + 1; i < n; ++i) {
+      const MFraction factor = rows[i][c] / rows[c][c];
+      for (std::size_t j = c; j < n; ++j)
+        rows[i][j] = rows[i][j] - factor * rows[c][j];
+    }
+  }
+  return true;
+}
+
+std::optional<DifferenceCondition> pulled_back(const Equivalence& e, DifferenceCondition c) {
+  for (MFraction& square : c.squares) {
+    auto here = kov::pulled_back(e, square);
+    if (!here) return std::nullopt;
+    square = *std::move(here);
+  }
+  return c;
+}
+
+bool is_of_parameters(const System& s, const MPoly& f) {
+  const auto& x = s.field.coordinates;
+  return std::none_of(x.begin(), x.end(), [&](std::size_t i) { return uses(f, i); });
+}
+
+// An integral as it is, or times r; and times what makes it a polynomial.
+std::optional<FoundIntegral> pulled_back(const System& s, const Equivalence& e,
+                                         const FoundIntegral& f) {
+  const Substitution values = all_values(s, e);
+  FoundIntegral g = f;
+  const Halves h = halves(e, moved(e, f.value, values));
+  if (!is_zero(h.even) && !is_zero(h.odd)) return std::nullopt;
+  g.value = transfer(is_zero(h.odd) ? h.even : h.odd, s.ring());
+  if (e.root && is_of_parameters(s, g.value.den())) g.value *= MFraction(g.value.den());
+  if (e.root && !f.logarithms.empty()) return std::nullopt;
+  for (LogarithmicTerm& t : g.logarithms) {
+    const MFraction of = moved(e, MFraction(t.of), values);
+    if (!is_constant(MFraction(of.den()))) return std::nullopt;
+    t = {transfer(moved(e, t.times, values), s.ring()), transfer(of, s.ring()).num()};
+  }
+  return g;
+}
+
+std::string with_words(const std::string& text, const Equivalence& e) {
+  return text.empty() ? text : text + ", moved by " + e.words;
+}
+
+} // namespace
+
+bool holds(const System& s, const Equivalence& e) {
+  const VectorField& v = s.field;
+  const std::size_t n = v.dimension();
+  if (e.phase.size() != n || is_zero(e.time) || is_zero(e.bracket)) return false;
+  const Substitution values = all_values(s, e);
+  const auto at_p = [&](const MFraction& f) { return transfer(f, e.ring); };
+  for (std::size_t i = 0; i < n; ++i) {
+    MFraction left(e.ring);
+    for (std::size_t j = 0; j < n; ++j)
+      left += derivative(e.phase[i], v.coordinates[j]) * at_p(v.components[j]);
+    if (!vanishes(e, left - e.time * moved(e, v.components[i], values))) return false;
+  }
+  for (std::size_t i = 0; v.poisson && i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      MFraction left(e.ring);
+      for (std::size_t k = 0; k < n; ++k)
+        for (std::size_t l = 0; l < n; ++l)
+          if (const MFraction& entry = (*v.poisson)[k][l]; !is_zero(entry))
+            left += derivative(e.phase[i], v.coordinates[k]) *
+                    derivative(e.phase[j], v.coordinates[l]) * at_p(entry);
+      if (!vanishes(e, left - e.bracket * moved(e, (*v.poisson)[i][j], values))) return false;
+    }
+  return is_invertible(s, e);
+}
+
+std::optional<MPoly> pulled_back(const Equivalence& e, const MPoly& f) {
+  const Halves h = halves(e, moved(e, MFraction(f), e.parameters));
+  if (!is_zero(h.even) && !is_zero(h.odd)) return std::nullopt;
+  return transfer(is_zero(h.odd) ? h.even : h.odd, f.ring()).num();
+}
+
+std::optional<MFraction> pulled_back(const Equivalence& e, const MFraction& f) {
+  const Halves h = halves(e, moved(e, f, e.parameters));
+  if (!is_zero(h.odd)) return std::nullopt;
+  return transfer(h.even, f.ring());
+}
+
+std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
+                                      const ClassifiedStratum& x) {
+  const auto is_real_analytic = [](const ExclusionReason& by) {
+    return by.integrals.kind == IntegralClass::Kind::real_analytic;
+  };
+  if (!x.constants.empty() || !x.fields.empty() || // known as text only
+      (!e.real && std::any_of(x.by.begin(), x.by.end(), is_real_analytic)))
+    return std::nullopt;
+  CarriedStratum c{{}, {}, {}, x};
+  if (e.root) c.nonzero.push_back(e.square);
+  try {
+    for (const MPoly& f : x.where.equations()) {
+      auto here = pulled_back(e, f);
+      if (!here) return std::nullopt;
+      if (!is_zero(*here)) c.zero.push_back(*std::move(here));
+    }
+    for (const MPoly& f : x.where.inequations()) {
+      auto here = pulled_back(e, f);
+      if (!here) return std::nullopt;
+      c.nonzero.push_back(*std::move(here));
+    }
+    for (const DifferenceCondition& one : x.special) {
+      auto here = pulled_back(e, one);
+      if (!here) return std::nullopt;
+      c.special.push_back(*std::move(here));
+    }
+    c.stratum.integrals.clear();
+    for (const FoundIntegral& f : x.integrals) {
+      auto here = pulled_back(s, e, f);
+      if (!here) return std::nullopt;
+      c.stratum.integrals.push_back(*std::move(here));
+    }
+  } catch (const DomainError&) { // something has no value there
+    return std::nullopt;
+  }
+  for (ExclusionReason& by : c.stratum.by) {
+    by.solution = with_words(by.solution, e);
+    for (std::string& curve : by.integrals.curves)
+      curve = with_words(curve, e);
+  }
+  return c;
+}
+
+} // namespace kov

@@ -1,0 +1,111 @@
+#include "moves/splitting.hpp"
+
+#include "families.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+std::vector<std::string> names(const System& s, const std::vector<std::size_t>& all) {
+  std::vector<std::string> text;
+  for (const std::size_t i : all)
+    text.push_back(s.ring()->name(i));
+  return text;
+}
+std::size_t families(const SplittingFinding& found) {
+  std::size_t sum = 0;
+  for (const OrderOfMoments& o : found.orders)
+    sum += o.left.size();
+  return sum;
+}
+
+TEST(SplittingMove, HeavyTopHasNoFamilyThatIsLeft) {
+  const System s = heavy_top_family();
+  const auto found = find_splitting(s, {});
+  ASSERT_TRUE(found);
+  EXPECT_THAT(names(s, found->direction), testing::ElementsAre("L1", "L2", "L3"));
+  EXPECT_EQ(found->orders.size(), 6U);
+  EXPECT_EQ(families(*found), 0U);
+  const Exclusion e = exclusion(s, *found);
+  EXPECT_EQ(e.by.integrals.kind, IntegralClass::Kind::real_analytic);
+  EXPECT_EQ(e.not_all_zero.size(), 4U); // three differences of moments, and L
+}
+
+// Names that the criterion uses for its own variables.
+TEST(SplittingMove, ParametersMayHaveAnyNames) {
+  const System s = on_e3("'i', 'g', 'Y', 'L', 'z', 'p'",
+                         "M1^2/(2*i) + M2^2/(2*g) + M3^2/(2*Y) + L*G1 + z*G2 + p*G3",
+                         "[assume]\ni = 'positive'\ng = 'positive'\nY = 'positive'\n"
+                         "L = 'real'\nz = 'real'\np = 'real'\n");
+  const auto found = find_splitting(s, {});
+  ASSERT_TRUE(found);
+  EXPECT_THAT(names(s, found->direction), testing::ElementsAre("L", "z", "p"));
+  EXPECT_EQ(families(*found), 0U);
+}
+
+// Moments may be given by their inverses.
+TEST(SplittingMove, InverseMoments) {
+  const System s = on_e3("'a', 'b', 'c', 'L1'", "(a*M1^2 + b*M2^2 + c*M3^2)/2 + L1*G1",
+                         "[assume]\na = 'positive'\nb = 'positive'\nc = 'positive'\nL1 = 'real'\n");
+  const auto found = find_splitting(s, {});
+  ASSERT_TRUE(found);
+  EXPECT_TRUE(found->body.inverse);
+  EXPECT_EQ(found->orders.size(), 6U);
+}
+
+TEST(SplittingMove, AnOrderThatIsAssumedIsTheOnlyOne) {
+  const System s = heavy_top_family(body_assumed + "conditions = ['A > B', 'B > C']\n");
+  const auto found = find_splitting(s, {});
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->orders.size(), 1U);
+  EXPECT_EQ(found->orders.front().axes, (std::array<std::size_t, 3>{0, 1, 2}));
+}
+
+// A factor without a sign: nothing is said where it is 0.
+TEST(SplittingMove, AFactorOfThePerturbation) {
+  const System s = on_e3("'A', 'B', 'C', 'g', 'L1', 'L2', 'L3'", free_top + " + g*(" + weight + ")",
+                         body_assumed + "g = 'real'\n");
+  const auto found = find_splitting(s, {});
+  ASSERT_TRUE(found);
+  const Exclusion e = exclusion(s, *found);
+  const auto says = [&](const MPoly& f) {
+    return std::find(e.not_all_zero.begin(), e.not_all_zero.end(), std::vector{f}) !=
+               e.not_all_zero.end() ||
+           std::any_of(found->direction.begin(), found->direction.end(),
+                       [&](std::size_t p) { return MPoly::variable(s.ring(), p) == f; });
+  };
+  EXPECT_TRUE(says(MPoly::variable(s.ring(), "g")));
+}
+
+// Without it the integrals of the class need not be excluded: complex L, moments without a sign.
+TEST(SplittingMove, EverythingIsReal) {
+  EXPECT_FALSE(find_splitting(heavy_top_family("[assume]\nA = 'positive'\nB = 'positive'\n"
+                                               "C = 'positive'\nL1 = 'real'\nL2 = 'real'\n"),
+                              {}));
+  EXPECT_FALSE(find_splitting(heavy_top_family("[assume]\nA = 'real'\nB = 'positive'\n"
+                                               "C = 'positive'\nL1 = 'real'\nL2 = 'real'\n"
+                                               "L3 = 'real'\n"),
+                              {}));
+}
+
+// There is no change of scale that makes L small beside 1, or the moments are equal.
+TEST(SplittingMove, WhereThereIsNoSmallParameter) {
+  EXPECT_FALSE(find_splitting(on_e3("'A', 'B', 'C'", free_top + " + G1",
+                                    "[assume]\nA = 'positive'\nB = 'positive'\nC = 'positive'\n"),
+                              {}));
+  EXPECT_FALSE(find_splitting(on_e3("'A', 'C', 'L1'", "(M1^2 + M2^2)/(2*A) + M3^2/(2*C) + L1*G1",
+                                    "[assume]\nA = 'positive'\nC = 'positive'\nL1 = 'real'\n"),
+                              {}));
+}
+
+// Clebsch: M1^2 ... with a quadratic potential; the family of integrable ones must be among what is left.
+TEST(SplittingMove, AnIntegrablePotentialIsLeft) {
+  const System s = on_e3("'A', 'B', 'C', 'k'", free_top + " + k*(A*G1^2 + B*G2^2 + C*G3^2)/2",
+                         "[assume]\nA = 'positive'\nB = 'positive'\nC = 'positive'\nk = 'real'\n");
+  EXPECT_FALSE(find_splitting(s, {})); // all of them: it says nothing
+}
+
+} // namespace
+} // namespace kov
