@@ -11,6 +11,7 @@ std::span<const PartOfTheWhole> parts_of_the_whole() {
   static constexpr PartOfTheWhole all[] = {
       {"the manifolds of the file, as check studies them", share::stated},
       {"a search for canonical variables in which the system is simpler", share::change},
+      {"symmetries of the family", share::symmetries},
       {"rounds in the variables of the file (all of the work, if there are no simpler ones)",
        share::here_first},
       {"rounds in the simpler ones; then in those of the file again", share::there},
