@@ -121,7 +121,8 @@ ChangeFailure what_is_left(const FunctionField& f, const FunctionField::Element&
 
 std::variant<AlgebraicOde, ChangeFailure> algebraize(std::shared_ptr<const FunctionField> field,
                                                      std::size_t z, const MFraction& phi,
-                                                     const NormalVariationalEquation& e) {
+                                                     const NormalVariationalEquation& e,
+                                                     bool look_for_better) {
   const FunctionField& f = *field;
   const auto a1 = f.evaluate(e.a1);
   const auto a0 = f.evaluate(e.a0);
@@ -136,6 +137,8 @@ std::variant<AlgebraicOde, ChangeFailure> algebraize(std::shared_ptr<const Funct
   const MFraction half(algebra.ring(), Rational(1, 2));
   const auto r = scale(algebra.multiply(p, p), quarter) + scale(f.derivative(p), half) - q;
   const auto r_in_z = f.in_z(r);
+  if (!r_in_z && !look_for_better)
+    return ChangeFailure{"z = " + to_string(phi) + " does not rationalize the equation"};
   if (!r_in_z) return what_is_left(f, r, z, phi);
   AlgebraicOde ode;
   ode.unknown = e.unknown;

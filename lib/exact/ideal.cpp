@@ -214,6 +214,20 @@ void Ideal::buchberger(std::vector<KPoly> generators) {
         pairs.push_back({i, basis_.size(), lcm(lead(basis_[i]), lead(f))});
     basis_.push_back(std::move(f));
   };
+  // Buchberger's second criterion: another element divides the least common multiple, and its pairs with
+  // both of them are done.
+  const auto is_waiting = [&](std::size_t i, std::size_t j) {
+    return std::any_of(pairs.begin(), pairs.end(), [&](const Pair& p) {
+      return p.i == std::min(i, j) && p.j == std::max(i, j);
+    });
+  };
+  const auto follows = [&](const Pair& p) {
+    for (std::size_t k = 0; k < basis_.size(); ++k)
+      if (k != p.i && k != p.j && divides(lead(basis_[k]), p.l) && !is_waiting(p.i, k) &&
+          !is_waiting(p.j, k))
+        return true;
+    return false;
+  };
   std::sort(generators.begin(), generators.end(),
             [&](const KPoly& a, const KPoly& b) { return order(lead(b), lead(a)); });
   for (auto& g : generators)
@@ -225,6 +239,7 @@ void Ideal::buchberger(std::vector<KPoly> generators) {
         pairs.begin(), pairs.end(), [&](const Pair& a, const Pair& b) { return order(b.l, a.l); });
     const Pair pair = *next;
     pairs.erase(next);
+    if (follows(pair)) continue;
     KPoly s(order);
     const MFraction unit(ring_, Rational(1));
     subtract_multiple(s, -unit, quotient(pair.l, lead(basis_[pair.i])), basis_[pair.i], work);

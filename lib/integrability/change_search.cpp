@@ -88,7 +88,7 @@ private:
     const auto field =
         std::make_shared<const FunctionField>(std::get<FunctionField>(std::move(made)));
     for (const auto& e : block_.scalar) {
-      auto result = algebraize(field, s_.z, phi, e);
+      auto result = algebraize(field, s_.z, phi, e, !block_.ode);
       if (const auto* failure = std::get_if<ChangeFailure>(&result)) {
         note(phi, *failure);
         continue;

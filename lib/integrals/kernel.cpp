@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <random>
 #include <set>
 #include <tuple>
 
@@ -298,21 +299,40 @@ std::vector<std::size_t> gauge_columns(const ParameterSet& where, EchelonForm e,
   return columns;
 }
 
+namespace {
+
+// Sums of the rows with random factors, a few more than columns: where their rank is full, that of the rows is.
+// Each row is part of two of them.
+void add_sums(nmod_mat_t sums, const EchelonForm& e, nmod_t mod) {
+  std::mt19937_64 generator(20261126);
+  const auto height = static_cast<std::size_t>(nmod_mat_nrows(sums));
+  for (const SparseRow& row : e.rows)
+    for (int part = 0; part < 2; ++part) {
+      const std::size_t i = generator() % height;
+      const ulong factor = generator() % mod.n;
+      for (const auto& [j, c] : row) {
+        const ulong x = fmpz_fdiv_ui(c.coefficient(0).raw(), mod.n);
+        ulong& entry = nmod_mat_entry(sums, i, j);
+        entry = nmod_add(entry, nmod_mul(factor, x, mod), mod);
+      }
+    }
+}
+
+} // namespace
+
 bool independent_modulo_a_prime(const EchelonForm& e) {
   const std::size_t n = e.columns;
   if (e.rows.size() < n || e.rows.size() * n > 20'000'000) return false;
   for (const SparseRow& row : e.rows)
     for (const auto& [j, c] : row)
       if (!is_constant(c)) return false;
-  const mp_limb_t p = 2305843009213693951UL; // 2^61 - 1
-  nmod_mat_t m;
-  nmod_mat_init(m, static_cast<slong>(e.rows.size()), static_cast<slong>(n), p);
-  for (std::size_t i = 0; i < e.rows.size(); ++i)
-    for (const auto& [j, c] : e.rows[i])
-      nmod_mat_entry(m, i, j) = fmpz_fdiv_ui(c.coefficient(0).raw(), p);
-  charge(elimination_work(e));
-  const bool full = nmod_mat_rank(m) == static_cast<slong>(n);
-  nmod_mat_clear(m);
+  const std::size_t height = std::min(n + 16, e.rows.size());
+  nmod_mat_t sums;
+  nmod_mat_init(sums, static_cast<slong>(height), static_cast<slong>(n), 2147483629UL);
+  add_sums(sums, e, sums->mod);
+  charge(static_cast<double>(height) * static_cast<double>(n) * static_cast<double>(n) / 32);
+  const bool full = nmod_mat_rank(sums) == static_cast<slong>(n);
+  nmod_mat_clear(sums);
   return full;
 }
 

@@ -34,7 +34,10 @@ protected:
             {x * x, x * y, y * y, z - a},
             {x * (x - one), x * y, (x - one) * z},
             {a * x + y - one, x - a * y, z * z - Rational(2) * one},
-            {x * y * z - one, x + y + z - a}};
+            {x * y * z - one, x + y + z - a},
+            {x * x + y + z - one, x + y * y + z - one, x + y + z * z - one},
+            {x * x * y - z * z, x * z - y * y, y * y * y - x * x * z + a * x},
+            {x + y + z - one, x * x + y * y + z * z - a, x * x * x + y * y * y + z * z * z}};
   }
   [[nodiscard]] static Monomial lead(const KPoly& f) { return f.begin()->first; }
   [[nodiscard]] static bool divides(const Monomial& m, const Monomial& n) {
@@ -133,7 +136,7 @@ TEST_F(IdealLaws, MembershipInTheIdealOfPointsIsVanishing) {
 }
 
 TEST_F(IdealLaws, DimensionAndIndependentVariables) {
-  const std::vector<int> dimensions{1, 0, 2, 0, 0, 1, 0, 1};
+  const std::vector<int> dimensions{1, 0, 2, 0, 0, 1, 0, 1, 0, 0, 0};
   const auto all = examples();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Ideal ideal = make(all[i]);

@@ -75,5 +75,35 @@ TEST(Kernel, OnePartForEachPoint) {
   }
 }
 
+// Many more rows than columns, as the ansatz of an integral has them: independent is said where it is true and only there.
+TEST(Kernel, IndependentModuloAPrime) {
+  std::mt19937 random(11);
+  const auto draw = [&](int n) { return static_cast<long>(random() % static_cast<unsigned>(n)); };
+  for (const std::size_t columns : {1U, 3U, 8U})
+    for (const std::size_t height : {columns, columns + 1, 5 * columns, 40 * columns})
+      for (const bool dependent : {false, true}) {
+        EchelonForm e{columns, {}};
+        for (std::size_t i = 0; i < height; ++i) {
+          SparseRow row;
+          MPoly sum(ring);
+          for (std::size_t j = 0; j < columns; ++j) {
+            const MPoly c(ring, Integer(draw(3) == 0 || i % columns == j ? draw(9) - 4 : 0));
+            if (dependent && j + 1 == columns) break;
+            sum += c;
+            if (!is_zero(c)) row.emplace(j, c);
+          }
+          if (dependent && !is_zero(sum)) row.emplace(columns - 1, sum); // the sum of the others
+          if (i + 1 != height || height == columns) e.rows.push_back(row);
+        }
+        const bool full = kernel_dimension(e, 0, 0) == 0;
+        EXPECT_EQ(independent_modulo_a_prime(e), full) << columns << " x " << e.rows.size();
+        if (dependent) {
+          EXPECT_FALSE(full);
+        }
+      }
+  EchelonForm parameter{1, {{{0, MPoly::variable(ring, "a")}}}};
+  EXPECT_FALSE(independent_modulo_a_prime(parameter)); // a may be 0
+}
+
 } // namespace
 } // namespace kov
