@@ -670,6 +670,11 @@ private:
 
 } // namespace
 
+std::string text_in_file(const Equation& e) {
+  if (e.text.find('\'') == std::string::npos) return e.text;
+  return to_string(MFraction(e.difference.num())) + " = 0";
+}
+
 FoundManifolds find_manifolds(const VectorField& v, const std::vector<MFraction>& integrals,
                               const Budget& budget) {
   const Extended x = extend(v);

@@ -41,6 +41,9 @@ struct FoundManifolds {
   std::vector<MPoly> wanted = {};
 };
 
+/// An equation of a found set as a system file reads it: the text of some has derivatives, y' = x'.
+[[nodiscard]] std::string text_in_file(const Equation& e);
+
 /// Cost   2^n subsets of n variables (n <= 16), involutions for n <= 8
 /// Errors none of limits: what was proved before one is returned, with the limit
 [[nodiscard]] FoundManifolds find_manifolds(const VectorField& v,

@@ -32,6 +32,42 @@ std::string independent_name(const Entry& document, const std::vector<std::strin
   return "independent_";
 }
 
+/// The names of integrals, Casimirs and Darboux polynomials, and of [system.define].
+std::vector<std::string> named_formulas(const Entry& document) {
+  std::vector<std::string> names;
+  for (const char* kind : {"integral", "casimir", "darboux"})
+    if (const Entry* claims = document.find(kind))
+      for (const Entry* claim : claims->list())
+        if (const Entry* name = claim->find("name")) names.push_back(name->string());
+  if (const Entry* define = document.at("system").find("define"))
+    for (const auto& [name, entry] : define->members())
+      names.push_back(name);
+  return names;
+}
+
+/// The h of level = ["H = h"], where nothing else is called so: the value of a level is a free constant.
+std::vector<std::string> level_constants(const Entry& document,
+                                         const std::vector<std::string>& declared) {
+  std::vector<std::string> found;
+  const Entry* manifolds = document.find("manifold");
+  if (manifolds == nullptr) return found;
+  std::vector<std::string> known = named_formulas(document);
+  known.insert(known.end(), declared.begin(), declared.end());
+  const auto take = [&](const Expression& level) {
+    if (level.kind() != Expression::Kind::equation) return;
+    if (level.operand(1).kind() != Expression::Kind::name) return;
+    const std::string& name = level.operand(1).name();
+    if (name == "H" || name == "I") return;
+    if (nearest(name, known)) return; // known, or a mistake in writing
+    if (std::find(found.begin(), found.end(), name) == found.end()) found.push_back(name);
+  };
+  for (const Entry* m : manifolds->list())
+    if (const Entry* levels = m->find("level"))
+      for (const Entry* level : levels->list())
+        take(level->expression(true));
+  return found;
+}
+
 } // namespace
 
 SystemScope::SystemScope(const Entry& document, const ParameterValues& settings, const Entry* more)
@@ -56,6 +92,10 @@ SystemScope::SystemScope(const Entry& document, const ParameterValues& settings,
   std::vector<std::string> all;
   for (const auto* part : {&coordinates, &velocities, &function_names, &constants, &parameters})
     all.insert(all.end(), part->begin(), part->end());
+  for (const std::string& name : level_constants(document, all)) {
+    parameters.push_back(name);
+    all.push_back(name);
+  }
   independent = independent_name(document, all);
   all.insert(all.begin(), independent);
   for (std::size_t i = 0; i < all.size(); ++i)

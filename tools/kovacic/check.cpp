@@ -2,8 +2,10 @@
 
 #include "case_file.hpp"
 #include "commands.hpp"
+#include "equation/equation_file.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace kov::cli {
 namespace {
@@ -20,6 +22,28 @@ std::string expectation_lines(const Settings& settings, const std::vector<Expect
   return s;
 }
 
+bool lacks_manifolds(const Entry& document) {
+  return !has_format(document, "theorem") && !has_format(document, "scene") &&
+         !is_equation_file(document) && document.find("system") != nullptr &&
+         document.find("manifold") == nullptr;
+}
+
+// A system without manifolds: with those that are found.
+Settings with_manifolds(const Settings& settings, const std::string& file) {
+  Settings with = settings;
+  const Entry document = settings.document(file);
+  if (!lacks_manifolds(document)) return with;
+  with.given = document.file_text();
+  const ProposedManifolds proposed = propose_manifolds(with, file);
+  *with.given += "\n" + proposed.blocks;
+  if (proposed.blocks.empty())
+    with.no_manifolds = proposed.note;
+  else if (!settings.quiet)
+    std::fprintf(stderr, "kovacic: %s has no [[manifold]]: %s\n", printable(file).c_str(),
+                 printable(proposed.note).c_str());
+  return with;
+}
+
 } // namespace
 
 int check(const Settings& settings, const std::vector<std::string>& files) {
@@ -28,8 +52,11 @@ int check(const Settings& settings, const std::vector<std::string>& files) {
   Json all = Json::array();
   for (const std::string& file : files) {
     CaseReport report;
+    bool nothing_studied = false;
     try {
-      report = check_case(settings, file);
+      const Settings with = with_manifolds(settings, file);
+      nothing_studied = !with.no_manifolds.empty();
+      report = check_case(with, file);
     } catch (const InputError& e) {
       exit = worse(exit, kov::cli::report(settings, e));
       continue;
@@ -39,6 +66,8 @@ int check(const Settings& settings, const std::vector<std::string>& files) {
     if (settings.format == "text") text += expectation_lines(settings, report.expected);
     Json expectations = Json::array();
     int code = report.exit;
+    if (nothing_studied && report.expected.empty() && !settings.exit_verdict)
+      code = worse(code, exit_undecided);
     for (const Expected& e : report.expected) {
       expectations.push_back({{"expect", e.name}, {"met", e.met}, {"found", e.found}});
       if (!e.met) code = worse(code, e.limit ? exit_undecided : exit_no);

@@ -88,9 +88,11 @@ private:
     const System& s = round.file.system();
     Report report{exit_decided, "", json_of_claims(s, round.file.claims(options_.check)), {}};
     if (s.manifolds.empty())
-      report.text =
-          heading(s.file, s.title) +
-          "\n  note      no [[manifold]] in this file; kovacic find-manifolds proposes some\n";
+      report.text = heading(s.file, s.title) + "\n" +
+                    labelled("note", "no [[manifold]] is given; " +
+                                         (settings_.no_manifolds.empty()
+                                              ? "kovacic find-manifolds proposes some"
+                                              : settings_.no_manifolds));
     return report;
   }
 

@@ -84,6 +84,14 @@ int test(const Settings& settings, const std::vector<std::string>& paths);
 /// Stages of the way from a system to r(z).
 int show(const Settings& settings, const std::string& file, const std::string& stage);
 int find_manifolds(const Settings& settings, const std::string& file);
+/// For `check` of a system without manifolds.
+struct ProposedManifolds {
+  std::string
+      blocks;       ///< [[manifold]] for the sets found whose phase curves levels cut out; "": none
+  std::string note; ///< what is studied, or why nothing is, with what was left out
+};
+[[nodiscard]] ProposedManifolds propose_manifolds(const Settings& settings,
+                                                  const std::string& file);
 /// First integrals, at all parameter values.
 int integrals(const Settings& settings, const IntegralsArguments& arguments);
 /// For which parameters is a system integrable?

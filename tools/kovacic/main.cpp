@@ -409,7 +409,8 @@ struct CommandLine {
     declare_monodromy(app);
 
     CLI::App* check = app.add_subcommand("check", "files: the answer and what was expected");
-    check->add_option("FILE", files, "equation or system files")->required()->type_name("");
+    check->add_option("FILE", files, "equation or system files")->type_name("");
+    one_line_flags(*check);
     solver_flags(*check, {"text", "json", "tex"}, "text, json or tex");
     manifold_flag(*check);
     order_flag(*check, "1");
@@ -511,7 +512,11 @@ struct CommandLine {
     if (command == "lame") return lame(settings, lame_arguments);
     if (command == "potential") return potential(settings, potential_arguments);
     if (command == "monodromy") return monodromy(settings, monodromy_arguments);
-    if (command == "check") return check(settings, files);
+    if (command == "check") {
+      std::string file = files.empty() ? "" : files.front();
+      settle_input(app, file);
+      return check(settings, files.empty() ? std::vector<std::string>{file} : files);
+    }
     if (command == "show") return show(settings, word, stage);
     if (command == "find-manifolds") {
       settle_input(app, word);

@@ -53,6 +53,7 @@ struct Settings {
   bool special_functions = false;   ///< solve: also for the lines of a batch
   bool strict = false;              ///< verify: refuse trusted steps
   std::optional<std::string> given; ///< a file's text from -H or -L; its name is that flag
+  std::string no_manifolds;         ///< check: what a search for manifolds came to that found none
 
   /// The file of this name, or the text that was given instead.
   [[nodiscard]] Entry document(const std::string& file) const;

@@ -33,7 +33,7 @@ class Build(build_ext):
         if VENDOR:
             # An RPATH, which the libraries of the libraries are searched by too; a RUNPATH is not.
             linker += " -Wl,--disable-new-dtags"
-            options.append("-DCMAKE_BUILD_RPATH=$ORIGIN/libs")
+            options += ["-DCMAKE_BUILD_WITH_INSTALL_RPATH=ON", "-DCMAKE_INSTALL_RPATH=$ORIGIN/libs"]
         options += [f"-DCMAKE_MODULE_LINKER_FLAGS={linker}", *shlex.split(os.environ.get("CMAKE_ARGS", ""))]
         subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", *options], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "python"], check=True)

@@ -67,7 +67,7 @@ std::vector<MFraction> proved_integrals(const System& s, const Budget& budget) {
 std::vector<std::string> equations_of(const FoundManifold& m) {
   std::vector<std::string> all;
   for (const Equation& e : m.equations)
-    all.push_back(e.text);
+    all.push_back(text_in_file(e));
   return all;
 }
 
