@@ -255,6 +255,15 @@ std::string words(const Separated& s, bool holds) {
          letter.in(" among N - 1, N - 3, ..., 1 - N");
 }
 
+std::string words(const SeparatedPair& s, bool holds) {
+  const FreshLetters letter = letters_for(s.squares);
+  const auto text = [](const MFraction& f) { return is_zero(f) ? std::string("0") : to_string(f); };
+  return "+-(" + number_text(s.squares[0]) + ") is " + (holds ? "a" : "no") + " natural number " +
+         letter("N") +
+         letter.in(" with +-d1 +- d2 among N - 1, N - 3, ..., 1 - N, where d1^2 + d2^2 = ") +
+         text(s.squares[1]) + letter.in(", d1^2*d2^2 = ") + text(s.squares[2]);
+}
+
 std::string words(const WithoutLogarithm& s, bool holds) {
   return std::string(holds ? "" : "it is not so that ") + "one of " +
          listed(number_texts(s.squares)) +
@@ -366,6 +375,13 @@ bool natural(const std::optional<Rational>& x) { return x && is_integer(*x) && s
 
 bool at(const Separated&, const Point& p) {
   return natural(p.roots[0]) && p.roots[1] && among(*p.roots[1], *p.roots[0]);
+}
+
+bool at(const SeparatedPair&, const Point& p) {
+  if (!natural(p.roots[0])) return false;
+  const auto sums = integer_sums(p.squares[1], p.squares[2]);
+  return std::any_of(sums.begin(), sums.end(),
+                     [&](const Integer& s) { return among(Rational(s), *p.roots[0]); });
 }
 
 bool without_logarithm(const Point& p, std::size_t i) {

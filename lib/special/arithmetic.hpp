@@ -37,6 +37,11 @@ struct InHalves { ///< at least `count` of them are in 1/2 + Z
 struct Separated {
   Squares squares; ///< two
 };
+/// Numbers d1, d2 with d1^2 + d2^2 = x2 and d1^2 d2^2 = x3: x1 is the square of a natural number
+/// N >= 1, and some +-d1 +- d2 is one of N-1, N-3, ..., 1-N.
+struct SeparatedPair {
+  Squares squares; ///< x1, x2, x3
+};
 /// At least one of x1, x2, x3 is an integer, and each one that is is up to sign a natural number N
 /// with the sum or the difference of the other two among N-1, N-3, ..., 1-N.
 struct WithoutLogarithm {
@@ -56,7 +61,8 @@ struct LameIsFinite {
 };
 
 using ArithmeticStatement =
-    std::variant<SumIn, AllRational, InHalves, Separated, WithoutLogarithm, InRow, LameIsFinite>;
+    std::variant<SumIn, AllRational, InHalves, Separated, SeparatedPair, WithoutLogarithm, InRow,
+                 LameIsFinite>;
 struct ArithmeticCondition {
   ArithmeticStatement statement;
   bool holds = true; ///< false: the statement does not hold

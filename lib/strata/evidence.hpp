@@ -7,6 +7,7 @@
 
 #include "decide/decide.hpp"
 #include "special/arithmetic.hpp"
+#include "certify/strata/certificate.hpp"
 #include "special/classical.hpp"
 #include "strata/bounds.hpp"
 
@@ -27,6 +28,7 @@ enum class Conclusion : std::uint8_t {
   rational,         ///< all Delta rational, no invariants (rational)
   one_open,         ///< one Delta depends on the parameters and is bounded (one-open)
   several_open,     ///< several are (open)
+  separated,        ///< three places, two differences irrational (separated)
   no_products,      ///< a torus, and no exponents of y1 y2 whatever Delta is
   assumed_integers, ///< a torus, and Delta or 2 Delta is assumed to be no integer
   bessel,           ///< the family of Bessel
@@ -73,6 +75,16 @@ struct NoProducts { ///< no exponents of y1 y2, whatever Delta is there
 struct AssumedNotInteger { ///< by assumption: Delta, or 2 Delta
   PlaceIndex place = 0;
   bool twice = false;
+};
+
+/// Two differences d1, d2 are irrational and the third is nowhere a natural number n with +-d1 +- d2
+/// among n - 1, n - 3, ..., 1 - n.
+struct SeparatedNowhere {
+  std::vector<PlaceIndex> pair; ///< one place with two roots, or two places
+  PlaceIndex third = 0;
+  std::optional<certify::Growth> growth; ///< d1^2 and d2^2 are conjugate, and grow with n
+  std::optional<Rational> bound;         ///< of the square of the third difference
+  std::vector<MPoly> nonzero;            ///< excludes the values of n that are left
 };
 
 // ---- solutions
@@ -190,7 +202,7 @@ struct ConditionFails {
 
 using AnyEvidence =
     std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
-                 ExcludedDifferences, NoProducts, AssumedNotInteger, NoExponential, NoFamilies,
+                 ExcludedDifferences, NoProducts, AssumedNotInteger, SeparatedNowhere, NoExponential, NoFamilies,
                  NoInvariant, InvariantFound, ExponentialFound, BesselForm, WeberForm,
                  ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
 

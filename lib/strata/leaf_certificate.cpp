@@ -93,6 +93,8 @@ const char* rule_of(Conclusion by) {
     return "one-open";
   case Conclusion::several_open:
     return "open";
+  case Conclusion::separated:
+    return "separated";
   default:
     return nullptr;
   }
@@ -166,6 +168,11 @@ public:
       if (const auto* bound = std::get_if<DifferenceBound>(&e))
         write(*bound, bound->place < by.places.size() ? by.places[bound->place] : by.infinity);
       if (const auto* values = std::get_if<ExcludedDifferences>(&e)) write(*values);
+      if (const auto* nowhere = std::get_if<SeparatedNowhere>(&e)) {
+        by.growth = nowhere->growth;
+        write(*nowhere, nowhere->third < by.places.size() ? by.places[nowhere->third] : by.infinity);
+        if (by.growth) write_growth(*nowhere, by);
+      }
     }
     if (asks_open_places()) by.absent = absent();
     return by;
@@ -257,6 +264,33 @@ private:
     if (!is_zero(room) && !facts_.ensure_positive(room, lemmas_))
       throw NoProof(Gap::bound, "no bound of Delta^2 has an exact proof");
     x.bound = bound.square;
+  }
+
+  void write(const SeparatedNowhere& nowhere, StratumPlace& third) {
+    if (nowhere.bound) write(DifferenceBound{nowhere.third, *nowhere.bound}, third);
+    for (const MPoly& f : nowhere.nonzero)
+      if (!facts_.ensure_nonzero(f, lemmas_))
+        throw NoProof(Gap::difference, "an exponent difference is not excluded: " +
+                                           brief(MFraction(f), 120) + " != 0 has no exact proof");
+  }
+  // 2 (d1^2 + d2^2) - factor Delta^2 + shift >= 0
+  void write_growth(const SeparatedNowhere& nowhere, const ByPlaces& by) {
+    const auto& third = nowhere.third < by.places.size() ? by.places[nowhere.third] : by.infinity;
+    const auto& [factor, shift] = *by.growth;
+    const auto& c = by.places[nowhere.pair.front()].chi;
+    const auto& e = third.chi;
+    const auto number = [&](const Rational& x, const MPoly& f) {
+      return MFraction(s_.r.ring(), x) * MFraction(f);
+    };
+    const MFraction room = number(Rational(-2), c[1]) * MFraction(e[1]) +
+                           number(factor, c[2]) * MFraction(e[0]) +
+                           number(shift, c[2]) * MFraction(e[1]);
+    const MPoly four(s_.r.ring(), Integer(4));
+    if (!facts_.ensure_positive(four * c[2] * c[0] - c[1] * c[1], lemmas_))
+      throw NoProof(Gap::irrational, "that two squares are conjugate has no exact proof");
+    if (is_zero(room)) return;
+    if (!facts_.is_real(e[1]) || !facts_.ensure_positive(room.num() * c[2] * e[1], lemmas_))
+      throw NoProof(Gap::bound, "a bound of exponent differences has no exact proof");
   }
 
   void write(const ExcludedDifferences& excluded) {

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "strata/bounds.hpp"
 #include "strata/irrational.hpp"
+#include "strata/separated.hpp"
 
 #include <algorithm>
 #include <set>
@@ -28,6 +29,10 @@ public:
       : s_(s), open_(open), torus_(torus), log_(log), region_(region), budget_(budget) {}
 
   std::variant<Leaf, Needs> run() {
+    if (torus_)
+      if (auto three = separated_leaf(s_, *torus_, region_))
+        if (auto* leaf = std::get_if<Leaf>(&*three); leaf && leaf->abelian == Truth::no)
+          return std::move(*leaf);
     NoInvariant four{4, invariant_bound(s_, 4)};
     if (four.bound.form) {
       auto excluded = exclude_invariant(s_, *four.bound.form, region_, budget_);
@@ -201,6 +206,8 @@ private:
 
   std::variant<Leaf, Needs> unbounded() {
     const PlaceIndex i = open_[0];
+    if (torus_)
+      if (auto three = separated_leaf(s_, *torus_, region_)) return *std::move(three);
     const Families f = product_families(s_, first());
     if (!torus_ || !f.complete) return open_leaf(RationalDifference{i});
     // y1 y2 needs 2 Delta = k, for which k?  (fixed + j k)/2 is natural for some |j| <= n: beyond

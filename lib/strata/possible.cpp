@@ -53,7 +53,8 @@ std::optional<Line> line_of_root(const MFraction& square, const Base& base) {
 }
 
 const Squares* squares_in(const ArithmeticStatement& s) {
-  if (std::holds_alternative<LameIsFinite>(s)) return nullptr; // not about exponents alone
+  if (std::holds_alternative<LameIsFinite>(s) || std::holds_alternative<SeparatedPair>(s))
+    return nullptr; // not about exponents, one by one
   return std::visit([](const auto& one) { return &one.squares; }, s);
 }
 
@@ -193,6 +194,7 @@ private:
       for (const long d : {3, 4, 5})
         add_values({x}, {Rational(0), Rational(1, d)});
   }
+  void find_critical(const SeparatedPair&, const std::vector<Line>&) {}
   void find_critical(const LameIsFinite&, const std::vector<Line>&) {}
   static Residues integers() { return {Rational(0), Rational(1)}; }
 

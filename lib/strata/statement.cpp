@@ -70,6 +70,11 @@ public:
     return Truth::no;
   }
 
+  // separated.hpp knows more: why the numbers are not rational.
+  [[nodiscard]] Truth operator()(const SeparatedPair& s) const {
+    return natural(s.squares[0]) == Truth::no ? Truth::no : Truth::unknown;
+  }
+
   [[nodiscard]] Truth operator()(const WithoutLogarithm& s) const {
     const auto any = [&](auto property) {
       return std::any_of(s.squares.begin(), s.squares.end(), property);

@@ -201,6 +201,33 @@ std::string assumed_integers(const Leaf& leaf) {
          (e.twice ? "2*" : "") + delta(leaf) + " is not an integer; " + without_invariant(leaf);
 }
 
+// d1, d2 where two differences are not rational.
+std::string pair_of(const Leaf& leaf, const SeparatedNowhere& e) {
+  std::string text;
+  for (const PlaceIndex i : e.pair)
+    text += (text.empty() ? "" : ", ") + name(leaf, i);
+  return text;
+}
+std::string separated_law(const Leaf& leaf) {
+  return letters(leaf).in(
+      "three singular places, all regular, and two exponent differences d1, d2 that are not rational: "
+      "abelian only if the third is an integer n >= 1 and some +-d1 +- d2 is one of n - 1, n - 3, ..., "
+      "1 - n");
+}
+std::string separated(const Leaf& leaf) {
+  const auto* e = evidence<SeparatedNowhere>(leaf);
+  if (e == nullptr) return torus(leaf) + "; " + separated_law(leaf);
+  const FreshLetters letter = letters(leaf);
+  std::string text = torus(leaf) + "; " + separated_law(leaf) +
+                     letter.in(" (d1, d2 at ") + pair_of(leaf, *e) + "); " +
+                     difference(leaf, e->third);
+  if (e->growth)
+    text += letter.in(", and d1^2 and d2^2 are conjugate with 2*(d1^2 + d2^2) >= ") +
+            to_string(e->growth->factor) + letter.in("*n^2 - ") + to_string(e->growth->shift) +
+            letter.in(", so that (d1 +- d2)^2 is larger than that, or negative");
+  return text + ": no such n is possible here";
+}
+
 std::string condition(const Leaf& leaf, const OpenCondition& open);
 
 std::string not_special(const Leaf& leaf) {
@@ -270,6 +297,8 @@ std::string argument(const Leaf& leaf, std::size_t longest) {
     return one_open(leaf);
   case Conclusion::several_open:
     return several_open(leaf);
+  case Conclusion::separated:
+    return separated(leaf);
   case Conclusion::no_products:
     return torus(leaf) + "; " + difference(leaf, evidence<NoProducts>(leaf)->place) +
            letters(leaf).in("; no exponents of y1*y2 are possible");
@@ -359,7 +388,8 @@ std::string condition(const Leaf& leaf, const ByParts&) {
       all += (all.empty() ? "" : ", ") + to_string(c);
     where += (where.empty() ? "" : ", or where ") + all;
   }
-  return "abelian exactly where " + where + " (" + classical(leaf) + ")";
+  return "abelian exactly where " + where + " (" +
+         (evidence<ClassicalForm>(leaf) != nullptr ? classical(leaf) : separated_law(leaf)) + ")";
 }
 std::string condition(const Leaf&, const RefusedByChecker& open) {
   return "our own checker refuses the certificate of what was found: " + open.shown;

@@ -291,6 +291,9 @@ struct WhatItSays {
   std::vector<Special> operator()(const Separated& s) const {
     return all(s.squares, std::vector{Residues{Rational(0), Rational(1)}});
   }
+  std::vector<Special> operator()(const SeparatedPair& s) const {
+    return all({s.squares.front()}, std::vector{Residues{Rational(0), Rational(1)}});
+  }
   std::vector<Special> operator()(const InHalves& s) const {
     if (s.count < s.squares.size()) return {}; // which of them is not known
     return all(s.squares, std::vector{Residues{Rational(1, 2), Rational(1)}});

@@ -17,6 +17,11 @@ public:
   ArithmeticStatement operator()(const InRow& s) { return all_in_a_countable_set(s); }
   ArithmeticStatement operator()(const Separated& s) { return all_in_a_countable_set(s); }
   ArithmeticStatement operator()(const LameIsFinite& s) { return s; }
+  ArithmeticStatement operator()(const SeparatedPair& s) { // the others may change together
+    never_ = changes(s.squares.front());
+    if (never_) changing_.push_back(s.squares.front());
+    return s;
+  }
 
   ArithmeticStatement operator()(const InHalves& s) {
     InHalves left{{}, s.count};

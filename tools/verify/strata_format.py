@@ -14,11 +14,12 @@ VIOLATED = {"membership?": "int", "value?": "rational"}
 LEMMA = VIOLATED | {"p": "text", "times?": "text", "sign": "text", "terms?": ["any"], "prime?": "int"}
 REGULAR = {"chi?": ["text"], "irrational?": "text", "log?": "true", "bound?": "rational"}
 PLACED = {"content": "text", "places": [REGULAR | {"q": "text", "order": "int"}], "infinity": REGULAR,
-          "absent?": [{"m": "int", "minors": [{"rows": ["int"], "times": "text"}], "prime?": "int"}]}
+          "absent?": [{"m": "int", "minors": [{"rows": ["int"], "times": "text"}], "prime?": "int"}],
+          "growth?": {"factor": "rational", "shift": "rational"}}
 FACTOR = {"q": "text", "order": "int", "e": "int"}
 LEAVES = {"number": {"certificate": "any"},
           "invariant": {"content": "text", "places": [FACTOR], "m": "int", "p": "text"}}
-LEAVES |= dict.fromkeys(("torus-log", "torus", "irreducible-log", "rational", "one-open", "open"), PLACED)
+LEAVES |= dict.fromkeys(("torus-log", "torus", "irreducible-log", "rational", "one-open", "open", "separated"), PLACED)
 NUMBER = {"square": FRACTION, "root?": FRACTION}
 MULTIPLE = {"times": "int", "membership": "int"}
 CLASSICAL = {"change": FRACTION, "equation": FRACTION, "factors?": ["text"], "numbers": [NUMBER],

@@ -10,6 +10,7 @@ from modular import is_prime, mgcd, trim
 from multivariate import ONE, P, determinant, pseudo_remainder, quotient, ratio, resultant, spend
 from places import Local, Place
 from strata_invariant import Z, factors, symmetric_power
+from strata_separated import separated
 
 
 def natural(x):
@@ -28,6 +29,8 @@ class Leaf:
 
     def __init__(self, s, d):
         self.s, self.by, self.absent = s, d["by"], {x["m"]: x for x in d["absent"] or []}
+        self.growth = d["growth"] and (d["growth"]["factor"], d["growth"]["shift"])
+        need(not self.growth or self.by == "separated", "the theorem has no growth")
         need(s.num and len(self.absent) == len(d["absent"] or []), "r is 0, or a degree occurs twice")
         self.content, self.qs, self.orders = factors(s, d["content"], d["places"])
         for i, (q, k) in enumerate(zip(self.qs, self.orders)):
@@ -220,6 +223,8 @@ class Leaf:
             right = (local.log or self.no_invariant(12)) and (self.no_line() or self.no_invariant(n))
         elif by == "open":
             right = self.several_open()
+        elif by == "separated":
+            right = separated(self.s, self.local.all, self.growth)
         else:
             right = len(self.open) == 1 and self.no_invariant(4) and self.one_open(self.open[0])
         need(right, f"the premises of {by} are not all given")

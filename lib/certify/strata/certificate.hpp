@@ -92,12 +92,17 @@ struct AbsentInvariant {
   std::vector<Minor> minors;
   std::optional<mp_limb_t> prime; ///< shows that the minors have no common root
 };
+/// Of `separated`, with d1^2 and d2^2 conjugate complex numbers: 2 (d1^2 + d2^2) >= factor Delta^2 - shift.
+struct Growth {
+  Rational factor, shift;
+};
 struct ByPlaces {
   std::string theorem;
   MPoly content;
   std::vector<StratumPlace> places; ///< the finite ones
   StratumPlace infinity;
   std::vector<AbsentInvariant> absent;
+  std::optional<Growth> growth{}; ///< separated
 };
 
 /// A number that is known by its square; root: a function with this square.

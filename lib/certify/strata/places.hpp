@@ -85,6 +85,9 @@ private:
   std::vector<ProvedPlace> all_;
 };
 
+/// 7.9: three places, and two differences that are not rational.
+void check_separated(const Stratum& s, const ByPlaces& leaf, const Places& places);
+
 /// 7.3: is the defect of Frobenius' recurrence at x, Delta = N >= 1, deg q = 1, known to be
 /// nonzero?
 [[nodiscard]] bool has_logarithm(const Stratum& s, const ProvedPlace& x);

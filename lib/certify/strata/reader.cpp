@@ -258,6 +258,12 @@ private:
     k.done();
     return x;
   }
+  static Growth growth(const Node& n) {
+    Keys k(n);
+    Growth g{k.at("factor").rational(), k.at("shift").rational()};
+    k.done();
+    return g;
+  }
   [[nodiscard]] LeafNode leaf(Keys& k) const {
     const Node said = k.at("abelian");
     const Node by = k.at("by");
@@ -285,6 +291,7 @@ private:
                           [&](const AbsentInvariant& y) { return y.m == x.absent.back().m; }) > 1)
           n.fail("the degree occurs twice");
       }
+    if (const auto v = k.find("growth")) x.growth = growth(*v);
     return {abelian, std::move(x)};
   }
 

@@ -206,6 +206,7 @@ void rational(const Places& places) {
 void check_places(const Stratum& s, const ByPlaces& leaf) {
   const Places places(s, leaf);
   const std::string& by = leaf.theorem;
+  need(!leaf.growth || by == "separated", "the theorem has no growth");
   if (by == "torus-log") {
     need(places.torus(), "no place shows a torus");
     need(places.log(), "no place has a logarithm");
@@ -222,6 +223,8 @@ void check_places(const Stratum& s, const ByPlaces& leaf) {
     one_open(s, places);
   } else if (by == "open") {
     several_open(s, places);
+  } else if (by == "separated") {
+    check_separated(s, leaf, places);
   } else {
     throw Refused{"unknown theorem '" + by + "'"};
   }

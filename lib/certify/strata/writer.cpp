@@ -124,6 +124,9 @@ void put(Json::Object& o, const ByPlaces& x) {
   o.emplace_back("places", listed(x.places, place));
   o.emplace_back("infinity", place(x.infinity));
   if (!x.absent.empty()) o.emplace_back("absent", listed(x.absent, absent));
+  if (x.growth)
+    o.emplace_back("growth", Json{Json::Object{{"factor", text(to_string(x.growth->factor))},
+                                               {"shift", text(to_string(x.growth->shift))}}});
 }
 
 Json number(const SquaredNumber& x) {
