@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
 #include "integrability/check.hpp"
+#include "integrability/regular_leaf.hpp"
 
 #include <algorithm>
 
@@ -132,13 +133,30 @@ IntegralClass excluded_integrals(const System& s, const std::string& name,
   return along(s, name, near, all_stay ? std::vector<std::size_t>{} : moving_and_left_out(s, *m));
 }
 
-IntegralClass excluded_integrals(const System& s, const ManifoldReport& report) {
+namespace {
+
+// On regular leaves of dimension four (lemma T) integrals are excluded that are independent together with
+// the Casimir functions.
+IntegralClass near_the_leaf(IntegralClass c, const System& s, const ManifoldReport& report) {
+  if (c.on_leaf && c.near == Near::curve && c.functions.empty() && c.without.empty())
+    c.on_leaf = !has_regular_leaves(s, report);
+  return c;
+}
+
+} // namespace
+
+IntegralClass excluded_integrals(const System& s, const ManifoldReport& report, Near near,
+                                 bool is_sl2) {
   const auto* m = report.manifold ? &*report.manifold : nullptr;
+  return near_the_leaf(excluded_integrals(s, report.name, m, near, is_sl2), s, report);
+}
+
+IntegralClass excluded_integrals(const System& s, const ManifoldReport& report) {
   // Matrices: loops on the curve itself, but for coordinates that are left out.
-  if (report.matrices) return excluded_integrals(s, report.name, m, Near::curve, false);
+  if (report.matrices) return excluded_integrals(s, report, Near::curve, false);
   const NonAbelian by = what_decides(report);
-  return by.any ? excluded_integrals(s, report.name, m, by.near, by.sl2)
-                : along(s, report.name, by.near, {});
+  return by.any ? excluded_integrals(s, report, by.near, by.sl2)
+                : near_the_leaf(along(s, report.name, by.near, {}), s, report);
 }
 
 } // namespace kov

@@ -32,6 +32,9 @@ struct InvariantManifold;
 [[nodiscard]] IntegralClass excluded_integrals(const System& s, const std::string& name,
                                                const InvariantManifold* m, IntegralClass::Near near,
                                                bool is_sl2);
+/// The same along the curve of a report, whose function field shows more.
+[[nodiscard]] IntegralClass excluded_integrals(const System& s, const ManifoldReport& report,
+                                               IntegralClass::Near near, bool is_sl2);
 /// What the verdict excludes, after the decision of all blocks.
 [[nodiscard]] IntegralClass excluded_integrals(const System& s, const ManifoldReport& report);
 

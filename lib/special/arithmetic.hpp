@@ -60,9 +60,8 @@ struct LameIsFinite {
   bool half = false; ///< n in 1/2 + Z: Brioschi's determinant vanishes
 };
 
-using ArithmeticStatement =
-    std::variant<SumIn, AllRational, InHalves, Separated, SeparatedPair, WithoutLogarithm, InRow,
-                 LameIsFinite>;
+using ArithmeticStatement = std::variant<SumIn, AllRational, InHalves, Separated, SeparatedPair,
+                                         WithoutLogarithm, InRow, LameIsFinite>;
 struct ArithmeticCondition {
   ArithmeticStatement statement;
   bool holds = true; ///< false: the statement does not hold

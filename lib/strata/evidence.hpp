@@ -5,9 +5,9 @@
 //
 // Source  docs/theory/strata.md, 3 to 8
 
+#include "certify/strata/certificate.hpp"
 #include "decide/decide.hpp"
 #include "special/arithmetic.hpp"
-#include "certify/strata/certificate.hpp"
 #include "special/classical.hpp"
 #include "strata/bounds.hpp"
 
@@ -200,11 +200,11 @@ struct ConditionFails {
   OpenCondition condition;
 };
 
-using AnyEvidence =
-    std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
-                 ExcludedDifferences, NoProducts, AssumedNotInteger, SeparatedNowhere, NoExponential, NoFamilies,
-                 NoInvariant, InvariantFound, ExponentialFound, BesselForm, WeberForm,
-                 ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
+using AnyEvidence = std::variant<IrregularPlace, IrrationalDifference, Logarithm, DifferenceBound,
+                                 ExcludedDifferences, NoProducts, AssumedNotInteger,
+                                 SeparatedNowhere, NoExponential, NoFamilies, NoInvariant,
+                                 InvariantFound, ExponentialFound, BesselForm, WeberForm,
+                                 ClassicalForm, ConditionFails, Number, OtherBlocks, OfEquation>;
 
 /// For std::visit and std::get_if.  It is copied and destroyed in evidence.cpp, and not in each file
 /// that does so: that takes seconds of the compiler.

@@ -170,7 +170,8 @@ public:
       if (const auto* values = std::get_if<ExcludedDifferences>(&e)) write(*values);
       if (const auto* nowhere = std::get_if<SeparatedNowhere>(&e)) {
         by.growth = nowhere->growth;
-        write(*nowhere, nowhere->third < by.places.size() ? by.places[nowhere->third] : by.infinity);
+        write(*nowhere,
+              nowhere->third < by.places.size() ? by.places[nowhere->third] : by.infinity);
         if (by.growth) write_growth(*nowhere, by);
       }
     }

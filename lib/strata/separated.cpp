@@ -110,9 +110,8 @@ private:
     for (const long factor : {1, 2, 3, 4})
       for (const long shift : {0, 1, 2, 4, 8, 16, 32}) {
         const MFraction rest = twice - Rational(factor) * square_ + MFraction(s_.r.ring(), shift);
-        if (is_real(rest) && region_.exact_sign_of(rest.num()) *
-                                     region_.exact_sign_of(MPoly(rest.den())) >
-                                 0)
+        if (is_real(rest) &&
+            region_.exact_sign_of(rest.num()) * region_.exact_sign_of(MPoly(rest.den())) > 0)
           return found_.growth.emplace(Growth{Rational(factor), Rational(shift)}), void();
       }
   }

@@ -18,7 +18,7 @@ struct ThreePlaces {
 /// Unset: another equation.
 /// Given   const MFraction one(ring, 1), w = z * z + one;
 /// Given   const Scheme s = std::get<Scheme>(scheme(a * z / (w * w), 0, everywhere));
-/// Example three_places(s)  // -> none
+/// Example three_places(s).has_value()  // -> no
 [[nodiscard]] std::optional<ThreePlaces> three_places(const Scheme& s);
 
 /// No point of the stratum satisfies the statement: proved, by exact arithmetic.  Needs: which values

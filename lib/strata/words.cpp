@@ -209,18 +209,18 @@ std::string pair_of(const Leaf& leaf, const SeparatedNowhere& e) {
   return text;
 }
 std::string separated_law(const Leaf& leaf) {
-  return letters(leaf).in(
-      "three singular places, all regular, and two exponent differences d1, d2 that are not rational: "
-      "abelian only if the third is an integer n >= 1 and some +-d1 +- d2 is one of n - 1, n - 3, ..., "
-      "1 - n");
+  return letters(leaf).in("three singular places, all regular, and two exponent differences d1, d2 "
+                          "that are not rational: "
+                          "abelian only if the third is an integer n >= 1 and some +-d1 +- d2 is "
+                          "one of n - 1, n - 3, ..., "
+                          "1 - n");
 }
 std::string separated(const Leaf& leaf) {
   const auto* e = evidence<SeparatedNowhere>(leaf);
   if (e == nullptr) return torus(leaf) + "; " + separated_law(leaf);
   const FreshLetters letter = letters(leaf);
-  std::string text = torus(leaf) + "; " + separated_law(leaf) +
-                     letter.in(" (d1, d2 at ") + pair_of(leaf, *e) + "); " +
-                     difference(leaf, e->third);
+  std::string text = torus(leaf) + "; " + separated_law(leaf) + letter.in(" (d1, d2 at ") +
+                     pair_of(leaf, *e) + "); " + difference(leaf, e->third);
   if (e->growth)
     text += letter.in(", and d1^2 and d2^2 are conjugate with 2*(d1^2 + d2^2) >= ") +
             to_string(e->growth->factor) + letter.in("*n^2 - ") + to_string(e->growth->shift) +

@@ -283,18 +283,13 @@ bool require_no_difference(Exclusion& e, const Projection& p, const DifferenceCo
   return true;
 }
 
-const InvariantManifold* manifold_of(const ManifoldReport& report) {
-  return report.manifold ? &*report.manifold : nullptr;
-}
-
 // The smaller class where the places or the group are not known.
 IntegralClass class_of(const System& s, const ManifoldReport& report, const strata::Leaf& leaf) {
   const bool known = leaf.scheme || strata::evidence<strata::Number>(leaf) != nullptr;
   const bool regular = known && !strata::has_irregular_place(leaf);
   const bool is_sl2 = leaf.abelian == Truth::no && leaf.group && leaf.group->type == GroupType::SL2;
   return excluded_integrals(
-      s, report.name, manifold_of(report),
-      regular ? IntegralClass::Near::curve : IntegralClass::Near::closed_curve, is_sl2);
+      s, report, regular ? IntegralClass::Near::curve : IntegralClass::Near::closed_curve, is_sl2);
 }
 
 std::optional<Exclusion> exclusion(const System& s, const ManifoldReport& report, const Stratum& x,
@@ -346,7 +341,7 @@ std::vector<Exclusion> of_block(const System& s, const ManifoldReport& report,
   } else if (block.decision && block.abelian == Truth::no) {
     Exclusion e;
     e.by.reason = reason(*block.decision);
-    e.by.integrals = excluded_integrals(s, report.name, manifold_of(report),
+    e.by.integrals = excluded_integrals(s, report,
                                         block.equation ? integrals_near(block.equation->r)
                                                        : IntegralClass::Near::closed_curve,
                                         block.decision->component == Connected::sl2);

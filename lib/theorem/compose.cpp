@@ -208,6 +208,11 @@ bool excludes_on_one_leaf(const NodeResult& n) {
 // one a rational function; both belong to the class that is excluded, besides that at the origin.
 void transport_from_lowest_order(NodeResult& n) {
   n.theorems.push_back(used(ziglin_1982()));
+  std::erase_if(n.excluded, [](const IntegralClass& c) { // rational functions are in it
+    return contains(
+               c, {.kind = IntegralClass::Kind::rational, .curves = c.curves, .frame = c.frame}) ==
+           Truth::yes;
+  });
   n.excluded.push_back(ziglin_1982().integrals);
 }
 

@@ -1,9 +1,10 @@
 """The class of first integrals that a verdict speaks of (docs/theory/system_certificates.md 7)."""
+from itertools import combinations, permutations
 from typing import NamedTuple
 
 from exact import K
 from modular import is_prime, mdiff, meval, mgcd, trim
-from multivariate import spend
+from multivariate import FIELD, spend
 
 
 def falls(num, den):
@@ -45,6 +46,10 @@ class IntegralClass(NamedTuple):
     frame: str = ""
     liouville: bool = True
 
+    def has_rational(self):
+        """Are rational functions in it?"""
+        return self.kind == "meromorphic" and self.place != "level" and not self.on_leaf and not self.without
+
     def sentence(self):
         text = self.kind + ("" if self.kind == "rational" else {
             "curve": "", "level": " on the leaves with F2 = 0", "origin": " near the origin",
@@ -58,11 +63,58 @@ class IntegralClass(NamedTuple):
         return text + f" (in the coordinates {self.frame})" * bool(self.frame)
 
 
-def integrals(curve, denials):
-    """The class; denials: those of the leaves that say "not abelian" """
+def casimirs(claims):
+    """Of the pairs (claim, its function)"""
+    return [f for claim, f in claims if claim["kind"] == "casimir"]
+
+
+def parity(order):
+    return sum(a > b for i, b in enumerate(order) for a in order[:i]) % 2
+
+
+def determinant(curve, rows):
+    """Of rows of elements, by Leibniz' formula"""
+    terms = []
+    for order in permutations(range(len(rows))):
+        term = curve.R.one
+        for row, j in zip(rows, order):
+            term = term * row[j]
+        terms.append(term * -1 if parity(order) else term)
+    return curve.R.sum(terms)
+
+
+def nowhere_zero(f):
+    """A function of z alone, with a coefficient that is a number, is not 0 for all z, whatever the parameters are."""
+    return set(f.rows) == {0} and any(c and c.constant() is not None for c in f.rows[0].coefficients(0))
+
+
+def regular_leaves(curve, casimirs):
+    """The leaves around the curve are regular, of dimension four, and cut out by Casimir functions (7)."""
+    space, n = curve.space, len(curve.space.coordinates)
+    if space.brackets is None or not 4 < n <= 8 or not all(map(curve.has, space.coordinates)):
+        return False
+    constants = not any(space.gradients[space.at[x]] for x in space.functions)
+    if not constants or any(f.p.variables() & {FIELD * j for j in range(n)} for f in space.relations):
+        return False
+    rows = [[curve.value(space.d(f, j)) for j in space.indices] for f in casimirs[:6]]
+    if not any(nowhere_zero(determinant(curve, [[row[j] for j in columns] for row in some]))
+               for some in combinations(rows, n - 4) for columns in combinations(range(n), n - 4)):
+        return False
+    zero = curve.R.sum([])
+    bracket = {(i, j): curve.value(space.brackets[i, j]) if (i, j) in space.brackets else zero for i in range(n) for j in range(n)}
+
+    def pfaffian(i, j, k, l):
+        return bracket[i, j] * bracket[k, l] - bracket[i, k] * bracket[j, l] + bracket[i, l] * bracket[j, k]
+    return any(nowhere_zero(pfaffian(*four)) for four in combinations(range(n), 4))
+
+
+def integrals(curve, denials, casimirs=()):
+    """The class; denials: those of the leaves that say "not abelian"; casimirs: functions that are claimed"""
     space = curve.space
     symbols = [s for s in space.functions if curve.has(s) and space.gradients[space.at[s]]]
     place = "curve" if all(regular for regular, _ in denials) else "closed curve"
     on_leaf = space.brackets is not None and not space.one_leaf()
     moving = [] if all(regular and sl2 for regular, sl2 in denials) else curve.moving()
+    if on_leaf and place == "curve" and not symbols and not moving:
+        on_leaf = not regular_leaves(curve, casimirs)
     return IntegralClass("meromorphic", place, on_leaf, tuple(symbols), tuple(moving), liouville=space.brackets is not None)

@@ -1,6 +1,6 @@
 """What a certificate of the whole way states, as text (docs/theory/system_certificates.md 8): lines made from what was read
 and from nothing else."""
-from first_integrals import integrals
+from first_integrals import casimirs, integrals
 from multivariate import MASK
 from statement import joined, polynomial, quoted
 from system_format import fraction
@@ -89,7 +89,7 @@ def statement(d, curve, claims, inner):
     lines += shown.solution(d)
     if inner.denials:
         objects, theorem = FIELD if curve.space.brackets is None else POISSON
-        verdict = f"is not integrable {objects} that are {integrals(curve, inner.denials).sentence()} ({theorem})"
+        verdict = f"is not integrable {objects} that are {integrals(curve, inner.denials, casimirs(claims)).sentence()} ({theorem})"
         lines.append(verdict + (", as" if d["claim"]["not_integrable"] else " where the identity component is not abelian:"))
     else:
         lines.append("nothing follows from")

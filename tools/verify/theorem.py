@@ -8,7 +8,7 @@ import jets
 import strata
 import system
 from certificate_format import Malformed, Rejected, need, read
-from first_integrals import IntegralClass, integrals
+from first_integrals import IntegralClass, casimirs, integrals
 from jets_format import read_jets
 from lowest_order import lowest_order
 from motion import Jets
@@ -78,9 +78,9 @@ class Theorem:
             return self.jets(d["certificate"])
         need(isinstance(d["certificate"], dict) and d["certificate"].get("format") == system.FORMAT, "another format")
         top = read_system(d["certificate"])
-        curve, _, inner = system.accept(top, self.prove)
+        curve, claims, inner = system.accept(top, self.prove)
         need(not inner.trust and top["claim"]["not_integrable"], "not proved for all parameters, or not without trust")
-        excluded = integrals(curve, inner.denials)
+        excluded = integrals(curve, inner.denials, casimirs(claims))
         only = curve.space.brackets is None or bool(excluded.functions or excluded.without)
         target = Target(curve.space, top["parameters"], list(self.asked(top, curve)))
         shown = Shown(curve)
@@ -209,11 +209,12 @@ class Theorem:
         x, of = self.plain_family(d), self.fact(d["of"], "N")
         need(of.family is not None and of.family.is_plain(), "the step is about a system of a certificate")
         need(not any(c.on_leaf for c in of.classes), "what is independent on one leaf, of parts of lowest order")
+        kept = [c for c in of.classes if not c.has_rational()]
         lowest_order(x, of.family, d)
         at = {of.family.names[name]: x.names[name] for name in x.parameters}
         region = [(P((sum((k >> v & 2**32 - 1) << w for v, w in at.items()), c) for k, c in f.items()), sign)
                   for f, sign in of.region]
-        return Fact("N", x, region, [*of.classes, ORIGIN], of.integrals, of.used | {"Ziglin 1982"})
+        return Fact("N", x, region, [*kept, ORIGIN], of.integrals, of.used | {"Ziglin 1982"})
 
     # -- strata of complex parameters, steps on trust (12 to 15)
 

@@ -94,7 +94,8 @@ private:
     const auto [y0, y1] = modulo(Y, c, n);
     const auto form = [&](const MPoly& u0, const MPoly& u1, const MPoly& v0, const MPoly& v1) {
       const MPoly cross = a_.plus(a_.times(u0, v1), a_.times(u1, v0));
-      const MPoly squares = a_.plus(a_.times(c[2], a_.times(u0, v0)), a_.times(c[0], a_.times(u1, v1)));
+      const MPoly squares =
+          a_.plus(a_.times(c[2], a_.times(u0, v0)), a_.times(c[0], a_.times(u1, v1)));
       return a_.minus(scaled(squares, Integer(2)), a_.times(c[1], cross));
     }; // 2 c_2 N(u) for u = v
     const Coefficients values{form(x0, x1, x0, x1), scaled(form(x0, x1, y0, y1), Integer(-2)),
@@ -128,14 +129,14 @@ private:
     const Coefficients& e = third_->chi;
     for (const MPoly& f : c)
       need(s_.all_real(f), "the squares are not known to be conjugate");
-    need(s_.known_positive(a_.minus(scaled(a_.times(c[2], c[0]), Integer(4)), a_.times(c[1], c[1]))),
-         "the squares are not known to be conjugate");
+    need(
+        s_.known_positive(a_.minus(scaled(a_.times(c[2], c[0]), Integer(4)), a_.times(c[1], c[1]))),
+        "the squares are not known to be conjugate");
     const Integer d = a_.common_multiple(factor.den(), shift.den());
     const auto number = [&](const Rational& x) { return (x * Rational(d)).num(); };
-    const MPoly room =
-        a_.plus(a_.minus(a_.scaled(a_.times(c[2], e[0]), number(factor)),
-                         a_.scaled(a_.times(c[1], e[1]), number(Rational(2)))),
-                a_.scaled(a_.times(c[2], e[1]), number(shift)));
+    const MPoly room = a_.plus(a_.minus(a_.scaled(a_.times(c[2], e[0]), number(factor)),
+                                        a_.scaled(a_.times(c[1], e[1]), number(Rational(2)))),
+                               a_.scaled(a_.times(c[2], e[1]), number(shift)));
     if (is_zero(room)) return;
     need(s_.all_real(e[1]), "chi of the third place is not known to be real");
     need(s_.known_positive(a_.times(a_.times(room, c[2]), e[1])), "the growth is not proved");
@@ -193,8 +194,7 @@ private:
 
   void at(long n) const {
     const Coefficients& e = third_->chi;
-    if (!third_->delta &&
-        s_.known_nonzero(a_.plus(a_.scaled(e[1], Integer(n) * Integer(n)), e[0])))
+    if (!third_->delta && s_.known_nonzero(a_.plus(a_.scaled(e[1], Integer(n) * Integer(n)), e[0])))
       return;
     for (long k = n - 1; k >= 0; k -= 2) {
       if (sums_ && !is_sum(k)) continue;

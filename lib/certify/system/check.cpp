@@ -130,7 +130,8 @@ bool has_leaves(const PhaseSystem& s) {
          !(constant && std::all_of(pairs.begin(), pairs.end(), [](int n) { return n == 1; }));
 }
 
-IntegralClass excluded(const Way& w, const Leaves& leaves, std::vector<std::string> moving) {
+IntegralClass excluded(const Way& w, const Leaves& leaves, const OnCurve& way,
+                       std::vector<std::string> moving) {
   IntegralClass integrals;
   if (leaves.any && !leaves.regular) integrals.near = IntegralClass::Near::closed_curve;
   integrals.on_leaf = has_leaves(w.system);
@@ -141,6 +142,9 @@ IntegralClass excluded(const Way& w, const Leaves& leaves, std::vector<std::stri
                     [i](const auto& v) { return v.first == i; }))
       integrals.functions.push_back(w.system.ring->name(i));
   if (!leaves.any || !leaves.regular || !leaves.has_sl2) integrals.without = std::move(moving);
+  if (integrals.on_leaf && integrals.near == IntegralClass::Near::curve &&
+      integrals.functions.empty() && integrals.without.empty())
+    integrals.on_leaf = !way.has_regular_leaves();
   return integrals;
 }
 
@@ -180,7 +184,7 @@ std::variant<SystemAccepted, Rejected> check_way(const SystemCertificate& c) {
     const Inner inner = std::visit([](const auto& x) { return judged(x); }, c.equation);
     need(!c.not_integrable || inner.not_abelian, "the claim does not follow");
     accepted = {inner.trusted, c.not_integrable, inner.leaves.any,
-                excluded(c.way, inner.leaves, way.moving())};
+                excluded(c.way, inner.leaves, way, way.moving())};
   });
   if (no) return *no;
   return accepted;

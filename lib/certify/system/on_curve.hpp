@@ -19,6 +19,9 @@ public:
   /// N4, for r over Q(a), with a in the place of the generator.
   void need_equation(const Poly& num, const Poly& den, const std::optional<CurveFunction>& a);
 
+  /// Section 7: the leaves around the curve are regular, of dimension four, and cut out by Casimir
+  /// functions that are claimed.
+  [[nodiscard]] bool has_regular_leaves() const;
   /// Section 7: the names of what is left out and moves.
   [[nodiscard]] std::vector<std::string> moving();
   [[nodiscard]] const std::string& rule() const { return rule_; } ///< the one that was last begun
@@ -31,6 +34,9 @@ private:
   void need_functions() const;
   [[nodiscard]] std::vector<std::optional<CurveFunction>> values_of(const Ring& ring) const;
   [[nodiscard]] Row jacobian_row(std::size_t i) const;
+  [[nodiscard]] bool is_nowhere_zero(const CurveFunction& f) const;
+  [[nodiscard]] bool has_rank_four() const;
+  [[nodiscard]] bool has_independent_casimirs(std::size_t k) const;
   [[nodiscard]] Row nabla(const Row& a) const;
   [[nodiscard]] Row combination(const Row& c, std::size_t entries) const;
   [[nodiscard]] CurveFunction dot(const Row& a, const Row& b) const;

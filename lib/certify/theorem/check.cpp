@@ -490,7 +490,9 @@ private:
     TheoremFact f;
     f.family = &x;
     f.region = renamed(of.region, x);
-    f.classes = of.classes;
+    for (const IntegralClass& c : of.classes) // the parts of lowest order are rational
+      if (contains(c, {.kind = IntegralClass::Kind::rational}) != Truth::yes)
+        f.classes.push_back(c);
     f.classes.push_back(near_origin());
     f.used = of.used;
     f.used.insert("Ziglin 1982");
