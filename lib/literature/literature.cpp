@@ -28,7 +28,9 @@ conditions = ["L1^2 + L2^2 > 0", "A - C != 0", "L3^2 + (A - 2*C)^2 > 0", "L3^2 +
 
 std::vector<LiteratureTheorem> all_theorems() {
   const TheoremHypothesis independent{
-      "the first integrals are independent on the symplectic leaf that carries the phase curve",
+      "the first integrals are independent on the symplectic leaf that carries the phase curve; "
+      "where the leaves around it are regular, of dimension four, together with the Casimir "
+      "functions",
       Settled::stated, "that is what is excluded"};
   return {
       {"Morales-Ramis",

@@ -125,7 +125,7 @@ def errors(m):
 def classes(m):
     """What a verdict says of first integrals"""
     def said(denials, moved=("x",), brackets=None, symbols=()):
-        x = SimpleNamespace(functions=list(symbols), brackets=brackets, one_leaf=lambda: False, at={s: s for s in symbols},
+        x = SimpleNamespace(functions=list(symbols), brackets=brackets, one_leaf=lambda: False, at={s: s for s in symbols}, coordinates=(),
                             gradients={s: {"q": 1} for s in symbols})
         curve = SimpleNamespace(space=x, has=lambda s: s != "hidden", moving=lambda: list(moved))
         return m["first_integrals"].integrals(curve, denials).sentence()

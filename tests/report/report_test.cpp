@@ -28,6 +28,21 @@ const TheoremResult& heavy_top() {
   return r;
 }
 
+// The same theorem, with a step that is cited.
+const TheoremResult& with_a_cited_theorem() {
+  static const TheoremResult r = [] {
+    const std::string path = test::in_source("/cases/classics/heavy_top_theorem.toml");
+    std::ifstream in(path);
+    std::string text{std::istreambuf_iterator<char>(in), {}};
+    const std::string need = "\"three\", ";
+    text.replace(text.find(need), need.size(), need + "\"cited\", ");
+    text += "\n[[node]]\nid = \"cited\"\nkind = \"theorem\"\ntheorem = \"Ziglin 1983\"\n"
+            "at = { B = \"A\" }\nif = [\"L1^2 + L2^2 > 0\", \"A != C\", \"L3 != 0\"]\n";
+    return prove(read_theorem(parse_document(text, path)));
+  }();
+  return r;
+}
+
 } // namespace
 
 TEST(Formula, InLatex) {
@@ -158,18 +173,21 @@ TEST(Report, HtmlIsOneFileWithoutScriptsOrNetwork) {
   EXPECT_THAT(page, Not(HasSubstr("@import")));
   EXPECT_THAT(page, Not(HasSubstr("url(")));
   EXPECT_THAT(page, HasSubstr("<svg"));
-  EXPECT_THAT(page, HasSubstr("Hypothesis not checked"));
+  EXPECT_THAT(theorem_html(with_a_cited_theorem()), HasSubstr("Hypothesis not checked"));
 }
 
 TEST(Report, JsonHasTheStatusOfEveryStep) {
   const auto j = nlohmann::json::parse(theorem_json(heavy_top()));
   EXPECT_EQ(j.at("format"), "kovacic-proof/1");
   EXPECT_EQ(j.at("nodes").size(), heavy_top().nodes.size());
-  EXPECT_EQ(j.at("unchecked_hypotheses").size(), 1U);
+  EXPECT_EQ(j.at("unchecked_hypotheses").size(), 0U);
+  const auto cited = nlohmann::json::parse(theorem_json(with_a_cited_theorem()));
+  EXPECT_EQ(cited.at("unchecked_hypotheses").size(), 1U);
 }
 
 TEST(Report, TextShowsUncheckedHypothesesInPlainView) {
-  EXPECT_THAT(theorem_text(heavy_top()), HasSubstr("HYPOTHESIS NOT CHECKED"));
+  EXPECT_THAT(theorem_text(heavy_top()), Not(HasSubstr("NOT CHECKED")));
+  EXPECT_THAT(theorem_text(with_a_cited_theorem()), HasSubstr("HYPOTHESIS NOT CHECKED"));
 }
 
 // Needs texlive-latex-base; skipped where it is not installed.

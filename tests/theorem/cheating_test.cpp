@@ -78,8 +78,10 @@ const std::vector<Cheat> cheats{
      "kind      = \"argument\"\nstatement = \"So it is.\"", "main"},
     {"cyclic_reference", main_theorem, "lemma-3", "at        = {",
      "needs = [\"main\"]\nat        = {", ""},
-    {"the_trusted_theorem_for_more_bodies", main_theorem, "heavy-symmetric",
-     ", \"L3^2 + (A - 2*C)^2 > 0\"", "", "heavy-symmetric"},
+    {"the_case_for_more_bodies", main_theorem, "heavy-tilted", ", \"L3 != 0\"", "", "heavy-tilted"},
+    {"a_flat_body_that_is_not", main_theorem, "heavy-flat", "7*C - 8*A > 0", "8*C - 8*A > 0",
+     "heavy-flat"},
+    {"one_of_the_six_left_out", heavy_theorem, "main", "\"five-twelfths\", ", "", ""},
     {"missing_case_of_the_heavy_top", heavy_theorem, "main", "\"kovalevskaya\", ", "", ""},
     {"the_lowest_order_of_some_systems_only", main_theorem, "lowest-order",
      "other     = \"lowest_order.toml\"",
@@ -132,7 +134,13 @@ TEST(Cheating, RewordedStatementsCarryNoMark) {
 
 // Hypotheses belong to the theorems in use: a file without a word about them has the same.
 TEST(Cheating, HypothesesCannotBeLeftOut) {
-  const TheoremResult r = proved(heavy_theorem, text_of(heavy_theorem));
+  std::string text = text_of(heavy_theorem);
+  const std::string need = "\"three\", ";
+  text.replace(text.find(need), need.size(), need + "\"cited\", ");
+  const TheoremResult r =
+      proved(heavy_theorem,
+             text + "\n[[node]]\nid = \"cited\"\nkind = \"theorem\"\ntheorem = \"Ziglin 1983\"\n"
+                    "at = { B = \"A\" }\nif = [\"L1^2 + L2^2 > 0\", \"A != C\", \"L3 != 0\"]\n");
   ASSERT_FALSE(r.unchecked_hypotheses().empty());
   EXPECT_THAT(r.unchecked_hypotheses().front(), HasSubstr("independent are so on the leaves"));
   EXPECT_THAT(r.conclusion(), HasSubstr("NOT CHECKED"));

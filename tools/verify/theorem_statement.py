@@ -12,7 +12,7 @@ LITERATURE = {
     "Morales-Ramis": ("Morales-Ruiz and Ramis (2001)", [
         (CHECKED, "the system is Hamiltonian on the leaves of a Poisson structure (S2)"),
         (CHECKED, "the curve is a phase curve and no equilibrium (C4, C5)"),
-        (STATED, "the first integrals are meromorphic near the curve, and independent on the symplectic leaf that carries it")]),
+        (STATED, "the first integrals are meromorphic near the curve, and independent together with the Casimir functions (or on its leaf)")]),
     "Morales-Ramis-Simo": ("Morales-Ruiz, Ramis and Simo (2007)", [
         (CHECKED, "the curve is a phase curve of a Hamiltonian system (J1, J2)"),
         (STATED, "the first integrals are meromorphic near the curve")]),

@@ -117,8 +117,9 @@ const std::vector<NamedTheorem>& named_theorems() {
        "Morales-Ruiz and Ramis (2001)",
        {{checked, "the system is Hamiltonian on the leaves of a Poisson structure (S2)"},
         {checked, "the curve is a phase curve and no equilibrium (C4, C5)"},
-        {stated, "the first integrals are meromorphic near the curve, and independent on the "
-                 "symplectic leaf that carries it"}}},
+        {stated,
+         "the first integrals are meromorphic near the curve, and independent together with the "
+         "Casimir functions (or on its leaf)"}}},
       {"Morales-Ramis-Simo",
        "Morales-Ruiz, Ramis and Simo (2007)",
        {{checked, "the curve is a phase curve of a Hamiltonian system (J1, J2)"},

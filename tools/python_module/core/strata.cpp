@@ -96,6 +96,12 @@ public:
   py::object operator()(const strata::AssumedNotInteger& e) const {
     return make("AssumedNotInteger", at(e.place), e.twice);
   }
+  py::object operator()(const strata::SeparatedNowhere& e) const {
+    py::list pair;
+    for (const strata::PlaceIndex i : e.pair)
+      pair.append(at(i));
+    return make("SeparatedNowhere", pair, at(e.third));
+  }
   py::object operator()(const strata::NoExponential& e) const {
     return make("NoExponential", e.bound.d, e.bound.odd_order);
   }

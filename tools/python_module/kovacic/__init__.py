@@ -337,6 +337,6 @@ for _type, _shown in (
 from ._evidence import (  # noqa: E402, F401
     AssumedNotInteger, BesselForm, ClassicalForm, ConditionFails, DifferenceBound, ExcludedDifferences, ExponentialFound,
     InvariantFound, IrrationalDifference, IrregularPlace, Logarithm, Loop, NoExponential, NoFamilies, NoInvariant, NoProducts,
-    Number, OfEquation, OtherBlocks, WeberForm)
+    Number, OfEquation, OtherBlocks, SeparatedNowhere, WeberForm)
 
 __all__ = sorted(_name for _name in dir() if not _name.startswith("_"))

@@ -788,6 +788,11 @@ class Unable:
     detail: str
 
 
+class SeparatedNowhere:
+    pair: list
+    third: str
+
+
 class WeberForm:
     e: Any
     odd: Any

@@ -48,6 +48,13 @@ class AssumedNotInteger:
 
 
 @dataclass(frozen=True)
+class SeparatedNowhere:
+    """Two differences d1, d2 are irrational, and the third is nowhere an integer n >= 1 with +-d1 +- d2 in n - 1, ..., 1 - n."""
+    pair: list
+    third: str
+
+
+@dataclass(frozen=True)
 class NoExponential:
     """The degree of the polynomial part would be at most `degree` < 0, or a place has odd order."""
     degree: Fraction
