@@ -24,8 +24,12 @@ class Class(NamedTuple):
     def sentence(self):
         return f"{self.kind} {self.place}"
 
+    def has_rational(self):
+        return self.kind == "meromorphic" and self.place != "level" and not self.on_leaf and not self.without
+
 
 NEAR, LEAVES, ORIGIN, LEAF = Class(), Class(place="level"), Class(place="origin"), Class(on_leaf=True)
+REAL = Class("real-analytic", "phase space")
 
 
 def ready(m):
@@ -70,8 +74,8 @@ def certificates(m):
     def accepts(top, said=NEAR, trust=0, space=space):
         curve.space = space
         inner = SimpleNamespace(trust=trust, denials=[])
-        module.system = SimpleNamespace(FORMAT=real[0].FORMAT, accept=lambda top, prove: (curve, None, inner))
-        module.read_system, module.integrals = (lambda d: d), (lambda curve, denials: said)
+        module.system = SimpleNamespace(FORMAT=real[0].FORMAT, accept=lambda top, prove: (curve, [], inner))
+        module.read_system, module.integrals = (lambda d: d), (lambda curve, denials, casimirs: said)
         module.Shown = lambda curve: SimpleNamespace(phase_curve=lambda top: "a curve")
         t = theorem(m)
         found = []
@@ -282,8 +286,9 @@ def lowest_orders(m):
         return None if refused(m, lambda: found.append(t.lowest_order(d))) else found[0]
     f = of(NEAR)
     a, b = (1 << x.names[name] for name in ("a", "b"))
-    return (f is not None and f.family is x and f.classes == [NEAR, ORIGIN] and f.used == {"Morales-Ramis", "Ziglin 1982"}
+    return (f is not None and f.family is x and f.classes == [ORIGIN] and f.used == {"Morales-Ramis", "Ziglin 1982"}
             and f.integrals == ["line"] and [(dict(g), s) for g, s in f.region] == [({65 * a + 3 * b: 7, 2 * b: -1, a: 1}, "zero"), ({a: 1}, "positive")]
+            and of(REAL, NEAR).classes == of(REAL, ORIGIN).classes == [REAL, ORIGIN] and of(LEAVES).classes == [LEAVES, ORIGIN]
             and of(NEAR, LEAF) is None and of(LEAF) is None and of(NEAR, family=None) is None and of(kind="I") is None)
 
 

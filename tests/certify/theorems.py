@@ -174,8 +174,10 @@ def at_and_adjoined(top):
     top["steps"][-1]["tree"]["shown"] = [{"node": "empty", "terms": [["1", "p"]], "zeros": []}]
 
 
-def on_one_leaf(top):
-    """What is proved on the leaf of a phase curve, of the system of lowest order"""
+def on_one_leaf(top, casimirs=1):
+    """What is proved on the leaf of a phase curve, of the system of lowest order; with two Casimir functions, near the curve"""
+    claims = top["steps"][0]["certificate"]["claims"]
+    claims[:] = [x for x in claims if x["kind"] == "casimir"][:casimirs]
     whole = copy.deepcopy(top["systems"][0])
     whole["name"], whole["system"]["hamiltonian"][0] = "X", whole["system"]["hamiltonian"][0] + " + 6*Gamma1^2"
     top["systems"].append(whole)
@@ -397,7 +399,8 @@ CUBIC_TRAPS = {
     "a denominator of lowest order that is not shown": lambda t: to(step(t, "cubic"), "units", []),
     "another denominator": lambda t: to(step(t, "cubic")["units"][0], "zeros", [["1", "-2"]]),
 }
-RIGHT = {"small": small(), "small, a Lagrangian": changed(small(), with_lagrangian(FREE, ENERGY, SPEEDS)),
+RIGHT = {"small": small(), "small, lowest order with both Casimir functions": changed(small(), lambda t: on_one_leaf(t, 2)),
+         "small, a Lagrangian": changed(small(), with_lagrangian(FREE, ENERGY, SPEEDS)),
          "small, a Lagrangian of an inverse": changed(small(), one_lagrangian(["v1^2 + 2*u", "2"], ["p1^2 - 2*u", "2"], [
              ("v1", "p1", "p1")], [("u", "q1")])),
          "small, an inverse of a momentum in the bracket": changed(small(), one_lagrangian(["v1^2", "2"], ["p1^2", "2"], [

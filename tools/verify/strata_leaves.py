@@ -29,7 +29,8 @@ class Leaf:
 
     def __init__(self, s, d):
         self.s, self.by, self.absent = s, d["by"], {x["m"]: x for x in d["absent"] or []}
-        self.growth = d["growth"] and (d["growth"]["factor"], d["growth"]["shift"])
+        growth = d.get("growth")
+        self.growth = growth and (growth["factor"], growth["shift"])
         need(not self.growth or self.by == "separated", "the theorem has no growth")
         need(s.num and len(self.absent) == len(d["absent"] or []), "r is 0, or a degree occurs twice")
         self.content, self.qs, self.orders = factors(s, d["content"], d["places"])
