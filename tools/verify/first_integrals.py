@@ -48,7 +48,9 @@ class IntegralClass(NamedTuple):
 
     def has_rational(self):
         """Are rational functions in it?"""
-        return self.kind == "meromorphic" and self.place != "level" and not self.on_leaf and not self.without
+        here = self.kind == "rational" or self.kind == "meromorphic" and (
+            self.place == "curve" or self.place != "level" and not self.functions)
+        return here and self.liouville and not (self.on_leaf or self.without or self.frame)
 
     def sentence(self):
         text = self.kind + ("" if self.kind == "rational" else {
