@@ -100,6 +100,9 @@ public:
   [[nodiscard]] ClassifiedStratum operator()(ClassifiedStratum x) const {
     x.where = (*this)(x.where);
     x.special = (*this)(std::move(x.special));
+    for (auto& row : x.field_components)
+      for (MFraction& f : row)
+        f = transfer(f, all_.ring());
     for (FoundIntegral& f : x.integrals) {
       f.value = transfer(f.value, all_.ring());
       for (LogarithmicTerm& t : f.logarithms)

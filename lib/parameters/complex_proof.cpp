@@ -1,5 +1,7 @@
 #include "parameters/complex_proof.hpp"
 
+#include "certify/strata/arithmetic.hpp"
+
 #include <algorithm>
 #include <set>
 
@@ -231,23 +233,46 @@ private:
                            int depth) {
     budget_.check();
     if (auto end = proof_.contradiction(given)) return end;
-    for (std::size_t i = 0; i < atoms_.size(); ++i) {
-      if (known[i] != InTree::unknown) continue;
-      if (proof_.shown(given, atoms_[i]))
-        known[i] = InTree::yes;
-      else if (proof_.shown(given, negation(atoms_[i])))
-        known[i] = InTree::no;
+    const Basis basis(proof_.ring(), given, budget_);
+    const std::vector<MPoly> nonzero = nowhere_zero(given, basis);
+    for (std::size_t i = 0; i < atoms_.size(); ++i)
+      if (known[i] == InTree::unknown) known[i] = at_a_glance(atoms_[i], basis, nonzero);
+    for (;;) {
+      const std::size_t best = nearest(known);
+      if (best == regions_.size() || depth == 0) {
+        if (gap_) *gap_ = given;
+        return std::nullopt;
+      }
+      const auto& atoms = atoms_of_[best];
+      const auto open = std::find_if(atoms.begin(), atoms.end(), [&](std::size_t i) {
+        return known[i] == InTree::unknown;
+      });
+      if (open == atoms.end()) return leaf(given, regions_[best]);
+      known[*open] = look(given, atoms_[*open]);
+      if (known[*open] == InTree::unknown) return split(given, known, atoms_[*open].p, depth);
     }
-    const std::size_t best = nearest(known);
-    if (best == regions_.size() || depth == 0) {
-      if (gap_) *gap_ = given;
-      return std::nullopt;
-    }
-    const auto& atoms = atoms_of_[best];
-    const auto open = std::find_if(atoms.begin(), atoms.end(),
-                                   [&](std::size_t i) { return known[i] == InTree::unknown; });
-    if (open == atoms.end()) return leaf(given, regions_[best]);
-    return split(given, known, atoms_[*open].p, depth);
+  }
+  static std::vector<MPoly> nowhere_zero(const std::vector<Condition>& given, const Basis& basis) {
+    std::vector<MPoly> all;
+    for (const Condition& c : given)
+      if (is_nowhere_zero(c)) all.push_back(certify::primitive(basis.reduced(c.p).rest));
+    return all;
+  }
+  static InTree at_a_glance(const Condition& c, const Basis& basis,
+                            const std::vector<MPoly>& nonzero) {
+    const bool zero = c.sign == Sign::zero;
+    if (!zero && c.sign != Sign::nonzero) return InTree::unknown;
+    const MPoly rest = certify::primitive(basis.reduced(c.p).rest);
+    if (is_zero(rest)) return zero ? InTree::yes : InTree::no;
+    const bool known = is_constant(rest) ||
+                       std::any_of(nonzero.begin(), nonzero.end(),
+                                   [&](const MPoly& f) { return f == rest || f == -rest; });
+    if (!known) return InTree::unknown;
+    return zero ? InTree::no : InTree::yes;
+  }
+  [[nodiscard]] InTree look(const std::vector<Condition>& given, const Condition& c) const {
+    if (proof_.shown(given, c)) return InTree::yes;
+    return proof_.shown(given, negation(c)) ? InTree::no : InTree::unknown;
   }
   // The region that is not excluded and lacks least.
   [[nodiscard]] std::size_t nearest(const std::vector<InTree>& known) const {

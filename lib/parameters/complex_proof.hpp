@@ -13,6 +13,7 @@ public:
   ComplexProof(Ring ring, std::vector<bool> complex, Budget budget = {})
       : ring_(std::move(ring)), complex_(std::move(complex)), budget_(std::move(budget)) {}
 
+  [[nodiscard]] const Ring& ring() const { return ring_; }
   /// Errors  OutOfBudget
   [[nodiscard]] std::optional<Json> contradiction(const std::vector<Condition>& given) const;
   /// The same for the conditions and the negation of c.

@@ -47,7 +47,9 @@ public:
   std::string operator()() {
     find_constants();
     for (const ClassifiedStratum& x : c_.strata)
-      if (x.special.empty()) put(x);
+      if (x.special.empty() && x.status == StratumStatus::integrable) put_integrable(x);
+    put_excluded();
+    put_open();
     put_special();
     if (ids_.empty()) throw DomainError("there is no stratum");
     std::ostringstream out;
@@ -138,17 +140,36 @@ private:
 
   // ---- strata
 
-  void put(const ClassifiedStratum& x) {
-    switch (x.status) {
-    case StratumStatus::integrable:
-      return put_integrable(x);
-    case StratumStatus::excluded:
-      return put_excluded(x);
-    case StratumStatus::open:
-      begin("open", "open", "Open: " + title_of(where_of(x.where)));
-      nodes_ << "regions = [" << list_of(where_of(x.where).all()) << "]\n";
-      return;
-    }
+  // Few sets with the same union.
+  [[nodiscard]] std::vector<Where> few(const std::vector<const ClassifiedStratum*>& all) const {
+    std::vector<ParameterPlace> places;
+    for (const ClassifiedStratum* x : all)
+      places.push_back({x->where, {}});
+    std::vector<Where> wheres;
+    for (const ParameterPlace& p : in_few_words(std::move(places), c_.nonzero))
+      wheres.push_back(where_of(p.where));
+    return wheres;
+  }
+  void put_regions(const std::vector<Where>& all) {
+    std::string regions;
+    for (const Where& w : all)
+      regions += (regions.empty() ? "" : ", ") + list_of(w.all());
+    nodes_ << "regions = [" << regions << "]\n";
+  }
+  static std::string title_of(const std::vector<Where>& all) {
+    std::string text;
+    for (const Where& w : all)
+      text += (text.empty() ? "" : "; or ") + title_of(w);
+    return text;
+  }
+  void put_open() {
+    std::vector<const ClassifiedStratum*> open;
+    for (const ClassifiedStratum& x : c_.strata)
+      if (x.special.empty() && x.status == StratumStatus::open) open.push_back(&x);
+    if (open.empty()) return;
+    const auto wheres = few(open);
+    begin("open", "open", "Open: " + title_of(wheres));
+    put_regions(wheres);
   }
 
   void put_integrable(const ClassifiedStratum& x) {
@@ -157,7 +178,7 @@ private:
         std::any_of(x.integrals.begin(), x.integrals.end(),
                     [](const FoundIntegral& f) { return !f.logarithms.empty(); });
     const std::string step = "the first integrals " + integrals_text(x);
-    if (has_logarithms || !c_.variables.empty() || !x.fields.empty()) {
+    if (has_logarithms || !c_.variables.empty()) {
       begin("integrable", "trusted", "Integrable: " + title_of(w));
       nodes_ << "integrable = true\nstep  = " << toml_text(single_line(step)) << "\nregions = ["
              << list_of(w.all()) << "]\n";
@@ -167,6 +188,16 @@ private:
     nodes_ << "file  = " << toml_text(file_)
            << "\nintegrable = true\nstep  = " << toml_text(single_line(step)) << "\n";
     put_where(w);
+    if (!x.field_components.empty()) {
+      std::string rows;
+      for (const auto& row : x.field_components) {
+        Texts entries;
+        for (const MFraction& f : row)
+          entries.push_back(to_string(f));
+        rows += (rows.empty() ? "" : ", ") + list_of(entries);
+      }
+      nodes_ << "fields = [" << rows << "]\n";
+    }
     std::size_t k = 0;
     for (const FoundIntegral& f : x.integrals)
       nodes_ << "[[node.integral]]\nname  = " << toml_text(fresh("I" + std::to_string(++k)))
@@ -204,21 +235,60 @@ private:
     nodes_ << "integrals = { " << text << " }\n";
   }
 
-  void put_excluded(const ClassifiedStratum& x) {
-    const Where w = where_of(x.where);
-    const ExclusionReason& by = x.by.front();
-    const bool is_case = x.along && c_.variables.empty() && by.unchecked.empty();
-    begin("excluded", is_case ? "case" : "trusted", "Not integrable: " + title_of(w));
-    nodes_ << "step  = " << toml_text(step_of(by)) << "\n";
-    put_class(by.integrals);
-    if (!is_case) {
-      nodes_ << "regions = [" << list_of(w.all()) << "]\n";
-      return;
+  [[nodiscard]] bool is_case(const ClassifiedStratum& x) const {
+    return x.along && c_.variables.empty() && x.by.front().unchecked.empty();
+  }
+  // Those along one set, at one order: what excludes one of them may exclude all.
+  [[nodiscard]] bool are_together(const ClassifiedStratum& x, const ClassifiedStratum& y) const {
+    const ExclusionReason &a = x.by.front(), &b = y.by.front();
+    if (is_case(x) != is_case(y) || !(a.integrals == b.integrals) || a.unchecked != b.unchecked)
+      return false;
+    if (!is_case(x)) return step_of(a) == step_of(b);
+    return a.solution == b.solution && a.order == b.order &&
+           equations_of(x.along->levels) == equations_of(y.along->levels);
+  }
+  void put_excluded() {
+    std::vector<std::vector<const ClassifiedStratum*>> groups;
+    for (const ClassifiedStratum& x : c_.strata) {
+      if (!x.special.empty() || x.status != StratumStatus::excluded) continue;
+      const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& g) {
+        return are_together(*g.front(), x);
+      });
+      known == groups.end() ? groups.push_back({&x}) : known->push_back(&x);
     }
-    nodes_ << "file  = " << toml_text(file_) << "\n";
-    if (by.order > 1) nodes_ << "order = " << by.order << "\n";
-    put_where(w);
-    put_manifold(*x.along);
+    for (const auto& group : groups)
+      is_case(*group.front()) ? put_cases(group) : put_trusted(group);
+  }
+  // Of several steps, each once.
+  static std::string steps_of(const std::vector<const ClassifiedStratum*>& group) {
+    Texts steps;
+    for (const ClassifiedStratum* x : group)
+      if (const std::string step = step_of(x->by.front());
+          std::find(steps.begin(), steps.end(), step) == steps.end())
+        steps.push_back(step);
+    std::string text;
+    for (const std::string& step : steps)
+      text += (text.empty() ? "" : "; ") + step;
+    return text;
+  }
+  void put_trusted(const std::vector<const ClassifiedStratum*>& group) {
+    const auto wheres = few(group);
+    begin("excluded", "trusted", "Not integrable: " + title_of(wheres));
+    nodes_ << "step  = " << toml_text(step_of(group.front()->by.front())) << "\n";
+    put_class(group.front()->by.front().integrals);
+    put_regions(wheres);
+  }
+  void put_cases(const std::vector<const ClassifiedStratum*>& group) {
+    const ExclusionReason& by = group.front()->by.front();
+    for (const Where& w : few(group)) {
+      begin("excluded", "case", "Not integrable: " + title_of(w));
+      nodes_ << "step  = " << toml_text(steps_of(group)) << "\n";
+      put_class(by.integrals);
+      nodes_ << "file  = " << toml_text(file_) << "\n";
+      if (by.order > 1) nodes_ << "order = " << by.order << "\n";
+      put_where(w);
+      put_manifold(*group.front()->along);
+    }
   }
   void put_manifold(const ManifoldSpec& m) {
     const auto stated = [&](const ManifoldSpec& known) { return known.name == m.name; };

@@ -269,16 +269,16 @@ private:
               {"claims", json_list(std::move(claims))},
               {"fields", json_list(std::move(fields))},
               {"independent", m == 0 ? Json{} : minor(stratum, c, false, m, x)},
-              {"rank", minor(stratum, c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x)}});
+              {"rank", !bracket && m == d ? Json{} : minor(stratum, c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x)}});
     add_region(n.node.id, x);
   }
   // A multiple by what does not depend on the variables is an integral as well.
   certify::PhaseFunction function(const System& s, const MFraction& f, bool any_multiple = true) {
     if (is_zero(f)) return {MPoly(family_.ring()), Integer(1)};
     const auto used = used_variables(f.den());
-    const auto& x = s.field.coordinates;
-    const bool is_parametric = std::none_of(used.begin(), used.end(), [&](std::size_t i) {
-      return std::find(x.begin(), x.end(), i) != x.end();
+    const auto& p = s.field.parameters;
+    const bool is_parametric = std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+      return std::find(p.begin(), p.end(), i) != p.end();
     });
     const MFraction g = any_multiple && is_parametric ? MFraction(f.num()) : f;
     return family_.written(transfer(g, family_.system().ring()));

@@ -55,7 +55,16 @@ class Stratum:
             self.region
 
     def need_zero(self, f, why):
-        self.tower.need_zero(f, why)
+        """Cleared to 0, also modulo relations that are monic in a function of their own"""
+        p, space = self.cleared(f.p), self.space
+        functions = [space.at[s] for s in space.functions]
+        for v in reversed(functions):
+            for r in (self.put(r).p for r in space.relations) if p else ():
+                d = r.degree(v)
+                if d > 0 and max(r.variables() & set(functions)) == v and r.coefficients(v)[-1].constant() is not None:
+                    p = remainder(p, r, v, d)
+                    break
+        need(not p, why)
 
     def cleared(self, p):
         for x, _, h in reversed(self.tower.steps):
@@ -63,6 +72,15 @@ class Stratum:
             if n > 0:
                 p = p.substitute(x, h, ONE * -1, n)
         return p
+
+
+def remainder(p, r, v, d):
+    """A multiple of p by a number, less a multiple of r, of degree < d in v; the leading coefficient of r is a number."""
+    lead = r.coefficients(v)[-1].constant()
+    while p and p.degree(v) >= d:
+        top = p.coefficients(v)[-1]
+        p = p * lead - r * top * P({p.degree(v) - d << v: 1})
+    return p
 
 
 class Restriction:
@@ -90,7 +108,7 @@ class Restriction:
         self.need_same_system()
 
     def need_same(self, ours, theirs, why):
-        self.here.need_zero(self.here.put(ours) - compose(theirs, self.images), why)
+        self.here.tower.need_zero(self.here.put(ours) - compose(theirs, self.images), why)
 
     def need_same_functions(self):
         for s in self.y.functions:
@@ -177,9 +195,12 @@ def integrability(here, d):
     n, m, not_shown = len(space.coordinates), len(claims), []
     if space.hamiltonian is None:
         need_commuting(here, [space.field, *fields], slopes, fields)
-        need(1 + len(fields) + m == n, "not as many integrals as are needed")
         if m:
             need_minor(here, d["independent"], slopes, m, not_shown, "independence")
+        if m == n and not fields:                                               # all points are equilibria
+            need(d["rank"] is None, "no rank is asked for")
+            return here.family, claims, fields, not_shown
+        need(1 + len(fields) + m == n, "not as many integrals as are needed")
         need_minor(here, d["rank"], [space.field, *fields], 1 + len(fields), not_shown, "the rank")
         return here.family, claims, fields, not_shown
     need(not fields, "fields beside a bracket")

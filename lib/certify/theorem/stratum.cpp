@@ -75,6 +75,21 @@ public:
       return true;
     });
   }
+  /// Is f cleared to 0, also modulo relations that are monic in a function of their own?
+  [[nodiscard]] bool vanishes(const PhaseFunction& f) const {
+    MPoly p = cleared(f.p);
+    for (std::size_t v = s_.first_inverse(); v-- > s_.dimension && !is_zero(p);)
+      for (const MPoly& r : s_.relations)
+        if (const auto monic = monic_in(r, v)) {
+          Elimination e(in_.arithmetic());
+          const Coefficients rest = e.pseudo_remainder(coefficients(p, v), *monic);
+          p = MPoly(ring_);
+          for (std::size_t k = 0; k < rest.size(); ++k)
+            p = in_.arithmetic().plus(p, in_.arithmetic().times(rest[k], power(v, k)));
+          break;
+        }
+    return is_zero(p);
+  }
   /// f times all the denominators that its inverses need.
   [[nodiscard]] MPoly cleared(MPoly f) const {
     const auto& steps = tower_.steps();
@@ -88,6 +103,19 @@ public:
   }
 
 private:
+  // The coefficients of a relation in v, the last of its functions, if the leading one is a number.
+  [[nodiscard]] std::optional<Coefficients> monic_in(const MPoly& r, std::size_t v) const {
+    const MPoly here = put({r, Integer(1)}).p;
+    if (!uses(here, v)) return std::nullopt;
+    for (std::size_t w = v + 1; w < s_.first_inverse(); ++w)
+      if (uses(here, w)) return std::nullopt;
+    Coefficients all = coefficients(here, v);
+    if (all.size() < 2 || !is_constant(all.back())) return std::nullopt;
+    return all;
+  }
+  [[nodiscard]] MPoly power(std::size_t v, std::size_t e) const {
+    return pow(MPoly::variable(ring_, v), e);
+  }
   [[nodiscard]] Ring ring_with(std::vector<std::string> more) const {
     auto names = s_.ring->names();
     for (std::string& name : more)
@@ -394,7 +422,7 @@ private:
     all_.fields.push_back(std::move(y));
   }
   void need_zero(const PhaseFunction& f, const char* why) {
-    need(in_.on().tower().clears(in_.on().put(f)), why);
+    need(in_.on().vanishes(in_.on().put(f)), why);
   }
 
   // In involution; as many as the rank of the bracket asks for.
@@ -423,8 +451,12 @@ private:
     for (std::size_t i = 0; i < fields.size(); ++i)
       for (std::size_t j = i + 1; j < fields.size(); ++j)
         need_commute(fields[i], fields[j]);
-    need(fields.size() + rows.size() == s_.dimension, "not as many integrals as are needed");
     if (!rows.empty()) need_minor("independent", "independence", rows, rows.size());
+    if (rows.size() == s_.dimension && all_.fields.empty()) { // all points are equilibria
+      need(data_.at("rank").is_null(), "no rank is asked for");
+      return;
+    }
+    need(fields.size() + rows.size() == s_.dimension, "not as many integrals as are needed");
     need_minor("rank", "the rank", fields, fields.size());
   }
   void need_commute(const std::vector<PhaseFunction>& x, const std::vector<PhaseFunction>& y) {
