@@ -31,8 +31,8 @@ std::vector<std::string> fields_of(const System& s, const IntegralsOfSet& set) {
 // Of the set with these integrals.
 ClassifiedStratum stratum(Board& b, const Round& round, Piece piece, const IntegralsOfSet& set) {
   const System& s = round.system;
-  ClassifiedStratum x{std::move(piece.where), std::move(piece.special), StratumStatus::integrable,
-                      integrals_of(b, s, set), fields_of(s, set), set.fields};
+  ClassifiedStratum x{std::move(piece.where),  std::move(piece.special), StratumStatus::integrable,
+                      integrals_of(b, s, set), fields_of(s, set),        set.fields};
   for (const std::size_t c : adjoined_constants(s)) {
     const auto in_it = [&](const MFraction& f) { return uses(f, c); };
     const bool is_in_integrals =

@@ -244,9 +244,8 @@ private:
         return std::nullopt;
       }
       const auto& atoms = atoms_of_[best];
-      const auto open = std::find_if(atoms.begin(), atoms.end(), [&](std::size_t i) {
-        return known[i] == InTree::unknown;
-      });
+      const auto open = std::find_if(atoms.begin(), atoms.end(),
+                                     [&](std::size_t i) { return known[i] == InTree::unknown; });
       if (open == atoms.end()) return leaf(given, regions_[best]);
       known[*open] = look(given, atoms_[*open]);
       if (known[*open] == InTree::unknown) return split(given, known, atoms_[*open].p, depth);
@@ -264,9 +263,9 @@ private:
     if (!zero && c.sign != Sign::nonzero) return InTree::unknown;
     const MPoly rest = certify::primitive(basis.reduced(c.p).rest);
     if (is_zero(rest)) return zero ? InTree::yes : InTree::no;
-    const bool known = is_constant(rest) ||
-                       std::any_of(nonzero.begin(), nonzero.end(),
-                                   [&](const MPoly& f) { return f == rest || f == -rest; });
+    const bool known =
+        is_constant(rest) || std::any_of(nonzero.begin(), nonzero.end(),
+                                         [&](const MPoly& f) { return f == rest || f == -rest; });
     if (!known) return InTree::unknown;
     return zero ? InTree::no : InTree::yes;
   }

@@ -38,7 +38,8 @@ struct ClassifiedStratum {
   /// integrable, without a bracket: they commute with the field and with one another, and the
   /// integrals are constant along them
   std::vector<std::string> fields = {};
-  std::vector<std::vector<MFraction>> field_components = {}; ///< the same, in the order of the coordinates
+  std::vector<std::vector<MFraction>> field_components =
+      {};                                   ///< the same, in the order of the coordinates
   std::vector<ExclusionReason> by = {};     ///< excluded: each of them is enough
   std::vector<std::string> open_after = {}; ///< open: what was tried
   /// Algebraic constants, by their variables, in which integrals, fields or reasons may be written.

@@ -251,9 +251,8 @@ private:
     std::vector<std::vector<const ClassifiedStratum*>> groups;
     for (const ClassifiedStratum& x : c_.strata) {
       if (!x.special.empty() || x.status != StratumStatus::excluded) continue;
-      const auto known = std::find_if(groups.begin(), groups.end(), [&](const auto& g) {
-        return are_together(*g.front(), x);
-      });
+      const auto known = std::find_if(groups.begin(), groups.end(),
+                                      [&](const auto& g) { return are_together(*g.front(), x); });
       known == groups.end() ? groups.push_back({&x}) : known->push_back(&x);
     }
     for (const auto& group : groups)

@@ -246,7 +246,7 @@ private:
     for (const SystemClaim& claim : s.claims) {
       if (claim.kind != SystemClaim::Kind::integral || !claim.on.empty()) continue;
       const certify::PhaseFunction f = function(s, claim.value);
-      c.claims.emplace_back(claim.name, f);
+      c.claims.emplace_back(claim.name, in_judge(f));
       claims.push_back(
           Json{Json::Object{{"name", json_text(claim.name)}, {"value", certify::to_json(f)}}});
     }
@@ -254,23 +254,32 @@ private:
       std::vector<Json> entries;
       c.fields.emplace_back();
       for (const std::string& text : row) {
-        c.fields.back().push_back(function(s, formula(s, text), false));
-        entries.push_back(certify::to_json(c.fields.back().back()));
+        const certify::PhaseFunction f = function(s, formula(s, text), false);
+        c.fields.back().push_back(in_judge(f));
+        entries.push_back(certify::to_json(f));
       }
       fields.push_back(json_list(std::move(entries)));
     }
     const std::size_t d = checked_.system.dimension, m = c.claims.size();
     const bool bracket = checked_.system.hamiltonian.has_value();
     if (bracket && (m > d || 2 * m < d)) throw DomainError("too few first integrals");
-    put_step(n.node.id, "integrable",
-             {{"system", json_text(name_)},
-              {"at", x.at},
-              {"region", json_conditions(x.region)},
-              {"claims", json_list(std::move(claims))},
-              {"fields", json_list(std::move(fields))},
-              {"independent", m == 0 ? Json{} : minor(stratum, c, false, m, x)},
-              {"rank", !bracket && m == d ? Json{} : minor(stratum, c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x)}});
+    put_step(
+        n.node.id, "integrable",
+        {{"system", json_text(name_)},
+         {"at", x.at},
+         {"region", json_conditions(x.region)},
+         {"claims", json_list(std::move(claims))},
+         {"fields", json_list(std::move(fields))},
+         {"independent", m == 0 ? Json{} : minor(stratum, c, false, m, x)},
+         {"rank", !bracket && m == d
+                      ? Json{}
+                      : minor(stratum, c, true, bracket ? 2 * (d - m) : 1 + c.fields.size(), x)}});
     add_region(n.node.id, x);
+  }
+  // In the names of the family as the judge has read it.
+  [[nodiscard]] certify::PhaseFunction in_judge(const certify::PhaseFunction& f) const {
+    const Ring& ring = checked_.system.ring;
+    return {is_zero(f.p) ? MPoly(ring) : transfer(MFraction(f.p), ring).num(), f.n};
   }
   // A multiple by what does not depend on the variables is an integral as well.
   certify::PhaseFunction function(const System& s, const MFraction& f, bool any_multiple = true) {
@@ -287,15 +296,13 @@ private:
   // A minor with a coefficient that is not 0 on the stratum; null: it is on trust.
   Json minor(const certify::FamilyStratum& stratum, const certify::ClaimedIntegrals& c, bool rank,
              std::size_t size, const Place12& x) {
-    if (!checked_.system.functions.empty() || !checked_.system.relations.empty()) return {};
     const std::size_t d = checked_.system.dimension;
     constexpr std::size_t most_tries = 200;
     std::vector<std::size_t> columns;
     for (std::size_t i = 0; i < size; ++i)
       columns.push_back(i);
     for (std::size_t tries = 0; tries < most_tries && size <= d; ++tries) {
-      certify::Arithmetic a;
-      if (auto found = coefficient(certify::minor_of(stratum, c, rank, columns, a), x)) {
+      if (auto found = coefficient(minor_polynomial(stratum, c, rank, columns), x)) {
         std::vector<Json> names;
         for (const std::size_t i : columns)
           names.push_back(json_text(checked_.system.ring->name(i)));
@@ -305,6 +312,17 @@ private:
       if (!next(columns, d)) break;
     }
     return {};
+  }
+  // 0 where the format has no rule for its functions.
+  [[nodiscard]] MPoly minor_polynomial(const certify::FamilyStratum& stratum,
+                                       const certify::ClaimedIntegrals& c, bool rank,
+                                       const std::vector<std::size_t>& columns) const {
+    try {
+      certify::Arithmetic a;
+      return certify::minor_of(stratum, c, rank, columns, a);
+    } catch (const certify::Refused&) {
+      return MPoly(family_.ring());
+    }
   }
   static bool next(std::vector<std::size_t>& columns, std::size_t d) {
     const std::size_t n = columns.size();
@@ -334,12 +352,16 @@ private:
     constexpr std::size_t most_tries = 30;
     for (std::size_t k = 0; k < sorted.size() && k < most_tries; ++k) {
       const auto& [monomial, c] = sorted[k];
-      auto node = proof_.shown(x.given, {family_.moved({c, Sign::nonzero}).p, Sign::nonzero});
+      const MPoly value = certify::primitive(family_.moved({c, Sign::nonzero}).p);
+      if (is_zero(value)) continue;
+      auto node = proof_.shown(x.given, {value, Sign::nonzero});
       if (!node) continue;
       std::vector<Json> exponents;
       for (const unsigned long e : monomial)
         exponents.push_back(json_text(std::to_string(e)));
-      return Json::Object{{"monomial", json_list(std::move(exponents))}, {"by", *std::move(node)}};
+      return Json::Object{{"monomial", json_list(std::move(exponents))},
+                          {"value", json_text(to_string(value))},
+                          {"by", *std::move(node)}};
     }
     return std::nullopt;
   }

@@ -4,7 +4,7 @@ from itertools import combinations
 
 from certificate_format import Malformed, need, read
 from first_integrals import IntegralClass
-from multivariate import FIELD, MASK, ONE, P
+from multivariate import FIELD, MASK, ONE, P, parse, ratio, resultant
 from phase_space import Function, total
 from real_proof import refute, show
 from strata_format import NAME
@@ -54,17 +54,34 @@ class Stratum:
         return [(P({1 << v: self.values[x].n}) - self.values[x].p, "zero") for x, v in names.items() if x in self.values] + \
             self.region
 
+    def monic(self, v):
+        """A relation with v as the last of its functions, whose leading coefficient in v is a number; or None"""
+        functions = {self.space.at[s] for s in self.space.functions}
+        for r in self.space.relations:
+            p = self.put(r).p
+            if p.degree(v) > 0 and max(p.variables() & functions) == v and p.coefficients(v)[-1].constant() is not None:
+                return p
+        return None
+
     def need_zero(self, f, why):
         """Cleared to 0, also modulo relations that are monic in a function of their own"""
-        p, space = self.cleared(f.p), self.space
-        functions = [space.at[s] for s in space.functions]
-        for v in reversed(functions):
-            for r in (self.put(r).p for r in space.relations) if p else ():
-                d = r.degree(v)
-                if d > 0 and max(r.variables() & set(functions)) == v and r.coefficients(v)[-1].constant() is not None:
-                    p = remainder(p, r, v, d)
-                    break
+        p = self.cleared(f.p)
+        for s in reversed(self.space.functions):
+            v = self.space.at[s]
+            r = self.monic(v) if p else None
+            if r:
+                p = remainder(p, r, v, r.degree(v))
         need(not p, why)
+
+    def norm(self, p):
+        """Without functions, and not 0 only where p is not, for all branches of these: resultants with such relations"""
+        for s in reversed(self.space.functions):
+            v = self.space.at[s]
+            if p.degree(v) > 0:
+                r = self.monic(v)
+                need(r is not None, "a minor with functions")
+                p = resultant(r, p, v)
+        return p
 
     def cleared(self, p):
         for x, _, h in reversed(self.tower.steps):
@@ -234,14 +251,13 @@ def need_minor(here, v, rows, size, not_shown, what):
         not_shown.append(what)
         return
     space = here.space
-    d = read({"columns": ["text"], "monomial": ["int"], "by": "any"}, v, "minor")
-    need(not space.functions and not space.relations, "a minor with functions")
+    d = read({"columns": ["text"], "monomial": ["int"], "value": "text", "by": "any"}, v, "minor")
     columns = d["columns"]
     need(all(x in space.coordinates for x in columns) and len(set(columns)) == len(columns), "a coordinate is expected")
     need(len(columns) == size <= MINOR, "a minor of another size")
     columns = [space.coordinates.index(x) for x in columns]
     chosen = rows if len(rows) == size else [rows[i] for i in columns]
-    p = here.cleared(determinant([[here.put(row[j]) for j in columns] for row in chosen]).p)
+    p = here.norm(here.cleared(determinant([[here.put(row[j]) for j in columns] for row in chosen]).p))
     right(len(d["monomial"]) == len(space.coordinates), "an exponent for each coordinate is expected")
     rest, names = P(), set(here.family.names.values())
     for k, c in p.items():
@@ -249,7 +265,9 @@ def need_minor(here, v, rows, size, not_shown, what):
             k -= sum(e << FIELD * j for j, e in enumerate(d["monomial"]))
             rest += P({k: c})
     need(rest.variables() <= names, "a name that is no parameter")
-    show(rest, "nonzero", d["by"], here.given, here.family.names)
+    value = parse(d["value"], here.family.names)
+    need(ratio(rest, value) not in (None, 0) if value else not rest, "another coefficient")
+    show(value, "nonzero", d["by"], here.given, here.family.names)
 
 
 def determinant(m):

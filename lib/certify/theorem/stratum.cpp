@@ -90,6 +90,21 @@ public:
         }
     return is_zero(p);
   }
+  /// A polynomial without functions that is not 0 only where f is not, for all branches of these: the
+  /// resultants with relations that are monic in a function of their own.
+  [[nodiscard]] MPoly norm(MPoly f) const {
+    for (std::size_t v = s_.first_inverse(); v-- > s_.dimension;) {
+      if (!uses(f, v)) continue;
+      std::optional<Coefficients> monic;
+      for (const MPoly& r : s_.relations)
+        if (!monic) monic = monic_in(r, v);
+      need(monic.has_value(), "a minor with functions");
+      Elimination e(in_.arithmetic());
+      const Coefficients rest = e.pseudo_remainder(coefficients(f, v), *monic);
+      f = rest.empty() ? MPoly(ring_) : rest.size() == 1 ? rest[0] : e.resultant(*monic, rest);
+    }
+    return f;
+  }
   /// f times all the denominators that its inverses need.
   [[nodiscard]] MPoly cleared(MPoly f) const {
     const auto& steps = tower_.steps();
@@ -358,7 +373,7 @@ public:
       for (const std::size_t j : columns)
         m.back().push_back(on_.put(row[j]));
     }
-    return on_.cleared(determinant(m).p);
+    return on_.norm(on_.cleared(determinant(m).p));
   }
 
 private:
@@ -474,13 +489,14 @@ private:
       all_.not_shown.emplace_back(what);
       return;
     }
-    need(s_.functions.empty() && s_.relations.empty(), "a minor with functions");
     Keys k(n);
     const auto columns = coordinates(k.at("columns"));
     need(columns.size() == size && size <= max_minor, "a minor of another size");
-    const MPoly c = coefficient(in_.minor(rows, columns), k.at("monomial"));
+    const MPoly c = primitive(coefficient(in_.minor(rows, columns), k.at("monomial")));
+    const MPoly value = read_poly(s_.ring, k.at("value"));
+    need(c == primitive(value) || c == -primitive(value), "another coefficient");
     RealProof proof = x_.family->proof(a_, nodes_);
-    proof.show({c, Sign::nonzero}, k.at("by"), in_.on().given());
+    proof.show({value, Sign::nonzero}, k.at("by"), in_.on().given());
     k.done();
   }
   [[nodiscard]] std::vector<std::size_t> coordinates(const Node& n) const {
