@@ -71,6 +71,7 @@ struct SystemClassification {
   /// Algebraic constants that the file does not have: what is said holds for each of the roots.
   std::vector<std::string> constants;
   std::vector<MPoly> nonzero;   ///< those of them that say what does not vanish
+  Assumptions known;            ///< all of them as values
   std::vector<MPoly> relations; ///< of the algebraic constants: each set satisfies them
   std::optional<AlmostAll> almost_all;
   std::vector<std::string> theorems; ///< of the literature that are used

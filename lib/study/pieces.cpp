@@ -122,6 +122,7 @@ ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& lev
       all = all.where_zero(p);
       told.relations.push_back(p);
     }
+  told.known = assumptions_on(s, s.ring());
   for (const Assumption& a : s.assumptions) {
     using Relation = Assumption::Relation;
     if (!in_parameters(a.value.num()) || !in_parameters(a.value.den())) continue; // of a level

@@ -1,6 +1,7 @@
 #include "study/places.hpp"
 
 #include "exact/error.hpp"
+#include "parameters/signs.hpp"
 #include "study/parameter_split.hpp"
 #include "study/pieces.hpp"
 #include "system/vector_field.hpp"
@@ -62,8 +63,9 @@ bool agree(const ParameterPlace& large, const ParameterPlace& small) {
 
 class Union {
 public:
-  Union(std::vector<ParameterPlace> all, const std::vector<MPoly>& assumed)
-      : all_(std::move(all)), assumed_(assumed) {}
+  Union(std::vector<ParameterPlace> all, const std::vector<MPoly>& assumed,
+        const Assumptions& known)
+      : all_(std::move(all)), assumed_(assumed), known_(known) {}
 
   std::vector<ParameterPlace> simplified() {
     for (std::size_t i = 0; i < all_.size(); ++i)
@@ -75,18 +77,41 @@ public:
   }
 
 private:
+  // First those whose hole is empty: they may need the others for that.
   bool drop_an_inequation(std::size_t i) {
+    return drop_one(i,
+                    [&](const ParameterSet& hole, const MPoly&) { return has_no_point(hole); }) ||
+           drop_one(i, [&](const ParameterSet& hole, const MPoly& p) {
+             return may_be_dropped(i, p) || is_on_another(hole, i);
+           });
+  }
+  template <class Promising> bool drop_one(std::size_t i, const Promising& promising) {
     const ParameterPlace here = all_[i];
     for (const MPoly& p : here.where.inequations()) {
       if (is_assumed(p)) continue;
       ParameterPlace larger{without_condition(here.where, p), here.special};
-      const ParameterSet more = larger.where.where_zero(p);
-      if (!may_be_dropped(i, p) && !is_on_another(more, i)) continue;
-      if (!more.is_empty() && !without(more, agreeing_with(larger, i)).empty()) continue;
+      const ParameterSet hole = larger.where.where_zero(p);
+      if (!promising(hole, p) || !is_covered_by(hole, agreeing_with(larger, i))) continue;
       all_[i] = std::move(larger);
       return true;
     }
     return false;
+  }
+  [[nodiscard]] bool is_covered_by(const ParameterSet& set,
+                                   const std::vector<ParameterSet>& covers) const {
+    if (has_no_point(set)) return true;
+    const auto left = without(set, covers);
+    return std::all_of(left.begin(), left.end(),
+                       [&](const ParameterSet& part) { return has_no_point(part); });
+  }
+  // True only if proved: no values, or an equation of which the assumptions and inequations give the sign.
+  [[nodiscard]] bool has_no_point(const ParameterSet& set) const {
+    if (set.is_empty()) return true;
+    if (known_.real.empty() && known_.conditions.empty()) return false;
+    const SignProver signs(set.ring(), known_.conditions, set.inequations(), known_.real);
+    const auto equations = set.equations();
+    return std::any_of(equations.begin(), equations.end(),
+                       [&](const MPoly& f) { return signs.sign_of(f) != 0; });
   }
   [[nodiscard]] bool is_assumed(const MPoly& p) const {
     return std::find(assumed_.begin(), assumed_.end(), p) != assumed_.end();
@@ -121,22 +146,24 @@ private:
   }
   bool is_covered(const ParameterPlace& small, std::size_t i) const {
     for (std::size_t j = 0; j < all_.size(); ++j)
-      if (j != i && agree(all_[j], small) && without(small.where, {all_[j].where}).empty())
+      if (j != i && agree(all_[j], small) && is_covered_by(small.where, {all_[j].where}))
         return true;
     return false;
   }
 
   std::vector<ParameterPlace> all_;
   const std::vector<MPoly>& assumed_;
+  const Assumptions& known_;
 };
 
 } // namespace
 
 std::vector<ParameterPlace> in_few_words(std::vector<ParameterPlace> all,
-                                         const std::vector<MPoly>& assumed) {
+                                         const std::vector<MPoly>& assumed,
+                                         const Assumptions& known) {
   if (all.size() > most_places) return all;
   try {
-    return Union(all, assumed).simplified();
+    return Union(all, assumed, known).simplified();
   } catch (const OutOfBudget&) {
     return all;
   } catch (const DomainError&) { // a condition has no meaning where it was looked at

@@ -106,7 +106,7 @@ std::vector<std::string> conditions(const SystemClassification& c, const Classif
 
 std::vector<std::string> texts_of(const SystemClassification& c, std::vector<ParameterPlace> all) {
   if (c.at_work.empty())
-    all = in_few_words(std::move(all), c.nonzero); // on the way that takes too long
+    all = in_few_words(std::move(all), c.nonzero, c.known); // on the way that takes too long
   std::vector<std::string> texts;
   for (const ParameterPlace& p : all)
     texts.push_back(joined(conditions(c, {p.where, p.special})));

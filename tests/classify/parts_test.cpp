@@ -155,6 +155,34 @@ TEST_F(Parts, HolesAreTold) {
   EXPECT_EQ(in_few_words({{outside, {odd}}, {all_.where_zero(b_), {}}}).size(), 2U);
 }
 
+// a^2 + b^2 = 0 has real points with b = 0 only, and many others.
+TEST_F(Parts, HolesWithoutRealPoints) {
+  const MPoly squares = a_ * a_ + b_ * b_;
+  const ParameterSet hole = all_.where_nonzero(squares);
+  const ParameterSet away = all_.where_nonzero(b_).where_nonzero(squares);
+  const auto left = [](const std::vector<ParameterPlace>& all) {
+    return inequations(all.front().where).size();
+  };
+  Assumptions real;
+  real.real = {0, 1};
+  EXPECT_EQ(left(in_few_words({{away, {}}}, {}, real)), 1U);
+  EXPECT_EQ(left(in_few_words({{hole, {}}}, {}, real)), 1U); // a = b = 0
+  EXPECT_EQ(left(in_few_words({{away, {}}})), 2U);
+  Assumptions one;
+  one.real = {1};
+  EXPECT_EQ(left(in_few_words({{away, {}}}, {}, one)), 2U); // a = i*b
+  const ParameterSet axis = all_.where_zero(b_);
+  const auto both = in_few_words({{away, {}}, {axis, {}}}, {}, real);
+  ASSERT_EQ(both.size(), 1U);
+  EXPECT_EQ(left(both), 0U);
+  EXPECT_EQ(in_few_words({{away, {}}, {axis, {}}}).size(), 2U);
+  Assumptions positive; // a > 0: a = -b^2 is nowhere
+  positive.real = {0, 1};
+  positive.require(MFraction(a_), Sign::positive);
+  EXPECT_EQ(left(in_few_words({{all_.where_nonzero(a_ + b_ * b_), {}}}, {}, positive)), 0U);
+  EXPECT_EQ(left(in_few_words({{all_.where_nonzero(a_ - b_ * b_), {}}}, {}, positive)), 1U);
+}
+
 // The union stays the same at each point.
 TEST_F(Parts, FewWordsSayTheSame) {
   const std::vector<MPoly> cuts{a_, b_, a_ - b_, a_ - number(1), a_ * b_ - number(2)};

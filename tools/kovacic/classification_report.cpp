@@ -68,6 +68,26 @@ bool same(const ExclusionReason& a, const ExclusionReason& b, ExcludedFor what) 
 
 } // namespace
 
+std::vector<Alike> alike(const SystemClassification& c, StratumStatus status) {
+  std::vector<Alike> all;
+  std::vector<std::vector<ParameterPlace>> where;
+  for (const ClassifiedStratum& s : c.strata) {
+    if (s.status != status) continue;
+    std::size_t i = 0;
+    while (i < all.size() && !(integrals_text(*all[i].first) == integrals_text(s) &&
+                               all[i].first->open_after == s.open_after))
+      ++i;
+    if (i == all.size()) {
+      all.push_back({&s, {}});
+      where.emplace_back();
+    }
+    where[i].push_back({s.where, s.special});
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].where = texts_of(c, std::move(where[i]));
+  return all;
+}
+
 std::vector<ExcludedTogether> excluded_together(const SystemClassification& c, ExcludedFor what) {
   std::vector<ExcludedTogether> all;
   std::vector<std::vector<ParameterPlace>> where;

@@ -36,7 +36,8 @@ void put_below(std::ostream& out, const std::string& text) {
   out << "              " << wrapped(text, 16) << '\n';
 }
 
-constexpr std::size_t five_lines = 430;
+constexpr std::size_t five_lines = 430, two_lines = 170;
+constexpr long most_open = 10;         // lines
 constexpr long most_lines = 36;        // with all reasons; fewer lines follow
 constexpr std::size_t most_shown = 12; // of the strata with one status, of the reasons to exclude
 
@@ -44,30 +45,6 @@ constexpr std::size_t most_shown = 12; // of the strata with one status, of the 
 std::string beginning(const std::string& text, bool all) {
   if (all || text.size() <= five_lines) return text;
   return text.substr(0, five_lines) + " ... (--verbose shows the rest)";
-}
-
-void print(const SystemClassification& c, const ClassifiedStratum& s, bool verbose,
-           std::ostream& out) {
-  put_wide(out, to_string(s.status), beginning(where_text(c, s), verbose));
-  if (const std::string with = integrals_text(s); !with.empty()) put_below(out, "with " + with);
-  for (const std::string& tried : s.open_after)
-    put_below(out, beginning(tried, verbose));
-}
-
-void print_all(const SystemClassification& c, StratumStatus status, bool verbose,
-               std::ostream& out) {
-  std::size_t shown = 0, more = 0;
-  for (const ClassifiedStratum& x : c.strata) {
-    if (x.status != status) continue;
-    if (verbose || shown < most_shown) {
-      print(c, x, verbose, out);
-      ++shown;
-    } else {
-      ++more;
-    }
-  }
-  if (more > 0)
-    put_wide(out, to_string(status), std::to_string(more) + " more (--verbose names them)");
 }
 
 // Many sets with long conditions fill pages, and the theorem says "elsewhere".
@@ -82,6 +59,43 @@ std::string some_of(const std::vector<std::string>& sets, bool all) {
     text += next;
   }
   return text;
+}
+
+void print_all(const SystemClassification& c, StratumStatus status, bool verbose,
+               std::ostream& out) {
+  const auto all = alike(c, status);
+  const std::size_t shown = verbose ? all.size() : std::min(all.size(), most_shown);
+  for (std::size_t i = 0; i < shown; ++i) {
+    put_wide(out, to_string(status), some_of(all[i].where, verbose));
+    if (const std::string with = integrals_text(*all[i].first); !with.empty())
+      put_below(out, "with " + with);
+    for (const std::string& tried : all[i].first->open_after)
+      put_below(out, beginning(tried, verbose));
+  }
+  if (shown < all.size())
+    put_wide(out, to_string(status),
+             std::to_string(all.size() - shown) + " more (--verbose names them)");
+}
+
+// Where nothing is decided, and what was tried on the first of these sets.
+std::string open_in_brief(const SystemClassification& c) {
+  std::ostringstream out;
+  put_wide(out, "open", some_of(places(c, {StratumStatus::open}), false));
+  const auto all = alike(c, StratumStatus::open);
+  const std::string tried = joined(all.front().first->open_after, "; ");
+  put_below(out,
+            "tried: " + (tried.size() > two_lines ? tried.substr(0, two_lines) + " ..." : tried) +
+                " (--verbose lists all that was tried)");
+  return out.str();
+}
+
+// One set as it is; of several, which would fill a page, where they are.
+std::string open_sets(const SystemClassification& c, bool verbose) {
+  std::ostringstream out;
+  print_all(c, StratumStatus::open, verbose, out);
+  const std::string full = out.str();
+  return verbose || std::count(full.begin(), full.end(), '\n') <= most_open ? full
+                                                                            : open_in_brief(c);
 }
 
 // The strata that one equation excludes, together.
@@ -129,7 +143,7 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
       put_below(out, reason_of(c.almost_all->by));
     }
     print_all(c, StratumStatus::integrable, verbose, out);
-    print_all(c, StratumStatus::open, verbose, out);
+    out << open_sets(c, verbose);
     const std::string full = excluded_in_full(c, verbose);
     const std::string before = out.str();
     const bool too_long = std::count(before.begin(), before.end(), '\n') +
