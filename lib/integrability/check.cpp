@@ -118,9 +118,10 @@ void decide_exceptions(const Study& study, std::vector<BlockReport>& all, Failur
   }
 }
 
-void ask_matrices(const Study& study, ManifoldReport& report, Failure& failure) {
+void ask_matrices(const Study& study, ManifoldReport& report, Failure& failure,
+                  void (*ask)(const Study&, ManifoldReport&) = ask_the_matrices) {
   try {
-    ask_the_matrices(study, report);
+    ask(study, report);
   } catch (const Contradiction&) {
     throw;
   } catch (const InternalError& error) {
@@ -210,6 +211,7 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
       report.not_studied = component_left_out(study, report);
       const std::string open = components_not_checked(study, report);
       report.not_checked += (report.not_checked.empty() || open.empty() ? "" : "; ") + open;
+      if (!options.along_the_curve) ask_matrices(study, report, failure, ask_with_the_casimir);
     }
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::undecided &&
         !has_large_block(report))

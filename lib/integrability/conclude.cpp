@@ -197,7 +197,8 @@ bool excludes_integrals(const ManifoldReport& report) {
 }
 
 TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
-  TheoremUsed by = used(s.field.poisson ? morales_ramis() : ayoul_zung());
+  const bool of_manifold = report.matrices && report.matrices->keeps_casimirs;
+  TheoremUsed by = used(s.field.poisson && !of_manifold ? morales_ramis() : ayoul_zung());
   by.integrals = excluded_integrals(s, report);
   if (!report.not_checked.empty()) by.hypotheses.push_back({report.not_checked, Settled::open, ""});
   return by;

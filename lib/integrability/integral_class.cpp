@@ -153,7 +153,11 @@ IntegralClass excluded_integrals(const System& s, const ManifoldReport& report, 
 
 IntegralClass excluded_integrals(const System& s, const ManifoldReport& report) {
   // Matrices: loops on the curve itself, but for coordinates that are left out.
-  if (report.matrices) return excluded_integrals(s, report, Near::curve, false);
+  if (report.matrices) {
+    IntegralClass c = excluded_integrals(s, report, Near::curve, false);
+    if (report.matrices->keeps_casimirs) c.on_leaf = false;
+    return c;
+  }
   const NonAbelian by = what_decides(report);
   return by.any ? excluded_integrals(s, report, by.near, by.sl2)
                 : near_the_leaf(along(s, report.name, by.near, {}), s, report);

@@ -56,6 +56,7 @@ struct Part {
   LinearSystem system;
   std::vector<std::string> block; ///< empty: the whole
   std::vector<MPoly> divisors;    ///< of the derivation
+  bool keeps_casimirs = false;    ///< on the whole Poisson manifold
 };
 
 std::optional<MatrixEvidence> matrices_of(const System& s, const InvariantManifold& manifold,
@@ -64,8 +65,15 @@ std::optional<MatrixEvidence> matrices_of(const System& s, const InvariantManifo
   const auto m = monodromy::monodromy(v.system, {digits, {}, budget});
   auto proof = prove_non_abelian(v.system, m, budget);
   if (!proof) return std::nullopt;
-  MatrixEvidence found{
-      *std::move(proof), part.block, v.system.size(), v.names, v.change, {}, {}, {}};
+  MatrixEvidence found{*std::move(proof),
+                       part.block,
+                       v.system.size(),
+                       v.names,
+                       v.change,
+                       part.keeps_casimirs,
+                       {},
+                       {},
+                       {}};
   const LoopsProof written = not_abelian_certificate(
       found.proof, "the variational equation of " + s.file + " along " + manifold.name, v.system, m,
       budget);
@@ -108,12 +116,49 @@ std::vector<Part> large_blocks(const Study& study, const ManifoldReport& report)
   return all;
 }
 
+// The normal part with f = dF for the Casimir function F that took an unknown u away: f' = 0, and u is
+// put in from f = sum c_i y_i.  (f = 0 is the reduced system.)
+std::optional<Part> with_the_casimir(const Study& study, const ManifoldReport& report) {
+  const auto& gone = report.reduced.eliminations;
+  if (gone.size() != 1 || !gone.front().casimir) return std::nullopt;
+  const LinearSystem& normal = report.normal.system;
+  const auto& all = report.normal.integrals;
+  const auto f = std::find_if(all.begin(), all.end(), [&](const LinearIntegral& x) {
+    return x.casimir && x.name == gone.front().integral;
+  });
+  const auto u = std::find(normal.names.begin(), normal.names.end(), gone.front().unknown);
+  if (f == all.end() || u == normal.names.end()) return std::nullopt;
+  const auto e = static_cast<std::size_t>(u - normal.names.begin());
+  const MFraction& c = f->coefficients[e];
+  if (is_zero(c)) return std::nullopt;
+  const MFraction zero(study.system.ring());
+  Part part{{}, {}, divisors_of(study, report), true};
+  const auto& more = report.normal.divisors;
+  part.divisors.insert(part.divisors.end(), more.begin(), more.end());
+  add_divisors(part.divisors, c);
+  LinearSystem& kept = part.system;
+  for (std::size_t i = 0; i < normal.names.size(); ++i) {
+    if (i == e) continue;
+    kept.names.push_back(normal.names[i]);
+    auto& row = kept.a.emplace_back();
+    for (std::size_t j = 0; j < normal.names.size(); ++j)
+      if (j != e) row.push_back(normal.a[i][j] - normal.a[i][e] * f->coefficients[j] / c);
+    row.push_back(normal.a[i][e] / c);
+  }
+  kept.names.push_back("d" + f->name);
+  kept.a.emplace_back(kept.names.size(), zero);
+  part.block = kept.names;
+  return part;
+}
+
 // Of a Poisson system the variation on the leaf is needed.
 bool is_on_one_leaf(const System& s) {
   return s.kind == SystemKind::hamiltonian || !s.field.poisson;
 }
 
-std::optional<MatrixEvidence> matrices_at(const Study& general, const Substitution& level,
+enum class Of : std::uint8_t { leaf, manifold };
+
+std::optional<MatrixEvidence> matrices_at(const Study& general, const Substitution& level, Of what,
                                           const Budget& budget) {
   const System s = at_values(general.system, level);
   const ManifoldSpec spec = at_values(general.manifold, level);
@@ -131,8 +176,13 @@ std::optional<MatrixEvidence> matrices_at(const Study& general, const Substituti
     } catch (const DomainError&) {
     }
   };
-  if (is_on_one_leaf(s)) look({variational_equations(s.field, *report.manifold), {}, {}});
-  if (!found) {
+  if (what == Of::manifold) {
+    linearise(study, report);
+    if (const auto part = with_the_casimir(study, report)) look(*part);
+  } else if (is_on_one_leaf(s)) {
+    look({variational_equations(s.field, *report.manifold), {}, {}});
+  }
+  if (!found && what == Of::leaf) {
     linearise(study, report);
     for (const Part& part : large_blocks(study, report))
       look(part);
@@ -146,14 +196,16 @@ std::optional<MatrixEvidence> matrices_at(const Study& general, const Substituti
 
 } // namespace
 
-void ask_the_matrices(const Study& study, ManifoldReport& report) {
+namespace {
+
+void ask(const Study& study, ManifoldReport& report, Of what) {
   if (!report.manifold || !has_only_levels(study.system)) return;
   const Budget budget = at_most(part_of_the_work(study.options.decide.budget, 0.5), most_work);
   for (const Rational& value : {Rational(1), Rational(2), Rational(-1, 3)}) {
     const Substitution level = at_level(study.system, study.manifold, value);
     try {
       if (!is_admitted(study.system, level)) continue;
-      if (auto found = matrices_at(study, level, budget)) {
+      if (auto found = matrices_at(study, level, what, budget)) {
         report.matrices = std::make_shared<const MatrixEvidence>(*std::move(found));
         return;
       }
@@ -165,12 +217,27 @@ void ask_the_matrices(const Study& study, ManifoldReport& report) {
   }
 }
 
+// With a finite group on the leaf the variation of a Casimir function adds a vector group only.
+bool may_have_more(const ManifoldReport& report) {
+  return std::any_of(report.blocks.begin(), report.blocks.end(), [](const BlockReport& b) {
+    return b.decision && b.decision->component && *b.decision->component != Connected::trivial;
+  });
+}
+
+} // namespace
+
+void ask_the_matrices(const Study& study, ManifoldReport& report) { ask(study, report, Of::leaf); }
+
+void ask_with_the_casimir(const Study& study, ManifoldReport& report) {
+  if (study.system.field.poisson && may_have_more(report)) ask(study, report, Of::manifold);
+}
+
 std::string equation_of(const MatrixEvidence& by) {
   if (by.part.empty()) return "the whole variational equation";
   std::string names;
   for (const std::string& x : by.part)
     names += (names.empty() ? "" : ", ") + x;
-  return "the variation of " + names;
+  return "the variation of " + names + (by.keeps_casimirs ? " on the whole Poisson manifold" : "");
 }
 
 std::string reason(const MatrixEvidence& by) {
@@ -179,7 +246,10 @@ std::string reason(const MatrixEvidence& by) {
          ") prove that its identity " + "component is not abelian: " +
          (by.proof.unipotent ? std::string("two unipotent elements of the group do not commute")
                              : "a diagonal block is dense in SL(2, C), up to scalars") +
-         " (enclosures with " + std::to_string(digits) + " digits)";
+         " (enclosures with " + std::to_string(digits) + " digits)" +
+         (by.keeps_casimirs
+              ? "; the symplectic leaf alone says nothing: there may be an integral of it"
+              : "");
 }
 
 } // namespace kov

@@ -12,6 +12,12 @@ namespace kov {
 /// Source  docs/theory/monodromy.md 7, 8, 9
 void ask_the_matrices(const Study& study, ManifoldReport& report);
 
+/// Where the symplectic leaf says nothing: the same of the normal part with the variation of the Casimir
+/// function that took away an unknown.  report.matrices then excludes integrals that are independent
+/// together with the Casimir functions, although there may be one on the leaf.
+/// Source  docs/theory/mechanics.md (9.9)
+void ask_with_the_casimir(const Study& study, ManifoldReport& report);
+
 /// "the whole variational equation", or "the variation of M1, M2, S1, S2"
 [[nodiscard]] std::string equation_of(const MatrixEvidence& by);
 

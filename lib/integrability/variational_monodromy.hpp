@@ -73,8 +73,9 @@ struct MatrixEvidence {
   long size = 0;                 ///< of the system
   std::vector<std::string> unknowns;
   std::string change;
-  std::string level;       ///< "h = 1"; empty: the level was not free
-  std::string certificate; ///< kovacic-loops/1, accepted by the judge; empty: none
+  bool keeps_casimirs = false; ///< of the normal part on the whole Poisson manifold
+  std::string level;           ///< "h = 1"; empty: the level was not free
+  std::string certificate;     ///< kovacic-loops/1, accepted by the judge; empty: none
   std::string no_certificate;
 };
 
