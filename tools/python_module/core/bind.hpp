@@ -18,6 +18,7 @@ void bind_motion(py::module_& m);
 void bind_classification(py::module_& m);
 void bind_theorem(py::module_& m);
 void bind_numerics(py::module_& m);
+void bind_sections(py::module_& m);
 
 /// A class whose values only the library makes, so that a verdict cannot be written by hand, and
 /// whose truth is not asked with `if`.  names: what `case Type(...)` takes by position.

@@ -64,4 +64,5 @@ PYBIND11_MODULE(_core, m) {
   kov::python::bind_classification(m);
   kov::python::bind_theorem(m);
   kov::python::bind_numerics(m);
+  kov::python::bind_sections(m);
 }

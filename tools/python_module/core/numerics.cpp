@@ -1,10 +1,10 @@
 // Numbers with proven radii: monodromy().  Pictures: section(), the only place with doubles.
 
 #include "bind.hpp"
+#include "flow_enums.hpp"
 #include "question.hpp"
+#include "stop.hpp"
 
-#include "flow/scene/simulate.hpp"
-#include "flow/section/fixed_points.hpp"
 #include "monodromy/decimal.hpp"
 #include "monodromy/monodromy.hpp"
 #include "monodromy/words.hpp"
@@ -13,14 +13,7 @@
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
 
-#include <chrono>
 #include <complex>
-#include <thread>
-
-namespace pybind11::detail {
-KOV_PYTHON_ENUM(kov::flow::Ended, "Ended");
-KOV_PYTHON_ENUM(kov::flow::Stability, "Stability");
-} // namespace pybind11::detail
 
 namespace kov::python {
 namespace {
@@ -123,23 +116,6 @@ void bind_monodromy(py::module_& m) {
 
 // ---- sections
 
-/// The flag of the interrupt, and of the end of the time.
-class Stop {
-public:
-  Stop(const Interrupt& interrupt, const Budget& budget)
-      : watcher_([this, &interrupt, deadline = budget.deadline](const std::stop_token& done) {
-          while (!done.stop_requested() && !flag_) {
-            flag_ = interrupt.raised() || (deadline && Budget::Clock::now() > *deadline);
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-          }
-        }) {}
-  [[nodiscard]] const std::atomic<bool>* flag() const { return &flag_; }
-
-private:
-  std::atomic<bool> flag_{false};
-  std::jthread watcher_;
-};
-
 /// One column of the points as the bytes of doubles.
 template <class T, class Get> py::bytes column(const flow::Section& s, const Get& get) {
   std::vector<T> all;
@@ -149,7 +125,7 @@ template <class T, class Get> py::bytes column(const flow::Section& s, const Get
   return {reinterpret_cast<const char*>(all.data()), all.size() * sizeof(T)};
 }
 
-void bind_sections(py::module_& m) {
+void bind_body_sections(py::module_& m) {
   enumeration<flow::Ended>(m, "Ended",
                            {{"time", flow::Ended::time},
                             {"crossings", flow::Ended::crossings},
@@ -266,7 +242,7 @@ void bind_sections(py::module_& m) {
 
 void bind_numerics(py::module_& m) {
   bind_monodromy(m);
-  bind_sections(m);
+  bind_body_sections(m);
 }
 
 } // namespace kov::python

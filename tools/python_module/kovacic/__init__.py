@@ -15,12 +15,11 @@ docs/guide/python.md has examples.
 """
 
 import os as _os
-from array import array as _array
 
 from . import _convert, _core, _evidence, _show
 from ._core import (  # noqa: F401
     Accepted, AlgebraicNumber, Argument, BlockReport, ByEngines, ByFormula, ByKovacic, CheckReport, ClaimReport,
-    Classification, ClassificationStatus, ClassifiedStratum, Connected, Decision, Ended, ExclusionReason,
+    Classification, ClassificationStatus, ClassifiedStratum, Connected, Decision, DrawnOrbit, Ended, ExclusionReason,
     FixedPoint, FixedPoints, FoundIntegral, FoundManifold, GaloisGroup, GroupType, IntegralSearch, IntegralsOfSet, LameAnswer,
     LameConditions, LameFamily, LiouvillianSolution, ManifoldReport, Method, MFraction, Monodromy, NodeResult,
     NodeStatus, OrbitReport, RationalFunction, Rejected, Settled, Solved, Spectrum, SpectrumFamily, SpectrumLevel,
@@ -31,6 +30,7 @@ from ._errors import (  # noqa: F401
     DomainError, Error, FreeParameters, InputError, InternalError, Interrupted, InvalidArgument, OutOfBudget,
     WrongType)
 from ._map import map  # noqa: A004, F401
+from ._section import SystemSection, column as _section_column  # noqa: F401
 from ._system_object import System  # noqa: F401
 
 __version__ = _core.version
@@ -143,8 +143,8 @@ class Section:
 
     def __init__(self, scene, data):
         self.scene, self.title, self.allowed_drift = scene, scene.title, scene.allowed_drift
-        self.orbit = _column("q", data.orbit)
-        self.t, self.l, self.y, self.G = (_column("d", c) for c in (data.t, data.l, data.y, data.G))
+        self.orbit = _section_column("q", data.orbit)
+        self.t, self.l, self.y, self.G = (_section_column("d", c) for c in (data.t, data.l, data.y, data.G))
         self.digits = data.digits
         self.orbits, self.drift, self.arithmetic = data.orbits, data.drift, data.arithmetic
         self.skipped, self.stopped, self.cut_short = data.skipped, data.stopped, data.cut_short
@@ -160,14 +160,26 @@ class Section:
         return _show.section(self)
 
 
-def section(source, *, threads=1, lanes=0, timeout=None):
-    """The Poincare section of a scene file (its path, or its text): a Section."""
-    scene = _core.scene(*_text_or_path(source))
+def section(source, *, scene=None, threads=1, lanes=0, progress=None, timeout=None):
+    """The Poincare section of a scene file (its path, or its text): a Section.  Of a system file with scenes, of which
+    `scene` is the name of one: a SystemSection.  progress(done, all) is called after each orbit of the latter.
+
+        >>> S = kovacic.System("p^2/2 + q^2/2", "q", "p")
+        >>> text = S.to_text() + '[scene]\\nsection = "q"\\nplot = ["q", "p"]\\nstates = [[1, 0]]\\ncrossings = 5\\n'
+        >>> len(kovacic.section(text).points)
+        5
+    """
+    from . import _section
+
+    given = _source(source)
+    if _core.has_system_scenes(given):
+        return _section.computed(_limits(timeout, None), _section.scene_of(given, scene), threads, progress)
+    body = _core.scene(*_text_or_path(source))
     try:
-        return Section(scene, _core.section(_limits(timeout, None), scene, threads, lanes))
+        return Section(body, _core.section(_limits(timeout, None), body, threads, lanes))
     except Interrupted as stopped:
         if stopped.answer is not None:
-            stopped.answer = Section(scene, stopped.answer)
+            stopped.answer = Section(body, stopped.answer)
         raise
 
 
@@ -313,18 +325,22 @@ def _read(path):
         raise InvalidArgument(f"{path}: {wrong}") from None
 
 
-def _column(code, data):
-    try:
-        import numpy
-    except ImportError:
-        column = _array(code)
-        column.frombytes(data)
-        return column
-    return numpy.frombuffer(data, dtype={"q": numpy.int64, "d": numpy.float64}[code])
-
-
 # ---- what only Python knows of the values
 
+def _to_frame(self):
+    """The strata as a pandas frame: conditions, status, integrals, and what excludes them.
+
+        >>> S = kovacic.System("(p1^2 + p2^2)/2 + q1^2*q2 + b*q2^3/3", ["q1", "q2"], ["p1", "p2"])
+        >>> frame = S.classify().to_frame()                       # doctest: +SKIP
+    """
+    import pandas
+
+    rows = [{"conditions": ", ".join(s.conditions), "status": s.status.name,
+             "integrals": [str(f) for f in s.integrals], "by": [str(r) for r in s.by]} for s in self.strata]
+    return pandas.DataFrame(rows, columns=["conditions", "status", "integrals", "by"])
+
+
+Classification.to_frame = _to_frame
 for _type in (RationalFunction, MFraction, AlgebraicNumber, LiouvillianSolution):
     _type.sympy = to_sympy
 for _type, _shown in (

@@ -1,7 +1,7 @@
 """Types of kovacic.  Formula: an exact value; a float is refused."""
 
 import enum
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
 from os import PathLike
 from typing import Any
@@ -335,6 +335,7 @@ class Classification:
     stages: list[tuple[str, float]]
     complete: bool
     seconds: float
+    def to_frame(self) -> Any: ...  # pandas.DataFrame
 
 
 class SpectrumLevel:
@@ -677,6 +678,41 @@ class Rejected:
     limit: bool
 
 
+class DrawnOrbit:
+    start: list[float]
+    crossings: int
+    tangencies: int
+    steps: int
+    time: float
+    drift: float
+    ended: Ended
+    megno: float
+    lyapunov: float
+    fli: float
+
+
+class SystemSection:
+    title: str
+    labels: tuple[str, str]
+    indicator: str | None
+    allowed_drift: float
+    orbit: Any  # numpy.ndarray, or array.array
+    t: Any
+    x: Any
+    y: Any
+    points: Any  # numpy.ndarray
+    colors: Any
+    orbits: list[DrawnOrbit]
+    integrals: list[str]
+    drifts: list[float]
+    drift: float
+    arithmetic: str
+    skipped: int
+    stopped: bool
+    cut_short: int
+    def plot(self, ax: Any = None, **options: Any) -> Any: ...  # matplotlib Axes
+
+
 class Section:
     scene: Any
     title: str
@@ -845,7 +881,8 @@ def monodromy(equation: Formula | None = None, *, r: Formula | None = None, ode:
               timeout: float | None = 60, max_work: float | None = None) -> Monodromy: ...
 
 
-def section(source: Source, *, threads: int = 1, lanes: int = 0, timeout: float | None = None) -> Section: ...
+def section(source: Source, *, scene: str | None = None, threads: int = 1, lanes: int = 0,
+            progress: Callable[[int, int], Any] | None = None, timeout: float | None = None) -> Section | SystemSection: ...
 
 
 def fixed_points(source: Source, *, timeout: float | None = None) -> FixedPoints: ...
@@ -889,6 +926,10 @@ class System:
     def with_manifolds(self, manifolds: Any = None) -> System: ...
     def integrals(self, degree: int = 2, **options: Any) -> IntegralSearch: ...
     def find_manifolds(self, *, timeout: float | None = 60, max_work: float | None = None) -> list[FoundManifold]: ...
+    def section(self, section: Formula, levels: Mapping[Formula, Formula] | None = None, *, plot: Sequence[Formula],
+                range: Any = None, grid: Sequence[int] | None = None, seeds: Any = None, random: int | None = None, states: Any = None,
+                crossings: int | None = None, time: Formula | None = None, threads: int = 1,
+                progress: Callable[[int, int], Any] | None = None, timeout: float | None = None, **more: Any) -> SystemSection: ...
 
 
 def hamiltonian(H: Formula, coordinates: Names, momenta: Names, *, parameters: Names | None = None,

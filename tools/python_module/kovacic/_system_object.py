@@ -3,7 +3,7 @@
 import functools
 import re
 
-from . import _convert, _core, _system
+from . import _convert, _core, _section, _system
 from ._errors import InvalidArgument
 
 _KINDS = {"hamiltonian": "a Hamiltonian", "lagrangian": "a Lagrangian", "poisson": "a Poisson", "vector-field": "a vector field"}
@@ -319,6 +319,26 @@ class System:
             ['q1 = 0', 'p1 = 0']
         """
         return _core.find_manifolds(_package()._limits(timeout, max_work), self._source(), [])
+
+    def section(self, section, levels=None, *, plot, range=None, grid=None, seeds=None, random=None, states=None,
+                crossings=None, time=None, threads=1, progress=None, timeout=None, **more):
+        """Where orbits meet the set `section` = 0: a SystemSection, with points and .plot().
+
+            >>> H = kovacic.System("(p1^2 + p2^2 + q1^2 + q2^2)/2 + q1^2*q2 - q2^3/3", "q1 q2", "p1 p2")
+            >>> s = H.section("q1", {"H": "1/12"}, plot=["q2", "p2"], seeds=[(0, "1/10")], crossings=20)
+            >>> len(s.points), s.stopped
+            (20, False)
+
+        levels: values of H and of other integrals; plot: the two formulas that are drawn; seeds=[(u, v), ...] or
+        grid=(columns, rows) or random=orbits inside of range=[(a, b), (c, d)]: where orbits start in the picture; or
+        states=[[x1, x2, ...], ...].  `more` are the other keys of docs/guide/sections.md: direction, where, start, angles, skip,
+        set, tolerance, drift, digits, indicator ("megno", ...), title.  progress(done, all) is called after each orbit.
+        """
+        places = {"range": range, "grid": grid, "seeds": seeds, "random": random, "states": states}
+        ends = {"crossings": 300 if crossings is None and time is None else crossings, "time": time}
+        text = self._text + _section.scene_text(section, levels, {"plot": plot, **places, **ends, **more})
+        scene = _section.scene_of(_core.Source(text, "system"), None)
+        return _section.computed(_package()._limits(timeout, None), scene, threads, progress)
 
 
 def _with_blocks(text, manifolds):

@@ -1,0 +1,12 @@
+#pragma once
+// Enumerations of lib/flow as those of Python.
+
+#include "values.hpp"
+
+#include "flow/scene/simulate.hpp"
+#include "flow/section/fixed_points.hpp"
+
+namespace pybind11::detail {
+KOV_PYTHON_ENUM(kov::flow::Ended, "Ended");
+KOV_PYTHON_ENUM(kov::flow::Stability, "Stability");
+} // namespace pybind11::detail
