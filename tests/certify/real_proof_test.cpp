@@ -57,5 +57,40 @@ TEST(RealProof, ANumberIsPositive) {
   EXPECT_FALSE(proves({is("a", Sign::zero)}, R"({"node":"empty","terms":[],"zeros":[]})"));
 }
 
+bool proves_of_complex(Conditions given, const std::string& node) {
+  Arithmetic arithmetic;
+  std::size_t nodes = 100;
+  const Json json = parse_json(node);
+  try {
+    RealProof(ring(), {false, true}, arithmetic, nodes, {true, false})
+        .refute(Node(json, "node", rationals()), given);
+    return true;
+  } catch (const Refused&) {
+    return false;
+  }
+}
+
+TEST(RealProof, ASumOfSquaresMayVanishAtComplexNumbers) {
+  const char* const no_root =
+      R"({"node":"empty","terms":[["1","1"],["1","a"]],"zeros":[["0","-1"]]})";
+  EXPECT_TRUE(proves({is("a^2 + 1", Sign::zero)}, no_root));
+  EXPECT_FALSE(proves_of_complex({is("a^2 + 1", Sign::zero)}, no_root));
+}
+
+TEST(RealProof, OneProductThatIsAnEquation) {
+  const char* const odd = R"({"node":"empty","terms":[["1","1",["0","1"]]],"zeros":[["1","-1"]]})";
+  EXPECT_TRUE(proves_of_complex({is("a", Sign::nonzero), is("a", Sign::zero)}, odd));
+  EXPECT_FALSE(proves_of_complex({is("a", Sign::nonzero), is("a + 1", Sign::zero)}, odd));
+  EXPECT_FALSE(proves_of_complex({is("a", Sign::nonnegative), is("a", Sign::zero)}, odd));
+}
+
+TEST(RealProof, ComplexNumbersHaveNoSign) {
+  const std::string empty =
+      R"({"node":"empty","terms":[["1","1",["0","1"]]],"zeros":[["0","-1"]]})";
+  EXPECT_FALSE(proves_of_complex({is("a", Sign::zero)}, R"({"node":"sign","p":"a","positive":)" +
+                                                            empty + R"(,"zero":)" + empty +
+                                                            R"(,"negative":)" + empty + "}"));
+}
+
 } // namespace
 } // namespace kov::certify

@@ -431,11 +431,34 @@ std::string plan(const Settings& settings) {
 
 } // namespace
 
+namespace {
+
+// Before the search, not after it.
+void need_places_to_write(const Settings& settings, const ClassifyArguments& arguments) {
+  for (const std::string& path : {arguments.as_theorem, settings.certificate}) {
+    if (path.empty()) continue;
+    const auto folder = std::filesystem::path(path).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder))
+      throw InputError(path, 0, 0, 1, "there is no directory " + folder.string());
+    if (std::filesystem::is_directory(path))
+      throw InputError(path, 0, 0, 1, "a directory, and one file is written");
+    if (arguments.file == "-" || !std::filesystem::is_regular_file(arguments.file))
+      throw InputError(path, 0, 0, 1, "it would be about a system that is in no file",
+                       "write the system into a file first (kovacic new)");
+    if (!parameter_values(settings).empty())
+      throw InputError(path, 0, 0, 1, "it would be about the file without the values of --set",
+                       "write them into the file: [set]");
+  }
+}
+
+} // namespace
+
 int classify(const Settings& settings, const ClassifyArguments& arguments) {
   if (arguments.plan) {
     write_output(settings, plan(settings));
     return exit_decided;
   }
+  need_places_to_write(settings, arguments);
   const Report report = Classification(settings, arguments).run();
   write_output(settings,
                output_format(settings) == "json" && report.json.is_object()

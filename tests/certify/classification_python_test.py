@@ -1,0 +1,258 @@
+#!/usr/bin/env python3
+"""Bundles of `kovacic classify`: both checkers accept them and state the same, and refuse each forged one; the theorem file that
+`classify` writes is proved and says what `classify` says.
+
+usage: classification_python_test.py KOVACIC"""
+import copy
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+VERIFY = os.path.join(HERE, "../../tools/verify")
+KOVACIC = os.path.abspath(sys.argv.pop(1))
+
+CUBIC = """
+[system]
+kind        = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta     = ["p1", "p2"]
+parameters  = ["a"]
+hamiltonian = "(p1^2 + p2^2)/2 + a*q1^2*q2 + q2^3/3"
+"""
+SECOND = CUBIC.replace("a*q1^2*q2 + q2^3/3", "q1^2/2 + a*q1*q2 + q2^2/2")
+TOP = """
+[system]
+kind        = "poisson"
+coordinates = ["m1", "m2", "m3"]
+parameters  = ["a", "b"]
+bracket     = [["0", "-m3", "m2"], ["m3", "0", "-m1"], ["-m2", "m1", "0"]]
+hamiltonian = "(m1^2 + a*m2^2 + b*m3^2)/2"
+"""
+FIELD = """
+[system]
+kind        = "vector-field"
+coordinates = ["x", "y", "z"]
+parameters  = ["a", "b", "c"]
+[system.field]
+x = "a*y*z"
+y = "b*x*z"
+z = "c*x*y"
+"""
+CONSTANT = """
+[system]
+kind        = "hamiltonian"
+coordinates = ["q1", "q2"]
+momenta     = ["p1", "p2"]
+parameters  = ["a", "k"]
+hamiltonian = "(p1^2 + p2^2)/2 + k*q1^2*q2 + a*q2^3/3"
+[assume]
+conditions = ["k^2 = -1"]
+"""
+FILES = {"cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "open": CUBIC}
+
+
+def kovacic(*arguments, cwd=None):
+    p = subprocess.run([KOVACIC, *arguments], capture_output=True, text=True, cwd=cwd)
+    return p.returncode, p.stdout, p.stderr
+
+
+def checked(path):
+    """The exit code and the lines below the first, of both checkers"""
+    said = []
+    for command in ([KOVACIC, "verify"], [sys.executable, os.path.join(VERIFY, "kovacic_verify.py")]):
+        p = subprocess.run([*command, path], capture_output=True, text=True)
+        said.append((p.returncode, p.stdout.splitlines()[1:], p.stdout + p.stderr))
+    return said
+
+
+class Classifications(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.bundles = {}
+        for name, text in FILES.items():
+            path = cls.path(f"{name}.toml")
+            with open(path, "w") as f:
+                f.write('format = "equation/1"\n' + text)
+            code, out, _ = kovacic("classify", path, "--certificate", cls.path(f"{name}.json"), "--as-theorem",
+                                   cls.path(f"{name}-theorem.toml"), "--timeout", "0", "--degree", "3" if name == "open" else "4")
+            cls.bundles[name] = code, out
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    @classmethod
+    def path(cls, name):
+        return os.path.join(cls.folder.name, name)
+
+    def bundle(self, name):
+        with open(self.path(f"{name}.json")) as f:
+            return json.load(f)
+
+    def both(self, top):
+        with open(self.path("forged.json"), "w") as f:
+            json.dump(top, f)
+        return checked(self.path("forged.json"))
+
+    def forged(self, top, why=None):
+        with open(self.path("forged.json"), "w") as f:
+            json.dump(top, f)
+        for code, _, said in checked(self.path("forged.json")):
+            self.assertIn(code, (1, 2), said)
+            if why:
+                self.assertIn(why, said)
+
+    def steps(self, top, rule):
+        return [s for s in top["steps"] if s["rule"] == rule]
+
+    def test_both_accept_and_state_the_same(self):
+        for name in ("cubic", "second", "top", "field", "constant"):
+            (one, lines, said), (other, same, more) = checked(self.path(f"{name}.json"))
+            self.assertEqual((one, other), (0, 0), name + said + more)
+            self.assertEqual(lines, same, name)
+
+    def test_what_is_open_is_said_and_nothing_else(self):
+        code, out = self.bundles["open"]
+        self.assertIn("OPEN", out)
+        if os.path.exists(self.path("open.json")):
+            for verdict, lines, _ in checked(self.path("open.json")):
+                self.assertEqual(verdict, 0)
+                self.assertTrue(any("nothing is said" in x for x in lines))
+        else:
+            self.assertIn("no certificate: ", out)
+        _, proved, _ = kovacic("prove", self.path("open-theorem.toml"))
+        self.assertNotIn("PROVED,", proved)
+        self.assertNotIn("\nPROVED", proved)
+
+    def test_the_theorem_file_says_the_same(self):
+        for name in ("cubic", "constant"):
+            code, out, _ = kovacic("prove", self.path(f"{name}-theorem.toml"), "--format", "json")
+            self.assertEqual(code, 0, name)
+            classes = [x for x in checked(self.path(f"{name}.json"))[0][1] if "is not integrable with" in x]
+            said = classes[0].split("first integrals that are ")[1].split(", where the")[0]
+            self.assertIn(said, json.loads(out)["statement"].replace(" at once", ""), name)
+
+    def test_a_part_is_missing(self):
+        top = self.bundle("cubic")
+        for k in range(len(top["steps"][-1]["parts"])):
+            less = copy.deepcopy(top)
+            del less["steps"][-1]["parts"][k]
+            self.forged(less)
+
+    def test_another_stratum(self):
+        top = self.bundle("cubic")
+        for k, s in enumerate(top["steps"]):
+            if s["rule"] not in ("stratum", "integrable"):
+                continue
+            for row in range(len(s["at"])):
+                other = copy.deepcopy(top)
+                other["steps"][k]["at"][row][1] = "7"
+                self.forged(other)
+            for row in range(len(s["region"])):
+                other = copy.deepcopy(top)
+                other["steps"][k]["region"][row]["p"] = "a + 11"
+                self.forged(other)
+
+    def test_dependent_or_wrong_integrals(self):
+        top = self.bundle("cubic")
+        k = next(k for k, s in enumerate(top["steps"]) if s["rule"] == "integrable")
+        claims = top["steps"][k]["claims"]
+        dependent = copy.deepcopy(top)
+        dependent["steps"][k]["claims"][1]["value"] = claims[0]["value"]
+        self.forged(dependent, "another coefficient")
+        wrong = copy.deepcopy(top)
+        wrong["steps"][k]["claims"][1]["value"] = "q1*p2 - q2*p1"
+        self.forged(wrong, "not a first integral")
+        one = copy.deepcopy(top)
+        del one["steps"][k]["claims"][1]
+        self.forged(one)
+        some = [s for s in self.steps(top, "integrable")]
+        if len(some) > 1:
+            swapped = copy.deepcopy(top)
+            mine = [s for s in swapped["steps"] if s["rule"] == "integrable"]
+            mine[0]["claims"], mine[1]["claims"] = mine[1]["claims"], mine[0]["claims"]
+            self.forged(swapped)
+
+    def test_not_in_involution(self):
+        top = self.bundle("second")
+        k = next(k for k, s in enumerate(top["steps"]) if s["rule"] == "integrable")
+        more = copy.deepcopy(top)
+        more["steps"][k]["claims"].append({"name": "J", "value": "q1"})
+        self.forged(more)
+
+    def test_fields_that_do_not_commute(self):
+        top = self.bundle("field")
+        for k, s in enumerate(top["steps"]):
+            if s["rule"] == "integrable":
+                other = copy.deepcopy(top)
+                other["steps"][k]["fields"].append(["1", "0", "0"])
+                self.forged(other)
+
+    def test_the_rank_of_the_bracket(self):
+        top = self.bundle("top")
+        k = next(k for k, s in enumerate(top["steps"]) if s["rule"] == "integrable")
+        other = copy.deepcopy(top)
+        other["steps"][k]["rank"]["columns"] = other["steps"][k]["rank"]["columns"][:1]
+        self.forged(other)
+
+    def test_a_trusted_step_is_counted_and_has_a_class(self):
+        top = self.bundle("cubic")
+        trusted = [k for k, s in enumerate(top["steps"]) if s["rule"] == "trusted"]
+        self.assertIn(f"{len(trusted)} trusted step", self.bundles["cubic"][1])
+        for k in trusted:
+            for key, value in (("near", "everywhere"), ("kind", "smooth"), ("liouville", "maybe"), ("frame", "a\nb")):
+                other = copy.deepcopy(top)
+                other["steps"][k]["class"][key] = value
+                self.forged(other)
+            less = copy.deepcopy(top)
+            del less["steps"][k]["class"]
+            self.forged(less)
+            empty = copy.deepcopy(top)
+            empty["steps"][k]["regions"] = []
+            self.forged(empty)
+
+    def test_complex_parameters_have_no_signs(self):
+        """a^2 + 1 = 0 has no real point and two complex ones"""
+        top = self.bundle("cubic")
+        cover = top["steps"][-1]
+        gap = {"node": "empty", "terms": [["1", "1"], ["1", "a"]], "zeros": [[str(len(top["systems"][0]["assumptions"])), "-1"]]}
+        other = copy.deepcopy(top)
+        other["steps"][-1]["tree"] = {"node": "zero", "p": "a^2 + 1", "zero": gap, "nonzero": gap}
+        real = copy.deepcopy(other)
+        real["systems"][0]["complex"] = []
+        for said in (x[2] for x in self.both(other)):
+            self.assertTrue("has no sign" in said or "not one of sign zero" in said, said)
+        for said in (x[2] for x in self.both(real)):                    # of real numbers the first branch is empty
+            self.assertNotIn("has no sign", said)
+        other["steps"][-1]["tree"] = {"node": "sign", "p": "a", "positive": cover["tree"], "zero": cover["tree"],
+                                      "negative": cover["tree"]}
+        self.forged(other, "the sign of what need not be real")
+
+    def test_another_system(self):
+        top = self.bundle("cubic")
+        if self.steps(top, "stratum"):
+            other = copy.deepcopy(top)
+            h = other["systems"][0]["system"]["hamiltonian"]
+            other["systems"][0]["system"]["hamiltonian"] = [h[0] + " + q1^4", h[1]] if isinstance(h, list) else h + " + q1^4"
+            self.forged(other)
+
+    def test_inputs(self):
+        path = self.path("cubic.toml")
+        code, _, err = kovacic("classify", path, "--certificate", self.path("no/such/folder/c.json"), "--max-work", "1e6")
+        self.assertEqual(code, 2, err)
+        code, _, err = kovacic("classify", path, "--as-theorem", self.path("no/such/folder/c.toml"), "--max-work", "1e6")
+        self.assertEqual(code, 2, err)
+        plain = self.path("plain.toml")
+        with open(plain, "w") as f:
+            f.write('format = "equation/1"\n' + CUBIC.replace('parameters  = ["a"]', "").replace("a*q1", "2*q1"))
+        code, out, _ = kovacic("classify", plain, "--certificate", self.path("plain.json"), "--timeout", "0")
+        self.assertEqual([x[0] for x in checked(self.path("plain.json"))], [0, 0], out)
+
+
+if __name__ == "__main__":
+    unittest.main()

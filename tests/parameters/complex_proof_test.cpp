@@ -1,0 +1,68 @@
+// Emptiness over the complex numbers: what is found is accepted by the judge, what is not empty is not
+// found, and a cover has no gap at complex points.
+
+#include "parameters/complex_proof.hpp"
+
+#include "certify/equation/facts.hpp"
+#include "certify/theorem/real_proof.hpp"
+
+#include <gmock/gmock.h>
+
+namespace kov {
+namespace {
+
+const Ring& ring() {
+  static const Ring r = make_ring({"a", "b", "c"});
+  return r;
+}
+MPoly poly(const char* text) { return certify::read_polynomial(ring(), text); }
+Condition is(const char* f, Sign sign) { return {poly(f), sign}; }
+ComplexProof proof() { return {ring(), {true, true, true}}; }
+
+bool accepted(const Json& node, certify::Conditions given) {
+  certify::Arithmetic arithmetic;
+  std::size_t nodes = 1000;
+  certify::RealProof(ring(), {false, false, false}, arithmetic, nodes, {true, true, true})
+      .refute(certify::Node(node, "node", rationals()), given);
+  return true;
+}
+bool is_empty(const std::vector<Condition>& given) {
+  const auto node = proof().contradiction(given);
+  return node && accepted(*node, given);
+}
+
+TEST(ComplexProof, EquationsAndInequations) {
+  EXPECT_TRUE(is_empty({is("a - 1", Sign::zero), is("a - 2", Sign::zero)}));
+  EXPECT_TRUE(is_empty({is("a*b", Sign::zero), is("a", Sign::nonzero), is("b", Sign::nonzero)}));
+  EXPECT_TRUE(is_empty({is("a^2 - b", Sign::zero), is("b", Sign::zero), is("a", Sign::nonzero)}));
+  EXPECT_TRUE(is_empty({is("b - 16", Sign::zero), is("a - b*c", Sign::zero),
+                        is("c - 2", Sign::zero), is("a - 32", Sign::nonzero)}));
+  EXPECT_TRUE(is_empty({is("a^3 - b^2", Sign::zero), is("a*c - b", Sign::zero),
+                        is("a", Sign::nonzero), is("a - c^2", Sign::nonzero)}));
+}
+
+TEST(ComplexProof, ComplexPointsArePoints) {
+  EXPECT_FALSE(is_empty({is("a^2 + 1", Sign::zero)}));
+  EXPECT_FALSE(is_empty({is("a^2 + b^2", Sign::zero), is("a", Sign::nonzero)}));
+  EXPECT_FALSE(is_empty({is("a^2 - 2", Sign::zero), is("a - b", Sign::zero)}));
+  EXPECT_FALSE(is_empty({}));
+}
+
+TEST(ComplexProof, ACoverHasNoGap) {
+  const Budget budget;
+  const auto covers = [&](const std::vector<std::vector<Condition>>& all) {
+    std::vector<RegionOfPart> regions;
+    for (const auto& conditions : all)
+      regions.push_back({regions.size(), std::nullopt, conditions});
+    return tree_of_regions(proof(), {}, regions, budget).has_value();
+  };
+  EXPECT_TRUE(covers({{is("a", Sign::zero)}, {is("a", Sign::nonzero)}}));
+  EXPECT_TRUE(covers({{is("a", Sign::zero), is("b", Sign::zero)},
+                      {is("a", Sign::nonzero)},
+                      {is("b", Sign::nonzero)}}));
+  EXPECT_FALSE(covers({{is("a", Sign::zero)}, {is("a", Sign::nonzero), is("b", Sign::nonzero)}}));
+  EXPECT_FALSE(covers({{is("a^2 + 1", Sign::nonzero)}})); // of real numbers it is all
+}
+
+} // namespace
+} // namespace kov
