@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/flint.hpp"
 
+#include <algorithm>
 #include <random>
 
 namespace kov {
@@ -145,8 +146,77 @@ MFraction FiniteAlgebra::lift(const Element& a) const {
   return ideal_.from_kpoly(f);
 }
 
+namespace {
+
+// The value of f at a point modulo a prime; unset where its denominator vanishes.
+std::optional<ulong> value_at(const MFraction& f, const std::vector<ulong>& point, nmod_t mod) {
+  if (is_zero(f)) return 0;
+  const auto value = [&](const MPoly& g) {
+    return fmpz_mpoly_evaluate_all_nmod(g.raw(), point.data(), g.ctx(), mod);
+  };
+  const ulong den = value(f.den());
+  if (den == 0) return std::nullopt;
+  return nmod_div(value(f.num()), den, mod);
+}
+
+std::vector<ulong> some_point(const Ring& ring, nmod_t mod) {
+  std::mt19937_64 generator(20240501);
+  std::vector<ulong> point(ring->size());
+  for (ulong& x : point)
+    x = generator() % mod.n;
+  return point;
+}
+
+// The elements at a point modulo a prime; unset where a denominator vanishes.
+std::optional<std::vector<ulong>> values_at(const FiniteAlgebra::Element& a,
+                                            const std::vector<ulong>& point, nmod_t mod) {
+  std::vector<ulong> values;
+  for (const MFraction& f : a) {
+    const auto x = value_at(f, point, mod);
+    if (!x) return std::nullopt;
+    values.push_back(*x);
+  }
+  return values;
+}
+
+} // namespace
+
+// Powers that are independent at a point modulo a prime are independent.
+bool FiniteAlgebra::has_independent_powers(const Element& a, std::size_t most) const {
+  const std::size_t n = basis_.size();
+  if (most + 1 > n) return false;
+  nmod_t mod;
+  nmod_init(&mod, 2147483629UL);
+  const auto point = some_point(ring(), mod);
+  const auto factor = values_at(a, point, mod);
+  if (!factor) return false;
+  std::vector<ulong> power(n, 0); // 1
+  power[0] = 1;
+  nmod_mat_t powers;
+  nmod_mat_init(powers, static_cast<slong>(most + 1), static_cast<slong>(n), mod.n);
+  bool defined = true;
+  for (std::size_t k = 0; k <= most && defined; ++k) {
+    std::copy(power.begin(), power.end(), powers->rows[k]);
+    std::vector<ulong> next(n, 0);
+    for (std::size_t i = 0; i < n && defined; ++i)
+      for (std::size_t j = 0; j < n && defined; ++j) {
+        if (power[i] == 0 || (*factor)[j] == 0) continue;
+        const auto product = values_at(product_of_basis(i, j), point, mod);
+        defined = product.has_value();
+        const ulong c = nmod_mul(power[i], (*factor)[j], mod);
+        for (std::size_t m = 0; m < n && defined; ++m)
+          next[m] = nmod_add(next[m], nmod_mul(c, (*product)[m], mod), mod);
+      }
+    power = std::move(next);
+  }
+  const bool independent = defined && nmod_mat_rank(powers) == static_cast<slong>(most + 1);
+  nmod_mat_clear(powers);
+  return independent;
+}
+
 std::optional<std::vector<MFraction>> FiniteAlgebra::minimal_polynomial(const Element& a,
                                                                         std::size_t most) const {
+  if (has_independent_powers(a, most)) return std::nullopt;
   std::vector<Element> powers{constant(MFraction(ring(), Rational(1)))};
   while (powers.size() <= most) {
     const Element next = multiply(powers.back(), a);
@@ -197,27 +267,13 @@ std::vector<std::size_t> row_reduce(std::vector<std::vector<MFraction>>& m, std:
   return pivots;
 }
 
-// The value of f at a point modulo a prime; unset where its denominator vanishes.
-std::optional<ulong> value_at(const MFraction& f, const std::vector<ulong>& point, nmod_t mod) {
-  if (is_zero(f)) return 0;
-  const auto value = [&](const MPoly& g) {
-    return fmpz_mpoly_evaluate_all_nmod(g.raw(), point.data(), g.ctx(), mod);
-  };
-  const ulong den = value(f.den());
-  if (den == 0) return std::nullopt;
-  return nmod_div(value(f.num()), den, mod);
-}
-
 // A minor that is not 0 at some point modulo a prime is not 0.
 bool full_rank_at_a_point(const std::vector<std::vector<MFraction>>& m, std::size_t columns,
                           const Ring& ring) {
   if (m.size() < columns || columns == 0) return false;
   nmod_t mod;
   nmod_init(&mod, 2147483629UL);
-  std::mt19937_64 generator(20240501);
-  std::vector<ulong> point(ring->size());
-  for (ulong& x : point)
-    x = generator() % mod.n;
+  const auto point = some_point(ring, mod);
   nmod_mat_t values;
   nmod_mat_init(values, static_cast<slong>(m.size()), static_cast<slong>(columns), mod.n);
   bool defined = true;

@@ -58,6 +58,7 @@ public:
 
 private:
   [[nodiscard]] Element coordinates(const KPoly& f) const;
+  [[nodiscard]] bool has_independent_powers(const Element& a, std::size_t most) const;
   [[nodiscard]] const Element& product_of_basis(std::size_t i, std::size_t j) const;
 
   Ideal ideal_;

@@ -125,6 +125,8 @@ TEST_F(FiniteAlgebraLaws, MinimalPolynomialsAnnihilateAndAreShortest) {
         powers.push_back(r.multiply(powers.back(), u));
       }
       EXPECT_TRUE(is_zero(value));
+      EXPECT_FALSE(r.minimal_polynomial(u, m.size() - 2));
+      EXPECT_EQ(r.minimal_polynomial(u, m.size() - 1), m);
       // 1, u, ..., u^(deg-1) are independent
       std::vector<std::vector<MFraction>> rows(r.dimension());
       for (std::size_t j = 0; j < r.dimension(); ++j)
