@@ -114,15 +114,24 @@ std::string excluded_in_full(const SystemClassification& c, bool verbose) {
   return out.str();
 }
 
-// The strata that are excluded along the same curve, at the same order.
+// The strata that are excluded along the same curve, at the same order; the theorem says "elsewhere".
 std::string excluded_in_brief(const SystemClassification& c) {
   std::ostringstream out;
+  bool all_named = true;
   for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_curve)) {
-    put_wide(out, "excluded", some_of(e.where, false));
+    const std::string where = joined(e.where, "; or ");
+    const bool named = where.size() <= two_lines;
+    all_named = all_named && named;
+    put_wide(out, "excluded",
+             named                 ? where
+             : e.where.size() == 1 ? "one set with many conditions"
+                                   : std::to_string(e.where.size()) + " sets");
     put_below(out, "along " + e.by->solution +
                        (e.by->order > 1 ? ", at order " + std::to_string(e.by->order) : ""));
   }
-  put_wide(out, "more", "--verbose says why each set is excluded");
+  put_wide(out, "more",
+           all_named ? "--verbose says why each set is excluded"
+                     : "--verbose names each set and says why it is excluded");
   return out.str();
 }
 
