@@ -16,8 +16,8 @@ struct ThreePlaces {
   SeparatedPair numbers;
 };
 /// Unset: another equation.
-/// Given   const MFraction one(ring, 1), w = z * z + one;
-/// Given   const Scheme s = std::get<Scheme>(scheme(a * z / (w * w), 0, everywhere));
+/// Given   const MFraction w = z * z + one;
+/// Given   const Scheme s = std::get<Scheme>(scheme(z / (w * w), 0, everywhere));
 /// Example three_places(s).has_value()  // -> no
 [[nodiscard]] std::optional<ThreePlaces> three_places(const Scheme& s);
 
