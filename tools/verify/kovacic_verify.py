@@ -7,7 +7,7 @@ docs/theory/certificates.md defines the format; the pages beside it prove the th
 in brackets below are theirs.  Nothing is searched for: each step is recomputed from r, its data and its premises.
 Beside this file: certificate_format.py reads, equation.py, singular_points.py and group_rules.py have the rules,
 conclusions.py the table of theorems, places.py the degree bounds, exact.py and modular.py the arithmetic.  strata.py,
-stratum.py, strata_leaves.py, strata_invariant.py, strata_format.py and multivariate.py are for equations with
+stratum.py, strata_leaves.py, strata_separated.py, strata_invariant.py, strata_format.py, multivariate.py are for equations with
 parameters (docs/theory/strata_certificates.md); system.py, system_format.py, phase_space.py, function_algebra.py,
 phase_curve.py, first_integrals.py and system_statement.py for mechanical systems (docs/theory/system_certificates.md);
 theorem.py, theorem_format.py, real_proof.py, tower.py, place.py, splitting.py, lowest_order.py and theorem_statement.py for
