@@ -99,6 +99,10 @@ void contradict_nothing(const Board& b, const Round& round, const Exclusion& whe
 /// The parts of a piece on which two of its conditions hold together at common values only.
 [[nodiscard]] std::vector<Piece> met(Board& b, const Round& round, const Piece& piece);
 
+/// The parts of the pieces that lie in the preimage of a stratum; `pieces` are what is left.
+/// Errors  OutOfBudget; then some of the pieces may be gone
+[[nodiscard]] std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
+                                     const MayVanish& possible);
 /// Whether the piece follows another set by a symmetry; then it is noted, and need not be studied.
 [[nodiscard]] bool follows_another(Board& b, const Piece& piece);
 /// What is known of the sets that they follow is carried over; what is open there is open.  The rest, if

@@ -24,6 +24,7 @@ struct ClassifyOptions {
   bool adjoin_constants = true;
   /// Where much is open, the same question in other canonical variables (lib/canonical).
   bool change_variables = true;
+  bool leading_parts = true; ///< studied by themselves, by all of this
   /// Stages that are left out, by the names that `at_work` gives them: of a run before that they
   /// kept from ending.
   std::vector<std::string> skip = {};

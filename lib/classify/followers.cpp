@@ -38,31 +38,6 @@ bool may_meet(const ParameterSet& set, const ParameterSet& target) {
                      [&](const MPoly& f) { return set.vanishes(f); });
 }
 
-// The parts of the pieces that are taken into the stratum, and what is left.
-std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
-                       const MayVanish& possible) {
-  std::vector<std::vector<MPoly>> lists;
-  for (const MPoly& f : x.nonzero)
-    lists.push_back({f});
-  std::vector<Piece> inside, left;
-  for (const Piece& piece : pieces) {
-    const SetParts parts = split_set(piece.where, x.zero, lists, possible);
-    for (const ParameterSet& outside : parts.outside)
-      if (auto part = on_part(piece, outside)) left.push_back(*std::move(part));
-    for (const ParameterSet& set : parts.inside) {
-      auto part = on_part(piece, set);
-      for (const DifferenceCondition& c : x.special) {
-        if (!part) break;
-        if (auto out = with_condition(*part, negation(c))) left.push_back(*std::move(out));
-        part = with_condition(*std::move(part), c);
-      }
-      if (part) inside.push_back(*std::move(part));
-    }
-  }
-  pieces = std::move(left);
-  return inside;
-}
-
 // Of r^2 = f nothing is known where f = 0: over the reals that may be nowhere.
 bool has_no_real_point(Board& b, const Piece& piece) {
   std::vector<Condition> all;
@@ -148,6 +123,30 @@ private:
 };
 
 } // namespace
+
+std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
+                       const MayVanish& possible) {
+  std::vector<std::vector<MPoly>> lists;
+  for (const MPoly& f : x.nonzero)
+    lists.push_back({f});
+  std::vector<Piece> inside, left;
+  for (const Piece& piece : pieces) {
+    const SetParts parts = split_set(piece.where, x.zero, lists, possible);
+    for (const ParameterSet& outside : parts.outside)
+      if (auto part = on_part(piece, outside)) left.push_back(*std::move(part));
+    for (const ParameterSet& set : parts.inside) {
+      auto part = on_part(piece, set);
+      for (const DifferenceCondition& c : x.special) {
+        if (!part) break;
+        if (auto out = with_condition(*part, negation(c))) left.push_back(*std::move(out));
+        part = with_condition(*std::move(part), c);
+      }
+      if (part) inside.push_back(*std::move(part));
+    }
+  }
+  pieces = std::move(left);
+  return inside;
+}
 
 bool follows_another(Board& b, const Piece& piece) {
   if (!piece.special.empty() || b.symmetries.empty()) return false;

@@ -1,7 +1,9 @@
 #include "classify/stage_moves.hpp"
 
+#include "classify/variables.hpp"
 #include "integrability/parameters.hpp"
 #include "moves/frames.hpp"
+#include "moves/leading.hpp"
 #include "moves/splitting.hpp"
 
 #include <algorithm>
@@ -73,6 +75,42 @@ void choose_frame(Board& b, Round& round, const Task& /*task*/, const Budget& bu
   round.pieces = std::move(left);
   round.only_special_values = has_only_special_values(round);
   std::move(followers.begin(), followers.end(), std::back_inserter(b.followers));
+}
+
+std::vector<Task> leading(const Board& b, const Round& round) {
+  return one_if(!round.pieces.empty() && b.options.search_solutions && b.options.leading_parts &&
+                    !round.last && has_bracket_of_e3(round.system.field) &&
+                    free_parameters(round.system) > 0 && leading_part(round.system),
+                "the part of lowest order");
+}
+
+void study_leading(Board& b, Round& round, const Task& task, const Budget& budget) {
+  const auto part = leading_part(round.system);
+  ClassifyOptions options = b.options;
+  options.check.decide.budget = budget;
+  options.leading_parts = false;
+  options.so_far = {};
+  const StatedSolutions none;
+  const SystemClassification c = classify_in_these_variables(part->system, options, none);
+  const auto take_strata = [&] {
+    for (const ClassifiedStratum& x : c.strata)
+      if (const auto here = said_by(round.system, *part, x))
+        for (Piece& piece : cut(round.pieces, *here, may_vanish(round.system))) {
+          ClassifiedStratum y = here->stratum;
+          y.where = std::move(piece.where);
+          y.special = std::move(piece.special);
+          b.result.strata.push_back(std::move(y));
+        }
+  };
+  take_strata();
+  std::vector<Piece> left;
+  for (const Piece& piece : round.pieces)
+    for (Piece& one : met(b, round, piece))
+      left.push_back(std::move(one));
+  round.pieces = std::move(left);
+  take_strata(); // at common values
+  note(round, task.name, "says nothing here");
+  round.only_special_values = has_only_special_values(round);
 }
 
 std::vector<Task> splitting(const Board& b, const Round& round) {

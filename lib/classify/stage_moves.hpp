@@ -15,4 +15,8 @@ void study_splitting(Board& b, Round& round, const Task& task, const Budget& bud
 [[nodiscard]] std::vector<Task> frames(const Board& b, const Round& round);
 void choose_frame(Board& b, Round& round, const Task& task, const Budget& budget);
 
+/// Lowest parts of integrals are integrals of the system of the lowest part of H, which is classified.
+[[nodiscard]] std::vector<Task> leading(const Board& b, const Round& round);
+void study_leading(Board& b, Round& round, const Task& task, const Budget& budget);
+
 } // namespace kov::stages

@@ -31,6 +31,7 @@ std::span<const Stage> strategy() {
       {"what the manifolds of the file exclude", 0, 0, stated, take_stated},
       {"splitting of the separatrices of a free body", 0.3, 0.3, splitting, study_splitting},
       {"a frame in which a parameter is 0", 0.05, 0.05, frames, choose_frame},
+      {"the part of lowest order, as a family of its own", 0.4, 0.4, leading, study_leading},
       {"first integrals of low degree", 0.25, 0.25, low_integrals, find_low_integrals},
       {"Darboux points (three parameters or more)", 0.3, 0.3, darboux_points_first,
        study_darboux_points},

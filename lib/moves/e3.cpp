@@ -14,14 +14,6 @@ bool same(const Matrix& a, const Matrix& b, int sign) {
   return true;
 }
 
-// The negative bracket is that of the time that runs backwards.
-bool has_bracket_of_e3(const VectorField& v) {
-  if (!v.poisson || v.dimension() != 6) return false;
-  const Matrix e3 =
-      e3_structure(v.ring, v.coordinates, std::vector<MFraction>(3, MFraction(v.ring)));
-  return same(*v.poisson, e3, 1) || same(*v.poisson, e3, -1);
-}
-
 // d^2 H/dx^2 at the origin of the phase space.
 std::optional<MFraction> second_derivative_at_0(const VectorField& v, std::size_t x) {
   Substitution origin;
@@ -44,6 +36,13 @@ std::optional<std::pair<std::size_t, long>> as_power(const MFraction& a) {
 }
 
 } // namespace
+
+bool has_bracket_of_e3(const VectorField& v) {
+  if (!v.poisson || v.dimension() != 6) return false;
+  const Matrix e3 =
+      e3_structure(v.ring, v.coordinates, std::vector<MFraction>(3, MFraction(v.ring)));
+  return same(*v.poisson, e3, 1) || same(*v.poisson, e3, -1);
+}
 
 bool is_assumed_positive(const System& s, std::size_t parameter) {
   const MFraction x = MFraction::variable(s.ring(), parameter);

@@ -105,6 +105,21 @@ std::optional<FoundIntegral> pulled_back(const System& s, const Equivalence& e,
   return g;
 }
 
+// The invariant set at the parameters before.  Unset: r occurs, and the file has no name for it.
+std::optional<ManifoldSpec> pulled_back(const System& s, const Equivalence& e, ManifoldSpec m) {
+  if (e.root) return std::nullopt;
+  const Substitution values = all_values(s, e);
+  for (auto* equations : {&m.equations, &m.levels})
+    for (Equation& one : *equations) {
+      one.difference = transfer(moved(e, one.difference, values), s.ring());
+      one.text = to_string(one.difference) + " = 0";
+    }
+  for (MPoly& f : m.nonzero)
+    f = transfer(moved(e, MFraction(f), values), s.ring()).num();
+  m.name += ", moved by " + e.words;
+  return m;
+}
+
 std::string with_words(const std::string& text, const Equivalence& e) {
   return text.empty() ? text : text + ", moved by " + e.words;
 }
@@ -183,6 +198,7 @@ std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
   } catch (const DomainError&) { // something has no value there
     return std::nullopt;
   }
+  if (x.along) c.stratum.along = pulled_back(s, e, *x.along);
   for (ExclusionReason& by : c.stratum.by) {
     by.solution = with_words(by.solution, e);
     for (std::string& curve : by.integrals.curves)

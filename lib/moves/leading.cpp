@@ -1,0 +1,132 @@
+#include "moves/leading.hpp"
+
+#include "exact/error.hpp"
+#include "integrability/parameters.hpp"
+#include "literature/literature.hpp"
+#include "moves/e3.hpp"
+
+#include <algorithm>
+
+namespace kov {
+namespace {
+
+constexpr std::pair<long, long> tried[] = {{1, 2}, {1, 1}, {2, 1}, {2, 3}, {3, 2}, {1, 3}, {3, 1}};
+
+// What must not vanish for H to be analytic at the origin; 0: it has a pole there.
+MPoly denominator_at_origin(const System& s) {
+  Substitution origin;
+  for (const std::size_t i : s.field.coordinates)
+    origin[i] = MFraction(s.ring());
+  return substitute(s.field.hamiltonian->den(), origin).num();
+}
+
+bool uses_some(const MFraction& f, const std::vector<std::size_t>& x, std::size_t from) {
+  return std::any_of(x.begin() + static_cast<long>(from), x.begin() + static_cast<long>(from + 3),
+                     [&](std::size_t i) { return uses(f, i); });
+}
+
+System with_hamiltonian(const System& s, const MFraction& h) {
+  System t = s;
+  t.kind = SystemKind::poisson;
+  t.lagrangian.reset();
+  t.velocities.clear();
+  t.velocity_values.clear();
+  t.field.hamiltonian = h;
+  t.field.components = hamiltonian_field(t.field, *t.field.poisson, h);
+  t.named["H"] = h;
+  std::erase_if(t.claims,
+                [](const SystemClaim& c) { return c.kind != SystemClaim::Kind::casimir; });
+  t.manifolds.clear();
+  t.reductions.clear();
+  t.expectations.clear();
+  t.weights.clear();
+  const auto levels = level_parameters(s);
+  std::erase_if(t.field.parameters, [&](std::size_t p) {
+    return std::find(levels.begin(), levels.end(), p) != levels.end();
+  });
+  return t;
+}
+
+// Gamma^2 is a number there that is not 0: both Casimir functions are regular.
+bool is_on_a_regular_leaf(const System& s, const ManifoldSpec& m) {
+  MFraction square(s.ring());
+  for (std::size_t k = 3; k < 6; ++k) {
+    const MFraction x = MFraction::variable(s.ring(), s.field.coordinates[k]);
+    square += x * x;
+  }
+  return std::any_of(m.levels.begin(), m.levels.end(), [&](const Equation& level) {
+    const auto used = used_variables(level.difference);
+    if (!std::all_of(used.begin(), used.end(), [&](std::size_t i) {
+          return s.ring()->find(level.difference.ring()->name(i)).has_value();
+        }))
+      return false;
+    const MFraction value = square - transfer(level.difference, s.ring());
+    return is_constant(value) && !is_zero(value);
+  });
+}
+
+// Rational integrals are of the class.
+bool has_all_rational_integrals(const IntegralClass& c) {
+  return c.kind != IntegralClass::Kind::real_analytic && c.without.empty() && c.functions.empty() &&
+         c.level.empty() && c.liouville;
+}
+
+MPoly in_ring(const MPoly& f, const Ring& ring) { return transfer(MFraction(f), ring).num(); }
+
+} // namespace
+
+std::optional<LeadingPart> leading_part(const System& s) {
+  if (!has_bracket_of_e3(s.field) || !s.field.hamiltonian || !s.field.functions.empty() ||
+      !s.field.relations.empty() || !s.field.constants.empty())
+    return std::nullopt;
+  const MPoly at_origin = denominator_at_origin(s);
+  if (is_zero(at_origin)) return std::nullopt; // a pole
+  const auto& x = s.field.coordinates;
+  for (const auto& [of_momentum, of_gamma] : tried) {
+    Weights weights;
+    for (std::size_t k = 0; k < 6; ++k)
+      weights[x[k]] = k < 3 ? of_momentum : of_gamma;
+    const MFraction h = weight_expansion(*s.field.hamiltonian, weights, 1).front().value;
+    if (!uses_some(h, x, 0) || !uses_some(h, x, 3) || h == *s.field.hamiltonian) continue;
+    return LeadingPart{of_momentum, of_gamma, with_hamiltonian(s, h),
+                       is_constant(at_origin) ? MPoly(s.ring(), Integer(1))
+                                              : squarefree_part(at_origin)};
+  }
+  return std::nullopt;
+}
+
+std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
+                                      const ClassifiedStratum& x) {
+  if (x.status != StratumStatus::excluded || !x.constants.empty() || !x.along ||
+      !has_all_rational_integrals(x.by.front().integrals) || !is_on_a_regular_leaf(s, *x.along))
+    return std::nullopt;
+  CarriedStratum c{{}, {part.nonzero}, {}, x};
+  try {
+    for (const MPoly& f : x.where.equations())
+      c.zero.push_back(in_ring(f, s.ring()));
+    for (const MPoly& f : x.where.inequations())
+      c.nonzero.push_back(in_ring(f, s.ring()));
+    c.special = x.special;
+    for (DifferenceCondition& one : c.special)
+      for (MFraction& square : one.squares)
+        square = transfer(square, s.ring());
+  } catch (const Error&) { // it speaks of a variable that the system does not have
+    return std::nullopt;
+  }
+  c.stratum.along.reset();
+  ExclusionReason& by = c.stratum.by.front();
+  c.stratum.by.resize(1);
+  by.solution += " of the system of lowest order";
+  by.reason = "with weights " + std::to_string(part.of_momentum) + " for M and " +
+              std::to_string(part.of_gamma) + " for Gamma the lowest part of H is " +
+              brief(*part.system.field.hamiltonian, 120) +
+              ", and its system is not integrable: " + by.reason;
+  by.integrals = {.near = IntegralClass::Near::origin};
+  const std::string& lemma = ziglin_1982().name;
+  if (std::find(by.theorems.begin(), by.theorems.end(), lemma) == by.theorems.end())
+    by.theorems.push_back(lemma);
+  by.trusted.emplace_back("the lowest part of H, and from one leaf to the whole phase space");
+  return c;
+}
+
+} // namespace kov
