@@ -131,7 +131,14 @@ std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
     lists.push_back({f});
   std::vector<Piece> inside, left;
   for (const Piece& piece : pieces) {
-    const SetParts parts = split_set(piece.where, x.zero, lists, possible);
+    // where something vanishes the equations need not cut
+    const SetParts nonzero = split_set(piece.where, {}, lists, possible);
+    SetParts parts{{}, nonzero.outside};
+    for (const ParameterSet& set : nonzero.inside) {
+      SetParts zero = split_set(set, x.zero, {}, possible);
+      std::move(zero.inside.begin(), zero.inside.end(), std::back_inserter(parts.inside));
+      std::move(zero.outside.begin(), zero.outside.end(), std::back_inserter(parts.outside));
+    }
     for (const ParameterSet& outside : parts.outside)
       if (auto part = on_part(piece, outside)) left.push_back(*std::move(part));
     for (const ParameterSet& set : parts.inside) {

@@ -84,6 +84,30 @@ std::vector<Task> leading(const Board& b, const Round& round) {
                 "the part of lowest order");
 }
 
+namespace {
+
+// What must not vanish in most of them comes first: special values of some are not cut out of the rest.
+std::vector<CarriedStratum> said_by_all(const System& s, const LeadingPart& part,
+                                        const std::vector<ClassifiedStratum>& strata) {
+  std::vector<CarriedStratum> all;
+  for (const ClassifiedStratum& x : strata)
+    if (auto here = said_by(s, part, x)) all.push_back(*std::move(here));
+  const auto frequency = [&](const MPoly& f) {
+    return std::count_if(all.begin(), all.end(), [&](const CarriedStratum& c) {
+      return std::find(c.nonzero.begin(), c.nonzero.end(), f) != c.nonzero.end();
+    });
+  };
+  for (CarriedStratum& c : all) {
+    auto sorted = c.nonzero;
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [&](const MPoly& f, const MPoly& g) { return frequency(f) > frequency(g); });
+    c.nonzero = std::move(sorted);
+  }
+  return all;
+}
+
+} // namespace
+
 void study_leading(Board& b, Round& round, const Task& task, const Budget& budget) {
   const auto part = leading_part(round.system);
   ClassifyOptions options = b.options;
@@ -92,15 +116,15 @@ void study_leading(Board& b, Round& round, const Task& task, const Budget& budge
   options.so_far = {};
   const StatedSolutions none;
   const SystemClassification c = classify_in_these_variables(part->system, options, none);
+  const auto said = said_by_all(round.system, *part, c.strata);
   const auto take_strata = [&] {
-    for (const ClassifiedStratum& x : c.strata)
-      if (const auto here = said_by(round.system, *part, x))
-        for (Piece& piece : cut(round.pieces, *here, may_vanish(round.system))) {
-          ClassifiedStratum y = here->stratum;
-          y.where = std::move(piece.where);
-          y.special = std::move(piece.special);
-          b.result.strata.push_back(std::move(y));
-        }
+    for (const CarriedStratum& here : said)
+      for (Piece& piece : cut(round.pieces, here, may_vanish(round.system))) {
+        ClassifiedStratum y = here.stratum;
+        y.where = std::move(piece.where);
+        y.special = std::move(piece.special);
+        b.result.strata.push_back(std::move(y));
+      }
   };
   take_strata();
   std::vector<Piece> left;

@@ -98,7 +98,8 @@ std::optional<LeadingPart> leading_part(const System& s) {
 std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
                                       const ClassifiedStratum& x) {
   if (x.status != StratumStatus::excluded || !x.constants.empty() || !x.along ||
-      !has_all_rational_integrals(x.by.front().integrals) || !is_on_a_regular_leaf(s, *x.along))
+      !has_all_rational_integrals(x.by.front().integrals) ||
+      (x.by.front().integrals.on_leaf && !is_on_a_regular_leaf(s, *x.along)))
     return std::nullopt;
   CarriedStratum c{{}, {part.nonzero}, {}, x};
   try {

@@ -52,6 +52,7 @@ ClassifiedStratum excluded(const System& s, const std::string& level) {
   ParameterSet all(s.ring(), s.field.parameters);
   ClassifiedStratum x{.where = all, .special = {}, .status = StratumStatus::excluded};
   x.by = {{.solution = "a curve", .level = "", .order = 1, .reason = "a reason", .unchecked = ""}};
+  x.by.front().integrals.on_leaf = true;
   ManifoldSpec m;
   m.name = "a curve";
   m.levels = {{formula(s, level), level + " = 0"}};

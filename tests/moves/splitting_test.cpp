@@ -100,6 +100,38 @@ TEST(SplittingMove, WhereThereIsNoSmallParameter) {
                               {}));
 }
 
+System sliding_top(const std::string& conditions) {
+  return read_system(parse_document(
+      "[system]\nkind = 'lagrangian'\n"
+      "coordinates = ['M1', 'M2', 'M3', 'G1', 'G2', 'G3']\n"
+      "angular_velocity = ['W1', 'W2', 'W3']\n"
+      "parameters = ['A', 'B', 'C', 'L1', 'L2', 'L3']\n"
+      "lagrangian = '(A*W1^2 + B*W2^2 + C*W3^2 + s^2)/2'\n"
+      "define = {s = 'G1*(W2*L3 - W3*L2) + G2*(W3*L1 - W1*L3) + G3*(W1*L2 - W2*L1)'}\n" +
+          body_assumed + "conditions = ['A > B', 'B > C'" + conditions + "]\n",
+      "sliding.toml"));
+}
+
+// The second family, A + C = 4 B, violates the triangle inequality strictly: it is left where nothing is
+// assumed of it.
+TEST(SplittingMove, FamiliesThatAreLeft) {
+  const System free = sliding_top(""), body = sliding_top(", 'B + C >= A'");
+  const auto all = find_splitting(free, {}), some = find_splitting(body, {});
+  ASSERT_TRUE(all);
+  ASSERT_TRUE(some);
+  EXPECT_EQ(all->order, 2);
+  EXPECT_EQ(families(*all), 2U);
+  ASSERT_EQ(families(*some), 1U);
+  const auto& left = some->orders.front().left.front();
+  const MPoly a = MPoly::variable(body.ring(), "A"), b = MPoly::variable(body.ring(), "B"),
+              c = MPoly::variable(body.ring(), "C");
+  const MPoly condition = a + a - b - b - c;
+  EXPECT_TRUE(std::any_of(left.begin(), left.end(),
+                          [&](const MPoly& f) { return f == condition || f == -condition; }));
+  EXPECT_EQ(left.size(), 3U); // and L2 = L3 = 0
+  EXPECT_FALSE(some->trusted.empty());
+}
+
 // Clebsch: M1^2 ... with a quadratic potential; the family of integrable ones must be among what is left.
 TEST(SplittingMove, AnIntegrablePotentialIsLeft) {
   const System s = on_e3("'A', 'B', 'C', 'k'", free_top + " + k*(A*G1^2 + B*G2^2 + C*G3^2)/2",

@@ -1,0 +1,43 @@
+#include "moves/equivalence.hpp"
+
+#include "families.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace kov {
+namespace {
+
+Equivalence diagonal(const System& s, const std::vector<long>& factors, long time, long bracket) {
+  Equivalence e;
+  e.ring = s.ring();
+  for (std::size_t i = 0; i < factors.size(); ++i)
+    e.phase.push_back(Rational(factors[i]) * MFraction::variable(s.ring(), s.field.coordinates[i]));
+  e.time = MFraction(s.ring(), Rational(time));
+  e.bracket = MFraction(s.ring(), Rational(bracket));
+  return e;
+}
+
+// It carries the field: integrals, but neither involution nor leaves.
+TEST(Equivalences, TheBracketIsCarriedToAMultiple) {
+  const System s = in_the_plane("'a'", "(p1^2 + p2^2 + q1^2 + a*q2^2)/2");
+  EXPECT_TRUE(holds(s, diagonal(s, {2, 2, 2, 2}, 1, 4)));
+  EXPECT_FALSE(holds(s, diagonal(s, {2, 2, 2, 2}, 1, 1)));
+  for (const long bracket : {1L, 4L})
+    EXPECT_FALSE(holds(s, diagonal(s, {2, 1, 2, 1}, 1, bracket)));
+}
+
+TEST(Equivalences, TheTimeMayRunBackwards) {
+  const System s = in_the_plane("'a'", "(p1^2 + p2^2)/2 + a*q1^3 + q1*q2^2");
+  EXPECT_TRUE(holds(s, diagonal(s, {1, 1, -1, -1}, -1, -1)));
+  EXPECT_FALSE(holds(s, diagonal(s, {1, 1, -1, -1}, 1, -1)));
+  EXPECT_FALSE(holds(s, diagonal(s, {1, 1, -1, -1}, -1, 1)));
+}
+
+TEST(Equivalences, TheyAreInvertible) {
+  const System s = in_the_plane("", "0*q1");
+  EXPECT_FALSE(holds(s, diagonal(s, {1, 1, 0, 0}, 1, 0)));
+}
+
+} // namespace
+} // namespace kov
