@@ -78,8 +78,9 @@ public:
 
 private:
   template <class Use> void take(const ClassifiedStratum& x, const Use& use) {
-    if (left_.empty() || !may_meet(x.where, follower_.of)) return;
+    if (left_.empty()) return;
     try {
+      if (!may_meet(x.where, follower_.of)) return;
       const auto here = carried(b_.known.system, follower_.by, x);
       if (!here) return;
       auto rest = left_;
@@ -155,16 +156,29 @@ std::vector<Piece> cut(std::vector<Piece>& pieces, const CarriedStratum& x,
   return inside;
 }
 
-bool follows_another(Board& b, const Piece& piece) {
-  if (!piece.special.empty() || b.symmetries.empty()) return false;
+namespace {
+
+std::optional<Follower> follower_of_some(const Board& b, const Piece& piece) {
   const std::size_t equations = piece.where.equations().size();
   for (const ParameterSet& target : b.studied) {
     if (target.equations().size() != equations || lies_in(piece.where, target)) continue;
-    for (const Equivalence& e : b.symmetries) {
-      if (!is_taken_into(piece, e, target) || !holds(b.known.system, e)) continue;
-      b.followers.push_back({piece, target, e});
+    for (const Equivalence& e : b.symmetries)
+      if (is_taken_into(piece, e, target) && holds(b.known.system, e))
+        return Follower{piece, target, e};
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+bool follows_another(Board& b, const Piece& piece) {
+  if (!piece.special.empty() || b.symmetries.empty()) return false;
+  try {
+    if (auto follower = follower_of_some(b, piece)) {
+      b.followers.push_back(*std::move(follower));
       return true;
     }
+  } catch (const OutOfBudget&) { // too hard to tell: it is studied
   }
   b.studied.push_back(piece.where);
   return false;
