@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace kov {
 namespace {
@@ -157,6 +158,12 @@ std::optional<MPoly> pulled_back(const Equivalence& e, const MPoly& f) {
   return transfer(is_zero(h.odd) ? h.even : h.odd, f.ring()).num();
 }
 
+MPoly pulled_back_for_some_sign(const Equivalence& e, const MPoly& f) {
+  const Halves h = halves(e, moved(e, MFraction(f), e.parameters));
+  const MFraction square = transfer(MFraction(e.square), e.ring);
+  return transfer(h.even * h.even - square * h.odd * h.odd, f.ring()).num();
+}
+
 std::optional<MFraction> pulled_back(const Equivalence& e, const MFraction& f) {
   const Halves h = halves(e, moved(e, f, e.parameters));
   if (!is_zero(h.odd)) return std::nullopt;
@@ -174,15 +181,18 @@ std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
   CarriedStratum c{{}, {}, {}, x};
   if (e.root) c.nonzero.push_back(e.square);
   try {
+    bool sign_is_chosen = false;
     for (const MPoly& f : x.where.equations()) {
       auto here = pulled_back(e, f);
-      if (!here) return std::nullopt;
+      if (!here) { // of r and -r the one serves for which it holds
+        if (std::exchange(sign_is_chosen, true)) return std::nullopt;
+        here = pulled_back_for_some_sign(e, f);
+      }
       if (!is_zero(*here)) c.zero.push_back(*std::move(here));
     }
     for (const MPoly& f : x.where.inequations()) {
-      auto here = pulled_back(e, f);
-      if (!here) return std::nullopt;
-      c.nonzero.push_back(*std::move(here));
+      const auto here = pulled_back(e, f);
+      c.nonzero.push_back(here ? *here : pulled_back_for_some_sign(e, f)); // not 0 for both signs
     }
     for (const DifferenceCondition& one : x.special) {
       auto here = pulled_back(e, one);

@@ -30,16 +30,19 @@ struct Equivalence {
 
 /// f(pi(p)) = 0 as a condition on p, where r != 0.  Unset: r and -r have different ones.
 [[nodiscard]] std::optional<MPoly> pulled_back(const Equivalence& e, const MPoly& f);
+/// 0 exactly where f(pi(p)) is 0 for r or for -r.
+[[nodiscard]] MPoly pulled_back_for_some_sign(const Equivalence& e, const MPoly& f);
 /// The same of a function of the parameters.  Unset: it depends on the sign of r.
 [[nodiscard]] std::optional<MFraction> pulled_back(const Equivalence& e, const MFraction& f);
 
-/// The preimage of a stratum, with what is proved there: conditions on the parameters before.
+/// Of the preimage of a stratum a part, with what is proved there: conditions on the parameters before.
+/// For r or for -r the new parameters lie in the stratum.
 struct CarriedStratum {
   std::vector<MPoly> zero, nonzero;
   std::vector<DifferenceCondition> special;
   ClassifiedStratum stratum; ///< with another set
 };
-/// Unset: its conditions or its integrals depend on the sign of r.
+/// Unset: two of its equations, or its integrals, depend on the sign of r.
 [[nodiscard]] std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
                                                     const ClassifiedStratum& x);
 

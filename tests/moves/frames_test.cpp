@@ -33,6 +33,39 @@ TEST(Frames, TwoEqualMoments) {
   EXPECT_FALSE(pulled_back(frame->to, other - l3)); // r and -r have different ones
 }
 
+// Conditions on r itself: an equation holds for r or for -r, an inequation has to hold for both.
+TEST(Frames, StrataThatKnowTheSignOfTheRoot) {
+  const System s = symmetric_family();
+  const auto frame = find_frame(s);
+  ASSERT_TRUE(frame);
+  const auto x = [&](const char* name) { return MPoly::variable(s.ring(), name); };
+  const MPoly other = s.ring()->name(frame->vanishing) == "L2" ? x("L1") : x("L2");
+  const MPoly square = frame->to.square;
+  const MPoly one(s.ring(), Integer(1)), two(s.ring(), Integer(2));
+  std::vector<std::size_t> parameters;
+  for (const char* name : {"A", "C", "L1", "L2", "L3"})
+    parameters.push_back(s.ring()->index(name));
+  const ParameterSet in_frame =
+      ParameterSet(s.ring(), parameters).where_zero(MPoly::variable(s.ring(), frame->vanishing));
+  const auto stratum = [](ParameterSet where) {
+    return ClassifiedStratum{.where = std::move(where), .status = StratumStatus::excluded};
+  };
+  const auto away = carried(s, frame->to, stratum(in_frame.where_nonzero(other - one)));
+  ASSERT_TRUE(away);
+  EXPECT_THAT(away->nonzero, testing::Contains(testing::AnyOf(square - one, one - square)));
+  const auto at = carried(s, frame->to, stratum(in_frame.where_zero(other - two)));
+  ASSERT_TRUE(at);
+  EXPECT_THAT(at->zero,
+              testing::ElementsAre(testing::AnyOf(square - two * two, two * two - square)));
+  const auto both = carried(
+      s, frame->to, stratum(in_frame.where_zero(other - two).where_zero(x("L3") - other * two)));
+  EXPECT_TRUE(!both || both->zero.size() == 2); // L3 = 4 and r = 2, or nothing: never L3^2 = 16
+  if (both) {
+    EXPECT_THAT(both->zero,
+                testing::Not(testing::Contains(x("L3") * x("L3") - MPoly(s.ring(), Integer(16)))));
+  }
+}
+
 // Three different moments have none, and a free parameter of the tensor does not hide the rotation.
 TEST(Frames, ThreeDifferentMomentsHaveNone) { EXPECT_FALSE(find_frame(heavy_top_family())); }
 
