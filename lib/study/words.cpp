@@ -124,7 +124,7 @@ std::vector<std::string> places(const SystemClassification& c,
 
 namespace {
 
-constexpr std::size_t most_told = 6;
+constexpr std::size_t most_told = 8;
 constexpr std::size_t longest_told = 600; // some lines
 
 // "(a), or (b)"; where they are many, what they are is told below the theorem.
