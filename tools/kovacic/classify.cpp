@@ -82,10 +82,10 @@ std::string open_in_brief(const SystemClassification& c) {
   std::ostringstream out;
   put_wide(out, "open", some_of(places(c, {StratumStatus::open}), false));
   const auto all = alike(c, StratumStatus::open);
-  const std::string tried = joined(all.front().first->open_after, "; ");
-  put_below(out,
-            "tried: " + (tried.size() > two_lines ? tried.substr(0, two_lines) + " ..." : tried) +
-                " (--verbose lists all that was tried)");
+  std::string tried = joined(all.front().first->open_after, "; ");
+  if (tried.size() > two_lines) tried = tried.substr(0, two_lines) + " ...";
+  put_below(out, (tried.empty() ? "" : "tried: " + tried + "; ") +
+                     std::string("--verbose lists all that was tried"));
   return out.str();
 }
 
