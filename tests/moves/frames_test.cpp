@@ -48,7 +48,8 @@ TEST(Frames, StrataThatKnowTheSignOfTheRoot) {
   const ParameterSet in_frame =
       ParameterSet(s.ring(), parameters).where_zero(MPoly::variable(s.ring(), frame->vanishing));
   const auto stratum = [](ParameterSet where) {
-    return ClassifiedStratum{.where = std::move(where), .status = StratumStatus::excluded};
+    return ClassifiedStratum{
+        .where = std::move(where), .special = {}, .status = StratumStatus::excluded};
   };
   const auto away = carried(s, frame->to, stratum(in_frame.where_nonzero(other - one)));
   ASSERT_TRUE(away);

@@ -40,7 +40,8 @@ std::string kind_of(const System& s) {
 }
 
 Motion motion_of(const System& s) {
-  Motion m{.kind = kind_of(s)};
+  Motion m;
+  m.kind = kind_of(s);
   for (std::size_t j = 0; j < s.field.dimension(); ++j)
     m.coordinates.push_back(s.field.name(j));
   for (const std::size_t i : s.field.parameters)
