@@ -20,6 +20,9 @@ class Class(NamedTuple):
     on_leaf: bool = False
     functions: tuple = ()
     without: tuple = ()
+    through: tuple = ()
+    frame: str = ""
+    liouville: bool = True
 
     def sentence(self):
         return f"{self.kind} {self.place}"
@@ -76,20 +79,21 @@ def certificates(m):
         inner = SimpleNamespace(trust=trust, denials=[])
         module.system = SimpleNamespace(FORMAT=real[0].FORMAT, accept=lambda top, prove: (curve, [], inner))
         module.read_system, module.integrals = (lambda d: d), (lambda curve, denials, casimirs: said)
-        module.Shown = lambda curve: SimpleNamespace(phase_curve=lambda top: "a curve")
+        module.Shown = lambda curve: SimpleNamespace(phase_curve=lambda top: "a curve", functions_there=lambda top: [])
         t = theorem(m)
         found = []
         if refused(m, lambda: found.append(t.certificate({"certificate": top}))):
             return None
         f, = found
-        return (f.kind, f.family, f.region, f.classes, f.used, f.way) == (
-            "N", None, [], [said], {"Morales-Ramis"}, ['a curve of "a title"']) and f.target.conditions[0][0] == "group"
+        one = (f.kind, f.family, f.region, f.classes, f.way) == ("N", None, [], [said], ['a curve of "a title"'])
+        return one and f.target.conditions[0][0] == "group" and (f.used, f.only_stratum)
     try:
         without = SimpleNamespace(**vars(space) | {"brackets": None})
-        return (accepts(top) is True and accepts(top, trust=1) is None and accepts(top, trust=2) is None
+        anywhere, stratum = ({"Morales-Ramis"}, False), ({"Morales-Ramis"}, True)
+        return (accepts(top) == anywhere and accepts(top, trust=1) is None and accepts(top, trust=2) is None
                 and accepts(top | {"claim": {"not_integrable": False}}) is None and accepts(top | {"format": "kovacic-system/2"}) is None
-                and accepts(top, Class(functions=("q1",))) is None and accepts(top, Class(without=("t",))) is None
-                and accepts(top, LEAF) is True and accepts(top, space=without) is None)
+                and accepts(top, Class(functions=("q1",))) == stratum and accepts(top, Class(without=("t",))) == stratum
+                and accepts(top, LEAF) == anywhere and accepts(top, space=without) == ({"Ayoul-Zung"}, True))
     finally:
         module.system, module.read_system, module.integrals, module.Shown = real
 
