@@ -7,6 +7,11 @@
 
 namespace kov {
 
+/// Given   const Ring line = make_ring({"t"});
+/// Given   const MPoly t = MPoly::variable(line, "t"), squares = t * t + MPoly(line, Integer(1));
+/// Given   const std::vector<Condition> at_zero{{squares, Sign::zero}, {t, Sign::zero}};
+/// Example ComplexProof(line, {true}).contradiction(at_zero).has_value()  // -> yes
+/// Example ComplexProof(line, {true}).contradiction({{squares, Sign::zero}}).has_value()  // -> no
 class ComplexProof {
 public:
   /// complex: by variable of the ring, the names that need not be real.

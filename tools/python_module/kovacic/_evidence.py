@@ -49,7 +49,11 @@ class AssumedNotInteger:
 
 @dataclass(frozen=True)
 class SeparatedNowhere:
-    """Two differences d1, d2 are irrational, and the third is nowhere an integer n >= 1 with +-d1 +- d2 in n - 1, ..., 1 - n."""
+    """Two differences d1, d2 are irrational, and the third is nowhere an integer n >= 1 with +-d1 +- d2 in n - 1, ..., 1 - n.
+
+    >>> kovacic.SeparatedNowhere(["z^2 + 1"], "0").third
+    '0'
+    """
     pair: list
     third: str
 
