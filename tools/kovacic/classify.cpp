@@ -3,11 +3,10 @@
 #include "classify/classify.hpp"
 #include "classify/stage.hpp"
 #include "decide/afterwards.hpp"
-#include "theorem/goals.hpp"
-#include "theorem/prove.hpp"
 
 #include "certificate_file.hpp"
 #include "classification_report.hpp"
+#include "classification_theorem.hpp"
 #include "commands.hpp"
 #include "mechanics.hpp"
 #include "output_format.hpp"
@@ -289,79 +288,12 @@ private:
       };
       const SystemClassification c = classify_system(s, options);
       Report report = report_of(s, c);
-      write_theorem(s, c, report);
+      if (!arguments_.as_theorem.empty() || !settings_.certificate.empty()) {
+        so_far(report); // a limit of what follows does not cost the answer
+        write_theorem(settings_, arguments_, s, c, report);
+      }
       return report;
     });
-  }
-
-  // ---- the same as a theorem file, and as a certificate
-
-  [[nodiscard]] std::string directory() const {
-    const auto slash = arguments_.file.rfind('/');
-    return slash == std::string::npos ? "" : arguments_.file.substr(0, slash + 1);
-  }
-  void write_theorem(const System& s, const SystemClassification& c, Report& report) const {
-    if (!arguments_.as_theorem.empty()) {
-      namespace fs = std::filesystem;
-      const fs::path to = fs::absolute(arguments_.as_theorem).parent_path();
-      const std::string system = fs::absolute(arguments_.file).lexically_relative(to).string();
-      try {
-        write_file(arguments_.as_theorem, theorem_file(s, c, system));
-        tell(report, "theorem", arguments_.as_theorem + ", for kovacic prove");
-      } catch (const DomainError& why) {
-        tell(report, "theorem", std::string("none: ") + why.what());
-      }
-    }
-    if (!settings_.certificate.empty()) write_certificate(s, c, report);
-  }
-  void write_certificate(const System& s, const SystemClassification& c, Report& report) const {
-    Json told;
-    try {
-      const std::string system = arguments_.file.substr(directory().size());
-      const std::string text = theorem_file(s, c, system);
-      ProveOptions options;
-      options.decide = settings_.solver_options();
-      options.decide.budget.give_by_default();
-      const TheoremResult result = kov::prove(
-          read_theorem(parse_document(text, directory() + "what classify found")), options);
-      if (result.bundle.empty())
-        throw DomainError(result.no_bundle.empty() ? why_not_proved(result) : result.no_bundle);
-      write_file(settings_.certificate, laid_out(result.bundle) + "\n");
-      told = {{"file", settings_.certificate},
-              {"trusted_steps", result.bundle_trusted},
-              {"open_regions", result.bundle_open}};
-      tell(report, "certificate", accepted_text(result));
-    } catch (const Contradiction&) {
-      throw;
-    } catch (const InputError&) {
-      throw;
-    } catch (const Error& why) {
-      told = {{"file", nullptr}, {"none", why.what()}};
-      tell(report, "certificate", std::string("no certificate: ") + why.what());
-    }
-    report.json["certificate"] = std::move(told);
-  }
-  [[nodiscard]] std::string accepted_text(const TheoremResult& result) const {
-    std::string text = settings_.certificate + ", accepted, with " +
-                       std::to_string(result.bundle_trusted) +
-                       (result.bundle_trusted == 1 ? " trusted step" : " trusted steps");
-    if (result.bundle_open > 0) text += "; nothing is proved of what is open";
-    return text;
-  }
-  static std::string why_not_proved(const TheoremResult& result) {
-    for (const NodeResult& n : result.nodes)
-      if (n.node.kind == NodeKind::cover && n.status != NodeStatus::proved) return n.summary;
-    for (const NodeResult& n : result.nodes)
-      if (n.status != NodeStatus::proved && n.status != NodeStatus::trusted &&
-          n.node.kind != NodeKind::open_part)
-        return n.node.title + ": " + n.summary;
-    return "the theorem is not proved";
-  }
-  void tell(Report& report, const std::string& what, const std::string& text) const {
-    if (format_ != "text") return;
-    std::ostringstream out;
-    put_wide(out, what, text);
-    report.text += out.str();
   }
 
   // A limit came before the first stage, perhaps while the file was read: all parameters are open.
