@@ -451,7 +451,13 @@ private:
 
 namespace {
 
-// What the judge refuses is on trust, under the name of the step; then it looks again.
+[[noreturn]] void refuse(const certify::Rejected& no) {
+  throw InternalError("the judge refuses the certificate of the theorem: " + no.step + ": " +
+                      no.why);
+}
+
+// Steps that are too large for the judge, or of which it does not see where their certificate belongs, are on
+// trust under their names; then it looks again.
 TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory,
                             const Budget& budget) {
   TheoremBundle b;
@@ -475,11 +481,15 @@ TheoremBundle strata_bundle(const TheoremResult& t, const std::string& directory
     const auto& no = std::get<certify::Rejected>(verdict);
     b.json.clear();
     b.none = no.step + ": " + no.why;
-    bool is_new = false; // "step 'excluded-3-there' (stratum)"
-    for (const NodeResult& n : t.nodes)
-      if (no.step.starts_with("step '" + n.node.id + "-step'") ||
-          no.step.starts_with("step '" + n.node.id + "'"))
-        is_new = n.node.kind != NodeKind::cover && refused.emplace(n.node.id, no.why).second;
+    const auto node = std::find_if(t.nodes.begin(), t.nodes.end(), [&](const NodeResult& n) {
+      return no.id == n.node.id || no.id == certificate_step(n.node.id);
+    });
+    // Not that the certificate is false, but that it is seen to be about this set.
+    const bool is_link =
+        node != t.nodes.end() && no.id == node->node.id && node->node.kind == NodeKind::case_file;
+    if (!no.limit && !is_link) refuse(no);
+    const bool is_new = node != t.nodes.end() && node->node.kind != NodeKind::cover &&
+                        refused.emplace(node->node.id, no.why).second;
     if (!is_new) return b;
   }
   return b;
@@ -505,9 +515,7 @@ TheoremBundle theorem_bundle(const TheoremResult& t, const std::string& director
     return b;
   }
   const auto verdict = certify::check_theorem(b.json);
-  if (const auto* no = std::get_if<certify::Rejected>(&verdict))
-    throw InternalError("the judge refuses the certificate of the theorem: " + no->step + ": " +
-                        no->why);
+  if (const auto* no = std::get_if<certify::Rejected>(&verdict)) refuse(*no);
   const auto& yes = std::get<certify::TheoremAccepted>(verdict);
   b.theorems = yes.theorems;
   b.unchecked = yes.unchecked;

@@ -263,8 +263,8 @@ void show_setting(NodeResult& n, const System& s) {
   if (!fixed.empty()) n.formulas.push_back({"with", fixed});
 }
 
-void prove_trusted(NodeResult& n) {
-  n.status = NodeStatus::trusted;
+void prove_trusted(NodeResult& n, const ProveOptions& options) {
+  n.status = options.found ? NodeStatus::trusted : NodeStatus::reasoned;
   n.on_trust = true;
   n.trusted = {{n.node.step}};
   n.summary = "on trust: " + n.node.step;
@@ -295,7 +295,7 @@ void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOp
 } // namespace
 
 void prove_claims(NodeResult& n, const std::string& directory, const ProveOptions& options) {
-  if (n.node.step.empty()) return prove_all_claims(n, directory, options);
+  if (n.node.step.empty() || !options.found) return prove_all_claims(n, directory, options);
   NodeResult trial = n;
   try {
     prove_all_claims(trial, directory, options);
@@ -303,7 +303,7 @@ void prove_claims(NodeResult& n, const std::string& directory, const ProveOption
     throw;
   } catch (const Error&) { // it stays on trust
   }
-  trial.status == NodeStatus::proved ? void(n = std::move(trial)) : prove_trusted(n);
+  trial.status == NodeStatus::proved ? void(n = std::move(trial)) : prove_trusted(n, options);
 }
 
 namespace {
@@ -324,6 +324,12 @@ void prove_all_claims(NodeResult& n, const std::string& directory, const ProveOp
         {words(c) + (c.holds ? where : refutation(s, result.proved)), result.proved == c.holds});
   }
   if (n.checks.empty()) throw DomainError(n.node.file + " claims nothing");
+  if (n.node.integrable &&
+      !all_hold(n.checks)) { // where equations of the stratum hold it may be one
+    n.checks.clear();
+    throw DomainError(
+        "a first integral was not confirmed (equations that are not solved were not used)");
+  }
   conclude(n, "every claim of " + n.node.file + " is decided by an exact identity");
   for (const CheckedIdentity& c : n.checks)
     n.statement +=

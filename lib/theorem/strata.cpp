@@ -157,8 +157,8 @@ void prove_cover_of_strata(NodeResult& n, const TheoremResult& result, const std
   for (std::size_t k = 0; k < n.node.needs.size(); ++k) {
     const NodeResult& part = *node_with(result, n.node.needs[k]);
     if (part.node.kind != NodeKind::open_part &&
-        (part.says == Conclusion::none ||
-         (part.status != NodeStatus::proved && part.status != NodeStatus::trusted)))
+        (part.says == Conclusion::none || (part.status != NodeStatus::proved &&
+                                           part.status != NodeStatus::trusted && !part.on_trust)))
       continue;
     n.excluded.insert(n.excluded.end(), part.excluded.begin(), part.excluded.end());
     for (const ParameterRegion& r : regions_of(part)) {

@@ -49,6 +49,9 @@ private:
                                            const std::map<std::string, std::string>& refused,
                                            const Budget& budget);
 
+/// The id of the step that carries the certificate of a case.
+[[nodiscard]] inline std::string certificate_step(const std::string& id) { return id + "-step"; }
+
 /// The regions of a step: one, or those that it lists.
 [[nodiscard]] std::vector<ParameterRegion> regions_of(const NodeResult& n);
 

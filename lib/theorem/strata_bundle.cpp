@@ -110,7 +110,7 @@ private:
         return put_trusted(n, why.why);
       }
     const auto no = refused_.find(n.node.id);
-    put_trusted(n, no == refused_.end() ? "" : "the judge refuses its certificate: " + no->second);
+    put_trusted(n, no == refused_.end() ? "" : "the judge does not follow it: " + no->second);
   }
 
   [[nodiscard]] Place12 place_of(const NodeResult& n) const {
@@ -164,10 +164,10 @@ private:
       try {
         const BundleTarget y = target_of(json);
         std::vector<Json> shown = shown_of(y, x);
-        put_step(n.node.id + "-step", "certificate",
+        put_step(certificate_step(n.node.id), "certificate",
                  {{"certificate", certify::parse_json(json, 512)}});
         put_step(n.node.id, "stratum",
-                 {{"of", json_text(n.node.id + "-step")},
+                 {{"of", json_text(certificate_step(n.node.id))},
                   {"system", json_text(name_)},
                   {"at", x.at},
                   {"region", json_conditions(x.region)},

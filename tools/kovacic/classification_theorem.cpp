@@ -1,7 +1,6 @@
 #include "classification_theorem.hpp"
 
 #include "certificate_file.hpp"
-#include "decide/afterwards.hpp"
 #include "output_format.hpp"
 #include "render.hpp"
 #include "theorem/goals.hpp"
@@ -59,8 +58,8 @@ public:
               {"trusted_steps", result.bundle_trusted},
               {"open_regions", result.bundle_open}};
       tell("certificate", accepted_text(settings_.certificate, result));
-    } catch (const Contradiction&) {
-      throw;
+    } catch (const InternalError& why) {
+      return withdraw(why.what());
     } catch (const InputError&) {
       throw;
     } catch (const Error& why) {
@@ -71,12 +70,24 @@ public:
   }
 
 private:
+  // What our own checker refuses is not told.
+  void withdraw(const std::string& why) {
+    const std::string because = "the certificate is refused, so nothing is claimed: " + why;
+    report_.exit = exit_undecided;
+    report_.text = heading(s_.file, s_.title) +
+                   fmt::format("\n  OPEN\n  {:<12}{}\n", "because", wrapped(because, 14));
+    report_.json["status"] = to_string(ClassificationStatus::open);
+    report_.json["statement"] = because;
+    report_.json["strata"] = Json::array();
+    report_.json["certificate"] = {{"file", nullptr}, {"none", because}};
+  }
   [[nodiscard]] TheoremResult proved() const {
     const auto slash = arguments_.file.rfind('/');
     const std::string folder =
         slash == std::string::npos ? "" : arguments_.file.substr(0, slash + 1);
     const std::string text = theorem_file(s_, c_, arguments_.file.substr(folder.size()));
     ProveOptions options;
+    options.found = true;
     options.decide = settings_.solver_options();
     options.decide.budget.give_by_default();
     return kov::prove(read_theorem(parse_document(text, folder + "what classify found")), options);

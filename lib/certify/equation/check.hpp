@@ -13,7 +13,8 @@ namespace kov::certify {
 struct Rejected {
   std::string step; ///< id of the step; empty: the certificate as a whole
   std::string why;
-  bool limit = false; ///< only a size: nothing in the certificate was found to be false
+  bool limit = false;  ///< only a size: nothing in the certificate was found to be false
+  std::string id = {}; ///< of a theorem: of the step, as the certificate has it
 };
 
 struct Accepted {

@@ -62,23 +62,24 @@ public:
     k.done();
     if (families.size() > max_families || steps.empty() || steps.size() > max_theorem_steps)
       top_.fail("too many systems or steps");
-    std::string at = "systems";
+    std::string at = "systems", id;
     try {
       for (const Node& n : families)
         put_family(n);
       for (std::size_t i = 0; i < steps.size(); ++i) {
         at = "step " + quoted_id(steps[i]);
+        id = Keys(steps[i]).at("id").text();
         step(steps[i], i + 1 == steps.size());
       }
-      at = "";
+      at = id = "";
       for (std::size_t i = 0; i + 1 < steps.size(); ++i)
         need(named_.contains(Keys(steps[i]).at("id").text()), "a step is not used");
     } catch (const Refused& no) {
-      return Rejected{at, no.why, no.limit};
+      return Rejected{at, no.why, no.limit, id};
     } catch (const InvalidArgument&) {
       throw;
     } catch (const std::exception& e) {
-      return Rejected{at, e.what()};
+      return Rejected{at, e.what(), false, id};
     }
     return accepted();
   }
