@@ -139,6 +139,12 @@ class Classifications(unittest.TestCase):
             self.assertEqual(said in out.replace(" at once", ""), True, name)
             self.assertEqual(code, 3 if in_words else 0, name)
 
+    def test_the_verdict_says_that_it_rests_on_trust(self):
+        for name in ("cubic", "second", "top", "field", "constant"):
+            for _, lines, whole in checked(self.path(f"{name}.json")):
+                verdict = next(x for x in lines if "integrable" in x)
+                self.assertEqual("if what is marked TRUSTED holds" in verdict, " TRUSTED: " in whole or "(TRUSTED: " in whole, name)
+
     def test_words_of_a_file_prove_nothing(self):
         """Integrable for a = 1 (and nothing is known of it here): neither a step on trust nor the words for a case make it a theorem"""
         manifold = '[[node.manifold]]\nname = "N"\nequations = ["q1 = 0", "p1 = 0"]\nlevel = ["H = E"]\n'

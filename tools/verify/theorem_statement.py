@@ -102,7 +102,8 @@ def statement(last, theorem):
     kinds = {f.kind for f in theorem.parts}
     but = ", but where it is integrable" * ("J" in kinds and bool(last.classes)) + ", but where nothing is said" * ("O" in kinds)
     verdict = f"is not integrable with {first_integrals(last.classes)}" if last.classes else "is integrable"
-    lines.append(f"{verdict}, where the denominators are not 0 for all coordinates{but}")
+    trust = any(f.trusted or f.kind == "J" and f.integrals[0][3] for f in theorem.parts)
+    lines.append(f"{verdict}, where the denominators are not 0 for all coordinates{but}" + ", if what is marked TRUSTED holds" * trust)
     for f in theorem.parts:
         if f.kind == "N" and f.trusted:
             lines.append(f"  TRUSTED: not integrable with {first_integrals(f.classes)} {place(f)}: {quoted(f.trusted)}")

@@ -203,6 +203,14 @@ bool on_one_leaf(const std::vector<IntegralClass>& classes) {
                      [](const IntegralClass& c) { return c.on_leaf; });
 }
 
+static bool rests_on_trust(const std::vector<const TheoremFact*>& parts) {
+  return std::any_of(parts.begin(), parts.end(), [](const TheoremFact* f) {
+    return !f->trusted.empty() ||
+           std::any_of(f->integrals.begin(), f->integrals.end(),
+                       [](const ClaimedIntegrals& c) { return !c.not_shown.empty(); });
+  });
+}
+
 std::vector<std::string> theorem_statement(const TheoremFact& last,
                                            const std::vector<const TheoremFact*>& parts,
                                            const std::vector<const TheoremFact*>& symmetries) {
@@ -218,7 +226,8 @@ std::vector<std::string> theorem_statement(const TheoremFact& last,
   lines.push_back((last.classes.empty()
                        ? std::string("is integrable")
                        : "is not integrable with " + first_integrals(last.classes)) +
-                  ", where the denominators are not 0 for all coordinates" + but);
+                  ", where the denominators are not 0 for all coordinates" + but +
+                  (rests_on_trust(parts) ? ", if what is marked TRUSTED holds" : ""));
   for (const TheoremFact* f : parts)
     if (f->kind == FactKind::not_integrable && !f->trusted.empty())
       lines.push_back("  TRUSTED: not integrable with " + first_integrals(f->classes) + " " +
