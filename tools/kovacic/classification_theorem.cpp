@@ -78,7 +78,8 @@ private:
                    fmt::format("\n  OPEN\n  {:<12}{}\n", "because", wrapped(because, 14));
     report_.json["status"] = to_string(ClassificationStatus::open);
     report_.json["statement"] = because;
-    report_.json["strata"] = Json::array();
+    report_.json["strata"] = report_.json["theorems"] = Json::array();
+    report_.json["integrals_class"] = report_.json["almost_all"] = nullptr;
     report_.json["certificate"] = {{"file", nullptr}, {"none", because}};
   }
   [[nodiscard]] TheoremResult proved() const {
