@@ -1,11 +1,15 @@
 #include "plot.hpp"
 
+#include "axis_label.hpp"
+
 #include "settings.hpp"
 #include "subprocess.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -28,7 +32,7 @@ std::string gnuplot_quoted(const std::string& text) {
 std::string gnuplot_terminal(const std::string& output_base, int width, int height) {
   return fmt::format(
       "set encoding utf8\nif (!exists(\"format\")) format = \"png\"\n"
-      "if (format eq \"png\") set terminal png size {0},{1} enhanced font \"sans,10\" "
+      "if (format eq \"png\") set terminal pngcairo size {0},{1} enhanced font \"sans,10\" "
       "background \"#ffffff\"\n"
       "if (format eq \"svg\") set terminal svg size {0},{1} enhanced font \"sans,12\" "
       "background \"#ffffff\"\n"
@@ -54,6 +58,27 @@ std::vector<std::string> run_gnuplot(const std::string& base,
 }
 
 namespace {
+
+// The legend stands in a column beside the picture, in which a bar of colours has the lower half.
+constexpr const char* key_beside =
+    "set rmargin at screen 0.76\nset key at screen 0.775, screen 0.93 left top Left reverse "
+    "vertical samplen 1 font \",8\"\n";
+constexpr const char* bar_beside =
+    "set rmargin at screen 0.82\nset colorbox user origin screen 0.85, screen 0.25 size screen "
+    "0.022, screen 0.6\n";
+constexpr const char* bar_below_key =
+    "set colorbox user origin screen 0.79, screen 0.15 size screen 0.022, screen 0.5\n";
+
+// Lightness and hue change evenly.  Around 2, the value of regular motion, MEGNO's map is dark, with
+// green below and purple to orange above; the logarithmic bar has 2 in its middle.
+constexpr const char* around_two =
+    "set palette defined (0 \"#4fb99f\", 0.25 \"#127a6b\", 0.5 \"#22304a\", 0.62 \"#5b1d72\", "
+    "0.75 \"#a5317e\", 0.88 \"#e2505f\", 1 \"#fb9a62\")\n"
+    "set logscale cb\nset cbrange [0.1:40]\n"
+    "set cbtics (\"0.1\" 0.1, \"0.5\" 0.5, \"1\" 1, \"2\" 2, \"4\" 4, \"10\" 10, \"40\" 40)\n";
+constexpr const char* from_dark =
+    "set palette defined (0 \"#22304a\", 0.25 \"#5b1d72\", 0.5 \"#a5317e\", 0.75 \"#e2505f\", 1 "
+    "\"#fb9a62\")\nset cbtics font \",8\"\n";
 
 // Unproved points have shapes and a colour of their own.
 std::string style_of(const FixedPointMark& m) {
@@ -83,7 +108,7 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   std::ofstream out(base + ".gp");
   fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n",
              gnuplot_quoted(name + ".gp"));
-  fmt::print(out, "{}", gnuplot_terminal(name, 800, 600));
+  fmt::print(out, "{}", gnuplot_terminal(name, plot.marks.empty() ? 800 : 960, 600));
   fmt::print(out, "set title {} noenhanced\n", gnuplot_quoted(plot.title));
   for (std::size_t i = 0; i < plot.caption.size(); ++i)
     fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
@@ -92,11 +117,9 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
                   "set xrange [-pi/4:7*pi/4]\nset yrange [-1.03:1.03]\n"
                   "set xtics (\"0\" 0, \"π/2\" pi/2, \"π\" pi, "
                   "\"3π/2\" 3*pi/2)\nset ytics 0.5\n"
-                  "set xlabel \"l\" offset 0,0.5\nset ylabel \"L/G\"\n"
+                  "set xlabel \"{{/:Italic l}}\" offset 0,0.5\nset ylabel \"{{/:Italic L/G}}\"\n"
                   "wrap(l) = l >= 7*pi/4 ? l - 2*pi : l\n");
-  fmt::print(out, "{}",
-             plot.marks.empty() ? "unset key\n"
-                                : "set key outside above horizontal maxrows 1 font \",8\"\n");
+  fmt::print(out, "{}", plot.marks.empty() ? "unset key\n" : key_beside);
   const std::string points = "notitle with points pt 7 ps (format eq \"png\" ? 0.15 : 0.08)";
   std::vector<std::string> layers;
   const auto layer = [&](const std::string& file, const std::string& abscissa,
@@ -144,7 +167,7 @@ std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::siz
 void print_axes(std::ofstream& out, const PlanePlot& plot) {
   for (std::size_t i = 0; i < 2; ++i) {
     const char* axis = i == 0 ? "x" : "y";
-    fmt::print(out, "set {}label {} noenhanced\n", axis, gnuplot_quoted(plot.labels[i]));
+    fmt::print(out, "set {}label {}\n", axis, gnuplot_quoted(axis_label(plot.labels[i])));
     if (plot.angle[i])
       fmt::print(
           out,
@@ -188,12 +211,13 @@ void print_proved(std::ofstream& out, const std::string& name, const PlanePlot& 
 std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& plot,
                                     const std::vector<std::string>& formats) {
   const std::string name = fs::path(base).filename().string();
+  const bool proved = plot.manifolds || !plot.marks.empty(), one_each = plot.colour.empty();
   const std::vector<std::string> caption = wrapped(plot.caption, 125);
   const double lines = static_cast<double>(caption.size());
   std::ofstream out(base + ".gp");
   fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n",
              gnuplot_quoted(name + ".gp"));
-  fmt::print(out, "{}", gnuplot_terminal(name, 800, 700));
+  fmt::print(out, "{}", gnuplot_terminal(name, proved || !one_each ? 960 : 800, 700));
   fmt::print(out, "set title {} noenhanced\nset bmargin {:.1f}\nset lmargin 9\n",
              gnuplot_quoted(plot.title), 4.5 + 1.2 * lines);
   for (std::size_t i = 0; i < caption.size(); ++i)
@@ -201,11 +225,9 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
                i + 1, gnuplot_quoted(caption[i]),
                0.02 + 0.024 * (lines - 1 - static_cast<double>(i)));
   print_axes(out, plot);
-  const bool proved = plot.manifolds || !plot.marks.empty();
-  const std::string key =
-      proved ? "set key outside above horizontal maxrows 2 font \",8\"\n" : "unset key\n";
-  const double size = plot.points > 40'000 ? 0.08 : plot.points > 8'000 ? 0.14 : 0.25;
-  const bool one_each = plot.colour.empty();
+  const std::string key = (one_each && !proved ? "set rmargin at screen 0.97\n" : "") +
+                          std::string(proved ? key_beside : "unset key\n");
+  const double size = std::clamp(12 / std::sqrt(static_cast<double>(plot.points + 1)), 0.06, 0.5);
   if (one_each) // neighbours in the list of orbits have different colours
     fmt::print(out,
                "{}unset colorbox\nset palette defined (0 \"#102040\", 1 \"#0060c0\", "
@@ -213,12 +235,8 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
                "3 \"#b06000\", 4 \"#a00040\", 5 \"#6000a0\")\nset cbrange [0:5]\n",
                key);
   else
-    fmt::print(out,
-               "{}set palette defined (0 \"#0040a0\", 1 \"#00a0a0\", 2 \"#80b020\", 3 "
-               "\"#e08000\", "
-               "4 \"#c00020\")\nset cblabel {} noenhanced\n{}",
-               key, gnuplot_quoted(plot.colour_label),
-               plot.logarithmic ? "set logscale cb\nset cbrange [1:40]\n" : "");
+    fmt::print(out, "{}{}{}set cblabel {} noenhanced\n", key, proved ? bar_below_key : bar_beside,
+               plot.logarithmic ? around_two : from_dark, gnuplot_quoted(plot.colour_label));
   fmt::print(out,
              "plot {} using {}:{}:({}) notitle with points pt 7 ps (format eq \"png\" ? {} : {}) "
              "lc {}",
@@ -226,7 +244,7 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
              gnuplot_quoted(plot.columns[1]),
              one_each ? "int(column(\"orbit\")) % 6"
                       : "column(" + gnuplot_quoted(plot.colour) + ")",
-             size + 0.05, size,
+             size + 0.04, size,
              plot.manifolds ? "rgb \"#c0c0c0\"" : "palette"); // behind the manifolds
   print_proved(out, name, plot);
   fmt::print(out, "\n");

@@ -16,10 +16,13 @@ constexpr const char* head = R"html(<!doctype html>
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
 <title>Section</title>
 <style>
-body { font: 15px sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em; color: #102040; }
+:root { color-scheme: light dark; --ink: #102040; --soft: #405060; --page: #ffffff; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e4e8f0; --soft: #a8b2c0; --page: #14181f; } }
+body { font: 15px sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em; color: var(--ink); background: var(--page); }
 h1 { font-size: 1.2em; }
-canvas { width: 100%; height: 70vh; touch-action: none; cursor: crosshair; }
-#caption, #help { font-size: 0.85em; color: #405060; overflow-wrap: anywhere; }
+canvas { width: 100%; aspect-ratio: 8 / 7; max-height: 78vh; touch-action: none; cursor: crosshair; }
+@media (max-width: 40em) { body { padding: 0 0.3em; } }
+#caption, #help { font-size: 0.85em; color: var(--soft); overflow-wrap: anywhere; }
 #said { min-height: 1.4em; font-weight: bold; }
 </style>
 </head>
@@ -35,24 +38,32 @@ const scene = )html";
 
 constexpr const char* script = R"html(;
 const canvas = document.getElementById("plane"), pen = canvas.getContext("2d");
-const margin = { left: 70, right: 90, top: 10, bottom: 45 };
-const stops = [[0, 64, 160], [0, 160, 160], [128, 176, 32], [224, 128, 0], [192, 0, 32]];
-const listed = ["#102040", "#0060c0", "#007020", "#b06000", "#a00040", "#6000a0"];
+const margin = { left: 70, right: scene.colour_label ? 90 : 16, top: 10, bottom: 45 };
+const dark = matchMedia("(prefers-color-scheme: dark)");
+const ink = () => getComputedStyle(document.body).color;
+// as in plot.cpp; on a dark page what is regular is light
+const middle = () => dark.matches ? [190, 200, 214] : [34, 48, 74];
+const around = () => [[79, 185, 159], [18, 122, 107], middle(), dark.matches ? [176, 120, 200] : [91, 29, 114],
+                      [165, 49, 126], [226, 80, 95], [251, 154, 98]];
+const stops = () => scene.logarithmic ? around() : around().slice(2);
+const listed = () => dark.matches ? ["#c8d4e8", "#6ab0ff", "#62c47c", "#f0a850", "#ff7fa6", "#c49aff"]
+                                  : ["#102040", "#0060c0", "#007020", "#b06000", "#a00040", "#6000a0"];
 let view, chosen = -1;
 
 const values = scene.orbits.map(o => o.value).filter(Number.isFinite);
-const range = scene.logarithmic ? [1, 40] : [Math.min(...values), Math.max(...values)];
+const range = scene.logarithmic ? [0.1, 40] : [Math.min(...values), Math.max(...values)];
 function part(value) {
   const scale = v => scene.logarithmic ? Math.log(Math.max(v, 1e-300)) : v;
   const [a, b] = range.map(scale);
   return b > a ? Math.min(1, Math.max(0, (scale(value) - a) / (b - a))) : 0;
 }
 function shade(p) {
-  const i = Math.min(3, Math.floor(4 * p)), f = 4 * p - i;
-  return `rgb(${stops[i].map((c, k) => Math.round(c + f * (stops[i + 1][k] - c)))})`;
+  const s = stops(), n = s.length - 1, i = Math.min(n - 1, Math.floor(n * p)), f = n * p - i;
+  return `rgb(${s[i].map((c, k) => Math.round(c + f * (s[i + 1][k] - c)))})`;
 }
-const colours = scene.orbits.map((o, i) =>
-  scene.colour_label ? shade(Number.isFinite(o.value) ? part(o.value) : 0) : listed[i % 6]);
+const coloured = () => scene.orbits.map((o, i) =>
+  scene.colour_label ? shade(Number.isFinite(o.value) ? part(o.value) : 0) : listed()[i % 6]);
+let colours = coloured();
 
 function all() {
   let box = [Infinity, -Infinity, Infinity, -Infinity];
@@ -79,7 +90,7 @@ function ticks(a, b) {
   return found;
 }
 function axes() {
-  pen.fillStyle = "#102040";
+  pen.fillStyle = ink();
   pen.strokeStyle = "#8090a0";
   pen.font = "12px sans-serif";
   pen.strokeRect(margin.left, margin.top, width(), height());
@@ -108,7 +119,7 @@ function legend() {
     pen.fillStyle = shade(1 - i / h);
     pen.fillRect(x, margin.top + i, 14, 1.5);
   }
-  pen.fillStyle = "#102040";
+  pen.fillStyle = ink();
   pen.textAlign = "left";
   pen.fillText(Number(range[1].toPrecision(3)), x + 18, margin.top + 10);
   pen.fillText(Number(range[0].toPrecision(3)), x + 18, margin.top + h);
@@ -198,6 +209,7 @@ canvas.addEventListener("keydown", e => {
   keys[e.key]();
 });
 window.addEventListener("resize", draw);
+dark.addEventListener("change", () => { colours = coloured(); draw(); });
 document.title = scene.title;
 document.getElementById("title").textContent = scene.title;
 document.getElementById("caption").textContent = scene.caption.join("\n");
