@@ -15,7 +15,7 @@ bool uses_momenta(const Form& form, const MFraction& f) {
   return false;
 }
 
-// A function of the momenta: then H is no polynomial in them.
+// A function of the momenta: then H is not a polynomial in them.
 bool functions_use_momenta(const Form& form) {
   const std::size_t n = form.degrees();
   for (const FunctionSymbol& f : form.field.functions) {

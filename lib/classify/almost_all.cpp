@@ -47,7 +47,7 @@ bool is_inside(const System& s, const Substitution& values) {
 bool is_transverse(const System& s, const InvariantManifold& m) {
   const auto& main = m.curve->main();
   for (const std::size_t i :
-       s.field.coordinates) // time is left out as it is no function on the curve
+       s.field.coordinates) // time is left out as it is not a function on the curve
     if (std::find(main.begin(), main.end(), i) == main.end()) return false;
   Matrix rows;
   std::vector<MPoly> divisors;

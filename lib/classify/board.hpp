@@ -24,7 +24,7 @@ struct Round : KnownSystem {
   std::vector<Piece> pieces = {whole};
   std::vector<ManifoldSpec> at_energy_zero = {}, at_all_levels = {}; ///< solutions for what is left
   std::vector<std::vector<MPoly>> special = {}; ///< where there may be more solutions
-  std::vector<Exclusion> late = {}; ///< with exceptions that take long to tell: for what is left
+  std::vector<Exclusion> late = {}; ///< with exceptions that take long to write down: for what is left
   std::vector<ManifoldSpec> solutions = {};
   bool studied_at_once = false;             ///< one answer for all parameters was enough
   bool integrals_known = false;             ///< for all of these parameters, from a round before,
@@ -86,7 +86,7 @@ void note(Round& round, const std::string& what, const std::string& outcome);
 /// Cuts the pieces; what is too hard to tell for now is kept for later.
 /// Errors  Contradiction
 void exclude(Board& b, Round& round, const Exclusion& e);
-/// The same for exclusions with exceptions that take long to tell: these come last.
+/// The same for exclusions with exceptions that take long to write down: these come last.
 void exclude_or_defer(Board& b, Round& round, Exclusion e);
 
 /// They are not meromorphic functions, and contradict no theorem on these.

@@ -117,7 +117,7 @@ struct PlanarPotential {
   long directions =
       0; ///< degree of the form that vanishes at the Darboux points: num and den together
   enum class Part : std::uint8_t { all, highest, lowest } part = Part::all; ///< of the potential
-  /// Where not all of each list vanish, that part of H is the one of generic parameters.
+  /// Valid where each list has a nonvanishing member; elsewhere the leading part of H is another one.
   std::vector<std::vector<MPoly>> not_all_zero;
 };
 
@@ -225,7 +225,7 @@ bool is_leading(const NaturalHamiltonian& n, const Leading& leading, Part part, 
 }
 
 // At special parameters a form may be 0, and a common factor of two forms too, which their quotient
-// does not show; of A1, A2 only the denominators matter: a larger degree is no bound any more.
+// does not show; of A1, A2 only the denominators matter: a larger degree is not a bound any more.
 void set_conditions(PlanarPotential& p, const NaturalHamiltonian& n, const MFraction& v,
                     const Leading& leading) {
   for (const MPoly& f : {v.num(), v.den(), n.linear[0].den(), n.linear[1].den()})
@@ -427,7 +427,7 @@ std::string text_of(const std::vector<std::vector<Rational>>& choices) {
       text += (i == 0 ? "" : ", ") + to_string(choice[i] + Rational(1));
     text += "}";
   }
-  return text.empty() ? "none" : text;
+  return text;
 }
 
 MPoly back(const MPoly& p, const Ring& ring) { return transfer(MFraction(p), ring).num(); }
@@ -459,8 +459,9 @@ ExclusionReason reason(const PlanarPotential& p) {
                     .near = IntegralClass::Near::phase_space};
   by.trusted = {"the polynomial of the eigenvalues at Darboux points"};
   if (p.part != Part::all)
-    by.theorems.push_back("Ziglin's lemma for rational integrals in involution, parts of " +
-                          std::string(p.part == Part::highest ? "highest" : "lowest") + " weight");
+    by.theorems.push_back(
+        "Ziglin's lemma for rational integrals in involution, applied to parts of " +
+        std::string(p.part == Part::highest ? "highest" : "lowest") + " weight");
   return by;
 }
 
@@ -468,8 +469,12 @@ ExclusionReason why(const PlanarPotential& p, std::size_t points,
                     const std::vector<std::vector<Rational>>& choices) {
   ExclusionReason by = reason(p);
   by.solution = "the Darboux points of " + which_part(p);
-  by.reason = "their eigenvalues are not in the table of Morales-Ruiz and Ramis; with " +
-              std::to_string(points) + " simple points it leaves " + text_of(choices);
+  const std::string these = std::to_string(points) + " simple Darboux points";
+  by.reason = choices.empty()
+                  ? "no integrable potential has " + these + " (Morales-Ruiz and Ramis)"
+                  : "an integrable potential with " + these +
+                        " has one of these sets of eigenvalues (Morales-Ruiz and Ramis): " +
+                        text_of(choices) + "; this one does not";
   by.theorems.insert(by.theorems.begin(), morales_ramis().name);
   return by;
 }

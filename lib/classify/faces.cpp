@@ -190,7 +190,7 @@ private:
     hamiltonian_ = substitute(hamiltonian_, zero);
   }
 
-  // sum c_i x_i, c constant, over the coordinates that are no exponentials: a basis of those that
+  // sum c_i x_i, c constant, over the coordinates that are not exponentials: a basis of those that
   // are constant, and one of those that are so where the second exponential is 0.
   void find_linear_integrals(const Budget& budget) {
     for (const std::size_t i : system_.field.coordinates)
@@ -268,7 +268,8 @@ private:
     return all;
   }
 
-  // A level of each linear integral that the solutions of this face have beside those of both.
+  // One constant c1, c2, ... for each linear integral of the face system that the full system does not
+  // have.
   void name_levels() {
     auto names = system_.ring()->names();
     const std::size_t first = names.size();

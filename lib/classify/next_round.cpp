@@ -193,7 +193,7 @@ void again(Board& b, const Round& round, Piece piece) {
     for (Piece& part : next.parts)
       again(b, round, std::move(part));
   } else if (!next.why_not.empty()) {
-    note(piece, "the equations of the parameters", next.why_not);
+    note(piece, "equations between the parameters", next.why_not);
     b.open.push_back(std::move(piece));
   } else if (next.special) {
     if (!follows_another(b, piece)) b.waiting.push_back(*std::move(next.special));

@@ -17,7 +17,7 @@ void study_faces(Board& b, Round& round, const Task& task, const Budget& budget)
 [[nodiscard]] std::vector<Task> higher_orders(const Board& b, const Round& round);
 void study_higher_orders(Board& b, Round& round, const Task& task, const Budget& budget);
 
-/// Exclusions with exceptions that take long to tell.
+/// Exclusions with exceptions that take long to write down.
 [[nodiscard]] std::vector<Task> exceptions(const Board& b, const Round& round);
 void tell_exceptions(Board& b, Round& round, const Task& task, const Budget& budget);
 

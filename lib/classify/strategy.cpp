@@ -50,7 +50,7 @@ std::span<const Stage> strategy() {
       {"along invariant sets at more levels", 0.2, 0.8, at_all_levels, study_along},
       {"higher variational equations", 0.3, 0.3, higher_orders, study_higher_orders},
       {"first integrals of high degree", 0.5, 0.5, high_integrals, find_high_integrals},
-      {"exceptions that take long to tell", 1, 1, exceptions, tell_exceptions},
+      {"exceptions that take long to write down", 1, 1, exceptions, tell_exceptions},
   };
   return all;
 }

@@ -19,7 +19,7 @@ namespace {
 using Kind = Expression::Kind;
 
 constexpr long largest_multiple = 60; // of one argument among the arguments
-/// Names for the constants that are no rational numbers, so that they are variables of a ring.
+/// Names for the constants that are not rational numbers, so that they are variables of a ring.
 class Symbols {
 public:
   Symbols(const Expression& ode, const std::string& unknown) {

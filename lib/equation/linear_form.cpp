@@ -10,7 +10,7 @@ namespace {
 
 using Kind = Expression::Kind;
 
-// y, or y(z) where y is no function that formulas know
+// y, or y(z) where y is not a function that formulas know
 bool is_function_name(const Expression& e) {
   static const std::set<std::string> known{"sqrt", "root", "diff", "sin", "cos", "exp"};
   return e.kind() == Kind::name ||

@@ -42,7 +42,7 @@ long highest(const Expression& e, const std::string& y) {
   return n;
 }
 
-// y' and every call that is no rational function get a letter.
+// y' and every call that is not a rational function get a letter.
 class Letters {
 public:
   Letters(const Expression& e, const std::string& y) : y_(y) {

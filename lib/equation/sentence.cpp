@@ -124,7 +124,7 @@ private:
     drop_tail(rest, "a");
     if (drop_tail(rest, "not"))
       throw InputError(*place_.origin(), place_.span(whole_),
-                       "what is no natural number is no integer, or negative",
+                       "what is not a natural number is not an integer, or negative",
                        "these are two questions: ask them one by one");
     drop_tail(rest, "is");
     const Expression left = formula(rest);

@@ -20,7 +20,7 @@ const Ring& common_ring(const Ring& a, const Ring& b) {
 constexpr double units_per_product = 3.0 / 8;
 constexpr double units_per_term = 3; // of a dividend
 
-// FLINT stops the program when it is asked for an exponent that is no machine word.
+// FLINT stops the program when it is asked for an exponent that is not a machine word.
 MPoly checked_exponents(MPoly f) {
   if (fmpz_mpoly_degrees_fit_si(f.raw(), f.ctx()) == 0)
     throw DomainError("the exponents of a polynomial are too large");

@@ -68,7 +68,8 @@ ExponentialSolution fourth_root(const QuarticRoot& root, const Singularities& s)
   return y;
 }
 
-// Of polynomials: above the first a line is looked for with one below the second.
+// If the quartic invariant needs degree > large_degree, first look for a line with degree <=
+// small_degree.
 constexpr long large_degree = 1000;
 constexpr long small_degree = 100;
 
@@ -223,7 +224,7 @@ private:
     settle({GroupType::Borel, {}}, Argument::line_alone);
   }
 
-  // An immense bound of the degree is no budget matter as long as one prime may settle everything.
+  // An immense bound of the degree is not a budget matter as long as one prime may settle everything.
   [[nodiscard]] bool exponents_allow_a_line() const {
     try {
       return !exponential_shape(local()).obstruction;

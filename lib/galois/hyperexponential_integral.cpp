@@ -8,8 +8,8 @@
 namespace kov {
 namespace {
 
-// The residue of phi at the roots of q: 0 where phi has no pole; unset where it is no constant, or
-// the pole is no simple one.
+// The residue of phi at the roots of q: 0 where phi has no pole; unset where it is not a constant, or
+// the pole is not a simple one.
 std::optional<NfElem> residue_at(const RationalFunction& phi, const Poly& q) {
   const auto [order, rest] = remove_factor(phi.den(), q);
   if (order > 1) return std::nullopt;

@@ -98,7 +98,7 @@ void decide_block(const System& s, const CheckOptions& options, bool one_level,
   // a constant that depends on the parameters is one to strata
   if (!names.empty() || (!options.stop_at_r && !constants_are_numbers(s.field))) {
     if (options.stop_at_r)
-      block.note = "r depends on the parameter(s) " + names +
+      block.note = "r depends on " + names +
                    "; give values with --set to decide single equations";
     else if (!one_level)
       decide_parameters(s, options, block);

@@ -254,7 +254,7 @@ void add_trusted(const std::optional<Decision>& d, const Add& add) {
 
 namespace {
 
-// What is excluded in part is a part of the general stratum.
+// The verdict is partial and rests on one arithmetic part of the general stratum.
 bool rests_on_a_part(const ManifoldReport& m) {
   if (m.verdict != VerdictKind::undecided) return false;
   const auto* answer = excluding_strata(m);

@@ -18,6 +18,6 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
 
 /// The step on trust where a stratum is told apart by the closed answer of a classical equation.
 inline constexpr const char* closed_answer_step =
-    "the closed answer of a classical equation, without a certificate";
+    "the classical criterion of a known equation, without a certificate";
 
 } // namespace kov

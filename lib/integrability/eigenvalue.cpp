@@ -149,7 +149,7 @@ std::vector<MFraction> eigenrow(const Matrix& powers, const Polynomial& p, const
   return row;
 }
 
-// Those of one root after the other; of more than two roots, one and what is needed for a basis.
+// Degree 2: eigenrows of both roots.  Higher degree: those of one root, completed to a basis.
 Matrix eigenrows(const Splitting& x, const std::vector<Matrix>& generators, const MFraction& root) {
   const std::size_t d = x.p.size() - 1;
   Matrix rows;

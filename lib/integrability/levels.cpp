@@ -40,7 +40,7 @@ namespace {
 std::optional<std::size_t> energy_parameter(const System& s, const ReduceSpec& reduce,
                                             const MFraction& r) {
   std::optional<std::size_t> found;
-  for (const std::size_t i : level_parameters(s)) // others are no choice of a level
+  for (const std::size_t i : level_parameters(s)) // others are not a choice of a level
     if (uses(r, i) && (!found || s.ring()->name(i) == reduce.energy_parameter)) found = i;
   return found;
 }

@@ -66,7 +66,7 @@ WholeVariation coupling(const System& s, const ManifoldReport& report,
   try {
     return whole_variation(s.field, *report.manifold, report.normal, report.reduced, parts);
   } catch (const OutOfBudget& limit) {
-    return {std::string("what couples the blocks was not studied: ") + limit.what(), {}};
+    return {std::string("not studied: the coupling of the blocks: ") + limit.what(), {}};
   }
 }
 

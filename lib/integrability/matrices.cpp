@@ -25,7 +25,7 @@ Substitution at_level(const System& s, const ManifoldSpec& spec, const Rational&
   return level;
 }
 
-// Parameters that are no choice of a level have values: the matrices may not show them, but what
+// Parameters that are not a choice of a level have values: the matrices may not show them, but what
 // was divided by does.
 bool has_only_levels(const System& s) {
   const auto levels = level_parameters(s);

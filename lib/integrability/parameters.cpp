@@ -154,7 +154,7 @@ bool occurs(const std::vector<Equation>& all, std::size_t i) {
                      [i](const Equation& e) { return uses(e.difference, i); });
 }
 
-// Only what the file assumes contains the parameter: it restricts the others, and is no level.
+// Only what the file assumes contains the parameter: it restricts the others, and is not a level.
 bool is_auxiliary(const System& s, std::size_t i) {
   return std::any_of(s.assumptions.begin(), s.assumptions.end(),
                      [i](const Assumption& a) { return uses(a.value, i); }) &&

@@ -29,7 +29,7 @@ void put(std::vector<Equation>& all, const Substitution& values) {
     put(e.difference, values);
 }
 
-// A constant of which no relation says anything any more is free, as parameters are.  The relation of
+// An algebraic constant that no relation restricts any more becomes a parameter.  The relation of
 // a function says something of the function: that of sqrt(x^2 + c y^2).
 void free_constants(VectorField& v) {
   std::erase_if(v.relations, [](const MPoly& p) { return is_zero(p); });

@@ -211,7 +211,7 @@ private:
     const auto is_rest = [&](const IntegralsOfSet& s) {
       return is_plain(s) && same_answer(s, rest);
     };
-    const auto is_generic = [&](const IntegralsOfSet& s) { // "everywhere else" is no thin set
+    const auto is_generic = [&](const IntegralsOfSet& s) { // "everywhere else" is not a thin set
       return is_rest(s) && s.equations == everywhere;
     };
     if (std::none_of(result_.sets.begin(), result_.sets.end(), is_generic)) return;
@@ -583,7 +583,7 @@ private:
     return fields;
   }
 
-  // Products of known integrals inside the ansatz, and 1 where it is no constant term there.
+  // Products of known integrals inside the ansatz, and 1 where it is not a constant term there.
   std::vector<SparseRow> products(const State& s, const Ansatz& ansatz, long degree) const {
     std::vector<SparseRow> rows;
     const MFraction one(space_.field.ring, Rational(1));

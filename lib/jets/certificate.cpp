@@ -87,7 +87,7 @@ private:
     const auto c = kov::coefficients(*plane_.relation, constant);
     if (c.size() < 3 ||
         !std::all_of(c.begin() + 1, c.end() - 1, [](const MPoly& x) { return is_zero(x); }))
-      throw NoWords("the algebraic constant is no root");
+      throw NoWords("the algebraic constant is not a root");
     const MFraction value = -(MFraction(c.front()) / MFraction(c.back()));
     c_.field.tower.push_back({static_cast<unsigned long>(c.size() - 1), element(value), {}});
   }

@@ -255,7 +255,7 @@ MFraction inverse_modulo(const MFraction& f, const MFraction& r, std::size_t i) 
 std::variant<InvariantPlane, OutOfScope> invariant_plane(const System& s, const ManifoldSpec& m) {
   const VectorField& v = s.field;
   if (s.kind != SystemKind::hamiltonian || v.dimension() != 4 || !v.functions.empty())
-    return OutOfScope{"the system is no polynomial one of two degrees of freedom"};
+    return OutOfScope{"the system is not a polynomial one of two degrees of freedom"};
   const auto natural = natural_form(v);
   if (!natural) return OutOfScope{"H is not (a*p1^2 + b*p2^2)/2 + V with a polynomial V"};
   const auto line = line_of(v, m);
@@ -265,7 +265,7 @@ std::variant<InvariantPlane, OutOfScope> invariant_plane(const System& s, const 
   if (auto no = take_constants(v, plane)) return *no;
   const bool axis = is_zero(line->m[0]) || is_zero(line->m[1]);
   if (!axis && !(natural->inertia[0] == natural->inertia[1]))
-    return OutOfScope{"the two inertias differ, and the line is no coordinate axis"};
+    return OutOfScope{"the two inertias differ, and the line is not a coordinate axis"};
   const MFraction square = transfer(line->m[0] * line->m[0] + line->m[1] * line->m[1], plane.ring);
   if (is_zero(plane.reduced(square))) return OutOfScope{"the line is isotropic"};
   const Chart chart = axis ? axis_chart(v, *natural, *line, is_zero(line->m[0]) ? 1 : 0, plane)

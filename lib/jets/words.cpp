@@ -41,7 +41,7 @@ std::string why_infinite(const HigherObstruction& o) {
     return "no quadratic form but 0 commutes with R, and the group of the normal equation is "
            "infinite: not all of its exponents at equilibria are rational, because the sum of "
            "their "
-           "squares is no sum of " +
+           "squares is not a sum of " +
            std::to_string(o.place.degree - 1) + " squares of rational numbers";
   default:
     return "no quadratic form but 0 commutes with R, and the group of the normal equation is "

@@ -67,7 +67,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        {},
        {{"the system is Hamiltonian", Settled::checked, "its form: kinetic energy and potential"},
         {"the curve is a phase curve and no equilibrium", Settled::checked,
-         "the plane of the step is proved to be invariant, and the energy is no critical value"},
+         "the plane of the step is proved to be invariant, and the energy is not a critical value"},
         {"the first integrals are meromorphic near the curve", Settled::stated,
          "that is what is excluded"},
         independent}},

@@ -283,8 +283,8 @@ void add_continuations(const Involution& a, const std::vector<std::vector<bool>>
   involutions(n, s, may_map, all);
 }
 
-// Of few variables all; of many those that map coordinates to coordinates, and of more than six
-// coordinates with momenta those that do the same to both.
+// Few variables: all signed permutations.  More: those that permute coordinates; more than six: those
+// that act alike on coordinates and momenta.
 std::vector<Involution> candidates(const VectorField& v, const Extended& x) {
   if (x.variables.size() <= most_for_all_involutions) return involutions(x.variables.size());
   const std::size_t n = v.coordinates.size();
@@ -588,7 +588,7 @@ public:
           look([&] { return lines_inside(m, there, wanted); });
   }
 
-  // Sets whose levels are no curves yet, two at a time, and again what comes out.
+  // Sets whose levels are not curves yet, two at a time, and again what comes out.
   void intersect() {
     for (std::size_t i = 1; i < result_.proved.size() && i < most_intersections; ++i)
       for (std::size_t j = 0; j < i; ++j) {

@@ -134,9 +134,11 @@ std::optional<ManifoldFailure> curve_failure(const VectorField& v, const Invaria
   if (d < 0) return failure("the manifold with its levels is empty");
   if (d == 0) return failure("the manifold with its levels consists of points, not of curves");
   if (d > 1)
-    return failure("the manifold with its levels has dimension " + std::to_string(d) +
-                   ", not 1: add " + std::to_string(d - 1) +
-                   " more level(s) of first integrals (level = [\"H = h\", ...])");
+    return failure("the levels of the first integrals do not cut out a curve on the manifold, but "
+                   "a set of dimension " +
+                   std::to_string(d) + ": add " +
+                   (d == 2 ? "one more level" : std::to_string(d - 1) + " more levels") +
+                   " (level = [\"H = h\", ...])");
   for (const auto& x : v.components)
     if (!m.vanishes_on_curve(x)) return std::nullopt;
   return failure("all points of the manifold with its levels are equilibria");

@@ -143,7 +143,7 @@ struct RotatedPair {
   int a = 1;
 };
 
-// Unset: eta is no rotation of pairs of parameters.
+// Unset: eta is not a rotation of pairs of parameters.
 std::optional<std::vector<RotatedPair>> pairs(const System& s, const Substitution& moving) {
   std::vector<RotatedPair> all;
   for (const auto& [p, value] : moving) {

@@ -107,7 +107,7 @@ std::vector<std::string> in_words(const Assumptions& all, const Ring& ring) {
   }
   std::set<std::size_t> integers;
   for (const Membership& m : all.memberships) {
-    list.push_back(to_string(m.value) + (m.in_integers ? " is an integer" : " is no integer"));
+    list.push_back(to_string(m.value) + (m.in_integers ? " is an integer" : " is not an integer"));
     const auto used = used_variables(m.value);
     if (m.in_integers && used.size() == 1 && m.value == MFraction::variable(ring, used[0]))
       integers.insert(used[0]);

@@ -187,7 +187,7 @@ std::optional<Row> combination(std::vector<MFraction> f, const MFraction& g) {
   return shortened(*found, std::move(relations));
 }
 
-// Integers n with n1 f1 + n2 f2 + ... a constant that is no integer.
+// Integers n with n1 f1 + n2 f2 + ... a constant that is not an integer.
 std::optional<Row> fractional_constant(std::vector<MFraction> f, const Ring& ring) {
   const Integer N = common_denominator(f).of_constants();
   f.emplace_back(ring, Rational(Integer(1), N));

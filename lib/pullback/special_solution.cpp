@@ -144,7 +144,9 @@ public:
             x_,
             to_string(y_.f, variable_),
             f + "'' = " + in_parentheses(to_string(y_.standard, x_)) + " " + f,
-            functions()};
+            functions(),
+            solutions(),
+            named().where};
   }
 
 private:
@@ -171,38 +173,45 @@ private:
            (terms.size() > 1 ? in_parentheses(sum) : sum);
   }
 
-  [[nodiscard]] std::string airy() const {
+  /// Two F, and what their letters mean.
+  struct Named {
+    std::vector<std::string> functions;
+    std::string where;
+  };
+
+  [[nodiscard]] Named airy() const {
     const NfElem a = y_.standard.num().coeff(1);
-    if (is_one(a)) return "Ai(" + x_ + "), Bi(" + x_ + ")";
+    if (is_one(a)) return {{"Ai(" + x_ + ")", "Bi(" + x_ + ")"}, ""};
     const std::string c = letter_("c"), argument = "(" + c + "*" + as_factor(x_) + ")";
-    return "Ai" + argument + ", Bi" + argument + " with " + c + "^3 = " + to_string(a);
+    return {{"Ai" + argument, "Bi" + argument}, c + "^3 = " + to_string(a)};
   }
 
   // p = x^2 R: a x^2 + c, or x + c
-  [[nodiscard]] std::string bessel(const Poly& p) const {
+  [[nodiscard]] Named bessel(const Poly& p) const {
     const std::string n = letter_("n");
     const auto both = [&](const char* first, const char* second, const std::string& argument,
                           const NfElem& order_squared) {
       const std::string root = "sqrt(" + x_ + ")*";
-      return root + first + n + argument + ", " + root + second + n + argument + " with " + n +
-             " = " + root_text(order_squared);
+      return Named{{root + first + n + argument, root + second + n + argument},
+                   n + " = " + root_text(order_squared)};
     };
     if (degree(p) == 1)
       return both("I_", "K_", "(2*sqrt(" + x_ + "))", NfElem(1) + NfElem(4) * p.coeff(0));
     return both("J_", "Y_", argument(-p.coeff(2)), p.coeff(0) + NfElem(Rational(1, 4)));
   }
 
-  [[nodiscard]] std::string whittaker(const Poly& p) const {
+  [[nodiscard]] Named whittaker(const Poly& p) const {
     const NfElem square = NfElem(4) * p.coeff(2);
     const std::string k = letter_("k"), m = letter_("m");
     const std::string of = "_(" + k + "," + m + ")" + argument(square);
-    return "M" + of + ", W" + of + " with " + k + " = " + quotient_text(-p.coeff(1), square) +
-           ", " + m + " = " + root_text(p.coeff(0) + NfElem(Rational(1, 4)));
+    return {{"M" + of, "W" + of},
+            k + " = " + quotient_text(-p.coeff(1), square) + ", " + m + " = " +
+                root_text(p.coeff(0) + NfElem(Rational(1, 4)))};
   }
 
   // x^((1-l)/2) (1-x)^((1-m)/2) 2F1((1-l-m-n)/2, (1-l-m+n)/2; 1-l; x), and -l for l where that is
   // another function.
-  [[nodiscard]] std::string hypergeometric() const {
+  [[nodiscard]] Named hypergeometric() const {
     const RationalFunction y(Poly::z() - Poly(1)), z(Poly::z());
     const auto root_at = [&](const RationalFunction& f, const NfElem& point) {
       const NfElem value = evaluate(f.num(), point) / evaluate(f.den(), point);
@@ -214,7 +223,7 @@ private:
                n = exact_sqrt(NfElem(1) + (vanishes ? NfElem(0)
                                                     : NfElem(4) * lead(at_infinity.num()) /
                                                           lead(at_infinity.den())));
-    if (!l || !m || !n) return "";
+    if (!l || !m || !n) return {};
     const NfElem one(1), half(Rational(1, 2));
     const auto with = [&](const NfElem& l0) {
       const NfElem sum = one - l0 - *m;
@@ -224,8 +233,8 @@ private:
              to_string(one - l0) + "; " + x_ + ")";
     };
     const bool integer = is_rational(*l) && is_integer(to_rational(*l));
-    if (!integer) return with(*l) + ", " + with(-*l);
-    return with(sign(to_rational(*l)) > 0 ? -*l : *l); // 1 - l is no denominator then
+    if (!integer) return {{with(*l), with(-*l)}, ""};
+    return {{with(sign(to_rational(*l)) > 0 ? -*l : *l)}, ""}; // 1 - l is not a denominator then
   }
 
   // The variable may be z - c.
@@ -234,7 +243,7 @@ private:
     return x.find_first_of("+-*/^ ") == std::string::npos || x.front() == '(';
   }
 
-  [[nodiscard]] std::string functions() const {
+  [[nodiscard]] Named named() const {
     const Poly p = (y_.standard * RationalFunction(Poly::z() * Poly::z())).num();
     switch (y_.family) {
     case Classical::airy:
@@ -246,8 +255,26 @@ private:
     case Classical::riemann:
       return hypergeometric();
     default:
-      return "";
+      return {};
     }
+  }
+
+  [[nodiscard]] std::string functions() const {
+    const Named all = named();
+    std::string text;
+    for (const std::string& f : all.functions)
+      text += (text.empty() ? "" : ", ") + f;
+    return text + (all.where.empty() ? "" : " with " + all.where);
+  }
+
+  [[nodiscard]] std::vector<std::string> solutions() const {
+    if (!is_zero(y_.b)) return {};
+    std::vector<std::string> all = named().functions;
+    const bool one = y_.a == RationalFunction(1);
+    for (std::string& f : all)
+      f.insert(0, (is_one(y_.h) ? "" : "sqrt(" + to_string(y_.h, variable_) + ")*") +
+                      (one ? "" : factor_text(y_.a, variable_) + "*"));
+    return all;
   }
 
   const SpecialSolution& y_;

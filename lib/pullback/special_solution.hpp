@@ -12,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace kov {
 
@@ -37,12 +38,14 @@ struct SpecialSolution {
 /// How it is written: y in terms of F(x) and F'(x), F'' = R F; `functions` names two such F where
 /// they have short names, else "".
 struct SpecialSolutionText {
-  std::string y;         ///< "sqrt(z)*((z + 1)*F(x) + (z^2)*F'(x))"
-  std::string function;  ///< "F"
-  std::string letter;    ///< "x"
-  std::string x;         ///< f
-  std::string equation;  ///< "F'' = (x) F"
-  std::string functions; ///< "Ai(x), Bi(x)"
+  std::string y;                      ///< "sqrt(z)*((z + 1)*F(x) + (z^2)*F'(x))"
+  std::string function;               ///< "F"
+  std::string letter;                 ///< "x"
+  std::string x;                      ///< f
+  std::string equation;               ///< "F'' = (x) F"
+  std::string functions;              ///< "Ai(x), Bi(x)"
+  std::vector<std::string> solutions; ///< y itself, where B = 0: "(1/z)*Ai(x)", "(1/z)*Bi(x)"
+  std::string where;                  ///< "n = 1/3", of the letters in them
 };
 /// F, x and the letters of `functions` have other names where the equation has these; where f is
 /// the variable itself, F is written in it.

@@ -143,7 +143,7 @@ void require_solution(const RationalMatrix& b, const Pair& p, const PrimitiveExt
   const std::size_t i = p.first, j = p.second;
   KOV_ENSURE(derivative(p.y) == b[i][i] * p.y + b[i][j] * p.w);
   if (!(derivative(p.w) == b[j][i] * p.y + b[j][j] * p.w))
-    throw NotApplicable{"the velocity is no solution by itself"};
+    throw NotApplicable{"the velocity is not a solution by itself"};
   KOV_ENSURE(l.derivative(p.h) == Element{b[i][j] * p.g / p.y});
   KOV_ENSURE(derivative(p.g) + p.w * b[i][j] * p.g / p.y == b[j][j] * p.g);
 }
@@ -322,7 +322,7 @@ private:
     }
     if (!all)
       throw NotApplicable{"VE_" + std::to_string(k) +
-                          " needs an integral that is not in K(I), which is no obstruction"};
+                          " needs an integral that is not in K(I), which is not an obstruction"};
     return std::nullopt;
   }
 
@@ -517,7 +517,7 @@ QuadratureOrders orders_by_quadratures(const System& s, const ManifoldSpec& m, i
 std::string reason(const QuadratureObstruction& o) {
   return "VE_" + std::to_string(o.order) +
          " needs the integral of f in K(I), I' = u by z = " + o.variable + " (" + o.of +
-         "), and df/dI is no derivative in K(I): at I^" + std::to_string(o.power) +
+         "), and df/dI is not a derivative in K(I): at I^" + std::to_string(o.power) +
          " Hermite's reduction leaves simple poles";
 }
 

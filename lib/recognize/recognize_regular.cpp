@@ -181,7 +181,7 @@ std::string index_text(const NfElem& alpha) {
   return "-1/2 + sqrt(" + to_string(NfElem(1) + NfElem(4) * alpha) + ")/2";
 }
 
-// n up to here is asked for its closed answer: n^2 operations with numbers of about n digits.
+// n up to here is asked for its classical criterion: n^2 operations with numbers of about n digits.
 bool moderate(const LameIndex& index) { return !index.n || *index.n < Rational(40); }
 
 // r = f''/(4f) - 3 f'^2/(16 f^2) + (alpha x + B)/f with f = 4P, r = N/P^2:

@@ -90,10 +90,9 @@ std::string class_text(const Residues& c, Known number) {
 }
 
 std::string is_in(const Texts& all, const std::string& what, bool holds) {
-  const bool noun = what.rfind("an ", 0) == 0;
   if (holds) return joined(all, " or ") + " is " + what;
   if (all.size() > 1) return "none of " + listed(all) + " is " + what;
-  return all[0] + (noun ? " is no " + what.substr(3) : " is not " + what);
+  return all[0] + " is not " + what;
 }
 
 // Beside the names in the numbers that a sentence is about.
@@ -250,26 +249,24 @@ std::string words(const InHalves& s, bool holds) {
 
 std::string words(const Separated& s, bool holds) {
   const FreshLetters letter = letters_for(s.squares);
-  return "+-(" + number_text(s.squares[0]) + ") is " + (holds ? "a" : "no") + " natural number " +
-         letter("N") + " with " + number_text(s.squares[1]) +
+  return "+-(" + number_text(s.squares[0]) + ") is " + (holds ? "a" : "not a") +
+         " natural number " + letter("N") + " with " + number_text(s.squares[1]) +
          letter.in(" among N - 1, N - 3, ..., 1 - N");
 }
 
 std::string words(const SeparatedPair& s, bool holds) {
   const FreshLetters letter = letters_for(s.squares);
   const auto text = [](const MFraction& f) { return is_zero(f) ? std::string("0") : to_string(f); };
-  return "+-(" + number_text(s.squares[0]) + ") is " + (holds ? "a" : "no") + " natural number " +
-         letter("N") +
+  return "+-(" + number_text(s.squares[0]) + ") is " + (holds ? "a" : "not a") +
+         " natural number " + letter("N") +
          letter.in(" with +-d1 +- d2 among N - 1, N - 3, ..., 1 - N, where d1^2 + d2^2 = ") +
          text(s.squares[1]) + letter.in(", d1^2*d2^2 = ") + text(s.squares[2]);
 }
 
 std::string words(const WithoutLogarithm& s, bool holds) {
-  return std::string(holds ? "" : "it is not so that ") + "one of " +
-         listed(number_texts(s.squares)) +
-         letters_for(s.squares).in(
-             " is an integer, and each that is equals up to sign a natural number N with the "
-             "sum or the difference of the other two among N - 1, N - 3, ..., 1 - N");
+  const std::string all = listed(number_texts(s.squares));
+  return holds ? "one of " + all + " is an integer, and there is no logarithm"
+               : "none of " + all + " is an integer, or there is a logarithm";
 }
 
 std::string words(const InRow& s, bool holds) {

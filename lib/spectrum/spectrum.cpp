@@ -284,7 +284,7 @@ private:
         places = strata::scheme(r, q_.z, region, budget_);
       }
       return smallest(std::get<Scheme>(places), region);
-    } catch (const DomainError&) { // this N is no level
+    } catch (const DomainError&) { // this N is not a level
       return std::nullopt;
     }
   }

@@ -335,7 +335,7 @@ Truth common_answer(const std::vector<Part>& parts) {
   return same ? first : Truth::unknown;
 }
 
-// A leaf says what it says, also where the closed answer says it with another proof.  A part that
+// A leaf says what it says, also where the classical criterion says it with another proof.  A part that
 // says something else has no points, which was not seen: then nothing is added.
 void add_closed_answer(Leaf& leaf, ClassicalAnswer answer) {
   const bool agree = std::all_of(answer.parts.begin(), answer.parts.end(), [&](const Part& p) {
@@ -467,7 +467,7 @@ LeafAnswer with_parts(LeafAnswer answer, const Scheme& s, const Region& region,
   return answer;
 }
 
-// What the places decide comes with a certificate; where that is a long search, the closed answer
+// What the places decide comes with a certificate; where that is a long search, the classical criterion
 // of a classical equation is taken first.
 LeafAnswer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const Region& region,
                                    const Budget& budget) {
@@ -478,7 +478,7 @@ LeafAnswer places_or_closed_answer(const std::shared_ptr<const Scheme>& s, const
   } catch (const OutOfBudget&) {
     budget.check();
   }
-  const Region scratch(region); // what is asked in vain is no trusted step
+  const Region scratch(region); // what is asked in vain is not a trusted step
   if (classical_answer(*s, scratch, budget).index() == 0)
     return decide_by_places(s, region, budget);
   auto closed = classical_answer(*s, region, budget);
@@ -494,13 +494,13 @@ bool depends_on_parameters(const MFraction& r, std::size_t z) {
   return std::any_of(used.begin(), used.end(), [&](std::size_t i) { return i != z; });
 }
 
-// p = 0 is no stratum with one parameter less, nor a number.
+// p = 0 is not a stratum with one parameter less, nor a number.
 bool cannot_be_solved(const MPoly& p, const Region& region) {
   return used_variables(p).size() > 1 &&
          std::holds_alternative<Region::Stuck>(region.where_zero(p));
 }
 
-// A closed answer that another road contradicts at a point says nothing.
+// A classical criterion that another road contradicts at a point says nothing.
 void compare_at_points(LeafAnswer& answer, const MFraction& r, std::size_t z, const Region& region,
                        const Budget& budget) {
   auto* leaf = std::get_if<Leaf>(&answer);

@@ -31,7 +31,7 @@ std::vector<MFraction> taylor(const MFraction& f, std::size_t t, std::size_t n) 
   return out;
 }
 
-// The square root of a power series; unset: that of its first term is no function of the parameters.
+// The square root of a power series; unset: that of its first term is not a function of the parameters.
 std::optional<std::vector<MFraction>> root_of_series(const std::vector<MFraction>& g) {
   const auto first = square_root(g.at(0));
   if (!first) return std::nullopt;
@@ -122,7 +122,7 @@ private:
     const MFraction g = substitute(s_.r, {{s_.z, inverse}}) * pow(z_, 2 * nu);
     const auto root = root_of_series(taylor(g, s_.z, static_cast<std::size_t>(nu) + 1));
     if (!root)
-      return fail(p, "the leading coefficient is no square of a function of the parameters");
+      return fail(p, "the leading coefficient is not a square of a function of the parameters");
     MFraction w = zero();
     MFraction integral = zero();
     for (long i = 0; i <= nu; ++i) {
@@ -144,7 +144,7 @@ private:
     const MFraction g = substitute(s_.r, {{s_.z, z_ + c}}) * pow(z_, 2 * nu);
     const auto root = root_of_series(taylor(g, s_.z, static_cast<std::size_t>(nu) - 1));
     if (!root)
-      return fail(p, "the leading coefficient is no square of a function of the parameters");
+      return fail(p, "the leading coefficient is not a square of a function of the parameters");
     MFraction w = zero();
     MFraction integral = zero();
     for (long i = 0; i + 2 <= nu; ++i) {

@@ -52,7 +52,7 @@ public:
     const bool finite = std::all_of(places_.begin(), places_.end(),
                                     [this](const ParametricPlace* p) { return exponents(*p); });
     if (!finite)
-      say(2, "the families are no finite list of numbers");
+      say(2, "the families are not a finite list of numbers");
     else if (places_.size() > most_places)
       say(2, "more than " + std::to_string(most_places) +
                  " places: the families are not listed_choices");

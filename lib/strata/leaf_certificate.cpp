@@ -22,7 +22,7 @@ const char* to_string(Gap gap) {
   case Gap::bound:
     return "no exact proof of a bound of an exponent difference";
   case Gap::difference:
-    return "no exact proof that an exponent difference has not a value";
+    return "no exact proof that an exponent difference avoids a value";
   case Gap::degree:
     return "no rule for an open exponent difference of degree > 1";
   case Gap::invariant:
@@ -32,7 +32,7 @@ const char* to_string(Gap gap) {
   case Gap::number:
     return "no certificate of the equation without parameters";
   case Gap::relation:
-    return "the format has no rule for an equation that is not solved";
+    return "an equation between parameters is used as a relation, and the format has no rule for relations";
   case Gap::division:
     return "division by a polynomial without an exact proof that it is not 0";
   case Gap::assumption:
@@ -52,11 +52,11 @@ std::string rule_name(Conclusion theorem) {
   case Conclusion::no_products:
     return "an exponent difference without a bound";
   case Conclusion::assumed_integers:
-    return "an exponent difference that is no integer";
+    return "an exponent difference that is not an integer";
   case Conclusion::bessel:
     return "the family of Bessel";
   case Conclusion::classical:
-    return "the closed answer of a classical equation";
+    return "the classical criterion of a known equation";
   default:
     return "this theorem";
   }
@@ -373,7 +373,7 @@ private:
   const Budget& budget_;
 };
 
-// What the places alone prove, without the closed answers; a closed answer may have been taken
+// What the places alone prove, without the classical criteria; a classical criterion may have been taken
 // because that is a long search.
 Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s, const Region& region,
                const Budget& budget, const NoProof& otherwise) {
@@ -390,7 +390,7 @@ Leaf by_places(const Leaf& leaf, const std::shared_ptr<const Scheme>& s, const R
   throw otherwise;
 }
 
-// The closed answer of the classical equation that a leaf is, if it is one.
+// The classical criterion of the classical equation that a leaf is, if it is one.
 std::optional<ClassicalAnswer> closed_answer(const Leaf& leaf, const Region& region,
                                              const Budget& budget) {
   if (evidence<ClassicalForm>(leaf) == nullptr && leaf.by != Conclusion::bessel)
@@ -429,7 +429,7 @@ LeafNode leaf_certificate(const Leaf& leaf, const MFraction& r, const Region& re
       return written(by_places(leaf, leaf.scheme, region, budget, no_rule));
     return written(leaf);
   };
-  // the places first: they say more of the equation than a closed answer does
+  // the places first: they say more of the equation than a classical criterion does
   const auto closed = [&]() -> std::optional<LeafNode> {
     const auto answer = closed_answer(leaf, region, budget);
     if (!answer) return std::nullopt;

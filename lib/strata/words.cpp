@@ -154,7 +154,7 @@ std::string one_open(const Leaf& leaf) {
   const auto& bound = *evidence<DifferenceBound>(leaf);
   const std::string list = listed(evidence<ExcludedDifferences>(leaf)->values);
   const std::string torus_text = torus(leaf);
-  return difference(leaf, bound.place) + ": not larger than " + to_string(bound.square) + "; " +
+  return difference(leaf, bound.place) + " is not larger than " + to_string(bound.square) + "; " +
          torus_text +
          letters(leaf).in(torus_text.empty() ? "if Delta is not rational, "
                                              : ", and unless 2*Delta is an integer, ") +
@@ -231,8 +231,7 @@ std::string separated(const Leaf& leaf) {
 std::string condition(const Leaf& leaf, const OpenCondition& open);
 
 std::string not_special(const Leaf& leaf) {
-  return condition(leaf, evidence<ConditionFails>(leaf)->condition) +
-         "; that is not so on this stratum";
+  return condition(leaf, evidence<ConditionFails>(leaf)->condition) + "; this fails on the stratum";
 }
 
 // ", n_1 = 2*n + 1": a letter of the canonical form that the equation has for something else gets
@@ -270,7 +269,9 @@ std::string classical(const Leaf& leaf) {
                  ? ring->name(leaf.scheme->z)
                  : "(" + to_string(MFraction::variable(ring, leaf.scheme->z) - form.centre) + ")") +
             "^" + std::to_string(form.power);
-  return text + numbers_of(form, *leaf.scheme) + ": its closed answer";
+  std::string numbers = numbers_of(form, *leaf.scheme);
+  if (!numbers.empty()) numbers = " (" + numbers.substr(2) + ")"; // without ", "
+  return "by the classical criterion for " + text + numbers;
 }
 
 std::string argument(const Leaf& leaf, std::size_t longest) {

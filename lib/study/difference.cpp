@@ -458,7 +458,7 @@ std::vector<Rational> plus_multiple(std::vector<Rational> a, const Rational& c,
   return a;
 }
 
-// F(x) is no square of one of the classes for x at or beyond this; unset: F grows, or its limit is
+// F(x) is not a square of one of the classes for x at or beyond this; unset: F grows, or its limit is
 // finite and the classes are all of Q.
 std::optional<Rational> bound(const Univariate& f,
                               const std::optional<std::vector<Residues>>& classes) {

@@ -164,7 +164,7 @@ std::optional<DifferenceCondition> some(const strata::Leaf& leaf,
   return c;
 }
 
-// Where the parts of a closed answer say it: outside `condition` the group is `otherwise` for some
+// Where the parts of a classical criterion say it: outside `condition` the group is `otherwise` for some
 // level, if all that is said to change does so.
 struct ClosedAnswer {
   std::optional<DifferenceCondition> condition; ///< unset: everywhere
@@ -430,7 +430,7 @@ std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& 
       if (std::find(e.by.trusted.begin(), e.by.trusted.end(), step) == e.by.trusted.end())
         e.by.trusted.push_back(step);
     if (e.by.level.empty() && has_free_level(report, levels))
-      e.by.level = "all levels but special ones";
+      e.by.level = "all levels of the first integrals except special ones";
     for (const std::string& fixed : fixed_levels(report, levels))
       e.by.level += (e.by.level.empty() ? "" : ", ") + fixed;
   }

@@ -31,7 +31,7 @@ public:
     return left;
   }
 
-  // The sums that do not change are left, if it is one.
+  // Keeps only the sums x1 +- x2 +- ... that do not depend on the level.
   ArithmeticStatement operator()(const SumIn& s) {
     if (std::none_of(s.squares.begin(), s.squares.end(),
                      [&](const MFraction& x) { return changes(x); }))
@@ -82,7 +82,7 @@ private:
     }
     return s;
   }
-  // x1 +- x2 +- ..., each up to sign; unset: a number is no function of parameters and levels.
+  // x1 +- x2 +- ..., each up to sign; unset: a number is not a function of parameters and levels.
   static std::optional<std::vector<MFraction>> sums(const Squares& squares) {
     std::vector<MFraction> all;
     for (const MFraction& square : squares) {
@@ -120,7 +120,7 @@ AtGeneralLevel at_general_level(std::vector<std::vector<ArithmeticCondition>> pa
     std::vector<ArithmeticCondition> left;
     bool never = false;
     for (const ArithmeticCondition& c : part) {
-      if (!c.holds) continue; // that more may hold is no mistake
+      if (!c.holds) continue; // that more may hold is not a mistake
       Statement s(levels);
       left.push_back({std::visit(s, c.statement), true});
       need(s.changing());

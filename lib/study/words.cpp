@@ -127,13 +127,18 @@ namespace {
 constexpr std::size_t most_told = 8;
 constexpr std::size_t longest_told = 600; // some lines
 
-// "(a), or (b)"; where they are many, what they are is told below the theorem.
+// "a = 1, b = 0 or (a = 2, b = 3)"; where they are many, they stand below the theorem.
 std::string alternatives(const SystemClassification& c, const std::vector<StratumStatus>& wanted,
                          const std::string& named) {
   const auto all = places(c, wanted);
   std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : ", or ") + (all.size() > 1 ? "(" + one + ")" : one);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool several = all.size() > 1 && all[i].find(", ") != std::string::npos;
+    text += (i == 0                ? ""
+             : i + 1 == all.size() ? " or "
+                                   : ", ") +
+            (several ? "(" + all[i] + ")" : all[i]);
+  }
   if (all.size() <= most_told && text.size() <= longest_told) return "for " + text;
   return all.size() == 1 ? "in the set of parameters below that is " + named
                          : "in one of the " + std::to_string(all.size()) +
@@ -178,10 +183,22 @@ std::string statement(const SystemClassification& c) {
                      "determined) the system is " +
                          statement(c.almost_all->by) + "."
                    : "";
-  if (!has(c, StratumStatus::excluded))
-    return almost.empty() ? "No parameters are excluded." : almost;
-  return "The system can be integrable with " + first_integrals(c.excluded) + " only " +
-         alternatives(c, {StratumStatus::integrable, StratumStatus::open}, "integrable or open") +
+  if (!has(c, StratumStatus::excluded)) {
+    const std::string some =
+        has(c, StratumStatus::integrable)
+            ? integrable + " " + alternatives(c, {StratumStatus::integrable}, "integrable") + "."
+            : "";
+    if (some.empty() && almost.empty())
+      return "Nothing is proved: no obstruction and no further first integral was found.";
+    return some + (some.empty() || almost.empty() ? "" : " ") + almost;
+  }
+  std::string only =
+      alternatives(c, {StratumStatus::integrable, StratumStatus::open}, "integrable or open");
+  if (only.starts_with("for "))
+    only.erase(0, 4);
+  else
+    only.insert(0, "its parameters are ");
+  return "If the system is integrable with " + first_integrals(c.excluded) + ", then " + only +
          "." + (almost.empty() ? "" : " " + almost);
 }
 

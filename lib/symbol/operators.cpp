@@ -52,7 +52,7 @@ private:
     return e.error("this product of operators is too long");
   }
   [[nodiscard]] InputError no_operator(const Expression& e) const {
-    return e.error("this is no operator in " + d_.name,
+    return e.error("this is not an operator in " + d_.name,
                    "write polynomials in " + d_.name + ", with the coefficients on the left");
   }
   [[nodiscard]] std::string sum(const Expression& e, const std::string& y) const {

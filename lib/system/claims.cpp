@@ -25,7 +25,7 @@ ClaimResult check_darboux(const VectorField& v, const SystemClaim& claim, const 
   if (!is_zero(gcd(cofactor.den(), g)) && is_constant(gcd(cofactor.den(), g)))
     return {true, "X(G) = K G with K = " + brief(cofactor), cofactor, {}, {}};
   auto generators = set_generators(claim.on);
-  generators.push_back(g); // with its multiplicities: 2 x is no multiple of x^2
+  generators.push_back(g); // with its multiplicities: 2 x is not a multiple of x^2
   const Ideal level = relation_ideal(v, generators, {}, budget);
   if (level.is_unit()) return refuted("G = 0 is empty; X(G)", derivative);
   if (is_in(derivative, level))
@@ -35,7 +35,7 @@ ClaimResult check_darboux(const VectorField& v, const SystemClaim& claim, const 
             level.inverted(),
             {}};
   return refuted(vanishes_on(derivative, level)
-                     ? "X(G) vanishes on G = 0 and is no multiple of G; modulo G: X(G)"
+                     ? "X(G) vanishes on G = 0 and is not a multiple of G; modulo G: X(G)"
                      : "on G = 0: X(G)",
                  reduced(derivative, level));
 }

@@ -14,7 +14,7 @@ bool contains(const NotAllZero& all, const MPoly& p) {
   return std::find(all.begin(), all.end(), p) != all.end();
 }
 
-// The coefficients of f by all that is no parameter and no constant.
+// The coefficients of f by all that is not a parameter and no constant.
 NotAllZero coefficients_of(const MPoly& f, const VectorField& v) {
   const auto is_in = [](const std::vector<std::size_t>& all, std::size_t i) {
     return std::find(all.begin(), all.end(), i) != all.end();

@@ -151,7 +151,7 @@ void guess_coordinates(const Expression& e, const Guess& guess, const Names& nam
                         "coordinates: --coordinates x,y");
 }
 
-// xy is no parameter beside x and y: a product, whose sign is missing.
+// xy is not a parameter beside x and y: a product, whose sign is missing.
 void refuse_run_together(const Expression& e, const std::string& name, const Letters& letters) {
   Names known = letters.coordinates;
   known.insert(known.end(), letters.rates.begin(), letters.rates.end());
@@ -174,7 +174,7 @@ void settle_parameters(const Expression& e, const Names& names, Letters& letters
     if (has(letters.coordinates, name) || has(letters.rates, name) || has(letters.parameters, name))
       continue;
     if (given)
-      throw e.error(name + " is no coordinate, and not among the parameters " +
+      throw e.error(name + " is not a coordinate, and not among the parameters " +
                     listed(letters.parameters));
     if (name == "t")
       throw e.error("t is the time or a parameter: which?",

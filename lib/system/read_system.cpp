@@ -96,7 +96,7 @@ std::optional<Slope> slope_of(const FunctionMeaning& m) {
   return std::nullopt;
 }
 
-// A derivative that what the symbol means does not have.
+// Refuses a declared derivative that contradicts `means`.
 void require_derivatives(const Entry& system, const SystemScope& scope, const VectorField& v) {
   const Ideal relations = relation_ideal(v);
   for (const FunctionMeaning& m : scope.meanings) {

@@ -35,7 +35,7 @@ public:
     const NodeResult& root = t_.nodes.front();
     if (root.node.kind != NodeKind::cover || t_.theorem.system.empty() ||
         !root.node.place.at.empty() || !root.node.place.conditions.empty())
-      throw DomainError("the first step is no cover of all parameters");
+      throw DomainError("the first step is not a cover of all parameters");
     whole_ = &family(t_.theorem.system, {}, {});
     for (const std::string& id : root.node.needs)
       if (const NodeResult& n = find(id); n.says != Conclusion::none) put_part(n);
@@ -198,7 +198,7 @@ private:
     for (std::size_t k = 0; k < 3; ++k) {
       const auto used = used_variables(p.inverse_inertia[k]);
       if (used.size() != 1 || k >= n.node.small.size())
-        throw DomainError("the moments of inertia are no parameters");
+        throw DomainError("the moments of inertia are not parameters");
       const std::string name = s.ring()->name(used.front());
       moments.push_back(json_text(name));
       small.push_back(json_text(n.node.small[k]));
@@ -231,7 +231,7 @@ private:
       if (is_constant(f.den())) break;
     }
     if (!is_constant(f.den()) || !(f.den().coefficient(0) == Integer(1)))
-      throw DomainError("the perturbation is no polynomial over a power of the moments");
+      throw DomainError("the perturbation is not a polynomial over a power of the moments");
     d.first = f.num();
   }
   Json splitting_proof(FamilyWriter& y, const certify::SplittingData& d) {

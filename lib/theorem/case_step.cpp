@@ -394,7 +394,7 @@ void move_material(NodeResult& n, NodeResult& sample) {
     n.certificates.push_back(std::move(c));
 }
 
-// "Not integrable" may rest on one level that was chosen: a sample of a level is no counterexample.
+// "Not integrable" may rest on one level that was chosen: a sample of a level is not a counterexample.
 bool names_a_level(const System& s, const ParameterValues& sample) {
   const auto levels = level_parameters(s);
   return std::any_of(sample.begin(), sample.end(), [&](const auto& value) {

@@ -54,7 +54,7 @@ std::string base_of(const NodeResult& n, const TheoremResult& result,
         throw DomainError("'" + other.id + "' is not for all parameters");
       return beside(directory, other.other);
     }
-  throw DomainError("'" + n.node.place.of + "' is no step of kind lowest-order");
+  throw DomainError("'" + n.node.place.of + "' is not a step of kind lowest-order");
 }
 
 void unbind(NodeResult& n, const std::string& why) {
@@ -108,7 +108,7 @@ std::vector<ParameterMap> symmetries(NodeResult& n, const Theorem& t, const Syst
     const Located found = locate(path, path, whole, place);
     n.checks.push_back({name + " maps the system to itself", found.objection.empty()});
     if (!found.objection.empty())
-      throw DomainError(name + " is no symmetry of the system: " + found.objection);
+      throw DomainError(name + " is not a symmetry of the system: " + found.objection);
     n.symmetries.push_back(*found.map);
     ParameterMap map = identity(ring);
     for (const auto& [variable, value] : s.as)
@@ -267,9 +267,9 @@ struct Pieces {
 // A region that the statement says nothing about, and why; the step writes its integrals with the
 // names of its own file.
 std::string exception(const NodeResult& part) {
-  std::string text = "(" + text_of(part.region) + ")";
+  std::string text = text_of(part.region);
   if (part.integrals.empty()) return text;
-  text += ", with " + part.integrals;
+  text += ", where " + part.integrals;
   return part.node.place.as.empty() ? text : text + " in the coordinates of " + part.node.file;
 }
 
@@ -365,9 +365,8 @@ void state(NodeResult& n, const System& whole, const std::string& file, bool has
   n.statement += " is not integrable with " + first_integrals(n.excluded);
   if (!n.curve.empty()) n.statement += " (phase curves: " + n.curve + ")";
   if (!n.integrals.empty())
-    n.statement += ", except possibly in these cases" +
-                   std::string(has_symmetries ? " and their images under the symmetries" : "") +
-                   ": " + n.integrals;
+    n.statement += ", except possibly when " + n.integrals +
+                   (has_symmetries ? " (or in an image of these cases under the symmetries)" : "");
 }
 
 } // namespace
@@ -398,7 +397,7 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   n.says = Conclusion::not_integrable;
   n.trusted.push_back({"Z3: the regions of the steps cover the parameters", true});
   n.checks.push_back({"the regions of the steps cover the parameters", true});
-  n.integrals = joined(found.exceptions, "; ");
+  n.integrals = joined(found.exceptions, "; or when ");
   n.curve = joined(found.curves, "; ");
   state(n, whole, result.theorem.system, maps.size() > 1);
   n.summary = "the regions of " + std::to_string(n.tables.back().rows.size()) +

@@ -80,7 +80,7 @@ private:
         const std::string name = p.ring()->name(i);
         if (!is_of_the_file(name) && constants_.emplace(name, to_string(p)).second &&
             used_variables(p).size() > 1)
-          throw DomainError("the constant " + name + " is no root of a polynomial with numbers");
+          throw DomainError("the constant " + name + " is not a root of a polynomial with numbers");
       }
   }
   [[nodiscard]] bool is_known(const std::string& name) const {

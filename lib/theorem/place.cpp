@@ -70,7 +70,7 @@ WrittenCondition read_condition(const std::string& text, const PlaceScope& scope
         if (const auto value = scope.value(name)) all.names.push_back(*value);
     return all;
   }
-  throw InputError("theorem file", 0, 0, 1, "'" + text + "' is no condition",
+  throw InputError("theorem file", 0, 0, 1, "'" + text + "' is not a condition",
                    "for example \"A > B\" or \"L3 != 0\"");
 }
 
@@ -191,7 +191,7 @@ private:
   std::string read_maps() {
     for (const auto& [name, text] : place_.as) {
       const auto i = single_.ring()->find(name);
-      if (!i) return "'" + name + "' is no name of " + file_name(single_);
+      if (!i) return "'" + name + "' is not a name of " + file_name(single_);
       map_[*i] = scope_.read(text);
     }
     for (std::size_t i = 0; i < single_.ring()->size(); ++i) {
@@ -226,7 +226,7 @@ private:
       for (std::size_t j = 0; j < n; ++j) {
         jacobian.back().push_back(derivative(map_.at(i), *ring()->find(base_.field.name(j))));
         if (!is_parametric(jacobian.back().back()))
-          return single_.ring()->name(i) + " is no linear function of the variables";
+          return single_.ring()->name(i) + " is not a linear function of the variables";
       }
     }
     const MFraction d = determinant(jacobian, ring());
@@ -418,7 +418,7 @@ ParameterRegion region_of(const System& whole, const Place& place) {
     const auto i = scope.ring()->find(name);
     if (!i)
       throw InputError("theorem file", 0, 0, 1,
-                       "'" + name + "' is no parameter of " + file_name(whole));
+                       "'" + name + "' is not a parameter of " + file_name(whole));
     all.require(MFraction::variable(scope.ring(), *i) - scope.read(text), Sign::zero);
   }
   require(all, place, scope);

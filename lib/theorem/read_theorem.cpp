@@ -88,7 +88,7 @@ int read_order(const Entry& e) {
 std::string read_expected(const Entry& e) {
   const std::vector<std::string> known{"non-integrable", "no-obstruction", "depends", "any"};
   if (std::find(known.begin(), known.end(), e.string()) == known.end())
-    throw e.error("'" + e.string() + "' is no verdict that a proof may end in",
+    throw e.error("'" + e.string() + "' is not a verdict that a proof may end in",
                   "one of " + enumerate(known));
   return e.string();
 }
@@ -160,7 +160,7 @@ const LiteratureTheorem* read_literature(const Entry& e) {
   for (const LiteratureTheorem& t : literature())
     known.push_back(t.id);
   const auto near = nearest(named->string(), known);
-  throw named->error("'" + named->string() + "' is no theorem that this program knows",
+  throw named->error("'" + named->string() + "' is not a theorem that this program knows",
                      near ? "did you mean " + *near + "?" : "known: " + enumerate(known));
 }
 
@@ -193,7 +193,7 @@ IntegralClass read_class(const Entry& e) {
     if (!given) return all.begin()->second;
     const auto found = all.find(given->string());
     if (found == all.end())
-      throw given->error("'" + given->string() + "' is no " + key + " of first integrals");
+      throw given->error("'" + given->string() + "' is not a " + key + " of first integrals");
     return found->second;
   };
   e.check_keys(

@@ -92,7 +92,7 @@ std::vector<ParameterValues> members(const System& s, const std::vector<std::str
   return all;
 }
 
-// What the criterion needs of the body: it is no member of a family, and so on.
+// What the criterion needs of the body: it is not a member of a family, and so on.
 void put_domain(NodeResult& n, const System& s, bool triangle) {
   std::string direction;
   for (const std::string& name : n.node.small)

@@ -65,7 +65,7 @@ std::string no_grading(const System& s) {
   const auto& x = s.field.coordinates;
   for (const auto& [i, weight] : s.weights)
     if (std::find(x.begin(), x.end(), i) == x.end())
-      return s.ring()->name(i) + " has a weight and is no coordinate";
+      return s.ring()->name(i) + " has a weight and is not a coordinate";
   for (const std::size_t i : x)
     if (const auto w = s.weights.find(i); w == s.weights.end() || w->second < 1)
       return "the coordinate " + s.ring()->name(i) + " has no weight of 1 or more";
@@ -239,7 +239,7 @@ void require_known(const std::string& name, const std::vector<std::string>& know
                    const std::string& what) {
   if (std::find(known.begin(), known.end(), name) != known.end()) return;
   const auto near = nearest(name, known);
-  throw InputError("", 0, 0, 1, "'" + name + "' is no " + what,
+  throw InputError("", 0, 0, 1, "'" + name + "' is not a " + what,
                    near            ? "did you mean " + *near + "?"
                    : known.empty() ? "there is none"
                                    : "known: " + enumerate(known));

@@ -74,7 +74,7 @@ public:
     const NodeResult& root = t_.nodes.front();
     if (root.node.kind != NodeKind::cover || !root.node.place.at.empty() ||
         !root.node.place.conditions.empty())
-      throw DomainError("the first step is no cover of all parameters");
+      throw DomainError("the first step is not a cover of all parameters");
     certify::Arithmetic a;
     checked_ = certify::read_family(certify::Node(json_, name_, rationals()), a);
     for (const std::string& id : root.node.needs)

@@ -245,7 +245,7 @@ ReducedSystem reduce_by_integrals(const VectorField& v, const InvariantManifold&
     auto& c = integrals[k].coefficients;
     if (!is_linear_integral(v, m, r.system, c))
       throw DomainError("the differential of '" + integrals[k].name +
-                        "' is no first integral of the normal equations: the manifold has several "
+                        "' is not a first integral of the normal equations: the manifold has several "
                         "components, or is not smooth; write one component");
     const auto e = unknown_to_eliminate(m, r.system, c, keep);
     if (!e) continue; // depends on the integrals already used

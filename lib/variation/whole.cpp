@@ -166,8 +166,8 @@ std::string coupled_blocks(const InvariantManifold& m, const LinearSystem& s,
         for (const std::size_t i : a)
           for (const std::size_t j : b)
             if (!m.vanishes_on_curve(s.a[i][j]))
-              return "what couples the block " + list(s.names, a) + " to the block " +
-                     list(s.names, b) + " was not studied";
+              return "not studied: the coupling of the block " + list(s.names, a) +
+                     " with the block " + list(s.names, b);
   return {};
 }
 
@@ -186,14 +186,15 @@ WholeVariation whole_variation(const VectorField& v, const InvariantManifold& m,
   // an invariant covector in a symplectic plane: the group is additive or trivial
   if (symplectic && integral != r.eliminations.end() && leaf.size() == 2) return w;
   if (integral != r.eliminations.end())
-    w.missing = "what couples the zero level of d" + integral->integral +
-                " to the other levels was not studied";
+    w.missing = "not studied: the coupling of the subspace d" + integral->integral +
+                " = 0 of the variational equation with the rest";
   else if (!symplectic) {
     w.divisors.clear();
     if (!has_coordinate_complement(v, m, rows, jacobian, w.divisors))
       w.missing =
-          std::string("what couples the normal part to the variations along the manifold ") +
-          "was not studied" + (v.poisson ? " (the manifold is not symplectic)" : "");
+          std::string("not studied: the coupling of the normal part with the variations along the "
+                      "manifold") +
+          (v.poisson ? " (the manifold is not symplectic)" : "");
   }
   if (w.missing.empty()) w.missing = coupled_blocks(m, r.system, studied);
   if (!w.missing.empty()) w.divisors.clear();

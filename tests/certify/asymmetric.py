@@ -44,7 +44,7 @@ def diagonal(equation, group, n, place, *v):
 
 def solutions():
     yield "v = 0 solves everything", abelian(AIRY, 2, []), False
-    yield "constants are no invariants", abelian(AIRY, 0), False
+    yield "constants are not invariants", abelian(AIRY, 0), False
     no_invariant = ("no-invariant", ["s0"], {"m": "2", "by": "degree"})
     for p, num, den in ((["1"], ["1"], ["1"]), (["1"], [], ["1"]), (["1"], Z, ["1"]), ([], ["1"], ["1"]), (["1"], [], [])):
         yield "not a solution of Airy's equation", certificate(
@@ -69,7 +69,7 @@ def factors():
         EULER, {"group": "Dinf"}, local(AT_ZERO), invariant(2, ["1"], (Z, "1/2"), (Z, "1/2")), conclude("dihedral-infinite", 0, 1)), False
     yield "2 z is not monic", diagonal(EULER, "Gm", None, [AT_ZERO], ["1"], (["0", "2"], "1")), False
     for q in (["1"], ["3"], []):
-        yield f"{q} is no factor", diagonal(EULER, "Gm", None, [AT_ZERO], ["1"], (Z, "1"), (q, "1")), False
+        yield f"{q} is not a factor", diagonal(EULER, "Gm", None, [AT_ZERO], ["1"], (Z, "1"), (q, "1")), False
     yield "z^3 has degree 6", abelian(EULER, 4, ["1"], (Z, "3")), False
     yield "z^2 has degree 4", abelian(EULER, 4, ["1"], (Z, "2")), True
     yield "z z has degree 4", abelian(EULER, 4, Z, (Z, "1")), True
@@ -164,7 +164,7 @@ def function(n, k):
 
 
 def witness(n, k, l, power=False):
-    """Two points modulo a prime at which the quotient of h^k is no l-th power, or is one; as a list, empty without"""
+    """Two points modulo a prime at which the quotient of h^k is not an l-th power, or is one; as a list, empty without"""
     for p in (x for x in (7, 13, 19, 31, 37, 43) if x % l == 1):
         w, found = pow(n, -1, p), []
         a, b, c = ([int(x) for x in f] for f in function(n, k))
@@ -193,7 +193,7 @@ def least_orders():
             power, known = function(n, k), [x for l in (2, 3) if n * k % l == 0 for x in witness(n, k, l)]
             yield f"h^{k} has the exponent {n * k}", torsion(n, power, told=n * k), False
             yield f"h^{k} with the witnesses that there are", torsion(n, power, known, told=n * k), False
-            yield f"h^{k}: powers are no witnesses", torsion(n, power, known + witness(n, k, k, True), told=n * k), False
+            yield f"h^{k}: powers are not witnesses", torsion(n, power, known + witness(n, k, k, True), told=n * k), False
 
 
 def witnesses():

@@ -126,7 +126,7 @@ SINGULAR = {
 
 
 def starts(checker, x, p, root, delta, terms):
-    """The expansions that are no contradiction"""
+    """The expansions that are not a contradiction"""
     _, _, num, den = checker.good({"p": p, "a": 0})
     n, e = checker.expansion(p, num, den, root, x.order)
     some = dict.fromkeys((1 + s) * (p + 1) // 2 % p if x.order <= 2 else s % p for s in (delta, -delta))

@@ -307,7 +307,7 @@ def lame():
         yield f"2n + 1 = A: {said}", of(A, said, root), said == "where"
         for k in 30, 29, 31, 60, 15:
             known = {"given": [(over(k * A), False)], "known": [shown(over(k * A), False)]}
-            yield f"{k} (2n + 1) is no integer: {said}", of(A, said, root, **known), said == "where" or said == "no" and k == 30
+            yield f"{k} (2n + 1) is not an integer: {said}", of(A, said, root, **known), said == "where" or said == "no" and k == 30
         integer = {"given": [(over((A - 1) / 2), True)], "known": [shown(over((A - 1) / 2), True)]}
         yield f"n is an integer: {said}", of(A, said, root, **integer), said != "no"
 

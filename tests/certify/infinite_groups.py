@@ -40,7 +40,7 @@ def families(m):
 
 
 def equilibria(m):
-    """(delta^2 - 1)/(4 sigma (sigma - 1)) is no sum of k - 1 squares"""
+    """(delta^2 - 1)/(4 sigma (sigma - 1)) is not a sum of k - 1 squares"""
     def of(k, delta, first=("0",), second=("1",), v=("0", "1")):
         x = stub(m, k=k, rho=(0, F(delta)))
         x.v = [x.constant(c) for c in v]

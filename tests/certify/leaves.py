@@ -295,7 +295,7 @@ def irreducible_log():
 
 
 def no_logarithms():
-    """Delta = 1/2 is no natural number, 41 too large for the format, and lines with j = 0 are not excluded."""
+    """Delta = 1/2 is not a natural number, 41 too large for the format, and lines with j = 0 are not excluded."""
     for square, residue, right in ((F(1, 4), 1, False), (1600, 2, True), (1600, 1, False), (1681, 1, False)):
         r = Fraction.sum({(2, 2): F(square - 1) / 4, (2, 1): F(residue)}, [1])
         yield f"Delta^2 = {square}, {residue}", certificate("torus-log", r, [place(square, log=True)]), right

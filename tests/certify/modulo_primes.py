@@ -78,7 +78,7 @@ def torsion(m):
 
 
 def powers(m):
-    """h takes values at two points whose quotient is no l-th power: h = z + s, modulo 7 and 13"""
+    """h takes values at two points whose quotient is not an l-th power: h = z + s, modulo 7 and 13"""
     v = root_of(m, CIRCLE)
 
     def shows(l, p, x1, s1, x2, s2, n=6, a=(0, 1), b=(1,), c=(1,), w=1, v=v, field=None, root=0):

@@ -57,21 +57,21 @@ def series():
     yield "short series", data("cubic", *short), True
     yield "no solution at its end", data("cubic", *short, ("place solution terms 23", "1")), False
     for i in (0, 1):
-        yield f"u_{i + 1} is no solution at its end", data("cubic", (f"place normal {i} terms 23", "1")), False
+        yield f"u_{i + 1} is not a solution at its end", data("cubic", (f"place normal {i} terms 23", "1")), False
     terms = ["2", "0", "0", "0", "0", "0", "2*e", "0", "0", "0", "0", "0", ["2*e^2", "13"], "0", "0", "0", "0", "0", ["2*e^3", "247"]]
     for k, form, over, right in ((1, "-18*a*c1^2*c2", "18", True), (2, "-72*a*c1^2*c2", "72", False)):
         v = [x if isinstance(x, list) else [x, "1"] for x in terms]
         v = [[x, str(2 * int(n))] if k == 1 and x != "0" else [x, n] for x, n in v]
         yield f"u_1 begins with {k}", data("cubic", ("place normal 0 terms", v), ("jets form", form),
                                            ("obstruction cofactor", ["-1", over])), right
-    yield "a jet along the line is no solution at its end", data("henon_heiles_number", ("jets along 0 terms 20", "c1^2")), False
+    yield "a jet along the line is not a solution at its end", data("henon_heiles_number", ("jets along 0 terms 20", "c1^2")), False
     one = data("henon_heiles_number")["place"]["normal"]
     for k, n, c, right in ((0, 8, "c1^2", True), (0, 7, "c1^2", False), (1, 1, "c1*c2", True), (1, 1, "c1", False), (0, 8, "c2^3", False)):
-        # c u_k, which solves the equation, and is no part of the force of order 3; l_2 = 4
+        # c u_k, which solves the equation, and is not a part of the force of order 3; l_2 = 4
         v = [[x, "1"] if isinstance(x, str) else x for x in one[k]["terms"][:n]]
         jet = {"low": one[k]["low"], "terms": [[times(x, c), d] for x, d in v]}
         yield f"{c} u_{k + 1} to {n} terms", data("henon_heiles_number", ("jets across 0", jet)), right
-    yield "a jet across the line is no solution", data("henon_heiles_number", ("jets across 0", {"low": "30", "terms": ["c1^2"]})), False
+    yield "a jet across the line is not a solution", data("henon_heiles_number", ("jets across 0", {"low": "30", "terms": ["c1^2"]})), False
 
 
 def residues():

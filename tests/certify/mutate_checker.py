@@ -4,7 +4,7 @@ answers otherwise, and prints the score.
 
 A trap is a certificate, right or wrong, which both checkers judge alike (traps.py: everything in data and false, and what
 certificates() of a module beside this file yields), or a property of a function (properties() of such a module).  A mutant is
-killed if it accepts what is refused or the other way round, states something else, ends in an error that is no refusal, or
+killed if it accepts what is refused or the other way round, states something else, ends in an error that is not a refusal, or
 takes too long.  Only traps that run through the changed line are tried: first those that killed another mutant of the same
 function, then those that are refused at the line, then the fast ones; properties last.  Each mutant has a process of its
 own, so that it can leave nothing behind.  Mutants that change no rule stand in mutants.txt with the reason, and are counted.

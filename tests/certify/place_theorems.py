@@ -11,7 +11,7 @@ X = SYMMETRIC_TOP | {"name": "X", "system": SYSTEM}
 
 
 def theorem(value, rest, assumptions=(), shown=(), adjoined=(), inverses=(), more=(), other=(), coordinates=(), region=(), values=()):
-    """2 H_Y = 2 H + rest, b the parameter of Y that is no parameter of X; inverses: names with polynomials and values"""
+    """2 H_Y = 2 H + rest, b the parameter of Y that is not a parameter of X; inverses: names with polynomials and values"""
     h = [f"{H} + {rest}", "2"]
     names = {x: x for x in [*COORDINATES, *SYMMETRIC_TOP["parameters"], "u1", "u2"]}
     y = X | {"name": "Y", "parameters": [*SYMMETRIC_TOP["parameters"], "b"], "assumptions": list(assumptions),

@@ -76,7 +76,7 @@ def growing():
 
 
 def constant():
-    """Of u +- i v = 1/2 +- i: the sums are no integers.  Of -3/4 +- i: 1"""
+    """Of u +- i v = 1/2 +- i: the sums are not integers.  Of -3/4 +- i: 1"""
     half = conjugate("c - 1 + 4*z + z^2*c + z^2", 4, ["5", "-4", "4"], third(["-c", "1"]))
     yield "no sum is an integer", half, True
     one = ("c - 1 + 4*z + z^2*c + 6*z^2", 4, ["25", "24", "16"])

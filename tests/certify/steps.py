@@ -22,13 +22,13 @@ FALSE = [                                   # why, of, path and value
     ("a field of degree 0", NAIVE, "field minpoly", ["1"]),
     ("r is a text", NAIVE, "r num", "01"),
     ("no such way", NAIVE, "steps 1 data by", "what"),
-    ("a way that is no text", NAIVE, "steps 1 data by", []),
+    ("a way that is not a text", NAIVE, "steps 1 data by", []),
     ("two coordinates over Q", NAIVE, "r num", ["0", ["1", "0"]]),
     ("no coordinate", NAIVE, "r num", ["0", []]),
-    ("a is no root modulo p", SQUARE_ROOT, "steps 0 data prime a", "438"),
+    ("a is not a root modulo p", SQUARE_ROOT, "steps 0 data prime a", "438"),
     ("a is not reduced", SQUARE_ROOT, "steps 0 data prime a", str(439 + 1009)),
     ("p = 2", NAIVE, "steps 0 data prime p", "2"),
-    ("p is no prime", NAIVE, "steps 0 data prime p", "1007"),
+    ("p is not a prime", NAIVE, "steps 0 data prime p", "1007"),
     ("no steps", NAIVE, "steps", []),
     ("an unknown theorem", NAIVE, "steps 3 data theorem", "yes"),
     ("a premise of nothing", NAIVE, "steps 3 premises", ["none"]),
@@ -58,7 +58,7 @@ def texts():
     yield "den is not monic", json.loads(abelian(two, 1, ["1"], (Z, "2"))), False
     yield "den is 0", json.loads(abelian((["1"], []), 1)), False
     for c in ("2^62", str(2**62), "-1", "0x1", "1.5", "01", "+1", "1/0", ""):
-        yield f"{c} is no residue", changed(NAIVE, ["steps", 0, "data", "prime", "a"], c), False
+        yield f"{c} is not a residue", changed(NAIVE, ["steps", 0, "data", "prime", "a"], c), False
 
 
 def simple_pole(equation, place, infinity=None):
@@ -72,7 +72,7 @@ def simple_pole(equation, place, infinity=None):
 
 def places():
     one = ["1"], ["0", "0", "1"]            # Delta^2 = 5 at 0 and at infinity
-    yield "4 is no Delta^2 of a pole of order 2", diagonal(one, "cyclic", "2", [{"q": Z, "order": "2", "eps2": ["4"]}], ["1"], (Z, "1")), False
+    yield "4 is not a Delta^2 of a pole of order 2", diagonal(one, "cyclic", "2", [{"q": Z, "order": "2", "eps2": ["4"]}], ["1"], (Z, "1")), False
     right = json.loads(diagonal(one, "Gm", None, [AT_ZERO], ["1"], (Z, "1")))
     yield "the same at infinity", changed(right, ["steps", 0, "data", "infinity"], {"eps2": ["4"]}), False
     yield "Delta^2 is 5, not 5 + z", diagonal(one, "Gm", None, [AT_ZERO | {"delta2": ["5", "1"]}], ["1"], (Z, "1")), False

@@ -96,7 +96,7 @@ TEST(StrataClassical, MembershipsDecide) {
   EXPECT_REFUSED(with("yes", half, false, half, false), "not shown to say");
   EXPECT_REFUSED(with("yes", half, true, half, false), "something else");
   EXPECT_REFUSED(with("no", half, false, half, true), "nothing follows");
-  EXPECT_ACCEPTED(with("no", half, false, fraction("A"), true)); // A - 1/2 - A is no integer
+  EXPECT_ACCEPTED(with("no", half, false, fraction("A"), true)); // A - 1/2 - A is not an integer
   EXPECT_ACCEPTED(with("no", half, false, fraction("6*A - 1", "3"), true, "2"));
   EXPECT_REFUSED(with("no", half, false, fraction("2*A"), true, "2"), "nothing follows");
   EXPECT_REFUSED(with("yes", half, true, fraction("A"), true), "nothing follows");

@@ -47,7 +47,7 @@ TEST(StrataTorus, ConstantIrrationalDifference) {
   EXPECT_REFUSED(with(place("z", "1")), "not the product");
   EXPECT_REFUSED(with(place("z - 1", "2", R"("chi":["-2","1"],"irrational":"constant")")),
                  "not the product");
-  // Delta^2 = 4 is no irrational number
+  // Delta^2 = 4 is not an irrational number
   t.num = "3 + 4*A*z";
   EXPECT_REFUSED(with(replaced(good, "-2", "-4")), "is rational");
 }

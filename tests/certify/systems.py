@@ -301,7 +301,7 @@ CHANGES = [                                 # of, what is false, then path and v
     ("henon_heiles", "w = 0", "normal row 0", "0"),
     ("henon_heiles", "w twice", "normal row 0", "2"),
     ("henon_heiles", "the other block", "normal row", ["0", "1", "0", "0"]),
-    ("henon_heiles", "a vector that is no gradient", "normal vectors 0", ["1", "0", "0", "0"]),
+    ("henon_heiles", "a vector that is not a gradient", "normal vectors 0", ["1", "0", "0", "0"]),
     ("henon_heiles", "one vector twice", "normal vectors 1", ["0", "0", "1", "0"]),
     ("henon_heiles", "the sign of P", "normal vectors 1 0", "p2"),
     ("henon_heiles", "the potential has a sign", "system hamiltonian", ["p1^2 + p2^2 + q1^2 + q2^2 - 2*q1^2*q2", "2"]),
@@ -324,7 +324,7 @@ CHANGES = [                                 # of, what is false, then path and v
     ("root", "the root of 3", "curve tower 0 value", "3"),
     ("root", "no constant", "curve tower 0 derivative", "1"),
     ("constant", "an equation for the other root", "equation certificate r num", "-k*z"),
-    ("constant", "a parameter that is no constant", "system functions 0 gradient", {"x": "0", "y": "0"}),
+    ("constant", "a parameter that is not a constant", "system functions 0 gradient", {"x": "0", "y": "0"}),
 ]
 MALFORMED = [
     ("henon_heiles", "system field", ["p1", "p2", "0", "0"]), ("henon_heiles", "system brackets"),

@@ -136,7 +136,7 @@ def lagrangian(top):
 
 
 def momentum_in_lagrangian(top):
-    """L + M1 Omega2 - M2 Omega1 has the same energy, and its derivatives are no functions of the velocities alone"""
+    """L + M1 Omega2 - M2 Omega1 has the same energy, and its derivatives are not functions of the velocities alone"""
     l = lagrangian(top)
     value, n = l["value"]
     l["value"] = [f"{value} + {n}*M1*Omega2 - {n}*M2*Omega1", n]
@@ -234,7 +234,7 @@ HEAVY_TRAPS = {
     "a term of sign unknown": lambda t: to(first_empty(t)["terms"][0][2], 1, "1"),
     "a negative factor": lambda t: to(first_empty(t)["terms"][0], 0, "-2"),
     "a sum that is not 0": lambda t: to(first_empty(t)["terms"][0], 0, "3"),
-    "a condition that is no equation": lambda t: to(first_empty(t)["zeros"][0], 0, "0"),
+    "a condition that is not an equation": lambda t: to(first_empty(t)["zeros"][0], 0, "0"),
     "a branch that is missing": lambda t: to(tree(t), "zero", tree(t)["nonzero"]),
     # cover
     "the leaf of another region": renamed_part,
@@ -369,7 +369,7 @@ SMALL_TRAPS = {
     "no velocities": one_lagrangian("-q1^2", "q1^2", []),
     "a velocity with the name of a coordinate": one_lagrangian(
         [FREE[0].replace("v2", "q2"), "2"], ENERGY, [("v1", "p1", SPEEDS[0]), ("q2", "p2", SPEEDS[1])]),
-    "a velocity that is no name": one_lagrangian(FREE, ENERGY, [("v1", "p1", SPEEDS[0]), ("v 2", "p2", SPEEDS[1])]),
+    "a velocity that is not a name": one_lagrangian(FREE, ENERGY, [("v1", "p1", SPEEDS[0]), ("v 2", "p2", SPEEDS[1])]),
     "a momentum that is a parameter": one_lagrangian(["v1^2 + v2^2", "2"], ["p1^2 + A^2", "2"], [
         ("v1", "p1", "p1"), ("v2", "A", "A")], parameters=["A"]),
     "a momentum twice": one_lagrangian(["v1^2 + 2*v1*v2 + v2^2", "2"], ["p1^2", "2"], [("v1", "p1", "p1"), ("v2", "p1", "0")]),
@@ -380,10 +380,10 @@ SMALL_TRAPS = {
     "a parameter that is a coordinate": parameters("M1"),
     "a parameter twice": parameters("a", "a"),
     "a parameter without a name": parameters(""),
-    "a parameter that is no name": parameters("a b"),
+    "a parameter that is not a name": parameters("a b"),
     "too many parameters": parameters(*(f"p{i}" for i in range(13))),
     "an inverse that the system has not": lambda t: t["systems"][0]["system"]["inverses"].append({"name": "w", "of": "M1"}),
-    "a root that is no name": adjoined({"name": "r 1", "square": "2"}),
+    "a root that is not a name": adjoined({"name": "r 1", "square": "2"}),
     "a root that is a parameter with a value": at_and_adjoined,
     "an inverse over a number": adjoined(TWO | {"inverse": ["2", "7"]}),
     "a factor over a number": adjoined(TWO | {"times": ["2", "2"]}),

@@ -33,7 +33,7 @@ TEST(Bounded, OneDifferenceBetweenBounds) {
   const auto b = bounded_values(p.system, p.all, {integer(p.s)});
   ASSERT_TRUE(b);
   EXPECT_THAT(b->values.values,
-              ElementsAre(0, 1, 4, 9)); // 0 and 3 are no points: that is seen later
+              ElementsAre(0, 1, 4, 9)); // 0 and 3 are not points: that is seen later
   EXPECT_FALSE(b->trusted.empty());
 }
 
@@ -50,7 +50,7 @@ TEST(Bounded, NotOfComplexParametersOrWithoutBounds) {
   EXPECT_FALSE(bounded_values(q.system, q.all, {negated}));
 }
 
-// 2s and 2s/(s^2 + t^2): the second is no integer for large s, unless it may be 0.
+// 2s and 2s/(s^2 + t^2): the second is not an integer for large s, unless it may be 0.
 TEST(Bounded, ByTheDistanceOfAnother) {
   const Plane p{with("s = 'real'\nt = 'positive'\n")};
   const MFraction m = Rational(2) * p.s, n = m / (p.s * p.s + p.t * p.t);

@@ -98,7 +98,7 @@ TEST(Classify, OneLevelIsEnough) {
   EXPECT_EQ(status_at(c, {{"a", 1}}), "excluded");
   EXPECT_EQ(status_at(c, {{"a", -3}}), "excluded");
   EXPECT_EQ(c.status(), ClassificationStatus::depends);
-  for (const ClassifiedStratum& s : c.strata) // h is no parameter of the theorem
+  for (const ClassifiedStratum& s : c.strata) // h is not a parameter of the theorem
     for (const std::string& condition : conditions(c, s))
       EXPECT_EQ(condition.find('h'), std::string::npos) << condition;
 }
@@ -334,7 +334,7 @@ System chain(const std::string& potential, const std::string& parameters) {
             parameters + "]\nhamiltonian = '(u^2 + v^2 + w^2)/2 + " + potential + "'\n");
 }
 
-// Three particles on a line: the motion of their centre is no obstacle.
+// Three particles on a line: the motion of their centre is not an obstacle.
 TEST(Classify, ForcesBetweenParticles) {
   const auto c = classify_system(chain("((x - y)^2 + (y - z)^2 + (z - x)^2)/2"
                                        " + a*((x - y)^3 + (y - z)^3 + (z - x)^3)",
@@ -378,7 +378,7 @@ TEST(Classify, LogarithmsAreSaid) {
                           "integrals, for all parameters.");
 }
 
-// Of real parameters none are left: that is no theorem on all of them.
+// Of real parameters none are left: that is not a theorem on all of them.
 TEST(Classify, NoRealParametersIsAnErrorOfTheInput) {
   const auto classify = [](const std::string& assumed) {
     return classify_system(
@@ -462,7 +462,7 @@ TEST(Classify, EvenQuartics) {
   EXPECT_THAT(strata_with(c, StratumStatus::open), testing::IsEmpty());
 }
 
-// Where H is no quotient any more, the degrees of the coefficients are other ones.
+// Where H is not a quotient any more, the degrees of the coefficients are other ones.
 // V vanishes along an isotropic direction, x = 0, where c = 0: of all parameters, or of these alone.
 TEST(Classify, IsotropicDirectionsOnWhichThePotentialVanishes) {
   const auto merged =

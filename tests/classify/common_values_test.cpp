@@ -24,7 +24,7 @@ TEST(CommonValues, BothSignsOfADifference) {
   EXPECT_THAT(common->values, ElementsAre(4, 16, 36, 64));
 }
 
-// The limit 1/2 of the second is no integer, or is one of the halves and never reached.
+// The limit 1/2 of the second is not an integer, or is one of the halves and never reached.
 TEST(CommonValues, NearTheLimit) {
   const MFraction f = a / (number(2) * a + number(1));
   const auto integers = common_values(integer(a), integer(f));
@@ -43,7 +43,7 @@ TEST(CommonValues, NothingIsSaidWithoutALimit) {
   EXPECT_FALSE(common_values(integer(a), integer(a + number(1))));
 }
 
-// The squares of numbers that are no functions of a: the limit 4 is as near to 1 as a = 25 needs.
+// The squares of numbers that are not functions of a: the limit 4 is as near to 1 as a = 25 needs.
 TEST(CommonValues, TheSquareThatIsNearestToTheLimit) {
   const DifferenceCondition root{Kind::integer, {a}};
   const auto common = common_values(root, {Kind::integer, {number(4) - number(75) / a}});

@@ -30,7 +30,7 @@ TEST(GeneralLevel, SumsThatDoNotChangeAreLeft) {
   ASSERT_TRUE(left);
   EXPECT_EQ(left->squares, Squares{square(Rational(2) * s)});
   EXPECT_TRUE(at(SumIn{{square(s), square(h)}, integers}).parts.empty());
-  EXPECT_EQ(at(SumIn{{square(s), h}, integers}).parts.size(), 1U); // sqrt(h) is no function
+  EXPECT_EQ(at(SumIn{{square(s), h}, integers}).parts.size(), 1U); // sqrt(h) is not a function
   EXPECT_TRUE(at(SumIn{{square(s), h}, integers}).changing.empty());
 }
 

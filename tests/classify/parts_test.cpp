@@ -374,7 +374,7 @@ TEST_F(Parts, ADifferenceMayOccurTwice) {
       EXPECT_TRUE(std::get<bool>(on_set(*all, there))) << to_string(value);
     }
   EXPECT_GT(met, 20);
-  // 2 Delta = 0 is no odd integer, and says nothing of Delta where c itself is one
+  // 2 Delta = 0 is not an odd integer, and says nothing of Delta where c itself is one
   EXPECT_FALSE(necessary_condition({{{SumIn{{MFraction(ring_, Rational(1)), a, a}, {odd}}}}}));
 }
 

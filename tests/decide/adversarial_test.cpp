@@ -302,7 +302,7 @@ RationalFunction with_product(const RationalFunction& squared_product, const Rat
          RationalFunction(w * w * quarter) / squared_product;
 }
 
-// Infinity is no branch point and h(infinity+) = -h(infinity-): the leading terms of the torsion
+// Infinity is not a branch point and h(infinity+) = -h(infinity-): the leading terms of the torsion
 // function cancel, and it is of smaller degree than its divisor says.
 TEST(Dihedral, TheTwoValuesAtInfinityMayCancel) {
   const auto power = [](long n) {

@@ -50,7 +50,7 @@ TEST(WhittakerPullBack, ComesBack) {
       }
 }
 
-// The constant a is no square at a place that is conjugate to others.
+// The constant a is not a square at a place that is conjugate to others.
 TEST(WhittakerPullBack, ConstantsUpToSquares) {
   for (const RationalFunction& f : changes())
     for (const long a : {1L, 2L, -1L, -3L, 5L, 12L}) {

@@ -57,7 +57,7 @@ def asked(equation, names, output):
 
 
 def tokens(text):
-    """Names, and what is between them without blanks; an article is no name."""
+    """Names, and what is between them without blanks; an article is not a name."""
     text = re.sub(r'"seconds": [^,\n]*|\n  time .*', "", text.replace("SL(2, C)", "SL2").replace("C(", "field("))
     text = re.sub(r"Symbol\('\w+'\)", "Symbol", text)  # shows the question's letter
     text = re.sub(r"\n(#|/\*|\(\*) where .*", "", text.replace("\\_", "_"))  # conditions are in the letters of the question, too

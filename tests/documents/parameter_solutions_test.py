@@ -44,7 +44,7 @@ class Solutions(unittest.TestCase):
         return sympy.sympify(re.sub(r"\bint\(", "Int_(", text.replace("^", "**")), locals=names)
 
     def value(self, e, point):
-        """y as a function of x, with integrals from a point that is no pole."""
+        """y as a function of x, with integrals from a point that is not a pole."""
         import mpmath
         import sympy
         x = sympy.Symbol("x")

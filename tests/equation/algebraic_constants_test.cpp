@@ -120,7 +120,7 @@ TEST(AlgebraicConstants, RootsOfFunctionsOfTheParameters) {
       SCOPED_TRACE(r);
       const auto answer = strata::decide_strata(read_parametric_equation(text_of(r)).question);
       const Ring& ring = answer.question->r.ring();
-      std::size_t w = 0; // the one whose name is no word
+      std::size_t w = 0; // the one whose name is not a word
       while (ring->name(w).find('(') == std::string::npos)
         ++w;
       for (const char* value : {"1", "2", "3/2", "1/3"}) { // roots that are positive

@@ -195,7 +195,7 @@ TEST(ParametricEquation, NaturalNumbers) {
   EXPECT_ANY_THROW((void)answer(r, "n in M, k complex"));
 }
 
-// What is no integer, and twice it is one, is half of an odd one.
+// What is not an integer, and twice it is one, is half of an odd one.
 TEST(ParametricEquation, HalvesOfOddIntegers) {
   const std::string bessel = "(n^2 - 1)/(4*z^2) - 1";
   EXPECT_EQ(answer(bessel, "n integer, n/2 not an integer").strata[0].leaf.abelian, Truth::yes);

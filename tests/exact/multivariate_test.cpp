@@ -245,7 +245,7 @@ TEST_F(MPolyLaws, TextAndBack) {
   }
 }
 
-// FLINT stops the program where an exponent is no machine word: a clear error comes first.
+// FLINT stops the program where an exponent is not a machine word: a clear error comes first.
 TEST_F(MPolyLaws, HugeExponentsAreRefused) {
   const MPoly large = pow(x.num(), 1UL << 40);
   EXPECT_EQ(degree(large, 0), 1L << 40);

@@ -149,7 +149,7 @@ TEST(FixedPoints, PointsOnTheCutOfTheAngleAreProved) {
   EXPECT_LT(std::abs(p.trace) + p.trace_error, 2); // elliptic, proved
 }
 
-// What is no fixed point is not proved to be one.
+// What is not a fixed point is not proved to be one.
 TEST(FixedPoints, AWrongPlaceIsNotProved) {
   const Scene s = read_scene(scene_path("asymmetric_classical"));
   FixedPoint f;

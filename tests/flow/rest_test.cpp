@@ -183,7 +183,7 @@ TEST(Rest, AnOrbitThatLiesInTheSectionIsToldSo) {
           henon_heiles + ("section = 'x'\ndirection = 'both'\nstates = [[" + std::string(x) +
                           ", '1/2', 0, '1/10'], [0, '1/10', '2/5', 0]]\n" + more)));
       if (std::string(x) != "0" && std::string(more).find("digits") != std::string::npos)
-        continue; // there 10^-17 is no rounding
+        continue; // there 10^-17 is not a rounding
       EXPECT_EQ(s.orbits[0].inside_from, 0) << x << more;
       EXPECT_EQ(s.orbits[0].crossings, 0) << x << more;
       EXPECT_LT(s.orbits[1].inside_from, 0) << x << more;

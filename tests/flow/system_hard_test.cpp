@@ -1,4 +1,4 @@
-// Sections of any system where it is hard: sections that are no linear function, poles, tangencies, collisions, ways to
+// Sections of any system where it is hard: sections that are not a linear function, poles, tangencies, collisions, ways to
 // infinity, separate time scales, functions on the wrong branch.
 
 #include "flow/scene/system_section.hpp"
@@ -42,7 +42,7 @@ std::vector<double> column(const SystemSection& s, std::size_t i) {
   return all;
 }
 
-// ---- the section is no linear function ----
+// ---- the section is not a linear function ----
 
 TEST(HardSections, EveryZeroOfAPolynomialIsSeenWhereItIs) {
   std::string product;

@@ -82,7 +82,7 @@ TEST_P(SolutionLaws, RiccatiPolynomialsAreProductsOfLines) {
         const RationalFunction u = RationalFunction(a) * p.omega + RationalFunction(b) * p.other;
         EXPECT_EQ(riccati_polynomial(a + b, u, p.r), expected) << a << ", " << b;
       }
-    // what is no product of m solutions is refused, not returned
+    // what is not a product of m solutions is refused, not returned
     EXPECT_THROW(static_cast<void>(riccati_polynomial(
                      2, p.omega + p.other + RationalFunction(Poly(1), z() - constant(91)), p.r)),
                  InternalError);

@@ -80,7 +80,7 @@ TEST(AlongTheCurve, PairsAreSubsystems) {
     return e ? pairs_with_the_curve(*e, *r.manifold) : std::vector<std::vector<std::size_t>>{};
   };
   EXPECT_THAT(pairs(s, {"x", "y"}), ElementsAre(ElementsAre(0, 2), ElementsAre(1, 2)));
-  // y' contains x: y = 0 is no subsystem without x = 0, and x alone is none with z
+  // y' contains x: y = 0 is not a subsystem without x = 0, and x alone is none with z
   const System chain = field("'x', 'y', 'z'", "x = 'x*z'\ny = 'x + y*z'\nz = 'z + x + y'\n");
   EXPECT_THAT(pairs(chain, {"x", "y"}), ElementsAre(ElementsAre(1, 2)));
   const System not_coupled = field("'x', 'z'", "x = 'x*z'\nz = 'z + x^2'\n");

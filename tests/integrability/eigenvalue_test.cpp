@@ -1,4 +1,4 @@
-// Variations that fall apart over an eigenvalue that is no function of the parameters.
+// Variations that fall apart over an eigenvalue that is not a function of the parameters.
 
 #include "integrability/eigenvalue.hpp"
 
@@ -103,7 +103,7 @@ std::string with_two_roots(std::string text) {
 }
 
 // The eigenvalues are in Q(sqrt(10)), which the constants of the file contain: a root of their polynomial
-// is no new constant, and no quadratic constant gives it by itself.
+// is not a new constant, and no quadratic constant gives it by itself.
 TEST(Eigenvalue, NotAdjoinedWhereTheConstantsContainIt) {
   EXPECT_THAT(with_roots(with_two_roots(axis("x^2 + 3*x*y"))).adjoined, SizeIs(0));
   EXPECT_THAT(with_roots(axis("x^2 + 3*x*y")).adjoined, SizeIs(1));

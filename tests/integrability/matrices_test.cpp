@@ -66,7 +66,7 @@ TEST(Matrices, TheRoundSatelliteIsIntegrable) {
   EXPECT_NE(run(satellite("2", "2", "2", casimirs)).verdict, VerdictKind::non_integrable);
 }
 
-// y2 is of degree two in y1 and the constant: the standard monomials are no products.
+// y2 is of degree two in y1 and the constant: the standard monomials are not products.
 TEST(Matrices, OverAQuadraticField) {
   const ManifoldReport m = run(R"t([system]
 kind = "hamiltonian"

@@ -1,4 +1,4 @@
-// A level is no parameter of the system: what one of them shows is enough, for each value of the others.
+// A level is not a parameter of the system: what one of them shows is enough, for each value of the others.
 
 #include "integrability/check.hpp"
 #include "integrability/one_level.hpp"

@@ -172,7 +172,7 @@ TEST(ParameterTraps, DiagonalBlocksAreNotCalledAGroup) {
                    [](const strata::Stratum& x) { return to_string(x.conditions) == "a = 0"; });
   ASSERT_NE(special, strata->strata.end());
   EXPECT_EQ(special->leaf.abelian, Truth::unknown);
-  EXPECT_THAT(reason(special->leaf), testing::HasSubstr("what couples"));
+  EXPECT_THAT(reason(special->leaf), testing::HasSubstr("the coupling of"));
   EXPECT_FALSE(special->leaf.group);
 }
 
@@ -268,7 +268,7 @@ equations = ["c*(y1+c^2)= 0","y2 = 0"])t");
   EXPECT_NE(invariance.verdict, VerdictKind::depends);
 }
 
-// A block that is transversal to the symplectic leaves is no obstruction on them.
+// A block that is transversal to the symplectic leaves is not an obstruction on them.
 TEST(ParameterTraps, ABlockBesideTheLeaf) {
   const ManifoldReport m = run(R"t([system]
 kind = "poisson"
@@ -394,7 +394,7 @@ TEST(ParameterTraps, AnOpenValueDoesNotHideTheGeneralAnswer) {
               testing::AllOf(testing::HasSubstr("h = 0"), testing::HasSubstr("sqrt((a + 12)/a)")));
 }
 
-// k^2 = a^2 + 1 or a^2 + b^2 is no number: r = z^2 + 1 holds where the coupling c(k) of y and v, which is
+// k^2 = a^2 + 1 or a^2 + b^2 is not a number: r = z^2 + 1 holds where the coupling c(k) of y and v, which is
 // divided by, is not 0.  The same with a pole in the equation of the manifold.
 TEST(ParameterTraps, AConstantThatDependsOnAParameterThatRDoesNotContain) {
   const auto exceptions_with = [](const std::string& relation, const std::string& coupling,

@@ -249,7 +249,7 @@ TEST(HigherOrders, ConditionsAreInTheParameters) {
   EXPECT_EQ(to_string(found.obstruction->not_all_zero.front().front()), "A - B");
 }
 
-// (2.9): 10/3 is no sum of two squares of rational numbers
+// (2.9): 10/3 is not a sum of two squares of rational numbers
 TEST(HigherOrders, TheExponentsAtEquilibriaAreNotAllRational) {
   const auto found = look({hh + "1/5*q2^3", "'A', 'B'"}, 3);
   EXPECT_EQ(residue(found), "VE_3 (c2) (1077*A^2 - 3590*A*B + 2273*B^2) (c1)^3");

@@ -51,7 +51,7 @@ TEST_P(LogarithmLaws, LogarithmsAreResidues) {
       EXPECT_EQ(p.log, truth(expected)) << to_string(R) << " at " << to_string(c);
       ++(expected ? with : without);
     }
-    // a pole whose exponent difference is 1 and that has no residue is no singularity at all
+    // a pole whose exponent difference is 1 and that has no residue is not a singularity at all
     if (m == 2 && is_zero(residue(R, NfElem(0)))) {
       for (const Singularity& p : s.finite)
         EXPECT_FALSE(p.place == z());

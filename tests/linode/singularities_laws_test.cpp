@@ -165,7 +165,7 @@ TEST_P(LocalLaws, MoebiusTransformationsMoveThePlacesOnly) {
   const Singularities before = singularities(r);
   const Singularities after = singularities(pull_back(r, f));
   const auto everything = [](const Singularities& s) {
-    std::multiset<std::string> all; // ordinary infinity is no singularity
+    std::multiset<std::string> all; // ordinary infinity is not a singularity
     const auto note = [&](const Singularity& p) {
       if (p.kind == PlaceKind::ordinary) return;
       const long nu = p.at_infinity && p.kind == PlaceKind::irregular ? p.nu() + 2 : p.nu();

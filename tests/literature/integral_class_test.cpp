@@ -38,7 +38,7 @@ TEST(IntegralClass, RationalInASineIsNotMeromorphicAtInfinity) {
   EXPECT_EQ(contains(closed, in_sine), Truth::unknown);
   EXPECT_EQ(at_once({closed, in_sine}).size(), 2U);
   IntegralClass near = along({"N"});
-  EXPECT_EQ(contains(near, in_sine), Truth::unknown); // the sine is no symbol of that class
+  EXPECT_EQ(contains(near, in_sine), Truth::unknown); // the sine is not a symbol of that class
   near.functions = {"s"};
   EXPECT_EQ(contains(near, in_sine), Truth::yes);
   EXPECT_THAT(at_once({near, in_sine}), ElementsAre(in_sine));

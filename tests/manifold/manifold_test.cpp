@@ -41,7 +41,7 @@ level = "H = h")t"),
               HasSubstr("'p2 = 0' is -q1^2, not 0"));
   EXPECT_THAT(failure(R"t([[manifold]]
 equations = ["q1 = 0", "p1 = 0"])t"),
-              HasSubstr("has dimension 2, not 1"));
+              HasSubstr("a set of dimension 2"));
   EXPECT_THAT(failure(R"t([[manifold]]
 equations = ["q1 = 0", "p1 = 0"]
 level = "q2 = 1")t"),

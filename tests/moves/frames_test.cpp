@@ -84,7 +84,7 @@ TEST(Frames, AssumptionsForbidTheRotation) {
   EXPECT_TRUE(find_frame(symmetric_family(symmetric_assumed + "conditions = ['L3 > 0']\n")));
 }
 
-// A field that depends on the parameters is no flow of linear maps: it is not used.
+// A field that depends on the parameters is not a flow of linear maps: it is not used.
 TEST(Frames, OnlyConstantRotations) {
   const System s = symmetric_family();
   for (const InfinitesimalSymmetry& y : infinitesimal_symmetries(s))
@@ -94,7 +94,7 @@ TEST(Frames, OnlyConstantRotations) {
   EXPECT_FALSE(find_frame(one)); // it would leave the family
 }
 
-// The opposite rotation is no equivalence: an asymmetric case.
+// The opposite rotation is not an equivalence: an asymmetric case.
 TEST(Frames, TheDirectionOfTheRotation) {
   const System s = symmetric_family();
   auto frame = find_frame(s);

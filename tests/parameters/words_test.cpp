@@ -17,7 +17,7 @@ TEST(Assumptions, AreAllSaid) {
   all.require_integral(x("l") - MFraction(ring, Rational(1, 2)), false);
   all.real = {ring->index("a"), ring->index("l"), ring->index("n"), ring->index("x")};
   all.rational = {ring->index("l"), ring->index("n")};
-  const std::vector<std::string> said{"a > 0", "n is an integer", "(2*l - 1)/2 is no integer",
+  const std::vector<std::string> said{"a > 0", "n is an integer", "(2*l - 1)/2 is not an integer",
                                       "l is rational", "x is real"};
   EXPECT_EQ(in_words(all, ring), said);
 }

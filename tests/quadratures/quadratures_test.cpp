@@ -52,7 +52,7 @@ TEST(PrimitiveExtension, DilogarithmsHaveNone) {
   const auto log = *PrimitiveExtension::make(over(z - Poly(1)));
   std::size_t level = 9;
   EXPECT_FALSE(log.primitive({RationalFunction(0), over(z)}, {}, &level)); // log(z - 1)/z
-  EXPECT_EQ(level, 1U);                                                 // 1/z is no multiple of I'
+  EXPECT_EQ(level, 1U);                                                 // 1/z is not a multiple of I'
   EXPECT_FALSE(log.primitive({over(z)}));                               // another logarithm
   EXPECT_TRUE(log.primitive({RationalFunction(0), over(z - Poly(1))})); // its square
   EXPECT_TRUE(log.primitive({}));
@@ -136,7 +136,7 @@ TEST(Quadratures, WhatIsNoFunctionOnTheCurveIsNamed) {
   EXPECT_THAT(orders(atwood("3/2"), 3).obstruction->integrals.without, testing::IsEmpty());
 }
 
-// y is an integral and d/dz commutes: a second logarithm is no obstruction.
+// y is an integral and d/dz commutes: a second logarithm is not an obstruction.
 TEST(Quadratures, AnotherIntegralIsNoObstruction) {
   for (const std::string slope :
        {"y*x/(x - 1) + y^2*x/(x - 2)", "y*x/(x - 1) + y^3*x/(x - 2)^2 + y^2"}) {
@@ -148,7 +148,7 @@ TEST(Quadratures, AnotherIntegralIsNoObstruction) {
                   "equations = ['y = 0', 'z = 0']\n"),
                4);
     EXPECT_FALSE(found.obstruction) << slope;
-    EXPECT_THAT(found.open, testing::HasSubstr("which is no obstruction")) << slope;
+    EXPECT_THAT(found.open, testing::HasSubstr("which is not an obstruction")) << slope;
   }
 }
 

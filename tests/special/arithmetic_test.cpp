@@ -22,17 +22,17 @@ TEST(ArithmeticConditions, AreSaidAsAMathematicianWould) {
   };
   EXPECT_EQ(said(SumIn{{squared(x("a"))}, {halves}}), "a is in 1/2 + Z | a is not in 1/2 + Z");
   EXPECT_EQ(said(SumIn{{squared(number(2) * x("n") + number(1))}, {odd}}),
-            "n is an integer | n is no integer");
+            "n is an integer | n is not an integer");
   EXPECT_EQ(said(SumIn{{number(4) * x("a") + number(1)}, {odd}}),
-            "sqrt(4*a + 1) is an odd integer | sqrt(4*a + 1) is no odd integer");
+            "sqrt(4*a + 1) is an odd integer | sqrt(4*a + 1) is not an odd integer");
   EXPECT_EQ(said(SumIn{{x("a") + number(1, 4)}, {halves}}),
-            "sqrt(4*a + 1) is an odd integer | sqrt(4*a + 1) is no odd integer");
+            "sqrt(4*a + 1) is an odd integer | sqrt(4*a + 1) is not an odd integer");
   EXPECT_EQ(said(SumIn{{squared(x("a")), squared(x("b"))}, {halves}}),
             "a + b or a - b is in 1/2 + Z | none of a + b, a - b is in 1/2 + Z");
   EXPECT_EQ(said(SumIn{{x("a"), squared(x("b"))}, {halves}}),
             "some sqrt(a) +- b is in 1/2 + Z | no sqrt(a) +- b is in 1/2 + Z");
   EXPECT_EQ(said(SumIn{{number(0), number(1), number(4) * x("b")}, {odd}}),
-            "sqrt(b) is an integer | sqrt(b) is no integer");
+            "sqrt(b) is an integer | sqrt(b) is not an integer");
   EXPECT_EQ(said(SumIn{{number(1, 4), number(1, 9), x("b")}, {odd}}),
             "sqrt(b) is one of +-1/6 + 2*p, +-5/6 + 2*p (p an integer) | "
             "sqrt(b) is none of +-1/6 + 2*p, +-5/6 + 2*p (p an integer)");

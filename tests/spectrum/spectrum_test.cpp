@@ -232,7 +232,7 @@ TEST(Spectrum, ContradictoryConditionsAreNoLevel) {
         EXPECT_LT(level.equations.size(), 2U) << f.first.size();
 }
 
-// Values that contradict the assumptions are no levels.
+// Values that contradict the assumptions are not levels.
 TEST(Spectrum, AssumptionsHoldAtEachLevel) {
   strata::Question q;
   q.r = pow(x("z"), 6) - x("a") * x("z") * x("z") - x("E");

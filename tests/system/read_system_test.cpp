@@ -101,7 +101,7 @@ kind = "hamiltonian"
 coordinates = ["q"]
 momenta = ["p"]
 hamiltonian = "p^2/2 + z*q^2")t"),
-              HasSubstr("unknown name 'z'")); // the name of the new variable is no parameter
+              HasSubstr("unknown name 'z'")); // the name of the new variable is not a parameter
 }
 
 TEST(ReadSystem, FunctionsAndTheirRelations) {

@@ -186,15 +186,15 @@ TEST(TheoremFile, NamesThatTheSystemDoesNotKnowAreErrors) {
   TheoremNode n = node(NodeKind::scaling, "sliding_top.toml");
   n.small = {"L1", "L22"};
   n.scaled = {"Gamma1"};
-  EXPECT_THAT(message(n), HasSubstr("'L22' is no free parameter"));
+  EXPECT_THAT(message(n), HasSubstr("'L22' is not a free parameter"));
   n.small = {"L1"};
   n.scaled = {"Gama1"};
   EXPECT_THAT(message(n), HasSubstr("did you mean Gamma1"));
   n.where = {{"L1", "0"}};
-  EXPECT_THAT(message(n), HasSubstr("'L1' is no free parameter"));
+  EXPECT_THAT(message(n), HasSubstr("'L1' is not a free parameter"));
   TheoremNode c = node(NodeKind::case_file, "lemma3.toml");
   c.manifold = "nope";
-  EXPECT_THAT(message(c), HasSubstr("'nope' is no manifold"));
+  EXPECT_THAT(message(c), HasSubstr("'nope' is not a manifold"));
   const std::string id = "[[node]]\nid = \"../a\"\nstatement = \"\"\nkind = \"argument\"\n";
   EXPECT_THAT(error_of(id), HasSubstr("an id consists of"));
 }
@@ -366,7 +366,7 @@ const std::string in_units = ", units = { m = \"1\", L1 = \"1\" }";
 // The family needs a proof of non-integrability; a claim about something else is none.
 TEST(SplittingStep, AFamilyIsNotLeftToJustAnyNode) {
   const TheoremResult claims = left_to("", "kind = \"claims\"\nfile = \"euler.toml\"\n");
-  EXPECT_THAT(unchecked(claims), HasSubstr("'other' is no case"));
+  EXPECT_THAT(unchecked(claims), HasSubstr("'other' is not a case"));
   ASSERT_EQ(claims.uses().size(), 1U);
   EXPECT_EQ(claims.uses().front().theorem, &ziglin_1980());
   EXPECT_THAT(claims.conclusion(), HasSubstr("NOT CHECKED"));
@@ -428,7 +428,7 @@ TEST(CaseStep, TheClassOfFirstIntegralsIsSaid) {
   EXPECT_THAT(r.summary, HasSubstr("meromorphic also at the ends of the phase curve"));
 }
 
-// One level is enough, and a level that is abelian is no counterexample.
+// One level is enough, and a level that is abelian is not a counterexample.
 TEST(CaseStep, ASampleOfAnotherLevelIsNoContradiction) {
   TheoremNode n = node(NodeKind::case_file, "theorem_test_levels.toml");
   n.where = {{"a", "1"}};

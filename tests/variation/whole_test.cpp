@@ -53,7 +53,7 @@ TEST(WholeVariation, ALagrangianPlaneHasNone) {
                       "momenta = [\"A\", \"B\"]\nparameters = [\"c\"]\n"
                       "hamiltonian = \"A*B + a*b^3 + a^2*A\"\n[[manifold]]\nname = \"m\"\n"
                       "equations = [\"a = 0\", \"B = 0\"]\nlevel = \"A^2/2 + b^4/4 = c\"\n"),
-              HasSubstr("was not studied"));
+              HasSubstr("not studied: the coupling"));
 }
 
 std::string field(const std::string& x, const std::string& y, const std::string& w) {

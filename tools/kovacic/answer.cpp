@@ -621,6 +621,11 @@ TextAnswer TextWorker::ask(std::string_view job) {
   if (reply.end == Reply::End::interrupted) {
     a.exit = exit_interrupted;
     a.early = reply.early;
+    if (!reply.answer.empty()) { // what the job had when Ctrl-C ended it
+      const Json body = Json::parse(std::string_view(reply.answer).substr(1));
+      if (reply.answer.front() == tag_decided) a.early = body.at("text").get<std::string>();
+      if (reply.answer.front() == tag_undecided) a.early = body.at("early").get<std::string>();
+    }
   } else if (reply.end == Reply::End::crashed) {
     a.exit = exit_internal;
     a.internal = crash_text(reply);

@@ -273,16 +273,16 @@ private:
 
   // One manifold that is as expected is enough.
   void take(const Report& m, const Json& planned, Json& result, std::vector<Expected>& expected) {
-    if (!m.limit.empty()) {
-      report_.exit = worse(report_.exit, m.exit);
+    if (!m.limit.empty()) report_.exit = worse(report_.exit, m.exit);
+    if (m.json.is_object() && m.json.contains("manifold")) { // also what Ctrl-C left of it
+      report_.text += m.text;
+      result["manifolds"].push_back(m.json.at("manifold"));
+    } else {
       report_.text +=
           planned.at("title").get<std::string>() + "\n  UNDECIDED\n" + limit_lines(m.limit);
       result["manifolds"].push_back({{"name", planned.at("name")},
                                      {"verdict", to_string(VerdictKind::undecided)},
                                      {"reasons", {m.limit}}});
-    } else {
-      report_.text += m.text;
-      result["manifolds"].push_back(m.json.at("manifold"));
     }
     for (std::size_t i = 0; i < expected.size(); ++i) {
       Expected& x = expected[i];

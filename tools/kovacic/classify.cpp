@@ -11,6 +11,7 @@
 #include "mechanics.hpp"
 #include "output_format.hpp"
 #include "render.hpp"
+#include "study_report.hpp"
 
 #include <fmt/format.h>
 
@@ -134,10 +135,20 @@ std::string excluded_in_brief(const SystemClassification& c) {
   return out.str();
 }
 
-std::string text_of(const System& s, const SystemClassification& c, bool quiet, bool verbose) {
+// What to type where something is open.
+std::string next_step(const System& s, double work) {
+  std::string more = fmt::format("{:g}", 4 * work);
+  if (const auto plus = more.find("e+0"); plus != std::string::npos) more.replace(plus, 3, "e");
+  return "kovacic classify " + s.file + " --max-work " + more +
+         ", a [[manifold]] in the file, or kovacic section for a picture";
+}
+
+std::string text_of(const System& s, const SystemClassification& c, const Settings& settings) {
+  const bool quiet = settings.quiet, verbose = settings.verbose > 0;
+  const bool open = c.status() == ClassificationStatus::open;
   std::ostringstream out;
   out << heading(s.file, s.title) << "\n  " << headline(c) << '\n';
-  put_wide(out, "theorem", statement(c));
+  put_wide(out, open ? "so far" : "theorem", statement(c));
   if (!c.assumptions.empty()) put_wide(out, "assumed", joined(c.assumptions, ", "));
   for (const std::string& constant : c.constants)
     put_wide(out, "where", constant);
@@ -152,6 +163,7 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
     }
     print_all(c, StratumStatus::integrable, verbose, out);
     out << open_sets(c, verbose);
+    if (open) put_wide(out, "next", next_step(s, settings.max_work));
     const std::string full = excluded_in_full(c, verbose);
     const std::string before = out.str();
     const bool too_long = std::count(before.begin(), before.end(), '\n') +
@@ -165,10 +177,11 @@ std::string text_of(const System& s, const SystemClassification& c, bool quiet, 
              std::to_string(c.trusted.size()) + (c.trusted.size() == 1 ? " step: " : " steps: ") +
                  beginning(joined(c.trusted, "; "), verbose));
   if (verbose)
-    for (const Spent& s : c.spent)
+    for (const Spent& spent : c.spent)
       put_wide(out, "spent",
-               fmt::format("{:.2g} units ({:.1f} ms)  {}", s.work, 1000 * s.seconds, s.task));
-  return out.str();
+               fmt::format("{:.2g} units ({:.1f} ms)  {}", spent.work, 1000 * spent.seconds,
+                           spent.task));
+  return with_written_roots(s, out.str());
 }
 
 Json almost_all(const SystemClassification& c) {
@@ -317,9 +330,8 @@ private:
 
   Report report_of(const System& s, const SystemClassification& c) const {
     return {c.status() == ClassificationStatus::open ? exit_undecided : exit_decided,
-            format_ == "tex" || format_ == "html"
-                ? classification_page(s, c, format_)
-                : text_of(s, c, settings_.quiet, settings_.verbose > 0),
+            format_ == "tex" || format_ == "html" ? classification_page(s, c, format_)
+                                                  : text_of(s, c, settings_),
             as_json(s, c)};
   }
 

@@ -67,7 +67,7 @@ struct ClassifyArguments {
 int solve(const Settings& settings, const SolveArguments& arguments);
 /// Monodromy matrices with proven radii.
 int monodromy(const Settings& settings, const MonodromyArguments& arguments);
-/// Lame's equation: the closed answer, or the condition on what is left free.
+/// Lame's equation: the classical criterion, or the condition on what is left free.
 int lame(const Settings& settings, const LameArguments& arguments);
 /// The values of a parameter with a Liouvillian solution.
 int spectrum(const Settings& settings, const SpectrumArguments& arguments);

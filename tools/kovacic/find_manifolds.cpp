@@ -151,7 +151,7 @@ void print(const std::vector<FoundManifold>& found, const Integrals& integrals, 
     else
       print_block(m, levels(m, integrals, s), out);
   }
-  print_list("levels of the integrals are no phase curves there:", large, out);
+  print_list("levels of the integrals are not phase curves there:", large, out);
   print_list("equilibria only:", still, out);
 }
 

@@ -23,7 +23,7 @@ Json read_answer(const std::string& line, const std::string& path, long number) 
   Json answer = Json::parse(line, nullptr, false);
   if (answer.is_object() && answer.contains("id")) return answer;
   throw InputError(path, number, 0, 1,
-                   "this line is no answer of a batch, so that nothing is added to the file",
+                   "this line is not an answer of a batch, so that nothing is added to the file",
                    "give another file to -o");
 }
 

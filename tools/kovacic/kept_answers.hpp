@@ -18,7 +18,7 @@ struct KeptAnswers {
   std::uintmax_t bytes = 0;           ///< of the whole lines; what follows was cut short
 };
 
-/// A file that is not there has no answers.  Throws InputError for a line that is no answer.
+/// A file that is not there has no answers.  Throws InputError for a line that is not an answer.
 [[nodiscard]] KeptAnswers kept_answers(const std::string& path);
 
 } // namespace kov::cli

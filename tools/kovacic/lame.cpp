@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* equation_of_lame = "Lame's equation y_tt = (n(n+1) wp(t; g2, g3) + B) y, ";
 
-// A terminal is no place for a thousand coefficients.
+// A thousand coefficients do not belong on a terminal.
 std::string all_zero(const std::vector<MPoly>& polynomials) {
   std::string s;
   for (const MPoly& f : polynomials)
@@ -56,7 +56,7 @@ std::string title(const LameQuestion& q, const Json& j) {
   return wrapped(text, 0) + "\n";
 }
 
-// --- numbers: the closed answer, and the engines on the equation
+// --- numbers: the classical criterion, and the engines on the equation
 // -----------------------------------
 
 Report numbers(const Settings& settings, const LameQuestion& q) {

@@ -5,6 +5,8 @@
 #include "commands.hpp"
 #include "exact/error.hpp"
 #include "jets/obstruction.hpp"
+#include "page_width.hpp"
+#include "progress.hpp"
 #include "reproducer.hpp"
 #include "section.hpp"
 #include "symbol/suggest.hpp"
@@ -72,6 +74,7 @@ struct CommandLine {
   OneLineArguments one_line;
   std::vector<std::string> files;
   std::string word;
+  std::vector<std::string> explained;
   std::string stage = "r";
   std::optional<double> timeout;
   std::map<std::string, double> time_limits; ///< of the commands, in seconds, without --timeout
@@ -363,7 +366,8 @@ struct CommandLine {
   void declare(CLI::App& app) {
     app.description(examples);
     app.footer(footer);
-    app.set_version_flag("--version", std::string("version"), "ours, and the libraries");
+    app.set_version_flag("--version", std::string("version"),
+                         "the version of kovacic and of its libraries");
     app.require_subcommand(1);
     app.get_formatter()->column_width(32);
 
@@ -497,13 +501,15 @@ struct CommandLine {
     output_flags(*make);
 
     CLI::App* explain = app.add_subcommand("explain", "what a word in an answer means");
-    explain->add_option("CODE", word, "e.g. SL2, budget, exit-codes")->type_name("");
+    explain->add_option("WORD", explained, "e.g. SL2, NVE, first integral, budget")->type_name("");
     output_flags(*explain);
   }
 
   int run(const CLI::App& app) {
     const std::string command = app.get_name();
     settings.timeout = timeout.value_or(time_limits[command]);
+    set_page_width(settings.output.empty() || settings.output == "-");
+    if (!settings.quiet) show_that_it_works(command, settings.timeout);
     if (command == "solve") {
       if (is_an_equation(solve_arguments.file))
         std::swap(solve_arguments.ode.emplace(), solve_arguments.file);
@@ -541,7 +547,7 @@ struct CommandLine {
       settle_input(app, word);
       return make_new(settings, word);
     }
-    return explain(settings, word);
+    return explain(settings, CLI::detail::join(explained, " "));
   }
 };
 
@@ -640,7 +646,7 @@ int main(int argc, char** argv) {
     return report(line.settings, error);
   } catch (const std::exception& error) {
     complain(line.settings, "internal error: " + std::string(error.what()),
-             "this is a mistake of the program, not of the input");
+             "this is an error of the program, not of the input");
     leave_reproducer(error.what());
     return exit_internal;
   }

@@ -70,7 +70,7 @@ NfElem eigenvalue(const PotentialArguments& a, Constants& constants) {
   return rational_function(e, reading).num().coeff(0);
 }
 
-// One eigenvalue: the closed answer, and the engines on the equation itself.
+// One eigenvalue: the classical criterion, and the engines on the equation itself.
 Report one(const Settings& settings, const PotentialArguments& a, Report report) {
   Constants constants;
   const NfElem lambda = eigenvalue(a, constants);

@@ -12,7 +12,7 @@ void report_failure(const Settings& settings, const Answer& answer) {
     report(settings, *answer.error);
   } else if (answer.exit == exit_internal) {
     complain(settings, "internal error: " + answer.internal,
-             "this is a mistake of the program, not of the input");
+             "this is an error of the program, not of the input");
     leave_reproducer(answer.internal);
   } else if (answer.exit == exit_interrupted) {
     complain(settings, "interrupted");

@@ -87,7 +87,7 @@ std::string where(const Json& stratum) {
   std::string text;
   for (const Json& c : stratum.at("conditions"))
     text += (text.empty() ? "" : ", ") + c.get<std::string>();
-  return text.empty() ? "always" : text;
+  return text.empty() ? "all parameter values" : text;
 }
 
 std::string answer(const Json& stratum) {
@@ -109,7 +109,7 @@ void print_whole(std::ostream& out, const Json& s) {
 }
 
 // Strata with the same answer.
-struct Alike {
+struct SameAnswer {
   std::vector<const Json*> strata;
   [[nodiscard]] const Json& first() const { return *strata.front(); }
   [[nodiscard]] bool generic() const { return first().value("generic", false); } // general
@@ -120,18 +120,18 @@ struct Alike {
   }
 };
 
-std::vector<Alike> alike(const Json& strata) {
-  std::vector<Alike> all;
+std::vector<SameAnswer> alike(const Json& strata) {
+  std::vector<SameAnswer> all;
   for (const Json& s : strata) {
-    const auto same = [&](const Alike& a) {
+    const auto same = [&](const SameAnswer& a) {
       return answer(a.first()) == answer(s) &&
              (s.at("abelian") != "undecided" || a.first().at("reason") == s.at("reason"));
     };
     auto it = std::find_if(all.begin(), all.end(), same);
-    if (it == all.end()) it = all.insert(all.end(), Alike{});
+    if (it == all.end()) it = all.insert(all.end(), SameAnswer{});
     it->strata.push_back(&s);
   }
-  for (Alike& a : all) // the reason of the general one stands for all
+  for (SameAnswer& a : all) // the reason of the general one stands for all
     std::stable_partition(a.strata.begin(), a.strata.end(),
                           [](const Json* s) { return s->value("generic", false); });
   return all;
@@ -141,7 +141,7 @@ constexpr std::size_t short_condition = 40;  // characters
 constexpr std::size_t long_conditions = 240; // no more are named
 
 // "C = A; or C = 2*A", some of them.
-std::string where_any(const Alike& a) {
+std::string where_any(const SameAnswer& a) {
   std::string text;
   std::size_t named = 0;
   for (; named < a.strata.size() && text.size() < long_conditions; ++named)
@@ -152,9 +152,9 @@ std::string where_any(const Alike& a) {
                              : "; or on " + std::to_string(more) + " more strata (--verbose)");
 }
 
-void print_solutions(std::ostream& out, const Alike& a);
+void print_solutions(std::ostream& out, const SameAnswer& a);
 
-void print_alike(std::ostream& out, const Alike& a, const std::string& elsewhere) {
+void print_alike(std::ostream& out, const SameAnswer& a, const std::string& elsewhere) {
   const Json& s = a.first();
   line(out, "stratum", elsewhere.empty() ? where_any(a) : elsewhere);
   const std::string reason = s.contains("brief") ? s.at("brief") : s.at("reason");
@@ -190,7 +190,7 @@ void print_solutions(std::ostream& out, const Json& s, const std::string& on) {
 }
 
 // Those of strata with one answer: their own conditions where the formulas differ.
-void print_solutions(std::ostream& out, const Alike& a) {
+void print_solutions(std::ostream& out, const SameAnswer& a) {
   std::vector<const Json*> told;
   for (const Json* s : a.strata) {
     if (!s->contains("solutions")) continue;
@@ -208,7 +208,7 @@ void print_solutions(std::ostream& out, const Alike& a) {
     line(out, "", "on " + std::to_string(told.size() - most) + " more strata (--verbose)", 4);
 }
 
-bool is_short(const Alike& a) {
+bool is_short(const SameAnswer& a) {
   return a.strata.size() == 1 && where(a.first()).size() <= short_condition;
 }
 
@@ -218,10 +218,10 @@ void print_in_brief(std::ostream& out, const Json& j) {
   const bool rest = !std::all_of(all.begin(), all.end(), is_short) && !j.contains("unvisited");
   if (rest)
     std::stable_sort(all.begin(), all.end(),
-                     [](const Alike& a, const Alike& b) { return a.rank() < b.rank(); });
-  for (const Alike& a : all) {
+                     [](const SameAnswer& a, const SameAnswer& b) { return a.rank() < b.rank(); });
+  for (const SameAnswer& a : all) {
     const bool last = rest && &a == &all.back() && a.generic() && !is_short(a);
-    print_alike(out, a, !last ? "" : all.size() == 1 ? "always" : "elsewhere");
+    print_alike(out, a, !last ? "" : all.size() == 1 ? "all parameter values" : "elsewhere");
   }
 }
 

@@ -32,7 +32,7 @@ private:
 };
 
 /// A formula of ours in the program's notation; `variable` is what its integrals are over.
-/// Errors  InputError for what is no formula of ours
+/// Errors  InputError for what is not a formula of ours
 [[nodiscard]] std::string program_formula(const std::string& formula, const std::string& variable,
                                           Program program, const ProgramNames& names);
 

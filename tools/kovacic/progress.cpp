@@ -1,5 +1,8 @@
 #include "progress.hpp"
 
+#include "page_width.hpp"
+#include "supervisor.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
@@ -37,6 +40,40 @@ void Progress::show() {
 
 void Progress::clear() {
   if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+namespace {
+
+// "along each of them": what a classification that goes on says it does.
+std::string stage_in(std::string_view early) {
+  static constexpr std::string_view key = "\"at_work\":\"";
+  auto at = early.rfind(key);
+  if (at == std::string_view::npos) return "";
+  at += key.size();
+  return std::string(early.substr(at, early.find('"', at) - at));
+}
+
+} // namespace
+
+void show_that_it_works(const std::string& name, double seconds) {
+  if (::isatty(STDERR_FILENO) == 0) return;
+  Worker::while_waiting([=, shown = false](double spent, std::string_view early) mutable {
+    constexpr double soon = 2;
+    if (spent < 0 && shown) {
+      std::fputs("\r\033[K", stderr);
+      shown = false;
+    }
+    if (spent < soon) return;
+    std::string line = fmt::format("{}: {:.0f} s", name, spent);
+    if (seconds > 0) line += fmt::format(" of at most {:.0f}", seconds);
+    line += "; Ctrl-C keeps what is proved";
+    if (const std::string stage = stage_in(early); !stage.empty()) line += "; now " + stage;
+    const std::size_t width = columns_of(STDERR_FILENO, 80) - 1;
+    if (line.size() > width) line.resize(width);
+    std::fprintf(stderr, "\r\033[K%s", line.c_str());
+    std::fflush(stderr);
+    shown = true;
+  });
 }
 
 } // namespace kov::cli

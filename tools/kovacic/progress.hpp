@@ -3,10 +3,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <string>
 
 namespace kov::cli {
 
-/// One line on standard error, at most twice a second; nothing where that is no terminal.
+/// One line on standard error, at most twice a second; nothing where that is not a terminal.
 class Progress {
 public:
   /// `bytes` of the input in all; 0 = not known.
@@ -36,5 +37,9 @@ private:
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_ = start_;
 };
+
+/// On a terminal: one line on standard error while a question takes more than two seconds.
+/// name: of the command; seconds: its time limit, 0 = none
+void show_that_it_works(const std::string& name, double seconds);
 
 } // namespace kov::cli

@@ -1,5 +1,7 @@
 #include "recognized.hpp"
 
+#include "power_product.hpp"
+
 #include "algebraize/algebraize.hpp"
 #include "decide/afterwards.hpp"
 #include "decide/whittaker_pull_back.hpp"
@@ -110,18 +112,33 @@ Json special_json(const Decision& decision, const Budget& budget) {
             {"letter", text.letter},
             {"x", text.x},
             {"equation", text.equation},
-            {"functions", text.functions}};
+            {"functions", text.functions},
+            {"solutions", text.solutions},
+            {"where", text.where}};
   } catch (const OutOfBudget&) {
     return nullptr;
   }
 }
 
-std::string special_text(const Json& j, const std::string& unknown) {
+std::vector<std::string> special_lines(const Json& j, const std::string& unknown,
+                                       const std::string& factor) {
   const auto text = [&](const char* key) { return j.at(key).get<std::string>(); };
-  std::string all = unknown + " = " + text("y") + " with ";
-  if (text("x") != text("letter")) all += text("letter") + " = " + text("x") + ", ";
-  if (!text("functions").empty()) all += text("function") + " = " + text("functions") + ", ";
-  return all + text("equation");
+  const auto add = [](std::string& all, const std::string& more) {
+    if (!more.empty()) all += (all.empty() ? "" : ", ") + more;
+  };
+  std::string where = text("x") == text("letter") ? "" : text("letter") + " = " + text("x");
+  std::vector<std::string> lines = j.at("solutions");
+  if (lines.empty()) { // F' occurs, or F has no short name
+    add(where, text("functions").empty() ? text("equation")
+                                         : text("function") + " = " + text("functions"));
+    return {unknown + " = " + product_of_powers(factor, text("y")) + "   where " + where};
+  }
+  add(where, text("where"));
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    lines[i] = unknown + (lines.size() > 1 ? std::to_string(i + 1) : "") + " = " +
+               product_of_powers(factor, lines[i]);
+  if (!where.empty()) lines.front() += "   where " + where;
+  return lines;
 }
 
 namespace {

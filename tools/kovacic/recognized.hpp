@@ -14,15 +14,15 @@ namespace kov::cli {
                                const FreshLetters& letters = FreshLetters());
 
 /// The object under "recognized"; null if nothing is.  constant: the generator of the field in texts.
-/// Throws Contradiction when the closed answer of the family contradicts the decision.
+/// Throws Contradiction when the classical criterion of the family contradicts the decision.
 [[nodiscard]] Json recognized_json(const Decision& decision, const std::string& constant,
                                    const Budget& budget);
 /// The object under "special_solution", for SL(2) only: what is not Liouvillian, in functions that
 /// have a name; null where none is found within a few seconds.
 [[nodiscard]] Json special_json(const Decision& decision, const Budget& budget);
-/// unknown: y, or u where y = u exp(-1/2 int p) is given.
-/// "y = F(x) with x = z^2, F = Ai(x), Bi(x), F'' = (x) F"
-[[nodiscard]] std::string special_text(const Json& special, const std::string& unknown);
+/// "y1 = Ai(x)   where x = z^2", "y2 = Bi(x)", each times the factor: solutions of the given equation.
+[[nodiscard]] std::vector<std::string>
+special_lines(const Json& special, const std::string& unknown, const std::string& factor);
 
 /// For an equation with free parameters: the family, and its answer as conditions; null if nothing
 /// is recognised.

@@ -23,9 +23,10 @@ struct Style {
 
 /// "SL(2, C)", "T_4", "D_3", ... of the object under "group"; "" for null.
 [[nodiscard]] std::string group_text(const Json& group);
-/// Lines of at most `width` columns; the first one begins after `indent` columns already written.
+/// Lines of at most `width` columns (0: of the page); the first one begins after `indent` columns already
+/// written.
 [[nodiscard]] std::string wrapped(const std::string& text, std::size_t indent,
-                                  std::size_t width = 98);
+                                  std::size_t width = 0);
 /// "a, b, c" of an array of texts.
 [[nodiscard]] std::string listed(const Json& texts);
 /// A line of an answer: the label, then the text in a column of its own.

@@ -1,9 +1,11 @@
 #include "render.hpp"
 
+#include "page_width.hpp"
 #include "present_strata.hpp"
 #include "recognized.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 namespace kov::cli {
@@ -42,10 +44,44 @@ bool something_decided(const Json& result) {
                      [](const Json& s) { return s.at("abelian") != "undecided"; });
 }
 
+// Unset: a group of the stratum with a solution that is Liouvillian, or SL(2, C).
+std::optional<bool> is_liouvillian(const Json& stratum) {
+  if (stratum.at("abelian") == "yes") return true;
+  if (!stratum.at("group").is_string()) return std::nullopt;
+  return stratum.at("group") != "SL2";
+}
+
+// "a = 0, b != 0; or a = 1"; "" where that is too long for a headline.
+std::string where_briefly(const Json& strata, bool liouvillian) {
+  constexpr std::size_t longest = 150;
+  std::string text;
+  for (const Json& s : strata)
+    if (is_liouvillian(s) == liouvillian)
+      text += (text.empty() ? "" : "; or ") + listed(s.at("conditions"));
+  return text.size() <= longest ? text : "";
+}
+
+std::string for_all_parameters(const Json& strata) {
+  long some = 0, unknown = 0;
+  for (const Json& s : strata) {
+    const std::optional<bool> known = is_liouvillian(s);
+    some += known == true ? 1 : 0;
+    unknown += known ? 0 : 1;
+  }
+  if (unknown > 0 || some == 0)
+    return "DECIDED FOR ALL PARAMETERS whether the identity component is abelian";
+  if (some == static_cast<long>(strata.size())) return "LIOUVILLIAN SOLUTIONS for all parameters";
+  if (const std::string where = where_briefly(strata, true); !where.empty())
+    return "LIOUVILLIAN SOLUTIONS exactly when " + where;
+  if (const std::string where = where_briefly(strata, false); !where.empty())
+    return "LIOUVILLIAN SOLUTIONS except when " + where;
+  return "LIOUVILLIAN SOLUTIONS for some parameters";
+}
+
 std::string headline(const Json& result) {
   if (result.contains("strata") && result.at("case").is_null())
     return result.contains("contradictory")   ? "THE ASSUMPTIONS CONTRADICT EACH OTHER"
-           : result.at("undecided").is_null() ? "DECIDED FOR ALL PARAMETERS"
+           : result.at("undecided").is_null() ? for_all_parameters(result.at("strata"))
            : something_decided(result)        ? "UNDECIDED IN PART"
                                               : "UNDECIDED";
   if (result.at("case").is_null())
@@ -67,7 +103,7 @@ std::string with_variable(std::string text, const std::string& variable) {
   return text;
 }
 
-// A terminal is no place for a thousand coefficients.
+// A thousand coefficients do not belong on a terminal.
 std::string shortened(const std::string& formula) {
   constexpr std::size_t longest = 1500;
   if (formula.size() <= longest) return formula;
@@ -111,6 +147,13 @@ std::string unknown_of(const Json& result) {
   return letters_beside(result)(is_transformed(result) ? "u" : "y");
 }
 
+// Green: there are closed solutions; red: it is proved that there are none; yellow: not decided, or
+// it depends on the parameters.
+const char* colour_of(const Json& result) {
+  if (result.at("case").is_null()) return "1;33";
+  return result.at("case").get<int>() == 4 ? "1;31" : "1;32";
+}
+
 // A polynomial for w = y'/y, and formulas.  What belongs to u'' = r u of a given equation is called
 // u.
 std::vector<std::string> solution_lines(const Json& result) {
@@ -152,18 +195,49 @@ void put_solutions(std::ostringstream& out, const Json& result) {
     put_short(out, i > 0 ? "" : lines.size() > 1 ? "solutions" : "solution", lines[i]);
 }
 
-void put_original(std::ostringstream& out, const Json& result) {
-  const Json& original = result.at("original");
+// " + (1/x) y'", " - y", "" for 0
+std::string term_text(const std::string& c, const std::string& y) {
+  if (c == "0") return "";
+  const bool simple = c.find_first_of(" /") == std::string::npos,
+             minus = simple && c.front() == '-';
+  const std::string size = minus ? c.substr(1) : c;
+  return (minus ? " - " : " + ") + (size == "1" ? "" : (simple ? size : "(" + size + ")") + " ") +
+         y;
+}
+
+// The question: y'' + p y' + q y = 0, or y'' = r y.
+std::string question_text(const Json& result) {
   const FreshLetters letter = letters_beside(result);
-  const std::string factor = original.at("factor").get<std::string>();
-  if (factor == "1") return;
-  put_short(out, "given",
-            letter.in("y'' + p y' + q y = 0 with p = ") + original.at("p").get<std::string>() +
-                ", " + letter("q") + " = " + original.at("q").get<std::string>());
-  put_short(out, "",
-            letter.in("y = u * ") + factor + letter.in(" with u'' = r u; the factor is ") +
-                original.at("factor_kind").get<std::string>() +
-                "; the identity component is abelian for both equations or for none");
+  const std::string y = letter("y");
+  if (!is_transformed(result))
+    return equation_text(shortened(result.at("r").get<std::string>()), y);
+  const Json& original = result.at("original");
+  const auto coefficient = [&](const char* key) {
+    return shortened(original.at(key).get<std::string>());
+  };
+  return y + "''" + term_text(coefficient("p"), y + "'") + term_text(coefficient("q"), y) + " = 0";
+}
+
+// What the group and the reason are about, where another equation was given.
+void put_normal_form(std::ostringstream& out, const Json& result) {
+  if (!is_transformed(result)) return;
+  const FreshLetters letter = letters_beside(result);
+  put_short(out, "in u",
+            equation_text(result.at("r").get<std::string>(), letter("u")) + ", " +
+                letter.in("y = u * ") + result.at("original").at("factor").get<std::string>() +
+                ": the group is that of this equation, and the identity component is abelian for "
+                "both or for none");
+}
+
+// Solutions of the given equation with a name, where none is Liouvillian.
+void put_special(std::ostringstream& out, const Json& result) {
+  if (!result.contains("special_solution")) return;
+  const bool given = is_transformed(result);
+  const auto lines = special_lines(result.at("special_solution"), letters_beside(result)("y"),
+                                   given ? result.at("original").at("factor").get<std::string>()
+                                         : std::string("1"));
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    put_short(out, i > 0 ? "" : lines.size() > 1 ? "solutions" : "solution", lines[i]);
 }
 
 // "G = SL(2, C), identity component SL(2, C), not abelian", as much of it as is known.
@@ -199,6 +273,7 @@ std::string listed(const Json& texts) {
 }
 
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width) {
+  if (width == 0) width = page_width();
   std::string out;
   std::size_t column = indent;
   std::istringstream words(text);
@@ -221,7 +296,7 @@ std::string wrapped(const std::string& text, std::size_t indent, std::size_t wid
 
 std::string heading(const std::string& file, const std::string& title) {
   if (title.empty()) return file;
-  if (file.size() + 2 + title.size() <= 100) return file + "  " + title;
+  if (file.size() + 2 + title.size() <= page_width() + 2) return file + "  " + title;
   return file + "\n  " + wrapped(title, 2);
 }
 
@@ -238,20 +313,21 @@ std::string text_of_result(const Json& result, const std::string& title, const S
       put(out, label, words.get<std::string>());
   const std::string variable =
       result.at("variable").is_null() ? "z" : result.at("variable").get<std::string>();
-  if (!result.at("r").is_null())
-    out << wrapped(equation_text(shortened(result.at("r").get<std::string>()),
-                                 letters_beside(result)("y")),
-                   0)
-        << '\n';
+  if (!result.at("r").is_null()) out << wrapped(question_text(result), 0) << '\n';
   if (result.contains("constants"))
     for (const auto& [name, meaning] : result.at("constants").items())
       if (name != "I" && name.find('(') == std::string::npos) // the others say it themselves
         put_short(out, "where", name + " = " + meaning.get<std::string>());
-  const bool open = result.at("case").is_null();
-  out << "  "
-      << paint(open ? "1;33" : "1;32",
-               with_variable(letters_beside(result).in(headline(result)), variable))
-      << '\n';
+  std::string head = headline(result);
+  if (!result.at("case").is_null()) // the conditions of strata are in the letters of the question
+    head = with_variable(letters_beside(result).in(head), variable);
+  if (head.size() + 2 > page_width()) head = wrapped(head, 2);
+  out << "  " << paint(colour_of(result), head) << '\n';
+  if (!result.contains("strata")) {
+    put_polynomial_of_y(out, result);
+    put_solutions(out, result);
+    put_special(out, result);
+  }
   if (const std::string line = group_line(result); !line.empty())
     out << "  " << wrapped(line, 2) << '\n';
   if (style.quiet && result.at("undecided").is_null()) {
@@ -271,6 +347,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
         put_short(out, "this is", text);
     return out.str();
   }
+  put_normal_form(out, result);
   if (!result.at("undecided").is_null()) {
     const Json& u = result.at("undecided");
     put_short(out, "open", u.at("detail").get<std::string>());
@@ -284,17 +361,12 @@ std::string text_of_result(const Json& result, const std::string& title, const S
       !result.at("recognized").contains("summary")) // that one is in the reason
     if (const std::string known = recognized_text(result.at("recognized")); !known.empty())
       put_short(out, "this is", known);
-  if (result.contains("special_solution"))
-    put_short(out, "but", special_text(result.at("special_solution"), unknown_of(result)));
   if (result.contains("second_opinion")) {
     const Json& o = result.at("second_opinion");
     put_short(out, "monodromy", o.at("text").get<std::string>());
     if (o.contains("no_certificate"))
       put_short(out, "no proof", "of that: " + o.at("no_certificate").get<std::string>());
   }
-  if (result.contains("original")) put_original(out, result);
-  put_solutions(out, result);
-  put_polynomial_of_y(out, result);
   const Json failed = result.value("failed", Json::array());
   if (style.solutions && result.contains("no_solutions") &&
       std::find(failed.begin(), failed.end(), result.at("no_solutions")) == failed.end())
@@ -310,7 +382,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   for (const char* key : {"certificate_file", "loops_certificate_file"})
     if (result.contains(key)) {
       const std::string path = result.at(key).get<std::string>();
-      put_short(out, "proof", path + "   verify: kovacic verify " + path);
+      put_short(out, "proof", "written to " + path + "; check it with: kovacic verify " + path);
     }
   return out.str();
 }

@@ -3,6 +3,7 @@
 #include "flow/scene/simulate.hpp"
 #include "flow/scene/system_scene.hpp"
 #include "flow/section/fixed_points.hpp"
+#include "page_width.hpp"
 #include "plot.hpp"
 #include "section_files.hpp"
 #include "symbol/document.hpp"
@@ -289,14 +290,18 @@ private:
     write(result_);
   }
 
+  static void say(const std::string& line) {
+    fmt::print("{}", for_standard_output("  " + line + "\n"));
+  }
+
   void summary() const {
     fmt::print("{}\n  {}\n", file_, scene_.title);
     for (const std::string& line : caption(scene_, result_))
-      fmt::print("  {}\n", line);
+      say(line);
     if (result_.skipped > 0)
-      fmt::print("  {} places of the grid are not on the level\n", result_.skipped);
-    if (const std::string missing = partial(result_); !missing.empty())
-      fmt::print("  {}\n", missing);
+      say(fmt::format("{} of {} starting points lie outside the level H = {}", result_.skipped,
+                      result_.skipped + result_.orbits.size(), scene_.energy.text()));
+    if (const std::string missing = partial(result_); !missing.empty()) say(missing);
     fmt::print("  {:.2f} s; data {}.dat\n", seconds_, base_);
   }
 

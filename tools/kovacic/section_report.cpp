@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace kov::cli {
@@ -16,7 +17,7 @@ using flow::Indicator;
 using flow::SystemScene;
 using flow::SystemSection;
 
-// A level that is no integral is one for the start.
+// A level that is not an integral is one for the start.
 std::string levels_of(const SystemScene& s) {
   std::string text;
   const std::vector<flow::SceneFormula> integrals = s.integrals();
@@ -47,24 +48,37 @@ std::string parameters_of(const SystemScene& s) {
 std::string drifts_of(const SystemSection& r) {
   std::string text;
   for (std::size_t i = 0; i < r.integrals.size(); ++i)
-    text +=
-        fmt::format("{}{}: {:.1e}", text.empty() ? "drift of " : ", ", r.integrals[i], r.drifts[i]);
+    text += fmt::format("{}{}: {:.1e}", text.empty() ? "relative drift of " : ", of ",
+                        r.integrals[i], r.drifts[i]);
   return text.empty() ? "no integrals to check" : text;
 }
 
 } // namespace
 
+std::string section_text(const SystemScene& s) {
+  const std::string& g = s.section.text;
+  if (s.rising && s.falling) return g + " = 0";
+  const bool is_name = std::all_of(g.begin(), g.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  });
+  return fmt::format("{} = 0, {}' {} 0", g, is_name ? g : "(" + g + ")", s.rising ? ">" : "<");
+}
+
+std::string outside_of_level(const SystemScene& s, const SystemSection& r) {
+  const std::string level = levels_of(s);
+  return fmt::format("{} of {} starting points lie outside the level {}", r.skipped,
+                     r.skipped + r.orbits.size(), level.empty() ? "of the scene" : level);
+}
+
 std::vector<std::string> caption(const SystemScene& s, const SystemSection& r) {
   std::string mechanics;
   for (const std::string& part : {parameters_of(s), levels_of(s)})
     if (!part.empty()) mechanics += part + "; ";
-  mechanics += fmt::format("section {}, {}", s.section.text,
-                           s.rising && s.falling ? "both directions"
-                           : s.rising            ? "upward"
-                                                 : "downward");
+  mechanics += section_text(s);
   if (s.where) mechanics += fmt::format(", where {} > 0", s.where->text);
-  return {mechanics, fmt::format("{} orbits, {} points; Taylor order {}, {}, tolerance {}; {}",
-                                 r.orbits.size(), r.points.size(), r.order, r.arithmetic,
+  return {mechanics, fmt::format("{} orbit{}, {} point{}; Taylor order {}, {}, tolerance {}; {}",
+                                 r.orbits.size(), r.orbits.size() == 1 ? "" : "s", r.points.size(),
+                                 r.points.size() == 1 ? "" : "s", r.order, r.arithmetic,
                                  s.tolerance.text(), drifts_of(r))};
 }
 

@@ -10,6 +10,11 @@ namespace kov::cli {
 /// Two lines: the mechanics; the numerics.
 [[nodiscard]] std::vector<std::string> caption(const flow::SystemScene& s,
                                                const flow::SystemSection& r);
+/// "8 of 64 starting points lie outside the level H = 1"
+[[nodiscard]] std::string outside_of_level(const flow::SystemScene& s,
+                                           const flow::SystemSection& r);
+/// "x = 0, x' > 0"
+[[nodiscard]] std::string section_text(const flow::SystemScene& s);
 /// What happened to orbits that did not go on as the others: singularities, rest, the section itself.
 [[nodiscard]] std::vector<std::string> remarks(const flow::SystemScene& s,
                                                const flow::SystemSection& r);

@@ -1,6 +1,8 @@
 #include "settings.hpp"
 
 #include "commands.hpp"
+#include "page_width.hpp"
+#include "supervisor.hpp"
 
 #include "equation/read_equation.hpp"
 #include "symbol/expression.hpp"
@@ -19,6 +21,7 @@ namespace kov::cli {
 Options Settings::solver_options() const {
   Options o;
   if (timeout > 0) o.budget = Budget::of_seconds(timeout);
+  o.budget.stop = stopped_by_hand();
   o.budget.max_degree = max_degree;
   o.budget.max_families = max_families;
   o.budget.max_work = max_work;
@@ -137,7 +140,8 @@ std::optional<Expression> formula(const std::string& option, const std::optional
 
 void write_output(const Settings& settings, const std::string& text) {
   if (!settings.output.empty() && settings.output != "-") return write_file(settings.output, text);
-  const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  const std::string page = settings.format == "text" ? for_standard_output(text) : text;
+  const bool whole = std::fwrite(page.data(), 1, page.size(), stdout) == page.size();
   if (!whole || std::fflush(stdout) != 0)
     throw InputError("standard output", 0, 0, 1, "not everything could be written");
 }
@@ -156,8 +160,13 @@ void complain(const Settings& settings, const std::string& message, const std::s
   const char* red = color ? "\033[1;31m" : "";
   const char* cyan = color ? "\033[1;36m" : "";
   const char* off = color ? "\033[0m" : "";
-  std::fprintf(stderr, "kovacic: %serror:%s %s\n", red, off, printable(message).c_str());
-  if (!hint.empty()) std::fprintf(stderr, "  %snote:%s %s\n", cyan, off, printable(hint).c_str());
+  std::string text =
+      std::string("kovacic: ") + red + "error:" + off + " " + printable(message) + "\n";
+  if (!hint.empty())
+    text += std::string("  ") + cyan + "note:" + off + " " + printable(hint) + "\n";
+  if (const std::size_t width = columns_of(STDERR_FILENO, 0); width > 0)
+    text = folded(text, std::max<std::size_t>(width, 40));
+  std::fputs(text.c_str(), stderr);
 }
 
 } // namespace kov::cli

@@ -59,7 +59,7 @@ struct Settings {
   [[nodiscard]] Entry document(const std::string& file) const;
 
   [[nodiscard]] Options solver_options() const;
-  [[nodiscard]] bool wants_solutions() const { return !quiet && !exit_verdict; }
+  [[nodiscard]] bool wants_solutions() const { return !exit_verdict; }
   [[nodiscard]] ProcessLimits process_limits() const { return {timeout, memory}; }
   /// Colours on this stream (a file descriptor)?  --color, NO_COLOR, is it a terminal.
   [[nodiscard]] bool colors(int descriptor) const;

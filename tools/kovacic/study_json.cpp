@@ -110,7 +110,8 @@ void file_certificates(const Settings& settings, const System& s,
     const std::string path = file_certificate(
         settings, std::filesystem::path(s.file).stem().string() + values + "-" + c.name, c.json);
     json["certificate_files"].push_back(path);
-    answer.text += labelled("proof", path + "   verify: kovacic verify " + path);
+    answer.text +=
+        labelled("proof", "written to " + path + "; check it with: kovacic verify " + path);
   }
 }
 

@@ -9,6 +9,8 @@
 #include "render.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <sstream>
 
 namespace kov::cli {
@@ -34,13 +36,20 @@ std::string cut(const std::string& text, Detail detail) {
   return text.substr(0, five_lines) + " ... (--verbose shows the rest)";
 }
 
+// "except possibly where ...": a limit left these parameters.
+std::string possibly(std::string except) {
+  if (const std::string word = "except "; except.starts_with(word))
+    except.insert(word.size(), "possibly ");
+  return except;
+}
+
 std::string undecided_somewhere(const ManifoldReport& m, Detail detail) {
   const std::string except = cut(exceptions(m), detail);
   const bool depends = m.verdict == VerdictKind::depends;
   if (except.empty())
     return depends ? "DEPENDS ON THE PARAMETERS  (" + m.by->id() + ")" : "UNDECIDED";
-  return (depends ? "NON-INTEGRABLE, " : "UNDECIDED IN PART: NON-INTEGRABLE, ") + except + "  (" +
-         m.by->id() + ": " + m.statement + "; in the exceptions nothing follows)";
+  return "NON-INTEGRABLE, " + (depends ? except : possibly(except)) + "  (" + m.by->id() + ": " +
+         m.statement + "; nothing is known about the exceptions)";
 }
 
 std::string headline(const ManifoldReport& m, Detail detail) {
@@ -71,9 +80,9 @@ std::string headline(const study::CurveStudy& m, Detail detail) {
   if (!m.higher || !m.higher->excluded) return headline(m.first, detail);
   const Exclusion& e = *m.higher->excluded;
   if (m.higher->exceptions.empty()) return at_order(e) + theorem_of(e) + ")";
-  return (m.headline.verdict == study::Verdict::undecided ? "UNDECIDED IN PART: " : "") +
-         at_order(e) + ", " + m.higher->exceptions + theorem_of(e) +
-         "; in the exceptions nothing follows)";
+  const bool open = m.headline.verdict == study::Verdict::undecided;
+  return at_order(e) + ", " + (open ? possibly(m.higher->exceptions) : m.higher->exceptions) +
+         theorem_of(e) + "; nothing is known about the exceptions)";
 }
 
 void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent) {
@@ -235,10 +244,31 @@ std::string headline_of_all(study::Verdict verdict, bool excludes) {
 
 } // namespace
 
+std::string with_written_roots(const System& s, const std::string& text) {
+  std::map<std::string, std::string> meaning;
+  for (const FunctionSymbol& f : s.field.functions)
+    if (f.function == "sqrt" && !f.meaning.empty()) meaning[s.ring()->name(f.variable)] = f.meaning;
+  if (meaning.empty()) return text;
+  const auto of_a_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  };
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i;
+    while (end < text.size() && of_a_name(text[end]))
+      ++end;
+    const std::string word = text.substr(i, std::max<std::size_t>(end - i, 1));
+    const auto known = meaning.find(word);
+    out += known == meaning.end() ? word : known->second;
+    i += word.size();
+  }
+  return out;
+}
+
 std::string text_of(const System& s, const study::CurveStudy& m, Detail detail) {
   std::ostringstream out;
   put_manifold(out, s, m, detail);
-  return out.str();
+  return with_written_roots(s, out.str());
 }
 
 std::string text_of(const System& s, const SystemClassification& c, study::Verdict verdict,
@@ -247,13 +277,13 @@ std::string text_of(const System& s, const SystemClassification& c, study::Verdi
   out << title_of_manifold(s, "all manifolds together") << "\n  "
       << wrapped(headline_of_all(verdict, !c.excluded.empty()), 2) << "\n";
   if (c.excluded.empty()) return out.str();
-  put(out, "theorem", statement(c));
+  put(out, verdict == study::Verdict::undecided ? "so far" : "theorem", statement(c));
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
   if (detail == Detail::headline) return out.str();
   for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_reason))
     put(out, "excluded", joined(e.where, "; or ") + ": " + cut(reason_of(*e.by), detail));
   put(out, "by", joined(c.theorems, ", "));
-  return out.str();
+  return with_written_roots(s, out.str());
 }
 
 } // namespace kov::cli

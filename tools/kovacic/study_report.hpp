@@ -41,4 +41,7 @@ void file_certificates(const Settings& settings, const System& s,
 /// A manifold that is none is an error of the file, whatever else is proved.
 [[nodiscard]] int exit_of(const Settings& settings, const study::Headline& h);
 
+/// Square roots as the file writes them: sqrt(x^2 + y^2) where the text has the name of its symbol.
+[[nodiscard]] std::string with_written_roots(const System& s, const std::string& text);
+
 } // namespace kov::cli

@@ -40,6 +40,18 @@ constexpr int exit_out_of_memory = 97;
 constexpr int exit_library_abort = 98;
 
 volatile std::sig_atomic_t ctrl_c = 0;
+constexpr std::chrono::milliseconds grace{2000}; // for a job that Ctrl-C ends
+constexpr std::chrono::milliseconds tick{500};
+
+std::stop_source& asked_to_stop() {
+  static std::stop_source source;
+  return source;
+}
+
+Worker::Waiting& waiting() {
+  static Worker::Waiting show;
+  return show;
+}
 
 // --- out of memory in the child: one way out for C++, GMP and FLINT ----------------------------
 
@@ -57,7 +69,9 @@ void keep_counters() {
 
 void prepare_child(const ProcessLimits& limits) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  ::signal(SIGINT, SIG_DFL);
+  (void)asked_to_stop();
+  ::signal(SIGINT,
+           [](int) { asked_to_stop().request_stop(); }); // nothing registers callbacks there
   ::signal(SIGPIPE, SIG_DFL);
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
@@ -108,8 +122,14 @@ bool send_message(int fd, char kind, std::string_view text) {
 
 enum class Got : std::uint8_t { message, closed, late, interrupted };
 
-// Waits for n bytes until the deadline (if there is one).
-Got receive_all(int fd, char* data, std::size_t n, const Clock::time_point* deadline) {
+// Until when a message is waited for, whether Ctrl-C ends that, and what is called meanwhile.
+struct Patience {
+  const Clock::time_point* deadline = nullptr;
+  bool ends_by_hand = true;
+  std::function<void()> meanwhile = {};
+};
+
+Got receive_all(int fd, char* data, std::size_t n, const Patience& patience) {
   while (n > 0) {
     const ssize_t there = ::recv(fd, data, n, MSG_DONTWAIT);
     if (there == 0) return Got::closed;
@@ -120,27 +140,28 @@ Got receive_all(int fd, char* data, std::size_t n, const Clock::time_point* dead
     }
     if (errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR) return Got::closed;
     int wait = -1;
-    if (deadline != nullptr) {
+    if (patience.deadline != nullptr) {
       const auto left =
-          std::chrono::ceil<std::chrono::milliseconds>(*deadline - Clock::now()).count();
+          std::chrono::ceil<std::chrono::milliseconds>(*patience.deadline - Clock::now()).count();
       if (left <= 0) return Got::late;
       wait = static_cast<int>(std::min<long>(left, 1000000));
     }
+    if (patience.meanwhile) wait = wait < 0 ? tick.count() : std::min<int>(wait, tick.count());
     pollfd p{fd, POLLIN, 0};
-    ::poll(&p, 1, wait);
-    if (ctrl_c != 0) return Got::interrupted;
+    if (::poll(&p, 1, wait) == 0 && patience.meanwhile) patience.meanwhile();
+    if (ctrl_c != 0 && patience.ends_by_hand) return Got::interrupted;
   }
   return Got::message;
 }
 
-Got receive_message(int fd, char& kind, std::string& text, const Clock::time_point* deadline) {
+Got receive_message(int fd, char& kind, std::string& text, const Patience& patience) {
   char head[9];
-  if (const Got g = receive_all(fd, head, sizeof head, deadline); g != Got::message) return g;
+  if (const Got g = receive_all(fd, head, sizeof head, patience); g != Got::message) return g;
   kind = head[0];
   std::uint64_t n = 0;
   std::memcpy(&n, head + 1, sizeof n);
   text.resize(n);
-  return receive_all(fd, text.data(), n, deadline);
+  return receive_all(fd, text.data(), n, patience);
 }
 
 // Signals that a process brings upon itself; any other one was sent by somebody else.
@@ -171,6 +192,10 @@ Worker::~Worker() {
   ::munmap(notice_, sizeof(Notice));
 }
 
+std::stop_token stopped_by_hand() { return asked_to_stop().get_token(); }
+
+void Worker::while_waiting(Waiting show) { waiting() = std::move(show); }
+
 void catch_interrupts() {
   struct sigaction action = {};
   action.sa_handler = [](int) { ctrl_c = 1; };
@@ -199,7 +224,7 @@ void Worker::child(int channel) const {
   prepare_child(limits_);
   char kind = 0;
   std::string job;
-  while (receive_message(channel, kind, job, nullptr) == Got::message) {
+  while (receive_message(channel, kind, job, {.ends_by_hand = false}) == Got::message) {
     const std::string answer = serve_(job, [this, channel](std::string_view early) {
       notice_->length = 0;
       if (early.size() > Notice::capacity) {
@@ -227,8 +252,12 @@ void Worker::stop() {
 Reply Worker::ask(std::string_view job) {
   begin(job);
   if (lost_) return *std::exchange(lost_, std::nullopt);
+  began_ = Clock::now();
   for (;;)
-    if (auto reply = next_message()) return *std::move(reply);
+    if (auto reply = next_message()) {
+      if (waiting()) waiting()(-1, "");
+      return *std::move(reply);
+    }
 }
 
 void Worker::begin(std::string_view job) {
@@ -278,7 +307,12 @@ std::optional<Reply> Worker::next_message() {
   char kind = 0;
   std::string text;
   Reply reply;
-  switch (receive_message(channel_, kind, text, limits_.seconds > 0 ? &deadline_ : nullptr)) {
+  Patience patience{.deadline = limits_.seconds > 0 ? &deadline_ : nullptr};
+  if (waiting() && began_)
+    patience.meanwhile = [this] {
+      waiting()(std::chrono::duration<double>(Clock::now() - *began_).count(), early());
+    };
+  switch (receive_message(channel_, kind, text, patience)) {
   case Got::message:
     if (kind == kind_early) {
       early_ = std::move(text);
@@ -294,14 +328,33 @@ std::optional<Reply> Worker::next_message() {
     reply.end = Reply::End::timeout;
     break;
   case Got::interrupted:
+    reply.answer = last_words();
     stop();
     reply.end = Reply::End::interrupted;
     break;
   }
-  reply.early = notice_->length > 0
-                    ? std::string(notice_->text, std::min(notice_->length.load(), Notice::capacity))
-                    : std::move(early_);
+  reply.early = early();
   return reply;
+}
+
+std::string Worker::early() const {
+  return notice_->length > 0
+             ? std::string(notice_->text, std::min(notice_->length.load(), Notice::capacity))
+             : early_;
+}
+
+// After Ctrl-C: what the job has when it ends by itself; "" if it does not.
+std::string Worker::last_words() {
+  ::kill(pid_, SIGINT); // a terminal has sent it to both
+  const Clock::time_point end = Clock::now() + grace;
+  char kind = kind_early;
+  std::string text;
+  while (receive_message(channel_, kind, text, {.deadline = &end, .ends_by_hand = false}) ==
+         Got::message) {
+    if (kind == kind_final) return text;
+    early_ = std::move(text);
+  }
+  return "";
 }
 
 // The child is gone: why?

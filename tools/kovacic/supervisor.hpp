@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <sys/types.h>
@@ -26,7 +27,7 @@ struct Reply {
   explicit Reply(End how) : end(how) {}
 
   End end = End::answered;
-  std::string answer; ///< answered only
+  std::string answer; ///< answered; and interrupted, if the job could still say what it had
   std::string early;  ///< the last early message of a job that was not answered
   std::string detail; ///< of an end by a signal: "signal 11 (Segmentation fault)"
 };
@@ -56,11 +57,18 @@ public:
   /// (a file descriptor; -1: none) something to read; false: interrupted by Ctrl-C.
   [[nodiscard]] static bool wait(const std::vector<const Worker*>& at_work, int input);
 
+  /// Called twice a second while ask() waits, with the seconds since it began and the last early message;
+  /// with less than 0 seconds when the wait is over.
+  using Waiting = std::function<void(double seconds, std::string_view early)>;
+  static void while_waiting(Waiting show);
+
 private:
   void start();
   void stop();
   [[noreturn]] void child(int channel) const;
   std::optional<Reply> next_message();
+  [[nodiscard]] std::string early() const;
+  [[nodiscard]] std::string last_words();
   Reply ended();
 
   struct Notice;
@@ -70,11 +78,15 @@ private:
   ProcessLimits limits_;
   Notice* notice_; ///< shared with the child
   pid_t pid_ = -1;
-  Clock::time_point deadline_; ///< of the job, if there is a limit
-  std::optional<Reply> lost_;  ///< of a job that could not be given to the child
-  std::string early_;          ///< what the job has said too long for the notice
+  Clock::time_point deadline_;             ///< of the job, if there is a limit
+  std::optional<Clock::time_point> began_; ///< of a job that is waited for
+  std::optional<Reply> lost_;              ///< of a job that could not be given to the child
+  std::string early_;                      ///< what the job has said too long for the notice
   int channel_ = -1;
 };
+
+/// In a worker: set by Ctrl-C, which asks the job to end with what it has; it has two seconds.
+[[nodiscard]] std::stop_token stopped_by_hand();
 
 /// Makes Ctrl-C end the current job (Reply::End::interrupted) instead of the program.
 void catch_interrupts();

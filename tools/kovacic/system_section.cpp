@@ -3,6 +3,7 @@
 #include "flow/scene/system_section.hpp"
 #include "certify/homoclinic/check.hpp"
 #include "chaos_report.hpp"
+#include "page_width.hpp"
 #include "plot.hpp"
 #include "section_files.hpp"
 #include "section_page.hpp"
@@ -152,18 +153,20 @@ private:
     return {};
   }
 
+  static void say(const std::string& line) {
+    fmt::print("{}", for_standard_output("  " + line + "\n"));
+  }
+
   void summary() const {
     fmt::print("{}{}\n", file_, scene_.name.empty() ? "" : ": " + scene_.name);
-    if (!scene_.title.empty()) fmt::print("  {}\n", scene_.title);
+    if (!scene_.title.empty()) say(scene_.title);
     for (const std::string& line : caption(scene_, result_))
-      fmt::print("  {}\n", line);
-    if (result_.skipped > 0)
-      fmt::print("  {} places of the grid are not on the level\n", result_.skipped);
+      say(line);
+    if (result_.skipped > 0) say(outside_of_level(scene_, result_));
     for (const std::string& line : remarks(scene_, result_))
-      fmt::print("  {}\n", line);
-    if (scene_.indicator != Indicator::none) fmt::print("  {}\n", chaos_of(result_));
-    if (const std::string missing = partial(result_); !missing.empty())
-      fmt::print("  {}\n", missing);
+      say(line);
+    if (scene_.indicator != Indicator::none) say(chaos_of(result_));
+    if (const std::string missing = partial(result_); !missing.empty()) say(missing);
     fmt::print("  {:.2f} s; data {}.dat\n", seconds_, base_);
   }
 

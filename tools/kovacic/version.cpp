@@ -1,4 +1,4 @@
-// kovacic --version: ours, and the libraries that the answer depends on.
+// kovacic --version: the version of kovacic and of its libraries that the answer depends on.
 
 #include "commands.hpp"
 #include "exact/algebraic_c.h"

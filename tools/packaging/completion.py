@@ -83,7 +83,7 @@ def zsh(program):
             "_kovacic() {", "  local -a commands=("]
     text += [f"    '{c.name}:{zsh_quoted(c.summary)}'" for c in program.commands]
     text += ["  )", "  local context state line", "  typeset -A opt_args",
-             "  _arguments -C '(- *)--help[Print this help message and exit]' '(- *)--version[ours, and the libraries]' \\",
+             "  _arguments -C '(- *)--help[Print this help message and exit]' '(- *)--version[the version of kovacic and of its libraries]' \\",
              "    '1:command:->command' '*::argument:->argument' && return", "  case $state in",
              "    command) _describe command commands ;;", "    argument)", "      case $words[1] in"]
     for command in program.commands:

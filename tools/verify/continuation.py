@@ -110,7 +110,7 @@ class Segment:
         self.dens, self.nums = [], []
         for den, num in rows:
             degree = max(len(den), *map(len, num)) - 1
-            by, along = (scale << GUARD, 0), times(step, (1 << GUARD, 0))         # so that lower bounds are no small integers
+            by, along = (scale << GUARD, 0), times(step, (1 << GUARD, 0))         # so that lower bounds are not small integers
             self.dens.append([times(c, by) for c in shifted(den, degree, point, step, scale)])
             self.nums.append([[times(c, along) for c in shifted(f, degree, point, step, scale)] if f else [] for f in num])
         self.degree = max(len(f) for f in self.dens + [f for row in self.nums for f in row]) - 1

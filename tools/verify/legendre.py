@@ -20,7 +20,7 @@ class Lagrangian:
         at = {x: FIELD * i for i, x in enumerate(self.names)}
         self.speeds = [at[x] for x in velocities]
         self.value = Function(*fraction(d["value"], at)[:2])
-        right(all(row["momentum"] in space.coordinates for row in rows), "a momentum is no coordinate")
+        right(all(row["momentum"] in space.coordinates for row in rows), "a momentum is not a coordinate")
         self.momenta = [space.at[row["momentum"]] for row in rows]
         need(len(set(self.momenta)) == len(self.momenta), "a momentum occurs twice")
         self.need_quadratic()

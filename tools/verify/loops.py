@@ -216,7 +216,7 @@ def eigenvalue_order(d, shows, prove):
     """L4: n such that all eigenvalues of every element are n-th roots of unity; block i uses blocks up to i only."""
     a = [[Quotient(f, row["den"]) for f in row["num"]] for row in d["system"]]
     blocks, seen, n, trust = shows["blocks"], [], 1, 0
-    need(sorted(i for b in blocks for i in b["unknowns"]) == list(range(len(a))), "the blocks are no partition")
+    need(sorted(i for b in blocks for i in b["unknowns"]) == list(range(len(a))), "the blocks are not a partition")
     for block in blocks:
         unknowns = block["unknowns"]
         seen += unknowns

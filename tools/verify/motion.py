@@ -64,8 +64,8 @@ class Motion:
         h = self.restricted(h)
         for i in (0, 1):
             rows = h.coefficients(FIELD * (self.n + i))
-            need(len(rows) == 3 and not rows[1], "H is no natural Hamiltonian")
-            need(not rows[2].variables() & {FIELD * k for k in range(2 * self.n)}, "H is no natural Hamiltonian")
+            need(len(rows) == 3 and not rows[1], "H is not a natural Hamiltonian")
+            need(not rows[2].variables() & {FIELD * k for k in range(2 * self.n)}, "H is not a natural Hamiltonian")
             inertia = self.R.divided(self.in_chart(rows[2], names).get((0, 0), self.zero) * 2, n)
             need(self.same(inertia * self.line["masses"][i], self.one), "a mass is not that of H")
             h = rows[0]
@@ -79,7 +79,7 @@ class Motion:
         for k, c in f.items():
             a, b = k & MASK, k >> FIELD & MASK
             need(max(a, b) <= DEGREE, "the degree of the potential is too large")
-            need(not any(k >> FIELD * i & MASK for i in range(2, 2 * self.n)), "H is no natural Hamiltonian")
+            need(not any(k >> FIELD * i & MASK for i in range(2, 2 * self.n)), "H is not a natural Hamiltonian")
             for known, n in ((powers[0], a), (powers[1], b)):
                 while len(known) <= n:
                     known.append(self.times(known[-1], known[1]))
@@ -141,7 +141,7 @@ class Jets(Motion):
             return need(force.zero(), "a series is not 0")
         need(x.end > last, "a series ends before the last resonance")
         rest = x.derivative(self.turns).derivative(self.turns) - force
-        return need(rest.start() >= x.end - 2 * self.turns, "a series is no solution as far as it is given")
+        return need(rest.start() >= x.end - 2 * self.turns, "a series is not a solution as far as it is given")
 
     def need_place(self, place):
         """J2"""
@@ -158,7 +158,7 @@ class Jets(Motion):
         self.y = self.series(place["solution"], 0)
         need(self.y.start() == self.first and self.same(self.y[self.first], self.one), "the solution does not begin as it must")
         self.need_solution(self.y, self.at_solution(g), self.last)
-        need(self.same(self.y[self.last], self.R.z), "e is no coefficient")
+        need(self.same(self.y[self.last], self.R.z), "e is not a coefficient")
         self.v, self.g, self.w = v, g, w
 
     def need_normal(self, place):

@@ -78,7 +78,7 @@ class NormalGroup:
 
 
 def no_sum_of_squares(m, n):
-    """m is no sum of n >= 2 squares of rational numbers (jets.md 2.9)"""
+    """m is not a sum of n >= 2 squares of rational numbers (jets.md 2.9)"""
     need(m < 10**12, "the sum of the squares is too large")
     if m <= 0 or n > 3:
         return m < 0

@@ -44,7 +44,7 @@ class PhaseCurve:
             need(not self.known[u][1] * self.value(h) - self.R.one, "an inverse has another value")
         for j, x in enumerate(space.coordinates):
             if self.has(x):
-                need(not self.known[FIELD * j][1].derivative() - self.time * self.field[j], f"{x[:60]} is no solution")
+                need(not self.known[FIELD * j][1].derivative() - self.time * self.field[j], f"{x[:60]} is not a solution")
         for s, gradient in space.gradients.items():
             if s in self.known:
                 moved = self.known[s][1].derivative() - self.time * self.along(gradient)

@@ -138,7 +138,7 @@ class Classical:
         return (num, den), is_in, m
 
     def show(self, d):
-        """v is an integer with w and those of the sum; or w would be one with v, or a constant that is none."""
+        """v in Z because w and the listed numbers are; or v not in Z, since then w (or a non-integer constant) would be in Z."""
         v, (w, is_in, m), rest = self.pair(d["value"]), self.membership(d), d["with"] or []
         need(is_in or not d["integral"], "the membership says something else")
         need(len(rest) <= 100, "a limit: the number of memberships")
@@ -254,7 +254,7 @@ class Classical:
         squares = ", ".join(text(x) for x, n in zip(self.numbers, degrees) for _ in range(n))
         return ("two exponent differences are halves of odd integers, or they are in the table of Schwarz and Kimura, or "
                 "a sum of the three with signs is an odd integer and (all are rational, or one is an integer and there "
-                f"is no logarithm); their squares: {squares}")
+                f"is not a logarithm); their squares: {squares}")
 
 
 def exact_quotient(f, g):

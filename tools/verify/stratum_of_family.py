@@ -264,7 +264,7 @@ def need_minor(here, v, rows, size, not_shown, what):
         if all(k >> FIELD * j & MASK == e for j, e in enumerate(d["monomial"])):
             k -= sum(e << FIELD * j for j, e in enumerate(d["monomial"]))
             rest += P({k: c})
-    need(rest.variables() <= names, "a name that is no parameter")
+    need(rest.variables() <= names, "a name that is not a parameter")
     value = parse(d["value"], here.family.names)
     need(ratio(rest, value) not in (None, 0) if value else not rest, "another coefficient")
     show(value, "nonzero", d["by"], here.given, here.family.names)

@@ -85,7 +85,7 @@ private:
     return (delta * delta - 1) / (4 * sigma * (sigma - 1));
   }
 
-  // m is no sum of n >= 2 squares of rational numbers: jets.md 2.9.
+  // m is not a sum of n >= 2 squares of rational numbers: jets.md 2.9.
   static bool is_no_sum_of_squares(long m, long n) {
     if (m < 0) return true;
     if (n > 3 || m == 0) return false;

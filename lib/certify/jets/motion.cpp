@@ -40,9 +40,9 @@ void Motion::need_line() {
   const CurveFunction one = a_.integer(1);
   for (std::size_t i = 0; i < 2; ++i) {
     const auto c = coefficients(v, 2 + c_.others + i);
-    need(c.size() == 3 && is_zero(c[1]), "H is no natural Hamiltonian");
+    need(c.size() == 3 && is_zero(c[1]), "H is not a natural Hamiltonian");
     for (std::size_t k = 0; k < 4 + 2 * c_.others; ++k)
-      need(!uses(c[2], k), "H is no natural Hamiltonian");
+      need(!uses(c[2], k), "H is not a natural Hamiltonian");
     Table inertia = chart_potential(c[2]);
     CurveFunction twice = inertia.count({0, 0}) ? inertia.at({0, 0}) : a_.zero();
     twice = a_.over(a_.times(a_.integer(2), twice), c_.hamiltonian.n);
@@ -99,7 +99,7 @@ Table Motion::chart_potential(const MPoly& v) const {
   for (long k = 0; k < v.length(); ++k) {
     auto e = v.exponents(k);
     for (std::size_t i = 2; i < 4 + 2 * c_.others; ++i)
-      need(e[i] == 0, "H is no natural Hamiltonian");
+      need(e[i] == 0, "H is not a natural Hamiltonian");
     const Table q = s_.times(power(0, e[0]), power(1, e[1]));
     e[0] = e[1] = 0;
     const MPoly term = MPoly::term(c_.phase, v.coefficient(k), e);
@@ -152,7 +152,7 @@ void Motion::need_solution(const LocalSeries& x, const LocalSeries& force, long 
   if (x.is_exact_zero()) return need(force.is_exact_zero(), "a series is not 0");
   need(x.end > last_root, "a series ends before the last resonance");
   const LocalSeries rest = s_.minus(acceleration(x), force);
-  need(rest.start() >= x.end - 2 * c_.turns, "a series is no solution as far as it is given");
+  need(rest.start() >= x.end - 2 * c_.turns, "a series is not a solution as far as it is given");
 }
 
 void Motion::need_place() {
@@ -173,7 +173,7 @@ void Motion::need_place() {
   need(!y_.c.empty() && y_.low == first_ && equal(y_.c[0], a_.integer(1)),
        "the solution does not begin as it must");
   need_solution(y_, polynomial_at(tangential()), last_);
-  need(equal(s_.coefficient(y_, last_), a_.variable(c_.e())), "e is no coefficient");
+  need(equal(s_.coefficient(y_, last_), a_.variable(c_.e())), "e is not a coefficient");
 }
 
 void Motion::need_normal() {

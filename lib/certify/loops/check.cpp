@@ -149,7 +149,7 @@ private:
       need(b.unknowns.size() == 1 || b.unknowns.size() == 2, "a block is larger than 2");
       for (const std::size_t i : b.unknowns) {
         need(i < c_.rows.size() && std::find(seen.begin(), seen.end(), i) == seen.end(),
-             "the blocks are no partition");
+             "the blocks are not a partition");
         seen.push_back(i);
       }
       for (const std::size_t i : b.unknowns)
@@ -159,7 +159,7 @@ private:
       order_ = lcm(order_, b.unknowns.size() == 1 ? order_of_one(b) : order_of_two(b));
       need(!(Integer(max_loop_power) < order_), "the orders are too large");
     }
-    need(seen.size() == c_.rows.size(), "the blocks are no partition");
+    need(seen.size() == c_.rows.size(), "the blocks are not a partition");
   }
 
   // m with exp(int f)^m rational: f = sum e q'/q, m the common denominator of all e.

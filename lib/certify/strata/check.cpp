@@ -69,7 +69,7 @@ private:
     s.need_parameters(n.p);
     need(!is_constant(n.p), "the polynomial is constant");
     const Condition& c = s.condition(n.condition);
-    need(c.sign == Sign::zero && !is_zero(c.p), "the condition is no equation");
+    need(c.sign == Sign::zero && !is_zero(c.p), "the condition is not an equation");
     MPoly rest = s.stripped(c.p);
     const MPoly base = primitive(n.p);
     bool divided = false;

@@ -59,7 +59,7 @@ void OnCurve::need_functions() const {
     }
     const auto v = velocity(i);
     need(v && algebra_.equal(algebra_.derivative(*values_[i]), algebra_.times(w_.curve.time, *v)),
-         "the curve is no solution of the system");
+         "the curve is not a solution of the system");
   }
 }
 
@@ -235,7 +235,7 @@ void OnCurve::need_equation(const Poly& num, const Poly& den,
     for (std::size_t j = c.size(); j-- > 0;)
       m = algebra_.plus(algebra_.times(m, *a), {MPoly(w_.curve.ring, c[j]), Integer(1), {}});
     need(is_zero(m.p) && is_zero(algebra_.derivative(*a).p),
-         "the root is no root of the minimal polynomial");
+         "the root is not a root of the minimal polynomial");
   }
   const CurveFunction root = a ? *a : algebra_.zero();
   need_r(value(num, root), value(den, root));

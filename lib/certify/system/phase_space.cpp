@@ -157,13 +157,13 @@ void PhaseSpace::need_claim(const ClaimedFunction& c, const std::vector<PhaseFun
     std::vector<PhaseFunction> df;
     for (std::size_t j = 0; j < s_.dimension; ++j)
       df.push_back(partial(c.value, j));
-    return need_cleared(product(x, df), cofactors(0), "the function is no first integral");
+    return need_cleared(product(x, df), cofactors(0), "the function is not a first integral");
   }
   need(s_.hamiltonian.has_value(), "a Casimir function of a system without a bracket");
   need(c.cofactors.empty() || c.cofactors.size() == s_.dimension,
        "a list of cofactors for each coordinate is expected");
   for (std::size_t i = 0; i < s_.dimension; ++i)
-    need_cleared(flow(i, c.value), cofactors(i), "the function is no Casimir function");
+    need_cleared(flow(i, c.value), cofactors(i), "the function is not a Casimir function");
 }
 
 } // namespace kov::certify

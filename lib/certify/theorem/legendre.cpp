@@ -41,7 +41,7 @@ public:
     k.done();
     for (const VelocityNode& row : rows) {
       const auto i = s.ring->find(row.momentum);
-      if (!i || *i >= s.dimension) velocities.fail("a momentum is no coordinate");
+      if (!i || *i >= s.dimension) velocities.fail("a momentum is not a coordinate");
       need(std::find(l_.momenta.begin(), l_.momenta.end(), *i) == l_.momenta.end(),
            "a momentum occurs twice");
       l_.momenta.push_back(*i);

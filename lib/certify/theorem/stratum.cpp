@@ -520,7 +520,7 @@ private:
       for (std::size_t j = 0; j < s_.dimension; ++j)
         if (static_cast<long>(std::exchange(e[j], 0)) != exponents[j]) return false;
       for (std::size_t j = s_.dimension; j < s_.first_parameter(); ++j)
-        need(e[j] == 0, "a name that is no parameter");
+        need(e[j] == 0, "a name that is not a parameter");
       return true;
     });
   }

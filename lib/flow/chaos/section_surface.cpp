@@ -31,13 +31,13 @@ void check(const SystemScene& s, std::size_t functions) {
            "polynomial or rational coordinates");
   const std::size_t n = s.system.field.dimension();
   if (n < 3 || s.levels.size() + 3 != n)
-    refuse(s, "the section map is no map of a surface: " + std::to_string(n) +
+    refuse(s, "the section map is not a map of a surface: " + std::to_string(n) +
                   " coordinates need levels of " + std::to_string(n < 3 ? 0 : n - 3) +
                   " first integrals, the scene has " + std::to_string(s.levels.size()));
   for (const auto& level : s.levels)
     if (!is_zero_modulo(lie_derivative(s.system.field, level.function.value),
                         relation_ideal(s.system.field)))
-      refuse(s, "the level of " + level.function.text + " is no level of a proved first integral");
+      refuse(s, "the level of " + level.function.text + " is not a level of a proved first integral");
 }
 
 // One level is that of H and the others are those of Casimirs.
@@ -117,7 +117,7 @@ SurfaceCode<R>::SurfaceCode(const SectionSurface& s, int order)
     for (Instruction& i : *code)
       for (std::size_t k = 0; k < group; ++k) {
         i.out[k] *= stride;
-        if (i.op == Instruction::Op::sum) continue; // its a and b are no registers
+        if (i.op == Instruction::Op::sum) continue; // its a and b are not registers
         i.a[k] *= stride;
         i.b[k] *= stride;
       }

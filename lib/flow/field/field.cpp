@@ -50,7 +50,7 @@ bool is_linear(const MFraction& f, const std::vector<std::size_t>& variables) {
 }
 
 Instruction at_stride(Instruction i, std::uint32_t stride) {
-  const bool is_sum = i.op == Instruction::Op::sum; // its a and b are no registers
+  const bool is_sum = i.op == Instruction::Op::sum; // its a and b are not registers
   for (std::size_t k = 0; k < group; ++k) {
     i.out[k] *= stride;
     if (is_sum) continue;

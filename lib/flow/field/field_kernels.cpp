@@ -155,7 +155,7 @@ Scales scales_of(const Field& f, const std::vector<double>& starts, double t_end
   const double largest = std::max(*std::max_element(s.of.begin(), s.of.end()), 1e-100);
   const std::vector<double> at_start = s.of;
   for (double& size : s.of)
-    size = size > 1e-14 * largest ? size : largest; // what rounding leaves of 0 is no scale
+    size = size > 1e-14 * largest ? size : largest; // what rounding leaves of 0 is not a scale
   std::vector<double> begun =
       s.of; // a small number may be what a start near 0 has left: it may grow
   for (double& size : begun)

@@ -157,7 +157,7 @@ private:
     try {
       return evaluate(parse_expression(text, "levels"), *scope_);
     } catch (const InputError& e) {
-      throw at.key_error("'" + text + "' is no function of this system: " + e.what());
+      throw at.key_error("'" + text + "' is not a function of this system: " + e.what());
     }
   }
 
@@ -221,8 +221,8 @@ private:
     }
     if ((s_.return_map || !varied_.empty()) &&
         (!s_.seeds.empty() || s_.columns > 0 || s_.random > 0))
-      throw e_.at("plot").error("what draws one function starts from whole states",
-                                "states = [[...]]");
+      throw e_.at("plot").error("a return map needs complete initial states",
+                                "states = [[x1, x2, ...]]");
     if (s_.crossings < 0 && !s_.time) throw e_.error("no end: give crossings or time");
   }
 

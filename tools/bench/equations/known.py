@@ -35,7 +35,7 @@ def number(rng, most=5):
 
 
 def fraction(rng, digits=1):
-    """A rational number that is no half integer."""
+    """A rational number that is not a half integer."""
     den = rng.choice((3, 5, 7, 9, 11))
     return Q(rng.randrange(1, den), den) + rng.randrange(-10**digits, 10**digits)
 
@@ -100,7 +100,7 @@ def primitive_with_apparent_singularities(rng):
 
 @family
 def one_line(rng):
-    """Residues whose sum is no half integer: a second line would be a polynomial of that degree."""
+    """Residues whose sum is not a half integer: a second line would be a polynomial of that degree."""
     n, digits = rng.randrange(2, 7), rng.randrange(0, 3)
     while True:
         rho = [fraction(rng, digits) for _ in range(n)]

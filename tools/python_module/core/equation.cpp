@@ -281,7 +281,7 @@ void bind_evidence(py::module_& m) {
   read_only<ByKovacic>(m, "ByKovacic", "Kovacic's algorithm excludes its cases 1, 2 and 3.")
       .def("__repr__", [](const ByKovacic&) { return "ByKovacic()"; });
 
-  auto formula = read_only<ByFormula>(m, "ByFormula", "The closed answer of a classical equation.",
+  auto formula = read_only<ByFormula>(m, "ByFormula", "The classical criterion of a classical equation.",
                                       {"family", "parameters"});
   formula
       .def_property_readonly("family",

@@ -199,7 +199,7 @@ std::optional<Stratum> stratum_at_values(const StrataAnswer& a,
 
 void bind_family(py::module_& m) {
   py::class_<SymbolicFamily>(m, "SymbolicFamily",
-                             "The classical family, with its closed answer as conditions; valid "
+                             "The classical family, with its classical criterion as conditions; valid "
                              "where none of `generic` vanishes.")
       .def_property_readonly("family", [](const SymbolicFamily& f) { return to_string(f.family); })
       .def_readonly("equation", &SymbolicFamily::equation)

@@ -12,7 +12,7 @@ namespace kov::python {
 struct FamilyAnswer {
   strata::StrataAnswer answer;
   std::string variable;
-  /// The classical family that the equation is recognised as, with its closed answer.
+  /// The classical family that the equation is recognised as, with its classical criterion.
   std::optional<SymbolicFamily> family{};
 };
 

@@ -250,7 +250,7 @@ void bind_reports(py::module_& m) {
           [](const CurveStudy& c) {
             return unless_empty(c.first.failure ? c.first.failure->message : "");
           },
-          "why it is no invariant manifold, or None")
+          "why it is not an invariant manifold, or None")
       .def_property_readonly(
           "by", [](const CurveStudy& c) { return c.first.by; }, "the theorem used, or None")
       .def_property_readonly(

@@ -78,7 +78,7 @@ def prove(path, *, timeout=_THEOREM, max_work=None, certificate=False):
 def verify(certificate):
     """A certificate, as JSON text or the path of a file: Accepted with what it states, or Rejected.
 
-    Raises InvalidArgument for a text that is no certificate.
+    Raises InvalidArgument for a text that is not a certificate.
     """
     text = certificate
     if isinstance(text, _os.PathLike) or (isinstance(text, str) and not text.lstrip().startswith("{")):

@@ -193,7 +193,7 @@ def from_sympy(expression):
     try:
         for atom in expression.atoms():
             if not isinstance(atom, known) or isinstance(atom, (type(sympy.nan), type(sympy.oo))):
-                raise InvalidArgument(f"{atom} is no number that a formula can use")
+                raise InvalidArgument(f"{atom} is not a number that a formula can use")
         return _printer().doprint(expression)
     except RecursionError:
         raise OutOfBudget("the expression is nested too deeply") from None

@@ -1,4 +1,4 @@
-"""The base of the enumerations: an answer is compared, and is no truth value."""
+"""The base of the enumerations: an answer is compared, and is not a truth value."""
 
 import enum
 

@@ -1,0 +1,61 @@
+// Texts for people: products of powers, axes of pictures, lines that fit.
+
+#include "axis_label.hpp"
+#include "page_width.hpp"
+#include "power_product.hpp"
+
+#include <gtest/gtest.h>
+
+namespace kov::cli {
+namespace {
+
+TEST(PowerProduct, PowersOfOneBaseAreTogether) {
+  EXPECT_EQ(product_of_powers("x^(-1/2)", "sqrt(x)*J_n(x)"), "J_n(x)");
+  EXPECT_EQ(
+      product_of_powers("x^(-1/4)*(x-1)^(-1/2)", "x^(1/4)*(1 - x)^(1/2)*2F1(1/4, 1/4; 1/2; x)"),
+      "2F1(1/4, 1/4; 1/2; x)");
+  EXPECT_EQ(product_of_powers("x^(-1/2)", "x^(1/4)*F(x)"), "x^(-1/4)*F(x)");
+  EXPECT_EQ(product_of_powers("x", "x*F(x)"), "x^(2)*F(x)");
+}
+
+TEST(PowerProduct, WhatIsNoPowerStays) {
+  EXPECT_EQ(product_of_powers("1", "F(x) + G(x)"), "F(x) + G(x)");
+  EXPECT_EQ(product_of_powers("exp(x)", "F(x) + G(x)"), "exp(x)*(F(x) + G(x))");
+  EXPECT_EQ(product_of_powers("1/x", "F(x)"), "(1/x)*F(x)");
+  EXPECT_EQ(product_of_powers("(x + 1)^(1/2)", "(1 - x)^(1/2)"), "(x + 1)^(1/2)*(1 - x)^(1/2)");
+  EXPECT_EQ(product_of_powers("x^(a)", "x^(1/2)"), "x^(a)*x^(1/2)");
+  EXPECT_EQ(product_of_powers("sqrt(x)*sqrt(x + 1)", "F(x)"), "sqrt(x)*sqrt(x + 1)*F(x)");
+}
+
+TEST(AxisLabel, NamesOfMechanics) {
+  EXPECT_EQ(axis_label("x"), "{/:Italic x}");
+  EXPECT_EQ(axis_label("px"), "{/:Italic p_{x}}");
+  EXPECT_EQ(axis_label("p_theta"), "{/:Italic p_{θ}}");
+  EXPECT_EQ(axis_label("theta"), "{/:Italic θ}");
+  EXPECT_EQ(axis_label("q1"), "{/:Italic q}_{1}");
+  EXPECT_EQ(axis_label("theta_2"), "{/:Italic θ}_{2}");
+}
+
+TEST(AxisLabel, FormulasAndOtherNames) {
+  EXPECT_EQ(axis_label("x^2 + y"), "{/:Italic x}^2 + {/:Italic y}");
+  EXPECT_EQ(axis_label("sin_phi"), "sin\\_phi");
+  EXPECT_EQ(axis_label("energy"), "energy");
+  EXPECT_EQ(axis_label("a{b}"), "{/:Italic a}\\{{/:Italic b}\\}");
+  EXPECT_EQ(axis_label(""), "");
+}
+
+TEST(Folded, NothingIsWiderThanThePage) {
+  EXPECT_EQ(folded("  because   one two three four\n", 26),
+            "  because   one two three\n            four\n");
+  EXPECT_EQ(folded("short\n", 22), "short\n");
+  EXPECT_EQ(folded("short", 22), "short");
+  EXPECT_EQ(folded("# one two three four five\n", 20), "# one two three four\n#   five\n");
+}
+
+TEST(Folded, WhatHasNoBlanksStays) {
+  EXPECT_EQ(folded("abcdefghijklmnop\n", 8), "abcdefghijklmnop\n");
+  EXPECT_EQ(folded("  abcdefghijklmnop qr\n", 8), "  abcdefghijklmnop\n    qr\n");
+}
+
+} // namespace
+} // namespace kov::cli

@@ -1,0 +1,23 @@
+#pragma once
+// How wide a line may be.
+
+#include <cstddef>
+#include <string>
+
+namespace kov::cli {
+
+/// The columns of a terminal; `otherwise` where the descriptor is none.
+[[nodiscard]] std::size_t columns_of(int descriptor, std::size_t otherwise);
+
+/// Of running text: 98 columns, fewer on a terminal that is narrower.
+[[nodiscard]] std::size_t page_width();
+/// Set once, before workers start: is the answer shown on standard output?
+void set_page_width(bool on_standard_output);
+
+/// Lines that are too long for the page go on below, indented like their text; what has no blanks is cut
+/// nowhere.
+[[nodiscard]] std::string folded(const std::string& text, std::size_t width);
+/// Folded where standard output is a terminal, else as it is.
+[[nodiscard]] std::string for_standard_output(const std::string& text);
+
+} // namespace kov::cli
