@@ -90,7 +90,8 @@ class Examples(unittest.TestCase):
 
 
 def pages():
-    return [pathlib.Path(page) for page in PAGES] or [ROOT / "README.md", *sorted(ROOT.glob("docs/*.md")), *sorted(ROOT.glob("docs/guide/*.md"))]
+    return [pathlib.Path(page) for page in PAGES] or [ROOT / "README.md", *sorted(ROOT.glob("docs/*.md")), *sorted(ROOT.glob("docs/guide/*.md")),
+                                                       *sorted(ROOT.glob("docs/theory/*.md"))]
 
 
 PROGRAM, PAGES = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2:]

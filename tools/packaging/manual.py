@@ -10,6 +10,7 @@ usage: manual.py PROGRAM DIRECTORY
 
 import os
 import pathlib
+import re
 import sys
 import time
 
@@ -106,8 +107,29 @@ def commands_page(program):
     return text + f"\n## EXIT STATUS\n\n{literal(program.exit_codes)}\n"
 
 
+WORDS_OF_TEX = {"le": "<=", "ge": ">=", "ne": "!=", "to": "->", "mapsto": "->", "pm": "+-", "cdot": "*", "times": "x", "infty": "infinity",
+                "in": "in", "dots": "...", "Rightarrow": "=>", "mid": "|", "quad": " ", "qquad": "  "}
+
+
+def plain_formula(tex):
+    """A formula of the pages as one types it."""
+    tex = re.sub(r"\\(?:operatorname|mathrm|mathbb)\{([^{}]*)\}", r"\1", tex)
+    tex = re.sub(r"\\tfrac(\d)(\d) ?", r"\1/\2 ", tex)
+    tex = re.sub(r"([_^])\{(\w+)\}", r"\1\2", tex)
+    tex = re.sub(r"([_^])\{([^{}]*)\}", r"\1(\2)", tex)
+    tex = re.sub(r"\\sqrt\{([^{}]*)\}", r"sqrt(\1)", tex)
+    tex = re.sub(r"\\([A-Za-z]+) ?", lambda word: WORDS_OF_TEX.get(word.group(1), word.group(1)) + " ", tex)
+    return re.sub(r" +(?=[,;)]|$)", "", re.sub(r"\\([{}|])", r"\1", tex)).replace("  ", " ").strip()
+
+
 def without_title(path):
+    """A page for a terminal: without the box of the site, formulas as text."""
     title, text = (ROOT / path).read_text(encoding="utf-8").split("\n", 1)
+    text = re.sub(r"^:::.*\n", "", text, flags=re.M)
+    parts = re.split(r"(^```.*?^```|`[^`\n]*`)", text, flags=re.M | re.S)  # code stays
+    formula = re.compile(r"\$\$?([^$]+)\$\$?")
+    text = "".join(part if i % 2 else formula.sub(lambda found: literal(plain_formula(found.group(1))), part)
+                   for i, part in enumerate(parts))
     return f"## {title.lstrip('# ') if 'certificates' in path else 'DESCRIPTION'}\n{text}"
 
 

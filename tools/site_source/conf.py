@@ -13,16 +13,18 @@ project_copyright = ""
 html_title = "kovacic"
 html_show_copyright = html_show_sphinx = html_copy_source = html_show_sourcelink = False
 language = "en"
-smartquotes = False  # y'' is no quotation
+smartquotes = False  # y'' is not a quotation
 
-extensions = ["myst_parser", "breathe", "dark", "formulas", "repository"]
+extensions = ["myst_parser", "breathe", "dark", "katex", "page_links", "repository"]
+html_math_renderer = "katex"
 breathe_projects = {"kovacic": str(root / "build/doxygen/xml")}
 breathe_default_members = ("members", "undoc-members")
 cpp_index_common_prefix = ["kov::"]
 source_suffix = {".md": "markdown"}
 exclude_patterns = ["accuracy", "guide/*.ipynb"]
 myst_heading_anchors = 3
-myst_enable_extensions = ["colon_fence"]
+myst_enable_extensions = ["colon_fence", "dollarmath"]
+myst_dmath_allow_digits = True
 suppress_warnings = ["myst.header", "misc.highlighting_failure", "myst.xref_missing", "myst.nested_header"]
 highlight_language = "none"
 pygments_style = "friendly"

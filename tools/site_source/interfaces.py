@@ -86,8 +86,8 @@ def write_cpp(root, out):
     doxyfile = DOXYFILE.format(root=root, me=pathlib.Path(__file__).resolve(), out=xml)
     subprocess.run(["doxygen", "-"], input=doxyfile, text=True, check=True, stdout=subprocess.DEVNULL)
     (out / "cpp").mkdir(parents=True, exist_ok=True)
-    index = ["# C++\n", "One page for each room of `lib/`, in the order in which they build on each other. A program uses",
-             "`find_package(kovacic)` or `pkg-config kovacic` and includes `room/name.hpp`: [](../../guide/proof-scripts.md).\n",
+    index = ["# C++\n", "One page for each directory of `lib/`, in the order in which they build on each other. A program uses",
+             "`find_package(kovacic)` or `pkg-config kovacic` and includes `directory/name.hpp`: [](../../guide/proof-scripts.md).\n",
              ":::{toctree}\n:maxdepth: 1\n"]
     for room in rooms(root):
         page = [f"# {room}\n"]
