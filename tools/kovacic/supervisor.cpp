@@ -99,6 +99,7 @@ void prepare_child(const ProcessLimits& limits) {
 constexpr char kind_job = 'j';
 constexpr char kind_early = 'e';
 constexpr char kind_final = 'f';
+constexpr char kind_stopped = 's'; // the same after SIGINT; the child ends then
 
 bool send_all(int fd, std::string_view data) {
   while (!data.empty()) {
@@ -235,7 +236,8 @@ void Worker::child(int channel) const {
       notice_->length = early.size();
     });
     keep_counters();
-    if (!send_message(channel, kind_final, answer)) break;
+    const bool stopped = asked_to_stop().stop_requested();
+    if (!send_message(channel, stopped ? kind_stopped : kind_final, answer) || stopped) break;
   }
   _exit(0);
 }
@@ -319,7 +321,10 @@ std::optional<Reply> Worker::next_message() {
       return std::nullopt;
     }
     reply.answer = std::move(text);
-    return reply;
+    if (kind == kind_final) return reply;
+    stop();
+    reply.end = Reply::End::interrupted;
+    break;
   case Got::closed:
     reply = ended();
     break;
@@ -351,7 +356,7 @@ std::string Worker::last_words() {
   std::string text;
   while (receive_message(channel_, kind, text, {.deadline = &end, .ends_by_hand = false}) ==
          Got::message) {
-    if (kind == kind_final) return text;
+    if (kind != kind_early) return text;
     early_ = std::move(text);
   }
   return "";
