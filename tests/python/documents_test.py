@@ -70,6 +70,7 @@ class Documents(unittest.TestCase):
                         if hasattr(shown, show):
                             self.assertIsInstance(getattr(shown, show)(), (str, type(None)))
         self.assertIs(names["report"].verdict, kovacic.VerdictKind.non_integrable)
+        self.assertIn("integrable exactly for a = 0", names["theorem"].statement)  # it ends with a theorem
 
     def test_stubs(self):
         tree = ast.parse((pathlib.Path(kovacic.__file__).parent / "__init__.pyi").read_text(encoding="utf-8"))
