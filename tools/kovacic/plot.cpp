@@ -206,6 +206,43 @@ void print_proved(std::ofstream& out, const std::string& name, const PlanePlot& 
           style_of(m));
 }
 
+// The colour of a point as the palette has it, mixed with white.
+constexpr const char* lighter =
+    "light(c) = int(255 - 0.4*(255 - (int(c) & 255)))\n"
+    "mixed(c) = (light(int(c) >> 16) << 16) + (light(int(c) >> 8) << 8) + "
+    "light(c)\n";
+
+// Points that are right, over those that are only statistical.
+void print_points(std::ofstream& out, const std::string& name, const PlanePlot& plot, double size) {
+  const bool one_each = plot.colour.empty();
+  const std::string colour =
+      one_each ? "int(column(\"orbit\")) % 6" : "column(" + gnuplot_quoted(plot.colour) + ")";
+  const std::string x = gnuplot_quoted(plot.columns[0]), y = gnuplot_quoted(plot.columns[1]);
+  const auto layer = [&](const std::string& abscissa, const std::string& value,
+                         const std::string& lc) {
+    return fmt::format(
+        "{} using {}:{}:({}) notitle with points pt 7 ps (format eq \"png\" ? {} : {}) lc {}",
+        gnuplot_quoted(name + ".dat"), abscissa, y, value, size + 0.04, size, lc);
+  };
+  if (plot.manifolds) { // which lie over the orbits
+    fmt::print(out, "plot {}", layer(x, colour, "rgb \"#c0c0c0\""));
+  } else if (!plot.errors) {
+    fmt::print(out, "plot {}", layer(x, colour, "palette"));
+  } else {
+    const auto only = [&](const char* condition) {
+      return fmt::format("(column(\"error\") {} 1e-3 ? column({}) : NaN)", condition, x);
+    };
+    if (!one_each && !plot.logarithmic) // palette(z) needs the range before the points are read
+      fmt::print(out,
+                 "stats {} using ({}) name \"colour\" nooutput\n"
+                 "if (colour_max > colour_min) set cbrange [colour_min:colour_max]\n",
+                 gnuplot_quoted(name + ".dat"), colour);
+    fmt::print(out, "{}plot {}, \\\n     {}", lighter,
+               layer(only(">"), "mixed(palette(" + colour + "))", "rgb variable"),
+               layer(only("<="), colour, "palette"));
+  }
+}
+
 } // namespace
 
 std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& plot,
@@ -237,15 +274,7 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
   else
     fmt::print(out, "{}{}{}set cblabel {} noenhanced\n", key, proved ? bar_below_key : bar_beside,
                plot.logarithmic ? around_two : from_dark, gnuplot_quoted(plot.colour_label));
-  fmt::print(out,
-             "plot {} using {}:{}:({}) notitle with points pt 7 ps (format eq \"png\" ? {} : {}) "
-             "lc {}",
-             gnuplot_quoted(name + ".dat"), gnuplot_quoted(plot.columns[0]),
-             gnuplot_quoted(plot.columns[1]),
-             one_each ? "int(column(\"orbit\")) % 6"
-                      : "column(" + gnuplot_quoted(plot.colour) + ")",
-             size + 0.04, size,
-             plot.manifolds ? "rgb \"#c0c0c0\"" : "palette"); // behind the manifolds
+  print_points(out, name, plot, size);
   print_proved(out, name, plot);
   fmt::print(out, "\n");
   close_file(out, base + ".gp");

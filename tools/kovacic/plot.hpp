@@ -39,6 +39,7 @@ struct PlanePlot {
       colour_label;         ///< a column for the colour of the points, or empty: one for each orbit
   bool logarithmic = false; ///< the colour
   std::size_t points = 0;   ///< how many: many points are drawn smaller
+  bool errors = false;      ///< a column "error": points that are only statistical are lighter
   std::set<FixedPointMark> marks = {}; ///< those that occur in BASE.fixed.dat
   bool manifolds = false;              ///< and a homoclinic orbit, in BASE.homoclinic.dat
 };

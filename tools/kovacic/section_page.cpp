@@ -131,9 +131,13 @@ function legend() {
   pen.restore();
 }
 function dots(o, colour, size) {
+  const alpha = pen.globalAlpha;
   pen.fillStyle = colour;
-  for (let i = 0; i < o.points.length; i += 2)
+  for (let i = 0; i < o.points.length; i += 2) {
+    if (i === 2 * o.right) pen.globalAlpha = 0.4 * alpha;
     pen.fillRect(toX(o.points[i]) - size / 2, toY(o.points[i + 1]) - size / 2, size, size);
+  }
+  pen.globalAlpha = alpha;
 }
 function draw() {
   const ratio = window.devicePixelRatio || 1;
@@ -235,11 +239,15 @@ std::string number(double x) { return std::isfinite(x) ? fmt::format("{:.6g}", x
 
 std::string orbit(const SectionPage::Orbit& o) {
   std::string points;
-  for (const auto& [x, y] : o.points)
-    if (std::isfinite(x) && std::isfinite(y))
-      points += fmt::format("{}{:.6g},{:.6g}", points.empty() ? "" : ",", x, y);
-  return fmt::format("{{\"text\":{},\"value\":{},\"points\":[{}]}}", quoted(o.text),
-                     number(o.value), points);
+  std::size_t right = 0;
+  for (std::size_t i = 0; i < o.points.size(); ++i) {
+    const auto& [x, y] = o.points[i];
+    if (!std::isfinite(x) || !std::isfinite(y)) continue;
+    points += fmt::format("{}{:.6g},{:.6g}", points.empty() ? "" : ",", x, y);
+    right += i < o.right ? 1 : 0;
+  }
+  return fmt::format("{{\"text\":{},\"value\":{},\"right\":{},\"points\":[{}]}}", quoted(o.text),
+                     number(o.value), right, points);
 }
 
 } // namespace

@@ -11,6 +11,8 @@ struct SectionPage {
   struct Orbit {
     std::string text; ///< what is said of it when it is clicked
     double value = 0; ///< its colour
+    std::size_t right =
+        0; ///< so many first points are not statistical; the others are drawn lighter
     std::vector<std::array<double, 2>> points;
   };
   std::string title;

@@ -53,6 +53,13 @@ std::string drifts_of(const SystemSection& r) {
   return text.empty() ? "no integrals to check" : text;
 }
 
+// 1e-6, not 1e-06
+std::string power_text(double x) {
+  std::string text = fmt::format("{:.0e}", x);
+  if (const std::size_t zero = text.find("e-0"); zero != std::string::npos) text.erase(zero + 2, 1);
+  return text;
+}
+
 } // namespace
 
 std::string section_text(const SystemScene& s) {
@@ -70,16 +77,41 @@ std::string outside_of_level(const SystemScene& s, const SystemSection& r) {
                      r.skipped + r.orbits.size(), level.empty() ? "of the scene" : level);
 }
 
+std::string accuracy_text(const SystemSection& r) {
+  const flow::PointAccuracy a = accuracy_of(r);
+  if (!a.known) return {};
+  const std::size_t orbits = r.orbits.size();
+  std::string text;
+  if (a.whole == orbits)
+    text = "the points are right to " + power_text(a.bound);
+  else if (a.returns == 0)
+    text = fmt::format("the points are not right to {}, not even the first of each orbit",
+                       power_text(a.bound));
+  else
+    text = fmt::format("the points are right to {} for the first {} return{}", power_text(a.bound),
+                       a.returns, a.returns == 1 ? "" : "s");
+  if (a.whole > 0 && a.whole < orbits)
+    text += fmt::format(" ({} of {} orbits: for all)", a.whole, orbits);
+  if (a.doubtful > 0)
+    text +=
+        fmt::format("; {} of {} points have errors above {} (drawn lighter): they are statistical",
+                    a.doubtful, r.points.size(), power_text(flow::visible_error));
+  return text;
+}
+
 std::vector<std::string> caption(const SystemScene& s, const SystemSection& r) {
   std::string mechanics;
   for (const std::string& part : {parameters_of(s), levels_of(s)})
     if (!part.empty()) mechanics += part + "; ";
   mechanics += section_text(s);
   if (s.where) mechanics += fmt::format(", where {} > 0", s.where->text);
-  return {mechanics, fmt::format("{} orbit{}, {} point{}; Taylor order {}, {}, tolerance {}; {}",
-                                 r.orbits.size(), r.orbits.size() == 1 ? "" : "s", r.points.size(),
-                                 r.points.size() == 1 ? "" : "s", r.order, r.arithmetic,
-                                 s.tolerance.text(), drifts_of(r))};
+  std::vector<std::string> lines{
+      mechanics,
+      fmt::format("{} orbit{}, {} point{}; Taylor order {}, {}, tolerance {}; {}", r.orbits.size(),
+                  r.orbits.size() == 1 ? "" : "s", r.points.size(), r.points.size() == 1 ? "" : "s",
+                  r.order, r.arithmetic, s.tolerance.text(), drifts_of(r))};
+  if (const std::string text = accuracy_text(r); !text.empty()) lines.push_back(text);
+  return lines;
 }
 
 std::string shortfall(const SystemSection& r) {
@@ -202,15 +234,27 @@ double indicator_of(const SystemScene& s, const DrawnOrbit& o) {
   }
 }
 
+namespace {
+
+nlohmann::ordered_json accuracy_json(const SystemSection& r) {
+  const flow::PointAccuracy a = accuracy_of(r);
+  if (!a.known) return {};
+  return {{"right_to", a.bound},
+          {"first_returns", a.returns},
+          {"whole_orbits", a.whole},
+          {"points_above_1e-3", a.doubtful}};
+}
+
+} // namespace
+
 nlohmann::ordered_json json_of(const SystemScene& s, const SystemSection& r) {
   const auto since = [](double t) {
     return t < 0 ? nlohmann::ordered_json() : nlohmann::ordered_json(t);
   };
-  nlohmann::ordered_json j{{"points", r.points.size()},
-                           {"drift", r.drift},
-                           {"partial", !shortfall(r).empty()},
-                           {"remarks", remarks(s, r)},
-                           {"orbits", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json j{
+      {"points", r.points.size()},    {"drift", r.drift},
+      {"accuracy", accuracy_json(r)}, {"partial", !shortfall(r).empty()},
+      {"remarks", remarks(s, r)},     {"orbits", nlohmann::ordered_json::array()}};
   for (const DrawnOrbit& o : r.orbits) {
     j["orbits"].push_back({{"start", o.start},
                            {"crossings", o.crossings},

@@ -7,7 +7,7 @@
 
 namespace kov::cli {
 
-/// Two lines: the mechanics; the numerics.
+/// Two lines, the mechanics and the numerics; a third one where the errors of the points are known.
 [[nodiscard]] std::vector<std::string> caption(const flow::SystemScene& s,
                                                const flow::SystemSection& r);
 /// "8 of 64 starting points lie outside the level H = 1"
@@ -15,6 +15,8 @@ namespace kov::cli {
                                            const flow::SystemSection& r);
 /// "x = 0, x' > 0"
 [[nodiscard]] std::string section_text(const flow::SystemScene& s);
+/// "the points are right to 1e-06 for the first 16 returns ..."; empty if nothing is known.
+[[nodiscard]] std::string accuracy_text(const flow::SystemSection& r);
 /// What happened to orbits that did not go on as the others: singularities, rest, the section itself.
 [[nodiscard]] std::vector<std::string> remarks(const flow::SystemScene& s,
                                                const flow::SystemSection& r);

@@ -33,6 +33,10 @@ std::string column(const std::string& text) {
   return name;
 }
 
+bool has_errors(const SystemSection& r) {
+  return std::any_of(r.points.begin(), r.points.end(), [](const auto& p) { return p.error >= 0; });
+}
+
 void write_points(const std::string& path, const SystemScene& s, const SystemSection& r) {
   write_whole(path, [&](std::ofstream& out) {
     if (const std::string missing = partial(r); !missing.empty())
@@ -43,12 +47,15 @@ void write_points(const std::string& path, const SystemScene& s, const SystemSec
     for (const std::string& line : remarks(s, r))
       fmt::print(out, "# {}\n", line);
     const std::string colour = to_string(s.indicator);
-    fmt::print(out, "orbit t {} {}{}{}\n", column(s.plot[0].text), column(s.plot[1].text),
-               colour.empty() ? "" : " ", colour);
+    const bool errors = has_errors(r);
+    if (errors) fmt::print(out, "# error: of the point, in units of the size of what is drawn\n");
+    fmt::print(out, "orbit t {} {}{}{}{}\n", column(s.plot[0].text), column(s.plot[1].text),
+               colour.empty() ? "" : " ", colour, errors ? " error" : "");
     const int n = flow::digits_shown(s.tolerance, s.digits);
     for (const auto& p : r.points) {
-      const std::string last =
+      std::string last =
           colour.empty() ? "" : fmt::format(" {:.6g}", indicator_of(s, r.orbits[p.orbit]));
+      if (errors) last += fmt::format(" {:.1e}", p.error);
       if (p.digits.empty())
         fmt::print(out, "{} {:.{}g} {:.{}g} {:.{}g}{}\n", p.orbit, p.t, n, p.at[0], n, p.at[1], n,
                    last);
@@ -188,6 +195,7 @@ private:
                                                                 : "mean MEGNO (2: regular)";
     plot.logarithmic = scene_.indicator == Indicator::megno;
     plot.points = result_.points.size();
+    plot.errors = has_errors(result_);
     plot.marks = marks_;
     plot.manifolds = manifolds_;
     return draw(settings_, o_, interrupt_, base_, [&](std::vector<std::string> formats) {
@@ -295,13 +303,18 @@ private:
                        word(o.ended));
   }
 
+  static void add_point(SectionPage::Orbit& o, const flow::DrawnPoint& p) {
+    if (o.right == o.points.size() && p.error <= flow::visible_error) ++o.right;
+    o.points.push_back(p.at);
+  }
+
   [[nodiscard]] std::string write_page(const PlanePlot& plot) const {
     SectionPage page{plot.title, plot.caption, plot.labels, {}, plot.logarithmic, {}};
     if (!plot.colour.empty()) page.colour_label = plot.colour_label;
     for (std::size_t i = 0; i < result_.orbits.size(); ++i)
       page.orbits.push_back({text_of(i), indicator_of(scene_, result_.orbits[i]), {}});
     for (const auto& p : result_.points)
-      page.orbits[p.orbit].points.push_back(p.at);
+      add_point(page.orbits[p.orbit], p);
     write_whole(base_ + ".html", [&](std::ofstream& out) { out << section_page(page); });
     return base_ + ".html";
   }

@@ -67,6 +67,16 @@ template <class R> std::vector<R> numbers_as(const std::vector<Rational>& number
   return all;
 }
 
+// x was rounded: the number of R beside it, or a little further away.
+template <class R> void round_otherwise(R& x) { x += x * (unit_roundoff<R>() * R(2)); }
+
+// 1/2, 3, but not 1/3.
+bool is_short(const Rational& q) {
+  const Integer den = q.den();
+  return fmpz_popcnt(den.raw()) == 1 && fmpz_bits(den.raw()) <= 64 &&
+         fmpz_bits(q.num().raw()) <= 50;
+}
+
 } // namespace
 
 Field::Field(const System& s, const MFraction& section, const std::vector<MFraction>& needed,
@@ -97,7 +107,8 @@ Field::Field(const System& s, const MFraction& section, const std::vector<MFract
   section_at_ = compile(motion_.graph, {on_section}, *point_registers_);
 }
 
-template <class R> Tape<R> Tapes<R>::Kept::tape(const Program& p, std::uint32_t stride) {
+template <class R>
+Tape<R> Tapes<R>::Kept::tape(const Program& p, std::uint32_t stride, bool otherwise_rounded) {
   for (const Instruction& i : p.once)
     once.push_back(at_stride(i, stride));
   for (const Instruction& i : p.each)
@@ -105,22 +116,26 @@ template <class R> Tape<R> Tapes<R>::Kept::tape(const Program& p, std::uint32_t 
   for (const SumTerm& t : p.terms)
     terms.push_back({t.reg * stride, t.number});
   numbers = numbers_as<R>(p.numbers);
+  for (std::size_t i = 0; otherwise_rounded && i < numbers.size(); ++i)
+    if (!is_short(p.numbers[i])) round_otherwise(numbers[i]);
   return {once.data(),  once.data() + once.size(),
           each.data(),  each.data() + each.size(),
           terms.data(), numbers.data()};
 }
 
-template <class R> Tapes<R>::Tapes(const Field& f, int order) {
+template <class R> Tapes<R>::Tapes(const Field& f, int order, bool otherwise_rounded) {
   const auto stride = static_cast<std::uint32_t>(order + 1);
   if (static_cast<double>(f.registers_->count()) * stride > max_places)
     throw OutOfBudget("size limit: the field has too many operations for steps of this order");
-  tapes_.field = field_.tape(f.field_, stride);
-  tapes_.section = section_.tape(f.section_, stride);
-  tapes_.section_at = section_at_.tape(f.section_at_, 1);
+  tapes_.field = field_.tape(f.field_, stride, otherwise_rounded);
+  tapes_.section = section_.tape(f.section_, stride, otherwise_rounded);
+  tapes_.section_at = section_at_.tape(f.section_at_, 1, otherwise_rounded);
   for (const std::uint32_t reg : f.field_.outputs)
     derivatives_.push_back(reg * stride);
   for (const std::size_t variable : f.numbers_)
     values_.push_back(f.values_.at(variable).template as<R>());
+  for (R& value : values_)
+    if (otherwise_rounded) round_otherwise(value);
   const std::uint32_t section = f.section_.outputs.front();
   const std::vector<std::size_t>& inputs = f.registers_->inputs();
   tapes_.derivatives = derivatives_.data();

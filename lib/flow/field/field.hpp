@@ -51,7 +51,8 @@ private:
 /// The programs for steps of one order, with numbers of one type.  Refers to nothing outside of itself.
 template <class R> class Tapes {
 public:
-  Tapes(const Field& f, int order);
+  /// otherwise_rounded: numbers that R does not have are those on the other side of the rounding.
+  Tapes(const Field& f, int order, bool otherwise_rounded = false);
   [[nodiscard]] const FieldTapes<R>& tapes() const noexcept { return tapes_; }
   [[nodiscard]] const R* values() const noexcept { return values_.data(); }
   Tapes(const Tapes&) = delete;
@@ -62,7 +63,7 @@ private:
     std::vector<Instruction> once, each;
     std::vector<SumTerm> terms;
     std::vector<R> numbers;
-    Tape<R> tape(const Program& p, std::uint32_t stride);
+    Tape<R> tape(const Program& p, std::uint32_t stride, bool otherwise_rounded);
   };
   Kept field_, section_, section_at_;
   std::vector<std::uint32_t> derivatives_;

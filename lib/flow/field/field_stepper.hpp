@@ -34,6 +34,8 @@ template <class R> struct FieldFinish {
 template <class R> struct FieldSink {
   /// x: all variables on the section.  False: not a crossing that is wanted (`where`).
   virtual bool crossing(std::size_t orbit, const R& t, const R* x, bool rising) = 0;
+  /// Before a crossing, if `sizes_at_crossings`: how large the variables are in the step that has it, with what they move by.
+  virtual void sizes_there(const R*) {}
   /// x: the state at the start, after every `check_every` steps and at the end, but not deep in a close encounter.
   virtual void look(std::size_t orbit, const R* x) = 0;
   /// What rounding may make of the section function where the variables have these sizes, in a step of this length.
@@ -57,10 +59,12 @@ template <class R> struct FieldTapes {
 template <class R> struct FieldRun {
   double log2_tolerance = -53;
   int order = 20;
+  double log2_shorter = 0; ///< every step is shorter by this power of 2 than the tolerance asks for
   R t_end{};
   long max_crossings = -1, max_steps = -1; ///< -1: no limit
   bool idle_ends = false; ///< an orbit ends that rests, or lies in the section, for long
   int check_every = 16;
+  bool sizes_at_crossings = false;
   bool section = true, falling = false, rising = true;
   const R* per_scale = nullptr; ///< 1/scale of every variable
   /// For each orbit: the size of the section.
@@ -196,7 +200,7 @@ private:
     measure();
     if (run_.section) section_series();
     const T left = (L::all(run_.t_end) - t_) - t_low_;
-    const Step log2_wanted = log2_step();
+    const Step log2_wanted = log2_step() - run_.log2_shorter;
     const T wanted = T(exp2_estimate(log2_wanted)) * tau_;
     T h = choose(wanted < left, wanted, left);
     if (run_.section && tapes_.curved) h = followed(h);
@@ -379,8 +383,7 @@ private:
       return of_all_terms;
     }
     Real sizes[most_variables];
-    for (int i = 0; i < variables_; ++i)
-      sizes[i] = L::get(size_[i], lane);
+    get_sizes(lane, sizes);
     q.noise = run_.sink->section_noise(sizes, L::get(tau_, lane));
     if (size > q.noise) {
       q.from = Real(-1);
@@ -392,12 +395,23 @@ private:
     return of_all_terms * Real(16) < q.noise ? of_all_terms : q.noise;
   }
 
+  void get_sizes(int lane, Real* sizes) const {
+    for (int i = 0; i < variables_; ++i)
+      sizes[i] = L::get(size_[i], lane);
+  }
+  void tell_sizes(int lane) const {
+    Real sizes[most_variables];
+    get_sizes(lane, sizes);
+    run_.sink->sizes_there(sizes);
+  }
+
   void land(int lane, const Real& dt, bool rising) {
     if (run_.max_crossings >= 0 && tally_[lane].crossings >= run_.max_crossings) return;
     Real x[most_variables];
     for (int i = 0; i < variables_; ++i)
       x[i] = value_at(series(i), run_.order, lane, dt);
     const Real t = L::get(t_, lane) + (L::get(t_low_, lane) + dt * L::get(tau_, lane));
+    if (run_.sizes_at_crossings) tell_sizes(lane);
     if (!run_.sink->crossing(orbit_[lane], t, x, rising)) return;
     ++tally_[lane].crossings;
     quiet_[lane].crossed = tally_[lane].steps;

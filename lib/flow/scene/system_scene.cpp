@@ -245,6 +245,8 @@ private:
       if (s_.indicator == Indicator::none)
         throw indicator->error("the indicator is \"megno\", \"lyapunov\" or \"fli\"");
     }
+    const Entry* errors = e_.find("errors");
+    s_.errors = errors == nullptr ? s_.indicator != Indicator::none : errors->boolean();
   }
 
   static SystemScene::Expectation expectation(const Entry& e) {
@@ -349,7 +351,7 @@ std::vector<SystemScene> read_system_scenes(const Entry& document) {
     e.check_keys({"name",      "title",  "source",    "set",    "section", "direction", "where",
                   "levels",    "start",  "plot",      "angles", "range",   "seeds",     "states",
                   "grid",      "random", "crossings", "skip",   "time",    "drift",     "digits",
-                  "tolerance", "expect", "indicator", "format", "system",  "vary"});
+                  "tolerance", "expect", "indicator", "format", "system",  "vary",      "errors"});
   };
   std::vector<SystemScene> scenes;
   if (const Entry* all = document.find("scene")) {

@@ -19,6 +19,7 @@
 //   crossings   of each orbit, and/or time;              skip = how many first crossings are not drawn
 //   tolerance   drift    digits                          as in scene.hpp
 //   indicator   "megno" | "lyapunov" | "fli": the colour of an orbit (growth.hpp)
+//   errors      true | false: are the errors of the points estimated?  Without this key: where there is an indicator
 //   [[scene.expect]]  points; drift (an upper bound); never_crossed; singular (orbits that end so); source
 //
 // The coordinates at a start are what section, levels, start and what is drawn leave: as many equations as
@@ -66,6 +67,7 @@ struct SystemScene {
   Quantity tolerance = "10^-15", drift = "10^-9";
   int digits = 0;
   Indicator indicator = Indicator::none;
+  bool errors = false; ///< of the points are estimated
   struct Expectation {
     std::string source;
     std::optional<long> points, singular;

@@ -1,6 +1,6 @@
 #include "flow/scene/system_section.hpp"
 
-#include "exact/error.hpp"
+#include "flow/scene/section_sink.hpp"
 #include "symbol/input_error.hpp"
 
 #include <algorithm>
@@ -10,170 +10,6 @@
 
 namespace kov::flow {
 namespace {
-
-// A time that no orbit reaches, whose products do not overflow.
-constexpr double forever = 1e150;
-
-std::vector<MFraction> values_of(const std::vector<SceneFormula>& formulas) {
-  std::vector<MFraction> all;
-  for (const SceneFormula& f : formulas)
-    all.push_back(f.value);
-  return all;
-}
-
-// All that a run asks of the variables.
-std::vector<MFraction> needed_by(const SystemScene& s, const std::vector<SceneFormula>& integrals) {
-  std::vector<MFraction> all = values_of(s.start);
-  for (const SceneFormula& f : integrals)
-    all.push_back(f.value);
-  for (const auto& level : s.levels)
-    all.push_back(level.function.value);
-  for (const SceneFormula& f : s.plot)
-    all.push_back(f.value);
-  if (s.where) all.push_back(s.where->value);
-  all.push_back(lie_derivative(s.system.field, s.section.value));
-  return all;
-}
-
-// Changes its sign where the section N/D does: the factors of N and of D with odd exponents.  Its series passes the
-// poles, which crosses_a_zero tells from zeros; where the section only touches 0 it has none.
-MFraction sign_changes_of(const MFraction& section) {
-  MFraction all(section.ring(), Rational(1));
-  for (const MPoly& part : {section.num(), section.den()}) {
-    const auto [content, factors] = factor(part);
-    if (content < Integer(0)) all = -all;
-    for (const MFactor& f : factors)
-      if (f.exponent % 2 != 0) all = all * MFraction(f.base);
-  }
-  return all;
-}
-
-MFraction crossed_in(const SystemScene& s) {
-  MFraction f = sign_changes_of(s.section.value);
-  if (is_constant(f))
-    throw InputError(s.file, 0, 0, 1,
-                     "the section " + s.section.text +
-                         " never changes its sign: it is not crossed");
-  return f;
-}
-
-// What rounding may make of a section function: units of its terms, and of those of the rates of its variables.
-class SectionNoise {
-public:
-  SectionNoise(const Field& f, const System& s, const MFraction& section) : size_(f, section) {
-    for (std::size_t i = 0; i < f.variables().size(); ++i) {
-      const std::size_t v = f.variables()[i];
-      const MFraction slope = derivative(section, v);
-      if (is_zero(slope)) continue;
-      const MFraction rate = i < f.coordinates()
-                                 ? s.field.components[i]
-                                 : lie_derivative(s.field, MFraction::variable(s.ring(), v));
-      by_rates_.push_back({TermSize(f, slope), TermSize(f, rate)});
-    }
-  }
-  // In units of 16 unit roundoffs.
-  double operator()(const double* sizes, double step) {
-    double sum = size_(sizes);
-    for (auto& [slope, rate] : by_rates_)
-      if (const double one = slope(sizes) * rate(sizes) * step; std::isfinite(one)) sum += one;
-    return sum;
-  }
-
-private:
-  struct ByRate {
-    TermSize slope, rate;
-  };
-  TermSize size_;
-  std::vector<ByRate> by_rates_;
-};
-
-// What all orbits and all arithmetics share.
-struct Stage {
-  const SystemScene& scene;
-  std::vector<SceneFormula> integrals;
-  Field field;
-  std::size_t skipped = 0;
-  std::vector<FieldStart> starts;
-  Scales scales;
-  std::vector<double> per_scale;    ///< 1/scale of every variable: powers of 2
-  std::vector<TermSize> term_sizes; ///< of the integrals, then of the section
-  std::optional<SectionNoise> section_noise;
-  double section_size = 1;            ///< the largest that was seen
-  std::array<double, 2> part_sizes{}; ///< of the section's numerator and denominator
-  int order = 20;
-
-  Stage(const SystemScene& s, const std::atomic<bool>* stop)
-      : scene(s), integrals(s.integrals()), field(s.system, crossed_in(s), needed_by(s, integrals),
-                                                  s.values, s.indicator != Indicator::none),
-        starts(starts_of(s, field, &skipped, stop)) {
-    const std::size_t n = field.variables().size();
-    std::vector<double> all;
-    StartRefiner<double> refine(s, field);
-    for (const FieldStart& start : starts) {
-      if (stop != nullptr && stop->load() && !all.empty()) break;
-      const auto x = refine(start);
-      all.insert(all.end(), x.begin(), x.begin() + static_cast<long>(n));
-    }
-    scales = scales_of(field, all, s.time ? s.time->as<double>() : forever);
-    scales.path.insert(scales.path.end(), all.begin(), all.end());
-    measure();
-    check_relations(all);
-    order = flow::choose_order(field, scales, log2_tolerance());
-    for (const double scale : scales.of)
-      per_scale.push_back(1 / scale);
-  }
-
-  // How much smaller than the others the orbit from x is.
-  [[nodiscard]] double own_unit(const double* x) const {
-    return flow::own_unit(x, per_scale.data(), per_scale.size());
-  }
-
-  [[nodiscard]] double log2_tolerance() const {
-    return log2_estimate(scene.tolerance.as<BigReal>()) - safety_bits;
-  }
-
-private:
-  // The size of a function: that of its terms, at most, on what a few orbits have shown.
-  void measure() {
-    std::vector<MFraction> functions = values_of(integrals);
-    functions.push_back(sign_changes_of(scene.section.value));
-    for (const MFraction& f : functions)
-      term_sizes.emplace_back(field, f);
-    section_size = largest(term_sizes.back());
-    section_noise.emplace(field, scene.system, functions.back());
-    const MFraction& f = scene.section.value;
-    for (std::size_t i = 0; i < 2; ++i) {
-      TermSize part(field, MFraction(i == 0 ? f.num() : f.den()));
-      part_sizes[i] = largest(part);
-    }
-  }
-
-  double largest(TermSize& size) const {
-    const std::size_t n = field.variables().size(), states = scales.path.size() / n;
-    double most = 1e-300;
-    for (std::size_t state = 0; state < states; state += states / most_states + 1)
-      if (const double now = size(&scales.path[state * n]); std::isfinite(now))
-        most = std::max(most, now);
-    return most;
-  }
-
-  // A relation that does not hold at the start holds nowhere.
-  void check_relations(const std::vector<double>& all) {
-    const std::size_t n = field.variables().size();
-    for (const MPoly& relation : scene.system.field.relations) {
-      Evaluator<double> value(field, {MFraction(relation)});
-      TermSize size(field, MFraction(relation));
-      for (std::size_t i = 0; i < all.size() && i < most_states * n; i += n)
-        if (std::abs(value(&all[i])[0]) > 1e-6 * size(&all[i]))
-          throw InputError(scene.file, 0, 0, 1,
-                           "the relation " + kov::to_string(relation) +
-                               " = 0 does not hold at a start",
-                           "a value in 'set' contradicts it, or what 'means' says of a function");
-    }
-  }
-
-  static constexpr std::size_t most_states = 1000;
-};
 
 double turned(double angle) {
   return angle - 2 * pi_of(0.0) * std::floor(angle / (2 * pi_of(0.0)) + 0.5);
@@ -210,15 +46,12 @@ private:
 // what rounding has left of 0 makes no size.
 constexpr double least_of_scale = 0x1p-40;
 
-template <class R> struct DrawnSink : FieldSink<R> {
-  const Stage& stage;
+template <class R> struct DrawnSink : SectionSink<R> {
+  using SectionSink<R>::stage;
   std::size_t first;
-  Evaluator<R> drawn, where, integrals, fraction; ///< fraction: of the section
+  Evaluator<R> integrals;
   std::vector<TermSize> sizes;
-  std::optional<SectionNoise> noise; ///< where it was needed
   MeaningCheck meanings;
-  std::vector<double> before;        ///< of each orbit: what was drawn last, for a return map
-  std::vector<long> seen;            ///< crossings of each orbit, with those that are skipped
   std::vector<std::vector<R>> begun; ///< of each orbit: its integrals
   std::vector<std::vector<double>>
       least; ///< of each orbit: what its variables are at least in the size of a term
@@ -228,42 +61,48 @@ template <class R> struct DrawnSink : FieldSink<R> {
   std::vector<std::pair<std::size_t, DrawnOrbit>> orbits;
   std::vector<double> drifts;
 
+  std::vector<std::vector<RawPoint<R>>> raw;   ///< of each orbit, where errors are wanted
+  std::vector<std::vector<std::size_t>> drawn; ///< and the places of its points
+
   DrawnSink(const Stage& s, std::size_t n, std::size_t count)
-      : stage(s), first(n), drawn(s.field, {s.scene.plot[0].value, s.scene.plot[1].value}),
-        where(s.field,
-              s.scene.where ? std::vector{s.scene.where->value} : std::vector<MFraction>{}),
-        integrals(s.field, values_of(s.integrals)), fraction(s.field, parts_of(s)),
-        sizes(s.term_sizes), meanings(s.scene, s.field), before(count), seen(count), begun(count),
-        least(count), changes(count), worst(count), drifts(s.integrals.size() + 1) {}
+      : SectionSink<R>(s, count), first(n), integrals(s.field, values_of(s.integrals)),
+        sizes(s.term_sizes), meanings(s.scene, s.field), begun(count), least(count), changes(count),
+        worst(count), drifts(s.integrals.size() + 1), raw(count), drawn(count) {}
 
   bool crossing(std::size_t orbit, const R& t, const R* x, bool) override {
-    if (!is_constant(stage.scene.section.value.den()) && !crosses_a_zero(x)) return false;
-    if (stage.scene.where && !(where(x)[0] > R(0))) return false;
-    if (++seen[orbit] <= stage.scene.skip) return true;
-    const auto& at = drawn(x);
-    DrawnPoint p{first + orbit, to_double(t), {to_double(at[0]), to_double(at[1])}, {}};
+    if (!this->is_wanted(x)) return false;
+    const auto at = this->point(orbit, t, x);
+    if (!at) return true;
+    DrawnPoint p{first + orbit, to_double(t), {to_double(at->at[0]), to_double(at->at[1])}, {}};
     for (std::size_t i = 0; i < 2; ++i)
       if (stage.scene.angle[i]) p.at[i] = turned(p.at[i]);
     if constexpr (!std::is_same_v<R, double>)
-      if (!stage.scene.return_map) p.digits = all_digits(t, at);
-    if (stage.scene.return_map) {
-      const bool first_one = seen[orbit] == stage.scene.skip + 1;
-      p.at[0] = std::exchange(before[orbit], p.at[1]);
-      if (first_one) return true;
+      if (!stage.scene.return_map) p.digits = all_digits(*at);
+    if (stage.scene.errors) {
+      raw[orbit].push_back(*at);
+      drawn[orbit].push_back(points.size());
     }
     points.push_back(std::move(p));
     return true;
   }
 
-  R section_noise(const R* of_variables, const R& step) override {
-    if (!noise) noise = stage.section_noise;
-    const std::vector<double> at = doubles(of_variables);
-    return R((*noise)(at.data(), to_double(step))) * (unit_roundoff<R>() * R(16));
+  /// What the points of a second run say of the errors.
+  void compare(const std::vector<std::vector<RawPoint<R>>>& second) {
+    for (std::size_t orbit = 0; orbit < second.size(); ++orbit) {
+      const auto errors = errors_of(compared(raw[orbit], second[orbit], stage.scene.angle),
+                                    to_double(unit_roundoff<R>()));
+      for (std::size_t i = 0; i < errors.size(); ++i) {
+        DrawnPoint& p = points[drawn[orbit][i]];
+        p.error = errors[i];
+        for (std::size_t part = 0; part < 2; ++part)
+          p.size[part] = static_cast<float>(stage.scene.angle[part] ? 1 : raw[orbit][i].size[part]);
+      }
+    }
   }
 
   void look(std::size_t orbit, const R* x) override {
     const std::vector<R>& now = integrals(x);
-    const std::vector<double> at = doubles(x);
+    const std::vector<double> at = this->doubles(x);
     if (begun[orbit].empty()) {
       begun[orbit] = now;
       const double unit = stage.own_unit(at.data());
@@ -304,49 +143,13 @@ private:
     drifts[shown] = std::max(drifts[shown], drift);
   }
 
-  [[nodiscard]] std::vector<double> doubles(const R* x) const {
-    std::vector<double> all;
-    for (std::size_t i = 0; i < stage.field.variables().size(); ++i)
-      all.push_back(to_double(x[i]));
-    return all;
-  }
-
-  static std::vector<MFraction> parts_of(const Stage& s) {
-    const MFraction& f = s.scene.section.value;
-    return {MFraction(f.num()), MFraction(f.den())};
-  }
-
-  // Of N/D, at a zero of N D: is it N that is 0?
-  [[nodiscard]] bool crosses_a_zero(const R* x) {
-    const std::vector<R>& parts = fraction(x);
-    return std::abs(to_double(parts[0])) / stage.part_sizes[0] <
-           std::abs(to_double(parts[1])) / stage.part_sizes[1];
-  }
-
-  [[nodiscard]] std::string all_digits(const R& t, const std::vector<R>& at) const {
+  [[nodiscard]] std::string all_digits(const RawPoint<R>& p) const {
     const int n = digits_shown(stage.scene.tolerance, stage.scene.digits);
-    std::string text = to_string(to_big(t), n);
+    std::string text = to_string(to_big(p.t), n);
     for (std::size_t i = 0; i < 2; ++i)
-      text += " " + to_string(stage.scene.angle[i] ? turned(to_big(at[i])) : to_big(at[i]), n);
+      text += " " + to_string(stage.scene.angle[i] ? turned(to_big(p.at[i])) : to_big(p.at[i]), n);
     return text;
   }
-};
-
-// The size of the section on an orbit that is smaller than the others by the factor `unit`.
-class SectionSize {
-public:
-  explicit SectionSize(const Stage& s) : stage_(s), size_(s.term_sizes.back()) {}
-  double operator()(double unit) {
-    if (unit == 1) return stage_.section_size;
-    std::vector<double> x;
-    for (const double scale : stage_.scales.of)
-      x.push_back(unit * scale);
-    return std::max(1e-300, std::min(stage_.section_size, size_(x.data())));
-  }
-
-private:
-  const Stage& stage_;
-  TermSize size_;
 };
 
 // One worker: takes the next few orbits until none are left.
@@ -368,6 +171,8 @@ template <class R> struct SectionWork {
     for (const double x : stage.per_scale)
       per_scale.emplace_back(x);
     SectionSize section_size(stage);
+    std::optional<SecondRun<R>> again;
+    if (s.errors) again.emplace(stage);
     run.per_scale = per_scale.data();
     const std::size_t chunk = std::is_same_v<R, double> ? 64 : std::is_same_v<R, Twin1> ? 8 : 1;
     for (std::size_t first = next.fetch_add(chunk); first < stage.starts.size();
@@ -386,10 +191,8 @@ template <class R> struct SectionWork {
       run.section_sizes = section_sizes.data();
       run.orbits = last - first;
       run.sink = &sink;
-      if constexpr (std::is_same_v<R, double>)
-        integrate_field(tapes.tapes(), run, options.lanes);
-      else
-        integrate_field(tapes.tapes(), run);
+      integrate_any(tapes.tapes(), run, options.lanes);
+      if (again) sink.compare((*again)(run, numbers, first, options.lanes));
       keep(sink);
     }
   }
@@ -406,6 +209,7 @@ template <class R> struct SectionWork {
     run.idle_ends = !s.time;
     run.falling = s.falling;
     run.rising = s.rising;
+    run.sizes_at_crossings = s.errors;
     run.values = tapes.values();
     run.stop = options.stop;
     return run;
@@ -464,20 +268,6 @@ void check_points(const SystemScene& s, std::size_t orbits) {
                      "fewer orbits, or fewer crossings");
 }
 
-Stage staged(const SystemScene& s, const std::atomic<bool>* stop) {
-  try {
-    return {s, stop};
-  } catch (const InputError&) {
-    throw;
-  } catch (const OutOfBudget& e) {
-    throw InputError(s.file, 0, 0, 1, e.what());
-  } catch (const InvalidArgument& e) {
-    throw InputError(s.file, 0, 0, 1, e.what());
-  } catch (const DomainError& e) {
-    throw InputError(s.file, 0, 0, 1, e.what());
-  }
-}
-
 } // namespace
 
 std::size_t SystemSection::count(Ended how) const {
@@ -487,6 +277,38 @@ std::size_t SystemSection::count(Ended how) const {
 
 std::size_t SystemSection::cut_short() const {
   return count(Ended::steps) + (has_time ? count(Ended::crossings) : 0);
+}
+
+PointAccuracy accuracy_of(const SystemSection& s) {
+  PointAccuracy a;
+  double worst = 0;
+  for (const DrawnPoint& p : s.points) {
+    if (p.error < 0) return {};
+    a.known = true;
+    worst = std::max(worst, p.error);
+    a.doubtful += p.error > visible_error ? 1 : 0;
+  }
+  if (worst <= a.bound) a.bound = worst;
+  const auto count = [&] {
+    std::vector<std::size_t> right(s.orbits.size(), 0), all(s.orbits.size(), 0);
+    for (const DrawnPoint& p : s.points) {
+      right[p.orbit] += right[p.orbit] == all[p.orbit] && p.error <= a.bound ? 1 : 0;
+      ++all[p.orbit];
+    }
+    a.whole = 0;
+    a.returns = s.points.size();
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (right[i] == all[i])
+        ++a.whole;
+      else
+        a.returns = std::min(a.returns, right[i]);
+  };
+  count();
+  if (a.returns == 0 && a.whole < s.orbits.size()) {
+    a.bound = visible_error;
+    count();
+  }
+  return a;
 }
 
 namespace {
@@ -534,7 +356,8 @@ SystemSection simulate_family(const SystemScene& scene, const SystemSectionOptio
 
 SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& options) {
   if (!scene.family.empty()) return simulate_family(scene, options);
-  const Stage stage = staged(scene, options.stop);
+  const std::unique_ptr<Stage> made = staged(scene, options.stop);
+  const Stage& stage = *made;
   SystemSection out;
   check_points(scene, stage.starts.size());
   for (const FieldStart& start : stage.starts)

@@ -12,6 +12,9 @@ struct DrawnPoint {
   double t = 0;
   std::array<double, 2> at{}; ///< what is drawn; angles in [-pi, pi)
   std::string digits;         ///< "t x y" of a run in more digits than double
+  /// In units of `size`, which is that of the terms of what is drawn (point_errors.hpp); -1: not known.
+  double error = -1;
+  std::array<float, 2> size{};
 };
 
 struct DrawnOrbit {
@@ -44,6 +47,18 @@ struct SystemSection {
   /// Orbits with fewer crossings than asked for: they reached the limit of steps, or (with a time) of points.
   [[nodiscard]] std::size_t cut_short() const;
 };
+
+/// How far the points of a section can be trusted.
+struct PointAccuracy {
+  bool known = false;
+  double bound =
+      1e-6; ///< 10^-6, or less if all points are right to less; 10^-3 if none is right to 10^-6
+  std::size_t returns = 0;  ///< so many first points of every orbit have errors below it
+  std::size_t whole = 0;    ///< orbits of which all have
+  std::size_t doubtful = 0; ///< points with errors above `visible_error`
+};
+inline constexpr double visible_error = 1e-3; ///< a pixel of a picture
+[[nodiscard]] PointAccuracy accuracy_of(const SystemSection& s);
 
 struct SystemSectionOptions {
   int threads = 1, lanes = 0;

@@ -1,0 +1,163 @@
+#pragma once
+// What every run does at a crossing: is it one, and what is drawn there.
+
+#include "flow/scene/point_errors.hpp"
+#include "flow/scene/section_stage.hpp"
+
+namespace kov::flow {
+
+template <class R> class SectionSink : public FieldSink<R> {
+public:
+  SectionSink(const Stage& s, std::size_t orbits)
+      : stage(s), drawn_(s.field, {s.scene.plot[0].value, s.scene.plot[1].value}),
+        where_(s.field,
+               s.scene.where ? std::vector{s.scene.where->value} : std::vector<MFraction>{}),
+        fraction_(s.field, parts_of(s)), before_(orbits), seen_(orbits) {
+    for (const SceneFormula& f : s.scene.plot)
+      sizes_.emplace_back(s.field, f.value);
+  }
+
+  void sizes_there(const R* of_variables) override { there_ = doubles(of_variables); }
+
+  R section_noise(const R* of_variables, const R& step) override {
+    if (!noise_) noise_ = stage.section_noise;
+    const std::vector<double> at = doubles(of_variables);
+    return R((*noise_)(at.data(), to_double(step))) * (unit_roundoff<R>() * R(16));
+  }
+
+protected:
+  /// Is S = N/D zero there, not infinite, and `where` positive?
+  [[nodiscard]] bool is_wanted(const R* x) {
+    if (!is_constant(stage.scene.section.value.den()) && !crosses_a_zero(x)) return false;
+    return !stage.scene.where || where_(x)[0] > R(0);
+  }
+  /// The point of a crossing that is wanted; none of those that are skipped, and of the first one of a return map.
+  [[nodiscard]] std::optional<RawPoint<R>> point(std::size_t orbit, const R& t, const R* x) {
+    if (++seen_[orbit] <= stage.scene.skip) return std::nullopt;
+    const auto& at = drawn_(x);
+    RawPoint<R> p{t, {at[0], at[1]}};
+    if (!there_.empty()) p.size = drawn_sizes(x);
+    if (!stage.scene.return_map) return p;
+    p.at[0] = std::exchange(before_[orbit], p.at[1]);
+    if (seen_[orbit] == stage.scene.skip + 1) return std::nullopt;
+    return p;
+  }
+  [[nodiscard]] std::vector<double> doubles(const R* x) const {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < stage.field.variables().size(); ++i)
+      all.push_back(to_double(x[i]));
+    return all;
+  }
+  const Stage& stage;
+
+private:
+  static std::vector<MFraction> parts_of(const Stage& s) {
+    const MFraction& f = s.scene.section.value;
+    return {MFraction(f.num()), MFraction(f.den())};
+  }
+  // Of N/D, at a zero of N D: is it N that is 0?
+  [[nodiscard]] bool crosses_a_zero(const R* x) {
+    const std::vector<R>& parts = fraction_(x);
+    return std::abs(to_double(parts[0])) / stage.part_sizes[0] <
+           std::abs(to_double(parts[1])) / stage.part_sizes[1];
+  }
+
+  [[nodiscard]] std::array<double, 2> drawn_sizes(const R* x) {
+    const std::vector<double> at = doubles(x);
+    std::array<double, 2> all{};
+    for (std::size_t i = 0; i < 2; ++i)
+      all[i] = std::max(least_drawn_[i], sizes_[i](at.data(), there_.data()));
+    return all;
+  }
+
+  std::vector<TermSize> sizes_; ///< of what is drawn
+  std::vector<double> there_;   ///< sizes of the variables in this step
+  std::array<double, 2> least_drawn_ = stage.least_drawn();
+  Evaluator<R> drawn_, where_, fraction_; ///< fraction: of the section
+  std::optional<SectionNoise> noise_;     ///< where it was needed
+  std::vector<R> before_;                 ///< of each orbit: what was drawn last, for a return map
+  std::vector<long> seen_;                ///< crossings of each orbit, with those that are skipped
+};
+
+/// Only the points, by orbit.
+template <class R> class RawSink : public SectionSink<R> {
+public:
+  RawSink(const Stage& s, std::size_t orbits) : SectionSink<R>(s, orbits), points(orbits) {}
+  bool crossing(std::size_t orbit, const R& t, const R* x, bool) override {
+    if (!this->is_wanted(x)) return false;
+    if (auto p = this->point(orbit, t, x)) points[orbit].push_back(std::move(*p));
+    return true;
+  }
+  void look(std::size_t, const R*) override {}
+  void finished(std::size_t, const FieldFinish<R>& f) override {
+    stopped = stopped || f.ended == Ended::stopped;
+  }
+  std::vector<std::vector<RawPoint<R>>> points;
+  bool stopped = false;
+};
+
+template <class R>
+void integrate_any(const FieldTapes<R>& tapes, const FieldRun<R>& run, [[maybe_unused]] int lanes) {
+  if constexpr (std::is_same_v<R, double>)
+    integrate_field(tapes, run, lanes);
+  else
+    integrate_field(tapes, run);
+}
+
+/// The same orbits with other roundings (point_errors.hpp).
+template <class R> class SecondRun {
+public:
+  explicit SecondRun(const Stage& s)
+      : stage_(s), field_(s.without_tangent()), tapes_(*field_, s.order, true),
+        finer_(s.scene, *field_) {}
+
+  /// The points of the orbits first ... ; `run` and `starts` are those of the first run.  Empty: stopped.
+  [[nodiscard]] std::vector<std::vector<RawPoint<R>>>
+  operator()(FieldRun<R> run, const std::vector<R>& starts, std::size_t first, int lanes) {
+    const std::size_t n = field_->variables().size(), each = starts.size() / run.orbits;
+    std::vector<R> begun;
+    for (std::size_t i = 0; i < run.orbits; ++i) {
+      const std::vector<R> x(starts.begin() + static_cast<long>(i * each),
+                             starts.begin() + static_cast<long>(i * each + n));
+      const std::vector<R> other = rounded_otherwise(x, stage_.starts[first + i]);
+      begun.insert(begun.end(), other.begin(), other.end());
+    }
+    RawSink<R> sink(stage_, run.orbits);
+    run.starts = begun.data();
+    run.values = tapes_.values();
+    run.sink = &sink;
+    run.log2_shorter = -second_run_steps;
+    run.t_end = run.t_end * R(1.01); // the last crossing may come a little later
+    if (run.max_steps > 0) run.max_steps *= 2;
+    integrate_any(tapes_.tapes(), run, lanes);
+    if (sink.stopped) return {};
+    return std::move(sink.points);
+  }
+
+private:
+  using Finer = std::conditional_t<std::is_same_v<R, double>, long double, R>;
+
+  // As far from x as the exact start is, but three times; one bit where no arithmetic is at hand that tells.
+  std::vector<R> rounded_otherwise(std::vector<R> x, const FieldStart& start) {
+    if constexpr (std::is_same_v<R, double>) {
+      const std::vector<long double> exact = finer_(start);
+      for (std::size_t i = 0; i < x.size(); ++i)
+        x[i] += static_cast<double>(3 * (exact[i] - static_cast<long double>(x[i])));
+    } else {
+      bool up = false;
+      for (R& one : x) {
+        const R bit = one * (unit_roundoff<R>() * R(2));
+        one += up ? bit : R(R(0) - bit);
+        up = !up;
+      }
+    }
+    return x;
+  }
+
+  const Stage& stage_;
+  std::unique_ptr<Field> field_;
+  Tapes<R> tapes_;
+  StartRefiner<Finer> finer_;
+};
+
+} // namespace kov::flow

@@ -1,0 +1,79 @@
+#pragma once
+// What all orbits of a scene and all arithmetics share: the field, the starts, the scales of the motion, the order.
+
+#include "flow/field/field_kernels.hpp"
+#include "flow/scene/simulate.hpp"
+#include "flow/scene/starts.hpp"
+
+#include <optional>
+
+namespace kov::flow {
+
+/// A time that no orbit reaches, whose products do not overflow.
+inline constexpr double forever = 1e150;
+
+[[nodiscard]] std::vector<MFraction> values_of(const std::vector<SceneFormula>& formulas);
+
+/// What rounding may make of a section function: units of its terms, and of those of the rates of its variables.
+class SectionNoise {
+public:
+  SectionNoise(const Field& f, const System& s, const MFraction& section);
+  /// In units of 16 unit roundoffs.
+  [[nodiscard]] double operator()(const double* sizes, double step);
+
+private:
+  struct ByRate {
+    TermSize slope, rate;
+  };
+  TermSize size_;
+  std::vector<ByRate> by_rates_;
+};
+
+struct Stage {
+  const SystemScene& scene;
+  std::vector<SceneFormula> integrals;
+  Field field;
+  std::size_t skipped = 0;
+  std::vector<FieldStart> starts;
+  Scales scales;
+  std::vector<double> per_scale;    ///< 1/scale of every variable: powers of 2
+  std::vector<TermSize> term_sizes; ///< of the integrals, then of the section
+  std::optional<SectionNoise> section_noise;
+  double section_size = 1;            ///< the largest that was seen
+  std::array<double, 2> part_sizes{}; ///< of the section's numerator and denominator
+  int order = 20;
+
+  /// Errors  InputError: no start, a function without a value, too large a system
+  Stage(const SystemScene& s, const std::atomic<bool>* stop);
+
+  /// How much smaller than the others the orbit from x is.
+  [[nodiscard]] double own_unit(const double* x) const {
+    return flow::own_unit(x, per_scale.data(), per_scale.size());
+  }
+  [[nodiscard]] double log2_tolerance() const;
+  /// Values of what is drawn below these are not told from 0.
+  [[nodiscard]] std::array<double, 2> least_drawn() const;
+  /// The same motion without tangent vectors.
+  [[nodiscard]] std::unique_ptr<Field> without_tangent() const;
+
+private:
+  void measure();
+  double largest(TermSize& size) const;
+  void check_relations(const std::vector<double>& all);
+};
+
+/// A Stage whose errors have the file.  Errors  InputError
+[[nodiscard]] std::unique_ptr<Stage> staged(const SystemScene& s, const std::atomic<bool>* stop);
+
+/// The size of the section on an orbit that is smaller than the others by the factor `unit`.
+class SectionSize {
+public:
+  explicit SectionSize(const Stage& s) : stage_(s), size_(s.term_sizes.back()) {}
+  [[nodiscard]] double operator()(double unit);
+
+private:
+  const Stage& stage_;
+  TermSize size_;
+};
+
+} // namespace kov::flow
