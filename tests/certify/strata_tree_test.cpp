@@ -186,7 +186,7 @@ TEST(StrataAssumed, NeedsAnEquation) {
   EXPECT_ACCEPTED(t());
   for (const char* i : {"1", "2", "3", "4", "99999999999999999999"}) {
     t.tree = assumed(i, "A", then);
-    EXPECT_REFUSED(t(), i[0] < '4' ? "no equation" : "no such condition");
+    EXPECT_REFUSED(t(), i[0] < '4' ? "not an equation" : "no such condition");
   }
   t.tree = assumed("0", "A + 1", then);
   EXPECT_REFUSED(t(), "does not imply");

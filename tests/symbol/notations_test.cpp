@@ -110,7 +110,7 @@ TEST(Notation, WhatIsNoEquationIsRefusedWithItsPlace) {
            {"'diff(y, x, 2) = %pi*y", "'%'"},
            {"Eq(Derivative(y(x), (x, 2)), y(x)", "never closed"},
            {"y'' === y", "single ="},
-           {"Dx^2/x - 1/Dx", "no operator"},
+           {"Dx^2/x - 1/Dx", "not an operator"},
            {"Dx^99 - 1", "exponent"},
            {"(D@@x)(y)(x) = 0", "'@'"},
            {"Derivative[a][y][x] == 0", "products are written out"}})

@@ -158,7 +158,7 @@ TEST(TheoremFile, KeysThatAKindDoesNotLookAtAreErrors) {
   EXPECT_THAT(error_of(head + "\"case\"\nfile = \"x.toml\"\nwhere = \"A = 1\"\n"),
               HasSubstr("table of values"));
   EXPECT_THAT(error_of(head + "\"case\"\nfile = \"x.toml\"\nexpect = \"undecided\"\n"),
-              HasSubstr("no verdict"));
+              HasSubstr("not a verdict"));
 }
 
 TEST(TheoremFile, AValueForAnUnknownParameterIsAnErrorOfTheTheoremFile) {
