@@ -545,6 +545,12 @@ constexpr Topic all_topics[] = {
      "allows nothing is drawn.  Orbits that end at a singularity (a collision) are counted.  A "
      "picture proves nothing.  "
      "docs/guide/sections.md"},
+    {"scan|plane of parameters",
+     "A scene with a [scene.scan] table computes one number of each orbit (megno, lyapunov, fli, "
+     "crossings, time) over one or two axes: what is drawn, coordinates of a state, or parameters.  "
+     "No points are kept: a million orbits are a matrix (NAME.npy), a picture and a page (html).  "
+     "kovacic section FILE -o DIR --jobs 4, and --resume after a kill.  kovacic new scan writes an "
+     "example."},
     {"megno|Lyapunov", "Mean exponential growth of nearby orbits: the mean <Y> tends to 2 on a "
                        "regular orbit and grows like half the largest "
                        "Lyapunov exponent times the time on a chaotic one.  A number, not a proof: "

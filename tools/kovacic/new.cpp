@@ -172,6 +172,47 @@ tolerance = "10^-15"             # of a step, relative to the scales of the coor
 drift     = "10^-11"             # of the integrals, beyond which nothing is drawn
 )TOML";
 
+constexpr const char* scan_file =
+    R"TOML(# One number of each orbit over a plane of starts or parameters.  kovacic section THIS_FILE -o DIR writes a matrix
+# (NAME.npy, for numpy.load), a picture and, with --pictures html, a page; after a kill: the same line with --resume.
+format = "equation/1"
+title  = "Henon-Heiles"
+
+[system]
+kind        = "hamiltonian"
+coordinates = ["x", "y"]
+momenta     = ["u", "v"]
+parameters  = ["b"]
+hamiltonian = "(u^2 + v^2)/2 + (x^2 + y^2)/2 + x^2*y - b/3*y^3"
+
+[[scene]]
+name      = "megno_8"
+title     = "Henon-Heiles, E = 1/8"
+set       = { b = 1 }
+section   = "x"
+levels    = { H = "1/8" }
+plot      = ["y", "v"]
+crossings = 100
+tolerance = "10^-9"
+
+[scene.scan]
+of   = "megno"                   # or lyapunov, fli, crossings, time (of the end)
+over = { y = ["-1/2", "7/10", 150], v = ["-1/2", "1/2", 125] }   # [from, to, cells]: one axis or two
+# What is drawn is scanned over starts on the level.  Parameters of the system that 'set' leaves open: from one
+# start, seeds = [[0, "1/10"]].  Coordinates: with states = [[x, y, u, v]], whose other coordinates stay.
+
+[[scene]]
+name      = "megno_b"
+title     = "Henon-Heiles with b y^3/3, E = 1/8, y = 1/10"
+section   = "x"
+levels    = { H = "1/8" }
+plot      = ["y", "v"]
+seeds     = [["1/10", 0]]        # what no axis scans
+crossings = 100
+tolerance = "10^-9"
+scan      = { of = "megno", over = { b = [-1, 1, 150], v = ["-9/20", "9/20", 125] } }
+)TOML";
+
 struct StartingFile {
   std::string kind;
   const char* text;
@@ -181,7 +222,8 @@ const std::vector<StartingFile> starting_files{{"ode", ode_file},
                                                {"hamiltonian", hamiltonian_file},
                                                {"euler-poisson", euler_poisson_file},
                                                {"vector-field", vector_field_file},
-                                               {"scene", scene_file}};
+                                               {"scene", scene_file},
+                                               {"scan", scan_file}};
 
 } // namespace
 

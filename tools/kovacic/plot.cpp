@@ -147,9 +147,6 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   return run_gnuplot(base, formats);
 }
 
-namespace {
-
-// At most `width` characters in a line, broken at spaces.
 std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::size_t width) {
   std::vector<std::string> all;
   for (std::string rest : lines) {
@@ -163,6 +160,8 @@ std::vector<std::string> wrapped(const std::vector<std::string>& lines, std::siz
   }
   return all;
 }
+
+namespace {
 
 void print_axes(std::ofstream& out, const PlanePlot& plot) {
   for (std::size_t i = 0; i < 2; ++i) {

@@ -63,6 +63,10 @@ struct ChartPlot {
 std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& chart,
                                     const std::vector<std::string>& formats);
 
+/// At most `width` characters in a line, broken at spaces.
+[[nodiscard]] std::vector<std::string> wrapped(const std::vector<std::string>& lines,
+                                               std::size_t width);
+
 /// Runs a gnuplot script with `-e "format='png'"` for each format; the pictures that appeared.
 std::vector<std::string> run_gnuplot(const std::string& base,
                                      const std::vector<std::string>& formats);

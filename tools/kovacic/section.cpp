@@ -353,7 +353,8 @@ void declare_section(CLI::App& command, SectionArguments& a) {
       ->delimiter(',')
       ->check(CLI::IsMember({"png", "svg", "pdf", "html", "none"}).description(""))
       ->type_name("LIST");
-  command.add_option("-j", a.threads, "threads")
+  command.add_flag("--resume", a.resume, "go on with a scan where it was stopped or killed");
+  command.add_option("-j,--jobs", a.threads, "threads")
       ->check(CLI::Range(1, 256).description(""))
       ->type_name("N");
   command.add_flag("--fixed-points", a.fixed_points,

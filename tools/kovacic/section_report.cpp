@@ -30,6 +30,12 @@ std::string levels_of(const SystemScene& s) {
   return text;
 }
 
+bool is_scanned(const SystemScene& s, std::size_t parameter) {
+  return s.scan && std::any_of(s.scan->axes.begin(), s.scan->axes.end(), [&](const auto& a) {
+           return a.kind == flow::ScanAxis::Kind::parameter && a.place == parameter;
+         });
+}
+
 std::string parameters_of(const SystemScene& s) {
   std::string text;
   const auto add = [&](const std::string& name, const std::string& value) {
@@ -41,7 +47,7 @@ std::string parameters_of(const SystemScene& s) {
                                              to_string(s.family.back().system.values.at(name)),
                                              s.family.size()));
   for (const auto& [variable, value] : s.values)
-    add(s.system.ring()->name(variable), value.text());
+    if (!is_scanned(s, variable)) add(s.system.ring()->name(variable), value.text());
   return text;
 }
 
@@ -99,14 +105,18 @@ std::string accuracy_text(const SystemSection& r) {
   return text;
 }
 
-std::vector<std::string> caption(const SystemScene& s, const SystemSection& r) {
+std::string mechanics_text(const SystemScene& s) {
   std::string mechanics;
   for (const std::string& part : {parameters_of(s), levels_of(s)})
     if (!part.empty()) mechanics += part + "; ";
   mechanics += section_text(s);
   if (s.where) mechanics += fmt::format(", where {} > 0", s.where->text);
+  return mechanics;
+}
+
+std::vector<std::string> caption(const SystemScene& s, const SystemSection& r) {
   std::vector<std::string> lines{
-      mechanics,
+      mechanics_text(s),
       fmt::format("{} orbit{}, {} point{}; Taylor order {}, {}, tolerance {}; {}", r.orbits.size(),
                   r.orbits.size() == 1 ? "" : "s", r.points.size(), r.points.size() == 1 ? "" : "s",
                   r.order, r.arithmetic, s.tolerance.text(), drifts_of(r))};

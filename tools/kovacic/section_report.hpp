@@ -7,6 +7,8 @@
 
 namespace kov::cli {
 
+/// Parameters, levels, the section.
+[[nodiscard]] std::string mechanics_text(const flow::SystemScene& s);
 /// Two lines, the mechanics and the numerics; a third one where the errors of the points are known.
 [[nodiscard]] std::vector<std::string> caption(const flow::SystemScene& s,
                                                const flow::SystemSection& r);

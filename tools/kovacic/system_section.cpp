@@ -5,6 +5,7 @@
 #include "chaos_report.hpp"
 #include "page_width.hpp"
 #include "plot.hpp"
+#include "scan_report.hpp"
 #include "section_files.hpp"
 #include "section_page.hpp"
 #include "section_report.hpp"
@@ -362,7 +363,8 @@ int system_sections(const Settings& settings, const SectionArguments& arguments,
   }();
   for (const SystemScene& scene : scenes) {
     const double left = seconds > 0 ? std::max(seconds - seconds_since(begun), 1e-3) : 0;
-    code = std::max(code, SystemJob(file, scene, settings, arguments, left).run());
+    code = std::max(code, scene.scan ? scan_section(file, scene, settings, arguments, left)
+                                     : SystemJob(file, scene, settings, arguments, left).run());
     if (code == exit_interrupted) break;
   }
   return code;

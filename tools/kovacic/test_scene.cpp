@@ -1,6 +1,7 @@
 // The [[expect]] blocks of a scene.
 
 #include "case_file.hpp"
+#include "flow/scene/scan.hpp"
 #include "flow/scene/system_section.hpp"
 #include "flow/section/fixed_points.hpp"
 #include "symbol/document.hpp"
@@ -62,7 +63,16 @@ std::vector<Expected> test_system_scenes(const Entry& document) {
   std::vector<Expected> all;
   for (const flow::SystemScene& scene : flow::read_system_scenes(document)) {
     if (scene.expect.empty()) continue;
-    const flow::SystemSection run = flow::simulate(scene);
+    flow::SystemSection run;
+    if (scene.scan) {
+      const flow::ScanResult scan = flow::simulate_scan(scene, {});
+      run.drift = scan.drift;
+      run.orbits.assign(scan.early, {});
+      for (flow::DrawnOrbit& o : run.orbits)
+        o.ended = flow::Ended::singular;
+    } else {
+      run = flow::simulate(scene);
+    }
     for (const auto& x : scene.expect) {
       Comparison c;
       c.count("points", x.points, static_cast<long>(run.points.size()));

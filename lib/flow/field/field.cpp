@@ -165,9 +165,17 @@ Evaluator<R>::Evaluator(const Field& f, const std::vector<MFraction>& functions)
   outputs_ = p.outputs;
   registers_.resize(places.count());
   results_.resize(outputs_.size());
-  for (std::size_t i = 0; i < f.numbers_.size(); ++i)
-    registers_[inputs_ + i] = f.values_.at(f.numbers_[i]).template as<R>();
-  for (const Instruction& i : p.once)
+  once_ = p.once;
+  given_ = f.numbers_.size();
+  std::vector<R> values;
+  for (const std::size_t variable : f.numbers_)
+    values.push_back(f.values_.at(variable).template as<R>());
+  set(values.data());
+}
+
+template <class R> void Evaluator<R>::set(const R* numbers) {
+  std::copy_n(numbers, given_, registers_.begin() + static_cast<std::ptrdiff_t>(inputs_));
+  for (const Instruction& i : once_)
     machine::execute(i, terms_.data(), numbers_.data(), registers_.data(), 0);
 }
 

@@ -32,6 +32,8 @@ public:
     return motion_.variables;
   }
   [[nodiscard]] std::size_t tangent() const noexcept { return motion_.tangent.size(); }
+  /// Parameters without a rational value, as variables of the ring: in the order of their numbers.
+  [[nodiscard]] const std::vector<std::size_t>& numbers() const noexcept { return numbers_; }
   /// Products of series in an order (a square counts half).
   [[nodiscard]] double cost() const { return products(motion_.graph, motion_.derivatives); }
   [[nodiscard]] const Motion& motion() const noexcept { return motion_; }
@@ -77,13 +79,15 @@ public:
   Evaluator(const Field& f, const std::vector<MFraction>& functions);
   /// x: the values of f.variables(), in their order.
   [[nodiscard]] const std::vector<R>& operator()(const R* x);
+  /// Other values of f.numbers(), in their order.
+  void set(const R* numbers);
 
 private:
-  std::vector<Instruction> code_;
+  std::vector<Instruction> once_, code_;
   std::vector<SumTerm> terms_;
   std::vector<R> numbers_, registers_, results_;
   std::vector<std::uint32_t> outputs_;
-  std::size_t inputs_ = 0;
+  std::size_t inputs_ = 0, given_ = 0; ///< variables, numbers
 };
 
 /// The size of the terms of a function at a point: (|c_1 x^e_1| + |c_2 x^e_2| + ...)/|denominator|.  Rounding leaves

@@ -70,6 +70,8 @@ template <class R> struct FieldRun {
   /// For each orbit: the size of the section.
   const R* section_sizes = nullptr;
   const R* values = nullptr; ///< of the numbers
+  const R* orbit_values =
+      nullptr; ///< the same for each orbit, one after the other; null: all have `values`
   const R* starts = nullptr; ///< variables + tangent for each orbit
   std::size_t orbits = 0;
   const std::atomic<bool>* stop = nullptr;
@@ -177,6 +179,7 @@ private:
       L::set(least_[i], lane, scale);
       L::set(before_x_[i], lane, Real(0));
     }
+    if (run_.orbit_values != nullptr) load_values(lane, run_.orbit_values + tapes_.values * orbit);
     if (run_.section) L::set(section_size_, lane, run_.section_sizes[orbit]);
     L::set(t_, lane, Real(0));
     L::set(t_low_, lane, Real(0));
@@ -191,6 +194,17 @@ private:
       log_scale_[lane] = 0;
       growth_[lane].begin(log_norm(lane));
     }
+  }
+
+  // What depends on the numbers alone is computed again, in all lanes.
+  void load_values(int lane, const Real* values) {
+    for (std::size_t i = 0; i < tapes_.values; ++i) {
+      L::set(*series(total_ + static_cast<int>(i)), lane, values[i]);
+      L::set(points_[tapes_.variables + i], lane, values[i]);
+    }
+    run_once(tapes_.field, s_);
+    run_once(tapes_.section, s_);
+    run_once(tapes_.section_at, points_);
   }
 
   void step() {

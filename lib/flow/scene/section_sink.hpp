@@ -26,6 +26,11 @@ public:
   }
 
 protected:
+  /// Other values of the field's numbers, for `is_wanted`.
+  void set_numbers(const R* numbers) {
+    where_.set(numbers);
+    fraction_.set(numbers);
+  }
   /// Is S = N/D zero there, not infinite, and `where` positive?
   [[nodiscard]] bool is_wanted(const R* x) {
     if (!is_constant(stage.scene.section.value.den()) && !crosses_a_zero(x)) return false;

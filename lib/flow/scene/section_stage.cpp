@@ -77,10 +77,10 @@ double SectionNoise::operator()(const double* sizes, double step) {
   return sum;
 }
 
-Stage::Stage(const SystemScene& s, const std::atomic<bool>* stop)
+Stage::Stage(const SystemScene& s, const std::atomic<bool>* stop, const Starts& some)
     : scene(s), integrals(s.integrals()), field(s.system, crossed_in(s), needed_by(s, integrals),
                                                 s.values, s.indicator != Indicator::none),
-      starts(starts_of(s, field, &skipped, stop)) {
+      starts(some ? some(field) : starts_of(s, field, &skipped, stop)) {
   const std::size_t n = field.variables().size();
   std::vector<double> all;
   StartRefiner<double> refine(s, field);
@@ -153,9 +153,10 @@ void Stage::check_relations(const std::vector<double>& all) {
   }
 }
 
-std::unique_ptr<Stage> staged(const SystemScene& s, const std::atomic<bool>* stop) {
+std::unique_ptr<Stage> staged(const SystemScene& s, const std::atomic<bool>* stop,
+                              const Stage::Starts& some) {
   try {
-    return std::make_unique<Stage>(s, stop);
+    return std::make_unique<Stage>(s, stop, some);
   } catch (const InputError&) {
     throw;
   } catch (const OutOfBudget& e) {

@@ -44,7 +44,9 @@ struct Stage {
   int order = 20;
 
   /// Errors  InputError: no start, a function without a value, too large a system
-  Stage(const SystemScene& s, const std::atomic<bool>* stop);
+  using Starts = std::function<std::vector<FieldStart>(const Field&)>;
+  /// some: of the starts are enough
+  Stage(const SystemScene& s, const std::atomic<bool>* stop, const Starts& some = {});
 
   /// How much smaller than the others the orbit from x is.
   [[nodiscard]] double own_unit(const double* x) const {
@@ -63,7 +65,8 @@ private:
 };
 
 /// A Stage whose errors have the file.  Errors  InputError
-[[nodiscard]] std::unique_ptr<Stage> staged(const SystemScene& s, const std::atomic<bool>* stop);
+[[nodiscard]] std::unique_ptr<Stage> staged(const SystemScene& s, const std::atomic<bool>* stop,
+                                            const Stage::Starts& some = {});
 
 /// The size of the section on an orbit that is smaller than the others by the factor `unit`.
 class SectionSize {

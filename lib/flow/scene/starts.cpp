@@ -85,6 +85,11 @@ public:
     return x;
   }
 
+  void set(const R* numbers) {
+    for (auto& [function, argument] : functions_)
+      argument.set(numbers);
+  }
+
 private:
   std::size_t coordinates_, n_;
   std::vector<std::pair<MpfrFunction, Evaluator<R>>> functions_;
@@ -141,7 +146,10 @@ public:
     }
     return at;
   }
-  std::vector<R> lifted(const std::vector<R>& coordinates) { return lift_(coordinates); }
+  void set(const R* numbers) {
+    lift_.set(numbers);
+    all_.set(numbers);
+  }
 
 private:
   static std::vector<MFraction> with_derivatives(const SystemScene& s) {
@@ -248,6 +256,13 @@ public:
       if (auto x = solution(guess, targets)) add(found, *x);
     std::sort(found.begin(), found.end());
     return found;
+  }
+
+  void set(const double* numbers) {
+    equations_.set(numbers);
+    lift_.set(numbers);
+    conditions_->set(numbers);
+    if (polynomial_) polynomial_->set(numbers);
   }
 
   [[nodiscard]] bool in_direction(const std::vector<double>& coordinates) {
@@ -513,6 +528,18 @@ std::vector<FieldStart> starts_of(const SystemScene& scene, const Field& field,
   return Collection(scene, field, stop).all(skipped);
 }
 
+struct Places::Parts : Sheets {
+  using Sheets::Sheets;
+};
+
+Places::Places(const SystemScene& scene, const Field& field)
+    : parts_(std::make_unique<Parts>(scene, field)) {}
+Places::~Places() = default;
+std::vector<std::vector<double>> Places::over(const std::array<double, 2>& drawn) {
+  return parts_->over(drawn);
+}
+void Places::set(const std::vector<double>& numbers) { parts_->set(numbers.data()); }
+
 // ---- refinement ----
 
 template <class R> struct StartRefiner<R>::Parts {
@@ -539,12 +566,18 @@ StartRefiner<R>::StartRefiner(const SystemScene& scene, const Field& field)
 
 template <class R> StartRefiner<R>::~StartRefiner() = default;
 
+template <class R> void StartRefiner<R>::set(const std::vector<R>& numbers) {
+  parts_->lift.set(numbers.data());
+  if (parts_->equations) parts_->equations->set(numbers.data());
+  if (parts_->gradients) parts_->gradients->set(numbers.data());
+}
+
 template <class R> std::vector<R> StartRefiner<R>::operator()(const FieldStart& start) {
   const SystemScene& s = parts_->scene;
   std::vector<R> x;
   for (std::size_t j = 0; j < start.x.size(); ++j)
     x.push_back(start.state ? s.states[*start.state][j].template as<R>() : R(start.x[j]));
-  if (!start.state) {
+  if (!start.state && !start.given) {
     std::array<R, 2> drawn{R(start.drawn[0]), R(start.drawn[1])};
     for (std::size_t i = 0; i < 2 && start.seed; ++i)
       drawn[i] = s.seeds[*start.seed][i].template as<R>();

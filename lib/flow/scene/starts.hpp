@@ -18,6 +18,7 @@ struct FieldStart {
   std::vector<double> x;                  ///< the coordinates
   std::array<double, 2> drawn{};          ///< where it is in the picture
   std::optional<std::size_t> seed, state; ///< its number there
+  bool given = false;                     ///< x is what it is, and solves no equations
 };
 
 /// Stop    when *stop is set, what was found so far
@@ -26,12 +27,28 @@ struct FieldStart {
                                                 std::size_t* skipped,
                                                 const std::atomic<bool>* stop = nullptr);
 
+/// The states over one place of the picture after the other.
+class Places {
+public:
+  Places(const SystemScene& scene, const Field& field);
+  ~Places();
+  [[nodiscard]] std::vector<std::vector<double>> over(const std::array<double, 2>& drawn);
+  /// Other values of the field's numbers.
+  void set(const std::vector<double>& numbers);
+
+private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
 /// All variables (and the tangent vector, if the field has one) at a start, to the last digit of R.
 template <class R> class StartRefiner {
 public:
   StartRefiner(const SystemScene& scene, const Field& field);
   ~StartRefiner();
   [[nodiscard]] std::vector<R> operator()(const FieldStart& start);
+  /// Other values of the field's numbers.
+  void set(const std::vector<R>& numbers);
 
 private:
   struct Parts;

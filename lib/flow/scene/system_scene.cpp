@@ -37,13 +37,16 @@ public:
   Reader(const Entry& system_document, const Entry& scene, ParameterValues varied = {})
       : e_(scene), varied_(std::move(varied)) {
     s_.file = scene.file();
+    read_axes();
     read_values(system_document);
     read_texts();
     read_section();
     read_levels();
     read_plot();
+    place_axes();
     read_orbits();
     read_accuracy();
+    if (s_.scan) check_scan();
     for (const Entry* x : e_.find("expect") ? e_.at("expect").list() : std::vector<const Entry*>{})
       s_.expect.push_back(expectation(*x));
   }
@@ -90,10 +93,119 @@ private:
       open.erase(place);
     }
     for (const std::size_t i : open)
-      if (is_used(i))
+      if (const ScanAxis* axis = axis_named(v.ring->name(i)))
+        s_.values.emplace(i, (axis->from + axis->to) * Quantity("1/2"));
+      else if (is_used(i))
         throw e_.error("'" + v.ring->name(i) + "' has no value",
                        "set = {" + v.ring->name(i) + " = \"...\"}");
   }
+
+  // ---- scans ----
+
+  void read_axes() {
+    const Entry* scan = e_.find("scan");
+    if (scan == nullptr) return;
+    scan->check_keys({"of", "over"});
+    s_.scan.emplace();
+    const std::string of = scan->at("of").string();
+    const auto known = std::find(scan_values.begin(), scan_values.end(), of);
+    if (known == scan_values.end())
+      throw scan->at("of").error(
+          "'of' is \"megno\", \"lyapunov\", \"fli\", \"crossings\" or \"time\"");
+    s_.scan->of = static_cast<ScanValue>(known - scan_values.begin());
+    for (const auto& [name, range] : scan->at("over").members())
+      s_.scan->axes.push_back(axis(name, range));
+    if (s_.scan->axes.empty() || s_.scan->axes.size() > 2)
+      throw scan->at("over").error("a scan has one axis or two",
+                                   "over = { y = [-1, 1, 200], v = [-1, 1, 200] }");
+    double cells = 1;
+    for (const ScanAxis& a : s_.scan->axes)
+      cells *= static_cast<double>(a.count);
+    if (cells > most_cells)
+      throw scan->at("over").error("a scan has up to " + std::to_string(most_cells) + " cells");
+  }
+
+  static ScanAxis axis(const std::string& name, const Entry& range) {
+    if (!range.is_array() || range.array().size() != 3)
+      throw range.error("an axis is [from, to, how many cells]");
+    ScanAxis a;
+    a.name = name;
+    a.from = quantity(range.array()[0]);
+    a.to = quantity(range.array()[1]);
+    if ((a.to - a.from).sign() <= 0)
+      throw range.error("an axis goes from the smaller number to the larger");
+    a.count = static_cast<std::size_t>(count(range.array()[2], 2, 1'000'000));
+    return a;
+  }
+
+  [[nodiscard]] const ScanAxis* axis_named(const std::string& name) const {
+    if (!s_.scan) return nullptr;
+    for (const ScanAxis& a : s_.scan->axes)
+      if (a.name == name) return &a;
+    return nullptr;
+  }
+
+  // What the names of the axes are.
+  void place_axes() {
+    if (!s_.scan) return;
+    for (ScanAxis& a : s_.scan->axes)
+      place_axis(a, *e_.at("scan").at("over").find(a.name));
+  }
+
+  void place_axis(ScanAxis& a, const Entry& at) const {
+    const VectorField& v = s_.system.field;
+    const auto named = [&](std::size_t i) { return v.ring->name(i) == a.name; };
+    const auto value = std::find_if(s_.values.begin(), s_.values.end(),
+                                    [&](const auto& one) { return named(one.first); });
+    const auto drawn = std::find_if(s_.plot.begin(), s_.plot.end(),
+                                    [&](const auto& f) { return f.text == a.name; });
+    const auto coordinate = std::find_if(v.coordinates.begin(), v.coordinates.end(), named);
+    const Entry* set = e_.find("set");
+    const bool states = e_.find("states") != nullptr;
+    if (set != nullptr && set->find(a.name) != nullptr)
+      throw at.key_error("'" + a.name + "' is set, and scanned");
+    if (value != s_.values.end()) {
+      a.kind = ScanAxis::Kind::parameter;
+      a.place = value->first;
+    } else if (states && coordinate != v.coordinates.end()) {
+      a.kind = ScanAxis::Kind::coordinate;
+      a.place = static_cast<std::size_t>(coordinate - v.coordinates.begin());
+    } else if (!states && drawn != s_.plot.end() && !s_.return_map) {
+      a.kind = ScanAxis::Kind::drawn;
+      a.place = static_cast<std::size_t>(drawn - s_.plot.begin());
+    } else {
+      throw at.key_error(
+          "'" + a.name + "' cannot be scanned here",
+          "an axis is what 'plot' draws, a parameter without a value, or, with states = "
+          "[[...]], a coordinate");
+    }
+  }
+
+  void check_scan() {
+    const Entry& scan = e_.at("scan");
+    for (const char* other : {"grid", "random", "vary", "errors", "indicator"})
+      if (const Entry* e = e_.find(other))
+        throw e->key_error("a scan has no '" + std::string(other) + "'",
+                           "'scan' says what is varied and what is computed");
+    if (s_.digits > 0) throw e_.at("digits").error("a scan is computed in double precision");
+    const auto drawn =
+        std::count_if(s_.scan->axes.begin(), s_.scan->axes.end(),
+                      [](const ScanAxis& a) { return a.kind == ScanAxis::Kind::drawn; });
+    if (s_.states.size() + s_.seeds.size() > 1)
+      throw scan.error("a scan has one start that it varies: one seed, or one state");
+    if (s_.states.empty() && drawn < 2 && s_.seeds.empty())
+      throw scan.error("a scan needs a start for what it does not vary",
+                       "seeds = [[0, \"1/10\"]] in the order of 'plot', or states = [[...]]");
+    s_.indicator = s_.scan->of == ScanValue::megno      ? Indicator::megno
+                   : s_.scan->of == ScanValue::lyapunov ? Indicator::lyapunov
+                   : s_.scan->of == ScanValue::fli      ? Indicator::fli
+                                                        : Indicator::none;
+    s_.errors = false;
+  }
+
+  static constexpr std::array<std::string_view, 5> scan_values{"megno", "lyapunov", "fli",
+                                                               "crossings", "time"};
+  static constexpr long most_cells = 100'000'000;
 
   // h, the name of a level for another part of the program, needs no value.
   [[nodiscard]] bool is_used(std::size_t i) const {
@@ -211,7 +323,7 @@ private:
     if (const Entry* random = e_.find("random")) s_.random = count(*random, 1, 1'000'000);
     if ((s_.columns > 0 || s_.random > 0) && !s_.range)
       throw e_.error("a grid and random orbits need a range", "range = [[-1, 1], [-1, 1]]");
-    if (s_.seeds.empty() && s_.states.empty() && s_.columns == 0 && s_.random == 0)
+    if (s_.seeds.empty() && s_.states.empty() && s_.columns == 0 && s_.random == 0 && !s_.scan)
       throw e_.error("no orbits: give seeds, a grid, random or states");
     if (const Entry* n = e_.find("crossings")) s_.crossings = count(*n, 1, 1'000'000'000);
     if (const Entry* n = e_.find("skip")) s_.skip = count(*n, 0, 1'000'000'000);
@@ -348,10 +460,11 @@ bool has_system_scenes(const Entry& document) {
 
 std::vector<SystemScene> read_system_scenes(const Entry& document) {
   const auto check = [](const Entry& e) {
-    e.check_keys({"name",      "title",  "source",    "set",    "section", "direction", "where",
-                  "levels",    "start",  "plot",      "angles", "range",   "seeds",     "states",
-                  "grid",      "random", "crossings", "skip",   "time",    "drift",     "digits",
-                  "tolerance", "expect", "indicator", "format", "system",  "vary",      "errors"});
+    e.check_keys({"name",   "title",  "source", "set",       "section",   "direction",
+                  "where",  "levels", "start",  "plot",      "angles",    "range",
+                  "seeds",  "states", "grid",   "random",    "crossings", "skip",
+                  "time",   "drift",  "digits", "tolerance", "expect",    "indicator",
+                  "format", "system", "vary",   "errors",    "scan"});
   };
   std::vector<SystemScene> scenes;
   if (const Entry* all = document.find("scene")) {

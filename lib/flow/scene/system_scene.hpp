@@ -20,6 +20,7 @@
 //   tolerance   drift    digits                          as in scene.hpp
 //   indicator   "megno" | "lyapunov" | "fli": the colour of an orbit (growth.hpp)
 //   errors      true | false: are the errors of the points estimated?  Without this key: where there is an indicator
+//   scan        {of = "megno", over = {y = [a, b, cells], v = [c, d, cells]}}: no points, but one number of each orbit
 //   [[scene.expect]]  points; drift (an upper bound); never_crossed; singular (orbits that end so); source
 //
 // The coordinates at a start are what section, levels, start and what is drawn leave: as many equations as
@@ -39,6 +40,24 @@ struct SceneFormula {
 
 enum class Indicator : std::uint8_t { none, megno, lyapunov, fli };
 [[nodiscard]] std::string to_string(Indicator i);
+
+enum class ScanValue : std::uint8_t { megno, lyapunov, fli, crossings, time };
+
+/// One axis of a scan: `count` cells from `from` to `to`.
+struct ScanAxis {
+  enum class Kind : std::uint8_t { drawn, coordinate, parameter };
+  std::string name;
+  Kind kind = Kind::drawn;
+  std::size_t place = 0; ///< which of `plot`, which coordinate, or the parameter in the ring
+  Quantity from, to;
+  std::size_t count = 1;
+};
+
+/// One number of each orbit over a line or a plane of starts or parameters (scan.hpp).
+struct Scan {
+  ScanValue of = ScanValue::megno;
+  std::vector<ScanAxis> axes; ///< one or two
+};
 
 struct SystemScene {
   std::string file, name, title, source;
@@ -68,6 +87,7 @@ struct SystemScene {
   int digits = 0;
   Indicator indicator = Indicator::none;
   bool errors = false; ///< of the points are estimated
+  std::optional<Scan> scan;
   struct Expectation {
     std::string source;
     std::optional<long> points, singular;
