@@ -161,8 +161,10 @@ void study_block(const System& s, const InvariantManifold& m, const LinearSystem
   }
   const ReduceSpec* reduce = reduction_for(s, m.name);
   block.scalar = scalar_equations(s, m, reduced, divisors, members, reduce);
+  std::optional<UnknownsOfBlock> also;
+  if (!reduce || !reduce->unknown) also.emplace(UnknownsOfBlock{reduced, members});
   find_change(s, m, reduce && reduce->change ? &*reduce->change : nullptr, options.decide.budget,
-              block);
+              block, also);
   if (!block.ode) return;
   for (const auto& g : m.curve->inverted())
     block.ode->generic.push_back(g);

@@ -1,11 +1,14 @@
 #include "integrability/change_search.hpp"
 
+#include "algebraize/cyclic_vector.hpp"
 #include "exact/error.hpp"
 
 #include <algorithm>
 
 namespace kov {
 namespace {
+
+constexpr long few_places = 5; // as many as the equations that are known by name have
 
 /// What was tried without success, with one sentence for all that failed in the same way.
 class FailedChanges {
@@ -71,7 +74,34 @@ public:
     finish();
   }
 
+  /// With the change that was chosen.  What was found stays where a limit ends this.
+  void with_combinations(const UnknownsOfBlock& of) {
+    if (!block_.ode || block_.ode->singular_places < few_places) return;
+    const MFraction phi = block_.ode->phi;
+    try {
+      for (const auto& c : cyclic_combinations(*block_.ode->field, s_.z, of.system, of.members)) {
+        auto e = scalar_equation(s_.field, m_, of.system, of.members, c);
+        if (!e) continue;
+        e->divisors.insert(e->divisors.end(), divisors_.begin(), divisors_.end());
+        block_.scalar.push_back(*std::move(e));
+        attempt_equation(phi, block_.scalar.back());
+      }
+    } catch (const OutOfBudget& limit) {
+      note(phi, {limit.what()});
+    }
+  }
+
 private:
+  void attempt_equation(const MFraction& phi, const NormalVariationalEquation& e) {
+    auto made = FunctionField::make(s_.field, m_, s_.z, phi, e.divisors, budget_, 2 * smallest_);
+    if (const auto* failure = std::get_if<ChangeFailure>(&made)) return note(phi, *failure);
+    auto result =
+        algebraize(std::make_shared<const FunctionField>(std::get<FunctionField>(std::move(made))),
+                   s_.z, phi, e, false);
+    if (const auto* failure = std::get_if<ChangeFailure>(&result)) return note(phi, *failure);
+    auto& ode = std::get<AlgebraicOde>(result);
+    if (ode.singular_places < block_.ode->singular_places) block_.ode = std::move(ode);
+  }
   // A limit is one of this change: others may be easier.
   void attempt(const MFraction& phi) {
     budget_.check();
@@ -131,12 +161,14 @@ private:
 } // namespace
 
 void find_change(const System& s, const InvariantManifold& m, const MFraction* given,
-                 const Budget& budget, BlockReport& block) {
+                 const Budget& budget, BlockReport& block,
+                 const std::optional<UnknownsOfBlock>& also) {
   ChangeSearch search(s, m, budget, block);
   if (given)
     search.given(*given);
   else
     search.proposed(propose_changes(s.field, m));
+  if (also) search.with_combinations(*also);
 }
 
 } // namespace kov

@@ -26,6 +26,13 @@ public:
     return df_[static_cast<std::size_t>(at - names.begin())];
   }
 
+  [[nodiscard]] Row of_unknowns(const std::vector<std::pair<std::string, MPoly>>& all) const {
+    Row sum(df_.front().size(), rows_.constant(0));
+    for (const auto& [name, c] : all)
+      add(sum, rows_.value(MFraction(c)), of_unknown(name));
+    return sum;
+  }
+
   /// The differentials of the integrals that were used, in their order.
   [[nodiscard]] std::vector<Row> of_integrals() const {
     std::vector<Row> all;
@@ -64,11 +71,13 @@ private:
     Row sum(df_.front().size(), rows_.constant(0));
     for (std::size_t i = 0; i < c.size(); ++i) {
       if (is_zero(c[i])) continue;
-      const Element factor = rows_.value(c[i]);
-      for (std::size_t k = 0; k < sum.size(); ++k)
-        if (!is_zero(df_[i][k])) sum[k] = sum[k] + rows_.times(factor, df_[i][k]);
+      add(sum, rows_.value(c[i]), df_[i]);
     }
     return sum;
+  }
+  void add(Row& sum, const Element& factor, const Row& row) const {
+    for (std::size_t k = 0; k < sum.size(); ++k)
+      if (!is_zero(row[k])) sum[k] = sum[k] + rows_.times(factor, row[k]);
   }
 
   const ManifoldReport& m_;
@@ -98,7 +107,7 @@ private:
     id_.p = rows_.times(f_.z_ddot() + rows_.times(rows_.value(scalar().a1), f_.z_dot()), square);
     id_.q = rows_.times(rows_.value(scalar().a0), square);
     const Annihilators found(m_, rows_);
-    id_.row = found.of_unknown(ode_.unknown);
+    id_.row = found.of_unknowns(scalar().combination);
     const Row first = rows_.nabla(id_.row);
     Row left = rows_.nabla(first);
     for (std::size_t k = 0; k < left.size(); ++k)

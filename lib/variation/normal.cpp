@@ -281,10 +281,57 @@ scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSy
   const auto dot = [&](const MFraction& f) { return m.restrict(lie_derivative(v, f)); };
   NormalVariationalEquation e;
   e.unknown = s.names[i];
+  e.combination = {{s.names[i], MPoly(v.ring, Integer(1))}};
   note(e.divisors, a12);
   const MFraction log12 = dot(a12) / a12;
   e.a1 = m.restrict(-(a11 + s.a[j][j] + log12));
   e.a0 = m.restrict(a11 * s.a[j][j] - a12 * s.a[j][i] - dot(a11) + a11 * log12);
+  return e;
+}
+
+namespace {
+
+std::string name_of(const std::vector<std::pair<std::string, MPoly>>& combination) {
+  std::string text;
+  for (const auto& [name, c] : combination) {
+    const std::string factor = is_one(c)        ? ""
+                               : c.length() > 1 ? "(" + to_string(c) + ")*"
+                                                : to_string(c) + "*";
+    text += (text.empty() ? "" : " + ") + factor + name;
+  }
+  return text;
+}
+
+} // namespace
+
+// With y' = b (y1, y2) and y'' = d (y1, y2):  D y'' = (c1 d2 - c2 d1) y' + (d1 b2 - d2 b1) y, D = c1 b2 - c2 b1.
+std::optional<NormalVariationalEquation>
+scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSystem& s,
+                const std::vector<std::size_t>& block, const std::array<MPoly, 2>& c) {
+  KOV_ENSURE(block.size() == 2);
+  const auto times_a = [&](const std::array<MFraction, 2>& row) {
+    std::array<MFraction, 2> product;
+    for (std::size_t k = 0; k < 2; ++k)
+      product[k] = m.restrict(row[0] * s.a[block[0]][block[k]] + row[1] * s.a[block[1]][block[k]]);
+    return product;
+  };
+  const auto det = [&](const std::array<MFraction, 2>& x, const std::array<MFraction, 2>& y) {
+    return m.restrict(x[0] * y[1] - x[1] * y[0]);
+  };
+  const std::array<MFraction, 2> row{MFraction(c[0]), MFraction(c[1])};
+  const auto b = times_a(row);
+  auto d = times_a(b);
+  for (std::size_t k = 0; k < 2; ++k)
+    d[k] = m.restrict(d[k] + lie_derivative(v, b[k]));
+  const MFraction divisor = det(row, b);
+  if (m.vanishes_on_curve(divisor)) return std::nullopt;
+  NormalVariationalEquation e;
+  for (std::size_t k = 0; k < 2; ++k)
+    e.combination.emplace_back(s.names[block[k]], c[k]);
+  e.unknown = name_of(e.combination);
+  note(e.divisors, divisor);
+  e.a1 = m.restrict(-det(row, d) / divisor);
+  e.a0 = m.restrict(-det(d, b) / divisor);
   return e;
 }
 

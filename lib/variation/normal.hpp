@@ -17,7 +17,9 @@
 
 #include "manifold/invariant_manifold.hpp"
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kov {
@@ -86,10 +88,11 @@ struct ReducedSystem {
                                                 const NormalSystem& n,
                                                 const std::vector<std::string>& keep);
 
-/// y'' + a1 y' + a0 y = 0 for one unknown of a block of order 2 (cyclic vector).
+/// y'' + a1 y' + a0 y = 0 for a combination y of the unknowns of a block of order 2 (cyclic vector).
 struct NormalVariationalEquation {
-  std::string unknown;
-  MFraction a1, a0; ///< functions on the manifold
+  std::string unknown;                                    ///< "M1", or "L1*M1 + L3*M3"
+  std::vector<std::pair<std::string, MPoly>> combination; ///< the unknowns with their coefficients
+  MFraction a1, a0;                                       ///< functions on the manifold
   std::vector<MPoly> divisors;
 };
 
@@ -97,5 +100,10 @@ struct NormalVariationalEquation {
 [[nodiscard]] std::optional<NormalVariationalEquation>
 scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSystem& s,
                 const std::vector<std::size_t>& block, std::size_t unknown);
+
+/// The same for c1 y1 + c2 y2, y1 and y2 the unknowns of the block; c polynomials in the parameters.
+[[nodiscard]] std::optional<NormalVariationalEquation>
+scalar_equation(const VectorField& v, const InvariantManifold& m, const LinearSystem& s,
+                const std::vector<std::size_t>& block, const std::array<MPoly, 2>& c);
 
 } // namespace kov
