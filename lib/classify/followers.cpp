@@ -64,8 +64,8 @@ void study_or_leave_open(Board& b, const Follower& follower, Piece piece) {
 /// What is known of the set that is followed, carried over to the parts of the one that follows.
 class Settling {
 public:
-  Settling(Board& b, const Follower& follower)
-      : b_(b), follower_(follower), left_{follower.piece} {}
+  Settling(Board& b, const Follower& follower, const MayVanish& possible)
+      : b_(b), follower_(follower), possible_(possible), left_{follower.piece} {}
 
   void run() {
     take_strata();
@@ -73,10 +73,17 @@ public:
     take_strata(); // at common values
     take_open();
     for (Piece& piece : left_)
-      if (!has_no_real_point(b_, piece)) study_or_leave_open(b_, follower_, std::move(piece));
+      if (!is_empty(piece)) study_or_leave_open(b_, follower_, std::move(piece));
   }
 
 private:
+  [[nodiscard]] bool is_empty(const Piece& piece) {
+    try {
+      return has_no_real_point(b_, piece);
+    } catch (const OutOfBudget&) {
+      return false;
+    }
+  }
   template <class Use> void take(const ClassifiedStratum& x, const Use& use) {
     if (left_.empty()) return;
     try {
@@ -84,7 +91,7 @@ private:
       const auto here = carried(b_.known.system, follower_.by, x);
       if (!here) return;
       auto rest = left_;
-      auto parts = cut(rest, *here, may_vanish(b_.known.system));
+      auto parts = cut(rest, *here, possible_);
       left_ = std::move(rest);
       for (Piece& part : parts)
         use(std::move(part), *here);
@@ -120,6 +127,7 @@ private:
 
   Board& b_;
   const Follower& follower_;
+  const MayVanish& possible_;
   std::vector<Piece> left_;
 };
 
@@ -187,8 +195,9 @@ bool follows_another(Board& b, const Piece& piece) {
 // The later ones first: an earlier one may follow a set of which they are parts.
 void settle_followers(Board& b) {
   auto all = std::exchange(b.followers, {});
+  const MayVanish possible = may_vanish(b.known.system);
   for (auto follower = all.rbegin(); follower != all.rend(); ++follower)
-    Settling(b, *follower).run();
+    Settling(b, *follower, possible).run();
 }
 
 } // namespace kov

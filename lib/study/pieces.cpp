@@ -4,6 +4,8 @@
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 
 namespace kov {
 namespace {
@@ -143,16 +145,25 @@ ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& lev
 }
 
 MayVanish may_vanish(const System& s) {
-  return [&s](const MPoly& p) { return !not_excluded(s, {p}).empty(); };
+  struct Less {
+    bool operator()(const MPoly& f, const MPoly& g) const { return compare(f, g) < 0; }
+  };
+  const auto known = std::make_shared<std::map<MPoly, bool, Less>>();
+  return [&s, known](const MPoly& p) {
+    const auto at = known->find(p);
+    if (at != known->end()) return at->second;
+    return known->emplace(p, !not_excluded(s, {p}).empty()).first->second;
+  };
 }
 
 bool exclude(std::vector<Piece>& pieces, const Exclusion& e, const System& s,
              SystemClassification& c) {
   bool done = true;
+  const MayVanish possible = may_vanish(s);
   std::vector<Piece> left;
   for (Piece& piece : pieces) {
     const bool room = left.size() <= most_pieces;
-    if (room && try_to_exclude(piece, e, may_vanish(s), left, c)) continue;
+    if (room && try_to_exclude(piece, e, possible, left, c)) continue;
     left.push_back(std::move(piece));
     done = done && !room;
   }

@@ -36,7 +36,7 @@ void note(Piece& piece, const std::string& what, const std::string& outcome);
 /// Errors  InvalidArgument: there are none
 [[nodiscard]] ParameterSet all_parameters(const System& s, const std::vector<std::size_t>& levels,
                                           const std::stop_token& stop, SystemClassification& told);
-/// Those irreducible polynomials that may vanish under the assumptions.  s has to outlive it.
+/// Those irreducible polynomials that may vanish under the assumptions; each is asked for once.  s has to outlive it.
 [[nodiscard]] MayVanish may_vanish(const System& s);
 
 /// Cuts the pieces; what is excluded becomes strata of c.  False: of some piece it was too hard to
