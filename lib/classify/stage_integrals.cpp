@@ -10,6 +10,7 @@ namespace kov::stages {
 namespace {
 
 constexpr long low_degree = 2;        // of the integrals that are looked for first
+constexpr double at_once = 0.01;      // of the work of that search: for the full degree
 constexpr long most_coefficients = 8; // the degree of their coefficients
 
 // Darboux: logarithms come after the solutions, as they do not contradict what these exclude.
@@ -85,9 +86,18 @@ std::vector<Task> contradictions(const Board& b, const Round& round) {
                 "integrals that would contradict");
 }
 
+// Without parameters there is one linear system for each degree: those of full degree, too, are often found at once.
+IntegralSearch search_first(const Board& b, const Round& round, const Budget& budget) {
+  if (is_at_numbers(round)) {
+    auto all = search(round.system, b.options.degree, false, part_of_the_work(budget, at_once));
+    if (all.finished() && !all.sets.empty() && is_enough(round.system, all.sets.front()))
+      return all;
+  }
+  return search(round.system, std::min(b.options.degree, low_degree), false, budget);
+}
+
 void find_low_integrals(Board& b, Round& round, const Task& /*task*/, const Budget& budget) {
-  IntegralSearch found =
-      search(round.system, std::min(b.options.degree, low_degree), false, budget);
+  IntegralSearch found = search_first(b, round, budget);
   common_equations_first(round.system, found.sets);
   std::vector<Piece> none;
   for (const IntegralsOfSet& set : found.sets)

@@ -98,19 +98,33 @@ std::vector<Task> one_answer(const Board& b, const Round& round) {
   return {{"one answer for all parameters"}};
 }
 
-void try_one_answer(Board& b, Round& round, const Task& task, const Budget& budget) {
-  const SystemClassification before = b.result;
-  Round trial = round;
+namespace {
+
+void study_once(Board& b, Round& trial, const Task& task, const Budget& budget) {
   find_solutions(b, trial, task, part_of_the_work(budget, part_of_the_search));
   const std::vector<Task> along = found(b, trial);
   const Budget for_all = part_of_the_work(budget, part_along_them);
   for (std::size_t i = 0; i < along.size() && !trial.pieces.empty(); ++i)
     study_along(b, trial, along[i],
                 part_of_the_work(for_all, 1 / static_cast<double>(along.size() - i)));
+}
+
+} // namespace
+
+void try_one_answer(Board& b, Round& round, const Task& task, const Budget& budget) {
+  const SystemClassification before = b.result;
+  Round trial = round;
+  std::string limit;
+  try {
+    study_once(b, trial, task, budget);
+  } catch (const OutOfBudget& reached) { // what was found so far may not cover the round
+    limit = reached.what();
+  }
   const std::size_t equations = round.whole.where.equations().size();
-  const bool done = std::all_of(trial.pieces.begin(), trial.pieces.end(), [&](const Piece& p) {
-    return p.special.empty() && p.where.equations().size() > equations;
-  });
+  const bool done =
+      limit.empty() && std::all_of(trial.pieces.begin(), trial.pieces.end(), [&](const Piece& p) {
+        return p.special.empty() && p.where.equations().size() > equations;
+      });
   if (done) {
     round = std::move(trial);
     round.studied_at_once = true;
@@ -118,6 +132,7 @@ void try_one_answer(Board& b, Round& round, const Task& task, const Budget& budg
   }
   b.result = before;
   static_cast<void>(change_scale(round));
+  if (!limit.empty()) note(round, task.name, limit);
 }
 
 std::vector<Task> search(const Board& /*b*/, const Round& round) {
@@ -182,6 +197,12 @@ std::vector<Task> conditions(const Board& /*b*/, const Round& round) {
   const bool some = std::any_of(round.pieces.begin(), round.pieces.end(),
                                 [](const Piece& p) { return !p.special.empty(); });
   return some ? std::vector<Task>{{"common values of exponent differences"}} : std::vector<Task>{};
+}
+
+// They are numbers then, and cheaper than integrals for all parameters.
+std::vector<Task> conditions_on_one(const Board& b, const Round& round) {
+  const auto free = round.system.field.parameters.size() - level_parameters(round.system).size();
+  return free == 1 ? conditions(b, round) : std::vector<Task>{};
 }
 
 void meet_conditions(Board& b, Round& round, const Task& /*task*/, const Budget& /*budget*/) {

@@ -25,6 +25,7 @@ void study_along(Board& b, Round& round, const Task& task, const Budget& budget)
 
 /// Where two conditions hold together at finitely many values of a difference only.
 [[nodiscard]] std::vector<Task> conditions(const Board& b, const Round& round);
+[[nodiscard]] std::vector<Task> conditions_on_one(const Board& b, const Round& round);
 void meet_conditions(Board& b, Round& round, const Task& task, const Budget& budget);
 
 } // namespace kov::stages

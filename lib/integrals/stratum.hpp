@@ -51,15 +51,20 @@ public:
 
 private:
   [[nodiscard]] bool irreducible_is_nonzero(const MPoly& f) const;
-  void renew();
+  [[nodiscard]] const std::vector<MPoly>& factors_of_inequations() const;
+  /// Saturated by the inequations.
+  [[nodiscard]] Ideal ideal_of(const std::vector<MPoly>& equations) const;
+  void add_equation(MPoly p);
+  void add_inequations(const std::vector<MPoly>& p);
 
   Ring ring_;
   std::vector<std::size_t> parameters_;
   Budget budget_;
-  std::vector<MPoly> zero_;
-  std::vector<MPoly> nonzero_; ///< irreducible, each once
-  std::optional<Ideal> ideal_; ///< of zero_, saturated by nonzero_; unset without equations
+  std::vector<MPoly> nonzero_;                ///< irreducible, each once
+  std::optional<Ideal> ideal_;                ///< saturated by nonzero_; unset without equations
   mutable std::map<std::string, bool> known_; ///< what was asked before
+  mutable std::optional<std::vector<MPoly>>
+      factors_; ///< of the inequations, where the set is a graph
 };
 
 } // namespace kov
