@@ -136,6 +136,32 @@ std::vector<IntegralClass> at_once(const std::vector<IntegralClass>& classes) {
   return all;
 }
 
+std::string_view word_of(Kind k) {
+  switch (k) {
+  case Kind::rational:
+    return "rational";
+  case Kind::meromorphic:
+    return "meromorphic";
+  default:
+    return "real-analytic";
+  }
+}
+
+std::string_view word_of(Near n) {
+  switch (n) {
+  case Near::curve:
+    return "curve";
+  case Near::closed_curve:
+    return "closed curve";
+  case Near::level:
+    return "level";
+  case Near::origin:
+    return "origin";
+  default:
+    return "phase space";
+  }
+}
+
 std::string sentence(const IntegralClass& c) {
   std::string text = kind_and_place(c);
   if (!c.functions.empty()) text += " (in the coordinates and " + listed(c.functions) + ")";

@@ -8,8 +8,10 @@
 
 #include "exact/truth.hpp"
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,6 +44,19 @@ struct IntegralClass {
 
   friend bool operator==(const IntegralClass&, const IntegralClass&) = default;
 };
+
+/// The words of files and certificates: "rational", "meromorphic", "real-analytic"; "curve", "closed curve",
+/// "level", "origin", "phase space".
+/// Example word_of(IntegralClass::Kind::real_analytic)  // -> real-analytic
+[[nodiscard]] std::string_view word_of(IntegralClass::Kind k);
+/// Example word_of(IntegralClass::Near::closed_curve)  // -> closed curve
+[[nodiscard]] std::string_view word_of(IntegralClass::Near n);
+inline constexpr std::array all_kinds{IntegralClass::Kind::rational,
+                                      IntegralClass::Kind::meromorphic,
+                                      IntegralClass::Kind::real_analytic};
+inline constexpr std::array all_places{
+    IntegralClass::Near::curve, IntegralClass::Near::closed_curve, IntegralClass::Near::level,
+    IntegralClass::Near::origin, IntegralClass::Near::phase_space};
 
 /// Is each complete set of integrals of the class `inner` one of the class `outer`?  yes only where that is
 /// proved: to exclude `outer` is to exclude `inner`.

@@ -12,6 +12,7 @@ namespace kov {
 namespace {
 
 using Texts = std::vector<std::string>;
+using Strata = std::vector<const ClassifiedStratum*>;
 
 std::string list_of(const Texts& all) {
   std::string text;
@@ -216,16 +217,13 @@ private:
     return single_line(text);
   }
   void put_class(const IntegralClass& c) {
-    using Near = IntegralClass::Near;
-    const bool rational = c.kind == IntegralClass::Kind::rational;
     Texts symbols;
     for (const auto& [coordinate, symbol] : c.through)
       if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end())
         symbols.push_back(symbol);
-    std::string text = std::string("kind = \"") + (rational ? "rational" : "meromorphic") + "\"";
-    if (c.near == Near::closed_curve) text += ", near = \"closed curve\"";
-    if (c.near == Near::origin) text += ", near = \"origin\"";
-    if (c.near == Near::curve) text += ", near = \"curve\"";
+    std::string text =
+        "kind = " + toml_text(word_of(c.kind)) + ", near = " + toml_text(word_of(c.near));
+    if (c.near == IntegralClass::Near::level) text += ", level = " + toml_text(c.level);
     if (c.on_leaf) text += ", on_leaf = true";
     if (!c.liouville) text += ", liouville = false";
     if (!c.functions.empty()) text += ", functions = " + list_of(c.functions);
@@ -325,11 +323,33 @@ private:
   // ---- strata with conditions that no polynomial can say
 
   // Where only they are: what their exceptions are is covered by other strata, or by one another.
+  // Strata without a common point, but for these conditions, are told apart: they may exclude other classes.
   void put_special() {
-    std::vector<const ClassifiedStratum*> special;
-    for (const ClassifiedStratum& x : c_.strata)
-      if (!x.special.empty()) special.push_back(&x);
-    if (special.empty()) return;
+    std::vector<Strata> groups;
+    for (const ClassifiedStratum& x : c_.strata) {
+      if (x.special.empty()) continue;
+      Strata together{&x};
+      std::erase_if(groups, [&](const Strata& g) {
+        const bool meets = std::any_of(g.begin(), g.end(), [&](const ClassifiedStratum* y) {
+          return has_common_points(x.where, y->where);
+        });
+        if (meets) together.insert(together.end() - 1, g.begin(), g.end());
+        return meets;
+      });
+      groups.push_back(std::move(together));
+    }
+    for (const Strata& special : groups)
+      put_special(special);
+  }
+  static bool has_common_points(const ParameterSet& a, const ParameterSet& b) {
+    ParameterSet both = a;
+    for (const MPoly& f : b.equations())
+      both = both.where_zero(f);
+    for (const MPoly& f : b.inequations())
+      both = both.where_nonzero(f);
+    return !both.is_empty();
+  }
+  void put_special(const Strata& special) {
     const std::vector<ParameterSet> left = united(without_others(special));
     if (left.empty()) return;
     Texts regions;
@@ -366,8 +386,7 @@ private:
     put_class(classes.front());
     nodes_ << "regions = [" << all << "]\n";
   }
-  [[nodiscard]] std::vector<ParameterSet>
-  without_others(const std::vector<const ClassifiedStratum*>& special) const {
+  [[nodiscard]] std::vector<ParameterSet> without_others(const Strata& special) const {
     std::vector<ParameterSet> left;
     const MayVanish any = [](const MPoly&) { return true; };
     for (const ClassifiedStratum* x : special) {

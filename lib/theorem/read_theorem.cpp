@@ -182,26 +182,21 @@ bool is_table_or_tables(const Entry* e) {
 }
 
 IntegralClass read_class(const Entry& e) {
-  using Kind = IntegralClass::Kind;
-  using Near = IntegralClass::Near;
-  static const std::map<std::string, Kind> kinds{{"rational", Kind::rational},
-                                                 {"meromorphic", Kind::meromorphic}};
-  static const std::map<std::string, Near> places{
-      {"curve", Near::curve}, {"closed curve", Near::closed_curve}, {"origin", Near::origin}};
-  const auto one_of = [&](const char* key, const auto& all) {
+  const auto word = [&](const char* key, const auto& all, auto& value) {
     const Entry* given = e.find(key);
-    if (!given) return all.begin()->second;
-    const auto found = all.find(given->string());
+    if (!given) return;
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](auto x) { return word_of(x) == given->string(); });
     if (found == all.end())
       throw given->error("'" + given->string() + "' is not a " + key + " of first integrals");
-    return found->second;
+    value = *found;
   };
-  e.check_keys(
-      {"kind", "near", "on_leaf", "liouville", "functions", "without", "through", "frame"});
+  e.check_keys({"kind", "near", "level", "on_leaf", "liouville", "functions", "without", "through",
+                "frame"});
   IntegralClass c;
-  c.kind = one_of("kind", kinds);
-  c.near = one_of("near", places);
-  if (e.find("kind") == nullptr) c.kind = Kind::meromorphic;
+  word("kind", all_kinds, c.kind);
+  word("near", all_places, c.near);
+  c.level = text_of(e, "level");
   if (const Entry* x = e.find("on_leaf")) c.on_leaf = x->boolean();
   if (const Entry* x = e.find("liouville")) c.liouville = x->boolean();
   c.functions = texts_of(e, "functions");

@@ -26,19 +26,14 @@ Json json_texts(const std::vector<std::string>& all) {
 }
 
 Json json_class(const IntegralClass& c) {
-  using Near = IntegralClass::Near;
-  const bool rational = c.kind == IntegralClass::Kind::rational;
-  if (c.kind == IntegralClass::Kind::real_analytic || c.near == Near::level ||
-      c.near == Near::phase_space)
+  if (c.near == IntegralClass::Near::level)
     throw DomainError("there is no rule for first integrals that are " + sentence(c));
   std::vector<std::string> symbols;
   for (const auto& [coordinate, symbol] : c.through)
     if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end())
       symbols.push_back(symbol);
-  return Json{Json::Object{{"kind", json_text(rational ? "rational" : "meromorphic")},
-                           {"near", json_text(c.near == Near::origin         ? "origin"
-                                              : c.near == Near::closed_curve ? "closed curve"
-                                                                             : "curve")},
+  return Json{Json::Object{{"kind", json_text(std::string(word_of(c.kind)))},
+                           {"near", json_text(std::string(word_of(c.near)))},
                            {"on_leaf", json_truth(c.on_leaf)},
                            {"liouville", json_truth(c.liouville)},
                            {"functions", json_texts(c.functions)},

@@ -52,6 +52,23 @@ hamiltonian = "(p1^2 + p2^2)/2 + k*q1^2*q2 + a*q2^3/3"
 [assume]
 conditions = ["k^2 = -1"]
 """
+BODY = """
+[system]
+kind        = "euler-poisson"
+coordinates = ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"]
+parameters  = ["L1", "L2", "L3"]
+hamiltonian = "M1^2/4 + M2^2/6 + M3^2/8 + Gamma1*L1 + Gamma2*L2 + Gamma3*L3"
+[assume]
+L1 = "real"
+L2 = "real"
+L3 = "real"
+[[casimir]]
+name  = "F1"
+value = "Gamma1^2 + Gamma2^2 + Gamma3^2"
+[[casimir]]
+name  = "F2"
+value = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3"
+"""
 FILES = {"cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "open": CUBIC}
 
 

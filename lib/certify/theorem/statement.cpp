@@ -163,14 +163,14 @@ const std::string& symmetric_heavy_top() {
 IntegralClass read_class(const Node& n) {
   using Kind = IntegralClass::Kind;
   using Near = IntegralClass::Near;
-  static const std::vector<std::pair<std::string, Kind>> kinds{{"rational", Kind::rational},
-                                                               {"meromorphic", Kind::meromorphic}};
-  static const std::vector<std::pair<std::string, Near>> places{
-      {"curve", Near::curve}, {"closed curve", Near::closed_curve}, {"origin", Near::origin}};
-  const auto one_of = [](const Node& x, const auto& all) {
-    for (const auto& [name, value] : all)
-      if (name == x.text()) return value;
+  const auto word = [](const Node& x, const auto& all) {
+    for (const auto value : all)
+      if (word_of(value) == x.text()) return value;
     x.fail("an unknown word");
+  };
+  const auto truth = [](const Node& x) {
+    if (x.text() != "yes" && x.text() != "no") x.fail("an unknown word");
+    return x.text() == "yes";
   };
   const auto texts = [](const Node& x) {
     std::vector<std::string> all;
@@ -182,11 +182,13 @@ IntegralClass read_class(const Node& n) {
   };
   Keys k(n);
   IntegralClass c;
-  c.kind = one_of(k.at("kind"), kinds);
-  c.near = one_of(k.at("near"), places);
-  static const std::vector<std::pair<std::string, bool>> truths{{"yes", true}, {"no", false}};
-  c.on_leaf = one_of(k.at("on_leaf"), truths);
-  c.liouville = one_of(k.at("liouville"), truths);
+  c.kind = word(k.at("kind"), all_kinds);
+  c.near = word(k.at("near"), all_places);
+  if (c.near == Near::level) k.at("near").fail("an unknown word");
+  if ((c.kind == Kind::real_analytic) != (c.near == Near::phase_space))
+    k.at("near").fail("real-analytic functions are those on the phase space");
+  c.on_leaf = truth(k.at("on_leaf"));
+  c.liouville = truth(k.at("liouville"));
   c.functions = texts(k.at("functions"));
   c.without = texts(k.at("without"));
   for (const std::string& symbol : texts(k.at("through")))
