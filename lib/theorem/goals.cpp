@@ -221,8 +221,8 @@ private:
     for (const auto& [coordinate, symbol] : c.through)
       if (std::find(symbols.begin(), symbols.end(), symbol) == symbols.end())
         symbols.push_back(symbol);
-    std::string text =
-        "kind = " + toml_text(word_of(c.kind)) + ", near = " + toml_text(word_of(c.near));
+    std::string text = "kind = " + toml_text(std::string(word_of(c.kind))) +
+                       ", near = " + toml_text(std::string(word_of(c.near)));
     if (c.near == IntegralClass::Near::level) text += ", level = " + toml_text(c.level);
     if (c.on_leaf) text += ", on_leaf = true";
     if (!c.liouville) text += ", liouville = false";

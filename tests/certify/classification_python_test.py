@@ -56,12 +56,16 @@ BODY = """
 [system]
 kind        = "euler-poisson"
 coordinates = ["M1", "M2", "M3", "Gamma1", "Gamma2", "Gamma3"]
-parameters  = ["L1", "L2", "L3"]
-hamiltonian = "M1^2/4 + M2^2/6 + M3^2/8 + Gamma1*L1 + Gamma2*L2 + Gamma3*L3"
+parameters  = ["A", "B", "C", "L1", "L2", "L3"]
+hamiltonian = "M1^2/(2*A) + M2^2/(2*B) + M3^2/(2*C) + Gamma1*L1 + Gamma2*L2 + Gamma3*L3"
 [assume]
+A  = "positive"
+B  = "positive"
+C  = "positive"
 L1 = "real"
 L2 = "real"
 L3 = "real"
+conditions = ["A > B", "B > C"]
 [[casimir]]
 name  = "F1"
 value = "Gamma1^2 + Gamma2^2 + Gamma3^2"
@@ -69,7 +73,7 @@ value = "Gamma1^2 + Gamma2^2 + Gamma3^2"
 name  = "F2"
 value = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3"
 """
-FILES = {"cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "open": CUBIC}
+FILES = {"cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "body": BODY, "open": CUBIC}
 
 
 def kovacic(*arguments, cwd=None):
@@ -128,10 +132,23 @@ class Classifications(unittest.TestCase):
         return [s for s in top["steps"] if s["rule"] == rule]
 
     def test_both_accept_and_state_the_same(self):
-        for name in ("cubic", "second", "top", "field", "constant"):
+        for name in ("cubic", "second", "top", "field", "constant", "body"):
             (one, lines, said), (other, same, more) = checked(self.path(f"{name}.json"))
             self.assertEqual((one, other), (0, 0), name + said + more)
             self.assertEqual(lines, same, name)
+
+    def test_the_class_is_that_of_the_classification(self):
+        everywhere = "real-analytic on the whole real phase space"
+        self.assertIn(everywhere, " ".join(self.bundles["body"][1].split()))
+        for verdict, lines, _ in checked(self.path("body.json")):
+            self.assertEqual(verdict, 0)
+            said = [x for x in lines if "is not integrable with" in x]
+            self.assertIn("first integrals that are " + everywhere + ",", said[0])
+        top = self.bundle("body")
+        step = next(s for s in self.steps(top, "trusted") if s["class"]["kind"] == "real-analytic")
+        for kind, near in (("meromorphic", "phase space"), ("real-analytic", "curve"), ("real-analytic", "level"), ("analytic", "curve")):
+            step["class"] |= {"kind": kind, "near": near}
+            self.forged(top)
 
     def test_what_is_open_is_said_and_nothing_else(self):
         code, out = self.bundles["open"]
@@ -157,7 +174,7 @@ class Classifications(unittest.TestCase):
             self.assertEqual(code, 3 if in_words else 0, name)
 
     def test_the_verdict_says_that_it_rests_on_trust(self):
-        for name in ("cubic", "second", "top", "field", "constant"):
+        for name in ("cubic", "second", "top", "field", "constant", "body"):
             for _, lines, whole in checked(self.path(f"{name}.json")):
                 verdict = next(x for x in lines if "integrable" in x)
                 self.assertEqual("if what is marked TRUSTED holds" in verdict, " TRUSTED: " in whole or "(TRUSTED: " in whole, name)
