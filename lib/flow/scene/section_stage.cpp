@@ -1,6 +1,7 @@
 #include "flow/scene/section_stage.hpp"
 
 #include "exact/error.hpp"
+#include "flow/scene/effects_needed.hpp"
 #include "symbol/input_error.hpp"
 
 #include <algorithm>
@@ -78,8 +79,8 @@ double SectionNoise::operator()(const double* sizes, double step) {
 }
 
 Stage::Stage(const SystemScene& s, const std::atomic<bool>* stop, const Starts& some)
-    : scene(s), integrals(s.integrals()), field(s.system, crossed_in(s), needed_by(s, integrals),
-                                                s.values, s.indicator != Indicator::none),
+    : scene(s), integrals(watched(s)), field(s.system, crossed_in(s), needed_by(s, integrals),
+                                             s.values, s.indicator != Indicator::none),
       starts(some ? some(field) : starts_of(s, field, &skipped, stop)) {
   const std::size_t n = field.variables().size();
   std::vector<double> all;
@@ -142,6 +143,9 @@ double Stage::largest(TermSize& size) const {
 void Stage::check_relations(const std::vector<double>& all) {
   const std::size_t n = field.variables().size();
   for (const MPoly& relation : scene.system.field.relations) {
+    const MFraction function(relation);
+    const auto same = [&](const SceneFormula& f) { return f.value == function; };
+    if (std::none_of(integrals.begin(), integrals.end(), same)) continue;
     Evaluator<double> value(field, {MFraction(relation)});
     TermSize size(field, MFraction(relation));
     for (std::size_t i = 0; i < all.size() && i < most_states * n; i += n)

@@ -66,9 +66,12 @@ private:
     std::vector<const std::pair<std::string, Entry>*> others;
     if (const Entry* set = e_.find("set"))
       for (const auto& one : set->members()) {
-        if (is_irrational(one.second.expression()))
-          others.push_back(&one);
-        else
+        if (is_irrational(one.second.expression())) {
+          if (quantity(one.second).is_zero()) // sqrt(2) - sqrt(2) is no number for the machine
+            rational.emplace_back(one.first, "0");
+          else
+            others.push_back(&one);
+        } else
           rational.emplace_back(one.first, std::string(one.second.expression().text()));
       }
     try {

@@ -1,5 +1,6 @@
 #include "flow/scene/system_section.hpp"
 
+#include "flow/scene/effects_needed.hpp"
 #include "flow/scene/section_sink.hpp"
 #include "symbol/input_error.hpp"
 
@@ -207,6 +208,8 @@ template <class R> struct SectionWork {
                                         : most_points / static_cast<long>(stage.starts.size()) + 1;
     run.max_steps = s.time ? -1 : least_steps + steps_for_crossing * (s.crossings + s.skip);
     run.idle_ends = !s.time;
+    // the more integrals, the fewer looks: to watch them costs no more than to watch one
+    run.check_every = 16 * static_cast<int>(std::max<std::size_t>(1, stage.integrals.size()));
     run.falling = s.falling;
     run.rising = s.rising;
     run.sizes_at_crossings = s.errors;
@@ -356,7 +359,8 @@ SystemSection simulate_family(const SystemScene& scene, const SystemSectionOptio
 
 SystemSection simulate(const SystemScene& scene, const SystemSectionOptions& options) {
   if (!scene.family.empty()) return simulate_family(scene, options);
-  const std::unique_ptr<Stage> made = staged(scene, options.stop);
+  const SystemScene needed = without_idle_coordinates(scene);
+  const std::unique_ptr<Stage> made = staged(needed, options.stop);
   const Stage& stage = *made;
   SystemSection out;
   check_points(scene, stage.starts.size());
