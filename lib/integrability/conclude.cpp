@@ -215,7 +215,7 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
   report.verdict = verdict_of(report);
   report.by = theorem_of(s, report);
   if (report.verdict == VerdictKind::undecided && !report.not_studied.empty())
-    report.reasons.push_back("an abelian identity component of every block decides nothing here: " +
+    report.reasons.push_back("every block has an abelian identity component, which decides nothing here; " +
                              report.not_studied);
   if (excludes_integrals(report))
     report.statement = "not integrable " +

@@ -221,9 +221,12 @@ std::string theorem_tex(const TheoremResult& t) {
     out += "\\textbf{Theorem.} \\emph{" + prose(t.statement(), tex) + ".}\n\n";
   if (!t.theorem.statement.empty())
     out += "\\textit{The author's words:} " + prose(t.theorem.statement, tex) + "\n\n";
-  out += prose(t.conclusion(), tex) + ". " + std::to_string(t.identities()) +
-         " exact identities were checked, " + std::to_string(t.certificates()) +
-         " certificates accepted, in " + t.time() + ".";
+  out +=
+      prose(t.conclusion(), tex) + ". " + std::to_string(t.identities()) +
+      (t.identities() == 1 ? " exact identity was checked, " : " exact identities were checked, ") +
+      std::to_string(t.certificates()) +
+      (t.certificates() == 1 ? " certificate accepted, in " : " certificates accepted, in ") +
+      t.time() + ".";
   for (const std::string& key : t.theorem.cite)
     out += " " + cited(key);
   out += "\n";

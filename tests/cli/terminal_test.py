@@ -59,6 +59,9 @@ class Terminal(unittest.TestCase):
                                   (["-r", "z^101", "--max-degree", "100"], "1;33")]:
             with self.subTest(arguments=arguments):
                 self.assertIn(f"\033[{colour}m", on_terminal(["solve", *arguments]))
+        self.assertIn("\033[1;31mNON-INTEGRABLE", on_terminal(["classify", "cubic.toml"]))
+        self.assertIn("\033[1;33mDEPENDS ON", on_terminal(["classify", "-H", "p1^2/2 + p2^2/2 + q1^2*q2 + b*q2^3/3"]))
+        self.assertIn("\033[1;31mNON-INTEGRABLE", on_terminal(["check", "cubic.toml", "--set", "h=1"]))
 
     def test_nothing_is_wider_than_the_terminal(self):
         for columns in (60, 80, 120):

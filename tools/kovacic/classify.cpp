@@ -10,6 +10,7 @@
 #include "commands.hpp"
 #include "mechanics.hpp"
 #include "output_format.hpp"
+#include "page_width.hpp"
 #include "render.hpp"
 #include "study_report.hpp"
 
@@ -143,11 +144,18 @@ std::string next_step(const System& s, double work) {
          ", a [[manifold]] in the file, or kovacic section for a picture";
 }
 
+Meaning meaning_of_status(ClassificationStatus status) {
+  return status == ClassificationStatus::integrable       ? Meaning::positive
+         : status == ClassificationStatus::non_integrable ? Meaning::negative
+                                                          : Meaning::open;
+}
+
 std::string text_of(const System& s, const SystemClassification& c, const Settings& settings) {
   const bool quiet = settings.quiet, verbose = settings.verbose > 0;
   const bool open = c.status() == ClassificationStatus::open;
   std::ostringstream out;
-  out << heading(s.file, s.title) << "\n  " << headline(c) << '\n';
+  out << heading(s.file, s.title) << "\n  " << painted(headline(c), meaning_of_status(c.status()))
+      << '\n';
   put_wide(out, open ? "so far" : "theorem", statement(c));
   if (!c.assumptions.empty()) put_wide(out, "assumed", joined(c.assumptions, ", "));
   for (const std::string& constant : c.constants)

@@ -208,9 +208,8 @@ int find_manifolds(const Settings& settings, const std::string& file) {
     const auto found = kov::find_manifolds(s.field, integrals.values, budget);
     std::ostringstream out;
     out << "# " << found.proved.size()
-        << " invariant sets, each proved; looked for: x_i = c_i, x_i = x_j or -x_j, lines; others "
-           "may "
-           "exist\n";
+        << (found.proved.size() == 1 ? " invariant set, proved;" : " invariant sets, each proved;")
+        << " looked for: x_i = c_i, x_i = x_j or -x_j, lines; others may exist\n";
     for (const std::string& limit : found.left_out)
       out << "# left out: " << limit << "\n";
     print(found.proved, integrals, s, settings.verbose > 0, out);

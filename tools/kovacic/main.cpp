@@ -509,6 +509,7 @@ struct CommandLine {
     const std::string command = app.get_name();
     settings.timeout = timeout.value_or(time_limits[command]);
     set_page_width(settings.output.empty() || settings.output == "-");
+    set_colours(settings.style().color);
     if (!settings.quiet) show_that_it_works(command, settings.timeout);
     if (command == "solve") {
       if (is_an_equation(solve_arguments.file))

@@ -15,6 +15,11 @@ std::size_t& width_in_use() {
   return width;
 }
 
+bool& with_colours() {
+  static bool on = false;
+  return on;
+}
+
 // Where the text of a line begins: behind the label, if it has one.
 std::size_t text_column(const std::string& line) {
   const std::size_t first = line.find_first_not_of(' ');
@@ -31,6 +36,16 @@ std::size_t columns_of(int descriptor, std::size_t otherwise) {
   if (::isatty(descriptor) == 0 || ::ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
     return otherwise;
   return size.ws_col;
+}
+
+void set_colours(bool on) { with_colours() = on; }
+
+std::string painted(const std::string& text, Meaning meaning) {
+  if (!with_colours()) return text;
+  const char* code = meaning == Meaning::positive   ? "32"
+                     : meaning == Meaning::negative ? "31"
+                                                    : "33";
+  return std::string("\033[1;") + code + "m" + text + "\033[0m";
 }
 
 std::size_t page_width() { return width_in_use(); }

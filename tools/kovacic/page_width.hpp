@@ -2,12 +2,21 @@
 // How wide a line may be.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace kov::cli {
 
 /// The columns of a terminal; `otherwise` where the descriptor is none.
 [[nodiscard]] std::size_t columns_of(int descriptor, std::size_t otherwise);
+
+/// What a colour means: there are solutions or integrals; it is proved that there are none; it depends,
+/// or nothing is proved.
+enum class Meaning : std::uint8_t { positive, negative, open };
+/// A headline in the colour of its meaning, where answers have colours.
+[[nodiscard]] std::string painted(const std::string& text, Meaning meaning);
+/// Set once, before workers start.
+void set_colours(bool on);
 
 /// Of running text: 98 columns, fewer on a terminal that is narrower.
 [[nodiscard]] std::size_t page_width();

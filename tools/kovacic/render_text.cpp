@@ -147,11 +147,9 @@ std::string unknown_of(const Json& result) {
   return letters_beside(result)(is_transformed(result) ? "u" : "y");
 }
 
-// Green: there are closed solutions; red: it is proved that there are none; yellow: not decided, or
-// it depends on the parameters.
-const char* colour_of(const Json& result) {
-  if (result.at("case").is_null()) return "1;33";
-  return result.at("case").get<int>() == 4 ? "1;31" : "1;32";
+Meaning meaning_of_result(const Json& result) {
+  if (result.at("case").is_null()) return Meaning::open;
+  return result.at("case").get<int>() == 4 ? Meaning::negative : Meaning::positive;
 }
 
 // A polynomial for w = y'/y, and formulas.  What belongs to u'' = r u of a given equation is called
@@ -322,7 +320,7 @@ std::string text_of_result(const Json& result, const std::string& title, const S
   if (!result.at("case").is_null()) // the conditions of strata are in the letters of the question
     head = with_variable(letters_beside(result).in(head), variable);
   if (head.size() + 2 > page_width()) head = wrapped(head, 2);
-  out << "  " << paint(colour_of(result), head) << '\n';
+  out << "  " << painted(head, meaning_of_result(result)) << '\n';
   if (!result.contains("strata")) {
     put_polynomial_of_y(out, result);
     put_solutions(out, result);

@@ -55,14 +55,15 @@ std::vector<std::string> caption(const Scene& s, const flow::Section& r) {
       fmt::format("; H = {}, F1 = {}, F2 = {}", s.energy.text(), s.length.text(), s.casimir.text());
   const std::string axis = s.section.axis == 2 ? "" : fmt::format(", axis {}", s.section.axis + 1);
   return {body,
-          fmt::format("g = {}, {}{}; {} orbits, {} points; Taylor order {}, {}, tolerance {}; "
+          fmt::format("g = {}, {}{}; {} orbit{}, {} point{}; Taylor order {}, {}, tolerance {}; "
                       "drift {:.1e}",
                       g_is_half ? "pi/2" : "3pi/2",
                       up && down ? "both directions"
                       : up       ? "dg/dt > 0"
                                  : "dg/dt < 0",
-                      axis, r.orbits.size(), r.points.size(), orders(r), r.arithmetic,
-                      s.tolerance.text(), r.drift)};
+                      axis, r.orbits.size(), r.orbits.size() == 1 ? "" : "s", r.points.size(),
+                      r.points.size() == 1 ? "" : "s", orders(r), r.arithmetic, s.tolerance.text(),
+                      r.drift)};
 }
 
 // What is missing in a result, in words; empty if nothing is.

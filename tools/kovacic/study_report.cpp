@@ -5,6 +5,7 @@
 #include "integrability/conclude.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
+#include "page_width.hpp"
 #include "present_strata.hpp"
 #include "render.hpp"
 
@@ -212,9 +213,12 @@ void put_manifold(std::ostringstream& out, const System& s, const study::CurveSt
   const Verdict verdict = study.headline.verdict;
   const bool undecided = verdict == Verdict::undecided || verdict == Verdict::failed;
   if (detail == Detail::nothing && !undecided) return;
+  const bool negative = verdict == Verdict::non_integrable;
   out << title_of_manifold(s, m.name) << "\n";
   if (m.failure) return put(out, "error", m.failure->message);
-  out << "  " << wrapped(headline(study, detail), 2) << "\n";
+  out << "  "
+      << painted(wrapped(headline(study, detail), 2), negative ? Meaning::negative : Meaning::open)
+      << "\n";
   if (m.manifold)
     for (const auto& line : m.manifold->rewritten)
       put(out, "note", line);
@@ -227,6 +231,10 @@ void put_manifold(std::ostringstream& out, const System& s, const study::CurveSt
     put(out, "order " + std::to_string(study.higher->up_to), nothing_found(*study.higher));
   for (const std::string& part : study.failed)
     put(out, "failed", part);
+}
+
+Meaning meaning_of_verdict(study::Verdict verdict) {
+  return verdict == study::Verdict::non_integrable ? Meaning::negative : Meaning::open;
 }
 
 std::string headline_of_all(study::Verdict verdict, bool excludes) {
@@ -275,7 +283,9 @@ std::string text_of(const System& s, const SystemClassification& c, study::Verdi
                     Detail detail) {
   std::ostringstream out;
   out << title_of_manifold(s, "all manifolds together") << "\n  "
-      << wrapped(headline_of_all(verdict, !c.excluded.empty()), 2) << "\n";
+      << painted(wrapped(headline_of_all(verdict, !c.excluded.empty()), 2),
+                 meaning_of_verdict(verdict))
+      << "\n";
   if (c.excluded.empty()) return out.str();
   put(out, verdict == study::Verdict::undecided ? "so far" : "theorem", statement(c));
   if (!c.assumptions.empty()) put(out, "assumed", joined(c.assumptions, ", "));
