@@ -254,7 +254,7 @@ class Classical:
         squares = ", ".join(text(x) for x, n in zip(self.numbers, degrees) for _ in range(n))
         return ("two exponent differences are halves of odd integers, or they are in the table of Schwarz and Kimura, or "
                 "a sum of the three with signs is an odd integer and (all are rational, or one is an integer and there "
-                f"is not a logarithm); their squares: {squares}")
+                f"is no logarithm); their squares: {squares}")
 
 
 def exact_quotient(f, g):
