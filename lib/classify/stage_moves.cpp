@@ -77,11 +77,23 @@ void choose_frame(Board& b, Round& round, const Task& /*task*/, const Budget& bu
   std::move(followers.begin(), followers.end(), std::back_inserter(b.followers));
 }
 
+namespace {
+
+bool has_leading_part(const Board& b, const Round& round, Order order) {
+  return !round.pieces.empty() && b.options.search_solutions && b.options.leading_parts &&
+         has_bracket_of_e3(round.system.field) && free_parameters(round.system) > 0 &&
+         leading_part(round.system, order);
+}
+
+} // namespace
+
 std::vector<Task> leading(const Board& b, const Round& round) {
-  return one_if(!round.pieces.empty() && b.options.search_solutions && b.options.leading_parts &&
-                    !round.last && has_bracket_of_e3(round.system.field) &&
-                    free_parameters(round.system) > 0 && leading_part(round.system),
+  return one_if(!round.last && has_leading_part(b, round, Order::lowest),
                 "the part of lowest order");
+}
+std::vector<Task> highest(const Board& b, const Round& round) {
+  return one_if(!round.last && has_leading_part(b, round, Order::highest),
+                "the part of highest order");
 }
 
 namespace {
@@ -106,10 +118,8 @@ std::vector<CarriedStratum> said_by_all(const System& s, const LeadingPart& part
   return all;
 }
 
-} // namespace
-
-void study_leading(Board& b, Round& round, const Task& task, const Budget& budget) {
-  const auto part = leading_part(round.system);
+void study_part(Board& b, Round& round, const Task& task, Order order, const Budget& budget) {
+  const auto part = leading_part(round.system, order);
   ClassifyOptions options = b.options;
   options.check.decide.budget = budget;
   options.leading_parts = false;
@@ -135,6 +145,15 @@ void study_leading(Board& b, Round& round, const Task& task, const Budget& budge
   take_strata(); // at common values
   note(round, task.name, "says nothing here");
   round.only_special_values = has_only_special_values(round);
+}
+
+} // namespace
+
+void study_leading(Board& b, Round& round, const Task& task, const Budget& budget) {
+  study_part(b, round, task, Order::lowest, budget);
+}
+void study_highest(Board& b, Round& round, const Task& task, const Budget& budget) {
+  study_part(b, round, task, Order::highest, budget);
 }
 
 std::vector<Task> splitting(const Board& b, const Round& round) {

@@ -18,5 +18,8 @@ void choose_frame(Board& b, Round& round, const Task& task, const Budget& budget
 /// Lowest parts of integrals are integrals of the system of the lowest part of H, which is classified.
 [[nodiscard]] std::vector<Task> leading(const Board& b, const Round& round);
 void study_leading(Board& b, Round& round, const Task& task, const Budget& budget);
+/// Highest parts of rational integrals are integrals of the system of the highest part of H: for what is left.
+[[nodiscard]] std::vector<Task> highest(const Board& b, const Round& round);
+void study_highest(Board& b, Round& round, const Task& task, const Budget& budget);
 
 } // namespace kov::stages

@@ -50,6 +50,8 @@ std::span<const Stage> strategy() {
       {"along invariant sets at H = 0", 0.2, 0.8, at_energy_zero, study_along},
       {"common values of exponent differences", 1, 1, conditions, meet_conditions},
       {"along invariant sets at more levels", 0.2, 0.8, at_all_levels, study_along},
+      {"the part of highest order, as a family of its own (rational integrals)", 0.4, 0.4, highest,
+       study_highest},
       {"higher variational equations", 0.3, 0.3, higher_orders, study_higher_orders},
       {"first integrals of high degree", 0.5, 0.5, high_integrals, find_high_integrals},
       {"exceptions that take long to write down", 1, 1, exceptions, tell_exceptions},

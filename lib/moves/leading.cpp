@@ -71,24 +71,48 @@ bool has_all_rational_integrals(const IntegralClass& c) {
          c.level.empty() && c.liouville;
 }
 
+// The terms of the polynomial with the largest weight.
+MFraction highest_part(const MFraction& h, const Weights& weights) {
+  const MPoly& f = h.num();
+  long most = 0;
+  MPoly part(f.ring());
+  for (long t = 0; t < f.length(); ++t) {
+    const auto e = f.exponents(t);
+    long weight = 0;
+    for (const auto& [x, w] : weights)
+      weight += w * static_cast<long>(e[x]);
+    if (weight < most) continue;
+    if (weight > most) part = MPoly(f.ring());
+    most = weight;
+    part += MPoly::term(f.ring(), f.coefficient(t), e);
+  }
+  return {part, h.den()};
+}
+
 MPoly in_ring(const MPoly& f, const Ring& ring) { return transfer(MFraction(f), ring).num(); }
 
 } // namespace
 
-std::optional<LeadingPart> leading_part(const System& s) {
+std::optional<LeadingPart> leading_part(const System& s, Order order) {
   if (!has_bracket_of_e3(s.field) || !s.field.hamiltonian || !s.field.functions.empty() ||
       !s.field.relations.empty() || !s.field.constants.empty())
     return std::nullopt;
   const MPoly at_origin = denominator_at_origin(s);
   if (is_zero(at_origin)) return std::nullopt; // a pole
   const auto& x = s.field.coordinates;
+  if (order == Order::highest && std::any_of(x.begin(), x.end(), [&](std::size_t i) {
+        return uses(s.field.hamiltonian->den(), i);
+      }))
+    return std::nullopt;
   for (const auto& [of_momentum, of_gamma] : tried) {
     Weights weights;
     for (std::size_t k = 0; k < 6; ++k)
       weights[x[k]] = k < 3 ? of_momentum : of_gamma;
-    const MFraction h = weight_expansion(*s.field.hamiltonian, weights, 1).front().value;
+    const MFraction h = order == Order::lowest
+                            ? weight_expansion(*s.field.hamiltonian, weights, 1).front().value
+                            : highest_part(*s.field.hamiltonian, weights);
     if (!uses_some(h, x, 0) || !uses_some(h, x, 3) || h == *s.field.hamiltonian) continue;
-    return LeadingPart{of_momentum, of_gamma, with_hamiltonian(s, h),
+    return LeadingPart{order, of_momentum, of_gamma, with_hamiltonian(s, h),
                        is_constant(at_origin) ? MPoly(s.ring(), Integer(1))
                                               : squarefree_part(at_origin)};
   }
@@ -117,16 +141,19 @@ std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
   c.stratum.along.reset();
   ExclusionReason& by = c.stratum.by.front();
   c.stratum.by.resize(1);
-  by.solution += " of the system of lowest order";
+  const std::string order = part.order == Order::lowest ? "lowest" : "highest";
+  by.solution += " of the system of " + order + " order";
   by.reason = "with weights " + std::to_string(part.of_momentum) + " for M and " +
-              std::to_string(part.of_gamma) + " for Gamma the lowest part of H is " +
+              std::to_string(part.of_gamma) + " for Gamma the " + order + " part of H is " +
               brief(*part.system.field.hamiltonian, 120) +
               ", and its system is not integrable: " + by.reason;
-  by.integrals = {.near = IntegralClass::Near::origin};
+  by.integrals = part.order == Order::lowest ? IntegralClass{.near = IntegralClass::Near::origin}
+                                             : IntegralClass{.kind = IntegralClass::Kind::rational};
   const std::string& lemma = ziglin_1982().name;
   if (std::find(by.theorems.begin(), by.theorems.end(), lemma) == by.theorems.end())
     by.theorems.push_back(lemma);
-  by.trusted.emplace_back("the lowest part of H, and from one leaf to the whole phase space");
+  by.trusted.emplace_back("the " + order +
+                          " part of H, and from one leaf to the whole phase space");
   return c;
 }
 

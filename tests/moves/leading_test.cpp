@@ -44,6 +44,22 @@ TEST(LeadingPart, APoleAtTheOrigin) {
   EXPECT_EQ(to_string(part->nonzero), "b"); // where it has one nothing is said
 }
 
+// The terms of the largest weight: what is left of a rotor is the heavy top, of a potential its highest power.
+TEST(HighestPart, OfPolynomials) {
+  const auto highest = [](const System& s, const std::string& expected) {
+    const auto part = leading_part(s, Order::highest);
+    return part && *part->system.field.hamiltonian == formula(s, expected);
+  };
+  const std::string body = "(M1^2 + M2^2 + 2*M3^2)/2 + ";
+  EXPECT_TRUE(highest(on_e3("'k'", body + "k*M3 + G1 + k^2"), body + "G1"));
+  EXPECT_TRUE(highest(on_e3("'a'", body + "a*G1 + G3^2 + a*M2"), body + "G3^2"));
+  EXPECT_TRUE(highest(on_e3("'a'", body + "a*G1 + G3^3"), body + "G3^3"));
+  EXPECT_TRUE(highest(on_e3("'a'", body + "a*M1*G3 + a*G1"), body + "a*M1*G3") ||
+              highest(on_e3("'a'", body + "a*M1*G3 + a*G1"), "a*M1*G3"));
+  EXPECT_FALSE(leading_part(heavy_top_family(), Order::highest)); // homogeneous
+  EXPECT_FALSE(leading_part(on_e3("'a'", body + "a*G1/(2 + G3)"), Order::highest));
+}
+
 TEST(LeadingPart, OtherBracketsHaveOtherWeights) {
   EXPECT_FALSE(lowest(in_the_plane("'a'", "(p1^2 + p2^2)/2 + a*q1^2*q2 + q2^4")));
 }
@@ -74,6 +90,16 @@ TEST(LeadingPart, OnlyFromRegularLeaves) {
 }
 
 // Real-analytic functions on the real phase space: rational ones have poles.
+TEST(HighestPart, ExcludesRationalIntegralsOnly) {
+  const System s = on_e3("'k'", "(M1^2 + M2^2 + 2*M3^2)/2 + k*M3 + G1");
+  const auto part = leading_part(s, Order::highest);
+  ASSERT_TRUE(part);
+  const auto said = said_by(s, *part, excluded(part->system, "G1^2 + G2^2 + G3^2 - 1"));
+  ASSERT_TRUE(said);
+  EXPECT_EQ(sentence(said->stratum.by.front().integrals), "rational");
+  EXPECT_FALSE(said_by(s, *part, excluded(part->system, "G1^2 + G2^2 + G3^2")));
+}
+
 TEST(LeadingPart, TheClassHasAllRationalIntegrals) {
   const System s = on_e3("'a', 'k'", "(M1^2 + M2^2 + 2*M3^2)/2 + a*G1 + k*G3^2");
   const auto part = *leading_part(s);
