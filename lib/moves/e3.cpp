@@ -26,13 +26,16 @@ std::optional<MFraction> second_derivative_at_0(const VectorField& v, std::size_
   }
 }
 
-// x with a = x (exponent 1) or a = 1/x (-1).
-std::optional<std::pair<std::size_t, long>> as_power(const MFraction& a) {
-  const auto used = used_variables(a);
-  if (used.size() != 1) return std::nullopt;
-  for (const long e : {-1L, 1L})
-    if (pow(a, e) == MFraction::variable(a.ring(), used.front())) return std::pair(used.front(), e);
-  return std::nullopt;
+// A positive number times powers of positive parameters.
+bool is_positive_monomial(const System& s, const MFraction& f) {
+  const auto is_one = [&](const MPoly& p) {
+    if (p.length() != 1) return false;
+    const auto used = used_variables(p);
+    return std::all_of(used.begin(), used.end(),
+                       [&](std::size_t i) { return is_assumed_positive(s, i); });
+  };
+  return is_one(f.num()) && is_one(f.den()) && sign(f.num().coefficient(0)) > 0 &&
+         sign(f.den().coefficient(0)) > 0;
 }
 
 } // namespace
@@ -58,18 +61,13 @@ std::optional<FreeBody> free_body(const System& s) {
     return std::nullopt;
   FreeBody body{};
   std::copy(v.coordinates.begin(), v.coordinates.end(), body.coordinates.begin());
-  std::optional<long> exponent;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto a = second_derivative_at_0(v, v.coordinates[k]);
-    const auto power = a ? as_power(*a) : std::nullopt;
-    if (!power || (exponent && power->second != *exponent)) return std::nullopt;
-    if (!is_assumed_positive(s, power->first)) return std::nullopt;
-    exponent = power->second;
-    body.moments[k] = power->first;
+    if (!a || !is_positive_monomial(s, *a)) return std::nullopt;
+    body.moments[k] = MFraction(s.ring(), Rational(1)) / *a;
   }
   const auto& m = body.moments;
   if (m[0] == m[1] || m[1] == m[2] || m[2] == m[0]) return std::nullopt;
-  body.inverse = *exponent == 1;
   return body;
 }
 

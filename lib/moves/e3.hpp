@@ -10,11 +10,10 @@
 namespace kov {
 
 /// H = (M1^2/A + M2^2/B + M3^2/C)/2 + ..., in coordinates with the bracket of e(3) or its negative; A, B, C
-/// (or their inverses) are positive parameters and different ones.
+/// are different, and each is a positive number times powers of positive parameters.
 struct FreeBody {
   std::array<std::size_t, 6> coordinates; ///< M1 M2 M3 Gamma1 Gamma2 Gamma3
-  std::array<std::size_t, 3> moments;     ///< parameters
-  bool inverse = false;                   ///< they are 1/A, 1/B, 1/C
+  std::array<MFraction, 3> moments;       ///< A, B, C
 };
 
 /// Unset: the system is none, or has function symbols.

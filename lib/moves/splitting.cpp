@@ -51,7 +51,10 @@ std::vector<Row> vanishing_at(std::vector<Row> rows, const std::vector<std::size
 
 // Weights >= 0 of parameters, 0 for the moments.
 std::vector<Weights> scalings_that_keep_moments(const System& s, const FreeBody& body) {
-  std::vector<std::size_t> moments(body.moments.begin(), body.moments.end()), others;
+  std::vector<std::size_t> moments, others;
+  for (const MFraction& x : body.moments)
+    for (const std::size_t p : used_variables(x))
+      if (std::find(moments.begin(), moments.end(), p) == moments.end()) moments.push_back(p);
   for (const std::size_t p : s.field.parameters)
     if (std::find(moments.begin(), moments.end(), p) == moments.end() &&
         uses(*s.field.hamiltonian, p))
@@ -86,7 +89,19 @@ std::vector<Weights> scalings_that_keep_moments(const System& s, const FreeBody&
   return all;
 }
 
-/// The family under names that nobody else uses: x1 ... x6, and q0, q1, ... for the variables of its ring.
+// The parameter with A = x or A = 1/x.
+std::optional<std::size_t> parameter_of(const MFraction& moment) {
+  const auto used = used_variables(moment);
+  if (used.size() != 1) return std::nullopt;
+  const MFraction x = MFraction::variable(moment.ring(), used.front());
+  return moment == x || moment * x == MFraction(moment.ring(), Rational(1))
+             ? std::optional(used.front())
+             : std::nullopt;
+}
+
+/// The family under names that nobody else uses: x1 ... x6, and q0, q1, ... for the variables of its ring.  A moment
+/// that is not a parameter of its own (a number, or twice another one) is made one, y1, y2 or y3: what holds for all of
+/// its values holds for that of the system.
 class Renamed {
 public:
   Renamed(const System& s, const FreeBody& body) : s_(s), body_(body) {
@@ -98,8 +113,12 @@ public:
     }
     for (std::size_t k = 0; k < 6; ++k)
       place_[body.coordinates[k]] = k;
+    first_moment_ = names.size();
+    for (const char* name : {"y1", "y2", "y3"})
+      names.emplace_back(name);
     ring_ = make_ring(names);
     hamiltonian_ = MFraction(moved(s.field.hamiltonian->num()), moved(s.field.hamiltonian->den()));
+    free_the_moments();
   }
 
   // The axis of the largest moment first.  An odd permutation is followed by x -> -x, and is a rotation
@@ -122,6 +141,8 @@ public:
       f.small[place_[p]] = weight;
     for (const std::size_t p : s_.field.parameters)
       if (is_assumed_positive(s_, p)) f.positive.push_back(ring_->name(place_[p]));
+    for (std::size_t k = 0; k < 3; ++k)
+      f.positive.push_back(ring_->name(first_moment_ + k));
     return f;
   }
 
@@ -142,6 +163,21 @@ public:
   }
 
 private:
+  void free_the_moments() {
+    std::vector<std::size_t> own;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto p = parameter_of(body_.moments[k]);
+      if (p && std::find(own.begin(), own.end(), *p) == own.end()) {
+        own.push_back(*p);
+        continue;
+      }
+      const MFraction m = body_.moments[k];
+      const MFraction x = MFraction::variable(ring_, k);
+      const MFraction inverse(moved(m.den()), moved(m.num()));
+      const MFraction y = MFraction::variable(ring_, first_moment_ + k);
+      hamiltonian_ += Rational(1, 2) * x * x * (MFraction(ring_, Rational(1)) / y - inverse);
+    }
+  }
   [[nodiscard]] MPoly moved(const MPoly& f) const {
     MPoly sum(ring_);
     for (long t = 0; t < f.length(); ++t) {
@@ -157,7 +193,7 @@ private:
                                 const std::array<std::size_t, 3>& axes) const {
     const std::size_t moment = std::string("ABC").find(name);
     if (moment == std::string::npos) return MFraction::variable(s_.ring(), parameter(name));
-    return pow(MFraction::variable(s_.ring(), body_.moments[axes[moment]]), body_.inverse ? -1 : 1);
+    return body_.moments[axes[moment]];
   }
 
   const System& s_;
@@ -165,6 +201,7 @@ private:
   Ring ring_;
   std::vector<std::size_t> place_;
   MFraction hamiltonian_;
+  std::size_t first_moment_ = 0;
 };
 
 struct Candidate {
@@ -195,21 +232,22 @@ std::vector<Candidate> candidates(const System& s, const FreeBody& body, const R
   return all;
 }
 
-MPoly moment(const System& s, const FreeBody& body, std::size_t axis) {
-  return MPoly::variable(s.ring(), body.moments[axis]);
-}
-
-// The larger moment of two, minus the smaller one.
-MPoly difference(const System& s, const FreeBody& body, std::size_t larger, std::size_t smaller) {
-  const MPoly d = moment(s, body, larger) - moment(s, body, smaller);
-  return body.inverse ? -d : d;
+// The larger moment of two, minus the smaller one, times something positive.
+MPoly difference(const FreeBody& body, std::size_t larger, std::size_t smaller) {
+  return (body.moments[larger] - body.moments[smaller]).num();
 }
 
 // No admitted parameters have their moments in this order, and satisfy the equations.
 bool is_empty(const System& s, const FreeBody& body, const std::array<std::size_t, 3>& axes,
               const std::vector<MPoly>& equations, std::vector<std::string>& trusted) {
-  std::vector<Condition> all{{difference(s, body, axes[0], axes[1]), Sign::positive},
-                             {difference(s, body, axes[1], axes[2]), Sign::positive}};
+  std::vector<Condition> all;
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    const MPoly d = difference(body, axes[k], axes[k + 1]);
+    if (!is_constant(d))
+      all.push_back({d, Sign::positive});
+    else if (sign(d.coefficient(0)) < 0)
+      return true;
+  }
   for (const MPoly& f : equations)
     all.push_back({f, Sign::zero});
   const auto proof = refuted_over_the_reals(s, all);
@@ -287,8 +325,9 @@ std::optional<SplittingFinding> find_splitting(const System& s, const Budget& bu
 Exclusion exclusion(const System& s, const SplittingFinding& found) {
   Exclusion e;
   for (const auto& [i, j] : {std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)})
-    e.not_all_zero.push_back({moment(s, found.body, static_cast<std::size_t>(i)) -
-                              moment(s, found.body, static_cast<std::size_t>(j))});
+    if (MPoly d = difference(found.body, static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+        !is_constant(d))
+      e.not_all_zero.push_back({std::move(d)});
   for (const MPoly& f : found.nonzero)
     e.not_all_zero.push_back({f});
   e.not_all_zero.emplace_back();

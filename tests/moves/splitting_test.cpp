@@ -51,8 +51,39 @@ TEST(SplittingMove, InverseMoments) {
                          "[assume]\na = 'positive'\nb = 'positive'\nc = 'positive'\nL1 = 'real'\n");
   const auto found = find_splitting(s, {});
   ASSERT_TRUE(found);
-  EXPECT_TRUE(found->body.inverse);
+  EXPECT_EQ(to_string(found->body.moments[0]), "1/a");
   EXPECT_EQ(found->orders.size(), 6U);
+}
+
+// Or they are numbers, or multiples of one another: what holds for all moments holds for these.
+TEST(SplittingMove, MomentsThatAreNoParameters) {
+  const std::string assumed = "[assume]\nA = 'positive'\nL1 = 'real'\nL2 = 'real'\nL3 = 'real'\n";
+  const System numbers = on_e3("'L1', 'L2', 'L3'", "M1^2/4 + M2^2/6 + M3^2/8 + " + weight,
+                               "[assume]\nL1 = 'real'\nL2 = 'real'\nL3 = 'real'\n");
+  const auto found = find_splitting(numbers, {});
+  ASSERT_TRUE(found);
+  ASSERT_EQ(found->orders.size(), 1U); // 4 > 3 > 2
+  EXPECT_EQ(found->orders.front().axes, (std::array<std::size_t, 3>{2, 1, 0}));
+  EXPECT_EQ(families(*found), 0U);
+  const Exclusion e = exclusion(numbers, *found);
+  ASSERT_EQ(e.not_all_zero.size(), 1U); // L1, L2, L3 are not all 0
+  EXPECT_EQ(e.not_all_zero.front().size(), 3U);
+  const System twice =
+      on_e3("'A', 'L1', 'L2', 'L3'", "M1^2/(2*A) + M2^2/(4*A) + M3^2/6 + " + weight, assumed);
+  const auto some = find_splitting(twice, {});
+  ASSERT_TRUE(some);
+  EXPECT_EQ(some->orders.size(), 3U); // 2 A > A: where 3 stands
+  // a sign that is not known, and two equal moments
+  EXPECT_FALSE(
+      find_splitting(on_e3("'A', 'L1', 'L2', 'L3'", "M1^2/(2*A) + M2^2/6 + M3^2/8 + " + weight,
+                           "[assume]\nL1 = 'real'\nL2 = 'real'\nL3 = 'real'\n"),
+                     {}));
+  EXPECT_FALSE(find_splitting(on_e3("'L1', 'L2', 'L3'", "M1^2/4 + M2^2/4 + M3^2/8 + " + weight,
+                                    "[assume]\nL1 = 'real'\nL2 = 'real'\nL3 = 'real'\n"),
+                              {}));
+  EXPECT_FALSE(find_splitting(on_e3("'L1', 'L2', 'L3'", "M1^2/4 - M2^2/6 + M3^2/8 + " + weight,
+                                    "[assume]\nL1 = 'real'\nL2 = 'real'\nL3 = 'real'\n"),
+                              {}));
 }
 
 TEST(SplittingMove, AnOrderThatIsAssumedIsTheOnlyOne) {
