@@ -1,6 +1,7 @@
 #include "flow/number/roots.hpp"
 
 #include "flow/number/big_real.hpp"
+#include "flow/orbit/steps.hpp"
 
 #include <gtest/gtest.h>
 
@@ -126,6 +127,90 @@ TEST(Roots, LogarithmAndPowerForTheStepAreRoughButEverywhere) {
     EXPECT_NEAR(exp2_estimate(std::log2(x)) / x, 1, 2e-3);
   }
   EXPECT_LT(log2_estimate(0.0), -1000);
+}
+
+// ---- series with a tail: bounds decide, and decide rightly ----
+
+std::vector<double> series(std::mt19937& gen, double decay) {
+  std::normal_distribution<double> pick;
+  std::vector<double> b;
+  double size = 1;
+  for (int k = 0; k <= 24; ++k, size *= decay)
+    b.push_back(size * pick(gen));
+  return b;
+}
+
+double value(const std::vector<double>& b, double x) {
+  double v = 0;
+  for (std::size_t k = b.size(); k-- > 0;)
+    v = v * x + b[k];
+  return v;
+}
+
+// The signs at 2000 places; nothing where one of the values is too small to say.
+std::vector<bool> signs_along(const std::vector<double>& b) {
+  std::vector<bool> all;
+  for (int i = 0; i <= 2000; ++i) {
+    const double v = value(b, i / 2000.0);
+    if (std::abs(v) < 1e-6) return {};
+    all.push_back(v > 0);
+  }
+  return all;
+}
+
+int changes(const std::vector<bool>& signs, bool to) {
+  int n = 0;
+  for (std::size_t i = 1; i < signs.size(); ++i)
+    n += signs[i] != signs[i - 1] && signs[i] == to ? 1 : 0;
+  return n;
+}
+
+TEST(Roots, ASeriesHasTheSignChangesOfItsValues) {
+  std::mt19937 gen(31);
+  int seen = 0;
+  for (int trial = 0; trial < 3000; ++trial) {
+    const std::vector<double> b = series(gen, 0.3 + 0.2 * (trial % 4));
+    const std::vector<bool> signs = signs_along(b);
+    if (signs.empty()) continue;
+    const Found f = search(b, signs.front());
+    const int expected = changes(signs, true) + changes(signs, false);
+    EXPECT_EQ(static_cast<int>(f.roots.size()), expected) << "trial " << trial;
+    for (const Root<double>& r : f.roots)
+      EXPECT_NEAR(value(b, r.x), 0, 1e-12) << "trial " << trial;
+    seen += expected;
+  }
+  EXPECT_GT(seen, 500);
+}
+
+// The watch leaves out a step only where nothing is wanted, and few of the others.
+TEST(Roots, WhatTheWatchPassesOverHasNoWantedSignChange) {
+  std::mt19937 gen(32);
+  for (const auto& [falling, rising] : {std::pair{true, false}, {false, true}, {true, true}}) {
+    int wanted = 0, looks = 0, steps = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+      const double h = 0.5 + 0.1 * (trial % 8);
+      std::vector<double> b = series(gen, 0.5), scaled = b;
+      double power = 1;
+      for (double& c : scaled) {
+        c /= power; // b is the series in units of the step
+        power *= h;
+      }
+      const std::vector<bool> signs = signs_along(b);
+      if (signs.empty()) continue;
+      SectionWatch<double> watch(falling, rising);
+      const std::vector<double> before{signs.front() ? 1.0 : -1.0, 0, 0, 0, 0, 0};
+      watch.step(before.data(), 5, 1.0, 0.0, [](int, double) {}); // the sign before the step
+      bool looked = false;
+      watch.step(scaled.data(), 24, h, 0.0, [&](int, double) { looked = true; });
+      const int n = (falling ? changes(signs, false) : 0) + (rising ? changes(signs, true) : 0);
+      EXPECT_TRUE(looked || n == 0) << "trial " << trial;
+      ++steps;
+      looks += looked ? 1 : 0;
+      wanted += n > 0 ? 1 : 0;
+    }
+    EXPECT_GT(wanted, 200);
+    EXPECT_LT(looks - wanted, steps / 5);
+  }
 }
 
 } // namespace

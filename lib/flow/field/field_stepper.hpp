@@ -372,19 +372,20 @@ private:
 
   // h: in units of tau
   void look_for_crossings(const T& h) {
-    watch_.step(s_ + tapes_.section_place, run_.order, h, [&](int lane, const Real& sign_before) {
-      if (busy_[lane]) look_closer(lane, L::get(h, lane), sign_before);
-    });
+    const T small = section_size_ * L::all(Real(0x1p-16)); // as in noise
+    watch_.step(s_ + tapes_.section_place, run_.order, h, small,
+                [&](int lane, const Real& sign_before) {
+                  if (busy_[lane]) look_closer(lane, L::get(h, lane), sign_before);
+                });
   }
 
   void look_closer(int lane, const Real& h, const Real& sign_before) {
-    Root<Real> roots[max_degree]; // a polynomial has no more
     const int found = watch_.sign_changes_in(
         lane, s_ + tapes_.section_place, run_.order, h, sign_before,
-        [&](const Real& size) { return noise(lane, size); }, roots, max_degree,
+        [&](const Real& size) { return noise(lane, size); }, roots_, max_degree,
         tally_[lane].tangencies);
     for (int i = 0; i < found; ++i)
-      land(lane, Real(roots[i].x * h), !roots[i].falling);
+      land(lane, Real(roots_[i].x * h), !roots_[i].falling);
   }
 
   // What S may be by rounding, in a step in which its terms have this size.
@@ -564,6 +565,7 @@ private:
   std::size_t orbit_[n]{};
   bool busy_[n]{};
   FieldFinish<Real> tally_[n]{};
+  Root<Real> roots_[max_degree]; ///< in one lane and step: a polynomial has no more
   Growth growth_[n]{};
   double log_scale_[n]{};
   std::size_t next_ = 0;

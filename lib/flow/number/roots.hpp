@@ -1,10 +1,11 @@
 #pragma once
 // Zeros of a polynomial b_0 + b_1 x + ... on [0, 1], all of them or an honest "a tangency closer than delta".
 //
-// Two bounds decide most intervals without looking further (x in [0, 1]):
-//   |b_0| > sum_{k>=1} |b_k|         no zero;
-//   |b_1| > sum_{k>=2} k |b_k|       strictly monotone: a zero if and only if the ends differ in sign.
-// Where neither does, the interval is halved (Taylor shift).  At width 2^-max_depth what is left is a zero of
+// Bounds decide nearly all intervals without looking further (x in [0, 1]): with q = b_0 + ... + b_5 x^5 between the
+// least and the largest of its Bernstein coefficients, and q' between those of its own,
+//   |q| > sum_{k>=6} |b_k|           no zero;
+//   |q'| > sum_{k>=6} k |b_k|        strictly monotone: a zero if and only if the ends differ in sign.
+// Where neither holds, the interval is halved (Taylor shift).  At width 2^-max_depth what is left is a zero of
 // even order up to |b| 2^-max_depth: it counts once if the ends differ in sign and not at all otherwise.
 // The sign at the start is given by the caller, who carries it from the end of the step before: so no
 // crossing is counted twice or lost when a step ends on the section to within rounding.
@@ -19,8 +20,41 @@ inline constexpr int max_depth = 24;
 inline namespace KOV_ISA {
 
 template <class R> struct Root {
-  R x{};                ///< in [0, 1]
-  bool falling = false; ///< the polynomial goes from + to -
+  R x;          ///< in [0, 1]
+  bool falling; ///< the polynomial goes from + to -
+};
+
+/// Bounds of b_0 + ... + b_5 x^5 and of its derivative on [0, 1].
+template <class T> struct Hull {
+  static constexpr int degree = 5;
+  T low, high, least_slope, most_slope;
+
+  /// b: destroyed
+  explicit Hull(T (&b)[degree + 1]) {
+    using L = Lanes<T>;
+    using Real = typename L::Real;
+    const T fifth = L::all(Real(1) / Real(5)), tenth = L::all(Real(1) / Real(10));
+    b[1] = b[1] * fifth; // b_k over 5 choose k, and the triangle of sums
+    b[2] = b[2] * tenth;
+    b[3] = b[3] * tenth;
+    b[4] = b[4] * fifth;
+    for (int i = 1; i <= degree; ++i)
+      for (int k = degree; k >= i; --k)
+        b[k] += b[k - 1];
+    low = high = b[0];
+    least_slope = most_slope = b[1] - b[0];
+    for (int k = 1; k <= degree; ++k) {
+      low = smaller(low, b[k]);
+      high = larger(high, b[k]);
+      if (k == 1) continue;
+      const T slope = b[k] - b[k - 1];
+      least_slope = smaller(least_slope, slope);
+      most_slope = larger(most_slope, slope);
+    }
+    const T five = L::all(Real(5));
+    least_slope = least_slope * five;
+    most_slope = most_slope * five;
+  }
 };
 
 /// The zero of a monotone b in [0, 1], given that the signs at the ends differ (falling: + to -).
@@ -78,19 +112,40 @@ template <class R> struct Isolation {
 
 template <class R> R size_of(const R& x) { return x < R(0) ? R(R(0) - x) : x; }
 
+// What is known of b on [0, 1] at once.
+template <class R> struct Look {
+  R size, end; ///< the sum of all |b_k|, b(1)
+  bool apart, monotone;
+  Look(const R* b, int degree) : size(size_of(b[0])), end(b[0]) {
+    R tail(0), bend(0), first[Hull<R>::degree + 1]{};
+    first[0] = b[0];
+    for (int k = 1; k <= degree; ++k) {
+      const R a = size_of(b[k]);
+      size += a;
+      end += b[k];
+      if (k <= Hull<R>::degree) {
+        first[k] = b[k];
+      } else {
+        tail += a;
+        bend += R(k) * a;
+      }
+    }
+    const Hull<R> hull(first);
+    const R rounding = size * R(1e-10);
+    tail += rounding;
+    bend += rounding;
+    apart = hull.low > tail || R(R(0) - hull.high) > tail;
+    monotone = hull.least_slope > bend || R(R(0) - hull.most_slope) > bend;
+  }
+};
+
 // b is destroyed.
 template <class R>
 void isolate(R* b, int degree, const R& start, const R& width, int depth, Isolation<R>& r) {
-  R rest(0), bend(0), end = b[0];
-  for (int k = 1; k <= degree; ++k) {
-    const R a = size_of(b[k]);
-    rest += a;
-    if (k > 1) bend += R(k) * a;
-    end += b[k];
-  }
-  if (!(size_of(b[0]) + rest > r.noise)) return; // 0 as far as anybody can tell: the sign stays
-  const bool apart = size_of(b[0]) > rest;
-  const bool monotone = degree >= 1 && size_of(b[1]) > bend;
+  const Look<R> look(b, degree);
+  const bool apart = look.apart, monotone = look.monotone;
+  const R& end = look.end;
+  if (!(look.size > r.noise)) return; // 0 as far as anybody can tell: the sign stays
   if (!apart && !monotone && depth < max_depth) {
     R half[max_degree + 1];
     R scale(1);

@@ -233,9 +233,10 @@ private:
 
   void look_for_crossings(const T& h) {
     kernel_.section(model_, jet_, run_.order, axis_);
-    watch_.step(jet_.s[Jet<T>::section], run_.order, h, [&](int lane, const Real& sign_before) {
-      if (busy_[lane]) look_closer(lane, L::get(h, lane), sign_before);
-    });
+    watch_.step(jet_.s[Jet<T>::section], run_.order, h, T{},
+                [&](int lane, const Real& sign_before) {
+                  if (busy_[lane]) look_closer(lane, L::get(h, lane), sign_before);
+                });
   }
 
   void look_closer(int lane, const Real& h, const Real& sign_before) {

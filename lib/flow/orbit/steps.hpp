@@ -61,24 +61,33 @@ public:
   /// A new orbit begins in the lane.
   void forget(int lane) { L::set(above_, lane, Real(0)); }
 
-  /// Follows S over a step; calls closer(lane, sign before) in the lanes where a wanted sign change, or doubt, is.
-  template <class F> void step(const T* s, int p, const T& h, const F& closer) {
+  /// Follows S over a step; calls closer(lane, sign before) in the lanes where a wanted sign change, or doubt, is, or
+  /// where all terms of S together are smaller than `small`.
+  template <class F> void step(const T* s, int p, const T& h, const T& small, const F& closer) {
     const T one = L::all(Real(1)), zero{};
-    T power = h, rest{}, bend{}, end = s[0];
-    const T slope = absolute(T(s[1] * h));
-    for (int k = 1; k <= p; ++k) {
-      const T b = s[k] * power;
-      const T a = absolute(b);
-      rest += a;
-      if (k > 1) bend += L::all(Real(k)) * a;
-      end += b;
+    constexpr int few = Hull<T>::degree;
+    T power = h, first = absolute(s[0]), rest = first, tail{}, bend{}, end = s[0], b[few + 1]{};
+    b[0] = s[0];
+    for (int k = 1; k <= few && k <= p; ++k) {
+      b[k] = s[k] * power;
+      rest += absolute(b[k]);
+      end += b[k];
       power = power * h;
     }
+    for (int k = few + 1; k <= p; ++k) {
+      const T term = s[k] * power, a = absolute(term);
+      tail += a;
+      add_product(bend, L::all(Real(k)), a);
+      end += term;
+      power = power * h;
+    }
+    rest += tail;
+    const Hull<T> hull(b);
     const T below = -one;
     const T sign0 = choose(s[0] > zero, one, below);
-    const T slow = L::all(Real(1e-10)) * (absolute(s[0]) + rest); // as in sign_changes_in
+    const T slow = L::all(Real(1e-10)) * rest; // as in sign_changes_in
     const T leaves = choose(s[1] > zero, one, below);
-    const T begun = choose(absolute(s[0]) > slow, sign0, leaves);
+    const T begun = choose(first > slow, sign0, leaves);
     const T before = choose(above_ == zero, begun, above_);
     const T sign1 = choose(end > zero, one, choose(end < zero, below, before)); // 0 decides nothing
     // 1 where a crossing, or doubt, remains
@@ -87,9 +96,12 @@ public:
     // a single sign change that nobody asked for needs no place
     if (!rising_) boring = choose(above_ < zero, one, boring);
     if (!falling_) boring = choose(above_ > zero, one, boring);
-    const T apart = choose(absolute(s[0]) > rest, same_start, zero);
-    const T monotone = choose(slope > bend, boring, zero);
-    const T look = choose(apart + monotone > zero, zero, one);
+    tail += slow; // and what rounding makes of the bounds
+    bend += slow;
+    const T apart = choose(larger(hull.low, T(-hull.high)) > tail, same_start, zero);
+    const T monotone = choose(larger(hull.least_slope, T(-hull.most_slope)) > bend, boring, zero);
+    const T large = choose(rest < small, zero, one);
+    const T look = choose((apart + monotone) * large > zero, zero, one);
     for (int lane = 0; lane < L::size; ++lane)
       if (!(L::get(look, lane) == Real(0))) closer(lane, L::get(above_, lane));
     above_ = sign1;
