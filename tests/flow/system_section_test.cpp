@@ -1,6 +1,7 @@
 // Sections of any system: the programs against the field that lib/system holds, orbits against many digits, against
 // the hand-made kernels of the rigid body and against closed answers.
 
+#include "flow/field/written.hpp"
 #include "flow/scene/system_section.hpp"
 #include "support.hpp"
 
@@ -84,11 +85,27 @@ std::vector<double> values_of(const Graph& g, const std::vector<NodeId>& nodes,
   return out;
 }
 
-TEST(Motion, ItsDerivativesAreTheFieldOfEverySystemFile) {
-  std::mt19937 gen(21);
-  for (const Sample& sample : samples()) {
-    const System s = read_system(kov::test::in_source("/cases/") + sample.file, sample.values);
-    const Motion m = motion_of(s, {});
+// A system with the graph of what its file writes.
+struct WrittenSystem {
+  Entry document;
+  SystemScope scope;
+  System system;
+  Written written;
+  explicit WrittenSystem(Entry e, const ParameterValues& values = {})
+      : document(std::move(e)), scope(document, values), system(read_system(document, scope)),
+        written(document, scope, system) {}
+  explicit WrittenSystem(const Sample& s)
+      : WrittenSystem(read_document(kov::test::in_source("/cases/") + s.file), s.values) {}
+  explicit WrittenSystem(const std::string& text) : WrittenSystem(parse_document(text, "w.toml")) {}
+  [[nodiscard]] double cost(bool as_written = true) const {
+    const Motion m = motion_of(system, {}, as_written ? &written.graph() : nullptr);
+    return products(m.graph, m.series_roots());
+  }
+};
+
+void compare_with_field(const System& s, const Motion& m, std::mt19937& gen,
+                        const std::string& file) {
+  {
     std::map<std::size_t, Rational> at;
     Substitution exact;
     for (std::size_t i = 0; i < s.ring()->size(); ++i) {
@@ -101,9 +118,60 @@ TEST(Motion, ItsDerivativesAreTheFieldOfEverySystemFile) {
                         ? s.field.components[j]
                         : lie_derivative(s.field, MFraction::variable(s.ring(), m.variables[j]));
       const double expected = number_as<double>(to_rational(substitute(f, exact)));
-      EXPECT_NEAR(x[j], expected, 1e-11 * (1 + std::abs(expected))) << sample.file << " " << j;
+      EXPECT_NEAR(x[j], expected, 1e-11 * (1 + std::abs(expected))) << file << " " << j;
     }
   }
+}
+
+TEST(Motion, ItsDerivativesAreTheFieldOfEverySystemFile) {
+  std::mt19937 gen(21);
+  for (const Sample& sample : samples()) {
+    const WrittenSystem w(sample);
+    compare_with_field(w.system, motion_of(w.system, {}), gen, sample.file);
+    compare_with_field(w.system, motion_of(w.system, {}, &w.written.graph()), gen,
+                       sample.file + " as written");
+  }
+}
+
+const char* const pendulum_header =
+    "[system]\nkind = 'hamiltonian'\ncoordinates = ['q1', 'q2']\nmomenta = ['p1', 'p2']\n";
+
+// The same system in other words: as quotients, with definitions, with functions in the formula, multiplied out.
+TEST(Motion, WhatIsWrittenShortIsShort) {
+  const std::string head = pendulum_header, d = "cos(q1 - q2)",
+                    squares = "(p1^2 + 2*p2^2 - 2*p1*p2*";
+  const WrittenSystem quotient(head + "hamiltonian = '" + squares + d +
+                               ")/(2 + 2*sin(q1 - q2)^2) + 3 - 2*cos(q1) - cos(q2)'\n");
+  const WrittenSystem defined(head + "hamiltonian = 'above/(2*below) + 3 - 2*cos(q1) - cos(q2)'\n" +
+                              "[system.define]\nabove = '" + squares + d +
+                              ")'\nbelow = '1 + sin(q1 - q2)^2'\n");
+  EXPECT_LT(quotient.cost(), 35);
+  EXPECT_NEAR(quotient.cost(), defined.cost(), 1);
+  EXPECT_LT(quotient.cost(), 0.6 * quotient.cost(false));
+  const WrittenSystem file(Sample{"sections/double_pendulum.toml", {}});
+  EXPECT_LT(file.cost(), 35);
+}
+
+// A long formula that cancels is not taken at its word.
+TEST(Motion, WhatIsWrittenLongIsShortToo) {
+  const WrittenSystem w(std::string("[system]\nkind = 'vector-field'\ncoordinates = ['x', 'y']\n") +
+                        "[system.field]\nx = '(x + y)^4 - x^4 - y^4 - 4*x^3*y - 4*x*y^3 - "
+                        "6*x^2*y^2 + y'\ny = '-x'\n");
+  EXPECT_LT(w.cost(), 0.2);
+  std::mt19937 gen(23);
+  compare_with_field(w.system, motion_of(w.system, {}, &w.written.graph()), gen, "cancels");
+}
+
+TEST(Motion, AFactorOfSeveralTermsIsMultipliedOnce) {
+  const auto cost = [](const std::string& h) {
+    return WrittenSystem("[system]\nkind = 'hamiltonian'\ncoordinates = ['x', 'y']\nmomenta = "
+                         "['u', 'v']\nhamiltonian = '" +
+                         h + "'\n")
+        .cost();
+  };
+  // x^2, y^2, r; 1/r, 1/r^2, 1/r^3 and twice that
+  EXPECT_LT(cost("(u^2 + v^2)/2 - 1/sqrt(x^2 + y^2)"), 6.5);
+  EXPECT_LT(cost("(u^2 + v^2)/2 + exp(-x^2 - y^2)"), 6.6);
 }
 
 TEST(Motion, TheFirstVariationIsTheJacobianTimesV) {
@@ -151,6 +219,31 @@ TEST(Motion, WhatIsZeroCostsNothing) {
 }
 
 // ---- orbits ----
+
+// The code of the processor rounds as the machine does.
+TEST(SystemSection, NativeCodeGivesTheSameBits) {
+  for (const char* file : {"henon_heiles.toml", "swinging_atwood.toml", "stoermer.toml",
+                           "double_pendulum.toml", "lorenz.toml", "spring_pendulum.toml"})
+    for (const int lanes : {4, 8}) {
+      SystemScene s = scene_in(file);
+      s.crossings = 6;
+      s.columns = std::min(s.columns, 3);
+      s.rows = std::min(s.rows, 3);
+      SystemSectionOptions native, machine;
+      native.lanes = machine.lanes = lanes;
+      machine.native = false;
+      const SystemSection a = simulate(s, native), b = simulate(s, machine);
+      ASSERT_EQ(a.points.size(), b.points.size()) << file;
+      for (std::size_t i = 0; i < a.points.size(); ++i) {
+        EXPECT_EQ(a.points[i].t, b.points[i].t) << file;
+        EXPECT_EQ(a.points[i].at, b.points[i].at) << file;
+      }
+      for (std::size_t i = 0; i < a.orbits.size(); ++i) {
+        EXPECT_EQ(a.orbits[i].steps, b.orbits[i].steps) << file;
+        EXPECT_EQ(a.orbits[i].indicators.megno, b.orbits[i].indicators.megno) << file;
+      }
+    }
+}
 
 // In more digits: the first crossings of each orbit, and how many there are in all.
 TEST(SystemSection, PointsAndTheirNumberAgreeWithFortyDigits) {

@@ -36,6 +36,18 @@ std::vector<NodeId> nodes_of(Graph& g, const std::vector<MFraction>& functions) 
   return nodes;
 }
 
+// f as it is written, where that saves something beside the roots; else its factors, which keep more digits near 0.
+NodeId cheapest(Graph& g, std::vector<NodeId> roots, const MFraction& f) {
+  const auto cost = [&](NodeId n) {
+    roots.push_back(n);
+    const double all = products(g, roots);
+    roots.pop_back();
+    return all;
+  };
+  const NodeId written = g.of(f), other = g.multiplied_out(f);
+  return cost(written) < 0.9 * cost(other) ? written : other;
+}
+
 bool is_linear(const MFraction& f, const std::vector<std::size_t>& variables) {
   const auto degree_in = [&](const std::vector<unsigned long>& e) {
     unsigned long sum = 0;
@@ -80,11 +92,11 @@ bool is_short(const Rational& q) {
 } // namespace
 
 Field::Field(const System& s, const MFraction& section, const std::vector<MFraction>& needed,
-             const Values& values, bool tangent)
+             const Values& values, bool tangent, const Graph* written)
     : motion_([&] {
         std::vector<MFraction> used = needed;
         used.push_back(section);
-        return motion_of(s, used);
+        return motion_of(s, used, written);
       }()),
       values_(values), curved_(!is_linear(section, motion_.variables)) {
   if (tangent) add_tangent(motion_, s.ring()->size());
@@ -99,11 +111,19 @@ Field::Field(const System& s, const MFraction& section, const std::vector<MFract
     all->insert(all->end(), numbers_.begin(), numbers_.end());
   registers_ = std::make_unique<Registers>(inputs);
   point_registers_ = std::make_unique<Registers>(points);
-  std::vector<NodeId> roots = motion_.derivatives;
-  roots.insert(roots.end(), motion_.deviations.begin(), motion_.deviations.end());
-  const NodeId on_section = motion_.graph.of(section);
-  field_ = compile(motion_.graph, roots, *registers_);
-  section_ = compile(motion_.graph, {on_section}, *registers_);
+  std::vector<NodeId> followers;
+  const std::size_t moves = motion_.variables.size() + motion_.tangent.size();
+  for (std::uint32_t i = 0; i < moves; ++i)
+    if (motion_.graph.rule_of(inputs[i]) == nullptr)
+      moving_.push_back(i);
+    else
+      followers.push_back(motion_.graph.variable(inputs[i]));
+  const std::vector<NodeId> roots = motion_.series_roots();
+  const NodeId on_section = cheapest(motion_.graph, roots, section);
+  field_ = compile(motion_.graph, roots, *registers_, true);
+  section_ = compile(motion_.graph, {on_section}, *registers_, true);
+  last_ = compile_again(motion_.graph, {on_section}, *registers_);
+  followers_ = compile_again(motion_.graph, followers, *registers_);
   section_at_ = compile(motion_.graph, {on_section}, *point_registers_);
 }
 
@@ -118,9 +138,14 @@ Tape<R> Tapes<R>::Kept::tape(const Program& p, std::uint32_t stride, bool otherw
   numbers = numbers_as<R>(p.numbers);
   for (std::size_t i = 0; otherwise_rounded && i < numbers.size(); ++i)
     if (!is_short(p.numbers[i])) round_otherwise(numbers[i]);
-  return {once.data(),  once.data() + once.size(),
-          each.data(),  each.data() + each.size(),
-          terms.data(), numbers.data()};
+  numbers.push_back(R(1));
+  return {once.data(),
+          once.data() + once.size(),
+          each.data(),
+          each.data() + each.size(),
+          terms.data(),
+          numbers.data(),
+          static_cast<std::uint32_t>(p.numbers.size())};
 }
 
 template <class R> Tapes<R>::Tapes(const Field& f, int order, bool otherwise_rounded) {
@@ -129,20 +154,24 @@ template <class R> Tapes<R>::Tapes(const Field& f, int order, bool otherwise_rou
     throw OutOfBudget("size limit: the field has too many operations for steps of this order");
   tapes_.field = field_.tape(f.field_, stride, otherwise_rounded);
   tapes_.section = section_.tape(f.section_, stride, otherwise_rounded);
+  tapes_.last = last_.tape(f.last_, stride, otherwise_rounded);
   tapes_.section_at = section_at_.tape(f.section_at_, 1, otherwise_rounded);
-  for (const std::uint32_t reg : f.field_.outputs)
-    derivatives_.push_back(reg * stride);
+  tapes_.followers = followers_.tape(f.followers_, stride, otherwise_rounded);
+  for (std::size_t m = 0; m < f.moving_.size(); ++m) {
+    moving_.push_back(f.moving_[m] * stride);
+    derivatives_.push_back(f.field_.outputs[m] * stride);
+  }
   for (const std::size_t variable : f.numbers_)
     values_.push_back(f.values_.at(variable).template as<R>());
   for (R& value : values_)
     if (otherwise_rounded) round_otherwise(value);
   const std::uint32_t section = f.section_.outputs.front();
-  const std::vector<std::size_t>& inputs = f.registers_->inputs();
+  tapes_.moving = moving_.data();
   tapes_.derivatives = derivatives_.data();
+  tapes_.moving_count = moving_.size();
   tapes_.section_at_place = f.section_at_.outputs.front();
   tapes_.curved = f.curved_;
   tapes_.section_place = section * stride;
-  tapes_.last_order = section >= inputs.size();
   tapes_.coordinates = f.coordinates();
   tapes_.variables = f.variables().size();
   tapes_.tangent = f.tangent();

@@ -22,9 +22,10 @@ using Values = std::map<std::size_t, Quantity>; ///< by variable of the ring
 class Field {
 public:
   /// Errors  OutOfBudget: too large;  InvalidArgument: a parameter has no value
-  /// needed: functions that an Evaluator will be asked for; tangent: with the first variational equation.
+  /// needed: functions that an Evaluator will be asked for; tangent: with the first variational equation; written:
+  /// how the file writes some functions.
   Field(const System& s, const MFraction& section, const std::vector<MFraction>& needed,
-        const Values& values, bool tangent);
+        const Values& values, bool tangent, const Graph* written = nullptr);
 
   [[nodiscard]] std::size_t coordinates() const noexcept { return motion_.coordinates; }
   /// Coordinates, then function symbols: as variables of the ring.
@@ -35,7 +36,7 @@ public:
   /// Parameters without a rational value, as variables of the ring: in the order of their numbers.
   [[nodiscard]] const std::vector<std::size_t>& numbers() const noexcept { return numbers_; }
   /// Products of series in an order (a square counts half).
-  [[nodiscard]] double cost() const { return products(motion_.graph, motion_.derivatives); }
+  [[nodiscard]] double cost() const { return products(motion_.graph, motion_.series_roots()); }
   [[nodiscard]] const Motion& motion() const noexcept { return motion_; }
 
 private:
@@ -47,6 +48,10 @@ private:
   Values values_;
   std::unique_ptr<Registers> registers_, point_registers_;
   Program field_, section_, section_at_;
+  // The field's nodes stop one order before the last: what the section needs of them there, and what follows a rule.
+  Program last_, followers_;
+  std::vector<std::uint32_t>
+      moving_;          ///< which variables have a derivative, with the tangent vector
   bool curved_ = false; ///< the section is no linear function of the variables
 };
 
@@ -67,8 +72,8 @@ private:
     std::vector<R> numbers;
     Tape<R> tape(const Program& p, std::uint32_t stride, bool otherwise_rounded);
   };
-  Kept field_, section_, section_at_;
-  std::vector<std::uint32_t> derivatives_;
+  Kept field_, section_, section_at_, last_, followers_;
+  std::vector<std::uint32_t> moving_, derivatives_;
   std::vector<R> values_;
   FieldTapes<R> tapes_;
 };

@@ -1,6 +1,7 @@
 #include "flow/field/field_kernels.hpp"
 
 #include "exact/error.hpp"
+#include "flow/field/machine_code.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,41 @@ template <class R> void in_one_lane(const FieldTapes<R>& tapes, const FieldRun<R
   FieldStepper<R>(tapes, run, storage.data()).integrate();
 }
 
+void integrate_in(Isa isa, int lanes, const FieldTapes<double>& tapes,
+                  const FieldRun<double>& run) {
+#if defined(__x86_64__)
+  if (isa == Isa::avx512) return entry::integrate_field_avx512(lanes, tapes, run);
+  if (isa == Isa::avx2) return entry::integrate_field_avx2(lanes, tapes, run);
+#endif
+  static_cast<void>(isa);
+  entry::integrate_field_baseline(lanes, tapes, run);
+}
+
+// The tapes with code of the processor, where there is some for packs of this size.
+class NativeTapes {
+public:
+  NativeTapes(const FieldTapes<double>& tapes, int order, int lanes, Isa isa) : tapes_(tapes) {
+    if (!((lanes == 4 && isa >= Isa::avx2) || (lanes == 8 && isa >= Isa::avx512))) return;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> moving;
+    for (std::size_t m = 0; m < tapes.moving_count; ++m)
+      moving.emplace_back(tapes.moving[m], tapes.derivatives[m]);
+    const MachineCode::Moving still;
+    code_.emplace_back(tapes.field, moving, lanes, 0, order);
+    code_.emplace_back(tapes.section, still, lanes, 0, order);
+    code_.emplace_back(tapes.last, still, lanes, order, order + 1);
+    code_.emplace_back(tapes.followers, still, lanes, order, order + 1);
+    tapes_.field.code = code_[0].code();
+    tapes_.section.code = code_[1].code();
+    tapes_.last.code = code_[2].code();
+    tapes_.followers.code = code_[3].code();
+  }
+  [[nodiscard]] const FieldTapes<double>& tapes() const { return tapes_; }
+
+private:
+  FieldTapes<double> tapes_;
+  std::vector<MachineCode> code_;
+};
+
 } // namespace
 
 void integrate_field(const FieldTapes<double>& tapes, const FieldRun<double>& run, int lanes,
@@ -36,11 +72,9 @@ void integrate_field(const FieldTapes<double>& tapes, const FieldRun<double>& ru
   check_order(run);
   isa = std::min(isa, best_isa());
   if (lanes == 0) lanes = best_lanes(isa);
-#if defined(__x86_64__)
-  if (isa == Isa::avx512) return entry::integrate_field_avx512(lanes, tapes, run);
-  if (isa == Isa::avx2) return entry::integrate_field_avx2(lanes, tapes, run);
-#endif
-  entry::integrate_field_baseline(lanes, tapes, run);
+  lanes = lanes <= 1 ? 1 : lanes <= 4 ? 4 : 8;
+  const NativeTapes native(tapes, run.order, run.native ? lanes : 1, isa);
+  integrate_in(isa, lanes, native.tapes(), run);
 }
 
 void integrate_field(const FieldTapes<Twin1>& tapes, const FieldRun<Twin1>& run, int, Isa isa) {
@@ -80,10 +114,11 @@ public:
       storage_[i * stride()] = x[i];
     for (int k = 0; k < order_; ++k) {
       run_order(t.field, storage_.data(), k);
-      for (std::size_t i = 0; i < n_; ++i)
-        storage_[i * stride() + static_cast<std::size_t>(k) + 1] =
-            storage_[t.derivatives[i] + static_cast<std::size_t>(k)] / (k + 1);
+      for (std::size_t m = 0; m < t.moving_count; ++m)
+        storage_[t.moving[m] + static_cast<std::size_t>(k) + 1] =
+            storage_[t.derivatives[m] + static_cast<std::size_t>(k)] / (k + 1);
     }
+    run_order(t.followers, storage_.data(), order_);
   }
 
   // log2 of ||x_k|| in units of the scales

@@ -47,11 +47,15 @@ template <class R> struct FieldSink {
 /// A field and its section for the machine; registers 0 ... variables - 1 are the variables x, then
 /// come the tangent vector v (as many, or none) and the numbers without a rational value.
 template <class R> struct FieldTapes {
-  Tape<R> field, section, section_at; ///< section_at: its value at a point, in registers of its own
-  const std::uint32_t* derivatives = nullptr; ///< places of x' and v'
+  Tape<R> field, section;
+  /// For the order that the field's nodes do not reach: the section, and the variables that follow a rule.
+  Tape<R> last, followers;
+  Tape<R> section_at; ///< its value at a point, in registers of its own
+  /// Places of the variables (x and v) that have a derivative, and of it.
+  const std::uint32_t *moving = nullptr, *derivatives = nullptr;
+  std::size_t moving_count = 0;
   std::uint32_t section_place = 0, section_at_place = 0;
-  bool last_order = false; ///< the section needs the field's nodes at the last order
-  bool curved = false;     ///< the section is no linear function of the variables
+  bool curved = false; ///< the section is no linear function of the variables
   std::size_t coordinates = 0, variables = 0, tangent = 0, values = 0;
   std::size_t registers = 0, point_registers = 0;
 };
@@ -65,6 +69,8 @@ template <class R> struct FieldRun {
   bool idle_ends = false; ///< an orbit ends that rests, or lies in the section, for long
   int check_every = 16;
   bool sizes_at_crossings = false;
+  bool native =
+      true; ///< with code of the processor (machine_code.hpp); the results are the same without
   bool section = true, falling = false, rising = true;
   const R* per_scale = nullptr; ///< 1/scale of every variable
   /// For each orbit: the size of the section.
@@ -130,6 +136,8 @@ public:
       *series(total_ + static_cast<int>(i)) = L::all(run_.values[i]);
       points_[tapes_.variables + i] = L::all(run_.values[i]);
     }
+    for (int k = 0; k < run_.order; ++k)
+      reciprocals_[k] = Real(1) / Real(k + 1);
     run_once(tapes_.field, s_);
     run_once(tapes_.section, s_);
     run_once(tapes_.section_at, points_);
@@ -253,12 +261,24 @@ private:
   void jets(int order) {
     for (int i = 0; i < total_; ++i)
       *series(i) = x_[i];
-    for (int k = 0; k < order; ++k) {
-      run_order(tapes_.field, s_, k);
-      const T rate = tau_ * L::all(Real(1) / Real(k + 1));
-      for (int i = 0; i < total_; ++i)
-        series(i)[k + 1] = s_[tapes_.derivatives[i] + static_cast<std::uint32_t>(k)] * rate;
-    }
+    if (tapes_.field.code != nullptr)
+      run_orders(tapes_.field, 0, order);
+    else
+      for (int k = 0; k < order; ++k) {
+        run_order(tapes_.field, s_, k);
+        const T rate = tau_ * L::all(reciprocals_[k]);
+        for (std::size_t m = 0; m < tapes_.moving_count; ++m)
+          s_[tapes_.moving[m] + static_cast<std::uint32_t>(k) + 1] =
+              s_[tapes_.derivatives[m] + static_cast<std::uint32_t>(k)] * rate;
+      }
+    run_orders(tapes_.followers, order, order + 1);
+  }
+
+  void run_orders(const Tape<Real>& tape, int from, int to) {
+    if (tape.each == tape.each_end) return;
+    if (tape.code != nullptr) return tape.code(s_, tape.numbers, &tau_, reciprocals_, to);
+    for (int k = from; k < to; ++k)
+      run_order(tape, s_, k);
   }
 
   // The sizes of the variables and what they are measured with.  least_: the scale until the variable is awake.
@@ -279,10 +299,8 @@ private:
   }
 
   void section_series() {
-    if (tapes_.last_order) run_order(tapes_.field, s_, run_.order);
-    if (tapes_.section.each != tapes_.section.each_end)
-      for (int k = 0; k <= run_.order; ++k)
-        run_order(tapes_.section, s_, k);
+    run_orders(tapes_.section, 0, run_.order);
+    run_orders(tapes_.last, run_.order, run_.order + 1);
   }
 
   // The series of a section that is no linear function may end before the function does (or the radius of
@@ -552,6 +570,7 @@ private:
   T scale_[most_variables]{}, per_start_[most_variables]{}, before_x_[most_variables]{},
       size_[most_variables]{}, least_[most_variables]{};
   T t_{}, t_low_{}, before_{}, longest_{}, tau_{}, moved_until_{};
+  Real reciprocals_[max_degree + 1]{}; ///< 1, 1/2, 1/3, ...
   Step log2_tau_{};
   bool fresh_ = true; ///< an orbit has just begun
   SectionWatch<T> watch_{run_.falling, run_.rising};

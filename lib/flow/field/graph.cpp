@@ -4,6 +4,7 @@
 #include "exact/error.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace kov::flow {
 namespace {
@@ -22,6 +23,23 @@ MPoly term_of(const MPoly& f, long i) {
   return MPoly::term(f.ring(), f.coefficient(i), f.exponents(i));
 }
 
+// f = content times a polynomial whose coefficients are coprime and begin with a positive one.
+Integer content_of(const MPoly& f) {
+  Integer content(0);
+  for (long i = 0; i < f.length(); ++i)
+    content = gcd(content, f.coefficient(i));
+  return f.coefficient(0) < Integer(0) ? Integer(0) - content : content;
+}
+
+// The rational factor of f, and a key that f has in common with its multiples by numbers.  Requires f != 0.
+std::pair<Rational, std::string> without_content(const MFraction& f) {
+  const Integer above = content_of(f.num()), below = content_of(f.den());
+  const auto rest = [&](const MPoly& p, const Integer& content) {
+    return to_string(exact_div(p, MPoly(p.ring(), content)));
+  };
+  return {Rational(above, below), rest(f.num(), above) + "/" + rest(f.den(), below)};
+}
+
 } // namespace
 
 // ---- nodes ----
@@ -34,10 +52,12 @@ NodeId Graph::keep(Node n, const std::string& key) {
   return ids_[key] = static_cast<NodeId>(nodes_.size() - 1);
 }
 
-bool Graph::is_zero(NodeId n) const {
+bool Graph::is_constant(NodeId n) const {
   const Node& x = node(n);
-  return x.kind == Node::Kind::sum && x.terms.empty() && x.constant == Rational();
+  return x.kind == Node::Kind::sum && x.terms.empty();
 }
+
+bool Graph::is_zero(NodeId n) const { return is_constant(n) && node(n).constant == Rational(); }
 
 NodeId Graph::variable(std::size_t i) {
   Node n;
@@ -75,6 +95,27 @@ NodeId Graph::sum(const Node::Terms& terms, const Rational& constant) {
   return keep(std::move(n), key);
 }
 
+NodeId Graph::sum_of_products(std::vector<Product> terms) {
+  std::map<NodeId, int> uses;
+  std::erase_if(terms, [&](const Product& p) { return is_zero(p.f) || is_zero(p.g); });
+  for (Product& p : terms)
+    for (NodeId* part : {&p.f, &p.g}) {
+      const auto [c, rest] = without_factor(*part);
+      p.c = p.c * c;
+      *part = rest;
+      if (!is_constant(rest)) ++uses[rest];
+    }
+  std::map<NodeId, Node::Terms> beside; // the most frequent factor: what it is multiplied with
+  for (const Product& p : terms) {
+    const bool first = uses[p.f] >= uses[p.g];
+    beside[first ? p.f : p.g].emplace_back(p.c, first ? p.g : p.f);
+  }
+  Node::Terms all;
+  for (const auto& [factor, others] : beside)
+    all.emplace_back(Rational(1), product(factor, sum(others)));
+  return sum(all);
+}
+
 std::pair<Rational, NodeId> Graph::without_factor(NodeId n) const {
   const Node& x = node(n);
   if (x.kind == Node::Kind::sum && x.terms.size() == 1 && x.constant == Rational())
@@ -105,6 +146,8 @@ NodeId Graph::quotient(NodeId a, NodeId b) {
   const auto [c, p] = without_factor(a);
   const auto [d, q] = without_factor(b);
   if (p == q) return constant(c / d);
+  if (is_constant(p) && node(p).constant != Rational(1))
+    return scaled(c * node(p).constant / d, quotient(constant(Rational(1)), q));
   if (node(q).fixed && !node(p).fixed) // one number instead of a recurrence
     return scaled(c / d, product(p, quotient(constant(Rational(1)), q)));
   Node n;
@@ -114,6 +157,10 @@ NodeId Graph::quotient(NodeId a, NodeId b) {
   n.fixed = node(p).fixed && node(q).fixed;
   const std::string key = "/" + std::to_string(p) + "," + std::to_string(q);
   return scaled(c / d, keep(std::move(n), key));
+}
+
+NodeId Graph::times(NodeId n, const MFraction& f) {
+  return quotient(product(n, of(f.num())), of(f.den()));
 }
 
 NodeId Graph::power(NodeId a, long n) {
@@ -189,10 +236,7 @@ NodeId Graph::of_primitive(const MPoly& f) {
 NodeId Graph::of(const MPoly& f) {
   if (kov::is_zero(f)) return constant(Rational());
   if (kov::is_constant(f)) return constant(Rational(f.coefficient(0)));
-  Integer content(0);
-  for (long i = 0; i < f.length(); ++i)
-    content = gcd(content, f.coefficient(i));
-  if (f.coefficient(0) < Integer(0)) content = Integer(0) - content;
+  const Integer content = content_of(f);
   const MPoly primitive = exact_div(f, MPoly(f.ring(), content));
   const std::string key = to_string(primitive);
   const auto known = polynomials_.find(key);
@@ -203,7 +247,20 @@ NodeId Graph::of(const MPoly& f) {
 
 NodeId Graph::of(const MFraction& f) {
   if (kov::is_zero(f)) return constant(Rational());
-  return quotient(of(f.num()), of(f.den()));
+  if (!fractions_.empty()) {
+    const auto [factor, key] = without_content(f);
+    if (const auto known = fractions_.find(key); known != fractions_.end())
+      return scaled(factor, known->second);
+  }
+  return multiplied_out(f);
+}
+
+NodeId Graph::multiplied_out(const MFraction& f) { return quotient(of(f.num()), of(f.den())); }
+
+void Graph::know(const MFraction& f, NodeId n) {
+  if (kov::is_zero(f) || kov::is_constant(f)) return;
+  const auto [factor, key] = without_content(f);
+  fractions_.try_emplace(key, scaled(Rational(1) / factor, n));
 }
 
 // ---- derivatives ----
@@ -288,7 +345,12 @@ double products(const Graph& g, const std::vector<NodeId>& roots) {
       cost += 0.02 * static_cast<double>(n.terms.size());
       for (const auto& [c, part] : n.terms)
         open.push_back(part);
-    } else if (n.kind != Node::Kind::variable) {
+    } else if (n.kind == Node::Kind::variable) {
+      if (const Graph::Rule* rule = g.rule_of(n.variable)) {
+        open.push_back(rule->of);
+        cost += rule->kind == Graph::Rule::Kind::root ? 0.5 : 0.02;
+      }
+    } else {
       open.push_back(n.a);
       open.push_back(n.b);
       const bool numbers = n.kind != Node::Kind::quotient && !(serial(n.a) && serial(n.b));
@@ -304,8 +366,7 @@ namespace {
 
 class MotionBuilder {
 public:
-  MotionBuilder(const System& s, std::set<std::size_t> fixed)
-      : s_(s), v_(s.field), graph_(std::move(fixed)) {
+  MotionBuilder(const System& s, Graph graph) : s_(s), v_(s.field), graph_(std::move(graph)) {
     for (const FunctionSymbol& f : v_.functions)
       functions_[f.variable] = &f;
   }
@@ -337,28 +398,59 @@ private:
       const auto d = by.find(variable);
       return d == by.end() ? graph_.constant(Rational()) : d->second;
     };
-    std::vector<NodeId> d;
-    for (std::size_t j = 0; j < v_.dimension(); ++j) {
-      Node::Terms terms{{Rational(1), partial_by(v_.coordinates[j])}};
-      for (const FunctionSymbol& f : v_.functions)
-        if (const NodeId outer = partial_by(f.variable);
-            !kov::is_zero(f.gradient[j]) && !graph_.is_zero(outer))
-          terms.emplace_back(Rational(1), graph_.product(outer, graph_.of(f.gradient[j])));
-      d.push_back(graph_.sum(terms));
+    const NodeId one = graph_.constant(Rational(1));
+    std::vector<std::vector<Graph::Product>> terms(v_.dimension());
+    for (std::size_t j = 0; j < v_.dimension(); ++j)
+      terms[j].push_back({Rational(1), partial_by(v_.coordinates[j]), one});
+    for (const FunctionSymbol& f : v_.functions) {
+      const NodeId outer = partial_by(f.variable);
+      if (graph_.is_zero(outer)) continue;
+      const Chain chain = chain_of(f);
+      const NodeId factor = chain.slope ? graph_.times(outer, *chain.slope) : outer;
+      for (std::size_t j = 0; j < v_.dimension(); ++j)
+        if (!kov::is_zero(chain.inner[j]))
+          terms[j].push_back({Rational(1), factor, graph_.of(chain.inner[j])});
     }
-    std::vector<NodeId> x;
+    std::vector<NodeId> d, x;
+    for (auto& of_one : terms)
+      d.push_back(graph_.sum_of_products(std::move(of_one)));
     for (std::size_t i = 0; i < v_.dimension(); ++i)
       x.push_back(combination((*v_.poisson)[i], d));
     return x;
   }
 
+  // The gradient of a function symbol: a slope times the gradient of its argument, where that is what it is.
+  struct Chain {
+    std::optional<MFraction> slope;
+    std::vector<MFraction> inner;
+  };
+  [[nodiscard]] Chain chain_of(const FunctionSymbol& f) const {
+    const Chain plain{std::nullopt, f.gradient};
+    if (f.function.empty() || kov::is_zero(f.argument)) return plain;
+    Chain chain{std::nullopt, kov::gradient(v_, f.argument)};
+    for (std::size_t j = 0; j < v_.dimension(); ++j) {
+      if (kov::is_zero(chain.inner[j]) != kov::is_zero(f.gradient[j])) return plain;
+      if (kov::is_zero(chain.inner[j])) continue;
+      const MFraction slope = f.gradient[j] / chain.inner[j];
+      if (chain.slope && !(*chain.slope == slope)) return plain;
+      chain.slope = slope;
+    }
+    return chain.slope ? chain : plain;
+  }
+
+  // s = sqrt(u): the slope is 1/(2 s), which is s/(2 u)
+  [[nodiscard]] static bool is_root(const FunctionSymbol& f, const Chain& chain, const Ring& ring) {
+    if (f.function != "sqrt" || !chain.slope) return false;
+    const MFraction s = MFraction::variable(ring, f.variable), twice = Rational(2) * *chain.slope;
+    return kov::is_one(twice * s) || twice * f.argument == s;
+  }
+
   // sum_j f_j n_j
   NodeId combination(const std::vector<MFraction>& f, const std::vector<NodeId>& n) {
-    Node::Terms terms;
+    std::vector<Graph::Product> terms;
     for (std::size_t j = 0; j < n.size(); ++j)
-      if (!kov::is_zero(f[j]))
-        terms.emplace_back(Rational(1), graph_.product(graph_.of(f[j]), n[j]));
-    return graph_.sum(terms);
+      if (!kov::is_zero(f[j])) terms.push_back({Rational(1), graph_.of(f[j]), n[j]});
+    return graph_.sum_of_products(std::move(terms));
   }
 
   // The functions that the roots use, those that their derivatives use, and so on.
@@ -378,7 +470,13 @@ private:
         const std::vector<NodeId> x(m.derivatives.begin(),
                                     m.derivatives.begin() + static_cast<long>(m.coordinates));
         m.variables.push_back(n.variable);
-        m.derivatives.push_back(combination(f->second->gradient, x));
+        const Chain chain = chain_of(*f->second);
+        const NodeId inner = combination(chain.inner, x);
+        m.derivatives.push_back(chain.slope ? graph_.times(inner, *chain.slope) : inner);
+        if (is_root(*f->second, chain, v_.ring)) {
+          graph_.follow(n.variable, {Graph::Rule::Kind::root, graph_.of(f->second->argument)});
+          open.push_back(graph_.rule_of(n.variable)->of);
+        }
         open.push_back(m.derivatives.back());
         for (const MFraction& d : f->second->gradient)
           open.push_back(graph_.of(d));
@@ -394,16 +492,20 @@ private:
 
 } // namespace
 
-Motion motion_of(const System& s, const std::vector<MFraction>& used) {
+Motion motion_of(const System& s, const std::vector<MFraction>& used, const Graph* written) {
   const VectorField& v = s.field;
   std::set<std::size_t> fixed(v.parameters.begin(), v.parameters.end());
   fixed.insert(v.constants.begin(), v.constants.end());
-  Motion direct = MotionBuilder(s, fixed).build(false, used);
-  if (!v.hamiltonian || !v.poisson) return direct;
-  Motion swept = MotionBuilder(s, fixed).build(true, used);
-  const bool cheaper =
-      products(swept.graph, swept.derivatives) < products(direct.graph, direct.derivatives);
-  return cheaper ? swept : direct;
+  std::optional<Motion> best;
+  const auto cost = [](const Motion& m) { return products(m.graph, m.series_roots()); };
+  for (const bool as_written : {false, true})
+    for (const bool from_h : {true, false}) {
+      if ((as_written && written == nullptr) || (from_h && !(v.hamiltonian && v.poisson))) continue;
+      Motion m = MotionBuilder(s, as_written ? *written : Graph(fixed)).build(from_h, used);
+      const double saving = as_written ? 0.9 : 1; // else factors are kept
+      if (!best || cost(m) < saving * cost(*best)) best = std::move(m);
+    }
+  return *std::move(best);
 }
 
 void add_tangent(Motion& m, std::size_t ring_size) {
@@ -413,8 +515,31 @@ void add_tangent(Motion& m, std::size_t ring_size) {
     v[m.variables[i]] = m.graph.variable(ring_size + i);
   }
   Graph::Tangents known;
-  for (const NodeId n : m.derivatives)
-    m.deviations.push_back(m.graph.tangent(n, v, known));
+  for (std::size_t i = 0; i < m.variables.size(); ++i) {
+    m.deviations.push_back(m.graph.tangent(m.derivatives[i], v, known));
+    const Graph::Rule* rule = m.graph.rule_of(m.variables[i]);
+    if (rule == nullptr || rule->kind != Graph::Rule::Kind::root) continue;
+    const NodeId of_argument = m.graph.tangent(rule->of, v, known);
+    const NodeId twice = m.graph.sum({{Rational(2), m.graph.variable(m.variables[i])}});
+    m.graph.follow(m.tangent[i], {Graph::Rule::Kind::copy, m.graph.quotient(of_argument, twice)});
+  }
+}
+
+std::vector<NodeId> Motion::series_roots() const {
+  std::vector<NodeId> roots, followers;
+  Graph g = graph; // has these variables already
+  const auto add = [&](std::size_t variable, NodeId derivative) {
+    if (graph.rule_of(variable) == nullptr)
+      roots.push_back(derivative);
+    else
+      followers.push_back(g.variable(variable));
+  };
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    add(variables[i], derivatives[i]);
+  for (std::size_t i = 0; i < tangent.size(); ++i)
+    add(tangent[i], deviations[i]);
+  roots.insert(roots.end(), followers.begin(), followers.end());
+  return roots;
 }
 
 } // namespace kov::flow

@@ -9,6 +9,7 @@
 //   product   (a b)_k = sum_j a_j b_(k-j)                   k + 1 multiplications
 //   square    (a^2)_k                                       half as many
 //   quotient  q = a/b:  b_0 q_k = a_k - sum_(j<k) q_j b_(k-j)
+//   root      r = sqrt(a), a function symbol: 2 r_0 r_k = a_k - sum_(0<j<k) r_j r_(k-j) instead of r' = a'/(2 r)
 //
 // A node exists once: the same subexpression is the same node.  A coefficient that is 0 makes no node.  What does
 // not depend on the phase variables (parameters without a rational value) is `fixed`: it is a number, not a series.
@@ -47,17 +48,39 @@ public:
   [[nodiscard]] const Node& node(NodeId n) const { return nodes_.at(n); }
   [[nodiscard]] std::size_t size() const noexcept { return nodes_.size(); }
   [[nodiscard]] bool is_zero(NodeId n) const;
+  [[nodiscard]] bool is_constant(NodeId n) const;
 
   NodeId constant(const Rational& c) { return sum({}, c); }
   NodeId variable(std::size_t i);
   NodeId sum(const Node::Terms& terms, const Rational& constant = {});
+  /// c1 f1 g1 + c2 f2 g2 + ..., a factor of several of them put outside of the brackets.
+  struct Product {
+    Rational c;
+    NodeId f, g;
+  };
+  NodeId sum_of_products(std::vector<Product> terms);
   NodeId product(NodeId a, NodeId b);
   NodeId quotient(NodeId a, NodeId b); ///< Requires b != 0.
-  NodeId power(NodeId a, long n);      ///< Requires n >= 1.
+  NodeId times(NodeId n, const MFraction& f);
+  NodeId power(NodeId a, long n); ///< Requires n >= 1.
   /// A rational function: factors are kept, what remains is multiplied out by Horner's rule, the most frequent
   /// variable first.  Errors  OutOfBudget
   NodeId of(const MFraction& f);
   NodeId of(const MPoly& f);
+  NodeId multiplied_out(const MFraction& f); ///< whatever is known of f
+  /// The series of a variable from order 1 on, if it is not that of its derivative: the square root of a node, or
+  /// the node itself.
+  struct Rule {
+    enum class Kind : std::uint8_t { root, copy } kind;
+    NodeId of;
+  };
+  void follow(std::size_t variable, const Rule& rule) { rules_.insert_or_assign(variable, rule); }
+  [[nodiscard]] const Rule* rule_of(std::size_t variable) const {
+    const auto found = rules_.find(variable);
+    return found == rules_.end() ? nullptr : &found->second;
+  }
+  /// From now on `of` makes this node of f, and c times it of c f.  Requires  n is f
+  void know(const MFraction& f, NodeId n);
 
   /// d(root)/dx_i for every variable x_i that it uses: one sweep from the root to the variables.
   std::map<std::size_t, NodeId> gradient(NodeId root);
@@ -79,6 +102,8 @@ private:
   std::vector<Node> nodes_;
   std::map<std::string, NodeId> ids_;
   std::map<std::string, NodeId> polynomials_;
+  std::map<std::size_t, Rule> rules_;
+  std::map<std::string, NodeId> fractions_; ///< that are known, without their rational factors
 };
 
 /// The motion x' = X(x) with its function symbols.
@@ -90,12 +115,16 @@ struct Motion {
   std::vector<NodeId> derivatives;       ///< of the variables
   std::vector<NodeId> deviations = {};   ///< of the tangent vector (add_tangent)
   std::vector<std::size_t> tangent = {}; ///< its variables, beyond the ring
+  /// What the series of all of them are made of, with the tangent vector: derivatives, and variables with a rule.
+  [[nodiscard]] std::vector<NodeId> series_roots() const;
 };
 
 /// The motion of a system, with at least the functions that `used` depends on.
-/// Cost    X is taken as the file writes it, or by one sweep from H where that is cheaper
+/// Given   written: how the file writes some functions (written.hpp)
+/// Cost    the least of: X multiplied out or as it is written, or by one sweep from H, multiplied out or written
 /// Errors  OutOfBudget
-[[nodiscard]] Motion motion_of(const System& s, const std::vector<MFraction>& used);
+[[nodiscard]] Motion motion_of(const System& s, const std::vector<MFraction>& used,
+                               const Graph* written = nullptr);
 /// Adds the first variational equation v' = DX(x) v.
 void add_tangent(Motion& m, std::size_t ring_size);
 

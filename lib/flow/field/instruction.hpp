@@ -9,12 +9,13 @@ namespace kov::flow {
 inline constexpr std::size_t group = 4;
 
 struct Instruction {
-  enum class Op : std::uint8_t { products, squares, sum, scaled, quotient };
+  enum class Op : std::uint8_t { products, squares, sum, scaled, quotient, root, copy };
   Op op = Op::sum;
   std::uint8_t count = 1; ///< products, squares: how many
   std::uint32_t out[group]{}, a[group]{}, b[group]{};
   ///< registers; sum: a[0] first term, b[0] end of the terms, a[1] the number that is added at order 0 (or none);
-  ///< scaled: a number a[0] times the series b[0]; quotient: out[1] keeps 1/b_0
+  ///< scaled: a number a[0] times the series b[0]; quotient: out[1] keeps 1/b_0; root: of the series a[0], out[1]
+  ///< keeps 1/(2 r_0); root and copy leave the coefficient of order 0 as it is
   static constexpr std::uint32_t none = ~0U;
 };
 

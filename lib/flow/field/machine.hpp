@@ -17,6 +17,12 @@ template <class R> struct Tape {
   const Instruction *each = nullptr, *each_end = nullptr;
   const SumTerm* terms = nullptr;
   const R* numbers = nullptr;
+  std::uint32_t one = 0; ///< which of the numbers is 1
+  /// The instructions `each` as code of the processor (machine_code.hpp) for packs of one size, or null: up to
+  /// the order `to`.  What moves has x_(k+1) = x'_k tau reciprocals[k] after each of them.
+  using Code = void (*)(void* series, const R* numbers, const void* tau, const R* reciprocals,
+                        long to);
+  Code code = nullptr;
 };
 
 inline namespace KOV_ISA {
@@ -28,54 +34,68 @@ concept HasDot = requires(const T* a) {
   dot(a, a, 1);
 };
 
-template <int n, class T> inline void products(const Instruction& i, T* s, int k) {
-  const T *a[n], *b[n];
-  T sum[n]{};
-  for (int m = 0; m < n; ++m) {
-    a[m] = s + i.a[m];
-    b[m] = s + i.b[m] + k;
-  }
-  for (int j = 0; j <= k; ++j)
-    for (int m = 0; m < n; ++m)
-      add_product(sum[m], a[m][j], b[m][-j]);
-  for (int m = 0; m < n; ++m)
-    s[i.out[m] + k] = sum[m];
-}
-
-// One product alone: two sums, so that an addition need not wait for the one before.
-template <class T> inline void product(const Instruction& i, T* s, int k) {
-  const T *a = s + i.a[0], *b = s + i.b[0] + k;
-  T even{}, odd{};
-  for (int j = 0; j < k; j += 2) {
+// The sum of a[j] b[-j], first <= j < end, in two sums, of the even and of the odd terms.
+template <class T> inline T sum_of_terms(const T* a, const T* b, int first, int end) {
+  if (first >= end) return T{};
+  T even = a[first] * b[-first];
+  if (first + 1 == end) return even;
+  T odd = a[first + 1] * b[-first - 1];
+  int j = first + 2;
+  for (; j + 1 < end; j += 2) {
     add_product(even, a[j], b[-j]);
     add_product(odd, a[j + 1], b[-j - 1]);
   }
-  if (k % 2 == 0) add_product(even, a[k], b[-k]);
-  s[i.out[0] + k] = even + odd;
+  if (j < end) add_product(even, a[j], b[-j]);
+  return even + odd;
 }
 
-template <int n, class T> inline void squares(const Instruction& i, T* s, int k) {
-  const T* a[n];
-  T sum[n]{};
-  for (int m = 0; m < n; ++m)
-    a[m] = s + i.a[m];
-  for (int j = 0; 2 * j < k; ++j)
-    for (int m = 0; m < n; ++m)
-      add_product(sum[m], a[m][j], a[m][k - j]);
+// Two sums for each product, of the even and of the odd terms, so that an addition need not wait for the one before.
+// What comes out does not depend on how many products one instruction has.
+template <int n, class T> inline void products(const Instruction& i, T* s, int k) {
+  const T *a[n], *b[n];
+  T even[n], odd[n]{};
   for (int m = 0; m < n; ++m) {
-    sum[m] += sum[m];
-    if (k % 2 == 0) add_product(sum[m], a[m][k / 2], a[m][k / 2]);
-    s[i.out[m] + k] = sum[m];
+    a[m] = s + i.a[m];
+    b[m] = s + i.b[m] + k;
+    even[m] = a[m][0] * b[m][0];
+    if (k > 0) odd[m] = a[m][1] * b[m][-1];
   }
+  int j = 2;
+  for (; j < k; j += 2)
+    for (int m = 0; m < n; ++m) {
+      add_product(even[m], a[m][j], b[m][-j]);
+      add_product(odd[m], a[m][j + 1], b[m][-j - 1]);
+    }
+  for (int m = 0; m < n; ++m) {
+    if (j == k) add_product(even[m], a[m][k], b[m][-k]);
+    s[i.out[m] + k] = k > 0 ? T(even[m] + odd[m]) : even[m];
+  }
+}
+
+// Twice the terms first <= j < k - j, and the one in the middle.
+template <class T> inline T square_terms(const T* a, int first, int k) {
+  T sum = sum_of_terms(a, a + k, first, (k + 1) / 2);
+  sum += sum;
+  if (k % 2 == 0) add_product(sum, a[k / 2], a[k / 2]);
+  return sum;
+}
+
+template <class T> inline void squares(const Instruction& i, T* s, int k) {
+  for (std::size_t m = 0; m < i.count; ++m)
+    s[i.out[m] + k] = square_terms(s + i.a[m], 0, k);
 }
 
 template <class T>
 inline void sum(const Instruction& i, const SumTerm* terms, const typename Lanes<T>::Real* numbers,
                 T* s, int k) {
   T all{};
-  if (k == 0 && i.a[1] != Instruction::none) all = Lanes<T>::all(numbers[i.a[1]]);
-  for (std::uint32_t t = i.a[0]; t < i.b[0]; ++t)
-    add_product(all, Lanes<T>::all(numbers[terms[t].number]), s[terms[t].reg + k]);
+  if (i.a[0] != i.b[0]) {
+    const SumTerm& first = terms[i.a[0]];
+    all = Lanes<T>::all(numbers[first.number]) * s[first.reg + k];
+    for (std::uint32_t t = i.a[0] + 1; t < i.b[0]; ++t)
+      add_product(all, Lanes<T>::all(numbers[terms[t].number]), s[terms[t].reg + k]);
+  }
+  if (k == 0 && i.a[1] != Instruction::none) all += Lanes<T>::all(numbers[i.a[1]]);
   s[i.out[0] + k] = all;
 }
 
@@ -93,13 +113,17 @@ template <class T> inline void quotient(const Instruction& i, T* s, int k) {
     q[k] = (rest - dot(q, b + k, k)) * s[i.out[1]];
     return;
   }
-  T even{}, odd{};
-  for (int j = 0; j + 1 < k; j += 2) {
-    add_product(even, q[j], b[k - j]);
-    add_product(odd, q[j + 1], b[k - j - 1]);
+  q[k] = (rest - sum_of_terms(q, b + k, 0, k)) * s[i.out[1]];
+}
+
+// r^2 = a:  2 r_0 r_k = a_k - sum_(0<j<k) r_j r_(k-j); r_0 is given
+template <class T> inline void root(const Instruction& i, T* s, int k) {
+  T* r = s + i.out[0];
+  if (k == 0) {
+    s[i.out[1]] = Lanes<T>::all(typename Lanes<T>::Real(1)) / (r[0] + r[0]);
+    return;
   }
-  if (k % 2 == 1) add_product(even, q[k - 1], b[1]);
-  q[k] = (rest - (even + odd)) * s[i.out[1]];
+  r[k] = (s[i.a[0] + k] - square_terms(r, 1, k)) * s[i.out[1]];
 }
 
 template <class T> inline void dots(const Instruction& i, T* s, int k) {
@@ -117,15 +141,12 @@ inline void execute(const Instruction& i, const SumTerm* terms,
     if (i.op == Op::products || i.op == Op::squares) return dots(i, s, k);
   switch (i.op) {
   case Op::products:
-    return i.count == 1   ? product(i, s, k)
+    return i.count == 1   ? products<1>(i, s, k)
            : i.count == 2 ? products<2>(i, s, k)
            : i.count == 3 ? products<3>(i, s, k)
                           : products<4>(i, s, k);
   case Op::squares:
-    return i.count == 1   ? squares<1>(i, s, k)
-           : i.count == 2 ? squares<2>(i, s, k)
-           : i.count == 3 ? squares<3>(i, s, k)
-                          : squares<4>(i, s, k);
+    return squares(i, s, k);
   case Op::sum:
     return sum(i, terms, numbers, s, k);
   case Op::scaled:
@@ -133,6 +154,11 @@ inline void execute(const Instruction& i, const SumTerm* terms,
     return;
   case Op::quotient:
     return quotient(i, s, k);
+  case Op::root:
+    return root(i, s, k);
+  case Op::copy:
+    if (k > 0) s[i.out[0] + k] = s[i.a[0] + k];
+    return;
   }
 }
 

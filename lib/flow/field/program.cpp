@@ -19,10 +19,10 @@ std::uint32_t Registers::input(std::size_t variable) const {
 
 class Compiler {
 public:
-  Compiler(const Graph& g, Registers& r) : g_(g), r_(r) {}
+  Compiler(const Graph& g, Registers& r, bool series) : g_(g), r_(r), series_(series) {}
 
-  Program compile(const std::vector<NodeId>& roots) {
-    collect(roots);
+  Program compile(const std::vector<NodeId>& roots, bool again) {
+    collect(roots, again);
     for (const NodeId id : order_)
       if (g_.node(id).fixed) emit(program_.once, id);
     std::map<int, std::vector<NodeId>> levels;
@@ -36,13 +36,13 @@ public:
   }
 
 private:
-  // New nodes in an order in which the parts of each come before it: their ids rise.
-  void collect(std::vector<NodeId> open) {
+  // New nodes (again: all nodes) in an order in which the parts of each come before it: their ids rise.
+  void collect(std::vector<NodeId> open, bool again) {
     std::set<NodeId> found;
     while (!open.empty()) {
       const NodeId id = open.back();
       open.pop_back();
-      if (r_.of_.contains(id) || !found.insert(id).second) continue;
+      if ((!again && r_.of_.contains(id)) || !found.insert(id).second) continue;
       const std::vector<NodeId> parts = parts_of(id);
       open.insert(open.end(), parts.begin(), parts.end());
     }
@@ -50,8 +50,9 @@ private:
       const Node& n = g_.node(id);
       if (n.kind == Node::Kind::variable) {
         r_.of_[id] = r_.input(n.variable);
+        if (rule_of(n) != nullptr) order_.push_back(id);
       } else {
-        r_.of_[id] = r_.count_++;
+        if (!r_.of_.contains(id)) r_.of_[id] = r_.count_++;
         order_.push_back(id);
       }
     }
@@ -59,7 +60,10 @@ private:
 
   [[nodiscard]] std::vector<NodeId> parts_of(NodeId id) const {
     const Node& n = g_.node(id);
-    if (n.kind == Node::Kind::variable) return {};
+    if (n.kind == Node::Kind::variable) {
+      const Graph::Rule* rule = rule_of(n);
+      return rule == nullptr ? std::vector<NodeId>{} : std::vector{rule->of};
+    }
     if (n.kind == Node::Kind::square) return {n.a};
     if (n.kind != Node::Kind::sum) return {n.a, n.b};
     std::vector<NodeId> parts;
@@ -68,9 +72,14 @@ private:
     return parts;
   }
 
+  [[nodiscard]] const Graph::Rule* rule_of(const Node& n) const {
+    return series_ && n.kind == Node::Kind::variable ? g_.rule_of(n.variable) : nullptr;
+  }
+
   // 0 for what is there already.
   int level(NodeId id) {
-    if (g_.node(id).fixed || g_.node(id).kind == Node::Kind::variable) return 0;
+    const Node& n = g_.node(id);
+    if (n.fixed || (n.kind == Node::Kind::variable && rule_of(n) == nullptr)) return 0;
     if (!std::binary_search(order_.begin(), order_.end(), id)) return 0;
     if (const auto known = levels_.find(id); known != levels_.end()) return known->second;
     int most = 0;
@@ -84,36 +93,74 @@ private:
   }
 
   void emit_level(const std::vector<NodeId>& nodes) {
-    std::vector<NodeId> products, squares;
+    std::vector<Factors> products, squares;
     for (const NodeId id : nodes) {
       const Node& n = g_.node(id);
       if (n.kind == Node::Kind::square)
-        squares.push_back(id);
+        squares.push_back({n.a, n.a, id});
       else if (n.kind == Node::Kind::product && !is_scaling(n))
-        products.push_back(id);
+        products.push_back({n.a, n.b, id});
     }
+    share(products);
     emit_groups(Instruction::Op::products, products);
     emit_groups(Instruction::Op::squares, squares);
     for (const NodeId id : nodes) {
       const Node& n = g_.node(id);
-      if (n.kind == Node::Kind::sum || n.kind == Node::Kind::quotient || is_scaling(n))
+      if (n.kind == Node::Kind::variable)
+        emit_rule(id);
+      else if (n.kind == Node::Kind::sum || n.kind == Node::Kind::quotient || is_scaling(n))
         emit(program_.each, id);
     }
   }
 
-  void emit_groups(Instruction::Op op, const std::vector<NodeId>& nodes) {
+  struct Factors {
+    NodeId a, b, product;
+  };
+
+  // The factor that more of these products have is the first one, and those that share it stand together: its
+  // coefficients are read once for all of them.
+  static void share(std::vector<Factors>& products) {
+    std::map<NodeId, int> uses;
+    for (const Factors& f : products) {
+      ++uses[f.a];
+      ++uses[f.b];
+    }
+    for (Factors& f : products)
+      if (uses[f.b] > uses[f.a]) std::swap(f.a, f.b);
+    std::stable_sort(products.begin(), products.end(), [&](const Factors& x, const Factors& y) {
+      return uses[x.a] != uses[y.a] ? uses[x.a] > uses[y.a] : x.a < y.a;
+    });
+  }
+
+  void emit_groups(Instruction::Op op, const std::vector<Factors>& nodes) {
     for (std::size_t first = 0; first < nodes.size(); first += group) {
       Instruction i;
       i.op = op;
       i.count = static_cast<std::uint8_t>(std::min(group, nodes.size() - first));
       for (std::size_t k = 0; k < i.count; ++k) {
-        const Node& n = g_.node(nodes[first + k]);
-        i.out[k] = r_.of_.at(nodes[first + k]);
-        i.a[k] = r_.of_.at(n.a);
-        i.b[k] = r_.of_.at(n.b);
+        i.out[k] = r_.of_.at(nodes[first + k].product);
+        i.a[k] = r_.of_.at(nodes[first + k].a);
+        i.b[k] = r_.of_.at(nodes[first + k].b);
       }
       program_.each.push_back(i);
     }
+  }
+
+  void emit_rule(NodeId id) {
+    const Graph::Rule* rule = rule_of(g_.node(id));
+    Instruction i;
+    i.op = rule->kind == Graph::Rule::Kind::root ? Instruction::Op::root : Instruction::Op::copy;
+    i.out[0] = r_.of_.at(id);
+    i.a[0] = r_.of_.at(rule->of);
+    if (i.op == Instruction::Op::root) i.out[1] = inverse(i.out[0]);
+    program_.each.push_back(i);
+  }
+
+  // The register that keeps the inverse for this one.
+  std::uint32_t inverse(std::uint32_t reg) {
+    const auto [place, fresh] = r_.inverse_of_.try_emplace(reg, r_.count_);
+    if (fresh) ++r_.count_;
+    return place->second;
   }
 
   std::uint32_t number(const Rational& c) {
@@ -142,21 +189,26 @@ private:
                                             : Instruction::Op::products;
       i.a[0] = r_.of_.at(turn ? n.b : n.a);
       i.b[0] = r_.of_.at(turn ? n.a : n.b);
-      if (n.kind == Node::Kind::quotient) i.out[1] = r_.count_++;
+      if (n.kind == Node::Kind::quotient) i.out[1] = inverse(i.out[0]);
     }
     code.push_back(i);
   }
 
   const Graph& g_;
   Registers& r_;
+  bool series_;
   Program program_;
   std::vector<NodeId> order_; ///< the new nodes, rising
   std::map<NodeId, int> levels_;
   std::map<Rational, std::uint32_t> numbers_;
 };
 
-Program compile(const Graph& g, const std::vector<NodeId>& roots, Registers& registers) {
-  return Compiler(g, registers).compile(roots);
+Program compile(const Graph& g, const std::vector<NodeId>& roots, Registers& registers,
+                bool series) {
+  return Compiler(g, registers, series).compile(roots, false);
+}
+Program compile_again(const Graph& g, const std::vector<NodeId>& roots, Registers& registers) {
+  return Compiler(g, registers, true).compile(roots, true);
 }
 
 } // namespace kov::flow

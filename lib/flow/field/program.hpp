@@ -34,11 +34,16 @@ private:
   std::vector<std::size_t> inputs_;
   std::map<std::size_t, std::uint32_t> input_of_;
   std::map<NodeId, std::uint32_t> of_;
+  std::map<std::uint32_t, std::uint32_t> inverse_of_; ///< of a quotient: the register of 1/b_0
   std::uint32_t count_ = 0;
 };
 
-/// The instructions that compute the roots.
+/// The instructions that compute the roots from what has registers.  series: a variable with a rule is computed, too;
+/// at a point it is given.
 [[nodiscard]] Program compile(const Graph& g, const std::vector<NodeId>& roots,
-                              Registers& registers);
+                              Registers& registers, bool series = false);
+/// The instructions that compute the series of the roots from the inputs alone.
+[[nodiscard]] Program compile_again(const Graph& g, const std::vector<NodeId>& roots,
+                                    Registers& registers);
 
 } // namespace kov::flow

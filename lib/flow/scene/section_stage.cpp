@@ -79,8 +79,9 @@ double SectionNoise::operator()(const double* sizes, double step) {
 }
 
 Stage::Stage(const SystemScene& s, const std::atomic<bool>* stop, const Starts& some)
-    : scene(s), integrals(watched(s)), field(s.system, crossed_in(s), needed_by(s, integrals),
-                                             s.values, s.indicator != Indicator::none),
+    : scene(s), integrals(watched(s)),
+      field(s.system, crossed_in(s), needed_by(s, integrals), s.values,
+            s.indicator != Indicator::none, s.written.get()),
       starts(some ? some(field) : starts_of(s, field, &skipped, stop)) {
   const std::size_t n = field.variables().size();
   std::vector<double> all;
@@ -112,7 +113,7 @@ std::array<double, 2> Stage::least_drawn() const {
 
 std::unique_ptr<Field> Stage::without_tangent() const {
   return std::make_unique<Field>(scene.system, crossed_in(scene), needed_by(scene, integrals),
-                                 scene.values, false);
+                                 scene.values, false, scene.written.get());
 }
 
 // The size of a function: that of its terms, at most, on what a few orbits have shown.

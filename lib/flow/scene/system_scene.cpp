@@ -1,6 +1,7 @@
 #include "flow/scene/system_scene.hpp"
 
 #include "exact/error.hpp"
+#include "flow/field/written.hpp"
 #include "symbol/document.hpp"
 #include "symbol/suggest.hpp"
 #include "system/claims.hpp"
@@ -44,6 +45,7 @@ public:
     read_levels();
     read_plot();
     place_axes();
+    s_.written = std::make_shared<const Graph>(written_->graph());
     read_orbits();
     read_accuracy();
     if (s_.scan) check_scan();
@@ -56,8 +58,10 @@ private:
   [[nodiscard]] SceneFormula function(const Entry& e) const {
     const Expression formula = e.expression(true);
     const bool equation = formula.kind() == Expression::Kind::equation;
-    return {equation ? evaluate_equation(formula, *scope_) : evaluate(formula, *scope_),
-            e.string()};
+    const MFraction value =
+        equation ? evaluate_equation(formula, *scope_) : evaluate(formula, *scope_);
+    written_->add(formula, value);
+    return {value, e.string()};
   }
 
   // Rational values go into the algebra, the others into the integration.
@@ -83,6 +87,7 @@ private:
       throw set->error(e.message(), e.hint());
     }
     s_.meanings = scope_->meanings;
+    written_ = std::make_unique<Written>(document, *scope_, s_.system);
     const VectorField& v = s_.system.field;
     std::vector<std::size_t> open = v.parameters;
     open.insert(open.end(), v.constants.begin(), v.constants.end());
@@ -379,6 +384,7 @@ private:
   ParameterValues varied_;
   SystemScene s_;
   std::unique_ptr<SystemScope> scope_; ///< what the names of the system mean
+  std::unique_ptr<Written> written_;
 };
 
 // The value texts of vary = {r = [a, b, n]}.

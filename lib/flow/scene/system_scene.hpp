@@ -64,6 +64,8 @@ struct SystemScene {
   System system;
   std::vector<FunctionMeaning> meanings; ///< of its function symbols: sin(q1), ...
   Values values;                         ///< parameters without a rational value
+  std::shared_ptr<const Graph>
+      written; ///< how the file writes the field and the functions of the scene
   SceneFormula section;
   bool falling = false, rising = true;
   std::optional<SceneFormula> where;

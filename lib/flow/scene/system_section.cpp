@@ -215,6 +215,7 @@ template <class R> struct SectionWork {
     run.sizes_at_crossings = s.errors;
     run.values = tapes.values();
     run.stop = options.stop;
+    run.native = options.native;
     return run;
   }
 

@@ -62,6 +62,8 @@ inline constexpr double visible_error = 1e-3; ///< a pixel of a picture
 
 struct SystemSectionOptions {
   int threads = 1, lanes = 0;
+  bool native =
+      true; ///< with code of the processor (field/machine_code.hpp); the answer is the same without
   const std::atomic<bool>* stop = nullptr;
   std::function<void(std::size_t done, std::size_t all)> progress;
   std::function<void(const SystemSection& so_far)> finished_some; ///< points are not sorted yet
