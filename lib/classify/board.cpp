@@ -70,13 +70,13 @@ std::vector<Piece> at_common_values(Board& b, const Round& round, const Piece& p
   for (std::size_t i = 0; i < piece.special.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (const auto common = common_values(piece.special[i], piece.special[j])) {
-        add_once(b.result.trusted, "the common values of two exponent differences");
+        add_once(b.result.trusted, {{Trusted::Step::common_values}});
         return at_those_values(round, piece, *common,
                                piece.special[i].squares.front().den() *
                                    piece.special[j].squares.front().den());
       }
   if (const auto bounded = bounded_values(round.system, piece.where, piece.special)) {
-    add_once(b.result.trusted, bounded->trusted);
+    add_once(b.result.trusted, {bounded->trusted});
     MPoly denominators = bounded->values.square.den();
     for (const DifferenceCondition& c : piece.special)
       for (const MFraction& square : c.squares)

@@ -30,7 +30,7 @@ public:
     std::vector<Condition> others = known_;
     for (std::size_t j = 0; j < conditions_.size(); ++j)
       if (j != i && is_discrete(conditions_[j])) add_distance(conditions_[j], others);
-    BoundedValues all{i, {c.squares.front(), {}}, ""};
+    BoundedValues all{i, {c.squares.front(), {}}, {}};
     const auto bound = least_bound(c.squares.front(), others, all.trusted);
     if (!bound) return std::nullopt;
     all.values.values = special_squares(c, *bound);
@@ -52,7 +52,7 @@ private:
 
   // The smallest k, of those that are tried, such that Delta^2 > k^2 is refuted.
   std::optional<long> least_bound(const MFraction& square, const std::vector<Condition>& others,
-                                  std::string& step) const {
+                                  Trusted& step) const {
     const auto refuted = [&](long k) {
       auto all = others;
       all.push_back(larger(square, k));

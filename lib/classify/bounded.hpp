@@ -3,6 +3,7 @@
 //
 // Source  docs/theory/classify.md (2)
 
+#include "literature/trusted.hpp"
 #include "study/difference.hpp"
 #include "system/system.hpp"
 
@@ -12,7 +13,7 @@ namespace kov {
 struct BoundedValues {
   std::size_t condition = 0; ///< in the list
   CommonValues values;
-  std::string trusted; ///< the decision over the reals
+  Trusted trusted; ///< the decision over the reals
 };
 /// Where all conditions hold on the set: one that holds for finitely many Delta^2 only, as the real
 /// parameters of the set with larger ones are refuted.  Another Delta that is never v is special

@@ -60,9 +60,9 @@ System without_levels_fixed(Board& b, System s) {
         std::any_of(levels.begin(), levels.end(), [&](std::size_t i) { return uses(a.value, i); });
     if (of_a_level) {
       b.is_as_stated = false;
+      using What = ClassificationNote::What;
       b.result.notes.push_back(
-          (b.stated.all.empty() ? "not used" : "used along the file's manifolds only") +
-          std::string(", as the statement is about all levels: ") + a.text);
+          {b.stated.all.empty() ? What::not_used : What::used_on_manifolds, a.text});
     }
     return of_a_level;
   });
@@ -189,7 +189,7 @@ bool decides_something(const SystemClassification& c) {
 void keep_what_was_proved(Board& b, const std::string& why) {
   b.result = std::move(b.so_far);
   b.result.at_work.clear();
-  b.result.notes.push_back(why + ": the rest counts as open");
+  b.result.notes.push_back({ClassificationNote::What::rest_is_open, why});
 }
 
 std::optional<KnownSystem> constants_at_hand(const Board& b) {
@@ -247,7 +247,7 @@ void study_whole(Board& b) {
 
 void finish(Board& b) {
   if (!b.open.empty() && is_over(b.budget()))
-    b.result.notes.push_back(limit_in_words(b.budget()) + ": the rest counts as open");
+    b.result.notes.push_back({ClassificationNote::What::rest_is_open, limit_in_words(b.budget())});
   for (Piece& piece : b.open)
     leave_open(std::move(piece), b.result);
   finish(b.known.system, b.result);
@@ -291,10 +291,8 @@ void add_almost_all(Board& b) {
   if (!found) return;
   b.result.almost_all = std::move(found);
   const ExclusionReason& by = b.result.almost_all->by;
-  for (const auto& [to, from] :
-       {std::pair(&b.result.theorems, &by.theorems), std::pair(&b.result.trusted, &by.trusted)})
-    for (const std::string& text : *from)
-      add_once(*to, text);
+  add_once(b.result.theorems, by.theorems);
+  add_once(b.result.trusted, by.trusted);
   add_once(b.result.assumptions, by.unchecked);
 }
 
@@ -305,7 +303,7 @@ void study_almost_all(Board& b) {
   } catch (const OutOfBudget& limit) {
     missing = limit.what();
   }
-  if (!missing.empty()) b.result.notes.push_back("almost all parameters: " + missing);
+  if (!missing.empty()) b.result.notes.push_back({ClassificationNote::What::almost_all, missing});
 }
 
 } // namespace

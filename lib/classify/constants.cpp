@@ -139,7 +139,7 @@ bool go_on_with(Board& b, KnownSystem larger) {
       rounds.push_back(std::move(round));
     }
   } catch (const OutOfBudget& limit) {
-    b.result.notes.push_back(std::string("algebraic constants: ") + limit.what());
+    b.result.notes.push_back({ClassificationNote::What::constants, limit.what()});
     return false;
   }
   b.result = std::move(result);

@@ -451,17 +451,16 @@ std::string which_part(const PlanarPotential& p) {
 // What all statements about Darboux points have in common.
 ExclusionReason reason(const PlanarPotential& p) {
   ExclusionReason by;
-  by.level = p.part == Part::all ? "energy not 0" : "energy of this part not 0";
+  by.level.which =
+      p.part == Part::all ? Levels::Which::energy_not_zero : Levels::Which::energy_of_part_not_zero;
   if (p.part == Part::all)
     by.integrals.curves = {"the Darboux points"};
   else
     by.integrals = {.kind = IntegralClass::Kind::rational,
                     .near = IntegralClass::Near::phase_space};
-  by.trusted = {"the polynomial of the eigenvalues at Darboux points"};
+  by.trusted = {{Trusted::Step::darboux_eigenvalues}};
   if (p.part != Part::all)
-    by.theorems.push_back(
-        "Ziglin's lemma for rational integrals in involution, applied to parts of " +
-        std::string(p.part == Part::highest ? "highest" : "lowest") + " weight");
+    by.theorems.push_back(p.part == Part::highest ? &ziglin_highest() : &ziglin_lowest());
   return by;
 }
 
@@ -475,7 +474,7 @@ ExclusionReason why(const PlanarPotential& p, std::size_t points,
                   : "an integrable potential with " + these +
                         " has one of these sets of eigenvalues (Morales-Ruiz and Ramis): " +
                         text_of(choices) + "; this one does not";
-  by.theorems.insert(by.theorems.begin(), morales_ramis().name);
+  by.theorems.insert(by.theorems.begin(), &morales_ramis());
   return by;
 }
 
@@ -608,8 +607,8 @@ std::optional<Exclusion> exclusion_at_multiple(const System& s, const PlanarPote
                 " with such a point, not isotropic and no zero, " +
                 (p.k % 2 == 0 ? "only the radial one" : "none") +
                 " is integrable: the first term that is not radial gives a logarithm";
-  e.by.trusted = {"the logarithm at multiple Darboux points"};
-  e.by.theorems.insert(e.by.theorems.begin(), morales_ramis_simo().name);
+  e.by.trusted = {{Trusted::Step::darboux_logarithm}};
+  e.by.theorems.insert(e.by.theorems.begin(), &morales_ramis_simo());
   return e;
 }
 

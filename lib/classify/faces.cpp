@@ -367,7 +367,7 @@ private:
       return std::nullopt;
     e.not_all_zero.push_back(x_.independent);
     e.by.integrals = integrals(s);
-    e.by.trusted.emplace_back("exponentials as coordinates, also where they are 0");
+    e.by.trusted.push_back({Trusted::Step::exponential_coordinates});
     return e;
   }
 

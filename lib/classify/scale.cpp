@@ -137,12 +137,10 @@ Exclusion ScaledSystem::before(Exclusion e) const {
   if (e.unless)
     for (MFraction& square : e.unless->squares)
       square = substitute(square, back);
-  std::string text;
   for (const std::size_t i : ones) {
     e.not_all_zero.push_back({MPoly::variable(system.ring(), i)});
-    text += (text.empty() ? "" : ", ") + system.ring()->name(i) + " = 1";
+    e.by.level.ones.push_back(system.ring()->name(i));
   }
-  e.by.level += (e.by.level.empty() ? "" : ", ") + text + " by a change of scale";
   return e;
 }
 

@@ -23,6 +23,11 @@ std::string free_name(const std::vector<std::string>& taken, const std::string& 
   return candidate;
 }
 
+std::string name(const SystemClaim& c) { return c.name.empty() ? c.text : c.name; }
+std::string name(const System& s, const KnownLevel& l) {
+  return l.claim ? name(s.claims.at(*l.claim)) : "H";
+}
+
 struct NamedIntegral {
   std::string name;
   MFraction value;
@@ -40,8 +45,7 @@ std::vector<NamedIntegral> known_integrals(const System& s,
         (c.claim.kind == SystemClaim::Kind::integral || c.claim.kind == SystemClaim::Kind::casimir);
     const bool known = std::any_of(
         all.begin(), all.end(), [&](const NamedIntegral& i) { return i.value == c.claim.value; });
-    if (usable && !known)
-      all.push_back({c.claim.name.empty() ? c.claim.text : c.claim.name, c.claim.value, k});
+    if (usable && !known) all.push_back({name(c.claim), c.claim.value, k});
   }
   return all;
 }
@@ -101,8 +105,8 @@ LevelledSystem with_levels(const System& s, std::vector<ClaimReport> claims) {
   all.claims = claims_of(all.system, std::move(claims));
   for (std::size_t k = 0; k < integrals.size(); ++k) {
     all.system.field.parameters.push_back(first + k);
-    all.levels.push_back({transfer(integrals[k].value, all.system.ring()), first + k,
-                          integrals[k].name, integrals[k].claim});
+    all.levels.push_back(
+        {transfer(integrals[k].value, all.system.ring()), first + k, integrals[k].claim});
   }
   return all;
 }
@@ -167,7 +171,7 @@ ManifoldSpec with_its_levels(const System& s, const FoundManifold& m,
     const bool fixed = others == OtherLevels::one && has_other_levels(m, levels) && known.claim;
     const MFraction value =
         fixed ? MFraction(s.ring(), Rational(1)) : MFraction::variable(s.ring(), known.level);
-    spec.levels.push_back({known.integral - value, known.text + " = " + to_string(value)});
+    spec.levels.push_back({known.integral - value, name(s, known) + " = " + to_string(value)});
     add_poles(s, known.integral, spec);
   }
   return spec;
@@ -205,8 +209,7 @@ std::vector<ManifoldSpec> at_energy(const System& s, const std::vector<KnownLeve
     for (Equation& e : m.levels)
       for (const KnownLevel& known : levels) {
         if (known.claim || !uses(e.difference, known.level)) continue;
-        e = {substitute(e.difference, {{known.level, value}}),
-             known.text + " = " + std::to_string(energy)};
+        e = {substitute(e.difference, {{known.level, value}}), "H = " + std::to_string(energy)};
         fixed = true;
       }
     m.name += " (energy " + std::to_string(energy) + ")";

@@ -16,7 +16,6 @@ namespace kov {
 struct KnownLevel {
   MFraction integral;
   std::size_t level = 0;
-  std::string text;                 ///< "H"
   std::optional<std::size_t> claim; ///< of the file, that says so; unset: the Hamiltonian
 };
 

@@ -182,8 +182,8 @@ void study_along(Board& b, Round& round, const Task& task, const Budget& budget)
     if (!round.last) round.cut.push_back(m.name);
   }
   if (report.failure && is_of_the_file(b, m.name) && is_the_first(b, round))
-    add_once(b.result.notes,
-             "the file's manifold " + m.name + " was not used: " + report.failure->message);
+    add_once(b.result.notes, {ClassificationNote::What::manifold,
+                              m.name + " was not used: " + report.failure->message});
   const auto constants = constants_in(known.system, m, report);
   for (Exclusion& x : exclusions(known.system, report, level_parameters(known.system))) {
     x.constants = constants;

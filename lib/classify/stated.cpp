@@ -44,12 +44,12 @@ std::optional<Lists> some_level_is_admitted(const System& s) {
 }
 
 // "h > 0", of the levels; "h != 0" holds for all but special ones.
-std::string assumed_of_levels(const System& s) {
-  std::string text;
+std::vector<std::string> assumed_of_levels(const System& s) {
+  std::vector<std::string> all;
   for (const Assumption& a : s.assumptions)
     if (a.relation != Relation::nonzero && uses_any(a.value, level_parameters(s)))
-      text += (text.empty() ? "" : ", ") + a.text;
-  return text;
+      all.push_back(a.text);
+  return all;
 }
 
 System without_assumptions_on_levels(System s) {
@@ -121,7 +121,7 @@ private:
         !found.first.failure && found.headline.complete && !share.check.decide.budget.is_spent();
     for (Exclusion& e : one.exclusions) {
       e.not_all_zero.insert(e.not_all_zero.end(), admitted_->begin(), admitted_->end());
-      if (!assumed_.empty()) e.by.level += (e.by.level.empty() ? "" : ", ") + assumed_;
+      e.by.level.fixed.insert(e.by.level.fixed.end(), assumed_.begin(), assumed_.end());
     }
     exclusions_.insert(exclusions_.end(), one.exclusions.begin(), one.exclusions.end());
     return one;
@@ -132,7 +132,7 @@ private:
   System told_;           ///< of which the theorem speaks: nothing is assumed of levels
   ClassifyOptions options_;
   std::optional<Lists> admitted_;
-  std::string assumed_;
+  std::vector<std::string> assumed_;
   std::vector<Exclusion> exclusions_;
 };
 
@@ -160,11 +160,12 @@ std::string outcome(const ManifoldReport& report) {
   if (report.verdict == VerdictKind::no_obstruction)
     return "the first variational equation has an abelian identity component";
   for (const BlockReport& b : report.blocks)
-    if (b.abelian == Truth::unknown && !b.strata && !b.note.empty()) return b.note;
+    if (b.abelian == Truth::unknown && !b.strata && !b.missing.empty()) return note(b.missing);
   for (const BlockReport& b : report.blocks)
     if (b.strata)
       if (std::string limit = limit_of(*b.strata); !limit.empty()) return limit;
-  if (report.blocks.empty() && !report.reasons.empty()) return report.reasons.front();
+  if (report.blocks.empty())
+    if (const auto why = reasons(report); !why.empty()) return why.front();
   return "the first variational equation excludes no more";
 }
 

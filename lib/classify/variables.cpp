@@ -48,7 +48,8 @@ public:
                       attempt([&] { return here(1); }));
     if (!best_) std::rethrow_exception(first_);
     if (error_ && !decides_something(*best_)) std::rethrow_exception(error_);
-    if (!limit_.empty() && has_open(*best_)) best_->notes.push_back(limit_);
+    if (!limit_.empty() && has_open(*best_))
+      best_->notes.push_back({ClassificationNote::What::limit, limit_});
     return *std::move(best_);
   }
 
@@ -223,7 +224,7 @@ SystemClassification all_open(const System& s, const std::string& limit) {
   SystemClassification c = nothing_known(s);
   leave_open({all_parameters(s, level_parameters(s), {}, c), {}}, c);
   finish(s, c);
-  c.notes.push_back(limit + ": the rest counts as open");
+  c.notes.push_back({ClassificationNote::What::rest_is_open, limit});
   return c;
 }
 
@@ -237,8 +238,7 @@ SystemClassification classify_system(const System& s, const ClassifyOptions& opt
     c = all_open(s, limit.what());
   }
   c.complete = !options.check.decide.budget.is_cut_short();
-  if (!c.complete)
-    add_once(c.notes, "the clock ended the work: with more time more may be decided");
+  if (!c.complete) c.notes.push_back({ClassificationNote::What::clock});
   return c;
 }
 

@@ -12,29 +12,6 @@
 namespace kov {
 namespace {
 
-const char* step_name(int number) {
-  switch (number) {
-  case 0:
-    return "necessary conditions";
-  case 1:
-    return "step 1, exponent sets";
-  case 2:
-    return "step 2, families";
-  default:
-    return "step 3, polynomials";
-  }
-}
-
-std::vector<TraceStep> printed(const kovacic::Trace& trace) {
-  std::vector<TraceStep> steps;
-  for (const kovacic::Step& s : trace)
-    steps.push_back({s.kovacic_case == 0
-                         ? step_name(s.number)
-                         : "case " + std::to_string(s.kovacic_case) + ", " + step_name(s.number),
-                     s.text});
-  return steps;
-}
-
 void fill(Decision& d, const std::shared_ptr<const Classification>& c) {
   d.group = c->group;
   d.component = c->component;
@@ -70,7 +47,7 @@ SecondOpinion classical(Decision& d, const NormalForm& equation, const Options& 
   } catch (const OutOfBudget& e) {
     outcome = Unable{Unable::Why::budget, e.what()};
   }
-  d.trace = printed(trace);
+  d.trace = trace;
   const auto* unable = std::get_if<Unable>(&outcome);
   return {kovacic::case_of(outcome), unable ? unable->detail : ""};
 }
@@ -291,7 +268,7 @@ void compare_methods(Decision& d, const NormalForm& equation, const Options& opt
       failure_of("Kovacic's algorithm", [&] { other = classical(d, equation, options); });
   if (!failed.empty()) {
     other = {{}, failed};
-    d.trace.push_back({"Kovacic's algorithm", failed});
+    d.trace.push_back({0, whole_algorithm, failed});
   }
   if (asked_to_compare(options) ||
       (other.kovacic_case && d.kovacic_case && *other.kovacic_case != *d.kovacic_case))

@@ -5,6 +5,7 @@
 #include "exact/budget.hpp"
 #include "exact/truth.hpp"
 #include "galois/solutions.hpp"
+#include "kovacic/trace.hpp"
 #include "linode/normal_form.hpp"
 #include "recognize/recognize.hpp"
 
@@ -35,12 +36,6 @@ struct Options {
   /// Told as soon as something is proved, and again when the certificate is there: before steps
   /// and solutions are made, which can take longer than the proof.
   std::function<void(const Decision&)> proved;
-};
-
-/// One line of the derivation, for --trace.
-struct TraceStep {
-  std::string step; ///< "Case 1, step 2", ...
-  std::string text;
 };
 
 // ---- why: the argument that an answer rests on
@@ -98,7 +93,7 @@ struct Decision {
   std::optional<SolutionsMissing> no_solutions;
   std::optional<int> only_case;    ///< that was asked for
   std::optional<Unable> undecided; ///< set when anything asked stayed open
-  std::vector<TraceStep> trace;
+  kovacic::Trace trace;
   bool checked = false;       ///< our own checker accepted a certificate, kept or not
   std::string certificate;    ///< JSON text; empty if not asked for, or
   std::string no_certificate; ///< why there is none: told, and used by nobody

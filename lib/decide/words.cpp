@@ -3,6 +3,8 @@
 #include "exact/error.hpp"
 #include "exact/letters.hpp"
 
+#include <algorithm>
+
 namespace kov {
 namespace {
 
@@ -58,6 +60,14 @@ std::string to_string(const SolutionsMissing& why) {
   return why.why == SolutionsMissing::Why::not_asked_for ? "not asked for" : why.limit;
 }
 
+std::string name(const kovacic::Step& s) {
+  if (s.number == whole_algorithm) return "Kovacic's algorithm";
+  constexpr const char* steps[] = {"necessary conditions", "step 1, exponent sets",
+                                   "step 2, families", "step 3, polynomials"};
+  const std::string step = steps[std::clamp(s.number, 0, 3)];
+  return s.kovacic_case == 0 ? step : "case " + std::to_string(s.kovacic_case) + ", " + step;
+}
+
 std::string reason(const Decision& d) { return reason(d, d.variable); }
 
 std::string reason(const Decision& d, const std::string& variable) {
@@ -108,7 +118,6 @@ std::vector<PrintedSolution> printed_solutions(const Decision& d, std::size_t mo
   std::vector<PrintedSolution> all;
   for (const LiouvillianSolution& s : d.solutions) {
     PrintedSolution& out = all.emplace_back();
-    out.note = note(s);
     if (s.exponential) {
       out.y = paper(text(s, d.variable, budget));
       out.omega = paper(omega_text(*s.exponential, d.variable));

@@ -15,16 +15,16 @@ namespace kov {
 namespace {
 
 // Where all coefficients of f in z vanish, f is 0: not there.
-void assume_somewhere_nonzero(strata::Question& q, const MPoly& f, const std::string& otherwise) {
+void assume_somewhere_nonzero(strata::Question& q, const MPoly& f,
+                              strata::Genericity::Else otherwise, std::string of = {}) {
   std::vector<MPoly> all = coefficients(f, q.z);
   std::erase_if(all, [](const MPoly& c) { return is_zero(c); });
   if (std::any_of(all.begin(), all.end(), [](const MPoly& c) { return is_constant(c); })) return;
-  q.generic.push_back({std::move(all), otherwise});
+  q.generic.push_back({std::move(all), otherwise, std::move(of)});
 }
 
 void assume_defined(strata::Question& q, const MFraction& f) {
-  if (!is_zero(f))
-    assume_somewhere_nonzero(q, f.den(), "a coefficient of the equation has no value");
+  if (!is_zero(f)) assume_somewhere_nonzero(q, f.den(), strata::Genericity::Else::no_value);
 }
 
 // The constants are variables of the ring, so that sqrt(2)^2 - 2 is 0 by their equations only.
@@ -128,7 +128,7 @@ ParametricEquation read_parametric_equation(const EquationText& text) {
       assume_defined(q, c);
     if (is_zero(constants->reduced(form.c2, scope)))
       throw text.ode->error("the coefficient of " + given.unknown + "'' is 0");
-    assume_somewhere_nonzero(q, form.c2.num(), "the coefficient of " + given.unknown + "'' is 0");
+    assume_somewhere_nonzero(q, form.c2.num(), strata::Genericity::Else::no_order, given.unknown);
     f.gauge = Rational(-1, 2) * (form.c1 / form.c2);
     q.r = reduced(form.c1 / form.c2, form.c0 / form.c2);
   } else {

@@ -82,12 +82,11 @@ void except_where_invalid(const System& s, const CheckOptions& options, BlockRep
     for (const std::size_t i : s.field.parameters)
       if (uses(g, i)) {
         block.abelian = Truth::unknown;
-        block.note =
-            "decided only where " + to_string(g) + " is not zero: " + reason(*block.decision);
+        block.missing = {{Missing::What::only_where, to_string(g), reason(*block.decision)}};
         return;
       }
   block.abelian = one_system ? generic : Truth::unknown;
-  if (!one_system) block.note = "the relations of the functions fall apart for some parameters";
+  if (!one_system) block.missing = {{Missing::What::relations_fall_apart}};
 }
 
 // one_level: one value of the energy is enough, levels.cpp looks for it
@@ -98,8 +97,7 @@ void decide_block(const System& s, const CheckOptions& options, bool one_level,
   // a constant that depends on the parameters is one to strata
   if (!names.empty() || (!options.stop_at_r && !constants_are_numbers(s.field))) {
     if (options.stop_at_r)
-      block.note = "r depends on " + names +
-                   "; give values with --set to decide single equations";
+      block.missing = {{Missing::What::parameters_in_r, names}};
     else if (!one_level)
       decide_parameters(s, options, block);
     return;
@@ -154,9 +152,7 @@ void study_block(const System& s, const InvariantManifold& m, const LinearSystem
     return;
   }
   if (members.size() > 2) {
-    block.note = "a normal block of order " + std::to_string(members.size()) +
-                 ": not reducible to second order by the invariant manifold, linear first "
-                 "integrals or block structure";
+    block.missing = {{Missing::What::large_block, std::to_string(members.size())}};
     return;
   }
   const ReduceSpec* reduce = reduction_for(s, m.name);
@@ -192,7 +188,7 @@ void study_on_the_leaf(const Study& study, ManifoldReport& report, std::vector<M
     if (!seen_on_the_leaf(study.system.field, *report.manifold, report.normal, to, unknowns,
                           divisors)) {
       block.unknowns = std::move(unknowns);
-      block.note = "not seen on the symplectic leaves: nothing was concluded from it";
+      block.missing = {{Missing::What::not_on_the_leaf}};
       return;
     }
   }

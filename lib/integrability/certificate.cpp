@@ -2,6 +2,7 @@
 
 #include "certify/equation/certificate.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "integrability/way.hpp"
 #include "strata/certificate.hpp"
 
@@ -25,9 +26,8 @@ std::string derivation(const System& s, const ManifoldReport& m, const BlockRepo
   if (!level.empty()) values.push_back(level);
   return "y'' = r y, in the variable " + s.ring()->name(b.ode->z) + " (" + b.ode->change +
          "), is the normal form of the equation of " + b.ode->unknown + " in the block (" +
-         comma_separated(b.unknowns) + ") of the normal variational equations of " + s.file +
-         " along " + m.name + ": " + comma_separated(equations) +
-         (values.empty() ? "" : "; with " + comma_separated(values));
+         joined(b.unknowns) + ") of the normal variational equations of " + s.file + " along " +
+         m.name + ": " + joined(equations) + (values.empty() ? "" : "; with " + joined(values));
 }
 
 class Collector {
@@ -62,10 +62,10 @@ private:
     if (b.decision) take(*b.decision, b, b.way, "", role);
     if (b.strata) take(*b.strata, b.way, role);
     for (const EnergyResult& e : b.energies) {
-      if (e.decision) take(*e.decision, b, e.way, e.condition, role + "-level");
+      if (e.decision) take(*e.decision, b, e.way, sentence(e.at), role + "-level");
       if (e.strata) take(*e.strata, b.way, role + "-level");
     }
-    if (!b.no_way.empty()) refuse(b.no_way, role + "-way");
+    if (b.no_way) refuse(sentence(*b.no_way), role + "-way");
   }
 
   void take(const Decision& d, const BlockReport& b, const std::shared_ptr<const WayToR>& way,
@@ -81,7 +81,7 @@ private:
     if (m_->verdict == VerdictKind::non_integrable && d.abelian == Truth::no)
       c.steps.push_back({"obstruction",
                          {group, "equation"},
-                         certify::ApplyTheorem{m_->by->id(), s_.file + ": " + m_->statement}});
+                         certify::ApplyTheorem{m_->by->id(), s_.file + ": " + statement(*m_)}});
     add(certify::write_certificate(c), role);
   }
 

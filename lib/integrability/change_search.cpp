@@ -135,17 +135,13 @@ private:
   }
   void finish() {
     if (block_.ode) return;
-    block_.note = failures_.text();
-    if (block_.note.empty()) block_.note = "no change of variable was found";
     const auto factors = factors_on_components(m_);
-    if (factors.empty()) return;
     std::string product;
     for (const MPoly& f : factors)
       product += (product.empty() ? "(" : "*(") + to_string(f) + ")";
-    block_.note =
-        "the phase curve has several components, " + product +
-        " = 0 on it: study one of them, with one factor = 0 among the equations; on all " +
-        "together " + block_.note;
+    using What = Missing::What;
+    block_.missing = {{factors.empty() ? What::no_change : What::no_change_on_all_components,
+                       failures_.text(), product}};
   }
 
   const System& s_;

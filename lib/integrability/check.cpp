@@ -36,21 +36,18 @@ private:
   std::exception_ptr error_;
 };
 
-void add_note(BlockReport& block, const std::string& what) {
-  block.note += (block.note.empty() ? "" : "; ") + what;
-}
-
 // A limit or an error of the program leaves this block as it is, and the others are studied.
 template <class Stage> void within_limits(BlockReport& block, Failure& failure, Stage stage) {
   try {
     stage();
   } catch (const OutOfBudget& limit) {
-    add_note(block, limit.what());
+    block.missing.push_back({Missing::What::limit, limit.what()});
   } catch (const Contradiction&) {
     throw;
   } catch (const InternalError& error) {
     failure.remember();
-    add_note(block, failure_of("the study of this block", error.what()));
+    block.missing.push_back(
+        {Missing::What::program_error, failure_of("the study of this block", error.what())});
   }
 }
 
@@ -60,14 +57,15 @@ void find_way_if_possible(const Study& study, const ManifoldReport& report, Bloc
       failure_of("the way to the equation", [&] { find_way(study, report, block); });
   if (failed.empty()) return;
   block.way.reset();
-  block.no_way = failed;
+  block.no_way = NoWay{NoWay::Why::failed, failed};
 }
 
 void decide_blocks(const Study& study, ManifoldReport& report, Failure& failure) {
   const System& s = study.system;
   const auto parts = blocks_to_study(report.reduced.system, *report.manifold);
   auto whole = coupling(s, report, parts);
-  report.not_studied = std::move(whole.missing);
+  if (!whole.missing.empty())
+    report.left_out = LeftOut{LeftOut::What::coupling, std::move(whole.missing)};
   report.coupling_divisors = whole.divisors;
   auto divisors = divisors_of(study, report);
   divisors.insert(divisors.end(), whole.divisors.begin(), whole.divisors.end());
@@ -82,8 +80,7 @@ void decide_blocks(const Study& study, ManifoldReport& report, Failure& failure)
     for (const auto& all : {whole.divisors, early_divisors(report)})
       for (const MPoly& d : all) // nothing else asks where they vanish
         if (may_vanish_identically(s, d))
-          report.not_studied =
-              "the parameters for which " + to_string(d) + " is zero were not studied";
+          report.left_out = LeftOut{LeftOut::What::parameters, to_string(d)};
 }
 
 // What the normal part does not see: blocks of order one that are coupled to the curve.
@@ -113,7 +110,7 @@ void decide_exceptions(const Study& study, std::vector<BlockReport>& all, Failur
       decide_special_strata(study, all, block.unknowns, *block.strata, block.special_studies);
       const auto level = level_that_decides(study.system, *block.strata);
       block.abelian = level ? Truth::no : block.strata->abelian();
-      if (level) block.level = *level;
+      if (level && !sentence(*level).empty()) block.level = *level; // else a general one
     });
   }
 }
@@ -127,13 +124,14 @@ void ask_matrices(const Study& study, ManifoldReport& report, Failure& failure,
   } catch (const InternalError& error) {
     failure.remember();
     report.matrices.reset();
-    report.reasons.push_back(failure_of("the monodromy matrices", error.what()));
+    report.missing.push_back(
+        {Missing::What::program_error, failure_of("the monodromy matrices", error.what())});
   }
 }
 
 // "No obstruction" means that everything was looked at.
 bool proves_something(const ManifoldReport& report) {
-  return report.verdict == VerdictKind::non_integrable || !report.statement.empty();
+  return report.verdict == VerdictKind::non_integrable || !statement(report).empty();
 }
 
 bool has_large_block(const ManifoldReport& report) {
@@ -191,7 +189,6 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     auto proved = prove_invariant(s.field, spec, options.decide.budget);
     if (auto* failure = std::get_if<ManifoldFailure>(&proved)) {
       report.failure = *failure;
-      report.reasons.push_back(failure->message);
       return report;
     }
     report.manifold = std::get<InvariantManifold>(std::move(proved));
@@ -208,9 +205,8 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     decide_exceptions(study, report.blocks, failure);
     withdraw_refused(report.blocks);
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::no_obstruction) {
-      report.not_studied = component_left_out(study, report);
-      const std::string open = components_not_checked(study, report);
-      report.not_checked += (report.not_checked.empty() || open.empty() ? "" : "; ") + open;
+      report.left_out = component_left_out(study, report);
+      report.components_open = may_fall_apart(study, report);
       if (!options.along_the_curve) ask_matrices(study, report, failure, ask_with_the_casimir);
     }
     if (!options.stop_at_r && verdict_of(report) == VerdictKind::undecided &&
@@ -219,11 +215,11 @@ ManifoldReport check_manifold(const System& s, const ManifoldSpec& given,
     conclude(s, options, report);
     if (!proves_something(report)) failure.rethrow_if_there_is_one();
   } catch (const OutOfBudget& e) {
-    report.reasons.emplace_back(e.what());
+    report.missing.push_back({Missing::What::limit, e.what()});
   } catch (const DomainError& e) {
-    report.reasons.emplace_back(e.what());
+    report.missing.push_back({Missing::What::undefined, e.what()});
   } catch (const InvalidArgument& e) {
-    report.reasons.emplace_back(e.what());
+    report.missing.push_back({Missing::What::undefined, e.what()});
   }
   return report;
 }

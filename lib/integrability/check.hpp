@@ -19,8 +19,11 @@
 #include "decide/decide.hpp"
 #include "integrability/constants.hpp"
 #include "integrability/integral_class.hpp"
+#include "integrability/missing.hpp"
 #include "integrability/variational_monodromy.hpp"
+#include "literature/levels.hpp"
 #include "literature/literature.hpp"
+#include "literature/trusted.hpp"
 #include "strata/decide_strata.hpp"
 
 namespace kov {
@@ -38,13 +41,13 @@ struct ManifoldReport;
 
 /// One value of a parameter (the energy) at which r was decided.
 struct EnergyResult {
-  std::string condition; ///< "h^2 - 3 = 0", or "h = 1/2"
-  std::string why;       ///< "singularities merge", "sample"
+  LevelEquation at;    ///< "h^2 - 3 = 0", or "h = 1/2"
+  bool sample = false; ///< one value of many; else singular places merge there
   std::optional<RationalFunction> r;
   std::optional<Decision> decision;
   std::optional<strata::StrataAnswer> strata; ///< r still depends on other parameters
-  std::string note;                           ///< why there is none
-  std::shared_ptr<const WayToR> way;          ///< at this value; for `decision`
+  std::vector<Missing> missing;
+  std::shared_ptr<const WayToR> way; ///< at this value; for `decision`
 };
 
 /// A diagonal block of the reduced normal system.
@@ -58,13 +61,11 @@ struct BlockReport {
   std::vector<MPoly> special; ///< where singular places of r merge, in the energy parameter
   std::vector<EnergyResult> energies;
   Truth abelian = Truth::unknown;
-  std::string level; ///< the one that decides, if it is not a general one: "h = 0"
-  std::string note;  ///< why something is missing
+  std::vector<LevelChoice> level; ///< the one that decides, if it is not a general one
+  std::vector<Missing> missing;
   /// The way to r for the checkers, accepted by our own; null: none, and why.
   std::shared_ptr<const WayToR> way;
-  std::string no_way;
-  bool refused =
-      false; ///< no_way is a refusal by our own checker: what the block said is withdrawn
+  std::optional<NoWay> no_way;
   /// The studies of strata on which r means nothing, as far as `strata` rests on them.
   std::vector<std::shared_ptr<const ManifoldReport>> special_studies;
 };
@@ -78,16 +79,26 @@ struct ManifoldReport {
   NormalSystem normal;
   ReducedSystem reduced;
   std::vector<BlockReport> blocks;
-  std::string not_studied; ///< what of VE the blocks leave out, as a clause; empty: nothing
+  std::optional<LeftOut> left_out;      ///< what of VE the blocks leave out
   std::vector<MPoly> coupling_divisors; ///< what it was divided by to see that nothing is left out
   /// Set where the blocks decide nothing and the whole of VE is proved to be not abelian.
   std::shared_ptr<const MatrixEvidence> matrices;
   VerdictKind verdict = VerdictKind::undecided;
   std::optional<TheoremUsed> by; ///< the theorem behind the verdict; unset: it was not reached
-  std::string statement;         ///< what the theorem says, where it says something
-  std::string not_checked;       ///< a hypothesis of the verdict that is not proved, as a sentence
-  std::vector<std::string> reasons;
+  std::string meant_functions;   ///< for which it is not checked that the curve has points
+  bool components_open = false;  ///< it may have others at special values of the parameters
+  std::vector<Missing> missing;  ///< what ended the study, or a part of it
 };
+/// What the theorem says; empty where it says nothing.
+[[nodiscard]] std::string statement(const ManifoldReport& m);
+/// The hypotheses of the verdict that are not proved; empty: there is none.
+[[nodiscard]] std::string not_checked(const ManifoldReport& m);
+/// What decides, block by block, or why nothing does.
+[[nodiscard]] std::vector<std::string> reasons(const ManifoldReport& m);
+/// Why something is missing; empty: nothing is.
+[[nodiscard]] std::string note(const std::vector<Missing>& all);
+/// "singular places merge", "sample": why one looks there.
+[[nodiscard]] std::string why(const EnergyResult& e);
 
 struct ClaimReport {
   SystemClaim claim;
@@ -132,6 +143,6 @@ struct CheckOptions {
 
 /// The steps on which a verdict rests besides the theorem, exact computation and certificates that
 /// the checkers accept: the one list for `check`, `prove`, `report` and certificates.
-[[nodiscard]] std::vector<std::string> trusted_steps(const ManifoldReport& m);
+[[nodiscard]] std::vector<Trusted> trusted_steps(const ManifoldReport& m);
 
 } // namespace kov

@@ -57,21 +57,19 @@ std::vector<MPoly> divided_by(const ManifoldReport& report) {
 
 } // namespace
 
-std::string component_left_out(const Study& study, const ManifoldReport& report) {
+std::optional<LeftOut> component_left_out(const Study& study, const ManifoldReport& report) {
   try {
     for (const MPoly& f : divided_by(report))
       if (vanishes_on_a_phase_curve(study.system, *report.manifold, f, study.options.decide.budget))
-        return "the component of the phase curve where " + to_string(f) + " = 0 was not studied";
+        return LeftOut{LeftOut::What::component, to_string(f)};
   } catch (const OutOfBudget& limit) {
-    return std::string("whether the phase curve has components that were not studied: ") +
-           limit.what();
+    return LeftOut{LeftOut::What::components, limit.what()};
   }
   return {};
 }
 
-std::string components_not_checked(const Study& study, const ManifoldReport& report) {
-  if (study.system.field.parameters.empty() || divided_by(report).empty()) return {};
-  return "that the phase curve has no other components at special values of the parameters";
+bool may_fall_apart(const Study& study, const ManifoldReport& report) {
+  return !study.system.field.parameters.empty() && !divided_by(report).empty();
 }
 
 } // namespace kov

@@ -1,9 +1,11 @@
 #include "integrability/conclude.hpp"
 
 #include "decide/words.hpp"
+#include "exact/joined.hpp"
 #include "integrability/matrices.hpp"
 #include "integrability/parameters.hpp"
 #include "integrability/way.hpp"
+#include "manifold/existence.hpp"
 #include "strata/words.hpp"
 
 #include <algorithm>
@@ -143,7 +145,7 @@ std::string decided_where(const ManifoldReport& report) {
   std::string levels;
   for (const auto& block : report.blocks)
     if (!on_all_strata(block))
-      levels += (levels.empty() ? ", by the level " : ", ") + deciding_level(block)->condition;
+      levels += (levels.empty() ? ", by the level " : ", ") + sentence(deciding_level(block)->at);
   return levels;
 }
 
@@ -153,7 +155,7 @@ std::string by_one_level(const ManifoldReport& report) {
   const BlockReport* by = nullptr;
   for (const BlockReport& b : report.blocks)
     if (b.abelian == Truth::no && (by == nullptr || b.level.empty())) by = &b;
-  return by == nullptr || by->level.empty() ? "" : ", by the level " + by->level;
+  return by == nullptr || by->level.empty() ? "" : ", by the level " + sentence(by->level);
 }
 
 Truth both(Truth a, Truth b) {
@@ -162,15 +164,15 @@ Truth both(Truth a, Truth b) {
 }
 
 std::vector<std::string> reasons_of(const BlockReport& block) {
-  const std::string name = "block (" + comma_separated(block.unknowns) + "): ";
+  const std::string name = "block (" + joined(block.unknowns) + "): ";
   std::vector<std::string> all;
-  if (!block.note.empty()) all.push_back(name + block.note);
+  if (!block.missing.empty()) all.push_back(name + note(block.missing));
   if (block.decision) all.push_back(name + reason(*block.decision));
   if (block.strata)
     for (const auto& x : block.strata->strata)
       all.push_back("where " + to_string(x.conditions) + ": " + strata::reason(x.leaf));
   for (const auto& e : block.energies)
-    if (e.decision) all.push_back("at " + e.condition + ": " + reason(*e.decision));
+    if (e.decision) all.push_back("at " + sentence(e.at) + ": " + reason(*e.decision));
   return all;
 }
 
@@ -182,7 +184,7 @@ VerdictKind verdict_of(const ManifoldReport& report) {
   for (const auto& block : report.blocks)
     all = both(all, block.abelian);
   if (all == Truth::no) return VerdictKind::non_integrable;
-  if (!report.not_studied.empty()) return VerdictKind::undecided;
+  if (report.left_out) return VerdictKind::undecided;
   return all == Truth::yes   ? VerdictKind::no_obstruction
          : by_strata(report) ? VerdictKind::depends
                              : VerdictKind::undecided;
@@ -200,30 +202,61 @@ TheoremUsed theorem_of(const System& s, const ManifoldReport& report) {
   const bool of_manifold = report.matrices && report.matrices->keeps_casimirs;
   TheoremUsed by = used(s.field.poisson && !of_manifold ? morales_ramis() : ayoul_zung());
   by.integrals = excluded_integrals(s, report);
-  if (!report.not_checked.empty()) by.hypotheses.push_back({report.not_checked, Settled::open, ""});
+  if (std::string open = not_checked(report); !open.empty())
+    by.hypotheses.push_back({std::move(open), Settled::open, ""});
   return by;
 }
 
 } // namespace
 
 void conclude(const System& s, const CheckOptions& options, ManifoldReport& report) {
-  if (report.matrices) report.reasons.push_back(reason(*report.matrices));
-  for (const auto& block : report.blocks)
-    for (auto& why : reasons_of(block))
-      report.reasons.push_back(std::move(why));
   if (options.stop_at_r) return;
   report.verdict = verdict_of(report);
   report.by = theorem_of(s, report);
-  if (report.verdict == VerdictKind::undecided && !report.not_studied.empty())
-    report.reasons.push_back("every block has an abelian identity component, which decides nothing here; " +
-                             report.not_studied);
-  if (excludes_integrals(report))
-    report.statement = "not integrable " +
-                       std::string(s.field.poisson ? "in Liouville's sense " : "") + "with " +
-                       first_integrals({report.by->integrals});
-  if (report.verdict == VerdictKind::depends) report.statement += decided_where(report);
-  if (report.verdict == VerdictKind::non_integrable) report.statement += by_one_level(report);
 }
+
+std::string statement(const ManifoldReport& m) {
+  if (!m.by || !excludes_integrals(m)) return "";
+  return "not integrable " + std::string(m.by->integrals.liouville ? "in Liouville's sense " : "") +
+         "with " + first_integrals({m.by->integrals}) +
+         (m.verdict == VerdictKind::depends          ? decided_where(m)
+          : m.verdict == VerdictKind::non_integrable ? by_one_level(m)
+                                                     : "");
+}
+
+std::string not_checked(const ManifoldReport& m) {
+  const std::string points = existence_not_checked(m.meant_functions);
+  if (!m.components_open) return points;
+  return points + (points.empty() ? "" : "; ") +
+         "that the phase curve has no other components at special values of the parameters";
+}
+
+std::vector<std::string> reasons(const ManifoldReport& m) {
+  if (m.failure) return {m.failure->message};
+  std::vector<std::string> all;
+  for (const Missing& x : m.missing)
+    all.push_back(sentence(x));
+  if (std::any_of(m.missing.begin(), m.missing.end(),
+                  [](const Missing& x) { return x.ends_all(); }))
+    return all;
+  if (m.matrices) all.push_back(reason(*m.matrices));
+  for (const auto& block : m.blocks)
+    for (auto& why : reasons_of(block))
+      all.push_back(std::move(why));
+  if (m.by && m.verdict == VerdictKind::undecided && m.left_out)
+    all.push_back("every block has an abelian identity component, which decides nothing here; " +
+                  sentence(*m.left_out));
+  return all;
+}
+
+std::string note(const std::vector<Missing>& all) {
+  std::string text;
+  for (const Missing& m : all)
+    text += (text.empty() ? "" : "; ") + sentence(m);
+  return text;
+}
+
+std::string why(const EnergyResult& e) { return e.sample ? "sample" : "singular places merge"; }
 
 std::string exceptions(const ManifoldReport& report) {
   std::string text;
@@ -234,25 +267,19 @@ std::string exceptions(const ManifoldReport& report) {
 
 namespace {
 
-using Add = std::function<void(const std::string&)>;
-
-void add_trusted(const strata::StrataAnswer& a, const Add& add) {
+void add_trusted(const strata::StrataAnswer& a, std::vector<Trusted>& all) {
   for (const auto& special : a.special)
-    add_trusted(*special, add);
-  for (const std::string& step : a.trusted)
-    add(step);
+    add_trusted(*special, all);
+  add_once(all, a.trusted);
 }
 
 // An answer that no certificate repeats.
-void add_trusted(const std::optional<Decision>& d, const Add& add) {
+void add_trusted(const std::optional<Decision>& d, std::vector<Trusted>& all) {
   if (d && d->abelian != Truth::unknown && !d->checked)
-    add("the solver, without a certificate" +
-        (d->no_certificate.empty() ? "" : " (" + d->no_certificate + ")") + ": " + reason(*d));
+    add_once(all, {{Trusted::Step::uncertified_answer,
+                    (d->no_certificate.empty() ? "" : " (" + d->no_certificate + ")") + ": " +
+                        reason(*d)}});
 }
-
-} // namespace
-
-namespace {
 
 // The verdict is partial and rests on one arithmetic part of the general stratum.
 bool rests_on_a_part(const ManifoldReport& m) {
@@ -265,26 +292,22 @@ bool rests_on_a_part(const ManifoldReport& m) {
 
 } // namespace
 
-std::vector<std::string> trusted_steps(const ManifoldReport& m) {
-  std::vector<std::string> all;
-  const Add add = [&](const std::string& step) {
-    if (std::find(all.begin(), all.end(), step) == all.end()) all.push_back(step);
-  };
+std::vector<Trusted> trusted_steps(const ManifoldReport& m) {
+  std::vector<Trusted> all;
+  const std::string along = ", along the manifold " + m.name;
   if (m.matrices && !m.matrices->certificate.empty())
-    add("the way from the system to " + equation_of(*m.matrices) +
-        " over K(z), along the manifold " + m.name);
+    all.push_back(
+        {Trusted::Step::way_to_matrices, equation_of(*m.matrices) + " over K(z)" + along});
   if (m.matrices && m.matrices->certificate.empty())
-    add("the enclosures of the monodromy matrices of " + equation_of(*m.matrices) +
-        ", along the manifold " + m.name);
-  for (const std::string& step : uncertified_way(m))
-    add(step);
-  if (rests_on_a_part(m)) add(closed_answer_step);
+    all.push_back({Trusted::Step::enclosures, equation_of(*m.matrices) + along});
+  add_once(all, uncertified_way(m));
+  if (rests_on_a_part(m)) add_once(all, {{Trusted::Step::closed_answer}});
   for (const BlockReport& b : m.blocks) {
     for (const auto* answer : strata_of(b))
-      add_trusted(*answer, add);
-    add_trusted(b.decision, add);
+      add_trusted(*answer, all);
+    add_trusted(b.decision, all);
     for (const EnergyResult& e : b.energies)
-      add_trusted(e.decision, add);
+      add_trusted(e.decision, all);
   }
   return all;
 }

@@ -8,16 +8,11 @@ namespace kov {
 /// What follows from the blocks, or from the matrices of the whole.
 [[nodiscard]] VerdictKind verdict_of(const ManifoldReport& report);
 
-/// Fills in the verdict, the theorem used with the class of first integrals that it excludes, the
-/// statement and the reasons.
+/// Fills in the verdict and the theorem used, with the class of first integrals that it excludes.
 void conclude(const System& s, const CheckOptions& options, ManifoldReport& report);
 
 /// VerdictKind::depends, or undecided in part: "except where C = A", outside of which the system is
 /// not integrable; empty where that cannot be named.  In the exceptions nothing follows.
 [[nodiscard]] std::string exceptions(const ManifoldReport& report);
-
-/// The step on trust where a stratum is told apart by the closed answer of a classical equation.
-inline constexpr const char* closed_answer_step =
-    "the classical criterion of a known equation, without a certificate";
 
 } // namespace kov

@@ -65,12 +65,12 @@ EnergyResult decide_at(const Study& study, const System& special, const BlockRep
     if (b.equation) result.r = b.equation->r;
     if (b.decision && b.abelian == b.decision->abelian) result.decision = b.decision;
     result.way = b.way;
-    result.note = b.note; // the decision may hold for some values of other parameters only
+    result.missing = b.missing; // the decision may hold for some values of other parameters only
     return result;
   }
-  for (const auto& reason : there.reasons)
-    result.note += (result.note.empty() ? "" : "; ") + reason;
-  if (result.note.empty()) result.note = "the normal system has other blocks at this level";
+  for (const auto& reason : reasons(there))
+    result.missing.push_back({Missing::What::elsewhere, reason});
+  if (result.missing.empty()) result.missing.push_back({Missing::What::other_blocks});
   return result;
 }
 
@@ -104,14 +104,13 @@ void decide_locus(const Study& study, const std::vector<BlockReport>& generic, c
   const auto nowhere = without_level(q, f, h, s.ring()->name(h));
   q.assumptions.require(transfer(MFraction(f), q.r.ring()), Sign::zero);
   EnergyResult e;
-  e.condition = to_string(f) + " = 0";
-  e.why = "singular places merge";
+  e.at = {to_string(f), "0"};
   e.strata = strata::decide_strata(q, strata_limits(s, *block.ode, study.options));
   decide_special_strata(study, generic, block.unknowns, *e.strata, block.special_studies);
   if (nowhere) e.strata->strata.push_back(*nowhere);
   if (e.strata->abelian() == Truth::no) {
     block.abelian = Truth::no; // for every body there is such a level
-    block.note.clear();
+    block.missing.clear();
   }
   block.energies.push_back(std::move(e));
 }
@@ -152,24 +151,24 @@ void study_levels(const Study& study, const ReduceSpec& reduce,
                                            strata_limits(s, *block.ode, study.options));
     return;
   }
-  const auto run = [&](const MPoly& f, std::string condition, std::string why) {
+  const auto run = [&](const MPoly& f, LevelEquation at, bool sample) {
     EnergyResult e = decide_at(study, at_root(s, *h, f), block);
-    e.condition = std::move(condition);
-    e.why = std::move(why);
+    e.at = std::move(at);
+    e.sample = sample;
     if (e.decision && e.decision->abelian == Truth::no) {
       block.abelian = Truth::no;
-      block.note.clear(); // one level is enough
+      block.missing.clear(); // one level is enough
     }
     block.energies.push_back(std::move(e));
   };
   for (const auto& f : block.special)
-    if (used_variables(f).size() == 1) run(f, to_string(f) + " = 0", "singular places merge");
+    if (used_variables(f).size() == 1) run(f, {to_string(f), "0"}, false);
   const std::string name = s.ring()->name(*h);
   for (const Rational& sample : {Rational(1), Rational(2), Rational(1, 2)}) {
     if (block.abelian == Truth::no) return;
     const MFraction f = MFraction::variable(s.ring(), *h) - MFraction(s.ring(), sample);
     if (not_excluded(s, {f.num()}).empty()) continue; // the file assumes another one
-    run(f.num(), name + " = " + to_string(sample), "sample");
+    run(f.num(), {name, to_string(sample)}, true);
   }
   if (block.abelian != Truth::no) // perhaps abelian on all levels
     block.strata = strata::decide_strata(strata_question(s, *block.ode),

@@ -36,7 +36,7 @@ void linearise(const Study& study, ManifoldReport& report) {
   const InvariantManifold& m = *report.manifold;
   if (const std::string wrong = contradicted_function(s.field, m); !wrong.empty())
     throw DomainError("the phase curve has no points: " + wrong);
-  report.not_checked = existence_not_checked(s.field, m);
+  report.meant_functions = unchecked_functions(s.field, m);
   report.variational = variational_equations(s.field, m);
   report.variational_blocks = blocks(report.variational, m);
   report.normal = normal_system(s.field, m, usable_integrals(s, study.claims));

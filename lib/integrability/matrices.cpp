@@ -189,8 +189,7 @@ std::optional<MatrixEvidence> matrices_at(const Study& general, const Substituti
   }
   if (!found) return std::nullopt;
   for (const auto& [i, value] : level)
-    found->level +=
-        (found->level.empty() ? "" : ", ") + s.ring()->name(i) + " = " + to_string(value);
+    found->level.push_back({s.ring()->name(i), to_string(value)});
   return found;
 }
 
@@ -242,7 +241,7 @@ std::string equation_of(const MatrixEvidence& by) {
 
 std::string reason(const MatrixEvidence& by) {
   return "the monodromy matrices of " + equation_of(by) + " (size " + std::to_string(by.size) +
-         ", " + by.change + (by.level.empty() ? "" : ", at the level " + by.level) +
+         ", " + by.change + (by.level.empty() ? "" : ", at the level " + sentence(by.level)) +
          ") prove that its identity " + "component is not abelian: " +
          (by.proof.unipotent ? std::string("two unipotent elements of the group do not commute")
                              : "a diagonal block is dense in SL(2, C), up to scalars") +

@@ -89,13 +89,13 @@ bool is_dense(const System& s, const std::vector<std::size_t>& levels,
 }
 
 /// The strata of one answer at chosen levels.
-class Levels {
+class ChoiceOfLevels {
 public:
-  Levels(const System& s, const strata::StrataAnswer& answer)
+  ChoiceOfLevels(const System& s, const strata::StrataAnswer& answer)
       : s_(s), answer_(answer), levels_(free_levels(s)), known_(of_the_others()),
         region_(s.ring(), known_) {}
 
-  std::optional<std::string> operator()() {
+  std::optional<std::vector<LevelChoice>> operator()() {
     std::vector<Substitution> choices{{}}; // general levels
     for (const Stratum& x : answer_.strata)
       if (x.leaf.abelian == Truth::no)
@@ -103,16 +103,16 @@ public:
             at && std::find(choices.begin(), choices.end(), *at) == choices.end())
           choices.push_back(*std::move(at));
     for (const Substitution& at : choices)
-      if (is_enough({at})) return words(at);
+      if (is_enough({at})) return std::vector<LevelChoice>{values(at)};
     if (choices.size() == 1 || !is_enough(choices)) return std::nullopt;
     for (std::size_t k = choices.size(); k-- > 0;) {
       auto fewer = choices;
       fewer.erase(fewer.begin() + static_cast<long>(k));
       if (is_enough(fewer)) choices = std::move(fewer);
     }
-    std::string all;
+    std::vector<LevelChoice> all;
     for (const Substitution& at : choices)
-      all += (all.empty() ? "" : " or ") + (at.empty() ? "a general level" : words(at));
+      all.push_back(values(at));
     return all;
   }
 
@@ -240,11 +240,11 @@ private:
            });
   }
 
-  [[nodiscard]] std::string words(const Substitution& at) const {
-    std::string text;
+  [[nodiscard]] LevelChoice values(const Substitution& at) const {
+    LevelChoice all;
     for (const auto& [h, value] : at)
-      text += (text.empty() ? "" : ", ") + s_.ring()->name(h) + " = " + to_string(value);
-    return text;
+      all.push_back({s_.ring()->name(h), to_string(value)});
+    return all;
   }
 
   const System& s_;
@@ -266,9 +266,10 @@ std::vector<std::size_t> free_levels(const System& s) {
   return free;
 }
 
-std::optional<std::string> level_that_decides(const System& s, const strata::StrataAnswer& answer) {
+std::optional<std::vector<LevelChoice>> level_that_decides(const System& s,
+                                                           const strata::StrataAnswer& answer) {
   if (answer.strata.empty()) return std::nullopt;
-  return Levels(s, answer)();
+  return ChoiceOfLevels(s, answer)();
 }
 
 } // namespace kov

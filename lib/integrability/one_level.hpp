@@ -4,6 +4,7 @@
 //
 // Source  docs/theory/mechanics.md (7); docs/theory/classify.md 8 (a)
 
+#include "literature/levels.hpp"
 #include "strata/decide_strata.hpp"
 #include "system/system.hpp"
 
@@ -20,9 +21,9 @@ namespace kov {
 [[nodiscard]] std::vector<std::size_t> free_levels(const System& s);
 
 /// For all other parameters there is a level at which the identity component is not abelian: which,
-/// in words ("h = 0", or empty for general ones).  Unset: not proved.
+/// or an empty choice for general ones; several where each serves for some.  Unset: not proved.
 /// Source  docs/theory/mechanics.md (7), "One level is enough"
-[[nodiscard]] std::optional<std::string> level_that_decides(const System& s,
-                                                            const strata::StrataAnswer& answer);
+[[nodiscard]] std::optional<std::vector<LevelChoice>>
+level_that_decides(const System& s, const strata::StrataAnswer& answer);
 
 } // namespace kov

@@ -74,7 +74,7 @@ void add_special_relations(const System& s, const Ring& ring, strata::Question& 
     special.push_back(transfer(MFraction(g), ring).num());
   if (special.empty()) return;
   q.generic.emplace_back();
-  q.generic.back() = {std::move(special), "the relations of the functions fall apart there"};
+  q.generic.back() = {std::move(special), strata::Genericity::Else::relations, {}};
 }
 
 } // namespace
@@ -141,7 +141,7 @@ strata::Question strata_question(const System& s, const AlgebraicOde& ode) {
         q.assumptions.require(transfer(MFraction(g), ring), Sign::nonzero);
       else
         q.generic.push_back({coefficients(transfer(MFraction(g), ring).num(), q.z),
-                             "the reduction divides by " + brief(MFraction(g), 80)});
+                             strata::Genericity::Else::division, brief(MFraction(g), 80)});
     }
   add_special_relations(s, ring, q);
   return q;
@@ -200,14 +200,14 @@ void require_consistent(const System& s) {
   if (contradicts_itself(s)) throw InvalidArgument("the assumptions contradict each other");
 }
 
-std::optional<std::string> refuted_over_the_reals(const System& s,
-                                                  const std::vector<Condition>& conditions) {
+std::optional<Trusted> refuted_over_the_reals(const System& s,
+                                              const std::vector<Condition>& conditions) {
   const Region all = assumed_region(s);
   if (!std::all_of(conditions.begin(), conditions.end(),
                    [&](const Condition& c) { return all.is_real(c.p); }))
     return std::nullopt;
   if (!all.refutes(conditions)) return std::nullopt;
-  return all.trusted().back().claim;
+  return all.trusted().back();
 }
 
 std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {

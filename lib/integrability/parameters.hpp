@@ -2,6 +2,7 @@
 // From a system with free parameters to the question of lib/strata.
 
 #include "integrability/check.hpp"
+#include "literature/trusted.hpp"
 
 namespace kov {
 
@@ -37,10 +38,10 @@ namespace kov {
 /// Errors  InvalidArgument: contradicts_itself
 void require_consistent(const System& s);
 /// No parameters satisfy the assumptions and these conditions, all of whose variables are real: the
-/// step that proves it, in words.  Unset: not proved.
+/// step that proves it.  Unset: not proved.
 /// Given   const Condition below_zero{MPoly(empty.ring(), Integer(-1)), Sign::positive};
 /// Example refuted_over_the_reals(empty, {below_zero}).has_value()  // -> yes
-[[nodiscard]] std::optional<std::string>
+[[nodiscard]] std::optional<Trusted>
 refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions);
 /// Those polynomials in the parameters that may vanish under the assumptions of the file.
 [[nodiscard]] std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic);

@@ -110,7 +110,9 @@ std::vector<Stratum> same_block(const Stratum& x, const BlockReport& block,
   const Truth others = of_new_blocks(here, generic, why);
   if (others == Truth::no) return {whole(x, Truth::no, here, why)};
   if (others == Truth::unknown) return {}; // stays open
-  const std::string open = here.by ? here.not_studied : "a limit came before the other blocks";
+  const std::string open = !here.by        ? "a limit came before the other blocks"
+                           : here.left_out ? sentence(*here.left_out)
+                                           : "";
   if (!open.empty())
     for (Stratum& p : parts)
       if (p.leaf.abelian == Truth::yes) leave_open(p, open);
@@ -120,16 +122,16 @@ std::vector<Stratum> same_block(const Stratum& x, const BlockReport& block,
 // The block falls apart: the verdict on what there is instead.
 std::vector<Stratum> other_blocks(const Stratum& x, const ManifoldReport& here) {
   std::string why;
-  for (const auto& reason : here.reasons)
+  for (const auto& reason : reasons(here))
     why += "; " + reason;
   if (here.verdict == VerdictKind::non_integrable) return {whole(x, Truth::no, here, why)};
   if (here.verdict == VerdictKind::no_obstruction) return {whole(x, Truth::yes, here, why)};
   const bool abelian = std::all_of(here.blocks.begin(), here.blocks.end(),
                                    [](const BlockReport& b) { return b.abelian == Truth::yes; });
-  if (!here.by || !abelian || here.not_studied.empty())
+  if (!here.by || !abelian || !here.left_out)
     return {}; // no curve here, a limit, or it depends on the parameters that are left
   Stratum answer = whole(x, Truth::yes, here, why);
-  leave_open(answer, here.not_studied);
+  leave_open(answer, sentence(*here.left_out));
   return {answer};
 }
 
@@ -163,9 +165,7 @@ std::vector<Stratum> again(const Study& study, const std::vector<BlockReport>& g
     const ManifoldReport here = whole_study({special, manifold, claims, study.options});
     if (leaves_more_out(study, special, here)) return {};
     if (here.matrices) // the way to r is said of the whole
-      for (std::string& step : trusted_steps(here))
-        if (std::find(answer.trusted.begin(), answer.trusted.end(), step) == answer.trusted.end())
-          answer.trusted.push_back(std::move(step));
+      add_once(answer.trusted, trusted_steps(here));
     const auto same = std::find_if(here.blocks.begin(), here.blocks.end(),
                                    [&](const auto& b) { return b.unknowns == unknowns && b.ode; });
     if (same != here.blocks.end() && same->strata)

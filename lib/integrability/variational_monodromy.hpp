@@ -3,6 +3,7 @@
 
 #include "algebraize/algebraize.hpp"
 #include "algebraize/rational_system.hpp"
+#include "literature/levels.hpp"
 #include "monodromy/elliptic_time.hpp"
 #include "monodromy/identity_component.hpp"
 #include "system/system.hpp"
@@ -74,7 +75,7 @@ struct MatrixEvidence {
   std::vector<std::string> unknowns;
   std::string change;
   bool keeps_casimirs = false; ///< of the normal part on the whole Poisson manifold
-  std::string level;           ///< "h = 1"; empty: the level was not free
+  LevelChoice level;           ///< h = 1; empty: the level was not free
   std::string certificate;     ///< kovacic-loops/1, accepted by the judge; empty: none
   std::string no_certificate;
 };

@@ -11,13 +11,6 @@
 
 namespace kov {
 
-std::string comma_separated(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : ", ") + one;
-  return text;
-}
-
 namespace {
 
 using Element = FunctionField::Element;
@@ -272,37 +265,35 @@ void find_way(const Study& study, const ManifoldReport& report, BlockReport& blo
   if (!block.ode || study.options.stop_at_r || !(decide.want_certificate || decide.ask_the_judge))
     return;
   try {
-    auto way = WayWriter(study, report, block)(block.no_way);
-    if (!way) return;
+    std::string none;
+    auto way = WayWriter(study, report, block)(none);
+    if (!way) return void(block.no_way = NoWay{NoWay::Why::no_rule, none});
     const auto no = certify::objection(way->way, {block.ode->r.num(), block.ode->r.den()});
     if (!no) {
       block.way = std::make_shared<const WayToR>(*std::move(way));
       return;
     }
-    block.no_way = "the checker refuses it, " + no->step + ": " + no->why;
-    block.refused = !no->limit;
+    block.no_way =
+        NoWay{no->limit ? NoWay::Why::too_large : NoWay::Why::refused, no->step + ": " + no->why};
   } catch (const DomainError& why) {
-    block.no_way = why.what();
+    block.no_way = NoWay{NoWay::Why::no_rule, why.what()};
   } catch (const InvalidArgument& why) {
-    block.no_way = why.what();
+    block.no_way = NoWay{NoWay::Why::no_rule, why.what()};
   } catch (const OutOfBudget& limit) {
-    block.no_way = limit.what();
+    block.no_way = NoWay{NoWay::Why::failed, limit.what()};
   }
 }
 
 void withdraw_refused(std::vector<BlockReport>& blocks) {
   for (BlockReport& b : blocks) {
-    if (!b.refused) continue;
+    if (!b.no_way || b.no_way->why != NoWay::Why::refused) continue;
     const bool found = b.decision || b.strata || !b.energies.empty();
     b.decision.reset();
     b.strata.reset();
     b.energies.clear();
     b.special_studies.clear();
     b.abelian = Truth::unknown;
-    if (found)
-      b.note =
-          "an answer was found, and our own checker refuses the way from the system to r(z): " +
-          b.no_way;
+    if (found) b.missing = {{Missing::What::refused_way, b.no_way->of}};
   }
 }
 
@@ -369,25 +360,24 @@ std::string exceptions(const BlockReport& b) {
 
 } // namespace
 
-std::vector<std::string> uncertified_way(const ManifoldReport& m) {
+std::vector<Trusted> uncertified_way(const ManifoldReport& m) {
   const bool excluded = m.verdict == VerdictKind::non_integrable;
   const std::string along = ", along the manifold " + m.name;
-  std::vector<std::string> all;
+  std::vector<Trusted> all;
   bool any = false;
   for (const BlockReport& b : m.blocks) {
     if (!b.ode || (excluded && !m.matrices && b.abelian != Truth::no)) continue;
     any = true;
     if (m.matrices || !is_certified(m, b)) // of the whole there is no certificate
-      all.push_back("the way from the system to r(z)" + along + exceptions(b));
+      all.push_back({Trusted::Step::way_to_r, along + exceptions(b)});
     for (const auto& special : b.special_studies) {
       if (special->verdict == VerdictKind::no_obstruction && m.verdict != special->verdict)
         continue; // an exception, in which nothing is said
-      for (std::string& step : uncertified_way(*special))
-        all.push_back(std::move(step));
+      add_once(all, uncertified_way(*special));
     }
   }
   if (any && m.verdict == VerdictKind::no_obstruction)
-    all.push_back("that the blocks are all of the variational equation" + along);
+    all.push_back({Trusted::Step::whole_variation, along});
   return all;
 }
 

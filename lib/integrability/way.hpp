@@ -4,6 +4,7 @@
 
 #include "certify/system/certificate.hpp"
 #include "integrability/study.hpp"
+#include "literature/trusted.hpp"
 
 namespace kov {
 
@@ -17,16 +18,13 @@ struct WayToR {
   bool leaves_out = false; ///< something moves along the curve and has no value on it
 };
 
-/// "a, b, c"
-[[nodiscard]] std::string comma_separated(const std::vector<std::string>& all);
-
 /// The certificate of the whole way with this one of y'' = r y (a text), and whether the checker
 /// accepts it.   `none`: why not.
 [[nodiscard]] std::optional<std::string>
 certificate_of(const WayToR& way, const std::string& equation, std::string& none);
 
 /// What of the way to r(z) along this manifold has no certificate, as steps on trust.
-[[nodiscard]] std::vector<std::string> uncertified_way(const ManifoldReport& m);
+[[nodiscard]] std::vector<Trusted> uncertified_way(const ManifoldReport& m);
 
 /// Where certificates or our own checker are asked for, from what the derivation of `block.ode`
 /// holds: sets block.way, after the checker has accepted it, or block.no_way; a limit is a reason,

@@ -1,6 +1,7 @@
 #include "jets/obstruction.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "jets/certificate.hpp"
 #include "jets/squares.hpp"
 #include "jets/subspace.hpp"
@@ -17,13 +18,6 @@ constexpr long most_terms = 1500;
 
 template <class T> void add_once(std::vector<T>& all, const T& one) {
   if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
-}
-
-std::string joined(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : "; ") + one;
-  return text;
 }
 
 // Of a homogeneous polynomial of degree n in c1, c2: the coefficient of c1^i c2^(n - i).
@@ -89,7 +83,7 @@ public:
     result_.up_to = options.order;
     auto plane = invariant_plane(inside.system, inside.manifold);
     if (auto* no = std::get_if<OutOfScope>(&plane))
-      note(no->why);
+      note(to_string(*no));
     else
       result_.plane = std::get<InvariantPlane>(std::move(plane));
   }
@@ -97,7 +91,7 @@ public:
   HigherOrders run() {
     if (result_.plane) look();
     if (result_.obstruction) certify();
-    result_.open = joined(why_open_);
+    result_.open = joined(why_open_, "; ");
     return std::move(result_);
   }
 
@@ -139,7 +133,7 @@ private:
 
   void look(int sign, long terms) {
     auto expanded = place_at_infinity(plane_, terms, budget_);
-    if (auto* no = std::get_if<OutOfScope>(&expanded)) return note(no->why);
+    if (auto* no = std::get_if<OutOfScope>(&expanded)) return note(to_string(*no));
     Place& place = std::get<Place>(expanded);
     place.sign = sign;
     two_places_ = place.degree % 2 == 0;

@@ -142,25 +142,22 @@ std::variant<Place, OutOfScope> place_at_infinity(const InvariantPlane& plane, l
   Place p;
   p.degree = static_cast<long>(g.size());
   const long k = p.degree;
-  if (k < 3) return OutOfScope{"the potential on the plane is of degree < 3"};
-  if (static_cast<long>(w.size()) > k - 1)
-    return OutOfScope{"the normal equation is irregular at infinity"};
+  if (k < 3) return OutOfScope::low_degree;
+  if (static_cast<long>(w.size()) > k - 1) return OutOfScope::irregular;
   const Rational sigma(-2, k - 2), first = sigma * (sigma - 1);
   p.time_scale = plane.reduced(number(plane, first) / g.back());
   for (auto* all : {&g, &w})
     for (MFraction& c : *all)
       c = plane.reduced(p.time_scale * c);
   const MFraction lead = static_cast<long>(w.size()) == k - 1 ? w.back() : MFraction(plane.ring);
-  if (!is_constant(lead)) return OutOfScope{"the exponents at infinity depend on the parameters"};
+  if (!is_constant(lead)) return OutOfScope::exponents_with_parameters;
   const Rational alpha = to_rational(lead);
   const auto root = exact_sqrt(1 + 4 * alpha);
-  if (!root || is_zero(*root))
-    return OutOfScope{"the exponents at infinity are irrational or equal"};
+  if (!root || is_zero(*root)) return OutOfScope::exponents_irrational_or_equal;
   p.rho1 = (1 - *root) / 2;
   p.rho2 = (1 + *root) / 2;
   const Integer d = lcm(sigma.den(), lcm(p.rho1.den(), p.rho2.den()));
-  if (d > Integer(largest_ramification))
-    return OutOfScope{"the exponents at infinity have a large denominator"};
+  if (d > Integer(largest_ramification)) return OutOfScope::large_denominator;
   p.ramification = to_long(d);
   p.terms = terms;
   budget.check();
@@ -176,7 +173,7 @@ std::variant<Place, OutOfScope> place_at_infinity(const InvariantPlane& plane, l
   const auto start = [&](const Rational& rho) { return as_long(rho * p.ramification); };
   const SecondOrder normal{p.normal_force, alpha, p.ramification, terms};
   const auto u1 = solution(normal, {}, start(p.rho1), plane);
-  if (!u1) return OutOfScope{"the first variational equation has a logarithm at infinity"};
+  if (!u1) return OutOfScope::first_order_logarithm;
   p.u1 = *u1;
   p.u2 = *solution(normal, {}, start(p.rho2), plane);
   return p;

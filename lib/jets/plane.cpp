@@ -162,15 +162,13 @@ void keep_nonzero(InvariantPlane& plane, const MPoly& p) {
 // The one algebraic constant generates an extension of the field of the parameters.
 std::optional<OutOfScope> take_constants(const VectorField& v, InvariantPlane& plane) {
   if (v.constants.empty()) return std::nullopt;
-  if (v.constants.size() > 1 || v.relations.size() != 1)
-    return OutOfScope{"there are several algebraic constants"};
+  if (v.constants.size() > 1 || v.relations.size() != 1) return OutOfScope::several_constants;
   const auto factors = factor(v.relations.front()).second;
-  if (factors.size() != 1 || factors.front().exponent != 1)
-    return OutOfScope{"the relation of the algebraic constant is reducible"};
+  if (factors.size() != 1 || factors.front().exponent != 1) return OutOfScope::reducible_relation;
   const auto used = used_variables(v.relations.front());
   for (const std::size_t i : used)
     if (std::find(v.coordinates.begin(), v.coordinates.end(), i) != v.coordinates.end())
-      return OutOfScope{"there is a relation between the coordinates"};
+      return OutOfScope::related_coordinates;
   plane.relation = transfer(MFraction(v.relations.front()), plane.ring).num();
   plane.constants.emplace(plane.ring, v.constants, std::vector<MPoly>{*plane.relation});
   for (const MPoly& p : plane.constants->inverted())
@@ -255,19 +253,18 @@ MFraction inverse_modulo(const MFraction& f, const MFraction& r, std::size_t i) 
 std::variant<InvariantPlane, OutOfScope> invariant_plane(const System& s, const ManifoldSpec& m) {
   const VectorField& v = s.field;
   if (s.kind != SystemKind::hamiltonian || v.dimension() != 4 || !v.functions.empty())
-    return OutOfScope{"the system is not a polynomial one of two degrees of freedom"};
+    return OutOfScope::not_polynomial;
   const auto natural = natural_form(v);
-  if (!natural) return OutOfScope{"H is not (a*p1^2 + b*p2^2)/2 + V with a polynomial V"};
+  if (!natural) return OutOfScope::not_natural;
   const auto line = line_of(v, m);
-  if (!line) return OutOfScope{"the manifold has no equation of a line of configurations"};
+  if (!line) return OutOfScope::no_line;
   InvariantPlane plane;
   extend_ring(s, plane);
   if (auto no = take_constants(v, plane)) return *no;
   const bool axis = is_zero(line->m[0]) || is_zero(line->m[1]);
-  if (!axis && !(natural->inertia[0] == natural->inertia[1]))
-    return OutOfScope{"the two inertias differ, and the line is not a coordinate axis"};
+  if (!axis && !(natural->inertia[0] == natural->inertia[1])) return OutOfScope::inertias_differ;
   const MFraction square = transfer(line->m[0] * line->m[0] + line->m[1] * line->m[1], plane.ring);
-  if (is_zero(plane.reduced(square))) return OutOfScope{"the line is isotropic"};
+  if (is_zero(plane.reduced(square))) return OutOfScope::isotropic_line;
   const Chart chart = axis ? axis_chart(v, *natural, *line, is_zero(line->m[0]) ? 1 : 0, plane)
                            : line_chart(v, *natural, *line, plane);
   const MFraction potential = substitute(transfer(natural->potential, plane.ring), chart.positions);
@@ -277,8 +274,7 @@ std::variant<InvariantPlane, OutOfScope> invariant_plane(const System& s, const 
   plane.inertia = chart.along;
   const Substitution zero{{plane.x, MFraction(plane.ring)}};
   plane.potential = plane.reduced(substitute(potential, zero));
-  if (!is_zero(substitute(plane.across, zero)))
-    return OutOfScope{"the force does not point along the line"};
+  if (!is_zero(substitute(plane.across, zero))) return OutOfScope::force_off_the_line;
   for (const MFraction& f : {plane.across, plane.along, plane.potential, chart.across, chart.along,
                              chart.kinetic, square})
     if (!is_zero(f)) keep_nonzero(plane, f.den());

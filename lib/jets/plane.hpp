@@ -15,10 +15,27 @@
 
 namespace kov::jets {
 
-/// Why something is not what this room is about, as a clause.
-struct OutOfScope {
-  std::string why;
+/// Why something is not what this room is about.
+enum class OutOfScope : std::uint8_t {
+  several_constants,
+  reducible_relation,
+  related_coordinates,
+  not_polynomial, ///< or not of two degrees of freedom
+  not_natural,
+  no_line,
+  inertias_differ,
+  isotropic_line,
+  force_off_the_line,
+  low_degree,
+  irregular,
+  exponents_with_parameters,
+  exponents_irrational_or_equal,
+  large_denominator,
+  first_order_logarithm
 };
+/// As a clause.
+/// Example to_string(OutOfScope::isotropic_line)  // -> the line is isotropic
+[[nodiscard]] std::string to_string(OutOfScope why);
 
 /// q = start + x across + y along.
 struct LineOfConfigurations {

@@ -2,27 +2,60 @@
 
 #include "decide/words.hpp"
 #include "exact/error.hpp"
-#include "literature/literature.hpp"
 
 namespace kov::jets {
 
-const std::string& theorem() { return morales_ramis_simo().name; }
+std::string to_string(OutOfScope why) {
+  switch (why) {
+  case OutOfScope::several_constants:
+    return "there are several algebraic constants";
+  case OutOfScope::reducible_relation:
+    return "the relation of the algebraic constant is reducible";
+  case OutOfScope::related_coordinates:
+    return "there is a relation between the coordinates";
+  case OutOfScope::not_polynomial:
+    return "the system is not a polynomial one of two degrees of freedom";
+  case OutOfScope::not_natural:
+    return "H is not (a*p1^2 + b*p2^2)/2 + V with a polynomial V";
+  case OutOfScope::no_line:
+    return "the manifold has no equation of a line of configurations";
+  case OutOfScope::inertias_differ:
+    return "the two inertias differ, and the line is not a coordinate axis";
+  case OutOfScope::isotropic_line:
+    return "the line is isotropic";
+  case OutOfScope::force_off_the_line:
+    return "the force does not point along the line";
+  case OutOfScope::low_degree:
+    return "the potential on the plane is of degree < 3";
+  case OutOfScope::irregular:
+    return "the normal equation is irregular at infinity";
+  case OutOfScope::exponents_with_parameters:
+    return "the exponents at infinity depend on the parameters";
+  case OutOfScope::exponents_irrational_or_equal:
+    return "the exponents at infinity are irrational or equal";
+  case OutOfScope::large_denominator:
+    return "the exponents at infinity have a large denominator";
+  case OutOfScope::first_order_logarithm:
+    return "the first variational equation has a logarithm at infinity";
+  }
+  return "";
+}
 
-std::vector<std::string> trusted(const HigherObstruction& o) {
+std::vector<Trusted> trusted(const HigherObstruction& o) {
   if (!o.certificate.empty()) return {};
-  std::vector<std::string> all{"the series of the higher variational equations"};
-  if (o.group && !o.group->checked) all.emplace_back("the group of the normal equation");
+  std::vector<Trusted> all{{Trusted::Step::series}};
+  if (o.group && !o.group->checked) all.push_back({Trusted::Step::group_of_normal_equation});
   return all;
 }
 
-std::string level(const HigherObstruction& o) {
+Levels level(const HigherObstruction& o) {
   switch (o.because) {
   case InfiniteGroup::decided:
-    return "at the energy H = " + to_string(*o.energy);
+    return {Levels::Which::of_energy, {{{"H", to_string(*o.energy)}}}};
   case InfiniteGroup::homogeneous:
-    return "for all but finitely many values of the energy";
+    return {Levels::Which::all_but_finitely_many};
   default:
-    return "for all but countably many values of the energy";
+    return {Levels::Which::all_but_countably_many};
   }
 }
 

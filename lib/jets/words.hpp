@@ -2,16 +2,16 @@
 // What the higher variational equations say, in words.
 
 #include "jets/obstruction.hpp"
+#include "literature/levels.hpp"
+#include "literature/trusted.hpp"
 
 namespace kov::jets {
 
 /// Why the system is not integrable.
 [[nodiscard]] std::string reason(const HigherOrders& orders);
 /// "for all but countably many values of the energy", or "at the energy H = 1".
-[[nodiscard]] std::string level(const HigherObstruction& obstruction);
+[[nodiscard]] Levels level(const HigherObstruction& obstruction);
 /// What it rests on besides the theorem and exact computation.
-[[nodiscard]] std::vector<std::string> trusted(const HigherObstruction& obstruction);
-/// The theorem that is used.
-[[nodiscard]] const std::string& theorem();
+[[nodiscard]] std::vector<Trusted> trusted(const HigherObstruction& obstruction);
 
 } // namespace kov::jets

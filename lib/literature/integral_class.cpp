@@ -1,5 +1,7 @@
 #include "literature/integral_class.hpp"
 
+#include "exact/joined.hpp"
+
 #include <algorithm>
 #include <optional>
 
@@ -41,7 +43,7 @@ bool is_kind_of(const IntegralClass& inner, const IntegralClass& outer) {
   // Rational in the coordinates: on the closure of each curve; in function symbols: where they are holomorphic.
   if (inner.kind == Kind::rational && outer.kind == Kind::meromorphic)
     return outer.near == Near::curve || (outer.near != Near::level && inner.functions.empty());
-  return inner.kind == outer.kind && inner.near == outer.near && inner.level == outer.level;
+  return inner.kind == outer.kind && inner.near == outer.near;
 }
 
 // Does it forbid all that `outer` forbids?
@@ -84,13 +86,6 @@ std::optional<IntegralClass> common(const IntegralClass& a, const IntegralClass&
   return in_both ? std::optional(c) : std::nullopt;
 }
 
-std::string listed(const Names& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : ", ") + one;
-  return text;
-}
-
 std::string kind_and_place(const IntegralClass& c) {
   if (c.kind == Kind::rational) return "rational";
   const std::string kind = c.kind == Kind::meromorphic ? "meromorphic" : "real-analytic";
@@ -101,7 +96,7 @@ std::string kind_and_place(const IntegralClass& c) {
     return kind + " also at the ends of the phase curve (points at infinity, equilibria, poles of "
                   "the system)";
   case Near::level:
-    return kind + " on the leaves with " + c.level;
+    return kind + " on the leaves with F2 = 0";
   case Near::origin:
     return kind + " near the origin";
   default:
@@ -162,15 +157,36 @@ std::string_view word_of(Near n) {
   }
 }
 
+bool has_rational_functions(const IntegralClass& c) {
+  return contains(c, {.kind = Kind::rational, .on_leaf = c.on_leaf, .frame = c.frame}) ==
+         Truth::yes;
+}
+
+std::optional<IntegralClass> carried(const IntegralClass& c, const MapFacts& map) {
+  if ((c.kind == Kind::real_analytic && !map.real) || c.near == Near::level ||
+      !c.functions.empty() || !c.frame.empty())
+    return std::nullopt;
+  IntegralClass there = c;
+  if (c.without.empty()) return there;
+  there.without.clear();
+  Names kept; // the x on which the y that are left depend
+  for (const auto& [y, xs] : map.uses)
+    if (!has(c.without, y)) kept = either(kept, xs);
+  for (const auto& x : map.uses) // the same names before and behind the map
+    if (!has(kept, x.first)) there.without.push_back(x.first);
+  if (there.without.size() != c.without.size()) return std::nullopt;
+  return there;
+}
+
 std::string sentence(const IntegralClass& c) {
   std::string text = kind_and_place(c);
-  if (!c.functions.empty()) text += " (in the coordinates and " + listed(c.functions) + ")";
+  if (!c.functions.empty()) text += " (in the coordinates and " + joined(c.functions) + ")";
   if (c.on_leaf) text += " and independent on the symplectic leaf of the phase curve";
-  if (!c.without.empty()) text += " and do not depend on " + listed(c.without);
+  if (!c.without.empty()) text += " and do not depend on " + joined(c.without);
   Names symbols;
   for (const auto& [coordinate, symbol] : c.through)
     if (!has(symbols, symbol)) symbols.push_back(symbol);
-  if (!symbols.empty()) text += " otherwise than through " + listed(symbols);
+  if (!symbols.empty()) text += " otherwise than through " + joined(symbols);
   return c.frame.empty() ? text : text + " (in the coordinates " + c.frame + ")";
 }
 

@@ -10,6 +10,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,7 +25,7 @@ struct IntegralClass {
   enum class Near : std::uint8_t {
     curve,        ///< near the phase curves
     closed_curve, ///< also at the points that close them: at infinity, equilibria, poles of the system
-    level,        ///< on the leaves where `level` holds
+    level,        ///< on the leaves of a rigid body with F2 = 0
     origin,       ///< near the origin of the phase space
     phase_space ///< everywhere
   };
@@ -31,7 +33,6 @@ struct IntegralClass {
   Kind kind = Kind::meromorphic;
   Near near = Near::curve;
   std::vector<std::string> curves = {}; ///< near curve, closed_curve: near each of these
-  std::string level = {};               ///< near level: "F2 = 0"
   /// Independent on the symplectic leaf of the phase curve; else together with the Casimir functions.
   bool on_leaf = false;
   /// Function symbols (of the coordinates) in which, beside the coordinates, they are of this kind.
@@ -72,6 +73,22 @@ inline constexpr std::array all_places{
 /// of all these classes at once.  Few members: two are one where a class is known that both contain and
 /// that contains all that is in both.
 [[nodiscard]] std::vector<IntegralClass> at_once(const std::vector<IntegralClass>& classes);
+
+/// Are all rational functions of the coordinates of this class, as far as independence is meant alike?
+/// Example has_rational_functions(IntegralClass{})  // -> yes
+[[nodiscard]] bool has_rational_functions(const IntegralClass& c);
+
+/// What decides about the classes along a map y = Phi(x) that is linear and invertible, and carries a system
+/// to one of the same family.
+struct MapFacts {
+  bool real = true;
+  std::map<std::string, std::vector<std::string>> uses =
+      {}; ///< of each y the x on which y o Phi depends
+};
+/// A class L such that all f o Phi, f in the class c, are all of L: excluded with c.  The curves keep their
+/// names.  Unset: what is left out is mixed with the rest, or c speaks of what the map does not know.
+/// Source  docs/theory/mechanics.md (6), "Classes along maps"
+[[nodiscard]] std::optional<IntegralClass> carried(const IntegralClass& c, const MapFacts& map);
 
 /// "meromorphic (in the coordinates and s, c) and do not depend on q": what first integrals are.
 /// Example sentence(IntegralClass{.near = IntegralClass::Near::origin})  // -> meromorphic near the origin

@@ -102,7 +102,7 @@ std::vector<LiteratureTheorem> all_theorems() {
        "The heavy top with A = B is integrable with complex meromorphic first integrals on F2 = 0 "
        "only in the four classical cases.",
        "Ziglin1983",
-       {.near = IntegralClass::Near::level, .level = "F2 = 0"},
+       {.near = IntegralClass::Near::level},
        {{"the first integrals are meromorphic on the leaves with F2 = 0", Settled::stated,
          "that is what is excluded"},
         {"first integrals that are independent are so on the leaves with F2 = 0", Settled::open,
@@ -158,6 +158,36 @@ const LiteratureTheorem& smale_moser() {
         Settled::checked, "Krawczyk's test"},
        {"the first integral is real-analytic on a connected neighbourhood of that closure",
         Settled::stated, "that is what is excluded"}}};
+  return theorem;
+}
+
+namespace {
+
+LiteratureTheorem ziglin_for(const std::string& weight) {
+  return {"Ziglin-" + weight,
+          "Ziglin's lemma for rational integrals in involution, applied to parts of " + weight +
+              " weight",
+          "If a Hamiltonian system has a complete set of rational first integrals in involution, "
+          "so has "
+          "that of the part of " +
+              weight +
+              " weight of its Hamiltonian, for weights in which the bracket is homogeneous.",
+          "Ziglin1983",
+          {.kind = IntegralClass::Kind::rational, .near = IntegralClass::Near::phase_space},
+          {{"the bracket is homogeneous in these weights", Settled::checked, "the weights"},
+           {"the first integrals are rational", Settled::stated, "that is what is excluded"}},
+          "",
+          ""};
+}
+
+} // namespace
+
+const LiteratureTheorem& ziglin_highest() {
+  static const LiteratureTheorem theorem = ziglin_for("highest");
+  return theorem;
+}
+const LiteratureTheorem& ziglin_lowest() {
+  static const LiteratureTheorem theorem = ziglin_for("lowest");
   return theorem;
 }
 

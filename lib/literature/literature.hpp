@@ -51,6 +51,9 @@ struct LiteratureTheorem {
 [[nodiscard]] const LiteratureTheorem& ziglin_1982();        ///< lowest-order parts
 /// Homoclinic points.  Not one of literature(): no file can name it, a proof in numbers uses it.
 [[nodiscard]] const LiteratureTheorem& smale_moser();
+/// Rational integrals and the parts of highest or of lowest weight; not of literature() either.
+[[nodiscard]] const LiteratureTheorem& ziglin_highest();
+[[nodiscard]] const LiteratureTheorem& ziglin_lowest();
 
 /// One use of a theorem.
 struct TheoremUsed {

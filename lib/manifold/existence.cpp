@@ -167,7 +167,10 @@ std::string unchecked_functions(const VectorField& v, const InvariantManifold& m
 }
 
 std::string existence_not_checked(const VectorField& v, const InvariantManifold& m) {
-  const std::string functions = unchecked_functions(v, m);
+  return existence_not_checked(unchecked_functions(v, m));
+}
+
+std::string existence_not_checked(const std::string& functions) {
   if (functions.empty()) return "";
   return "that the phase curve has points for the functions meant by " + functions +
          ": only their derivatives and relations are known";

@@ -17,6 +17,8 @@ namespace kov {
 /// The hypothesis that is open then, "that the phase curve has points for the functions meant by u";
 /// empty: none is.
 [[nodiscard]] std::string existence_not_checked(const VectorField& v, const InvariantManifold& m);
+/// The same of unchecked_functions().
+[[nodiscard]] std::string existence_not_checked(const std::string& functions);
 
 /// A sine, cosine, exponential, ... whose argument is 0 all along the curve, and which does not have
 /// its value there: "cos(a*q) is 1 there, and c is not".  The curve has no points then.  Empty: none.

@@ -170,15 +170,29 @@ std::optional<MFraction> pulled_back(const Equivalence& e, const MFraction& f) {
   return transfer(h.even, f.ring());
 }
 
+namespace {
+
+MapFacts facts(const System& s, const Equivalence& e) {
+  MapFacts map{e.real};
+  for (std::size_t i = 0; i < e.phase.size(); ++i) {
+    std::vector<std::string>& used = map.uses[s.field.name(i)];
+    for (std::size_t j = 0; j < s.field.dimension(); ++j)
+      if (uses(e.phase[i], s.field.coordinates[j])) used.push_back(s.field.name(j));
+  }
+  return map;
+}
+
+} // namespace
+
 std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
                                       const ClassifiedStratum& x) {
-  const auto is_real_analytic = [](const ExclusionReason& by) {
-    return by.integrals.kind == IntegralClass::Kind::real_analytic;
-  };
-  if (!x.constants.empty() || !x.fields.empty() || // known as text only
-      (!e.real && std::any_of(x.by.begin(), x.by.end(), is_real_analytic)))
-    return std::nullopt;
+  if (!x.constants.empty() || !x.fields.empty()) return std::nullopt; // known as text only
   CarriedStratum c{{}, {}, {}, x};
+  for (ExclusionReason& by : c.stratum.by) {
+    auto integrals = carried(by.integrals, facts(s, e));
+    if (!integrals) return std::nullopt;
+    by.integrals = *std::move(integrals);
+  }
   if (e.root) c.nonzero.push_back(e.square);
   try {
     bool sign_is_chosen = false;

@@ -65,12 +65,6 @@ bool is_on_a_regular_leaf(const System& s, const ManifoldSpec& m) {
   });
 }
 
-// Rational integrals are of the class.
-bool has_all_rational_integrals(const IntegralClass& c) {
-  return c.kind != IntegralClass::Kind::real_analytic && c.without.empty() && c.functions.empty() &&
-         c.level.empty() && c.liouville;
-}
-
 // The terms of the polynomial with the largest weight.
 MFraction highest_part(const MFraction& h, const Weights& weights) {
   const MPoly& f = h.num();
@@ -122,7 +116,7 @@ std::optional<LeadingPart> leading_part(const System& s, Order order) {
 std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
                                       const ClassifiedStratum& x) {
   if (x.status != StratumStatus::excluded || !x.constants.empty() || !x.along ||
-      !has_all_rational_integrals(x.by.front().integrals) ||
+      !has_rational_functions(x.by.front().integrals) ||
       (x.by.front().integrals.on_leaf && !is_on_a_regular_leaf(s, *x.along)))
     return std::nullopt;
   CarriedStratum c{{}, {part.nonzero}, {}, x};
@@ -149,11 +143,10 @@ std::optional<CarriedStratum> said_by(const System& s, const LeadingPart& part,
               ", and its system is not integrable: " + by.reason;
   by.integrals = part.order == Order::lowest ? IntegralClass{.near = IntegralClass::Near::origin}
                                              : IntegralClass{.kind = IntegralClass::Kind::rational};
-  const std::string& lemma = ziglin_1982().name;
+  const LiteratureTheorem* lemma = &ziglin_1982();
   if (std::find(by.theorems.begin(), by.theorems.end(), lemma) == by.theorems.end())
     by.theorems.push_back(lemma);
-  by.trusted.emplace_back("the " + order +
-                          " part of H, and from one leaf to the whole phase space");
+  by.trusted.push_back({Trusted::Step::part_of_h, order});
   return c;
 }
 

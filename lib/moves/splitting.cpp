@@ -239,7 +239,7 @@ MPoly difference(const FreeBody& body, std::size_t larger, std::size_t smaller) 
 
 // No admitted parameters have their moments in this order, and satisfy the equations.
 bool is_empty(const System& s, const FreeBody& body, const std::array<std::size_t, 3>& axes,
-              const std::vector<MPoly>& equations, std::vector<std::string>& trusted) {
+              const std::vector<MPoly>& equations, std::vector<Trusted>& trusted) {
   std::vector<Condition> all;
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const MPoly d = difference(body, axes[k], axes[k + 1]);
@@ -251,8 +251,7 @@ bool is_empty(const System& s, const FreeBody& body, const std::array<std::size_
   for (const MPoly& f : equations)
     all.push_back({f, Sign::zero});
   const auto proof = refuted_over_the_reals(s, all);
-  if (proof && std::find(trusted.begin(), trusted.end(), *proof) == trusted.end())
-    trusted.push_back(*proof);
+  if (proof) add_once(trusted, {*proof});
   return proof.has_value();
 }
 
@@ -345,9 +344,9 @@ Exclusion exclusion(const System& s, const SplittingFinding& found) {
                 " the separatrices of the free body split: a sum of residues is not 0; a change of "
                 "scale makes all values small";
   e.by.integrals = theorem.integrals;
-  e.by.theorems = {theorem.theorem->name};
+  e.by.theorems = {theorem.theorem};
   e.by.trusted = found.trusted;
-  e.by.trusted.emplace_back("the sums of residues at doubly asymptotic solutions of the free body");
+  e.by.trusted.push_back({Trusted::Step::residues});
   return e;
 }
 

@@ -27,7 +27,7 @@ struct SplittingFinding {
   long order = 1;                     ///< of that term
   std::vector<MPoly> nonzero;
   std::vector<OrderOfMoments> orders;
-  std::vector<std::string> trusted = {}; ///< that other orders, or what is left of some, are empty
+  std::vector<Trusted> trusted = {}; ///< that other orders, or what is left of some, are empty
 };
 
 /// Unset: the system is no perturbed free body with moments and real parameters that may differ, or the

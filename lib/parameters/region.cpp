@@ -192,8 +192,8 @@ bool Region::refutes(const std::vector<Condition>& more) const {
   }
   if (has_real_point(all, Budget{}) != Truth::no) return false;
   const std::string where = path_.empty() ? "" : " where " + to_string(path_);
-  trusted_.push_back({"Z3: no real parameters satisfy the assumptions" +
-                      (claim.empty() ? "" : " and " + claim) + where});
+  trusted_.push_back(
+      {Trusted::Step::refuted_by_z3, (claim.empty() ? "" : " and " + claim) + where});
   return true;
 }
 

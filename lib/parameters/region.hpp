@@ -7,6 +7,7 @@
 // the assumed inequalities.  docs/theory/strata.md, 1 and 2
 
 #include "exact/truth.hpp"
+#include "literature/trusted.hpp"
 #include "parameters/conditions.hpp"
 
 #include <optional>
@@ -15,11 +16,6 @@
 #include <variant>
 
 namespace kov {
-
-/// A proof step that rests on Z3 alone.
-struct TrustedStep {
-  std::string claim;
-};
 
 /// The points of the parameter space that satisfy the conditions met so far.
 ///
@@ -38,7 +34,8 @@ public:
   [[nodiscard]] const std::vector<Membership>& memberships() const noexcept {
     return assumptions_.memberships;
   }
-  [[nodiscard]] const std::vector<TrustedStep>& trusted() const noexcept { return trusted_; }
+  /// Steps that rest on Z3 alone.
+  [[nodiscard]] const std::vector<Trusted>& trusted() const noexcept { return trusted_; }
   [[nodiscard]] bool is_real(std::size_t variable) const;
   [[nodiscard]] bool is_real(const MPoly& p) const; ///< all its variables are
   [[nodiscard]] bool is_rational(std::size_t variable) const;
@@ -78,7 +75,7 @@ public:
 
   /// The stratum is empty; what that rests on besides algebra.
   struct Empty {
-    std::vector<TrustedStep> trusted;
+    std::vector<Trusted> trusted;
   };
   /// First decide whether this vanishes.
   struct Split {
@@ -130,7 +127,7 @@ private:
   std::vector<MPoly> assumed_nonzero_; ///< those that are not splits of the tree
   std::vector<Condition> path_;
   std::vector<Relation> relations_;
-  mutable std::vector<TrustedStep> trusted_;
+  mutable std::vector<Trusted> trusted_;
   mutable std::vector<std::pair<MPoly, int>> signs_; ///< what was asked before
 };
 

@@ -475,8 +475,7 @@ std::optional<QuadratureOrders> study(const System& s, const ManifoldSpec& m, in
   result.obstruction->integrals =
       excluded_integrals(s, m.name, manifold, IntegralClass::Near::closed_curve, false);
   for (const std::size_t h : levels_of(s, m))
-    result.obstruction->level += (result.obstruction->level.empty() ? "" : ", ") +
-                                 s.ring()->name(h) + " = " + to_string(level);
+    result.obstruction->level.push_back({s.ring()->name(h), to_string(level)});
   return result;
 }
 

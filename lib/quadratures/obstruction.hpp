@@ -6,13 +6,14 @@
 // Source  docs/theory/quadratures.md; [MoralesRamisSimo2007] for the theorem on higher orders
 
 #include "integrability/check.hpp"
+#include "literature/levels.hpp"
 #include "quadratures/primitive_extension.hpp"
 
 namespace kov {
 
 struct QuadratureObstruction {
   int order = 0;        ///< of the variational equation
-  std::string level;    ///< of the curve: "E = 1"
+  LevelChoice level;    ///< of the curve: E = 1
   std::string variable; ///< z as a function on the phase space
   RationalFunction u;   ///< I' by z
   PrimitiveExtension::Element f;

@@ -197,7 +197,7 @@ std::string theorem_json(const TheoremResult& t) {
            {"needs", n.node.needs},
            {"cite", n.node.cite},
            {"theorems", ids(n.theorems)},
-           {"trusted", n.on_faith()},
+           {"trusted", sentences(n.trusted)},
            {"certificates", n.certificates.size()}};
     j["hypotheses"] = Json::array();
     for (const Hypothesis& h : n.node.hypotheses)

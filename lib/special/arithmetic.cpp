@@ -1,6 +1,7 @@
 #include "special/arithmetic.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "exact/letters.hpp"
 #include "special/kimura.hpp"
 #include "special/lame.hpp"
@@ -62,14 +63,6 @@ Texts each_once(const Texts& texts) {
   return all;
 }
 
-std::string joined(const Texts& all, const std::string& last) {
-  std::string s;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    s += (i == 0 ? "" : i + 1 == all.size() ? last : ", ") + all[i];
-  return s;
-}
-std::string listed(const Texts& all) { return joined(all, ", "); }
-
 // ---- classes of numbers as text
 
 Rational modulo_one(const Rational& a) { return a - Rational(floor(a)); }
@@ -90,8 +83,8 @@ std::string class_text(const Residues& c, Known number) {
 }
 
 std::string is_in(const Texts& all, const std::string& what, bool holds) {
-  if (holds) return joined(all, " or ") + " is " + what;
-  if (all.size() > 1) return "none of " + listed(all) + " is " + what;
+  if (holds) return joined(all, ", ", " or ") + " is " + what;
+  if (all.size() > 1) return "none of " + joined(all) + " is " + what;
   return all[0] + " is not " + what;
 }
 
@@ -113,7 +106,7 @@ std::string classes_text(const SumIn& s) {
   Texts steps;
   for (const Residues& c : s.classes)
     steps.push_back(step_text(c, p));
-  return listed(steps) + " (" + p + " an integer)";
+  return joined(steps) + " (" + p + " an integer)";
 }
 
 std::string is_in_one(const std::string& number, const SumIn& s, bool holds) {
@@ -225,8 +218,8 @@ std::string words(const AllRational& s, bool holds) {
     if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
   }
   if (all.size() == 1) return all[0] + (holds ? " is rational" : " is irrational");
-  return holds ? joined(all, " and ") + " are rational"
-               : "one of " + listed(all) + " is irrational";
+  return holds ? joined(all, ", ", " and ") + " are rational"
+               : "one of " + joined(all) + " is irrational";
 }
 
 std::string words(const InHalves& s, bool holds) {
@@ -242,9 +235,9 @@ std::string words(const InHalves& s, bool holds) {
   }
   if (once.size() == 1) return is_in(once, half, holds);
   if (s.count == s.squares.size())
-    return holds ? joined(once, " and ") + " are " + half
-                 : "not both of " + joined(once, " and ") + " are " + half;
-  return (holds ? "two of " : "at most one of ") + listed(all) + (holds ? " are " : " is ") + half;
+    return holds ? joined(once, ", ", " and ") + " are " + half
+                 : "not both of " + joined(once, ", ", " and ") + " are " + half;
+  return (holds ? "two of " : "at most one of ") + joined(all) + (holds ? " are " : " is ") + half;
 }
 
 std::string words(const Separated& s, bool holds) {
@@ -264,13 +257,13 @@ std::string words(const SeparatedPair& s, bool holds) {
 }
 
 std::string words(const WithoutLogarithm& s, bool holds) {
-  const std::string all = listed(number_texts(s.squares));
+  const std::string all = joined(number_texts(s.squares));
   return holds ? "one of " + all + " is an integer, and there is no logarithm"
                : "none of " + all + " is an integer, or there is a logarithm";
 }
 
 std::string words(const InRow& s, bool holds) {
-  return listed(number_texts(s.squares)) + (holds ? " are" : " are not") + " in a row for " +
+  return joined(number_texts(s.squares)) + (holds ? " are" : " are not") + " in a row for " +
          to_string(s.group) + " of the table of Schwarz and Kimura";
 }
 

@@ -82,11 +82,11 @@ std::string text(const ExponentTriple& t) {
 }
 
 // What is collected for abelian_third_exponents: nu = +-key modulo 2.
-using Found = std::map<Rational, std::string>;
+using Found = std::map<Rational, AbelianRiemann>;
 
 void add_reducible(Found& found, const Rational& l, const Rational& m) {
   for (const Rational& nu : {l + m + Rational(1), l - m + Rational(1)})
-    found.try_emplace(folded(nu), "reducible: l +- m +- nu is an odd integer");
+    found.try_emplace(folded(nu));
 }
 
 // l = +-x + i, m = +-y + j (modulo 2) allows nu = +-z + i + j.
@@ -99,8 +99,7 @@ void add_row(Found& found, const SchwarzClass& row, const Rational& l, const Rat
         const Rational& y = row.exponents[order[1]];
         const Rational& z = row.exponents[order[2]];
         if (folded(l) == folded(x + Rational(i)) && folded(m) == folded(y + Rational(j)))
-          found.try_emplace(folded(z + Rational(i + j)),
-                            to_string(row.group) + ": the row " + text(row.exponents));
+          found.try_emplace(folded(z + Rational(i + j)), AbelianRiemann{&row});
       }
   } while (std::next_permutation(order.begin(), order.end()));
 }
@@ -126,6 +125,12 @@ const SchwarzClass* schwarz_class(const ExponentTriple& exponents) {
   return nullptr;
 }
 
+std::string sentence(const AbelianRiemann& a) {
+  if (a.row != nullptr) return to_string(a.row->group) + ": the row " + text(a.row->exponents);
+  return a.dihedral ? "dihedral: two exponents in 1/2 + Z"
+                    : "reducible: l +- m +- nu is an odd integer";
+}
+
 ThirdExponents abelian_third_exponents(const Rational& l, const Rational& m) {
   ThirdExponents answer;
   if (is_half_integer(l) && is_half_integer(m)) {
@@ -135,14 +140,14 @@ ThirdExponents abelian_third_exponents(const Rational& l, const Rational& m) {
   Found found;
   add_reducible(found, l, m);
   if (is_half_integer(l) || is_half_integer(m))
-    found.try_emplace(Rational(1, 2), "dihedral: two exponents in 1/2 + Z");
+    found.try_emplace(Rational(1, 2), AbelianRiemann{nullptr, true});
   for (const SchwarzClass& row : schwarz_classes())
     add_row(found, row, l, m);
-  for (const auto& [nu0, reason] : found) {
+  for (const auto& [nu0, by] : found) {
     const Rational other = Rational(1) - nu0; // nu0 and 1 - nu0 modulo 2 are +-nu0 modulo 1
     const bool both = found.contains(other);
     if (both && other < nu0) continue;
-    answer.classes.push_back({nu0, both ? 1L : 2L, reason});
+    answer.classes.push_back({nu0, both ? 1L : 2L, by});
   }
   return answer;
 }

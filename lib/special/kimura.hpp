@@ -42,12 +42,20 @@ struct SchwarzClass {
 /// q modulo 2 and sign, in [0, 1].
 [[nodiscard]] Rational folded(const Rational& q);
 
+/// Why an equation of Riemann has an abelian identity component.
+struct AbelianRiemann {
+  const SchwarzClass* row = nullptr; ///< of a finite primitive group
+  bool dihedral = false;             ///< two exponents in 1/2 + Z; else (without a row) reducible
+};
+/// Example sentence(AbelianRiemann{})  // -> reducible: l +- m +- nu is an odd integer
+[[nodiscard]] std::string sentence(const AbelianRiemann& a);
+
 /// All nu for which one set of exponent differences has an abelian identity component: nu = +-nu0
 /// modulo 1 or 2.
 struct ExponentClass {
   Rational nu0;     ///< in [0, 1/2] (modulus 1) or [0, 1] (modulus 2)
   long modulus = 1; ///< nu = +-nu0 + modulus * p, p any integer
-  std::string reason;
+  AbelianRiemann by;
 };
 struct ThirdExponents {
   bool all = false; ///< every nu, rational or not

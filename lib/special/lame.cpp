@@ -230,7 +230,7 @@ template MFraction degenerate_exponent_squared(const MFraction&, const LameParam
 ThirdExponents degenerate_exponents(const LameIndex& index) {
   if (index.n) return abelian_third_exponents(half, *index.n + half);
   // One irrational exponent: reducible ones have the full Borel group, dihedral ones remain.
-  return {false, {{half, 1, "dihedral: two exponents in 1/2 + Z"}}};
+  return {false, {{half, 1, {nullptr, true}}}};
 }
 
 bool contains_root(const ThirdExponents& l, const Rational& square) {

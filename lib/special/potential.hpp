@@ -23,7 +23,7 @@ namespace kov {
 /// lambda = c + (u + v p)^2/w for every integer p (nu = (u + v p)/(2k)).
 struct EigenvalueFamily {
   Rational c, u, v, w;
-  std::string reason; ///< which family of Riemann equations
+  AbelianRiemann by;
 
   [[nodiscard]] Rational at(const Integer& p) const;
   /// Coefficients of p^2, p, 1.

@@ -194,7 +194,8 @@ public:
       study(s, p);
     } catch (const OutOfBudget& limit) {
       p.status = Piece::Status::open;
-      p.why = limit.what();
+      p.why_open = Piece::Open::limit;
+      p.ended = limit.what();
     }
     return p;
   }
@@ -217,7 +218,7 @@ private:
     else if (is_exponential_or_none(s.leaf))
       by_degrees(s, p);
     else
-      p.why = "the group is not known there";
+      p.why_open = Piece::Open::group;
   }
 
   // The parts cover the stratum: solutions are there outside those with SL(2, C).
@@ -226,12 +227,12 @@ private:
     for (const Part& part : s.leaf.parts) {
       const Truth answer = has_solution(part.group, part.bound);
       if (answer == Truth::unknown) {
-        p.why = "the group is not known on a part";
+        p.why_open = Piece::Open::group_of_a_part;
         return;
       }
       if (answer == Truth::yes && part.group) p.groups.push_back(*part.group);
       if (answer == Truth::no && without != nullptr) {
-        p.why = "several parts are without solutions";
+        p.why_open = Piece::Open::several_without;
         return;
       }
       if (answer == Truth::no) without = &part;
@@ -305,21 +306,20 @@ private:
   }
 
   void by_degrees(const Stratum& s, Piece& p) {
-    p.why.clear();
+    p.why_open.reset();
     p.groups.clear();
     if (has_equation(q_.assumptions)) {
-      p.why =
-          "equations between constants or parameters are assumed, which the search of exponential "
-          "solutions does not know";
+      p.why_open = Piece::Open::assumed_equations;
       return;
     }
     if (!s.leaf.scheme) {
-      p.why = "the places of the equation are not at hand";
+      p.why_open = Piece::Open::no_places;
       return;
     }
     const strata::ExponentialFamilies families = families_of_exponents(*s.leaf.scheme, budget_);
     if (!families.missing.empty()) {
-      p.why = families.missing;
+      p.why_open = Piece::Open::families;
+      p.ended = families.missing;
       return;
     }
     p.status = Piece::Status::none;
@@ -444,8 +444,29 @@ private:
 
 } // namespace
 
+std::string open_reason(const Piece& p) {
+  if (!p.why_open) return "";
+  switch (*p.why_open) {
+  case Piece::Open::group:
+    return "the group is not known there";
+  case Piece::Open::group_of_a_part:
+    return "the group is not known on a part";
+  case Piece::Open::several_without:
+    return "several parts are without solutions";
+  case Piece::Open::assumed_equations:
+    return "equations between constants or parameters are assumed, which the search of exponential "
+           "solutions does not know";
+  case Piece::Open::no_places:
+    return "the places of the equation are not at hand";
+  case Piece::Open::families:
+  case Piece::Open::limit:
+    return p.ended;
+  }
+  return "";
+}
+
 bool AlgebraicSpectrum::decided() const {
-  return not_studied.empty() && std::none_of(pieces.begin(), pieces.end(), [](const Piece& p) {
+  return strata.unvisited.empty() && std::none_of(pieces.begin(), pieces.end(), [](const Piece& p) {
            return p.status == Piece::Status::open ||
                   std::any_of(p.families.begin(), p.families.end(),
                               [](const DegreeFamily& f) { return !f.open.empty(); });
@@ -455,23 +476,18 @@ bool AlgebraicSpectrum::decided() const {
 AlgebraicSpectrum algebraic_spectrum(const Question& q, std::size_t energy,
                                      const SpectrumOptions& options) {
   if (energy == q.z) throw InvalidArgument("the energy is the variable of the equation");
-  const strata::StrataAnswer answer = strata::decide_strata(q, options.strata);
   AlgebraicSpectrum out;
-  out.refusal = answer.refusal;
-  out.trusted = answer.trusted;
-  out.contradictory = answer.contradictory;
-  out.not_studied = answer.unvisited;
+  out.strata = strata::decide_strata(q, options.strata);
+  out.trusted = out.strata.trusted;
   Study study(q, energy, options);
-  for (const Stratum& s : answer.strata)
+  for (const Stratum& s : out.strata.strata)
     out.pieces.push_back(study.piece(s));
   const auto is = [&](Piece::Status x) {
     return std::any_of(out.pieces.begin(), out.pieces.end(),
                        [&](const Piece& p) { return p.status == x; });
   };
-  if (is(Piece::Status::degrees))
-    out.trusted.emplace_back("the families of exponential solutions, which have no certificate");
-  if (is(Piece::Status::conditions))
-    out.trusted.emplace_back("the conditions solved for the parameter, which have no certificate");
+  if (is(Piece::Status::degrees)) out.trusted.push_back({Trusted::Step::exponential_families});
+  if (is(Piece::Status::conditions)) out.trusted.push_back({Trusted::Step::solved_for_the_energy});
   return out;
 }
 

@@ -54,7 +54,16 @@ struct Piece {
     all,         ///< every E
     conditions,  ///< exactly where one of `where` holds
     degrees,     ///< exactly where one of `families` has a solution
-    open         ///< `why`
+    open         ///< `why_open`
+  };
+  enum class Open : std::uint8_t {
+    group,             ///< it is not known
+    group_of_a_part,   ///< it is not known on one of several
+    several_without,   ///< parts are without solutions
+    assumed_equations, ///< which the search of exponential solutions does not know
+    no_places,         ///< of the equation
+    families,          ///< `ended`: why they cannot be written down
+    limit              ///< `ended`: which
   };
   std::vector<Condition> conditions;
   Status status = Status::open;
@@ -63,15 +72,16 @@ struct Piece {
   std::vector<ArithmeticCondition> unsolved; ///< the others
   std::vector<DegreeFamily> families;
   std::vector<GaloisGroup> groups; ///< that occur where there are solutions
-  std::string why;
+  std::optional<Open> why_open{};
+  std::string ended{};
 };
+/// Why nothing is known; empty: something is.
+[[nodiscard]] std::string open_reason(const Piece& p);
 
 struct AlgebraicSpectrum {
-  std::vector<Piece> pieces;        ///< disjoint
-  std::vector<std::string> trusted; ///< steps that no checker repeats
-  std::vector<std::string> not_studied;
-  std::string refusal; ///< what our own checker has against the strata: every verdict is withdrawn
-  bool contradictory = false;
+  std::vector<Piece> pieces;    ///< disjoint
+  std::vector<Trusted> trusted; ///< steps that no checker repeats
+  strata::StrataAnswer strata;  ///< on which this rests
   [[nodiscard]] bool decided() const;
 };
 

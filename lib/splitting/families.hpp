@@ -20,7 +20,6 @@ struct SplittingFamily {
   std::optional<MPoly> direction; ///< equation between the squares of the components of S
   std::optional<std::array<Rational, 3>> witness; ///< A, B, C
   Truth triangle = Truth::unknown;                ///< are there members with A <= B + C?
-  std::string triangle_reason;
 };
 
 struct EmptyBranch {

@@ -117,7 +117,7 @@ private:
   // The decided strata of this tree are not written.
   void leave_out(const ProofTree& t, Gap gap) {
     if (t.leaf && t.leaf->abelian != Truth::unknown)
-      result_.left_out.push_back({gap, t.leaf->by, to_string(gap)});
+      result_.left_out.push_back({gap, t.leaf->by, {Trusted::Step::gap, to_string(gap)}});
     for (const ProofTreePtr& child : {t.nonzero, t.zero})
       if (child) leave_out(*child, gap);
   }
@@ -127,16 +127,18 @@ private:
   }
   TrustedStratum trusted(const Leaf& leaf, const NoProof& why) {
     const std::string statement = reason(leaf) + " (" + why.what() + ")";
-    result_.trusted.push_back({why.gap, leaf.by, "the solver: " + statement});
+    result_.trusted.push_back({why.gap, leaf.by, {Trusted::Step::solver, statement}});
     return {leaf.abelian == Truth::yes ? "yes" : "no", "the solver", statement};
   }
   TrustedStratum trusted_empty(const ProofTree& t) {
-    const bool oracle = t.why.rfind("Z3", 0) == 0;
-    const std::string by = oracle ? "Z3" : "the solver";
-    const std::string why = t.why.empty() ? "the assumptions contradict each other" : t.why;
-    result_.trusted.push_back(
-        {oracle ? Gap::emptiness : Gap::rule, Conclusion::none, by + ": " + why});
-    return {"empty", by, why};
+    std::string why = to_string(t.ended);
+    if (const auto* by_z3 = std::get_if<Trusted>(&t.ended)) {
+      result_.trusted.push_back({Gap::emptiness, Conclusion::none, *by_z3});
+      return {"empty", "Z3", why};
+    }
+    if (why.empty()) why = "the assumptions contradict each other";
+    result_.trusted.push_back({Gap::rule, Conclusion::none, {Trusted::Step::solver, why}});
+    return {"empty", "the solver", why};
   }
 
   Subtree node(const ProofTree& t, State state) {
@@ -150,7 +152,7 @@ private:
     case Kind::empty:
       return empty(t, state);
     default:
-      return node_of(open(t.why));
+      return node_of(open(to_string(t.ended)));
     }
   }
 
@@ -340,16 +342,11 @@ StrataCertificate certificate(const StrataAnswer& a, const Budget& budget) {
 
 namespace {
 
-void trust(StrataAnswer& a, const std::string& step) {
-  if (std::find(a.trusted.begin(), a.trusted.end(), step) == a.trusted.end())
-    a.trusted.push_back(step);
-}
-
 void trust_without_certificate(StrataAnswer& a, const std::string& why) {
   const bool somewhere_decided =
       std::any_of(a.strata.begin(), a.strata.end(),
                   [](const Stratum& x) { return x.leaf.abelian != Truth::unknown; });
-  if (somewhere_decided) trust(a, "strata without a certificate: " + why);
+  if (somewhere_decided) add_once(a.trusted, {{Trusted::Step::uncertified_strata, why}});
 }
 
 // What the checker believes, or does not hear of.
@@ -357,7 +354,7 @@ void trust_what_is_not_checked(StrataAnswer& a) {
   for (const auto* list : {&a.certificate->trusted, &a.certificate->left_out})
     for (const Uncertified& u : *list)
       if (u.gap != Gap::emptiness || a.trusted.empty()) // Z3, told already
-        trust(a, u.told);
+        add_once(a.trusted, {u.told});
 }
 
 } // namespace

@@ -13,7 +13,7 @@ namespace kov::strata {
 struct Uncertified {
   Gap gap = Gap::rule;                   ///< what is missing
   Conclusion theorem = Conclusion::none; ///< that shows the verdict; none: the stratum is empty
-  std::string told;                      ///< for people
+  Trusted told;
 };
 
 struct StrataCertificate {

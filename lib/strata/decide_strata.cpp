@@ -60,7 +60,7 @@ namespace {
 
 Leaf no_value() { return open_leaf(NoEquation{}); }
 Leaf no_reduction(const Genericity& g) {
-  return open_leaf(NoEquation{NoEquation::Why::reduction, g.why});
+  return open_leaf(NoEquation{NoEquation::Why::reduction, sentence(g)});
 }
 
 bool is_assumed(const Needs& needs) { return needs.why.kind == Event::Kind::assumed; }
@@ -92,10 +92,10 @@ using Kind = ProofTree::Kind;
 constexpr std::size_t max_relations = 3; // algebraic equations that are kept on one stratum
 
 ProofTreePtr grown(Kind kind, const Region& region, MPoly p, std::optional<Leaf> leaf,
-                   std::string why, ProofTreePtr nonzero = {}, ProofTreePtr zero = {}) {
+                   WhyEnded ended = {}, ProofTreePtr nonzero = {}, ProofTreePtr zero = {}) {
   return std::make_shared<ProofTree>(ProofTree{kind, std::move(p), std::make_shared<Region>(region),
                                                std::move(nonzero), std::move(zero), std::move(leaf),
-                                               std::move(why)});
+                                               std::move(ended)});
 }
 
 class Tree {
@@ -122,21 +122,16 @@ private:
                        [](const Stratum& s) { return s.leaf.abelian != Truth::unknown; });
   }
 
-  void trust(const std::vector<TrustedStep>& steps) {
-    for (const auto& s : steps)
-      if (std::find(answer_.trusted.begin(), answer_.trusted.end(), s.claim) ==
-          answer_.trusted.end())
-        answer_.trusted.push_back(s.claim);
-  }
+  void trust(const std::vector<Trusted>& steps) { add_once(answer_.trusted, steps); }
 
   // To stand behind "for".
   static std::string place_of(const Region& region) {
     return region.path().empty() ? "all parameters" : to_string(region.path());
   }
 
-  ProofTreePtr unvisited(const Region& region, const std::string& condition,
-                         const std::string& why) {
-    answer_.unvisited.push_back(condition);
+  ProofTreePtr unvisited(const Region& region, const WhyEnded& why) {
+    const auto* ended = std::get_if<Ended>(&why);
+    answer_.unvisited.push_back(place_of(region) + (ended ? " (" + ended->shown + ")" : ""));
     return grown(Kind::open, region, {}, {}, why);
   }
 
@@ -144,13 +139,13 @@ private:
     try {
       limits_.decide.budget.check();
       if (answer_.strata.size() >= limits_.max_strata || depth > 60)
-        return unvisited(region, place_of(region), "the limit of strata");
+        return unvisited(region, TooManyStrata{});
       auto answer = look(region);
       trust(region.trusted());
       if (auto* leaf = std::get_if<Leaf>(&answer)) return add(region, std::move(*leaf));
       return split(region, std::get<Needs>(answer), depth);
     } catch (const OutOfBudget& limit) {
-      return unvisited(region, place_of(region) + " (" + limit.what() + ")", limit.what());
+      return unvisited(region, Ended{limit.what()});
     } catch (const Contradiction&) {
       throw;
     } catch (const InternalError& e) {
@@ -163,8 +158,7 @@ private:
   // An error of the program costs this part of the parameters only.
   ProofTreePtr failed(const Region& region, const std::string& what) {
     if (!error_) error_ = std::current_exception();
-    const std::string why = failure_of("the decision there", what);
-    return unvisited(region, place_of(region) + " (" + why + ")", why);
+    return unvisited(region, Ended{failure_of("the decision there", what)});
   }
 
   std::variant<Leaf, Needs> look(const Region& region) const {
@@ -239,7 +233,7 @@ private:
       if (is_zero(there) || vanishes(there.num(), region)) continue;
       const auto doubt = region.doubtful_factor(there.num());
       if (!doubt) return std::nullopt;
-      if (!needs) needs = Needs{*doubt, {.kind = Event::Kind::reduction, .shown = g.why}};
+      if (!needs) needs = Needs{*doubt, {.kind = Event::Kind::reduction, .shown = sentence(g)}};
     }
     if (needs) return *needs;
     return no_reduction(g);
@@ -247,7 +241,7 @@ private:
 
   ProofTreePtr split(const Region& region, const Needs& needs, int depth) {
     const bool assumed = is_assumed(needs); // p = 0 on one of the two sides only
-    if (is_constant(needs.p)) return prune(region, {}, "an assumed equation fails");
+    if (is_constant(needs.p)) return prune(region, {}, AssumedEquationFails{});
     for (const auto& relation : region.relations()) // true here, and r does not show it
       if (divides(needs.p, relation.p))
         return add(region, open_leaf(NotSolved{needs.p, needs.why}));
@@ -259,12 +253,12 @@ private:
     if (!assumed || has_other_factor(region, needs.p))
       nonzero = other_side(region.where_nonzero(needs.p), needs.p, depth);
     const Kind kind = nonzero ? Kind::split : Kind::assumed;
-    return grown(kind, region, needs.p, {}, to_string(needs.why), std::move(nonzero),
+    return grown(kind, region, needs.p, {}, {}, std::move(nonzero),
                  where_zero(region, needs, zero, depth));
   }
 
   ProofTreePtr other_side(const Region& there, const MPoly& p, int depth) {
-    return there.is_empty_exactly() ? prune(there, p, "contradicts the assumptions")
+    return there.is_empty_exactly() ? prune(there, p, ContradictsAssumptions{})
                                     : node(there, depth + 1);
   }
 
@@ -282,13 +276,13 @@ private:
       path.push_back({needs.p, Sign::zero});
       answer_.pruned.push_back(to_string(path));
       return grown(Kind::empty, region, needs.p, {},
-                   empty->trusted.empty() ? "" : empty->trusted.back().claim);
+                   empty->trusted.empty() ? WhyEnded{} : empty->trusted.back());
     }
     return stuck(region, needs, depth);
   }
 
-  ProofTreePtr prune(const Region& region, const MPoly& p, const std::string& why) {
-    answer_.pruned.push_back(to_string(region.path()) + " (" + why + ")");
+  ProofTreePtr prune(const Region& region, const MPoly& p, const WhyEnded& why) {
+    answer_.pruned.push_back(to_string(region.path()) + " (" + to_string(why) + ")");
     return grown(Kind::empty, region, p, {}, why);
   }
 
@@ -304,7 +298,7 @@ private:
     path.push_back({needs.p, Sign::zero});
     const auto add_here = [&](const Leaf& leaf) {
       answer_.strata.push_back({std::move(path), leaf, region.solved()});
-      return grown(Kind::root, region, needs.p, leaf, "");
+      return grown(Kind::root, region, needs.p, leaf);
     };
     const auto root = root_field(needs.p);
     const auto restricted = value_on(region);
@@ -323,8 +317,7 @@ private:
       if (auto there = related(region, needs, depth)) return there;
     if (!number) return add_here(open_leaf(NotSolved{needs.p, needs.why}));
     if (region.has_no_real_root(needs.p))
-      return prune(region, needs.p,
-                   "Z3: no real root of " + to_string(needs.p) + " satisfies the conditions");
+      return prune(region, needs.p, Trusted{Trusted::Step::no_root_by_z3, to_string(needs.p)});
     for (const auto& g : q_.generic)
       if (!holds_at_root(g, region, needs.p))
         return add_here(fails_at_root(g, region, needs.p)
@@ -341,8 +334,7 @@ private:
       if (!is_constant(lead) && region.doubtful_factor(lead)) continue;
       const bool implied = is_assumed(needs) && !has_other_factor(region, needs.p);
       const Region there = region.with_relation(needs.p, x, implied);
-      return grown(Kind::related, region, needs.p, {}, to_string(needs.why), {},
-                   node(there, depth + 1));
+      return grown(Kind::related, region, needs.p, {}, {}, {}, node(there, depth + 1));
     }
     return {};
   }
@@ -375,7 +367,7 @@ private:
 
   ProofTreePtr add(const Region& region, const Leaf& leaf) {
     answer_.strata.push_back({simplified(region), leaf, region.solved()});
-    return grown(Kind::leaf, region, {}, leaf, "");
+    return grown(Kind::leaf, region, {}, leaf);
   }
 
   // Without the inequations that the other conditions imply.

@@ -12,8 +12,15 @@ namespace kov::strata {
 
 /// Something that was divided by on the way to r: not all coefficients may vanish.
 struct Genericity {
+  enum class Else : std::uint8_t {
+    no_value, ///< a coefficient of the equation has none
+    no_order, ///< the coefficient of the second derivative of `of` is 0
+    division, ///< the reduction divides by `of`
+    relations ///< those of the functions fall apart
+  };
   std::vector<MPoly> not_all_zero; ///< polynomials in the parameters
-  std::string why;
+  Else otherwise = Else::division;
+  std::string of{};
 };
 
 struct Question {
@@ -45,9 +52,9 @@ struct StrataCertificate;
 struct StrataAnswer {
   std::vector<Stratum> strata;        ///< disjoint; with `unvisited` they cover the assumptions
   std::vector<std::string> unvisited; ///< conditions of strata that a limit left open
-  std::vector<std::string> trusted; ///< steps that no checker repeats: Z3, theorems without a rule
-  std::vector<std::string> pruned;  ///< empty strata, with the conditions that contradict
-  bool contradictory = false;       ///< no parameters satisfy the assumptions
+  std::vector<Trusted> trusted;       ///< Z3, theorems without a rule
+  std::vector<std::string> pruned;    ///< empty strata, with the conditions that contradict
+  bool contradictory = false;         ///< no parameters satisfy the assumptions
   double seconds = 0;
   /// Strata on which r means nothing and an equation of their own was decided instead: that answer.
   std::vector<std::shared_ptr<const StrataAnswer>> special;

@@ -48,7 +48,7 @@ public:
     places_.push_back(&s.infinity);
   }
 
-  std::vector<TraceStep> run() {
+  kovacic::Trace run() {
     const bool finite = std::all_of(places_.begin(), places_.end(),
                                     [this](const ParametricPlace* p) { return exponents(*p); });
     if (!finite)
@@ -62,9 +62,7 @@ public:
   }
 
 private:
-  void say(int number, const std::string& text) {
-    steps_.push_back({"Case 1, step " + std::to_string(number), text});
-  }
+  void say(int number, const std::string& text) { steps_.push_back({1, number, text}); }
 
   bool exponents(const ParametricPlace& p) {
     const std::string at = place_name(p, s_.z) + ": ";
@@ -141,12 +139,12 @@ private:
   const Budget& budget_;
   std::vector<const ParametricPlace*> places_; // infinity last
   std::vector<Exponents> choices_;
-  std::vector<TraceStep> steps_;
+  kovacic::Trace steps_;
 };
 
 } // namespace
 
-std::vector<TraceStep> first_case(const Scheme& s, const Region& region, const Budget& budget) {
+kovacic::Trace first_case(const Scheme& s, const Region& region, const Budget& budget) {
   return FirstCase(s, region, budget).run();
 }
 

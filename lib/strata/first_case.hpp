@@ -15,7 +15,7 @@ namespace kov::strata {
 /// 0
 /// Given   const Scheme airy = std::get<Scheme>(scheme(z + a, 0, everywhere));
 /// Example first_case(airy, everywhere).front().text  // -> infinity: irregular, order 5
-[[nodiscard]] std::vector<TraceStep> first_case(const Scheme& s, const Region& region,
-                                                const Budget& budget = {});
+[[nodiscard]] kovacic::Trace first_case(const Scheme& s, const Region& region,
+                                        const Budget& budget = {});
 
 } // namespace kov::strata

@@ -26,7 +26,7 @@ struct Leaf {
   /// Disjoint; they cover the stratum.  Empty: the leaf is one part.  Where they agree, so does the
   /// leaf; who knows nothing of parts may use the leaf alone.
   std::vector<Part> parts{};
-  std::vector<TraceStep> trace{}; ///< if asked for: the first case, as it is done by hand
+  kovacic::Trace trace{}; ///< if asked for: the first case, as it is done by hand
 
   // In evidence.cpp, as for Evidence.
   Leaf();

@@ -2,11 +2,24 @@
 // How the strata were found: the splits p = 0 / p != 0 with a verdict at each leaf.  What a
 // certificate over strata is written from (docs/theory/strata_certificates.md, 4).
 
+#include "literature/trusted.hpp"
 #include "strata/leaf.hpp"
 
 #include <memory>
 
 namespace kov::strata {
+
+/// Of an open stratum: too many of them, or a limit or an error, in its words.
+struct TooManyStrata {};
+struct Ended {
+  std::string shown;
+};
+/// Of an empty one.
+struct ContradictsAssumptions {};
+struct AssumedEquationFails {};
+/// Or a decision of Z3 that it is empty; nothing is said of other nodes.
+using WhyEnded = std::variant<std::monostate, TooManyStrata, Ended, ContradictsAssumptions,
+                              AssumedEquationFails, Trusted>;
 
 struct ProofTree;
 using ProofTreePtr = std::shared_ptr<const ProofTree>;
@@ -22,7 +35,7 @@ struct ProofTree {
     root,    ///< the verdict at a root of p, as one number in Q[x]/(p)
     related, ///< p = 0 is kept as a relation; the stratum goes on with `zero`
     empty,   ///< the stratum has no point
-    open     ///< nothing is known, because of `why`
+    open     ///< nothing is known
   };
   Kind kind = Kind::open;
   MPoly p;
@@ -30,7 +43,7 @@ struct ProofTree {
       region; ///< of this node; of a zero branch that was not solved: of its parent
   ProofTreePtr nonzero, zero;
   std::optional<Leaf> leaf;
-  std::string why;
+  WhyEnded ended{}; ///< of an empty or an open one
 };
 
 } // namespace kov::strata

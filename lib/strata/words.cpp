@@ -529,6 +529,26 @@ std::string to_string(const Event& e) {
   return "";
 }
 
+std::string sentence(const Genericity& g) {
+  using Else = Genericity::Else;
+  return g.otherwise == Else::no_value    ? "a coefficient of the equation has no value"
+         : g.otherwise == Else::no_order  ? "the coefficient of " + g.of + "'' is 0"
+         : g.otherwise == Else::relations ? "the relations of the functions fall apart there"
+                                          : "the reduction divides by " + g.of;
+}
+
+std::string to_string(const WhyEnded& why) {
+  return std::visit(
+      Overloaded{
+          [](std::monostate) { return std::string(); },
+          [](const TooManyStrata&) { return std::string("the limit of strata"); },
+          [](const Ended& x) { return x.shown; },
+          [](const ContradictsAssumptions&) { return std::string("contradicts the assumptions"); },
+          [](const AssumedEquationFails&) { return std::string("an assumed equation fails"); },
+          [](const Trusted& t) { return sentence(t); }},
+      why);
+}
+
 std::string place_name(const PlaceName& p) {
   if (p.at_infinity || !p.q.ring()) return "infinity";
   if (kov::degree(p.q, p.z) > 1) return to_string(p.q) + " = 0";

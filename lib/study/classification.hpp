@@ -6,7 +6,9 @@
 // is so on all levels (docs/theory/classify.md, 1).
 
 #include "integrals/find.hpp"
-#include "literature/integral_class.hpp"
+#include "literature/levels.hpp"
+#include "literature/literature.hpp"
+#include "literature/trusted.hpp"
 #include "study/places.hpp"
 
 namespace kov {
@@ -17,14 +19,14 @@ enum class StratumStatus : std::uint8_t { integrable, excluded, open };
 /// Why the system is not integrable somewhere.
 struct ExclusionReason {
   std::string solution; ///< the invariant manifold of the particular solutions
-  std::string level;    ///< for which of them, in words
+  Levels level = {};    ///< for which of them
   int order = 1;        ///< of the variational equations
   std::string reason;
-  IntegralClass integrals = {};           ///< the class of first integrals that is excluded
-  std::vector<std::string> theorems = {}; ///< of the literature
+  IntegralClass integrals = {}; ///< the class of first integrals that is excluded
+  std::vector<const LiteratureTheorem*> theorems = {};
   std::string unchecked; ///< a hypothesis that is not proved, as a sentence; or empty
   /// What it rests on besides theorems, exact computation and accepted certificates.
-  std::vector<std::string> trusted = {};
+  std::vector<Trusted> trusted = {};
   friend bool operator==(const ExclusionReason&, const ExclusionReason&) = default;
 };
 
@@ -65,6 +67,26 @@ struct Spent {
   double seconds = 0;
 };
 
+/// What of the file was not used, and what ended a part of the work.
+struct ClassificationNote {
+  enum class What : std::uint8_t {
+    not_used,          ///< of: an assumption on levels
+    used_on_manifolds, ///< the same, used along the file's manifolds only
+    manifold,          ///< of: one of the file and why it was not used
+    limit,             ///< of: what ended a part of the work
+    rest_is_open,      ///< of: what ended the work
+    clock,
+    constants,  ///< of: what ended the work with algebraic constants
+    almost_all, ///< of: what ended the work at points
+    unfinished
+  };
+  What what = What::rest_is_open;
+  std::string of = {};
+  friend bool operator==(const ClassificationNote&, const ClassificationNote&) = default;
+};
+[[nodiscard]] std::string sentence(const ClassificationNote& n);
+[[nodiscard]] std::vector<std::string> sentences(const std::vector<ClassificationNote>& all);
+
 struct SystemClassification {
   std::vector<ClassifiedStratum> strata; ///< disjoint; they cover all parameters
   std::vector<std::string> assumptions;  ///< under which all of this is proved
@@ -74,9 +96,9 @@ struct SystemClassification {
   Assumptions known;            ///< all of them as values
   std::vector<MPoly> relations; ///< of the algebraic constants: each set satisfies them
   std::optional<AlmostAll> almost_all;
-  std::vector<std::string> theorems; ///< of the literature that are used
-  std::vector<std::string> trusted;  ///< steps that no certificate repeats
-  std::vector<std::string> notes;    ///< what of the file was not used, and why
+  std::vector<const LiteratureTheorem*> theorems; ///< that are used
+  std::vector<Trusted> trusted;                   ///< steps that no certificate repeats
+  std::vector<ClassificationNote> notes;
   /// Of these classes at once are the first integrals that are excluded; empty where nothing is.
   std::vector<IntegralClass> excluded;
   bool liouville = true; ///< a Hamiltonian system: "integrable" is meant in Liouville's sense
@@ -105,6 +127,9 @@ struct SystemClassification {
 [[nodiscard]] std::string statement(const SystemClassification& c);
 /// "not integrable with first integrals that are ...": what one reason proves of its strata.
 [[nodiscard]] std::string statement(const ExclusionReason& by);
+/// Their names.
+[[nodiscard]] std::vector<std::string>
+theorem_names(const std::vector<const LiteratureTheorem*>& all);
 /// "H, x*v - y*u", of an integrable stratum
 [[nodiscard]] std::string integrals_text(const ClassifiedStratum& s);
 /// The conditions of a stratum besides the assumptions, each as text; empty: all parameters.

@@ -3,6 +3,7 @@
 #include "exact/error.hpp"
 #include "exact/factor.hpp"
 #include "exact/finite_algebra.hpp"
+#include "exact/joined.hpp"
 #include "special/arithmetic.hpp"
 
 #include <algorithm>
@@ -172,7 +173,7 @@ void add(std::vector<Residues>& all, const Residues& r) {
 }
 
 // a + step Z and a + step/2 + step Z are a + (step/2) Z.
-std::vector<Residues> joined(std::vector<Residues> all) {
+std::vector<Residues> in_few_rows(std::vector<Residues> all) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Rational half = all[i].step * Rational(1, 2);
     const Residues partner = reduced({all[i].a + half, all[i].step});
@@ -192,7 +193,7 @@ std::vector<Residues> simplified(const std::vector<Residues>& classes) {
   std::vector<Residues> all;
   for (const Residues& r : classes)
     add(all, reduced(r));
-  return joined(std::move(all));
+  return in_few_rows(std::move(all));
 }
 
 DifferenceCondition condition(const MFraction& square, const std::vector<Residues>& classes) {
@@ -616,13 +617,6 @@ std::string subject(Kind kind, const MFraction& square) {
   }
 }
 
-std::string listed(const std::vector<std::string>& all, const std::string& last) {
-  std::string text;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == all.size() ? last : ", ") + all[i];
-  return text;
-}
-
 std::string class_text(const Residues& r) {
   const std::string step = r.step == Rational(1) ? "Z" : to_string(r.step) + "*Z";
   if (is_zero(r.a)) return step;
@@ -634,7 +628,8 @@ std::string in_classes(const DifferenceCondition& c) {
   std::vector<std::string> sets;
   for (const Residues& r : c.classes)
     sets.push_back(class_text(r));
-  return root(c.squares.front()) + (c.holds ? " is in " : " is not in ") + listed(sets, " or ");
+  return root(c.squares.front()) + (c.holds ? " is in " : " is not in ") +
+         joined(sets, ", ", " or ");
 }
 
 } // namespace
@@ -651,13 +646,13 @@ std::string to_string(const DifferenceCondition& c) {
   }
   const std::string what = c.kind == Kind::rational ? "rational" : "an integer";
   if (c.holds)
-    return listed(subjects, " or ") + " is " + what +
-           (c.or_all_rational ? ", or " + listed(roots, " and ") +
+    return joined(subjects, ", ", " or ") + " is " + what +
+           (c.or_all_rational ? ", or " + joined(roots, ", ", " and ") +
                                     (roots.size() > 1 ? " are rational" : " is rational")
                               : "");
   if (subjects.size() == 1 && !c.or_all_rational) return subjects[0] + " is not " + what;
-  return "none of " + listed(subjects, ", ") + " is " + what +
-         (c.or_all_rational ? ", and not all of " + listed(roots, ", ") + " are rational" : "");
+  return "none of " + joined(subjects) + " is " + what +
+         (c.or_all_rational ? ", and not all of " + joined(roots) + " are rational" : "");
 }
 
 } // namespace kov

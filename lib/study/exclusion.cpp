@@ -53,7 +53,7 @@ public:
     e.zero = zero_;
     for (const MPoly& p : nonzero_)
       e.not_all_zero.push_back(not_all_zero_for_some(p, levels_));
-    e.by.level = words();
+    e.by.level = levels_at(choice());
     return e;
   }
 
@@ -114,11 +114,11 @@ private:
     return true;
   }
 
-  [[nodiscard]] std::string words() const {
-    std::string text;
+  [[nodiscard]] LevelChoice choice() const {
+    LevelChoice all;
     for (const auto& [h, value] : chosen_)
-      text += (text.empty() ? "" : ", ") + s_.ring()->name(h) + " = " + to_factored_string(value);
-    return text;
+      all.push_back({s_.ring()->name(h), to_factored_string(value)});
+    return all;
   }
 
   const System& s_;
@@ -317,10 +317,10 @@ std::optional<Exclusion> exclusion(const System& s, const ManifoldReport& report
     if (open->difference && !require_no_difference(e, p, *open->difference)) return std::nullopt;
   }
   const bool necessary = open && !closed;
-  if (closed) e.by.trusted.emplace_back(closed_answer_step);
+  if (closed) e.by.trusted.push_back({Trusted::Step::closed_answer});
   e.by.reason =
       necessary ? strata::open_condition(leaf) : strata::reason(closed ? closed->otherwise : leaf);
-  if (necessary) e.by.trusted.emplace_back("necessary conditions of undecided strata");
+  if (necessary) e.by.trusted.push_back({Trusted::Step::necessary_conditions});
   e.by.integrals = class_of(s, report, leaf);
   return e;
 }
@@ -356,7 +356,7 @@ std::vector<Exclusion> of_block(const System& s, const ManifoldReport& report,
 Exclusion by_matrices(const ManifoldReport& report) {
   Exclusion e;
   e.by.reason = reason(*report.matrices);
-  e.by.level = report.matrices->level;
+  e.by.level = levels_at(report.matrices->level);
   e.by.integrals = report.by->integrals;
   return e;
 }
@@ -386,7 +386,7 @@ void explain(const BlockReport& block, ExclusionReason& by) {
   for (const EnergyResult& level : block.energies) {
     const bool decided = level.decision && level.decision->abelian == Truth::no;
     if (!decided && !(level.strata && level.strata->abelian() == Truth::no)) continue;
-    by.level = level.condition;
+    by.level = levels_at({level.at});
     by.reason =
         decided ? reason(*level.decision) : strata::reason(level.strata->strata.front().leaf);
     return;
@@ -423,16 +423,12 @@ std::vector<Exclusion> with_its_solution(const System& s, const ManifoldReport& 
                                          std::vector<Exclusion> all) {
   for (Exclusion& e : all) {
     e.by.solution = report.name;
-    e.by.unchecked = report.not_checked;
-    e.by.theorems = {theorem(s).name};
-    const auto steps = trusted_steps(report);
-    for (const std::string& step : steps)
-      if (std::find(e.by.trusted.begin(), e.by.trusted.end(), step) == e.by.trusted.end())
-        e.by.trusted.push_back(step);
+    e.by.unchecked = not_checked(report);
+    e.by.theorems = {&theorem(s)};
+    add_once(e.by.trusted, trusted_steps(report));
     if (e.by.level.empty() && has_free_level(report, levels))
-      e.by.level = "all levels of the first integrals except special ones";
-    for (const std::string& fixed : fixed_levels(report, levels))
-      e.by.level += (e.by.level.empty() ? "" : ", ") + fixed;
+      e.by.level.which = Levels::Which::all_but_special;
+    e.by.level.fixed = fixed_levels(report, levels);
   }
   // those without exceptions first: fewer conditions are left to be told
   std::stable_sort(all.begin(), all.end(),
@@ -485,7 +481,7 @@ std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
   e.by.order = o.logarithm.order;
   e.by.integrals.curves = {m.name};
   e.by.reason = jets::reason(orders);
-  e.by.theorems = {jets::theorem()};
+  e.by.theorems = {&morales_ramis_simo()};
   e.by.trusted = jets::trusted(o);
   return e;
 }
@@ -494,13 +490,13 @@ std::optional<Exclusion> exclusion_of(const System& s, const ManifoldSpec& m,
 Exclusion exclusion_of(const ManifoldSpec& m, const QuadratureObstruction& o) {
   Exclusion e;
   e.by.solution = m.name;
-  e.by.level = o.level;
+  e.by.level = levels_at(o.level);
   e.by.order = o.order;
   e.by.reason = reason(o);
   e.by.integrals = o.integrals;
   e.by.unchecked = o.unchecked;
-  e.by.theorems = {jets::theorem()};
-  e.by.trusted = {"higher variational equations by quadratures, along " + m.name};
+  e.by.theorems = {&morales_ramis_simo()};
+  e.by.trusted = {{Trusted::Step::quadratures, m.name}};
   return e;
 }
 

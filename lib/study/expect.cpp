@@ -59,7 +59,7 @@ std::string compare(const SystemExpectation& x, const CurveStudy& study) {
     }
   }
   if (!wrong.empty())
-    for (const auto& r : m.reasons)
+    for (const auto& r : reasons(m))
       wrong += r + "; ";
   return wrong;
 }

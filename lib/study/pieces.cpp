@@ -70,6 +70,16 @@ void add_once(std::vector<std::string>& all, const std::string& one) {
   if (!one.empty() && std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
+void add_once(std::vector<ClassificationNote>& all, const ClassificationNote& one) {
+  if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+}
+
+void add_once(std::vector<const LiteratureTheorem*>& all,
+              const std::vector<const LiteratureTheorem*>& more) {
+  for (const LiteratureTheorem* t : more)
+    if (std::find(all.begin(), all.end(), t) == all.end()) all.push_back(t);
+}
+
 void note(Piece& piece, const std::string& what, const std::string& outcome) {
   std::erase_if(piece.tried, [&](const Attempt& a) { return a.what == what; });
   piece.tried.push_back({what, outcome});
@@ -227,11 +237,9 @@ void finish(const System& s, SystemClassification& c) {
   for (const ClassifiedStratum& x : c.strata)
     for (const ExclusionReason& o : x.by) {
       c.excluded.push_back(o.integrals);
-      for (const std::string& theorem : o.theorems)
-        add_once(c.theorems, theorem);
+      add_once(c.theorems, o.theorems);
       add_once(c.assumptions, o.unchecked);
-      for (const std::string& step : o.trusted)
-        add_once(c.trusted, step);
+      add_once(c.trusted, o.trusted);
     }
   c.excluded = at_once(c.excluded);
   const auto rank = [](const ClassifiedStratum& x) { return static_cast<int>(x.status); };

@@ -52,5 +52,8 @@ void finish(const System& s, SystemClassification& c);
 
 /// Not the empty text, and nothing twice.
 void add_once(std::vector<std::string>& all, const std::string& one);
+void add_once(std::vector<ClassificationNote>& all, const ClassificationNote& one);
+void add_once(std::vector<const LiteratureTheorem*>& all,
+              const std::vector<const LiteratureTheorem*>& more);
 
 } // namespace kov

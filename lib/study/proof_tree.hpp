@@ -37,8 +37,8 @@ struct Step {
   std::string curve; ///< empty: of the whole file
   Rule rule = Rule::first_order;
   Says says;
-  std::vector<StepId> premises = {};     ///< earlier ones: no circle
-  std::vector<std::string> trusted = {}; ///< of its own
+  std::vector<StepId> premises = {}; ///< earlier ones: no circle
+  std::vector<Trusted> trusted = {}; ///< of its own
   std::vector<std::string> unchecked = {};
 };
 
@@ -57,7 +57,8 @@ struct ProofTree {
 
 /// On what a step rests: its own, and that of all below it.
 struct Support {
-  std::set<std::string> trusted, unchecked;
+  std::set<Trusted> trusted;
+  std::set<std::string> unchecked;
 };
 [[nodiscard]] Support support(const ProofTree& t, StepId step);
 

@@ -35,7 +35,7 @@ std::vector<Step> steps_of(const CurveStudy& m) {
   if (r.verdict != VerdictKind::no_obstruction && r.verdict != VerdictKind::depends) return all;
   Step passes{r.name, Rule::first_order, Passes{1, r.verdict == VerdictKind::depends}};
   passes.trusted = trusted_steps(r);
-  if (!r.not_checked.empty()) passes.unchecked = {r.not_checked};
+  if (std::string open = not_checked(r); !open.empty()) passes.unchecked = {std::move(open)};
   all.push_back(std::move(passes));
   return all;
 }
@@ -181,7 +181,7 @@ const CurveStudy& FileStudy::manifold(std::size_t k, const StudyOptions& options
   const auto known = with_claims ? claims_of(s, claims(options.check)) : std::vector<ClaimReport>{};
   ManifoldReport first = study_curve(s, spec, known, options.check);
   if (first.failure && is_fine_without_values(spec.name, options.check.decide.budget)) {
-    first.reasons = {"at these values " + first.failure->message};
+    first.missing = {{Missing::What::no_curve, first.failure->message}};
     first.failure.reset();
   }
   curve.take(std::move(first));
@@ -245,9 +245,10 @@ private:
       if (!error_) error_ = std::current_exception();
       CurveStudy& m = all_.manifolds.emplace_back();
       m.first.name = manifolds_[k]->name;
-      m.first.reasons = {failure_of("the study of " + m.name(), error.what())};
+      const std::string failed = failure_of("the study of " + m.name(), error.what());
+      m.first.missing = {{Missing::What::program_error, failed}};
       m.headline.complete = false;
-      file_.missing(m.name(), m.first.reasons.front());
+      file_.missing(m.name(), failed);
     }
   }
 

@@ -1,6 +1,7 @@
 #include "study/classification.hpp"
 
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "parameters/conditions.hpp"
 #include "study/parameter_split.hpp"
 #include "study/places.hpp"
@@ -87,13 +88,6 @@ void add_conditions(const SystemClassification& c, const ParameterSet& where,
       all.push_back(to_string(Condition{p, Sign::nonzero}));
 }
 
-std::string joined(const std::vector<std::string>& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : ", ") + one;
-  return text.empty() ? "all parameters" : text;
-}
-
 } // namespace
 
 std::vector<std::string> conditions(const SystemClassification& c, const ClassifiedStratum& s) {
@@ -108,8 +102,10 @@ std::vector<std::string> texts_of(const SystemClassification& c, std::vector<Par
   if (c.at_work.empty())
     all = in_few_words(std::move(all), c.nonzero, c.known); // on the way that takes too long
   std::vector<std::string> texts;
-  for (const ParameterPlace& p : all)
-    texts.push_back(joined(conditions(c, {p.where, p.special})));
+  for (const ParameterPlace& p : all) {
+    const std::string text = joined(conditions(c, {p.where, p.special}));
+    texts.push_back(text.empty() ? "all parameters" : text);
+  }
   return texts;
 }
 
@@ -158,6 +154,45 @@ bool has_logarithms(const SystemClassification& c) {
 }
 
 } // namespace
+
+std::string sentence(const ClassificationNote& n) {
+  using What = ClassificationNote::What;
+  switch (n.what) {
+  case What::not_used:
+    return "not used, as the statement is about all levels: " + n.of;
+  case What::used_on_manifolds:
+    return "used along the file's manifolds only, as the statement is about all levels: " + n.of;
+  case What::manifold:
+    return "the file's manifold " + n.of;
+  case What::limit:
+    return n.of;
+  case What::rest_is_open:
+    return n.of + ": the rest counts as open";
+  case What::clock:
+    return "the clock ended the work: with more time more may be decided";
+  case What::constants:
+    return "algebraic constants: " + n.of;
+  case What::almost_all:
+    return "almost all parameters: " + n.of;
+  case What::unfinished:
+    return "a limit ended the work; what was proved before is shown";
+  }
+  return "";
+}
+
+std::vector<std::string> sentences(const std::vector<ClassificationNote>& all) {
+  std::vector<std::string> texts;
+  for (const ClassificationNote& n : all)
+    texts.push_back(sentence(n));
+  return texts;
+}
+
+std::vector<std::string> theorem_names(const std::vector<const LiteratureTheorem*>& all) {
+  std::vector<std::string> texts;
+  for (const LiteratureTheorem* t : all)
+    texts.push_back(t->name);
+  return texts;
+}
 
 std::string statement(const ExclusionReason& by) {
   return "not integrable with " + first_integrals({by.integrals});

@@ -1,5 +1,6 @@
 #include "system/one_line.hpp"
 
+#include "exact/joined.hpp"
 #include "symbol/expression.hpp"
 
 #include <algorithm>
@@ -112,13 +113,6 @@ std::string rate_word(Mechanics kind) {
   return kind == Mechanics::hamiltonian ? "momentum" : "velocity";
 }
 
-std::string listed(const Names& all) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : ", ") + one;
-  return text;
-}
-
 std::string quoted(const Names& all) {
   std::string text;
   for (const std::string& one : all)
@@ -175,7 +169,7 @@ void settle_parameters(const Expression& e, const Names& names, Letters& letters
       continue;
     if (given)
       throw e.error(name + " is not a coordinate, and not among the parameters " +
-                    listed(letters.parameters));
+                    joined(letters.parameters));
     if (name == "t")
       throw e.error("t is the time or a parameter: which?",
                     "a parameter: --parameters t,...; the time: make it a coordinate, with the "
@@ -214,10 +208,10 @@ Letters letters_of(const std::string& formula, Mechanics kind, const Letters& gi
 }
 
 std::string in_words(const Letters& letters, Mechanics kind) {
-  return "coordinates " + listed(letters.coordinates) +
-         (kind == Mechanics::hamiltonian ? "; momenta " : "; velocities ") + listed(letters.rates) +
+  return "coordinates " + joined(letters.coordinates) +
+         (kind == Mechanics::hamiltonian ? "; momenta " : "; velocities ") + joined(letters.rates) +
          (letters.parameters.empty() ? "; no parameters"
-                                     : "; parameters " + listed(letters.parameters));
+                                     : "; parameters " + joined(letters.parameters));
 }
 
 std::string system_text(const std::string& formula, Mechanics kind, const Letters& letters) {

@@ -142,13 +142,13 @@ void show_block(NodeResult& n, const System& s, const BlockReport& b) {
   if (b.strata) show_strata(n, *b.strata);
   for (const EnergyResult& e : b.energies) {
     if (e.strata) {
-      n.formulas.push_back({"energy", e.condition});
-      show_strata(n, *e.strata, " where " + e.condition);
+      n.formulas.push_back({"energy", sentence(e.at)});
+      show_strata(n, *e.strata, " where " + sentence(e.at));
     }
     if (!e.decision || e.decision->abelian == Truth::unknown) continue;
-    n.formulas.push_back({"energy", e.condition});
+    n.formulas.push_back({"energy", sentence(e.at)});
     if (e.r) n.formulas.push_back({"r there", to_string(*e.r)});
-    show_decision(n, *e.decision, " where " + e.condition);
+    show_decision(n, *e.decision, " where " + sentence(e.at));
   }
 }
 
@@ -171,14 +171,14 @@ std::string reason_of(const ManifoldReport& m) {
     if (b.strata && b.abelian == Truth::no) return reason_of(*b.strata);
     for (const EnergyResult& e : b.energies)
       if (e.decision && e.decision->abelian == Truth::no)
-        return e.condition + ": " + reason(*e.decision);
+        return sentence(e.at) + ": " + reason(*e.decision);
     for (const EnergyResult& e : b.energies)
       if (e.strata && e.strata->abelian() == Truth::no)
-        return "at the energy " + e.condition +
+        return "at the energy " + sentence(e.at) +
                " not abelian on every stratum of the other parameters";
-    if (!b.note.empty()) text = b.note;
+    if (!b.missing.empty()) text = note(b.missing);
   }
-  for (const std::string& r : m.reasons)
+  for (const std::string& r : reasons(m))
     if (text.empty()) text = r;
   return text;
 }
@@ -230,11 +230,9 @@ void conclude_together(NodeResult& n, const System& s, const SystemClassificatio
   n.says = Conclusion::not_integrable;
   n.excluded = c.excluded;
   n.curve = along + " in " + n.node.file;
-  for (const std::string& step : c.trusted)
-    n.trusted.push_back({step});
-  for (const std::string& name : c.theorems)
-    for (const LiteratureTheorem& t : literature())
-      if (t.name == name) n.theorems.push_back(used(t));
+  n.trusted.insert(n.trusted.end(), c.trusted.begin(), c.trusted.end());
+  for (const LiteratureTheorem* t : c.theorems)
+    n.theorems.push_back(used(*t));
   n.headline = "NON-INTEGRABLE (" + along + ")";
   n.statement = assumptions_of(s) + "The system of " + n.node.file + " is not integrable with " +
                 first_integrals(c.excluded) + " (" + along + ")";
@@ -245,17 +243,16 @@ void conclude_higher(NodeResult& n, const System& s, const CurveStudy& m) {
   const ExclusionReason& by = m.higher->excluded->by;
   const std::string at_order = " at order " + std::to_string(by.order);
   const std::string along =
-      " (" + by.theorems.front() + ", along the manifold " + name_in_words(m.name()) + ")";
+      " (" + by.theorems.front()->name + ", along the manifold " + name_in_words(m.name()) + ")";
   const std::string except = m.higher->exceptions.empty() ? "" : ", " + m.higher->exceptions;
   n.theorems.push_back(used(morales_ramis_simo()));
   n.theorems.back().integrals = by.integrals;
   if (!by.unchecked.empty())
     n.theorems.back().hypotheses.push_back({by.unchecked, Settled::open, ""});
-  for (const std::string& step : by.trusted)
-    n.trusted.push_back({step});
+  n.trusted.insert(n.trusted.end(), by.trusted.begin(), by.trusted.end());
   n.headline = "NON-INTEGRABLE" + at_order + except + along;
   n.statement = assumptions_of(s) + "The system of " + n.node.file + " is " + statement(by) +
-                (by.level.empty() ? "" : ", " + by.level) + except + along +
+                (by.level.empty() ? "" : ", " + sentence(by.level)) + except + along +
                 (except.empty() ? "" : ". In the exceptions nothing follows about integrability");
   if (!except.empty()) return;
   n.says = Conclusion::not_integrable;
@@ -273,8 +270,7 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
   if (all_orders.higher && all_orders.higher->excluded) return conclude_higher(n, s, all_orders);
   const std::string subject = assumptions_of(s) + "The system of " + n.node.file + " is ";
   const std::string by = " (" + m.by->id() + ", along the manifold " + name_in_words(m.name) + ")";
-  for (const std::string& step : trusted_steps(m))
-    n.trusted.push_back({step});
+  add_once(n.trusted, trusted_steps(m));
   n.theorems.push_back(*m.by);
   if (m.verdict == VerdictKind::non_integrable) {
     n.says = Conclusion::not_integrable;
@@ -283,7 +279,7 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
     if (!m.by->integrals.without.empty() && !n.node.place.as.empty()) // they name coordinates
       n.excluded.front().frame = "of " + n.node.file;
     n.headline = "NON-INTEGRABLE" + by;
-    n.statement = subject + m.statement + by;
+    n.statement = subject + statement(m) + by;
     if (m.by->integrals.near != IntegralClass::Near::curve || !m.by->integrals.without.empty())
       n.summary += "; for first integrals that are " + sentence(m.by->integrals);
   } else if (m.verdict == VerdictKind::no_obstruction) {
@@ -302,7 +298,7 @@ void conclude(NodeResult& n, const System& s, const CurveStudy& all_orders) {
   }
 }
 
-std::string joined(const std::vector<Equation>& equations) {
+std::string as_written(const std::vector<Equation>& equations) {
   std::string text;
   for (const Equation& e : equations)
     text += (text.empty() ? "" : ", ") + e.text;
@@ -313,8 +309,8 @@ std::string joined(const std::vector<Equation>& equations) {
 void show_manifold(NodeResult& n, const System& s, const std::string& name) {
   for (const ManifoldSpec& m : s.manifolds) {
     if (m.name != name) continue;
-    n.formulas.push_back({"manifold " + name, joined(m.equations)});
-    if (!m.levels.empty()) n.formulas.push_back({"levels on " + name, joined(m.levels)});
+    n.formulas.push_back({"manifold " + name, as_written(m.equations)});
+    if (!m.levels.empty()) n.formulas.push_back({"levels on " + name, as_written(m.levels)});
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "certify/theorem/fact.hpp"
 #include "exact/error.hpp"
+#include "exact/joined.hpp"
 #include "integrability/parameters.hpp"
 #include "parameters/reals.hpp"
 #include "symbol/suggest.hpp"
@@ -157,13 +158,6 @@ void add_once(std::vector<std::string>& all, const std::string& one) {
   if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
 }
 
-std::string joined(const std::vector<std::string>& all, const std::string& between) {
-  std::string text;
-  for (const std::string& s : all)
-    text += (text.empty() ? "" : between) + s;
-  return text;
-}
-
 } // namespace
 
 namespace {
@@ -189,8 +183,7 @@ void settle(NodeResult& n, const TheoremResult& result, const std::string& direc
   Located found = locate(whole, base, system_of(n, directory), n.node.place);
   for (CheckedIdentity& c : found.checks)
     n.checks.push_back(std::move(c));
-  for (std::string& t : found.trusted)
-    n.trusted.push_back({std::move(t), true});
+  n.trusted.insert(n.trusted.end(), found.trusted.begin(), found.trusted.end());
   n.region = std::move(found.region);
   n.map = std::move(found.map);
   if (!found.objection.empty()) unbind(n, found.objection);
@@ -208,11 +201,7 @@ bool excludes_on_one_leaf(const NodeResult& n) {
 // one a rational function; both belong to the class that is excluded, besides that at the origin.
 void transport_from_lowest_order(NodeResult& n) {
   n.theorems.push_back(used(ziglin_1982()));
-  std::erase_if(n.excluded, [](const IntegralClass& c) { // rational functions are in it
-    return contains(
-               c, {.kind = IntegralClass::Kind::rational, .curves = c.curves, .frame = c.frame}) ==
-           Truth::yes;
-  });
+  std::erase_if(n.excluded, has_rational_functions);
   n.excluded.push_back(ziglin_1982().integrals);
 }
 
@@ -395,7 +384,7 @@ void prove_cover(NodeResult& n, const TheoremResult& result, const std::string& 
   }
   n.status = NodeStatus::proved;
   n.says = Conclusion::not_integrable;
-  n.trusted.push_back({"Z3: the regions of the steps cover the parameters", true});
+  n.trusted.push_back({Trusted::Step::covered_by_z3});
   n.checks.push_back({"the regions of the steps cover the parameters", true});
   n.integrals = joined(found.exceptions, "; or when ");
   n.curve = joined(found.curves, "; ");

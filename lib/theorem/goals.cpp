@@ -211,8 +211,8 @@ private:
   }
 
   static std::string step_of(const ExclusionReason& by) {
-    std::string text =
-        "along " + by.solution + (by.level.empty() ? "" : " (" + by.level + ")") + ": " + by.reason;
+    std::string text = "along " + by.solution +
+                       (by.level.empty() ? "" : " (" + sentence(by.level) + ")") + ": " + by.reason;
     if (!by.unchecked.empty()) text += "; NOT CHECKED: " + by.unchecked;
     return single_line(text);
   }
@@ -223,7 +223,6 @@ private:
         symbols.push_back(symbol);
     std::string text = "kind = " + toml_text(std::string(word_of(c.kind))) +
                        ", near = " + toml_text(std::string(word_of(c.near)));
-    if (c.near == IntegralClass::Near::level) text += ", level = " + toml_text(c.level);
     if (c.on_leaf) text += ", on_leaf = true";
     if (!c.liouville) text += ", liouville = false";
     if (!c.functions.empty()) text += ", functions = " + list_of(c.functions);

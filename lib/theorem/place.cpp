@@ -128,8 +128,7 @@ public:
     }
     found.checks = checks_;
     if (found.objection.empty()) found.map = map_found();
-    for (const TrustedStep& t : region_.trusted())
-      found.trusted.push_back(t.claim);
+    found.trusted = region_.trusted();
     return found;
   }
 

@@ -12,6 +12,7 @@
 // expanded.  Substitution of parameters, scaling, the choice of units and a change of axes are of
 // this form.  docs/theory/composition.md
 
+#include "literature/trusted.hpp"
 #include "parameters/conditions.hpp"
 #include "splitting/checked.hpp"
 #include "system/system.hpp"
@@ -47,11 +48,11 @@ struct PlaceMap {
 };
 
 struct Located {
-  std::string objection;            ///< why the step is not about the system; empty: it is
-  ParameterRegion region;           ///< where it is
-  CheckedIdentities checks;         ///< what was verified
-  std::vector<std::string> trusted; ///< decisions of Z3
-  std::optional<PlaceMap> map;      ///< if it is about the system
+  std::string objection;        ///< why the step is not about the system; empty: it is
+  ParameterRegion region;       ///< where it is
+  CheckedIdentities checks;     ///< what was verified
+  std::vector<Trusted> trusted; ///< decisions of Z3
+  std::optional<PlaceMap> map;  ///< if it is about the system
 };
 
 /// The parameters that a place describes, and nothing else.

@@ -166,7 +166,7 @@ void certify_whole(TheoremResult& result, const std::string& directory, const Bu
   if (result.bundle.empty()) return;
   for (NodeResult& n : result.nodes)
     if (std::find(carried.begin(), carried.end(), n.node.id) != carried.end())
-      std::erase_if(n.trusted, [](const OnFaith& x) { return x.by_z3; });
+      std::erase_if(n.trusted, [](const Trusted& x) { return x.by_z3(); });
 }
 
 } // namespace

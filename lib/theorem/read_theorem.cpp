@@ -191,12 +191,11 @@ IntegralClass read_class(const Entry& e) {
       throw given->error("'" + given->string() + "' is not a " + key + " of first integrals");
     value = *found;
   };
-  e.check_keys({"kind", "near", "level", "on_leaf", "liouville", "functions", "without", "through",
-                "frame"});
+  e.check_keys(
+      {"kind", "near", "on_leaf", "liouville", "functions", "without", "through", "frame"});
   IntegralClass c;
   word("kind", all_kinds, c.kind);
   word("near", all_places, c.near);
-  c.level = text_of(e, "level");
   if (const Entry* x = e.find("on_leaf")) c.on_leaf = x->boolean();
   if (const Entry* x = e.find("liouville")) c.liouville = x->boolean();
   c.functions = texts_of(e, "functions");

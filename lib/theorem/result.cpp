@@ -69,18 +69,11 @@ std::vector<TheoremUsed> TheoremResult::uses() const {
   return all;
 }
 
-std::vector<std::string> NodeResult::on_faith() const {
-  std::vector<std::string> all;
-  for (const OnFaith& t : trusted)
-    all.push_back(t.step);
-  return all;
-}
-
 std::vector<std::string> TheoremResult::trusted_steps() const {
   std::vector<std::string> all;
   for (const NodeResult& n : nodes) { // two steps may have one title
     std::vector<std::string> own;
-    for (const std::string& t : n.on_faith())
+    for (const std::string& t : sentences(n.trusted))
       add_text(own, n.node.title + ": " + t);
     all.insert(all.end(), own.begin(), own.end());
   }

@@ -266,7 +266,7 @@ void show_setting(NodeResult& n, const System& s) {
 void prove_trusted(NodeResult& n, const ProveOptions& options) {
   n.status = options.found ? NodeStatus::trusted : NodeStatus::reasoned;
   n.on_trust = true;
-  n.trusted = {{n.node.step}};
+  n.trusted = {{Trusted::Step::by_author, n.node.step}};
   n.summary = "on trust: " + n.node.step;
   n.says = n.node.integrable ? Conclusion::has_integral : Conclusion::not_integrable;
   if (n.node.integrable)

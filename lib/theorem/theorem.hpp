@@ -19,6 +19,7 @@
 // remark; they carry no mark of their own.
 
 #include "literature/literature.hpp"
+#include "literature/trusted.hpp"
 #include "splitting/checked.hpp"
 #include "study/headline.hpp"
 #include "symbol/document.hpp"
@@ -163,12 +164,6 @@ struct Inequality {
 /// What a step says about the parameters of its region.
 enum class Conclusion : std::uint8_t { none, not_integrable, has_integral };
 
-/// A step that nothing here repeats.
-struct OnFaith {
-  std::string step;
-  bool by_z3 = false; ///< a decision of Z3, which a certificate of the theorem replaces
-};
-
 struct NodeResult {
   TheoremNode node;
   std::string statement; ///< what was computed, in words; empty for an argument
@@ -194,10 +189,9 @@ struct NodeResult {
   std::vector<Formula> formulas;
   std::vector<Grid> tables;
   std::vector<PolePicture> pictures;
-  std::vector<TheoremUsed> theorems;                       ///< of the literature
-  std::vector<OnFaith> trusted;                            ///< other steps on faith
-  [[nodiscard]] std::vector<std::string> on_faith() const; ///< the same in words
-  std::vector<std::string> certificates;                   ///< JSON, accepted by the judge
+  std::vector<TheoremUsed> theorems;     ///< of the literature
+  std::vector<Trusted> trusted;          ///< other steps on faith
+  std::vector<std::string> certificates; ///< JSON, accepted by the judge
   double seconds = 0;
 };
 

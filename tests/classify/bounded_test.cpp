@@ -34,7 +34,7 @@ TEST(Bounded, OneDifferenceBetweenBounds) {
   ASSERT_TRUE(b);
   EXPECT_THAT(b->values.values,
               ElementsAre(0, 1, 4, 9)); // 0 and 3 are not points: that is seen later
-  EXPECT_FALSE(b->trusted.empty());
+  EXPECT_TRUE(b->trusted.by_z3());
 }
 
 TEST(Bounded, NotOfComplexParametersOrWithoutBounds) {

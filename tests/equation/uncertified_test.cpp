@@ -113,7 +113,7 @@ TEST(Uncertified, StrataWaitForANamedRule) {
     const auto certificate = strata::certificate(answer);
     for (const auto* all : {&certificate.trusted, &certificate.left_out})
       for (const Uncertified& u : *all) {
-        EXPECT_TRUE(is_a_missing_rule(u)) << e.r << ": " << missing(u) << ", " << u.told;
+        EXPECT_TRUE(is_a_missing_rule(u)) << e.r << ": " << missing(u) << ", " << sentence(u.told);
         ++uncertified;
         ++rules[missing(u)];
       }

@@ -133,7 +133,7 @@ TEST(Effects, AProvedFixedPointBelongsToTheSystemOfTheScene) {
   guess.l = M_PI / 2;
   guess.g_size = momentum_sizes(s.body<double>(), s.levels<double>(), s.section, guess.l, 0).back();
   const FixedPoint p = prove_fixed_point(s, guess, 112);
-  EXPECT_TRUE(p.proved) << p.why;
+  EXPECT_TRUE(p.proved) << to_string(p.why);
   EXPECT_NEAR(p.trace, 2 * 0.911505023, 1e-8); // of docs/gallery.md, with the lever 8/9
 }
 

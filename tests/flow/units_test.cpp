@@ -114,7 +114,7 @@ TEST(Units, NorForFixedPoints) {
     EXPECT_NEAR(b.points[i].period / a.points[i].period * 1e13, 1, 1e-9);
   }
   const FixedPoint proved = prove_fixed_point(rescaled(s, p), b.points[1], 112);
-  EXPECT_TRUE(proved.proved) << proved.why;
+  EXPECT_TRUE(proved.proved) << to_string(proved.why);
   EXPECT_NEAR(proved.period, b.points[1].period, 1e-23);
 }
 

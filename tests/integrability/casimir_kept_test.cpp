@@ -52,7 +52,7 @@ TEST(CasimirKept, GoryachevAndChaplyginAreExcludedOnTheWholePhaseSpace) {
   EXPECT_EQ(m.by->id(), "Ayoul-Zung");
   EXPECT_EQ(sentence(m.by->integrals), "meromorphic");
   EXPECT_TRUE(m.by->integrals.liouville);
-  EXPECT_THAT(m.statement, HasSubstr("Liouville"));
+  EXPECT_THAT(statement(m), HasSubstr("Liouville"));
   EXPECT_FALSE(trusted_steps(m).empty()); // the way to the matrices
 }
 

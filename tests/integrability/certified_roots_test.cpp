@@ -115,22 +115,20 @@ TEST(Declared, WithoutARuleIsAStepOnTrust) {
   EXPECT_EQ(s.report.verdict, VerdictKind::non_integrable);
   EXPECT_THAT(trusted_steps(s.report), testing::SizeIs(1));
   for (const BlockReport& b : s.report.blocks)
-    EXPECT_FALSE(b.refused) << b.no_way;
+    EXPECT_TRUE(!b.no_way || b.no_way->why != NoWay::Why::refused) << b.no_way->of;
 }
 
 // What our own checker refuses is withdrawn, whatever was found.
 TEST(Refused, WaysTakeTheAnswerBack) {
   Studied s = study("sqrt(1 + x^2 + 2*y^2)");
   ASSERT_EQ(s.report.verdict, VerdictKind::non_integrable);
-  s.report.blocks[0].refused = true;
-  s.report.blocks[0].no_way = "S1: a reason";
+  s.report.blocks[0].no_way = NoWay{NoWay::Why::refused, "S1: a reason"};
   withdraw_refused(s.report.blocks);
-  s.report.statement.clear();
   conclude(s.system, {}, s.report);
   EXPECT_EQ(s.report.verdict, VerdictKind::undecided);
-  EXPECT_EQ(s.report.statement, "");
-  EXPECT_THAT(s.report.reasons.back(), HasSubstr("our own checker refuses the way from the system "
-                                                 "to r(z): S1: a reason"));
+  EXPECT_EQ(statement(s.report), "");
+  EXPECT_THAT(reasons(s.report).back(), HasSubstr("our own checker refuses the way from the system "
+                                                  "to r(z): S1: a reason"));
 }
 
 } // namespace

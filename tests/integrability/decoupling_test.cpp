@@ -30,16 +30,16 @@ std::string axis(const std::string& form, const std::string& more = "",
 std::vector<std::string> equations(const ManifoldReport& m) {
   std::vector<std::string> all;
   for (const BlockReport& b : m.blocks)
-    all.push_back(b.ode ? to_string(b.ode->r) : b.note);
+    all.push_back(b.ode ? to_string(b.ode->r) : note(b.missing));
   return all;
 }
 
 std::string all_reasons(const ManifoldReport& m) {
   std::string text;
-  for (const auto& r : m.reasons)
+  for (const auto& r : reasons(m))
     text += r + "\n";
   for (const BlockReport& b : m.blocks)
-    text += b.note + "\n";
+    text += note(b.missing) + "\n";
   return text;
 }
 
@@ -90,7 +90,7 @@ TEST(Decoupling, ParametersInTheEigenvectors) {
                      "equations = ['x = 0', 'y = 0', 'u = 0', 'v = 0']\nlevel = ['H = 1']\n");
   EXPECT_EQ(m.blocks.size(), 2U);
   for (const BlockReport& b : m.blocks)
-    EXPECT_TRUE(b.ode) << b.note;
+    EXPECT_TRUE(b.ode) << note(b.missing);
 }
 
 // What a search writes: there is no such equation at a = 0.

@@ -49,17 +49,17 @@ TEST(Limits, AReducibleCurveIsNamed) {
   for (const int n : {1, 2, 3}) {
     const ManifoldReport m = checked(centres(n, "", n == 1 ? " + q1" : ""), little);
     EXPECT_EQ(m.verdict, VerdictKind::undecided) << n;
-    EXPECT_THAT(all(m.reasons), HasSubstr("the phase curve has several components")) << n;
+    EXPECT_THAT(all(reasons(m)), HasSubstr("the phase curve has several components")) << n;
   }
 }
 
 TEST(Limits, OneOfItsComponentsIsStudied) {
   const ManifoldReport m =
       checked(centres(2, ", \"r0 = q1\", \"r1 = q1 - 2\"")); // integrable: two centres
-  EXPECT_EQ(m.verdict, VerdictKind::no_obstruction) << all(m.reasons);
+  EXPECT_EQ(m.verdict, VerdictKind::no_obstruction) << all(reasons(m));
   const ManifoldReport three =
       checked(centres(3, ", \"r0 = q1\", \"r1 = q1 - 2\", \"r2 = q1 - 4\""));
-  EXPECT_THAT(all(three.reasons), testing::Not(HasSubstr("several components")));
+  EXPECT_THAT(all(reasons(three)), testing::Not(HasSubstr("several components")));
 }
 
 // Whatever the limit is, a result comes back, and never a verdict that more work refutes.
@@ -70,7 +70,7 @@ TEST(Limits, OfEverySizeGiveAResult) {
     budget.max_work = most;
     const ManifoldReport m = checked(text, budget);
     if (m.verdict == VerdictKind::undecided)
-      EXPECT_THAT(all(m.reasons), HasSubstr("work limit")) << most;
+      EXPECT_THAT(all(reasons(m)), HasSubstr("work limit")) << most;
     else
       EXPECT_EQ(m.verdict, VerdictKind::no_obstruction) << most;
   }
@@ -90,7 +90,7 @@ TEST(Limits, OfWorkAreShared) {
   options.decide.budget.max_work = 1e15;
   options.decide.budget.give(4e8);
   const CheckReport report = check_system(s, options);
-  EXPECT_THAT(all(report.manifolds.at(0).reasons), HasSubstr("work limit of 2e+08 reached"));
+  EXPECT_THAT(all(reasons(report.manifolds.at(0))), HasSubstr("work limit of 2e+08 reached"));
   EXPECT_EQ(report.manifolds.at(1).verdict, VerdictKind::non_integrable);
 }
 

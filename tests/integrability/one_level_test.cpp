@@ -52,7 +52,8 @@ const std::string nothing = "nothing is proved";
 
 std::string found(const std::vector<Known>& strata, const std::string& assumed = "") {
   const System s = with(assumed);
-  return level_that_decides(s, answer(s, strata)).value_or(nothing);
+  const auto level = level_that_decides(s, answer(s, strata));
+  return level ? sentence(*level) : nothing;
 }
 
 TEST(OneLevel, GeneralOnesOrASpecialOne) {
@@ -122,7 +123,7 @@ TEST(OneLevel, AZeroLevelDecides) {
   options.decide.budget.max_work = 1e7;
   const ManifoldReport report = check_system(s, options).manifolds.at(0);
   EXPECT_EQ(report.verdict, VerdictKind::non_integrable);
-  EXPECT_EQ(report.blocks.at(0).level, "hh = 0");
+  EXPECT_EQ(sentence(report.blocks.at(0).level), "hh = 0");
 }
 
 } // namespace

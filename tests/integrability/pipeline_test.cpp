@@ -17,9 +17,9 @@ ManifoldReport run(const std::string& text) {
   return report.manifolds.at(0);
 }
 
-std::string reasons(const ManifoldReport& m) {
+std::string all_reasons(const ManifoldReport& m) {
   std::string all;
-  for (const auto& r : m.reasons)
+  for (const auto& r : reasons(m))
     all += r + "\n";
   return all;
 }
@@ -48,7 +48,7 @@ TEST(Pipeline, ProposalsDoNotChangeTheAnswer) {
     const ManifoldReport m =
         run(two_degrees + "[set]\na = \"1/4\"\nb = \"1\"\nh = \"1\"\n[reduce]\nchange = \"" +
             change + "\"");
-    EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << change << "\n" << reasons(m);
+    EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << change << "\n" << all_reasons(m);
   }
 }
 
@@ -56,13 +56,13 @@ TEST(Pipeline, AChangeMustNotBeConstant) {
   const ManifoldReport m = run(
       two_degrees + "[set]\na = \"1\"\nb = \"1\"\nh = \"1\"\n[reduce]\nchange = \"z = q1 + 1\"");
   EXPECT_EQ(m.verdict, VerdictKind::undecided);
-  EXPECT_THAT(reasons(m), HasSubstr("constant along the curve"));
+  EXPECT_THAT(all_reasons(m), HasSubstr("constant along the curve"));
 }
 
 TEST(Pipeline, WhatIsLeftForFreeParametersIsSaid) {
   const ManifoldReport m = run(two_degrees);
   EXPECT_EQ(m.verdict, VerdictKind::undecided);
-  EXPECT_THAT(reasons(m), HasSubstr("abelian only if"));
+  EXPECT_THAT(all_reasons(m), HasSubstr("abelian only if"));
 }
 
 TEST(Pipeline, QuadraticExtensionsAreRecognised) {
@@ -71,8 +71,8 @@ TEST(Pipeline, QuadraticExtensionsAreRecognised) {
   s.reductions[0].change = formula(s, "Gamma1");
   const CheckReport given = check_system(s);
   EXPECT_EQ(given.manifolds[0].verdict, VerdictKind::undecided);
-  EXPECT_THAT(reasons(given.manifolds[0]), HasSubstr("quadratic extension"));
-  EXPECT_THAT(reasons(given.manifolds[0]), HasSubstr("would do"));
+  EXPECT_THAT(all_reasons(given.manifolds[0]), HasSubstr("quadratic extension"));
+  EXPECT_THAT(all_reasons(given.manifolds[0]), HasSubstr("would do"));
   s.reductions[0].change.reset();
   EXPECT_EQ(check_system(s).manifolds[0].verdict, VerdictKind::non_integrable);
 }
@@ -100,7 +100,8 @@ TEST(Pipeline, ABlockOfOrderFourIsReported) {
   const ManifoldReport m = run(three_degrees + "[set]\nc = \"1\"\nh = \"1\"");
   ASSERT_EQ(m.blocks.size(), 1U);
   EXPECT_EQ(m.verdict, VerdictKind::undecided);
-  EXPECT_THAT(reasons(m), HasSubstr("a normal block of order 4: not reducible to second order"));
+  EXPECT_THAT(all_reasons(m),
+              HasSubstr("a normal block of order 4: not reducible to second order"));
 }
 
 TEST(Pipeline, NonlinearManifoldEquations) {
@@ -113,7 +114,7 @@ TEST(Pipeline, NonlinearManifoldEquations) {
   mixed.replace(mixed.find(old), old.size(),
                 R"t(["q1 = p1*q2", "p1 = q1*p2*q2^2", "q1*p2 = 0", "p1*p2 = 0", "q1 = 0"])t");
   const ManifoldReport other = run(mixed);
-  ASSERT_TRUE(other.blocks.at(0).ode) << reasons(other);
+  ASSERT_TRUE(other.blocks.at(0).ode) << all_reasons(other);
   EXPECT_EQ(other.verdict, plain.verdict);
 }
 
@@ -127,7 +128,7 @@ TEST(Pipeline, EquationsWithMultiplicities) {
   EXPECT_EQ(with(R"t(["q1^2 = 0", "p1^3 = 0"])t").verdict, run(text).verdict); // the same set
   const ManifoldReport hidden = with(R"t(["q1^2 + p1 = 0", "p1 = 0"])t");
   EXPECT_EQ(hidden.verdict, VerdictKind::undecided);
-  EXPECT_THAT(reasons(hidden), HasSubstr("without multiplicities"));
+  EXPECT_THAT(all_reasons(hidden), HasSubstr("without multiplicities"));
 }
 
 TEST(Pipeline, NormalDirectionsOfAWholeCurve) {
@@ -141,7 +142,7 @@ level = "H = h")t";
   const ManifoldReport m = run(text);
   EXPECT_EQ(m.normal.system.names.size(), 3U);
   EXPECT_EQ(m.reduced.eliminations.size(), 1U);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << reasons(m);
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << all_reasons(m);
 }
 
 TEST(Pipeline, AlgebraicConstants) {
@@ -193,10 +194,10 @@ TEST(Pipeline, AngularVariables) {
   EXPECT_EQ(pendulum("1", level).verdict, VerdictKind::no_obstruction); // n = 1
   EXPECT_EQ(pendulum("3", level).verdict, VerdictKind::no_obstruction); // n = 2
   const ManifoldReport m = pendulum("2", level);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << reasons(m); // n is not rational
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << all_reasons(m); // n is not rational
   EXPECT_EQ(pendulum("2", level + "[reduce]\nchange = \"z = s/(1 + c)\"").verdict,
             VerdictKind::non_integrable);
-  EXPECT_THAT(reasons(pendulum("2", level + "[reduce]\nchange = \"z = q1\"")),
+  EXPECT_THAT(all_reasons(pendulum("2", level + "[reduce]\nchange = \"z = q1\"")),
               HasSubstr("not algebraic on the curve"));
 }
 
@@ -219,13 +220,13 @@ level = "H = 1"
 a = "1/2"
 )t";
   const ManifoldReport m = run(text);
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << reasons(m);
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << all_reasons(m);
   ASSERT_TRUE(m.blocks.at(0).ode);
 }
 
 TEST(Pipeline, TheEnergyParameterNeedNotBeCalledH) {
   const ManifoldReport m = pendulum("2", "[reduce]\nchange = \"z = c\"\nenergy = \"auto\"");
-  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << reasons(m);
+  EXPECT_EQ(m.verdict, VerdictKind::non_integrable) << all_reasons(m);
   EXPECT_EQ(m.blocks.at(0).special.size(), 2U); // E = 1 and E = -1
 }
 
@@ -259,7 +260,7 @@ TEST(Pipeline, CyclicCoordinatesThatMove) {
                                     "'p = 0', 'px = 0', 'pphi = 0']\n");
   EXPECT_EQ(cyclic.verdict, VerdictKind::non_integrable);
   EXPECT_EQ(cyclic.by->integrals.without.size(), 1U);
-  EXPECT_THAT(cyclic.statement, testing::HasSubstr("do not depend on phi"));
+  EXPECT_THAT(statement(cyclic), testing::HasSubstr("do not depend on phi"));
   const ManifoldReport exponential = run(
       "[system]\nkind = 'hamiltonian'\n" + head +
       "coordinates = ['q1', 'q2']\nmomenta = ['p1', 'p2']\nhamiltonian = 'p1 + p2^2/2 - ((s + "
@@ -267,7 +268,7 @@ TEST(Pipeline, CyclicCoordinatesThatMove) {
       "'exp(q1)'\nderivative = {q1 = 'u'}\n[[manifold]]\nname = 'N'\nequations = ['q2 = 0', 'p2 "
       "= 0']\nlevel = 'H = 0'\n");
   EXPECT_EQ(exponential.verdict, VerdictKind::non_integrable);
-  EXPECT_THAT(exponential.statement,
+  EXPECT_THAT(statement(exponential),
               testing::HasSubstr("do not depend on q1 otherwise than through u"));
   const auto field = [&](const std::string& phi, const std::string& v) {
     return run("[system]\nkind = 'vector-field'\n" + head +

@@ -63,8 +63,7 @@ TEST(IntegralClass, WhatIsLeftOutMakesItSmaller) {
 TEST(IntegralClass, TheoremsOnOtherPlacesDoNotCompare) {
   const std::vector<IntegralClass> all = {along({"N"}),
                                           {.near = Near::origin},
-                                          {.near = Near::level, .level = "F2 = 0"},
-                                          {.near = Near::level, .level = "F1 = 1"},
+                                          {.near = Near::level},
                                           {.kind = Kind::real_analytic, .near = Near::phase_space}};
   for (const IntegralClass& a : all)
     for (const IntegralClass& b : all)
@@ -105,6 +104,56 @@ TEST(IntegralClass, EachCoordinateIsLeftOutByItself) {
   EXPECT_EQ(contains(met.front(), a), Truth::unknown);
 }
 
+MapFacts map(std::map<std::string, std::vector<std::string>> uses, bool real = true) {
+  return {real, std::move(uses)};
+}
+
+// A permutation renames what is left out; a rotation in its plane mixes it.
+TEST(CarriedClass, NamesWhatIsLeftOutThere) {
+  IntegralClass c = along({"N"});
+  c.without = {"q"};
+  const MapFacts swap = map({{"q", {"x"}}, {"x", {"q"}}, {"p", {"p"}}});
+  const MapFacts rotation = map({{"q", {"q", "x"}}, {"x", {"q", "x"}}, {"p", {"p"}}});
+  const MapFacts shear = map({{"q", {"q", "x"}}, {"x", {"x"}}, {"p", {"p"}}});
+  IntegralClass there = c;
+  there.without = {"x"};
+  EXPECT_EQ(carried(c, swap), there);
+  EXPECT_EQ(carried(there, swap), c);
+  EXPECT_EQ(carried(c, rotation), std::nullopt);
+  EXPECT_EQ(carried(c, shear), c); // functions of x and p alone, before and behind it
+  EXPECT_EQ(carried(there, shear), std::nullopt);
+  c.without = {"q", "x"};
+  EXPECT_EQ(carried(c, rotation), c);
+  c.without = {};
+  EXPECT_EQ(carried(c, rotation), c);
+}
+
+TEST(CarriedClass, RealFunctionsNeedARealMap) {
+  const IntegralClass real = {.kind = Kind::real_analytic, .near = Near::phase_space};
+  EXPECT_EQ(carried(real, map({{"q", {"q"}}})), real);
+  EXPECT_EQ(carried(real, map({{"q", {"q"}}}, false)), std::nullopt);
+  EXPECT_EQ(carried(rational(), map({{"q", {"q"}}}, false)), rational());
+}
+
+// The map knows nothing of symbols and of other coordinates.
+TEST(CarriedClass, WhatTheMapDoesNotKnowIsNotCarried) {
+  for (const auto change : {+[](IntegralClass& c) { c.functions = {"s"}; },
+                            +[](IntegralClass& c) { c.frame = "of a.toml"; }}) {
+    IntegralClass c = along({"N"});
+    change(c);
+    EXPECT_EQ(carried(c, map({{"q", {"q"}}})), std::nullopt);
+  }
+}
+
+TEST(IntegralClass, RationalFunctionsBelongToWhatForbidsNothing) {
+  EXPECT_TRUE(has_rational_functions(along({"N"}, Near::closed_curve)));
+  EXPECT_TRUE(has_rational_functions({.near = Near::origin, .on_leaf = true}));
+  EXPECT_FALSE(has_rational_functions({.kind = Kind::real_analytic, .near = Near::phase_space}));
+  IntegralClass c = along({"N"});
+  c.without = {"q"};
+  EXPECT_FALSE(has_rational_functions(c));
+}
+
 IntegralClass any(Random& random) {
   const auto some = [&](const std::vector<std::string>& from) {
     std::vector<std::string> all;
@@ -114,7 +163,6 @@ IntegralClass any(Random& random) {
   };
   IntegralClass c;
   c.near = static_cast<Near>(random.between(0, 4));
-  if (c.near == Near::level) c.level = "F2 = 0";
   c.kind = c.near == Near::phase_space ? Kind::rational : Kind::meromorphic;
   if (c.near == Near::curve || c.near == Near::closed_curve) {
     c.curves = some({"M"});

@@ -39,5 +39,27 @@ TEST(Equivalences, TheyAreInvertible) {
   EXPECT_FALSE(holds(s, diagonal(s, {1, 1, 0, 0}, 1, 0)));
 }
 
+// q1 is left out at a = 0: q2 is left out where the other parameter is 0.
+TEST(Equivalences, AClassIsCarriedWithWhatItLeavesOut) {
+  const System s = in_the_plane("'a', 'b'", "(p1^2 + p2^2)/2 + a*q1^3 + b*q2^3");
+  Equivalence swap = diagonal(s, {1, 1, 1, 1}, 1, 1);
+  std::swap(swap.phase[0], swap.phase[1]);
+  std::swap(swap.phase[2], swap.phase[3]);
+  const MFraction a = MFraction::variable(s.ring(), "a"), b = MFraction::variable(s.ring(), "b");
+  swap.parameters = {{s.ring()->index("a"), b}, {s.ring()->index("b"), a}};
+  ASSERT_TRUE(holds(s, swap));
+  ClassifiedStratum x{.where = ParameterSet(s.ring(), s.field.parameters),
+                      .special = {},
+                      .status = StratumStatus::excluded};
+  x.by.resize(1);
+  x.by.front().integrals.without = {"q1"};
+  const auto there = carried(s, swap, x);
+  ASSERT_TRUE(there);
+  EXPECT_EQ(there->stratum.by.front().integrals.without, std::vector<std::string>{"q2"});
+  Equivalence mixed = swap;
+  mixed.phase[0] = mixed.phase[0] + mixed.phase[1];
+  EXPECT_FALSE(carried(s, mixed, x));
+}
+
 } // namespace
 } // namespace kov

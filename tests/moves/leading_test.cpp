@@ -67,7 +67,7 @@ TEST(LeadingPart, OtherBracketsHaveOtherWeights) {
 ClassifiedStratum excluded(const System& s, const std::string& level) {
   ParameterSet all(s.ring(), s.field.parameters);
   ClassifiedStratum x{.where = all, .special = {}, .status = StratumStatus::excluded};
-  x.by = {{.solution = "a curve", .level = "", .order = 1, .reason = "a reason", .unchecked = ""}};
+  x.by = {{.solution = "a curve", .level = {}, .order = 1, .reason = "a reason", .unchecked = ""}};
   x.by.front().integrals.on_leaf = true;
   ManifoldSpec m;
   m.name = "a curve";
@@ -111,7 +111,7 @@ TEST(LeadingPart, TheClassHasAllRationalIntegrals) {
   EXPECT_TRUE(with([](IntegralClass& c) { c.near = IntegralClass::Near::closed_curve; }));
   EXPECT_FALSE(with([](IntegralClass& c) { c.kind = IntegralClass::Kind::real_analytic; }));
   EXPECT_FALSE(with([](IntegralClass& c) { c.without = {"M1"}; }));
-  EXPECT_FALSE(with([](IntegralClass& c) { c.level = "F2 = 0"; }));
+  EXPECT_FALSE(with([](IntegralClass& c) { c.near = IntegralClass::Near::level; }));
 }
 
 } // namespace

@@ -52,8 +52,8 @@ TEST(PrimitiveExtension, DilogarithmsHaveNone) {
   const auto log = *PrimitiveExtension::make(over(z - Poly(1)));
   std::size_t level = 9;
   EXPECT_FALSE(log.primitive({RationalFunction(0), over(z)}, {}, &level)); // log(z - 1)/z
-  EXPECT_EQ(level, 1U);                                                 // 1/z is not a multiple of I'
-  EXPECT_FALSE(log.primitive({over(z)}));                               // another logarithm
+  EXPECT_EQ(level, 1U);                   // 1/z is not a multiple of I'
+  EXPECT_FALSE(log.primitive({over(z)})); // another logarithm
   EXPECT_TRUE(log.primitive({RationalFunction(0), over(z - Poly(1))})); // its square
   EXPECT_TRUE(log.primitive({}));
 }
@@ -132,7 +132,7 @@ TEST(Quadratures, WhatIsNoFunctionOnTheCurveIsNamed) {
   const auto found = orders(s, 4);
   ASSERT_TRUE(found.obstruction) << found.open;
   EXPECT_THAT(found.obstruction->integrals.without, testing::ElementsAre("x"));
-  EXPECT_EQ(found.obstruction->level, "");
+  EXPECT_TRUE(found.obstruction->level.empty());
   EXPECT_THAT(orders(atwood("3/2"), 3).obstruction->integrals.without, testing::IsEmpty());
 }
 

@@ -1,7 +1,7 @@
 // Splitting of separatrices: Andoyer's variables, the orbits, the residues, and the classification.
 
 #include "bodies.hpp"
-#include "splitting/contour.hpp"
+#include "contour.hpp"
 #include "splitting/families.hpp"
 #include "support/source_dir.hpp"
 

@@ -101,7 +101,7 @@ TEST(StrataCertificate, NothingIsTrustedWhereTheRulesCoverTheVerdict) {
             x("A") / (z - number(2)),
         (x("h") * x("h") - number(2)) / (z * z * z)}) { // a root of h^2 - 2
     const StrataCertificate c = written(r);
-    EXPECT_TRUE(c.trusted.empty()) << to_string(r) << ": " << c.trusted.front().told;
+    EXPECT_TRUE(c.trusted.empty()) << to_string(r) << ": " << sentence(c.trusted.front().told);
     EXPECT_NE(c.json.find("kovacic-strata/1"), std::string::npos);
   }
 }
@@ -127,7 +127,7 @@ TEST(StrataCertificate, AnAnswerCountsWhatItsCertificateTrusts) {
     a.memberships.push_back({m + number(1, 2), false});
     const StrataAnswer answer = decide_strata({r, ring->index("z"), a, {}}, limits);
     ASSERT_TRUE(answer.certificate) << to_string(r);
-    std::vector<std::string> told;
+    std::vector<Trusted> told;
     for (const auto* list : {&answer.certificate->trusted, &answer.certificate->left_out})
       for (const Uncertified& u : *list)
         told.push_back(u.told);

@@ -51,10 +51,17 @@ TEST(ProofTree, ARefusedManifoldIsCountedAndHidesNoObstruction) {
   EXPECT_EQ(headline(t).refused, 1U);
 }
 
+std::vector<Trusted> steps(const std::vector<std::string>& names) {
+  std::vector<Trusted> all;
+  for (const std::string& name : names)
+    all.push_back({Trusted::Step::by_author, name});
+  return all;
+}
+
 TEST(ProofTree, TrustedStepsAreThoseOfAllBelow) {
   ProofTree t = tree({"N", "M"}, {excludes("N", false), excludes("M", false)});
-  t.steps[0].trusted = {"a", "b"};
-  t.steps[1].trusted = {"b", "c"};
+  t.steps[0].trusted = steps({"a", "b"});
+  t.steps[1].trusted = steps({"b", "c"});
   t.steps[1].unchecked = {"d"};
   t.steps.push_back({"", Rule::cover, Excluded{{{}}, true}, {0, 1}});
   EXPECT_EQ(support(t, 2).trusted.size(), 3U);
@@ -68,7 +75,7 @@ TEST(ProofTree, TheBestObstructionIsTold) {
   ProofTree t = tree({"N"}, {excludes("N", true, closed)});
   t.steps.push_back(excludes("N", true));
   EXPECT_EQ(headline(t).excluded, std::vector<IntegralClass>{IntegralClass{}});
-  t.steps[1].trusted = {"a"};
+  t.steps[1].trusted = steps({"a"});
   EXPECT_EQ(headline(t).trusted, 1U);
   t.steps.push_back(excludes("N", true));
   EXPECT_EQ(headline(t).trusted, 0U);

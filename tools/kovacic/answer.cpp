@@ -378,7 +378,7 @@ private:
     if (!missing.empty()) result["no_certificate"] = missing;
     if (!c || !missing.empty() || !c->says_anything) return {};
     for (const strata::Uncertified& u : c->trusted)
-      result["certificate_trusts"].push_back(u.told);
+      result["certificate_trusts"].push_back(sentence(u.told));
     return c->json;
   }
 

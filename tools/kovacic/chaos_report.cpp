@@ -83,7 +83,7 @@ Json json_of(const PeriodicOrbit& o) {
   if (o.proved)
     j.update(Json{{"error", o.error}, {"trace_error", o.trace_error}});
   else
-    j["why"] = o.why;
+    j["why"] = to_string(o.why);
   for (const auto& p : o.points)
     j["points"].push_back({{"drawn", p.drawn}, {"coordinates", p.x}});
   return j;
@@ -191,7 +191,7 @@ std::string proof_text(const SystemScene& s, const PeriodicOrbits& found) {
                 ? fmt::format(
                       "  time {:.10g}  {:18}  multipliers {}  proved: +-{:.0e}, trace +-{:.0e}\n",
                       o.time, kind_of(o), multipliers(o), o.error, o.trace_error)
-                : fmt::format("  not proved: {}\n", o.why);
+                : fmt::format("  not proved: {}\n", to_string(o.why));
   }
   return text;
 }
@@ -216,9 +216,13 @@ void write_homoclinic(const std::string& path, const SystemScene& s, const Homoc
   });
 }
 
+std::string reason(const Homoclinic& found) {
+  return to_string(found.why) + (found.by_checker.empty() ? "" : ": " + found.by_checker);
+}
+
 std::string proof_text(const SystemScene& s, const Homoclinic& found) {
   if (!found.proof)
-    return fmt::format("  no homoclinic point is proved: {}{}\n", found.why,
+    return fmt::format("  no homoclinic point is proved: {}{}\n", reason(found),
                        found.stopped ? " (stopped)" : "");
   const HomoclinicProof& p = *found.proof;
   const PeriodicOrbit& fixed = p.fixed;
@@ -288,7 +292,7 @@ std::string json_of(const SystemScene& s, const PeriodicOrbits* orbits,
       for (const auto& hypothesis : smale_moser().hypotheses)
         h["theorem"]["hypotheses"].push_back({{"text", hypothesis.text}, {"how", hypothesis.how}});
     } else {
-      h["why"] = homoclinic->why;
+      h["why"] = reason(*homoclinic);
     }
   }
   return j.dump(2);

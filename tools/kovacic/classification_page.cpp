@@ -61,7 +61,7 @@ NodeResult root(const System& s, const SystemClassification& c) {
     n.formulas.push_back({"where", constant});
   for (const std::string& variable : c.variables)
     if (variable.find(" = ") != std::string::npos) n.formulas.push_back({"where", variable});
-  for (const std::string& note : c.notes)
+  for (const std::string& note : sentences(c.notes))
     n.formulas.push_back({"note", note});
   if (Grid g = integrable_sets(c); !g.rows.empty()) n.tables.push_back(std::move(g));
   if (Grid g = open_sets(c); n.status == NodeStatus::open && !g.rows.empty())
@@ -70,15 +70,8 @@ NodeResult root(const System& s, const SystemClassification& c) {
 }
 
 void add_theorems(NodeResult& n, const ExclusionReason& by) {
-  for (const std::string& name : by.theorems) {
-    const auto& all = literature();
-    const auto known =
-        std::find_if(all.begin(), all.end(), [&](const auto& t) { return t.name == name; });
-    if (known == all.end())
-      n.trusted.push_back({name});
-    else
-      n.theorems.push_back(used(*known));
-  }
+  for (const LiteratureTheorem* t : by.theorems)
+    n.theorems.push_back(used(*t));
 }
 
 // " for b = 1", so that titles tell the steps apart; long sets stand in the table of the step.
@@ -119,11 +112,10 @@ NodeResult exclusion(const ExcludedTogether& e, std::size_t number) {
   n.statement = statement(*e.by);
   n.summary = e.by->reason;
   n.status = NodeStatus::proved;
-  for (const std::string& step : e.by->trusted)
-    n.trusted.push_back({step});
+  n.trusted = e.by->trusted;
   if (!e.by->unchecked.empty())
     n.node.hypotheses.push_back({.text = e.by->unchecked, .by = {}, .checked = false});
-  if (!e.by->level.empty()) n.formulas.push_back({"level", e.by->level});
+  if (!e.by->level.empty()) n.formulas.push_back({"level", sentence(e.by->level)});
   Grid g{"Excluded", {"parameters"}, {}};
   for (const std::string& where : e.where)
     g.rows.push_back({where});

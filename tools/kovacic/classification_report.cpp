@@ -5,15 +5,9 @@
 
 namespace kov::cli {
 
-std::string joined(const std::vector<std::string>& all, const std::string& between) {
-  std::string text;
-  for (const std::string& one : all)
-    text += (text.empty() ? "" : between) + one;
-  return text;
-}
-
 std::string reason_of(const ExclusionReason& o) {
-  return "along " + o.solution + (o.level.empty() ? "" : " (" + o.level + ")") + ": " + o.reason;
+  return "along " + o.solution + (o.level.empty() ? "" : " (" + sentence(o.level) + ")") + ": " +
+         o.reason;
 }
 
 std::string headline(const SystemClassification& c) {
@@ -45,7 +39,7 @@ Json json_of(const SystemClassification& c, const ClassifiedStratum& s) {
   for (const ExclusionReason& o : s.by)
     by.push_back({{"solution", o.solution},
                   {"order", o.order},
-                  {"level", o.level.empty() ? Json(nullptr) : Json(o.level)},
+                  {"level", o.level.empty() ? Json(nullptr) : Json(sentence(o.level))},
                   {"reason", o.reason},
                   {"integrals_class", sentence(o.integrals)},
                   {"not_checked", o.unchecked.empty() ? Json(nullptr) : Json(o.unchecked)}});

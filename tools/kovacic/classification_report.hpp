@@ -1,6 +1,7 @@
 #pragma once
 // A classification as text, as JSON and as a page.
 
+#include "exact/joined.hpp"
 #include "mechanics.hpp"
 #include "study/classification.hpp"
 
@@ -15,8 +16,6 @@ namespace kov::cli {
 /// Conditions, status, integrals, reasons, and what was tried.
 [[nodiscard]] Json json_of(const SystemClassification& c, const ClassifiedStratum& s);
 
-/// "a, b" with ", " between.
-[[nodiscard]] std::string joined(const std::vector<std::string>& all, const std::string& between);
 /// "along q1 = 0 (E = 1): the equation is ..."
 [[nodiscard]] std::string reason_of(const ExclusionReason& o);
 /// "a = 0, b != 1", or "all parameters"

@@ -28,7 +28,6 @@ namespace {
 constexpr double part_of_the_search = 0.85;
 // The rest is for a second run, without the stage that a limit had to end from outside.
 constexpr double part_of_first_run = 0.7;
-constexpr const char* unfinished = "a limit ended the work; what was proved before is shown";
 
 void put_wide(std::ostream& out, const std::string& name, const std::string& text) {
   out << "  " << fmt::format("{:<12}", name) << wrapped(text, 14) << '\n';
@@ -162,7 +161,7 @@ std::string text_of(const System& s, const SystemClassification& c, const Settin
     put_wide(out, "where", constant);
   if (c.excluded.empty() && !c.variables.empty()) // else the theorem names them
     put_wide(out, "where", joined(c.variables, ", "));
-  for (const std::string& note : c.notes)
+  for (const std::string& note : sentences(c.notes))
     put_wide(out, "note", note);
   if (!quiet) {
     if (c.almost_all) {
@@ -179,11 +178,11 @@ std::string text_of(const System& s, const SystemClassification& c, const Settin
                           most_lines;
     out << (verbose || !too_long ? full : excluded_in_brief(c));
   }
-  if (!c.theorems.empty()) put_wide(out, "by", joined(c.theorems, ", "));
+  if (!c.theorems.empty()) put_wide(out, "by", joined(theorem_names(c.theorems), ", "));
   if (!c.trusted.empty())
     put_wide(out, "trusted",
              std::to_string(c.trusted.size()) + (c.trusted.size() == 1 ? " step: " : " steps: ") +
-                 beginning(joined(c.trusted, "; "), verbose));
+                 beginning(joined(sentences(c.trusted), "; "), verbose));
   if (verbose)
     for (const Spent& spent : c.spent)
       put_wide(out, "spent",
@@ -197,10 +196,10 @@ Json almost_all(const SystemClassification& c) {
   const ExclusionReason& by = c.almost_all->by;
   return {{"at", c.almost_all->at},
           {"solution", by.solution},
-          {"level", by.level.empty() ? Json(nullptr) : Json(by.level)},
+          {"level", by.level.empty() ? Json(nullptr) : Json(sentence(by.level))},
           {"reason", by.reason},
           {"integrals_class", sentence(by.integrals)},
-          {"trusted", by.trusted}};
+          {"trusted", sentences(by.trusted)}};
 }
 
 Json as_json(const System& s, const SystemClassification& c) {
@@ -216,9 +215,9 @@ Json as_json(const System& s, const SystemClassification& c) {
           {"assumptions", c.assumptions},
           {"constants", c.constants},
           {"variables", c.variables},
-          {"theorems", c.theorems},
-          {"trusted", c.trusted},
-          {"notes", c.notes},
+          {"theorems", theorem_names(c.theorems)},
+          {"trusted", sentences(c.trusted)},
+          {"notes", sentences(c.notes)},
           {"strata", strata},
           {"at_work", c.at_work.empty() ? Json(nullptr) : Json(c.at_work)},
           {"complete", c.complete},
@@ -304,7 +303,8 @@ private:
       options.skip = skip;
       SoFarReports reports;
       options.so_far = [&](SystemClassification c) {
-        if (format_ == "tex" || format_ == "html") c.notes.emplace_back(unfinished);
+        if (format_ == "tex" || format_ == "html")
+          c.notes.push_back({ClassificationNote::What::unfinished});
         so_far(reports.next(c, [&] { return report_of(s, c); }));
       };
       const SystemClassification c = classify_system(s, options);

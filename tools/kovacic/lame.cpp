@@ -154,7 +154,7 @@ Report degenerate(const Settings& settings, const LameQuestion& q,
   const std::string where = ", where " + letter("l") + "^2 = " + to_string(l2);
   Json classes = Json::array();
   for (const ExponentClass& c : third.classes)
-    classes.push_back({{"l", class_text(c, letter)}, {"reason", c.reason}});
+    classes.push_back({{"l", class_text(c, letter)}, {"reason", sentence(c.by)}});
   j["condition"] = {{"abelian", "exponent"}, {"l_squared", to_string(l2)}, {"l", classes}};
   Truth abelian = third.all ? Truth::yes : Truth::unknown; // for all values at once
   if (number && !third.all) {

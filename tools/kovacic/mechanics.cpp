@@ -171,18 +171,18 @@ Json json_of(const System& s, const BlockReport& b) {
   if (!b.energies.empty()) {
     Json all = Json::array();
     for (const auto& e : b.energies) {
-      Json one{{"at", e.condition}, {"why", e.why}};
+      Json one{{"at", sentence(e.at)}, {"why", why(e)}};
       if (e.r) one["r"] = to_string(*e.r, s.ring()->name(b.ode->z));
       if (e.decision) one["decision"] = json_of(*e.decision);
       if (e.strata) put_strata(one, *e.strata);
-      if (!e.note.empty()) one["note"] = e.note;
+      if (!e.missing.empty()) one["note"] = note(e.missing);
       all.push_back(std::move(one));
     }
     j["energies"] = std::move(all);
   }
   const bool mixed = b.abelian == Truth::unknown && b.strata && b.strata->decided();
   j["abelian"] = mixed ? "depends" : word_of(b.abelian);
-  if (!b.note.empty()) j["note"] = b.note;
+  if (!b.missing.empty()) j["note"] = note(b.missing);
   return j;
 }
 
@@ -201,13 +201,13 @@ Json json_of(const System& s, const ManifoldReport& m) {
   if (m.by)
     for (const std::string& name : m.by->integrals.without)
       j["integrals_without"].push_back(name);
-  if (!m.statement.empty()) j["statement"] = m.statement;
-  if (!m.not_checked.empty()) j["not_checked"] = m.not_checked;
+  if (const std::string text = statement(m); !text.empty()) j["statement"] = text;
+  if (const std::string open = not_checked(m); !open.empty()) j["not_checked"] = open;
   if (m.matrices)
     j["matrices"] = Json{{"size", m.matrices->size},
                          {"unknowns", m.matrices->unknowns},
                          {"change", m.matrices->change},
-                         {"level", m.matrices->level},
+                         {"level", sentence(m.matrices->level)},
                          {"reason", reason(*m.matrices)}};
   if (m.manifold) {
     Json equations = Json::array();
@@ -229,8 +229,8 @@ Json json_of(const System& s, const ManifoldReport& m) {
   for (const auto& b : m.blocks)
     blocks.push_back(json_of(s, b));
   j["blocks"] = blocks;
-  j["reasons"] = m.reasons;
-  j["trusted_steps"] = trusted_steps(m);
+  j["reasons"] = reasons(m);
+  j["trusted_steps"] = sentences(trusted_steps(m));
   return j;
 }
 

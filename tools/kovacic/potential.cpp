@@ -37,7 +37,7 @@ Json as_json(const EigenvalueTable& t) {
     families.push_back({{"lambda", polynomial_text(f)},
                         {"square", square_text(f)},
                         {"p", "any integer"},
-                        {"reason", f.reason}});
+                        {"reason", sentence(f.by)}});
   return {
       {"format", "kovacic-potential/1"}, {"degree", t.k}, {"all", t.all}, {"families", families}};
 }
@@ -56,7 +56,7 @@ std::string text_of(const EigenvalueTable& t) {
     line.resize(std::max<std::size_t>(line.size() + 2, 40), ' ');
     line += "= " + square_text(f);
     line.resize(std::max<std::size_t>(line.size() + 2, 70), ' ');
-    out << "    " << line << f.reason << '\n';
+    out << "    " << line << sentence(f.by) << '\n';
   }
   out << "  any other lambda: V is not integrable with meromorphic first integrals "
          "(Morales-Ramis)\n";

@@ -1,5 +1,6 @@
 #include "present_strata.hpp"
 
+#include "decide/words.hpp"
 #include "mechanics.hpp"
 #include "present.hpp"
 #include "recognized.hpp"
@@ -63,12 +64,12 @@ void put_strata(Json& j, const strata::StrataAnswer& a) {
   j["strata"] = std::move(all);
   if (!a.unvisited.empty()) j["unvisited"] = a.unvisited;
   if (a.contradictory) j["contradictory"] = true;
-  j["trusted"] = a.trusted;
+  j["trusted"] = sentences(a.trusted);
 }
 
-void put_trace(Json& j, const std::vector<TraceStep>& trace) {
-  for (const TraceStep& t : trace)
-    j["trace"].push_back({{"step", t.step}, {"text", t.text}});
+void put_trace(Json& j, const kovacic::Trace& trace) {
+  for (const kovacic::Step& t : trace)
+    j["trace"].push_back({{"step", name(t)}, {"text", t.text}});
 }
 
 void print_trace(std::ostream& out, const Json& j) {

@@ -17,7 +17,7 @@ void put_solutions_of_strata(Json& j, const ParametricEquation& f, const strata:
 /// Lines "stratum / group / because", from the JSON: one for each stratum, or for each answer.
 void print_strata(std::ostream& out, const Json& j, bool whole);
 /// The steps of a derivation under the key "trace", if there are any, and from there to lines.
-void put_trace(Json& j, const std::vector<TraceStep>& trace);
+void put_trace(Json& j, const kovacic::Trace& trace);
 void print_trace(std::ostream& out, const Json& j);
 /// The result of an equation with free parameters.
 [[nodiscard]] Json family_result(const Json& id, const ParametricEquation& f,

@@ -66,7 +66,7 @@ Json polynomial_json(const Decision& d, const RationalFunction& gauge, std::size
 
 namespace {
 
-Json solution(const PrintedSolution& s) {
+Json solution(const PrintedSolution& s, const std::string& note) {
   Json j;
   if (s.minimal_polynomial.empty()) {
     j["kind"] = "exponential";
@@ -76,7 +76,7 @@ Json solution(const PrintedSolution& s) {
     j["kind"] = "minimal-polynomial";
     j["minimal_polynomial"] = s.minimal_polynomial;
   }
-  if (!s.note.empty()) j["note"] = s.note;
+  if (!note.empty()) j["note"] = note;
   return j;
 }
 
@@ -91,7 +91,7 @@ void put_solutions(Json& j, const Decision& d, std::size_t most_bytes, const Bud
     Json all = Json::array();
     const std::string failed = failure_of("printing the solutions", [&] {
       for (const PrintedSolution& s : printed_solutions(d, most_bytes, budget))
-        all.push_back(solution(s));
+        all.push_back(solution(s, note(d.solutions[all.size()])));
     });
     if (failed.empty())
       j["solutions"] = std::move(all);
@@ -173,8 +173,8 @@ Json closed_result(Json open, const Decision& d, double seconds, std::size_t mos
   j["seconds"] = seconds;
   if (!d.trace.empty()) {
     j["trace"] = Json::array();
-    for (const TraceStep& step : d.trace)
-      j["trace"].push_back({{"step", step.step}, {"text", step.text}});
+    for (const kovacic::Step& step : d.trace)
+      j["trace"].push_back({{"step", name(step)}, {"text", step.text}});
   }
   if (!d.no_certificate.empty()) j["no_certificate"] = d.no_certificate;
   if (!d.refused.empty()) j["refused_by_checker"] = d.refused;

@@ -165,7 +165,7 @@ std::string line_of(const flow::FixedPoint& f) {
                      shown(f.l), n, shown(f.y), n, f.period, to_string(f.stability), multipliers,
                      f.proved
                          ? fmt::format("proved: +-{:.0e}, trace +-{:.0e}", f.error, f.trace_error)
-                         : "not proved: " + f.why);
+                         : "not proved: " + to_string(f.why));
 }
 
 // "1 cell", "2 cells"

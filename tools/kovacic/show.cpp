@@ -117,7 +117,7 @@ Json stage_json(const std::string& stage, const System& s, const ManifoldReport&
       block["scalar"] = scalar;
     }
     if (b.ode && (stage == "ode" || stage == "r")) block.update(json_of(s, *b.ode));
-    if (!b.note.empty()) block["note"] = b.note;
+    if (!b.missing.empty()) block["note"] = note(b.missing);
     blocks.push_back(std::move(block));
   }
   if (stage == "ode" || stage == "r") one["blocks"] = blocks;
@@ -144,9 +144,10 @@ void print_stage(const std::string& stage, const System& s, const ManifoldReport
         out << "  y = d" << e.unknown << ":  y'' + a1 y' + a0 y = 0\n    a1 = " << to_string(e.a1)
             << "\n    a0 = " << to_string(e.a0) << "\n";
     if (b.ode && (stage == "ode" || stage == "r")) print_ode(s, *b.ode, false, out);
-    if (!b.note.empty() && (stage == "ode" || stage == "r")) out << "  " << b.note << "\n";
+    if (!b.missing.empty() && (stage == "ode" || stage == "r"))
+      out << "  " << note(b.missing) << "\n";
   }
-  for (const auto& r : m.reasons)
+  for (const auto& r : reasons(m))
     if (m.blocks.empty()) out << "  " << r << "\n";
 }
 

@@ -87,12 +87,12 @@ public:
       put("note",
           "y is a solution of this equation; one of the given equation has one more factor, "
           "exp(-1/2 int p) for y'' + p y' + q y = 0");
-    if (spectrum_.contradictory) put("note", "no parameters satisfy the assumptions");
+    if (spectrum_.strata.contradictory) put("note", "no parameters satisfy the assumptions");
     for (const Piece& p : spectrum_.pieces)
       piece(p);
-    for (const std::string& text : spectrum_.not_studied)
+    for (const std::string& text : spectrum_.strata.unvisited)
       put("open", "not studied, a limit was reached: " + text);
-    for (const std::string& text : spectrum_.trusted)
+    for (const std::string& text : sentences(spectrum_.trusted))
       put("trusted", "the solver: " + text);
     return out_.str();
   }
@@ -117,7 +117,7 @@ private:
       return put("all",
                  where + (p.conditions.empty() ? "every " + energy_ : "all of these") + groups(p));
     case Piece::Status::open:
-      return put("open", where + p.why);
+      return put("open", where + open_reason(p));
     case Piece::Status::conditions:
       put("exactly", where + alternatives(p) + groups(p));
       for (const Series& s : p.series)
@@ -258,7 +258,7 @@ Json as_json(const Piece& p, const Ring& ring, std::size_t z) {
           {"unsolved", unsolved},
           {"degrees", degrees},
           {"groups", groups},
-          {"open", p.why.empty() ? Json(nullptr) : Json(p.why)}};
+          {"open", p.why_open ? Json(open_reason(p)) : Json(nullptr)}};
 }
 
 Json as_json(const Asked& asked, const AlgebraicSpectrum& spectrum) {
@@ -272,8 +272,8 @@ Json as_json(const Asked& asked, const AlgebraicSpectrum& spectrum) {
           {"y_solves", "y'' = r y"},
           {"assumptions", in_words(q.assumptions, q.r.ring())},
           {"pieces", pieces},
-          {"not_studied", spectrum.not_studied},
-          {"trusted", spectrum.trusted},
+          {"not_studied", spectrum.strata.unvisited},
+          {"trusted", sentences(spectrum.trusted)},
           {"decided", spectrum.decided()}};
 }
 
@@ -294,8 +294,8 @@ int spectrum(const Settings& settings, const SpectrumArguments& arguments) {
     options.strata.decide.ask_the_judge = true;
     const AlgebraicSpectrum found =
         spectrum::algebraic_spectrum(asked.equation.question, asked.energy, options);
-    if (!found.refusal.empty())
-      throw InternalError("our own checker refuses the strata: " + found.refusal);
+    if (!found.strata.refusal.empty())
+      throw InternalError("our own checker refuses the strata: " + found.strata.refusal);
     return Report{found.decided() ? exit_decided : exit_undecided, Text(asked, found).run(),
                   as_json(asked, found)};
   });

@@ -49,13 +49,13 @@ Json json_of(const study::HigherOrders& h) {
   const ExclusionReason& by = h.excluded->by;
   j["order"] = by.order;
   if (!h.by_quadratures) j["residue"] = to_string(h.planes.obstruction->logarithm.form);
-  j["level"] = by.level;
+  j["level"] = sentence(by.level);
   j["exceptions"] = h.exceptions;
   j["without"] = by.integrals.without;
   j["not_checked"] = by.unchecked.empty() ? Json(nullptr) : Json(by.unchecked);
   j["reason"] = by.reason;
-  j["theorem"] = by.theorems.front();
-  j["trusted"] = by.trusted;
+  j["theorem"] = by.theorems.front()->name;
+  j["trusted"] = sentences(by.trusted);
   return j;
 }
 
@@ -77,8 +77,8 @@ Json json_of_together(const SystemClassification& c) {
   return {{"statement", c.excluded.empty() ? Json(nullptr) : Json(statement(c))},
           {"integrals_class", c.excluded.empty() ? Json(nullptr) : Json(integrals_class(c))},
           {"assumptions", c.assumptions},
-          {"theorems", c.theorems},
-          {"trusted", c.trusted},
+          {"theorems", theorem_names(c.theorems)},
+          {"trusted", sentences(c.trusted)},
           {"strata", strata}};
 }
 

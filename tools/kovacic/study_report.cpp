@@ -50,13 +50,13 @@ std::string undecided_somewhere(const ManifoldReport& m, Detail detail) {
   if (except.empty())
     return depends ? "DEPENDS ON THE PARAMETERS  (" + m.by->id() + ")" : "UNDECIDED";
   return "NON-INTEGRABLE, " + (depends ? except : possibly(except)) + "  (" + m.by->id() + ": " +
-         m.statement + "; nothing is known about the exceptions)";
+         statement(m) + "; nothing is known about the exceptions)";
 }
 
 std::string headline(const ManifoldReport& m, Detail detail) {
   switch (m.verdict) {
   case VerdictKind::non_integrable:
-    return "NON-INTEGRABLE  (" + m.by->id() + ": " + m.statement + ")";
+    return "NON-INTEGRABLE  (" + m.by->id() + ": " + statement(m) + ")";
   case VerdictKind::no_obstruction:
     return "NO OBSTRUCTION  (the first-order test of " + m.by->id() +
            " passes; this does not prove integrability)";
@@ -70,8 +70,8 @@ std::string at_order(const Exclusion& e) {
 }
 
 std::string theorem_of(const Exclusion& e) {
-  return "  (" + e.by.theorems.front() + ": " + statement(e.by) +
-         (e.by.level.empty() ? "" : ", " + e.by.level);
+  return "  (" + e.by.theorems.front()->name + ": " + statement(e.by) +
+         (e.by.level.empty() ? "" : ", " + sentence(e.by.level));
 }
 
 // One for all orders.
@@ -120,10 +120,10 @@ std::string shape_of(const AlgebraicOde& ode, const std::string& z) {
 }
 
 void put_level(std::ostringstream& out, const EnergyResult& e, Detail detail) {
-  put(out, "at", e.condition + "  (" + e.why + ")");
+  put(out, "at", sentence(e.at) + "  (" + why(e) + ")");
   if (e.decision) put_decision(out, *e.decision, 4);
   if (e.strata) print(out, *e.strata, detail);
-  if (!e.note.empty()) put(out, "note", cut(e.note, detail), 4);
+  if (!e.missing.empty()) put(out, "note", cut(note(e.missing), detail), 4);
 }
 
 // A level that decides is enough.
@@ -155,14 +155,14 @@ void put_block(std::ostringstream& out, const System& s, const BlockReport& b, D
     for (const auto& f : b.special)
       put(out, "merging", "singular places meet where " + to_string(f) + " = 0");
   put_levels(out, b.energies, detail);
-  if (!b.note.empty()) put(out, "note", cut(b.note, detail));
+  if (!b.missing.empty()) put(out, "note", cut(note(b.missing), detail));
 }
 
-void put_trust(std::ostringstream& out, const std::vector<std::string>& steps) {
+void put_trust(std::ostringstream& out, const std::vector<Trusted>& steps) {
   if (!steps.empty())
     put(out, "trusted",
         std::to_string(steps.size()) + (steps.size() == 1 ? " step: " : " steps: ") +
-            joined(steps, "; "));
+            joined(sentences(steps), "; "));
 }
 
 // Which flag sets the first limit among the reasons.
@@ -197,12 +197,12 @@ void put_first_order(std::ostringstream& out, const System& s, const ManifoldRep
   for (const auto& b : m.blocks)
     put_block(out, s, b, detail);
   if (m.blocks.empty())
-    for (const auto& r : m.reasons)
+    for (const auto& r : reasons(m))
       put(out, "because", r);
-  else if (m.verdict == VerdictKind::undecided && !m.not_studied.empty())
-    put(out, "open", m.reasons.back());
+  else if (m.verdict == VerdictKind::undecided && m.left_out)
+    put(out, "open", reasons(m).back());
   if (m.matrices && !m.blocks.empty()) put(out, "because", reason(*m.matrices));
-  if (undecided) put_way_out(out, m.reasons);
+  if (undecided) put_way_out(out, reasons(m));
   if (m.verdict != VerdictKind::undecided || m.by) put_trust(out, trusted_steps(m));
 }
 
@@ -224,8 +224,9 @@ void put_manifold(std::ostringstream& out, const System& s, const study::CurveSt
       put(out, "note", line);
   const bool by_higher = study.higher && study.higher->excluded;
   if (by_higher) put_obstruction(out, study, detail);
-  if (!m.not_checked.empty() && (m.verdict != VerdictKind::undecided || m.by))
-    put(out, "NOT CHECKED", m.not_checked);
+  if (const std::string open = not_checked(m);
+      !open.empty() && (m.verdict != VerdictKind::undecided || m.by))
+    put(out, "NOT CHECKED", open);
   if (detail != Detail::headline || undecided) put_first_order(out, s, m, undecided, detail);
   if (study.higher && !by_higher)
     put(out, "order " + std::to_string(study.higher->up_to), nothing_found(*study.higher));
@@ -292,7 +293,7 @@ std::string text_of(const System& s, const SystemClassification& c, study::Verdi
   if (detail == Detail::headline) return out.str();
   for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_reason))
     put(out, "excluded", joined(e.where, "; or ") + ": " + cut(reason_of(*e.by), detail));
-  put(out, "by", joined(c.theorems, ", "));
+  put(out, "by", joined(theorem_names(c.theorems), ", "));
   return with_written_roots(s, out.str());
 }
 

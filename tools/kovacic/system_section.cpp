@@ -252,28 +252,28 @@ private:
     options.stop = interrupt_.flag();
     if (settings_.certificate.empty()) return flow::homoclinic(scene_, options);
     options.bits = 128;
-    std::string refused;
+    std::optional<flow::Homoclinic> refused;
     for (const int smaller : {16, 32, 8}) {
       options.smaller = smaller;
       flow::Homoclinic found = flow::homoclinic(scene_, options);
       if (found.stopped) return found;
       if (!found.proof) {
-        if (refused.empty()) refused = found.why;
+        if (!refused) refused = std::move(found);
         continue;
       }
       const std::string certificate = certificate_of(scene_, found);
       const auto verdict =
           certify::check_homoclinic(certify::read_homoclinic_certificate(certificate));
       if (const auto* no = std::get_if<certify::Rejected>(&verdict)) {
-        refused = "our own checker refuses the certificate: " + no->step + ": " + no->why;
+        refused = flow::Homoclinic{};
+        refused->why = flow::NotProved::refused;
+        refused->by_checker = no->step + ": " + no->why;
         continue;
       }
       write_file(settings_.certificate, certificate);
       return found;
     }
-    flow::Homoclinic none;
-    none.why = refused;
-    return none;
+    return *refused;
   }
 
   [[nodiscard]] flow::FixedPointsInRectangle all_fixed_points() const {

@@ -53,7 +53,7 @@ void compare_fixed_points(Comparison& c, const flow::SceneExpectation& x,
   if (!x.proved) return;
   const auto open = std::find_if(found.points.begin(), found.points.end(),
                                  [](const auto& p) { return !p.proved; });
-  c.item("all proved", open == found.points.end() ? "" : "not proved: " + open->why,
+  c.item("all proved", open == found.points.end() ? "" : "not proved: " + to_string(open->why),
          open == found.points.end());
 }
 

@@ -1,19 +1,13 @@
 #include "certify/equation/statement.hpp"
 
 #include "certify/strata/classical.hpp"
+#include "exact/joined.hpp"
 
 #include <algorithm>
 
 namespace kov::certify {
 
 namespace {
-
-std::string joined(const std::vector<std::string>& parts, const char* between) {
-  std::string s;
-  for (const std::string& p : parts)
-    s += (s.empty() ? "" : between) + p;
-  return s;
-}
 
 void once(std::vector<std::string>& lines, std::string line) {
   if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));

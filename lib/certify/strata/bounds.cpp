@@ -35,8 +35,8 @@ std::optional<Integer> lowest(const ProvedPlace& x, long m, const std::optional<
 // An upper bound of |Re Delta| (local_exponents.md 4), if there is one.
 std::optional<Rational> real_part(const ProvedPlace& x) {
   if (x.delta) return x.delta;
-  if (x.why == "positive" && x.linear()) return Rational(0);
-  if (x.why == "constant") {
+  if (x.by == Irrational::positive && x.linear()) return Rational(0);
+  if (x.by == Irrational::constant) {
     if (sign(*x.square) <= 0) return Rational(0);
     const Integer top = ceil(Rational(64) * *x.square);
     Integer j;

@@ -94,6 +94,17 @@ void Places::examine(ProvedPlace& x, const StratumPlace& given) {
   x.log = true;
 }
 
+namespace {
+
+Irrational irrational(const std::string& word) {
+  if (word == "constant") return Irrational::constant;
+  if (word == "positive") return Irrational::positive;
+  need(word == "discriminant", "irrational: constant, positive or discriminant is expected");
+  return Irrational::discriminant;
+}
+
+} // namespace
+
 void Places::examine_exponent(ProvedPlace& x, const StratumPlace& given) {
   x.chi = given.chi;
   if (!x.chi.empty()) {
@@ -106,7 +117,7 @@ void Places::examine_exponent(ProvedPlace& x, const StratumPlace& given) {
   x.log = x.delta && is_zero(*x.delta);
   if (given.irrational) {
     need(!x.delta, "the exponent difference is rational");
-    x.why = given.irrational;
+    x.by = irrational(*given.irrational);
     need_irrational(x);
   }
   x.bound = given.bound;
@@ -148,23 +159,21 @@ void Places::need_chi(const ProvedPlace& x) const {
 void Places::need_irrational(const ProvedPlace& x) const {
   const Coefficients& c = x.chi;
   need(!c.empty(), "chi is missing");
-  if (x.why == "constant") {
+  if (x.by == Irrational::constant) {
     need(x.linear() && x.square, "Delta^2 is not a constant");
-  } else if (x.why == "positive") {
+  } else if (x.by == Irrational::positive) {
     const auto all = [&](bool negated) {
       return std::all_of(c.begin(), c.end(),
                          [&](const MPoly& f) { return s_.known_positive(negated ? -f : f); });
     };
     need(all(false) || all(true), "the coefficients of chi are not known to have one sign");
-  } else if (x.why == "discriminant") {
+  } else {
     need(c.size() == 3 &&
              std::all_of(c.begin(), c.end(), [&](const MPoly& f) { return s_.all_real(f); }),
          "chi is not real of degree 2");
     const MPoly four = scaled(a_.times(c[2], c[0]), Integer(4));
     need(s_.known_positive(a_.minus(four, a_.times(c[1], c[1]))),
          "the discriminant of chi is not known to be negative");
-  } else {
-    throw Refused{"irrational: constant, positive or discriminant is expected"};
   }
 }
 

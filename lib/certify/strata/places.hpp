@@ -8,6 +8,9 @@
 
 namespace kov::certify {
 
+/// How it is shown that an exponent difference is irrational.
+enum class Irrational : std::uint8_t { constant, positive, discriminant };
+
 /// What is proved of the d roots of q, or of infinity (d = 1), at every point of the stratum.
 struct ProvedPlace {
   std::optional<MPoly> q; ///< unset at infinity
@@ -16,7 +19,7 @@ struct ProvedPlace {
   Coefficients chi;               ///< chi(Delta^2) = 0; empty: not given
   std::optional<Rational> square; ///< Delta^2, if chi is linear and shows a constant
   std::optional<Rational> delta;  ///< >= 0, if rational
-  std::optional<std::string> why; ///< it is irrational
+  std::optional<Irrational> by;   ///< it is irrational
   bool log = false;               ///< at every root
   std::optional<Rational> bound;  ///< of Delta^2
 
@@ -25,8 +28,8 @@ struct ProvedPlace {
   [[nodiscard]] bool regular() const { return order == 2; }
   [[nodiscard]] bool irregular() const { return order >= 3; }
   [[nodiscard]] bool ramified() const { return irregular() && order % 2 != 0; }
-  [[nodiscard]] bool irrational() const { return why.has_value(); }
-  [[nodiscard]] bool open() const { return regular() && !delta && !why; }
+  [[nodiscard]] bool irrational() const { return by.has_value(); }
+  [[nodiscard]] bool open() const { return regular() && !delta && !by; }
   /// No torus and no open exponent difference.
   [[nodiscard]] bool tame() const { return order <= 1 || delta; }
   [[nodiscard]] bool linear() const { return chi.size() == 2; }

@@ -156,7 +156,7 @@ private:
     return a_.minus(a_.times(f, f), scaled(a_.times(c[2], c[0]), Integer(4)));
   }
   [[nodiscard]] static bool is_negative(const ProvedPlace& x) {
-    return x.linear() && (x.why == "positive" || (x.square && kov::sign(*x.square) < 0));
+    return x.linear() && (x.by == Irrational::positive || (x.square && kov::sign(*x.square) < 0));
   }
   // The integers +-d1 +- d2 where they are constant; both imaginary: only 0 is an integer.
   void find_sums() {

@@ -4,6 +4,7 @@
 #include "certify/equation/statement.hpp"
 
 #include "certify/system/check.hpp"
+#include "exact/joined.hpp"
 
 #include <algorithm>
 
@@ -14,13 +15,6 @@ std::string to_string(const PhaseFunction& f) {
 }
 
 namespace {
-
-std::string joined(const std::vector<std::string>& parts, const char* between) {
-  std::string s;
-  for (const std::string& p : parts)
-    s += (s.empty() ? "" : between) + p;
-  return s;
-}
 
 std::string zeros(const std::vector<PhaseFunction>& all) {
   std::vector<std::string> said;

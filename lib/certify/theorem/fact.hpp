@@ -42,9 +42,7 @@ struct TheoremFact {
   return {.kind = IntegralClass::Kind::real_analytic, .near = IntegralClass::Near::phase_space};
 }
 [[nodiscard]] inline IntegralClass near_origin() { return {.near = IntegralClass::Near::origin}; }
-[[nodiscard]] inline IntegralClass on_leaves() {
-  return {.near = IntegralClass::Near::level, .level = "F2 = 0"};
-}
+[[nodiscard]] inline IntegralClass on_leaves() { return {.near = IntegralClass::Near::level}; }
 /// Is one of them about integrals that are independent on one leaf (system_certificates.md 7)?
 [[nodiscard]] bool on_one_leaf(const std::vector<IntegralClass>& classes);
 inline constexpr const char* rigid_level = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3";

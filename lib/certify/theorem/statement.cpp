@@ -4,6 +4,7 @@
 #include "certify/equation/statement.hpp"
 #include "certify/system/check.hpp"
 #include "certify/theorem/fact.hpp"
+#include "exact/joined.hpp"
 
 #include <algorithm>
 
@@ -14,13 +15,6 @@ namespace {
 const char* const checked = "checked";
 const char* const stated = "part of the statement";
 const char* const open_one = "NOT CHECKED";
-
-std::string joined(const std::vector<std::string>& parts, const char* between = ", ") {
-  std::string s;
-  for (const std::string& p : parts)
-    s += (s.empty() ? "" : between) + p;
-  return s;
-}
 
 std::string text(const Conditions& all) {
   std::vector<std::string> said;

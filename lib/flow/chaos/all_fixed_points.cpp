@@ -103,7 +103,7 @@ private:
     }
     if (t.excluded) return t;
     const auto c = approximate_inverse(slope);
-    if (!c) throw NotProved{"a multiplier is 1, or nearly"};
+    if (!c) throw NotProved::multiplier_one;
     const BallVector shift = krawczyk_shift(*c, value, slope, radius);
     t.unique = shift_inside(shift, radius) && EnclosedMap::same_sheet(l, t.patch);
     for (std::size_t d = 0; d < 2; ++d) {

@@ -116,7 +116,7 @@ Local local_manifolds(EnclosedMap& map, QuickMap& quick,
   l.orbit = enclose_orbit(map, quick, points);
   if (l.orbit.stability != Stability::hyperbolic &&
       l.orbit.stability != Stability::inverse_hyperbolic)
-    throw NotProved{"the orbit is not proved to be hyperbolic"};
+    throw NotProved::not_hyperbolic;
   const Patch& p = l.orbit.patches[0];
   l.p = p.box;
   l.frame.chart = p.chart;
@@ -135,7 +135,7 @@ Local local_manifolds(EnclosedMap& map, QuickMap& quick,
         return l;
     } catch (const NotProved&) { // smaller
     }
-  throw NotProved{"no parallelogram around the hyperbolic point keeps cones"};
+  throw NotProved::no_cones;
 }
 
 // ---- directions ----
@@ -197,13 +197,12 @@ public:
     for (int i = 0; i < 6; ++i) { // Newton's method, in double
       links_ = approximately();
       const auto c = approximate_inverse(slopes());
-      if (!c) throw NotProved{"the manifolds are tangent, or nearly"};
+      if (!c) throw NotProved::tangent;
       const BallVector step = applied(*c, value(links_));
       double left = 0;
       for (const Ball& b : step)
         left = std::max(left, std::abs(static_cast<double>(b)));
-      if (!(left < 1e-2))
-        throw NotProved{"Newton's method left the crossing that the search had found"};
+      if (!(left < 1e-2)) throw NotProved::left_by_newton;
       move(step);
       if (left < 1e-13) break;
     }
@@ -320,7 +319,7 @@ private:
           quick_.lifted(nodes_[k].chart, {static_cast<double>(box[0]), static_cast<double>(box[1])},
                         nodes_[k].near);
       const auto image = x ? quick_(*x, false, l_.frame.turns) : std::nullopt;
-      if (!image) throw NotProved{"Newton's method left the crossing that the search had found"};
+      if (!image) throw NotProved::left_by_newton;
       for (std::size_t i = 0; i < 2; ++i) {
         const auto& at = image->at[chart_of(k + 1).free[i]];
         link.image[i] = Ball(at.v);
@@ -381,7 +380,7 @@ private:
       for (Ball& x : l.image)
         x = x.widened(added);
     const auto c = approximate_inverse(slopes());
-    if (!c) throw NotProved{"the manifolds are tangent, or nearly"};
+    if (!c) throw NotProved::tangent;
     radius_.clear();
     for (const Ball& b : applied(*c, value(links_)))
       radius_.push_back(2 * bound_of(b) + 1e-36);
@@ -391,11 +390,10 @@ private:
       if (shift_inside(shift, radius_)) return look_at_ends();
       for (std::size_t i = 0; i < radius_.size(); ++i) {
         radius_[i] = 3 * std::max(radius_[i], bound_of(shift[i]));
-        if (!(radius_[i] < 1e-3))
-          throw NotProved{"Krawczyk's test failed on every box that was tried"};
+        if (!(radius_[i] < 1e-3)) throw NotProved::krawczyk;
       }
     }
-    throw NotProved{"Krawczyk's test failed on every box that was tried"};
+    throw NotProved::krawczyk;
   }
 
   // The zero is an orbit from one graph to the other: on its sheets, within the parallelogram, and not p.
@@ -403,15 +401,14 @@ private:
     const Ball r(l_.reach), xi = xi_.widened(Ball(radius_.front())),
                             eta = eta_.widened(Ball(radius_.back()));
     for (const Ball& x : {xi, eta})
-      if (x.contains_zero() || !(x < r) || !(-x < r))
-        throw NotProved{"the crossing may lie outside of the parallelogram, or be the fixed point"};
+      if (x.contains_zero() || !(x < r) || !(-x < r)) throw NotProved::outside;
     for (std::size_t i = 0; i < l_.region.sheet.size(); ++i)
       if (!links_[0].patch.at[l_.region.chart.rest[i]].v.inside(l_.region.sheet[i]))
-        throw NotProved{"the manifold may leave its sheet"};
+        throw NotProved::leaves_sheet;
     for (std::size_t k = 0; k < links_.size(); ++k)
       if (!EnclosedMap::same_sheet(links_[k].landing,
                                    k + 1 < links_.size() ? links_[k + 1].patch : l_.region))
-        throw NotProved{"the orbit may return on another sheet of the level"};
+        throw NotProved::another_sheet;
   }
 };
 
@@ -451,7 +448,7 @@ HomoclinicGuess drawn_out(HomoclinicGuess g, const Local& l, QuickMap& quick) {
         l.frame.chart,
         {l.frame.at[0] + l.frame.axes[0][axis] * x, l.frame.at[1] + l.frame.axes[1][axis] * x},
         l.frame.near);
-    if (!at) throw NotProved{"a piece of the section surface could not be enclosed"};
+    if (!at) throw NotProved::section_piece;
     return doubles(*at);
   };
   for (; outside(g.xi); ++g.middle)
@@ -471,8 +468,8 @@ void try_orbit(EnclosedMap& map, QuickMap& quick, const PeriodicOrbit& orbit,
   const auto guesses = arcs.guesses(static_cast<std::size_t>(o.most_candidates));
   out.unstable = arcs.curves(false);
   out.stable = arcs.curves(true);
-  if (guesses.empty()) throw NotProved{"no crossing of the manifolds was found"};
-  std::string why;
+  if (guesses.empty()) throw NotProved::no_crossing;
+  std::optional<NotProved> why;
   for (const HomoclinicGuess& guess : guesses) {
     try {
       const HomoclinicGuess g = drawn_out(guess, l, quick);
@@ -481,10 +478,10 @@ void try_orbit(EnclosedMap& map, QuickMap& quick, const PeriodicOrbit& orbit,
       out.proof = proof_of(l, orbit, c, g, quick);
       return;
     } catch (const NotProved& n) {
-      if (why.empty()) why = n.why;
+      if (!why) why = n;
     }
   }
-  throw NotProved{why};
+  throw *why;
 }
 
 // In double; those with the largest multipliers first, whose manifolds wind least.
@@ -515,7 +512,6 @@ hyperbolic_orbits(const SystemScene& scene, QuickMap& quick, const HomoclinicOpt
 
 Homoclinic homoclinic(const SystemScene& scene, const HomoclinicOptions& options) {
   Homoclinic out;
-  out.why = "no hyperbolic periodic orbit was found";
   const SectionSurface surface(scene);
   QuickMap quick(surface);
   const EnclosureScope scope(options.bits);
@@ -530,10 +526,9 @@ Homoclinic homoclinic(const SystemScene& scene, const HomoclinicOptions& options
     try {
       try_orbit(map, quick, orbit, options, out);
     } catch (const NotProved& n) {
-      out.why = n.why;
+      out.why = n;
     }
   }
-  if (out.proof) out.why.clear();
   out.stopped = options.stop != nullptr && options.stop->load();
   return out;
 }

@@ -32,7 +32,8 @@ struct HomoclinicProof {
 struct Homoclinic {
   std::optional<HomoclinicProof> proof;
   std::vector<PeriodicOrbit> hyperbolic; ///< the proved orbits that were tried
-  std::string why;                       ///< nothing is proved: what failed
+  NotProved why = NotProved::no_orbit;   ///< nothing is proved: what failed
+  std::string by_checker{};              ///< refused: what it says
   /// For the picture, in double: arcs of the two manifolds of the orbit that was tried last.
   std::vector<std::vector<std::array<double, 2>>> unstable, stable;
   bool stopped = false;

@@ -172,15 +172,14 @@ public:
     for (int i = 0; i < 6; ++i) { // Newton's method in the middles
       at_middles();
       const auto inverse = approximate_inverse(slopes(middle_slopes_));
-      if (!inverse) throw NotProved{"a multiplier is 1, or nearly"};
+      if (!inverse) throw NotProved::multiplier_one;
       const BallVector step = applied(*inverse, value_);
       double left = 0, noise = 0;
       for (const Ball& b : step) {
         left = std::max(left, bound_of(b));
         noise = std::max(noise, b.radius());
       }
-      if (!(left < 1e-3 * size_of(nodes_[0].near)))
-        throw NotProved{"Newton's method left the orbit that the search had found"};
+      if (!(left < 1e-3 * size_of(nodes_[0].near))) throw NotProved::left_by_newton;
       if (left <= 16 * noise) return krawczyk();
       for (std::size_t k = 0; k < nodes_.size(); ++k)
         for (std::size_t d = 0; d < 2; ++d)
@@ -225,7 +224,7 @@ private:
 
   EnclosedOrbit krawczyk() {
     const auto c = approximate_inverse(slopes(middle_slopes_));
-    if (!c) throw NotProved{"a multiplier is 1, or nearly"};
+    if (!c) throw NotProved::multiplier_one;
     std::vector<double> radius;
     for (const Ball& b : applied(*c, value_))
       radius.push_back(4 * bound_of(b) + std::ldexp(size_of(nodes_[0].near), -120));
@@ -235,11 +234,10 @@ private:
       if (shift_inside(shift, radius)) return finished(orbit, radius);
       for (std::size_t i = 0; i < radius.size(); ++i) {
         radius[i] = 4 * std::max(radius[i], bound_of(shift[i]));
-        if (!(radius[i] < 1e-3 * size_of(nodes_[0].near)))
-          throw NotProved{"Krawczyk's test failed on every box that was tried"};
+        if (!(radius[i] < 1e-3 * size_of(nodes_[0].near))) throw NotProved::krawczyk;
       }
     }
-    throw NotProved{"Krawczyk's test failed on every box that was tried"};
+    throw NotProved::krawczyk;
   }
 
   // The map over boxes around the middles.
@@ -255,8 +253,7 @@ private:
     }
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       const Landing l = map_(o.patches[k]);
-      if (!EnclosedMap::same_sheet(l, o.patches[next(k)]))
-        throw NotProved{"the orbit may return on another sheet of the level"};
+      if (!EnclosedMap::same_sheet(l, o.patches[next(k)])) throw NotProved::another_sheet;
       o.slopes.push_back(slope_in(l.at, nodes_[next(k)].chart));
       o.time += l.time;
     }
@@ -315,7 +312,7 @@ private:
         const Ball d = o.patches[k].at[j].v - o.patches[0].at[j].v;
         apart = apart || d.is_positive() || d.is_negative();
       }
-      if (!apart) throw NotProved{"a smaller period is not excluded"};
+      if (!apart) throw NotProved::smaller_period;
     }
   }
 };
@@ -354,7 +351,7 @@ PeriodicOrbit prove_orbit(EnclosedMap& map, QuickMap& quick, const std::vector<S
     o.proved = true;
     set_multiplier(o);
   } catch (const NotProved& n) {
-    o.why = n.why;
+    o.why = n;
   }
   return o;
 }

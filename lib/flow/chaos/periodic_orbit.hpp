@@ -27,7 +27,7 @@ struct PeriodicOrbit {
   double trace_error = 0;
   /// Nothing: |multiplier| = 1 to within the error, or the map is not known to keep an area.
   std::optional<Stability> stability;
-  std::string why;
+  NotProved why = NotProved::not_tried;
 };
 
 struct PeriodicOrbits {

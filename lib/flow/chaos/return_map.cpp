@@ -25,11 +25,10 @@ double magnitude(const PhasePoint<Ball>& x) {
 
 // What two enclosures of one number have in common.
 Ball common(const Ball& a, const Ball& b) {
-  if (arb_is_finite(a.raw()) == 0 || arb_is_finite(b.raw()) == 0)
-    throw NotProved{"the enclosure of an orbit is lost"};
+  if (arb_is_finite(a.raw()) == 0 || arb_is_finite(b.raw()) == 0) throw NotProved::enclosure_lost;
   Ball both;
   if (arb_intersection(both.raw(), a.raw(), b.raw(), Ball::bits()) == 0)
-    throw NotProved{"two enclosures of one orbit are apart"}; // cannot be
+    throw NotProved::enclosures_apart; // cannot be
   return both;
 }
 
@@ -105,7 +104,7 @@ BallMatrix axes_along(const BallMatrix& moved, const BallVector& size) {
       x /= std::sqrt(after);
     kept.push_back(c);
   }
-  if (kept.size() < n) throw NotProved{"the enclosure of an orbit is lost"};
+  if (kept.size() < n) throw NotProved::enclosure_lost;
   BallMatrix axes(n, BallVector(n));
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t k = 0; k < n; ++k)
@@ -220,7 +219,7 @@ Patch EnclosedMap::patch(const Chart& chart, const std::array<Ball, 2>& box,
     }
     return p;
   }
-  throw NotProved{"a piece of the section surface could not be enclosed"};
+  throw NotProved::section_piece;
 }
 
 bool EnclosedMap::same_sheet(const PhasePoint<Enclosure>& x, const Patch& to) {
@@ -253,8 +252,7 @@ EnclosedMap::Front EnclosedMap::start(const Patch& from) {
     off_[d] = from.box[d] - middle[d];
   }
   const Patch thin = patch(from.chart, middle, doubles(from.at));
-  if (!same_sheet(thin.at, from))
-    throw NotProved{"a piece of the section surface could not be enclosed"};
+  if (!same_sheet(thin.at, from)) throw NotProved::section_piece;
   const std::size_t n = from.at.size();
   Front f{{}, {}, unit_matrix(n), {}, from.at};
   for (std::size_t j = 0; j < n; ++j) {
@@ -303,13 +301,12 @@ Landing EnclosedMap::operator()(const Patch& from, bool backward, int turns) {
 
 // Leaves the front on the section.
 Landing EnclosedMap::returned(Front& f) {
-  constexpr int most_steps = 3000;
   room_ = 1;
   Ball time(0);
   bool leaving = true; // the section, on which the orbit starts
   double h = 0.1;
-  for (int step = 0; step < most_steps; ++step) {
-    if (stop_ != nullptr && stop_->load()) throw NotProved{"there was no time left"};
+  for (int step = 0; step < max_steps_of_a_return; ++step) {
+    if (stop_ != nullptr && stop_->load()) throw NotProved::no_time;
     expand(f);
     Front next;
     Verdict v = Verdict::retry;
@@ -319,7 +316,7 @@ Landing EnclosedMap::returned(Front& f) {
       transport(next, moved(Ball(way_ * h)));
       v = look(f.hull, next.hull, leaving);
       if (v != Verdict::retry) break;
-      if (h < 1e-6) throw NotProved{"a crossing could not be separated from the end of a step"};
+      if (h < 1e-6) throw NotProved::end_of_step;
     }
     if (v == Verdict::lands) {
       const Ball t = crossing_time(wide_, h);
@@ -335,7 +332,7 @@ Landing EnclosedMap::returned(Front& f) {
     time += Ball(way_ * h);
     h *= room_;
   }
-  throw NotProved{"the orbit did not return within " + std::to_string(most_steps) + " steps"};
+  throw NotProved::no_return;
 }
 
 // The orbits of the hull with their derivatives by all coordinates, and that of the middle.
@@ -358,7 +355,7 @@ void EnclosedMap::advance(double& h) {
       thin_.last.assign(1, wide_.last[0]);
       return;
     }
-  throw NotProved{"the orbit could not be contained in a box"};
+  throw NotProved::no_box;
 }
 
 // Let B be the Taylor polynomial over [0, h], widened by epsilon, and R an enclosure of the coefficient order + 1 over

@@ -37,7 +37,8 @@ void check(const SystemScene& s, std::size_t functions) {
   for (const auto& level : s.levels)
     if (!is_zero_modulo(lie_derivative(s.system.field, level.function.value),
                         relation_ideal(s.system.field)))
-      refuse(s, "the level of " + level.function.text + " is not a level of a proved first integral");
+      refuse(s,
+             "the level of " + level.function.text + " is not a level of a proved first integral");
 }
 
 // One level is that of H and the others are those of Casimirs.
@@ -267,7 +268,7 @@ Chart chart_at(SurfaceCode<double>& code, const std::vector<double>& x) {
           column = j;
         }
     std::swap(a[i], a[row]);
-    if (column == n) throw NotProved{"the equations of the section have no value"}; // NaN
+    if (column == n) throw NotProved::section_value; // NaN
     taken[column] = true;
     for (std::size_t k = i + 1; k < m; ++k) {
       const double factor = a[k][column] / a[i][column];

@@ -8,16 +8,12 @@
 #include "flow/number/dual.hpp"
 #include "flow/number/enclosure.hpp"
 #include "flow/scene/system_scene.hpp"
+#include "flow/section/not_proved.hpp"
 
 #include <array>
 #include <vector>
 
 namespace kov::flow {
-
-/// Why something is not proved; what is returned then says it.
-struct NotProved {
-  std::string why;
-};
 
 /// Sum of a[j] b[-j], j < n, rounded once.
 [[nodiscard]] Dual<Enclosure> dot(const Dual<Enclosure>* a, const Dual<Enclosure>* b, int n);

@@ -363,7 +363,6 @@ FixedPoints fixed_points(const Scene& scene, const FixedPointOptions& options) {
   for (FixedPoint& f : found.points) {
     f.g_size = std::ldexp(f.g_size, static_cast<int>(units.momentum()));
     f.period = std::ldexp(f.period, static_cast<int>(units.time));
-    f.why = "not tried";
   }
   for (std::size_t i = 0; options.prove && i < found.points.size(); ++i) {
     if (options.progress) options.progress(found, i);

@@ -19,6 +19,7 @@
 // map det DP = 1: elliptic if |tr DP| < 2, hyperbolic if tr DP > 2, inverse hyperbolic < -2.
 
 #include "flow/scene/scene.hpp"
+#include "flow/section/not_proved.hpp"
 
 #include <array>
 #include <atomic>
@@ -44,7 +45,7 @@ struct FixedPoint {
   bool proved = false;
   double error = 0;       ///< distance in l and in L/G from the exact fixed point
   double trace_error = 0; ///< of trace
-  std::string why;
+  NotProved why = NotProved::not_tried;
 };
 
 struct FixedPoints;

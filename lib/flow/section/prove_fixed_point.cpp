@@ -14,10 +14,6 @@ namespace {
 using DualBall = Dual<Enclosure>;
 
 // Why a proof did not succeed; never leaves this file.
-struct NotProved {
-  std::string why;
-};
-
 template <class F>
 State<DualBall> each(const State<DualBall>& a, const State<DualBall>& b, const F& f) {
   State<DualBall> r;
@@ -58,8 +54,8 @@ public:
     Enclosure time(0);
     bool leaving = true; // the section, on which the orbit starts
     double h = 0.1;
-    for (int step = 0; step < most_steps; ++step) {
-      if (stop_ != nullptr && stop_->load()) throw NotProved{"there was no time left"};
+    for (int step = 0; step < max_steps_of_a_return; ++step) {
+      if (stop_ != nullptr && stop_->load()) throw NotProved::no_time;
       jet_.expand(x, order_);
       Verdict v = Verdict::retry;
       State<DualBall> end;
@@ -67,7 +63,7 @@ public:
         end = advance(h);
         v = look(x, end, leaving);
         if (v != Verdict::retry) break;
-        if (h < 1e-6) throw NotProved{"a crossing could not be separated from the end of a step"};
+        if (h < 1e-6) throw NotProved::end_of_step;
         h *= 0.61803;
       }
       if (v == Verdict::lands) return land(h, time);
@@ -75,11 +71,10 @@ public:
       time += Enclosure(h);
       h *= room_;
     }
-    throw NotProved{"the orbit did not return within " + std::to_string(most_steps) + " steps"};
+    throw NotProved::no_return;
   }
 
 private:
-  static constexpr int most_steps = 3000;
   const std::atomic<bool>* stop_;
   enum class Verdict : unsigned char { goes_on, lands, retry };
   // A step's remainder is kept below 2^(-5/8 bits): the other bits are for the growth of the
@@ -113,7 +108,7 @@ private:
       if (next.inside(wide)) return next;
       box = Enclosure::hull(wide, next);
     }
-    throw NotProved{"G could not be enclosed"};
+    throw NotProved::momentum;
   }
 
   // One step from jet_'s point; may shorten h.  Let B be the Taylor polynomial over [0, h], widened
@@ -140,7 +135,7 @@ private:
       }
       h *= std::clamp(0.9 * scale, 0.3, 0.9);
     }
-    throw NotProved{"the orbit could not be contained in a box"};
+    throw NotProved::no_box;
   }
 
   static Enclosure power(const Enclosure& x, int n) {
@@ -207,7 +202,7 @@ private:
       Enclosure next = m - s / rate;
       Enclosure both;
       if (arb_intersection(both.raw(), next.raw(), t.raw(), Enclosure::bits()) == 0)
-        throw NotProved{"the crossing was lost"};
+        throw NotProved::crossing_lost;
       const double old = t.radius();
       t = both;
       x = at(t);
@@ -233,7 +228,7 @@ private:
     const Vec<DualBall> n = minus(momentum(body_, x), body_.gyrostat);
     const Enclosure both = Enclosure::hull(start_size_, sqrt(dot(n, n)).v);
     if (energy_in_size(body_, levels_, rule_, p.l.v, p.y.v, both).d[0].contains_zero())
-      throw NotProved{"the orbit may return on another sheet of the level"};
+      throw NotProved::another_sheet;
   }
 };
 
@@ -269,8 +264,7 @@ Candidate refined(const FixedPoint& f, ProvedMap& map) {
     const Enclosure fl = u.image.l.v - u.l, fy = u.image.y.v - u.y;
     const Enclosure dl = inverse.a * fl + inverse.b * fy, dy = inverse.c * fl + inverse.d * fy;
     u.left = std::max(magnitude(dl), magnitude(dy));
-    if (!(u.left < 1e-3))
-      throw NotProved{"Newton's method left the point that the search had found"};
+    if (!(u.left < 1e-3)) throw NotProved::left_by_newton;
     if (u.left <= 16 * std::max(dl.radius(), dy.radius())) return u;
     u.l = (u.l - dl).middle();
     u.y = (u.y - dy).middle();
@@ -316,7 +310,7 @@ void krawczyk(FixedPoint& f, ProvedMap& map) {
     f.proved = true;
     return;
   }
-  throw NotProved{"Krawczyk's test failed on every box that was tried"};
+  throw NotProved::krawczyk;
 }
 
 } // namespace
@@ -332,7 +326,7 @@ FixedPoint prove_fixed_point(const Scene& scene, const FixedPoint& guess, long b
     krawczyk(f, map);
   } catch (const NotProved& n) {
     f = guess;
-    f.why = n.why;
+    f.why = n;
     return f;
   }
   f.g_size = guess.g_size;

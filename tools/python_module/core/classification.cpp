@@ -70,7 +70,7 @@ std::string classification_text(const SystemClassification& c) {
   if (!c.variables.empty()) text += "\nwhere: " + parameters_text(c.variables);
   for (const StratumOf& s : classified(c))
     text += "\n" + stratum_text(s);
-  for (const std::string& step : c.trusted)
+  for (const std::string& step : sentences(c.trusted))
     text += "\ntrusted: " + step;
   return text;
 }
@@ -85,12 +85,14 @@ void bind_stratum(py::module_& m) {
                       {"solution", "reason"})
       .def_property_readonly("solution", of_reason(&ExclusionReason::solution),
                              "the invariant manifold")
-      .def_property_readonly("level", of_reason(&ExclusionReason::level))
+      .def_property_readonly("level", [](const ReasonOf& by) { return sentence(by.reason.level); })
       .def_property_readonly("order", of_reason(&ExclusionReason::order),
                              "of the variational equations")
       .def_property_readonly("reason", of_reason(&ExclusionReason::reason))
-      .def_property_readonly("theorems", of_reason(&ExclusionReason::theorems))
-      .def_property_readonly("trusted", of_reason(&ExclusionReason::trusted))
+      .def_property_readonly("theorems",
+                             [](const ReasonOf& by) { return theorem_names(by.reason.theorems); })
+      .def_property_readonly("trusted",
+                             [](const ReasonOf& by) { return sentences(by.reason.trusted); })
       .def_property_readonly("not_checked", of_reason(&ExclusionReason::unchecked),
                              "a hypothesis that is not proved, as a sentence; or empty")
       .def_readonly("statement", &ReasonOf::statement, "what it proves")
@@ -152,9 +154,12 @@ void bind_classification(py::module_& m) {
           "why it is not integrable for almost all parameters where a set of them stays open, or "
           "None")
       .def_readonly("assumptions", &SystemClassification::assumptions)
-      .def_readonly("theorems", &SystemClassification::theorems)
-      .def_readonly("trusted_steps", &SystemClassification::trusted)
-      .def_readonly("notes", &SystemClassification::notes)
+      .def_property_readonly(
+          "theorems", [](const SystemClassification& c) { return theorem_names(c.theorems); })
+      .def_property_readonly("trusted_steps",
+                             [](const SystemClassification& c) { return sentences(c.trusted); })
+      .def_property_readonly("notes",
+                             [](const SystemClassification& c) { return sentences(c.notes); })
       .def_property_readonly(
           "stages",
           [](const SystemClassification& c) {

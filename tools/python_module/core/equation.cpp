@@ -281,8 +281,8 @@ void bind_evidence(py::module_& m) {
   read_only<ByKovacic>(m, "ByKovacic", "Kovacic's algorithm excludes its cases 1, 2 and 3.")
       .def("__repr__", [](const ByKovacic&) { return "ByKovacic()"; });
 
-  auto formula = read_only<ByFormula>(m, "ByFormula", "The classical criterion of a classical equation.",
-                                      {"family", "parameters"});
+  auto formula = read_only<ByFormula>(
+      m, "ByFormula", "The classical criterion of a classical equation.", {"family", "parameters"});
   formula
       .def_property_readonly("family",
                              [](const ByFormula& by) { return to_string(by.known.family); })
@@ -350,8 +350,8 @@ void bind_decision(py::module_& m) {
       .def_property_readonly("trace",
                              [](const Decision& d) {
                                py::list all;
-                               for (const TraceStep& t : d.trace)
-                                 all.append(py::make_tuple(t.step, t.text));
+                               for (const kovacic::Step& t : d.trace)
+                                 all.append(py::make_tuple(name(t), t.text));
                                return all;
                              })
       .def_property_readonly(

@@ -195,7 +195,9 @@ void bind_body_sections(py::module_& m) {
       .def_readonly("proved", &flow::FixedPoint::proved)
       .def_readonly("error", &flow::FixedPoint::error, "proved distance from the exact point")
       .def_readonly("trace_error", &flow::FixedPoint::trace_error)
-      .def_readonly("why", &flow::FixedPoint::why, "where the proof failed");
+      .def_property_readonly(
+          "why", [](const flow::FixedPoint& f) { return f.proved ? "" : flow::to_string(f.why); },
+          "where the proof failed");
   read_only<flow::FixedPoints>(m, "FixedPoints",
                                "Those that were found; that there are no others is not proved.",
                                {"points"})

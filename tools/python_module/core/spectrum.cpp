@@ -140,7 +140,7 @@ void bind_pieces(py::module_& m) {
       .def_property_readonly("families", parts(&Piece::families))
       .def_property_readonly("groups", [](const PieceOf& p) { return p.part.groups; })
       .def_property_readonly(
-          "why", [](const PieceOf& p) { return p.part.why; }, "of an open one")
+          "why", [](const PieceOf& p) { return open_reason(p.part); }, "of an open one")
       .def("__repr__",
            [](const PieceOf& p) { return "<SpectrumPiece " + to_string(p.part.conditions) + ">"; });
   read_only<SpectrumOf>(m, "Spectrum", "The values of a parameter with a Liouvillian solution.",
@@ -153,8 +153,10 @@ void bind_pieces(py::module_& m) {
                                return in_words(s.asked->question.assumptions,
                                                s.asked->question.r.ring());
                              })
-      .def_property_readonly("trusted_steps", [](const SpectrumOf& s) { return s.part.trusted; })
-      .def_property_readonly("not_studied", [](const SpectrumOf& s) { return s.part.not_studied; })
+      .def_property_readonly("trusted_steps",
+                             [](const SpectrumOf& s) { return sentences(s.part.trusted); })
+      .def_property_readonly("not_studied",
+                             [](const SpectrumOf& s) { return s.part.strata.unvisited; })
       .def("__repr__", [](const SpectrumOf& s) {
         return "<Spectrum of " + s.asked->energy + ": " +
                (s.part.decided() ? "decided" : "undecided") + ", " +
@@ -174,8 +176,8 @@ SpectrumOf found(const EquationTexts& texts, const std::string& energy, long lev
   options.strata.decide.variable = equation.variable;
   options.strata.decide.ask_the_judge = true;
   AlgebraicSpectrum all = spectrum::algebraic_spectrum(equation.question, asked, options);
-  if (!all.refusal.empty())
-    throw InternalError("our own checker refuses the strata: " + all.refusal);
+  if (!all.strata.refusal.empty())
+    throw InternalError("our own checker refuses the strata: " + all.strata.refusal);
   return {std::make_shared<const AskedSpectrum>(AskedSpectrum{equation.question, energy}),
           std::move(all)};
 }

@@ -3,6 +3,7 @@
 #include "strata.hpp"
 #include "bind.hpp"
 #include "decide/afterwards.hpp"
+#include "decide/words.hpp"
 #include "strata/certificate.hpp"
 #include "strata/domain.hpp"
 #include "strata/words.hpp"
@@ -180,7 +181,7 @@ std::string told(const FamilyAnswer& a) {
   for (const std::string& u : a.answer.unvisited)
     text += u + ": not looked at\n";
   if (a.family) text += "recognised: " + a.family->equation + "; " + a.family->summary() + "\n";
-  for (const std::string& t : a.answer.trusted)
+  for (const std::string& t : sentences(a.answer.trusted))
     text += "trusted: " + t + "\n";
   if (!a.answer.refusal.empty()) text += "refused by our own checker: " + a.answer.refusal + "\n";
   if (!text.empty()) text.pop_back();
@@ -198,9 +199,10 @@ std::optional<Stratum> stratum_at_values(const StrataAnswer& a,
 }
 
 void bind_family(py::module_& m) {
-  py::class_<SymbolicFamily>(m, "SymbolicFamily",
-                             "The classical family, with its classical criterion as conditions; valid "
-                             "where none of `generic` vanishes.")
+  py::class_<SymbolicFamily>(
+      m, "SymbolicFamily",
+      "The classical family, with its classical criterion as conditions; valid "
+      "where none of `generic` vanishes.")
       .def_property_readonly("family", [](const SymbolicFamily& f) { return to_string(f.family); })
       .def_readonly("equation", &SymbolicFamily::equation)
       .def_property_readonly("parameters",
@@ -255,8 +257,8 @@ void bind_stratum(py::module_& m) {
       .def_property_readonly("trace",
                              [](const Stratum& s) {
                                py::list all;
-                               for (const TraceStep& t : s.leaf.trace)
-                                 all.append(py::make_tuple(t.step, t.text));
+                               for (const kovacic::Step& t : s.leaf.trace)
+                                 all.append(py::make_tuple(name(t), t.text));
                                return all;
                              })
       .def("__str__", [](const Stratum& s) { return told(s); })
@@ -295,7 +297,7 @@ void bind_strata(py::module_& m) {
           "unvisited", [](const FamilyAnswer& a) { return a.answer.unvisited; },
           "conditions of strata that a limit left open")
       .def_property_readonly(
-          "trusted", [](const FamilyAnswer& a) { return a.answer.trusted; },
+          "trusted", [](const FamilyAnswer& a) { return sentences(a.answer.trusted); },
           "steps that rest on Z3 alone")
       .def_property_readonly(
           "pruned", [](const FamilyAnswer& a) { return a.answer.pruned; }, "empty strata")

@@ -42,7 +42,7 @@ py::list levels_of(const BlockReport& b) {
     py::object found = py::none();
     if (e.decision) found = py::cast(*e.decision);
     if (e.strata) found = py::cast(family(*e.strata, b));
-    all.append(py::make_tuple(e.condition, e.why, found, e.note));
+    all.append(py::make_tuple(sentence(e.at), why(e), found, note(e.missing)));
   }
   return all;
 }
@@ -63,12 +63,12 @@ std::string headline(const ManifoldReport& m) {
   if (m.failure) return "not an invariant manifold: " + m.failure->message;
   switch (m.verdict) {
   case VerdictKind::non_integrable:
-    return "NON-INTEGRABLE (" + m.by->id() + ": " + m.statement + ")";
+    return "NON-INTEGRABLE (" + m.by->id() + ": " + statement(m) + ")";
   case VerdictKind::no_obstruction:
     return "NO OBSTRUCTION (the first-order test of " + m.by->id() +
            " passes; this does not prove integrability)";
   case VerdictKind::depends:
-    return "DEPENDS ON THE PARAMETERS (" + m.by->id() + "; " + m.statement + ")";
+    return "DEPENDS ON THE PARAMETERS (" + m.by->id() + "; " + statement(m) + ")";
   default:
     return "UNDECIDED";
   }
@@ -81,8 +81,8 @@ std::string headline(const CurveStudy& m) {
   const ExclusionReason& by = m.higher->excluded->by;
   const std::string& except = m.higher->exceptions;
   return "NON-INTEGRABLE at order " + std::to_string(by.order) +
-         (except.empty() ? "" : ", " + except) + " (" + by.theorems.front() + ": " + statement(by) +
-         (by.level.empty() ? "" : ", " + by.level) + ")";
+         (except.empty() ? "" : ", " + except) + " (" + by.theorems.front()->name + ": " +
+         statement(by) + (by.level.empty() ? "" : ", " + sentence(by.level)) + ")";
 }
 
 std::vector<std::string> notes(const ManifoldReport& m) {
@@ -103,12 +103,12 @@ std::string told(const BlockReport& b) {
   for (const MPoly& f : b.special)
     text += "\n  singular places meet where " + to_string(f) + " = 0";
   for (const EnergyResult& e : b.energies) {
-    text += "\n  at " + e.condition + " (" + e.why + ")";
+    text += "\n  at " + sentence(e.at) + " (" + why(e) + ")";
     if (e.decision) text += said(py::cast(*e.decision));
     if (e.strata) text += said(py::cast(family(*e.strata, b)));
-    if (!e.note.empty()) text += "\n  note: " + e.note;
+    if (!e.missing.empty()) text += "\n  note: " + note(e.missing);
   }
-  if (!b.note.empty()) text += "\n  note: " + b.note;
+  if (!b.missing.empty()) text += "\n  note: " + note(b.missing);
   return text;
 }
 
@@ -116,19 +116,20 @@ std::string told(const CurveStudy& study) {
   const ManifoldReport& m = study.first;
   std::string text = "[" + m.name + "] " + headline(study);
   if (m.failure) return text;
-  if (!m.not_checked.empty() && (m.verdict != VerdictKind::undecided || m.by))
-    text += "\n  NOT CHECKED: " + m.not_checked;
+  if (const std::string open = not_checked(m);
+      !open.empty() && (m.verdict != VerdictKind::undecided || m.by))
+    text += "\n  NOT CHECKED: " + open;
   for (const std::string& note : notes(m))
     text += "\n  note: " + note;
   for (const BlockReport& b : m.blocks)
     text += told(b);
   if (m.blocks.empty() || m.matrices || m.verdict == VerdictKind::undecided)
-    for (const std::string& r : m.reasons)
+    for (const std::string& r : reasons(m))
       text += "\n  because " + r;
   if (study.higher && study.higher->excluded)
     text += "\n  because " + study.higher->excluded->by.reason;
   if (m.verdict != VerdictKind::undecided)
-    for (const std::string& step : trusted_steps(m))
+    for (const std::string& step : sentences(trusted_steps(m)))
       text += "\n  trusted: " + step;
   return text;
 }
@@ -239,7 +240,7 @@ void bind_reports(py::module_& m) {
           "merging", [](const BlockReport& b) { return texts(b.special); },
           "singular places of r meet where one of these is 0")
       .def_property_readonly("levels", &levels_of, "(condition, why, answer, note)")
-      .def_readonly("note", &BlockReport::note);
+      .def_property_readonly("note", [](const BlockReport& b) { return note(b.missing); });
 
   auto manifold =
       read_only<CurveStudy>(m, "ManifoldReport", "What follows from one manifold.", {"verdict"});
@@ -259,11 +260,11 @@ void bind_reports(py::module_& m) {
             return c.headline.excluded.empty() ? "meromorphic" : sentence(c.headline.excluded);
           },
           "the class of first integrals that is excluded")
-      .def_property_readonly("statement", [](const CurveStudy& c) { return c.first.statement; })
+      .def_property_readonly("statement", [](const CurveStudy& c) { return statement(c.first); })
       .def_property_readonly(
-          "not_checked", [](const CurveStudy& c) { return unless_empty(c.first.not_checked); },
+          "not_checked", [](const CurveStudy& c) { return unless_empty(not_checked(c.first)); },
           "a hypothesis of the verdict that is not proved, or None")
-      .def_property_readonly("reasons", [](const CurveStudy& c) { return c.first.reasons; })
+      .def_property_readonly("reasons", [](const CurveStudy& c) { return reasons(c.first); })
       .def_property_readonly("blocks", [](const CurveStudy& c) { return c.first.blocks; })
       .def_property_readonly(
           "matrices",
@@ -276,9 +277,12 @@ void bind_reports(py::module_& m) {
           "notes", [](const CurveStudy& c) { return notes(c.first); },
           "how the manifold and its equations were read")
       .def_property_readonly("trusted_steps",
-                             [](const CurveStudy& c) { return trusted_steps(c.first); })
+                             [](const CurveStudy& c) { return sentences(trusted_steps(c.first)); })
       .def_property_readonly("not_studied",
-                             [](const CurveStudy& c) { return unless_empty(c.first.not_studied); })
+                             [](const CurveStudy& c) {
+                               return c.first.left_out ? std::optional(sentence(*c.first.left_out))
+                                                       : std::nullopt;
+                             })
       .def_property_readonly("headline", [](const CurveStudy& c) { return headline(c); })
       .def("__str__", [](const CurveStudy& c) { return told(c); })
       .def("__repr__", [](const CurveStudy& c) {

@@ -45,7 +45,7 @@ void bind_prove(py::module_& m) {
       .def_readonly("integrals", &NodeResult::integrals)
       .def_readonly("excluded", &NodeResult::excluded, "classes of first integrals")
       .def_readonly("theorems", &NodeResult::theorems)
-      .def_property_readonly("trusted", &NodeResult::on_faith)
+      .def_property_readonly("trusted", [](const NodeResult& n) { return sentences(n.trusted); })
       .def_readonly("certificates", &NodeResult::certificates)
       .def_readonly("seconds", &NodeResult::seconds)
       .def("__repr__", [](const NodeResult& n) {

@@ -1,4 +1,4 @@
-#include "splitting/contour.hpp"
+#include "contour.hpp"
 
 #include "exact/error.hpp"
 
