@@ -143,11 +143,18 @@ std::vector<MPoly> ParameterSet::equations() const {
 
 std::vector<MPoly> ParameterSet::proper_inequations() const {
   if (!ideal_) return nonzero_;
-  std::vector<MPoly> proper;
+  std::vector<MPoly> proper, factors;
   for (const MPoly& f : nonzero_) {
-    if (is_constant(restrict(f))) continue;
-    if (is_graph(*ideal_)) {
-      proper.push_back(f);
+    const MFraction here = restrict(f);
+    if (is_constant(here)) continue;
+    if (is_graph(*ideal_)) { // polynomials in the free parameters: said are those with a new factor
+      bool is_new = false;
+      for (MFactor& x : factor(here.num()).second)
+        if (std::find(factors.begin(), factors.end(), x.base) == factors.end()) {
+          factors.push_back(std::move(x.base));
+          is_new = true;
+        }
+      if (is_new) proper.push_back(f);
       continue;
     }
     auto equations = this->equations();

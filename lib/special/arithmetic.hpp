@@ -71,7 +71,7 @@ struct ArithmeticCondition {
 /// Given   const Ring ring = make_ring({"nu"});
 /// Given   const MFraction nu = MFraction::variable(ring, 0);
 /// Example to_string({SumIn{{nu * nu}, {{Rational(1, 2), 1}}}})  // -> nu is in 1/2 + Z
-/// Example to_string({SumIn{{nu}, {{1, 2}}}, false})  // -> sqrt(nu) is no odd integer
+/// Example to_string({SumIn{{nu}, {{1, 2}}}, false})  // -> sqrt(nu) is not an odd integer
 [[nodiscard]] std::string to_string(const ArithmeticCondition& c);
 
 /// The value of a function of the parameters at one point.

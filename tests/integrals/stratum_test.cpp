@@ -93,6 +93,19 @@ TEST(ParameterSets, OfAGraphAFactorThatIsKnownIsNowhereZero) {
   EXPECT_TRUE(set.where_nonzero(a - b).is_empty());
 }
 
+TEST(ParameterSets, AnInequationIsSaidOnce) {
+  const Ring ring = make_ring({"a", "b", "c"});
+  const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b"),
+              c = MPoly::variable(ring, "c");
+  const ParameterSet set = ParameterSet(ring, {0, 1, 2})
+                               .where_nonzero(a)
+                               .where_nonzero(b)
+                               .where_nonzero(a - b + c)
+                               .where_zero(a - MPoly(ring, Integer(2)) * b);
+  ASSERT_EQ(set.proper_inequations().size(), 2U); // a != 0 is b != 0 there
+  EXPECT_EQ(to_string(set.proper_inequations().front()), "a");
+}
+
 TEST(ParameterSets, ANodeIsNoGraph) { // b^2 = a^2: two lines, and only one of them is left
   const Ring ring = make_ring({"a", "b"});
   const MPoly a = MPoly::variable(ring, "a"), b = MPoly::variable(ring, "b");

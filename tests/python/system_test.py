@@ -150,7 +150,7 @@ level = "H = 1"
 
     def test_strata(self):
         report = kovacic.check(self.FILE)
-        self.assertIn("only for", report.together.statement)
+        self.assertIn("If the system is integrable", report.together.statement)
         self.assertIsNot(report.verdict, VerdictKind.non_integrable)
 
 
