@@ -72,7 +72,9 @@ function all() {
       box = [Math.min(box[0], o.points[i]), Math.max(box[1], o.points[i]),
              Math.min(box[2], o.points[i + 1]), Math.max(box[3], o.points[i + 1])];
   if (!(box[1] >= box[0])) box = [-1, 1, -1, 1];
-  const dx = 0.04 * (box[1] - box[0]) || 1, dy = 0.04 * (box[3] - box[2]) || 1;
+  const noise = 1e-12 * Math.max(...box.map(Math.abs)); // the section itself: 0 but for rounding
+  const room = width => width > noise ? 0.04 * width : 1;
+  const dx = room(box[1] - box[0]), dy = room(box[3] - box[2]);
   view = { x0: box[0] - dx, x1: box[1] + dx, y0: box[2] - dy, y1: box[3] + dy };
 }
 const width = () => canvas.clientWidth - margin.left - margin.right;
