@@ -8,7 +8,7 @@ namespace kov {
 
 /// Example joined({"a", "b", "c"})  // -> a, b, c
 /// Example joined({"a", "b", "c"}, ", ", " and ")  // -> a, b and c
-/// Example joined({"a", "b"}, "; ")  // -> a; b
+/// Example joined({"a", "b", "c"}, " and ")  // -> a and b and c
 [[nodiscard]] inline std::string joined(const std::vector<std::string>& all,
                                         const std::string& between, const std::string& last) {
   std::string whole;

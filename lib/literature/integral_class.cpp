@@ -164,7 +164,7 @@ bool has_rational_functions(const IntegralClass& c) {
 
 std::optional<IntegralClass> carried(const IntegralClass& c, const MapFacts& map) {
   if ((c.kind == Kind::real_analytic && !map.real) || c.near == Near::level ||
-      !c.functions.empty() || !c.frame.empty())
+      !c.functions.empty() || !c.through.empty() || !c.frame.empty())
     return std::nullopt;
   IntegralClass there = c;
   if (c.without.empty()) return there;

@@ -56,8 +56,15 @@ TEST(Equivalences, AClassIsCarriedWithWhatItLeavesOut) {
   const auto there = carried(s, swap, x);
   ASSERT_TRUE(there);
   EXPECT_EQ(there->stratum.by.front().integrals.without, std::vector<std::string>{"q2"});
+  // what is left does not use q2: functions of q1 only, behind the map
   Equivalence mixed = swap;
   mixed.phase[0] = mixed.phase[0] + mixed.phase[1];
+  ASSERT_TRUE(carried(s, mixed, x));
+  EXPECT_EQ(carried(s, mixed, x)->stratum.by.front().integrals.without,
+            std::vector<std::string>{"q2"});
+  // what is left uses both
+  mixed = swap;
+  mixed.phase[1] = mixed.phase[0] + mixed.phase[1];
   EXPECT_FALSE(carried(s, mixed, x));
 }
 

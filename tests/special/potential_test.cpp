@@ -116,7 +116,7 @@ TEST(Potential, TheTableIsThePublishedOne) {
                                     if (f(q(k), q(i)) == lambda) return true;
                                   return false;
                                 }))
-            << k << ": " << to_string(lambda) << " " << ours.reason;
+            << k << ": " << to_string(lambda);
       }
     // k = 1, -1: the two general rows are one
     EXPECT_EQ(table.families.size(), std::abs(k) == 1 ? 1 : print.size()) << k;
