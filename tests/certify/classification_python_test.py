@@ -73,7 +73,17 @@ value = "Gamma1^2 + Gamma2^2 + Gamma3^2"
 name  = "F2"
 value = "M1*Gamma1 + M2*Gamma2 + M3*Gamma3"
 """
-FILES = {"cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "body": BODY, "open": CUBIC}
+QUARTIC = """
+[system]
+kind        = "hamiltonian"
+coordinates = ["x", "y"]
+momenta     = ["u", "v"]
+parameters  = ["a", "b"]
+hamiltonian = "(u^2 + v^2)/2 - (x^2 + y^2)/2 - a/4*(x^2 + y^2)^2 - b/2*x^2*y^2"
+[assume]
+a = "nonzero"
+"""
+FILES = {"cubic": CUBIC, "second": SECOND, "top": TOP, "field": FIELD, "constant": CONSTANT, "body": BODY, "quartic": QUARTIC, "open": CUBIC}
 
 
 def kovacic(*arguments, cwd=None):
@@ -132,7 +142,7 @@ class Classifications(unittest.TestCase):
         return [s for s in top["steps"] if s["rule"] == rule]
 
     def test_both_accept_and_state_the_same(self):
-        for name in ("cubic", "second", "top", "field", "constant", "body"):
+        for name in ("cubic", "second", "top", "field", "constant", "body", "quartic"):
             (one, lines, said), (other, same, more) = checked(self.path(f"{name}.json"))
             self.assertEqual((one, other), (0, 0), name + said + more)
             self.assertEqual(lines, same, name)

@@ -21,7 +21,8 @@ def read_class(v):
     d, truth = read(CLASS, v, "class"), {"yes": True, "no": False}
     right(d["kind"] in ("rational", "meromorphic", "real-analytic"), "an unknown word")
     right(d["near"] in ("curve", "closed curve", "origin", "phase space"), "an unknown word")
-    right((d["kind"] == "real-analytic") == (d["near"] == "phase space"), "real-analytic functions are those on the phase space")
+    right(d["kind"] != ("meromorphic" if d["near"] == "phase space" else "real-analytic"),
+          "real-analytic functions are those on the phase space, meromorphic ones are not")
     right(d["on_leaf"] in truth and d["liouville"] in truth, "an unknown word")
     right(all(NAME.match(x) for key in ("functions", "without", "through") for x in d[key]), "a name is expected")
     right(all(" " <= x <= "~" for x in d["frame"]), "one line is expected")

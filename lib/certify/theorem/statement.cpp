@@ -179,8 +179,10 @@ IntegralClass read_class(const Node& n) {
   c.kind = word(k.at("kind"), all_kinds);
   c.near = word(k.at("near"), all_places);
   if (c.near == Near::level) k.at("near").fail("an unknown word");
-  if ((c.kind == Kind::real_analytic) != (c.near == Near::phase_space))
-    k.at("near").fail("real-analytic functions are those on the phase space");
+  const bool everywhere = c.near == Near::phase_space;
+  if (everywhere ? c.kind == Kind::meromorphic : c.kind == Kind::real_analytic)
+    k.at("near").fail(
+        "real-analytic functions are those on the phase space, meromorphic ones are not");
   c.on_leaf = truth(k.at("on_leaf"));
   c.liouville = truth(k.at("liouville"));
   c.functions = texts(k.at("functions"));
