@@ -224,6 +224,7 @@ std::optional<CarriedStratum> carried(const System& s, const Equivalence& e,
   }
   if (x.along) c.stratum.along = pulled_back(s, e, *x.along);
   for (ExclusionReason& by : c.stratum.by) {
+    by.carried = true;
     by.solution = with_words(by.solution, e);
     for (std::string& curve : by.integrals.curves)
       curve = with_words(curve, e);

@@ -27,6 +27,7 @@ struct ExclusionReason {
   std::string unchecked; ///< a hypothesis that is not proved, as a sentence; or empty
   /// What it rests on besides theorems, exact computation and accepted certificates.
   std::vector<Trusted> trusted = {};
+  bool carried = false; ///< from another set of parameters, by a change of variables
   friend bool operator==(const ExclusionReason&, const ExclusionReason&) = default;
 };
 

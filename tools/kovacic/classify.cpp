@@ -118,7 +118,12 @@ std::string excluded_in_full(const SystemClassification& c, bool verbose) {
 std::string excluded_in_brief(const SystemClassification& c) {
   std::ostringstream out;
   bool all_named = true;
+  std::size_t carried = 0;
   for (const ExcludedTogether& e : excluded_together(c, ExcludedFor::the_same_curve)) {
+    if (e.by->carried) {
+      carried += e.where.size();
+      continue;
+    }
     const std::string where = joined(e.where, "; or ");
     const bool named = where.size() <= two_lines;
     all_named = all_named && named;
@@ -128,6 +133,13 @@ std::string excluded_in_brief(const SystemClassification& c) {
                                    : std::to_string(e.where.size()) + " sets");
     put_below(out, "along " + e.by->solution +
                        (e.by->order > 1 ? ", at order " + std::to_string(e.by->order) : ""));
+  }
+  if (carried > 0) {
+    all_named = false;
+    put_wide(out, "excluded",
+             std::to_string(carried) + (carried == 1 ? " further set" : " further sets"));
+    put_below(out,
+              "that changes of variables (symmetries of the family, rotations) take into these");
   }
   put_wide(out, "more",
            all_named ? "--verbose says why each set is excluded"
@@ -147,6 +159,20 @@ Meaning meaning_of_status(ClassificationStatus status) {
   return status == ClassificationStatus::integrable       ? Meaning::positive
          : status == ClassificationStatus::non_integrable ? Meaning::negative
                                                           : Meaning::open;
+}
+
+// What Z3 says of many sets is counted, unless all is asked for.
+std::string trusted_text(const std::vector<Trusted>& all, bool verbose) {
+  constexpr long few = 2;
+  const long by_z3 =
+      std::count_if(all.begin(), all.end(), [](const Trusted& t) { return t.by_z3(); });
+  std::vector<std::string> told;
+  for (const Trusted& t : all)
+    if (verbose || by_z3 <= few || !t.by_z3()) told.push_back(sentence(t));
+  if (!verbose && by_z3 > few)
+    told.push_back("that " + std::to_string(by_z3) + " sets have no real points (Z3)");
+  return std::to_string(all.size()) + (all.size() == 1 ? " step: " : " steps: ") +
+         beginning(joined(told, "; "), verbose);
 }
 
 std::string text_of(const System& s, const SystemClassification& c, const Settings& settings) {
@@ -179,10 +205,7 @@ std::string text_of(const System& s, const SystemClassification& c, const Settin
     out << (verbose || !too_long ? full : excluded_in_brief(c));
   }
   if (!c.theorems.empty()) put_wide(out, "by", joined(theorem_names(c.theorems), ", "));
-  if (!c.trusted.empty())
-    put_wide(out, "trusted",
-             std::to_string(c.trusted.size()) + (c.trusted.size() == 1 ? " step: " : " steps: ") +
-                 beginning(joined(sentences(c.trusted), "; "), verbose));
+  if (!c.trusted.empty()) put_wide(out, "trusted", trusted_text(c.trusted, verbose));
   if (verbose)
     for (const Spent& spent : c.spent)
       put_wide(out, "spent",
