@@ -24,7 +24,8 @@ struct Round : KnownSystem {
   std::vector<Piece> pieces = {whole};
   std::vector<ManifoldSpec> at_energy_zero = {}, at_all_levels = {}; ///< solutions for what is left
   std::vector<std::vector<MPoly>> special = {}; ///< where there may be more solutions
-  std::vector<Exclusion> late = {}; ///< with exceptions that take long to write down: for what is left
+  std::vector<Exclusion> late =
+      {}; ///< with exceptions that take long to write down: for what is left
   std::vector<ManifoldSpec> solutions = {};
   bool studied_at_once = false;             ///< one answer for all parameters was enough
   bool integrals_known = false;             ///< for all of these parameters, from a round before,

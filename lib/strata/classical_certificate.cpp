@@ -151,7 +151,8 @@ private:
 
 certify::LeafNode classical_leaf(const ClassicalAnswer& answer, Truth abelian, const Region& region,
                                  KnownFacts& facts, std::vector<Lemma>& lemmas) {
-  if (!answer.equation) throw NoProof(Gap::rule, "the format has no rule for this classical criterion");
+  if (!answer.equation)
+    throw NoProof(Gap::rule, "the format has no rule for this classical criterion");
   return ClassicalWriter(answer.form.family, *answer.equation, region, facts, lemmas)(abelian);
 }
 

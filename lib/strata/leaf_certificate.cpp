@@ -32,7 +32,8 @@ const char* to_string(Gap gap) {
   case Gap::number:
     return "no certificate of the equation without parameters";
   case Gap::relation:
-    return "an equation between parameters is used as a relation, and the format has no rule for relations";
+    return "an equation between parameters is used as a relation, and the format has no rule for "
+           "relations";
   case Gap::division:
     return "division by a polynomial without an exact proof that it is not 0";
   case Gap::assumption:

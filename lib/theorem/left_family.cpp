@@ -173,7 +173,8 @@ Hypothesis settle_family(NodeResult& splitting, const AdmittedFamily& f, const N
   };
   if (!by) return unchecked("no node is named");
   if (by->node.kind != NodeKind::case_file || by->node.expect != "non-integrable")
-    return unchecked("node '" + f.left.by + "' is not a case that is expected to be non-integrable");
+    return unchecked("node '" + f.left.by +
+                     "' is not a case that is expected to be non-integrable");
   std::string why = "its equations could not be solved for a parameter";
   for (const ParameterValues& members : f.members) {
     try {

@@ -244,9 +244,10 @@ ReducedSystem reduce_by_integrals(const VectorField& v, const InvariantManifold&
   for (std::size_t k = 0; k < integrals.size(); ++k) {
     auto& c = integrals[k].coefficients;
     if (!is_linear_integral(v, m, r.system, c))
-      throw DomainError("the differential of '" + integrals[k].name +
-                        "' is not a first integral of the normal equations: the manifold has several "
-                        "components, or is not smooth; write one component");
+      throw DomainError(
+          "the differential of '" + integrals[k].name +
+          "' is not a first integral of the normal equations: the manifold has several "
+          "components, or is not smooth; write one component");
     const auto e = unknown_to_eliminate(m, r.system, c, keep);
     if (!e) continue; // depends on the integrals already used
     r.eliminations.push_back({integrals[k].name, r.system.names[*e], integrals[k].casimir});

@@ -46,7 +46,8 @@ TEST(FirstCase, FamiliesWithANaturalDegreeAreListed) {
   const MFraction omega = number(1, 4) / z - number(1, 4) / w;
   const MFraction r = derivative(omega, ring->index("z")) + omega * omega;
   const std::string text = steps(r);
-  EXPECT_NE(text.find("step 2, families: d = 0: 1/4 at z = 0, -1/4 at z = b, "), std::string::npos) << text;
+  EXPECT_NE(text.find("step 2, families: d = 0: 1/4 at z = 0, -1/4 at z = b, "), std::string::npos)
+      << text;
   EXPECT_NE(text.find("r = omega' + omega^2 holds"), std::string::npos) << text;
 }
 

@@ -547,7 +547,8 @@ constexpr Topic all_topics[] = {
      "docs/guide/sections.md"},
     {"scan|plane of parameters",
      "A scene with a [scene.scan] table computes one number of each orbit (megno, lyapunov, fli, "
-     "crossings, time) over one or two axes: what is drawn, coordinates of a state, or parameters.  "
+     "crossings, time) over one or two axes: what is drawn, coordinates of a state, or parameters. "
+     " "
      "No points are kept: a million orbits are a matrix (NAME.npy), a picture and a page (html).  "
      "kovacic section FILE -o DIR --jobs 4, and --resume after a kill.  kovacic new scan writes an "
      "example."},
