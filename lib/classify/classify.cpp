@@ -5,6 +5,7 @@
 #include "classify/constants.hpp"
 #include "classify/shares.hpp"
 #include "classify/stage.hpp"
+#include "classify/stage_integrals.hpp"
 #include "classify/variables.hpp"
 #include "decide/afterwards.hpp"
 #include "exact/share.hpp"
@@ -151,6 +152,8 @@ void study(Board& b, Round round) {
   const Budget budget =
       part_of_the_work(b.budget(), round.last || is_at_numbers(round) ? 1 : share::round);
   for (const Stage& stage : strategy()) {
+    // special values are studied by themselves; what excludes the others is compared with integrals
+    if (round.only_special_values && stage.run != stages::look_for_a_contradiction) continue;
     const std::vector<Task> tasks = stage.tasks(b, round);
     for (std::size_t i = 0; i < tasks.size() && (i == 0 || !round.pieces.empty()); ++i) {
       if (is_over(b.budget())) break;
@@ -160,7 +163,6 @@ void study(Board& b, Round round) {
           part_of_the_round(b, budget, part / static_cast<double>(tasks.size() - i)));
     }
     b.begun = true;
-    if (round.only_special_values) break;
   }
   tell(b, round, "");
   go_on(b, round);

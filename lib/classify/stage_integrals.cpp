@@ -81,7 +81,7 @@ std::vector<Task> high_integrals(const Board& b, const Round& round) {
                 "integrals of high degree");
 }
 std::vector<Task> contradictions(const Board& b, const Round& round) {
-  return one_if(round.pieces.empty() && !round.integrals_known &&
+  return one_if((round.pieces.empty() || round.only_special_values) && !round.integrals_known &&
                     b.result.strata.size() > round.decided,
                 "integrals that would contradict");
 }

@@ -59,6 +59,8 @@ MPoly in_moments(const OrbitSpace& o, const MPoly& f, const Ring& target) {
       if (e[j] == 0) continue;
       const bool root = j == alpha || j == beta;
       if (root && e[j] % 2 != 0) throw DomainError("an odd power of a root is left in a condition");
+      if (!root && !target->find(o.chart.ring->name(j)))
+        throw DomainError(o.chart.ring->name(j) + " is left in a condition");
       const MFraction base = j == alpha  ? x("b") - x("a")
                              : j == beta ? x("c") - x("b")
                                          : MFraction::variable(target, o.chart.ring->name(j));

@@ -22,7 +22,7 @@ struct VanishingConditions {
   std::vector<MPoly> nonzero = {};
 };
 
-/// Errors  DomainError when Y or a root, or a parameter without a sign that is not small, is left in an
+/// Errors  DomainError when Y, a level or a root, or a parameter without a sign that is not small, is left in an
 ///         equation
 [[nodiscard]] VanishingConditions vanishing_conditions(const SplittingData& d);
 

@@ -177,7 +177,8 @@ MPoly Classifier::in_moments(const MPoly& f) const {
   return product;
 }
 
-// On a linear equation for A the first moment is put in; factors of one sign for A > B > C > 0 go.
+// On a linear equation for A the first moment is put in; factors in the moments that have one sign for
+// A > B > C > 0 go.  Nothing is known of the signs of the components of S.
 MPoly Classifier::simplified(const MPoly& f, const std::vector<MPoly>& moments) const {
   const auto x = [&](const char* n) { return MFraction::variable(c_.ring, n); };
   const std::size_t a = c_.ring->index("A");
@@ -194,7 +195,7 @@ MPoly Classifier::simplified(const MPoly& f, const std::vector<MPoly>& moments) 
   if (is_zero(value)) return value.num();
   MPoly product(c_.ring, Integer(1));
   for (const MFactor& y : factor(value.num()).second)
-    if (Cone(ordered).sign(y.base) == 0)
+    if (uses_direction(y.base) || Cone(ordered).sign(y.base) == 0)
       product *= pow(y.base, static_cast<unsigned long>(y.exponent));
   return product;
 }

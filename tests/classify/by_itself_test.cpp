@@ -88,6 +88,21 @@ TEST(ByItself, TheHeavyTopHasFourCases) {
       {});
 }
 
+// Kirchhoff's equations with moments 2, 3, 4 and the potential k G1^2 + c G3^2: Clebsch's condition is c = -k.
+TEST(ByItself, ClebschsConditionIsNotLost) {
+  const auto c = classify_system(read_system(parse_document(
+      "[system]\nkind = 'euler-poisson'\ncoordinates = ['M1', 'M2', 'M3', 'G1', 'G2', 'G3']\n"
+      "parameters = ['k', 'c']\n"
+      "hamiltonian = 'M1^2/4 + M2^2/6 + M3^2/8 + k*G1^2 + c*G3^2'\n"
+      "[assume]\nk = 'real'\nc = 'real'\n",
+      "kirchhoff.toml")));
+  for (const long k : {-2, 0, 1, 3})
+    for (const long d : {-1, 0, 2}) {
+      const test::Point point{{"k", Rational(k)}, {"c", Rational(d - k)}};
+      EXPECT_EQ(test::status_at(c, point), d == 0 ? "integrable" : "excluded") << k << ", " << d;
+    }
+}
+
 // Nearly a minute: by tools/attack only, each time with another order of the axes in the file.
 TEST(ByItself, TheSlidingTopIsIntegrableAsInThePaper) {
   test::random_rounds(std::getenv("KOV_RANDOM_SEED") != nullptr ? 1 : 0, [](Random& /*random*/) {

@@ -163,6 +163,33 @@ TEST(SplittingMove, FamiliesThatAreLeft) {
   EXPECT_FALSE(some->trusted.empty());
 }
 
+// The sums depend on the levels: the criterion says nothing, and that is no error.
+TEST(SplittingMove, SumsThatDependOnTheLevels) {
+  EXPECT_FALSE(find_splitting(
+      on_e3("'A', 'B', 'C', 'k'", free_top + " + k*G1^2*G2",
+            "[assume]\nA = 'positive'\nB = 'positive'\nC = 'positive'\nk = 'real'\n"),
+      {}));
+}
+
+// Clebsch's condition where one coefficient is 0 is B k - C k - A c + B c = 0: both coefficients have one sign for each
+// order of the moments, k and c have not.
+TEST(SplittingMove, ADirectionHasNoSigns) {
+  const std::string assumed =
+      "[assume]\nA = 'positive'\nB = 'positive'\nC = 'positive'\nk = 'real'\nc = 'real'\n";
+  for (const std::string potential : {"k*G1^2 + c*G3^2", "k*G2^2 + c*G3^2", "k*G1^2 + c*G2^2"}) {
+    const auto found =
+        find_splitting(on_e3("'A', 'B', 'C', 'k', 'c'", free_top + " + " + potential, assumed), {});
+    ASSERT_TRUE(found) << potential;
+    EXPECT_EQ(found->orders.size(), 6U);
+    for (const OrderOfMoments& o : found->orders) {
+      ASSERT_FALSE(o.left.empty()) << potential;
+      for (const auto& equations : o.left)
+        for (const MPoly& f : equations)
+          EXPECT_FALSE(is_constant(f)) << potential << ": " << to_string(f);
+    }
+  }
+}
+
 // Clebsch: M1^2 ... with a quadratic potential; the family of integrable ones must be among what is left.
 TEST(SplittingMove, AnIntegrablePotentialIsLeft) {
   const System s = on_e3("'A', 'B', 'C', 'k'", free_top + " + k*(A*G1^2 + B*G2^2 + C*G3^2)/2",
