@@ -258,10 +258,11 @@ std::string note(const std::vector<Missing>& all) {
 
 std::string why(const EnergyResult& e) { return e.sample ? "sample" : "singular places merge"; }
 
-std::string exceptions(const ManifoldReport& report) {
+std::string exceptions(const ManifoldReport& report, bool possibly) {
+  const std::string begin = possibly ? "except possibly where " : "except where ";
   std::string text;
   for (const Exception& e : not_excluded_by(report))
-    text += (text.empty() ? "except where " : "; or ") + e.where;
+    text += (text.empty() ? begin : "; or ") + e.where;
   return text;
 }
 

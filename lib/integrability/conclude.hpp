@@ -13,6 +13,6 @@ void conclude(const System& s, const CheckOptions& options, ManifoldReport& repo
 
 /// VerdictKind::depends, or undecided in part: "except where C = A", outside of which the system is
 /// not integrable; empty where that cannot be named.  In the exceptions nothing follows.
-[[nodiscard]] std::string exceptions(const ManifoldReport& report);
+[[nodiscard]] std::string exceptions(const ManifoldReport& report, bool possibly = false);
 
 } // namespace kov

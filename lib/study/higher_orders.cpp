@@ -1,5 +1,6 @@
 #include "study/higher_orders.hpp"
 
+#include "exact/joined.hpp"
 #include "integrability/parameters.hpp"
 
 #include <algorithm>
@@ -15,13 +16,13 @@ std::string vanishing(const std::vector<MPoly>& list) {
   return all;
 }
 
-std::string where_nothing_follows(const System& s, const Exclusion& e) {
-  std::string text;
+std::vector<std::string> where_nothing_follows(const System& s, const Exclusion& e) {
+  std::vector<std::string> all;
   for (const auto& list : e.not_all_zero) {
     if (not_excluded(s, list).size() < list.size()) continue; // one of them is not 0
-    text += (text.empty() ? "except where " : "; or ") + vanishing(list);
+    all.push_back(vanishing(list));
   }
-  return text;
+  return all;
 }
 
 // The values that the file admits, as far as equations and inequations say.
@@ -77,6 +78,11 @@ HigherOrders higher_orders(const System& s, const ManifoldSpec& m, int order,
   h.by_quadratures = h.excluded.has_value();
   if (!other.open.empty()) h.planes.open += "; " + other.open;
   return h;
+}
+
+std::string exceptions(const HigherOrders& h, bool possibly) {
+  if (h.exceptions.empty()) return {};
+  return (possibly ? "except possibly where " : "except where ") + joined(h.exceptions, "; or ");
 }
 
 } // namespace kov::study

@@ -12,9 +12,10 @@ struct HigherOrders {
   /// Not integrable where this says; unset: nothing is excluded that the file admits.
   std::optional<Exclusion> excluded;
   bool by_quadratures = false;
-  /// "except where A - B = 0; or B = 0": where nothing follows; empty: everywhere it does.
-  std::string exceptions;
+  std::vector<std::string> exceptions; ///< "A - B = 0", "B = 0": where nothing follows
 };
+/// "except where A - B = 0; or B = 0"; empty: everywhere something follows.  Possibly: a limit left them.
+[[nodiscard]] std::string exceptions(const HigherOrders& h, bool possibly = false);
 
 /// Errors  those of jets::higher_orders; a limit is told in planes.open
 [[nodiscard]] HigherOrders higher_orders(const System& s, const ManifoldSpec& m, int order,

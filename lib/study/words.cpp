@@ -98,24 +98,48 @@ std::vector<std::string> conditions(const SystemClassification& c, const Classif
   return all;
 }
 
-std::vector<std::string> texts_of(const SystemClassification& c, std::vector<ParameterPlace> all) {
+namespace {
+
+struct ToldPlace {
+  std::string text;
+  bool several = false; ///< conditions, or one with alternatives of its own
+};
+std::vector<ToldPlace> told(const SystemClassification& c, std::vector<ParameterPlace> all) {
   if (c.at_work.empty())
     all = in_few_words(std::move(all), c.nonzero, c.known); // on the way that takes too long
-  std::vector<std::string> texts;
+  std::vector<ToldPlace> places;
   for (const ParameterPlace& p : all) {
-    const std::string text = joined(conditions(c, {p.where, p.special}));
-    texts.push_back(text.empty() ? "all parameters" : text);
+    const auto list = conditions(c, {p.where, p.special});
+    places.push_back(
+        {list.empty() ? "all parameters" : joined(list), list.size() > 1 || !p.special.empty()});
   }
+  return places;
+}
+std::vector<std::string> texts(const std::vector<ToldPlace>& all) {
+  std::vector<std::string> texts;
+  for (const ToldPlace& p : all)
+    texts.push_back(p.text);
   return texts;
 }
 
-std::vector<std::string> places(const SystemClassification& c,
-                                const std::vector<StratumStatus>& wanted) {
+std::vector<ToldPlace> told_places(const SystemClassification& c,
+                                   const std::vector<StratumStatus>& wanted) {
   std::vector<ParameterPlace> all;
   for (const ClassifiedStratum& s : c.strata)
     if (std::find(wanted.begin(), wanted.end(), s.status) != wanted.end())
       all.push_back({s.where, s.special});
-  return texts_of(c, std::move(all));
+  return told(c, std::move(all));
+}
+
+} // namespace
+
+std::vector<std::string> texts_of(const SystemClassification& c, std::vector<ParameterPlace> all) {
+  return texts(told(c, std::move(all)));
+}
+
+std::vector<std::string> places(const SystemClassification& c,
+                                const std::vector<StratumStatus>& wanted) {
+  return texts(told_places(c, wanted));
 }
 
 namespace {
@@ -123,23 +147,30 @@ namespace {
 constexpr std::size_t most_told = 8;
 constexpr std::size_t longest_told = 600; // some lines
 
-// "a = 1, b = 0 or (a = 2, b = 3)"; where they are many, they stand below the theorem.
-std::string alternatives(const SystemClassification& c, const std::vector<StratumStatus>& wanted,
-                         const std::string& named) {
-  const auto all = places(c, wanted);
+/// "(a = 1, b = 0) or a = 2"; where they are many, they stand below the theorem.
+struct Alternatives {
+  std::string text;
+  bool below = false; ///< "one of the 12 sets of parameters below"
+};
+Alternatives alternatives(const SystemClassification& c, const std::vector<StratumStatus>& wanted,
+                          const std::string& named) {
+  const auto all = told_places(c, wanted);
   std::string text;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const bool several = all.size() > 1 && all[i].find(", ") != std::string::npos;
+    const bool several = all.size() > 1 && all[i].several;
     text += (i == 0                ? ""
              : i + 1 == all.size() ? " or "
                                    : ", ") +
-            (several ? "(" + all[i] + ")" : all[i]);
+            (several ? "(" + all[i].text + ")" : all[i].text);
   }
-  if (all.size() <= most_told && text.size() <= longest_told) return "for " + text;
-  return all.size() == 1 ? "in the set of parameters below that is " + named
-                         : "in one of the " + std::to_string(all.size()) +
-                               " sets of parameters below that are " + named;
+  if (all.size() <= most_told && text.size() <= longest_told) return {text};
+  return {all.size() == 1 ? "the set of parameters below that is " + named
+                          : "one of the " + std::to_string(all.size()) +
+                                " sets of parameters below that are " + named,
+          true};
 }
+// "for a = 1", "in one of the 12 sets of parameters below"
+std::string where_of(const Alternatives& a) { return (a.below ? "in " : "for ") + a.text; }
 
 bool has(const SystemClassification& c, StratumStatus status) {
   return std::any_of(c.strata.begin(), c.strata.end(),
@@ -208,7 +239,8 @@ std::string statement(const SystemClassification& c) {
   case ClassificationStatus::non_integrable:
     return "The system is not integrable with " + first_integrals(c.excluded) + ".";
   case ClassificationStatus::depends:
-    return integrable + " exactly " + alternatives(c, {StratumStatus::integrable}, "integrable") +
+    return integrable + " exactly " +
+           where_of(alternatives(c, {StratumStatus::integrable}, "integrable")) +
            "; elsewhere it is not integrable with " + first_integrals(c.excluded) + ".";
   default:
     break;
@@ -221,20 +253,18 @@ std::string statement(const SystemClassification& c) {
   if (!has(c, StratumStatus::excluded)) {
     const std::string some =
         has(c, StratumStatus::integrable)
-            ? integrable + " " + alternatives(c, {StratumStatus::integrable}, "integrable") + "."
+            ? integrable + " " +
+                  where_of(alternatives(c, {StratumStatus::integrable}, "integrable")) + "."
             : "";
     if (some.empty() && almost.empty())
       return "Nothing is proved: no obstruction and no further first integral was found.";
     return some + (some.empty() || almost.empty() ? "" : " ") + almost;
   }
-  std::string only =
+  const Alternatives only =
       alternatives(c, {StratumStatus::integrable, StratumStatus::open}, "integrable or open");
-  if (only.starts_with("for "))
-    only.erase(0, 4);
-  else
-    only.insert(0, "its parameters are ");
-  return "If the system is integrable with " + first_integrals(c.excluded) + ", then " + only +
-         "." + (almost.empty() ? "" : " " + almost);
+  return "If the system is integrable with " + first_integrals(c.excluded) + ", then " +
+         (only.below ? "its parameters are in " : "") + only.text + "." +
+         (almost.empty() ? "" : " " + almost);
 }
 
 } // namespace kov

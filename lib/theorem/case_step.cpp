@@ -244,7 +244,7 @@ void conclude_higher(NodeResult& n, const System& s, const CurveStudy& m) {
   const std::string at_order = " at order " + std::to_string(by.order);
   const std::string along =
       " (" + by.theorems.front()->name + ", along the manifold " + name_in_words(m.name()) + ")";
-  const std::string except = m.higher->exceptions.empty() ? "" : ", " + m.higher->exceptions;
+  const std::string except = m.higher->exceptions.empty() ? "" : ", " + exceptions(*m.higher);
   n.theorems.push_back(used(morales_ramis_simo()));
   n.theorems.back().integrals = by.integrals;
   if (!by.unchecked.empty())

@@ -50,7 +50,7 @@ Json json_of(const study::HigherOrders& h) {
   j["order"] = by.order;
   if (!h.by_quadratures) j["residue"] = to_string(h.planes.obstruction->logarithm.form);
   j["level"] = sentence(by.level);
-  j["exceptions"] = h.exceptions;
+  j["exceptions"] = exceptions(h);
   j["without"] = by.integrals.without;
   j["not_checked"] = by.unchecked.empty() ? Json(nullptr) : Json(by.unchecked);
   j["reason"] = by.reason;

@@ -37,20 +37,13 @@ std::string cut(const std::string& text, Detail detail) {
   return text.substr(0, five_lines) + " ... (--verbose shows the rest)";
 }
 
-// "except possibly where ...": a limit left these parameters.
-std::string possibly(std::string except) {
-  if (const std::string word = "except "; except.starts_with(word))
-    except.insert(word.size(), "possibly ");
-  return except;
-}
-
 std::string undecided_somewhere(const ManifoldReport& m, Detail detail) {
-  const std::string except = cut(exceptions(m), detail);
   const bool depends = m.verdict == VerdictKind::depends;
+  const std::string except = cut(exceptions(m, !depends), detail); // a limit left these parameters
   if (except.empty())
     return depends ? "DEPENDS ON THE PARAMETERS  (" + m.by->id() + ")" : "UNDECIDED";
-  return "NON-INTEGRABLE, " + (depends ? except : possibly(except)) + "  (" + m.by->id() + ": " +
-         statement(m) + "; nothing is known about the exceptions)";
+  return "NON-INTEGRABLE, " + except + "  (" + m.by->id() + ": " + statement(m) +
+         "; nothing is known about the exceptions)";
 }
 
 std::string headline(const ManifoldReport& m, Detail detail) {
@@ -82,8 +75,8 @@ std::string headline(const study::CurveStudy& m, Detail detail) {
   const Exclusion& e = *m.higher->excluded;
   if (m.higher->exceptions.empty()) return at_order(e) + theorem_of(e) + ")";
   const bool open = m.headline.verdict == study::Verdict::undecided;
-  return at_order(e) + ", " + (open ? possibly(m.higher->exceptions) : m.higher->exceptions) +
-         theorem_of(e) + "; nothing is known about the exceptions)";
+  return at_order(e) + ", " + exceptions(*m.higher, open) + theorem_of(e) +
+         "; nothing is known about the exceptions)";
 }
 
 void put_decision(std::ostringstream& out, const Decision& d, std::size_t indent) {

@@ -79,7 +79,7 @@ std::string headline(const CurveStudy& m) {
     return "NON-INTEGRABLE (not integrable with " + first_integrals(m.together->excluded) + ")";
   if (!m.higher || !m.higher->excluded) return headline(m.first);
   const ExclusionReason& by = m.higher->excluded->by;
-  const std::string& except = m.higher->exceptions;
+  const std::string except = exceptions(*m.higher);
   return "NON-INTEGRABLE at order " + std::to_string(by.order) +
          (except.empty() ? "" : ", " + except) + " (" + by.theorems.front()->name + ": " +
          statement(by) + (by.level.empty() ? "" : ", " + sentence(by.level)) + ")";
