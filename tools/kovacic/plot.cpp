@@ -9,6 +9,8 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -32,14 +34,15 @@ std::string gnuplot_quoted(const std::string& text) {
 std::string gnuplot_terminal(const std::string& output_base, int width, int height) {
   return fmt::format(
       "set encoding utf8\nif (!exists(\"format\")) format = \"png\"\n"
-      "if (format eq \"png\") set terminal pngcairo size {0},{1} enhanced font \"sans,10\" "
-      "background \"#ffffff\"\n"
+      "if (format eq \"png\") set terminal pngcairo size {5},{6} enhanced font \"sans,10\" "
+      "fontscale 1.5 linewidth 1.5 pointscale 1.5 background \"#ffffff\"\n"
       "if (format eq \"svg\") set terminal svg size {0},{1} enhanced font \"sans,12\" "
       "background \"#ffffff\"\n"
       "if (format eq \"pdf\") set terminal pdfcairo size {2}cm,{3}cm enhanced font "
       "\"sans,9\"\n"
       "set output {4} . \".\" . format\n",
-      width, height, width / 50, height / 50, gnuplot_quoted(output_base));
+      width, height, width / 50, height / 50, gnuplot_quoted(output_base), width * 3 / 2,
+      height * 3 / 2);
 }
 
 std::vector<std::string> run_gnuplot(const std::string& base,
@@ -59,10 +62,35 @@ std::vector<std::string> run_gnuplot(const std::string& base,
 
 namespace {
 
+// A caption as it is printed: 10^-16 with a raised exponent, pi as a letter.
+std::string typeset(const std::string& caption) {
+  static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴",
+                                                      "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const auto letter = [&](std::size_t i) {
+    return i < caption.size() && std::isalpha(static_cast<unsigned char>(caption[i])) != 0;
+  };
+  std::string out;
+  for (std::size_t i = 0; i < caption.size(); ++i) {
+    if (caption.compare(i, 4, "10^-") == 0) {
+      out += "10⁻";
+      for (i += 4; i < caption.size() && std::isdigit(static_cast<unsigned char>(caption[i])) != 0;
+           ++i)
+        out += raised.at(static_cast<std::size_t>(caption[i] - '0'));
+      --i;
+    } else if (caption.compare(i, 2, "pi") == 0 && (i == 0 || !letter(i - 1)) && !letter(i + 2)) {
+      out += "π";
+      ++i;
+    } else {
+      out += caption[i];
+    }
+  }
+  return out;
+}
+
 // The legend stands in a column beside the picture, in which a bar of colours has the lower half.
 constexpr const char* key_beside =
     "set rmargin at screen 0.76\nset key at screen 0.775, screen 0.93 left top Left reverse "
-    "vertical samplen 1 font \",8\"\n";
+    "vertical samplen 1 spacing 1.3 font \",8\"\n";
 constexpr const char* bar_beside =
     "set rmargin at screen 0.82\nset colorbox user origin screen 0.85, screen 0.25 size screen "
     "0.022, screen 0.6\n";
@@ -108,19 +136,21 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   std::ofstream out(base + ".gp");
   fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n",
              gnuplot_quoted(name + ".gp"));
-  fmt::print(out, "{}", gnuplot_terminal(name, plot.marks.empty() ? 800 : 960, 600));
+  const bool key = !plot.marks.empty() || !plot.form.empty();
+  fmt::print(out, "{}", gnuplot_terminal(name, key ? 960 : 800, 600));
   fmt::print(out, "set title {} noenhanced\n", gnuplot_quoted(plot.title));
   for (std::size_t i = 0; i < plot.caption.size(); ++i)
     fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
-               i + 1, gnuplot_quoted(plot.caption[i]), 0.065 - 0.035 * static_cast<double>(i));
+               i + 1, gnuplot_quoted(typeset(plot.caption[i])),
+               0.065 - 0.035 * static_cast<double>(i));
   fmt::print(out, "set bmargin 6.5\n"
                   "set xrange [-pi/4:7*pi/4]\nset yrange [-1.03:1.03]\n"
                   "set xtics (\"0\" 0, \"π/2\" pi/2, \"π\" pi, "
                   "\"3π/2\" 3*pi/2)\nset ytics 0.5\n"
                   "set xlabel \"{{/:Italic l}}\" offset 0,0.5\nset ylabel \"{{/:Italic L/G}}\"\n"
                   "wrap(l) = l >= 7*pi/4 ? l - 2*pi : l\n");
-  fmt::print(out, "{}", plot.marks.empty() ? "unset key\n" : key_beside);
-  const std::string points = "notitle with points pt 7 ps (format eq \"png\" ? 0.15 : 0.08)";
+  fmt::print(out, "{}", key ? key_beside : "unset key\n");
+  const std::string points = "with points pt 7 ps 0.08";
   std::vector<std::string> layers;
   const auto layer = [&](const std::string& file, const std::string& abscissa,
                          const std::string& style) {
@@ -128,11 +158,14 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
         fmt::format("{} using ({}):\"L/G\" {}", gnuplot_quoted(file), abscissa, style));
   };
   const std::string data = name + ".dat", l = "wrap(column(\"l\"))";
-  if (plot.two_colours) {
-    layer(data, "column(\"sign\") > 0 ? " + l + " : NaN", points + " lc rgb \"#c00000\"");
-    layer(data, "column(\"sign\") < 0 ? " + l + " : NaN", points + " lc rgb \"#0030c0\"");
-  } else {
-    layer(data, l, points + " lc rgb \"#102040\"");
+  if (plot.form.empty()) layer(data, l, "notitle " + points + " lc rgb \"#102040\"");
+  for (const auto& [relation, colour] : {std::pair{">", "#c00000"}, {"<", "#0030c0"}}) {
+    if (plot.form.empty()) continue;
+    const std::string title = axis_label(plot.form) + " " + relation + " 0";
+    layer(data, fmt::format("column(\"sign\") {} 0 ? {} : NaN", relation, l),
+          fmt::format("notitle {} lc rgb \"{}\"", points, colour));
+    layers.push_back(fmt::format("NaN title {} with points pt 7 ps 0.6 lc rgb \"{}\"",
+                                 gnuplot_quoted(title), colour));
   }
   for (const FixedPointMark& m : plot.marks)
     layer(name + ".fixed.dat",
@@ -258,7 +291,7 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
              gnuplot_quoted(plot.title), 4.5 + 1.2 * lines);
   for (std::size_t i = 0; i < caption.size(); ++i)
     fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
-               i + 1, gnuplot_quoted(caption[i]),
+               i + 1, gnuplot_quoted(typeset(caption[i])),
                0.02 + 0.024 * (lines - 1 - static_cast<double>(i)));
   print_axes(out, plot);
   const std::string key = (one_each && !proved ? "set rmargin at screen 0.97\n" : "") +

@@ -19,7 +19,7 @@ struct FixedPointMark {
 struct SectionPlot {
   std::string title;
   std::vector<std::string> caption;
-  bool two_colours = false;            ///< by the column "sign"
+  std::string form; ///< two colours by the sign of this form, in the column "sign"
   std::set<FixedPointMark> marks = {}; ///< those that occur in BASE.fixed.dat
 };
 

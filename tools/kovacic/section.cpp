@@ -48,7 +48,7 @@ std::vector<std::string> caption(const Scene& s, const flow::Section& r) {
   const bool up = g_is_half ? s.section.falling : s.section.rising;
   const bool down = g_is_half ? s.section.rising : s.section.falling;
   std::string body =
-      fmt::format("{} tip, I = {}, L = {}, m = {}, g = {}", s.sliding ? "sliding" : "fixed",
+      fmt::format("{} tip, I = {}, lever {}, mass {}, gravity {}", s.sliding ? "sliding" : "fixed",
                   moments(s), list(s.lever), s.mass.text(), s.gravity.text());
   if (!is_zero(s.gyrostat)) body += ", B = " + list(s.gyrostat);
   body +=
@@ -64,6 +64,15 @@ std::vector<std::string> caption(const Scene& s, const flow::Section& r) {
                       axis, r.orbits.size(), r.orbits.size() == 1 ? "" : "s", r.points.size(),
                       r.points.size() == 1 ? "" : "s", orders(r), r.arithmetic, s.tolerance.text(),
                       r.drift)};
+}
+
+// The form whose sign colours the orbits; empty without one.
+std::string form(const Scene& s) {
+  std::string sum;
+  for (std::size_t i = 0; s.sign_of && i < 3; ++i)
+    if (const std::string factor = (*s.sign_of)[i].text(); factor != "0")
+      sum += fmt::format("{}{} M{}", sum.empty() ? "" : " + ", factor, i + 1);
+  return sum;
 }
 
 // What is missing in a result, in words; empty if nothing is.
@@ -335,7 +344,7 @@ private:
   [[nodiscard]] int pictures() const {
     const std::string missing = partial(result_);
     const std::string title = scene_.title + (missing.empty() ? "" : "  [" + missing + "]");
-    const SectionPlot plot{title, caption(scene_, result_), scene_.sign_of.has_value(), marks_};
+    const SectionPlot plot{title, caption(scene_, result_), form(scene_), marks_};
     return draw(settings_, o_, interrupt_, base_, [&](const std::vector<std::string>& formats) {
       return draw_section(base_, plot, formats);
     });

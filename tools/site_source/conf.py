@@ -1,11 +1,9 @@
 """Sphinx: the pages of docs/ as a site.  tools/site runs it."""
 
 import os
-import pathlib
 import sys
 
 sys.path.insert(0, os.path.dirname(__file__))
-root = pathlib.Path(__file__).resolve().parents[2]
 
 project = "kovacic"
 author = "the kovacic authors"
@@ -15,11 +13,8 @@ html_show_copyright = html_show_sphinx = html_copy_source = html_show_sourcelink
 language = "en"
 smartquotes = False  # y'' is not a quotation
 
-extensions = ["myst_parser", "breathe", "dark", "katex", "page_links", "repository"]
+extensions = ["myst_parser", "dark", "katex", "page_links", "repository", "snippets"]
 html_math_renderer = "katex"
-breathe_projects = {"kovacic": str(root / "build/doxygen/xml")}
-breathe_default_members = ("members", "undoc-members")
-cpp_index_common_prefix = ["kov::"]
 source_suffix = {".md": "markdown"}
 exclude_patterns = ["accuracy", "guide/*.ipynb"]
 myst_heading_anchors = 3

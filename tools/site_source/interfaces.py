@@ -1,57 +1,75 @@
 #!/usr/bin/python3
-"""The pages of the interfaces: C++ from the headers (doxygen, breathe), Python from the stubs and the module's own help.
+"""The pages of the interfaces: C++ from the headers, Python from the stubs and the module's own help.
 
 usage: interfaces.py ROOT DIRECTORY
-       interfaces.py --filter HEADER      what doxygen reads instead of a header
 """
 
 import ast
 import inspect
 import pathlib
 import re
-import subprocess
 import sys
 
-DOXYFILE = """
-PROJECT_NAME = kovacic
-INPUT = "{root}/lib"
-FILE_PATTERNS = *.hpp
-RECURSIVE = YES
-EXCLUDE_SYMBOLS = detail *::detail
-INPUT_FILTER = "/usr/bin/python3 {me} --filter"
-OUTPUT_DIRECTORY = "{out}"
-GENERATE_XML = YES
-XML_PROGRAMLISTING = NO
-GENERATE_HTML = NO
-GENERATE_LATEX = NO
-QUIET = YES
-WARNINGS = NO
-WARN_IF_UNDOCUMENTED = NO
-EXTRACT_ALL = YES
-HIDE_UNDOC_MEMBERS = NO
-ENABLE_PREPROCESSING = YES
-MACRO_EXPANSION = YES
-EXPAND_ONLY_PREDEF = YES
-PREDEFINED = "KOV_EXPECT(x)="
-STRIP_FROM_PATH = "{root}"
-SORT_MEMBER_DOCS = NO
-"""
-WORDS = re.compile(r"^(\s*///) (Example|Given|Errors?|Cost|Requires|Shapes?|Source|Throws|Returns) +(.*)$")
+WORDS = re.compile(r"^(Example|Given|Errors?|Cost|Requires|Shapes?|Source|Throws|Returns) +(.*)$")
+TYPES = re.compile(r"(template *<.*> *)?(struct|class|enum|union|using|namespace|concept)\b|#")
+LITERAL = re.compile(r"""\"(\\.|[^"\\])*\"|'(\\.|[^'\\])'|//.*""")
 
 
-def filtered(text):
-    """Examples as code, and the other fixed words of our headers as paragraphs of their own."""
-    lines = []
+def chunks(text):
+    """(comment, code) of each declaration of a header, without the namespaces around them."""
+    found, comment, code, depth, hidden = [], [], [], 0, 0
+
+    def end():
+        if code:
+            found.append((list(comment), list(code)))
+            comment.clear()
+            code.clear()
+
     for line in text.split("\n"):
-        found = WORDS.match(line)
-        if found and found.group(2) in ("Example", "Given"):
-            mark, _, code = found.groups()
-            lines.append(f"{mark} \\code{{.cpp}}\n{mark} {code}\n{mark} \\endcode")
-        elif found:
-            lines.append(f"{found.group(1)}\n{found.group(1)} **{found.group(2)}** {found.group(3)}")
+        opens = re.match(r"(inline )?namespace\b.*\{$", line)
+        if hidden or re.match(r"namespace (\w+::)*detail\b|namespace \{", line):
+            hidden += line.count("{") - line.count("}")
+        elif opens or re.match(r"\}.*// namespace|#(pragma|include)|//( |$)", line) or not line.strip() and depth == 0:
+            end()
+            comment.clear()
+        elif line.startswith("///") and depth == 0:
+            end()
+            comment.append(line[3:].removeprefix(" "))
         else:
-            lines.append(line)
-    return "\n".join(lines)
+            code.append(line)
+            bare = LITERAL.sub("", line).rstrip()
+            depth += sum(bare.count(c) for c in "{(") - sum(bare.count(c) for c in "})")
+            if depth == 0 and bare.endswith((";", "}")):
+                end()
+    end()
+    return found
+
+
+def declaration(code):
+    """The code of a type; of a function what stands before its body."""
+    if TYPES.match(code[0]):
+        return "\n".join(code)
+    text = "\n".join(code).removeprefix("[[nodiscard]] ")
+    head = re.match(r"(?s)(.*?\)(?: const)?(?: noexcept)?(?: -> [^{;]+?)?) *(\{|: [a-z_]+_?[({])", text)
+    return head.group(1) + ";" if head else text
+
+
+def commented(lines):
+    """The comment of a declaration as Markdown: its examples as code, its fixed words in bold."""
+    parts = []
+    for line in lines:
+        found = WORDS.match(line)
+        if found and found.group(1) in ("Example", "Given"):
+            if not parts or not parts[-1].startswith("```"):
+                parts.append("```cpp")
+            parts[-1] += "\n" + found.group(2)
+        elif found:
+            parts.append(f"**{found.group(1)}** {escaped(found.group(2))}")
+        elif line.strip() and parts and not parts[-1].startswith("```"):
+            parts[-1] += "\n" + escaped(line.strip())
+        elif line.strip():
+            parts.append(escaped(line.strip()))
+    return "\n\n".join(part + "\n```" if part.startswith("```") else part for part in parts)
 
 
 def about(header):
@@ -75,16 +93,19 @@ def escaped(text):
 
 
 def rooms(root):
-    """The rooms in the order of lib/CMakeLists.txt, each with the comment above it, if it has one."""
+    """The directories of lib/ in the order of lib/CMakeLists.txt."""
     listing = (root / "lib/CMakeLists.txt").read_text(encoding="utf-8")
     return re.findall(r"^kov_room\((\w+)", listing, re.M)
 
 
+def header_page(header, name):
+    page = [f"## {name}\n", about(header), ""]
+    for comment, code in chunks(header.read_text(encoding="utf-8")):
+        page += ["```cpp", declaration(code), "```\n", commented(comment), ""]
+    return page
+
+
 def write_cpp(root, out):
-    xml = out.parent.parent / "doxygen"
-    xml.mkdir(parents=True, exist_ok=True)
-    doxyfile = DOXYFILE.format(root=root, me=pathlib.Path(__file__).resolve(), out=xml)
-    subprocess.run(["doxygen", "-"], input=doxyfile, text=True, check=True, stdout=subprocess.DEVNULL)
     (out / "cpp").mkdir(parents=True, exist_ok=True)
     index = ["# C++\n", "One page for each directory of `lib/`, in the order in which they build on each other. A program uses",
              "`find_package(kovacic)` or `pkg-config kovacic` and includes `directory/name.hpp`: [](../../guide/proof-scripts.md).\n",
@@ -92,9 +113,7 @@ def write_cpp(root, out):
     for room in rooms(root):
         page = [f"# {room}\n"]
         for header in sorted((root / "lib" / room).rglob("*.hpp")):
-            name = header.relative_to(root / "lib")
-            page += [f"## {name}\n", about(header), "\n```{eval-rst}", f".. doxygenfile:: lib/{name}", "   :project: kovacic",
-                     "   :sections: briefdescription detaileddescription innerclass func enum typedef var public*", "```\n"]
+            page += header_page(header, header.relative_to(root / "lib"))
         (out / "cpp" / f"{room}.md").write_text("\n".join(page), encoding="utf-8")
         index.append(room)
     (out / "cpp" / "index.md").write_text("\n".join([*index, ":::\n"]), encoding="utf-8")
@@ -145,9 +164,6 @@ def a_class(node, thing):
 
 
 def main():
-    if sys.argv[1] == "--filter":
-        sys.stdout.write(filtered(pathlib.Path(sys.argv[2]).read_text(encoding="utf-8")))
-        return
     root, out = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
     out.mkdir(parents=True, exist_ok=True)
     write_cpp(root, out)

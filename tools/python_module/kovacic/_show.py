@@ -15,7 +15,7 @@ def table(rows, head=()):
 
 
 def math(text):
-    return f"${_core.latex(text)}$"
+    return _core.latex(text)
 
 
 def decision(d):
