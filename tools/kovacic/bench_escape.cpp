@@ -51,11 +51,13 @@ int bench_escape(const Settings& settings, const BenchArguments& a) {
   close_file(out, (directory / "escape.dat").string());
   chart.title = "Time on the invariant plane: " + scene.title;
   chart.data = "escape.dat";
-  chart.x = chart.x_label = "digits";
+  chart.x = "digits";
+  chart.x_label = "decimal digits of the arithmetic";
   chart.y = "time";
   chart.y_label = "time until |G| > 1/100";
   chart.series_column = "l";
-  chart.points_only = chart.linear = true;
+  chart.series_name = "l = ";
+  chart.linear_x = true;
   for (const std::string& picture : draw_chart((directory / "escape").string(), chart, a.formats))
     fmt::print("picture {}\n", picture);
   return exit_decided;

@@ -60,10 +60,7 @@ std::vector<std::string> run_gnuplot(const std::string& base,
   return drawn;
 }
 
-namespace {
-
-// A caption as it is printed: 10^-16 with a raised exponent, pi as a letter.
-std::string typeset(const std::string& caption) {
+std::string typeset_caption(const std::string& caption) {
   static constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴",
                                                       "⁵", "⁶", "⁷", "⁸", "⁹"};
   const auto letter = [&](std::size_t i) {
@@ -87,6 +84,22 @@ std::string typeset(const std::string& caption) {
   return out;
 }
 
+std::string gnuplot_colours(bool around_two) {
+  // Lightness and hue change evenly.  Around 2, the value of regular motion, MEGNO's map is dark, with
+  // green below and purple to orange above; the logarithmic bar has 2 in its middle.
+  return around_two ? "set palette defined (0 \"#4fb99f\", 0.25 \"#127a6b\", 0.5 \"#22304a\", 0.62 "
+                      "\"#5b1d72\", "
+                      "0.75 \"#a5317e\", 0.88 \"#e2505f\", 1 \"#fb9a62\")\n"
+                      "set logscale cb\nset cbrange [0.1:40]\n"
+                      "set cbtics (\"0.1\" 0.1, \"0.5\" 0.5, \"1\" 1, \"2\" 2, \"4\" 4, \"10\" 10, "
+                      "\"40\" 40)\n"
+                    : "set palette defined (0 \"#22304a\", 0.25 \"#5b1d72\", 0.5 \"#a5317e\", 0.75 "
+                      "\"#e2505f\", 1 "
+                      "\"#fb9a62\")\nset cbtics font \",8\"\n";
+}
+
+namespace {
+
 // The legend stands in a column beside the picture, in which a bar of colours has the lower half.
 constexpr const char* key_beside =
     "set rmargin at screen 0.76\nset key at screen 0.775, screen 0.93 left top Left reverse "
@@ -96,17 +109,6 @@ constexpr const char* bar_beside =
     "0.022, screen 0.6\n";
 constexpr const char* bar_below_key =
     "set colorbox user origin screen 0.79, screen 0.15 size screen 0.022, screen 0.5\n";
-
-// Lightness and hue change evenly.  Around 2, the value of regular motion, MEGNO's map is dark, with
-// green below and purple to orange above; the logarithmic bar has 2 in its middle.
-constexpr const char* around_two =
-    "set palette defined (0 \"#4fb99f\", 0.25 \"#127a6b\", 0.5 \"#22304a\", 0.62 \"#5b1d72\", "
-    "0.75 \"#a5317e\", 0.88 \"#e2505f\", 1 \"#fb9a62\")\n"
-    "set logscale cb\nset cbrange [0.1:40]\n"
-    "set cbtics (\"0.1\" 0.1, \"0.5\" 0.5, \"1\" 1, \"2\" 2, \"4\" 4, \"10\" 10, \"40\" 40)\n";
-constexpr const char* from_dark =
-    "set palette defined (0 \"#22304a\", 0.25 \"#5b1d72\", 0.5 \"#a5317e\", 0.75 \"#e2505f\", 1 "
-    "\"#fb9a62\")\nset cbtics font \",8\"\n";
 
 // Unproved points have shapes and a colour of their own.
 std::string style_of(const FixedPointMark& m) {
@@ -141,7 +143,7 @@ std::vector<std::string> draw_section(const std::string& base, const SectionPlot
   fmt::print(out, "set title {} noenhanced\n", gnuplot_quoted(plot.title));
   for (std::size_t i = 0; i < plot.caption.size(); ++i)
     fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
-               i + 1, gnuplot_quoted(typeset(plot.caption[i])),
+               i + 1, gnuplot_quoted(typeset_caption(plot.caption[i])),
                0.065 - 0.035 * static_cast<double>(i));
   fmt::print(out, "set bmargin 6.5\n"
                   "set xrange [-pi/4:7*pi/4]\nset yrange [-1.03:1.03]\n"
@@ -291,7 +293,7 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
              gnuplot_quoted(plot.title), 4.5 + 1.2 * lines);
   for (std::size_t i = 0; i < caption.size(); ++i)
     fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
-               i + 1, gnuplot_quoted(typeset(caption[i])),
+               i + 1, gnuplot_quoted(typeset_caption(caption[i])),
                0.02 + 0.024 * (lines - 1 - static_cast<double>(i)));
   print_axes(out, plot);
   const std::string key = (one_each && !proved ? "set rmargin at screen 0.97\n" : "") +
@@ -305,7 +307,7 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
                key);
   else
     fmt::print(out, "{}{}{}set cblabel {} noenhanced\n", key, proved ? bar_below_key : bar_beside,
-               plot.logarithmic ? around_two : from_dark, gnuplot_quoted(plot.colour_label));
+               gnuplot_colours(plot.logarithmic), gnuplot_quoted(plot.colour_label));
   print_points(out, name, plot, size);
   print_proved(out, name, plot);
   fmt::print(out, "\n");
@@ -313,30 +315,49 @@ std::vector<std::string> draw_plane(const std::string& base, const PlanePlot& pl
   return run_gnuplot(base, formats);
 }
 
+namespace {
+
+// Ten kinds of lines that the colour-blind tell apart by shape, too.
+std::string line_styles() {
+  static constexpr std::array<const char*, 5> colours{"#1f4e9c", "#c4483a", "#2a8c6e", "#8c4fa8",
+                                                      "#c98a1b"};
+  std::string all;
+  for (std::size_t i = 0; i < 10; ++i)
+    all += fmt::format("set style line {} lc rgb \"{}\" lw 1.3 ps 0.8 pt {}\n", i + 1,
+                       colours.at(i % 5), std::array{7, 5, 9, 11, 13, 6, 4, 8, 10, 12}.at(i));
+  return all;
+}
+
+} // namespace
+
 std::vector<std::string> draw_chart(const std::string& base, const ChartPlot& chart,
                                     const std::vector<std::string>& formats) {
   const std::string name = fs::path(base).filename().string();
   std::ofstream out(base + ".gp");
   fmt::print(out, "# gnuplot -e \"format='pdf'\" {}    (png, svg, pdf)\n",
              gnuplot_quoted(name + ".gp"));
-  fmt::print(out, "{}", gnuplot_terminal(name, 900, 640));
-  fmt::print(out, "set title {} noenhanced\nset grid\n", gnuplot_quoted(chart.title));
-  if (!chart.linear) fmt::print(out, "set logscale xy\nset format \"10^{{%L}}\"\n");
+  fmt::print(out, "{}", gnuplot_terminal(name, 900, 600));
+  fmt::print(out,
+             "set title {} noenhanced\nset grid lc rgb \"#d8dce4\" lt 1\nset tics nomirror\n{}",
+             gnuplot_quoted(chart.title), line_styles());
+  fmt::print(out, "{}",
+             chart.linear_x ? "set logscale y\nset offsets graph 0.03, graph 0.03\n"
+                            : "set logscale xy\nset mxtics 1\nset format x \"10^{{%L}}\"\n");
+  if (!chart.linear_x) fmt::print(out, "set format y \"10^{{%L}}\"\n");
   if (chart.falling) fmt::print(out, "set xrange [*:*] reverse\n");
   fmt::print(out, "set xlabel {} noenhanced\nset ylabel {} noenhanced\n",
              gnuplot_quoted(chart.x_label), gnuplot_quoted(chart.y_label));
-  fmt::print(out, "set key outside right noenhanced\nplot ");
+  fmt::print(out,
+             "set key outside right top Left reverse noenhanced font \",9\" spacing 1.2\nplot ");
   const std::string x = gnuplot_quoted(chart.x), y = gnuplot_quoted(chart.y),
                     by = gnuplot_quoted(chart.series_column);
   for (std::size_t i = 0; i < chart.series.size(); ++i)
     fmt::print(out,
                "{}{} using (strcol({}) eq {} && column({}) > 0 ? column({}) : NaN):(column({})) "
-               "with {} "
-               "pt {} lw 1.5 title {}",
+               "with {} ls {} title {}",
                i == 0 ? "" : ", \\\n     ", gnuplot_quoted(chart.data), by,
-               gnuplot_quoted(chart.series[i]), x, x, y,
-               chart.points_only ? "points" : "linespoints", i + 1,
-               gnuplot_quoted(chart.series[i]));
+               gnuplot_quoted(chart.series[i]), x, x, y, chart.linear_x ? "points" : "linespoints",
+               i % 10 + 1, gnuplot_quoted(chart.series_name + chart.series[i]));
   fmt::print(out, "\n");
   close_file(out, base + ".gp");
   return run_gnuplot(base, formats);

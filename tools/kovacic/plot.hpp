@@ -54,9 +54,9 @@ struct ChartPlot {
   std::string x, x_label, y, y_label; ///< columns
   std::string series_column;
   std::vector<std::string> series;
-  bool falling = false;     ///< x falls from left to right (errors: accuracy grows to the right)
-  bool linear = false;      ///< both axes
-  bool points_only = false; ///< no lines between them
+  std::string series_name = {}; ///< before each of them in the legend: "l = "
+  bool falling = false;  ///< x falls from left to right (errors: accuracy grows to the right)
+  bool linear_x = false; ///< only the other axis is logarithmic, and points are not joined
 };
 
 /// Writes BASE.gp and draws it, as draw_section does.
@@ -74,6 +74,12 @@ std::vector<std::string> run_gnuplot(const std::string& base,
 /// The lines of a script that choose the terminal from the variable `format`; size in pixels of the
 /// png.
 [[nodiscard]] std::string gnuplot_terminal(const std::string& output_base, int width, int height);
+
+/// The lines of a palette with its bar: around MEGNO's 2, or from dark to light.
+[[nodiscard]] std::string gnuplot_colours(bool around_two);
+
+/// A caption as it is printed: 10^-16 with a raised exponent, pi as a letter.
+[[nodiscard]] std::string typeset_caption(const std::string& caption);
 
 /// Text for a gnuplot string in double quotes, enhanced text switched off by the caller.
 [[nodiscard]] std::string gnuplot_quoted(const std::string& text);

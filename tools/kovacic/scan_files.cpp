@@ -133,11 +133,6 @@ void write_npy(const std::string& path, const std::vector<double>& values,
 
 namespace {
 
-// viridis, which becomes lighter evenly and is told apart by the colour-blind too
-constexpr const char* viridis =
-    "set palette defined (0 \"#440154\", 1 \"#482878\", 2 \"#3e4989\", 3 \"#31688e\", "
-    "4 \"#26828e\", 5 \"#1f9e89\", 6 \"#35b779\", 7 \"#6ece58\", 8 \"#b5de2b\", 9 \"#fde725\")\n";
-
 std::vector<std::size_t> shape_of(const ScanPlot& plot) {
   std::vector<std::size_t> shape;
   for (auto axis = plot.axes.rbegin(); axis != plot.axes.rend(); ++axis)
@@ -153,12 +148,10 @@ void print_map(std::ofstream& out, const std::string& name, const ScanPlot& plot
   for (const auto& [axis, letter] : {std::pair{&x, 'x'}, {&y, 'y'}})
     fmt::print(out, "set {}range [{:.17g}:{:.17g}]\n", letter, axis->from.as<double>(),
                axis->to.as<double>());
-  fmt::print(
-      out, "set cbrange [{:.6g}:{:.6g}]\nset cblabel {} noenhanced\n{}{}", plot.colours.low,
-      plot.colours.high, gnuplot_quoted(plot.label), viridis,
-      plot.colours.logarithmic
-          ? "set logscale cb\nset cbtics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500)\n"
-          : "");
+  fmt::print(out, "{}set cblabel {} noenhanced\n", gnuplot_colours(plot.colours.logarithmic),
+             gnuplot_quoted(plot.label));
+  if (!plot.colours.logarithmic)
+    fmt::print(out, "set cbrange [{:.6g}:{:.6g}]\n", plot.colours.low, plot.colours.high);
   fmt::print(out, "set object 1 rectangle from graph 0,0 to graph 1,1 fillcolor rgb \"#e0e0e0\" "
                   "fillstyle solid noborder behind\n");
   fmt::print(out,
@@ -175,7 +168,7 @@ void print_curve(std::ofstream& out, const std::string& name, const ScanPlot& pl
   fmt::print(
       out,
       "plot {} binary skip={} record=({}) format=\"%float64\" using ({:.17g} + $0*({:.17g})):"
-      "(abs($1) < 1e300 ? $1 : NaN) with linespoints pt 7 ps 0.3 lc rgb \"#31688e\" notitle\n",
+      "(abs($1) < 1e300 ? $1 : NaN) with linespoints pt 7 ps 0.3 lc rgb \"#5b1d72\" notitle\n",
       gnuplot_quoted(name + ".npy"), npy_head_size(shape_of(plot)), x.count, scanned_value(x, 0),
       scanned_value(x, 1) - scanned_value(x, 0));
 }
@@ -194,7 +187,7 @@ std::vector<std::string> draw_scan(const std::string& base, const ScanPlot& plot
              gnuplot_quoted(plot.title), 4.5 + 1.2 * lines, plot.axes.size() == 2 ? 18 : 4);
   for (std::size_t i = 0; i < caption.size(); ++i)
     fmt::print(out, "set label {} {} at screen 0.5, screen {:.3f} center noenhanced font \",8\"\n",
-               i + 1, gnuplot_quoted(caption[i]),
+               i + 1, gnuplot_quoted(typeset_caption(caption[i])),
                0.02 + 0.024 * (lines - 1 - static_cast<double>(i)));
   fmt::print(out, "set xlabel {}\nset tics out nomirror\n",
              gnuplot_quoted(axis_label(plot.axes[0].name)));

@@ -1,5 +1,6 @@
 // A scan as one HTML file.  No network, no library.
 
+#include "page_palette.hpp"
 #include "scan_files.hpp"
 
 #include <fmt/core.h>
@@ -18,12 +19,9 @@ constexpr const char* scan_head = R"html(<!doctype html>
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
 <title>Scan</title>
 <style>
-body { font: 15px sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em; color: #102040; }
-h1 { font-size: 1.2em; }
-canvas { width: 100%; height: 70vh; touch-action: none; cursor: crosshair; }
-#caption, #help { font-size: 0.85em; color: #405060; overflow-wrap: anywhere; white-space: pre-line; }
-#said { min-height: 1.4em; font-weight: bold; }
-</style>
+)html";
+
+constexpr const char* scan_body = R"html(</style>
 </head>
 <body>
 <h1 id="title"></h1>
@@ -35,21 +33,15 @@ canvas { width: 100%; height: 70vh; touch-action: none; cursor: crosshair; }
 "use strict";
 const scan = )html";
 
-constexpr const char* scan_script = R"html(;
+constexpr const char* scan_script = R"html(
 const bytes = Uint8Array.from(atob(scan.numbers), c => c.charCodeAt(0));
 const numbers = new Float32Array(bytes.buffer);
 const canvas = document.getElementById("plane"), pen = canvas.getContext("2d");
 const margin = { left: 70, right: 100, top: 10, bottom: 45 };
-const stops = [[68, 1, 84], [72, 40, 120], [62, 73, 137], [49, 104, 142], [38, 130, 142], [31, 158, 137],
-               [53, 183, 121], [110, 206, 88], [181, 222, 43], [253, 231, 37]];
 const [nx, ny] = scan.counts, flat = scan.flat;
 let view;
 
 const scale = v => scan.logarithmic ? Math.log(Math.max(v, 1e-300)) : v;
-function shade(p) {
-  const i = Math.min(8, Math.floor(9 * p)), f = 9 * p - i;
-  return stops[i].map((c, k) => Math.round(c + f * (stops[i + 1][k] - c)));
-}
 function part(value) {
   const a = scale(scan.low), b = scale(scan.high);
   return b > a ? Math.min(1, Math.max(0, (scale(value) - a) / (b - a))) : 0;
@@ -58,10 +50,12 @@ const picture = document.createElement("canvas");
 function paint() {
   picture.width = nx;
   picture.height = ny;
+  const colours = Array.from({ length: 256 }, (_, i) => shade(i / 255, scan.logarithmic).match(/\d+/g).map(Number));
+  const grey = dark.matches ? [52, 58, 68] : [224, 224, 224];
   const paper = picture.getContext("2d"), image = paper.createImageData(nx, ny);
   for (let i = 0; i < nx * ny; ++i) {
     const x = i % nx, y = (i - x) / nx, at = 4 * ((ny - 1 - y) * nx + x);
-    const c = Number.isFinite(numbers[i]) ? shade(part(numbers[i])) : [224, 224, 224];
+    const c = Number.isFinite(numbers[i]) ? colours[Math.round(255 * part(numbers[i]))] : grey;
     image.data.set([...c, 255], at);
   }
   paper.putImageData(image, 0, 0);
@@ -100,7 +94,7 @@ function turned(text, x, y) {
   pen.restore();
 }
 function axes() {
-  pen.fillStyle = "#102040";
+  pen.fillStyle = ink();
   pen.strokeStyle = "#8090a0";
   pen.font = "12px sans-serif";
   pen.strokeRect(margin.left, margin.top, width(), height());
@@ -120,17 +114,17 @@ function axes() {
 function legend() {
   const x = margin.left + width() + 14, h = height();
   for (let i = 0; i < h; ++i) {
-    pen.fillStyle = `rgb(${shade(1 - i / h)})`;
+    pen.fillStyle = shade(1 - i / h, scan.logarithmic);
     pen.fillRect(x, margin.top + i, 14, 1.5);
   }
-  pen.fillStyle = "#102040";
+  pen.fillStyle = ink();
   pen.textAlign = "left";
-  pen.fillText(Number(scan.high.toPrecision(3)), x + 18, margin.top + 10);
-  pen.fillText(Number(scan.low.toPrecision(3)), x + 18, margin.top + h);
+  for (const t of scan.logarithmic ? paletteTicks : [scan.low, scan.high])
+    pen.fillText(Number(t.toPrecision(3)), x + 18, Math.max(margin.top + 10, margin.top + (1 - part(t)) * h + 4));
   turned(scan.label, x + 60, margin.top + h / 2);
 }
 function curve() {
-  pen.fillStyle = "#31688e";
+  pen.fillStyle = dark.matches ? "#6ab0ff" : "#31688e";
   for (let i = 0; i < nx; ++i)
     if (Number.isFinite(numbers[i])) pen.fillRect(toX(cellX(i)) - 1, toY(numbers[i]) - 1, 2, 2);
 }
@@ -204,6 +198,7 @@ canvas.addEventListener("keydown", e => {
   keys[e.key]();
 });
 window.addEventListener("resize", draw);
+dark.addEventListener("change", () => { if (!flat) paint(); draw(); });
 document.title = scan.title;
 document.getElementById("title").textContent = scan.title;
 document.getElementById("caption").textContent = scan.caption.join("\n");
@@ -265,7 +260,8 @@ std::string scan_page(const ScanPlot& plot, const std::vector<double>& values) {
                          {"high", plot.colours.high},
                          {"logarithmic", plot.colours.logarithmic},
                          {"numbers", base64(bytes)}};
-  return scan_head + script_text(j) + scan_script;
+  return std::string(scan_head) + page_paper + scan_body + script_text(j) + page_palette +
+         scan_script;
 }
 
 } // namespace kov::cli

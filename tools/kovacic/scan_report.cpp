@@ -56,8 +56,9 @@ ColourRange colours_of(const SystemScene& s, const std::vector<double>& values) 
     std::nth_element(known.begin(), place, known.end());
     return *place;
   };
+  if (s.scan->of == ScanValue::megno)
+    return {0.1, 40, true}; // with 2, regular motion, in the middle
   range = {quantile(0.01), quantile(0.99), false};
-  range.logarithmic = s.scan->of == ScanValue::megno && range.low > 0 && range.high > 4 * range.low;
   if (!(range.high > range.low))
     range.high = range.low + std::max(1e-3, 1e-3 * std::abs(range.low));
   return range;

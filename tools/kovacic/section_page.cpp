@@ -1,5 +1,7 @@
 #include "section_page.hpp"
 
+#include "page_palette.hpp"
+
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
@@ -16,15 +18,9 @@ constexpr const char* head = R"html(<!doctype html>
 <meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
 <title>Section</title>
 <style>
-:root { color-scheme: light dark; --ink: #102040; --soft: #405060; --page: #ffffff; }
-@media (prefers-color-scheme: dark) { :root { --ink: #e4e8f0; --soft: #a8b2c0; --page: #14181f; } }
-body { font: 15px sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em; color: var(--ink); background: var(--page); }
-h1 { font-size: 1.2em; }
-canvas { width: 100%; aspect-ratio: 8 / 7; max-height: 78vh; touch-action: none; cursor: crosshair; }
-@media (max-width: 40em) { body { padding: 0 0.3em; } }
-#caption, #help { font-size: 0.85em; color: var(--soft); overflow-wrap: anywhere; }
-#said { min-height: 1.4em; font-weight: bold; }
-</style>
+)html";
+
+constexpr const char* body = R"html(</style>
 </head>
 <body>
 <h1 id="title"></h1>
@@ -36,16 +32,9 @@ canvas { width: 100%; aspect-ratio: 8 / 7; max-height: 78vh; touch-action: none;
 "use strict";
 const scene = )html";
 
-constexpr const char* script = R"html(;
+constexpr const char* script = R"html(
 const canvas = document.getElementById("plane"), pen = canvas.getContext("2d");
 const margin = { left: 70, right: scene.colour_label ? 90 : 16, top: 10, bottom: 45 };
-const dark = matchMedia("(prefers-color-scheme: dark)");
-const ink = () => getComputedStyle(document.body).color;
-// as in plot.cpp; on a dark page what is regular is light
-const middle = () => dark.matches ? [190, 200, 214] : [34, 48, 74];
-const around = () => [[79, 185, 159], [18, 122, 107], middle(), dark.matches ? [176, 120, 200] : [91, 29, 114],
-                      [165, 49, 126], [226, 80, 95], [251, 154, 98]];
-const stops = () => scene.logarithmic ? around() : around().slice(2);
 const listed = () => dark.matches ? ["#c8d4e8", "#6ab0ff", "#62c47c", "#f0a850", "#ff7fa6", "#c49aff"]
                                   : ["#102040", "#0060c0", "#007020", "#b06000", "#a00040", "#6000a0"];
 let view, chosen = -1;
@@ -57,12 +46,8 @@ function part(value) {
   const [a, b] = range.map(scale);
   return b > a ? Math.min(1, Math.max(0, (scale(value) - a) / (b - a))) : 0;
 }
-function shade(p) {
-  const s = stops(), n = s.length - 1, i = Math.min(n - 1, Math.floor(n * p)), f = n * p - i;
-  return `rgb(${s[i].map((c, k) => Math.round(c + f * (s[i + 1][k] - c)))})`;
-}
 const coloured = () => scene.orbits.map((o, i) =>
-  scene.colour_label ? shade(Number.isFinite(o.value) ? part(o.value) : 0) : listed()[i % 6]);
+  scene.colour_label ? shade(Number.isFinite(o.value) ? part(o.value) : 0, scene.logarithmic) : listed()[i % 6]);
 let colours = coloured();
 
 function all() {
@@ -118,13 +103,13 @@ function legend() {
   if (!scene.colour_label || !values.length) return;
   const x = margin.left + width() + 14, h = height();
   for (let i = 0; i < h; ++i) {
-    pen.fillStyle = shade(1 - i / h);
+    pen.fillStyle = shade(1 - i / h, scene.logarithmic);
     pen.fillRect(x, margin.top + i, 14, 1.5);
   }
   pen.fillStyle = ink();
   pen.textAlign = "left";
-  pen.fillText(Number(range[1].toPrecision(3)), x + 18, margin.top + 10);
-  pen.fillText(Number(range[0].toPrecision(3)), x + 18, margin.top + h);
+  for (const t of scene.logarithmic ? paletteTicks : range)
+    pen.fillText(Number(t.toPrecision(3)), x + 18, Math.max(margin.top + 10, margin.top + (1 - part(t)) * h + 4));
   pen.save();
   pen.translate(x + 48, margin.top + h / 2);
   pen.rotate(-Math.PI / 2);
@@ -219,7 +204,6 @@ dark.addEventListener("change", () => { colours = coloured(); draw(); });
 document.title = scene.title;
 document.getElementById("title").textContent = scene.title;
 document.getElementById("caption").textContent = scene.caption.join("\n");
-document.getElementById("caption").style.whiteSpace = "pre-line";
 canvas.setAttribute("aria-label", scene.title);
 all();
 draw();
@@ -260,12 +244,12 @@ std::string section_page(const SectionPage& page) {
     caption += (caption.empty() ? "" : ",") + quoted(line);
   for (const SectionPage::Orbit& o : page.orbits)
     orbits += (orbits.empty() ? "\n" : ",\n") + orbit(o);
-  return head +
+  return std::string(head) + page_paper + body +
          fmt::format("{{\"title\":{},\"caption\":[{}],\"labels\":[{},{}],\"colour_label\":{},"
                      "\"logarithmic\":{},\"orbits\":[{}]}}",
                      quoted(page.title), caption, quoted(page.labels[0]), quoted(page.labels[1]),
                      quoted(page.colour_label), page.logarithmic, orbits) +
-         script;
+         page_palette + script;
 }
 
 } // namespace kov::cli
