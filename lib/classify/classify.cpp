@@ -81,6 +81,7 @@ Board board_of(const System& s, const ClassifyOptions& options, const StatedSolu
       search ? with_found_integrals(s, part_of_the_work(b.budget(), integrals_before)) : s;
   LevelledSystem levelled = with_levels(known, claims_of_all(b, known));
   b.result = nothing_known(s);
+  b.result.no_parameters = s.field.parameters.size() == level_parameters(s).size();
   b.is_as_stated = levelled.claims.size() == s.claims.size();
   b.known = {without_levels_fixed(b, std::move(levelled.system)), std::move(levelled.claims),
              std::move(levelled.levels)};

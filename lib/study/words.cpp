@@ -235,7 +235,7 @@ std::string statement(const SystemClassification& c) {
       (has_logarithms(c) ? ", with logarithms in some of the first integrals," : "");
   switch (c.status()) {
   case ClassificationStatus::integrable:
-    return integrable + " for all parameters.";
+    return integrable + (c.no_parameters ? "." : " for all parameters.");
   case ClassificationStatus::non_integrable:
     return "The system is not integrable with " + first_integrals(c.excluded) + ".";
   case ClassificationStatus::depends:

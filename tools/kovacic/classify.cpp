@@ -61,16 +61,50 @@ std::string some_of(const std::vector<std::string>& sets, bool all) {
   return text;
 }
 
+// The integrals of a stratum; those that would fill the screen by what they are.
+std::string shown_integrals(const ClassifiedStratum& x, bool verbose) {
+  ClassifiedStratum brief = x;
+  std::size_t long_ones = 0;
+  long degree = 0;
+  if (!verbose)
+    long_ones = std::erase_if(brief.integrals, [&](const FoundIntegral& f) {
+      const bool is_long = !f.hamiltonian && to_string(f).size() > five_lines;
+      if (is_long) degree = std::max(degree, f.degree);
+      return is_long;
+    });
+  std::string text = integrals_text(brief);
+  if (long_ones > 0)
+    text += (text.empty() ? "" : ", ") +
+            (long_ones == 1 ? std::string("one") : std::to_string(long_ones)) +
+            fmt::format(" of degree {} in the momenta (--verbose shows {})", degree,
+                        long_ones == 1 ? "it" : "them");
+  return text;
+}
+
+// A line for a set of parameters and what is said of it, or, in a system without parameters, one line.
+void put_set(const SystemClassification& c, const std::string& status, const std::string& where,
+             std::vector<std::string> said, std::ostream& out) {
+  if (!c.no_parameters || where != "all parameters")
+    put_wide(out, status, where);
+  else if (!said.empty()) {
+    put_wide(out, status, said.front());
+    said.erase(said.begin());
+  }
+  for (const std::string& line : said)
+    put_below(out, line);
+}
+
 void print_all(const SystemClassification& c, StratumStatus status, bool verbose,
                std::ostream& out) {
   const auto all = alike(c, status);
   const std::size_t shown = verbose ? all.size() : std::min(all.size(), most_shown);
   for (std::size_t i = 0; i < shown; ++i) {
-    put_wide(out, to_string(status), some_of(all[i].where, verbose));
-    if (const std::string with = integrals_text(*all[i].first); !with.empty())
-      put_below(out, "with " + with);
+    std::vector<std::string> said;
+    if (const std::string with = shown_integrals(*all[i].first, verbose); !with.empty())
+      said.push_back("with " + with);
     for (const std::string& tried : all[i].first->open_after)
-      put_below(out, beginning(tried, verbose));
+      said.push_back(beginning(tried, verbose));
+    put_set(c, to_string(status), some_of(all[i].where, verbose), std::move(said), out);
   }
   if (shown < all.size())
     put_wide(out, to_string(status),
@@ -80,12 +114,13 @@ void print_all(const SystemClassification& c, StratumStatus status, bool verbose
 // Where nothing is decided, and what was tried on the first of these sets.
 std::string open_in_brief(const SystemClassification& c) {
   std::ostringstream out;
-  put_wide(out, "open", some_of(places(c, {StratumStatus::open}), false));
   const auto all = alike(c, StratumStatus::open);
   std::string tried = joined(all.front().first->open_after, "; ");
   if (tried.size() > two_lines) tried = tried.substr(0, two_lines) + " ...";
-  put_below(out, (tried.empty() ? "" : "tried: " + tried + "; ") +
-                     std::string("--verbose lists all that was tried"));
+  put_set(c, "open", some_of(places(c, {StratumStatus::open}), false),
+          {(tried.empty() ? "" : "tried: " + tried + "; ") +
+           std::string("--verbose lists all that was tried")},
+          out);
   return out.str();
 }
 
@@ -104,8 +139,7 @@ std::string excluded_in_full(const SystemClassification& c, bool verbose) {
   const auto all = excluded_together(c, ExcludedFor::the_same_reason);
   const std::size_t shown = verbose ? all.size() : std::min(all.size(), most_shown);
   for (std::size_t i = 0; i < shown; ++i) {
-    put_wide(out, "excluded", some_of(all[i].where, verbose));
-    put_below(out, reason_of(*all[i].by));
+    put_set(c, "excluded", some_of(all[i].where, verbose), {reason_of(*all[i].by)}, out);
   }
   if (shown < all.size())
     put_wide(out, "excluded",
@@ -127,12 +161,13 @@ std::string excluded_in_brief(const SystemClassification& c) {
     const std::string where = joined(e.where, "; or ");
     const bool named = where.size() <= two_lines;
     all_named = all_named && named;
-    put_wide(out, "excluded",
-             named                 ? where
-             : e.where.size() == 1 ? "one set with many conditions"
-                                   : std::to_string(e.where.size()) + " sets");
-    put_below(out, "along " + e.by->solution +
-                       (e.by->order > 1 ? ", at order " + std::to_string(e.by->order) : ""));
+    put_set(c, "excluded",
+            named                 ? where
+            : e.where.size() == 1 ? "one set with many conditions"
+                                  : std::to_string(e.where.size()) + " sets",
+            {"along " + e.by->solution +
+             (e.by->order > 1 ? ", at order " + std::to_string(e.by->order) : "")},
+            out);
   }
   if (carried > 0) {
     all_named = false;
@@ -148,9 +183,13 @@ std::string excluded_in_brief(const SystemClassification& c) {
 }
 
 // What to type where something is open.
-std::string next_step(const System& s, double work) {
-  std::string more = fmt::format("{:g}", 4 * work);
+std::string next_step(const System& s, const Settings& settings) {
+  std::string more = fmt::format("{:g}", 4 * settings.max_work);
   if (const auto plus = more.find("e+0"); plus != std::string::npos) more.replace(plus, 3, "e");
+  if (settings.given)
+    return "the same command with --max-work " + more +
+           "; kovacic new writes a file that can name a [[manifold]] and be drawn (kovacic "
+           "section)";
   return "kovacic classify " + s.file + " --max-work " + more +
          ", a [[manifold]] in the file, or kovacic section for a picture";
 }
@@ -196,7 +235,7 @@ std::string text_of(const System& s, const SystemClassification& c, const Settin
     }
     print_all(c, StratumStatus::integrable, verbose, out);
     out << open_sets(c, verbose);
-    if (open) put_wide(out, "next", next_step(s, settings.max_work));
+    if (open) put_wide(out, "next", next_step(s, settings));
     const std::string full = excluded_in_full(c, verbose);
     const std::string before = out.str();
     const bool too_long = std::count(before.begin(), before.end(), '\n') +
@@ -354,7 +393,9 @@ private:
                                      {"by", Json::array()},
                                      {"open_after", Json::array()}});
     std::ostringstream out;
-    if (format_ == "text") put_wide(out, to_string(StratumStatus::open), "all parameters");
+    if (format_ == "text")
+      put_wide(out, to_string(StratumStatus::open),
+               "everything (the limit came before the search)");
     report.text += out.str();
     return report;
   }

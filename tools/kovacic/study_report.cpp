@@ -248,8 +248,11 @@ std::string headline_of_all(study::Verdict verdict, bool excludes) {
 
 std::string with_written_roots(const System& s, const std::string& text) {
   std::map<std::string, std::string> meaning;
-  for (const FunctionSymbol& f : s.field.functions)
-    if (f.function == "sqrt" && !f.meaning.empty()) meaning[s.ring()->name(f.variable)] = f.meaning;
+  for (const FunctionSymbol& f : s.field.functions) { // root1, cos_theta: names that nobody wrote
+    const std::string& name = s.ring()->name(f.variable);
+    if (!f.meaning.empty() && (f.function == "sqrt" || name.starts_with(f.function + "_")))
+      meaning[name] = f.meaning;
+  }
   if (meaning.empty()) return text;
   const auto of_a_name = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
