@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <tuple>
 
 namespace kov {
 namespace {
@@ -12,6 +13,7 @@ using Exponents = std::vector<unsigned long>;
 using Cofactors = std::map<std::size_t, MPoly>;
 
 constexpr std::size_t most_elements = 60, most_terms = 400;
+constexpr double most_work = 1e7; // of one basis
 
 // f = sum cofactors[i] (condition i)
 struct Combination {
@@ -55,9 +57,10 @@ public:
     for (std::size_t i = 0; i < given.size(); ++i)
       if (given[i].sign == Sign::zero && !is_zero(given[i].p))
         add_element({given[i].p, {{i, MPoly(ring_, Integer(1))}}});
-    while (!pairs_.empty() && all_.size() < most_elements) {
+    const double end = meter() + most_work;
+    while (!pairs_.empty() && all_.size() < most_elements && meter() < end) {
       budget_.check();
-      const auto [i, j] = *pairs_.begin();
+      const auto [degree, i, j] = *pairs_.begin();
       pairs_.erase(pairs_.begin());
       add_element(s_polynomial(all_[i], all_[j]));
     }
@@ -107,9 +110,36 @@ private:
     if (is_zero(r.rest)) return;
     Cofactors c = times(x.cofactors, MPoly(ring_, r.scale));
     add(c, r.cofactors, MPoly(ring_, Integer(-1)));
+    Combination next{std::move(r.rest), std::move(c)};
+    divide_by_content(next);
     for (std::size_t i = 0; i < all_.size(); ++i)
-      pairs_.emplace(i, all_.size());
-    all_.push_back({std::move(r.rest), std::move(c)});
+      add_pair(i, next);
+    all_.push_back(std::move(next));
+  }
+  static void divide_by_content(Combination& x) {
+    Integer content(0);
+    const auto join = [&](const MPoly& f) {
+      for (long t = 0; t < f.length(); ++t)
+        content = gcd(content, f.coefficient(t));
+    };
+    join(x.f);
+    for (const auto& [i, c] : x.cofactors)
+      join(c);
+    const MPoly by(x.f.ring(), content);
+    x.f = exact_div(x.f, by);
+    for (auto& [i, c] : x.cofactors)
+      c = exact_div(c, by);
+  }
+  // The S-polynomial of two whose leading monomials have no common variable reduces to 0.
+  void add_pair(std::size_t i, const Combination& next) {
+    const Exponents a = all_[i].f.exponents(0), b = next.f.exponents(0);
+    unsigned long degree = 0;
+    bool coprime = true;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      degree += std::max(a[k], b[k]);
+      coprime = coprime && (a[k] == 0 || b[k] == 0);
+    }
+    if (!coprime) pairs_.emplace(degree, i, all_.size());
   }
   [[nodiscard]] Combination s_polynomial(const Combination& x, const Combination& y) const {
     const Exponents a = x.f.exponents(0), b = y.f.exponents(0);
@@ -126,7 +156,7 @@ private:
   Ring ring_;
   const Budget& budget_;
   std::vector<Combination> all_;
-  std::set<std::pair<std::size_t, std::size_t>> pairs_;
+  std::set<std::tuple<unsigned long, std::size_t, std::size_t>> pairs_; ///< lowest degree first
 };
 
 Json empty_node(const Integer& scale, const std::vector<std::size_t>& factors, long power,
@@ -140,6 +170,13 @@ Json empty_node(const Integer& scale, const std::vector<std::size_t>& factors, l
   return Json{Json::Object{{"node", json_text("empty")},
                            {"terms", json_list({json_list(std::move(term))})},
                            {"zeros", json_list(std::move(zeros))}}};
+}
+
+// A product of many factors grows beyond what anybody wants to read.
+bool is_too_long(const Remainder& r) {
+  const auto is_long = [](const MPoly& f) { return f.length() > static_cast<long>(most_terms); };
+  return is_long(r.rest) || std::any_of(r.cofactors.begin(), r.cofactors.end(),
+                                        [&](const auto& c) { return is_long(c.second); });
 }
 
 bool is_nowhere_zero(const Condition& c) {
@@ -167,6 +204,7 @@ std::optional<Json> ComplexProof::by_products(const std::vector<Condition>& give
         Cofactors c = times(all.cofactors, g * MPoly(ring_, next.scale));
         add(c, next.cofactors, MPoly(ring_, Integer(1)));
         all = {all.scale * next.scale, std::move(next.rest), std::move(c)};
+        if (is_too_long(all)) return std::nullopt;
       }
     if (!is_zero(all.rest)) return std::nullopt;
     return empty_node(all.scale, factors, power, all.cofactors);
@@ -273,20 +311,22 @@ private:
     if (proof_.shown(given, c)) return InTree::yes;
     return proof_.shown(given, negation(c)) ? InTree::no : InTree::unknown;
   }
-  // The region that is not excluded and lacks least.
+  // The region that is not excluded and of which the fewest equations, then the fewest other conditions
+  // are unknown: largest regions first, so that each case distinction is about one of their borders.
   [[nodiscard]] std::size_t nearest(const std::vector<InTree>& known) const {
-    std::size_t best = regions_.size(), least = 0;
+    std::size_t best = regions_.size();
+    std::pair<std::size_t, std::size_t> least;
     for (std::size_t k = 0; k < regions_.size(); ++k) {
-      const auto count = [&](InTree what) {
-        return static_cast<std::size_t>(
-            std::count_if(atoms_of_[k].begin(), atoms_of_[k].end(),
-                          [&](std::size_t i) { return known[i] == what; }));
-      };
-      if (count(InTree::no) > 0) continue;
-      const std::size_t unknown = count(InTree::unknown);
-      if (best != regions_.size() && unknown >= least) continue;
+      std::pair<std::size_t, std::size_t> lacks;
+      bool excluded = false;
+      for (const std::size_t i : atoms_of_[k]) {
+        excluded = excluded || known[i] == InTree::no;
+        if (known[i] == InTree::unknown)
+          ++(atoms_[i].sign == Sign::zero ? lacks.first : lacks.second);
+      }
+      if (excluded || (best != regions_.size() && lacks >= least)) continue;
       best = k;
-      least = unknown;
+      least = lacks;
     }
     return best;
   }

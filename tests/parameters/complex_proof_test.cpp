@@ -64,5 +64,36 @@ TEST(ComplexProof, ACoverHasNoGap) {
   EXPECT_FALSE(covers({{is("a^2 + 1", Sign::nonzero)}})); // of real numbers it is all
 }
 
+// A family of many strata: curves a - i b = 0, a conic, and their points with more lines.
+TEST(ComplexProof, ACoverByManyStrata) {
+  Budget budget;
+  budget.give(1e9);
+  const long lines = 9;
+  std::vector<std::vector<Condition>> all(1);
+  const auto line = [](long i) { return poly(("a - " + std::to_string(i) + "*b").c_str()); };
+  const MPoly conic = poly("11*a^2 + 16*a*c + 21*b*c"), cubic = poly("a^3 + 2*a*b*c - 7*c^3 + b^3");
+  const std::vector<Condition> outside{{poly("b"), Sign::nonzero}};
+  for (long i = 1; i <= lines; ++i) {
+    all[0].push_back({line(i), Sign::nonzero});
+    std::vector<Condition> curve{{line(i), Sign::zero}};
+    for (const MPoly& f : {conic, cubic}) {
+      all.push_back({{line(i), Sign::zero}, {f, Sign::zero}});
+      curve.push_back({f, Sign::nonzero});
+    }
+    all.push_back(curve);
+  }
+  all[0].push_back({conic, Sign::nonzero});
+  all[0].push_back({cubic, Sign::nonzero});
+  all.push_back({{cubic, Sign::zero}});
+  all.push_back({{conic, Sign::zero}, {cubic, Sign::nonzero}});
+  for (const bool whole : {true, false}) {
+    if (!whole) all.erase(all.begin() + 3); // a - b = 0, off both curves
+    std::vector<RegionOfPart> regions;
+    for (const auto& conditions : all)
+      regions.push_back({regions.size(), std::nullopt, conditions});
+    EXPECT_EQ(tree_of_regions(proof(), outside, regions, budget).has_value(), whole);
+  }
+}
+
 } // namespace
 } // namespace kov
