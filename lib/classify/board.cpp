@@ -76,7 +76,7 @@ std::vector<Piece> at_common_values(Board& b, const Round& round, const Piece& p
                                    piece.special[j].squares.front().den());
       }
   if (const auto bounded = bounded_values(round.system, piece.where, piece.special)) {
-    add_once(b.result.trusted, {bounded->trusted});
+    add_once(b.result.trusted, bounded->trusted);
     MPoly denominators = bounded->values.square.den();
     for (const DifferenceCondition& c : piece.special)
       for (const MFraction& square : c.squares)

@@ -52,12 +52,12 @@ private:
 
   // The smallest k, of those that are tried, such that Delta^2 > k^2 is refuted.
   std::optional<long> least_bound(const MFraction& square, const std::vector<Condition>& others,
-                                  Trusted& step) const {
+                                  std::vector<Trusted>& steps) const {
     const auto refuted = [&](long k) {
       auto all = others;
       all.push_back(larger(square, k));
       const auto proof = refuted_over_the_reals(s_, all);
-      if (proof) step = *proof;
+      if (proof) steps = *proof;
       return proof.has_value();
     };
     long high = 1;

@@ -13,7 +13,7 @@ namespace kov {
 struct BoundedValues {
   std::size_t condition = 0; ///< in the list
   CommonValues values;
-  Trusted trusted; ///< the decision over the reals
+  std::vector<Trusted> trusted; ///< on which the decision over the reals rests
 };
 /// Where all conditions hold on the set: one that holds for finitely many Delta^2 only, as the real
 /// parameters of the set with larger ones are refuted.  Another Delta that is never v is special

@@ -46,7 +46,7 @@ bool has_no_real_point(Board& b, const Piece& piece) {
   for (const MPoly& f : piece.where.inequations())
     all.push_back({f, Sign::nonzero});
   const auto proof = refuted_over_the_reals(b.known.system, all);
-  if (proof) add_once(b.result.trusted, {*proof});
+  if (proof) add_once(b.result.trusted, *proof);
   return proof.has_value();
 }
 

@@ -1,6 +1,7 @@
 #include "integrability/parameters.hpp"
 
 #include "exact/error.hpp"
+#include "parameters/refutation.hpp"
 #include "system/relations.hpp"
 
 #include <algorithm>
@@ -200,14 +201,17 @@ void require_consistent(const System& s) {
   if (contradicts_itself(s)) throw InvalidArgument("the assumptions contradict each other");
 }
 
-std::optional<Trusted> refuted_over_the_reals(const System& s,
-                                              const std::vector<Condition>& conditions) {
+std::optional<std::vector<Trusted>>
+refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions) {
   const Region all = assumed_region(s);
-  if (!std::all_of(conditions.begin(), conditions.end(),
-                   [&](const Condition& c) { return all.is_real(c.p); }))
-    return std::nullopt;
-  if (!all.refutes(conditions)) return std::nullopt;
-  return all.trusted().back();
+  const auto is_real = [&](const Condition& c) { return all.is_real(c.p); };
+  if (!std::all_of(conditions.begin(), conditions.end(), is_real)) return std::nullopt;
+  if (!all.refutes(conditions)) return std::nullopt; // most sets are not empty, and Z3 says so soon
+  auto known = assumptions_on(s, s.ring()).conditions;
+  std::erase_if(known, [&](const Condition& c) { return !is_real(c); });
+  known.insert(known.end(), conditions.begin(), conditions.end());
+  if (is_refuted_exactly(known)) return std::vector<Trusted>{};
+  return std::vector{all.trusted().back()};
 }
 
 std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic) {

@@ -37,11 +37,12 @@ namespace kov {
 [[nodiscard]] bool contradicts_itself(const System& s);
 /// Errors  InvalidArgument: contradicts_itself
 void require_consistent(const System& s);
-/// No parameters satisfy the assumptions and these conditions, all of whose variables are real: the
-/// step that proves it.  Unset: not proved.
+/// No parameters satisfy the assumptions and these conditions, all of whose variables are real: what that
+/// rests on; nothing where a sum of squares or the like proves it, which the judge of certificates accepts.
+/// Unset: not proved.
 /// Given   const Condition below_zero{MPoly(empty.ring(), Integer(-1)), Sign::positive};
 /// Example refuted_over_the_reals(empty, {below_zero}).has_value()  // -> yes
-[[nodiscard]] std::optional<Trusted>
+[[nodiscard]] std::optional<std::vector<Trusted>>
 refuted_over_the_reals(const System& s, const std::vector<Condition>& conditions);
 /// Those polynomials in the parameters that may vanish under the assumptions of the file.
 [[nodiscard]] std::vector<MPoly> not_excluded(const System& s, const std::vector<MPoly>& generic);

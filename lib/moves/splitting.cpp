@@ -251,7 +251,7 @@ bool is_empty(const System& s, const FreeBody& body, const std::array<std::size_
   for (const MPoly& f : equations)
     all.push_back({f, Sign::zero});
   const auto proof = refuted_over_the_reals(s, all);
-  if (proof) add_once(trusted, {*proof});
+  if (proof) add_once(trusted, *proof);
   return proof.has_value();
 }
 

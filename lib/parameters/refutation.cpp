@@ -1,6 +1,8 @@
 #include "parameters/refutation.hpp"
 
+#include "certify/equation/facts.hpp"
 #include "certify/strata/arithmetic.hpp"
+#include "certify/theorem/real_proof.hpp"
 #include "exact/error.hpp"
 #include "parameters/combination.hpp"
 
@@ -573,6 +575,35 @@ std::optional<Json> shown(const Ring& ring, std::vector<Condition> given, const 
                           int depth, const Budget& budget, const SharedFactorizations& known) {
   given.push_back(negation(c));
   return refutation(ring, given, depth, budget, known);
+}
+
+// The conditions may come from rings with other names beside the same ones.
+bool is_refuted_exactly(std::vector<Condition> conditions) {
+  constexpr int depth = 4;
+  constexpr double most_work = 2e7;
+  std::vector<std::string> names;
+  for (const Condition& c : conditions)
+    for (const std::size_t i : used_variables(c.p))
+      if (std::find(names.begin(), names.end(), c.p.ring()->name(i)) == names.end())
+        names.push_back(c.p.ring()->name(i));
+  const Ring ring = make_ring(names);
+  for (Condition& c : conditions)
+    c.p = is_zero(c.p) ? MPoly(ring) : transfer(MFraction(c.p), ring).num();
+  Budget budget;
+  budget.give(most_work);
+  try {
+    const auto node = refutation(ring, conditions, depth, budget);
+    if (!node) return false;
+    certify::Arithmetic arithmetic;
+    std::size_t nodes = 10000;
+    certify::RealProof(ring, std::vector<bool>(names.size(), true), arithmetic, nodes)
+        .refute(certify::Node(*node, "node", rationals()), conditions);
+    return true;
+  } catch (const OutOfBudget&) {
+    return false;
+  } catch (const certify::Refused&) {
+    return false;
+  }
 }
 
 } // namespace kov

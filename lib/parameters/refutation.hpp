@@ -113,6 +113,10 @@ private:
 [[nodiscard]] std::optional<Json> shown(const Ring& ring, std::vector<Condition> given,
                                         const Condition& c, int depth, const Budget& budget = {},
                                         const SharedFactorizations& known = {});
+/// A node is found and the judge accepts it: the conditions, of real variables, have no point.
+/// Example is_refuted_exactly({{a.num(), Sign::nonzero}, {(a * a).num(), Sign::zero}})  // -> yes
+/// Example is_refuted_exactly({{(a * a).num(), Sign::zero}})  // -> no
+[[nodiscard]] bool is_refuted_exactly(std::vector<Condition> conditions);
 /// not (f, sign)
 [[nodiscard]] Condition negation(const Condition& c);
 

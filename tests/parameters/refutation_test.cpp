@@ -66,5 +66,26 @@ TEST(Combination, IsExact) {
   EXPECT_FALSE(nonnegative_combination({{q(0), q(1)}}, {false, true}).has_value());
 }
 
+// What classify leaves out: squares of real parameters that are not 0, beside conditions that do not matter.
+TEST(Refutation, SetsWithoutRealPoints) {
+  const Ring r = make_ring({"A", "B", "C", "L1", "L2", "L3"}), other = make_ring({"L3", "L1"});
+  const auto is = [&](const char* f, Sign sign) {
+    return Condition{certify::read_polynomial(r, f), sign};
+  };
+  const Condition elsewhere{certify::read_polynomial(other, "L1^2 + L3^2"), Sign::zero};
+  std::vector<Condition> set{is("A - C", Sign::zero), is("16*C - 17*B", Sign::zero),
+                             is("B - A", Sign::nonzero), is("L3", Sign::nonzero)};
+  EXPECT_FALSE(is_refuted_exactly(set));
+  set.push_back(elsewhere);
+  EXPECT_TRUE(is_refuted_exactly(set));
+  set.back() = is("L1^2 - L3^2", Sign::zero);
+  EXPECT_FALSE(is_refuted_exactly(set));
+  set.back() = is("L1^2 + 2*L1*L3 + 2*L3^2", Sign::zero); // (L1 + L3)^2 + L3^2
+  static_cast<void>(is_refuted_exactly(set));             // found or not, never wrong
+  EXPECT_TRUE(is_refuted_exactly({is("A", Sign::positive), is("A + 1", Sign::zero)}));
+  EXPECT_FALSE(is_refuted_exactly({is("A^2", Sign::zero)}));
+  EXPECT_FALSE(is_refuted_exactly({}));
+}
+
 } // namespace
 } // namespace kov
