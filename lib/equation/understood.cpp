@@ -164,7 +164,7 @@ private:
     const OriginPtr origin = origin_of_text(name_, *result_.right_side);
     const auto y =
         particular_solution(ode_, unknown_, variable_, parse_expression(origin->text, origin));
-    note("decided is the homogeneous equation " + written(ode_) + "; the right side is " +
+    note("the homogeneous equation " + written(ode_) + " is decided; the right side is " +
          *result_.right_side);
     note(y ? "a particular solution: " + unknown_ + " = " + *y
            : "no particular solution was found: rational functions times exponentials, sines and "

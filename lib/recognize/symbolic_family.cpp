@@ -330,14 +330,14 @@ Truth SymbolicFamily::abelian() const {
 }
 
 std::string SymbolicFamily::summary() const {
-  if (abelian() == Truth::yes) return "always abelian";
-  if (abelian() == Truth::no) return "never abelian";
+  if (abelian() == Truth::yes) return "the identity component is always abelian";
+  if (abelian() == Truth::no) return "the identity component is never abelian";
   std::string s;
   for (const FamilyCase& c : cases) {
-    if (c.when.empty()) continue;
-    s += (s.empty() ? "" : "; ") +
-         (c.when == "else" ? std::string("else") : "where " + c.when + ":") + " " +
-         (c.abelian == Truth::yes ? "abelian" : "not abelian");
+    if (c.when.empty() || (&c != &cases.back() && c.abelian == cases.back().abelian)) continue;
+    const std::string is = c.abelian == Truth::yes ? "abelian" : "not abelian";
+    s += (s.empty() ? "the identity component is " : ", ") + is +
+         (c.when == "else" ? " otherwise" : " where " + c.when);
   }
   return s;
 }

@@ -86,7 +86,8 @@ std::string obstruction(const Leaf& leaf, const NoInvariant& none) {
 }
 std::string without_invariant(const Leaf& leaf) {
   const auto* none = evidence<NoInvariant>(leaf);
-  return none->bound.form ? power(none->m) + " has no rational solution" : obstruction(leaf, *none);
+  return power(none->m) + " has no rational solution" +
+         (none->bound.form ? "" : " (" + obstruction(leaf, *none) + ")");
 }
 
 std::string listed(const std::vector<Rational>& values) {
@@ -291,7 +292,7 @@ std::string argument(const Leaf& leaf, std::size_t longest) {
     return irreducible_log(leaf);
   case Conclusion::torus:
     return torus(leaf) + ": the identity component contains a torus; " + without_invariant(leaf) +
-           ", so that it is not one" + and_irreducible(leaf);
+           ", so that it is larger" + and_irreducible(leaf);
   case Conclusion::rational:
     return rational(leaf);
   case Conclusion::one_open:

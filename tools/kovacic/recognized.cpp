@@ -128,7 +128,10 @@ std::vector<std::string> special_lines(const Json& j, const std::string& unknown
   };
   std::string where = text("x") == text("letter") ? "" : text("letter") + " = " + text("x");
   std::vector<std::string> lines = j.at("solutions");
-  if (lines.empty()) { // F' occurs, or F has no short name
+  const bool says_nothing = text("functions").empty() && where.empty() && factor == "1" &&
+                            text("y") == text("function") + "(" + text("x") + ")";
+  if (lines.empty() && says_nothing) return {}; // F solves the equation that was given
+  if (lines.empty()) {                          // F' occurs, or F has no short name
     add(where, text("functions").empty() ? text("equation")
                                          : text("function") + " = " + text("functions"));
     return {unknown + " = " + product_of_powers(factor, text("y")) + "   where " + where};

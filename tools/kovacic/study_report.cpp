@@ -246,14 +246,10 @@ std::string headline_of_all(study::Verdict verdict, bool excludes) {
 
 } // namespace
 
-std::string with_written_roots(const System& s, const std::string& text) {
-  std::map<std::string, std::string> meaning;
-  for (const FunctionSymbol& f : s.field.functions) { // root1, cos_theta: names that nobody wrote
-    const std::string& name = s.ring()->name(f.variable);
-    if (!f.meaning.empty() && (f.function == "sqrt" || name.starts_with(f.function + "_")))
-      meaning[name] = f.meaning;
-  }
-  if (meaning.empty()) return text;
+namespace {
+
+std::string with_names_replaced(const std::string& text,
+                                const std::map<std::string, std::string>& meaning) {
   const auto of_a_name = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
   };
@@ -268,6 +264,41 @@ std::string with_written_roots(const System& s, const std::string& text) {
     i += word.size();
   }
   return out;
+}
+
+std::size_t indent_of(const std::string& line) {
+  return std::min(line.find_first_not_of(' '), line.size());
+}
+
+// Does the second line go on with the first, because its first word did not fit there?
+bool goes_on(const std::string& first, const std::string& second) {
+  const std::size_t indent = indent_of(second), begin = indent_of(first),
+                    word = std::min(second.find(' ', indent), second.size()) - indent,
+                    hanging = indent == begin + 2 ? 2 : 0; // put_below counts from the second line
+  return (indent > begin || begin > 10) && indent >= begin &&
+         first.size() + hanging + 1 + word > page_width();
+}
+
+} // namespace
+
+std::string with_written_roots(const System& s, const std::string& text) {
+  std::map<std::string, std::string> meaning;
+  for (const FunctionSymbol& f : s.field.functions) { // root1, cos_theta: names that nobody wrote
+    const std::string& name = s.ring()->name(f.variable);
+    if (!f.meaning.empty() && (f.function == "sqrt" || name.starts_with(f.function + "_")))
+      meaning[name] = f.meaning;
+  }
+  if (meaning.empty()) return text;
+  std::istringstream in(text);
+  std::string out, before;
+  for (std::string line; std::getline(in, line); before = line) {
+    const std::string written = with_names_replaced(line, meaning);
+    if (!out.empty() && goes_on(before, line)) // wrapped again, with longer names
+      out.back() = ' ', out += written.substr(indent_of(written)) + '\n';
+    else
+      out += written + '\n';
+  }
+  return folded(out, page_width());
 }
 
 std::string text_of(const System& s, const study::CurveStudy& m, Detail detail) {
