@@ -72,7 +72,7 @@ def written(block, directory):
     """The block with what its commands print now."""
     text = block
     for command, expected in examples(block):
-        said = run(command, directory).stdout.rstrip("\n")
+        said = re.sub(r"(?m)^ +time +[\d.]+ m?s$", "...", run(command, directory).stdout.rstrip("\n"))
         if not (expected and "..." in " ".join(expected) and matches(expected, said)):
             old = "\n".join([f"$ {command}", *expected])
             text = text.replace(old, f"$ {command}\n{said}", 1)
