@@ -495,7 +495,9 @@ struct CommandLine {
     output_flags(*measure);
 
     CLI::App* make = app.add_subcommand("new", "an annotated file to start from");
-    make->add_option("KIND", word, "ode, hamiltonian, euler-poisson or vector-field")
+    make->add_option("KIND", word,
+                     "ode, hamiltonian, euler-poisson, lagrangian, poisson, vector-field, theorem, "
+                     "scene or scan")
         ->type_name("");
     one_line_flags(*make);
     output_flags(*make);

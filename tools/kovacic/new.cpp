@@ -143,6 +143,78 @@ verdict = "non-integrable"
 source  = "this program"
 )TOML";
 
+constexpr const char* lagrangian_file =
+    R"TOML(# A Lagrangian system: the program goes over to momenta by itself (Legendre's transformation).
+# kovacic classify THIS_FILE asks for which parameters it is integrable, kovacic check THIS_FILE decides along a manifold.
+format = "equation/1"
+title  = "Two coupled oscillators"
+cite   = []
+
+[system]
+kind        = "lagrangian"
+coordinates = ["x", "y"]
+velocities  = ["x_dot", "y_dot"] # in the same order
+parameters  = ["k", "h"]         # h will be the energy
+lagrangian  = "(x_dot^2 + y_dot^2)/2 - (x^2 + y^2)/2 - k*x^2*y^2"
+
+[[manifold]]                     # coordinates and their momenta p_x, p_y
+name      = "one moves"
+equations = ["x = 0", "p_x = 0"]
+level     = "H = h"
+
+[[expect]]                       # each block is a test
+where   = { k = "1", h = "1" }
+verdict = "non-integrable"
+source  = "this program"
+)TOML";
+
+constexpr const char* poisson_file =
+    R"TOML(# Any Poisson bracket: the entry in row i, column j is {x_i, x_j}; Jacobi's identity is checked.
+# kovacic classify THIS_FILE asks for which parameters it is integrable, kovacic find-manifolds THIS_FILE proposes manifolds.
+format = "equation/1"
+title  = "A free body"
+cite   = []
+
+[system]
+kind        = "poisson"
+coordinates = ["M1", "M2", "M3"]
+parameters  = ["a", "b", "c"]    # the moments of inertia
+hamiltonian = "(M1^2/a + M2^2/b + M3^2/c)/2"
+bracket = [
+  ["0", "-M3", "M2"],
+  ["M3", "0", "-M1"],
+  ["-M2", "M1", "0"],
+]
+
+[[casimir]]                      # a claim; it is proved or refuted
+name  = "F"
+value = "M1^2 + M2^2 + M3^2"
+)TOML";
+
+constexpr const char* theorem_file =
+    R"TOML(# A theorem from its steps: kovacic prove THIS_FILE, or -o proof.html.  docs/guide/theorem-files.md has all kinds of steps.
+# kovacic classify FILE --as-theorem THIS_FILE writes one from what it finds.
+format = "theorem/1"
+title  = "The Henon-Heiles system with b = -1 is not integrable"
+system = "henon_heiles.toml"     # kovacic new hamiltonian > henon_heiles.toml
+
+[[node]]                         # the first one is the theorem
+id     = "main"
+title  = "Not integrable on one level, so not at all"
+kind   = "case"                  # kovacic check, with these values
+file   = "henon_heiles.toml"
+where  = { b = "-1", h = "1" }
+at     = { b = "-1" }            # where the step stands in the theorem's system
+expect = "non-integrable"
+needs  = ["energy"]
+
+[[node]]
+id    = "energy"
+title = "The energy"
+kind  = "claims"                 # every claim of the file holds exactly
+file  = "henon_heiles.toml"
+)TOML";
+
 constexpr const char* scene_file =
     R"TOML(# A system and what is to be seen of it.  kovacic section THIS_FILE -o DIR writes points and pictures.
 format = "equation/1"
@@ -221,7 +293,10 @@ struct StartingFile {
 const std::vector<StartingFile> starting_files{{"ode", ode_file},
                                                {"hamiltonian", hamiltonian_file},
                                                {"euler-poisson", euler_poisson_file},
+                                               {"lagrangian", lagrangian_file},
+                                               {"poisson", poisson_file},
                                                {"vector-field", vector_field_file},
+                                               {"theorem", theorem_file},
                                                {"scene", scene_file},
                                                {"scan", scan_file}};
 
