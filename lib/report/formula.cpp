@@ -86,25 +86,54 @@ private:
   }
   [[nodiscard]] std::string sum(const Expression& e) const;
   [[nodiscard]] std::string product(const Expression& e) const;
+  [[nodiscard]] std::string letter(const std::string& stem) const;
+  [[nodiscard]] std::string below(const std::string& base, const std::string& index) const;
   [[nodiscard]] std::string name(const std::string& n) const;
   [[nodiscard]] std::string call(const Expression& e) const;
 
   bool tex_, flat_;
 };
 
+// theta, x, or the name in roman letters
+std::string Writer::letter(const std::string& stem) const {
+  if (const auto it = greek().find(stem); it != greek().end())
+    return tex_ ? it->second.first + " " : "<mi>" + it->second.second + "</mi>";
+  if (!tex_) return "<mi>" + stem + "</mi>";
+  if (stem.size() == 1) return stem;
+  std::string escaped;
+  for (const char c : stem)
+    escaped += c == '_' ? std::string("\\_") : std::string(1, c);
+  return "\\mathrm{" + escaped + "}";
+}
+
+std::string Writer::below(const std::string& base, const std::string& index) const {
+  return tex_ ? base + "_{" + index + "}" : "<msub>" + base + index + "</msub>";
+}
+
+// x_dot is x with a dot; px, p_theta and a_1 have an index, and so has q1.
 std::string Writer::name(const std::string& n) const {
+  const auto is_letter = [](const std::string& x) { return x.size() == 1 || greek().contains(x); };
+  if (n.size() > 4 && n.ends_with("_dot")) {
+    const std::string base = name(n.substr(0, n.size() - 4));
+    return tex_ ? "\\dot{" + base + "}" : "<mover>" + base + "<mo>&#x2d9;</mo></mover>";
+  }
   std::size_t end = n.size();
   while (end > 0 && std::isdigit(static_cast<unsigned char>(n[end - 1])) != 0)
     --end;
   std::string stem = n.substr(0, end);
-  const std::string index = n.substr(end);
-  if (const auto it = greek().find(stem); it != greek().end())
-    stem = tex_ ? it->second.first + " " : it->second.second;
-  else if (tex_ && stem.size() > 1)
-    stem = "\\mathrm{" + stem + "}";
-  if (tex_) return index.empty() ? stem : stem + "_{" + index + "}";
-  const std::string base = "<mi>" + stem + "</mi>";
-  return index.empty() ? base : "<msub>" + base + "<mn>" + index + "</mn></msub>";
+  const std::string digits = n.substr(end);
+  const std::string index = digits.empty() || tex_ ? digits : "<mn>" + digits + "</mn>";
+  if (stem.size() > 1 && stem.back() == '_' && !index.empty()) stem.pop_back();
+  const auto low = stem.find('_');
+  const bool momentum = stem.size() > 1 && stem[0] == 'p' && !greek().contains(stem);
+  const std::string head = low != std::string::npos ? stem.substr(0, low)
+                           : momentum               ? "p"
+                                                    : "",
+                    tail =
+                        low != std::string::npos ? stem.substr(low + 1) : stem.substr(head.size());
+  if (!head.empty() && is_letter(head) && is_letter(tail))
+    return below(letter(head), index.empty() ? letter(tail) : below(letter(tail), index));
+  return index.empty() ? letter(stem) : below(letter(stem), index);
 }
 
 std::string Writer::sum(const Expression& e) const {

@@ -113,7 +113,7 @@ class Sections(unittest.TestCase):
         for indicator in (None, "megno"):
             s = henon().section("x", {"H": "1/12"}, indicator=indicator, title="E = 1/12", **self.options)
             ax = s.plot()
-            self.assertEqual((ax.get_xlabel(), ax.get_ylabel(), ax.get_title()), ("y", "v", "E = 1/12"))
+            self.assertEqual((ax.get_xlabel(), ax.get_ylabel(), ax.get_title()), ("$y$", "$v$", "E = 1/12"))
             self.assertEqual(len(ax.collections[0].get_offsets()), 80)
             self.assertEqual(len(ax.figure.axes), 2 if indicator else 1)  # with a colour bar
             own = pyplot.figure().add_subplot()

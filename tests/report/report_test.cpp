@@ -43,6 +43,27 @@ const TheoremResult& with_a_cited_theorem() {
   return r;
 }
 
+// Names as they are typeset: momenta, velocities, indices; a name of several letters stays upright.
+TEST(Report, NamesOfFormulas) {
+  using report::formula;
+  using report::Markup;
+  for (const auto& [name, tex] :
+       std::vector<std::pair<std::string, std::string>>{{"p_theta*1", "p_{\\theta }"},
+                                                        {"px^2", "p_{x}^{2}"},
+                                                        {"x_dot^2", "\\dot{x}^{2}"},
+                                                        {"q1_dot + 1", "\\dot{q_{1}}"},
+                                                        {"a_1 + 1", "a_{1}"},
+                                                        {"p_theta1 + 1", "p_{\\theta _{1}}"},
+                                                        {"my_name + 1", "my\\_name"},
+                                                        {"psi + 1", "\\psi"},
+                                                        {"p0 + 1", "p_{0}"}})
+    EXPECT_NE(formula(name, Markup::tex).find(tex), std::string::npos)
+        << formula(name, Markup::tex);
+  EXPECT_NE(formula("p_theta + 1", Markup::html).find("<msub><mi>p</mi><mi>&theta;</mi></msub>"),
+            std::string::npos)
+      << formula("p_theta + 1", Markup::html);
+}
+
 } // namespace
 
 TEST(Formula, InLatex) {

@@ -69,13 +69,15 @@ class SystemSection:
             ax = pyplot.figure().add_subplot()
         own = bool({"c", "color"} & options.keys())
         colors = None if own else self.colors
-        shown = {"s": 1, "linewidths": 0, **options}
+        shown = {"s": 1, "linewidths": 0}
         if not own:
-            shown |= {"c": self.orbit, "cmap": "tab10"} if colors is None else {"c": colors, "cmap": "viridis"}
+            shown |= {"c": self.orbit, "cmap": "tab10"} if colors is None else {"c": colors, **colour_scale(self.indicator)}
         drawn = ax.scatter(self.x, self.y, **{**shown, **options})
         if colors is not None:
-            ax.figure.colorbar(drawn, ax=ax, label=self.indicator)
-        ax.set(xlabel=self.labels[0], ylabel=self.labels[1], title=self.title)
+            bar = ax.figure.colorbar(drawn, ax=ax, label=INDICATORS.get(self.indicator, self.indicator))
+            if self.indicator == "megno" and not {"cmap", "norm"} & options.keys():
+                bar.set_ticks([0.1, 0.5, 1, 2, 4, 10, 40], labels=["0.1", "0.5", "1", "2", "4", "10", "40"])
+        ax.set(xlabel=axis_label(self.labels[0]), ylabel=axis_label(self.labels[1]), title=self.title)
         return ax
 
     def __bool__(self):
@@ -84,6 +86,31 @@ class SystemSection:
     def __repr__(self):
         partial = "PARTIAL, " if self.stopped or self.cut_short else ""
         return f"<SystemSection: {partial}{len(self.orbits)} orbits, {len(self.x)} points, drift {self.drift:.1e}>"
+
+
+INDICATORS = {"megno": "mean MEGNO (2: regular)", "lyapunov": "largest Lyapunov exponent", "fli": "fast Lyapunov indicator"}
+# As in the pictures of `kovacic section`: what is regular is dark; MEGNO has 2, regular motion, in the middle.
+AROUND_TWO = [(0, "#4fb99f"), (0.25, "#127a6b"), (0.5, "#22304a"), (0.62, "#5b1d72"), (0.75, "#a5317e"), (0.88, "#e2505f"),
+              (1, "#fb9a62")]
+FROM_DARK = [(0, "#22304a"), (0.25, "#5b1d72"), (0.5, "#a5317e"), (0.75, "#e2505f"), (1, "#fb9a62")]
+
+
+def colour_scale(indicator):
+    from matplotlib.colors import LinearSegmentedColormap, LogNorm
+
+    if indicator == "megno":
+        return {"cmap": LinearSegmentedColormap.from_list("megno", AROUND_TWO), "norm": LogNorm(0.1, 40)}
+    return {"cmap": LinearSegmentedColormap.from_list("indicator", FROM_DARK)}
+
+
+def axis_label(text):
+    """A name or a formula as it is typeset; what is no formula stays text."""
+    if len(text) == 2 and text[0] == "p" and text[1].isalpha():
+        return f"$p_{{{text[1]}}}$"
+    try:
+        return _core.latex(text)
+    except Exception:
+        return text
 
 
 def column(code, data):
