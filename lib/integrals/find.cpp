@@ -10,6 +10,14 @@
 namespace kov {
 namespace {
 
+// A denominator as its factors, or by the number of its terms.
+std::string denominator_text(const MPoly& den) {
+  constexpr std::size_t longest = 80;
+  const std::string factors = to_factored_string(MFraction(den));
+  return factors.size() <= longest ? factors
+                                   : "a denominator of " + std::to_string(den.length()) + " terms";
+}
+
 // With x^2 = g for a function x with such a relation, up to a constant: (p*cos^2 - p)/sin^2 is p.
 MFraction shortest(const VectorField& v, const MFraction& f) {
   const auto size = [](const MFraction& g) { return g.num().length() + g.den().length(); };
@@ -184,7 +192,7 @@ private:
     if (layered_) return searched_in_layers();
     const MPoly den = ansatz_denominator(space_, options_.degree);
     const long more = degree_of(space_, den);
-    const std::string over = more > 0 ? ", over " + brief(MFraction(den), 200) : "";
+    const std::string over = more > 0 ? ", over " + denominator_text(den) : "";
     if (!mechanical_)
       return "polynomials of degree <= " + std::to_string(options_.degree + more) +
              " in the phase variables" + over;
@@ -208,7 +216,7 @@ private:
     const std::string text = first + ", their other coefficients polynomials of degree <= " + c;
     if (more == 0) return text + " in the other variables";
     return text + " + " + std::to_string(more) + "*j over (" +
-           brief(MFraction(space_.denominator), 200) + ")^j, " + step +
+           denominator_text(space_.denominator) + ")^j, " + step +
            "*j degrees below the highest one";
   }
 
