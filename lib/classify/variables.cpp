@@ -131,6 +131,7 @@ FoundIntegral in_old(const FoundIntegral& f, const System& old, const CanonicalC
     g.logarithms.push_back({times, of.num()});
     if (!is_constant(MFraction(of.den()))) g.logarithms.push_back({-times, of.den()});
   }
+  if (!g.hamiltonian && g.logarithms.empty()) g.value = shortest_form(old.field, g.value);
   return g;
 }
 

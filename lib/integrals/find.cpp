@@ -18,32 +18,6 @@ std::string denominator_text(const MPoly& den) {
                                    : "a denominator of " + std::to_string(den.length()) + " terms";
 }
 
-// With x^2 = g for a function x with such a relation, up to a constant: (p*cos^2 - p)/sin^2 is p.
-MFraction shortest(const VectorField& v, const MFraction& f) {
-  const auto size = [](const MFraction& g) { return g.num().length() + g.den().length(); };
-  MFraction best = f;
-  for (const MPoly& relation : v.relations)
-    for (const FunctionSymbol& x : v.functions) {
-      if (degree(relation, x.variable) != 2) continue;
-      const std::vector<MPoly> r = coefficients(relation, x.variable);
-      if (!is_constant(r[2]) || !is_zero(r[1])) continue;
-      const MFraction square = MFraction(-r[0]) / MFraction(r[2]);
-      const auto lowered = [&](const MPoly& p) {
-        const std::vector<MPoly> c = coefficients(p, x.variable);
-        MFraction sum(p.ring());
-        for (std::size_t i = 0; i < c.size(); ++i)
-          sum += MFraction(c[i]) * pow(square, static_cast<long>(i / 2)) *
-                 pow(MFraction::variable(p.ring(), x.variable), static_cast<long>(i % 2));
-        return sum;
-      };
-      const MFraction below = lowered(best.den());
-      if (is_zero(below)) continue;
-      if (const MFraction g = lowered(best.num()) / below; size(g) < size(best))
-        best = g.num().coefficient(0) < Integer(0) ? -g : g;
-    }
-  return best;
-}
-
 // Of an ansatz with the bounds of Theorem 3, with and without parameters; above, a smaller one is
 // chosen.
 constexpr std::size_t most_with_parameters = 600;
@@ -653,7 +627,7 @@ private:
       MPoly sum(space_.field.ring);
       for (const auto& [j, c] : restricted(where, row))
         sum += c * ansatz.numerators[j];
-      const MFraction value = shortest(space_.field, on_set(where, sum, ansatz.denominator));
+      const MFraction value = shortest_form(space_.field, on_set(where, sum, ansatz.denominator));
       all.push_back({value, degree_in_momenta(value), casimirs});
     }
     std::stable_sort(all.begin(), all.end(), [](const FoundIntegral& a, const FoundIntegral& b) {
@@ -841,6 +815,31 @@ std::string short_text(const MFraction& f) {
 }
 
 } // namespace
+
+MFraction shortest_form(const VectorField& v, const MFraction& f) {
+  const auto size = [](const MFraction& g) { return g.num().length() + g.den().length(); };
+  MFraction best = f;
+  for (const MPoly& relation : v.relations)
+    for (const FunctionSymbol& x : v.functions) {
+      if (degree(relation, x.variable) != 2) continue;
+      const std::vector<MPoly> r = coefficients(relation, x.variable);
+      if (!is_constant(r[2]) || !is_zero(r[1])) continue;
+      const MFraction square = MFraction(-r[0]) / MFraction(r[2]);
+      const auto lowered = [&](const MPoly& p) {
+        const std::vector<MPoly> c = coefficients(p, x.variable);
+        MFraction sum(p.ring());
+        for (std::size_t i = 0; i < c.size(); ++i)
+          sum += MFraction(c[i]) * pow(square, static_cast<long>(i / 2)) *
+                 pow(MFraction::variable(p.ring(), x.variable), static_cast<long>(i % 2));
+        return sum;
+      };
+      const MFraction below = lowered(best.den());
+      if (is_zero(below)) continue;
+      if (const MFraction g = lowered(best.num()) / below; size(g) < size(best))
+        best = g.num().coefficient(0) < Integer(0) ? -g : g;
+    }
+  return best;
+}
 
 std::string to_string(const FoundIntegral& f) {
   if (f.logarithms.empty()) return short_text(f.value);
